@@ -46,7 +46,9 @@ impl Variant {
         let demand = Demand::of(scene, m);
         let at = position::configure(scene, m, &demand).unwrap().value;
         let planned = plan::plan(scene, m, &demand);
-        let paper = construct::construct(scene, m, &at, &planned, &Boxes::of(&scene.paper, &planned)).unwrap();
+        let paper =
+            construct::construct(scene, m, &at, &planned, &Boxes::of(&scene.paper, &planned))
+                .unwrap();
         let solution = analytic::solve(scene, m, &at, &demand).unwrap();
         black_box(construct::read(scene, m, &at, &planned, &paper));
         for f in &scene.find {
@@ -79,13 +81,19 @@ fn main() {
         Variant::new("last joint F: position", &["x_F", "y_F"], same),
         Variant::new("last joint F: velocity", &["v_F"], same),
         Variant::new("last joint F: acceleration", &["a_F"], same),
-        Variant::new("all joints: positions", &["x_C", "y_C", "x_D", "y_D", "x_E", "y_E", "x_F", "y_F", "x_G", "y_G"], same),
+        Variant::new(
+            "all joints: positions",
+            &["x_C", "y_C", "x_D", "y_D", "x_E", "y_E", "x_F", "y_F", "x_G", "y_G"],
+            same,
+        ),
         Variant::new("all joints: velocities", &["v_C", "v_D", "v_E", "v_F", "v_G"], same),
         Variant::new("all joints: accelerations", &["a_C", "a_D", "a_E", "a_F", "a_G"], same),
         Variant::new("all questions of the template", &[], same),
         Variant::new("first joint C: acceleration, with a further dyad", &["a_C"], with_a_dyad),
         Variant::new("last joint F: acceleration, with a further dyad", &["a_F"], with_a_dyad),
-        Variant::new("last joint F: velocity, the driver with α", &["v_F"], |j| j["driver"]["alpha"] = json!("3 rad/s^2")),
+        Variant::new("last joint F: velocity, the driver with α", &["v_F"], |j| {
+            j["driver"]["alpha"] = json!("3 rad/s^2")
+        }),
     ];
     // `cargo test --all-targets` runs benches too: a single round is enough there.
     let rounds = if std::env::args().any(|a| a == "--bench") { ROUNDS } else { 1 };
@@ -107,7 +115,9 @@ fn main() {
         })
         .collect();
     let whole = medians[variants.iter().position(|v| v.name.starts_with("all questions")).unwrap()];
-    println!("| asked | groups placed | unknowns v, a | vectors v, a | µs | of all |\n|---|---|---|---|---|---|");
+    println!(
+        "| asked | groups placed | unknowns v, a | vectors v, a | µs | of all |\n|---|---|---|---|---|---|"
+    );
     for (v, t) in variants.iter().zip(&medians) {
         let w = v.work();
         let pair = |a: usize, b: usize| format!("{a}, {b}");

@@ -14,7 +14,11 @@ use std::hint::black_box;
 fn solved<N: motion::MotionNumber>(scene: &Scene, w: &Worked) -> usize {
     let at = position::recompute::<N>(scene, &w.mechanism, &w.demand, &w.configuration).unwrap();
     let motion = motion::solve(scene, &w.mechanism, &at, &w.demand);
-    w.results.iter().filter_map(|r| evaluate(scene, &at, &motion, &scene.find[r.find].what)).map(black_box).count()
+    w.results
+        .iter()
+        .filter_map(|r| evaluate(scene, &at, &motion, &scene.find[r.find].what))
+        .map(black_box)
+        .count()
 }
 
 fn ladder(c: &mut Criterion) {
@@ -26,8 +30,12 @@ fn ladder(c: &mut Criterion) {
         g.bench_function("2 f64 with its error", |b| b.iter(|| solved::<Ball<f64>>(&scene, &w)));
         g.bench_function("3 certify to 4 digits", |b| b.iter(|| certify(&scene, &w, 4)));
         g.bench_function("4 double-double", |b| b.iter(|| solved::<Dd>(&scene, &w)));
-        g.bench_function("5 double-double with its error", |b| b.iter(|| solved::<Ball<Dd>>(&scene, &w)));
-        g.bench_function("6 192 bit with its error", |b| b.iter(|| within(192, || solved::<Ball<Big>>(&scene, &w))));
+        g.bench_function("5 double-double with its error", |b| {
+            b.iter(|| solved::<Ball<Dd>>(&scene, &w))
+        });
+        g.bench_function("6 192 bit with its error", |b| {
+            b.iter(|| within(192, || solved::<Ball<Big>>(&scene, &w)))
+        });
         g.bench_function("7 certify to 14 digits", |b| b.iter(|| certify(&scene, &w, 14)));
         g.bench_function("8 certify the steps", |b| b.iter(|| steps(&scene, &w, None)));
         g.finish();

@@ -27,12 +27,26 @@ fn stages(c: &mut Criterion) {
         let mut g = c.benchmark_group(name);
         g.bench_function("1 read", |b| b.iter(|| scene::read(black_box(text))));
         g.bench_function("2 mechanism", |b| b.iter(|| Mechanism::new(black_box(&scene))));
-        g.bench_function("3 positions", |b| b.iter(|| position::configure(black_box(&scene), &mechanism, &demand)));
-        g.bench_function("4 plan", |b| b.iter(|| plan::plan(black_box(&scene), &mechanism, &demand)));
-        g.bench_function("5 construction", |b| {
-            b.iter(|| construct::construct(black_box(&scene), &mechanism, &at, &planned, &Boxes::default()))
+        g.bench_function("3 positions", |b| {
+            b.iter(|| position::configure(black_box(&scene), &mechanism, &demand))
         });
-        g.bench_function("6 loop equations", |b| b.iter(|| analytic::solve(black_box(&scene), &mechanism, &at, &demand)));
+        g.bench_function("4 plan", |b| {
+            b.iter(|| plan::plan(black_box(&scene), &mechanism, &demand))
+        });
+        g.bench_function("5 construction", |b| {
+            b.iter(|| {
+                construct::construct(
+                    black_box(&scene),
+                    &mechanism,
+                    &at,
+                    &planned,
+                    &Boxes::default(),
+                )
+            })
+        });
+        g.bench_function("6 loop equations", |b| {
+            b.iter(|| analytic::solve(black_box(&scene), &mechanism, &at, &demand))
+        });
         g.bench_function("7 figure", |b| b.iter(|| sheet(black_box(&scene), &worked, &options)));
         g.bench_function("8 svg", |b| b.iter(|| svg::write(black_box(&figure))));
         g.bench_function("9 png 150 dpi", |b| b.iter(|| png::render(black_box(&drawn), 150.0)));
@@ -58,8 +72,16 @@ fn command(c: &mut Criterion) {
         ("shaper", "pdf", vec!["draw", "--format", "pdf", "-o", "."]),
         ("shaper", "worksheet pdf", vec!["worksheet", "-o", "worksheet.pdf"]),
         ("shaper", "lesson, 72 positions", vec!["lesson", "-o", "shaper.html"]),
-        ("class-iii-six-bar", "lesson, 72 positions", vec!["lesson", "-o", "class-iii-six-bar.html"]),
-        ("stephenson-six-bar", "lesson, 72 positions", vec!["lesson", "-o", "stephenson-six-bar.html"]),
+        (
+            "class-iii-six-bar",
+            "lesson, 72 positions",
+            vec!["lesson", "-o", "class-iii-six-bar.html"],
+        ),
+        (
+            "stephenson-six-bar",
+            "lesson, 72 positions",
+            vec!["lesson", "-o", "stephenson-six-bar.html"],
+        ),
         ("excavator", "lesson, 72 positions", vec!["lesson", "-o", "excavator.html"]),
     ] {
         let file = folder.path().join(format!("{template}.json"));
@@ -80,10 +102,15 @@ fn command(c: &mut Criterion) {
         });
     }
     g.finish();
-    let mut written: Vec<_> = std::fs::read_dir(folder.path()).unwrap().map(|f| f.unwrap()).collect();
+    let mut written: Vec<_> =
+        std::fs::read_dir(folder.path()).unwrap().map(|f| f.unwrap()).collect();
     written.sort_by_key(std::fs::DirEntry::file_name);
     for file in written {
-        println!("{}: {:.0} kB", file.file_name().display(), file.metadata().map_or(0.0, |m| m.len() as f64 / 1000.0));
+        println!(
+            "{}: {:.0} kB",
+            file.file_name().display(),
+            file.metadata().map_or(0.0, |m| m.len() as f64 / 1000.0)
+        );
     }
 }
 

@@ -68,7 +68,11 @@ fn in_memory(steps: usize, again: Again) -> usize {
         table = if again == Again::Compiled {
             compiled.run(&stations, Width::Widest, used)
         } else {
-            Sweep::new(&PlacedScene::new(&scene, &m).unwrap(), 0).unwrap().run(&stations, Width::Widest, used)
+            Sweep::new(&PlacedScene::new(&scene, &m).unwrap(), 0).unwrap().run(
+                &stations,
+                Width::Widest,
+                used,
+            )
         };
         black_box(&table).rows()
     };
@@ -103,7 +107,9 @@ fn write(blocks: &[Block], format: &dyn RowFormat, path: &Path) {
         s.spawn(move || {
             for block in blocks {
                 let columns: Vec<&[f64]> = block.columns.iter().map(Vec::as_slice).collect();
-                sender.send(format.piece_in(&columns, used.try_recv().unwrap_or_default()).unwrap()).unwrap();
+                sender
+                    .send(format.piece_in(&columns, used.try_recv().unwrap_or_default()).unwrap())
+                    .unwrap();
             }
         });
         let mut offset = begin.len() as u64;
@@ -121,7 +127,10 @@ fn write(blocks: &[Block], format: &dyn RowFormat, path: &Path) {
 
 fn command(arguments: &str, last: &Path) {
     let mut c = Command::new(env!("CARGO_BIN_EXE_hodograph"));
-    c.args(arguments.split_whitespace()).arg(last).current_dir(env!("CARGO_MANIFEST_DIR")).stdout(Stdio::null());
+    c.args(arguments.split_whitespace())
+        .arg(last)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .stdout(Stdio::null());
     assert!(c.status().unwrap().success());
 }
 
@@ -130,13 +139,25 @@ fn writing() {
     let m = Mechanism::new(&scene).unwrap().value;
     let variation = Variation::new(&scene, &["l_AB", "l_BC", "l_CD"]).unwrap();
     let range = |name, from, to| variation.range(&scene, name, from, to, 1).unwrap();
-    let values = vec![range("l_AB", "60", "120"), range("l_BC", "200", "300"), range("l_CD", "180", "260")];
+    let values =
+        vec![range("l_AB", "60", "120"), range("l_BC", "200", "300"), range("l_CD", "180", "260")];
     let choice = ParameterChoice::Random { count: MECHANISMS, seed: 1 };
     let stations = Some(Stations::turned(Angle::Deg(0.0), Angle::Deg(358.2), 199));
-    let batch = Batch { scene: &scene, mechanism: &m, variation: variation.clone(), values, choice, driver: 0, stations };
-    let ends = || (0..MECHANISMS).step_by(STEP as usize).map(|from| (from, MECHANISMS.min(from + STEP)));
+    let batch = Batch {
+        scene: &scene,
+        mechanism: &m,
+        variation: variation.clone(),
+        values,
+        choice,
+        driver: 0,
+        stations,
+    };
+    let ends =
+        || (0..MECHANISMS).step_by(STEP as usize).map(|from| (from, MECHANISMS.min(from + STEP)));
     // One after the other, each in the memory of the one before.
-    let computed = || ends().fold(Block::default(), |used, (from, to)| black_box(batch.block_in(from, to, used)));
+    let computed = || {
+        ends().fold(Block::default(), |used, (from, to)| black_box(batch.block_in(from, to, used)))
+    };
     let kept: Vec<Block> = ends().map(|(from, to)| batch.block(from, to)).collect();
     let rows: usize = kept.iter().map(|b| b.columns[0].len()).sum();
     let mut head = TableHead::new("", batch.columns());
@@ -149,7 +170,8 @@ fn writing() {
         ("npy", Box::new(Npy::new(head.clone()))),
         ("parquet", Box::new(Parquet::new(head).unwrap())),
     ];
-    let (mut compute, mut alone, mut whole) = (Vec::new(), vec![Vec::new(); 3], vec![Vec::new(); 3]);
+    let (mut compute, mut alone, mut whole) =
+        (Vec::new(), vec![Vec::new(); 3], vec![Vec::new(); 3]);
     let path = |ending: &str| folder.join(format!("designs.{ending}"));
     for round in 0..6 {
         compute.push(seconds(|| drop(computed())));
@@ -167,7 +189,10 @@ fn writing() {
     }
     let compute = median(compute);
     let million = |t: f64| rows as f64 / t / 1e6;
-    println!("{rows} rows of 11 columns; computed only: {compute:.3} s, {:.1} million positions/s", million(compute));
+    println!(
+        "{rows} rows of 11 columns; computed only: {compute:.3} s, {:.1} million positions/s",
+        million(compute)
+    );
     println!(
         "\n| format | MB | writing alone, s | whole command, s | whole / writing alone | (whole - computing) / writing alone | whole / computing + writing | million positions/s |"
     );
@@ -175,8 +200,13 @@ fn writing() {
     for (k, (ending, _)) in formats.iter().enumerate() {
         let (alone, whole) = (median(alone[k].clone()), median(whole[k].clone()));
         let size = std::fs::metadata(path(ending)).unwrap().len() as f64 / 1e6;
-        let ratios = [whole / alone, (whole - compute) / alone, whole / (alone + compute)].map(|r| format!("{r:.2}")).join(" | ");
-        println!("| {ending} | {size:.0} | {alone:.3} | {whole:.3} | {ratios} | {:.1} |", million(whole));
+        let ratios = [whole / alone, (whole - compute) / alone, whole / (alone + compute)]
+            .map(|r| format!("{r:.2}"))
+            .join(" | ");
+        println!(
+            "| {ending} | {size:.0} | {alone:.3} | {whole:.3} | {ratios} | {:.1} |",
+            million(whole)
+        );
     }
     let _ = std::fs::remove_dir_all(&folder);
 }
@@ -193,7 +223,10 @@ fn starting() {
         empty.push(run("true", &[]));
     }
     let (ours, empty) = (median(ours) * 1e3, median(empty) * 1e3);
-    println!("\nstarting: hodograph --version {ours:.2} ms, an empty program {empty:.2} ms: {:.2} ms more", ours - empty);
+    println!(
+        "\nstarting: hodograph --version {ours:.2} ms, an empty program {empty:.2} ms: {:.2} ms more",
+        ours - empty
+    );
 }
 
 fn main() {

@@ -1,6 +1,7 @@
 //! Figures by name as SVG and PNG, and the place of a vector in them.
 //!
-//! `cargo run --example figure` writes `mechanism.svg`, `velocity.svg`, `acceleration.svg` and their PNG files to the current folder.
+//! `cargo run --example figure` writes `mechanism.svg`, `velocity.svg`, `acceleration.svg` and
+//! their PNG files to the current folder.
 
 use hodograph::figure::list;
 use hodograph::problem::{Look, Options, Pictures, read, solve, templates};
@@ -17,7 +18,8 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let solved = solve(&problem, &Options::with_figures())?;
 
     // `list::LIST` has the names of all figures, as `hodograph draw --figure` takes them.
-    let entries: Vec<_> = ["mechanism", "velocity", "acceleration"].into_iter().filter_map(list::named).collect();
+    let entries: Vec<_> =
+        ["mechanism", "velocity", "acceleration"].into_iter().filter_map(list::named).collect();
     let pictures = Pictures { figures: &entries, ..Pictures::default() };
     let look = Look { lang: Some(Lang::En), ..Look::default() };
 
@@ -29,7 +31,10 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         // Places are in mm of the paper, y up. The id is that of the element in the SVG file.
         for vector in figure.vectors() {
             let (from, to) = (vector.from, vector.to);
-            println!("{name}.svg#{}: ({:.2}, {:.2}) to ({:.2}, {:.2}) mm, {:.4} in SI", vector.id, from.x, from.y, to.x, to.y, vector.si);
+            println!(
+                "{name}.svg#{}: ({:.2}, {:.2}) to ({:.2}, {:.2}) mm, {:.4} in SI",
+                vector.id, from.x, from.y, to.x, to.y, vector.si
+            );
         }
         // A vector is found by its name, as `find` writes it.
         if let Some(v) = figure.vector("v_C") {

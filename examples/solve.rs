@@ -1,4 +1,5 @@
-//! Answers of a template and of a scene that is built in the program: certified digits, and drawing against analysis.
+//! Answers of a template and of a scene that is built in the program: certified digits, and drawing
+//! against analysis.
 //!
 //! `cargo run --example solve`
 
@@ -40,7 +41,11 @@ fn print_answers(title: &str, problem: &Problem) -> Result<(), Faults> {
     for answer in solved.answers(&look) {
         println!("  {} = {}", answer.find, answer.text);
         if let (Some(drawn), Some(difference)) = (answer.drawn, answer.difference) {
-            println!("    drawn {:.6} {}, relative difference from the analysis {difference:.0e}", drawn.magnitude(), answer.unit);
+            println!(
+                "    drawn {:.6} {}, relative difference from the analysis {difference:.0e}",
+                drawn.magnitude(),
+                answer.unit
+            );
         }
     }
     assert_eq!(solved.verdict(), Verdict::Answered);

@@ -191,8 +191,8 @@
 //!
 //! # Extension
 //! A pair or driver is one file in [`mechanism`]'s folder `pair`. It states the items of the scene
-//! that the pair comes from, the *form* that it demands ([`mechanism::PairForm`]), and its name. Forms
-//! are the few statements in link frames to which all pairs are reduced:
+//! that the pair comes from, the *form* that it demands ([`mechanism::PairForm`]), and its name.
+//! Forms are the few statements in link frames to which all pairs are reduced:
 //! - two points meet;
 //! - the angles of two links differ by a given amount;
 //! - a point lies on the path of a guide;
@@ -243,11 +243,15 @@
 #![allow(rustdoc::private_intra_doc_links)]
 
 pub use hodograph_analytic as analytic;
-pub use hodograph_base::{budget, cam, diag, diagram, digits, geom, kind, lang, notation, number, trig};
+pub use hodograph_base::{
+    budget, cam, diag, diagram, digits, geom, kind, lang, notation, number, trig,
+};
 pub use hodograph_board::{construct, construction, equilibrium, plan};
 pub use hodograph_figure as figure;
 pub use hodograph_mechanism::{answer, force, mechanism, motion, position, stated};
-pub use hodograph_methods::{attempts, centres, composite, curvature, gears, inversions, particle, trains};
+pub use hodograph_methods::{
+    attempts, centres, composite, curvature, gears, inversions, particle, trains,
+};
 pub use hodograph_paper::{paper, render};
 pub use hodograph_report as report;
 pub use hodograph_scene as scene;

@@ -23,8 +23,11 @@ fn all(name: &str) -> (scene::Scene, Worked, Vec<Attempt>) {
 }
 
 fn answer(scene: &scene::Scene, worked: &Worked, a: &Attempt, find: &str) -> [AnswerValue; 2] {
-    let row =
-        a.rows.iter().find(|r| scene.find[worked.results[r.result].find].text == find).unwrap_or_else(|| panic!("{find} is not changed"));
+    let row = a
+        .rows
+        .iter()
+        .find(|r| scene.find[worked.results[r.result].find].text == find)
+        .unwrap_or_else(|| panic!("{find} is not changed"));
     [worked.results[row.result].value(), row.wrong.unwrap()]
 }
 
@@ -44,7 +47,8 @@ fn printed_flat_face_comes_from_its_equation() {
         ("flat-face-mistake-2", [0.01, -0.02 * 3_f64.sqrt() / 2.0], -10.0, 0.0, 4.0),
     ] {
         let (scene, worked, all) = all(name);
-        let a = all.iter().find(|a| a.site.mistake() == Mistake::ContactPoint).expect("it is named");
+        let a =
+            all.iter().find(|a| a.site.mistake() == Mistake::ContactPoint).expect("it is named");
         let [right, wrong] = answer(&scene, &worked, a, "alpha_3").map(scalar);
         // B is the origin, C is 60 mm to the right, E is on the rim at 60 degrees.
         let (e, c) = ([0.015, 0.03 * 3_f64.sqrt() / 2.0], [0.06, 0.0]);
@@ -57,10 +61,14 @@ fn printed_flat_face_comes_from_its_equation() {
         let omega3 = dot(turned(omega, ae), n) / dot(turned(1.0, ce), n);
         let slide = from(turned(omega3, ce), turned(omega, ae));
         let coriolis = turned(2.0 * omega, slide);
-        let known = dot([-omega * omega * ae[0] + coriolis[0], -omega * omega * ae[1] + coriolis[1]], n);
+        let known =
+            dot([-omega * omega * ae[0] + coriolis[0], -omega * omega * ae[1] + coriolis[1]], n);
         let normal = dot([-omega3 * omega3 * ce[0], -omega3 * omega3 * ce[1]], n);
         let alpha = (known - normal) / dot(turned(1.0, ce), n);
-        assert!((wrong - alpha).abs() < 1e-9 && (wrong + 76.98003589195).abs() < 1e-8, "{name}: {wrong} against {alpha}");
+        assert!(
+            (wrong - alpha).abs() < 1e-9 && (wrong + 76.98003589195).abs() < 1e-8,
+            "{name}: {wrong} against {alpha}"
+        );
         assert!((right - truth).abs() < 1e-9, "{name}: {right}");
         assert!((a.gap.vector.norm() - lacks).abs() < 1e-9, "{name}: {}", a.gap.vector.norm());
     }
@@ -72,8 +80,13 @@ fn printed_flat_face_comes_from_its_equation() {
 fn a_rocker_without_its_normal_part() {
     let (scene, worked, all) = all("crank-rocker");
     let link = scene.links.iter().position(|l| l.name == "3").unwrap();
-    let a = all.iter().find(|a| a.site.mistake() == Mistake::NoNormal && a.site.link(&scene).unwrap().0 == link).unwrap();
-    let place = |n: &str| worked.configuration.points[scene.points.iter().position(|p| p.name == n).unwrap()].unwrap();
+    let a = all
+        .iter()
+        .find(|a| a.site.mistake() == Mistake::NoNormal && a.site.link(&scene).unwrap().0 == link)
+        .unwrap();
+    let place = |n: &str| {
+        worked.configuration.points[scene.points.iter().position(|p| p.name == n).unwrap()].unwrap()
+    };
     let (b, c, d) = (place("B"), place("C"), place("D"));
     let rate = |n: &str| {
         let find = scene.find.iter().position(|f| f.text == n).unwrap();
@@ -101,7 +114,11 @@ fn coriolis_by_the_wrong_link() {
     let gaps = [Mistake::NoCoriolis, Mistake::CoriolisWrongOmega].map(|m| of(m).gap.vector);
     // The missing terms are −2ω₃×v and 2(ω₁−ω₃)×v.
     let expected = gaps[0] * -((omega1 - omega3) / omega3);
-    assert!((gaps[1] - expected).norm() < 1e-9 * expected.norm(), "{:?} against {expected:?}", gaps[1]);
+    assert!(
+        (gaps[1] - expected).norm() < 1e-9 * expected.norm(),
+        "{:?} against {expected:?}",
+        gaps[1]
+    );
 }
 
 /// Every known mistake is possible in some template, is drawn from one pole to one scale, and
@@ -117,7 +134,9 @@ fn every_mistake_is_there() {
         for a in &all {
             let told = format!("{} {:?}", t.name, a.site);
             met.insert(a.site.mistake());
-            let mu = |s: &hodograph::attempts::AttemptScene| s.worked.construction.polygon(a.gap.on).unwrap().mu;
+            let mu = |s: &hodograph::attempts::AttemptScene| {
+                s.worked.construction.polygon(a.gap.on).unwrap().mu
+            };
             assert_eq!(mu(&a.right).to_bits(), mu(&a.wrong).to_bits(), "{told}");
             assert!(!a.rows.is_empty() && a.gap.vector.norm() > 0.0, "{told}");
             let why = a.site.why(&scene);
@@ -130,16 +149,24 @@ fn every_mistake_is_there() {
 #[test]
 fn a_mistake_that_cannot_be_made_is_refused() {
     let text = templates::get("crank-rocker").unwrap();
-    let with = |attempt: &str| text.trim_end().trim_end_matches('}').to_owned() + &format!(", \"attempts\": [{attempt}]}}");
+    let with = |attempt: &str| {
+        text.trim_end().trim_end_matches('}').to_owned() + &format!(", \"attempts\": [{attempt}]}}")
+    };
     let (scene, right) = worked(&with("{\"mistake\": \"no-coriolis\"}"));
     let faults = wanted(&scene, &right, false).unwrap_err();
-    assert!(faults.list.len() == 1 && faults.list[0].code == "attempt" && faults.list[0].span.is_some(), "{faults:?}");
+    assert!(
+        faults.list.len() == 1 && faults.list[0].code == "attempt" && faults.list[0].span.is_some(),
+        "{faults:?}"
+    );
     let (scene, right) = worked(&with("{\"mistake\": \"no-normal\"}"));
     assert!(wanted(&scene, &right, false).is_err(), "two links offer it");
     let (scene, right) = worked(&with("{\"mistake\": \"no-normal\", \"link\": \"2\"}"));
     assert_eq!(wanted(&scene, &right, false).unwrap().len(), 1);
-    for wrong in ["{\"mistake\": \"no-corolis\"}", "{\"mistake\": \"no-normal\", \"printed\": {\"alpha_3\": \"5 m\"}}", "{\"pair\": \"B\"}"]
-    {
+    for wrong in [
+        "{\"mistake\": \"no-corolis\"}",
+        "{\"mistake\": \"no-normal\", \"printed\": {\"alpha_3\": \"5 m\"}}",
+        "{\"pair\": \"B\"}",
+    ] {
         let faults = scene::read(with(wrong)).unwrap_err();
         assert!(faults.list.iter().all(|d| d.span.is_some()), "{faults}");
     }
@@ -165,7 +192,10 @@ fn the_contact_of_the_disc_seen_from_the_face() {
     let slide = [0, 1].map(|i| turned(10.0, e)[i] - turned(omega3, ce)[i]);
     let known = dot([-100.0 * e[0], -100.0 * e[1]], n) - dot(turned(2.0 * omega3, slide), n);
     let alpha = (known + omega3 * omega3 * dot(ce, n)) / dot(turned(1.0, ce), n);
-    assert!((wrong - alpha).abs() < 1e-9 && (alpha - 128.3).abs() < 0.01, "{wrong} against {alpha}");
+    assert!(
+        (wrong - alpha).abs() < 1e-9 && (alpha - 128.3).abs() < 0.01,
+        "{wrong} against {alpha}"
+    );
 }
 
 /// The point of contact may be asked for together with a wrong equation: its motion is then that of
@@ -177,11 +207,15 @@ fn the_contact_may_be_asked_for_in_every_attempt() {
         let text = scene::edit::with_find(rocker, asked).unwrap();
         let (scene, worked) = worked(&text);
         let all = wanted(&scene, &worked, true).unwrap();
-        let row = |a: &Attempt, find: &str| a.rows.iter().any(|r| scene.find[worked.results[r.result].find].text == find);
+        let row = |a: &Attempt, find: &str| {
+            a.rows.iter().any(|r| scene.find[worked.results[r.result].find].text == find)
+        };
         let of = |a: &Attempt| {
             let [right, wrong] = answer(&scene, &worked, a, "alpha_3").map(scalar);
             let contact = row(a, "a_E3").then(|| {
-                let [_, AnswerValue::Vector(wrong)] = answer(&scene, &worked, a, "a_E3") else { panic!("a_E3 is no vector") };
+                let [_, AnswerValue::Vector(wrong)] = answer(&scene, &worked, a, "a_E3") else {
+                    panic!("a_E3 is no vector")
+                };
                 [wrong.x, wrong.y]
             });
             (right, wrong, contact)
@@ -200,7 +234,10 @@ fn the_contact_may_be_asked_for_in_every_attempt() {
             let [x, y] = [0.035 - 0.08, 0.03 * 3_f64.sqrt() / 2.0];
             if let Some([ax, ay]) = contact {
                 let told = (x * ay - y * ax) / (x * x + y * y);
-                assert!((told - wrong).abs() < 1e-9 && (told - right).abs() > 1.0, "{asked}: {told}, {wrong}, {right}");
+                assert!(
+                    (told - wrong).abs() < 1e-9 && (told - right).abs() > 1.0,
+                    "{asked}: {told}, {wrong}, {right}"
+                );
             }
             assert_eq!(contact.is_some(), asked == "a_E3", "{asked}");
         }
@@ -220,8 +257,12 @@ fn the_rolling_point_as_base_of_another() {
     let (omega, alpha, arm) = (of(1), of(2), [0.0463 - 0.1427, 0.2649]);
     let [_, wrong] = answer(&scene, &worked, &all[0], "a_M");
     let AnswerValue::Vector(wrong) = wrong else { panic!("{wrong:?} is no vector") };
-    let expected = [-omega * omega * arm[0] - alpha * arm[1], -omega * omega * arm[1] + alpha * arm[0]];
-    assert!((wrong.x - expected[0]).hypot(wrong.y - expected[1]) < 1e-9, "{wrong:?} against {expected:?}");
+    let expected =
+        [-omega * omega * arm[0] - alpha * arm[1], -omega * omega * arm[1] + alpha * arm[0]];
+    assert!(
+        (wrong.x - expected[0]).hypot(wrong.y - expected[1]) < 1e-9,
+        "{wrong:?} against {expected:?}"
+    );
 }
 
 /// The flat face solved in three ways: the centre of the disc on the bar, the contact on the disc,
@@ -236,21 +277,36 @@ fn three_right_ways_agree() {
         assert_eq!(shown.len(), 3, "{name}");
         let (worked, each) = staged.solved(&shown, Level::Acceleration).unwrap().value;
         let place = |p: PointId| worked.configuration.points[p.0].unwrap();
-        let named = |n: &str| place(PointId(staged.scene.points.iter().position(|p| p.name == n).unwrap()));
+        let named =
+            |n: &str| place(PointId(staged.scene.points.iter().position(|p| p.name == n).unwrap()));
         let (b, c, e) = (named("B"), named("C"), named("E"));
         let normal = (e - b).unit().unwrap();
         for s in &each {
             let told = s.turning.unwrap();
-            assert!((told.alpha.unwrap() - alpha).abs() < 1e-9, "{name}: {:?} gives {:?}", s.choice, told.alpha);
-            let part = |p: CompositePart| s.acceleration.iter().find(|(q, _)| *q == Some(p)).map_or(0.0, |(_, v)| v.dot(normal));
-            let (transport, coriolis) =
-                (part(CompositePart::TransportNormal) + part(CompositePart::TransportTangential), part(CompositePart::Coriolis));
+            assert!(
+                (told.alpha.unwrap() - alpha).abs() < 1e-9,
+                "{name}: {:?} gives {:?}",
+                s.choice,
+                told.alpha
+            );
+            let part = |p: CompositePart| {
+                s.acceleration
+                    .iter()
+                    .find(|(q, _)| *q == Some(p))
+                    .map_or(0.0, |(_, v)| v.dot(normal))
+            };
+            let (transport, coriolis) = (
+                part(CompositePart::TransportNormal) + part(CompositePart::TransportTangential),
+                part(CompositePart::Coriolis),
+            );
             let arm = if s.slip.is_some() { e - c } else { b - c };
-            let (square, turned) = (-(arm * (told.omega * told.omega)).dot(normal), arm.perp().dot(normal));
+            let (square, turned) =
+                (-(arm * (told.omega * told.omega)).dot(normal), arm.perp().dot(normal));
             let alone = match s.slip {
                 // a_E3 = a_e + a_k + a_rⁿ: only the parts of E3 are unknown.
                 Some(slip) => (transport + coriolis + slip.acceleration() - square) / turned,
-                // a_B = a_eⁿ + a_eᵗ + a_k, a_r along the face: only the parts of the bar's point are unknown.
+                // a_B = a_eⁿ + a_eᵗ + a_k, a_r along the face: only the parts of the bar's point
+                // are unknown.
                 None => (s.acceleration[0].1.dot(normal) - coriolis - square) / turned,
             };
             assert!((alone - alpha).abs() < 1e-9, "{name}: {:?} by itself gives {alone}", s.choice);
@@ -283,18 +339,30 @@ fn relative_accelerations_at_contacts_follow_from_the_velocities() {
     for text in (0..9).flat_map(|k| [flat(k), round(k)]) {
         let scene = scene::read(&text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
         let staged = ContactScene::new(&scene);
-        let contacts: Vec<_> = staged.choices(&scene).into_iter().filter(|c| matches!(c.place, ChoicePlace::Cam(_))).collect();
+        let contacts: Vec<_> = staged
+            .choices(&scene)
+            .into_iter()
+            .filter(|c| matches!(c.place, ChoicePlace::Cam(_)))
+            .collect();
         assert_eq!(contacts.len(), 3, "{text}");
         let (_, each) = staged.solved(&contacts, Level::Acceleration).unwrap().value;
         assert_eq!(each.len(), 3, "{text}");
         for s in &each {
             let slip = s.slip.expect("it is a contact");
-            let part = |p: CompositePart| s.acceleration.iter().find(|(q, _)| *q == Some(p)).map(|(_, v)| *v);
+            let part = |p: CompositePart| {
+                s.acceleration.iter().find(|(q, _)| *q == Some(p)).map(|(_, v)| *v)
+            };
             let real = part(CompositePart::RelativeNormal).unwrap().dot(slip.normal);
             let size = s.acceleration.iter().map(|a| a.1.norm()).fold(0.0, f64::max);
-            assert!((real - slip.acceleration()).abs() < 1e-9 * size, "{text}\n{:?}: {real} against {}", s.choice, slip.acceleration());
             assert!(
-                s.velocity[2].dot(slip.normal).abs() < 1e-9 * s.velocity[0].norm().max(s.velocity[1].norm()),
+                (real - slip.acceleration()).abs() < 1e-9 * size,
+                "{text}\n{:?}: {real} against {}",
+                s.choice,
+                slip.acceleration()
+            );
+            assert!(
+                s.velocity[2].dot(slip.normal).abs()
+                    < 1e-9 * s.velocity[0].norm().max(s.velocity[1].norm()),
                 "{text}: v_r leaves the tangent"
             );
         }

@@ -30,10 +30,8 @@ fn scene(kind: &str, angle: &str) -> Scene {
 fn text(kind: &str, angle: &str) -> String {
     let translating = r#""guides": [{"pin": "B", "slider": "3", "on": "1", "through": ["6 mm", "3 mm"], "angle": "80 deg"}],"#;
     let tangent = r#""profile": [{"centre": "O", "radius": "30 mm"}, "tangent", {"centre": "Q", "radius": "14 mm"}, "tangent"]"#;
-    let hollow =
-        r#""profile": [{"centre": "O", "radius": "30 mm"}, {"radius": "-90 mm"}, {"centre": "Q", "radius": "14 mm"}, {"radius": "80 mm"}]"#;
-    let convex =
-        r#""profile": [{"centre": "O", "radius": "30 mm"}, {"radius": "70 mm"}, {"centre": "Q", "radius": "4 mm"}, {"radius": "75 mm"}]"#;
+    let hollow = r#""profile": [{"centre": "O", "radius": "30 mm"}, {"radius": "-90 mm"}, {"centre": "Q", "radius": "14 mm"}, {"radius": "80 mm"}]"#;
+    let convex = r#""profile": [{"centre": "O", "radius": "30 mm"}, {"radius": "70 mm"}, {"centre": "Q", "radius": "4 mm"}, {"radius": "75 mm"}]"#;
     let roller = r#""roller": {"pin": "B", "radius": "9 mm"}"#;
     let law = |law: MotionLaw, gain: &str| {
         let name = law.name();
@@ -49,8 +47,15 @@ fn text(kind: &str, angle: &str) -> String {
         "flat" => (translating, format!(r#""face": {{"through": "B"}}, {convex}"#)),
         "rocker" => ("", format!("{roller}, {tangent}")),
         "mushroom" => ("", format!(r#""arc": {{"pin": "B", "radius": "25 mm"}}, {convex}"#)),
-        "swinging flat" => ("", format!(r#""face": {{"through": "P", "line": "PB", "cam": "left"}}, {convex}"#)),
-        "swinging offset flat" => ("", format!(r#""face": {{"through": "P", "line": "PB", "cam": "left", "offset": "5 mm"}}, {convex}"#)),
+        "swinging flat" => {
+            ("", format!(r#""face": {{"through": "P", "line": "PB", "cam": "left"}}, {convex}"#))
+        }
+        "swinging offset flat" => (
+            "",
+            format!(
+                r#""face": {{"through": "P", "line": "PB", "cam": "left", "offset": "5 mm"}}, {convex}"#
+            ),
+        ),
         other => {
             let (of, name) = other.rsplit_once(' ').unwrap();
             let named = MotionLaw::named(name).unwrap();
@@ -67,7 +72,11 @@ fn text(kind: &str, angle: &str) -> String {
         (
             r#""3": ["P", "B"]"#,
             r#", "PB": "75 mm""#,
-            if kind.ends_with("flat") { r#""sketch": {"B": ["40 mm", "60 mm"]},"# } else { r#""side": {"B": "right of PO"},"# },
+            if kind.ends_with("flat") {
+                r#""sketch": {"B": ["40 mm", "60 mm"]},"#
+            } else {
+                r#""side": {"B": "right of PO"},"#
+            },
             r#"["omega_3", "alpha_3"]"#,
         )
     } else {
@@ -100,14 +109,22 @@ fn component(v: AnswerValue) -> f64 {
 
 fn agree(kind: &str, angle: f64) {
     let scene = scene(kind, &format!("{angle:?} deg"));
-    let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{kind} at {angle}: {f}")).value;
+    let worked =
+        work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{kind} at {angle}: {f}")).value;
     let expected = expected(&scene);
     let size = expected.map(f64::abs);
     for (k, r) in worked.results.iter().enumerate() {
         let most = size[k].max(1e-3 * size[0].max(size[1]) * OMEGA).max(1e-3);
-        for (way, value) in r.drawn.iter().map(|d| ("drawn", d.value)).chain([("computed", r.computed)]) {
+        for (way, value) in
+            r.drawn.iter().map(|d| ("drawn", d.value)).chain([("computed", r.computed)])
+        {
             let off = (component(value) - expected[k]).abs() / most;
-            assert!(off < 1e-9, "{kind} at {angle}, {} {way}: {value:?}, the cam says {}: {off:e}", scene.find[k].text, expected[k]);
+            assert!(
+                off < 1e-9,
+                "{kind} at {angle}, {} {way}: {value:?}, the cam says {}: {off:e}",
+                scene.find[k].text,
+                expected[k]
+            );
         }
         assert!(r.agreement.is_none_or(|a| a.holds()), "{kind} at {angle}");
     }
@@ -123,7 +140,9 @@ fn rollers_spin_as_they_roll() {
         for k in 0..12 {
             let angle = format!("{:?} deg", 30.0 * k as f64 + 4.3);
             let mut scene = scene(kind, &angle);
-            let asking = scene::read_asking(text(kind, &angle), "spin_3").unwrap_or_else(|f| panic!("{kind}: {f}")).value;
+            let asking = scene::read_asking(text(kind, &angle), "spin_3")
+                .unwrap_or_else(|f| panic!("{kind}: {f}"))
+                .value;
             scene.find = asking.find;
             let t = scene.cams[0].disc.clone().unwrap();
             let radius = 9e-3;
@@ -135,9 +154,14 @@ fn rollers_spin_as_they_roll() {
             let rolled = (high.contact - low.contact).dot(along) / radius;
             // Per φ, which grows with the sense of the cam; and together with the cam.
             let expected = OMEGA + (turned - rolled) / (2.0 * h) * t.disc.sense * OMEGA;
-            let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{kind} at {angle}: {f}")).value;
+            let worked = work(&scene, Scope::Questions)
+                .unwrap_or_else(|f| panic!("{kind} at {angle}: {f}"))
+                .value;
             let AnswerValue::Scalar(spin) = worked.results[0].computed else { panic!("{kind}") };
-            assert!((spin - expected).abs() < 1e-6 * expected.abs().max(1.0), "{kind} at {angle}: {spin}, by differences {expected}");
+            assert!(
+                (spin - expected).abs() < 1e-6 * expected.abs().max(1.0),
+                "{kind} at {angle}: {spin}, by differences {expected}"
+            );
         }
     }
 }
@@ -159,19 +183,37 @@ fn a_roller_may_be_a_link() {
     for text in [&by_word, &by_points] {
         assert_ne!(text, &plain);
         assert_eq!(spin(text, "omega_7"), ("omega_7".to_owned(), expected));
-        let counted = hodograph::mechanism::MobilitySurvey::of(&scene::read_topology(text).unwrap().value);
-        assert_eq!((counted.counts.moving, counted.local.len(), counted.counts.freedom(0, 1)), (3, 1, 1));
+        let counted =
+            hodograph::mechanism::MobilitySurvey::of(&scene::read_topology(text).unwrap().value);
+        assert_eq!(
+            (counted.counts.moving, counted.local.len(), counted.counts.freedom(0, 1)),
+            (3, 1, 1)
+        );
     }
     for link in ["1", "2", "3"] {
-        let faults = scene::read(by_word.replace(r#""link": "7""#, &format!(r#""link": "{link}""#))).unwrap_err();
+        let faults =
+            scene::read(by_word.replace(r#""link": "7""#, &format!(r#""link": "{link}""#)))
+                .unwrap_err();
         assert!(faults.list.iter().any(|d| d.code == "roller-link"), "{faults}");
     }
-    let faults =
-        scene::read(by_points.replace(r#""7": ["B"]"#, r#""7": ["B", "Z"]"#).replace(r#""roller": {"#, r#""roller": {"link": "7", "#));
+    let faults = scene::read(
+        by_points
+            .replace(r#""7": ["B"]"#, r#""7": ["B", "Z"]"#)
+            .replace(r#""roller": {"#, r#""roller": {"link": "7", "#),
+    );
     assert!(faults.unwrap_err().list.iter().any(|d| d.code == "roller-link"));
 }
 
-const PROFILES: [&str; 8] = ["tangent", "hollow", "edge", "flat", "rocker", "mushroom", "swinging flat", "swinging offset flat"];
+const PROFILES: [&str; 8] = [
+    "tangent",
+    "hollow",
+    "edge",
+    "flat",
+    "rocker",
+    "mushroom",
+    "swinging flat",
+    "swinging offset flat",
+];
 
 #[test]
 fn every_piece_of_a_profile_is_right_in_every_pose() {
@@ -180,7 +222,9 @@ fn every_piece_of_a_profile_is_right_in_every_pose() {
         for k in 0..36 {
             let angle = 10.0 * k as f64 + 3.7;
             agree(kind, angle);
-            touched.extend(scene(kind, &format!("{angle} deg")).cams[0].disc.as_ref().unwrap().touched);
+            touched.extend(
+                scene(kind, &format!("{angle} deg")).cams[0].disc.as_ref().unwrap().touched,
+            );
         }
         assert_eq!(touched.len(), 4, "{kind} touches {touched:?} only");
     }
@@ -217,11 +261,14 @@ fn a_law_is_right_through_the_inflections_of_its_pitch_curve() {
                 let middle = 0.5 * (low + high);
                 if bend(middle) * bend(low) > 0.0 { low = middle } else { high = middle }
             }
-            let stands = |angle: f64| scene(kind, &format!("{angle:?} deg")).cams[0].contact.is_some();
+            let stands =
+                |angle: f64| scene(kind, &format!("{angle:?} deg")).cams[0].contact.is_some();
             if stands(low) || !stands(low - 4.0) {
                 continue; // The sign changes in a jump of the law.
             }
-            [-4.0, -0.1, -1e-3, 0.0, 1e-3, 0.1, 4.0].into_iter().for_each(|beside| agree(kind, low + beside));
+            [-4.0, -0.1, -1e-3, 0.0, 1e-3, 0.1, 4.0]
+                .into_iter()
+                .for_each(|beside| agree(kind, low + beside));
             found += 1;
         }
     }
@@ -249,8 +296,15 @@ fn the_third_derivative_of_a_follower_is_that_of_its_law() {
             let place = w.configuration.points[cam.follows.point().0].unwrap();
             let all = third(&scene, &w.mechanism, &w.configuration, &w.demand, &w.solution, place);
             let (jerk, turning) = all[cam.follower.0].unwrap();
-            let got = if kind.starts_with("law") { component(AnswerValue::Vector(jerk)) } else { turning };
-            assert!((got - due).abs() < 1e-4 * due.abs().max(0.1), "{kind} at {angle}: {got}, by differences {due}");
+            let got = if kind.starts_with("law") {
+                component(AnswerValue::Vector(jerk))
+            } else {
+                turning
+            };
+            assert!(
+                (got - due).abs() < 1e-4 * due.abs().max(0.1),
+                "{kind} at {angle}: {got}, by differences {due}"
+            );
         }
     }
 }
@@ -262,8 +316,12 @@ fn at_a_joint_one_velocity_and_two_accelerations() {
         let joints = disc.corners();
         assert!(joints.len() >= 4, "{kind}: {joints:?}");
         for phi in joints {
-            let [before, after] = [PieceSide::Before, PieceSide::After].map(|side| disc.coordinate(phi, side).unwrap().0);
-            assert!((before[0] - after[0]).abs() < 1e-9 && (before[1] - after[1]).abs() < 1e-7, "{kind}: {before:?} {after:?}");
+            let [before, after] = [PieceSide::Before, PieceSide::After]
+                .map(|side| disc.coordinate(phi, side).unwrap().0);
+            assert!(
+                (before[0] - after[0]).abs() < 1e-9 && (before[1] - after[1]).abs() < 1e-7,
+                "{kind}: {before:?} {after:?}"
+            );
             assert!((before[2] - after[2]).abs() > 1e-4, "{kind}: {before:?} {after:?}");
             let here = scene(kind, &format!("{:?} rad", phi));
             let t = here.cams[0].disc.as_ref().unwrap();
@@ -288,9 +346,16 @@ fn a_sweep_says_what_each_pose_says() {
             let row: Vec<f64> = table.columns.iter().map(|c| c.values[k]).collect();
             // v_B.x, v_B.y, v_B, a_B.x, ...; or ω, α.
             let up = hodograph::geom::Vec2::from_angle(80.0_f64.to_radians());
-            let got = if row.len() == 3 { [row[1], row[2]] } else { [row[1] * up.x + row[2] * up.y, row[4] * up.x + row[5] * up.y] };
+            let got = if row.len() == 3 {
+                [row[1], row[2]]
+            } else {
+                [row[1] * up.x + row[2] * up.y, row[4] * up.x + row[5] * up.y]
+            };
             for (got, exact) in got.into_iter().zip(expected) {
-                assert!((got - exact).abs() < 1e-9 * exact.abs().max(1e-3), "{kind} row {k}: {got} {exact}");
+                assert!(
+                    (got - exact).abs() < 1e-9 * exact.abs().max(1e-3),
+                    "{kind} row {k}: {got} {exact}"
+                );
             }
         }
     }
@@ -325,13 +390,18 @@ fn an_arm_lies_on_its_side_however_that_is_told() {
     let find = ["Phi_3", "pressure_3", "psi_3", "phi_3"];
     for left in [true, false] {
         let out = |k: usize| roller(0.1 * k as f64, left).norm();
-        let by = |better: &dyn Fn(f64, f64) -> bool| (0..3600).fold(0, |b, k| if better(out(k), out(b)) { k } else { b });
+        let by = |better: &dyn Fn(f64, f64) -> bool| {
+            (0..3600).fold(0, |b, k| if better(out(k), out(b)) { k } else { b })
+        };
         let (near, far) = (by(&|a, b| a < b), by(&|a, b| a > b));
         let rise = (0.1 * (far as f64 - near as f64)).rem_euclid(360.0);
         for angle in [10.0, 100.0, 200.0, 310.0] {
             let b = roller(angle, left);
             let side = if left { "left" } else { "right" };
-            let pivots = if hodograph::geom::Vec2::new(-100.0, -60.0).cross(b - hodograph::geom::Vec2::new(100.0, 60.0)) > 0.0 {
+            let pivots = if hodograph::geom::Vec2::new(-100.0, -60.0)
+                .cross(b - hodograph::geom::Vec2::new(100.0, 60.0))
+                > 0.0
+            {
                 "left"
             } else {
                 "right"
@@ -342,13 +412,22 @@ fn an_arm_lies_on_its_side_however_that_is_told() {
                 format!(r#""sketch": {{"B": [{:?}, {:?}]}}"#, b.x, b.y),
             ];
             let told = ways.map(|told| {
-                let worked = work(&eccentric(angle, &told, &find), Scope::Questions).unwrap_or_else(|f| panic!("{told}: {f}")).value;
+                let worked = work(&eccentric(angle, &told, &find), Scope::Questions)
+                    .unwrap_or_else(|f| panic!("{told}: {f}"))
+                    .value;
                 worked.results.iter().map(|r| component(r.value())).collect::<Vec<f64>>()
             });
             for other in &told[1..] {
-                assert!(told[0].iter().zip(other).all(|(a, b)| (a - b).abs() < 1e-9), "{angle} {side}: {told:?}");
+                assert!(
+                    told[0].iter().zip(other).all(|(a, b)| (a - b).abs() < 1e-9),
+                    "{angle} {side}: {told:?}"
+                );
             }
-            assert!((told[0][0].to_degrees() - rise).abs() < 0.3, "{angle} {side}: {:?}, not {rise}", told[0]);
+            assert!(
+                (told[0][0].to_degrees() - rise).abs() < 0.3,
+                "{angle} {side}: {:?}, not {rise}",
+                told[0]
+            );
         }
     }
 }

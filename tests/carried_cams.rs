@@ -60,7 +60,8 @@ fn cam(kind: &str) -> &'static str {
     }
 }
 
-const KINDS: [&str; 6] = ["law slide", "law flat", "law swing", "arcs slide", "arcs swing", "arcs swinging face"];
+const KINDS: [&str; 6] =
+    ["law slide", "law flat", "law swing", "arcs slide", "arcs swing", "arcs swinging face"];
 
 /// The carrier of the cam.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,7 +83,11 @@ fn text(kind: &str, on: On, angle: f64, t: f64, find: &str) -> String {
         On::Arm => r#""through": "T", "line": "GH", "angle": "80 deg""#,
         On::Still => r#""through": "T", "line": "OH", "angle": "80 deg""#,
     };
-    let guides = if slides { format!(r#""guides": [{{"pin": "B", "slider": "3", "on": "{carrier}", {guide}}}],"#) } else { String::new() };
+    let guides = if slides {
+        format!(r#""guides": [{{"pin": "B", "slider": "3", "on": "{carrier}", {guide}}}],"#)
+    } else {
+        String::new()
+    };
     let third = match (slides, face) {
         (true, _) => "",
         (false, true) => r#", "3": ["P"]"#,
@@ -111,7 +116,9 @@ fn text(kind: &str, on: On, angle: f64, t: f64, find: &str) -> String {
         ),
         On::Still => (
             format!(r#""1": ["O", "Q"], "4": ["O", "H", {with}]"#),
-            format!(r#""O": [0, 0], "Q": ["35 mm", 0], "{name}": {{"base": "OH", "x": "{x} mm", "y": "{y} mm"}}"#),
+            format!(
+                r#""O": [0, 0], "Q": ["35 mm", 0], "{name}": {{"base": "OH", "x": "{x} mm", "y": "{y} mm"}}"#
+            ),
             // In its carrier, the cam turns against the carrier's own sense.
             driver("4", "1", [-angle, -CAM[1], -CAM[2]], t),
         ),
@@ -137,10 +144,16 @@ fn read(kind: &str, on: On, angle: f64, t: f64, find: &str) -> Scene {
 /// All answers, by the loop equations, and as drawn.
 fn answers(kind: &str, on: On, angle: f64, t: f64, find: &str) -> Vec<f64> {
     let scene = read(kind, on, angle, t, find);
-    let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{kind} {on:?} at {angle}: {f}")).value;
+    let worked = work(&scene, Scope::Questions)
+        .unwrap_or_else(|f| panic!("{kind} {on:?} at {angle}: {f}"))
+        .value;
     assert!(worked.unanswered.is_empty(), "{kind} {on:?} at {angle}");
     for r in &worked.results {
-        assert!(r.agreement.is_none_or(|a| a.holds()), "{kind} {on:?} at {angle}: {}", scene.find[r.find].text);
+        assert!(
+            r.agreement.is_none_or(|a| a.holds()),
+            "{kind} {on:?} at {angle}: {}",
+            scene.find[r.find].text
+        );
     }
     let numbers = |v: AnswerValue| match v {
         AnswerValue::Scalar(s) => vec![s],
@@ -165,7 +178,10 @@ fn a_carried_follower_swings_in_its_carrier_as_on_the_ground() {
             for on in [On::Arm, On::Still] {
                 let carried = answers(kind, on, angle, 0.0, r#""omega_3/4", "alpha_3/4""#);
                 for (a, b) in still.iter().zip(&carried) {
-                    assert!((a - b).abs() < 1e-11 * a.abs().max(1.0), "{kind} {on:?} at {angle}: {still:?} {carried:?}");
+                    assert!(
+                        (a - b).abs() < 1e-11 * a.abs().max(1.0),
+                        "{kind} {on:?} at {angle}: {still:?} {carried:?}"
+                    );
                 }
             }
         }
@@ -188,7 +204,10 @@ fn carried_followers_move_as_differences_say() {
                     let v = (high[i] - low[i]) / (2.0 * h);
                     let a = (high[i] - 2.0 * now[i] + low[i]) / (h * h);
                     assert!((v - exact[i]).abs() < 1e-6, "{kind} {on:?} at {angle}: {v} {exact:?}");
-                    assert!((a - exact[2 + i]).abs() < 1e-4, "{kind} {on:?} at {angle}: {a} {exact:?}");
+                    assert!(
+                        (a - exact[2 + i]).abs() < 1e-4,
+                        "{kind} {on:?} at {angle}: {a} {exact:?}"
+                    );
                 }
             }
         }
@@ -205,7 +224,8 @@ fn sweeps_of_carried_cams_say_what_each_pose_says() {
             let swept = read(kind, on, 0.3, 0.0, &find).over_a_turn();
             assert_eq!(swept.kept_cams().count(), 0, "{kind} {on:?}");
             let mechanism = Mechanism::new(&swept).unwrap().value;
-            let placed = PlacedScene::new(&swept, &mechanism).unwrap_or_else(|f| panic!("{kind} {on:?}: {f}"));
+            let placed = PlacedScene::new(&swept, &mechanism)
+                .unwrap_or_else(|f| panic!("{kind} {on:?}: {f}"));
             let way = if on == On::Still { -1.0 } else { 1.0 };
             let stations = Stations::turned(Angle::Deg(2.0), Angle::Deg(362.0), 20);
             let table = sweep::run(&placed, 0, &stations, Width::Widest).unwrap();
@@ -216,7 +236,10 @@ fn sweeps_of_carried_cams_say_what_each_pose_says() {
                 let row: Vec<f64> = table.columns.iter().skip(1).map(|c| c.values[k]).collect();
                 // After the driver: v_B.x, v_B.y, v_B, a_B.x, ...
                 for (got, exact) in [row[0], row[1], row[3], row[4]].into_iter().zip(exact) {
-                    assert!((got - exact).abs() < 1e-9 * exact.abs().max(1e-2), "{kind} {on:?} row {k}: {got} {exact}");
+                    assert!(
+                        (got - exact).abs() < 1e-9 * exact.abs().max(1e-2),
+                        "{kind} {on:?} row {k}: {got} {exact}"
+                    );
                 }
             }
         }
@@ -234,8 +257,16 @@ fn a_law_without_a_carrier_says_why_it_has_no_meaning() {
             "no link carries both",
         ),
         (r#""against": "4""#, r#""against": "1""#, "no driver turns cam"),
-        (r#""line": "GH", "angle": "80 deg""#, r#""angle": "80 deg""#, "not a straight one that is fixed"),
-        (r#""T": {"base": "GH", "x": "56 mm", "y": "23 mm"}"#, r#""T": {"base": "GO", "x": "56 mm", "y": "23 mm"}"#, "not told"),
+        (
+            r#""line": "GH", "angle": "80 deg""#,
+            r#""angle": "80 deg""#,
+            "not a straight one that is fixed",
+        ),
+        (
+            r#""T": {"base": "GH", "x": "56 mm", "y": "23 mm"}"#,
+            r#""T": {"base": "GO", "x": "56 mm", "y": "23 mm"}"#,
+            "not told",
+        ),
     ];
     for (from, to, said) in cases {
         assert!(whole.contains(from), "{from}");
@@ -283,9 +314,17 @@ fn apart(kind: &str, [cam, crank]: [f64; 2], rates: [f64; 2], find: &str) -> Str
 /// without any motion.
 #[test]
 fn motions_over_pieces_of_cams_on_other_links_say_what_each_pose_says() {
-    for (kind, find) in [("roller", r#""a_B", "omega_3""#), ("face", r#""alpha_3", "omega_3""#), ("slide", r#""a_B", "y_B""#)] {
+    for (kind, find) in [
+        ("roller", r#""a_B", "omega_3""#),
+        ("face", r#""alpha_3", "omega_3""#),
+        ("slide", r#""a_B", "y_B""#),
+    ] {
         let start = [0.9, if kind == "slide" { 1.4 } else { 2.1 }];
-        let read = |at: [f64; 2]| scene::read(apart(kind, at, [10.0, 3.0], find)).unwrap_or_else(|f| panic!("{kind}: {f}")).value;
+        let read = |at: [f64; 2]| {
+            scene::read(apart(kind, at, [10.0, 3.0], find))
+                .unwrap_or_else(|f| panic!("{kind}: {f}"))
+                .value
+        };
         let swept = over_a_turn(&read(start));
         assert_eq!(swept.kept_cams().count(), 0, "{kind}");
         let mechanism = Mechanism::new(&swept).unwrap().value;
@@ -293,13 +332,19 @@ fn motions_over_pieces_of_cams_on_other_links_say_what_each_pose_says() {
         let check = |row: Vec<f64>, at: [f64; 2]| {
             let scene = read(at);
             let worked = work(&scene, Scope::Questions).unwrap().value;
-            let exact: Vec<f64> = worked.results.iter().flat_map(|r| r.computed.columns()).collect();
+            let exact: Vec<f64> =
+                worked.results.iter().flat_map(|r| r.computed.columns()).collect();
             assert_eq!(row.len(), exact.len(), "{kind}");
             for (got, exact) in row.iter().zip(exact) {
-                assert!((got - exact).abs() < 1e-8 * exact.abs().max(1e-2), "{kind} at {at:?}: {got} {exact}");
+                assert!(
+                    (got - exact).abs() < 1e-8 * exact.abs().max(1e-2),
+                    "{kind} at {at:?}: {got} {exact}"
+                );
             }
         };
-        let row = |table: &Table, k: usize| table.columns.iter().skip(1).map(|c| c.values[k]).collect::<Vec<f64>>();
+        let row = |table: &Table, k: usize| {
+            table.columns.iter().skip(1).map(|c| c.values[k]).collect::<Vec<f64>>()
+        };
         for driver in 0..2 {
             // The crank rocks, so that the arm does not leave the cam.
             let stations = if driver == 0 {
@@ -335,15 +380,23 @@ fn a_joint_of_a_cam_on_another_link_tells_both_accelerations() {
         "driver": [{"link": "2", "angle": "2.450057173713829 rad", "omega": "10 rad/s"}, {"link": "4", "angle": "80 deg", "omega": "3 rad/s"}],
         "side": {"B": "right of OP"}, "find": ["omega_3", "alpha_3"]}"#;
     let mut refused = 0;
-    for (rate, alpha, words) in [("10", 13.5609, "from -11.34 rad/s² to 13.56"), ("-10", -64.6442, "from 80.04 rad/s² to -64.64")] {
+    for (rate, alpha, words) in [
+        ("10", 13.5609, "from -11.34 rad/s² to 13.56"),
+        ("-10", -64.6442, "from 80.04 rad/s² to -64.64"),
+    ] {
         let text = joint.replace(r#""omega": "10 rad/s""#, &format!(r#""omega": "{rate} rad/s""#));
         // The call for files of every kind takes the piece that follows.
         let read = problem::read(&text).unwrap();
         let solved = problem::solve(&read.value, &problem::Options::default()).unwrap();
-        let Some(AnswerValue::Scalar(told)) = solved.answer("alpha_3", &problem::Look::default()).unwrap().value else { panic!("alpha_3") };
+        let Some(AnswerValue::Scalar(told)) =
+            solved.answer("alpha_3", &problem::Look::default()).unwrap().value
+        else {
+            panic!("alpha_3")
+        };
         assert!(read.notes[0].code == "joint" && (told - alpha).abs() < 1e-3, "{rate}: {told}");
         let scene = scene::read(&text).unwrap().value;
-        refused += work(&scene, Scope::Questions).is_err_and(|faults| faults.list[0].code == "joint") as usize;
+        refused += work(&scene, Scope::Questions)
+            .is_err_and(|faults| faults.list[0].code == "joint") as usize;
         let hodograph::diag::Warned { value: scene, notes } = instant(scene);
         let note = &notes[0];
         assert!(note.code == "joint" && note.message.en.contains(words), "{}", note.message.en);
@@ -354,14 +407,17 @@ fn a_joint_of_a_cam_on_another_link_tells_both_accelerations() {
         assert_eq!(over_a_turn(&scene).kept_cams().count(), 0);
     }
     assert_eq!(refused, 1, "of the two senses one leaves the piece that was read");
-    assert!(instant(scene::read(joint.replace("2.45005", "2.46005")).unwrap().value).notes.is_empty());
+    assert!(
+        instant(scene::read(joint.replace("2.45005", "2.46005")).unwrap().value).notes.is_empty()
+    );
 }
 
 /// Certifies the answers of a scene with a driver in place of the follower's pair, and compares
 /// each printed number with that of the scene with the pair, in 640-bit arithmetic; returns the
 /// number of answers, and of those with fewer digits than requested.
 fn told(name: &str, led: &Scene, pair: &Scene) -> [usize; 2] {
-    let [led_worked, worked] = [led, pair].map(|s| work(s, Scope::Questions).unwrap_or_else(|f| panic!("{name}: {f}")).value);
+    let [led_worked, worked] = [led, pair]
+        .map(|s| work(s, Scope::Questions).unwrap_or_else(|f| panic!("{name}: {f}")).value);
     let (mut told, mut short) = (0, 0);
     for digits in [4, 6, 12] {
         let certified = certify(led, &led_worked, digits);
@@ -382,7 +438,12 @@ fn told(name: &str, led: &Scene, pair: &Scene) -> [usize; 2] {
                     let (_, e) = expected.iter().find(|(p, _)| p == part).unwrap();
                     let nothing = n.zero && e.enclosure().largest() <= 1e-9;
                     let truth = e.text(certain).map_or_else(|| format!("{e:?}"), |t| t.0);
-                    assert!(nothing || truth == text, "{name}: {} {} is printed {text}, it is {truth}", find.text, part.key());
+                    assert!(
+                        nothing || truth == text,
+                        "{name}: {} {} is printed {text}, it is {truth}",
+                        find.text,
+                        part.key()
+                    );
                 }
             }
         });
@@ -396,11 +457,16 @@ fn told(name: &str, led: &Scene, pair: &Scene) -> [usize; 2] {
 fn digits_of_followers_that_are_led_are_those_of_their_pairs() {
     let mut all = [0, 0];
     let mut add = |[told, short]: [usize; 2]| all = [all[0] + told, all[1] + short];
-    for (kind, find) in
-        [("roller", r#""a_B", "omega_3", "alpha_3", "pressure_3", "rho_2/3""#), ("slide", r#""a_B", "v_B", "y_B", "pressure_3""#)]
-    {
+    for (kind, find) in [
+        ("roller", r#""a_B", "omega_3", "alpha_3", "pressure_3", "rho_2/3""#),
+        ("slide", r#""a_B", "v_B", "y_B", "pressure_3""#),
+    ] {
         let start = [0.9, if kind == "slide" { 1.4 } else { 2.1 }];
-        let read = |at: [f64; 2]| scene::read(apart(kind, at, [10.0, 3.0], find)).unwrap_or_else(|f| panic!("{kind}: {f}")).value;
+        let read = |at: [f64; 2]| {
+            scene::read(apart(kind, at, [10.0, 3.0], find))
+                .unwrap_or_else(|f| panic!("{kind}: {f}"))
+                .value
+        };
         let swept = over_a_turn(&read(start));
         for k in 0..24 / every(4) {
             let at = [0.1 + 0.26 * k as f64, start[1]];
@@ -421,6 +487,9 @@ fn digits_of_followers_that_are_led_are_those_of_their_pairs() {
             add(told(&format!("{kind} {on:?} {k}"), &pair.over_a_turn(), &pair));
         }
     }
-    println!("{} numbers of followers that are led, {} with fewer digits than asked", all[0], all[1]);
+    println!(
+        "{} numbers of followers that are led, {} with fewer digits than asked",
+        all[0], all[1]
+    );
     assert!(all[0] >= 1200 / every(4) && all[1] * 4 <= all[0], "{all:?}");
 }

@@ -28,7 +28,11 @@ struct Row {
 
 /// The ladder's value of an answer; NaN unless it certifies all digits.
 fn certified(c: &Certified) -> AnswerValue {
-    let part = |p| c.part(p).filter(|_| c.why.is_none()).map_or(f64::NAN, |n| if n.zero { 0.0 } else { n.enclosure().approx });
+    let part = |p| {
+        c.part(p)
+            .filter(|_| c.why.is_none())
+            .map_or(f64::NAN, |n| if n.zero { 0.0 } else { n.enclosure().approx })
+    };
     match c.part(AnswerPart::Scalar) {
         Some(_) => AnswerValue::Scalar(part(AnswerPart::Scalar)),
         None => AnswerValue::Vector(Vec2::new(part(AnswerPart::X), part(AnswerPart::Y))),
@@ -52,7 +56,9 @@ fn component(v: AnswerValue, which: Option<&str>, along: Option<Vec2>) -> f64 {
         (AnswerValue::Vector(v), Some("x")) => v.x,
         (AnswerValue::Vector(v), Some("y")) => v.y,
         (AnswerValue::Vector(v), Some("along")) => v.dot(along.expect("along needs two points")),
-        (AnswerValue::Vector(v), Some("perp")) => v.dot(along.expect("perp needs two points").perp()),
+        (AnswerValue::Vector(v), Some("perp")) => {
+            v.dot(along.expect("perp needs two points").perp())
+        }
         (AnswerValue::Vector(v), _) => v.norm(),
         (AnswerValue::Point(p), Some("x")) => p.x,
         (AnswerValue::Point(p), Some("y")) => p.y,
@@ -67,7 +73,11 @@ fn files() -> Vec<PathBuf> {
 
 fn files_of(folder: &str) -> Vec<PathBuf> {
     let folder = format!("{}/{folder}", env!("CARGO_MANIFEST_DIR"));
-    let mut files: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|f| f.unwrap().path()).filter(|p| p.is_file()).collect();
+    let mut files: Vec<PathBuf> = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|f| f.unwrap().path())
+        .filter(|p| p.is_file())
+        .collect();
     files.sort();
     files
 }
@@ -105,7 +115,10 @@ fn reference_cases() {
         let ladder = certify(&scene, &worked, DIGITS);
         solved += 1;
         for r in worked.results.iter().filter(|r| r.agreement.is_some_and(|a| !a.holds())) {
-            failures.push(format!("{id}: {} drawing and analysis disagree: {:?}", scene.find[r.find].text, r.agreement));
+            failures.push(format!(
+                "{id}: {} drawing and analysis disagree: {:?}",
+                scene.find[r.find].text, r.agreement
+            ));
         }
         for e in case["expect"].as_array().unwrap().iter().filter(|e| !e["find"].is_null()) {
             let find = e["find"].as_str().unwrap();
@@ -135,7 +148,11 @@ fn reference_cases() {
             let tolerance = number(&e["tolerance"]);
             let miss = |v: AnswerValue| {
                 let got = component(v, e["component"].as_str(), along) * scale;
-                let difference = if e["compare"] == "signed" { (got - exact).abs() } else { (got.abs() - exact.abs()).abs() };
+                let difference = if e["compare"] == "signed" {
+                    (got - exact).abs()
+                } else {
+                    (got.abs() - exact.abs()).abs()
+                };
                 // An answer of exactly zero has no relative error: its case gives the size for the
                 // comparison.
                 difference / if e["size"].is_null() { exact.abs() } else { number(&e["size"]) }
@@ -213,15 +230,22 @@ fn freedoms_are_counted() {
             let got = match (e["count"].as_str(), &e["of"]) {
                 (Some(place), _) => {
                     let all = found.get_or_insert_with(|| {
-                        let scene = scene::read_topology(case["scene"].to_string()).unwrap_or_else(|f| panic!("{id}: {f}")).value;
+                        let scene = scene::read_topology(case["scene"].to_string())
+                            .unwrap_or_else(|f| panic!("{id}: {f}"))
+                            .value;
                         let (survey, checked) = mobility::surveyed(&scene);
                         mobility::json(&scene, &survey, &checked)
                     });
                     all.pointer(place).and_then(Json::as_i64)
                 }
                 (None, of) => {
-                    let n = |key: &str| of[key].as_u64().unwrap_or_else(|| panic!("{id}: no {key}")) as usize;
-                    Some(Counts { moving: n("n"), lower: n("p_l"), higher: n("p_h") }.freedom(n("repeated"), n("local")))
+                    let n = |key: &str| {
+                        of[key].as_u64().unwrap_or_else(|| panic!("{id}: no {key}")) as usize
+                    };
+                    Some(
+                        Counts { moving: n("n"), lower: n("p_l"), higher: n("p_h") }
+                            .freedom(n("repeated"), n("local")),
+                    )
                 }
             };
             counted += 1;
@@ -238,7 +262,9 @@ fn freedoms_are_counted() {
 /// fault.
 #[test]
 fn the_list_of_cases_is_true() {
-    let read = |path: &str| std::fs::read_to_string(format!("{}/{path}", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let read = |path: &str| {
+        std::fs::read_to_string(format!("{}/{path}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+    };
     // The files of each case, and their expected values.
     let mut found: BTreeMap<String, (usize, usize)> = BTreeMap::new();
     // Cases without a mechanism are solved in tests/particle.rs.
@@ -247,7 +273,8 @@ fn the_list_of_cases_is_true() {
         let centres = case["centres"].as_array().map_or(0, Vec::len);
         let expected = case["expect"].as_array().unwrap().len() + centres;
         assert!(expected > 0, "{} expects nothing", file.display());
-        // Those of the collection on synthesis, and those of this project's own, are listed by name.
+        // Those of the collection on synthesis, and those of this project's own, are listed by
+        // name.
         if ["curvature", "jets", "forces"].iter().any(|c| case["category"] == *c) {
             let name = format!("`{}`", case["case"].as_str().unwrap());
             assert!(read("docs/cases.md").contains(&name), "{name} is not named in docs/cases.md");
@@ -258,10 +285,15 @@ fn the_list_of_cases_is_true() {
     }
     // Tests of cases without a file.
     let page = read("docs/cases.md");
-    let sweeps =
-        ["tests/sweep.rs", "tests/centres.rs", "tests/synthesis.rs", "crates/base/src/cam/tests.rs", "crates/base/src/cam/law/mod.rs"]
-            .map(read)
-            .concat();
+    let sweeps = [
+        "tests/sweep.rs",
+        "tests/centres.rs",
+        "tests/synthesis.rs",
+        "crates/base/src/cam/tests.rs",
+        "crates/base/src/cam/law/mod.rs",
+    ]
+    .map(read)
+    .concat();
     let mut faults = Vec::new();
     let (mut tested, mut all) = (0, 0);
     let (first, second) = page.split_once("\n## ").expect("two collections");
@@ -278,14 +310,21 @@ fn the_list_of_cases_is_true() {
         tested += told.scenes + told.elsewhere;
         all += told.all;
     }
-    faults.extend(found.keys().map(|name| format!("{name}: has a file, and no row in docs/cases.md")));
+    faults.extend(
+        found.keys().map(|name| format!("{name}: has a file, and no row in docs/cases.md")),
+    );
     assert!(faults.is_empty(), "docs/cases.md against tests/cases:\n{}", faults.join("\n"));
     let claim = format!("{tested} of {all} reference problems");
     assert!(read("README.md").contains(&claim), "README.md should say: {claim}");
 }
 
 /// Compares the rows of a section with the folder, and removes their cases from `found`.
-fn told(section: &str, found: &mut BTreeMap<String, (usize, usize)>, sweeps: &str, faults: &mut Vec<String>) -> Told {
+fn told(
+    section: &str,
+    found: &mut BTreeMap<String, (usize, usize)>,
+    sweeps: &str,
+    faults: &mut Vec<String>,
+) -> Told {
     let mut out = Told::default();
     for row in section.lines().filter(|l| l.starts_with("| `")) {
         let cells: Vec<&str> = row.split(" | ").map(|c| c.trim_matches([' ', '|'])).collect();
@@ -293,7 +332,8 @@ fn told(section: &str, found: &mut BTreeMap<String, (usize, usize)>, sweeps: &st
         out.all += 1;
         let has = found.remove(name);
         if let Some((files, values)) = has {
-            (out.scenes, out.files, out.values) = (out.scenes + 1, out.files + files, out.values + values);
+            (out.scenes, out.files, out.values) =
+                (out.scenes + 1, out.files + files, out.values + values);
         }
         match (has, told.parse::<usize>()) {
             (None, Err(_)) if told == "not yet" => out.not_yet += 1,
@@ -301,13 +341,17 @@ fn told(section: &str, found: &mut BTreeMap<String, (usize, usize)>, sweeps: &st
                 out.elsewhere += 1;
                 let test = remarks.split('`').find(|word| sweeps.contains(&format!("fn {word}()")));
                 if test.is_none() {
-                    faults.push(format!("{name}: has no file, and its row names no test of tests/sweep.rs"));
+                    faults.push(format!(
+                        "{name}: has no file, and its row names no test of tests/sweep.rs"
+                    ));
                 }
             }
             (Some((1, n)), Ok(told)) if n == told => {}
             // One value of one case may be asked for in several poses.
             (Some((n, _)), Ok(_)) if n > 1 && remarks.starts_with(&format!("{n} files")) => {}
-            (found, _) => faults.push(format!("{name}: {told} in the table, (files, values) in the folder: {found:?}")),
+            (found, _) => faults.push(format!(
+                "{name}: {told} in the table, (files, values) in the folder: {found:?}"
+            )),
         }
     }
     out

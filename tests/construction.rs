@@ -33,7 +33,9 @@ fn a_construction_is_plain_data() {
         assert_eq!(read, acts.construction, "{name}");
         let mut other = Acts::clone(acts);
         other.construction = read;
-        let again = Arc::new(other).draw(&scene, &w.configuration, &w.plan, &Layout::of(&w.construction), &mut Exact).unwrap();
+        let again = Arc::new(other)
+            .draw(&scene, &w.configuration, &w.plan, &Layout::of(&w.construction), &mut Exact)
+            .unwrap();
         assert_eq!(again.diagrams, w.construction.diagrams, "{name}");
         compared += again.diagrams.iter().map(|p| p.edges.len()).sum::<usize>();
     }
@@ -116,7 +118,8 @@ fn what_is_measured_moves_with_its_marks() {
         let layout = Layout::of(&w.construction);
         let drawn = |mark| {
             let mut pencil = Stray { mark, made: 0 };
-            let (paper, shown) = by_hand(acts, &scene, &w.configuration, &w.plan, &layout, &mut pencil).ok()?;
+            let (paper, shown) =
+                by_hand(acts, &scene, &w.configuration, &w.plan, &layout, &mut pencil).ok()?;
             Some((read(&scene, &w.mechanism, &shown, &w.plan, &paper), pencil.made))
         };
         let (exact, marks) = drawn(usize::MAX).unwrap();
@@ -127,12 +130,23 @@ fn what_is_measured_moves_with_its_marks() {
             }
         }
         for (answer, moved) in exact.iter().zip(moved) {
-            let Some((answer, measured)) = answer.as_ref().and_then(|a| Some((a, a.measured.as_ref()?))) else { continue };
+            let Some((answer, measured)) =
+                answer.as_ref().and_then(|a| Some((a, a.measured.as_ref()?)))
+            else {
+                continue;
+            };
             // An image that coincides with the pole because nothing is added to it is no point of
             // its own.
-            assert!(moved || measured.length_mm == 0.0, "{name}: {} is measured, and no mark moves it", scene.find[answer.find].text);
+            assert!(
+                moved || measured.length_mm == 0.0,
+                "{name}: {} is measured, and no mark moves it",
+                scene.find[answer.find].text
+            );
             let [from, to] = measured.marks.map(|(_, at)| at);
-            assert!(measured.arm_m.is_some() || (from.distance(to) - measured.length_mm).abs() < 1e-12, "{name}: {measured:?}");
+            assert!(
+                measured.arm_m.is_some() || (from.distance(to) - measured.length_mm).abs() < 1e-12,
+                "{name}: {measured:?}"
+            );
             moved_answers += 1;
         }
     }

@@ -9,7 +9,9 @@ use hodograph::curvature::by_hand::ByHand;
 use hodograph::curvature::drawing::{CurvatureDrawing, RayMethod};
 use hodograph::curvature::known::CurvaturePlaces;
 use hodograph::curvature::motion::{Bend, PlaneState};
-use hodograph::curvature::{CurvatureRequest, LinkCurvatures, OfLink, centrodes, couplers, curvature};
+use hodograph::curvature::{
+    CurvatureRequest, LinkCurvatures, OfLink, centrodes, couplers, curvature,
+};
 use hodograph::geom::{Point, Vec2};
 use hodograph::mechanism::{Demand, Mechanism};
 use hodograph::position::configure;
@@ -50,7 +52,11 @@ fn cases_by_drawing() {
         let drawn = of.drawn().unwrap();
         let e = of.points.iter().find(|p| scene.point_name(p.point) == "E").unwrap();
         let centre = e.drawn.unwrap().centre.at().unwrap();
-        let (j, k, u) = (drawn.pole + drawn.normal, drawn.acceleration_pole.unwrap(), drawn.pole_velocity.unwrap());
+        let (j, k, u) = (
+            drawn.pole + drawn.normal,
+            drawn.acceleration_pole.unwrap(),
+            drawn.pole_velocity.unwrap(),
+        );
         for expected in case["expect"].as_array().unwrap() {
             let value = match expected["name"].as_str().unwrap() {
                 "P_x" => drawn.pole.x,
@@ -68,7 +74,11 @@ fn cases_by_drawing() {
             };
             let exact: f64 = expected["exact"].as_str().unwrap().parse().unwrap();
             let size = expected["size"].as_f64().unwrap_or(exact.abs());
-            assert!((value - exact).abs() < 1e-10 * size, "{name} {}: {value}, expected {exact}", expected["name"]);
+            assert!(
+                (value - exact).abs() < 1e-10 * size,
+                "{name} {}: {value}, expected {exact}",
+                expected["name"]
+            );
             values += 1;
         }
         assert!(of.apart().unwrap() < 1e-11, "{name}: {:?}", of.apart());
@@ -78,8 +88,13 @@ fn cases_by_drawing() {
 
 #[test]
 fn the_collineation_point_is_where_the_rod_crosses_the_ground() {
-    let found = all(&template("crank-rocker", &[("l_AB", "100"), ("l_BC", "250"), ("l_CD", "200"), ("l_AD", "300"), ("phi_1", "60")]));
-    let CurvatureDrawing::Rays(rays) = &found.list[0].drawing else { panic!("two cranks are two rays") };
+    let found = all(&template(
+        "crank-rocker",
+        &[("l_AB", "100"), ("l_BC", "250"), ("l_CD", "200"), ("l_AD", "300"), ("phi_1", "60")],
+    ));
+    let CurvatureDrawing::Rays(rays) = &found.list[0].drawing else {
+        panic!("two cranks are two rays")
+    };
     let q = rays.collineation.unwrap().at().unwrap();
     assert!(q.distance(Point::new(-0.123_487_028_874_023_54, 0.0)) < 1e-12, "{q:?}");
     assert!(rays.how.iter().all(|h| matches!(h, RayMethod::Collineation(_))));
@@ -93,17 +108,26 @@ fn drawing_is_analysis_everywhere() {
         let turns = t.parameters.iter().any(|(name, _)| name == "phi_1");
         for k in 0..if turns { 12 } else { 1 } {
             let angle = format!("{} deg", 7 + 30 * k);
-            let values: Vec<(&str, &str)> = if turns { vec![("phi_1", angle.as_str())] } else { Vec::new() };
+            let values: Vec<(&str, &str)> =
+                if turns { vec![("phi_1", angle.as_str())] } else { Vec::new() };
             let Ok(text) = templates::instantiate(t.name, &values) else { continue };
             let Ok(scene) = scene::read(&text) else { continue };
-            let asked = CurvatureRequest { links: couplers(&scene.value), ..CurvatureRequest::default() };
+            let asked =
+                CurvatureRequest { links: couplers(&scene.value), ..CurvatureRequest::default() };
             let Ok(found) = curvature(&scene.value, &asked) else { continue };
             for of in &found.value.list {
                 let Some(apart) = of.apart() else { continue };
                 poses += 1;
-                balls += usize::from(of.drawn().unwrap().ball.is_some() && of.pole().is_some_and(|p| p.ball.is_some()));
+                balls += usize::from(
+                    of.drawn().unwrap().ball.is_some()
+                        && of.pole().is_some_and(|p| p.ball.is_some()),
+                );
                 if apart.is_nan() || apart > 1e-8 {
-                    faults.push(format!("{} {values:?} link {}: {apart:e}", t.name, scene.value.link_name(of.link)));
+                    faults.push(format!(
+                        "{} {values:?} link {}: {apart:e}",
+                        t.name,
+                        scene.value.link_name(of.link)
+                    ));
                 }
             }
         }
@@ -112,12 +136,14 @@ fn drawing_is_analysis_everywhere() {
     assert!(poses > 200 && balls > 100, "{poses} poses, {balls} Ball's points");
 }
 
-/// Tolerances of hand drawing go with the pencil, hold the readings of other drawings of as blunt a pencil,
-/// and vanish with it: the hand draws the exact construction.
+/// Tolerances of hand drawing go with the pencil, hold the readings of other drawings of as blunt a
+/// pencil, and vanish with it: the hand draws the exact construction.
 #[test]
 fn tolerances_of_hand_drawing_go_with_the_pencil() {
     let mut compared = 0;
-    for name in ["crank-rocker", "slider-crank", "whitworth", "geared-five-bar", "hypocycloid", "shaper"] {
+    for name in
+        ["crank-rocker", "slider-crank", "whitworth", "geared-five-bar", "hypocycloid", "shaper"]
+    {
         let with = |pencil_mm: f64| {
             let mut scene = template(name, &[]);
             scene.paper.pencil_mm = Some(pencil_mm);
@@ -126,8 +152,12 @@ fn tolerances_of_hand_drawing_go_with_the_pencil() {
         let (fine, blunt) = (with(0.01), with(0.02));
         for (a, b) in fine.list.iter().zip(&blunt.list) {
             let (Some(a), Some(b)) = (&a.by_hand, &b.by_hand) else { continue };
-            let bounds =
-                |t: &ByHand| [t.pole, t.inflection_pole, t.diameter, t.ball].into_iter().chain(t.radii.clone()).collect::<Vec<_>>();
+            let bounds = |t: &ByHand| {
+                [t.pole, t.inflection_pole, t.diameter, t.ball]
+                    .into_iter()
+                    .chain(t.radii.clone())
+                    .collect::<Vec<_>>()
+            };
             for (x, y) in bounds(a).into_iter().zip(bounds(b)).filter_map(|(x, y)| Some((x?, y?))) {
                 // A reading of the given, without any mark between, is exact.
                 if x > 0.0 {
@@ -142,7 +172,12 @@ fn tolerances_of_hand_drawing_go_with_the_pencil() {
     let scene = template("crank-rocker", &[]);
     let found = all(&scene);
     let hand = Hand::with(Blunt::new(0.0, 1), found.worked.construction.diagram.mu);
-    let places = CurvaturePlaces { scene: &found.scene, at: &found.worked.configuration, against: found.against, hand: &hand };
+    let places = CurvaturePlaces {
+        scene: &found.scene,
+        at: &found.worked.configuration,
+        against: found.against,
+        hand: &hand,
+    };
     let drawing = places.drawing_behind(found.list[0].link, &[]);
     assert_eq!(drawing, found.list[0].drawing);
 }
@@ -173,9 +208,22 @@ impl Linkage {
     fn random(r: &mut Random, six: bool) -> Linkage {
         let ad = r.next(80.0, 120.0);
         let ab = r.next(20.0, 45.0);
-        let lengths = [ab, r.next(80.0, 130.0), r.next(60.0, 110.0), ad, r.next(30.0, 90.0), r.next(-60.0, 60.0)];
+        let lengths = [
+            ab,
+            r.next(80.0, 130.0),
+            r.next(60.0, 110.0),
+            ad,
+            r.next(30.0, 90.0),
+            r.next(-60.0, 60.0),
+        ];
         let pivot = [ad + r.next(30.0, 120.0), r.next(-30.0, 60.0)];
-        Linkage { lengths, pivot, dyad: [r.next(120.0, 160.0), r.next(70.0, 130.0)], omega: r.next(2.0, 8.0), six }
+        Linkage {
+            lengths,
+            pivot,
+            dyad: [r.next(120.0, 160.0), r.next(70.0, 130.0)],
+            omega: r.next(2.0, 8.0),
+            six,
+        }
     }
 
     /// The scene with its crank at an angle (degrees).
@@ -218,7 +266,9 @@ impl Linkage {
 fn derivatives(at: [Point; 7], step: f64) -> (Vec2, Vec2) {
     let first = [-1.0, 9.0, -45.0, 0.0, 45.0, -9.0, 1.0];
     let second = [2.0, -27.0, 270.0, -490.0, 270.0, -27.0, 2.0];
-    let sum = |c: [f64; 7], over: f64| at.iter().zip(c).fold(Vec2::ZERO, |s, (p, c)| s + (*p - at[3]) * (c / over));
+    let sum = |c: [f64; 7], over: f64| {
+        at.iter().zip(c).fold(Vec2::ZERO, |s, (p, c)| s + (*p - at[3]) * (c / over))
+    };
     (sum(first, 60.0 * step), sum(second, 180.0 * step * step))
 }
 
@@ -250,14 +300,20 @@ fn curvature_is_that_of_the_path() {
             assert!(of.apart().is_none_or(|a| a < 1e-9), "{k}: {:?}", of.apart());
             for q in &of.points {
                 let Bend::About(centre, radius) = q.bend else { continue };
-                let Some(at) = seven(&linkage, scene.point_name(q.point), angle, step_deg) else { continue };
+                let Some(at) = seven(&linkage, scene.point_name(q.point), angle, step_deg) else {
+                    continue;
+                };
                 let (v, a) = derivatives(at, step);
                 let turn = v.cross(a);
                 if turn.abs() < 0.05 * v.norm() * a.norm() {
                     continue;
                 }
                 let expected = v.norm().powi(3) / turn.abs();
-                assert!((radius - expected).abs() < 1e-6 * expected, "{k} {}: {radius}, by the path {expected}", scene.point_name(q.point));
+                assert!(
+                    (radius - expected).abs() < 1e-6 * expected,
+                    "{k} {}: {radius}, by the path {expected}",
+                    scene.point_name(q.point)
+                );
                 let expected = at[3] + v.perp() * (v.norm2() / turn);
                 assert!(centre.distance(expected) < 1e-6 * radius, "{k}: {centre:?} {expected:?}");
                 points += 1;
@@ -266,7 +322,8 @@ fn curvature_is_that_of_the_path() {
             let mut all = [Point::ORIGIN; 7];
             let drawn = |i: usize| {
                 let scene = linkage.scene(angle + (i as f64 - 3.0) * step_deg).ok()?;
-                let asked = CurvatureRequest { links: vec![of.link], ..CurvatureRequest::default() };
+                let asked =
+                    CurvatureRequest { links: vec![of.link], ..CurvatureRequest::default() };
                 curvature(&scene, &asked).ok()?.value.list.first()?.drawn().map(|d| d.pole)
             };
             if !(0..7).all(|i| {
@@ -279,7 +336,11 @@ fn curvature_is_that_of_the_path() {
                 continue;
             }
             let (u, _) = derivatives(all, step);
-            assert!((u - pole.pole_velocity).norm() < 1e-4 * u.norm(), "{k}: {u:?} {:?}", pole.pole_velocity);
+            assert!(
+                (u - pole.pole_velocity).norm() < 1e-4 * u.norm(),
+                "{k}: {u:?} {:?}",
+                pole.pole_velocity
+            );
             poles += 1;
         }
     }
@@ -306,7 +367,9 @@ fn balls_point_runs_straight_to_the_third_order() {
         }
         [linkage.lengths[4], linkage.lengths[5]] = [local.x, local.y];
         let places = |h: f64| [-1.0, 1.0].map(|s| linkage.place("E", angle + s * h));
-        let (Some(middle), [Some(a1), Some(a2)], [Some(b1), Some(b2)]) = (linkage.place("E", angle), places(4.0), places(2.0)) else {
+        let (Some(middle), [Some(a1), Some(a2)], [Some(b1), Some(b2)]) =
+            (linkage.place("E", angle), places(4.0), places(2.0))
+        else {
             continue;
         };
         // The even part of the motion across the tangent: of second order for a curved path, of
@@ -329,11 +392,20 @@ fn balls_point_runs_straight_to_the_third_order() {
 /// common tangent at the pole.
 #[test]
 fn centrodes_touch_in_the_pole() {
-    for name in ["crank-rocker", "slider-crank", "shaper", "watt-six-bar", "elliptic-trammel", "oscillating-cylinder"] {
+    for name in [
+        "crank-rocker",
+        "slider-crank",
+        "shaper",
+        "watt-six-bar",
+        "elliptic-trammel",
+        "oscillating-cylinder",
+    ] {
         let scene = template(name, &[]);
         let found = all(&scene);
         for of in &found.list {
-            let paths = centrodes::centrodes(&found.scene, &found.worked, of.link, found.against, 720).unwrap();
+            let paths =
+                centrodes::centrodes(&found.scene, &found.worked, of.link, found.against, 720)
+                    .unwrap();
             let pole = of.pole().unwrap();
             let k = paths.stations.iter().position(|s| s.is_some_and(|s| s.travel == 0.0)).unwrap();
             let at = |k: usize| paths.stations[k % paths.stations.len()].unwrap();
@@ -341,7 +413,10 @@ fn centrodes_touch_in_the_pole() {
             let moving = |s: centrodes::PoleStation| (s.moving * (1.0 / s.omega)).to_point();
             assert!(moving(at(k)).distance(pole.pole) < 1e-9 * of.motion.size, "{name}");
             let n = paths.stations.len();
-            let (fixed, moved) = (at(k + 1).pole() - at(k + n - 1).pole(), moving(at(k + 1)) - moving(at(k + n - 1)));
+            let (fixed, moved) = (
+                at(k + 1).pole() - at(k + n - 1).pole(),
+                moving(at(k + 1)) - moving(at(k + n - 1)),
+            );
             // Equal arcs: they roll without slip.
             assert!((fixed - moved).norm() < 2e-3 * fixed.norm(), "{name}: {fixed:?} {moved:?}");
         }
@@ -355,11 +430,16 @@ fn cardans_centrodes_are_circles() {
     let scene = template("elliptic-trammel", &[]);
     let found = all(&scene);
     let bar = found.list.iter().find(|of| scene.links[of.link.0].points.len() > 1).unwrap();
-    let paths = centrodes::centrodes(&found.scene, &found.worked, bar.link, found.against, 360).unwrap();
-    let poles: Vec<Point> = paths.stations.iter().flatten().map(|s| s.pole()).filter(|p| p.is_finite()).collect();
+    let paths =
+        centrodes::centrodes(&found.scene, &found.worked, bar.link, found.against, 360).unwrap();
+    let poles: Vec<Point> =
+        paths.stations.iter().flatten().map(|s| s.pole()).filter(|p| p.is_finite()).collect();
     let radius = bar.pole().unwrap().diameter();
     let centre = bar.pole().unwrap().inflection_pole();
-    assert!(poles.len() > 100 && poles.iter().all(|p| (p.distance(centre) - radius).abs() < 1e-9 * radius));
+    assert!(
+        poles.len() > 100
+            && poles.iter().all(|p| (p.distance(centre) - radius).abs() < 1e-9 * radius)
+    );
 }
 
 /// The moving centrode of a wheel is its contour, and is dashed all round although the pole goes
@@ -378,17 +458,27 @@ fn the_moving_centrode_of_a_planet_is_one_dashed_circle() {
     );
     let worked = work(&scene, Scope::Figure).unwrap().value;
     let options = SheetOptions::of_language(scene::Lang::En);
-    let wanted = FigureInput { scene: &scene, worked: &worked, options: &options, extras: &Extras::default() };
+    let wanted = FigureInput {
+        scene: &scene,
+        worked: &worked,
+        options: &options,
+        extras: &Extras::default(),
+    };
     let pages = (named("centrodes").unwrap().draw)(&wanted).unwrap().value;
     let (_, page) = pages.iter().find(|(_, p)| p.desc.contains("QM")).unwrap();
     let round = |i: &hodograph::paper::item::FigureItem| match i.shape {
-        Shape::Arc { centre, radius_mm, stroke, .. } if radius_mm > 20.0 => Some((centre, radius_mm, stroke.dash)),
+        Shape::Arc { centre, radius_mm, stroke, .. } if radius_mm > 20.0 => {
+            Some((centre, radius_mm, stroke.dash))
+        }
         _ => None,
     };
     let circles: Vec<_> = page.items.iter().filter_map(round).collect();
     let dashed: Vec<_> = circles.iter().filter(|c| c.2 == Dash::Dashed).collect();
     let [(centre, radius, _)] = dashed[..] else { panic!("{circles:?}") };
-    let over = circles.iter().filter(|c| c.0.distance(*centre) < 1e-6 && (c.1 - radius).abs() < 1e-6).count();
+    let over = circles
+        .iter()
+        .filter(|c| c.0.distance(*centre) < 1e-6 && (c.1 - radius).abs() < 1e-6)
+        .count();
     assert_eq!(over, 1, "nothing is drawn over the dashes: {circles:?}");
 }
 
@@ -403,7 +493,10 @@ fn degenerate_poses_are_told() {
     };
     // A parallelogram's coupler translates.
     let (s, drawing, _) = state("parallelogram", &[("phi_1", "70")]);
-    assert!(matches!(s, PlaneState::Translation(_)) && matches!(drawing, CurvatureDrawing::Parallel(_)), "{s:?} {drawing:?}");
+    assert!(
+        matches!(s, PlaneState::Translation(_)) && matches!(drawing, CurvatureDrawing::Parallel(_)),
+        "{s:?} {drawing:?}"
+    );
     // The slider-crank at its dead centre: the crosshead is the pole, and its path has an end.
     let dead = read(
         r#"{"units": {"length": "mm", "angle": "deg"}, "links": {"1": ["A", "B"], "2": ["B", "C"], "3": ["C"], "4": ["A"]}, "ground": "4",
@@ -416,7 +509,10 @@ fn degenerate_poses_are_told() {
     assert!(points.iter().any(|p| p.bend == Bend::AtPole), "{points:?}");
     // With the crank perpendicular to the guide, the coupler translates.
     let (s, drawing, _) = state("slider-crank", &[("phi_1", "90")]);
-    assert!(matches!(s, PlaneState::Translation(_)) && matches!(drawing, CurvatureDrawing::Parallel(_)), "{s:?} {drawing:?}");
+    assert!(
+        matches!(s, PlaneState::Translation(_)) && matches!(drawing, CurvatureDrawing::Parallel(_)),
+        "{s:?} {drawing:?}"
+    );
     // The crosshead of a slider-crank moves straight: its centre of curvature does not exist.
     let (_, _, points) = state("slider-crank", &[]);
     assert!(points.iter().any(|p| p.bend == Bend::Straight), "{points:?}");
@@ -424,9 +520,16 @@ fn degenerate_poses_are_told() {
     let scene = template("crank-rocker", &[]);
     let asked = CurvatureRequest { links: vec![link(&scene, "1")], ..CurvatureRequest::default() };
     let found = curvature(&scene, &asked).unwrap().value;
-    assert!(matches!(found.list[0].drawing, CurvatureDrawing::Hinge(_)) && found.list[0].pole().unwrap().stands());
+    assert!(
+        matches!(found.list[0].drawing, CurvatureDrawing::Hinge(_))
+            && found.list[0].pole().unwrap().stands()
+    );
     // Seen from the crank, the rocker has its pole where the ground has that of the coupler's rays.
-    let asked = CurvatureRequest { links: vec![link(&scene, "3")], against: Some(link(&scene, "1")), ..CurvatureRequest::default() };
+    let asked = CurvatureRequest {
+        links: vec![link(&scene, "3")],
+        against: Some(link(&scene, "1")),
+        ..CurvatureRequest::default()
+    };
     let found = curvature(&scene, &asked).unwrap().value;
     assert!(found.list[0].apart().unwrap() < 1e-11, "{:?}", found.list[0].apart());
 }

@@ -20,7 +20,12 @@ fn printed(figure: &Figure) -> Vec<String> {
         Shape::Label { label, .. } | Shape::Turned { label, .. } => Some(label.source().to_owned()),
         _ => None,
     };
-    let mut all: Vec<String> = figure.items.iter().filter_map(|i| text(&i.shape)).filter(|t| !t.contains("\\mu")).collect();
+    let mut all: Vec<String> = figure
+        .items
+        .iter()
+        .filter_map(|i| text(&i.shape))
+        .filter(|t| !t.contains("\\mu"))
+        .collect();
     all.sort();
     all
 }
@@ -30,7 +35,9 @@ fn printed(figure: &Figure) -> Vec<String> {
 fn varied(source: &str) -> Vec<(String, String)> {
     let root: serde_json::Value = serde_json::from_str(source).unwrap();
     let mut places = Vec::new();
-    for section in ["parameters", "points", "lengths", "guides", "driver", "gears", "rolling", "cams"] {
+    for section in
+        ["parameters", "points", "lengths", "guides", "driver", "gears", "rolling", "cams"]
+    {
         leaves(&root[section], &format!("/{section}"), &mut places);
     }
     let mut out = Vec::new();
@@ -38,7 +45,9 @@ fn varied(source: &str) -> Vec<(String, String)> {
         let mut other = root.clone();
         let leaf = other.pointer_mut(&place).unwrap();
         let larger = match leaf {
-            serde_json::Value::Number(n) => n.as_f64().filter(|v| *v != 0.0).map(|v| serde_json::json!(larger(v))),
+            serde_json::Value::Number(n) => {
+                n.as_f64().filter(|v| *v != 0.0).map(|v| serde_json::json!(larger(v)))
+            }
             serde_json::Value::String(s) => quantity(s).map(|s| serde_json::json!(s)),
             _ => None,
         };
@@ -50,21 +59,30 @@ fn varied(source: &str) -> Vec<(String, String)> {
 }
 
 fn larger(value: f64) -> f64 {
-    if value.fract() == 0.0 && value.abs() < 1e6 { value + value.signum() } else { (value * 1.013 * 1e6).round() / 1e6 }
+    if value.fract() == 0.0 && value.abs() < 1e6 {
+        value + value.signum()
+    } else {
+        (value * 1.013 * 1e6).round() / 1e6
+    }
 }
 
 /// `"100 mm"` → `"101 mm"`; a text that does not begin with a number is not a quantity.
 fn quantity(text: &str) -> Option<String> {
-    let end = text.find(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-')).unwrap_or(text.len());
+    let end =
+        text.find(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-')).unwrap_or(text.len());
     let value: f64 = text[..end].parse().ok().filter(|v| *v != 0.0)?;
     Some(format!("{}{}", larger(value), &text[end..]))
 }
 
 fn leaves(value: &serde_json::Value, place: &str, out: &mut Vec<String>) {
     match value {
-        serde_json::Value::Array(list) => list.iter().enumerate().for_each(|(k, v)| leaves(v, &format!("{place}/{k}"), out)),
+        serde_json::Value::Array(list) => {
+            list.iter().enumerate().for_each(|(k, v)| leaves(v, &format!("{place}/{k}"), out))
+        }
         serde_json::Value::Object(fields) => {
-            fields.iter().for_each(|(k, v)| leaves(v, &format!("{place}/{}", k.replace('~', "~0").replace('/', "~1")), out));
+            fields.iter().for_each(|(k, v)| {
+                leaves(v, &format!("{place}/{}", k.replace('~', "~0").replace('/', "~1")), out)
+            });
         }
         serde_json::Value::Number(_) | serde_json::Value::String(_) => out.push(place.to_owned()),
         serde_json::Value::Null | serde_json::Value::Bool(_) => {}
@@ -74,7 +92,8 @@ fn leaves(value: &serde_json::Value, place: &str, out: &mut Vec<String>) {
 /// Distance between the points of two poses, relative to the size of the first.
 fn apart(a: &Worked, b: &Worked) -> f64 {
     let pairs = a.configuration.points.iter().zip(&b.configuration.points);
-    pairs.filter_map(|(p, q)| Some(p.as_ref()?.distance((*q)?))).fold(0.0, f64::max) / a.configuration.extent()
+    pairs.filter_map(|(p, q)| Some(p.as_ref()?.distance((*q)?))).fold(0.0, f64::max)
+        / a.configuration.extent()
 }
 
 /// Any number of the file that changes the pose also changes a printed number: the pose therefore
@@ -94,7 +113,10 @@ fn the_pose_follows_from_what_is_printed() {
                 continue;
             }
             if printed(&dimensioned(&other.value, &moved.value, Lang::En)) == here {
-                silent.push(format!("{} {place}: the pose changes, and nothing that is printed", t.name));
+                silent.push(format!(
+                    "{} {place}: the pose changes, and nothing that is printed",
+                    t.name
+                ));
             } else {
                 told += 1;
             }
@@ -107,7 +129,9 @@ fn the_pose_follows_from_what_is_printed() {
 
 /// True if two convex areas overlap (separating axes).
 fn overlap(a: &[Point], b: &[Point]) -> bool {
-    let sides = |p: &[Point]| (0..p.len()).map(|k| (p[(k + 1) % p.len()] - p[k]).perp()).collect::<Vec<_>>();
+    let sides = |p: &[Point]| {
+        (0..p.len()).map(|k| (p[(k + 1) % p.len()] - p[k]).perp()).collect::<Vec<_>>()
+    };
     let span = |p: &[Point], n: hodograph::geom::Vec2| {
         let all = p.iter().map(|q| q.to_vec2().dot(n));
         (all.clone().fold(f64::INFINITY, f64::min), all.fold(f64::NEG_INFINITY, f64::max))
@@ -135,9 +159,14 @@ fn numbers_of_dimensions_stand_on_nothing() {
                 match &item.shape {
                     Shape::Turned { at, angle_rad, label, size_mm, .. } => {
                         numbers += 1;
-                        boxes.push((label.source().into(), turned_corners(*at, *angle_rad, label, *size_mm).unwrap().to_vec(), true));
+                        boxes.push((
+                            label.source().into(),
+                            turned_corners(*at, *angle_rad, label, *size_mm).unwrap().to_vec(),
+                            true,
+                        ));
                     }
-                    Shape::Label { label, .. } => boxes.extend(item.bounds().map(|b| (label.source().into(), corners(b), false))),
+                    Shape::Label { label, .. } => boxes
+                        .extend(item.bounds().map(|b| (label.source().into(), corners(b), false))),
                     _ => {}
                 }
             }
@@ -151,7 +180,8 @@ fn numbers_of_dimensions_stand_on_nothing() {
                     let body = match &item.shape {
                         Shape::Polyline { points, fill: Some(_), .. } => points.clone(),
                         Shape::Line { from, to, stroke } if stroke.width_mm > 0.3 => {
-                            let side = (*to - *from).unit().unwrap().perp() * (stroke.width_mm / 2.0);
+                            let side =
+                                (*to - *from).unit().unwrap().perp() * (stroke.width_mm / 2.0);
                             vec![*from - side, *to - side, *to + side, *from + side]
                         }
                         _ => continue,

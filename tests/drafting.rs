@@ -28,8 +28,15 @@ fn the_exact_pencil_changes_nothing() {
     for t in templates::list() {
         let (scene, w) = template(t.name);
         let layout = Layout::of(&w.construction);
-        let (again, shown) = by_hand(&w.construction.acts, &scene, &w.configuration, &w.plan, &layout, &mut Exact).unwrap();
-        assert_eq!((again.diagrams, again.rates), (w.construction.diagrams, w.construction.rates), "{}", t.name);
+        let (again, shown) =
+            by_hand(&w.construction.acts, &scene, &w.configuration, &w.plan, &layout, &mut Exact)
+                .unwrap();
+        assert_eq!(
+            (again.diagrams, again.rates),
+            (w.construction.diagrams, w.construction.rates),
+            "{}",
+            t.name
+        );
         assert_eq!(shown, w.configuration, "{}", t.name);
     }
 }
@@ -54,7 +61,12 @@ fn tolerances_are_those_of_many_drawings() {
             // The 95 % limit of 600 drawings is known to about 4 %; the median of a normal error
             // along a line is 0.34 of that limit, of one equal in all directions 0.48.
             let (limit, median) = (s.within_95 / d.absolute, s.median / d.absolute);
-            assert!((0.85..1.18).contains(&limit), "{} {}: {limit} of what was derived", t.name, find.text);
+            assert!(
+                (0.85..1.18).contains(&limit),
+                "{} {}: {limit} of what was derived",
+                t.name,
+                find.text
+            );
             assert!((0.29..0.54).contains(&median), "{} {}: median {median}", t.name, find.text);
             compared += 1;
             forces += usize::from(find.what.diagram() == DiagramKind::Force);
@@ -96,7 +108,8 @@ fn a_drawing_in_f32() {
     }
 }
 
-/// Positions are read off the diagram: a coordinate with the error of a joint and of a reading, an angle over the link's length.
+/// Positions are read off the diagram: a coordinate with the error of a joint and of a reading, an
+/// angle over the link's length.
 #[test]
 fn positions_are_read_off_the_diagram() {
     let (scene, w) = worked(
@@ -116,7 +129,10 @@ fn positions_are_read_off_the_diagram() {
     assert_eq!((x.as_ref().unwrap().relative, phi.as_ref().unwrap().relative), (None, None));
     let many = simulate(&drawn, 0.1, 2000, 3);
     for (s, t) in many.iter().zip([x, l, phi]) {
-        assert!((s.unwrap().within_95 / t.as_ref().unwrap().absolute - 1.0).abs() < 0.1, "{s:?} {t:?}");
+        assert!(
+            (s.unwrap().within_95 / t.as_ref().unwrap().absolute - 1.0).abs() < 0.1,
+            "{s:?} {t:?}"
+        );
     }
 }
 
@@ -132,7 +148,8 @@ fn the_proposed_scales_keep_their_promise() {
         assert!((l.factor - t.relative.unwrap() / 0.01).abs() < 1e-12);
         let mut scene = scene.clone();
         scene.paper.scales.clone_from(&l.scales);
-        let then = work(&scene, Scope::Questions).unwrap().value.with_drafting(&scene).drafting.unwrap();
+        let then =
+            work(&scene, Scope::Questions).unwrap().value.with_drafting(&scene).drafting.unwrap();
         let then = then.tolerances[i].as_ref().unwrap().relative.unwrap();
         assert!(then <= 0.01, "{}: {then}", scene.find[i].text);
         proposed += usize::from(l.factor > 1.0);
@@ -141,18 +158,25 @@ fn the_proposed_scales_keep_their_promise() {
 }
 
 fn bad_four_bar() -> String {
-    templates::instantiate("crank-rocker", &[("phi_1", "180"), ("l_BC", "201"), ("l_CD", "200")]).unwrap()
+    templates::instantiate("crank-rocker", &[("phi_1", "180"), ("l_BC", "201"), ("l_CD", "200")])
+        .unwrap()
 }
 
 #[test]
 fn a_bad_angle_is_told_with_a_pose_that_is_better() {
     let (scene, w) = worked(&bad_four_bar());
     let [bad] = &w.bad_angles[..] else { panic!("{:?}", w.bad_angles) };
-    assert!(bad.crossing.angle_deg() < 10.0 && (bad.crossing.moves_mm * bad.crossing.sine.abs() - 0.1).abs() < 1e-12);
+    assert!(
+        bad.crossing.angle_deg() < 10.0
+            && (bad.crossing.moves_mm * bad.crossing.sine.abs() - 0.1).abs() < 1e-12
+    );
     assert!(bad.special.is_none());
     // The pose agrees with its description: solved anew, from lengths, at that angle.
     let pose = bad.pose.unwrap();
-    let there = templates::instantiate("crank-rocker", &[("phi_1", &pose.to_deg.unwrap().to_string()), ("l_BC", "201"), ("l_CD", "200")]);
+    let there = templates::instantiate(
+        "crank-rocker",
+        &[("phi_1", &pose.to_deg.unwrap().to_string()), ("l_BC", "201"), ("l_CD", "200")],
+    );
     let (_, there) = worked(&there.unwrap());
     assert!(there.bad_angles.is_empty());
     let angle = accuracy::crossings(&there.construction, 0.1)[0].angle_deg();
@@ -163,14 +187,17 @@ fn a_bad_angle_is_told_with_a_pose_that_is_better() {
     for on in DiagramKind::ALL {
         larger.paper.scales.set(on.kind(), w.construction.scale(on).map(|mu| mu / factor));
     }
-    let drafting = work(&larger, Scope::Questions).unwrap().value.with_drafting(&larger).drafting.unwrap();
+    let drafting =
+        work(&larger, Scope::Questions).unwrap().value.with_drafting(&larger).drafting.unwrap();
     assert!(drafting.tolerances.iter().flatten().all(|t| t.relative.unwrap() <= 0.01));
 }
 
 #[test]
 fn another_special_point_is_proposed_where_it_helps() {
-    let text =
-        templates::instantiate("class-iii-six-bar", &[("phi_1", "330"), ("x_N", "300"), ("y_N", "240"), ("x_M", "190"), ("y_M", "0")]);
+    let text = templates::instantiate(
+        "class-iii-six-bar",
+        &[("phi_1", "330"), ("x_N", "300"), ("y_N", "240"), ("x_M", "190"), ("y_M", "0")],
+    );
     let (scene, w) = worked(&text.unwrap());
     let [bad] = &w.bad_angles[..] else { panic!("{:?}", w.bad_angles) };
     let special = bad.special.unwrap();
@@ -178,8 +205,13 @@ fn another_special_point_is_proposed_where_it_helps() {
     let mut chosen = w.construction.acts.chosen.clone();
     chosen[special.group] = 1;
     let acts = Acts::of(&scene, &w.mechanism, &w.plan, &chosen);
-    let paper = acts.draw(&scene, &w.configuration, &w.plan, &Layout::of(&w.construction), &mut Exact).unwrap();
-    let worst = accuracy::crossings(&paper, 0.1).iter().map(accuracy::CrossingTolerance::angle_deg).fold(90.0, f64::min);
+    let paper = acts
+        .draw(&scene, &w.configuration, &w.plan, &Layout::of(&w.construction), &mut Exact)
+        .unwrap();
+    let worst = accuracy::crossings(&paper, 0.1)
+        .iter()
+        .map(accuracy::CrossingTolerance::angle_deg)
+        .fold(90.0, f64::min);
     assert!((worst - special.worst_deg).abs() < 1e-9 && worst > 10.0, "{worst}");
 }
 
@@ -187,7 +219,11 @@ fn another_special_point_is_proposed_where_it_helps() {
 /// point helps.
 #[test]
 fn no_help_is_invented() {
-    let case = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cases/triad-near-singular-5.json")).unwrap();
+    let case = std::fs::read_to_string(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/tests/cases/triad-near-singular-5.json"
+    ))
+    .unwrap();
     let case: serde_json::Value = serde_json::from_str(&case).unwrap();
     let (_, w) = worked(&case["scene"].to_string());
     assert!(!w.bad_angles.is_empty());
@@ -200,9 +236,10 @@ fn no_help_is_invented() {
 /// The sheet itself remarks on it, in both languages, and its fonts have every letter.
 #[test]
 fn the_sheet_remarks_on_bad_angles() {
-    for (lang, words) in
-        [(Lang::En, ["is found under only", "times as large", "the pose at φ_1 = 205°"]), (Lang::Zh, ["交角仅", "倍", "取 φ_1 = 205°"])]
-    {
+    for (lang, words) in [
+        (Lang::En, ["is found under only", "times as large", "the pose at φ_1 = 205°"]),
+        (Lang::Zh, ["交角仅", "倍", "取 φ_1 = 205°"]),
+    ] {
         let (scene, w) = worked(&bad_four_bar());
         let w = w.with_drafting(&scene);
         let figure = sheet(&scene, &w, &SheetOptions::of_language(lang)).unwrap();
@@ -221,7 +258,11 @@ fn the_sheet_remarks_on_bad_angles() {
         for word in words {
             assert!(remarks.iter().any(|r| r.contains(word)), "no {word:?} in {remarks:?}");
         }
-        let tolerances = figure.items.iter().filter(|i| i.id.starts_with("result-") && i.id.ends_with("-tolerance")).count();
+        let tolerances = figure
+            .items
+            .iter()
+            .filter(|i| i.id.starts_with("result-") && i.id.ends_with("-tolerance"))
+            .count();
         assert_eq!(tolerances, scene.find.len());
     }
 }
@@ -242,6 +283,10 @@ fn sound_drawings_carry_no_remarks() {
             let Shape::Label { label, .. } = &item.shape else { panic!("{}: {item:?}", t.name) };
             assert!(label.source().contains("within 0.1 mm"), "{}: {}", t.name, label.source());
         }
-        assert!(figure.items.iter().all(|i| i.class != "tolerance" && !i.id.ends_with("-tolerance")), "{}", t.name);
+        assert!(
+            figure.items.iter().all(|i| i.class != "tolerance" && !i.id.ends_with("-tolerance")),
+            "{}",
+            t.name
+        );
     }
 }

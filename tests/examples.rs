@@ -18,10 +18,19 @@ fn examples_run() {
     figure::main().unwrap();
     sweep::main().unwrap();
     questions::main().unwrap();
-    let length = |name: &str| std::fs::metadata(folder.path().join(name)).unwrap_or_else(|e| panic!("{name}: {e}")).len();
+    let length = |name: &str| {
+        std::fs::metadata(folder.path().join(name)).unwrap_or_else(|e| panic!("{name}: {e}")).len()
+    };
     for name in ["mechanism", "velocity", "acceleration"] {
-        assert!(length(&format!("{name}.svg")) > 1000 && length(&format!("{name}.png")) > 1000, "{name}");
+        assert!(
+            length(&format!("{name}.svg")) > 1000 && length(&format!("{name}.png")) > 1000,
+            "{name}"
+        );
     }
     let table = std::fs::read_to_string(folder.path().join("turn.csv")).unwrap();
-    assert_eq!(table.lines().filter(|l| !l.starts_with('#')).count(), 1 + 361, "a line of labels and a row for each degree");
+    assert_eq!(
+        table.lines().filter(|l| !l.starts_with('#')).count(),
+        1 + 361,
+        "a line of labels and a row for each degree"
+    );
 }

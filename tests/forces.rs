@@ -38,7 +38,8 @@ struct Load {
     force: Vec2,
 }
 
-/// A template with a force at a point of each moving link, and the questions for the points' velocities and the drivers' balance.
+/// A template with a force at a point of each moving link, and the questions for the points'
+/// velocities and the drivers' balance.
 fn loaded(text: &str, scene: &Scene) -> (Json, Vec<Load>) {
     let mut json: Json = serde_json::from_str(text).unwrap();
     let mut loads = Vec::new();
@@ -77,8 +78,12 @@ fn answer(scene: &Scene, worked: &Worked, find: &str) -> Option<AnswerValue> {
 fn friction(scene: &Scene) -> Json {
     let pins = (0..scene.points.len()).map(PointId).filter(|p| scene.carriers(*p).count() == 2);
     let pins = pins.map(|p| json!({"pin": scene.point_name(p), "circle": "0.2 mm"}));
-    let mut sliders: Vec<&str> =
-        scene.guides.iter().filter(|g| matches!(g.path, GuidePath::Line { .. })).filter_map(|g| Some(scene.link_name(g.slider?))).collect();
+    let mut sliders: Vec<&str> = scene
+        .guides
+        .iter()
+        .filter(|g| matches!(g.path, GuidePath::Line { .. }))
+        .filter_map(|g| Some(scene.link_name(g.slider?)))
+        .collect();
     sliders.sort_unstable();
     sliders.dedup();
     pins.chain(sliders.into_iter().map(|s| json!({"slider": s, "f": 0.02}))).collect()
@@ -110,7 +115,9 @@ impl Balance {
         let (mut work, mut size) = (0.0, 0.0);
         for l in &loads {
             let find = format!("v_{}", l.point);
-            let Some(AnswerValue::Vector(v)) = answer(&scene, &worked, &find) else { return Err(format!("{find} is not answered")) };
+            let Some(AnswerValue::Vector(v)) = answer(&scene, &worked, &find) else {
+                return Err(format!("{find} is not answered"));
+            };
             work += v.dot(l.force);
             size += v.norm() * l.force.norm();
         }
@@ -122,7 +129,8 @@ impl Balance {
             work += balance * driver.rate.value;
         }
         let forces = worked.solution.forces().ok_or("no forces")?;
-        let (rubbing, _) = rubbing(&scene, &worked.configuration, &worked.solution).ok_or("no velocities where it rubs")?;
+        let (rubbing, _) = rubbing(&scene, &worked.configuration, &worked.solution)
+            .ok_or("no velocities where it rubs")?;
         work -= rubbing.iter().map(|r| r.power(forces)).sum::<f64>();
         if work.abs() > 1e-9 * size {
             return Err(format!("the power is out of balance by {work} W of {size} W"));
@@ -134,13 +142,19 @@ impl Balance {
                 let off = (x - n.enclosure().approx).abs();
                 if off > 1e-9 * r.scale.max(x.abs()) {
                     let told = n.enclosure().approx;
-                    self.failures.push(format!("{name}, rough {rough}: {} by the rows {x}, by the ladder {told}", find.text));
+                    self.failures.push(format!(
+                        "{name}, rough {rough}: {} by the rows {x}, by the ladder {told}",
+                        find.text
+                    ));
                 }
             }
             if let Some(a) = r.agreement.filter(|_| find.what.kind().is_of_forces()) {
                 self.drawn += 1;
                 if !a.holds() {
-                    self.failures.push(format!("{name}, rough {rough}: {} drawing and analysis disagree: {a:?}", find.text));
+                    self.failures.push(format!(
+                        "{name}, rough {rough}: {} drawing and analysis disagree: {a:?}",
+                        find.text
+                    ));
                 }
             }
         }
@@ -207,7 +221,8 @@ fn the_flywheel_of_a_press() {
     }
 }
 
-/// `sunhuan-7-flywheel`: the driving moment of an engine by its diagram of 180°, against a constant resistance.
+/// `sunhuan-7-flywheel`: the driving moment of an engine by its diagram of 180°, against a constant
+/// resistance.
 #[test]
 fn the_flywheel_of_an_engine() {
     let text = json!({
@@ -242,13 +257,21 @@ fn loads_act_where_they_are_told_to() {
         json!({"on": "3", "F": "20 kN", "against": "motion", "over": {"slide": "C", "toward": "0 deg", "stroke": ["150 mm", "200 mm"]}}),
         json!({"on": "3", "angle": "180 deg", "diagram": {"slide": "C", "toward": "0 deg", "points": [[0.75, "20 kN"], [1, "20 kN"]]}}),
     ];
-    for (angle, acts) in
-        [("-30 deg", true), ("-54 deg", true), ("-55 deg", false), ("30 deg", false), ("150 deg", false), ("-170 deg", false)]
-    {
+    for (angle, acts) in [
+        ("-30 deg", true),
+        ("-54 deg", true),
+        ("-55 deg", false),
+        ("30 deg", false),
+        ("150 deg", false),
+        ("-170 deg", false),
+    ] {
         let expected = if acts { moment(&constant, angle) } else { 0.0 };
         for way in &ways {
             let found = moment(way, angle);
-            assert!((found - expected).abs() <= 1e-9 * 2000.0, "{way} at {angle}: {found}, not {expected}");
+            assert!(
+                (found - expected).abs() <= 1e-9 * 2000.0,
+                "{way} at {angle}: {found}, not {expected}"
+            );
         }
     }
     // Linear between its points.
@@ -266,7 +289,9 @@ fn loads_act_where_they_are_told_to() {
 #[test]
 fn a_wedge_locks_itself_below_twice_the_angle_of_friction() {
     let phi = libm::atan(0.12);
-    for (alpha, sense) in [(15.0f64, 1.0f64), (15.0, -1.0), (20.0, 1.0), (20.0, -1.0), (13.0, 1.0), (13.0, -1.0)] {
+    for (alpha, sense) in
+        [(15.0f64, 1.0f64), (15.0, -1.0), (20.0, 1.0), (20.0, -1.0), (13.0, 1.0), (13.0, -1.0)]
+    {
         let text = json!({
             "links": {"1": ["A"], "2": ["B"], "3": ["O"]}, "ground": "3", "points": {"O": [0, 0], "A": [0, 0], "B": [0, 0]},
             "guides": [{"slider": "1", "pin": "A", "on": "3", "through": "O", "angle": "0 deg"},
@@ -279,12 +304,20 @@ fn a_wedge_locks_itself_below_twice_the_angle_of_friction() {
         let scene = scene::read(text.to_string()).unwrap().value;
         let Warned { value: worked, notes } = work(&scene, Scope::Questions).unwrap();
         let expected = 2000.0 * libm::tan(alpha.to_radians() + 2.0 * sense * phi);
-        let Some(AnswerValue::Scalar(force)) = answer(&scene, &worked, "F_b") else { panic!("{alpha}: no force") };
+        let Some(AnswerValue::Scalar(force)) = answer(&scene, &worked, "F_b") else {
+            panic!("{alpha}: no force")
+        };
         near(force, expected);
-        let Some(AnswerValue::Scalar(eta)) = answer(&scene, &worked, "eta") else { panic!("{alpha}: no efficiency") };
+        let Some(AnswerValue::Scalar(eta)) = answer(&scene, &worked, "eta") else {
+            panic!("{alpha}: no efficiency")
+        };
         let smooth = 2000.0 * libm::tan(alpha.to_radians());
         near(eta, if sense > 0.0 { smooth / expected } else { expected / smooth });
-        assert_eq!(notes.iter().any(|d| d.code == "self-locking"), eta <= 0.0, "{alpha}: η = {eta}");
+        assert_eq!(
+            notes.iter().any(|d| d.code == "self-locking"),
+            eta <= 0.0,
+            "{alpha}: η = {eta}"
+        );
     }
 }
 
@@ -301,7 +334,9 @@ fn links_press_on_each_other_alike() {
         }
         let (mut json, _) = loaded(text, &plain.value);
         let name_of = |l: usize| plain.value.link_name(LinkId(l));
-        let asked = |i: &str, j: &str| if i.len() + j.len() > 2 { format!("F_{i},{j}") } else { format!("F_{i}{j}") };
+        let asked = |i: &str, j: &str| {
+            if i.len() + j.len() > 2 { format!("F_{i},{j}") } else { format!("F_{i}{j}") }
+        };
         let mut find = Vec::new();
         for (i, j) in (0..plain.value.links.len()).flat_map(|i| (0..i).map(move |j| (i, j))) {
             if let [_] = contacts(&plain.value, LinkId(i), LinkId(j))[..] {
@@ -314,16 +349,33 @@ fn links_press_on_each_other_alike() {
         let told = certify(&scene.value, &worked.value, DIGITS);
         for pair in find.chunks(2) {
             let of = |find: &str| {
-                let k = worked.value.results.iter().position(|r| scene.value.find[r.find].text == find)?;
-                let AnswerValue::Vector(rows) = worked.value.results[k].computed else { return None };
+                let k = worked
+                    .value
+                    .results
+                    .iter()
+                    .position(|r| scene.value.find[r.find].text == find)?;
+                let AnswerValue::Vector(rows) = worked.value.results[k].computed else {
+                    return None;
+                };
                 let part = |p| told[k].part(p).map_or(f64::NAN, |n| n.enclosure().approx);
-                Some((rows, Vec2::new(part(AnswerPart::X), part(AnswerPart::Y)), worked.value.results[k].scale))
+                Some((
+                    rows,
+                    Vec2::new(part(AnswerPart::X), part(AnswerPart::Y)),
+                    worked.value.results[k].scale,
+                ))
             };
             let (Some(a), Some(b)) = (of(&pair[0]), of(&pair[1])) else { continue };
             checked += 1;
-            for (what, off) in [("rows", a.0 + b.0), ("ladder", a.1 + b.1), ("rows and ladder", a.0 - a.1)] {
+            for (what, off) in
+                [("rows", a.0 + b.0), ("ladder", a.1 + b.1), ("rows and ladder", a.0 - a.1)]
+            {
                 if off.norm() > 1e-8 * a.2 {
-                    failures.push(format!("{name}: {} by {what}: off by {} N of {}", pair[0], off.norm(), a.2));
+                    failures.push(format!(
+                        "{name}: {} by {what}: off by {} N of {}",
+                        pair[0],
+                        off.norm(),
+                        a.2
+                    ));
                 }
             }
         }
@@ -345,9 +397,17 @@ fn a_rod_is_told_as_two_masses() {
     });
     let scene = scene::read(scene.to_string()).unwrap().value;
     let worked = work(&scene, Scope::Figure).unwrap().value;
-    let Some(AnswerValue::Scalar(alpha)) = answer(&scene, &worked, "alpha_2") else { panic!("alpha_2 is a number") };
+    let Some(AnswerValue::Scalar(alpha)) = answer(&scene, &worked, "alpha_2") else {
+        panic!("alpha_2 is a number")
+    };
     let notation = Notation::of_language(Lang::En);
-    let told = ForceWriter { scene: &scene, notation: &notation, lang: Lang::En, of: worked.equilibrium.as_ref().unwrap() }.text();
+    let told = ForceWriter {
+        scene: &scene,
+        notation: &notation,
+        lang: Lang::En,
+        of: worked.equilibrium.as_ref().unwrap(),
+    }
+    .text();
     let couple = significant(2.0 * (0.1 * 0.15 - 0.11 * 0.11) * alpha, 4);
     for part in [
         "1.095 kg at C and 0.9050 kg at K, SK = 121.0 mm",
@@ -371,11 +431,16 @@ fn a_slider_tilts_where_its_guide_ends() {
             "forces": [{"on": "3", "at": "C", "F": "1000 N", "angle": "180 deg"}, {"on": "3", "M": "20 N*m"}],
             "find": ["F_43", "h_43"]
         });
-        let Warned { notes, .. } = work(&scene::read(scene.to_string()).unwrap().value, Scope::Questions).unwrap();
+        let Warned { notes, .. } =
+            work(&scene::read(scene.to_string()).unwrap().value, Scope::Questions).unwrap();
         notes.into_iter().filter(|d| d.code == "guide-tilts").map(|d| d.message.en).collect()
     };
     // F_43 = 1000 N · tan β with sin β = 50 sin 60°/200: 221.8 N, at h = 90.2 mm from the pin.
     assert_eq!(notes("190 mm"), Vec::<String>::new());
     let told = notes("100 mm");
-    assert!(told.len() == 1 && ["slider 3", "310.9 N", "89.12 N"].iter().all(|part| told[0].contains(part)), "{told:?}");
+    assert!(
+        told.len() == 1
+            && ["slider 3", "310.9 N", "89.12 N"].iter().all(|part| told[0].contains(part)),
+        "{told:?}"
+    );
 }

@@ -46,9 +46,14 @@ const COMMANDS: [&str; 25] = [
 /// The files, each with its name.
 fn files() -> Vec<(String, String)> {
     let text = |name: &str| templates::text(name, &[]).unwrap_or_else(|f| panic!("{name}: {f}"));
-    let near = fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/repro")).unwrap().map(|e| e.unwrap().path());
-    let mut all: Vec<(String, String)> = templates::all().iter().map(|t| (t.name.to_owned(), text(t.name))).collect();
-    all.extend(near.map(|p| (p.file_stem().unwrap().to_str().unwrap().to_owned(), fs::read_to_string(&p).unwrap())));
+    let near = fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/repro"))
+        .unwrap()
+        .map(|e| e.unwrap().path());
+    let mut all: Vec<(String, String)> =
+        templates::all().iter().map(|t| (t.name.to_owned(), text(t.name))).collect();
+    all.extend(near.map(|p| {
+        (p.file_stem().unwrap().to_str().unwrap().to_owned(), fs::read_to_string(&p).unwrap())
+    }));
     all
 }
 
@@ -57,7 +62,13 @@ fn output(program: &OsStr, text: &str, line: &str, lang: &str) -> BTreeMap<Strin
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("s.json"), text).unwrap();
     let mut run = Command::new(program);
-    let run = run.current_dir(folder.path()).env("LC_ALL", "C").args(line.split(' ')).args(["--lang", lang]).output().unwrap();
+    let run = run
+        .current_dir(folder.path())
+        .env("LC_ALL", "C")
+        .args(line.split(' '))
+        .args(["--lang", lang])
+        .output()
+        .unwrap();
     let mut all = written(folder.path());
     all.insert("exit code".into(), run.status.to_string().into_bytes());
     all.insert("standard output".into(), run.stdout);
@@ -71,7 +82,9 @@ fn written(folder: &Path) -> BTreeMap<String, Vec<u8>> {
         let path = entry.path();
         let name = path.file_name().unwrap().to_str().unwrap().to_owned();
         if path.is_dir() {
-            all.extend(written(&path).into_iter().map(|(inner, bytes)| (format!("{name}/{inner}"), bytes)));
+            all.extend(
+                written(&path).into_iter().map(|(inner, bytes)| (format!("{name}/{inner}"), bytes)),
+            );
         } else {
             all.insert(name, fs::read(&path).unwrap());
         }
@@ -85,7 +98,11 @@ fn every_output_is_that_of_another_build() {
     let Some(other) = std::env::var_os("HODOGRAPH_PROGRAM") else { return };
     let only = std::env::var("HODOGRAPH_FROZEN").unwrap_or_default();
     let all = files();
-    let wanted: Vec<_> = all.iter().filter(|(name, _)| name.contains(&only)).flat_map(|f| ["en", "zh"].map(|lang| (f, lang))).collect();
+    let wanted: Vec<_> = all
+        .iter()
+        .filter(|(name, _)| name.contains(&only))
+        .flat_map(|f| ["en", "zh"].map(|lang| (f, lang)))
+        .collect();
     assert!(!wanted.is_empty(), "no file has {only} in its name");
     let (next, wrong) = (Mutex::new(wanted.iter()), Mutex::new(Vec::new()));
     std::thread::scope(|s| {
@@ -94,15 +111,30 @@ fn every_output_is_that_of_another_build() {
                 while let Some(((name, text), lang)) = { next.lock().unwrap().next() } {
                     for line in COMMANDS {
                         let [own, before] =
-                            [env!("CARGO_BIN_EXE_hodograph").as_ref(), other.as_os_str()].map(|p| output(p, text, line, lang));
-                        let differ = own.iter().find(|(part, bytes)| before.get(*part) != Some(*bytes)).map(|(part, _)| part.clone());
-                        let differ = differ.or_else(|| before.keys().find(|part| !own.contains_key(*part)).cloned());
-                        wrong.lock().unwrap().extend(differ.map(|part| format!("{name} {lang}: {line}: {part}")));
+                            [env!("CARGO_BIN_EXE_hodograph").as_ref(), other.as_os_str()]
+                                .map(|p| output(p, text, line, lang));
+                        let differ = own
+                            .iter()
+                            .find(|(part, bytes)| before.get(*part) != Some(*bytes))
+                            .map(|(part, _)| part.clone());
+                        let differ = differ.or_else(|| {
+                            before.keys().find(|part| !own.contains_key(*part)).cloned()
+                        });
+                        wrong
+                            .lock()
+                            .unwrap()
+                            .extend(differ.map(|part| format!("{name} {lang}: {line}: {part}")));
                     }
                 }
             });
         }
     });
     let wrong = wrong.into_inner().unwrap();
-    assert!(wrong.is_empty(), "{} of {} outputs differ:\n{}", wrong.len(), wanted.len() * COMMANDS.len(), wrong.join("\n"));
+    assert!(
+        wrong.is_empty(),
+        "{} of {} outputs differ:\n{}",
+        wrong.len(),
+        wanted.len() * COMMANDS.len(),
+        wrong.join("\n")
+    );
 }

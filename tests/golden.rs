@@ -17,8 +17,9 @@ mod wide;
 mod worksheet;
 
 use files::{
-    ASKED, CAM, CENTRES, CURVATURE, CURVES, DESIGNS, DRAFTED, KINDS, LANGS, LESSONS, PATHS, PLANS_AS_JSON, POLAR, POSES, SHOWN, accept,
-    check_png, check_text, finish, golden, has_pixels, kept,
+    ASKED, CAM, CENTRES, CURVATURE, CURVES, DESIGNS, DRAFTED, KINDS, LANGS, LESSONS, PATHS,
+    PLANS_AS_JSON, POLAR, POSES, SHOWN, accept, check_png, check_text, finish, golden, has_pixels,
+    kept,
 };
 use hodograph::cam::CamSurvey;
 use hodograph::centres;
@@ -40,7 +41,9 @@ use hodograph::plan::text::PlanWriter;
 use hodograph::render::{png as raster, svg};
 use hodograph::report::cam::Report;
 use hodograph::report::forces::ForceWriter;
-use hodograph::report::{answers, centres as report_of_centres, construction, drafting, plan, plan_json};
+use hodograph::report::{
+    answers, centres as report_of_centres, construction, drafting, plan, plan_json,
+};
 use hodograph::scene::{self, Angle, DiagramKind, Lang, PointId, Swept, edit, templates};
 use hodograph::sweep::{self, PlacedScene, Stations, Width, extreme};
 use hodograph::synthesis;
@@ -50,7 +53,11 @@ use wide::every;
 
 /// FNV-1a: any stable hash will do.
 fn hash(text: &str) -> String {
-    format!("#{:016x}", text.bytes().fold(0xcbf2_9ce4_8422_2325u64, |h, b| (h ^ u64::from(b)).wrapping_mul(0x100_0000_01b3)))
+    format!(
+        "#{:016x}",
+        text.bytes().fold(0xcbf2_9ce4_8422_2325u64, |h, b| (h ^ u64::from(b))
+            .wrapping_mul(0x100_0000_01b3))
+    )
 }
 
 /// Replaces outlines, and the letters of a label, by `#` and a hash: a changed letter still shows,
@@ -59,10 +66,16 @@ fn folded(svg: &str) -> String {
     let mut out = String::with_capacity(svg.len() / 3);
     let mut rest = svg;
     loop {
-        let outline = rest.find(" d=\"").map(|i| (i + 4, rest[i + 4..].find('"').expect("an attribute ends"), ""));
+        let outline = rest
+            .find(" d=\"")
+            .map(|i| (i + 4, rest[i + 4..].find('"').expect("an attribute ends"), ""));
         // All letters of a label follow one another.
-        let letters = rest.find("<use ").map(|i| (i, rest[i..].find("</g>").expect("a label ends"), "<use/>"));
-        let Some((start, length, mark)) = [outline, letters].into_iter().flatten().min() else { break };
+        let letters = rest
+            .find("<use ")
+            .map(|i| (i, rest[i..].find("</g>").expect("a label ends"), "<use/>"));
+        let Some((start, length, mark)) = [outline, letters].into_iter().flatten().min() else {
+            break;
+        };
         let text = &rest[start..start + length];
         out.push_str(&rest[..start]);
         out.push_str(mark);
@@ -91,16 +104,27 @@ fn words(svg: &str) -> String {
     lines.join("\n") + "\n"
 }
 
-/// Compares a figure with its files: in English the SVG (outlines folded) and the pixels, in Chinese its words and their places, and
-/// for a few sheets the pixels of the Chinese letters too.
-fn check_figure(folder: &str, name: &str, lang: Lang, svg: &str, dpi: f64, failures: &mut Vec<String>) {
+/// Compares a figure with its files: in English the SVG (outlines folded) and the pixels, in
+/// Chinese its words and their places, and for a few sheets the pixels of the Chinese letters too.
+fn check_figure(
+    folder: &str,
+    name: &str,
+    lang: Lang,
+    svg: &str,
+    dpi: f64,
+    failures: &mut Vec<String>,
+) {
     let (text, suffix) = match lang {
         Lang::En => (folded(svg), "en"),
         Lang::Zh => (words(svg), "zh"),
     };
     check_text(&golden(folder, &format!("{name}.{suffix}.svg.txt")), &text, failures);
     if has_pixels(folder, name, suffix) {
-        check_png(&golden(folder, &format!("{name}.{suffix}.png")), &raster::render(svg, dpi).unwrap(), failures);
+        check_png(
+            &golden(folder, &format!("{name}.{suffix}.png")),
+            &raster::render(svg, dpi).unwrap(),
+            failures,
+        );
     }
 }
 
@@ -119,9 +143,14 @@ fn lesson_text(page: &str) -> String {
     let mut data: serde_json::Value = serde_json::from_str(&lesson::told(page).unwrap()).unwrap();
     data["words"] = "…".into();
     fold(&mut data);
-    let lines: Vec<String> = data.as_object().unwrap().iter().map(|(key, value)| format!("{key}: {value}")).collect();
+    let lines: Vec<String> =
+        data.as_object().unwrap().iter().map(|(key, value)| format!("{key}: {value}")).collect();
     let markup = folded(&page.replace(between("<style>", "</style>"), ""));
-    format!("{}\n{}\n", markup.split("<script").next().unwrap(), lines.join("\n").replace("],[\"", "],\n[\""))
+    format!(
+        "{}\n{}\n",
+        markup.split("<script").next().unwrap(),
+        lines.join("\n").replace("],[\"", "],\n[\"")
+    )
 }
 
 #[test]
@@ -129,10 +158,13 @@ fn lessons_stay_as_accepted() {
     let mut failures = Vec::new();
     for name in LESSONS {
         let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
-        let page = lesson::lesson(&scene, &lesson::LessonOptions::of_language(Lang::En)).unwrap_or_else(|f| panic!("{name}: {f}")).value;
+        let page = lesson::lesson(&scene, &lesson::LessonOptions::of_language(Lang::En))
+            .unwrap_or_else(|f| panic!("{name}: {f}"))
+            .value;
         check_text(&golden(name, "lesson.html.txt"), &lesson_text(&page), &mut failures);
         let worked = work(&scene, Scope::Figure).unwrap().value;
-        let fragment = lesson::reveal(&scene, &worked, &SheetOptions::of_language(Lang::En)).unwrap().value;
+        let fragment =
+            lesson::reveal(&scene, &worked, &SheetOptions::of_language(Lang::En)).unwrap().value;
         check_text(&golden(name, "reveal.html.txt"), &folded(&fragment), &mut failures);
     }
     finish(&failures);
@@ -141,17 +173,29 @@ fn lessons_stay_as_accepted() {
 #[test]
 fn templates_look_as_accepted() {
     let mut failures = Vec::new();
-    let schema = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/plan.schema.json")).unwrap();
+    let schema =
+        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/plan.schema.json"))
+            .unwrap();
     let schema = jsonschema::validator_for(&serde_json::from_str(&schema).unwrap()).unwrap();
     for (n, t) in templates::list().iter().enumerate() {
         let scene = scene::read(templates::get(t.name).unwrap()).unwrap().value;
-        let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{}: {f}", t.name)).value;
+        let worked =
+            work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{}: {f}", t.name)).value;
         let file = |name: String| golden(t.name, &name);
         for (lang, suffix) in LANGS {
             let notation = Notation::of_language(lang);
             let w = PlanWriter { scene: &scene, plan: &worked.plan, notation: &notation, lang };
-            let forces = worked.equilibrium.as_ref().map(|of| ForceWriter { scene: &scene, notation: w.notation, lang: w.lang, of });
-            check_text(&file(format!("plan.{suffix}.txt")), &plan::text(&scene, &worked.mechanism, &w, forces.as_ref()), &mut failures);
+            let forces = worked.equilibrium.as_ref().map(|of| ForceWriter {
+                scene: &scene,
+                notation: w.notation,
+                lang: w.lang,
+                of,
+            });
+            check_text(
+                &file(format!("plan.{suffix}.txt")),
+                &plan::text(&scene, &worked.mechanism, &w, forces.as_ref()),
+                &mut failures,
+            );
             check_text(
                 &file(format!("construction.{suffix}.txt")),
                 &construction::text(&w, &worked.construction, &steps(&scene, &worked, None)),
@@ -162,8 +206,18 @@ fn templates_look_as_accepted() {
                 let w = PlanWriter { plan: &asked.plan, ..w };
                 let text = format!(
                     "{}\n{}",
-                    answers::text(&scene, &asked, &certify(&scene, &asked, answers::DIGITS), answers::DIGITS, lang),
-                    drafting::text(&w, &asked, &steps(&scene, &asked, asked.drafting.as_ref().map(|d| d.pencil_mm)))
+                    answers::text(
+                        &scene,
+                        &asked,
+                        &certify(&scene, &asked, answers::DIGITS),
+                        answers::DIGITS,
+                        lang
+                    ),
+                    drafting::text(
+                        &w,
+                        &asked,
+                        &steps(&scene, &asked, asked.drafting.as_ref().map(|d| d.pencil_mm))
+                    )
                 );
                 check_text(&file(format!("drafting.{suffix}.txt")), &text, &mut failures);
             }
@@ -171,13 +225,28 @@ fn templates_look_as_accepted() {
             if n % every(4) != 0 && !accept() {
                 continue;
             }
-            let figure = sheet(&scene, &worked, &SheetOptions { notation: notation.clone(), ..SheetOptions::of_language(lang) })
-                .unwrap_or_else(|f| panic!("{}: {f}", t.name));
-            let done = Work::of(&worked).with_certified(&certify(&scene, &worked, answers::DIGITS)).with_labels(figure.labels_placed());
-            let json = plan_json::json(&worked.mechanism, &worked.demand, &w, Some((&worked, done)), &[]);
-            failures.extend(schema.iter_errors(&json).map(|e| format!("{}: docs/plan.schema.json: {}: {e}", t.name, e.instance_path())));
+            let figure = sheet(
+                &scene,
+                &worked,
+                &SheetOptions { notation: notation.clone(), ..SheetOptions::of_language(lang) },
+            )
+            .unwrap_or_else(|f| panic!("{}: {f}", t.name));
+            let done = Work::of(&worked)
+                .with_certified(&certify(&scene, &worked, answers::DIGITS))
+                .with_labels(figure.labels_placed());
+            let json =
+                plan_json::json(&worked.mechanism, &worked.demand, &w, Some((&worked, done)), &[]);
+            failures.extend(
+                schema.iter_errors(&json).map(|e| {
+                    format!("{}: docs/plan.schema.json: {}: {e}", t.name, e.instance_path())
+                }),
+            );
             if PLANS_AS_JSON.contains(&(t.name, suffix)) {
-                check_text(&file(format!("plan.{suffix}.json")), &format!("{json:#}\n"), &mut failures);
+                check_text(
+                    &file(format!("plan.{suffix}.json")),
+                    &format!("{json:#}\n"),
+                    &mut failures,
+                );
             }
             let drawn = svg::write(&figure).unwrap_or_else(|f| panic!("{}: {f}", t.name));
             assert!(drawn.notes.is_empty(), "{}: {:?}", t.name, drawn.notes);
@@ -194,7 +263,10 @@ fn kinds_of_figures_look_as_accepted() {
     for (name, kind, style) in KINDS {
         let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
-        let options = SheetOptions { style: Style::named(style).unwrap(), ..SheetOptions::of_language(Lang::En) };
+        let options = SheetOptions {
+            style: Style::named(style).unwrap(),
+            ..SheetOptions::of_language(Lang::En)
+        };
         let figure = match kind {
             "inset" => drawing(&scene, &worked, &options, DiagramKind::Acceleration).unwrap(),
             "equations" => equations(&scene, &worked, &options).unwrap(),
@@ -202,14 +274,21 @@ fn kinds_of_figures_look_as_accepted() {
             "overlay" => {
                 let point = PointId(scene.points.iter().position(|p| p.name == "S").unwrap());
                 let overlay =
-                    Overlay { vectors: Some(DiagramKind::Velocity), ..Overlay::default() }.with_motion(&scene, &worked, 6, &[point]);
+                    Overlay { vectors: Some(DiagramKind::Velocity), ..Overlay::default() }
+                        .with_motion(&scene, &worked, 6, &[point]);
                 diagram(&scene, &worked, &options, &overlay)
             }
-            "groups" => groups::figure(&scene, &worked, &options.style, &options.notation, Lang::En),
+            "groups" => {
+                groups::figure(&scene, &worked, &options.style, &options.notation, Lang::En)
+            }
             _ => sheet(&scene, &worked, &options).unwrap(),
         };
         let drawn = svg::write(&figure).unwrap().value;
-        check_png(&golden(name, &format!("{kind}.png")), &raster::render(&drawn, 110.0).unwrap(), &mut failures);
+        check_png(
+            &golden(name, &format!("{kind}.png")),
+            &raster::render(&drawn, 110.0).unwrap(),
+            &mut failures,
+        );
     }
     finish(&failures);
 }
@@ -225,8 +304,10 @@ fn pictures_asked_for_look_as_accepted() {
             let options = SheetOptions::of_language(lang);
             let extras = Extras { dimensions: figure == "dimensions", ..Extras::default() };
             let entry = list::named(figure).unwrap_or(list::MECHANISM);
-            let wanted = FigureInput { scene: &scene, worked: &worked, options: &options, extras: &extras };
-            let pages = (entry.draw)(&wanted).unwrap_or_else(|f| panic!("{name} {figure}: {f}")).value;
+            let wanted =
+                FigureInput { scene: &scene, worked: &worked, options: &options, extras: &extras };
+            let pages =
+                (entry.draw)(&wanted).unwrap_or_else(|f| panic!("{name} {figure}: {f}")).value;
             let drawn = svg::write(&pages.last().unwrap().1).unwrap().value;
             check_figure(name, figure, lang, &drawn, 110.0, &mut failures);
         }
@@ -244,12 +325,22 @@ fn centres_look_as_accepted() {
         let found = centres::centres(&scene).unwrap().value;
         for (lang, suffix) in LANGS {
             let options = SheetOptions::of_language(lang);
-            let wanted = FigureInput { scene: &scene, worked: &worked, options: &options, extras: &Extras::default() };
-            let page = (list::named("centres").unwrap().draw)(&wanted).unwrap().value.swap_remove(0).1;
+            let wanted = FigureInput {
+                scene: &scene,
+                worked: &worked,
+                options: &options,
+                extras: &Extras::default(),
+            };
+            let page =
+                (list::named("centres").unwrap().draw)(&wanted).unwrap().value.swap_remove(0).1;
             let drawn = svg::write(&page).unwrap();
             assert!(drawn.notes.is_empty(), "{name}: {:?}", drawn.notes);
             check_figure(name, "centres", lang, &drawn.value, 110.0, &mut failures);
-            check_text(&golden(name, &format!("centres.{suffix}.txt")), &report_of_centres::text(&found, lang), &mut failures);
+            check_text(
+                &golden(name, &format!("centres.{suffix}.txt")),
+                &report_of_centres::text(&found, lang),
+                &mut failures,
+            );
         }
     }
     finish(&failures);
@@ -264,9 +355,15 @@ fn curvature_looks_as_accepted() {
         let worked = work(&scene, Scope::Figure).unwrap().value;
         for (lang, _) in LANGS {
             let options = SheetOptions::of_language(lang);
-            let wanted = FigureInput { scene: &scene, worked: &worked, options: &options, extras: &Extras::default() };
+            let wanted = FigureInput {
+                scene: &scene,
+                worked: &worked,
+                options: &options,
+                extras: &Extras::default(),
+            };
             for figure in figures {
-                let page = (list::named(figure).unwrap().draw)(&wanted).unwrap().value.swap_remove(0).1;
+                let page =
+                    (list::named(figure).unwrap().draw)(&wanted).unwrap().value.swap_remove(0).1;
                 let drawn = svg::write(&page).unwrap();
                 assert!(drawn.notes.is_empty(), "{name} {figure}: {:?}", drawn.notes);
                 check_figure(name, figure, lang, &drawn.value, 110.0, &mut failures);
@@ -285,9 +382,10 @@ fn cams_look_as_accepted() {
     let turning = cam.disc.as_ref().unwrap();
     let report = Report { scene: &scene, cam, turning, survey: &CamSurvey::of(&turning.disc) };
     for (lang, _) in LANGS {
-        for (kind, figure) in
-            [("motion", motion::figure(&report, &Style::default(), lang)), ("profile", inversion::figure(&report, &Style::default(), lang))]
-        {
+        for (kind, figure) in [
+            ("motion", motion::figure(&report, &Style::default(), lang)),
+            ("profile", inversion::figure(&report, &Style::default(), lang)),
+        ] {
             let drawn = svg::write(&figure).unwrap();
             assert!(drawn.notes.is_empty(), "{kind}: {:?}", drawn.notes);
             check_figure(CAM, kind, lang, &drawn.value, 80.0, &mut failures);
@@ -301,14 +399,25 @@ fn cams_look_as_accepted() {
 fn designs_look_as_accepted() {
     let mut failures = Vec::new();
     for kind in synthesis::KINDS {
-        let (_, figure) = DESIGNS.iter().find(|d| d.0 == kind.name).unwrap_or_else(|| panic!("add {} to DESIGNS", kind.name));
+        let (_, figure) = DESIGNS
+            .iter()
+            .find(|d| d.0 == kind.name)
+            .unwrap_or_else(|| panic!("add {} to DESIGNS", kind.name));
         let task = synthesis::read(synthesis::templates::get(kind.name).unwrap()).unwrap().value;
         let design = synthesis::solve(&task).unwrap();
         for (lang, _) in LANGS {
-            let all = designs::figures(&task, &design.candidates[0], &Style::default(), lang).unwrap();
+            let all =
+                designs::figures(&task, &design.candidates[0], &Style::default(), lang).unwrap();
             let drawn = svg::write(&all.iter().find(|f| f.0 == *figure).unwrap().1).unwrap();
             assert!(drawn.notes.is_empty(), "{}: {:?}", kind.name, drawn.notes);
-            check_figure("synthesis", &format!("{}-{figure}", kind.name), lang, &drawn.value, 80.0, &mut failures);
+            check_figure(
+                "synthesis",
+                &format!("{}-{figure}", kind.name),
+                lang,
+                &drawn.value,
+                80.0,
+                &mut failures,
+            );
         }
     }
     finish(&failures);
@@ -320,15 +429,30 @@ fn designs_look_as_accepted() {
 fn line_diagrams_look_as_accepted() {
     let mut failures = Vec::new();
     let [name] = CURVES;
-    let source = edit::with_find(templates::get(name).unwrap(), &["x_C", "phi_3", "v_C", "v_B", "a_C"]).unwrap();
+    let source =
+        edit::with_find(templates::get(name).unwrap(), &["x_C", "phi_3", "v_C", "v_B", "a_C"])
+            .unwrap();
     let scene = scene::read(source).unwrap().value;
     let mechanism = Mechanism::new(&scene).unwrap().value;
     let placed = PlacedScene::new(&scene, &mechanism).unwrap();
-    let table = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 360), Width::Widest).unwrap();
+    let table = sweep::run(
+        &placed,
+        0,
+        &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 360),
+        Width::Widest,
+    )
+    .unwrap();
     for (lang, _) in LANGS {
         let diagram = CurveDiagram::of(&placed, 0, &table, &Notation::of_language(lang));
         let figure = curves::figure(&scene, &diagram, &Style::default(), lang);
-        check_figure(name, "curves", lang, &svg::write(&figure).unwrap().value, 110.0, &mut failures);
+        check_figure(
+            name,
+            "curves",
+            lang,
+            &svg::write(&figure).unwrap().value,
+            110.0,
+            &mut failures,
+        );
         // The ram is at the reversal of the lever: its extremes are those that `limits` finds by
         // Newton's method.
         let limits = extreme::limits(&scene, &mechanism, 0).unwrap();
@@ -338,7 +462,12 @@ fn line_diagrams_look_as_accepted() {
             .map(|e| e.1)
             .fold([f64::NEG_INFINITY, f64::INFINITY], |[h, l], v| [h.max(v), l.min(v)]);
         let found = stroke[0] - stroke[1];
-        let nearest = limits.swings.iter().filter_map(|s| s.stroke).map(|m| (m * 1e3 - found).abs()).fold(f64::INFINITY, f64::min);
+        let nearest = limits
+            .swings
+            .iter()
+            .filter_map(|s| s.stroke)
+            .map(|m| (m * 1e3 - found).abs())
+            .fold(f64::INFINITY, f64::min);
         assert!(nearest < 1e-6, "stroke {found} mm, {nearest} mm from that of the limits");
     }
     finish(&failures);
@@ -348,13 +477,24 @@ fn line_diagrams_look_as_accepted() {
 #[test]
 fn polar_diagrams_look_as_accepted() {
     let mut failures = Vec::new();
-    let scene = scene::read(edit::with_find(templates::get(POLAR).unwrap(), &["F_12", "F_sh"]).unwrap()).unwrap().value;
+    let scene =
+        scene::read(edit::with_find(templates::get(POLAR).unwrap(), &["F_12", "F_sh"]).unwrap())
+            .unwrap()
+            .value;
     let mechanism = Mechanism::new(&scene).unwrap().value;
     let placed = PlacedScene::new(&scene, &mechanism).unwrap();
-    let table = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 360), Width::Widest).unwrap();
+    let table = sweep::run(
+        &placed,
+        0,
+        &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 360),
+        Width::Widest,
+    )
+    .unwrap();
     for (lang, _) in LANGS {
         let notation = Notation::of_language(lang);
-        let figure = curves::polar(&scene, Swept::Driver(0), &table, &Style::default(), &notation, lang).unwrap();
+        let figure =
+            curves::polar(&scene, Swept::Driver(0), &table, &Style::default(), &notation, lang)
+                .unwrap();
         let drawn = svg::write(&figure).unwrap();
         assert!(drawn.notes.is_empty(), "{:?}", drawn.notes);
         check_figure(POLAR, "polar", lang, &drawn.value, 110.0, &mut failures);
@@ -371,10 +511,20 @@ fn pictures_of_motion_look_as_accepted() {
         let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
         let of = |name: &&str| PointId(scene.points.iter().position(|p| p.name == **name).unwrap());
-        let wanted = path::PathContent { points: points.iter().map(of).collect(), swept: Swept::Driver(0), marks: 12, poses };
+        let wanted = path::PathContent {
+            points: points.iter().map(of).collect(),
+            swept: Swept::Driver(0),
+            marks: 12,
+            poses,
+        };
         for (lang, _) in LANGS {
-            let options = SheetOptions { style: Style::named(style).unwrap(), ..SheetOptions::of_language(lang) };
-            let figure = path::figure(&scene, &worked, &options, &wanted).unwrap_or_else(|f| panic!("{name}: {f}")).value;
+            let options = SheetOptions {
+                style: Style::named(style).unwrap(),
+                ..SheetOptions::of_language(lang)
+            };
+            let figure = path::figure(&scene, &worked, &options, &wanted)
+                .unwrap_or_else(|f| panic!("{name}: {f}"))
+                .value;
             let drawn = svg::write(&figure).unwrap();
             assert!(drawn.notes.is_empty(), "{name}: {:?}", drawn.notes);
             check_figure(name, "path", lang, &drawn.value, 80.0, &mut failures);
@@ -384,9 +534,14 @@ fn pictures_of_motion_look_as_accepted() {
         let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
         let of = |name: &str| PointId(scene.points.iter().position(|p| p.name == name).unwrap());
-        let wanted = poses::PosesContent { count, swept: Swept::Driver(0), points: point.map(of).into_iter().collect() };
+        let wanted = poses::PosesContent {
+            count,
+            swept: Swept::Driver(0),
+            points: point.map(of).into_iter().collect(),
+        };
         for (lang, _) in LANGS {
-            let pages = poses::sheets(&scene, &worked, &SheetOptions::of_language(lang), &wanted).unwrap_or_else(|f| panic!("{name}: {f}"));
+            let pages = poses::sheets(&scene, &worked, &SheetOptions::of_language(lang), &wanted)
+                .unwrap_or_else(|f| panic!("{name}: {f}"));
             let drawn = svg::write(&pages.value[0]).unwrap();
             assert!(drawn.notes.is_empty(), "{name}: {:?}", drawn.notes);
             check_figure(name, "poses", lang, &drawn.value, 60.0, &mut failures);
@@ -402,9 +557,11 @@ fn motions_look_as_they_are_drawn() {
     let mut failures = Vec::new();
     for name in particle::templates::names() {
         let problem = particle::read(particle::templates::get(name).unwrap()).unwrap().value;
-        let (solved, drawn) = (particle::solve(&problem).unwrap(), particle::board::draw(&problem).unwrap());
+        let (solved, drawn) =
+            (particle::solve(&problem).unwrap(), particle::board::draw(&problem).unwrap());
         for (lang, _) in LANGS {
-            for (_, figure) in figures(&problem, &solved, &drawn, &Style::default(), lang).unwrap() {
+            for (_, figure) in figures(&problem, &solved, &drawn, &Style::default(), lang).unwrap()
+            {
                 let drawn = svg::write(&figure).unwrap().value;
                 check_figure("motions", name, lang, &drawn, 110.0, &mut failures);
             }
@@ -423,21 +580,37 @@ fn the_gallery_is_current() {
     );
     page += "\n## Kinds of picture\n\nThe mechanism, both polygons, equations and results of a sheet are pictures too: `hodograph draw --figure`.\n";
     for entry in list::LIST {
-        let whole = ["sheet", "mechanism", "velocity", "acceleration", "results"].contains(&entry.name);
+        let whole =
+            ["sheet", "mechanism", "velocity", "acceleration", "results"].contains(&entry.name);
         let asked = format!("draw --figure {}", entry.name);
-        assert!(whole || SHOWN.iter().any(|(_, command, _)| *command == asked), "the gallery does not show `{asked}`");
+        assert!(
+            whole || SHOWN.iter().any(|(_, command, _)| *command == asked),
+            "the gallery does not show `{asked}`"
+        );
     }
     for kind in synthesis::KINDS {
         let picture = format!("synthesis/{}-", kind.name);
-        assert!(SHOWN.iter().any(|(.., file)| file.starts_with(&picture)), "the gallery does not show the synthesis of {}", kind.name);
+        assert!(
+            SHOWN.iter().any(|(.., file)| file.starts_with(&picture)),
+            "the gallery does not show the synthesis of {}",
+            kind.name
+        );
     }
     for (title, command, picture) in SHOWN {
         assert!(kept().contains(picture), "{picture} is no golden file");
-        page += &format!("\n### {title}\n`hodograph {command}`\n\n![{title}](../golden/{picture})\n");
+        page +=
+            &format!("\n### {title}\n`hodograph {command}`\n\n![{title}](../golden/{picture})\n");
     }
     for t in templates::list() {
-        page += &format!("\n## {}\n`{}` · {}\n\n![{}](../golden/{}/sheet.en.png)\n", t.title.en, t.name, t.title.zh, t.title.en, t.name);
+        page += &format!(
+            "\n## {}\n`{}` · {}\n\n![{}](../golden/{}/sheet.en.png)\n",
+            t.title.en, t.name, t.title.zh, t.title.en, t.name
+        );
     }
-    check_text(&Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/gallery.md"), &page, &mut failures);
+    check_text(
+        &Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/gallery.md"),
+        &page,
+        &mut failures,
+    );
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }

@@ -37,7 +37,14 @@ fn links_move_against_one_another_as_before() {
 
 #[test]
 fn wheels_roll_on_one_another_as_before() {
-    let names = ["planetary-gear", "sun-and-planet", "geared-five-bar", "hypocycloid", "wheel-in-groove", "rack-stroke-doubler"];
+    let names = [
+        "planetary-gear",
+        "sun-and-planet",
+        "geared-five-bar",
+        "hypocycloid",
+        "wheel-in-groove",
+        "rack-stroke-doubler",
+    ];
     assert_eq!(relative_motion_is_kept(&names), 4 + 5 + 5 + 3 + 4 + 5);
 }
 
@@ -56,9 +63,18 @@ fn cylinders_and_several_drivers_are_kept() {
 /// any angle.
 #[test]
 fn cams_of_one_circle_are_kept() {
-    assert_eq!(relative_motion_is_kept(&["cam-eccentric", "cam-centres", "eccentric-three-ways", "flat-face-mistake"]), 4 * 3);
+    assert_eq!(
+        relative_motion_is_kept(&[
+            "cam-eccentric",
+            "cam-centres",
+            "eccentric-three-ways",
+            "flat-face-mistake"
+        ]),
+        4 * 3
+    );
     for angle in [-70, 15, 128, 200] {
-        let mut scene: serde_json::Value = serde_json::from_str(templates::get("cam-eccentric").unwrap()).unwrap();
+        let mut scene: serde_json::Value =
+            serde_json::from_str(templates::get("cam-eccentric").unwrap()).unwrap();
         scene["driver"]["angle"] = format!("{angle} deg").into();
         for side in ["left", "right"] {
             scene["cams"][0]["face"]["cam"] = side.into();
@@ -69,12 +85,24 @@ fn cams_of_one_circle_are_kept() {
                 let (centre, radius) = c.circle.unwrap();
                 assert_eq!(c.left, side == "left", "{}", i.text);
                 let at = &i.worked.configuration;
-                let hodograph::position::Path::Line { through, direction } = at.guides[c.contact.unwrap().0].unwrap() else { panic!() };
+                let hodograph::position::Path::Line { through, direction } =
+                    at.guides[c.contact.unwrap().0].unwrap()
+                else {
+                    panic!()
+                };
                 // The centre's parallel is where it was, and the face through C is at the distance
                 // of its radius.
-                assert!(direction.cross(at.points[centre.0].unwrap() - through).abs() < 1e-12, "{}", i.text);
+                assert!(
+                    direction.cross(at.points[centre.0].unwrap() - through).abs() < 1e-12,
+                    "{}",
+                    i.text
+                );
                 let own = at.points[c.follows.point().0].unwrap();
-                assert!((direction.cross(through - own).abs() - radius).abs() < 1e-12, "{}", i.text);
+                assert!(
+                    (direction.cross(through - own).abs() - radius).abs() < 1e-12,
+                    "{}",
+                    i.text
+                );
             }
         }
     }
@@ -87,11 +115,20 @@ fn relative_motion_is_kept(names: &[&str]) -> usize {
     for name in names {
         let scene = template(name, &[]);
         let found = all(&scene);
-        assert!(found.len() + 1 >= scene.links.len(), "{name}: {} of {}", found.len(), scene.links.len());
+        assert!(
+            found.len() + 1 >= scene.links.len(),
+            "{name}: {} of {}",
+            found.len(),
+            scene.links.len()
+        );
         let omegas = |i: &Inversion| -> Vec<Option<f64>> {
             let of = |l: &scene::Link| {
                 let id = LinkId(i.scene.links.iter().position(|m| m.name == l.name)?);
-                if id == i.scene.ground { Some(0.0) } else { i.worked.solution.turning(Level::Velocity, id) }
+                if id == i.scene.ground {
+                    Some(0.0)
+                } else {
+                    i.worked.solution.turning(Level::Velocity, id)
+                }
             };
             scene.links.iter().map(of).collect()
         };
@@ -102,16 +139,22 @@ fn relative_motion_is_kept(names: &[&str]) -> usize {
             let mut pairs = Vec::new();
             for a in 0..base.len() {
                 for b in 0..a {
-                    if let (Some(p), Some(q), Some(r), Some(s)) = (base[a], base[b], own[a], own[b]) {
+                    if let (Some(p), Some(q), Some(r), Some(s)) = (base[a], base[b], own[a], own[b])
+                    {
                         pairs.push((p - q, r - s));
                     }
                 }
             }
-            let largest = pairs.iter().copied().max_by(|a, b| a.0.abs().total_cmp(&b.0.abs())).unwrap();
+            let largest =
+                pairs.iter().copied().max_by(|a, b| a.0.abs().total_cmp(&b.0.abs())).unwrap();
             let factor = largest.1 / largest.0;
             assert!(scene.drivers.len() == 1 || (factor - 1.0).abs() < 1e-9, "{name}: {factor}");
             for (p, q) in &pairs {
-                assert!((q - p * factor).abs() < 1e-9 * largest.1.abs(), "{name} {}: {p} {q} {factor}", i.text);
+                assert!(
+                    (q - p * factor).abs() < 1e-9 * largest.1.abs(),
+                    "{name} {}: {p} {q} {factor}",
+                    i.text
+                );
             }
             // The file and the scene agree.
             assert_eq!(scene::read(&i.text).unwrap().value.links.len(), i.scene.links.len());
@@ -124,7 +167,10 @@ fn relative_motion_is_kept(names: &[&str]) -> usize {
 #[test]
 fn types_follow_grashofs_rule() {
     let kinds = |scene: &Scene| -> Vec<(String, Grashof)> {
-        all(scene).iter().map(|i| (i.scene.link_name(i.scene.ground).to_owned(), i.limits.grashof.unwrap().0)).collect()
+        all(scene)
+            .iter()
+            .map(|i| (i.scene.link_name(i.scene.ground).to_owned(), i.limits.grashof.unwrap().0))
+            .collect()
     };
     // s + l < p + q: the shortest link fixed gives a double crank, its neighbours crank-rockers,
     // its opposite a double rocker.
@@ -138,19 +184,30 @@ fn types_follow_grashofs_rule() {
         assert_eq!(kind, expected, "link {ground}");
     }
     // s + l > p + q: all are triple rockers.
-    let scene = template("crank-rocker", &[("l_BC", "190"), ("l_AD", "330"), ("l_AB", "130"), ("l_CD", "150")]);
+    let scene = template(
+        "crank-rocker",
+        &[("l_BC", "190"), ("l_AD", "330"), ("l_AB", "130"), ("l_CD", "150")],
+    );
     assert!(kinds(&scene).iter().all(|(_, k)| *k == Grashof::TripleRocker));
 }
 
 #[test]
 fn what_cannot_be_inverted_is_told() {
-    for (name, code, told) in
-        [("cam-valve-train", "inversion-pairs", "touched piece"), ("cam-offset-roller", "inversion-pairs", "touched piece")]
-    {
+    for (name, code, told) in [
+        ("cam-valve-train", "inversion-pairs", "touched piece"),
+        ("cam-offset-roller", "inversion-pairs", "touched piece"),
+    ] {
         let faults = inversions(&template(name, &[])).map(|_| ()).unwrap_err();
-        let one = faults.list.iter().find(|d| d.code == code && d.help.is_some()).unwrap_or_else(|| panic!("{name}: {faults}"));
+        let one = faults
+            .list
+            .iter()
+            .find(|d| d.code == code && d.help.is_some())
+            .unwrap_or_else(|| panic!("{name}: {faults}"));
         // Each pair has its own place in the file.
-        assert!(one.message.en.contains(told) && (one.span.is_some() || code != "inversion-pairs"), "{name}: {one}");
+        assert!(
+            one.message.en.contains(told) && (one.span.is_some() || code != "inversion-pairs"),
+            "{name}: {one}"
+        );
         assert!(faults.list.iter().all(|d| d.english_in_chinese().is_none()));
     }
 }
@@ -165,7 +222,8 @@ fn collected_cases_are_inverted() {
     let mut some: Vec<_> = files.iter().step_by(wide::every(16).max(4)).cloned().collect();
     some.push(format!("{folder}/hit-7.17.json").into());
     let inverted = |file: &std::path::PathBuf| {
-        let case: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(file).unwrap()).unwrap();
+        let case: serde_json::Value =
+            serde_json::from_str(&std::fs::read_to_string(file).unwrap()).unwrap();
         scene::read(case["scene"].to_string()).is_ok_and(|s| inversions(&s.value).is_ok())
     };
     let count = some.iter().filter(|f| inverted(f)).count();

@@ -16,8 +16,13 @@ fn packages() -> Vec<serde_json::Value> {
     let version = Command::new(cargo).arg("-vV").output().unwrap();
     let version = String::from_utf8(version.stdout).unwrap();
     let host = version.lines().find_map(|l| l.strip_prefix("host: ")).unwrap();
-    let arguments = ["metadata", "--locked", "--offline", "--format-version", "1", "--filter-platform", host];
-    let run = Command::new(cargo).args(arguments).current_dir(env!("CARGO_MANIFEST_DIR")).output().unwrap();
+    let arguments =
+        ["metadata", "--locked", "--offline", "--format-version", "1", "--filter-platform", host];
+    let run = Command::new(cargo)
+        .args(arguments)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap();
     assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
     let metadata: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
     metadata["packages"].as_array().unwrap().clone()
@@ -30,7 +35,9 @@ fn fault(package: &serde_json::Value, allowed: &[String]) -> Option<String> {
     if !own && package["source"] != "registry+https://github.com/rust-lang/crates.io-index" {
         return Some(format!("{name} comes from {}", package["source"]));
     }
-    let Some(licence) = package["license"].as_str() else { return Some(format!("{name} names no licence")) };
+    let Some(licence) = package["license"].as_str() else {
+        return Some(format!("{name} names no licence"));
+    };
     // Older packages write a slash for OR.
     let expression = match spdx::Expression::parse_mode(licence, spdx::ParseMode::LAX) {
         Ok(expression) => expression,
@@ -51,8 +58,7 @@ fn every_dependency_may_be_used() {
 #[test]
 fn what_may_not_be_used_is_told() {
     let allowed = ["MIT".to_owned(), "Zlib".to_owned()];
-    let package =
-        |licence: serde_json::Value, source: &str| serde_json::json!({"name": "n", "version": "1", "source": source, "license": licence});
+    let package = |licence: serde_json::Value, source: &str| serde_json::json!({"name": "n", "version": "1", "source": source, "license": licence});
     let registry = "registry+https://github.com/rust-lang/crates.io-index";
     for licence in ["MIT", "GPL-3.0-only OR MIT", "GPL-3.0-only/Zlib", "(MIT OR ISC) AND Zlib"] {
         assert_eq!(fault(&package(licence.into(), registry), &allowed), None, "{licence}");

@@ -4,7 +4,9 @@
 use hodograph::answer::AnswerValue;
 use hodograph::centres::{CentrePlace, CentreTask};
 use hodograph::certified::steps;
-use hodograph::composite::{ChoiceVerdict, ContactScene, KnownMotion, On, ProjectionTerm, level, projections};
+use hodograph::composite::{
+    ChoiceVerdict, ContactScene, KnownMotion, On, ProjectionTerm, level, projections,
+};
 use hodograph::construct::Action;
 use hodograph::figure::curves::CurveDiagram;
 use hodograph::lesson;
@@ -31,9 +33,12 @@ fn worked(scene: &Scene) -> Worked {
 
 /// All templates, and the scenes of the cases, with their names.
 fn scenes() -> Vec<(String, Scene)> {
-    let mut out: Vec<(String, Scene)> =
-        templates::list().iter().map(|t| (t.name.to_owned(), read(templates::get(t.name).expect("it is in the list")))).collect();
-    let mut files: Vec<_> = std::fs::read_dir("tests/cases").unwrap().map(|f| f.unwrap().path()).collect();
+    let mut out: Vec<(String, Scene)> = templates::list()
+        .iter()
+        .map(|t| (t.name.to_owned(), read(templates::get(t.name).expect("it is in the list"))))
+        .collect();
+    let mut files: Vec<_> =
+        std::fs::read_dir("tests/cases").unwrap().map(|f| f.unwrap().path()).collect();
     files.sort();
     for path in files.iter().filter(|p| p.extension().is_some_and(|e| e == "json")) {
         let file: Json = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
@@ -64,13 +69,26 @@ fn lines_are_drawn_through_marks_that_are_there() {
             let notation = Notation::of_language(lang);
             let w = PlanWriter { scene: &scene, plan: &worked.plan, notation: &notation, lang };
             for p in &worked.construction.diagrams {
-                let said: Vec<String> = sentences(&w, &worked.construction, p, &told).iter().map(|s| s.source()).collect();
+                let said: Vec<String> = sentences(&w, &worked.construction, p, &told)
+                    .iter()
+                    .map(|s| s.source())
+                    .collect();
                 for (k, action) in p.actions.iter().enumerate() {
                     let Action::Line { .. } = action else { continue };
                     let mark = said[k + 1].split('$').nth(1).unwrap();
                     // A triangle ends in the image that it finds.
-                    let known = |s: &String| s.split('$').skip(1).step_by(2).any(|f| f == mark || f.len() < 24 && f.ends_with(mark));
-                    assert!(said[..=k].iter().any(known), "{name}: {mark} is not there yet: {}\n{}", said[k + 1], said[..=k].join("\n"));
+                    let known = |s: &String| {
+                        s.split('$')
+                            .skip(1)
+                            .step_by(2)
+                            .any(|f| f == mark || f.len() < 24 && f.ends_with(mark))
+                    };
+                    assert!(
+                        said[..=k].iter().any(known),
+                        "{name}: {mark} is not there yet: {}\n{}",
+                        said[k + 1],
+                        said[..=k].join("\n")
+                    );
                     lines += 1;
                 }
             }
@@ -98,7 +116,8 @@ fn rolling_has_no_sliding_velocity() {
 #[test]
 fn no_step_turns_the_ground() {
     for (name, scene, worked) in moving() {
-        let rates = DiagramKind::POLYGONS.iter().flat_map(|l| worked.plan.steps(*l)).flat_map(|g| &g.rates);
+        let rates =
+            DiagramKind::POLYGONS.iter().flat_map(|l| worked.plan.steps(*l)).flat_map(|g| &g.rates);
         assert!(rates.clone().all(|(body, _)| *body != TurningBody::Link(scene.ground)), "{name}");
     }
 }
@@ -113,7 +132,8 @@ fn a_slider_without_a_pin_is_the_dyad_that_it_is_with_one() {
     };
     let mut tried = 0;
     for t in templates::list() {
-        let mut file: Json = serde_json::from_str(templates::instantiate(t.name, &[]).unwrap().as_str()).unwrap();
+        let mut file: Json =
+            serde_json::from_str(templates::instantiate(t.name, &[]).unwrap().as_str()).unwrap();
         let own = read(&file.to_string());
         if file["cams"].is_array() || !file["time"].is_null() || file["driver"].is_array() {
             continue;
@@ -121,13 +141,18 @@ fn a_slider_without_a_pin_is_the_dyad_that_it_is_with_one() {
         let Ok(solved) = work(&own, Scope::Figure) else { continue };
         let at = &solved.value.configuration.points;
         let Some(guides) = file["guides"].as_array().cloned() else { continue };
-        let open = |g: &Json| g["pin"].is_string() && g["slider"].is_string() && g["centre"].is_null();
+        let open =
+            |g: &Json| g["pin"].is_string() && g["slider"].is_string() && g["centre"].is_null();
         if !guides.iter().any(open) {
             continue;
         }
         // The pose by coordinates, and each slider with its pin.
-        let place =
-            |p: usize| (own.points[p].name.clone(), json!([format!("{:?} m", at[p].unwrap().x), format!("{:?} m", at[p].unwrap().y)]));
+        let place = |p: usize| {
+            (
+                own.points[p].name.clone(),
+                json!([format!("{:?} m", at[p].unwrap().x), format!("{:?} m", at[p].unwrap().y)]),
+            )
+        };
         if own.points.iter().enumerate().any(|(p, _)| at[p].is_none()) || !own.rolling.is_empty() {
             continue;
         }
@@ -154,7 +179,13 @@ fn a_slider_without_a_pin_is_the_dyad_that_it_is_with_one() {
         assert_eq!(kinds(&with), kinds(&without), "{}", t.name);
         let (a, b) = (worked(&with), worked(&without));
         for (a, b) in a.results.iter().zip(&b.results) {
-            let off = a.value().columns().iter().zip(b.value().columns()).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+            let off = a
+                .value()
+                .columns()
+                .iter()
+                .zip(b.value().columns())
+                .map(|(x, y)| (x - y).abs())
+                .fold(0.0, f64::max);
             assert!(
                 off <= 1e-9 * a.value().magnitude().max(1.0),
                 "{}: {} is {:?} and {:?}",
@@ -182,8 +213,19 @@ fn an_offset_block_makes_a_dyad_of_its_pairs() {
         let scene = read(&RPR.replace("DRIVER", driver));
         let m = Mechanism::new(&scene).unwrap().value;
         let worked = worked(&scene);
-        assert!(worked.results.iter().all(|r| r.drawn.is_some() && r.agreement.unwrap().difference < 1e-12), "{:?}", worked.results);
-        m.assur(&scene).iter().filter(|g| g.class() == Some("II")).map(|g| g.kind().to_owned()).collect::<Vec<_>>()
+        assert!(
+            worked
+                .results
+                .iter()
+                .all(|r| r.drawn.is_some() && r.agreement.unwrap().difference < 1e-12),
+            "{:?}",
+            worked.results
+        );
+        m.assur(&scene)
+            .iter()
+            .filter(|g| g.class() == Some("II"))
+            .map(|g| g.kind().to_owned())
+            .collect::<Vec<_>>()
     };
     assert_eq!(kinds("1"), ["RPR"]);
     assert_eq!(kinds("3"), ["RRP"]);
@@ -201,9 +243,19 @@ fn a_body_with_one_point_has_a_centre() {
     assert!(worked.at_infinity.is_empty());
     let task = CentreTask::of(&scene).unwrap();
     for r in &worked.results {
-        let (Asked::InstantCentre(q), AnswerValue::Point(p)) = (&scene.find[r.find].what, r.value()) else { continue };
-        let Some(CentrePlace::At(at)) = task.found.of(q.links[0].0, q.links[1].0).unwrap().place else { panic!("it turns") };
-        assert!(at.distance(p) < 1e-12 && at.distance(hodograph::geom::Point::new(-0.25, 0.5)) < 1e-12, "{at:?} {p:?}");
+        let (Asked::InstantCentre(q), AnswerValue::Point(p)) =
+            (&scene.find[r.find].what, r.value())
+        else {
+            continue;
+        };
+        let Some(CentrePlace::At(at)) = task.found.of(q.links[0].0, q.links[1].0).unwrap().place
+        else {
+            panic!("it turns")
+        };
+        assert!(
+            at.distance(p) < 1e-12 && at.distance(hodograph::geom::Point::new(-0.25, 0.5)) < 1e-12,
+            "{at:?} {p:?}"
+        );
         return;
     }
     panic!("P_12 has no place: {:?}", worked.results);
@@ -228,14 +280,19 @@ fn a_rod_moves_along_its_barrel() {
         let r = worked.results.iter().find(|r| scene.find[r.find].text == name).unwrap();
         let AnswerValue::Vector(v) = r.computed else { panic!("{name} is a vector") };
         let swept = ["x", "y"].map(|axis| row.column(&format!("{name}.{axis}")).unwrap().values[0]);
-        assert!((v.x - swept[0]).abs() + (v.y - swept[1]).abs() < 1e-9, "{name}: {v:?}, in a sweep {swept:?}");
+        assert!(
+            (v.x - swept[0]).abs() + (v.y - swept[1]).abs() < 1e-9,
+            "{name}: {v:?}, in a sweep {swept:?}"
+        );
         // Certified digits are those of the value: a value with other digits in long arithmetic has
         // none.
         let k = worked.results.iter().position(|r| scene.find[r.find].text == name).unwrap();
         assert!(!certified[k].parts.is_empty(), "{name}: {:?}", certified[k].why);
         v
     };
-    let near = |a: hodograph::geom::Vec2, b: hodograph::geom::Vec2, what: &str| assert!((a - b).norm() < 1e-12, "{what}: {a:?}, not {b:?}");
+    let near = |a: hodograph::geom::Vec2, b: hodograph::geom::Vec2, what: &str| {
+        assert!((a - b).norm() < 1e-12, "{what}: {a:?}, not {b:?}")
+    };
     near(of("v_B7"), of("v_B"), "the barrel at its pin");
     near(of("v_C8"), of("v_C"), "the rod at its pin");
     near(of("v_B8") - of("v_B7"), slides, "the rod at the pin of the barrel");
@@ -253,36 +310,65 @@ fn a_task_for_centres_is_solved_by_centres() {
         let Some(task) = CentreTask::of(&scene).filter(|t| t.alone) else { continue };
         let worked = worked(&scene);
         for lang in [Lang::En, Lang::Zh] {
-            let options = worksheet::WorksheetOptions { sides: WorksheetSides::Solution, ..worksheet::WorksheetOptions::of_language(lang) };
+            let options = worksheet::WorksheetOptions {
+                sides: WorksheetSides::Solution,
+                ..worksheet::WorksheetOptions::of_language(lang)
+            };
             let document = worksheet::worksheet(&scene, &worked, &options);
             let figures: Vec<&str> = document
                 .blocks
                 .iter()
-                .filter_map(|b| if let DocumentBlock::Figure { name, .. } = b { Some(*name) } else { None })
+                .filter_map(|b| {
+                    if let DocumentBlock::Figure { name, .. } = b { Some(*name) } else { None }
+                })
                 .collect();
-            assert!(!figures.is_empty() && figures.iter().all(|f| *f == "centres"), "{name}: {figures:?}");
+            assert!(
+                !figures.is_empty() && figures.iter().all(|f| *f == "centres"),
+                "{name}: {figures:?}"
+            );
             let said: Vec<String> = document
                 .blocks
                 .iter()
-                .filter_map(|b| if let DocumentBlock::List { members, .. } = b { Some(members) } else { None })
+                .filter_map(|b| {
+                    if let DocumentBlock::List { members, .. } = b { Some(members) } else { None }
+                })
                 .flatten()
                 .map(|p| p.source())
                 .collect();
             for c in &task.found.list {
                 let own = format!("$P_{{{}}}$", c.step.pair.indices(&scene));
-                assert!(said.iter().any(|s| s.starts_with(&own)), "{name}: {own} is not found in {said:?}");
+                assert!(
+                    said.iter().any(|s| s.starts_with(&own)),
+                    "{name}: {own} is not found in {said:?}"
+                );
             }
         }
         if tasks < 2 {
-            let options = lesson::LessonOptions { positions: 24, ..lesson::LessonOptions::of_language(Lang::En) };
+            let options = lesson::LessonOptions {
+                positions: 24,
+                ..lesson::LessonOptions::of_language(Lang::En)
+            };
             let page = lesson::of_worked(&scene, &worked, &options).unwrap().value;
             let data: Json = serde_json::from_str(&lesson::told(&page).unwrap()).unwrap();
             let frames = data["frames"].as_array().unwrap();
             assert!(frames.len() > 4, "{name}");
             for frame in frames {
                 let steps = frame["steps"].as_array().unwrap();
-                assert_eq!(steps.len(), task.found.list.len() + task.found.uses.links.len() + task.found.uses.points.len(), "{name}");
-                assert!(steps.iter().flat_map(|s| s.as_array().unwrap()).all(|s| s.as_str().unwrap().len() > 5), "{name}: {steps:?}");
+                assert_eq!(
+                    steps.len(),
+                    task.found.list.len()
+                        + task.found.uses.links.len()
+                        + task.found.uses.points.len(),
+                    "{name}"
+                );
+                assert!(
+                    steps.iter().flat_map(|s| s.as_array().unwrap()).all(|s| s
+                        .as_str()
+                        .unwrap()
+                        .len()
+                        > 5),
+                    "{name}: {steps:?}"
+                );
             }
         }
         tasks += 1;
@@ -298,7 +384,11 @@ fn composite_motion_is_projected_across_the_other_unknown() {
     for (name, scene, _) in moving() {
         let staged = ContactScene::new(&scene);
         let ground = Frame::Link(scene.ground);
-        let served: Vec<_> = staged.choices(&scene).into_iter().filter(|c| c.verdict == ChoiceVerdict::Serves).collect();
+        let served: Vec<_> = staged
+            .choices(&scene)
+            .into_iter()
+            .filter(|c| c.verdict == ChoiceVerdict::Serves)
+            .collect();
         let Ok(solved) = staged.solved(&served, level(&scene)) else { continue };
         for s in &solved.value.1 {
             let path = relative_path(&staged.scene, s.choice.of, ground);
@@ -306,14 +396,22 @@ fn composite_motion_is_projected_across_the_other_unknown() {
                 let has = |t: ProjectionTerm| p.terms.iter().any(|(own, _)| *own == t);
                 match p.on {
                     On::Across if s.known == KnownMotion::Transport => {
-                        assert!(path != RelativePath::Unknown, "{name}: the direction of v_a is not known: {p:?}");
+                        assert!(
+                            path != RelativePath::Unknown,
+                            "{name}: the direction of v_a is not known: {p:?}"
+                        );
                         let circle = s.circle.is_some() && p.of == DiagramKind::Acceleration;
-                        assert!(!(circle && has(ProjectionTerm::Absolute)), "{name}: the direction of a_a is not known: {p:?}");
+                        assert!(
+                            !(circle && has(ProjectionTerm::Absolute)),
+                            "{name}: the direction of a_a is not known: {p:?}"
+                        );
                         across += 1;
                     }
                     On::X | On::Y => {
                         assert!(
-                            has(ProjectionTerm::Component) && !has(ProjectionTerm::Absolute) && path == RelativePath::Unknown,
+                            has(ProjectionTerm::Component)
+                                && !has(ProjectionTerm::Absolute)
+                                && path == RelativePath::Unknown,
                             "{name}: {p:?}"
                         );
                         sides += 1;
@@ -330,10 +428,21 @@ fn composite_motion_is_projected_across_the_other_unknown() {
 #[test]
 fn a_length_is_drawn_as_long_as_the_worksheet_says() {
     for (name, scene, worked) in moving().filter(|(_, scene, _)| !scene.lengths.is_empty()) {
-        let document = worksheet::worksheet(&scene, &worked, &worksheet::WorksheetOptions::of_language(Lang::En));
-        let lists = document.blocks.iter().filter_map(|b| if let DocumentBlock::List { members, .. } = b { Some(members) } else { None });
-        let Some(said) = lists.flatten().map(|p| p.source()).find(|s| s.contains("is drawn")) else { continue };
-        let told = |text: &str| text.split("= ").nth(1).and_then(|t| t.split('$').next()).unwrap_or_default().to_owned();
+        let document = worksheet::worksheet(
+            &scene,
+            &worked,
+            &worksheet::WorksheetOptions::of_language(Lang::En),
+        );
+        let lists = document.blocks.iter().filter_map(|b| {
+            if let DocumentBlock::List { members, .. } = b { Some(members) } else { None }
+        });
+        let Some(said) = lists.flatten().map(|p| p.source()).find(|s| s.contains("is drawn"))
+        else {
+            continue;
+        };
+        let told = |text: &str| {
+            text.split("= ").nth(1).and_then(|t| t.split('$').next()).unwrap_or_default().to_owned()
+        };
         let scale = told(&said);
         // The last drawing of the mechanism before it.
         let figure = document.blocks.iter().rev().find_map(|b| match b {
@@ -345,7 +454,11 @@ fn a_length_is_drawn_as_long_as_the_worksheet_says() {
             .items
             .iter()
             .filter_map(|i| match &i.shape {
-                hodograph::paper::item::Shape::Label { label, .. } if label.source().contains("\\mu_l") => Some(label.source().to_owned()),
+                hodograph::paper::item::Shape::Label { label, .. }
+                    if label.source().contains("\\mu_l") =>
+                {
+                    Some(label.source().to_owned())
+                }
                 _ => None,
             })
             .collect();
@@ -367,7 +480,8 @@ fn each_step_of_a_lesson_has_its_sentence() {
         ("crank-rocker", None),
     ] {
         let scene = read(templates::get(name).unwrap());
-        let mut options = lesson::LessonOptions { positions: 16, ..lesson::LessonOptions::of_language(Lang::En) };
+        let mut options =
+            lesson::LessonOptions { positions: 16, ..lesson::LessonOptions::of_language(Lang::En) };
         options.swept = over.unwrap_or(options.swept);
         let page = lesson::lesson(&scene, &options).unwrap().value;
         let data: Json = serde_json::from_str(&lesson::told(&page).unwrap()).unwrap();
@@ -381,13 +495,17 @@ fn each_step_of_a_lesson_has_its_sentence() {
                 runs.chunks(2).flat_map(|r| vec![r[0] == -1; r[1] as usize]).collect::<Vec<bool>>()
             };
             for said in [&step[2], &step[3]] {
-                let forms: Vec<&str> = said[0].as_array().unwrap().iter().map(|f| f.as_str().unwrap()).collect();
+                let forms: Vec<&str> =
+                    said[0].as_array().unwrap().iter().map(|f| f.as_str().unwrap()).collect();
                 // On a straight flank fewer vectors are drawn than on an arc.
                 let fewer = name == "cam-valve-train" && forms.len() > 1;
                 let nothing = |f: &&str| f.contains("nothing more") || f.contains("不再作图");
                 assert!(fewer || !forms.iter().any(nothing), "{name}: {forms:?}");
                 let (own, all) = (silent(said), silent(&pole[2]));
-                assert!(own.iter().enumerate().all(|(k, s)| !s || all.get(k) == Some(&true)), "{name}: {step}");
+                assert!(
+                    own.iter().enumerate().all(|(k, s)| !s || all.get(k) == Some(&true)),
+                    "{name}: {step}"
+                );
             }
         }
     }
@@ -404,7 +522,13 @@ fn curves_of_a_place_are_its_coordinates() {
     let placed = PlacedScene::new(&scene, &m).unwrap();
     let (timed, range) = TimedSweep::new(&placed, [None, None]).unwrap();
     let table = gather(&mut timed.steps(range, 12));
-    let diagram = CurveDiagram::swept(&scene, Swept::Time, &table, &|_| None, &Notation::of_language(Lang::En));
+    let diagram = CurveDiagram::swept(
+        &scene,
+        Swept::Time,
+        &table,
+        &|_| None,
+        &Notation::of_language(Lang::En),
+    );
     assert!(!diagram.is_empty());
     assert_eq!(diagram.panels.iter().map(|p| p.curves.len()).sum::<usize>(), 2);
 }

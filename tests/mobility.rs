@@ -17,7 +17,8 @@ struct Random(u64);
 
 impl Random {
     fn below(&mut self, n: u64) -> u64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) % n
     }
 
@@ -59,7 +60,13 @@ impl Locomotive {
         let Locomotive { b, d, e, h, g } = self;
         let c = [b[0] + d[0], b[1] + d[1]];
         let f = [e[0] - b[0], e[1] - b[1]];
-        let off = |k: usize| if beside[k] == 0.0 { format!("{} mm", f[k]) } else { format!("{} mm + {:?} mm", f[k], beside[k]) };
+        let off = |k: usize| {
+            if beside[k] == 0.0 {
+                format!("{} mm", f[k])
+            } else {
+                format!("{} mm + {:?} mm", f[k], beside[k])
+            }
+        };
         let at = |p: &[i64; 2]| format!("[\"{} mm\", \"{} mm\"]", p[0], p[1]);
         format!(
             r#"{{ "links": {{"1": ["A","D","F","H"], "2": ["A","B"], "3": ["B","C","E"], "4": ["C","D"], "6": ["E","G"], "7": ["G","H"], "5": ["E","F"]}},
@@ -99,7 +106,9 @@ fn a_third_crank_is_virtual_nearly_or_locks() {
         let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{round}: {f}\n{text}"));
         let note = |code: &str| worked.notes.iter().any(|d: &Diagnostic| d.code == code);
         assert!(note("virtual"), "{round}: {:?}\n{text}", worked.notes);
-        let [checked] = &worked.value.redundant[..] else { panic!("{round}: {:?}", worked.value.redundant) };
+        let [checked] = &worked.value.redundant[..] else {
+            panic!("{round}: {:?}", worked.value.redundant)
+        };
         assert!(matches!(checked.reason, RepeatReason::ParallelCranks(_)), "{round}: {checked:?}");
         assert_eq!(checked.positions, 5, "{round}: {checked:?}\n{text}");
         assert!(checked.bound_m.unwrap() < 1e-20, "{round}: {checked:?}");
@@ -109,19 +118,35 @@ fn a_third_crank_is_virtual_nearly_or_locks() {
             assert!((found - as_the_others).abs() < 1e-10, "{round}: {asked} = {found}\n{text}");
         }
         for o in &worked.value.results {
-            assert!(o.agreement.is_some_and(|a| a.holds()), "{round}: {} {:?}\n{text}", scene.find[o.find].text, o.agreement);
+            assert!(
+                o.agreement.is_some_and(|a| a.holds()),
+                "{round}: {} {:?}\n{text}",
+                scene.find[o.find].text,
+                o.agreement
+            );
         }
         // A hundredth longer, or aside: it locks, whether a pose shows that or not.
         let (x, y) = (l.b[0] as f64, l.b[1] as f64);
         for beside in [[0.01 * x, 0.01 * y], [0.01 * y, -0.01 * x]] {
             let text = l.scene(beside);
-            let faults = work(&read(&text), Scope::Figure).err().unwrap_or_else(|| panic!("{round}: moves\n{text}"));
-            assert!(matches!(errors(&faults)[..], ["locked" | "shaky"]), "{round}: {faults}\n{text}");
+            let faults = work(&read(&text), Scope::Figure)
+                .err()
+                .unwrap_or_else(|| panic!("{round}: moves\n{text}"));
+            assert!(
+                matches!(errors(&faults)[..], ["locked" | "shaky"]),
+                "{round}: {faults}\n{text}"
+            );
         }
         let text = l.scene([1e-9 * x, 1e-9 * y]);
-        let nearly = work(&read(&text), Scope::Figure).unwrap_or_else(|f| panic!("{round}: {f}\n{text}"));
-        let warned = |d: &&Diagnostic| d.code == "almost-virtual" && d.severity == Severity::Warning;
-        let told = nearly.notes.iter().find(warned).unwrap_or_else(|| panic!("{round}: {:?}\n{text}", nearly.notes));
+        let nearly =
+            work(&read(&text), Scope::Figure).unwrap_or_else(|f| panic!("{round}: {f}\n{text}"));
+        let warned =
+            |d: &&Diagnostic| d.code == "almost-virtual" && d.severity == Severity::Warning;
+        let told = nearly
+            .notes
+            .iter()
+            .find(warned)
+            .unwrap_or_else(|| panic!("{round}: {:?}\n{text}", nearly.notes));
         let help = told.help.as_ref().unwrap();
         assert!(help.en.contains("EF") && help.en.contains("AB"), "{help:?}");
     }
@@ -146,9 +171,18 @@ fn one_pose_never_decides() {
               "driver": {{"link": "2", "angle": "50 deg", "omega": "5 rad/s"}}, "find": ["omega_5"] }}"#
         )
     };
-    for (ef, code) in [("25 mm", Some("locked")), ("50.5 mm", Some("locked")), ("50 mm", None), ("50.00000005 mm", None)] {
+    for (ef, code) in [
+        ("25 mm", Some("locked")),
+        ("50.5 mm", Some("locked")),
+        ("50 mm", None),
+        ("50.00000005 mm", None),
+    ] {
         let done = work(&read(&text(ef)), Scope::Questions);
-        assert_eq!(done.as_ref().err().map(errors).unwrap_or_default(), code.into_iter().collect::<Vec<_>>(), "{ef}");
+        assert_eq!(
+            done.as_ref().err().map(errors).unwrap_or_default(),
+            code.into_iter().collect::<Vec<_>>(),
+            "{ef}"
+        );
     }
 }
 
@@ -169,15 +203,21 @@ fn every_kind_of_repetition_has_its_words() {
     let of = |text: &str| {
         let scene = read(text);
         let m = Mechanism::new(&scene).unwrap().value;
-        let [one] = &check(&scene, &m).unwrap_or_else(|f| panic!("{f}\n{text}"))[..] else { panic!("{:?}", m.redundant) };
+        let [one] = &check(&scene, &m).unwrap_or_else(|f| panic!("{f}\n{text}"))[..] else {
+            panic!("{:?}", m.redundant)
+        };
         assert_eq!((one.verdict, one.positions), (RedundancyVerdict::Virtual, 5), "{text}");
         (m.redundant[0].opened.clone(), one.reason.clone())
     };
     assert!(matches!(of(parallel), (Opened::Guide(_), RepeatReason::ParallelGuides(_))));
     assert!(matches!(of(coaxial), (Opened::Pin(..), RepeatReason::CoaxialPins(..))));
-    assert!(matches!(of(&circle([r#","5":["D","B"]"#, ""])), (Opened::Guide(_), RepeatReason::SameLine(..))));
+    assert!(matches!(
+        of(&circle([r#","5":["D","B"]"#, ""])),
+        (Opened::Guide(_), RepeatReason::SameLine(..))
+    ));
     // A guide that is not parallel locks.
-    let skew = parallel.replace(r#""slider":"4","angle":"0 deg""#, r#""slider":"4","angle":"3 deg""#);
+    let skew =
+        parallel.replace(r#""slider":"4","angle":"0 deg""#, r#""slider":"4","angle":"3 deg""#);
     assert_eq!(errors(&work(&read(&skew), Scope::Questions).unwrap_err()), ["locked"]);
 }
 
@@ -198,13 +238,15 @@ fn counts_are_those_of_brute_force() {
         let (links, pins) = (2 + r.below(7), 2 + r.below(8));
         let mut on: BTreeMap<String, Vec<String>> = BTreeMap::new();
         for l in 0..=links {
-            let mut own: Vec<String> = (0..1 + r.below(3)).map(|_| format!("P{}", r.below(pins))).collect();
+            let mut own: Vec<String> =
+                (0..1 + r.below(3)).map(|_| format!("P{}", r.below(pins))).collect();
             own.sort();
             own.dedup();
             on.insert(l.to_string(), own);
         }
         let text = serde_json::json!({"links": on, "ground": "0"}).to_string();
-        let scene = scene::read_topology(&text).unwrap_or_else(|f| panic!("{round}: {f}\n{text}")).value;
+        let scene =
+            scene::read_topology(&text).unwrap_or_else(|f| panic!("{round}: {f}\n{text}")).value;
         let joined = |p: &String| on.values().filter(|own| own.contains(p)).count() as i64;
         let mut all: Vec<&String> = on.values().flatten().collect();
         all.sort();
@@ -212,34 +254,57 @@ fn counts_are_those_of_brute_force() {
         let lower: i64 = all.iter().map(|p| joined(p) - 1).sum();
         // A disc on a pin of moving links turns freely without effect; of discs on a pin of their
         // own, one is the carrier of the others.
-        let discs = |p: &String| on.iter().filter(|(l, own)| *l != "0" && **own == [p.clone()]).count() as i64;
-        let loose: Vec<&&String> = all.iter().filter(|p| joined(p) > 1 && !on["0"].contains(p)).collect();
+        let discs = |p: &String| {
+            on.iter().filter(|(l, own)| *l != "0" && **own == [p.clone()]).count() as i64
+        };
+        let loose: Vec<&&String> =
+            all.iter().filter(|p| joined(p) > 1 && !on["0"].contains(p)).collect();
         let idle: i64 = loose.iter().map(|p| discs(p).min(joined(p) - 1)).sum();
         let survey = MobilitySurvey::of(&scene);
         let freedom = 3 * links as i64 - 2 * lower;
-        assert_eq!((survey.counts.moving as u64, survey.counts.lower as i64, survey.counts.higher), (links, lower, 0), "{round}: {text}");
+        assert_eq!(
+            (survey.counts.moving as u64, survey.counts.lower as i64, survey.counts.higher),
+            (links, lower, 0),
+            "{round}: {text}"
+        );
         assert_eq!(survey.local.len() as i64, idle, "{round}: {text}");
         assert_eq!(survey.counts.freedom(0, survey.local.len()), freedom - idle, "{round}: {text}");
         // With every higher pair replaced by a link and two lower ones, and without discs that turn
         // without effect, the degree of freedom is the same.
         let lean = survey.substituted(|_| false);
-        assert!(lean.moving <= links as usize && lean.lower as i64 <= lower, "{round}: {lean:?} {text}");
+        assert!(
+            lean.moving <= links as usize && lean.lower as i64 <= lower,
+            "{round}: {lean:?} {text}"
+        );
         assert_eq!(lean.freedom(0, 0), freedom - idle, "{round}: {lean:?} {text}");
-        let compound: Vec<(String, i64)> = all.iter().map(|p| ((*p).clone(), joined(p))).filter(|(_, k)| *k > 2).collect();
-        let mut told: Vec<(String, i64)> = survey.compound.iter().map(|(p, k)| (scene.point_name(*p).to_owned(), *k as i64)).collect();
+        let compound: Vec<(String, i64)> =
+            all.iter().map(|p| ((*p).clone(), joined(p))).filter(|(_, k)| *k > 2).collect();
+        let mut told: Vec<(String, i64)> = survey
+            .compound
+            .iter()
+            .map(|(p, k)| (scene.point_name(*p).to_owned(), *k as i64))
+            .collect();
         told.sort();
         assert_eq!(told, compound, "{round}: {text}");
         // Assur: the links of every group have as many freedoms as its pairs take.
         for choice in &survey.choices {
             with_groups += 1;
             for g in &choice.mechanism.groups {
-                let taken: usize = g.constraints.iter().map(|c| choice.mechanism.constraints[*c].form().equations()).sum();
+                let taken: usize = g
+                    .constraints
+                    .iter()
+                    .map(|c| choice.mechanism.constraints[*c].form().equations())
+                    .sum();
                 assert_eq!(3 * g.links.len() + 2 * g.pins.len(), taken, "{round}: {g:?}\n{text}");
             }
         }
         let (survey, checked) = mobility::surveyed(&scene);
         let json = mobility::json(&scene, &survey, &checked);
-        assert!(json["F"].is_i64() && mobility::text(&scene, &survey, &checked, scene::Lang::Zh).contains("p_l"), "{round}");
+        assert!(
+            json["F"].is_i64()
+                && mobility::text(&scene, &survey, &checked, scene::Lang::Zh).contains("p_l"),
+            "{round}"
+        );
     }
     assert!(with_groups > 50, "only {with_groups} mechanisms move");
 }
@@ -249,14 +314,25 @@ fn counts_are_those_of_brute_force() {
 #[test]
 fn every_link_is_in_one_group() {
     for t in hodograph::scene::templates::list() {
-        let scene = scene::read_topology(hodograph::scene::templates::get(t.name).unwrap()).unwrap().value;
+        let scene =
+            scene::read_topology(hodograph::scene::templates::get(t.name).unwrap()).unwrap().value;
         let (survey, checked) = mobility::surveyed(&scene);
         let told = mobility::json(&scene, &survey, &checked);
         for choice in told["choices"].as_array().unwrap() {
             let groups = choice["groups"].as_array().unwrap();
-            let links: Vec<&str> = groups.iter().flat_map(|g| g["links"].as_array().unwrap()).map(|l| l.as_str().unwrap()).collect();
+            let links: Vec<&str> = groups
+                .iter()
+                .flat_map(|g| g["links"].as_array().unwrap())
+                .map(|l| l.as_str().unwrap())
+                .collect();
             let different: BTreeSet<&&str> = links.iter().collect();
-            assert_eq!(different.len(), links.len(), "{}: {links:?} in {}", t.name, choice["drivers"]);
+            assert_eq!(
+                different.len(),
+                links.len(),
+                "{}: {links:?} in {}",
+                t.name,
+                choice["drivers"]
+            );
         }
     }
 }
@@ -282,7 +358,8 @@ fn taken(scene: &Scene, among: &BTreeSet<LinkId>) -> usize {
 fn groups_are_those_of_whole_pairs() {
     let mut several = Vec::new();
     for t in hodograph::scene::templates::list() {
-        let scene = scene::read_topology(hodograph::scene::templates::get(t.name).unwrap()).unwrap().value;
+        let scene =
+            scene::read_topology(hodograph::scene::templates::get(t.name).unwrap()).unwrap().value;
         for choice in MobilitySurvey::of(&scene).choices {
             let (scene, m) = (&choice.scene, &choice.mechanism);
             // Wheels, cams, cylinders, driven bare pins and redundant pairs have pairs of their own
@@ -292,14 +369,20 @@ fn groups_are_those_of_whole_pairs() {
                 DriverKind::Slide { guide, .. } => scene.guides[guide.0].slider.is_none(),
                 DriverKind::Cylinder { .. } => true,
             };
-            if !scene.rolling.is_empty() || !m.redundant.is_empty() || scene.drivers.iter().any(own) {
+            if !scene.rolling.is_empty() || !m.redundant.is_empty() || scene.drivers.iter().any(own)
+            {
                 continue;
             }
             let mut before = BTreeSet::from([scene.ground]);
             for g in m.assur(scene) {
                 let with: BTreeSet<LinkId> = before.iter().chain(&g.links).copied().collect();
                 if g.class().is_some() {
-                    assert_eq!(3 * g.links.len(), taken(scene, &with) - taken(scene, &before), "{}: {g:?}", t.name);
+                    assert_eq!(
+                        3 * g.links.len(),
+                        taken(scene, &with) - taken(scene, &before),
+                        "{}: {g:?}",
+                        t.name
+                    );
                 }
                 if g.steps.len() > 1 {
                     several.push((t.name, g.kind().to_owned()));
@@ -311,7 +394,13 @@ fn groups_are_those_of_whole_pairs() {
     for name in ["oldham-coupling", "cart-by-law"] {
         assert!(several.iter().any(|(n, _)| *n == name), "{several:?}");
     }
-    assert!(several.iter().filter(|(name, _)| *name == "oldham-coupling").all(|(_, kind)| kind == "RPP"), "{several:?}");
+    assert!(
+        several
+            .iter()
+            .filter(|(name, _)| *name == "oldham-coupling")
+            .all(|(_, kind)| kind == "RPP"),
+        "{several:?}"
+    );
 }
 
 /// The bar of a trammel makes the crank to its middle redundant at every size; another rod, which
@@ -335,7 +424,9 @@ fn a_trammel_is_known_by_equal_lengths() {
             let m = Mechanism::new(&scene).unwrap().value;
             let all = check(&scene, &m).unwrap_or_else(|f| panic!("{f}\n{}", rod(length)));
             let [one] = &all[..] else { panic!("{:?}", m.redundant) };
-            let names = |ends: &[hodograph::scene::PointId; 2]| ends.map(|p| scene.point_name(p).to_owned());
+            let names = |ends: &[hodograph::scene::PointId; 2]| {
+                ends.map(|p| scene.point_name(p).to_owned())
+            };
             let equal = match &one.reason {
                 RepeatReason::SameCircle(ends, b, d) | RepeatReason::SameLine(ends, b, d) => {
                     (names(ends), scene.point_name(*b), scene.point_name(*d))
@@ -350,7 +441,12 @@ fn a_trammel_is_known_by_equal_lengths() {
 /// A planet is redundant to another planet, not to the sun or the arm, in any order of the links.
 #[test]
 fn repeated_planets_name_their_like() {
-    for order in [["1", "2", "3", "4", "5"], ["3", "5", "1", "4", "2"], ["5", "4", "3", "2", "1"], ["2", "1", "4", "3", "5"]] {
+    for order in [
+        ["1", "2", "3", "4", "5"],
+        ["3", "5", "1", "4", "2"],
+        ["5", "4", "3", "2", "1"],
+        ["2", "1", "4", "3", "5"],
+    ] {
         let points = |l: &str| match l {
             "3" => r#"["O","P","Q"]"#,
             "4" => r#"["P"]"#,
@@ -372,7 +468,9 @@ fn repeated_planets_name_their_like() {
         for one in &all {
             let Opened::Rolling(r) = one.opened else { panic!("{:?}\n{text}", m.redundant) };
             let pair = scene.rolling[r.0].links.map(|l| scene.link_name(l).to_owned());
-            let RepeatReason::RepeatedPlanets(like) = &one.reason else { panic!("{:?}\n{text}", one.reason) };
+            let RepeatReason::RepeatedPlanets(like) = &one.reason else {
+                panic!("{:?}\n{text}", one.reason)
+            };
             let own = if pair.contains(&"4".to_owned()) { "5" } else { "4" };
             assert_eq!(like, own, "{pair:?}\n{text}");
         }
@@ -382,10 +480,13 @@ fn repeated_planets_name_their_like() {
 /// A driver with a short travel is moved as far as it can: half of the travel, and half of that.
 #[test]
 fn a_repetition_is_looked_at_as_far_as_the_driver_goes() {
-    // A cylinder from G moves the crank AB of a parallelogram with a third crank EF; G, A and B are almost in line.
-    for (g, beside, verdict) in
-        [(-150.0, 0.0, RedundancyVerdict::Virtual), (-150.0, 1e-7, RedundancyVerdict::Almost), (-90.0, 0.0, RedundancyVerdict::Virtual)]
-    {
+    // A cylinder from G moves the crank AB of a parallelogram with a third crank EF; G, A and B are
+    // almost in line.
+    for (g, beside, verdict) in [
+        (-150.0, 0.0, RedundancyVerdict::Virtual),
+        (-150.0, 1e-7, RedundancyVerdict::Almost),
+        (-90.0, 0.0, RedundancyVerdict::Virtual),
+    ] {
         let text = format!(
             r#"{{"units":{{"length":"mm"}},"links":{{"1":["A","D","F","G"],"2":["A","B"],"3":["B","C","E"],"4":["C","D"],"5":["E","F"]}},"ground":"1",
             "points":{{"A":[0,0],"B":[48,14],"C":[148,14],"D":[100,0],"E":[88,64],"F":["40 mm + {beside:?} mm",50],"G":[{g},0]}},
@@ -393,7 +494,9 @@ fn a_repetition_is_looked_at_as_far_as_the_driver_goes() {
         );
         let scene = read(&text);
         let m = Mechanism::new(&scene).unwrap().value;
-        let [one] = &check(&scene, &m).unwrap_or_else(|f| panic!("{f}\n{text}"))[..] else { panic!("{:?}", m.redundant) };
+        let [one] = &check(&scene, &m).unwrap_or_else(|f| panic!("{f}\n{text}"))[..] else {
+            panic!("{:?}", m.redundant)
+        };
         assert_eq!((one.verdict, one.positions), (verdict, 5), "{text}");
         if verdict == RedundancyVerdict::Almost {
             assert!(one.moved != 0.0 && one.moved.abs() < 0.05, "{}\n{text}", one.moved);

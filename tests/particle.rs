@@ -5,7 +5,9 @@ use hodograph::figure::particle::figures;
 use hodograph::notation::Notation;
 use hodograph::paper::style::Style;
 use hodograph::particle::plate::PlateComponent;
-use hodograph::particle::{ParticleQuantity, ParticleSolution, board, read, solve, solve_again, templates};
+use hodograph::particle::{
+    ParticleQuantity, ParticleSolution, board, read, solve, solve_again, templates,
+};
 use hodograph::report::particle as report;
 use hodograph::scene::Lang;
 use serde_json::Value as Json;
@@ -19,14 +21,18 @@ fn solved(text: &str) -> (hodograph::particle::ParticleProblem, ParticleSolution
 fn scalar(text: &str, find: &str) -> f64 {
     let (problem, solved) = solved(text);
     let at = problem.find.iter().position(|f| f.text == find).unwrap_or_else(|| panic!("{find}"));
-    solved.answers[at].value.scalar().unwrap_or_else(|| panic!("{find}: {:?}", solved.answers[at].value))
+    solved.answers[at]
+        .value
+        .scalar()
+        .unwrap_or_else(|| panic!("{find}: {:?}", solved.answers[at].value))
 }
 
 #[test]
 fn the_description_of_motions_can_be_solved() {
     let text = include_str!("../docs/scene.md");
     let blocks = text.split("```json\n").skip(1).filter_map(|b| b.split("```").next());
-    let motions: Vec<&str> = blocks.filter(|b| b.starts_with('{') && !b.contains("\"links\"")).collect();
+    let motions: Vec<&str> =
+        blocks.filter(|b| b.starts_with('{') && !b.contains("\"links\"")).collect();
     assert!(motions.len() >= 2);
     for block in motions {
         let (problem, solved) = solved(block);
@@ -46,7 +52,11 @@ fn cases_of_motions_without_a_mechanism() {
         let drawn = board::draw(&problem).unwrap();
         for expect in case["expect"].as_array().unwrap() {
             let find = expect["find"].as_str().unwrap();
-            let at = problem.find.iter().position(|f| f.text == find).unwrap_or_else(|| panic!("{find}"));
+            let at = problem
+                .find
+                .iter()
+                .position(|f| f.text == find)
+                .unwrap_or_else(|| panic!("{find}"));
             let pick = |all: Vec<f64>| match expect["component"].as_str() {
                 Some("x") => all[0],
                 Some("y") => all[1],
@@ -60,7 +70,11 @@ fn cases_of_motions_without_a_mechanism() {
             let found = pick(value.vector().or_else(|| value.scalar().map(|s| vec![s])).unwrap());
             assert!((found - exact).abs() <= tolerance, "{}: {find} {found} {exact}", case["case"]);
             if let Some(read) = shown(&drawn, problem.find[at].what) {
-                assert!((pick(read.to_vec()) - exact).abs() <= tolerance.max(1e-9 * exact.abs()), "{}: {find} drawn", case["case"]);
+                assert!(
+                    (pick(read.to_vec()) - exact).abs() <= tolerance.max(1e-9 * exact.abs()),
+                    "{}: {find} drawn",
+                    case["case"]
+                );
             }
             seen += 1;
         }
@@ -71,7 +85,9 @@ fn cases_of_motions_without_a_mechanism() {
 /// T = l v / (v² − u²) for a target perpendicular to the first line of sight, with any numbers.
 #[test]
 fn pursuit_of_a_straight_runner_ends_when_the_formula_says() {
-    for (l, u, v) in [(1.0, 0.1, 3.0), (2.0, 1.0, 2.0), (5.0, 1.9, 2.0), (0.02, 30.0, 70.0), (1e4, 1.0, 1.05)] {
+    for (l, u, v) in
+        [(1.0, 0.1, 3.0), (2.0, 1.0, 2.0), (5.0, 1.9, 2.0), (0.02, 30.0, 70.0), (1e4, 1.0, 1.05)]
+    {
         let text = format!(
             r#"{{"points": {{"A": [0, 0], "B": [0, "{l} m"]}}, "motions": [{{"point": "B", "angle": "0 deg", "s": "{u} m/s*t"}},
                 {{"point": "A", "toward": "B", "speed": "{v} m/s"}}], "find": ["T_AB"]}}"#
@@ -80,7 +96,12 @@ fn pursuit_of_a_straight_runner_ends_when_the_formula_says() {
         let value = &found.answers[0].value;
         let exact = l * v / (v * v - u * u);
         let hodograph::particle::ParticleValue::Scalar(e) = value else { panic!("{value:?}") };
-        assert!((e.approx - exact).abs() <= e.radius + 1e-15 * exact, "{l} {u} {v}: {} {exact} ± {}", e.approx, e.radius);
+        assert!(
+            (e.approx - exact).abs() <= e.radius + 1e-15 * exact,
+            "{l} {u} {v}: {} {exact} ± {}",
+            e.approx,
+            e.radius
+        );
         assert!(e.radius < 1e-11 * exact, "{l} {u} {v}: {}", e.radius);
     }
 }
@@ -101,10 +122,13 @@ fn pursuit_from_any_side_and_at_any_instant_keeps_its_integral() {
         assert!((scalar(&text, "T_AB") - exact).abs() < 1e-12 * exact, "{x} {y} {angle}");
         // The formula holds for the distance left at the instant.
         let (problem, found) = solved(&text);
-        let value = |find: &str| found.answers[problem.find.iter().position(|f| f.text == find).unwrap()].value.vector();
+        let value = |find: &str| {
+            found.answers[problem.find.iter().position(|f| f.text == find).unwrap()].value.vector()
+        };
         let (a, l) = (value("r_A").unwrap(), scalar(&text, "l_AB"));
         let b = [x + u * 0.7 * along.cos(), y + u * 0.7 * along.sin()];
-        let left = (v * l + u * ((b[0] - a[0]) * along.cos() + (b[1] - a[1]) * along.sin())) / (v * v - u * u);
+        let left = (v * l + u * ((b[0] - a[0]) * along.cos() + (b[1] - a[1]) * along.sin()))
+            / (v * v - u * u);
         assert!((left + 0.7 - exact).abs() < 1e-12 * exact, "{x} {y} {angle}");
     }
 }
@@ -114,8 +138,17 @@ fn pursuit_from_any_side_and_at_any_instant_keeps_its_integral() {
 fn what_follows_at_the_instant_is_that_of_differences() {
     let text = templates::get("pursuit-of-a-ship").unwrap();
     let at = |t: f64| {
-        let (problem, found) = solved(&text.replace("\"15 s\"", &format!("\"{t} s\"")).replace("\"find\": [", "\"find\": [\"r_A\", "));
-        let value = |find: &str| found.answers[problem.find.iter().position(|f| f.text == find).unwrap()].value.vector().unwrap();
+        let (problem, found) = solved(
+            &text
+                .replace("\"15 s\"", &format!("\"{t} s\""))
+                .replace("\"find\": [", "\"find\": [\"r_A\", "),
+        );
+        let value = |find: &str| {
+            found.answers[problem.find.iter().position(|f| f.text == find).unwrap()]
+                .value
+                .vector()
+                .unwrap()
+        };
         (value("r_A"), value("v_A"), value("a_A"))
     };
     let h = 1e-3;
@@ -144,37 +177,63 @@ fn shown(all: &[board::MotionDrawing], what: ParticleQuantity) -> Option<&[f64]>
 #[test]
 fn parts_make_up_the_whole_and_drawing_agrees() {
     let ring = templates::get("ring-in-space").unwrap();
-    let mut texts: Vec<String> = templates::names().map(|n| templates::get(n).unwrap().to_owned()).collect();
+    let mut texts: Vec<String> =
+        templates::names().map(|n| templates::get(n).unwrap().to_owned()).collect();
     for axis in ["x", "y", "z"] {
         for k in 0..8 {
-            let text = ring.replace("\"axis\": \"z\"", &format!("\"axis\": \"{axis}\", \"offset\": \"{} mm\"", 15 * k));
-            texts.push(text.replace("\"0.5 s\"", &format!("\"{} s\"", 0.1 + 0.4 * f64::from(k))).replace("w*t^2", "w*t^2 - 1 rad/s*t"));
+            let text = ring.replace(
+                "\"axis\": \"z\"",
+                &format!("\"axis\": \"{axis}\", \"offset\": \"{} mm\"", 15 * k),
+            );
+            texts.push(
+                text.replace("\"0.5 s\"", &format!("\"{} s\"", 0.1 + 0.4 * f64::from(k)))
+                    .replace("w*t^2", "w*t^2 - 1 rad/s*t"),
+            );
         }
     }
     for mut text in texts {
-        text.truncate(text.find("\"find\"").map_or(text.len(), |at| text[..at].rfind(',').unwrap()));
+        text.truncate(
+            text.find("\"find\"").map_or(text.len(), |at| text[..at].rfind(',').unwrap()),
+        );
         text += "}";
         let (problem, found) = solved(&text);
         let drawn = board::draw(&problem).unwrap();
         for a in &found.answers {
             let what = problem.find[a.find].what;
             if let Some(read) = shown(&drawn, what) {
-                let off = report::apart(&a.value, read, report::largest(&problem, &found, what)).unwrap_or(0.0);
+                let off = report::apart(&a.value, read, report::largest(&problem, &found, what))
+                    .unwrap_or(0.0);
                 assert!(off < 1e-11, "{}: {off} {text}", problem.find[a.find].text);
             }
         }
-        let value =
-            |wanted: ParticleQuantity| found.answers.iter().find(|a| problem.find[a.find].what == wanted).unwrap().value.vector().unwrap();
+        let value = |wanted: ParticleQuantity| {
+            found
+                .answers
+                .iter()
+                .find(|a| problem.find[a.find].what == wanted)
+                .unwrap()
+                .value
+                .vector()
+                .unwrap()
+        };
         for (k, _) in
-            problem.motions.iter().enumerate().filter(|(_, m)| matches!(m.kind, hodograph::particle::ParticleMotionKind::OnPlate(..)))
+            problem.motions.iter().enumerate().filter(|(_, m)| {
+                matches!(m.kind, hodograph::particle::ParticleMotionKind::OnPlate(..))
+            })
         {
             let part = |p: PlateComponent| value(ParticleQuantity::Part(k, p));
-            let sum = |all: &[Vec<f64>]| (0..3).map(|c| all.iter().map(|v| v[c]).sum::<f64>()).collect::<Vec<_>>();
-            let near = |a: Vec<f64>, b: Vec<f64>| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-13);
+            let sum = |all: &[Vec<f64>]| {
+                (0..3).map(|c| all.iter().map(|v| v[c]).sum::<f64>()).collect::<Vec<_>>()
+            };
+            let near =
+                |a: Vec<f64>, b: Vec<f64>| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-13);
             assert!(
                 near(
                     value(ParticleQuantity::Velocity(k)),
-                    sum(&[part(PlateComponent::TransportVelocity), part(PlateComponent::RelativeVelocity)])
+                    sum(&[
+                        part(PlateComponent::TransportVelocity),
+                        part(PlateComponent::RelativeVelocity)
+                    ])
                 ),
                 "{text}"
             );
@@ -204,20 +263,34 @@ fn figures_have_no_labels_on_one_another() {
                 "pursuit-of-a-ship" => format!("\"t1\": \"{} s\"", 0.85 * f64::from(k)),
                 _ => format!("\"t1\": \"{} s\"", 0.2 * f64::from(k)),
             };
-            let text = text.replace("\"t1\": \"0 s\"", &t).replace("\"t1\": \"15 s\"", &t).replace("\"t1\": \"0.5 s\"", &t);
-            let text = text.replace("\"angle\": \"90 deg\"", &format!("\"angle\": \"{} deg\"", 15 * k));
+            let text = text
+                .replace("\"t1\": \"0 s\"", &t)
+                .replace("\"t1\": \"15 s\"", &t)
+                .replace("\"t1\": \"0.5 s\"", &t);
+            let text =
+                text.replace("\"angle\": \"90 deg\"", &format!("\"angle\": \"{} deg\"", 15 * k));
             let problem = read(&text).unwrap_or_else(|f| panic!("{f}")).value;
             // The end of a pursuit does not change from instant to instant.
             let found = solve_again(&problem, &first).unwrap_or_else(|f| panic!("{f}"));
             let drawn = board::draw(&problem).unwrap();
             for lang in [Lang::En, Lang::Zh] {
-                for (_, figure) in figures(&problem, &found, &drawn, &Style::default(), lang).unwrap() {
-                    let boxes: Vec<_> =
-                        figure.items.iter().filter(|i| matches!(i.shape, hodograph::paper::item::Shape::Label { .. })).collect();
+                for (_, figure) in
+                    figures(&problem, &found, &drawn, &Style::default(), lang).unwrap()
+                {
+                    let boxes: Vec<_> = figure
+                        .items
+                        .iter()
+                        .filter(|i| matches!(i.shape, hodograph::paper::item::Shape::Label { .. }))
+                        .collect();
                     for (i, one) in boxes.iter().enumerate() {
                         for other in &boxes[..i] {
-                            let (Some(a), Some(b)) = (one.bounds(), other.bounds()) else { continue };
-                            assert!(a.overlap_mm2(b) < 0.05, "{name} {k} {lang:?}: {one:?} on {other:?}");
+                            let (Some(a), Some(b)) = (one.bounds(), other.bounds()) else {
+                                continue;
+                            };
+                            assert!(
+                                a.overlap_mm2(b) < 0.05,
+                                "{name} {k} {lang:?}: {one:?} on {other:?}"
+                            );
                         }
                     }
                 }
@@ -233,23 +306,33 @@ fn places_that_are_asked_for_are_points_at_rest() {
     let runs = r#"{"point": "A", "angle": "-10 deg", "s": "200 m/s*t + 3 m/s^2*t^2"}"#;
     let chases = r#"{"point": "A", "toward": "O", "speed": "20 m/s + 1 m/s^2*t"}"#;
     let text = |place: &str, motions: &str, find: &str| {
-        format!(r#"{{"time": "2 s", "points": {{"A": ["1 km", "2 km"]{place}}}, "motions": [{motions}]{find}}}"#)
+        format!(
+            r#"{{"time": "2 s", "points": {{"A": ["1 km", "2 km"]{place}}}, "motions": [{motions}]{find}}}"#
+        )
     };
     let rest = r#", "O": ["300 m", "-40 m"]"#;
     let stays = r#"{"point": "O", "x": "300 m", "y": "-40 m"}"#;
     for (motion, find) in [
-        (runs, r#", "find": ["l_OA", "omega_OA", "l_AO", "omega_AO", "vr_A/O", "ar_O/A", "v_A", "v_O"]"#),
+        (
+            runs,
+            r#", "find": ["l_OA", "omega_OA", "l_AO", "omega_AO", "vr_A/O", "ar_O/A", "v_A", "v_O"]"#,
+        ),
         (chases, r#", "find": ["T_AO", "P_AO", "l_AO", "omega_AO", "v_A", "a_A", "r_O"]"#),
         (chases, ""),
     ] {
-        let (one, other) = (solved(&text(rest, motion, find)), solved(&text("", &format!("{motion}, {stays}"), find)));
-        let told = |(problem, solved): &(hodograph::particle::ParticleProblem, ParticleSolution)| {
-            report::text(problem, solved, &[], 6, None, Lang::En)
-        };
+        let (one, other) = (
+            solved(&text(rest, motion, find)),
+            solved(&text("", &format!("{motion}, {stays}"), find)),
+        );
+        let told =
+            |(problem, solved): &(hodograph::particle::ParticleProblem, ParticleSolution)| {
+                report::text(problem, solved, &[], 6, None, Lang::En)
+            };
         assert_eq!(told(&one), told(&other));
         assert!(!one.1.answers.is_empty());
     }
-    let warned = |text: String| read(&text).unwrap().notes.iter().map(|d| d.code).collect::<Vec<_>>();
+    let warned =
+        |text: String| read(&text).unwrap().notes.iter().map(|d| d.code).collect::<Vec<_>>();
     assert_eq!(warned(text(rest, runs, r#", "find": ["l_OA"]"#)), Vec::<&str>::new());
     assert_eq!(warned(text(rest, runs, r#", "find": ["v_A"]"#)), ["unused-point"]);
     assert_eq!(warned(text(rest, runs, "")), ["unused-point"]);
@@ -260,10 +343,22 @@ fn places_that_are_asked_for_are_points_at_rest() {
 fn faults_are_told_with_their_places() {
     for (text, codes) in [
         (r#"{"motions": []}"#, vec!["wrong-count"]),
-        (r#"{"parameters": {"t": "2 s"}, "motions": [{"point": "A", "x": "1 m/s*t", "y": "0 m"}]}"#, vec!["name"]),
-        (r#"{"motions": [{"point": "A", "toward": "B", "speed": "5 m/s"}]}"#, vec!["missing-key", "unknown-point"]),
-        (r#"{"points": {"A": [0, 0]}, "motions": [{"point": "A", "toward": "B", "speed": "5 m/s"}]}"#, vec!["unknown-point"]),
-        (r#"{"points": {"A": [0, 0]}, "motions": [{"point": "A", "toward": "A", "speed": "5 m/s"}]}"#, vec!["pursuit"]),
+        (
+            r#"{"parameters": {"t": "2 s"}, "motions": [{"point": "A", "x": "1 m/s*t", "y": "0 m"}]}"#,
+            vec!["name"],
+        ),
+        (
+            r#"{"motions": [{"point": "A", "toward": "B", "speed": "5 m/s"}]}"#,
+            vec!["missing-key", "unknown-point"],
+        ),
+        (
+            r#"{"points": {"A": [0, 0]}, "motions": [{"point": "A", "toward": "B", "speed": "5 m/s"}]}"#,
+            vec!["unknown-point"],
+        ),
+        (
+            r#"{"points": {"A": [0, 0]}, "motions": [{"point": "A", "toward": "A", "speed": "5 m/s"}]}"#,
+            vec!["pursuit"],
+        ),
         (
             r#"{"points": {"A": [0, 0]}, "motions": [{"point": "A", "toward": "B", "speed": "5 m", "s": "1 m"}, {"point": "B", "x": "1 s*t"}]}"#,
             vec!["motion", "dimension", "dimension", "missing-key"],
@@ -272,8 +367,14 @@ fn faults_are_told_with_their_places() {
             r#"{"plates": [{"link": "2", "axis": "w", "angle": "0 deg"}], "motions": [{"point": "M", "on": "3", "to_axis": "0 deg", "s": "1 m"}]}"#,
             vec!["unknown-word", "unknown-plate"],
         ),
-        (r#"{"time": "-1 s", "motions": [{"point": "B", "x": "1 m/s*t", "y": "0 m"}], "find": ["v_C"]}"#, vec!["time", "unknown-question"]),
-        (r#"{"motions": [{"point": "B", "x": "1 m/s*t", "y": "0 m"}], "find": ["v_C"]}"#, vec!["unknown-question"]),
+        (
+            r#"{"time": "-1 s", "motions": [{"point": "B", "x": "1 m/s*t", "y": "0 m"}], "find": ["v_C"]}"#,
+            vec!["time", "unknown-question"],
+        ),
+        (
+            r#"{"motions": [{"point": "B", "x": "1 m/s*t", "y": "0 m"}], "find": ["v_C"]}"#,
+            vec!["unknown-question"],
+        ),
     ] {
         let faults = read(text).unwrap_err();
         let mut told: Vec<&str> = faults.list.iter().map(|d| d.code).collect();
@@ -284,9 +385,17 @@ fn faults_are_told_with_their_places() {
         assert!(faults.list.iter().all(|d| d.span.is_some()), "{text}: {faults}");
     }
     for (text, code) in [
-        (templates::get("pursuit").unwrap().replace("\"t1\": \"0 s\"", "\"t1\": \"2000 s\""), "pursuit"),
+        (
+            templates::get("pursuit").unwrap().replace("\"t1\": \"0 s\"", "\"t1\": \"2000 s\""),
+            "pursuit",
+        ),
         (templates::get("pursuit").unwrap().replace("\"5 m/s\"", "\"0 m/s\""), "pursuit"),
-        (templates::get("plate-in-space").unwrap().replace("b*sin(t/3*(1 rad/s))", "b*sqrt(t/(1 s) - pi/2)"), "law"),
+        (
+            templates::get("plate-in-space")
+                .unwrap()
+                .replace("b*sin(t/3*(1 rad/s))", "b*sqrt(t/(1 s) - pi/2)"),
+            "law",
+        ),
     ] {
         let faults = read(text).and_then(|p| solve(&p.value)).unwrap_err();
         assert_eq!(faults.list[0].code, code, "{faults}");
@@ -324,7 +433,11 @@ fn all_faults_of_a_file_are_told_at_once() {
     let codes: Vec<&str> = faults.list.iter().map(|d| d.code).collect();
     // C, the unit, E, the place of D, x_B. Consequences are not faults of their own: the start of
     // D, and a_A.
-    assert_eq!(codes, ["unknown-point", "unknown-unit", "unknown-point", "no-unit", "unknown-question"], "{faults}");
+    assert_eq!(
+        codes,
+        ["unknown-point", "unknown-unit", "unknown-point", "no-unit", "unknown-question"],
+        "{faults}"
+    );
 }
 
 /// At another instant, the motion has the answers of a file with that instant; rates of an instant
@@ -335,13 +448,17 @@ fn an_instant_can_be_moved() {
         let (problem, a) = solved(templates::get(name).unwrap());
         let later = problem.at(problem.instant() + 0.25, None).unwrap();
         let b = solve_again(&later, &a).unwrap();
-        let moved = a.answers.iter().zip(&b.answers).any(|(a, b)| a.value.vector() != b.value.vector());
+        let moved =
+            a.answers.iter().zip(&b.answers).any(|(a, b)| a.value.vector() != b.value.vector());
         assert!(moved, "{name} stands still");
         let drawn = board::draw_again(&later, &board::draw(&problem).unwrap()).unwrap();
         let fresh = board::draw(&later).unwrap();
         for ((what, one), (_, other)) in drawn[0].readings.iter().zip(&fresh[0].readings) {
             let size = one.iter().map(|x| x * x).sum::<f64>().sqrt();
-            assert!(one.iter().zip(other).all(|(a, b)| (a - b).abs() <= 1e-9 * size), "{name}: {what:?}");
+            assert!(
+                one.iter().zip(other).all(|(a, b)| (a - b).abs() <= 1e-9 * size),
+                "{name}: {what:?}"
+            );
         }
     }
 }
@@ -360,12 +477,30 @@ fn answers_have_the_units_of_the_file() {
         let problem = hodograph::particle::read(&text).unwrap_or_else(|f| panic!("{f}")).value;
         let solved = hodograph::particle::solve(&problem).unwrap();
         let json = hodograph::report::particle::json(&problem, &solved, &[], 6, &[]);
-        (hodograph::report::particle::text(&problem, &solved, &[], 6, None, hodograph::scene::Lang::En), json["answers"].clone())
+        (
+            hodograph::report::particle::text(
+                &problem,
+                &solved,
+                &[],
+                6,
+                None,
+                hodograph::scene::Lang::En,
+            ),
+            json["answers"].clone(),
+        )
     };
     let (plain, si) = told(text(""));
     let (booked, same) = told(text(r#""answers": {"velocity": "km/h", "length": "ft"}, "#));
-    assert!(plain.contains("v_A  = 15.0000 m/s (x 9.00000, y 12.0000)") && plain.contains("l_AB = 50.0000 m"), "{plain}");
-    assert!(booked.contains("v_A  = 54.0000 km/h (x 32.4000, y 43.2000)") && booked.contains("l_AB = 164.042 ft"), "{booked}");
+    assert!(
+        plain.contains("v_A  = 15.0000 m/s (x 9.00000, y 12.0000)")
+            && plain.contains("l_AB = 50.0000 m"),
+        "{plain}"
+    );
+    assert!(
+        booked.contains("v_A  = 54.0000 km/h (x 32.4000, y 43.2000)")
+            && booked.contains("l_AB = 164.042 ft"),
+        "{booked}"
+    );
     assert_eq!(si, same);
 }
 
@@ -398,19 +533,30 @@ fn two_points_are_seen_from_one_another() {
     let (t, h) = (4.0, 1e-3);
     let at = |t: f64| {
         let (problem, solved) = solved(&text(t));
-        let value = |find: &str| &solved.answers[problem.find.iter().position(|f| f.text == find).unwrap()].value;
+        let value = |find: &str| {
+            &solved.answers[problem.find.iter().position(|f| f.text == find).unwrap()].value
+        };
         let vector = |find: &str| value(find).vector().unwrap();
         let scalar = |find: &str| value(find).scalar().unwrap_or(0.0);
         let off = |a: &str, b: &str| [0, 1].map(|k| vector(a)[k] - vector(b)[k]);
         let all = ["vr_A/B", "ar_A/B", "vr_D/B", "r_P", "r_Q", "a_P", "a_Q"].map(vector);
-        ([off("r_A", "r_B"), off("r_D", "r_B")], ["l_AB", "omega_AB", "l_DB", "l_PQ"].map(scalar), all)
+        (
+            [off("r_A", "r_B"), off("r_D", "r_B")],
+            ["l_AB", "omega_AB", "l_DB", "l_PQ"].map(scalar),
+            all,
+        )
     };
-    let ([before, ..], ([d, e], [l, omega, far, none], [v, a, w, p, q, pp, qq]), [after, ..]) = ([at(t - h).0], at(t), [at(t + h).0]);
+    let ([before, ..], ([d, e], [l, omega, far, none], [v, a, w, p, q, pp, qq]), [after, ..]) =
+        ([at(t - h).0], at(t), [at(t + h).0]);
     let near = |a: f64, b: f64, off: f64| assert!((a - b).abs() < off, "{a} {b}");
     near(l, d[0].hypot(d[1]), 1e-12);
     near(far, e[0].hypot(e[1]), 1e-9);
     near(none, 0.0, 1e-12);
-    near(omega, (after[0][1].atan2(after[0][0]) - before[0][1].atan2(before[0][0])) / (2.0 * h), 1e-8);
+    near(
+        omega,
+        (after[0][1].atan2(after[0][0]) - before[0][1].atan2(before[0][0])) / (2.0 * h),
+        1e-8,
+    );
     for k in 0..2 {
         near(v[k], (after[0][k] - before[0][k]) / (2.0 * h), 1e-6);
         near(a[k], (after[0][k] - 2.0 * d[k] + before[0][k]) / (h * h), 1e-5);
@@ -428,11 +574,17 @@ fn what_is_calculated_is_not_drawn() {
         let drawn = board::draw(&problem).unwrap();
         let calculated = drawn.iter().all(|d| d.calculated);
         assert_eq!(calculated, !name.starts_with("pursuit"), "{name}");
-        for (lang, words, claim) in [(Lang::En, "alculated", "drawing differs by"), (Lang::Zh, "计算所得", "作图相差")] {
-            let said = report::text(&problem, &found, &drawn, 6, Some(&Notation::of_language(lang)), lang);
+        for (lang, words, claim) in
+            [(Lang::En, "alculated", "drawing differs by"), (Lang::Zh, "计算所得", "作图相差")]
+        {
+            let said =
+                report::text(&problem, &found, &drawn, 6, Some(&Notation::of_language(lang)), lang);
             assert_eq!(said.contains(words), calculated, "{name}: {said}");
             assert_eq!(said.contains(claim), !calculated, "{name}: {said}");
-            assert!(!calculated || !said.contains("measure") && !said.contains("量得"), "{name}: {said}");
+            assert!(
+                !calculated || !said.contains("measure") && !said.contains("量得"),
+                "{name}: {said}"
+            );
         }
         let json = report::json(&problem, &found, &drawn, 6, &[]);
         let any = json["answers"].as_array().unwrap().iter().any(|a| !a["drawn"].is_null());
@@ -445,15 +597,22 @@ fn what_is_calculated_is_not_drawn() {
 #[test]
 fn nothing_is_read_that_the_board_cannot_show() {
     let (mut unread, mut read_off) = (0, 0);
-    for t in (0..10).map(|k| 70.0 * f64::from(k)).chain((0..8).map(|k| 1300.0 + 50.0 * f64::from(k))).chain([1660.0, 1666.5, 1666.66]) {
-        let text = templates::get("pursuit").unwrap().replace("\"t1\": \"0 s\"", &format!("\"t1\": \"{t} s\""));
+    for t in (0..10)
+        .map(|k| 70.0 * f64::from(k))
+        .chain((0..8).map(|k| 1300.0 + 50.0 * f64::from(k)))
+        .chain([1660.0, 1666.5, 1666.66])
+    {
+        let text = templates::get("pursuit")
+            .unwrap()
+            .replace("\"t1\": \"0 s\"", &format!("\"t1\": \"{t} s\""));
         let (problem, found) = solved(&text);
         let drawn = board::draw(&problem).unwrap();
         unread += usize::from(drawn[0].unread.is_some());
         for a in &found.answers {
             let what = problem.find[a.find].what;
             let Some(read) = report::drawn(&drawn, what) else { continue };
-            let off = report::apart(&a.value, read, report::largest(&problem, &found, what)).unwrap_or(0.0);
+            let off = report::apart(&a.value, read, report::largest(&problem, &found, what))
+                .unwrap_or(0.0);
             assert!(off <= 1e-9, "{t} s: {} {off:e}", problem.find[a.find].text);
             read_off += usize::from(matches!(what, ParticleQuantity::LineOmega(_)));
         }

@@ -18,14 +18,23 @@ use wide::every;
 
 /// Templates and reference cases as scenes in JSON, by name.
 fn scenes() -> Vec<(String, String)> {
-    let mut all: Vec<(String, String)> =
-        templates::list().iter().map(|t| (t.name.to_owned(), templates::get(t.name).unwrap().to_owned())).collect();
+    let mut all: Vec<(String, String)> = templates::list()
+        .iter()
+        .map(|t| (t.name.to_owned(), templates::get(t.name).unwrap().to_owned()))
+        .collect();
     let folder = format!("{}/tests/cases", env!("CARGO_MANIFEST_DIR"));
-    let mut files: Vec<_> = std::fs::read_dir(folder).unwrap().map(|f| f.unwrap().path()).filter(|p| p.is_file()).collect();
+    let mut files: Vec<_> = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|f| f.unwrap().path())
+        .filter(|p| p.is_file())
+        .collect();
     files.sort();
     for path in files {
         let case: Json = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
-        all.push((path.file_stem().unwrap().to_string_lossy().into_owned(), case["scene"].to_string()));
+        all.push((
+            path.file_stem().unwrap().to_string_lossy().into_owned(),
+            case["scene"].to_string(),
+        ));
     }
     assert!(all.len() > 150, "{}", all.len());
     all
@@ -49,12 +58,18 @@ fn configurations_of_all_scenes_are_proved_at_the_instant_and_on_their_way() {
         broken.extend(found.first().map(|b| format!("{name}: {}", b.words.en)));
         instants += 1;
         let moving = course::over_a_turn(&scene);
-        let Some((mechanism, demand, at)) = placed(&moving).filter(|_| moving.kept_cams().next().is_none()) else { continue };
+        let Some((mechanism, demand, at)) =
+            placed(&moving).filter(|_| moving.kept_cams().next().is_none())
+        else {
+            continue;
+        };
         for driver in (0..moving.drivers.len()).filter(|d| !moving.is_led(*d)) {
             let follower = PoseFollower::new(&moving, &mechanism, &demand, &at, driver);
             for pose in follower.sweep(24).poses {
                 let found = breaches(&moving, &mechanism, &pose.configuration, Moment::Later(&at));
-                broken.extend(found.first().map(|b| format!("{name}, driver {driver} gone on by {}: {}", pose.travel, b.words.en)));
+                broken.extend(found.first().map(|b| {
+                    format!("{name}, driver {driver} gone on by {}: {}", pose.travel, b.words.en)
+                }));
                 positions += 1;
             }
         }
@@ -108,7 +123,10 @@ impl Hull {
     /// Distance of a place outside: the greatest of its distances from the support lines.
     fn distance(&self, at: Vec2) -> f64 {
         let from = |a: f64| at.dot(Vec2::from_angle(a)) - self.support(Vec2::from_angle(a));
-        let start = (0..720).map(|k| k as f64 * std::f64::consts::TAU / 720.0).max_by(|a, b| from(*a).total_cmp(&from(*b))).unwrap();
+        let start = (0..720)
+            .map(|k| k as f64 * std::f64::consts::TAU / 720.0)
+            .max_by(|a, b| from(*a).total_cmp(&from(*b)))
+            .unwrap();
         let (mut low, mut high) = (start - 0.01, start + 0.01);
         for _ in 0..80 {
             let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
@@ -134,7 +152,14 @@ fn tangent_cam(at: f64) -> Hull {
 
 /// A tangent cam with a follower in a guide at `guide` degrees, at the distance `aside` (mm) from
 /// the pivot.
-fn on_tangent_cam(at: f64, guide: f64, aside: f64, follows: &str, more: &str, find: &str) -> String {
+fn on_tangent_cam(
+    at: f64,
+    guide: f64,
+    aside: f64,
+    follows: &str,
+    more: &str,
+    find: &str,
+) -> String {
     let (x, y) = (-aside * guide.to_radians().sin(), aside * guide.to_radians().cos());
     format!(
         r#"{{"units": {{"length": "mm", "angle": "rad"}}, "links": {{"1": ["O"], "2": ["O", "Q"]}}, "ground": "1", "points": {{"O": [0, 0]}}, "lengths": {{"OQ": 30}},
@@ -146,7 +171,8 @@ fn on_tangent_cam(at: f64, guide: f64, aside: f64, follows: &str, more: &str, fi
 
 fn answer(text: &str, k: usize) -> AnswerValue {
     let scene = scene::read(text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
-    work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}\n{text}")).value.results[k].value()
+    work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}\n{text}")).value.results[k]
+        .value()
 }
 
 fn place(text: &str, k: usize) -> [f64; 2] {
@@ -165,8 +191,16 @@ fn sides(guide: f64, rising: bool) -> Vec<(&'static str, String, String)> {
     let (square, turned) = if rising { ("left", "right") } else { ("right", "left") };
     vec![
         ("face", format!(r#""face": {{"cam": "{square}"}}"#), String::new()),
-        ("face", format!(r#""face": {{"angle": "{:?} deg", "cam": "{square}"}}"#, guide + 90.0), String::new()),
-        ("face", format!(r#""face": {{"angle": "{:?} deg", "cam": "{turned}"}}"#, guide - 90.0), String::new()),
+        (
+            "face",
+            format!(r#""face": {{"angle": "{:?} deg", "cam": "{square}"}}"#, guide + 90.0),
+            String::new(),
+        ),
+        (
+            "face",
+            format!(r#""face": {{"angle": "{:?} deg", "cam": "{turned}"}}"#, guide - 90.0),
+            String::new(),
+        ),
         ("edge", r#""edge": "B""#.to_owned(), sketch.clone()),
         ("roller", r#""roller": {"pin": "B", "radius": "6 mm"}"#.to_owned(), sketch),
     ]
@@ -190,16 +224,24 @@ fn followers_keep_to_the_side_of_the_cam_that_the_scene_names() {
                         _ => tangent_cam(at).held(foot, out, 6.0),
                     };
                     let due = foot + out * reach(at);
-                    let text = on_tangent_cam(at, guide, aside, &follows, &more, r#""x_B", "y_B", "v_B""#);
+                    let text =
+                        on_tangent_cam(at, guide, aside, &follows, &more, r#""x_B", "y_B", "v_B""#);
                     let [x, y] = place(&text, 0);
                     let off = (Vec2::new(x, y) - due).norm();
-                    assert!(off < 1e-7, "{kind} at {at}, guide {guide}, rising {rising}: ({x}, {y}), not {due:?}\n{text}");
+                    assert!(
+                        off < 1e-7,
+                        "{kind} at {at}, guide {guide}, rising {rising}: ({x}, {y}), not {due:?}\n{text}"
+                    );
                     let AnswerValue::Vector(v) = answer(&text, 2) else { panic!() };
                     let h = 1e-4;
                     let rate = out * ((reach(at + h) - reach(at - h)) / (2.0 * h));
                     // Differences across a joint of the profile belong to neither side.
-                    let bends = (reach(at + h) + reach(at - h) - 2.0 * reach(at)).abs() / (h * h) > 1e3;
-                    assert!(bends || (v * 1e3 - rate).norm() < 1e-2, "{kind} at {at}: {v:?}, not {rate:?}\n{text}");
+                    let bends =
+                        (reach(at + h) + reach(at - h) - 2.0 * reach(at)).abs() / (h * h) > 1e3;
+                    assert!(
+                        bends || (v * 1e3 - rate).norm() < 1e-2,
+                        "{kind} at {at}: {v:?}, not {rate:?}\n{text}"
+                    );
                     checked += 1;
                 }
             }
@@ -215,7 +257,13 @@ fn sweeps_keep_to_that_side() {
         let scene = course::over_a_turn(&scene::read(&text).unwrap().value);
         let mechanism = Mechanism::new(&scene).unwrap().value;
         let run = PlacedScene::new(&scene, &mechanism).unwrap();
-        let table = sweep::run(&run, 0, &Stations::turned(Angle::Deg(3.0), Angle::Deg(363.0), 24), Width::Widest).unwrap();
+        let table = sweep::run(
+            &run,
+            0,
+            &Stations::turned(Angle::Deg(3.0), Angle::Deg(363.0), 24),
+            Width::Widest,
+        )
+        .unwrap();
         assert_eq!(table.rows(), 25, "{kind}");
         for k in 0..25 {
             let at = (3.0 + 15.0 * k as f64).to_radians();
@@ -234,14 +282,27 @@ fn sweeps_keep_to_that_side() {
 /// sweep of any kind, which is refused.
 #[test]
 fn sweeps_are_judged_by_samples() {
-    for name in ["crank-rocker", "double-butterfly", "slider-crank", "gear-linkage", "class-iii-six-bar"] {
+    for name in
+        ["crank-rocker", "double-butterfly", "slider-crank", "gear-linkage", "class-iii-six-bar"]
+    {
         let own = scene::read(scene::templates::get(name).unwrap()).unwrap().value;
         let mechanism = Mechanism::new(&own).unwrap().value;
         let PlacedScene { demand, at, .. } = PlacedScene::new(&own, &mechanism).unwrap();
         let mut stated = own.clone();
         stated.lengths.last_mut().unwrap().value.value *= 1.0 + 1e-6;
-        let placed = PlacedScene { scene: &stated, mechanism: &mechanism, demand, at, ends: TravelEnds::default() };
-        let told = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 90), Width::Widest);
+        let placed = PlacedScene {
+            scene: &stated,
+            mechanism: &mechanism,
+            demand,
+            at,
+            ends: TravelEnds::default(),
+        };
+        let told = sweep::run(
+            &placed,
+            0,
+            &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 90),
+            Width::Widest,
+        );
         // Rows without a compiled program are refused one by one.
         assert!(told.map_or_else(|f| is_unproven(&f), |table| table.rows() == 0), "{name}");
     }
@@ -260,12 +321,20 @@ fn a_law_goes_out_on_the_side_that_the_scene_names() {
     for at in [0.0, 37.0, 100.0, 150.0, 250.0, 355.0] {
         for (up, down, more) in [
             (r#""face": {"cam": "left"}"#, r#""face": {"cam": "right"}"#, ["", ""]),
-            (r#""edge": "B""#, r#""edge": "B""#, [r#", "sketch": {"B": [0, 50]}"#, r#", "sketch": {"B": [0, -50]}"#]),
+            (
+                r#""edge": "B""#,
+                r#""edge": "B""#,
+                [r#", "sketch": {"B": [0, 50]}"#, r#", "sketch": {"B": [0, -50]}"#],
+            ),
         ] {
             let (up, down) = (scene(up, more[0], at), scene(down, more[1], at));
             assert!((place(&up, 0)[1] + place(&down, 0)[1]).abs() < 1e-9, "{at}: {up}");
             for k in [2, 3] {
-                let (AnswerValue::Vector(a), AnswerValue::Vector(b)) = (answer(&up, k), answer(&down, k)) else { panic!() };
+                let (AnswerValue::Vector(a), AnswerValue::Vector(b)) =
+                    (answer(&up, k), answer(&down, k))
+                else {
+                    panic!()
+                };
                 assert!((a + b).norm() <= 1e-9 * a.norm(), "{at}: {a:?} {b:?}");
             }
         }
@@ -278,7 +347,11 @@ fn a_law_goes_out_on_the_side_that_the_scene_names() {
 fn a_yoke_on_a_cam_of_constant_breadth_is_one_mechanism_in_any_order() {
     let arcs = r#"[{"centre": "O", "radius": "10 mm"}, {"centre": "V", "radius": "70 mm"}, {"centre": "W", "radius": "10 mm"},
         {"centre": "O", "radius": "70 mm"}, {"centre": "V", "radius": "10 mm"}, {"centre": "W", "radius": "70 mm"}]"#;
-    let cam = |face: &str| format!(r#"{{"cam": "2", "follower": "3", "face": {{"angle": "0 deg", {face}}}, "profile": {arcs}}}"#);
+    let cam = |face: &str| {
+        format!(
+            r#"{{"cam": "2", "follower": "3", "face": {{"angle": "0 deg", {face}}}, "profile": {arcs}}}"#
+        )
+    };
     let scene = |cams: &[&str], at: f64| {
         let corner = |a: f64| format!(r#"["60 mm*cos({a:?} deg)", "60 mm*sin({a:?} deg)"]"#);
         let cams: Vec<String> = cams.iter().map(|face| cam(face)).collect();
@@ -291,7 +364,8 @@ fn a_yoke_on_a_cam_of_constant_breadth_is_one_mechanism_in_any_order() {
         )
     };
     let (below, above) = (r#""cam": "left""#, r#""cam": "right""#);
-    let (and_above, and_below) = (r#""cam": "right", "offset": "80 mm""#, r#""cam": "left", "offset": "-80 mm""#);
+    let (and_above, and_below) =
+        (r#""cam": "right", "offset": "80 mm""#, r#""cam": "left", "offset": "-80 mm""#);
     for at in [5.0, 15.0, 47.0, 100.0, 200.0, 290.0] {
         let y = |cams: &[&str]| place(&scene(cams, at), 0)[1];
         let (low, high) = (y(&[below]), y(&[above]));
@@ -310,7 +384,8 @@ struct Dice(u64);
 
 impl Dice {
     fn below(&mut self, n: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) as usize % n
     }
 
@@ -330,12 +405,19 @@ fn in_another_order(scene: &Json, dice: &mut Dice) -> Json {
     let numbered = scene["find"].to_string().contains("_b");
     let mixed = |key: &str, value: &Json, dice: &mut Dice| match (key, value) {
         ("driver", drivers) if numbered => drivers.clone(),
-        ("parameters" | "links" | "points" | "lengths" | "side" | "sketch" | "units", Json::Object(entries)) => {
-            Json::Object(dice.shuffled(entries.iter().map(|(k, v)| (k.clone(), v.clone())).collect()).into_iter().collect())
-        }
-        ("guides" | "cams" | "gears" | "wheels" | "ropes" | "belts" | "chains" | "find" | "driver", Json::Array(entries)) => {
-            Json::Array(dice.shuffled(entries.clone()))
-        }
+        (
+            "parameters" | "links" | "points" | "lengths" | "side" | "sketch" | "units",
+            Json::Object(entries),
+        ) => Json::Object(
+            dice.shuffled(entries.iter().map(|(k, v)| (k.clone(), v.clone())).collect())
+                .into_iter()
+                .collect(),
+        ),
+        (
+            "guides" | "cams" | "gears" | "wheels" | "ropes" | "belts" | "chains" | "find"
+            | "driver",
+            Json::Array(entries),
+        ) => Json::Array(dice.shuffled(entries.clone())),
         (_, other) => other.clone(),
     };
     let entries = keys.iter().map(|(k, v)| (k.clone(), mixed(k, v, dice))).collect();
@@ -346,7 +428,8 @@ fn in_another_order(scene: &Json, dice: &mut Dice) -> Json {
 fn answers(text: &str) -> Option<Vec<(String, AnswerValue)>> {
     let scene = scene::read(text).ok()?.value;
     let worked = work(&scene, Scope::Questions).ok()?.value;
-    let mut all: Vec<(String, AnswerValue)> = worked.results.iter().map(|r| (scene.find[r.find].text.clone(), r.value())).collect();
+    let mut all: Vec<(String, AnswerValue)> =
+        worked.results.iter().map(|r| (scene.find[r.find].text.clone(), r.value())).collect();
     all.sort_by(|a, b| a.0.cmp(&b.0));
     Some(all)
 }
@@ -360,16 +443,24 @@ fn the_order_of_entries_does_not_matter() {
         let scene: Json = serde_json::from_str(&text).unwrap_or_else(|e| panic!("{name}: {e}"));
         for _ in 0..2 {
             let mixed = in_another_order(&scene, &mut dice).to_string();
-            let other = answers(&mixed).unwrap_or_else(|| panic!("{name} is refused in another order:\n{mixed}"));
+            let other = answers(&mixed)
+                .unwrap_or_else(|| panic!("{name} is refused in another order:\n{mixed}"));
             assert_eq!(first.len(), other.len(), "{name}:\n{mixed}");
             for ((find, a), (_, b)) in first.iter().zip(&other) {
                 let (off, size) = match (a, b) {
                     (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => ((a - b).abs(), a.abs()),
-                    (AnswerValue::Vector(a), AnswerValue::Vector(b)) => ((*a - *b).norm(), a.norm()),
-                    (AnswerValue::Point(a), AnswerValue::Point(b)) => (a.distance(*b), a.distance(Point::ORIGIN)),
+                    (AnswerValue::Vector(a), AnswerValue::Vector(b)) => {
+                        ((*a - *b).norm(), a.norm())
+                    }
+                    (AnswerValue::Point(a), AnswerValue::Point(b)) => {
+                        (a.distance(*b), a.distance(Point::ORIGIN))
+                    }
                     (a, b) => panic!("{name}, {find}: {a:?} {b:?}"),
                 };
-                assert!(off <= 1e-6 * size.max(1e-6), "{name}, {find}: {a:?}, in another order {b:?}\n{mixed}");
+                assert!(
+                    off <= 1e-6 * size.max(1e-6),
+                    "{name}, {find}: {a:?}, in another order {b:?}\n{mixed}"
+                );
                 compared += 1;
             }
         }
@@ -385,9 +476,17 @@ fn parameters_may_name_later_ones_but_not_themselves() {
             "driver": {{"link": "2", "angle": "10 deg", "omega": "1 rad/s"}}, "find": ["v_A"]}}"#
         )
     };
-    assert_eq!(answer(&scene(r#""b": "2*a", "a": "3 mm""#), 0), answer(&scene(r#""a": "3 mm", "b": "2*a""#), 0));
+    assert_eq!(
+        answer(&scene(r#""b": "2*a", "a": "3 mm""#), 0),
+        answer(&scene(r#""a": "3 mm", "b": "2*a""#), 0)
+    );
     let faults = scene::read(scene(r#""b": "2*a", "a": "b/2", "c": "a""#)).unwrap_err();
-    let circular: Vec<&str> = faults.list.iter().filter(|d| d.code == "circular-parameter").map(|d| d.message.en.as_str()).collect();
+    let circular: Vec<&str> = faults
+        .list
+        .iter()
+        .filter(|d| d.code == "circular-parameter")
+        .map(|d| d.message.en.as_str())
+        .collect();
     assert_eq!(circular.len(), 3, "{faults}");
     assert!(circular[0].contains("`b` rests on itself, by way of a"), "{circular:?}");
 }

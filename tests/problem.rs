@@ -5,7 +5,8 @@ use hodograph::diag::Severity;
 use hodograph::figure::list::Extras;
 use hodograph::mechanism::Mechanism;
 use hodograph::problem::{
-    Extent, Kind, Lesson, Look, Options, Pictures, Problem, Verdict, Wish, included, read, read_as, solve, templates,
+    Extent, Kind, Lesson, Look, Options, Pictures, Problem, Verdict, Wish, included, read, read_as,
+    solve, templates,
 };
 use hodograph::scene::{Lang, Swept};
 use hodograph::sweep::{self, PlacedScene, Stations, Width};
@@ -36,7 +37,8 @@ fn templates_of_all_kinds_take_the_same_calls() {
     for t in templates::all().iter().step_by(3) {
         let problem = problem(t.name);
         assert_eq!(problem.kind(), t.kind, "{}", t.name);
-        let solved = solve(&problem, &Options::with_figures()).unwrap_or_else(|f| panic!("{}: {f}", t.name));
+        let solved =
+            solve(&problem, &Options::with_figures()).unwrap_or_else(|f| panic!("{}: {f}", t.name));
         let (text, json) = (solved.text(&look, true), solved.json(&look, true, &solved.notes));
         let answers = solved.answers(&look);
         assert_eq!(answers.len(), json["answers"].as_array().map_or(0, Vec::len), "{}", t.name);
@@ -49,12 +51,25 @@ fn templates_of_all_kinds_take_the_same_calls() {
         assert_ne!(solved.verdict(), Verdict::Disagree, "{}", t.name);
         assert_eq!(solved.mechanism().is_some(), t.kind == Kind::Scene, "{}", t.name);
         assert_eq!(solved.design().is_some(), t.kind == Kind::Task, "{}", t.name);
-        let pages = solved.figures(&Pictures::default(), &look).unwrap_or_else(|f| panic!("{}: {f}", t.name)).value;
+        let pages = solved
+            .figures(&Pictures::default(), &look)
+            .unwrap_or_else(|f| panic!("{}: {f}", t.name))
+            .value;
         assert!(!pages.is_empty() && pages.iter().all(|(_, f)| !f.items.is_empty()), "{}", t.name);
-        let document = solved.worksheet(WorksheetSides::Both, None, &Look { lang: Some(Lang::Zh), ..look.clone() });
-        assert!(document.unwrap_or_else(|f| panic!("{}: {f}", t.name)).blocks.len() > 2, "{}", t.name);
+        let document = solved.worksheet(
+            WorksheetSides::Both,
+            None,
+            &Look { lang: Some(Lang::Zh), ..look.clone() },
+        );
+        assert!(
+            document.unwrap_or_else(|f| panic!("{}: {f}", t.name)).blocks.len() > 2,
+            "{}",
+            t.name
+        );
         if !kinds.contains(&t.kind) {
-            let page = solved.lesson(&Lesson { positions: 8, ..Lesson::default() }, &look).unwrap_or_else(|f| panic!("{}: {f}", t.name));
+            let page = solved
+                .lesson(&Lesson { positions: 8, ..Lesson::default() }, &look)
+                .unwrap_or_else(|f| panic!("{}: {f}", t.name));
             assert!(page.value.starts_with("<!DOCTYPE html>"), "{}", t.name);
             kinds.push(t.kind);
         }
@@ -65,10 +80,15 @@ fn templates_of_all_kinds_take_the_same_calls() {
 /// A binding gets answers and figures of each kind of file by one call.
 #[test]
 fn a_binding_takes_files_of_all_kinds() {
-    for (name, has) in [("shaper", "omega_3"), ("time-ratio", "candidates"), ("pursuit", "answers")] {
-        let (json, figures) = binding::answers(&templates::text(name, &[]).unwrap()).unwrap_or_else(|f| panic!("{name}: {f}"));
+    for (name, has) in [("shaper", "omega_3"), ("time-ratio", "candidates"), ("pursuit", "answers")]
+    {
+        let (json, figures) = binding::answers(&templates::text(name, &[]).unwrap())
+            .unwrap_or_else(|f| panic!("{name}: {f}"));
         assert!(json.contains(has), "{name}: {json}");
-        assert!(!figures.is_empty() && figures.iter().all(|(_, svg)| svg.starts_with("<svg")), "{name}");
+        assert!(
+            !figures.is_empty() && figures.iter().all(|(_, svg)| svg.starts_with("<svg")),
+            "{name}"
+        );
     }
 }
 
@@ -80,7 +100,11 @@ fn the_program_prints_the_text_of_the_library() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("s.json");
         std::fs::write(&path, templates::text(name, &[]).unwrap()).unwrap();
-        let out = Command::new(env!("CARGO_BIN_EXE_hodograph")).args(["solve", "--steps", "--lang", "en"]).arg(&path).output().unwrap();
+        let out = Command::new(env!("CARGO_BIN_EXE_hodograph"))
+            .args(["solve", "--steps", "--lang", "en"])
+            .arg(&path)
+            .output()
+            .unwrap();
         let look = Look { lang: Some(Lang::En), ..Look::default() };
         assert_eq!(String::from_utf8(out.stdout).unwrap(), solved.text(&look, true), "{name}");
     }
@@ -105,7 +129,12 @@ fn kinds_refuse_with_a_way_out() {
     for kind in [Kind::Scene, Kind::Task, Kind::Motion] {
         for wish in wishes {
             let Err(d) = kind.grants(wish) else { continue };
-            assert!(d.severity == Severity::Error && d.help.is_some() && d.english_in_chinese().is_none(), "{kind:?} {wish:?}: {d:?}");
+            assert!(
+                d.severity == Severity::Error
+                    && d.help.is_some()
+                    && d.english_in_chinese().is_none(),
+                "{kind:?} {wish:?}: {d:?}"
+            );
             refused += 1;
         }
     }
@@ -118,7 +147,9 @@ fn kinds_refuse_with_a_way_out() {
 #[test]
 fn a_lesson_moves_only_what_moves_by_itself() {
     for name in ["cam-valve-train", "cam-offset-roller", "crank-rocker", "five-bar"] {
-        let solved = solve(&problem(name), &Options { whole_motion: true, ..Options::with_figures() }).unwrap();
+        let solved =
+            solve(&problem(name), &Options { whole_motion: true, ..Options::with_figures() })
+                .unwrap();
         let (scene, _) = solved.mechanism().unwrap();
         for driver in 0..=scene.drivers.len() {
             let moved = driver < scene.drivers.len() && !scene.is_led(driver);
@@ -134,16 +165,23 @@ fn a_lesson_moves_only_what_moves_by_itself() {
 #[test]
 fn lessons_of_cams_are_made() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cases");
-    let texts = std::fs::read_dir(folder).unwrap().map(|f| std::fs::read_to_string(f.unwrap().path()).unwrap());
+    let texts = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|f| std::fs::read_to_string(f.unwrap().path()).unwrap());
     let (mut made, mut ended) = (0, 0);
     let mut texts: Vec<String> = texts.filter(|t| t.contains("\"cams\"")).collect();
     texts.sort();
     // Cams that touch a coupler, with the most different frames, and a part of the others.
-    let (couplers, others): (Vec<&String>, Vec<&String>) = texts.iter().partition(|t| t.contains("\"case\": \"jet-"));
+    let (couplers, others): (Vec<&String>, Vec<&String>) =
+        texts.iter().partition(|t| t.contains("\"case\": \"jet-"));
     for text in couplers.into_iter().chain(others.into_iter().step_by(wide::every(8))) {
         let scene = serde_json::from_str::<serde_json::Value>(text).unwrap()["scene"].to_string();
         let Ok(problem) = read(&scene) else { continue };
-        let Ok(solved) = solve(&problem.value, &Options { whole_motion: true, ..Options::with_figures() }) else { continue };
+        let Ok(solved) =
+            solve(&problem.value, &Options { whole_motion: true, ..Options::with_figures() })
+        else {
+            continue;
+        };
         let lesson = Lesson { positions: 8, ..Lesson::default() };
         if let Ok(page) = solved.lesson(&lesson, &Look::default()) {
             made += 1;
@@ -156,7 +194,8 @@ fn lessons_of_cams_are_made() {
 /// A missing candidate is named; a pose needs no rate; a task takes the scene that it names.
 #[test]
 fn options_are_checked() {
-    let faults = solve(&problem("body"), &Options { candidate: 99, ..Options::default() }).unwrap_err();
+    let faults =
+        solve(&problem("body"), &Options { candidate: 99, ..Options::default() }).unwrap_err();
     assert_eq!(faults.list[0].code, "no-candidate");
     let still = r#"{"links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"]}, "ground": "1",
         "points": {"A": [0, 0], "B": ["30 mm", "40 mm"], "C": ["120 mm", "60 mm"], "D": ["100 mm", 0]}, "find": ["P_24"]}"#;
@@ -164,12 +203,24 @@ fn options_are_checked() {
     assert_eq!(solve(&posed, &Options::default()).unwrap().answers(&Look::default()).len(), 1);
     let task = br#"{"synthesis": "cognates", "scene": "linkage.json"}"#.to_vec();
     let whole = included(task.clone(), |name| Ok(format!("\"{name} read\"").into_bytes())).unwrap();
-    assert_eq!(String::from_utf8(whole).unwrap(), r#"{"synthesis": "cognates", "scene": "linkage.json read"}"#);
+    assert_eq!(
+        String::from_utf8(whole).unwrap(),
+        r#"{"synthesis": "cognates", "scene": "linkage.json read"}"#
+    );
     let scene = templates::text("shaper", &[]).unwrap().into_bytes();
     assert_eq!(included(scene.clone(), |_| unreachable!()).unwrap(), scene);
     let extras = Extras { poses: 3, ..Extras::default() };
-    let shaper = solve(&problem("shaper"), &Options { whole_motion: true, ..Options::with_figures() }).unwrap();
-    assert_eq!(shaper.figures(&Pictures { extras, ..Pictures::default() }, &Look::default()).unwrap().value.len(), 1);
+    let shaper =
+        solve(&problem("shaper"), &Options { whole_motion: true, ..Options::with_figures() })
+            .unwrap();
+    assert_eq!(
+        shaper
+            .figures(&Pictures { extras, ..Pictures::default() }, &Look::default())
+            .unwrap()
+            .value
+            .len(),
+        1
+    );
 }
 
 /// Answers can be sent between threads, as services and bindings need.
@@ -187,7 +238,15 @@ fn a_budget_stops_every_computation() {
     let later = Budget::default().until(Instant::now() + Duration::from_secs(3600));
     let look = Look::default();
     let mut tried = 0;
-    for name in ["crank-rocker", "jansen-leg", "cam-offset-roller", "plate-by-law", "path", "body", "pursuit"] {
+    for name in [
+        "crank-rocker",
+        "jansen-leg",
+        "cam-offset-roller",
+        "plate-by-law",
+        "path",
+        "body",
+        "pursuit",
+    ] {
         let problem = problem(name);
         let solved = later.run(|| solve(&problem, &Options::with_figures()).unwrap()).unwrap();
         let lesson = Lesson { positions: 6, ..Lesson::default() };

@@ -33,7 +33,9 @@ fn known() -> [CouplerLinkage; 3] {
 }
 
 fn places(l: &CouplerLinkage) -> Vec<Point> {
-    (0..PLACES).map(|k| l.place(std::f64::consts::TAU * k as f64 / PLACES as f64).unwrap().e).collect()
+    (0..PLACES)
+        .map(|k| l.place(std::f64::consts::TAU * k as f64 / PLACES as f64).unwrap().e)
+        .collect()
 }
 
 /// Asserts that every seed finds a curve through all places. (The linkage itself and its cognates
@@ -42,7 +44,12 @@ fn found_by_every_seed(l: &CouplerLinkage) {
     let (start, points) = (Instant::now(), places(l));
     for seed in (1..=SEEDS).step_by(every(8)) {
         let found = search(&points, seed);
-        assert!(found.fits[0].rms < 1e-9, "{l:?}, seed {seed}: {} after {} runs", found.fits[0].rms, found.runs);
+        assert!(
+            found.fits[0].rms < 1e-9,
+            "{l:?}, seed {seed}: {} after {} runs",
+            found.fits[0].rms,
+            found.runs
+        );
         assert!(start.elapsed() < BOUND, "{SEEDS} seeds take more than {BOUND:?}");
     }
 }
@@ -64,14 +71,26 @@ fn a_crossed_linkage_is_found_by_every_seed() {
 
 /// True if two searches agree bit for bit, including evaluations and runs.
 fn same(a: &Search, b: &Search) -> bool {
-    let bits = |s: &Search| s.fits.iter().flat_map(|f| f.linkage.lengths.into_iter().chain([f.rms])).map(f64::to_bits).collect::<Vec<_>>();
+    let bits = |s: &Search| {
+        s.fits
+            .iter()
+            .flat_map(|f| f.linkage.lengths.into_iter().chain([f.rms]))
+            .map(f64::to_bits)
+            .collect::<Vec<_>>()
+    };
     bits(a) == bits(b) && a.evaluations == b.evaluations && a.runs == b.runs
 }
 
 #[test]
 fn any_number_of_threads_finds_the_same_bytes() {
     let points = places(&known()[0]);
-    let on = |threads: usize| rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(|| search(&points, 3));
+    let on = |threads: usize| {
+        rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap()
+            .install(|| search(&points, 3))
+    };
     let alone = on(1);
     for threads in [2, 3, 8] {
         assert!(same(&alone, &on(threads)), "{threads} threads");

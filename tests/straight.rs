@@ -1,4 +1,5 @@
-//! Cognates and straight-line linkages against reference values, and cognates of random linkages against their own sweep.
+//! Cognates and straight-line linkages against reference values, and cognates of random linkages
+//! against their own sweep.
 
 #![allow(clippy::excessive_precision)] // The digits of the reference.
 use hodograph::synthesis::{Design, DesignCandidate, read, solve};
@@ -18,7 +19,8 @@ const FOUR_BAR: &str = r#"{"units": {"length": "mm", "angle": "deg"}, "links": {
 
 #[test]
 fn cognates_of_the_reference_case() {
-    let design = design(&format!(r#"{{"synthesis": "cognates", "scene": {FOUR_BAR}, "point": "E"}}"#));
+    let design =
+        design(&format!(r#"{{"synthesis": "cognates", "scene": {FOUR_BAR}, "point": "E"}}"#));
     let number = |name: &str| design.numbers.iter().find(|n| n.name == name).unwrap().value * 1e3;
     for (name, exact) in [
         ("F_x", 156.96),
@@ -34,10 +36,13 @@ fn cognates_of_the_reference_case() {
     ] {
         near(number(name), exact, 100.0, name);
     }
-    let lengths = |c: &DesignCandidate| ["AB", "BC", "CD", "BE", "CE"].map(|n| c.number(n).unwrap() * 1e3);
+    let lengths =
+        |c: &DesignCandidate| ["AB", "BC", "CD", "BE", "CE"].map(|n| c.number(n).unwrap() * 1e3);
     let all: Vec<[f64; 5]> = ["given", "left", "right"]
         .iter()
-        .map(|which| lengths(design.candidates.iter().find(|c| c.draft.which.en.contains(which)).unwrap()))
+        .map(|which| {
+            lengths(design.candidates.iter().find(|c| c.draft.which.en.contains(which)).unwrap())
+        })
         .collect();
     // A A1, A1 P1, P1 F, E A1, E P1; and F P2, P2 D1, D1 D, E P2, E D1.
     for (got, exact) in all[1].iter().zip([150.0, 60.0, 120.0, 100.0, 56.0]) {
@@ -49,7 +54,11 @@ fn cognates_of_the_reference_case() {
     // The scene of the right one, swept, moves E through all positions of the given one.
     let right = design.candidates.iter().find(|c| c.draft.which.en.contains("right")).unwrap();
     assert_eq!(right.draft.wanted.len(), 8);
-    assert!(right.judged.defects.is_empty() && right.judged.rotates && right.judged.off_m < 1e-12, "{:?}", right.judged);
+    assert!(
+        right.judged.defects.is_empty() && right.judged.rotates && right.judged.off_m < 1e-12,
+        "{:?}",
+        right.judged
+    );
 }
 
 /// Random four-bars: the cognate with the same crank rotation traces every point that the given one
@@ -63,7 +72,8 @@ fn cognates_of_random_linkages_carry_the_same_curve() {
     };
     let mut seen = 0;
     for _ in 0..30 {
-        let (ab, bc, cd, ad) = (random(20.0, 40.0), random(80.0, 120.0), random(70.0, 110.0), random(90.0, 120.0));
+        let (ab, bc, cd, ad) =
+            (random(20.0, 40.0), random(80.0, 120.0), random(70.0, 110.0), random(90.0, 120.0));
         let (x, y, angle) = (random(20.0, 90.0), random(-60.0, 60.0), random(0.0, 360.0));
         let scene = format!(
             r#"{{"units": {{"length": "mm", "angle": "deg"}}, "links": {{"1": ["A", "B"], "2": ["B", "C", "E"], "3": ["D", "C"], "4": ["A", "D"]}},
@@ -71,10 +81,20 @@ fn cognates_of_random_linkages_carry_the_same_curve() {
             "side": {{"C": "left of BD"}}, "driver": {{"link": "1", "angle": {angle}, "omega": "1 rad/s"}}, "find": ["v_E"]}}"#
         );
         let design = design(&format!(r#"{{"synthesis": "cognates", "scene": {scene}}}"#));
-        let turns = design.candidates.iter().find(|c| c.draft.which.en.contains("given")).unwrap().judged.rotates;
+        let turns = design
+            .candidates
+            .iter()
+            .find(|c| c.draft.which.en.contains("given"))
+            .unwrap()
+            .judged
+            .rotates;
         let right = design.candidates.iter().find(|c| c.draft.which.en.contains("right")).unwrap();
         if turns {
-            assert!(right.judged.rotates && right.judged.defects.is_empty(), "{scene}\n{:?}", right.judged);
+            assert!(
+                right.judged.rotates && right.judged.defects.is_empty(),
+                "{scene}\n{:?}",
+                right.judged
+            );
             assert!(right.judged.off_m < 1e-11 * right.judged.size_m, "{:?}", right.judged);
             seen += 1;
         }
@@ -91,9 +111,12 @@ fn hoeken_by_the_reference_case() {
     near(of("length"), 4.0, 4.0, "length");
     near(of("least"), 4.0, 4.0, "least");
     near(of("greatest"), 4.0097537330863600058, 4.0, "greatest");
-    assert!(c.judged.defects.is_empty() && c.judged.rotates && c.judged.off_m < 1e-12 * c.judged.size_m);
-    let made =
-        design(r#"{"synthesis": "straight-line", "linkage": "hoeken", "length": "4.6378487100506737047 m", "ratios": [2.975, 3.963]}"#);
+    assert!(
+        c.judged.defects.is_empty() && c.judged.rotates && c.judged.off_m < 1e-12 * c.judged.size_m
+    );
+    let made = design(
+        r#"{"synthesis": "straight-line", "linkage": "hoeken", "length": "4.6378487100506737047 m", "ratios": [2.975, 3.963]}"#,
+    );
     let of = |name: &str| made.candidates[0].number(name).unwrap();
     near(of("AB"), 1.0, 1.0, "crank");
     near(of("least"), 6.8571684950489790280, 7.0, "least");
@@ -108,16 +131,23 @@ fn place(c: &DesignCandidate, degrees: f64) -> [f64; 2] {
     let scene = hodograph::scene::read_asking(c.scene_text(), "x_E, y_E").unwrap().value;
     let m = Mechanism::new(&scene).unwrap().value;
     let placed = PlacedScene::new(&scene, &m).unwrap();
-    let table = run(&placed, 0, &Stations::of_values(vec![degrees.to_radians()], 1.0), Width::One).unwrap();
+    let table =
+        run(&placed, 0, &Stations::of_values(vec![degrees.to_radians()], 1.0), Width::One).unwrap();
     ["x_E", "y_E"].map(|n| table.column(n).unwrap().values[0])
 }
 
 #[test]
 fn watt_and_peaucellier_by_the_reference_cases() {
     let unit = 2.0 * 1.3114319190192082402;
-    let exact = design(&format!(r#"{{"synthesis": "straight-line", "linkage": "peaucellier", "length": "{unit} m", "swing": "40 deg"}}"#));
+    let exact = design(&format!(
+        r#"{{"synthesis": "straight-line", "linkage": "peaucellier", "length": "{unit} m", "swing": "40 deg"}}"#
+    ));
     let c = &exact.candidates[0];
-    for (angle, y) in [(20.0, 1.3114319190192082402), (45.0, 3.0807133701498944255), (-30.0, -1.9928721187064751294)] {
+    for (angle, y) in [
+        (20.0, 1.3114319190192082402),
+        (45.0, 3.0807133701498944255),
+        (-30.0, -1.9928721187064751294),
+    ] {
         let at = place(c, angle);
         near(at[0], 7.4375, 1.0, "x");
         near(at[1], y, 1.0, "y");
@@ -144,10 +174,13 @@ fn watt_and_peaucellier_by_the_reference_cases() {
 #[test]
 fn the_others_have_the_wanted_length() {
     for (name, relative) in [("chebyshev", 0.02), ("scott-russell", 1e-12)] {
-        let made = design(&format!(r#"{{"synthesis": "straight-line", "linkage": "{name}", "length": "200 mm"}}"#));
+        let made = design(&format!(
+            r#"{{"synthesis": "straight-line", "linkage": "{name}", "length": "200 mm"}}"#
+        ));
         let c = &made.candidates[0];
         assert!(
-            (c.number("length").unwrap() - 0.2).abs() < 1e-6 && c.number("relative").unwrap() < relative,
+            (c.number("length").unwrap() - 0.2).abs() < 1e-6
+                && c.number("relative").unwrap() < relative,
             "{name}: {:?}",
             c.draft.numbers
         );
@@ -158,10 +191,22 @@ fn the_others_have_the_wanted_length() {
 #[test]
 fn bad_wishes_are_told() {
     for (task, code) in [
-        (r#"{"synthesis": "straight-line", "linkage": "hoecken", "length": "1 m"}"#, "unknown-word"),
-        (r#"{"synthesis": "straight-line", "linkage": "hoeken", "length": "1 m", "ratios": [4, 2]}"#, "out-of-range"),
-        (r#"{"synthesis": "straight-line", "linkage": "hoeken", "length": "1 m", "swing": "20 deg"}"#, "out-of-range"),
-        (r#"{"synthesis": "straight-line", "linkage": "watt", "length": "1 m", "swing": "200 deg"}"#, "out-of-range"),
+        (
+            r#"{"synthesis": "straight-line", "linkage": "hoecken", "length": "1 m"}"#,
+            "unknown-word",
+        ),
+        (
+            r#"{"synthesis": "straight-line", "linkage": "hoeken", "length": "1 m", "ratios": [4, 2]}"#,
+            "out-of-range",
+        ),
+        (
+            r#"{"synthesis": "straight-line", "linkage": "hoeken", "length": "1 m", "swing": "20 deg"}"#,
+            "out-of-range",
+        ),
+        (
+            r#"{"synthesis": "straight-line", "linkage": "watt", "length": "1 m", "swing": "200 deg"}"#,
+            "out-of-range",
+        ),
         (r#"{"synthesis": "straight-line", "linkage": "watt", "length": "-1 m"}"#, "not-positive"),
         (r#"{"synthesis": "cognates", "scene": "slider-crank"}"#, "not-a-four-bar"),
         (r#"{"synthesis": "cognates", "scene": "no-such"}"#, "unknown-template"),
@@ -170,7 +215,13 @@ fn bad_wishes_are_told() {
         (r#"{"synthesis": "cognates", "scene": [1]}"#, "wrong-type"),
     ] {
         let faults = read(task).map(|_| ()).unwrap_err();
-        assert!(faults.list.iter().all(|d| d.span.is_some() && d.english_in_chinese().is_none()), "{task}: {faults:?}");
-        assert!(faults.list.iter().any(|d| d.code == code) || code == "missing-key", "{task}: {faults:?}");
+        assert!(
+            faults.list.iter().all(|d| d.span.is_some() && d.english_in_chinese().is_none()),
+            "{task}: {faults:?}"
+        );
+        assert!(
+            faults.list.iter().any(|d| d.code == code) || code == "missing-key",
+            "{task}: {faults:?}"
+        );
     }
 }

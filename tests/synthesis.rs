@@ -19,7 +19,11 @@ fn number(design: &Design, c: &DesignCandidate, name: &str) -> Option<f64> {
 }
 
 /// The deviations of a candidate from the answers, divided by the tolerance.
-fn off(design: &Design, c: &DesignCandidate, wanted: &serde_json::Map<String, Json>) -> Vec<(String, f64)> {
+fn off(
+    design: &Design,
+    c: &DesignCandidate,
+    wanted: &serde_json::Map<String, Json>,
+) -> Vec<(String, f64)> {
     let scale = wanted.values().filter_map(Json::as_f64).map(f64::abs).fold(0.0, f64::max);
     let of = |(name, exact): (&String, &Json)| {
         let exact = exact.as_f64().unwrap();
@@ -52,7 +56,10 @@ fn met(cases: &[Json]) {
         let wanted = case["numbers"].as_object().unwrap();
         let tolerance = case["tolerance"].as_f64().unwrap();
         let worst = |c: &DesignCandidate| {
-            off(&design, c, wanted).iter().map(|o| if o.1.is_nan() { f64::INFINITY } else { o.1 }).fold(0.0, f64::max)
+            off(&design, c, wanted)
+                .iter()
+                .map(|o| if o.1.is_nan() { f64::INFINITY } else { o.1 })
+                .fold(0.0, f64::max)
         };
         let best = design.candidates.iter().min_by(|a, b| worst(a).total_cmp(&worst(b))).unwrap();
         assert!(worst(best) <= tolerance, "{id}: {:?}", off(&design, best, wanted));
@@ -68,17 +75,21 @@ fn met(cases: &[Json]) {
 /// All Burmester pairs are found, in any order.
 fn pairs_are_found(design: &Design, case: &Json) {
     for pair in case["pairs"].as_array().into_iter().flatten() {
-        let exact: Vec<f64> = pair.as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect();
+        let exact: Vec<f64> =
+            pair.as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect();
         let of = |k: usize, name: &str| {
             design
                 .numbers
                 .iter()
-                .find(|n| n.name == format!("{}_{k}_{}", &name[..name.len() - 2], &name[name.len() - 1..]))
+                .find(|n| {
+                    n.name == format!("{}_{k}_{}", &name[..name.len() - 2], &name[name.len() - 1..])
+                })
                 .map(|n| n.value)
         };
         let size = exact.iter().map(|v| v.abs()).fold(0.0, f64::max);
         let near = (1..=4).any(|k| {
-            let found: Option<Vec<f64>> = ["pin_x", "pin_y", "centre_x", "centre_y"].iter().map(|n| of(k, n)).collect();
+            let found: Option<Vec<f64>> =
+                ["pin_x", "pin_y", "centre_x", "centre_y"].iter().map(|n| of(k, n)).collect();
             found.is_some_and(|f| f.iter().zip(&exact).all(|(f, e)| (f - e).abs() <= 1e-10 * size))
         });
         assert!(near, "{}: {exact:?}", case["id"]);
@@ -89,7 +100,12 @@ fn pairs_are_found(design: &Design, case: &Json) {
 /// defects.
 fn reached(design: &Design, id: &str) {
     for c in &design.candidates {
-        assert!(c.judged.off_m <= 1e-12 * c.judged.size_m, "{id}: {} of {}", c.judged.off_m, c.judged.size_m);
+        assert!(
+            c.judged.off_m <= 1e-12 * c.judged.size_m,
+            "{id}: {} of {}",
+            c.judged.off_m,
+            c.judged.size_m
+        );
         for d in c.notes() {
             assert_eq!(d.english_in_chinese(), None, "{id}: {d}");
         }
@@ -119,7 +135,12 @@ struct Linkage([f64; 4]);
 impl Linkage {
     fn random(r: &mut Mixed) -> Linkage {
         loop {
-            let l = [r.between(20.0, 60.0), r.between(80.0, 250.0), r.between(80.0, 250.0), r.between(80.0, 250.0)];
+            let l = [
+                r.between(20.0, 60.0),
+                r.between(80.0, 250.0),
+                r.between(80.0, 250.0),
+                r.between(80.0, 250.0),
+            ];
             let longest = l[1].max(l[2]).max(l[3]);
             if 2.0 * (l[0] + longest) < 0.97 * l.iter().sum::<f64>() {
                 return Linkage(l);
@@ -151,7 +172,10 @@ impl Linkage {
 }
 
 fn is(c: &DesignCandidate, lengths: [f64; 4]) -> bool {
-    ["AB", "BC", "CD", "AD"].iter().zip(lengths).all(|(n, l)| c.number(n).is_some_and(|v| (v * 1e3 - l).abs() < 1e-7 * l))
+    ["AB", "BC", "CD", "AD"]
+        .iter()
+        .zip(lengths)
+        .all(|(n, l)| c.number(n).is_some_and(|v| (v * 1e3 - l).abs() < 1e-7 * l))
 }
 
 #[test]
@@ -160,15 +184,23 @@ fn a_random_linkage_is_found_from_what_it_does() {
     for _ in 0..12 {
         let linkage = Linkage::random(&mut r);
         let start = r.between(0.0, 6.0);
-        let cranks: Vec<f64> = (0..5).map(|k| start + 0.35 * k as f64 * r.between(0.8, 1.2)).collect();
+        let cranks: Vec<f64> =
+            (0..5).map(|k| start + 0.35 * k as f64 * r.between(0.8, 1.2)).collect();
         let at: Vec<[[f64; 2]; 2]> = cranks.iter().map(|t| linkage.at(*t)).collect();
         let position = |[b, c]: &[[f64; 2]; 2]| {
-            json!([format!("{} mm", b[0]), format!("{} mm", b[1]), format!("{} rad", (c[1] - b[1]).atan2(c[0] - b[0]))])
+            json!([
+                format!("{} mm", b[0]),
+                format!("{} mm", b[1]),
+                format!("{} rad", (c[1] - b[1]).atan2(c[0] - b[0]))
+            ])
         };
         let positions: Vec<Json> = at.iter().map(position).collect();
         let d = linkage.0[3];
         for (count, extra) in [
-            (3, json!({"moving": {"B": ["0 mm", "0 mm"], "C": [format!("{} mm", linkage.0[1]), "0 mm"]}})),
+            (
+                3,
+                json!({"moving": {"B": ["0 mm", "0 mm"], "C": [format!("{} mm", linkage.0[1]), "0 mm"]}}),
+            ),
             (3, json!({"ground": {"A": ["0 mm", "0 mm"], "D": [format!("{d} mm"), "0 mm"]}})),
             (4, json!({"line": {"through": ["0 mm", "0 mm"], "angle": "0 deg"}})),
             (5, json!({})),
@@ -176,26 +208,41 @@ fn a_random_linkage_is_found_from_what_it_does() {
             let mut task = json!({"synthesis": "body", "positions": positions[..count]});
             task.as_object_mut().unwrap().extend(extra.as_object().unwrap().clone());
             let design = design(&task).unwrap_or_else(|e| panic!("{task}: {e}"));
-            assert!(design.candidates.iter().any(|c| is(c, linkage.0)), "{:?} {count}: {task}", linkage.0);
+            assert!(
+                design.candidates.iter().any(|c| is(c, linkage.0)),
+                "{:?} {count}: {task}",
+                linkage.0
+            );
             reached(&design, "random");
         }
-        let angles = |k: usize| json!([format!("{} rad", cranks[k]), format!("{} rad", (at[k][1][1]).atan2(at[k][1][0] - d))]);
+        let angles = |k: usize| {
+            json!([
+                format!("{} rad", cranks[k]),
+                format!("{} rad", (at[k][1][1]).atan2(at[k][1][0] - d))
+            ])
+        };
         for (count, relative) in [(3, "none"), (4, "output"), (5, "both")] {
-            let mut task =
-                json!({"synthesis": "function", "frame": format!("{d} mm"), "pairs": (0..count).map(angles).collect::<Vec<_>>()});
+            let mut task = json!({"synthesis": "function", "frame": format!("{d} mm"), "pairs": (0..count).map(angles).collect::<Vec<_>>()});
             if relative != "none" {
                 task["relative"] = json!(relative);
             }
             let design = design(&task).unwrap_or_else(|e| panic!("{task}: {e}"));
-            assert!(design.candidates.iter().any(|c| is(c, linkage.0)), "{:?} {relative}: {task}", linkage.0);
+            assert!(
+                design.candidates.iter().any(|c| is(c, linkage.0)),
+                "{:?} {relative}: {task}",
+                linkage.0
+            );
         }
     }
 }
 
 #[test]
 fn bad_wishes_are_told_with_the_nearest_that_works() {
-    let mm =
-        |p: &[[f64; 3]]| p.iter().map(|[x, y, a]| json!([format!("{x} mm"), format!("{y} mm"), format!("{a} deg")])).collect::<Vec<_>>();
+    let mm = |p: &[[f64; 3]]| {
+        p.iter()
+            .map(|[x, y, a]| json!([format!("{x} mm"), format!("{y} mm"), format!("{a} deg")]))
+            .collect::<Vec<_>>()
+    };
     for (task, code, help) in [
         (
             json!({"synthesis": "time-ratio", "linkage": "crank-rocker", "K": 12, "rocker": "50 mm", "swing": "10 deg"}),
@@ -229,11 +276,19 @@ fn bad_wishes_are_told_with_the_nearest_that_works() {
         ),
         (json!({"synthesis": "function", "points": 3}), "missing-key", "function"),
         (json!({"synthesis": "bodies"}), "unknown-kind", "did you mean"),
-        (json!({"synthesis": "time-ratio", "linkage": "crank-rocker", "K": -1, "rocker": "0 mm"}), "not-positive", ""),
+        (
+            json!({"synthesis": "time-ratio", "linkage": "crank-rocker", "K": -1, "rocker": "0 mm"}),
+            "not-positive",
+            "",
+        ),
     ] {
         let found = read(task.to_string()).and_then(|t| solve(&t.value));
         let faults = found.err().unwrap_or_else(|| panic!("{task} has a solution"));
-        let d = faults.list.iter().find(|d| d.code == code).unwrap_or_else(|| panic!("{task}: {faults}"));
+        let d = faults
+            .list
+            .iter()
+            .find(|d| d.code == code)
+            .unwrap_or_else(|| panic!("{task}: {faults}"));
         assert!(d.to_string().contains(help), "{task}: {d}");
         faults.list.iter().for_each(|d| assert_eq!(d.english_in_chinese(), None, "{d}"));
     }
@@ -251,26 +306,43 @@ fn a_hopeless_time_ratio_is_told_with_one_that_works() {
 /// angles are those of longer arithmetic; the printed ones come from single precision.
 #[test]
 fn the_course_design_of_ln_x() {
-    let pairs = json!([["4.02 deg", "7.97 deg"], ["30 deg", "49.68 deg"], ["55.98 deg", "80.83 deg"]]);
+    let pairs =
+        json!([["4.02 deg", "7.97 deg"], ["30 deg", "49.68 deg"], ["55.98 deg", "80.83 deg"]]);
     let task = json!({"synthesis": "function", "pairs": pairs, "input": {"from": "86 deg"}, "output": {"from": "24 deg"}, "crank": "1 m"});
     let design = design(&task).unwrap();
-    let [c] = design.candidates.as_slice() else { panic!("{} candidates", design.candidates.len()) };
+    let [c] = design.candidates.as_slice() else {
+        panic!("{} candidates", design.candidates.len())
+    };
     let length = |name: &str| c.number(name).unwrap();
     let [a, coupler, follower, frame] = ["AB", "BC", "CD", "AD"].map(length);
-    for (value, exact) in [(follower / a, 0.601242463656), (frame / a, 1.30404030807), (coupler / a, 1.93825795144)] {
+    for (value, exact) in
+        [(follower / a, 0.601242463656), (frame / a, 1.30404030807), (coupler / a, 1.93825795144)]
+    {
         assert!((value - exact).abs() < 1e-11 * exact, "{value} {exact}");
     }
     // Freudenstein's p₀ = m, p₁ = −m/n, p₂ = (m² + n² + 1 − l²)/(2n) with the crank as unit.
     let (m, n, l) = (follower / a, frame / a, coupler / a);
-    for (value, exact) in [(m, 0.601242463656), (-m / n, -0.461061257028), ((m * m + n * n + 1.0 - l * l) / (2.0 * n), -0.266414410979)] {
+    for (value, exact) in [
+        (m, 0.601242463656),
+        (-m / n, -0.461061257028),
+        ((m * m + n * n + 1.0 - l * l) / (2.0 * n), -0.266414410979),
+    ] {
         assert!((value - exact).abs() < 1e-11, "{value} {exact}");
     }
-    for (turn, exact) in [(0.0, -0.296148174806), (4.02, 7.97), (30.0, 49.68), (55.98, 80.83), (60.0, 84.9091472051)] {
+    for (turn, exact) in
+        [(0.0, -0.296148174806), (4.02, 7.97), (30.0, 49.68), (55.98, 80.83), (60.0, 84.9091472051)]
+    {
         let linkage = Linkage([a, coupler, follower, frame]);
         // The assembly of the design: with C left or right of BD, one of the two gives the
         // follower's angle.
-        let near = [1.0, -1.0].map(|side| linkage.follower((86.0f64 + turn).to_radians(), side).to_degrees() - 24.0 - exact);
-        let off = near.map(|o| (o + 180.0).rem_euclid(360.0) - 180.0).into_iter().map(f64::abs).fold(f64::MAX, f64::min);
+        let near = [1.0, -1.0].map(|side| {
+            linkage.follower((86.0f64 + turn).to_radians(), side).to_degrees() - 24.0 - exact
+        });
+        let off = near
+            .map(|o| (o + 180.0).rem_euclid(360.0) - 180.0)
+            .into_iter()
+            .map(f64::abs)
+            .fold(f64::MAX, f64::min);
         assert!(off < 1e-8, "{turn}: {off}");
     }
     let both = json!({"synthesis": "function", "pairs": pairs, "input": {"from": "86 deg"}, "relative": "input"});
@@ -288,7 +360,13 @@ fn precision_points_are_told_with_their_turns() {
         design(&task).unwrap()
     };
     let off = |design: &Design, name: &str, exact: f64, unit: f64| {
-        let value = design.numbers.iter().find(|n| n.name == name).unwrap_or_else(|| panic!("{name}")).value / unit;
+        let value = design
+            .numbers
+            .iter()
+            .find(|n| n.name == name)
+            .unwrap_or_else(|| panic!("{name}"))
+            .value
+            / unit;
         assert!((value - exact).abs() < 1e-11 * exact.abs(), "{name}: {value}, {exact}");
     };
     let degree = 1f64.to_radians();
@@ -304,7 +382,14 @@ fn precision_points_are_told_with_their_turns() {
         off(&ln, name, exact, unit);
     }
     let power = told("x^1.5", [1.0, 4.0], ["90 deg", "90 deg"]);
-    let turns = [36.0288568297 - 30.0, 75.0 - 30.0, 113.971143170 - 30.0, 94.0643358218 - 90.0, 127.965176681 - 90.0, 172.346801968 - 90.0];
+    let turns = [
+        36.0288568297 - 30.0,
+        75.0 - 30.0,
+        113.971143170 - 30.0,
+        94.0643358218 - 90.0,
+        127.965176681 - 90.0,
+        172.346801968 - 90.0,
+    ];
     let names = ["alpha1", "alpha2", "alpha3", "phi1", "phi2", "phi3"];
     for (name, exact, unit) in [
         ("x1", 1.20096189432, 1.0),
@@ -325,7 +410,8 @@ fn precision_points_are_told_with_their_turns() {
 #[test]
 fn two_pairs_with_crank_and_frame_have_one_linkage() {
     let pairs = json!([["45 deg", "60 deg"], ["90 deg", "100 deg"]]);
-    let task = json!({"synthesis": "function", "pairs": pairs, "frame": "100 mm", "crank": "40 mm"});
+    let task =
+        json!({"synthesis": "function", "pairs": pairs, "frame": "100 mm", "crank": "40 mm"});
     let found = design(&task).unwrap();
     let c = &found.candidates[0];
     // By hand: B₁ and the inverted B₂′ are at the same distance from C₁.
@@ -351,12 +437,20 @@ fn two_pairs_with_crank_and_frame_have_one_linkage() {
 /// Links with equal rotations form a parallelogram; roots at infinity are not linkages.
 #[test]
 fn links_that_turn_alike_are_a_parallelogram() {
-    for (n, swing) in [(3, json!({"from": "30 deg", "swing": "60 deg"})), (5, json!({"swing": "60 deg"}))] {
+    for (n, swing) in
+        [(3, json!({"from": "30 deg", "swing": "60 deg"})), (5, json!({"swing": "60 deg"}))]
+    {
         let task = json!({"synthesis": "function", "function": {"y": "x", "from": 1, "to": 2}, "points": n, "input": swing, "output": swing, "frame": "100 mm"});
         let found = design(&task).unwrap();
         let c = &found.candidates[0];
-        assert!((number(&found, c, "AB").unwrap() - number(&found, c, "CD").unwrap()).abs() < 1e-15, "{n}");
-        assert!((number(&found, c, "BC").unwrap() - 0.1).abs() < 1e-15 && number(&found, c, "error_0").is_none());
+        assert!(
+            (number(&found, c, "AB").unwrap() - number(&found, c, "CD").unwrap()).abs() < 1e-15,
+            "{n}"
+        );
+        assert!(
+            (number(&found, c, "BC").unwrap() - 0.1).abs() < 1e-15
+                && number(&found, c, "error_0").is_none()
+        );
     }
 }
 
@@ -364,8 +458,10 @@ fn links_that_turn_alike_are_a_parallelogram() {
 /// found.
 #[test]
 fn least_squares_go_on_where_the_linear_ones_do_not_close() {
-    let pairs = [[20, 35], [35, 48], [50, 60], [65, 71], [80, 81], [95, 90]].map(|p| p.map(|a| format!("{a} deg")));
-    let found = design(&json!({"synthesis": "function", "pairs": pairs, "frame": "120 mm"})).unwrap();
+    let pairs = [[20, 35], [35, 48], [50, 60], [65, 71], [80, 81], [95, 90]]
+        .map(|p| p.map(|a| format!("{a} deg")));
+    let found =
+        design(&json!({"synthesis": "function", "pairs": pairs, "frame": "120 mm"})).unwrap();
     let worst = number(&found, &found.candidates[0], "max_error").unwrap().abs().to_degrees();
     assert!(worst < 0.7529, "{worst}");
 }
@@ -374,10 +470,10 @@ fn least_squares_go_on_where_the_linear_ones_do_not_close() {
 /// coupler by the law of cosines, the frame on both sides of C₁C₂.
 #[test]
 fn a_crank_fixes_the_linkage_of_a_time_ratio() {
-    let task =
-        json!({"synthesis": "time-ratio", "linkage": "crank-rocker", "K": 1.25, "rocker": "290 mm", "swing": "32 deg", "crank": "75 mm"});
+    let task = json!({"synthesis": "time-ratio", "linkage": "crank-rocker", "K": 1.25, "rocker": "290 mm", "swing": "32 deg", "crank": "75 mm"});
     let found = design(&task).unwrap();
-    let mut frames: Vec<f64> = found.candidates.iter().map(|c| number(&found, c, "AD").unwrap() * 1e3).collect();
+    let mut frames: Vec<f64> =
+        found.candidates.iter().map(|c| number(&found, c, "AD").unwrap() * 1e3).collect();
     frames.sort_by(f64::total_cmp);
     for (frame, exact) in frames.iter().zip([278.716821600, 371.713146288]) {
         assert!((frame - exact).abs() < 1e-8, "{frames:?}");
@@ -386,7 +482,6 @@ fn a_crank_fixes_the_linkage_of_a_time_ratio() {
         assert!((number(&found, c, "AB").unwrap() * 1e3 - 75.0).abs() < 1e-10);
         assert!((number(&found, c, "BC").unwrap() * 1e3 - 176.014260774).abs() < 1e-8);
     }
-    let long =
-        json!({"synthesis": "time-ratio", "linkage": "crank-rocker", "K": 1.25, "rocker": "290 mm", "swing": "32 deg", "crank": "120 mm"});
+    let long = json!({"synthesis": "time-ratio", "linkage": "crank-rocker", "K": 1.25, "rocker": "290 mm", "swing": "32 deg", "crank": "120 mm"});
     assert!(design(&long).unwrap_err().contains("no coupler closes"));
 }

@@ -28,19 +28,26 @@ fn from_csv(path: &Path) -> Read {
     (labels, columns)
 }
 
-/// A structured array as NumPy writes it: a Python literal of names, types and shape behind the magic bytes, then the records.
+/// A structured array as NumPy writes it: a Python literal of names, types and shape behind the
+/// magic bytes, then the records.
 fn from_npy(path: &Path) -> Read {
     let bytes = std::fs::read(path).unwrap();
     assert_eq!(&bytes[..8], b"\x93NUMPY\x02\x00");
     let begin = 12 + u32::from_le_bytes(bytes[8..12].try_into().unwrap()) as usize;
     assert_eq!(begin % 64, 0, "aligned");
     let header = std::str::from_utf8(&bytes[12..begin]).unwrap();
-    let (fields, shape) = header.strip_prefix("{'descr': [").unwrap().split_once("], 'fortran_order': False, 'shape': (").unwrap();
+    let (fields, shape) = header
+        .strip_prefix("{'descr': [")
+        .unwrap()
+        .split_once("], 'fortran_order': False, 'shape': (")
+        .unwrap();
     let rows: usize = shape.split_once(",), }").unwrap().0.parse().unwrap();
     let fields: Vec<(&str, &str)> = fields
         .split("), ")
         .filter(|f| !f.is_empty())
-        .map(|f| f.strip_prefix("('").unwrap().strip_suffix('\'').unwrap().split_once("', '").unwrap())
+        .map(|f| {
+            f.strip_prefix("('").unwrap().strip_suffix('\'').unwrap().split_once("', '").unwrap()
+        })
         .collect();
     assert_eq!(bytes.len() - begin, rows * fields.len() * 8, "one record a row");
     let mut columns = vec![Vec::with_capacity(rows); fields.len()];
@@ -61,7 +68,14 @@ fn from_npy(path: &Path) -> Read {
 
 fn from_parquet(path: &Path) -> Read {
     let reader = SerializedFileReader::new(File::open(path).unwrap()).unwrap();
-    let labels: Vec<String> = reader.metadata().file_metadata().schema_descr().columns().iter().map(|c| c.name().to_owned()).collect();
+    let labels: Vec<String> = reader
+        .metadata()
+        .file_metadata()
+        .schema_descr()
+        .columns()
+        .iter()
+        .map(|c| c.name().to_owned())
+        .collect();
     let mut columns = vec![Vec::new(); labels.len()];
     for row in reader {
         for ((_, field), column) in row.unwrap().get_column_iter().zip(&mut columns) {
@@ -83,7 +97,9 @@ fn from_json(path: &Path) -> Read {
         unit => format!("{} [{unit}]", c["name"].as_str().unwrap()),
     };
     // serde_json reads a number to within its last bit only.
-    let numbers = |part: &str| part.split(']').next().unwrap().split(',').map(|v| v.trim().parse().unwrap()).collect();
+    let numbers = |part: &str| {
+        part.split(']').next().unwrap().split(',').map(|v| v.trim().parse().unwrap()).collect()
+    };
     let columns = text.split("\"values\": [").skip(1).map(numbers).collect();
     (json["columns"].as_array().unwrap().iter().map(label).collect(), columns)
 }
@@ -91,7 +107,10 @@ fn from_json(path: &Path) -> Read {
 fn same(a: &Read, b: &Read) {
     assert_eq!(a.0, b.0);
     for ((name, x), y) in a.0.iter().zip(&a.1).zip(&b.1) {
-        assert!(x.len() == y.len() && x.iter().zip(y).all(|(x, y)| x.to_bits() == y.to_bits()), "{name}");
+        assert!(
+            x.len() == y.len() && x.iter().zip(y).all(|(x, y)| x.to_bits() == y.to_bits()),
+            "{name}"
+        );
     }
 }
 
@@ -107,10 +126,19 @@ fn key_values(path: &Path) -> Vec<(String, String)> {
 fn a_sweep_is_the_same_in_every_format() {
     let folder = tempfile::tempdir().unwrap();
     let scene = folder.path().join("scene.json");
-    hodograph().args(["new", "crank-rocker", "--set", "l_AB=240", "-o"]).arg(&scene).assert().success();
+    hodograph()
+        .args(["new", "crank-rocker", "--set", "l_AB=240", "-o"])
+        .arg(&scene)
+        .assert()
+        .success();
     let write = |ending: &str| {
         let path = folder.path().join(format!("table.{ending}"));
-        hodograph().args(["sweep", "--steps", "5000", "--find", "phi_1,a_C,omega_3", "-o"]).arg(&path).arg(&scene).assert().success();
+        hodograph()
+            .args(["sweep", "--steps", "5000", "--find", "phi_1,a_C,omega_3", "-o"])
+            .arg(&path)
+            .arg(&scene)
+            .assert()
+            .success();
         path
     };
     let csv = from_csv(&write("csv"));
@@ -122,11 +150,17 @@ fn a_sweep_is_the_same_in_every_format() {
     same(&csv, &from_parquet(&parquet));
     // Data that the rows cannot express are in the file.
     let values = key_values(&parquet);
-    let value = |key: &str| &values.iter().find(|(k, _)| k == key).unwrap_or_else(|| panic!("no {key} in {values:?}")).1;
-    assert!(value("title").contains("rank") && value("generator").starts_with("hodograph "), "{values:?}");
+    let value = |key: &str| {
+        &values.iter().find(|(k, _)| k == key).unwrap_or_else(|| panic!("no {key} in {values:?}")).1
+    };
+    assert!(
+        value("title").contains("rank") && value("generator").starts_with("hodograph "),
+        "{values:?}"
+    );
     assert!(value("units").contains(r#""a_C.x [m/s²]":"m/s²""#), "{values:?}");
     let notes: Vec<serde_json::Value> = serde_json::from_str(value("notes")).unwrap();
-    let document: serde_json::Value = serde_json::from_slice(&std::fs::read(json).unwrap()).unwrap();
+    let document: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(json).unwrap()).unwrap();
     assert!(notes.len() >= 2 && document["notes"].as_array() == Some(&notes), "{notes:?}");
     let text = std::fs::read_to_string(folder.path().join("table.csv")).unwrap();
     let lines = text.lines().filter_map(|l| l.strip_prefix("# "));
@@ -135,8 +169,9 @@ fn a_sweep_is_the_same_in_every_format() {
 
 /// The arguments of a batch with a first parameter that makes some of the mechanisms impossible.
 fn batch(count: &str, out: &Path) -> Vec<String> {
-    let words =
-        format!("batch templates/crank-rocker.json --vary l_AB=60..260 --vary l_BC=200..300 --random {count} --steps 199 --find a_C -o");
+    let words = format!(
+        "batch templates/crank-rocker.json --vary l_AB=60..260 --vary l_BC=200..300 --random {count} --steps 199 --find a_C -o"
+    );
     words.split_whitespace().map(str::to_owned).chain([out.display().to_string()]).collect()
 }
 
@@ -152,7 +187,14 @@ fn a_batch_is_the_same_in_every_format() {
     let table = from_csv(&csv);
     assert_eq!(table.0[..4], ["mechanism", "l_AB [m]", "l_BC [m]", "phi_1 [rad]"]);
     let rows = table.1[0].len();
-    assert!(rows < 400_000 && said.contains(&format!("2000 mechanisms, {rows} rows, {} positions without one", 400_000 - rows)), "{said}");
+    assert!(
+        rows < 400_000
+            && said.contains(&format!(
+                "2000 mechanisms, {rows} rows, {} positions without one",
+                400_000 - rows
+            )),
+        "{said}"
+    );
     same(&table, &from_npy(&npy));
     same(&table, &from_parquet(&parquet));
     let missing = format!("{} positions have no row", 400_000 - rows);
@@ -161,7 +203,14 @@ fn a_batch_is_the_same_in_every_format() {
     assert!(reader.metadata().num_row_groups() > 1, "written as it comes");
     // Repeated values are written once: a number of a mechanism takes a part of its eight bytes per
     // row.
-    let size = |c: usize| reader.metadata().row_groups().iter().map(|g| g.column(c).compressed_size() as usize).sum::<usize>();
+    let size = |c: usize| {
+        reader
+            .metadata()
+            .row_groups()
+            .iter()
+            .map(|g| g.column(c).compressed_size() as usize)
+            .sum::<usize>()
+    };
     assert!((0..4).all(|c| size(c) < 2 * rows) && size(4) > 7 * rows);
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 3, "nothing else is left behind");
 }
@@ -169,14 +218,20 @@ fn a_batch_is_the_same_in_every_format() {
 /// Starts a run, waits until `ready`, sends it a signal, and returns its exit code.
 fn interrupted(arguments: &[String], signal: &str, ready: &dyn Fn() -> bool) -> Option<i32> {
     let mut run = std::process::Command::new(env!("CARGO_BIN_EXE_hodograph"));
-    let mut run = run.args(arguments).current_dir(env!("CARGO_MANIFEST_DIR")).stderr(std::process::Stdio::null()).spawn().unwrap();
+    let mut run = run
+        .args(arguments)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .stderr(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
     while !ready() {
         if let Some(status) = run.try_wait().unwrap() {
             return status.code();
         }
         std::thread::sleep(Duration::from_millis(1));
     }
-    let sent = std::process::Command::new("kill").args([signal, &run.id().to_string()]).status().unwrap();
+    let sent =
+        std::process::Command::new("kill").args([signal, &run.id().to_string()]).status().unwrap();
     assert!(sent.success());
     run.wait().unwrap().code()
 }
@@ -209,7 +264,10 @@ fn an_interrupted_batch_goes_on_to_the_same_bytes() {
         let left = std::fs::read(&journal).unwrap();
         std::fs::write(&journal, &left[..left.len() - 7]).unwrap();
         hodograph().args(batch("8000", &out)).assert().success();
-        assert!(std::fs::read(&out).unwrap() == *whole.as_ref().unwrap(), "{ending}: the bytes differ");
+        assert!(
+            std::fs::read(&out).unwrap() == *whole.as_ref().unwrap(),
+            "{ending}: the bytes differ"
+        );
         assert!(!beside(".part").exists() && !journal.exists(), "{ending}");
         // Another job starts anew.
         let code = interrupted(&batch("8000", &out), "-KILL", &|| lines(&journal) >= 3);
@@ -233,21 +291,37 @@ fn from(ending: &str, path: &Path) -> Read {
 fn a_long_json_is_the_document_of_a_whole_one() {
     let folder = tempfile::tempdir().unwrap();
     let scene = folder.path().join("scene.json");
-    hodograph().args(["new", "crank-rocker", "--set", "l_AB=240", "-o"]).arg(&scene).assert().success();
+    hodograph()
+        .args(["new", "crank-rocker", "--set", "l_AB=240", "-o"])
+        .arg(&scene)
+        .assert()
+        .success();
     let write = |ending: &str| {
         let path = folder.path().join(format!("table.{ending}"));
-        hodograph().args(["sweep", "--steps", "140000", "--find", "a_C", "-o"]).arg(&path).arg(&scene).assert().success();
+        hodograph()
+            .args(["sweep", "--steps", "140000", "--find", "a_C", "-o"])
+            .arg(&path)
+            .arg(&scene)
+            .assert()
+            .success();
         path
     };
-    let (json, (labels, columns)) = (std::fs::read_to_string(write("json")).unwrap(), from_npy(&write("npy")));
+    let (json, (labels, columns)) =
+        (std::fs::read_to_string(write("json")).unwrap(), from_npy(&write("npy")));
     let title: serde_json::Value = serde_json::from_slice(&std::fs::read(&scene).unwrap()).unwrap();
-    let part = |label: &str| label.split_once(" [").map(|(n, u)| (n.to_owned(), u.trim_end_matches(']').to_owned())).unwrap();
+    let part = |label: &str| {
+        label
+            .split_once(" [")
+            .map(|(n, u)| (n.to_owned(), u.trim_end_matches(']').to_owned()))
+            .unwrap()
+    };
     let columns = labels.iter().zip(&columns).map(|(label, values)| {
         let (name, unit) = part(label);
         serde_json::json!({"name": name, "unit": unit, "values": values})
     });
     // The other formats give the notes too; they come last.
-    let notes = json[json.rfind("\"notes\": ").unwrap() + 9..].trim_end().strip_suffix('}').unwrap();
+    let notes =
+        json[json.rfind("\"notes\": ").unwrap() + 9..].trim_end().strip_suffix('}').unwrap();
     let notes: serde_json::Value = serde_json::from_str(notes).unwrap();
     assert!(notes.as_array().unwrap().len() >= 2, "{notes}");
     let document = serde_json::json!({
@@ -256,7 +330,12 @@ fn a_long_json_is_the_document_of_a_whole_one() {
         "columns": columns.collect::<Vec<_>>(),
         "notes": notes,
     });
-    assert!(json == format!("{document:#}\n"), "{} bytes against {}", json.len(), format!("{document:#}\n").len());
+    assert!(
+        json == format!("{document:#}\n"),
+        "{} bytes against {}",
+        json.len(),
+        format!("{document:#}\n").len()
+    );
 }
 
 /// The printed table equals the written one, with the notes first, although the rows are stored on
@@ -266,7 +345,11 @@ fn a_long_sweep_is_printed_as_it_is_written() {
     let folder = tempfile::tempdir().unwrap();
     let (scene, out) = (folder.path().join("rocker.json"), folder.path().join("out.csv"));
     // The crank stops twice on the way round.
-    hodograph().args(["new", "crank-rocker", "--set", "l_AB=240", "-o"]).arg(&scene).assert().success();
+    hodograph()
+        .args(["new", "crank-rocker", "--set", "l_AB=240", "-o"])
+        .arg(&scene)
+        .assert()
+        .success();
     let sweep = |more: &[&str]| {
         let mut c = hodograph();
         c.arg("sweep")
@@ -294,12 +377,19 @@ fn an_interrupted_sweep_leaves_nothing() {
         ("sweep templates/crank-rocker.json --steps 400000 --find a_C -o", "csv"),
         ("sweep templates/crank-rocker.json --steps 400000 --find a_C -o", "json"),
         ("sweep templates/class-iii-six-bar.json --steps 400000 --find omega_3 -o", "npy"),
-        ("sweep templates/crank-rocker.json --over l_BC --from 200 --to 300 --steps 100000 --find a_C -o", "parquet"),
+        (
+            "sweep templates/crank-rocker.json --over l_BC --from 200 --to 300 --steps 100000 --find a_C -o",
+            "parquet",
+        ),
     ];
     for (words, ending) in commands {
         let folder = tempfile::tempdir().unwrap();
         let out = folder.path().join(format!("long.{ending}"));
-        let arguments: Vec<String> = words.split_whitespace().map(str::to_owned).chain([out.display().to_string()]).collect();
+        let arguments: Vec<String> = words
+            .split_whitespace()
+            .map(str::to_owned)
+            .chain([out.display().to_string()])
+            .collect();
         let begun = || std::fs::read_dir(folder.path()).unwrap().count() > 0;
         // The writing may end before the signal arrives; then the file is complete.
         let stopped = (0..5).any(|_| {
@@ -322,7 +412,9 @@ fn an_interrupted_sweep_leaves_nothing() {
 #[test]
 fn a_full_disk_leaves_no_file() {
     let folder = tempfile::tempdir().unwrap();
-    let commands = ["csv", "json", "npy", "parquet"].map(|e| ("sweep templates/crank-rocker.json --steps 20000 --find a_C", e)).into_iter();
+    let commands = ["csv", "json", "npy", "parquet"]
+        .map(|e| ("sweep templates/crank-rocker.json --steps 20000 --find a_C", e))
+        .into_iter();
     let batch = "batch templates/crank-rocker.json --vary l_BC=200..300:200 --steps 199 --find a_C";
     for (command, ending) in commands.chain(["csv", "npy", "parquet"].map(|e| (batch, e))) {
         let out = folder.path().join(format!("table.{ending}"));
@@ -330,9 +422,15 @@ fn a_full_disk_leaves_no_file() {
         // the program first.
         let script = format!("trap '' XFSZ; ulimit -f 200; exec \"$0\" {command} -o \"$1\"");
         let mut run = Command::new("sh");
-        let run = run.args(["-c", &script, env!("CARGO_BIN_EXE_hodograph")]).arg(&out).current_dir(env!("CARGO_MANIFEST_DIR"));
+        let run = run
+            .args(["-c", &script, env!("CARGO_BIN_EXE_hodograph")])
+            .arg(&out)
+            .current_dir(env!("CARGO_MANIFEST_DIR"));
         let said = String::from_utf8_lossy(&run.assert().code(1).get_output().stderr).into_owned();
-        assert!(said.contains("cannot be written") && said.contains(&format!("table.{ending}")), "{said}");
+        assert!(
+            said.contains("cannot be written") && said.contains(&format!("table.{ending}")),
+            "{said}"
+        );
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0, "{command} {ending}");
     }
 }
@@ -357,7 +455,10 @@ fn places_and_names_that_cannot_be() {
         (&batch, "parquet", ".csv, .npy, .parquet"),
     ] {
         let run = hodograph().args(command).arg(folder.path().join(name)).assert().code(2);
-        let said = String::from_utf8_lossy(&run.get_output().stderr).split_whitespace().collect::<Vec<_>>().join(" ");
+        let said = String::from_utf8_lossy(&run.get_output().stderr)
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ");
         let said = said.replace("│ ", "");
         assert!(said.contains(allowed), "{said}");
     }

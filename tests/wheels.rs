@@ -35,17 +35,24 @@ fn scalar(scene: &Scene, worked: &Worked, find: &str) -> f64 {
 fn agree(scene: &Scene, worked: &Worked) {
     assert!(worked.unanswered.is_empty());
     for r in &worked.results {
-        assert!(r.agreement.is_none_or(|a| a.holds()), "{}: {:?}", scene.find[r.find].text, r.agreement);
+        assert!(
+            r.agreement.is_none_or(|a| a.holds()),
+            "{}: {:?}",
+            scene.find[r.find].text,
+            r.agreement
+        );
     }
 }
 
 /// A sun, a ring and planets of these radii (mm) on circles without play, at even distances.
 fn planetary(planets: &[f64]) -> String {
     let (sun, ring) = (50.0, 100.0);
-    let (mut on_arm, mut links, mut points, mut gears, mut find) = (String::new(), String::new(), String::new(), Vec::new(), String::new());
+    let (mut on_arm, mut links, mut points, mut gears, mut find) =
+        (String::new(), String::new(), String::new(), Vec::new(), String::new());
     for (k, r) in planets.iter().enumerate() {
         let (p, l) = (format!("P{k}"), 4 + k);
-        let (d, angle) = (0.5 * (sun + ring), 0.3 + k as f64 * std::f64::consts::TAU / planets.len() as f64);
+        let (d, angle) =
+            (0.5 * (sun + ring), 0.3 + k as f64 * std::f64::consts::TAU / planets.len() as f64);
         on_arm.push_str(&format!(r#", "{p}""#));
         links.push_str(&format!(r#", "{l}": ["{p}"]"#));
         points.push_str(&format!(r#", "{p}": [{:?}, {:?}]"#, d * angle.cos(), d * angle.sin()));
@@ -78,10 +85,17 @@ fn further_planets_are_solved_and_told() {
             assert!((scalar(&scene, &worked.value, find) - exact).abs() < 1e-12);
         }
         for k in 0..count {
-            assert!((scalar(&scene, &worked.value, &format!("omega_{}", 4 + k)) + 9.0).abs() < 1e-12);
+            assert!(
+                (scalar(&scene, &worked.value, &format!("omega_{}", 4 + k)) + 9.0).abs() < 1e-12
+            );
         }
         let survey = MobilitySurvey::of(&scene);
-        assert_eq!(survey.counts.freedom(count - 1, survey.local.len()), 1, "{count}: {:?}", survey.counts);
+        assert_eq!(
+            survey.counts.freedom(count - 1, survey.local.len()),
+            1,
+            "{count}: {:?}",
+            survey.counts
+        );
     }
 }
 
@@ -92,7 +106,8 @@ fn a_planet_that_nearly_fits_warns_and_another_locks() {
         let text = planetary(&[25.0, 25.0, last]);
         match (work(&read(&text), Scope::Questions), code) {
             (Ok(done), None) => {
-                let warned = |d: &&Diagnostic| d.code == "almost-virtual" && d.severity == Severity::Warning;
+                let warned =
+                    |d: &&Diagnostic| d.code == "almost-virtual" && d.severity == Severity::Warning;
                 assert!(done.notes.iter().any(|d| warned(&d)), "{:?}", done.notes);
             }
             (Err(faults), Some(code)) => assert_eq!(errors(&faults), [code], "{faults}"),
@@ -103,12 +118,17 @@ fn a_planet_that_nearly_fits_warns_and_another_locks() {
 
 /// A cart on wheels of these radii (mm) along a line, with the axle of the last raised by `high`.
 fn cart(radii: &[f64], high: f64) -> String {
-    let (mut axles, mut links, mut points, mut rolling, mut find) = (Vec::new(), String::new(), String::new(), Vec::new(), String::new());
+    let (mut axles, mut links, mut points, mut rolling, mut find) =
+        (Vec::new(), String::new(), String::new(), Vec::new(), String::new());
     for (k, r) in radii.iter().enumerate() {
         let (p, l, last) = (format!("A{k}"), 2 + k, k + 1 == radii.len());
         axles.push(format!(r#""{p}""#));
         links.push_str(&format!(r#", "{l}": ["{p}"]"#));
-        points.push_str(&format!(r#", "{p}": [{:?}, {:?}]"#, 130.0 * k as f64, r + if last { high } else { 0.0 }));
+        points.push_str(&format!(
+            r#", "{p}": [{:?}, {:?}]"#,
+            130.0 * k as f64,
+            r + if last { high } else { 0.0 }
+        ));
         let wheel = r + if last && high < 0.0 { high } else { 0.0 };
         rolling.push(format!(r#"{{"wheel": "{l}", "centre": "{p}", "radius": "{wheel:?} mm", "through": [0, 0], "angle": "0 deg"}}"#));
         find.push_str(&format!(r#", "omega_{l}""#));
@@ -129,7 +149,10 @@ fn further_wheels_of_a_cart_touch_by_themselves() {
         let m = Mechanism::new(&scene).unwrap().value;
         assert_eq!(m.redundant.len(), radii.len() - 2);
         for r in &m.redundant {
-            assert!(matches!(r.opened, Opened::Guide(g) if scene.guides[g.0].rolling.is_some()), "{r:?}");
+            assert!(
+                matches!(r.opened, Opened::Guide(g) if scene.guides[g.0].rolling.is_some()),
+                "{r:?}"
+            );
         }
         for c in check(&scene, &m).unwrap_or_else(|f| panic!("{f}")) {
             assert_eq!((c.verdict, c.positions), (RedundancyVerdict::Virtual, 5), "{c:?}");
@@ -143,7 +166,11 @@ fn further_wheels_of_a_cart_touch_by_themselves() {
         }
         let (survey, checked) = mobility::surveyed(&scene);
         let json = mobility::json(&scene, &survey, &checked);
-        assert_eq!((json["F"].as_i64(), json["p_virtual"].as_u64()), (Some(1), Some(radii.len() as u64 - 2)), "{json}");
+        assert_eq!(
+            (json["F"].as_i64(), json["p_virtual"].as_u64()),
+            (Some(1), Some(radii.len() as u64 - 2)),
+            "{json}"
+        );
         let s = &json["substituted"];
         assert_eq!(3 * s["n"].as_i64().unwrap() - 2 * s["p_l"].as_i64().unwrap(), 1, "{s}");
     }
@@ -173,7 +200,10 @@ fn gears_side_by_side_repeat_or_lock() {
             "driver": {{"link": "2", "omega": "2 rad/s"}}, "find": ["omega_3"]}}"#
         )
     };
-    assert!(work(&read(&pair([30, 60])), Scope::Questions).is_ok_and(|w| w.value.redundant[0].verdict == RedundancyVerdict::Virtual));
+    assert!(
+        work(&read(&pair([30, 60])), Scope::Questions)
+            .is_ok_and(|w| w.value.redundant[0].verdict == RedundancyVerdict::Virtual)
+    );
     assert_eq!(errors(&work(&read(&pair([30, 61])), Scope::Questions).unwrap_err()), ["locked"]);
     let ring = r#"{"units": {"length": "mm"}, "links": {"1": ["O", "A", "B"], "2": ["O"], "3": ["A"], "4": ["B"]}, "ground": "1",
         "points": {"O": [0, 0], "A": [100, 0], "B": [50, 80]}, "gears": [{"links": ["2", "3"], "centres": ["O", "A"], "teeth": [20, 20]},
@@ -208,7 +238,13 @@ fn rolling_on_one_another(kind: &str) -> Scene {
             r#""rolling": [{"wheel": "3", "centre": "C", "radius": "50 mm", "on": "5", "track": "D", "track_radius": "70 mm"}]"#,
             "",
         ),
-        _ => ([70, 150], [200, 100], "", r#""rolling": [{"wheel": "3", "centre": "C", "radius": "130 mm", "on": "5", "line": "ED"}]"#, ""),
+        _ => (
+            [70, 150],
+            [200, 100],
+            "",
+            r#""rolling": [{"wheel": "3", "centre": "C", "radius": "130 mm", "on": "5", "line": "ED"}]"#,
+            "",
+        ),
     };
     read(&format!(
         r#"{{"units": {{"length": "mm"}}, "links": {{"1": ["A", "E"], "2": ["A", "B"], "3": ["B", "C"], {links} "5": ["D", "E"]}}, "ground": "1",
@@ -223,7 +259,11 @@ fn wheels_that_wait_for_one_another_are_drawn_from_their_contact() {
     for kind in ["gears", "ring", "circle", "line"] {
         let scene = rolling_on_one_another(kind);
         let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{kind}: {f}"));
-        let note = worked.notes.iter().find(|d| d.code == "higher-group").unwrap_or_else(|| panic!("{kind}: {:?}", worked.notes));
+        let note = worked
+            .notes
+            .iter()
+            .find(|d| d.code == "higher-group")
+            .unwrap_or_else(|| panic!("{kind}: {:?}", worked.notes));
         assert!(note.message.en.contains("special points"), "{kind}: {note:?}");
         agree(&scene, &worked.value);
         for r in &worked.value.results {
@@ -235,7 +275,8 @@ fn wheels_that_wait_for_one_another_are_drawn_from_their_contact() {
             "ring" => 20.0 / 60.0,
             _ => continue,
         };
-        let [three, arm, five] = ["omega_3", "omega_4", "omega_5"].map(|find| scalar(&scene, &worked.value, find));
+        let [three, arm, five] =
+            ["omega_3", "omega_4", "omega_5"].map(|find| scalar(&scene, &worked.value, find));
         assert!((five - arm - ratio * (three - arm)).abs() < 1e-10, "{kind}: {three} {five} {arm}");
     }
 }
@@ -255,7 +296,13 @@ fn a_closed_train_needs_neither_sizes_nor_places() {
     // (sun − arm)/(ring − arm) = −84/24, and the planet against the arm as the sun by −24/30.
     let arm = (24.0 * sun + 84.0 * ring) / 108.0;
     let planet = arm - 24.0 / 30.0 * (sun - arm);
-    for (find, exact) in [("omega_2", sun), ("omega_3", ring), ("omega_4", arm), ("omega_5", planet), ("i_14", 90.0 / arm)] {
+    for (find, exact) in [
+        ("omega_2", sun),
+        ("omega_3", ring),
+        ("omega_4", arm),
+        ("omega_5", planet),
+        ("i_14", 90.0 / arm),
+    ] {
         let got = scalar(&scene, &worked, find);
         assert!((got - exact).abs() < 1e-12 * exact.abs(), "{find} = {got}, not {exact}");
     }
@@ -284,7 +331,10 @@ fn a_rack_in_its_guide_is_held_by_the_guide() {
     assert_eq!((survey.counts.higher, survey.counts.freedom(0, 0)), (1, 1));
     let lever = r#"{"links": {"1": ["O"], "2": ["O"]}, "ground": "1", "points": {"O": [0, 0]}, "guides": [{"pin": "B", "slider": "3", "on": "2", "through": "O"},
         {"pin": "B", "slider": "4", "on": "1", "through": ["300 mm", 0], "angle": "90 deg"}], "driver": {"link": "2", "angle": "25 deg", "omega": "2 rad/s"}}"#;
-    assert_eq!(MobilitySurvey::of(&scene::read_topology(lever).unwrap().value).counts.freedom(0, 0), 1);
+    assert_eq!(
+        MobilitySurvey::of(&scene::read_topology(lever).unwrap().value).counts.freedom(0, 0),
+        1
+    );
 }
 
 /// Gears on the two floating links of a five-bar: their pose is found as a whole, near the sketch.
@@ -301,7 +351,10 @@ fn waiting_for_one_another(teeth: [u32; 2], phase: Option<f64>) -> Scene {
 /// Angle of the second wheel's line from the line of centres when the first, rolled back, is on it
 /// (degrees).
 fn phase_of(worked: &Worked, scene: &Scene, [z3, z5]: [u32; 2]) -> f64 {
-    let at = |name: &str| worked.configuration.points[scene.points.iter().position(|p| p.name == name).unwrap()].unwrap();
+    let at = |name: &str| {
+        worked.configuration.points[scene.points.iter().position(|p| p.name == name).unwrap()]
+            .unwrap()
+    };
     let line = (at("C") - at("B")).angle();
     let from_line = |angle: f64| (angle - line).sin().atan2((angle - line).cos());
     let [of_3, of_5] = [at("B") - at("A"), at("D") - at("C")].map(|link| from_line(link.angle()));
@@ -322,7 +375,8 @@ fn the_phase_of_wheels_that_wait_for_one_another_is_kept() {
             for c in certify(&scene, &worked, 20) {
                 assert!(c.why.is_none(), "{teeth:?}: {:?}", c.why);
             }
-            let off = (phase_of(&worked, &scene, teeth) - own - more + 180.0).rem_euclid(360.0) - 180.0;
+            let off =
+                (phase_of(&worked, &scene, teeth) - own - more + 180.0).rem_euclid(360.0) - 180.0;
             assert!(off.abs() < 1e-9, "{teeth:?}: the phase {} is missed by {off}°", own + more);
             let changed = (scalar(&scene, &worked, "omega_3") - rate).abs();
             assert_eq!(changed > 1e-3, more != 0.0, "{teeth:?}: {changed}");
@@ -346,8 +400,10 @@ fn a_train_by_teeth_is_as_long_as_one_likes() {
             .collect();
         let scene = serde_json::json!({"links": links, "ground": "0", "gears": gears, "driver": {"link": "1", "omega": "10 rad/s"},
             "find": [format!("omega_{count}")]});
-        let scene = scene::read(scene.to_string()).unwrap_or_else(|f| panic!("{count} gears: {f}")).value;
-        let done = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{count} gears: {f}")).value;
+        let scene =
+            scene::read(scene.to_string()).unwrap_or_else(|f| panic!("{count} gears: {f}")).value;
+        let done =
+            work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{count} gears: {f}")).value;
         let sign = if count % 2 == 0 { -1.0 } else { 1.0 };
         let due = sign * 10.0 * teeth(0) as f64 / teeth(count - 1) as f64;
         let AnswerValue::Scalar(found) = done.results[0].value() else { panic!("no number") };
@@ -369,10 +425,19 @@ fn the_contact_of_a_wheel_with_any_name() {
             );
             let told = scene::read(&text);
             let reused = ["C", "S", "P"].contains(&at);
-            assert!(!reused || told.as_ref().is_err_and(|f| f.list.iter().any(|d| d.code == "contact-point")), "{at} {driven}: {told:?}");
+            assert!(
+                !reused
+                    || told
+                        .as_ref()
+                        .is_err_and(|f| f.list.iter().any(|d| d.code == "contact-point")),
+                "{at} {driven}: {told:?}"
+            );
             // Parts that the faulty pair would have defined are not reported as missing.
             let missed = told.err().is_some_and(|f| f.list.iter().any(|d| d.code == "driver"));
-            assert!(!(reused && driven == "C" && missed), "{at}: the wheel's centre is said to run nowhere");
+            assert!(
+                !(reused && driven == "C" && missed),
+                "{at}: the wheel's centre is said to run nowhere"
+            );
         }
     }
 }
@@ -399,11 +464,25 @@ fn gears_whose_distance_changes_lock_the_mechanism() {
         )
     };
     let between = |on: &str| {
-        coupler(on)
-            .replace("null", &format!("{:?}", f64::hypot(if on == "C" { 90.0 } else { 100.0 }, if on == "C" { 20.0 } else { 40.0 }) - 30.0))
+        coupler(on).replace(
+            "null",
+            &format!(
+                "{:?}",
+                f64::hypot(
+                    if on == "C" { 90.0 } else { 100.0 },
+                    if on == "C" { 20.0 } else { 40.0 }
+                ) - 30.0
+            ),
+        )
     };
-    let scenes =
-        [(rack(0.0), true), (rack(180.0), true), (rack(150.0), false), (rack(1.0), false), (between("C"), true), (between("D"), false)];
+    let scenes = [
+        (rack(0.0), true),
+        (rack(180.0), true),
+        (rack(150.0), false),
+        (rack(1.0), false),
+        (between("C"), true),
+        (between("D"), false),
+    ];
     for (text, holds) in scenes {
         let scene = read(&text);
         let count = mobility::Counted::of(&scene);

@@ -75,7 +75,11 @@ fn dyad<S: Simd>(a: Motion<S>, b: Motion<S>, r: f64, s: f64, sign: f64) -> Motio
     let (u, w) = (minus(c, a.p), minus(c, b.p));
     let v = cross(u, w, dot(u, a.v) * inverse, dot(w, b.v) * inverse);
     let (x, y) = (minus(v, a.v), minus(v, b.v));
-    Motion { p: c, v, a: cross(u, w, (dot(u, a.a) - dot(x, x)) * inverse, (dot(w, b.a) - dot(y, y)) * inverse) }
+    Motion {
+        p: c,
+        v,
+        a: cross(u, w, (dot(u, a.a) - dot(x, x)) * inverse, (dot(w, b.a) - dot(y, y)) * inverse),
+    }
 }
 
 /// Two bars, the second on ground.
@@ -136,7 +140,10 @@ pub enum Mechanism {
 impl Mechanism {
     /// The walking leg.
     pub fn leg() -> Mechanism {
-        Mechanism::Leg { third_e: third(0.0415, 0.0401, 0.0558), third_g: third(0.0367, 0.049, 0.0657) }
+        Mechanism::Leg {
+            third_e: third(0.0415, 0.0401, 0.0558),
+            third_g: third(0.0367, 0.049, 0.0657),
+        }
     }
 }
 
@@ -144,11 +151,20 @@ impl ByHand {
     pub fn new(mechanism: Mechanism, cos: &[f64], sin: &[f64]) -> ByHand {
         let points = if matches!(mechanism, Mechanism::FourBar) { 1 } else { 5 };
         let chunk = |x: &[f64]| Column(x.try_into().expect("a chunk"));
-        ByHand { cos: chunk(cos), sin: chunk(sin), out: vec![Column([0.0; CHUNK]); 6 * points], mechanism }
+        ByHand {
+            cos: chunk(cos),
+            sin: chunk(sin),
+            out: vec![Column([0.0; CHUNK]); 6 * points],
+            mechanism,
+        }
     }
 
     #[inline(always)]
-    fn run<S: Simd, const POINTS: usize>(&mut self, simd: S, at: impl Fn(f64x4<S>, f64x4<S>) -> [Motion<S>; POINTS]) {
+    fn run<S: Simd, const POINTS: usize>(
+        &mut self,
+        simd: S,
+        at: impl Fn(f64x4<S>, f64x4<S>) -> [Motion<S>; POINTS],
+    ) {
         let (velocities, accelerations) = self.out.split_at_mut(3 * POINTS);
         for i in (0..CHUNK).step_by(4) {
             let c = f64x4::from_slice(simd, &self.cos.0[i..i + 4]);
@@ -197,7 +213,8 @@ impl ByHand {
                 #[inline(always)]
                 || self.run_mechanism(simd),
             ),
-            None => self.run_mechanism(Level::baseline().as_sse2().expect("the loops by hand are for x86")),
+            None => self
+                .run_mechanism(Level::baseline().as_sse2().expect("the loops by hand are for x86")),
         }
     }
 }

@@ -90,7 +90,11 @@ fn chain(n: usize) -> Scene {
     let mut last = "B".to_owned();
     for i in 0..n {
         let (c, d) = (format!("C{i}"), format!("D{i}"));
-        links.push_str(&format!(", \"{}\": [\"{last}\", \"{c}\"], \"{}\": [\"{c}\", \"{d}\"]", 10 + 2 * i, 11 + 2 * i));
+        links.push_str(&format!(
+            ", \"{}\": [\"{last}\", \"{c}\"], \"{}\": [\"{c}\", \"{d}\"]",
+            10 + 2 * i,
+            11 + 2 * i
+        ));
         ground.push_str(&format!(", \"{d}\""));
         points.push_str(&format!(", \"{d}\": [\"{} mm\", 0]", 300 * (i + 1)));
         lengths.push_str(&format!(", \"{last}{c}\": \"300 mm\", \"{c}{d}\": \"220 mm\""));
@@ -109,7 +113,8 @@ fn chain(n: usize) -> Scene {
 /// A train of this number of gears in mesh, all on ground, each with a point with velocity and
 /// acceleration asked for.
 fn train(n: usize) -> Scene {
-    let (mut links, mut points, mut gears, mut find) = (String::new(), String::new(), Vec::new(), Vec::new());
+    let (mut links, mut points, mut gears, mut find) =
+        (String::new(), String::new(), Vec::new(), Vec::new());
     let mut ground = vec!["\"D0\"".to_owned()];
     for k in 1..=n {
         links.push_str(&format!(", \"g{k}\": [\"D{k}\", \"C{k}\"]"));
@@ -143,7 +148,9 @@ fn measure(variants: &mut [Variant]) -> Vec<f64> {
     let mut times = vec![Vec::new(); variants.len()];
     let mut calls = vec![1u32; variants.len()];
     for _ in 0..ROUNDS {
-        for (((_, (call, positions)), times), calls) in variants.iter_mut().zip(&mut times).zip(&mut calls) {
+        for (((_, (call, positions)), times), calls) in
+            variants.iter_mut().zip(&mut times).zip(&mut calls)
+        {
             let start = Instant::now();
             for _ in 0..*calls {
                 call();
@@ -158,37 +165,69 @@ fn measure(variants: &mut [Variant]) -> Vec<f64> {
 
 fn main() {
     let four_bar = asked("crank-rocker", &["v_C", "a_C"]);
-    let leg = asked("jansen-leg", &["v_C", "v_D", "v_E", "v_F", "v_G", "a_C", "a_D", "a_E", "a_F", "a_G"]);
+    let leg = asked(
+        "jansen-leg",
+        &["v_C", "v_D", "v_E", "v_F", "v_G", "a_C", "a_D", "a_E", "a_F", "a_G"],
+    );
     let mut variants: Vec<Variant> = vec![
         ("four-bar by hand".into(), hand(&four_bar, by_hand::Mechanism::FourBar)),
         ("four-bar: position, velocity, acceleration".into(), chunk_of(&four_bar, Width::Widest)),
         ("the same, one lane".into(), chunk_of(&four_bar, Width::One)),
-        ("four-bar: position and velocity".into(), chunk_of(&asked("crank-rocker", &["v_C"]), Width::Widest)),
-        ("four-bar: position".into(), chunk_of(&asked("crank-rocker", &["x_C", "y_C"]), Width::Widest)),
+        (
+            "four-bar: position and velocity".into(),
+            chunk_of(&asked("crank-rocker", &["v_C"]), Width::Widest),
+        ),
+        (
+            "four-bar: position".into(),
+            chunk_of(&asked("crank-rocker", &["x_C", "y_C"]), Width::Widest),
+        ),
         ("eight-link leg by hand".into(), hand(&leg, by_hand::Mechanism::leg())),
         ("eight-link leg, all joints, all three".into(), chunk_of(&leg, Width::Widest)),
         ("the same leg, one lane".into(), chunk_of(&leg, Width::One)),
-        ("slider-crank: v and a of the pin".into(), chunk_of(&asked("slider-crank", &["v_C", "a_C"]), Width::Widest)),
-        ("shaper: v and a of the ram".into(), chunk_of(&asked("shaper", &["v_C", "a_C"]), Width::Widest)),
+        (
+            "slider-crank: v and a of the pin".into(),
+            chunk_of(&asked("slider-crank", &["v_C", "a_C"]), Width::Widest),
+        ),
+        (
+            "shaper: v and a of the ram".into(),
+            chunk_of(&asked("shaper", &["v_C", "a_C"]), Width::Widest),
+        ),
     ];
     let single = variants.len();
     let dyads = [1, 3, 10, 30, 100];
-    variants.extend(dyads.map(|n| (format!("chain of {n} dyads, all three"), chunk_of(&chain(n), Width::Widest))));
+    variants.extend(
+        dyads.map(|n| {
+            (format!("chain of {n} dyads, all three"), chunk_of(&chain(n), Width::Widest))
+        }),
+    );
     let chained = variants.len();
     let meshes = [1, 3, 10, 30];
-    variants.extend(meshes.map(|n| (format!("train of {n} meshes, all three"), chunk_of(&train(n), Width::Widest))));
+    variants.extend(
+        meshes.map(|n| {
+            (format!("train of {n} meshes, all three"), chunk_of(&train(n), Width::Widest))
+        }),
+    );
     let trained = variants.len();
     variants.extend(wheels::variants());
     let wheeled = variants.len();
     for (name, accelerations) in FORCES {
-        variants.push((format!("forces, {name}: the accelerations"), chunk_of(&asked(name, accelerations), Width::Widest)));
-        variants.push((format!("forces, {name}: M_b"), chunk_of(&asked(name, &["M_b"]), Width::Widest)));
+        variants.push((
+            format!("forces, {name}: the accelerations"),
+            chunk_of(&asked(name, accelerations), Width::Widest),
+        ));
+        variants.push((
+            format!("forces, {name}: M_b"),
+            chunk_of(&asked(name, &["M_b"]), Width::Widest),
+        ));
     }
     let given: Vec<String> = std::env::args().skip(1).collect();
     if let [count, name, ..] = &given[..]
         && count == "count"
     {
-        let (_, (call, positions)) = variants.iter_mut().find(|v| v.0 == *name).expect("the name of a variant, as the table has it");
+        let (_, (call, positions)) = variants
+            .iter_mut()
+            .find(|v| v.0 == *name)
+            .expect("the name of a variant, as the table has it");
         (0..1_000_000 / *positions).for_each(|_| call());
         return;
     }
@@ -219,7 +258,9 @@ fn main() {
     for ((name, _), t) in variants[trained..wheeled].iter().zip(&times[trained..wheeled]) {
         println!("| {name} | {t:.1} |");
     }
-    println!("\n| balancing moment | ns a position | against the accelerations that it rests on |\n|---|---|---|");
+    println!(
+        "\n| balancing moment | ns a position | against the accelerations that it rests on |\n|---|---|---|"
+    );
     for ((name, _), t) in FORCES.iter().zip(times[wheeled..].chunks(2)) {
         println!("| {name} | {:.1} | {:.2} |", t[1], t[1] / t[0]);
     }
@@ -232,10 +273,23 @@ fn batch() {
     let m = Mechanism::new(&scene).unwrap().value;
     let variation = Variation::new(&scene, &["l_AB", "l_BC", "l_CD"]).unwrap();
     let range = |name, from, to| variation.range(&scene, name, from, to, 1).unwrap();
-    let values = vec![range("l_AB", "60", "120"), range("l_BC", "200", "300"), range("l_CD", "180", "260")];
+    let values =
+        vec![range("l_AB", "60", "120"), range("l_BC", "200", "300"), range("l_CD", "180", "260")];
     let choice = ParameterChoice::Random { count: 10_000, seed: 1 };
-    let stations = Some(Stations::turned(hodograph::scene::Angle::Deg(0.0), hodograph::scene::Angle::Deg(358.2), 199));
-    let batch = Batch { scene: &scene, mechanism: &m, variation: variation.clone(), values, choice, driver: 0, stations };
+    let stations = Some(Stations::turned(
+        hodograph::scene::Angle::Deg(0.0),
+        hodograph::scene::Angle::Deg(358.2),
+        199,
+    ));
+    let batch = Batch {
+        scene: &scene,
+        mechanism: &m,
+        variation: variation.clone(),
+        values,
+        choice,
+        driver: 0,
+        stations,
+    };
     let (start, cpu) = (Instant::now(), processor_time());
     let (mut rows, mut block) = (0, Block::default());
     for from in (0..10_000).step_by(320) {
@@ -243,10 +297,17 @@ fn batch() {
         rows += block.columns[0].len();
     }
     let t = start.elapsed().as_secs_f64();
-    println!("\n10 000 random four-bars × 200 positions: {rows} rows in {t:.3} s, {:.1} million positions/s", 2.0 / t);
+    println!(
+        "\n10 000 random four-bars × 200 positions: {rows} rows in {t:.3} s, {:.1} million positions/s",
+        2.0 / t
+    );
     if let (Some(before), Some(after)) = (cpu, processor_time()) {
         let t = after - before;
-        println!("processor time {t:.3} s: {:.1} µs a mechanism, {:.1} million positions/s and core", t * 100.0, 2.0 / t);
+        println!(
+            "processor time {t:.3} s: {:.1} µs a mechanism, {:.1} million positions/s and core",
+            t * 100.0,
+            2.0 / t
+        );
     }
 }
 

@@ -13,16 +13,25 @@ const TURN: usize = 360;
 /// A cam with this number of translating roller followers; the velocity and acceleration of each
 /// are asked for.
 fn cam(profile: &str, followers: usize) -> Scene {
-    let each = |text: &dyn Fn(usize) -> String| (1..=followers).map(text).collect::<Vec<_>>().join(", ");
+    let each =
+        |text: &dyn Fn(usize) -> String| (1..=followers).map(text).collect::<Vec<_>>().join(", ");
     let links = each(&|k| format!(r#""f{k}": ["B{k}"]"#));
     let angle = |k: usize| 90 - 20 * (k as i32 - 1);
-    let guides = each(&|k| format!(r#"{{"pin": "B{k}", "slider": "f{k}", "on": "1", "through": "O", "angle": "{} deg"}}"#, angle(k)));
+    let guides = each(&|k| {
+        format!(
+            r#"{{"pin": "B{k}", "slider": "f{k}", "on": "1", "through": "O", "angle": "{} deg"}}"#,
+            angle(k)
+        )
+    });
     let sketch = each(&|k| {
         let (s, c) = libm::sincos(f64::from(angle(k)).to_radians());
         format!(r#""B{k}": ["{} mm", "{} mm"]"#, 50.0 * c, 50.0 * s)
     });
-    let cams =
-        each(&|k| format!(r#"{{"cam": "2", "follower": "f{k}", "roller": {{"pin": "B{k}", "radius": "8 mm"}}, "profile": {profile}}}"#));
+    let cams = each(&|k| {
+        format!(
+            r#"{{"cam": "2", "follower": "f{k}", "roller": {{"pin": "B{k}", "radius": "8 mm"}}, "profile": {profile}}}"#
+        )
+    });
     let find = each(&|k| format!(r#""v_B{k}", "a_B{k}""#));
     let text = format!(
         r#"{{"links": {{"1": ["O"], "2": ["O", "Q"], {links}}}, "ground": "1", "points": {{"O": [0, 0]}}, "lengths": {{"OQ": "20 mm"}},
@@ -59,7 +68,9 @@ pub fn variants() -> Vec<Variant> {
         ("by the cycloidal law", law("cycloidal")),
         ("by the 3-4-5 law", law("3-4-5")),
     ] {
-        out.extend([1, 3, 10].map(|n| (format!("cam {name}, {n} followers"), chunk_of(&cam(&profile, n), Width::Widest))));
+        out.extend([1, 3, 10].map(|n| {
+            (format!("cam {name}, {n} followers"), chunk_of(&cam(&profile, n), Width::Widest))
+        }));
         out.push((format!("cam {name}, a whole turn, placing included"), turn(cam(&profile, 1))));
     }
     out

@@ -25,7 +25,10 @@ const INCH_MM: f64 = 25.4;
 pub fn run(a: AnimateArgs) -> CommandResult {
     let places = places(&a.output, &a.format, MotionFormat::Svg)?;
     if places.iter().any(|p| p.0 == MotionFormat::Png) {
-        let one = both!("ask for one file that moves: --format svg or --format gif", "请写成一个动画文件：--format svg 或 --format gif");
+        let one = both!(
+            "ask for one file that moves: --format svg or --format gif",
+            "请写成一个动画文件：--format svg 或 --format gif"
+        );
         one_result(&a.output, usize::from(a.frames), one)?;
     }
     let style = style_of(&a.look)?;
@@ -34,18 +37,27 @@ pub fn run(a: AnimateArgs) -> CommandResult {
     let worked = input.work(Scope::Figure)?;
     let swept = swept_of(&input.scene, a.moves.over.as_deref())?;
     let (lang, notation) = choices(&input.scene, &a.common);
-    let options = SheetOptions { notation: style.marks.over(&notation), style, ..SheetOptions::of_language(lang) };
+    let options = SheetOptions {
+        notation: style.marks.over(&notation),
+        style,
+        ..SheetOptions::of_language(lang)
+    };
     let wanted = PosesContent { count: usize::from(a.frames), swept, points: Vec::new() };
-    let made = turn(&input.scene, &worked, &options, &wanted, INCH_MM / a.dpi).map_err(|f| input.failed(f))?;
+    let made = turn(&input.scene, &worked, &options, &wanted, INCH_MM / a.dpi)
+        .map_err(|f| input.failed(f))?;
     let Warned { value, notes } = made;
     let period = value.period();
     let (mut all, mut names) = (Together::default(), String::new());
     for (format, path) in &places {
         let bytes = match format {
-            MotionFormat::Gif => gif::write(&written(&period)?, a.dpi, a.seconds).map_err(of_figure)?,
-            MotionFormat::Svg => {
-                ids::put_before(&moving::write(&period, a.seconds).map_err(|f| Failure::input(f, "", ""))?).into_owned().into_bytes()
+            MotionFormat::Gif => {
+                gif::write(&written(&period)?, a.dpi, a.seconds).map_err(of_figure)?
             }
+            MotionFormat::Svg => ids::put_before(
+                &moving::write(&period, a.seconds).map_err(|f| Failure::input(f, "", ""))?,
+            )
+            .into_owned()
+            .into_bytes(),
             MotionFormat::Png => {
                 names += &frames(path, &written(&period)?, a.dpi, &mut all)?;
                 continue;
@@ -63,7 +75,8 @@ pub fn run(a: AnimateArgs) -> CommandResult {
 
 /// Writes the frames as SVG, each figure once.
 fn written(period: &[&Figure]) -> Result<Vec<String>, Failure> {
-    let all: Result<Vec<String>, Faults> = period.par_iter().map(|f| Ok(svg::write(f)?.value)).collect();
+    let all: Result<Vec<String>, Faults> =
+        period.par_iter().map(|f| Ok(svg::write(f)?.value)).collect();
     all.map_err(|f| Failure::input(f, "", ""))
 }
 
@@ -73,8 +86,14 @@ fn of_figure(d: Diagnostic) -> Failure {
 
 /// Writes one picture per frame, with the frame's number after the requested name; returns the file
 /// names.
-fn frames(path: &str, all: &[String], dpi: f64, together: &mut Together) -> Result<String, Failure> {
-    let pictures: Result<Vec<Vec<u8>>, Diagnostic> = all.par_iter().map(|svg| png::render(svg, dpi)).collect();
+fn frames(
+    path: &str,
+    all: &[String],
+    dpi: f64,
+    together: &mut Together,
+) -> Result<String, Failure> {
+    let pictures: Result<Vec<Vec<u8>>, Diagnostic> =
+        all.par_iter().map(|svg| png::render(svg, dpi)).collect();
     let stem = Path::new(path).with_extension("");
     let mut names = String::new();
     for (k, bytes) in pictures.map_err(of_figure)?.iter().enumerate() {

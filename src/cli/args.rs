@@ -6,8 +6,8 @@ mod paths;
 mod reports;
 
 use super::values::{
-    BatchFormat, FaultFormat, FigureFormat, Language, PointVectors, SheetFormat, TableFormat, TextFormat, digits, dpi, figures, length,
-    seconds, steps,
+    BatchFormat, FaultFormat, FigureFormat, Language, PointVectors, SheetFormat, TableFormat,
+    TextFormat, digits, dpi, figures, length, seconds, steps,
 };
 use crate::figure::list::{FigureEntry, USUAL};
 use clap::{Args as ClapArgs, Parser, Subcommand};
@@ -29,7 +29,8 @@ pub struct Args {
     /// Language of the output (default: the scene's, else en)
     #[arg(long, value_enum, global = true)]
     pub lang: Option<Language>,
-    /// Form of faults, warnings and notes on standard error: text, or one JSON document for the run (`hodograph schema --diagnostics`)
+    /// Form of faults, warnings and notes on standard error: text, or one JSON document for the run
+    /// (`hodograph schema --diagnostics`)
     #[arg(long, value_enum, global = true, default_value_t = FaultFormat::Text, hide_possible_values = true, hide_default_value = true, value_name = "text|json")]
     pub errors: FaultFormat,
     #[command(subcommand)]
@@ -38,48 +39,67 @@ pub struct Args {
 
 #[derive(Subcommand, Debug)]
 pub enum Command {
-    /// Draw the sheet: mechanism, equation tables, velocity and acceleration polygons, results (SVG, PNG, PDF)
+    /// Draw the sheet: mechanism, equation tables, velocity and acceleration polygons, results
+    /// (SVG, PNG, PDF)
     Draw(DrawArgs),
     /// Write a lesson: one HTML page with the construction step by step and a crank to drag
     Lesson(LessonArgs),
-    /// Answer the scene's questions: values, units, senses, drawing against analysis; at a change point both motions
+    /// Answer the scene's questions: values, units, senses, drawing against analysis; at a change
+    /// point both motions
     Solve(SolveArgs),
-    /// Write the vector equations in solving order, and why each effect is in or out; as JSON, also what work was done
+    /// Write the vector equations in solving order, and why each effect is in or out; as JSON, also
+    /// what work was done
     Plan(PlanArgs),
-    /// Write a worksheet: the problem as it is set, and its solution step by step (PDF, HTML, Markdown, Typst)
+    /// Write a worksheet: the problem as it is set, and its solution step by step (PDF, HTML,
+    /// Markdown, Typst)
     Worksheet(WorksheetArgs),
-    /// Measure what accuracy costs: every way to this scene's answers with its error and its time, as a table and a figure
+    /// Measure what accuracy costs: every way to this scene's answers with its error and its time,
+    /// as a table and a figure
     Accuracy(AccuracyArgs),
-    /// Sweep a driver or a parameter: the answers at all positions, as a table (CSV, JSON, NumPy, Parquet)
+    /// Sweep a driver or a parameter: the answers at all positions, as a table (CSV, JSON, NumPy,
+    /// Parquet)
     Sweep(SweepArgs),
-    /// Vary parameters over a grid or at random: many mechanisms, at one or many positions each, into one table (CSV, NumPy, Parquet)
+    /// Vary parameters over a grid or at random: many mechanisms, at one or many positions each,
+    /// into one table (CSV, NumPy, Parquet)
     Batch(BatchArgs),
-    /// Line diagrams: displacement, velocity, acceleration against the position of the driver or the time, extremes
-    /// marked
+    /// Line diagrams: displacement, velocity, acceleration against the position of the driver or
+    /// the time, extremes marked
     Curves(CurvesArgs),
-    /// Paths of points (coupler curves) on the mechanism, and the hodographs of their velocities and accelerations
+    /// Paths of points (coupler curves) on the mechanism, and the hodographs of their velocities
+    /// and accelerations
     Path(PathArgs),
-    /// The motion as a moving picture: mechanism and polygons through the travel of a driver or through time (GIF, moving SVG, numbered PNG)
+    /// The motion as a moving picture: mechanism and polygons through the travel of a driver or
+    /// through time (GIF, moving SVG, numbered PNG)
     Animate(AnimateArgs),
-    /// A disc cam over a whole turn: displacement, velocity, acceleration, shocks, pressure angle, curvature; its profile (CSV, DXF)
+    /// A disc cam over a whole turn: displacement, velocity, acceleration, shocks, pressure angle,
+    /// curvature; its profile (CSV, DXF)
     Cam(CamArgs),
-    /// RangeArgs of the driver, extreme positions and strokes, time ratio, transmission angles, Grashof's type
+    /// RangeArgs of the driver, extreme positions and strokes, time ratio, transmission angles,
+    /// Grashof's type
     Limits(LimitsArgs),
-    /// Count freedoms: links and pairs, compound hinges, local freedoms, virtual constraints, groups for each possible driver
+    /// Count freedoms: links and pairs, compound hinges, local freedoms, virtual constraints,
+    /// groups for each possible driver
     Mobility(MobilityArgs),
-    /// Instantaneous centres of velocity: how each is found, where it lies, and the speeds that they tell
+    /// Instantaneous centres of velocity: how each is found, where it lies, and the speeds that
+    /// they tell
     Centres(CentresArgs),
-    /// Inversions: each link of the chain as ground in turn, with Grashof's type, what turns fully, strokes, and Willis' ratios of gears; each a scene
+    /// Inversions: each link of the chain as ground in turn, with Grashof's type, what turns fully,
+    /// strokes, and Willis' ratios of gears; each a scene
     Inversions(InversionsArgs),
-    /// Curvature of paths: pole, inflection circle, centres of curvature (Bobillier, Euler-Savary), acceleration pole, Ball's point
+    /// Curvature of paths: pole, inflection circle, centres of curvature (Bobillier, Euler-Savary),
+    /// acceleration pole, Ball's point
     Curvature(CurvatureArgs),
-    /// Composite motion of a point: which moving points and frames serve and why not, and the parts of the motion
+    /// Composite motion of a point: which moving points and frames serve and why not, and the parts
+    /// of the motion
     Composite(CompositeArgs),
-    /// Wrong solutions: where typical mistakes can be made in this scene, what comes of them, and why they are wrong
+    /// Wrong solutions: where typical mistakes can be made in this scene, what comes of them, and
+    /// why they are wrong
     Attempts(AttemptsArgs),
-    /// Design a linkage from a synthesis file: all candidates with lengths, errors, defects and transmission angles, each a scene
+    /// Design a linkage from a synthesis file: all candidates with lengths, errors, defects and
+    /// transmission angles, each a scene
     Synth(super::synth::SynthArgs),
-    /// Readings of a statement whose figure is lost: the answers of each, and which gives what was printed
+    /// Readings of a statement whose figure is lost: the answers of each, and which gives what was
+    /// printed
     Readings(ReadingsArgs),
     /// Write a template's scene, with other parameters if wanted
     New {
@@ -92,7 +112,8 @@ pub enum Command {
         #[arg(short, long, value_name = "FILE")]
         output: Option<String>,
     },
-    /// Compare two figures (SVG, PNG): vectors that moved, items, texts, pixels; exit code 1 where they differ
+    /// Compare two figures (SVG, PNG): vectors that moved, items, texts, pixels; exit code 1 where
+    /// they differ
     Diff(DiffArgs),
     /// List the templates with their parameters
     Templates,
@@ -121,7 +142,8 @@ pub struct CommonArgs {
     /// The scene file; `-` reads standard input
     #[arg(value_name = "SCENE")]
     pub scene: String,
-    /// Give a parameter of the scene another value, or `t`, the instant of laws of time: NAME=VALUE; a bare number keeps the unit
+    /// Give a parameter of the scene another value, or `t`, the instant of laws of time:
+    /// NAME=VALUE; a bare number keeps the unit
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
     /// Notation profile: en (pole o, superscripts c, rel) or cn (pole p, superscripts k, r)
@@ -132,14 +154,16 @@ pub struct CommonArgs {
 /// The appearance of figures.
 #[derive(ClapArgs, Debug)]
 pub struct LookArgs {
-    /// Style: print (black on white), slides (a colour for each link), dark, or a style file ending in .json
+    /// Style: print (black on white), slides (a colour for each link), dark, or a style file ending
+    /// in .json
     #[arg(long, value_name = "STYLE", default_value = "print")]
     pub style: String,
-    /// A font of your own (.otf, .ttf) for letters, digits and words; twice for an upright and an italic one; before those of the
-    /// style. What it lacks is set in the bundled fonts
+    /// A font of your own (.otf, .ttf) for letters, digits and words; twice for an upright and an
+    /// italic one; before those of the style. What it lacks is set in the bundled fonts
     #[arg(long, value_name = "FILE")]
     pub font: Vec<String>,
-    /// Before all ids of an SVG, so that several figures fit into one page: a letter, then letters, digits, - or _, such as fig1-
+    /// Before all ids of an SVG, so that several figures fit into one page: a letter, then letters,
+    /// digits, - or _, such as fig1-
     #[arg(long, value_name = "PREFIX", default_value = "", hide_default_value = true)]
     pub id_prefix: String,
 }
@@ -148,10 +172,12 @@ pub struct LookArgs {
 pub struct DrawArgs {
     #[command(flatten)]
     pub common: CommonArgs,
-    /// Folder for the files, or one file ending in .svg, .png or .pdf, or `-` for standard output; a folder that is not there yet and has a dot in its name ends in /
+    /// Folder for the files, or one file ending in .svg, .png or .pdf, or `-` for standard output;
+    /// a folder that is not there yet and has a dot in its name ends in /
     #[arg(short, long, value_name = "PATH", default_value = ".")]
     pub output: String,
-    /// Formats of the files, such as svg,pdf; of a file the ending of -o decides (default: svg,png into a folder, svg to standard output)
+    /// Formats of the files, such as svg,pdf; of a file the ending of -o decides (default: svg,png
+    /// into a folder, svg to standard output)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
     pub format: Vec<FigureFormat>,
     /// The figures, each in files of its own: the whole sheet, or parts of it
@@ -160,23 +186,26 @@ pub struct DrawArgs {
     /// With the mechanism: vectors of this kind at its points
     #[arg(long, value_enum, conflicts_with = "steps")]
     pub vectors: Option<PointVectors>,
-    /// Number of positions of the first driver: the sheet becomes a table of them, each with its mechanism and polygons, all to one
-    /// set of scales; with `--figure mechanism` they lie behind the mechanism
+    /// Number of positions of the first driver: the sheet becomes a table of them, each with its
+    /// mechanism and polygons, all to one set of scales; with `--figure mechanism` they lie behind
+    /// the mechanism
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=72), conflicts_with = "steps")]
     pub poses: u16,
-    /// The paths of these points through the travel of the first driver, with the mechanism; with `--poses` on the sheet, their
-    /// hodographs behind the polygons too
+    /// The paths of these points through the travel of the first driver, with the mechanism; with
+    /// `--poses` on the sheet, their hodographs behind the polygons too
     #[arg(long, value_name = "POINTS", value_delimiter = ',', conflicts_with = "steps")]
     pub path: Vec<String>,
-    /// With the mechanism: the given lengths and angles as dimensions in the scene's units, and below all else that is given, so that the
-    /// mechanism can be drawn again from it
+    /// With the mechanism: the given lengths and angles as dimensions in the scene's units, and
+    /// below all else that is given, so that the mechanism can be drawn again from it
     #[arg(long, conflicts_with = "steps")]
     pub dimensions: bool,
-    /// Width of the page, such as 80mm for a column of a book: type is made smaller as far as it can be read, then items are left out,
-    /// with a note; a figure that still does not fit is not drawn
+    /// Width of the page, such as 80mm for a column of a book: type is made smaller as far as it
+    /// can be read, then items are left out, with a note; a figure that still does not fit is not
+    /// drawn
     #[arg(long, value_name = "LENGTH")]
     pub width: Option<String>,
-    /// Letters of an SVG: outlines look the same everywhere; editable text depends on the fonts of the machine that shows it
+    /// Letters of an SVG: outlines look the same everywhere; editable text depends on the fonts of
+    /// the machine that shows it
     #[arg(long, value_enum, default_value_t = TextFormat::Outlines)]
     pub text: TextFormat,
     /// One picture for each step of the construction, with the step's sentence
@@ -187,10 +216,12 @@ pub struct DrawArgs {
     pub pick: Option<u64>,
     #[command(flatten)]
     pub look: LookArgs,
-    /// Significant digits of the results, 1 to 30; fewer are printed, with the reason, where fewer are certain
+    /// Significant digits of the results, 1 to 30; fewer are printed, with the reason, where fewer
+    /// are certain
     #[arg(long, default_value_t = crate::figure::results::DIGITS, value_parser = digits)]
     pub digits: usize,
-    /// The tolerance of each result when drawn by hand, with a pencil error such as 0.1mm (default: the scene's, else 0.1 mm)
+    /// The tolerance of each result when drawn by hand, with a pencil error such as 0.1mm (default:
+    /// the scene's, else 0.1 mm)
     #[arg(long, value_name = "LENGTH", num_args = 0..=1, default_missing_value = "", value_parser = length)]
     pub drafting: Option<String>,
     /// Resolution of the PNG in dots per inch
@@ -208,10 +239,12 @@ pub struct LessonArgs {
     /// A fragment for reveal.js instead: an inline SVG whose parts appear step by step
     #[arg(long, conflicts_with_all = ["positions", "driver", "over"])]
     pub reveal: bool,
-    /// With --reveal: width of the fragment, such as 240mm; drawings and type become smaller, then drawings stand one below the other
+    /// With --reveal: width of the fragment, such as 240mm; drawings and type become smaller, then
+    /// drawings stand one below the other
     #[arg(long, value_name = "LENGTH", requires = "reveal")]
     pub width: Option<String>,
-    /// Positions through a full turn or the whole travel, 8 to 360; more are added where the motion bends
+    /// Positions through a full turn or the whole travel, 8 to 360; more are added where the motion
+    /// bends
     #[arg(long, default_value_t = crate::lesson::POSITIONS as u64, value_parser = clap::value_parser!(u64).range(8..=360))]
     pub positions: u64,
     /// The driver that moves, counted from 1; for a file with `motions`, the motion that is shown
@@ -236,8 +269,8 @@ pub struct SolveArgs {
     /// Significant digits, 1 to 30; fewer are printed, with the reason, where fewer are certain
     #[arg(long, default_value_t = crate::report::answers::DIGITS, value_parser = digits)]
     pub digits: usize,
-    /// Tolerances when drawn by hand, with a pencil error such as 0.1mm (default: the scene's, else 0.1 mm): of each answer, of each
-    /// crossing, and the scales for 1 %
+    /// Tolerances when drawn by hand, with a pencil error such as 0.1mm (default: the scene's, else
+    /// 0.1 mm): of each answer, of each crossing, and the scales for 1 %
     #[arg(long, value_name = "LENGTH", num_args = 0..=1, default_missing_value = "", value_parser = length)]
     pub drafting: Option<String>,
     /// The construction too, step by step, with the lengths measured on paper
@@ -249,7 +282,8 @@ pub struct SolveArgs {
 pub struct PlanArgs {
     #[command(flatten)]
     pub common: CommonArgs,
-    /// The plan as JSON, with counters of the work that the questions made: groups, equations, vectors, unknowns, values
+    /// The plan as JSON, with counters of the work that the questions made: groups, equations,
+    /// vectors, unknowns, values
     #[arg(long)]
     pub json: bool,
     /// Lay the sheet out too, so that the labels placed on it are counted
@@ -261,10 +295,12 @@ pub struct PlanArgs {
 pub struct WorksheetArgs {
     #[command(flatten)]
     pub common: CommonArgs,
-    /// The file, ending in .pdf, .html, .md or .typ, or `-` for standard output; the last two get their drawings as SVG files beside them
+    /// The file, ending in .pdf, .html, .md or .typ, or `-` for standard output; the last two get
+    /// their drawings as SVG files beside them
     #[arg(short, long, value_name = "FILE")]
     pub output: String,
-    /// Formats where -o has no such ending, such as pdf,html; each ending is added where there are several (default of `-o -`: html)
+    /// Formats where -o has no such ending, such as pdf,html; each ending is added where there are
+    /// several (default of `-o -`: html)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
     pub format: Vec<SheetFormat>,
     /// Only the problem: what is given and wanted, no answer
@@ -273,10 +309,12 @@ pub struct WorksheetArgs {
     /// Only the solution
     #[arg(long)]
     pub solution: bool,
-    /// Set a wrong solution as the problem: that which the scene names, else the first typical mistake; or one by its name
+    /// Set a wrong solution as the problem: that which the scene names, else the first typical
+    /// mistake; or one by its name
     #[arg(long, value_name = "MISTAKE", num_args = 0..=1, default_missing_value = "")]
     pub find_the_mistake: Option<String>,
-    /// Ask for the degree of freedom and the groups instead of the motion: the solution counts, says why, and draws the groups apart
+    /// Ask for the degree of freedom and the groups instead of the motion: the solution counts,
+    /// says why, and draws the groups apart
     #[arg(long, conflicts_with = "find_the_mistake")]
     pub mobility: bool,
     /// For a synthesis file: the candidate, counted from 1 in the order of `hodograph synth`
@@ -284,7 +322,8 @@ pub struct WorksheetArgs {
     pub pick: Option<u64>,
     #[command(flatten)]
     pub look: LookArgs,
-    /// Significant digits of the results, 1 to 30; fewer are printed, with the reason, where fewer are certain
+    /// Significant digits of the results, 1 to 30; fewer are printed, with the reason, where fewer
+    /// are certain
     #[arg(long, default_value_t = crate::figure::results::DIGITS, value_parser = digits)]
     pub digits: usize,
 }
@@ -296,10 +335,12 @@ pub struct AccuracyArgs {
     /// Also a series of poses that approach the nearest limit of the first driver, down to 1e-12
     #[arg(long)]
     pub toward_toggle: bool,
-    /// Write the work-precision figure to this file, ending in .svg, .png or .pdf, or to `-`, standard output, in place of the table
+    /// Write the work-precision figure to this file, ending in .svg, .png or .pdf, or to `-`,
+    /// standard output, in place of the table
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
-    /// Formats where -o has no such ending, such as svg,pdf; each ending is added where there are several (default of `-o -`: svg)
+    /// Formats where -o has no such ending, such as svg,pdf; each ending is added where there are
+    /// several (default of `-o -`: svg)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST", requires = "output")]
     pub format: Vec<FigureFormat>,
     /// The tables as JSON
@@ -315,18 +356,20 @@ pub struct AccuracyArgs {
 /// A driver's or parameter's values, and what is asked at each.
 #[derive(ClapArgs, Debug)]
 pub struct RangeArgs {
-    /// The variable: a driver (`driver`, `driver2`, `phi_1`, `s_B`, `l_BC`); for `sweep` and `curves` also `t`, the time: all drivers, each by its
-    /// law or at its rate (default where the scene has laws of time); of `sweep` a parameter of the scene
+    /// The variable: a driver (`driver`, `driver2`, `phi_1`, `s_B`, `l_BC`); for `sweep` and
+    /// `curves` also `t`, the time: all drivers, each by its law or at its rate (default where the
+    /// scene has laws of time); of `sweep` a parameter of the scene
     #[arg(long, value_name = "NAME")]
     pub over: Option<String>,
     /// The beginning, with a unit (default: 0, or the end of the driver's range)
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub from: Option<String>,
-    /// The end (default: a full turn, or the end of the driver's range; for the time twice the scene's instant)
+    /// The end (default: a full turn, or the end of the driver's range; for the time twice the
+    /// scene's instant)
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub to: Option<String>,
-    /// Equal steps from one to the other; both ends are rows (default: 360; of `batch` none, each mechanism stands where the scene
-    /// puts it)
+    /// Equal steps from one to the other; both ends are rows (default: 360; of `batch` none, each
+    /// mechanism stands where the scene puts it)
     #[arg(long, value_name = "N", value_parser = steps)]
     pub steps: Option<usize>,
     /// Other questions than the scene's, such as v_E,a_E,omega_3
@@ -356,20 +399,24 @@ pub struct CurvesArgs {
     pub range: RangeArgs,
     #[command(flatten)]
     pub look: LookArgs,
-    /// The vectors that are asked for, each from one pole, in place of line diagrams: the polar diagram of a bearing's force, the hodograph of
-    /// a velocity
+    /// The vectors that are asked for, each from one pole, in place of line diagrams: the polar
+    /// diagram of a bearing's force, the hodograph of a velocity
     #[arg(long)]
     pub polar: bool,
-    /// The file, ending in .svg or .png (all panels over one another) or .pdf (pages of A4), or `-` for standard output
+    /// The file, ending in .svg or .png (all panels over one another) or .pdf (pages of A4), or `-`
+    /// for standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: String,
-    /// Formats where -o has no such ending, such as svg,pdf; each ending is added where there are several (default of `-o -`: svg)
+    /// Formats where -o has no such ending, such as svg,pdf; each ending is added where there are
+    /// several (default of `-o -`: svg)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
     pub format: Vec<FigureFormat>,
 }
 
 #[derive(ClapArgs, Debug)]
-#[command(after_help = "Links and pairs are enough: without driver and lengths whatever lengths decide stays open")]
+#[command(
+    after_help = "Links and pairs are enough: without driver and lengths whatever lengths decide stays open"
+)]
 pub struct MobilityArgs {
     #[command(flatten)]
     pub common: CommonArgs,
@@ -378,11 +425,12 @@ pub struct MobilityArgs {
     pub json: bool,
     #[command(flatten)]
     pub look: LookArgs,
-    /// The groups drawn apart, in a file ending in .svg, .png or .pdf, or on `-`, standard output, in place of the report; the scene must
-    /// tell its pose
+    /// The groups drawn apart, in a file ending in .svg, .png or .pdf, or on `-`, standard output,
+    /// in place of the report; the scene must tell its pose
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
-    /// Formats where -o has no such ending, such as svg,pdf; each ending is added where there are several (default of `-o -`: svg)
+    /// Formats where -o has no such ending, such as svg,pdf; each ending is added where there are
+    /// several (default of `-o -`: svg)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST", requires = "output")]
     pub format: Vec<FigureFormat>,
 }
@@ -397,8 +445,8 @@ pub struct CamArgs {
     /// Formats of the figures, such as svg,pdf (default: svg,png)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
     pub format: Vec<FigureFormat>,
-    /// Write the profile to this file in millimetres, ending in .csv (a row for each angle) or .dxf (for a machine that cuts), or to `-`,
-    /// standard output, as CSV in place of the report
+    /// Write the profile to this file in millimetres, ending in .csv (a row for each angle) or .dxf
+    /// (for a machine that cuts), or to `-`, standard output, as CSV in place of the report
     #[arg(long, value_name = "FILE")]
     pub profile: Option<String>,
     /// Steps of a turn in the profile
@@ -432,7 +480,8 @@ pub struct BatchArgs {
     pub seed: u64,
     #[command(flatten)]
     pub range: RangeArgs,
-    /// Write to this file, ending in .csv, .npy or .parquet, or to `-`, standard output; an interrupted run goes on where it was left
+    /// Write to this file, ending in .csv, .npy or .parquet, or to `-`, standard output; an
+    /// interrupted run goes on where it was left
     #[arg(short, long, value_name = "FILE")]
     pub output: String,
     /// Format where -o has no such ending (default of `-o -`: csv)

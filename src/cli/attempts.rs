@@ -16,8 +16,14 @@ pub fn run(a: args::AttemptsArgs) -> CommandResult {
     let (lang, notation) = choices(&input.scene, &a.common);
     let all = attempts::wanted(&input.scene, &worked, a.all).map_err(|f| input.failed(f))?;
     let certified = certify(&input.scene, &worked, DIGITS);
-    let words =
-        report::AttemptWords { scene: &input.scene, worked: &worked, certified: &certified, notation: &notation, lang, digits: DIGITS };
+    let words = report::AttemptWords {
+        scene: &input.scene,
+        worked: &worked,
+        certified: &certified,
+        notation: &notation,
+        lang,
+        digits: DIGITS,
+    };
     if a.json {
         files::print(&format!("{:#}\n", report::json(&words, &all)))?;
         return Ok(ExitCode::SUCCESS);

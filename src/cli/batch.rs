@@ -1,15 +1,18 @@
 //! `hodograph batch`: varied parameters, many mechanisms, written block by block into one file.
 //!
-//! The rows go to a part file beside the output ([`PartialTable`]), which is renamed when all are written.
-//! An interrupted run leaves the part, and the same command continues from there. A file that
-//! cannot be written completely is removed: an output file is always complete.
+//! The rows go to a part file beside the output ([`PartialTable`]), which is renamed when all are
+//! written. An interrupted run leaves the part, and the same command continues from there. A file
+//! that cannot be written completely is removed: an output file is always complete.
 
 use super::args::BatchArgs as Args;
 use super::part::PartialTable;
 use super::sweep::{ask, driver_of, stations, within};
 use super::target::unwritable;
 use super::values::BatchFormat;
-use super::{CommandResult, Failure, SceneInput, SourceFaults, choices, errors, files, lang, long, places, stop, tables};
+use super::{
+    CommandResult, Failure, SceneInput, SourceFaults, choices, errors, files, lang, long, places,
+    stop, tables,
+};
 use crate::diag::{Diagnostic, Faults, Span, both};
 use crate::mechanism::Mechanism;
 use crate::report::table::{GENERATOR, RowFormat, TableHead, TablePiece};
@@ -46,7 +49,8 @@ pub fn batch(a: Args) -> CommandResult {
         a.range.find,
         input.file.source
     );
-    let part = write(&batch, format, head(&batch, input.scene.title.get(lang)), Path::new(&output), &job)?;
+    let part =
+        write(&batch, format, head(&batch, input.scene.title.get(lang)), Path::new(&output), &job)?;
     files::print(lang::of(&both!(
         "{}: {} mechanisms, {} rows, {} positions without one\n",
         "{}：{} 个机构，{} 行，{} 个位置没有数据行\n",
@@ -69,12 +73,18 @@ fn head(batch: &Batch, title: &str) -> TableHead {
 /// # Errors
 /// Arguments that cannot be read or do not fit the quantity of their parameter, each shown in its
 /// own argument.
-fn plan<'a>(input: &'a SceneInput, mechanism: &'a Mechanism, a: &Args) -> Result<Batch<'a>, Failure> {
+fn plan<'a>(
+    input: &'a SceneInput,
+    mechanism: &'a Mechanism,
+    a: &Args,
+) -> Result<Batch<'a>, Failure> {
     let scene = &input.scene;
     let mut ranges = Vec::new();
     let mut wrong = Vec::new();
     for text in &a.vary {
-        let known = range(text).and_then(|r| Variation::new(scene, &[r.name]).map(|_| r).map_err(|f| at(text, r.name, f)));
+        let known = range(text).and_then(|r| {
+            Variation::new(scene, &[r.name]).map(|_| r).map_err(|f| at(text, r.name, f))
+        });
         match known {
             Ok(r) => ranges.push((text, r)),
             Err(faults) => wrong.push(SourceFaults::argument("--vary", text, faults)),
@@ -84,11 +94,16 @@ fn plan<'a>(input: &'a SceneInput, mechanism: &'a Mechanism, a: &Args) -> Result
         return Err(Failure::Input(wrong));
     }
     let names: Vec<&str> = ranges.iter().map(|(_, r)| r.name).collect();
-    let variation = Variation::new(scene, &names).map_err(|f| Failure::argument("--vary", &a.vary.join(" --vary "), f))?;
+    let variation = Variation::new(scene, &names)
+        .map_err(|f| Failure::argument("--vary", &a.vary.join(" --vary "), f))?;
     let mut values = Vec::new();
     for (text, r) in &ranges {
-        let checked = |value: &str| variation.value(scene, r.name, value).map(drop).map_err(|f| at(text, value, f));
-        let read = checked(r.from).and_then(|()| checked(r.to)).and_then(|()| variation.range(scene, r.name, r.from, r.to, r.count - 1));
+        let checked = |value: &str| {
+            variation.value(scene, r.name, value).map(drop).map_err(|f| at(text, value, f))
+        };
+        let read = checked(r.from)
+            .and_then(|()| checked(r.to))
+            .and_then(|()| variation.range(scene, r.name, r.from, r.to, r.count - 1));
         match read {
             Ok(list) => values.push(list),
             Err(faults) => wrong.push(SourceFaults::argument("--vary", text, faults)),
@@ -106,7 +121,9 @@ fn plan<'a>(input: &'a SceneInput, mechanism: &'a Mechanism, a: &Args) -> Result
             Some(stations(input, &placed, driver, &a.range, steps)?)
         }
     };
-    let choice = a.random.map_or(ParameterChoice::Grid, |count| ParameterChoice::Random { count, seed: a.seed });
+    let choice = a
+        .random
+        .map_or(ParameterChoice::Grid, |count| ParameterChoice::Random { count, seed: a.seed });
     Ok(Batch { scene, mechanism, variation, values, choice, driver, stations })
 }
 
@@ -129,7 +146,10 @@ struct ParameterValues<'a> {
 /// `NAME=FROM..TO:N`, or `NAME=FROM..TO` for two values (the bounds of a random one).
 fn range(text: &str) -> Result<ParameterValues<'_>, Faults> {
     let unread = || {
-        let d = Diagnostic::error("vary", both!("`--vary {text}` cannot be read", "无法识别 `--vary {text}`"));
+        let d = Diagnostic::error(
+            "vary",
+            both!("`--vary {text}` cannot be read", "无法识别 `--vary {text}`"),
+        );
         Faults::from(d.help(both!(
             "write NAME=FROM..TO:N, such as --vary l_BC=80..120:100; N is 1 to 10000000",
             "请写 NAME=FROM..TO:N，如 --vary l_BC=80..120:100；N 为 1 到 10000000"
@@ -137,25 +157,40 @@ fn range(text: &str) -> Result<ParameterValues<'_>, Faults> {
     };
     let (name, rest) = text.split_once('=').ok_or_else(unread)?;
     let (bounds, count) = match rest.rsplit_once(':') {
-        Some((bounds, n)) => (bounds, n.trim().parse().ok().filter(|n| (1..=MOST_VALUES).contains(n)).ok_or_else(unread)?),
+        Some((bounds, n)) => (
+            bounds,
+            n.trim().parse().ok().filter(|n| (1..=MOST_VALUES).contains(n)).ok_or_else(unread)?,
+        ),
         None => (rest, 2),
     };
     // `60...120` could be read as `60..0.120`.
     if let Some(dots) = text.find("...") {
         let d = Diagnostic::error(
             "vary",
-            both!("two dots stand between the bounds of a range, here are three or more", "范围的两端之间是两个点，此处有三个或更多"),
+            both!(
+                "two dots stand between the bounds of a range, here are three or more",
+                "范围的两端之间是两个点，此处有三个或更多"
+            ),
         );
         let d = d.at(Span::new(dots, text.len() - text[dots..].trim_start_matches('.').len()));
         return Err(d
-            .help(both!("write FROM..TO; before the point of a number write a digit, 0.5", "请写 FROM..TO；小数点前要有数字，如 0.5"))
+            .help(both!(
+                "write FROM..TO; before the point of a number write a digit, 0.5",
+                "请写 FROM..TO；小数点前要有数字，如 0.5"
+            ))
             .into());
     }
     let (from, to) = bounds.split_once("..").ok_or_else(unread)?;
     Ok(ParameterValues { name: name.trim(), from: from.trim(), to: to.trim(), count })
 }
 
-fn write(batch: &Batch, format: BatchFormat, head: TableHead, out: &Path, job: &str) -> Result<PartialTable, Failure> {
+fn write(
+    batch: &Batch,
+    format: BatchFormat,
+    head: TableHead,
+    out: &Path,
+    job: &str,
+) -> Result<PartialTable, Failure> {
     let failed = |e: io::Error| unwritable(out, &e);
     let format = tables::by_rows(format, head).map_err(failed)?;
     let mut part = PartialTable::open(out, job, &*format)?;
@@ -186,7 +221,11 @@ fn write(batch: &Batch, format: BatchFormat, head: TableHead, out: &Path, job: &
         } else {
             both!("what is written to a pipe begins anew", "写入管道的须从头开始")
         };
-        return Err(Failure::Interrupted(both!("{done} of {all} mechanisms are done; {}", "{all} 个机构已完成 {done} 个；{}", after)));
+        return Err(Failure::Interrupted(both!(
+            "{done} of {all} mechanisms are done; {}",
+            "{all} 个机构已完成 {done} 个；{}",
+            after
+        )));
     }
     Ok(part)
 }
@@ -195,7 +234,10 @@ fn notes(missing: u64) -> Vec<Diagnostic> {
     let note = |n| {
         Diagnostic::note(
             "no-position",
-            both!("{n} positions have no row: the mechanism cannot be assembled there", "有 {n} 个位置没有数据行：机构在该处不能装配"),
+            both!(
+                "{n} positions have no row: the mechanism cannot be assembled there",
+                "有 {n} 个位置没有数据行：机构在该处不能装配"
+            ),
         )
     };
     (missing > 0).then(|| note(missing)).into_iter().collect()

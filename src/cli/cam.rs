@@ -43,7 +43,11 @@ pub fn run(a: args::CamArgs) -> CommandResult {
         if places::of_name::<FigureFormat>(folder).is_some() || is_stream(folder) {
             let d = Diagnostic::error(
                 "output",
-                both!("{} would be a folder: a cam has two figures", "{}应为文件夹：凸轮有两幅图", places::shown(folder)),
+                both!(
+                    "{} would be a folder: a cam has two figures",
+                    "{}应为文件夹：凸轮有两幅图",
+                    places::shown(folder)
+                ),
             );
             let d = d.help(both!(
                 "write -o out/; the profile alone goes to one file or to standard output: --profile -",
@@ -54,28 +58,59 @@ pub fn run(a: args::CamArgs) -> CommandResult {
         let stem = files::stem(&input.file.name, "scene");
         for (k, r) in reports.iter().enumerate() {
             let number = if reports.len() > 1 { format!("-{}", k + 1) } else { String::new() };
-            for (word, figure) in [("cam-motion", motion::figure(r, &style, lang)), ("cam-profile", inversion::figure(r, &style, lang))] {
+            for (word, figure) in [
+                ("cam-motion", motion::figure(r, &style, lang)),
+                ("cam-profile", inversion::figure(r, &style, lang)),
+            ] {
                 for format in &formats {
                     let Warned { value, notes: more } =
-                        files::bytes(&figure, *format, TextFormat::Outlines, a.dpi).map_err(|f| input.failed(f))?;
-                    notes.extend(more.into_iter().filter(|n| !notes.contains(n)).collect::<Vec<_>>());
-                    add(Path::new(folder).join(format!("{stem}-{word}{number}.{}", format.ending())), &value, &mut all)?;
+                        files::bytes(&figure, *format, TextFormat::Outlines, a.dpi)
+                            .map_err(|f| input.failed(f))?;
+                    notes.extend(
+                        more.into_iter().filter(|n| !notes.contains(n)).collect::<Vec<_>>(),
+                    );
+                    add(
+                        Path::new(folder)
+                            .join(format!("{stem}-{word}{number}.{}", format.ending())),
+                        &value,
+                        &mut all,
+                    )?;
                 }
             }
         }
     }
     if let Some(path) = &a.profile {
         let [one] = reports.as_slice() else {
-            let d = Diagnostic::error("which-cam", both!("the scene has {} cams", "机构文件有 {} 个凸轮", reports.len()));
-            return Err(Failure::argument("--profile", path, d.help(both!("say which: --cam 1", "请写明是哪一个：--cam 1"))));
+            let d = Diagnostic::error(
+                "which-cam",
+                both!("the scene has {} cams", "机构文件有 {} 个凸轮", reports.len()),
+            );
+            return Err(Failure::argument(
+                "--profile",
+                path,
+                d.help(both!("say which: --cam 1", "请写明是哪一个：--cam 1")),
+            ));
         };
-        let format = if is_stream(path) { Some(in_stream(path, &[], Profile::Csv)?) } else { places::of_name(path) };
+        let format = if is_stream(path) {
+            Some(in_stream(path, &[], Profile::Csv)?)
+        } else {
+            places::of_name(path)
+        };
         let bytes = match format {
             Some(Profile::Csv) => csv(one, a.steps as usize)?,
             Some(Profile::Dxf) => dxf(&entities(one, a.steps as usize)).into_bytes(),
             None => {
-                let d = Diagnostic::error("output", both!("{path} is neither a .csv nor a .dxf file", "{path} 不是 .csv 或 .dxf 文件"));
-                let d = d.help(both!("write --profile cam.csv or --profile cam.dxf", "请写 --profile cam.csv 或 --profile cam.dxf"));
+                let d = Diagnostic::error(
+                    "output",
+                    both!(
+                        "{path} is neither a .csv nor a .dxf file",
+                        "{path} 不是 .csv 或 .dxf 文件"
+                    ),
+                );
+                let d = d.help(both!(
+                    "write --profile cam.csv or --profile cam.dxf",
+                    "请写 --profile cam.csv 或 --profile cam.dxf"
+                ));
                 return Err(Failure::argument("--profile", path, d));
             }
         };
@@ -112,12 +147,17 @@ fn chosen(input: &SceneInput, which: Option<usize>) -> Result<Vec<(&Cam, &Turnin
     if let Some(k) = which.filter(|k| *k == 0 || *k > cams.len()) {
         let d = Diagnostic::error(
             "no-cam",
-            both!("there is no cam {k}: the scene has {}", "没有第 {k} 个凸轮：机构文件共有 {} 个", cams.len()),
+            both!(
+                "there is no cam {k}: the scene has {}",
+                "没有第 {k} 个凸轮：机构文件共有 {} 个",
+                cams.len()
+            ),
         );
         return Err(d.into());
     }
     let named = cams.iter().enumerate().filter(|(i, _)| which.is_none_or(|k| k == i + 1));
-    let all: Vec<(&Cam, &TurningCam)> = named.clone().filter_map(|(_, c)| Some((c, c.disc.as_ref()?))).collect();
+    let all: Vec<(&Cam, &TurningCam)> =
+        named.clone().filter_map(|(_, c)| Some((c, c.disc.as_ref()?))).collect();
     if !all.is_empty() {
         return Ok(all);
     }
@@ -139,7 +179,9 @@ fn csv(report: &Report, steps: usize) -> Result<Vec<u8>, Failure> {
     let views: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
     let mut out = csv.begin(columns[0].len() as u64, &[]);
     // Writing to memory does not fail.
-    let piece = csv.piece_in(&views, TablePiece::default()).map_err(|e| Failure::Output(both!("{e}", "{e}")))?;
+    let piece = csv
+        .piece_in(&views, TablePiece::default())
+        .map_err(|e| Failure::Output(both!("{e}", "{e}")))?;
     out.extend(piece.parts.concat());
     Ok(out)
 }
@@ -151,7 +193,9 @@ fn entities(report: &Report, steps: usize) -> Vec<(&'static str, Entity)> {
     let mm = |v: Vec2| v * 1e3;
     let mut out: Vec<(&'static str, Entity)> = Vec::new();
     match &disc.motion {
-        CamMotion::Law { .. } => out.push(("PROFILE", Entity::Closed(disc.outline(steps).into_iter().map(mm).collect()))),
+        CamMotion::Law { .. } => {
+            out.push(("PROFILE", Entity::Closed(disc.outline(steps).into_iter().map(mm).collect())))
+        }
         CamMotion::Profile(segments) => out.extend(segments.iter().filter_map(|s| {
             let entity = match *s {
                 ProfileSegment::Line { .. } => {
@@ -159,7 +203,9 @@ fn entities(report: &Report, steps: usize) -> Vec<(&'static str, Entity)> {
                     Entity::Line([mm(ends[0]), mm(*ends.last()?)])
                 }
                 ProfileSegment::Arc { radius: 0.0, .. } => return None,
-                ProfileSegment::Arc { centre, radius, normals: [from, to] } if to - from >= std::f64::consts::TAU => {
+                ProfileSegment::Arc { centre, radius, normals: [from, to] }
+                    if to - from >= std::f64::consts::TAU =>
+                {
                     Entity::Circle { centre: mm(centre), radius: radius * 1e3 }
                 }
                 ProfileSegment::Arc { centre, radius, normals: [from, to] } => {

@@ -25,7 +25,13 @@ pub fn run(a: args::CurvatureArgs) -> CommandResult {
     if a.json {
         let mut paths = Vec::new();
         for of in value.list.iter().filter(|_| a.centrodes) {
-            let path = centrodes::centrodes(&value.scene, &value.worked, of.link, value.against, centrodes::STEPS);
+            let path = centrodes::centrodes(
+                &value.scene,
+                &value.worked,
+                of.link,
+                value.against,
+                centrodes::STEPS,
+            );
             paths.push(path.map_err(|f| input.failed(f))?);
         }
         files::print(&format!("{:#}\n", curvature_json::json(&value, &paths, &input.file.notes)))?;
@@ -39,27 +45,34 @@ pub fn run(a: args::CurvatureArgs) -> CommandResult {
 
 /// Returns the links and points of the command line; reports all that do not exist at once.
 fn asked(scene: &Scene, a: &args::CurvatureArgs) -> Result<CurvatureRequest, Failure> {
-    let (links, points) = (links_named(scene, &a.link, "--link"), points_named(scene, &a.point, "--point"));
+    let (links, points) =
+        (links_named(scene, &a.link, "--link"), points_named(scene, &a.point, "--point"));
     let against: Vec<String> = a.against.iter().cloned().collect();
     let against = links_named(scene, &against, "--against").map(|all| all.first().copied());
     let (links, points, against) = match (links, points, against) {
         (Ok(links), Ok(points), Ok(against)) => (links, points, against),
         (links, points, against) => {
-            return Err(Failure::Input([links.err(), points.err(), against.err()].into_iter().flatten().collect()));
+            return Err(Failure::Input(
+                [links.err(), points.err(), against.err()].into_iter().flatten().collect(),
+            ));
         }
     };
     let frame = against.unwrap_or(scene.ground);
     if links.contains(&frame) {
         let name = scene.link_name(frame);
-        let message = both!("link {name} does not move, seen from itself", "构件 {name} 相对自身不动");
-        let d = Diagnostic::error("link", message).help(both!("name a moving link", "请指定活动构件"));
+        let message =
+            both!("link {name} does not move, seen from itself", "构件 {name} 相对自身不动");
+        let d =
+            Diagnostic::error("link", message).help(both!("name a moving link", "请指定活动构件"));
         return Err(Failure::argument("--link", name, d));
     }
     if !links.is_empty() {
         return Ok(CurvatureRequest { links, against, points });
     }
     // For named points, only the links that carry them.
-    let carries = |l: &LinkId| points.is_empty() || points.iter().any(|p| scene.links[l.0].points.contains(p));
+    let carries = |l: &LinkId| {
+        points.is_empty() || points.iter().any(|p| scene.links[l.0].points.contains(p))
+    };
     let mut links: Vec<LinkId> = couplers(scene).into_iter().filter(carries).collect();
     if links.is_empty() {
         links.extend(points.iter().filter_map(|p| scene.mover(*p)));
@@ -80,11 +93,18 @@ fn links_named(scene: &Scene, names: &[String], option: &str) -> Result<Vec<Link
         match scene.links.iter().position(|l| l.name == *name) {
             Some(l) => out.push(LinkId(l)),
             None => {
-                let d = Diagnostic::error("unknown-link", both!("the scene has no link `{name}`", "机构文件没有构件 `{name}`"));
+                let d = Diagnostic::error(
+                    "unknown-link",
+                    both!("the scene has no link `{name}`", "机构文件没有构件 `{name}`"),
+                );
                 let all = scene.links.iter().map(|l| l.name.as_str());
                 faults.push(d.help(suggest(name, all, both!("the links are", "构件有"))));
             }
         }
     }
-    if faults.list.is_empty() { Ok(out) } else { Err(SourceFaults::argument(option, &names.join(","), faults)) }
+    if faults.list.is_empty() {
+        Ok(out)
+    } else {
+        Err(SourceFaults::argument(option, &names.join(","), faults))
+    }
 }

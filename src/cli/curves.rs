@@ -58,17 +58,30 @@ pub fn run(a: CurvesArgs) -> CommandResult {
     if table.rows() < 2 {
         let d = Diagnostic::error(
             "no-motion",
-            both!("fewer than two positions of the driver can be assembled: there is no curve", "原动件可装配的位置不足两个：没有曲线"),
+            both!(
+                "fewer than two positions of the driver can be assembled: there is no curve",
+                "原动件可装配的位置不足两个：没有曲线"
+            ),
         );
-        let mut faults: Faults = d.help(both!("choose another range with --from and --to", "请用 --from 和 --to 另选范围")).into();
+        let mut faults: Faults = d
+            .help(both!(
+                "choose another range with --from and --to",
+                "请用 --from 和 --to 另选范围"
+            ))
+            .into();
         faults.list.extend(table.notes);
         return Err(input.failed(faults));
     }
     let (lang, notation) = choices(&input.scene, &a.common);
     let notation = style.marks.over(&notation);
     let nothing = |table: Table| {
-        let d = Diagnostic::error("no-curve", both!("nothing that is asked has a curve", "所求各量均无曲线可画"));
-        let mut faults: Faults = d.help(both!("ask for other quantities with --find", "请用 --find 另选所求的量")).into();
+        let d = Diagnostic::error(
+            "no-curve",
+            both!("nothing that is asked has a curve", "所求各量均无曲线可画"),
+        );
+        let mut faults: Faults = d
+            .help(both!("ask for other quantities with --find", "请用 --find 另选所求的量"))
+            .into();
         faults.list.extend(table.notes);
         faults
     };
@@ -81,8 +94,10 @@ pub fn run(a: CurvesArgs) -> CommandResult {
         if diagram.is_empty() {
             return Err(input.failed(nothing(table)));
         }
-        let (one, pages) =
-            (|| curves::figure(&input.scene, &diagram, &style, lang), || curves::pages(&input.scene, &diagram, &style, lang));
+        let (one, pages) = (
+            || curves::figure(&input.scene, &diagram, &style, lang),
+            || curves::pages(&input.scene, &diagram, &style, lang),
+        );
         files::figure_or_pages(one, pages, &places)?
     };
     input.file.notes.extend(notes);
@@ -104,9 +119,15 @@ fn with_positions(input: &SceneInput) -> Result<Vec<String>, Failure> {
     let mut words: Vec<String> = Vec::new();
     for find in &scene.find {
         match find.what.meaning(scene) {
-            Some(Meaning::Turning(l, None)) if somewhere && has_line(scene, l) => words.push(format!("phi_{}", scene.link_name(l))),
+            Some(Meaning::Turning(l, None)) if somewhere && has_line(scene, l) => {
+                words.push(format!("phi_{}", scene.link_name(l)))
+            }
             Some(Meaning::Vector(p)) if p.link.is_none() => {
-                words.extend(axes(&placed, p.point).iter().map(|axis| format!("{axis}_{}", scene.point_name(p.point))));
+                words.extend(
+                    axes(&placed, p.point)
+                        .iter()
+                        .map(|axis| format!("{axis}_{}", scene.point_name(p.point))),
+                );
             }
             Some(
                 Meaning::Turning(..)
@@ -132,7 +153,10 @@ fn with_positions(input: &SceneInput) -> Result<Vec<String>, Failure> {
 /// Returns true if a link has an angle of its own; a wheel that consists of its centre alone has
 /// none.
 fn has_line(scene: &Scene, link: LinkId) -> bool {
-    let guided = scene.guides.iter().any(|g| g.rolling.is_none() && (g.on == link || g.slider == Some(link)));
+    let guided = scene
+        .guides
+        .iter()
+        .any(|g| g.rolling.is_none() && (g.on == link || g.slider == Some(link)));
     guided || scene.links[link.0].points.len() >= 2
 }
 

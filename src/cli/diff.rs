@@ -30,8 +30,15 @@ pub fn run(a: DiffArgs) -> CommandResult {
 
 fn compared(a: &DiffArgs) -> CommandResult {
     if let Some(path) = a.output.as_deref().filter(|p| files::ending(p).as_deref() != Some("png")) {
-        let d = Diagnostic::error("output", both!("{path} does not end in .png", "{path} 不以 .png 结尾"));
-        return Err(Failure::argument("-o", path, d.help(both!("write -o diff.png", "请写 -o diff.png"))));
+        let d = Diagnostic::error(
+            "output",
+            both!("{path} does not end in .png", "{path} 不以 .png 结尾"),
+        );
+        return Err(Failure::argument(
+            "-o",
+            path,
+            d.help(both!("write -o diff.png", "请写 -o diff.png")),
+        ));
     }
     let (old, new) = (read(&a.old)?, read(&a.new)?);
     let usual = Options::default();
@@ -51,7 +58,8 @@ fn compared(a: &DiffArgs) -> CommandResult {
         files::print(&format!("{:#}\n", difference_json(&found)))?;
     } else if !alike {
         let lines = found.lines();
-        let mut text: String = lines.iter().take(TOLD).map(|line| format!("{}\n", lang::of(line))).collect();
+        let mut text: String =
+            lines.iter().take(TOLD).map(|line| format!("{}\n", lang::of(line))).collect();
         if lines.len() > TOLD {
             let more = lines.len() - TOLD;
             text += &format!("{}\n", lang::of(&both!("and {more} more", "另有 {more} 处")));

@@ -6,7 +6,9 @@ use super::places::{agrees, in_stream, of_name, once, one_result};
 use super::target::is_stream;
 use super::together::Together;
 use super::values::{FigureFormat, PointVectors};
-use super::{CommandResult, Failure, InputFile, SourceFaults, files, granted, ids, look_of, pencil, verdict};
+use super::{
+    CommandResult, Failure, InputFile, SourceFaults, files, granted, ids, look_of, pencil, verdict,
+};
 use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
 use crate::figure::list::{Extras, FigureEntry};
 use crate::paper::font::own::Fonts;
@@ -73,7 +75,9 @@ fn put(
     failed: impl Fn(Faults) -> Failure,
 ) -> Result<Vec<Diagnostic>, Failure> {
     let formats = formats(a)?;
-    if formats == [FigureFormat::Pdf] && (is_stream(&a.output) || of_name(&a.output) == Some(FigureFormat::Pdf)) {
+    if formats == [FigureFormat::Pdf]
+        && (is_stream(&a.output) || of_name(&a.output) == Some(FigureFormat::Pdf))
+    {
         let pages: Vec<Figure> = figures.into_iter().map(|(_, f)| f).collect();
         let file = pdf::pdf(&pages).map_err(&failed)?;
         files::write(Path::new(&a.output), &file.value)?;
@@ -85,11 +89,13 @@ fn put(
         "请用 --figure 只取一个图，或用 --format pdf 写成多页文件"
     );
     one_result(&a.output, figures.len(), one)?;
-    let targets = names(a, name, &figures, &formats).map_err(|f| Failure::argument("-o", &a.output, f))?;
+    let targets =
+        names(a, name, &figures, &formats).map_err(|f| Failure::argument("-o", &a.output, f))?;
     let (mut all, mut written, mut notes) = (Together::default(), String::new(), Vec::new());
     for ((_, figure), targets) in figures.iter().zip(targets) {
         for (format, path) in targets {
-            let Warned { value, notes: more } = files::bytes(figure, format, a.text, a.dpi).map_err(&failed)?;
+            let Warned { value, notes: more } =
+                files::bytes(figure, format, a.text, a.dpi).map_err(&failed)?;
             notes.extend(more.into_iter().filter(|n| !notes.contains(n)).collect::<Vec<_>>());
             all.add(&path, &value)?;
             written += &format!("{}\n", path.display());
@@ -102,13 +108,21 @@ fn put(
 
 /// Returns true if none of the requested figures depends on the driver's speed.
 fn needs_no_rate(a: &args::DrawArgs) -> bool {
-    let still = |e: &&'static FigureEntry| matches!(e.name, "centres" | "curvature" | "centrodes" | "inversions");
-    !a.figure.is_empty() && a.figure.iter().all(still) && a.path.is_empty() && a.poses == 0 && !a.steps
+    let still = |e: &&'static FigureEntry| {
+        matches!(e.name, "centres" | "curvature" | "centrodes" | "inversions")
+    };
+    !a.figure.is_empty()
+        && a.figure.iter().all(still)
+        && a.path.is_empty()
+        && a.poses == 0
+        && !a.steps
 }
 
 /// Returns the requested width (mm).
 pub(super) fn width(given: Option<&str>) -> Result<Option<f64>, Failure> {
-    let read = |text: &str| scene::width(text).map_err(|faults| Failure::argument("--width", text, faults));
+    let read = |text: &str| {
+        scene::width(text).map_err(|faults| Failure::argument("--width", text, faults))
+    };
     given.map(read).transpose()
 }
 
@@ -132,12 +146,16 @@ fn formats(a: &args::DrawArgs) -> Result<Vec<FigureFormat>, Failure> {
 
 /// Refuses a file name with the ending of another format: it would become the name of a folder.
 fn output(path: &str) -> Result<(), Faults> {
-    let folder = path.ends_with(std::path::is_separator) || Path::new(path).is_dir() || is_stream(path);
+    let folder =
+        path.ends_with(std::path::is_separator) || Path::new(path).is_dir() || is_stream(path);
     match files::ending(path) {
         Some(ending) if !folder && FigureFormat::of(&ending).is_none() => {
             let d = Diagnostic::error(
                 "output",
-                both!("{path} is neither a .svg, nor a .png, nor a .pdf file", "{path} 不是 .svg、.png 或 .pdf 文件"),
+                both!(
+                    "{path} is neither a .svg, nor a .png, nor a .pdf file",
+                    "{path} 不是 .svg、.png 或 .pdf 文件"
+                ),
             );
             Err(d
                 .help(both!(
@@ -169,7 +187,10 @@ fn read_style(name: &str) -> Result<Style, Failure> {
         return Ok(style);
     }
     if files::ending(name).as_deref() != Some("json") {
-        let d = Diagnostic::error("unknown-style", both!("there is no style `{name}`", "没有样式 `{name}`"));
+        let d = Diagnostic::error(
+            "unknown-style",
+            both!("there is no style `{name}`", "没有样式 `{name}`"),
+        );
         return Err(Failure::argument(
             "--style",
             name,
@@ -200,12 +221,17 @@ fn extras(scene: &Scene, worked: &Worked, a: &args::DrawArgs) -> Result<Extras, 
     let mut wrong = Vec::new();
     if let Some(on) = vectors.filter(|l| worked.construction.polygon(*l).is_none()) {
         let kind = on.vectors();
-        let d = Diagnostic::error("no-figure", both!("the scene's questions call for no {}", "所求的量用不到{}", kind))
-            .help(both!("ask for one in \"find\"", "请在 \"find\" 中求相应的量"));
+        let d = Diagnostic::error(
+            "no-figure",
+            both!("the scene's questions call for no {}", "所求的量用不到{}", kind),
+        )
+        .help(both!("ask for one in \"find\"", "请在 \"find\" 中求相应的量"));
         wrong.push(SourceFaults::argument("--vectors", word, d));
     }
     match points_named(scene, &a.path, "--path") {
-        Ok(points) if wrong.is_empty() => Ok(Extras { vectors, dimensions: a.dimensions, poses: usize::from(a.poses), points }),
+        Ok(points) if wrong.is_empty() => {
+            Ok(Extras { vectors, dimensions: a.dimensions, poses: usize::from(a.poses), points })
+        }
         Ok(_) => Err(Failure::Input(wrong)),
         Err(unknown) => {
             wrong.push(unknown);
@@ -218,7 +244,11 @@ fn extras(scene: &Scene, worked: &Worked, a: &args::DrawArgs) -> Result<Extras, 
 ///
 /// # Errors
 /// `unknown-point` for each name that the scene does not have.
-pub fn points_named(scene: &Scene, names: &[String], option: &str) -> Result<Vec<PointId>, SourceFaults> {
+pub fn points_named(
+    scene: &Scene,
+    names: &[String],
+    option: &str,
+) -> Result<Vec<PointId>, SourceFaults> {
     let mut faults = Faults::default();
     let mut points = Vec::new();
     let mut start = 0;
@@ -229,14 +259,21 @@ pub fn points_named(scene: &Scene, names: &[String], option: &str) -> Result<Vec
             Some(p) => points.push(p),
             None => {
                 let known = (0..scene.points.len()).map(|p| scene.point_name(PointId(p)));
-                let d = Diagnostic::error("unknown-point", both!("the scene has no point `{name}`", "机构文件没有点 `{name}`"))
-                    .at(Span::new(start, start + whole.len()));
+                let d = Diagnostic::error(
+                    "unknown-point",
+                    both!("the scene has no point `{name}`", "机构文件没有点 `{name}`"),
+                )
+                .at(Span::new(start, start + whole.len()));
                 faults.push(d.help(suggest(name, known, both!("the points are", "点有"))));
             }
         }
         start += whole.len() + 1;
     }
-    if faults.has_errors() { Err(SourceFaults::argument(option, &names.join(","), faults)) } else { Ok(points) }
+    if faults.has_errors() {
+        Err(SourceFaults::argument(option, &names.join(","), faults))
+    } else {
+        Ok(points)
+    }
 }
 
 /// Returns the files of each figure: one file if the output has a format's ending, else one for
@@ -255,10 +292,18 @@ fn names(
     if one {
         let d = Diagnostic::error(
             "output",
-            both!("{} is one file; {} figures are asked for", "{} 是一个文件，而要画 {} 个图", a.output, figures.len()),
+            both!(
+                "{} is one file; {} figures are asked for",
+                "{} 是一个文件，而要画 {} 个图",
+                a.output,
+                figures.len()
+            ),
         );
         return Err(d
-            .help(both!("name a folder, such as -o out/, or ask for one figure", "请指定文件夹，如 -o out/，或只画一个图"))
+            .help(both!(
+                "name a folder, such as -o out/, or ask for one figure",
+                "请指定文件夹，如 -o out/，或只画一个图"
+            ))
             .into());
     }
     let stem = files::stem(scene, "sheet");
@@ -266,5 +311,8 @@ fn names(
         let dash = if word.is_empty() { "" } else { "-" };
         out.join(format!("{stem}{dash}{word}.{}", f.ending()))
     };
-    Ok(figures.iter().map(|(word, _)| formats.iter().map(|f| (*f, file(word, *f))).collect()).collect())
+    Ok(figures
+        .iter()
+        .map(|(word, _)| formats.iter().map(|f| (*f, file(word, *f))).collect())
+        .collect())
 }

@@ -1,8 +1,9 @@
 //! `hodograph explain`: cause and cure of each diagnostic code.
 //!
-//! The explanations stand in the text files of the folder `explain`. A group begins with `== English | Chinese`; an explanation is
-//! `[code]`, title, cause (`- `) and cure (`+ `) in English, the three in Chinese, and perhaps an example (`> `). `tests/tidy` compares them
-//! with the codes of the sources, and docs/errors.md is made of them.
+//! The explanations stand in the text files of the folder `explain`. A group begins with
+//! `== English | Chinese`; an explanation is `[code]`, title, cause (`- `) and cure (`+ `) in
+//! English, the three in Chinese, and perhaps an example (`> `). `tests/tidy` compares them with
+//! the codes of the sources, and docs/errors.md is made of them.
 
 use super::{CommandResult, Failure, files, lang};
 use crate::diag::{Both, Diagnostic, both};
@@ -15,7 +16,8 @@ use serde_json::{Value, json};
 #[derive(ClapArgs, Debug)]
 #[command(after_help = "All of them as a page: docs/errors.md")]
 pub struct ExplainArgs {
-    /// The code in the first line of a message, such as dead-centre (default: the list of all codes)
+    /// The code in the first line of a message, such as dead-centre (default: the list of all
+    /// codes)
     #[arg(value_name = "CODE")]
     pub code: Option<String>,
     /// Print JSON, in both languages
@@ -57,8 +59,14 @@ pub fn run(a: ExplainArgs) -> CommandResult {
 
 fn unknown(code: &str, all: &[CodeExplanation]) -> Diagnostic {
     let help = nearest(code, all.iter().map(|e| e.code));
-    let help = help.unwrap_or_else(|| both!("`hodograph explain` lists all codes", "`hodograph explain` 列出全部代码"));
-    Diagnostic::error("unknown-code", both!("no diagnostic has the code `{code}`", "没有代码为 `{code}` 的诊断")).help(help)
+    let help = help.unwrap_or_else(|| {
+        both!("`hodograph explain` lists all codes", "`hodograph explain` 列出全部代码")
+    });
+    Diagnostic::error(
+        "unknown-code",
+        both!("no diagnostic has the code `{code}`", "没有代码为 `{code}` 的诊断"),
+    )
+    .help(help)
 }
 
 /// All explanations.
@@ -67,15 +75,21 @@ fn entries() -> Vec<CodeExplanation> {
     let mut group = Both::default();
     let mut lines = FILES.iter().flat_map(|text| text.lines()).peekable();
     while let Some(line) = lines.next() {
-        if let Some((en, zh)) = line.strip_prefix("== ").and_then(|heading| heading.split_once(" | ")) {
+        if let Some((en, zh)) =
+            line.strip_prefix("== ").and_then(|heading| heading.split_once(" | "))
+        {
             group = Both { en: en.to_owned(), zh: zh.to_owned() };
         }
         let Some(code) = line.strip_prefix('[').and_then(|l| l.strip_suffix(']')) else { continue };
-        let mut part = |mark: &str| lines.next().and_then(|l| l.strip_prefix(mark)).unwrap_or_default().to_owned();
-        let [title, cause, cure, zh_title, zh_cause, zh_cure] = ["", "- ", "+ ", "", "- ", "+ "].map(&mut part);
+        let mut part = |mark: &str| {
+            lines.next().and_then(|l| l.strip_prefix(mark)).unwrap_or_default().to_owned()
+        };
+        let [title, cause, cure, zh_title, zh_cause, zh_cure] =
+            ["", "- ", "+ ", "", "- ", "+ "].map(&mut part);
         let both = |en, zh| Both { en, zh };
         let example = lines.next_if(|l| l.starts_with("> ")).map(|l| &l[2..]);
-        let [title, cause, cure] = [both(title, zh_title), both(cause, zh_cause), both(cure, zh_cure)];
+        let [title, cause, cure] =
+            [both(title, zh_title), both(cause, zh_cause), both(cure, zh_cure)];
         all.push(CodeExplanation { group: group.clone(), code, title, cause, cure, example });
     }
     all
@@ -100,9 +114,13 @@ fn listed(all: &[CodeExplanation]) -> String {
 impl CodeExplanation {
     fn text(&self, lang: Lang) -> String {
         let [title, cause, cure] = [&self.title, &self.cause, &self.cure].map(|text| lang.of(text));
-        let example = self.example.map_or_else(String::new, |e| lang.of(&both!("Example: {}\n", "例：{}\n", e)).to_owned());
+        let example = self.example.map_or_else(String::new, |e| {
+            lang.of(&both!("Example: {}\n", "例：{}\n", e)).to_owned()
+        });
         match lang {
-            Lang::En => format!("{}: {title}\n\nCause: {cause}\nCure: {cure}\n{example}", self.code),
+            Lang::En => {
+                format!("{}: {title}\n\nCause: {cause}\nCure: {cure}\n{example}", self.code)
+            }
             Lang::Zh => format!("{}：{title}\n\n原因：{cause}\n对策：{cure}\n{example}", self.code),
         }
     }

@@ -53,7 +53,10 @@ fn from_stdin() -> Result<Vec<u8>, Diagnostic> {
     has_read(Path::new("/dev/stdin"));
     match io::stdin().lock().take(LARGEST).read_to_end(&mut bytes) {
         Ok(_) => Ok(bytes),
-        Err(e) => Err(Diagnostic::error("cannot-read", both!("{STDIN} cannot be read: {}", "不能读取标准输入：{}", reason(&e)))),
+        Err(e) => Err(Diagnostic::error(
+            "cannot-read",
+            both!("{STDIN} cannot be read: {}", "不能读取标准输入：{}", reason(&e)),
+        )),
     }
 }
 
@@ -62,23 +65,37 @@ pub fn style(path: &str) -> Result<Vec<u8>, Diagnostic> {
     bounded(
         Path::new(path),
         LARGEST,
-        both!("name a style file, or one of the styles print, slides, dark", "请指定样式文件，或样式 print、slides、dark 之一"),
+        both!(
+            "name a style file, or one of the styles print, slides, dark",
+            "请指定样式文件，或样式 print、slides、dark 之一"
+        ),
     )
 }
 
 /// Reads a figure's file.
 pub fn picture(path: &str) -> Result<Vec<u8>, Diagnostic> {
-    let bytes = bounded(Path::new(path), LARGEST + 1, both!("name an SVG or a PNG", "请指定 SVG 或 PNG 文件"))?;
+    let bytes = bounded(
+        Path::new(path),
+        LARGEST + 1,
+        both!("name an SVG or a PNG", "请指定 SVG 或 PNG 文件"),
+    )?;
     if bytes.len() as u64 > LARGEST {
         let most = LARGEST >> 20;
-        return Err(Diagnostic::error("diff-input", both!("{path} has more than {most} MiB", "{path} 超过 {most} MiB")));
+        return Err(Diagnostic::error(
+            "diff-input",
+            both!("{path} has more than {most} MiB", "{path} 超过 {most} MiB"),
+        ));
     }
     Ok(bytes)
 }
 
 /// Reads a font's file.
 pub fn font(path: &Path) -> Result<Vec<u8>, Diagnostic> {
-    bounded(path, own::LARGEST as u64 + 1, both!("name a font file: .otf or .ttf", "请指定字体文件：.otf 或 .ttf"))
+    bounded(
+        path,
+        own::LARGEST as u64 + 1,
+        both!("name a font file: .otf or .ttf", "请指定字体文件：.otf 或 .ttf"),
+    )
 }
 
 fn bounded(path: &Path, most: u64, help: Both) -> Result<Vec<u8>, Diagnostic> {
@@ -88,9 +105,11 @@ fn bounded(path: &Path, most: u64, help: Both) -> Result<Vec<u8>, Diagnostic> {
             has_read(path);
             Ok(bytes)
         }
-        Err(e) => {
-            Err(Diagnostic::error("cannot-read", both!("{} cannot be read: {}", "不能读取 {}：{}", path.display(), reason(&e))).help(help))
-        }
+        Err(e) => Err(Diagnostic::error(
+            "cannot-read",
+            both!("{} cannot be read: {}", "不能读取 {}：{}", path.display(), reason(&e)),
+        )
+        .help(help)),
     }
 }
 
@@ -140,7 +159,9 @@ pub fn print_with(fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result
     }
     let mut out = io::stdout().lock();
     match fill(&mut out).and_then(|()| out.flush()) {
-        Err(e) if e.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(both!("standard output: {}", "标准输出：{}", reason(&e)))),
+        Err(e) if e.kind() != io::ErrorKind::BrokenPipe => {
+            Err(Failure::Output(both!("standard output: {}", "标准输出：{}", reason(&e))))
+        }
         _ => Ok(()),
     }
 }
@@ -162,7 +183,10 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 
 /// Writes a file piece by piece, completely or not at all: a failed or interrupted run leaves
 /// nothing behind.
-pub fn write_with(path: &Path, fill: impl FnOnce(&mut OutputFile) -> io::Result<()>) -> Result<(), Failure> {
+pub fn write_with(
+    path: &Path,
+    fill: impl FnOnce(&mut OutputFile) -> io::Result<()>,
+) -> Result<(), Failure> {
     let mut one = Together::default();
     one.add_with(path, fill)?;
     one.appear()
@@ -170,15 +194,28 @@ pub fn write_with(path: &Path, fill: impl FnOnce(&mut OutputFile) -> io::Result<
 
 /// Returns the name of a scene file without folder and ending, for the files made from it.
 pub fn stem<'a>(name: &'a str, otherwise: &'a str) -> &'a str {
-    Path::new(name).file_stem().and_then(|s| s.to_str()).filter(|_| name != STDIN).unwrap_or(otherwise)
+    Path::new(name)
+        .file_stem()
+        .and_then(|s| s.to_str())
+        .filter(|_| name != STDIN)
+        .unwrap_or(otherwise)
 }
 
 /// Writes a figure in a format; letters that the fonts lack are noted.
-pub fn bytes(figure: &Figure, format: FigureFormat, text: TextFormat, dpi: f64) -> Result<Warned<Vec<u8>>, Faults> {
+pub fn bytes(
+    figure: &Figure,
+    format: FigureFormat,
+    text: TextFormat,
+    dpi: f64,
+) -> Result<Warned<Vec<u8>>, Faults> {
     match format {
         FigureFormat::Pdf => pdf::pdf(std::slice::from_ref(figure)),
         FigureFormat::Svg => {
-            let Warned { value, notes } = if text == TextFormat::Editable { svg::write_editable(figure) } else { svg::write(figure) }?;
+            let Warned { value, notes } = if text == TextFormat::Editable {
+                svg::write_editable(figure)
+            } else {
+                svg::write(figure)
+            }?;
             Ok(Warned { value: ids::put_before(&value).into_owned().into_bytes(), notes })
         }
         FigureFormat::Png => {
@@ -192,7 +229,10 @@ pub fn bytes(figure: &Figure, format: FigureFormat, text: TextFormat, dpi: f64) 
 const DPI: f64 = 200.0;
 
 /// Writes one figure to its places. Returns the file names, one per line, and the notes.
-pub fn figure(figure: &Figure, places: &[OutputPlace<FigureFormat>]) -> Result<Warned<String>, Failure> {
+pub fn figure(
+    figure: &Figure,
+    places: &[OutputPlace<FigureFormat>],
+) -> Result<Warned<String>, Failure> {
     figure_or_pages(|| figure.clone(), || vec![figure.clone()], places)
 }
 
@@ -207,7 +247,9 @@ pub fn figure_or_pages(
     for (format, path) in places {
         let made = match format {
             FigureFormat::Pdf => pdf::pdf(&pages()),
-            FigureFormat::Svg | FigureFormat::Png => bytes(&one(), *format, TextFormat::Outlines, DPI),
+            FigureFormat::Svg | FigureFormat::Png => {
+                bytes(&one(), *format, TextFormat::Outlines, DPI)
+            }
         };
         let Warned { value, notes: more } = made.map_err(|f| Failure::input(f, "", ""))?;
         notes.extend(more.into_iter().filter(|n| !notes.contains(n)).collect::<Vec<_>>());

@@ -13,8 +13,13 @@ use clap::{Arg, Command, CommandFactory};
 use std::ffi::OsString;
 
 /// Returns the value of a global option such as `--lang`, before the arguments are parsed.
-pub fn given<T>(arguments: &[OsString], option: &str, named: impl Fn(&str) -> Option<T>) -> Option<T> {
-    let words: Vec<&str> = arguments.iter().skip(1).filter_map(|a| a.to_str()).take_while(|a| *a != "--").collect();
+pub fn given<T>(
+    arguments: &[OsString],
+    option: &str,
+    named: impl Fn(&str) -> Option<T>,
+) -> Option<T> {
+    let words: Vec<&str> =
+        arguments.iter().skip(1).filter_map(|a| a.to_str()).take_while(|a| *a != "--").collect();
     let apart = words.windows(2).filter(|w| w[0] == option).filter_map(|w| named(w[1]));
     let together = words.iter().filter_map(|w| named(w.strip_prefix(option)?.strip_prefix('=')?));
     apart.chain(together).next()
@@ -34,7 +39,10 @@ pub fn diagnostic(e: &clap::Error) -> Diagnostic {
 /// Returns the language of the help if the arguments choose none: that of the system.
 pub fn of_the_machine() -> Lang {
     // The variables in the order of their priority; an empty one is ignored.
-    let set = ["LC_ALL", "LC_MESSAGES", "LANG"].into_iter().filter_map(std::env::var_os).find(|v| !v.is_empty());
+    let set = ["LC_ALL", "LC_MESSAGES", "LANG"]
+        .into_iter()
+        .filter_map(std::env::var_os)
+        .find(|v| !v.is_empty());
     match set {
         Some(name) if name.to_str().is_some_and(|n| n.starts_with("zh")) => Lang::Zh,
         _ => Lang::En,
@@ -71,9 +79,11 @@ fn translated(command: Command, name: &str) -> Command {
         Some(after) => command.after_help(after),
         None => command,
     };
-    command.mut_args(|arg: Arg| match entry(name, arg.get_id().as_str()).or_else(|| entry("*", arg.get_id().as_str())) {
-        Some(help) => arg.help(help).long_help(help),
-        None => arg,
+    command.mut_args(|arg: Arg| {
+        match entry(name, arg.get_id().as_str()).or_else(|| entry("*", arg.get_id().as_str())) {
+            Some(help) => arg.help(help).long_help(help),
+            None => arg,
+        }
     })
 }
 
@@ -84,7 +94,11 @@ fn entry(command: &str, argument: &str) -> Option<&'static str> {
 /// Translates the headings and the names of choices of a printed help into Chinese.
 fn headings(text: &str) -> String {
     let figures = LIST.iter().map(|e| (e.about[0], e.about[1]));
-    HEADINGS.iter().copied().chain(figures).fold(text.to_owned(), |text, (en, zh)| text.replace(en, zh))
+    HEADINGS
+        .iter()
+        .copied()
+        .chain(figures)
+        .fold(text.to_owned(), |text, (en, zh)| text.replace(en, zh))
 }
 
 /// Returns the faults of the arguments, or the requested help, in Chinese.
@@ -95,18 +109,36 @@ pub fn usage(e: &clap::Error) -> String {
     let said = match e.kind() {
         ErrorKind::InvalidValue if given.is_empty() => format!("参数 '{argument}' 缺少值"),
         ErrorKind::InvalidValue => {
-            let choices = e.get(ContextKind::ValidValue).map_or(String::new(), |v| format!("\n  可选值：{v}"));
-            format!("参数 '{argument}' 的值 '{given}' 无效{choices}{}", near(ContextKind::SuggestedValue))
+            let choices = e
+                .get(ContextKind::ValidValue)
+                .map_or(String::new(), |v| format!("\n  可选值：{v}"));
+            format!(
+                "参数 '{argument}' 的值 '{given}' 无效{choices}{}",
+                near(ContextKind::SuggestedValue)
+            )
         }
-        ErrorKind::ValueValidation => format!("参数 '{argument}' 的值 '{given}' 无效：{}", refused(e)),
-        ErrorKind::UnknownArgument => format!("没有参数 '{argument}'{}", near(ContextKind::SuggestedArg)),
+        ErrorKind::ValueValidation => {
+            format!("参数 '{argument}' 的值 '{given}' 无效：{}", refused(e))
+        }
+        ErrorKind::UnknownArgument => {
+            format!("没有参数 '{argument}'{}", near(ContextKind::SuggestedArg))
+        }
         ErrorKind::InvalidSubcommand => {
-            format!("没有命令 '{}'{}", value(ContextKind::InvalidSubcommand), near(ContextKind::SuggestedSubcommand))
+            format!(
+                "没有命令 '{}'{}",
+                value(ContextKind::InvalidSubcommand),
+                near(ContextKind::SuggestedSubcommand)
+            )
         }
         ErrorKind::MissingRequiredArgument => format!("缺少参数：{argument}"),
         ErrorKind::MissingSubcommand => "缺少命令".to_owned(),
-        ErrorKind::ArgumentConflict => format!("参数 '{argument}' 与 '{}' 不能同用", value(ContextKind::PriorArg)),
-        ErrorKind::NoEquals | ErrorKind::TooManyValues | ErrorKind::TooFewValues | ErrorKind::WrongNumberOfValues => {
+        ErrorKind::ArgumentConflict => {
+            format!("参数 '{argument}' 与 '{}' 不能同用", value(ContextKind::PriorArg))
+        }
+        ErrorKind::NoEquals
+        | ErrorKind::TooManyValues
+        | ErrorKind::TooFewValues
+        | ErrorKind::WrongNumberOfValues => {
             format!("参数 '{argument}' 的值的个数不对")
         }
         ErrorKind::InvalidUtf8 => "参数不是 UTF-8 文字".to_owned(),
@@ -165,19 +197,55 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("*", "help", "显示说明"),
     ("*", "version", "显示版本"),
     ("*", "lang", "输出的语言（默认：机构文件的语言，否则 en）"),
-    ("*", "errors", "标准错误上的错误、警告和提示的形式：text，或整个运行一份 JSON 文档 json（`hodograph schema --diagnostics`）"),
+    (
+        "*",
+        "errors",
+        "标准错误上的错误、警告和提示的形式：text，或整个运行一份 JSON 文档 json（`hodograph schema --diagnostics`）",
+    ),
     ("*", "scene", "机构文件；`-` 为标准输入"),
-    ("*", "set", "改变机构文件中参数的值，或改变时间规律的时刻 t：NAME=VALUE；不带单位的数沿用原单位"),
+    (
+        "*",
+        "set",
+        "改变机构文件中参数的值，或改变时间规律的时刻 t：NAME=VALUE；不带单位的数沿用原单位",
+    ),
     ("*", "notation", "记号体系：en（极点 o，上标 c、rel）或 cn（极点 p，上标 k、r）"),
-    ("*", "style", "样式：print（白底黑线）、slides（各构件一种颜色）、dark，或以 .json 结尾的样式文件"),
-    ("*", "font", "自备的字体（.otf、.ttf），用于字母、数字和文字；可写两次，分别为正体和斜体；优先于样式中的字体。缺少的字符用内置字体"),
-    ("*", "format", "-o 没有这样的结尾时的格式，如 svg,pdf；多种格式时文件名各加结尾（`-o -` 默认为 svg）"),
+    (
+        "*",
+        "style",
+        "样式：print（白底黑线）、slides（各构件一种颜色）、dark，或以 .json 结尾的样式文件",
+    ),
+    (
+        "*",
+        "font",
+        "自备的字体（.otf、.ttf），用于字母、数字和文字；可写两次，分别为正体和斜体；优先于样式中的字体。缺少的字符用内置字体",
+    ),
+    (
+        "*",
+        "format",
+        "-o 没有这样的结尾时的格式，如 svg,pdf；多种格式时文件名各加结尾（`-o -` 默认为 svg）",
+    ),
     ("sweep", "format", "-o 没有这样的结尾时的格式（标准输出默认为 csv）"),
     ("batch", "format", "-o 没有这样的结尾时的格式（`-o -` 默认为 csv）"),
-    ("worksheet", "format", "-o 没有这样的结尾时的格式，如 pdf,html；多种格式时文件名各加结尾（`-o -` 默认为 html）"),
-    ("animate", "format", "-o 没有这样的结尾时的格式，如 gif,svg；多种格式时文件名各加结尾（`-o -` 默认为 svg）"),
-    ("path", "format", "-o 没有这样的结尾时的格式，如 svg,pdf；多种格式时文件名各加结尾（默认：svg）"),
-    ("*", "id_prefix", "SVG 中所有 id 的前缀，使多幅图可放在同一页面：以字母开头，后接字母、数字、- 或 _，如 fig1-"),
+    (
+        "worksheet",
+        "format",
+        "-o 没有这样的结尾时的格式，如 pdf,html；多种格式时文件名各加结尾（`-o -` 默认为 html）",
+    ),
+    (
+        "animate",
+        "format",
+        "-o 没有这样的结尾时的格式，如 gif,svg；多种格式时文件名各加结尾（`-o -` 默认为 svg）",
+    ),
+    (
+        "path",
+        "format",
+        "-o 没有这样的结尾时的格式，如 svg,pdf；多种格式时文件名各加结尾（默认：svg）",
+    ),
+    (
+        "*",
+        "id_prefix",
+        "SVG 中所有 id 的前缀，使多幅图可放在同一页面：以字母开头，后接字母、数字、- 或 _，如 fig1-",
+    ),
     ("*", "digits", "结果的有效数字，1 到 30 位；不能确定的不显示，并说明原因"),
     (
         "*",
@@ -187,11 +255,23 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("limits", "over", "使哪个原动件运动，写其名称（`phi_1`、`s_B`、`l_BC`、`driver2`）；其余不动"),
     ("*", "from", "起点，带单位（默认：0，或原动件所能到达之处）"),
     ("*", "to", "终点（默认：一整转，或原动件所能到达之处；时间为所求瞬时的两倍）"),
-    ("*", "steps", "等分的步数；两端都是数据行（默认：360；`batch` 不分步，各机构取机构文件的位置）"),
+    (
+        "*",
+        "steps",
+        "等分的步数；两端都是数据行（默认：360；`batch` 不分步，各机构取机构文件的位置）",
+    ),
     ("*", "find", "改求其他量，如 v_E,a_E,omega_3"),
     ("draw", "", "绘图：机构运动简图、矢量方程表、速度多边形和加速度多边形、结果（SVG、PNG、PDF）"),
-    ("draw", "output", "输出的文件夹，或以 .svg、.png、.pdf 结尾的一个文件，或 `-`（标准输出）；尚不存在且名称带点的文件夹以 / 结尾"),
-    ("draw", "format", "文件的格式，如 svg,pdf；单个文件由 -o 的结尾决定（默认：文件夹为 svg,png，标准输出为 svg）"),
+    (
+        "draw",
+        "output",
+        "输出的文件夹，或以 .svg、.png、.pdf 结尾的一个文件，或 `-`（标准输出）；尚不存在且名称带点的文件夹以 / 结尾",
+    ),
+    (
+        "draw",
+        "format",
+        "文件的格式，如 svg,pdf；单个文件由 -o 的结尾决定（默认：文件夹为 svg,png，标准输出为 svg）",
+    ),
     ("draw", "figure", "画哪些图，各成文件：整张图或其中的部分"),
     ("draw", "vectors", "在机构运动简图上画各点的这种矢量"),
     (
@@ -199,12 +279,28 @@ const WORDS: &[(&str, &str, &str)] = &[
         "poses",
         "首个原动件的位置数：把各位置的机构和多边形画成一张表，采用同一组比例尺；与 `--figure mechanism` 同用时叠画在机构后面",
     ),
-    ("draw", "path", "在机构运动简图上画这些点在首个原动件行程中的轨迹；与 `--poses` 同用时在多边形后面画矢端曲线"),
-    ("draw", "dimensions", "在机构运动简图上以机构文件的单位标注给定的长度和角度，图下列出其余已知条件，据此可重画机构"),
-    ("draw", "width", "图幅宽度，如书的一栏 80mm：先把字缩小到仍可读，再略去一些内容并说明；仍放不下则不画"),
+    (
+        "draw",
+        "path",
+        "在机构运动简图上画这些点在首个原动件行程中的轨迹；与 `--poses` 同用时在多边形后面画矢端曲线",
+    ),
+    (
+        "draw",
+        "dimensions",
+        "在机构运动简图上以机构文件的单位标注给定的长度和角度，图下列出其余已知条件，据此可重画机构",
+    ),
+    (
+        "draw",
+        "width",
+        "图幅宽度，如书的一栏 80mm：先把字缩小到仍可读，再略去一些内容并说明；仍放不下则不画",
+    ),
     ("draw", "text", "SVG 中的文字：轮廓在各处显示相同；可编辑的文字取决于显示它的机器的字体"),
     ("draw", "steps", "每个作图步骤一幅图，附该步的说明"),
-    ("draw", "drafting", "手工作图时各结果的误差，给出作图误差，如 0.1mm（默认：机构文件的值，否则 0.1 mm）"),
+    (
+        "draw",
+        "drafting",
+        "手工作图时各结果的误差，给出作图误差，如 0.1mm（默认：机构文件的值，否则 0.1 mm）",
+    ),
     ("draw", "pick", "综合文件：取第几个方案，按 `hodograph synth` 的次序从 1 数起"),
     ("draw", "dpi", "PNG 的分辨率（dpi）"),
     ("lesson", "", "生成教学演示：一个 HTML 页面，逐步作图，可拖动曲柄"),
@@ -218,8 +314,16 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("diff", "*after", "退出码同 diff(1)：0 两图相同；1 不同；2 文件不能读或不能写"),
     ("diff", "old", "原图：SVG 或 PNG"),
     ("diff", "new", "现图，与原图同类"),
-    ("diff", "output", "把两图叠画到以 .png 结尾的文件：仅在 A 中的为红色，仅在 B 中的为蓝色，共有的为灰色"),
-    ("diff", "tolerance", "图元允许移动的毫米数（默认：0.01）；给出时，像素只在同时给出 `--pixels` 时起作用"),
+    (
+        "diff",
+        "output",
+        "把两图叠画到以 .png 结尾的文件：仅在 A 中的为红色，仅在 B 中的为蓝色，共有的为灰色",
+    ),
+    (
+        "diff",
+        "tolerance",
+        "图元允许移动的毫米数（默认：0.01）；给出时，像素只在同时给出 `--pixels` 时起作用",
+    ),
     ("diff", "pixels", "允许这么多像素的某一通道相差超过一级（默认：0）"),
     ("diff", "json", "差别为 JSON"),
     ("solve", "", "求解所求的量：数值、单位、转向，作图与解析对照；在运动不确定位置给出两种运动"),
@@ -234,15 +338,27 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("plan", "json", "计划为 JSON，附各项计数：杆组、方程、矢量、未知数、数值"),
     ("plan", "figure", "同时排版图面，以统计标注"),
     ("worksheet", "", "生成作业：题目及其逐步解答（PDF、HTML、Markdown、Typst）"),
-    ("worksheet", "output", "以 .pdf、.html、.md 或 .typ 结尾的文件，或 `-`（标准输出）；后两种的图以 SVG 文件放在旁边"),
+    (
+        "worksheet",
+        "output",
+        "以 .pdf、.html、.md 或 .typ 结尾的文件，或 `-`（标准输出）；后两种的图以 SVG 文件放在旁边",
+    ),
     ("worksheet", "problem_only", "只要题目：已知与所求，不含答案"),
     ("worksheet", "solution", "只要解答"),
-    ("worksheet", "find_the_mistake", "以一种错误解法为题目：机构文件所写的，否则第一种典型错误；也可按名称指定"),
+    (
+        "worksheet",
+        "find_the_mistake",
+        "以一种错误解法为题目：机构文件所写的，否则第一种典型错误；也可按名称指定",
+    ),
     ("worksheet", "mobility", "改问自由度与杆组：解答计数并说明理由，绘出拆开的杆组"),
     ("worksheet", "pick", "综合文件：取第几个方案，按 `hodograph synth` 的次序从 1 数起"),
     ("accuracy", "", "衡量精度的代价：各种求解方法的误差和时间，列表并作图"),
     ("accuracy", "toward_toggle", "同时计算一系列趋近首个原动件最近极限的位置，直到 1e-12"),
-    ("accuracy", "output", "把精度与代价的图写入以 .svg、.png 或 .pdf 结尾的文件；`-` 为标准输出，代替表格"),
+    (
+        "accuracy",
+        "output",
+        "把精度与代价的图写入以 .svg、.png 或 .pdf 结尾的文件；`-` 为标准输出，代替表格",
+    ),
     ("accuracy", "json", "表格为 JSON"),
     ("accuracy", "patience", "每种方法重复计算的毫秒数；取时间的中位数"),
     ("sweep", "", "使原动件或参数遍历一系列值：各位置的结果列成表（CSV、JSON、NumPy、Parquet）"),
@@ -252,68 +368,148 @@ const WORDS: &[(&str, &str, &str)] = &[
         "遍历什么：原动件（`driver`、`driver2`、`phi_1`、`s_B`、`l_BC`），t（时间规律的时间，有规律时为默认），或机构文件的参数",
     ),
     ("sweep", "output", "写入以 .csv、.json、.npy 或 .parquet 结尾的文件（默认：`-`，即标准输出）"),
-    ("batch", "", "在网格上或随机改变参数：许多机构，各取一个或多个位置，合成一张表（CSV、NumPy、Parquet）"),
+    (
+        "batch",
+        "",
+        "在网格上或随机改变参数：许多机构，各取一个或多个位置，合成一张表（CSV、NumPy、Parquet）",
+    ),
     ("batch", "vary", "参数及其取值：NAME=FROM..TO:N；不带单位的数沿用原单位"),
     ("batch", "random", "随机取这么多个机构，而不取所有组合"),
     ("batch", "seed", "另一个种子给出另一批随机机构"),
-    ("batch", "output", "写入以 .csv、.npy 或 .parquet 结尾的文件，或 `-`（标准输出）；中断后可由此继续"),
+    (
+        "batch",
+        "output",
+        "写入以 .csv、.npy 或 .parquet 结尾的文件，或 `-`（标准输出）；中断后可由此继续",
+    ),
     ("curves", "", "线图：位移、速度、加速度随原动件位置的变化，标出极值"),
     ("curves", "polar", "以所求矢量的矢端曲线图代替线图：轴承反力的极坐标图、速度的矢端曲线"),
-    ("curves", "output", "以 .svg、.png（各图上下排列）或 .pdf（A4 页面）结尾的文件，或 `-`（标准输出）"),
+    (
+        "curves",
+        "output",
+        "以 .svg、.png（各图上下排列）或 .pdf（A4 页面）结尾的文件，或 `-`（标准输出）",
+    ),
     ("path", "", "在机构上画点的轨迹（连杆曲线），及其速度和加速度的矢端曲线"),
     ("path", "*after", "曲线数值的表：hodograph sweep SCENE --find x_E,y_E,v_E,a_E -o curves.csv"),
     ("path", "point", "画哪些点的轨迹，如 E 或 E,F"),
     ("path", "poses", "把机构在原动件等间隔的这么多个位置上叠画"),
-    ("path", "marks", "原动件等间隔的位置数，在轨迹和矢端曲线上编相同的号（默认：同 --poses，否则 12）"),
-    ("path", "output", "以 .svg、.png 或 .pdf 结尾的文件，或 `-`（标准输出）（默认：按机构文件命名）"),
+    (
+        "path",
+        "marks",
+        "原动件等间隔的位置数，在轨迹和矢端曲线上编相同的号（默认：同 --poses，否则 12）",
+    ),
+    (
+        "path",
+        "output",
+        "以 .svg、.png 或 .pdf 结尾的文件，或 `-`（标准输出）（默认：按机构文件命名）",
+    ),
     ("animate", "", "运动动画：机构及其多边形随原动件运动（GIF、SVG 动画、逐帧 PNG）"),
-    ("animate", "*after", "由各帧制作影片：ffmpeg -framerate 12 -i turn-%03d.png -pix_fmt yuv420p turn.mp4"),
+    (
+        "animate",
+        "*after",
+        "由各帧制作影片：ffmpeg -framerate 12 -i turn-%03d.png -pix_fmt yuv420p turn.mp4",
+    ),
     ("animate", "frames", "原动件等间隔的位置数：转一整周，或在行程两端之间往返"),
     ("animate", "seconds", "一个周期的时长（秒）"),
     ("animate", "dpi", "GIF 和 PNG 的分辨率（每英寸点数）；宽和高均为偶数像素"),
-    ("animate", "output", "以 .gif、.svg（在浏览器中自动播放）或 .png（每帧一个：turn-001.png……）结尾的文件，或 `-`（标准输出）"),
+    (
+        "animate",
+        "output",
+        "以 .gif、.svg（在浏览器中自动播放）或 .png（每帧一个：turn-001.png……）结尾的文件，或 `-`（标准输出）",
+    ),
     ("mobility", "", "计算自由度：构件和运动副、复合铰链、局部自由度、虚约束、各原动件下的杆组"),
     ("mobility", "*after", "只需构件和运动副：没有原动件和尺寸时，由尺寸决定的问题不作结论"),
     ("mobility", "json", "结果为 JSON"),
-    ("mobility", "output", "拆杆组图的文件，以 .svg、.png 或 .pdf 结尾，或 `-`（标准输出，代替报告）；机构位置须已给定"),
+    (
+        "mobility",
+        "output",
+        "拆杆组图的文件，以 .svg、.png 或 .pdf 结尾，或 `-`（标准输出，代替报告）；机构位置须已给定",
+    ),
     ("cam", "", "盘形凸轮转一周：位移、速度、加速度、冲击、压力角、曲率；廓线（CSV、DXF）"),
     ("cam", "output", "两幅图的文件夹：从动件运动线图、反转法绘制的廓线"),
     ("cam", "format", "图的格式，如 svg,pdf（默认：svg,png）"),
-    ("cam", "profile", "把廓线（mm）写入以 .csv（每个转角一行）或 .dxf（供加工）结尾的文件；`-` 为标准输出，以 CSV 代替报告"),
+    (
+        "cam",
+        "profile",
+        "把廓线（mm）写入以 .csv（每个转角一行）或 .dxf（供加工）结尾的文件；`-` 为标准输出，以 CSV 代替报告",
+    ),
     ("cam", "steps", "廓线上一周的点数"),
     ("cam", "cam", "机构文件中的第几个凸轮，从 1 数起（默认：全部）"),
     ("cam", "json", "结果为 JSON，国际单位制，角度为弧度"),
     ("cam", "dpi", "PNG 的分辨率（dpi）"),
     ("limits", "", "原动件的活动范围、极限位置和行程、行程速度变化系数、传动角、格拉斯霍夫类型"),
     ("limits", "ranges", "四杆机构：其余三杆不变时，各杆长在什么范围内属于哪种类型"),
-    ("limits", "flywheel", "在所给载荷下，使运转不均匀系数为此值（如 1/30 或 0.03）的飞轮转动惯量（装在原动件轴上）"),
+    (
+        "limits",
+        "flywheel",
+        "在所给载荷下，使运转不均匀系数为此值（如 1/30 或 0.03）的飞轮转动惯量（装在原动件轴上）",
+    ),
     ("limits", "json", "结果为 JSON，国际单位制"),
     ("centres", "", "速度瞬心：各瞬心的求法和位置，以及由瞬心求得的速度"),
     ("centres", "*after", "带瞬心多边形的图：hodograph draw SCENE --figure centres -o centres.svg"),
-    ("centres", "drafting", "手工作图时各瞬心位置的误差，给出作图误差，如 0.1mm（默认：机构文件的值，否则 0.1 mm）"),
+    (
+        "centres",
+        "drafting",
+        "手工作图时各瞬心位置的误差，给出作图误差，如 0.1mm（默认：机构文件的值，否则 0.1 mm）",
+    ),
     ("centres", "json", "结果为 JSON，国际单位制"),
-    ("inversions", "", "机构的倒置：依次以各构件为机架，给出杆长条件类型、整周转动的构件、行程和轮系传动比；每个都是机构文件"),
-    ("inversions", "*after", "并列的图：hodograph draw SCENE --figure inversions -o inversions.svg"),
-    ("inversions", "output", "把各倒置机构的文件写入该文件夹；与 --pick 同用时写入以 .json 结尾的文件或 `-`（标准输出）"),
+    (
+        "inversions",
+        "",
+        "机构的倒置：依次以各构件为机架，给出杆长条件类型、整周转动的构件、行程和轮系传动比；每个都是机构文件",
+    ),
+    (
+        "inversions",
+        "*after",
+        "并列的图：hodograph draw SCENE --figure inversions -o inversions.svg",
+    ),
+    (
+        "inversions",
+        "output",
+        "把各倒置机构的文件写入该文件夹；与 --pick 同用时写入以 .json 结尾的文件或 `-`（标准输出）",
+    ),
     ("inversions", "pick", "只取以该构件为机架的倒置机构；不写 -o 时输出其机构文件"),
     ("inversions", "json", "结果为 JSON，国际单位制"),
-    ("curvature", "", "轨迹的曲率：瞬心、拐点圆、曲率中心（博比利尔、欧拉–萨瓦里）、加速度瞬心、鲍尔点"),
-    ("curvature", "*after", "图：hodograph draw SCENE --figure curvature,centrodes -o out/；find 中可写 rho_E O_E J_2 d_2 K_2 u_2 p_2"),
+    (
+        "curvature",
+        "",
+        "轨迹的曲率：瞬心、拐点圆、曲率中心（博比利尔、欧拉–萨瓦里）、加速度瞬心、鲍尔点",
+    ),
+    (
+        "curvature",
+        "*after",
+        "图：hodograph draw SCENE --figure curvature,centrodes -o out/；find 中可写 rho_E O_E J_2 d_2 K_2 u_2 p_2",
+    ),
     ("curvature", "link", "构件（默认：既不绕固定铰链转动、也不沿机架滑动的所有构件）"),
     ("curvature", "against", "相对哪个构件（默认：机架）"),
     ("curvature", "point", "求哪些点的轨迹（默认：构件上所有的点）"),
     ("curvature", "steps", "逐步给出尺规作图"),
-    ("curvature", "drafting", "手工作图时各位置和长度的误差，给出作图误差，如 0.1mm（默认：机构文件的值，否则 0.1 mm）"),
+    (
+        "curvature",
+        "drafting",
+        "手工作图时各位置和长度的误差，给出作图误差，如 0.1mm（默认：机构文件的值，否则 0.1 mm）",
+    ),
     ("curvature", "json", "结果为 JSON，国际单位制"),
     ("curvature", "centrodes", "连同瞬心在两平面中的轨迹（瞬心线）"),
     ("composite", "", "点的合成运动：哪些动点和动系可用、为何不可用，以及运动的各分量"),
-    ("composite", "*after", "带平行四边形的图：hodograph draw SCENE --figure composite -o composite.svg"),
+    (
+        "composite",
+        "*after",
+        "带平行四边形的图：hodograph draw SCENE --figure composite -o composite.svg",
+    ),
     ("composite", "json", "结果为 JSON，国际单位制"),
     ("attempts", "", "错误解法：本题中可能出现哪些典型错误、后果如何、错在哪里"),
-    ("attempts", "*after", "错误解法与正确解法对照图：hodograph draw SCENE --figure attempts -o attempts.svg"),
+    (
+        "attempts",
+        "*after",
+        "错误解法与正确解法对照图：hodograph draw SCENE --figure attempts -o attempts.svg",
+    ),
     ("attempts", "all", "列出所有典型错误，即使机构文件已写明某些错误"),
     ("attempts", "json", "结果为 JSON，国际单位制"),
-    ("synth", "", "按综合文件设计机构：列出全部方案的尺寸、误差、缺陷和传动角，每个方案都是机构文件"),
+    (
+        "synth",
+        "",
+        "按综合文件设计机构：列出全部方案的尺寸、误差、缺陷和传动角，每个方案都是机构文件",
+    ),
     (
         "synth",
         "*after",
@@ -360,10 +556,17 @@ mod tests {
         // Skips the list of commands, which `help` repeats.
         for c in command.get_subcommands_mut().filter(|c| c.get_name() != "help") {
             let name = c.get_name().to_owned();
-            assert!(c.get_about().is_some_and(|a| is_chinese(&a.to_string())), "{name}: no Chinese in WORDS");
+            assert!(
+                c.get_about().is_some_and(|a| is_chinese(&a.to_string())),
+                "{name}: no Chinese in WORDS"
+            );
             for arg in c.get_arguments() {
                 let help = arg.get_help().map(ToString::to_string).unwrap_or_default();
-                assert!(is_chinese(&help), "{name} {}: no Chinese in WORDS, but {help:?}", arg.get_id());
+                assert!(
+                    is_chinese(&help),
+                    "{name} {}: no Chinese in WORDS, but {help:?}",
+                    arg.get_id()
+                );
             }
             let text = headings(&c.render_long_help().to_string());
             // Only names remain in Latin letters: no two lower-case words follow one another.
@@ -380,15 +583,25 @@ mod tests {
     fn no_entry_is_left_over() {
         let command = command(Lang::Zh);
         for (c, a, _) in WORDS.iter().filter(|w| w.1 != "*after") {
-            let all: Vec<&Command> = std::iter::once(&command).chain(command.get_subcommands()).collect();
-            let mut meant = all.iter().filter(|x| *c == "*" || x.get_name() == *c || c.is_empty() && x.get_name() == command.get_name());
-            assert!(meant.any(|x| a.is_empty() || x.get_arguments().any(|arg| arg.get_id() == *a)), "{c} {a}: there is no such argument");
+            let all: Vec<&Command> =
+                std::iter::once(&command).chain(command.get_subcommands()).collect();
+            let mut meant = all.iter().filter(|x| {
+                *c == "*"
+                    || x.get_name() == *c
+                    || c.is_empty() && x.get_name() == command.get_name()
+            });
+            assert!(
+                meant.any(|x| a.is_empty() || x.get_arguments().any(|arg| arg.get_id() == *a)),
+                "{c} {a}: there is no such argument"
+            );
         }
     }
 
     #[test]
     fn the_language_is_known_before_the_arguments_are_read() {
-        let of = |line: &str| given(&line.split(' ').map(OsString::from).collect::<Vec<_>>(), "--lang", Lang::named);
+        let of = |line: &str| {
+            given(&line.split(' ').map(OsString::from).collect::<Vec<_>>(), "--lang", Lang::named)
+        };
         assert_eq!(of("hodograph solve --lang zh x.json"), Some(Lang::Zh));
         assert_eq!(of("hodograph solve --lang=en --help"), Some(Lang::En));
         assert_eq!(of("hodograph solve -- --lang zh"), None);

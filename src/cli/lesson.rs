@@ -1,7 +1,9 @@
 //! `hodograph lesson`: one page with the construction step by step, or a fragment for slides.
 
 use super::draw::{style_of, width};
-use super::{CommandResult, Failure, InputFile, args, files, granted, ids, look_of, sweep, verdict};
+use super::{
+    CommandResult, Failure, InputFile, args, files, granted, ids, look_of, sweep, verdict,
+};
 use crate::diag::{Diagnostic, Warned, both};
 use crate::problem::{self, Lesson, Look, Options, Wish};
 use crate::scene::Swept;
@@ -11,9 +13,16 @@ const LESSONS: [&str; 2] = ["html", "htm"];
 
 /// Runs the command.
 pub fn run(a: args::LessonArgs) -> CommandResult {
-    if let Some(path) = a.output.as_deref().filter(|p| files::ending(p).is_some_and(|e| !LESSONS.contains(&e.as_str()))) {
-        let d = Diagnostic::error("output", both!("{path} does not end in .html", "{path} 不以 .html 结尾"))
-            .help(both!("write -o lesson.html", "请写 -o lesson.html"));
+    if let Some(path) = a
+        .output
+        .as_deref()
+        .filter(|p| files::ending(p).is_some_and(|e| !LESSONS.contains(&e.as_str())))
+    {
+        let d = Diagnostic::error(
+            "output",
+            both!("{path} does not end in .html", "{path} 不以 .html 结尾"),
+        )
+        .help(both!("write -o lesson.html", "请写 -o lesson.html"));
         return Err(Failure::argument("-o", path, d));
     }
     let width_mm = width(a.width.as_deref())?;
@@ -22,7 +31,13 @@ pub fn run(a: args::LessonArgs) -> CommandResult {
     let mut file = InputFile::open(&a.common.scene, &a.common.set)?;
     file.fonts = style.fonts.clone();
     let problem = file.read(|bytes| problem::read(bytes))?;
-    granted(problem.kind(), &[(a.pick.map(|n| n.to_string()), Wish::Candidate), (a.reveal.then(String::new), Wish::Reveal)])?;
+    granted(
+        problem.kind(),
+        &[
+            (a.pick.map(|n| n.to_string()), Wish::Candidate),
+            (a.reveal.then(String::new), Wish::Reveal),
+        ],
+    )?;
     let candidate = a.pick.map_or(0, |n| n as usize - 1);
     let options = Options { whole_motion: !a.reveal, candidate, ..Options::with_figures() };
     let solved = file.solve(&problem, &options)?;
@@ -33,7 +48,8 @@ pub fn run(a: args::LessonArgs) -> CommandResult {
     };
     let wanted = Lesson { positions: a.positions as usize, swept, reveal: a.reveal, width_mm };
     let look = look_of(&a.common, style, Look::default().digits);
-    let Warned { value, notes } = solved.lesson(&wanted, &look).map_err(|faults| file.failed(faults))?;
+    let Warned { value, notes } =
+        solved.lesson(&wanted, &look).map_err(|faults| file.failed(faults))?;
     file.notes.extend(notes);
     let path = a.output.unwrap_or_else(|| format!("{}.html", files::stem(&file.name, "lesson")));
     files::write(std::path::Path::new(&path), ids::put_before(&value).as_bytes())?;

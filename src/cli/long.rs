@@ -9,9 +9,16 @@ use std::sync::mpsc;
 
 /// Returns a progress bar on standard error, if that is a terminal.
 pub fn bar(all: u64, done: u64, what: &Both) -> ProgressBar {
-    let bar = if io::stderr().is_terminal() && !errors::as_json() { ProgressBar::new(all) } else { ProgressBar::hidden() };
-    let words =
-        both!("{{bar:40}} {{pos}}/{{len}} {}  {{per_sec}}  {{eta}} left", "{{bar:40}} {{pos}}/{{len}} {}  {{per_sec}}  剩余 {{eta}}", what);
+    let bar = if io::stderr().is_terminal() && !errors::as_json() {
+        ProgressBar::new(all)
+    } else {
+        ProgressBar::hidden()
+    };
+    let words = both!(
+        "{{bar:40}} {{pos}}/{{len}} {}  {{per_sec}}  {{eta}} left",
+        "{{bar:40}} {{pos}}/{{len}} {}  {{per_sec}}  剩余 {{eta}}",
+        what
+    );
     let style = ProgressStyle::with_template(lang::of(&words));
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
     bar.set_position(done);
@@ -33,7 +40,9 @@ pub fn pipeline<T: Send, U: Send>(
     let (give_taken, taken) = mpsc::channel();
     std::thread::scope(|s| {
         // A send fails only after the receiver has failed.
-        s.spawn(move || while make(used.try_recv().ok()).is_some_and(|piece| to_form.send(piece).is_ok()) {});
+        s.spawn(move || {
+            while make(used.try_recv().ok()).is_some_and(|piece| to_form.send(piece).is_ok()) {}
+        });
         s.spawn(move || {
             for piece in made {
                 let new = form(&piece, taken.try_recv().ok());

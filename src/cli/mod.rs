@@ -76,7 +76,10 @@ fn run() -> ExitCode {
     let asked = help::given(&given, "--lang", Lang::named);
     asked.into_iter().for_each(lang::ask);
     let of_help = asked.unwrap_or_else(help::of_the_machine);
-    let args = match help::command(of_help).try_get_matches_from(given).and_then(|m| Args::from_arg_matches(&m)) {
+    let args = match help::command(of_help)
+        .try_get_matches_from(given)
+        .and_then(|m| Args::from_arg_matches(&m))
+    {
         Ok(args) => args,
         Err(e) => return usage(&e, of_help),
     };
@@ -104,13 +107,17 @@ fn run() -> ExitCode {
         Command::Synth(a) => synth::run(a),
         Command::Readings(a) => readings::run(a),
         Command::Diff(a) => diff::run(a),
-        Command::New { template, set, output } => template::new(template.as_deref(), &set, output.as_deref()),
+        Command::New { template, set, output } => {
+            template::new(template.as_deref(), &set, output.as_deref())
+        }
         Command::Explain(a) => explain::run(a),
         Command::Templates => template::list(),
         Command::Schema { synthesis: true, .. } => files::print(problem::schema(Kind::Task)),
         Command::Schema { motions: true, .. } => files::print(problem::schema(Kind::Motion)),
         Command::Schema { solved: true, .. } => files::print(include_str!("schema/solved.json")),
-        Command::Schema { diagnostics: true, .. } => files::print(include_str!("schema/errors.json")),
+        Command::Schema { diagnostics: true, .. } => {
+            files::print(include_str!("schema/errors.json"))
+        }
         Command::Schema { .. } => files::print(problem::schema(Kind::Scene)),
     };
     result.unwrap_or_else(Failure::report)
@@ -135,7 +142,8 @@ fn usage(e: &clap::Error, of_help: Lang) -> ExitCode {
     }
     match e.print() {
         Err(io) if !e.use_stderr() && io.kind() != std::io::ErrorKind::BrokenPipe => {
-            Failure::Output(both!("standard output: {}", "标准输出：{}", files::reason(&io))).report()
+            Failure::Output(both!("standard output: {}", "标准输出：{}", files::reason(&io)))
+                .report()
         }
         _ => ExitCode::from(code),
     }
@@ -174,7 +182,11 @@ impl SourceFaults {
 impl Failure {
     /// Returns the failure for faults of a file.
     fn input(faults: impl Into<Faults>, name: &str, source: &str) -> Failure {
-        Failure::Input(vec![SourceFaults { faults: faults.into(), name: name.into(), source: source.into() }])
+        Failure::Input(vec![SourceFaults {
+            faults: faults.into(),
+            name: name.into(),
+            source: source.into(),
+        }])
     }
 
     /// Returns the failure for faults of an argument.
@@ -226,26 +238,39 @@ impl InputFile {
     fn open(path: &str, set: &[String]) -> Result<InputFile, Failure> {
         let (name, bytes) = values::file(path, set)?;
         let source = String::from_utf8_lossy(&bytes).into_owned();
-        let beside = |other: &str| std::path::Path::new(path).parent().filter(|_| path != "-").unwrap_or("".as_ref()).join(other);
-        let bytes = problem::included(bytes, |other| Ok(files::scene(&beside(other).to_string_lossy())?.1))
-            .map_err(|faults| Failure::input(faults, &name, &source))?;
+        let beside = |other: &str| {
+            std::path::Path::new(path)
+                .parent()
+                .filter(|_| path != "-")
+                .unwrap_or("".as_ref())
+                .join(other)
+        };
+        let bytes =
+            problem::included(bytes, |other| Ok(files::scene(&beside(other).to_string_lossy())?.1))
+                .map_err(|faults| Failure::input(faults, &name, &source))?;
         scene::language_of(&bytes).into_iter().for_each(lang::take);
         let source = String::from_utf8_lossy(&bytes).into_owned();
         Ok(InputFile { name, source, notes: Vec::new(), fonts: Fonts::default(), asked: None })
     }
 
     /// Reads the file; its notes are kept.
-    fn read<T>(&mut self, read: impl FnOnce(&[u8]) -> Result<Warned<T>, Faults>) -> Result<T, Failure> {
-        let Warned { value, notes } = read(self.source.as_bytes()).map_err(|faults| self.failed(faults))?;
+    fn read<T>(
+        &mut self,
+        read: impl FnOnce(&[u8]) -> Result<Warned<T>, Faults>,
+    ) -> Result<T, Failure> {
+        let Warned { value, notes } =
+            read(self.source.as_bytes()).map_err(|faults| self.failed(faults))?;
         self.notes.extend(notes);
         Ok(value)
     }
 
     /// Solves a problem.
     fn solve(&mut self, problem: &Problem, options: &problem::Options) -> Result<Solved, Failure> {
-        let solved = problem::solve(problem, options).map_err(|faults| match faults.list.iter().any(|d| d.code == "no-candidate") {
-            true => Failure::argument("--pick", &(options.candidate + 1).to_string(), faults),
-            false => self.failed(faults),
+        let solved = problem::solve(problem, options).map_err(|faults| {
+            match faults.list.iter().any(|d| d.code == "no-candidate") {
+                true => Failure::argument("--pick", &(options.candidate + 1).to_string(), faults),
+                false => self.failed(faults),
+            }
         })?;
         self.notes.extend(solved.notes.iter().cloned());
         Ok(solved)
@@ -265,8 +290,12 @@ impl InputFile {
                 (None, _) => of_file.push(d),
             }
         }
-        let file = SourceFaults { faults: of_file, name: self.name.clone(), source: self.source.clone() };
-        let asked = self.asked.iter().map(|text| SourceFaults::argument("--find", text, std::mem::take(&mut of_asked)));
+        let file =
+            SourceFaults { faults: of_file, name: self.name.clone(), source: self.source.clone() };
+        let asked = self
+            .asked
+            .iter()
+            .map(|text| SourceFaults::argument("--find", text, std::mem::take(&mut of_asked)));
         std::iter::once(file).chain(asked).filter(|t| !t.faults.list.is_empty()).collect()
     }
 
@@ -285,7 +314,9 @@ impl InputFile {
     /// Reports the notes, and the letters that the author's fonts lack.
     fn say_notes(&self) {
         let list: Vec<_> = self.notes.iter().cloned().chain(self.fonts.lacking()).collect();
-        self.with_sources(Faults { list }).iter().for_each(|t| errors::tell(&t.faults, &t.name, &t.source));
+        self.with_sources(Faults { list })
+            .iter()
+            .for_each(|t| errors::tell(&t.faults, &t.name, &t.source));
     }
 }
 
@@ -359,7 +390,8 @@ impl SceneInput {
 
 /// Returns the pencil error of the command line (mm), if given.
 fn pencil(drafting: Option<&str>) -> Result<Option<f64>, Failure> {
-    let read = |text| scene::pencil(text).map_err(|faults| Failure::argument("--drafting", text, faults));
+    let read =
+        |text| scene::pencil(text).map_err(|faults| Failure::argument("--drafting", text, faults));
     drafting.filter(|t| !t.is_empty()).map(read).transpose()
 }
 
@@ -375,7 +407,12 @@ fn granted(kind: Kind, wishes: &[(Option<String>, Wish)]) -> Result<(), Failure>
 /// Returns language and notation of the command line, else those of the file, with a style and
 /// digits.
 fn look_of(common: &CommonArgs, style: Style, digits: usize) -> Look {
-    Look { lang: lang::asked(), notation: common.notation.as_deref().and_then(Notation::named), style, digits }
+    Look {
+        lang: lang::asked(),
+        notation: common.notation.as_deref().and_then(Notation::named),
+        style,
+        digits,
+    }
 }
 
 /// Returns language and notation: the command line's, else the scene's, else English and its
@@ -402,7 +439,11 @@ fn solve(a: args::SolveArgs) -> CommandResult {
     })?;
     granted(problem.kind(), &[(a.drafting.clone(), Wish::Drafting)])?;
     let pencil_mm = pencil(a.drafting.as_deref())?;
-    let options = problem::Options { drafting: a.drafting.is_some(), pencil_mm, ..problem::Options::default() };
+    let options = problem::Options {
+        drafting: a.drafting.is_some(),
+        pencil_mm,
+        ..problem::Options::default()
+    };
     let solved = file.solve(&problem, &options)?;
     let look = look_of(&a.common, Style::default(), a.digits);
     if a.json {
@@ -417,15 +458,24 @@ fn solve(a: args::SolveArgs) -> CommandResult {
 
 fn accuracy(a: args::AccuracyArgs) -> CommandResult {
     places::no_report_beside(a.output.as_deref(), a.json)?;
-    let places = a.output.as_deref().map(|output| places::places(output, &a.format, values::FigureFormat::Svg)).transpose()?;
+    let places = a
+        .output
+        .as_deref()
+        .map(|output| places::places(output, &a.format, values::FigureFormat::Svg))
+        .transpose()?;
     let style = style_of(&a.look)?;
     let mut input = SceneInput::read(&a.common)?.drawn_in(&style);
     let worked = input.work(Scope::Questions)?;
     let (lang, _) = choices(&input.scene, &a.common);
     let start = Instant::now();
-    let watch = ways::Watch { now: &|| start.elapsed(), patience: Duration::from_millis(a.patience) };
+    let watch =
+        ways::Watch { now: &|| start.elapsed(), patience: Duration::from_millis(a.patience) };
     let measured = ways::measure(&input.scene, &worked, watch).map_err(|f| input.failed(f))?;
-    let series = if a.toward_toggle { ways::toward_toggle(&input.scene, watch).map_err(|f| input.failed(f))? } else { Vec::new() };
+    let series = if a.toward_toggle {
+        ways::toward_toggle(&input.scene, watch).map_err(|f| input.failed(f))?
+    } else {
+        Vec::new()
+    };
     if let Some(places) = &places {
         let figure = crate::figure::price::figure(&input.scene, &measured, &series, &style, lang);
         input.file.notes.extend(files::figure(&figure, places)?.notes);

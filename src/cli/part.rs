@@ -44,7 +44,12 @@ impl PartialTable {
         PartialTable::opened(out, target, job, format).map_err(|e| unwritable(out, &e))
     }
 
-    fn opened(out: &Path, target: OutputTarget, job: &str, format: &dyn RowFormat) -> io::Result<PartialTable> {
+    fn opened(
+        out: &Path,
+        target: OutputTarget,
+        job: &str,
+        format: &dyn RowFormat,
+    ) -> io::Result<PartialTable> {
         let (path, folder) = match &target {
             OutputTarget::File(file) => (beside(file, ".part"), None),
             OutputTarget::Stream(_) | OutputTarget::Stdout => {
@@ -59,7 +64,9 @@ impl PartialTable {
         let job = Job { job: job.to_owned(), begin: begin.len() as u64 };
         let begun = text.len() >= journal::MARK.len();
         let found = own(&path).and_then(|file| match file {
-            Some(_) if !begun => Err(stranger(&path, both!("no journal tells of it", "没有记录文件提到它"))),
+            Some(_) if !begun => {
+                Err(stranger(&path, both!("no journal tells of it", "没有记录文件提到它")))
+            }
             found => Ok(found),
         });
         let file = match found {
@@ -144,7 +151,11 @@ impl PartialTable {
     /// Counts a piece.
     fn take(&mut self, entry: JournalEntry) {
         if entry.rows > 0 {
-            self.pieces.push(PiecePlace { offset: self.bytes, rows: entry.rows, index: entry.index });
+            self.pieces.push(PiecePlace {
+                offset: self.bytes,
+                rows: entry.rows,
+                index: entry.index,
+            });
         }
         (self.bytes, self.done) = (entry.bytes, entry.done);
         self.rows += entry.rows;
@@ -153,7 +164,14 @@ impl PartialTable {
 
     /// Adds a piece, after which the file holds `done` mechanisms.
     pub fn add(&mut self, piece: &TablePiece, done: u64, missing: u64) -> io::Result<()> {
-        let mut entry = JournalEntry { done, missing, bytes: self.bytes, crc: 0, rows: piece.rows, index: piece.index.clone() };
+        let mut entry = JournalEntry {
+            done,
+            missing,
+            bytes: self.bytes,
+            crc: 0,
+            rows: piece.rows,
+            index: piece.index.clone(),
+        };
         if piece.rows > 0 {
             piece.write(&mut self.file)?;
             let mut crc = crc32fast::Hasher::new();
@@ -242,7 +260,10 @@ fn claimed(path: &Path) -> io::Result<File> {
         match file.try_lock() {
             Ok(()) => {}
             Err(TryLockError::WouldBlock) => {
-                return Err(io::Error::other(FileRefusal(both!("another run is writing it", "另一个程序正在写入"))));
+                return Err(io::Error::other(FileRefusal(both!(
+                    "another run is writing it",
+                    "另一个程序正在写入"
+                ))));
             }
             // On a file system without locks, the user must not start two runs at once.
             Err(TryLockError::Error(e)) if e.kind() == io::ErrorKind::Unsupported => {}
@@ -273,7 +294,10 @@ fn own(path: &Path) -> io::Result<Option<File>> {
         Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(None),
         Err(e) => return Err(e),
         Ok(m) if !m.is_file() || names(&m) > 1 => {
-            return Err(stranger(path, both!("it is a link or no plain file", "它是链接或不是普通文件")));
+            return Err(stranger(
+                path,
+                both!("it is a link or no plain file", "它是链接或不是普通文件"),
+            ));
         }
         Ok(_) => {}
     }
@@ -283,7 +307,9 @@ fn own(path: &Path) -> io::Result<Option<File>> {
         // removed it.
         Ok(file) if has_name(&file, path) => Ok(Some(file)),
         Ok(_) if std::fs::symlink_metadata(path).is_err() => Ok(None),
-        Ok(_) => Err(stranger(path, both!("it is a link or no plain file", "它是链接或不是普通文件"))),
+        Ok(_) => {
+            Err(stranger(path, both!("it is a link or no plain file", "它是链接或不是普通文件")))
+        }
         Err(e) => Err(e),
     }
 }

@@ -15,22 +15,35 @@ use std::process::ExitCode;
 
 /// Runs the command.
 pub fn run(a: PathArgs) -> CommandResult {
-    let named = a.output.as_deref().map(|output| places(output, &a.format, FigureFormat::Svg)).transpose()?;
+    let named = a
+        .output
+        .as_deref()
+        .map(|output| places(output, &a.format, FigureFormat::Svg))
+        .transpose()?;
     let style = style_of(&a.look)?;
     let mut input = SceneInput::read(&a.common)?.drawn_in(&style);
     input.over_a_turn();
     let worked = input.work(Scope::Figure)?;
     let swept = swept_of(&input.scene, a.moves.over.as_deref())?;
-    let points = points_named(&input.scene, &a.point, "--point").map_err(|told| Failure::Input(vec![told]))?;
+    let points = points_named(&input.scene, &a.point, "--point")
+        .map_err(|told| Failure::Input(vec![told]))?;
     let (lang, notation) = choices(&input.scene, &a.common);
-    let options = SheetOptions { notation: style.marks.over(&notation), style, ..SheetOptions::of_language(lang) };
+    let options = SheetOptions {
+        notation: style.marks.over(&notation),
+        style,
+        ..SheetOptions::of_language(lang)
+    };
     let poses = usize::from(a.poses);
     let marks = a.marks.map_or(if poses > 0 { poses } else { MARKS }, usize::from);
     let wanted = PathContent { points, swept, marks, poses };
-    let Warned { value, notes } = figure(&input.scene, &worked, &options, &wanted).map_err(|f| input.failed(f))?;
+    let Warned { value, notes } =
+        figure(&input.scene, &worked, &options, &wanted).map_err(|f| input.failed(f))?;
     let places = named.unwrap_or_else(|| {
         let formats = if a.format.is_empty() { vec![FigureFormat::Svg] } else { once(&a.format) };
-        formats.into_iter().map(|f| (f, format!("{}-path.{}", files::stem(&input.file.name, "scene"), f.ending()))).collect()
+        formats
+            .into_iter()
+            .map(|f| (f, format!("{}-path.{}", files::stem(&input.file.name, "scene"), f.ending())))
+            .collect()
     });
     let Warned { value: names, notes: more } = files::figure(&value, &places)?;
     input.file.notes.extend(more);

@@ -33,7 +33,11 @@ pub fn of_name<F: ValueEnum + Copy>(path: &str) -> Option<F> {
 /// # Errors
 /// `output` if neither the name nor `--format` gives a format; `format` if the two contradict each
 /// other or a stream is to take several formats.
-pub fn places<F: ValueEnum + Copy + PartialEq>(output: &str, formats: &[F], usual: F) -> Result<Vec<OutputPlace<F>>, Failure> {
+pub fn places<F: ValueEnum + Copy + PartialEq>(
+    output: &str,
+    formats: &[F],
+    usual: F,
+) -> Result<Vec<OutputPlace<F>>, Failure> {
     let formats = once(formats);
     if is_stream(output) {
         return Ok(vec![(in_stream(output, &formats, usual)?, output.to_owned())]);
@@ -46,11 +50,20 @@ pub fn places<F: ValueEnum + Copy + PartialEq>(output: &str, formats: &[F], usua
         return Err(no_format::<F>(output));
     }
     if output.ends_with(std::path::is_separator) || std::path::Path::new(output).is_dir() {
-        let d = Diagnostic::error("output", both!("{output} is a folder, a file is wanted here", "{output} 是文件夹，此处应为文件"));
+        let d = Diagnostic::error(
+            "output",
+            both!("{output} is a folder, a file is wanted here", "{output} 是文件夹，此处应为文件"),
+        );
         let example = ending(formats[0]);
-        return Err(Failure::argument("-o", output, d.help(both!("write -o name.{example}", "请写 -o name.{example}"))));
+        return Err(Failure::argument(
+            "-o",
+            output,
+            d.help(both!("write -o name.{example}", "请写 -o name.{example}")),
+        ));
     }
-    let name = |f: &F| if formats.len() == 1 { output.to_owned() } else { format!("{output}.{}", ending(*f)) };
+    let name = |f: &F| {
+        if formats.len() == 1 { output.to_owned() } else { format!("{output}.{}", ending(*f)) }
+    };
     Ok(formats.iter().map(|f| (*f, name(f))).collect())
 }
 
@@ -81,7 +94,8 @@ pub fn in_stream<F: ValueEnum + Copy>(output: &str, formats: &[F], usual: F) -> 
                 formats.len()
             );
             let first = ending(*first);
-            let help = both!("ask for one format: --format {first}", "请只取一种格式：--format {first}");
+            let help =
+                both!("ask for one format: --format {first}", "请只取一种格式：--format {first}");
             Err(Failure::argument("-o", output, Diagnostic::error("format", message).help(help)))
         }
     }
@@ -91,13 +105,21 @@ pub fn in_stream<F: ValueEnum + Copy>(output: &str, formats: &[F], usual: F) -> 
 ///
 /// # Errors
 /// `format` if it gives another.
-pub fn agrees<F: ValueEnum + Copy + PartialEq>(output: &str, named: F, formats: &[F]) -> Result<(), Failure> {
+pub fn agrees<F: ValueEnum + Copy + PartialEq>(
+    output: &str,
+    named: F,
+    formats: &[F],
+) -> Result<(), Failure> {
     if formats.iter().all(|f| *f == named) {
         return Ok(());
     }
     let asked: Vec<String> = formats.iter().map(|f| ending(*f)).collect();
-    let message =
-        both!("{output} ends in .{}, and --format says {}", "{output} 以 .{} 结尾，而 --format 为 {}", ending(named), Both::names(&asked));
+    let message = both!(
+        "{output} ends in .{}, and --format says {}",
+        "{output} 以 .{} 结尾，而 --format 为 {}",
+        ending(named),
+        Both::names(&asked)
+    );
     let stem = std::path::Path::new(output).with_extension("");
     let help = both!(
         "leave --format out, or the ending: -o {} --format {}",
@@ -128,7 +150,11 @@ pub fn one_result(output: &str, count: usize, how: Both) -> Result<(), Failure> 
     if count == 1 || !is_stream(output) {
         return Ok(());
     }
-    let message = both!("{} takes one result, and there are {count}", "{}只能写一个结果，而结果有 {count} 个", shown(output));
+    let message = both!(
+        "{} takes one result, and there are {count}",
+        "{}只能写一个结果，而结果有 {count} 个",
+        shown(output)
+    );
     Err(Failure::argument("-o", output, Diagnostic::error("output", message).help(how)))
 }
 
@@ -140,8 +166,14 @@ pub fn no_report_beside(output: Option<&str>, json: bool) -> Result<(), Failure>
     match output.filter(|o| json && super::target::is_stdout(o)) {
         None => Ok(()),
         Some(output) => {
-            let message = both!("-o {output} and --json both write to standard output", "-o {output} 与 --json 都写到标准输出");
-            let help = both!("name a file with -o, or leave --json out", "请用 -o 指定文件，或去掉 --json");
+            let message = both!(
+                "-o {output} and --json both write to standard output",
+                "-o {output} 与 --json 都写到标准输出"
+            );
+            let help = both!(
+                "name a file with -o, or leave --json out",
+                "请用 -o 指定文件，或去掉 --json"
+            );
             Err(Failure::argument("-o", output, Diagnostic::error("output", message).help(help)))
         }
     }

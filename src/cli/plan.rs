@@ -27,7 +27,8 @@ pub(super) fn run(a: args::PlanArgs) -> CommandResult {
     let demand = crate::mechanism::Demand::of(&input.scene, &mechanism);
     let plan = crate::plan::plan(&input.scene, &mechanism, &demand);
     let w = PlanWriter { scene: &input.scene, plan: &plan, notation: &notation, lang };
-    let worked = if demand.wants_forces() { work(&input.scene, Scope::Questions).ok() } else { None };
+    let worked =
+        if demand.wants_forces() { work(&input.scene, Scope::Questions).ok() } else { None };
     let drawn = worked.as_ref().and_then(|w| w.value.equilibrium.as_ref());
     let forces = drawn.map(|of| ForceWriter { scene: &input.scene, notation: &notation, lang, of });
     files::print(&plan_text::text(&input.scene, &mechanism, &w, forces.as_ref()))?;
@@ -39,25 +40,48 @@ pub(super) fn run(a: args::PlanArgs) -> CommandResult {
 
 /// Prints the plan and the work done for it. A plan needs no numbers: if the pose cannot be solved,
 /// the plan is printed alone, and the notes give the reason.
-fn plan_for_programs(mut input: SceneInput, lang: Lang, notation: &Notation, figure: bool) -> CommandResult {
+fn plan_for_programs(
+    mut input: SceneInput,
+    lang: Lang,
+    notation: &Notation,
+    figure: bool,
+) -> CommandResult {
     let fail = |input: &SceneInput, faults| input.failed(faults);
     let mut code = ExitCode::SUCCESS;
     let document = match work(&input.scene, if figure { Scope::Figure } else { Scope::Questions }) {
         Ok(Warned { value: worked, notes }) => {
             input.file.notes.extend(notes);
             // A question without an answer in the pose is not a fault of the plan.
-            code = if Verdict::of(&worked) == Verdict::Disagree { verdict(Verdict::Disagree) } else { code };
+            code = if Verdict::of(&worked) == Verdict::Disagree {
+                verdict(Verdict::Disagree)
+            } else {
+                code
+            };
             let certified = certify(&input.scene, &worked, answers::DIGITS);
             let mut done = Work::of(&worked).with_certified(&certified);
             if figure {
-                let options = sheet::SheetOptions { notation: notation.clone(), ..sheet::SheetOptions::of_language(lang) };
-                done = done.with_labels(sheet::sheet(&input.scene, &worked, &options).map_err(|f| fail(&input, f))?.labels_placed());
+                let options = sheet::SheetOptions {
+                    notation: notation.clone(),
+                    ..sheet::SheetOptions::of_language(lang)
+                };
+                done = done.with_labels(
+                    sheet::sheet(&input.scene, &worked, &options)
+                        .map_err(|f| fail(&input, f))?
+                        .labels_placed(),
+                );
             }
             let w = PlanWriter { scene: &input.scene, plan: &worked.plan, notation, lang };
-            plan_json::json(&worked.mechanism, &worked.demand, &w, Some((&worked, done)), &input.file.notes)
+            plan_json::json(
+                &worked.mechanism,
+                &worked.demand,
+                &w,
+                Some((&worked, done)),
+                &input.file.notes,
+            )
         }
         Err(faults) => {
-            let mechanism = crate::mechanism::Mechanism::new(&input.scene).map_err(|f| fail(&input, f))?.value;
+            let mechanism =
+                crate::mechanism::Mechanism::new(&input.scene).map_err(|f| fail(&input, f))?.value;
             let demand = crate::mechanism::Demand::of(&input.scene, &mechanism);
             let plan = crate::plan::plan(&input.scene, &mechanism, &demand);
             let w = PlanWriter { scene: &input.scene, plan: &plan, notation, lang };

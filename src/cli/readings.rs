@@ -19,7 +19,11 @@ pub fn run(a: args::ReadingsArgs) -> CommandResult {
         let read = || -> Result<report::SolvedReading, Faults> {
             let scene = scene::read(&reading.text)?.value;
             let worked = work(&scene, Scope::Figure)?.value;
-            let named = if scene.attempts.is_empty() { Vec::new() } else { wanted(&scene, &worked, false)? };
+            let named = if scene.attempts.is_empty() {
+                Vec::new()
+            } else {
+                wanted(&scene, &worked, false)?
+            };
             Ok(report::SolvedReading { name: reading.name.clone(), scene, worked, attempts: named })
         };
         match read() {

@@ -25,7 +25,8 @@ pub fn sweep(a: SweepArgs) -> CommandResult {
     let mut input = SceneInput::read(&a.common)?;
     // Without a name and a format, the table is printed.
     let asked = a.output.as_deref().or((!a.format.is_empty()).then_some("-"));
-    let place = asked.map(|output| tables::place(output, &a.format, TableFormat::Csv)).transpose()?;
+    let place =
+        asked.map(|output| tables::place(output, &a.format, TableFormat::Csv)).transpose()?;
     ask(&mut input, a.range.find.as_deref())?;
     input.over_a_table();
     let notes = sweep_into(&input, &a, place.as_ref())?;
@@ -46,14 +47,19 @@ impl SceneInput {
 }
 
 /// Writes the table to its place; returns its notes.
-fn sweep_into(input: &SceneInput, a: &SweepArgs, place: Option<&OutputPlace<TableFormat>>) -> Result<Vec<Diagnostic>, Failure> {
+fn sweep_into(
+    input: &SceneInput,
+    a: &SweepArgs,
+    place: Option<&OutputPlace<TableFormat>>,
+) -> Result<Vec<Diagnostic>, Failure> {
     let title = input.scene.title.get(choices(&input.scene, &a.common).0);
     let scene = &input.scene;
     let mechanism = sweep::mechanism(scene).map_err(|f| input.failed(f))?;
     let over = a.range.over.as_deref();
     let swept = over.map_or_else(|| Some(Swept::usual(scene)), |name| Swept::named(scene, name));
     if let (Some(name), None) = (over, swept) {
-        let variation = Variation::new(scene, &[name]).map_err(|f| Failure::argument("--over", name, f))?;
+        let variation =
+            Variation::new(scene, &[name]).map_err(|f| Failure::argument("--over", name, f))?;
         let span = values(scene, &variation, name, a)?;
         return write(&mut Varied::new(scene, &mechanism, &variation, span), title, place);
     }
@@ -68,7 +74,11 @@ fn sweep_into(input: &SceneInput, a: &SweepArgs, place: Option<&OutputPlace<Tabl
     write(&mut long, title, place)
 }
 
-fn write(sweep: &mut dyn SweepPieces, title: &str, place: Option<&OutputPlace<TableFormat>>) -> Result<Vec<Diagnostic>, Failure> {
+fn write(
+    sweep: &mut dyn SweepPieces,
+    title: &str,
+    place: Option<&OutputPlace<TableFormat>>,
+) -> Result<Vec<Diagnostic>, Failure> {
     match place {
         Some(place) => tables::write(sweep, title, place)?,
         None => files::print_with(|out| tables::print(sweep, out))?,
@@ -111,9 +121,17 @@ pub fn limits(a: LimitsArgs) -> CommandResult {
 
 /// Returns mean balancing moment and surplus energy of a scene with loads, with the flywheel if
 /// requested.
-fn balanced(input: &SceneInput, driver: usize, delta: Option<&str>) -> Result<Option<report::balanced::BalancedEnergy>, Failure> {
+fn balanced(
+    input: &SceneInput,
+    driver: usize,
+    delta: Option<&str>,
+) -> Result<Option<report::balanced::BalancedEnergy>, Failure> {
     let wrong = |message: Both, help: Both| {
-        Failure::argument("--flywheel", delta.unwrap_or_default(), Diagnostic::error("flywheel", message).help(help))
+        Failure::argument(
+            "--flywheel",
+            delta.unwrap_or_default(),
+            Diagnostic::error("flywheel", message).help(help),
+        )
     };
     let number = |text: &str| {
         let mut parts = text.splitn(2, '/').map(|part| part.trim().parse::<f64>().ok());
@@ -122,13 +140,25 @@ fn balanced(input: &SceneInput, driver: usize, delta: Option<&str>) -> Result<Op
     };
     let told = match delta {
         Some(text) => Some(number(text).ok_or_else(|| {
-            let message = both!("`{text}` is no coefficient of speed fluctuation", "`{text}` 不是运转不均匀系数");
-            wrong(message, both!("write a number between 0 and 1, such as 1/30 or 0.03", "请写 0 与 1 之间的数，如 1/30 或 0.03"))
+            let message = both!(
+                "`{text}` is no coefficient of speed fluctuation",
+                "`{text}` 不是运转不均匀系数"
+            );
+            wrong(
+                message,
+                both!(
+                    "write a number between 0 and 1, such as 1/30 or 0.03",
+                    "请写 0 与 1 之间的数，如 1/30 或 0.03"
+                ),
+            )
         })?),
         None => None,
     };
     if input.scene.loads.is_empty() {
-        let message = both!("the scene has no loads: there is nothing for a flywheel to even out", "机构文件没有载荷，不需要飞轮");
+        let message = both!(
+            "the scene has no loads: there is nothing for a flywheel to even out",
+            "机构文件没有载荷，不需要飞轮"
+        );
         let help = both!("give \"forces\" or \"masses\"", "请给出 \"forces\" 或 \"masses\"");
         return if told.is_some() { Err(wrong(message, help)) } else { Ok(None) };
     }
@@ -141,7 +171,8 @@ fn balanced(input: &SceneInput, driver: usize, delta: Option<&str>) -> Result<Op
         Err(_) if told.is_none() => return Ok(None),
         Err(faults) => return Err(input.failed(faults)),
     };
-    let energy = sweep::mechanism(&scene).and_then(|m| sweep::energy::energy(&PlacedScene::new(&scene, &m)?, driver));
+    let energy = sweep::mechanism(&scene)
+        .and_then(|m| sweep::energy::energy(&PlacedScene::new(&scene, &m)?, driver));
     let energy = match energy {
         Ok(energy) => energy,
         Err(_) if told.is_none() => return Ok(None),
@@ -156,9 +187,14 @@ fn balanced(input: &SceneInput, driver: usize, delta: Option<&str>) -> Result<Op
         (Some(energy), delta) => Ok(Some(report::balanced::BalancedEnergy { energy, rate, delta })),
         (None, None) => Ok(None),
         (None, Some(_)) => {
-            let message =
-                both!("the driver does not turn fully, or never comes to its first pose again", "原动件不能整周转动，或不再回到原位");
-            Err(wrong(message, both!("a flywheel is for a driver that turns", "飞轮用于整周转动的原动件")))
+            let message = both!(
+                "the driver does not turn fully, or never comes to its first pose again",
+                "原动件不能整周转动，或不再回到原位"
+            );
+            Err(wrong(
+                message,
+                both!("a flywheel is for a driver that turns", "飞轮用于整周转动的原动件"),
+            ))
         }
     }
 }
@@ -169,14 +205,25 @@ pub fn driver_of(scene: &Scene, over: Option<&str>) -> Result<usize, Failure> {
     if let Some(d) = driver_named(scene, name)
         && scene.is_led(d)
     {
-        let message = both!("`{name}` follows its cam: it does not move by itself", "`{name}` 由凸轮带动，不能单独运动");
-        let d = Diagnostic::error("no-driver", message).help(both!("let the cam turn", "请使凸轮转动"));
+        let message = both!(
+            "`{name}` follows its cam: it does not move by itself",
+            "`{name}` 由凸轮带动，不能单独运动"
+        );
+        let d =
+            Diagnostic::error("no-driver", message).help(both!("let the cam turn", "请使凸轮转动"));
         return Err(Failure::argument("--over", name, d));
     }
     driver_named(scene, name).ok_or_else(|| {
         let names: Vec<String> = (0..scene.drivers.len()).map(|d| scene.driver_name(d).0).collect();
-        let d = Diagnostic::error("no-driver", both!("the scene has no driver `{name}`", "机构文件没有原动件 `{name}`"));
-        Failure::argument("--over", name, d.help(both!("its drivers are {}", "其原动件有 {}", Both::names(&names))))
+        let d = Diagnostic::error(
+            "no-driver",
+            both!("the scene has no driver `{name}`", "机构文件没有原动件 `{name}`"),
+        );
+        Failure::argument(
+            "--over",
+            name,
+            d.help(both!("its drivers are {}", "其原动件有 {}", Both::names(&names))),
+        )
     })
 }
 
@@ -201,29 +248,46 @@ pub fn ask(input: &mut SceneInput, find: Option<&str>) -> Result<(), Failure> {
 }
 
 /// Returns the values of a parameter between the bounds of the command line.
-fn values(scene: &Scene, variation: &Variation, name: &str, a: &SweepArgs) -> Result<ParameterSpan, Failure> {
+fn values(
+    scene: &Scene,
+    variation: &Variation,
+    name: &str,
+    a: &SweepArgs,
+) -> Result<ParameterSpan, Failure> {
     let bound = |text: Option<&str>, option: &'static str| {
         let missing = || {
-            Diagnostic::error("range", both!("{option} is missing", "缺少 {option}"))
-                .help(both!("a parameter has no natural range: give --from and --to", "参数没有自然的范围：请给出 --from 和 --to"))
+            Diagnostic::error("range", both!("{option} is missing", "缺少 {option}")).help(both!(
+                "a parameter has no natural range: give --from and --to",
+                "参数没有自然的范围：请给出 --from 和 --to"
+            ))
         };
         let text = text.ok_or_else(|| Failure::argument("--over", name, missing()))?;
         variation.value(scene, name, text).map_err(|f| Failure::argument(option, text, f))?;
         Ok(text.to_owned())
     };
-    let (from, to) = (bound(a.range.from.as_deref(), "--from")?, bound(a.range.to.as_deref(), "--to")?);
-    variation.span(scene, name, &from, &to, a.range.steps.unwrap_or(STEPS)).map_err(|f| Failure::argument("--over", name, f))
+    let (from, to) =
+        (bound(a.range.from.as_deref(), "--from")?, bound(a.range.to.as_deref(), "--to")?);
+    variation
+        .span(scene, name, &from, &to, a.range.steps.unwrap_or(STEPS))
+        .map_err(|f| Failure::argument("--over", name, f))
 }
 
 /// Returns a driver by the name of its column: `phi_1`, `s_B`, `l_BC`; `driver` and `driver2` give
 /// its number.
 pub fn driver_named(scene: &Scene, name: &str) -> Option<usize> {
-    (0..scene.drivers.len()).find(|&d| scene.driver_name(d).0 == name || name == format!("driver{}", d + 1))
+    (0..scene.drivers.len())
+        .find(|&d| scene.driver_name(d).0 == name || name == format!("driver{}", d + 1))
 }
 
 /// Returns the stations of a driver between two values in the scene's notation; by default a full
 /// turn for a turning driver, and the whole travel for a sliding one.
-pub fn stations(input: &SceneInput, placed: &PlacedScene, driver: usize, range: &RangeArgs, count: usize) -> Result<Stations, Failure> {
+pub fn stations(
+    input: &SceneInput,
+    placed: &PlacedScene,
+    driver: usize,
+    range: &RangeArgs,
+    count: usize,
+) -> Result<Stations, Failure> {
     Ok(steps(input, placed, driver, range, count)?.all())
 }
 
@@ -232,7 +296,14 @@ pub fn within(steps: usize, most: usize, what: Both) -> Result<usize, Failure> {
     if steps <= most {
         return Ok(steps);
     }
-    let d = Diagnostic::error("too-many", both!("--steps {steps}: {} has at most {most} steps", "--steps {steps}：{}至多 {most} 步", what));
+    let d = Diagnostic::error(
+        "too-many",
+        both!(
+            "--steps {steps}: {} has at most {most} steps",
+            "--steps {steps}：{}至多 {most} 步",
+            what
+        ),
+    );
     let d = d.help(both!(
         "write --steps {most} or fewer; `sweep` writes tables of up to ten million rows",
         "请写 --steps {most} 或更少；`sweep` 可写至多一千万行的表"
@@ -252,35 +323,56 @@ fn not_too_far(option: &str, text: &str, angle: Angle) -> Result<Angle, Failure>
     }
     let d = Diagnostic::error(
         "range",
-        both!("it lies {turns} turns off; at most {MOST_TURNS} are allowed", "相距 {turns} 转；最多允许 {MOST_TURNS} 转"),
+        both!(
+            "it lies {turns} turns off; at most {MOST_TURNS} are allowed",
+            "相距 {turns} 转；最多允许 {MOST_TURNS} 转"
+        ),
     );
-    let d = d.help(both!("the motion comes again with every turn, or with every few", "运动每转一周或几周即重复"));
+    let d = d.help(both!(
+        "the motion comes again with every turn, or with every few",
+        "运动每转一周或几周即重复"
+    ));
     Err(Failure::argument(option, text, d))
 }
 
 /// Follows the mechanism through the time of the command line (s); returns it with the ends.
-pub fn through<'a>(placed: &'a PlacedScene<'a>, range: &RangeArgs) -> Result<(TimedSweep<'a>, [f64; 2]), Failure> {
+pub fn through<'a>(
+    placed: &'a PlacedScene<'a>,
+    range: &RangeArgs,
+) -> Result<(TimedSweep<'a>, [f64; 2]), Failure> {
     let ends = bounds(range, edit::time)?;
     let text = range.to.as_deref().or(range.from.as_deref()).unwrap_or_default();
     TimedSweep::new(placed, ends).map_err(|f| Failure::argument("--to", text, f))
 }
 
-fn steps(input: &SceneInput, placed: &PlacedScene, driver: usize, range: &RangeArgs, steps: usize) -> Result<StationSteps, Failure> {
+fn steps(
+    input: &SceneInput,
+    placed: &PlacedScene,
+    driver: usize,
+    range: &RangeArgs,
+    steps: usize,
+) -> Result<StationSteps, Failure> {
     let Some(d) = placed.scene.drivers.get(driver) else {
-        return Err(input.failed(Diagnostic::error("no-driver", both!("the scene has no driver", "机构文件没有原动件")).into()));
+        return Err(input.failed(
+            Diagnostic::error("no-driver", both!("the scene has no driver", "机构文件没有原动件"))
+                .into(),
+        ));
     };
     if d.kind.turns() {
         bounds(range, edit::angle)?;
-        let (from, to) = (range.from.as_deref().unwrap_or("0"), range.to.as_deref().unwrap_or("360"));
+        let (from, to) =
+            (range.from.as_deref().unwrap_or("0"), range.to.as_deref().unwrap_or("360"));
         let [first, last] = edit::angles(from, to).map_err(|f| Failure::argument("--to", to, f))?;
-        let way = DriverSpan::Turn(not_too_far("--from", from, first)?, not_too_far("--to", to, last)?);
+        let way =
+            DriverSpan::Turn(not_too_far("--from", from, first)?, not_too_far("--to", to, last)?);
         return Ok(StationSteps { way, steps });
     }
     let per_value = station::angle_per_value(placed.scene, &placed.at, driver);
     let [from, to] = match bounds(range, edit::length)? {
         [Some(from), Some(to)] => [from, to],
         [from, to] => {
-            let limits = extreme::limits(placed.scene, placed.mechanism, driver).map_err(|f| input.failed(f))?;
+            let limits = extreme::limits(placed.scene, placed.mechanism, driver)
+                .map_err(|f| input.failed(f))?;
             let [low, high] = limits.range.bounds();
             [from.unwrap_or(low), to.unwrap_or(high)]
         }
@@ -289,7 +381,10 @@ fn steps(input: &SceneInput, placed: &PlacedScene, driver: usize, range: &RangeA
 }
 
 /// Reads `--from` and `--to` if given; reports all their faults at once.
-fn bounds<T>(range: &RangeArgs, read: impl Fn(&str) -> Result<T, Faults>) -> Result<[Option<T>; 2], Failure> {
+fn bounds<T>(
+    range: &RangeArgs,
+    read: impl Fn(&str) -> Result<T, Faults>,
+) -> Result<[Option<T>; 2], Failure> {
     let mut wrong = Vec::new();
     let both = [("--from", &range.from), ("--to", &range.to)].map(|(option, text)| {
         let text = text.as_deref()?;

@@ -1,4 +1,5 @@
-//! `hodograph synth`: a synthesis file to candidates, as a table or JSON, and one of them as a scene file.
+//! `hodograph synth`: a synthesis file to candidates, as a table or JSON, and one of them as a
+//! scene file.
 
 use super::{CommandResult, InputFile, errors, files, lang, places};
 use crate::diag::{Both, Diagnostic, both};
@@ -24,7 +25,8 @@ pub struct SynthArgs {
     /// The candidate that is meant, counted from 1 in the order of the table
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub pick: Option<u64>,
-    /// Write the scene of the candidate to this file or to `-`, standard output (default: of the first one)
+    /// Write the scene of the candidate to this file or to `-`, standard output (default: of the
+    /// first one)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
     /// The candidates as JSON, in SI, with their scenes
@@ -51,7 +53,10 @@ pub fn run(a: SynthArgs) -> CommandResult {
     if a.speed {
         let evaluations = design.numbers.iter().find(|n| n.name == "evaluations").map(|n| n.value);
         let told = speed(evaluations, took);
-        errors::tell_line(&Diagnostic::note("speed", told.clone()), &format!("{}\n", lang::of(&told)));
+        errors::tell_line(
+            &Diagnostic::note("speed", told.clone()),
+            &format!("{}\n", lang::of(&told)),
+        );
     }
     if let Some(path) = &a.output {
         files::write(Path::new(path), design.candidates[candidate].scene_text().as_bytes())?;

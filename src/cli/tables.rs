@@ -24,14 +24,25 @@ const NUMBERS: usize = 1 << 21;
 ///
 /// # Errors
 /// Those of [`places`], and `format` if several are requested.
-pub fn place<F: ValueEnum + Copy + PartialEq>(output: &str, formats: &[F], usual: F) -> Result<OutputPlace<F>, Failure> {
+pub fn place<F: ValueEnum + Copy + PartialEq>(
+    output: &str,
+    formats: &[F],
+    usual: F,
+) -> Result<OutputPlace<F>, Failure> {
     let mut all = places(output, formats, usual)?;
     if all.len() == 1 {
         return Ok(all.swap_remove(0));
     }
-    let message =
-        both!("a table is written in one format, and --format asks for {}", "表格只能写成一种格式，而 --format 要求 {} 种", all.len());
-    let help = both!("ask for one format: --format {}", "请只取一种格式：--format {}", places::ending(all[0].0));
+    let message = both!(
+        "a table is written in one format, and --format asks for {}",
+        "表格只能写成一种格式，而 --format 要求 {} 种",
+        all.len()
+    );
+    let help = both!(
+        "ask for one format: --format {}",
+        "请只取一种格式：--format {}",
+        places::ending(all[0].0)
+    );
     Err(Failure::argument("-o", output, Diagnostic::error("format", message).help(help)))
 }
 
@@ -46,7 +57,11 @@ pub fn by_rows(format: BatchFormat, head: TableHead) -> io::Result<Box<dyn RowFo
 
 /// Writes a sweep, completely or not at all; one piece is computed while the one before it is
 /// written.
-pub fn write(sweep: &mut dyn SweepPieces, title: &str, (format, path): &OutputPlace<TableFormat>) -> Result<(), Failure> {
+pub fn write(
+    sweep: &mut dyn SweepPieces,
+    title: &str,
+    (format, path): &OutputPlace<TableFormat>,
+) -> Result<(), Failure> {
     let head = TableHead::new(title, sweep.columns()).in_language(lang::now());
     stop::watch();
     let _looking = stop::Looking::begin();
@@ -103,15 +118,25 @@ fn in_pieces<U: Send>(
         }
         piece.filter(|_| !stop::asked())
     };
-    long::pipeline(make, |columns, used| form(&columns.iter().map(Vec::as_slice).collect::<Vec<_>>(), used), take)
+    long::pipeline(
+        make,
+        |columns, used| form(&columns.iter().map(Vec::as_slice).collect::<Vec<_>>(), used),
+        take,
+    )
 }
 
 /// Returns the function that formats pieces.
-fn formed(format: &dyn RowFormat) -> impl FnMut(&[&[f64]], Option<TablePiece>) -> io::Result<TablePiece> + Send {
+fn formed(
+    format: &dyn RowFormat,
+) -> impl FnMut(&[&[f64]], Option<TablePiece>) -> io::Result<TablePiece> + Send {
     |columns, used| format.piece_in(columns, used.unwrap_or_default())
 }
 
-fn rows(sweep: &mut dyn SweepPieces, format: &dyn RowFormat, out: &mut OutputFile) -> io::Result<()> {
+fn rows(
+    sweep: &mut dyn SweepPieces,
+    format: &dyn RowFormat,
+    out: &mut OutputFile,
+) -> io::Result<()> {
     let count = sweep.count() as u64;
     let bar = long::bar(count, 0, &both!("positions", "个位置"));
     // The beginning assumes that all rows exist and are finite; otherwise it is replaced.
@@ -133,7 +158,11 @@ fn rows(sweep: &mut dyn SweepPieces, format: &dyn RowFormat, out: &mut OutputFil
     if told == begin { Ok(()) } else { out.replace_beginning(begin.len() as u64, &told) }
 }
 
-fn by_columns(sweep: &mut dyn SweepPieces, head: &TableHead, out: &mut OutputFile) -> io::Result<()> {
+fn by_columns(
+    sweep: &mut dyn SweepPieces,
+    head: &TableHead,
+    out: &mut OutputFile,
+) -> io::Result<()> {
     let bar = long::bar(sweep.count() as u64, 0, &both!("positions", "个位置"));
     let mut spool = Spool::new(out.scratch()?);
     in_pieces(

@@ -20,7 +20,8 @@ pub fn has_read(path: &Path) {
 }
 
 fn was_read(path: &Path) -> bool {
-    path.canonicalize().is_ok_and(|full| READ.lock().unwrap_or_else(PoisonError::into_inner).contains(&full))
+    path.canonicalize()
+        .is_ok_and(|full| READ.lock().unwrap_or_else(PoisonError::into_inner).contains(&full))
 }
 
 /// The destination of an output.
@@ -77,14 +78,24 @@ impl OutputTarget {
             Err(e) if e.kind() != io::ErrorKind::NotFound => return Err(fail(e)),
             _ => {}
         }
-        let Some(file) = followed(path).map_err(fail)? else { return Ok(OutputTarget::Stream(path.to_owned())) };
+        let Some(file) = followed(path).map_err(fail)? else {
+            return Ok(OutputTarget::Stream(path.to_owned()));
+        };
         std::fs::create_dir_all(folder_of(&file)).map_err(fail)?;
         if was_read(&file) {
             let d = Diagnostic::error(
                 "output",
-                both!("{} is what is read here: writing to it would destroy it", "{} 正被读取：写入会毁掉它", path.display()),
+                both!(
+                    "{} is what is read here: writing to it would destroy it",
+                    "{} 正被读取：写入会毁掉它",
+                    path.display()
+                ),
             );
-            return Err(Failure::input(d.help(both!("name another file, such as -o out/", "请另写文件，如 -o out/")), "", ""));
+            return Err(Failure::input(
+                d.help(both!("name another file, such as -o out/", "请另写文件，如 -o out/")),
+                "",
+                "",
+            ));
         }
         if let Ok(known) = std::fs::metadata(&file) {
             // Renaming needs only the folder's permission; a write-protected file is checked here.
@@ -104,7 +115,9 @@ impl OutputTarget {
         from.seek(SeekFrom::Start(0))?;
         match self {
             OutputTarget::File(_) => Ok(()),
-            OutputTarget::Stream(path) => io::copy(from, &mut OpenOptions::new().append(true).open(path)?).map(drop),
+            OutputTarget::Stream(path) => {
+                io::copy(from, &mut OpenOptions::new().append(true).open(path)?).map(drop)
+            }
             OutputTarget::Stdout => {
                 let mut out = io::stdout().lock();
                 match io::copy(from, &mut out).and_then(|_| out.flush()) {
@@ -118,7 +131,12 @@ impl OutputTarget {
 
 /// The failure of an output that cannot be written.
 pub fn unwritable(path: &Path, e: &io::Error) -> Failure {
-    Failure::Output(both!("{} cannot be written: {}", "不能写入 {}：{}", path.display(), super::files::reason(e)))
+    Failure::Output(both!(
+        "{} cannot be written: {}",
+        "不能写入 {}：{}",
+        path.display(),
+        super::files::reason(e)
+    ))
 }
 
 /// Returns the file at the end of a chain of links; `None` for an open file of a process
@@ -135,7 +153,10 @@ fn followed(path: &Path) -> io::Result<Option<PathBuf>> {
         let to = std::fs::read_link(&at)?;
         at = at.parent().unwrap_or(Path::new("")).join(to);
     }
-    Err(io::Error::other(super::files::FileRefusal(both!("too many symbolic links", "符号链接过多"))))
+    Err(io::Error::other(super::files::FileRefusal(both!(
+        "too many symbolic links",
+        "符号链接过多"
+    ))))
 }
 
 /// The folder of a file.
@@ -180,7 +201,10 @@ fn owner(_: &File, _: &Metadata) {}
 pub fn has_name(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
     let id = |m: Metadata| (m.dev(), m.ino());
-    file.metadata().ok().map(id).is_some_and(|f| std::fs::symlink_metadata(path).ok().map(id) == Some(f))
+    file.metadata()
+        .ok()
+        .map(id)
+        .is_some_and(|f| std::fs::symlink_metadata(path).ok().map(id) == Some(f))
 }
 
 /// Returns true if an open file has this name.

@@ -12,11 +12,18 @@ pub fn new(template: Option<&str>, set: &[String], output: Option<&str>) -> Comm
     let all = |got: &str| suggest(got, names.iter().copied(), both!("the templates are", "模板有"));
     let Some(template) = template else {
         let d = Diagnostic::error("no-template", both!("no template is named", "没有写出模板名"));
-        let help = both!("{}; `hodograph templates` tells what they are", "{}；`hodograph templates` 列出其内容", all(""));
+        let help = both!(
+            "{}; `hodograph templates` tells what they are",
+            "{}；`hodograph templates` 列出其内容",
+            all("")
+        );
         return Err(Failure::argument("TEMPLATE", "", d.help(help)));
     };
     if !names.contains(&template) {
-        let d = Diagnostic::error("unknown-template", both!("there is no template `{template}`", "没有模板 `{template}`"));
+        let d = Diagnostic::error(
+            "unknown-template",
+            both!("there is no template `{template}`", "没有模板 `{template}`"),
+        );
         return Err(Failure::argument("TEMPLATE", template, d.help(all(template))));
     }
     let text = values::with_values(set, |values| templates::text(template, values))?;
@@ -39,7 +46,8 @@ pub fn list() -> CommandResult {
             Kind::Motion => " (motion without a mechanism · 无机构的运动)",
         };
         out.push_str(&format!("{}{kind}\n    {} · {}\n", t.name, t.title.en, t.title.zh));
-        let parameters: Vec<String> = t.parameters.iter().map(|(n, v)| format!("{n}={v}")).collect();
+        let parameters: Vec<String> =
+            t.parameters.iter().map(|(n, v)| format!("{n}={v}")).collect();
         if !parameters.is_empty() {
             out.push_str(&format!("    {}\n", parameters.join("  ")));
         }

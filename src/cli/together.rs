@@ -39,11 +39,18 @@ impl Together {
     }
 
     /// Adds a file that is written piece by piece.
-    pub fn add_with(&mut self, path: &Path, fill: impl FnOnce(&mut OutputFile) -> io::Result<()>) -> Result<(), Failure> {
+    pub fn add_with(
+        &mut self,
+        path: &Path,
+        fill: impl FnOnce(&mut OutputFile) -> io::Result<()>,
+    ) -> Result<(), Failure> {
         stop::watch();
         let fail = |e: io::Error| unwritable(path, &e);
         let filled = |file: &File, folder: &Path| {
-            let mut out = OutputFile { file: BufWriter::with_capacity(1 << 16, file.try_clone()?), folder: folder.to_owned() };
+            let mut out = OutputFile {
+                file: BufWriter::with_capacity(1 << 16, file.try_clone()?),
+                folder: folder.to_owned(),
+            };
             fill(&mut out).and_then(|()| out.flush())
         };
         match OutputTarget::of(path)? {
@@ -82,7 +89,9 @@ impl Together {
 
     /// Renames all files. If one cannot be renamed, those renamed before are put back.
     pub fn appear(self) -> Result<(), Failure> {
-        if let Some(first) = self.files.iter().map(|f| &f.name).chain(self.streams.iter().map(|s| &s.0)).next() {
+        if let Some(first) =
+            self.files.iter().map(|f| &f.name).chain(self.streams.iter().map(|s| &s.0)).next()
+        {
             unless_stopped(first, Ok(()))?;
         }
         let _naming = stop::undisturbed();
@@ -137,7 +146,9 @@ impl Drop for Undo {
         for place in &self.placed {
             // The undo may fail too; nothing more can be done then.
             let _ = match self.before.iter().position(|(p, _)| p == place) {
-                Some(k) => self.before.swap_remove(k).1.persist(place).map(drop).map_err(|e| e.error),
+                Some(k) => {
+                    self.before.swap_remove(k).1.persist(place).map(drop).map_err(|e| e.error)
+                }
                 None => std::fs::remove_file(place),
             };
         }
@@ -187,7 +198,11 @@ fn clear_one(path: &Path) {
 /// Returns the result of writing, or the interruption if the user has asked to stop.
 fn unless_stopped(path: &Path, filled: io::Result<()>) -> Result<(), Failure> {
     if stop::asked() {
-        return Err(Failure::Interrupted(both!("{} is not written", "{} 没有写入", path.display())));
+        return Err(Failure::Interrupted(both!(
+            "{} is not written",
+            "{} 没有写入",
+            path.display()
+        )));
     }
     filled.map_err(|e| unwritable(path, &e))
 }

@@ -130,7 +130,10 @@ impl From<Language> for Lang {
 pub fn digits(s: &str) -> Result<usize, FileRefusal> {
     match s.parse::<usize>() {
         Ok(n) if (1..=MOST_DIGITS).contains(&n) => Ok(n),
-        _ => Err(FileRefusal(both!("not a whole number from 1 to {MOST_DIGITS}", "不是 1 到 {MOST_DIGITS} 的整数"))),
+        _ => Err(FileRefusal(both!(
+            "not a whole number from 1 to {MOST_DIGITS}",
+            "不是 1 到 {MOST_DIGITS} 的整数"
+        ))),
     }
 }
 
@@ -150,15 +153,21 @@ pub fn length(s: &str) -> Result<String, FileRefusal> {
 pub fn steps(s: &str) -> Result<usize, FileRefusal> {
     match s.parse::<usize>() {
         Ok(n) if n <= 10_000_000 => Ok(n),
-        _ => Err(FileRefusal(both!("not a whole number from 0 to 10000000", "不是 0 到 10000000 的整数"))),
+        _ => Err(FileRefusal(both!(
+            "not a whole number from 0 to 10000000",
+            "不是 0 到 10000000 的整数"
+        ))),
     }
 }
 
-/// A resolution that neither vanishes nor fills the memory: an A4 sheet at 2400 dpi has 550 million pixels.
+/// A resolution that neither vanishes nor fills the memory: an A4 sheet at 2400 dpi has 550 million
+/// pixels.
 pub fn dpi(s: &str) -> Result<f64, FileRefusal> {
     match s.parse::<f64>() {
         Ok(v) if (20.0..=1200.0).contains(&v) => Ok(v),
-        Ok(v) => Err(FileRefusal(both!("{v} is not between 20 and 1200", "{v} 不在 20 到 1200 之间"))),
+        Ok(v) => {
+            Err(FileRefusal(both!("{v} is not between 20 and 1200", "{v} 不在 20 到 1200 之间")))
+        }
         Err(_) => Err(FileRefusal(both!("not a number", "不是数"))),
     }
 }
@@ -167,7 +176,9 @@ pub fn dpi(s: &str) -> Result<f64, FileRefusal> {
 pub fn tolerance(s: &str) -> Result<f64, FileRefusal> {
     match s.parse::<f64>() {
         Ok(v) if (0.0..=1000.0).contains(&v) => Ok(v),
-        Ok(v) => Err(FileRefusal(both!("{v} is not between 0 and 1000", "{v} 不在 0 到 1000 之间"))),
+        Ok(v) => {
+            Err(FileRefusal(both!("{v} is not between 0 and 1000", "{v} 不在 0 到 1000 之间")))
+        }
         Err(_) => Err(FileRefusal(both!("not a number", "不是数"))),
     }
 }
@@ -176,12 +187,15 @@ pub fn tolerance(s: &str) -> Result<f64, FileRefusal> {
 pub fn seconds(s: &str) -> Result<f64, FileRefusal> {
     match s.parse::<f64>() {
         Ok(v) if (0.1..=600.0).contains(&v) => Ok(v),
-        Ok(v) => Err(FileRefusal(both!("{v} is not between 0.1 and 600", "{v} 不在 0.1 到 600 之间"))),
+        Ok(v) => {
+            Err(FileRefusal(both!("{v} is not between 0.1 and 600", "{v} 不在 0.1 到 600 之间")))
+        }
         Err(_) => Err(FileRefusal(both!("not a number", "不是数"))),
     }
 }
 
-/// The name to show and the bytes of a scene, or of another file with parameters, that have the values of `--set`.
+/// The name to show and the bytes of a scene, or of another file with parameters, that have the
+/// values of `--set`.
 pub(super) fn file(path: &str, set: &[String]) -> Result<(String, Vec<u8>), Failure> {
     let (name, bytes) = files::scene(path).map_err(|d| Failure::input(d, path, ""))?;
     match std::str::from_utf8(&bytes) {
@@ -195,13 +209,20 @@ pub(super) fn file(path: &str, set: &[String]) -> Result<(String, Vec<u8>), Fail
 }
 
 /// A text with the values of `--set NAME=VALUE`; every fault is shown at the argument that has it.
-pub(super) fn with_values(set: &[String], apply: impl Fn(&[(&str, &str)]) -> Result<String, Faults>) -> Result<String, Failure> {
+pub(super) fn with_values(
+    set: &[String],
+    apply: impl Fn(&[(&str, &str)]) -> Result<String, Faults>,
+) -> Result<String, Failure> {
     let mut values = Vec::new();
     let mut wrong = Vec::new();
     for s in set {
         let Some((name, value)) = s.split_once('=') else {
-            let d = Diagnostic::error("set", both!("`--set {s}` has no `=`", "`--set {s}` 没有 `=`"))
-                .help(both!("write --set NAME=VALUE, such as --set l_AB=120", "请写 --set NAME=VALUE，如 --set l_AB=120"));
+            let d =
+                Diagnostic::error("set", both!("`--set {s}` has no `=`", "`--set {s}` 没有 `=`"))
+                    .help(both!(
+                        "write --set NAME=VALUE, such as --set l_AB=120",
+                        "请写 --set NAME=VALUE，如 --set l_AB=120"
+                    ));
             wrong.push(SourceFaults::argument("--set", s, d));
             continue;
         };

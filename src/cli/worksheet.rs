@@ -5,7 +5,10 @@ use super::mobility::posed_scene;
 use super::places::{OutputPlace, one_result, places};
 use super::together::Together;
 use super::values::SheetFormat;
-use super::{CommandResult, Failure, InputFile, SceneInput, args, choices, files, granted, ids, look_of, verdict};
+use super::{
+    CommandResult, Failure, InputFile, SceneInput, args, choices, files, granted, ids, look_of,
+    verdict,
+};
 use crate::diag::{Diagnostic, Faults, both};
 use crate::figure::sheet;
 use crate::paper::style::Style;
@@ -15,7 +18,8 @@ use crate::render::pdf;
 use crate::scene;
 use crate::worked::{Scope, work};
 use crate::worksheet::{
-    CompanionFile, Document, WorksheetOptions, WorksheetSides, html, markdown, mobility, mobility_of_pairs, pages, typst,
+    CompanionFile, Document, WorksheetOptions, WorksheetSides, html, markdown, mobility,
+    mobility_of_pairs, pages, typst,
 };
 use std::path::Path;
 use std::process::ExitCode;
@@ -41,10 +45,15 @@ pub fn run(a: args::WorksheetArgs) -> CommandResult {
         return counting(&a, style, sides, &files);
     }
     let problem = file.read(|bytes| problem::read(bytes))?;
-    let options = problem::Options { candidate: a.pick.map_or(0, |n| n as usize - 1), ..problem::Options::with_figures() };
+    let options = problem::Options {
+        candidate: a.pick.map_or(0, |n| n as usize - 1),
+        ..problem::Options::with_figures()
+    };
     let solved = file.solve(&problem, &options)?;
     let look = look_of(&a.common, style, a.digits);
-    let document = solved.worksheet(sides, a.find_the_mistake.as_deref(), &look).map_err(|f| file.failed(f))?;
+    let document = solved
+        .worksheet(sides, a.find_the_mistake.as_deref(), &look)
+        .map_err(|f| file.failed(f))?;
     let notes = files.write(&document, |f| file.failed(f))?;
     file.notes.extend(notes);
     file.notes.extend(document.remarks());
@@ -52,13 +61,31 @@ pub fn run(a: args::WorksheetArgs) -> CommandResult {
     Ok(verdict(solved.verdict()))
 }
 
-fn options(input: &SceneInput, a: &args::WorksheetArgs, style: Style, sides: WorksheetSides) -> WorksheetOptions {
+fn options(
+    input: &SceneInput,
+    a: &args::WorksheetArgs,
+    style: Style,
+    sides: WorksheetSides,
+) -> WorksheetOptions {
     let (lang, notation) = choices(&input.scene, &a.common);
-    WorksheetOptions { sheet: sheet::SheetOptions { lang, notation: style.marks.over(&notation), digits: a.digits, style }, sides }
+    WorksheetOptions {
+        sheet: sheet::SheetOptions {
+            lang,
+            notation: style.marks.over(&notation),
+            digits: a.digits,
+            style,
+        },
+        sides,
+    }
 }
 
 /// Runs the worksheet on mobility: it needs links and pairs, and the pose only for its drawings.
-fn counting(a: &args::WorksheetArgs, style: Style, sides: WorksheetSides, files: &Files) -> CommandResult {
+fn counting(
+    a: &args::WorksheetArgs,
+    style: Style,
+    sides: WorksheetSides,
+    files: &Files,
+) -> CommandResult {
     let mut input = SceneInput::read_topology(&a.common)?.drawn_in(&style);
     let options = options(&input, a, style, sides);
     let posed = scene::read_pose(&input.file.source).ok().and_then(|read| {
@@ -101,13 +128,21 @@ struct Files {
 
 impl Files {
     fn of(a: &args::WorksheetArgs) -> Result<Files, Failure> {
-        Ok(Files { output: a.output.clone(), places: places(&a.output, &a.format, SheetFormat::Html)? })
+        Ok(Files {
+            output: a.output.clone(),
+            places: places(&a.output, &a.format, SheetFormat::Html)?,
+        })
     }
 
     /// Writes the files and their drawings, all or none, and prints their names. Returns the
     /// diagnostics of parts that could not be written faithfully.
-    fn write(&self, document: &Document, failed: impl Fn(Faults) -> Failure) -> Result<Vec<Diagnostic>, Failure> {
-        let (mut all, mut names, mut notes): (_, Vec<String>, _) = (Together::default(), Vec::new(), Vec::new());
+    fn write(
+        &self,
+        document: &Document,
+        failed: impl Fn(Faults) -> Failure,
+    ) -> Result<Vec<Diagnostic>, Failure> {
+        let (mut all, mut names, mut notes): (_, Vec<String>, _) =
+            (Together::default(), Vec::new(), Vec::new());
         for (format, path) in &self.places {
             let out = Path::new(path);
             let stem = out.file_stem().and_then(|s| s.to_str()).unwrap_or("worksheet");
@@ -146,11 +181,15 @@ struct FormattedSheet {
 
 /// Returns the document in a format; the names of its drawings begin with `stem`.
 fn written(document: &Document, format: SheetFormat, stem: &str) -> Result<FormattedSheet, Faults> {
-    let text =
-        |(text, beside): (String, Vec<CompanionFile>)| FormattedSheet { bytes: text.into_bytes(), beside, ..FormattedSheet::default() };
+    let text = |(text, beside): (String, Vec<CompanionFile>)| FormattedSheet {
+        bytes: text.into_bytes(),
+        beside,
+        ..FormattedSheet::default()
+    };
     Ok(match format {
         SheetFormat::Pdf => {
-            let file = pdf::document(&pages::pages(document), &document.title, words(document.lang).tag)?;
+            let file =
+                pdf::document(&pages::pages(document), &document.title, words(document.lang).tag)?;
             FormattedSheet { bytes: file.value, notes: file.notes, ..FormattedSheet::default() }
         }
         SheetFormat::Html => text((html::html(document)?, Vec::new())),

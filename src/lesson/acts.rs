@@ -25,7 +25,12 @@ use super::steps::writer;
 /// * Sense, decided by: `t` an angular velocity or acceleration, `n` a centre, `k` an angular
 ///   velocity and a sliding velocity, `s` a sliding velocity.
 /// * Formulas of symbol, direction, line and angular velocity or acceleration.
-pub fn acts(frame: &SolvedFrame, on: DiagramKind, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
+pub fn acts(
+    frame: &SolvedFrame,
+    on: DiagramKind,
+    notation: &Notation,
+    formulas: &mut Formulas,
+) -> Vec<Value> {
     let (scene, paper) = (&frame.scene, &frame.worked.construction);
     let Some(p) = paper.polygon(on) else { return Vec::new() };
     let w = PlanWriter { scene, plan: &frame.worked.plan, notation, lang: Lang::En };
@@ -34,7 +39,12 @@ pub fn acts(frame: &SolvedFrame, on: DiagramKind, notation: &Notation, formulas:
 
 /// [`acts`] for the equilibrium of some links: known forces are laid off, and lines cross in a
 /// vertex without number.
-pub fn acts_of_forces(frame: &SolvedFrame, links: &[LinkId], notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
+pub fn acts_of_forces(
+    frame: &SolvedFrame,
+    links: &[LinkId],
+    notation: &Notation,
+    formulas: &mut Formulas,
+) -> Vec<Value> {
     let Some((w, group)) = writer(frame, links, notation, Lang::En) else { return Vec::new() };
     let own: Vec<usize> = group.links.iter().map(|l| l.0).collect();
     let of = |act: &equilibrium::Act| match act {
@@ -43,7 +53,10 @@ pub fn acts_of_forces(frame: &SolvedFrame, links: &[LinkId], notation: &Notation
             json!(["l", own, -1, -1, "", symbol, -1, -1, -1])
         }
         equilibrium::Act::Cross(_) => json!(["x", own, -1, -1]),
-        equilibrium::Act::Free | equilibrium::Act::Friction | equilibrium::Act::Moments(_) | equilibrium::Act::Read(_) => {
+        equilibrium::Act::Free
+        | equilibrium::Act::Friction
+        | equilibrium::Act::Moments(_)
+        | equilibrium::Act::Read(_) => {
             json!(["", own, -1, -1])
         }
     };
@@ -60,28 +73,43 @@ struct PolygonActs<'a> {
 
 impl PolygonActs<'_> {
     fn action_json(&self, action: &Action, formulas: &mut Formulas) -> Value {
-        let of_edges = |edges: &[usize]| edges.iter().flat_map(|e| self.p.edges[*e].terms.clone()).collect::<Vec<Term>>();
+        let of_edges = |edges: &[usize]| {
+            edges.iter().flat_map(|e| self.p.edges[*e].terms.clone()).collect::<Vec<Term>>()
+        };
         match action {
             Action::LayOff(e) => self.of_terms("l", &of_edges(&[*e]), formulas),
             Action::Line { terms, .. } => self.of_terms("d", terms, formulas),
             Action::Join(e) => self.of_terms("j", &of_edges(&[*e]), formulas),
             Action::Perpendicular { edges, .. } => self.of_terms("p", &of_edges(edges), formulas),
-            Action::Cross { target, edges, .. } => json!(["x", self.links(&of_edges(edges)), target.0, -1]),
+            Action::Cross { target, edges, .. } => {
+                json!(["x", self.links(&of_edges(edges)), target.0, -1])
+            }
             Action::Trials { target, .. } => json!(["x", self.of_vertex(*target), target.0, -1]),
             Action::Copy { target, .. } => json!(["c", self.of_vertex(*target), target.0, -1]),
-            Action::Reach(v) | Action::Same { target: v, .. } => json!(["", self.of_vertex(*v), v.0, -1]),
+            Action::Reach(v) | Action::Same { target: v, .. } => {
+                json!(["", self.of_vertex(*v), v.0, -1])
+            }
             Action::Nothing { terms, .. } => self.of_terms("", terms, formulas),
-            Action::Rate(r) => json!(["", self.paper.rates.get(*r).map_or_else(Vec::new, |r| of_body(self.w.scene, r.body)), -1, -1]),
+            Action::Rate(r) => json!([
+                "",
+                self.paper.rates.get(*r).map_or_else(Vec::new, |r| of_body(self.w.scene, r.body)),
+                -1,
+                -1
+            ]),
         }
     }
 
     fn of_terms(&self, kind: &str, terms: &[Term], formulas: &mut Formulas) -> Value {
         let [first, ..] = terms else { return json!([kind, [], -1, -1]) };
         let direction = self.w.direction(first);
-        let line = ["\\perp ", "\\parallel "].iter().find_map(|sign| direction.strip_prefix(sign)).unwrap_or_default();
+        let line = ["\\perp ", "\\parallel "]
+            .iter()
+            .find_map(|sign| direction.strip_prefix(sign))
+            .unwrap_or_default();
         let symbols: Vec<String> = terms.iter().map(|t| self.w.symbol(self.on, t)).collect();
         let told = if direction == self.w.notation.unknown { "" } else { direction.as_str() };
-        let mut formula = |text: &str| if text.is_empty() { -1 } else { formulas.formula(text) as i64 };
+        let mut formula =
+            |text: &str| if text.is_empty() { -1 } else { formulas.formula(text) as i64 };
         json!([
             kind,
             self.links(terms),
@@ -101,8 +129,12 @@ impl PolygonActs<'_> {
             (TermKind::Coriolis, TermConnection::Guide { guide, .. }) => {
                 (DiagramKind::Velocity, Some(TurningBody::Link(self.w.scene.guides[guide.0].on)))
             }
-            (TermKind::Coriolis, TermConnection::Frame { body, .. }) => (DiagramKind::Velocity, body),
-            (TermKind::Coriolis, TermConnection::Cylinder(d)) => (DiagramKind::Velocity, Some(TurningBody::Cylinder(d))),
+            (TermKind::Coriolis, TermConnection::Frame { body, .. }) => {
+                (DiagramKind::Velocity, body)
+            }
+            (TermKind::Coriolis, TermConnection::Cylinder(d)) => {
+                (DiagramKind::Velocity, Some(TurningBody::Cylinder(d)))
+            }
             (_, TermConnection::Turning(body)) => (self.on, Some(body)),
             (
                 _,
@@ -127,14 +159,25 @@ impl PolygonActs<'_> {
     fn of_term(&self, t: &Term) -> Vec<usize> {
         let scene = self.w.scene;
         match t.by {
-            TermConnection::Turning(body) | TermConnection::Frame { body: Some(body), .. } => of_body(scene, body),
+            TermConnection::Turning(body) | TermConnection::Frame { body: Some(body), .. } => {
+                of_body(scene, body)
+            }
             TermConnection::Cylinder(d) => of_body(scene, TurningBody::Cylinder(d)),
             TermConnection::Guide { guide, .. } => {
                 let g = &scene.guides[guide.0];
-                [Some(g.on), g.slider].into_iter().flatten().filter(|l| *l != scene.ground).map(|l| l.0).collect()
+                [Some(g.on), g.slider]
+                    .into_iter()
+                    .flatten()
+                    .filter(|l| *l != scene.ground)
+                    .map(|l| l.0)
+                    .collect()
             }
-            TermConnection::Contact(_) | TermConnection::Frame { body: None, .. } | TermConnection::Apart => {
-                let on = |v: VertexId| self.w.plan.vertex(v).link(scene).filter(|l: &LinkId| *l != scene.ground);
+            TermConnection::Contact(_)
+            | TermConnection::Frame { body: None, .. }
+            | TermConnection::Apart => {
+                let on = |v: VertexId| {
+                    self.w.plan.vertex(v).link(scene).filter(|l: &LinkId| *l != scene.ground)
+                };
                 [on(t.of), on(t.to)].into_iter().flatten().map(|l| l.0).collect()
             }
         }

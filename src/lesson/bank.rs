@@ -109,9 +109,17 @@ pub fn packed_sentences(frames: &[Option<String>], formulas: &mut Formulas) -> V
         which.push(Some((form, forms[form].1.len() - 1)));
     }
     // Numbers that never change belong to the form.
-    let open: Vec<Vec<bool>> =
-        forms.iter().map(|(_, uses)| (0..uses[0].len()).map(|n| uses.iter().any(|u| u[n] != uses[0][n])).collect()).collect();
-    let markup: Vec<String> = forms.iter().zip(&open).map(|((words, uses), open)| form(words, &uses[0], open, formulas)).collect();
+    let open: Vec<Vec<bool>> = forms
+        .iter()
+        .map(|(_, uses)| {
+            (0..uses[0].len()).map(|n| uses.iter().any(|u| u[n] != uses[0][n])).collect()
+        })
+        .collect();
+    let markup: Vec<String> = forms
+        .iter()
+        .zip(&open)
+        .map(|((words, uses), open)| form(words, &uses[0], open, formulas))
+        .collect();
     let mut sequence: Vec<i64> = Vec::new();
     let mut numbers: Vec<String> = Vec::new();
     for w in &which {
@@ -153,7 +161,11 @@ fn form(words: &[String], numbers: &[&str], open: &[bool], formulas: &mut Formul
     }
     let kept = || (0..open.len()).filter(|n| open[*n]).map(keeper);
     let html = sentence_with(&Phrase::new(&text), |source| {
-        if kept().any(|k| source.contains(&k)) { mathml(&Label::math(source)) } else { formulas.placeholder(source) }
+        if kept().any(|k| source.contains(&k)) {
+            mathml(&Label::math(source))
+        } else {
+            formulas.placeholder(source)
+        }
     });
     short(&kept().fold(html, |html, k| html.replace(&k, &HOLE.to_string())))
 }
@@ -169,7 +181,10 @@ fn taken_apart(text: &str) -> (Vec<&str>, Vec<&str>) {
             continue;
         }
         let start = i;
-        while i < bytes.len() && (bytes[i].is_ascii_digit() || bytes[i] == b'.' && bytes.get(i + 1).is_some_and(u8::is_ascii_digit)) {
+        while i < bytes.len()
+            && (bytes[i].is_ascii_digit()
+                || bytes[i] == b'.' && bytes.get(i + 1).is_some_and(u8::is_ascii_digit))
+        {
             i += 1;
         }
         words.push(&text[from..start]);
@@ -195,12 +210,18 @@ mod tests {
             "b₂ is a formula that stays: {:?}",
             formulas.list
         );
-        assert_eq!((&told[1], &told[2]), (&json!([0, 2, -1, 1, 0, 1]), &json!("36.2 36.2 7 7 7.25 7.25")));
+        assert_eq!(
+            (&told[1], &told[2]),
+            (&json!([0, 2, -1, 1, 0, 1]), &json!("36.2 36.2 7 7 7.25 7.25"))
+        );
     }
 
     #[test]
     fn other_words_are_another_form() {
-        let told = packed_sentences(&[Some("3 up".into()), Some("4 down".into()), Some("5 up".into())], &mut Formulas::default());
+        let told = packed_sentences(
+            &[Some("3 up".into()), Some("4 down".into()), Some("5 up".into())],
+            &mut Formulas::default(),
+        );
         assert_eq!(told, json!([[format!("{HOLE} up"), "4 down"], [0, 1, 1, 1, 0, 1], "3 5"]));
     }
 }

@@ -26,12 +26,20 @@ pub fn between(knots: &[(f64, f64)], k: usize, t: f64) -> f64 {
     };
     let s = (t - t0) / h;
     let (s2, s3) = (s * s, s * s * s);
-    p0 * (2.0 * s3 - 3.0 * s2 + 1.0) + m0 * h * (s3 - 2.0 * s2 + s) + p1 * (3.0 * s2 - 2.0 * s3) + m1 * h * (s3 - s2)
+    p0 * (2.0 * s3 - 3.0 * s2 + 1.0)
+        + m0 * h * (s3 - 2.0 * s2 + s)
+        + p1 * (3.0 * s2 - 2.0 * s3)
+        + m1 * h * (s3 - s2)
 }
 
 /// The value at `t` outside the known values, extrapolated by the polynomial through them.
 pub fn onward(known: &[(f64, f64)], t: f64) -> f64 {
-    let weight = |i: usize| (0..known.len()).filter(|j| *j != i).map(|j| (t - known[j].0) / (known[i].0 - known[j].0)).product::<f64>();
+    let weight = |i: usize| {
+        (0..known.len())
+            .filter(|j| *j != i)
+            .map(|j| (t - known[j].0) / (known[i].0 - known[j].0))
+            .product::<f64>()
+    };
     known.iter().enumerate().map(|(i, k)| k.1 * weight(i)).sum()
 }
 
@@ -47,6 +55,9 @@ mod tests {
         for (k, t) in [(0, 0.3), (1, 1.2), (2, 2.9)] {
             assert!((between(&knots, k, t) - f(t)).abs() < 1e-12, "{k} {t}");
         }
-        assert!((onward(&knots[1..], 3.5) - f(3.5)).abs() < 1e-12 && onward(&knots[..1], 9.0) == knots[0].1);
+        assert!(
+            (onward(&knots[1..], 3.5) - f(3.5)).abs() < 1e-12
+                && onward(&knots[..1], 9.0) == knots[0].1
+        );
     }
 }

@@ -34,7 +34,8 @@ use crate::synthesis::{DesignCandidate, Task};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 
-const PAGE: &str = concat!(include_str!("head.html"), include_str!("player.html"), include_str!("design.html"));
+const PAGE: &str =
+    concat!(include_str!("head.html"), include_str!("player.html"), include_str!("design.html"));
 const STYLE: [&str; 2] = [BASE, include_str!("design.css")];
 const SCRIPT: &str = concat!(include_str!("design.js"), include_str!("player.js"));
 /// Frames through a turn of the driver.
@@ -45,7 +46,10 @@ const WORDS: [(&str, [&str; 2]); 6] = [
     ("construction", ["Construction", "作图"]),
     ("linkage", ["The linkage", "所得机构"]),
     ("positions", ["Wanted positions:", "预定位置："]),
-    ("measured", ["Measured on paper × scale, and by the closed formula", "图上量得 × 比例尺，与公式值对照"]),
+    (
+        "measured",
+        ["Measured on paper × scale, and by the closed formula", "图上量得 × 比例尺，与公式值对照"],
+    ),
     (
         "keys",
         [
@@ -89,14 +93,20 @@ pub struct DesignOptions {
 ///
 /// # Errors
 /// Drawing and formula disagree; a generated scene cannot be placed; those of the SVG writer.
-pub fn lesson(task: &Task, candidate: &DesignCandidate, options: &DesignOptions) -> Result<String, Faults> {
+pub fn lesson(
+    task: &Task,
+    candidate: &DesignCandidate,
+    options: &DesignOptions,
+) -> Result<String, Faults> {
     let board = figure::to_scale(task, candidate)?;
     // Small type is enlarged: the page is read from the last row.
     let style = Style { small_mm: options.style.small_mm * LARGER, ..options.style.clone() };
     let set = Set { style: &style, lang: options.lang, whole: false };
     let mut drawn: Vec<Elements> = Vec::new();
     let construction = match &board {
-        Some(board) => stepped(&figure::construction(task, candidate, board, set), &mut drawn, options.lang)?,
+        Some(board) => {
+            stepped(&figure::construction(task, candidate, board, set), &mut drawn, options.lang)?
+        }
         None => String::new(),
     };
     let linkage = figure::scaled(task, candidate, set);
@@ -106,9 +116,15 @@ pub fn lesson(task: &Task, candidate: &DesignCandidate, options: &DesignOptions)
     let both_of = |b: &Both| json!([sentence(b, Lang::En), sentence(b, Lang::Zh)]);
     let steps: Vec<Value> = board.iter().flat_map(|b| &b.steps).map(|s| both_of(&s.text)).collect();
     let title = &task.heading.title;
-    let tables = [Lang::En, Lang::Zh].map(|lang| facts(&task.book, candidate, board.as_ref(), lang));
-    let list =
-        |lang: Lang| PLAYER.iter().chain(&WORDS).map(|(k, _)| ((*k).to_owned(), json!(word(k, lang)))).collect::<serde_json::Map<_, _>>();
+    let tables =
+        [Lang::En, Lang::Zh].map(|lang| facts(&task.book, candidate, board.as_ref(), lang));
+    let list = |lang: Lang| {
+        PLAYER
+            .iter()
+            .chain(&WORDS)
+            .map(|(k, _)| ((*k).to_owned(), json!(word(k, lang))))
+            .collect::<serde_json::Map<_, _>>()
+    };
     let data = json!({
         "lang": figure_words(options.lang).tag.split('-').next().unwrap_or("en"),
         "tags": {"en": figure_words(Lang::En).tag, "zh": figure_words(Lang::Zh).tag},
@@ -185,8 +201,15 @@ fn name(name: &str) -> String {
 }
 
 /// The values measured on paper beside the formula's numbers; without a drawing the numbers alone.
-fn facts(book: &Book, candidate: &DesignCandidate, board: Option<&SynthesisBoard>, lang: Lang) -> String {
-    let row = |cells: [String; 3], tag: &str| format!("<tr>{}</tr>", cells.map(|c| format!("<{tag}>{c}</{tag}>")).concat());
+fn facts(
+    book: &Book,
+    candidate: &DesignCandidate,
+    board: Option<&SynthesisBoard>,
+    lang: Lang,
+) -> String {
+    let row = |cells: [String; 3], tag: &str| {
+        format!("<tr>{}</tr>", cells.map(|c| format!("<{tag}>{c}</{tag}>")).concat())
+    };
     let read = board.iter().flat_map(|b| b.readings.iter().map(move |r| (*b, r)));
     let rows: String = read
         .filter_map(|(b, r)| {
@@ -204,10 +227,17 @@ fn facts(book: &Book, candidate: &DesignCandidate, board: Option<&SynthesisBoard
         })
         .collect();
     if rows.is_empty() {
-        let all = candidate.draft.numbers.iter().map(|n| row([name(&n.name), escaped(lang.of(&n.what)), value(book, n)], "td"));
+        let all = candidate
+            .draft
+            .numbers
+            .iter()
+            .map(|n| row([name(&n.name), escaped(lang.of(&n.what)), value(book, n)], "td"));
         return format!("<table>{}</table>", all.collect::<String>());
     }
-    format!("<table><tr><th colspan=\"3\">{}</th></tr>{rows}</table>", escaped(word("measured", lang)))
+    format!(
+        "<table><tr><th colspan=\"3\">{}</th></tr>{rows}</table>",
+        escaped(word("measured", lang))
+    )
 }
 
 /// The linkage through the travel of its driver, in millimetres of the page, y down.
@@ -237,10 +267,16 @@ impl LinkageMotion {
         let sweep = follower.sweep(FRAMES);
         let now = position_now(&scene, &base, 0);
         let mut poses = sweep.poses;
-        let stops = candidate.draft.wanted.iter().map(|w| stop(&mut poses, &follower, w.driver - now, sweep.full)).collect::<Vec<_>>();
+        let stops = candidate
+            .draft
+            .wanted
+            .iter()
+            .map(|w| stop(&mut poses, &follower, w.driver - now, sweep.full))
+            .collect::<Vec<_>>();
         // Frames were inserted: later frames have a larger index.
         let travels: Vec<f64> = stops.into_iter().flatten().collect();
-        let stops = travels.iter().filter_map(|t| poses.iter().position(|p| p.travel == *t)).collect();
+        let stops =
+            travels.iter().filter_map(|t| poses.iter().position(|p| p.travel == *t)).collect();
         LinkageMotion::drawn(&scene, linkage, &poses, now, stops, sweep.full)
     }
 
@@ -252,7 +288,8 @@ impl LinkageMotion {
         stops: Vec<usize>,
         full: bool,
     ) -> Result<LinkageMotion, Faults> {
-        let none = || Diagnostic::error("no-motion", both!("the linkage does not move", "机构不能运动"));
+        let none =
+            || Diagnostic::error("no-motion", both!("the linkage does not move", "机构不能运动"));
         let first = pose_of(scene, &poses.first().ok_or_else(none)?.configuration);
         let mut names: Vec<String> = Vec::new();
         let mut index = |name: &String| match names.iter().position(|n| n == name) {
@@ -262,11 +299,17 @@ impl LinkageMotion {
                 names.len() - 1
             }
         };
-        let links: Vec<Vec<usize>> = first.links.iter().map(|(_, points)| points.iter().map(|(n, _)| index(n)).collect()).collect();
+        let links: Vec<Vec<usize>> = first
+            .links
+            .iter()
+            .map(|(_, points)| points.iter().map(|(n, _)| index(n)).collect())
+            .collect();
         let guided = scene.guides.iter().filter_map(|g| Some(scene.point_name(g.pin?).to_owned()));
         let blocks: Vec<usize> = guided.map(|n| index(&n)).collect();
         let pins = (0..names.len()).collect();
-        let grounded = |n: &String| scene.links[scene.ground.0].points.iter().any(|p| scene.point_name(*p) == n);
+        let grounded = |n: &String| {
+            scene.links[scene.ground.0].points.iter().any(|p| scene.point_name(*p) == n)
+        };
         let fixed = (0..names.len()).filter(|k| grounded(&names[*k])).collect();
         let mut window: Option<Rect> = None;
         let mut frame = |pose: &TravelPose| {
@@ -280,7 +323,11 @@ impl LinkageMotion {
                 .collect();
             let posed = pose_of(scene, &pose.configuration);
             // On the page, positive rotation is clockwise.
-            let turned: Vec<Value> = posed.sliders.iter().map(|s| hundredths(-s.direction.angle().to_degrees())).collect();
+            let turned: Vec<Value> = posed
+                .sliders
+                .iter()
+                .map(|s| hundredths(-s.direction.angle().to_degrees()))
+                .collect();
             let driver = significant((now + pose.travel).to_degrees().rem_euclid(360.0), 5);
             json!({"p": places, "r": turned, "d": driver})
         };
@@ -298,18 +345,27 @@ fn hundredths(value: f64) -> Value {
 /// Points by their names; a point without place in a pose is put at the origin, and no drawing
 /// shows it.
 fn places(scene: &Scene, at: &Configuration, names: &[String]) -> Vec<Point> {
-    let of = |name: &String| (0..scene.points.len()).find(|p| scene.points[*p].name == *name).and_then(|p| at.points[p]);
+    let of = |name: &String| {
+        (0..scene.points.len()).find(|p| scene.points[*p].name == *name).and_then(|p| at.points[p])
+    };
     names.iter().map(|n| of(n).unwrap_or(Point::ORIGIN)).collect()
 }
 
 /// Inserts the pose of a prescribed position; returns its travel if the motion reaches it.
-fn stop(poses: &mut Vec<TravelPose>, follower: &PoseFollower, travel: f64, full: bool) -> Option<f64> {
+fn stop(
+    poses: &mut Vec<TravelPose>,
+    follower: &PoseFollower,
+    travel: f64,
+    full: bool,
+) -> Option<f64> {
     let (low, high) = (poses.first()?.travel, poses.last()?.travel);
     let step = (high - low) / poses.len() as f64;
     let inside = |t: &f64| full && (0.0..TAU).contains(t) || (low - 1e-9..=high + 1e-9).contains(t);
     let turned = if full { travel.rem_euclid(TAU) } else { travel };
     let wanted = [turned, turned - TAU, turned + TAU].into_iter().find(inside)?;
-    let nearest = poses.iter().min_by(|a, b| (a.travel - wanted).abs().total_cmp(&(b.travel - wanted).abs()))?;
+    let nearest = poses
+        .iter()
+        .min_by(|a, b| (a.travel - wanted).abs().total_cmp(&(b.travel - wanted).abs()))?;
     if (nearest.travel - wanted).abs() < 1e-6 * step.max(1e-3) {
         return Some(nearest.travel);
     }

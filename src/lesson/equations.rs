@@ -42,11 +42,17 @@ pub fn equations(frames: &Frames, notation: &Notation, formulas: &mut Formulas) 
         }
         let index = known.iter().position(|k| alike(k, frame)).unwrap_or_else(|| {
             known.push(frame);
-            let mut levels = DiagramKind::POLYGONS.map(|on| table.level(frame, on, notation, formulas)).to_vec();
-            levels.extend(frames.groups.iter().map(|links| table.forces(frame, links, notation, formulas)));
+            let mut levels =
+                DiagramKind::POLYGONS.map(|on| table.level(frame, on, notation, formulas)).to_vec();
+            levels.extend(
+                frames.groups.iter().map(|links| table.forces(frame, links, notation, formulas)),
+            );
             variants.push(json!(levels));
-            let mut list = DiagramKind::POLYGONS.map(|on| acts(frame, on, notation, formulas)).to_vec();
-            list.extend(frames.groups.iter().map(|links| acts_of_forces(frame, links, notation, formulas)));
+            let mut list =
+                DiagramKind::POLYGONS.map(|on| acts(frame, on, notation, formulas)).to_vec();
+            list.extend(
+                frames.groups.iter().map(|links| acts_of_forces(frame, links, notation, formulas)),
+            );
             about.push(json!(list));
             known.len() - 1
         });
@@ -58,21 +64,30 @@ pub fn equations(frames: &Frames, notation: &Notation, formulas: &mut Formulas) 
 
 /// True if two frames are drawn by the same equations in the same steps.
 fn alike(a: &SolvedFrame, b: &SolvedFrame) -> bool {
-    let forces =
-        || groups(&a.worked) == groups(&b.worked) && a.shown.contains(&DiagramKind::Force) == b.shown.contains(&DiagramKind::Force);
-    a.worked.plan == b.worked.plan && a.worked.construction.acts == b.worked.construction.acts && forces()
+    let forces = || {
+        groups(&a.worked) == groups(&b.worked)
+            && a.shown.contains(&DiagramKind::Force) == b.shown.contains(&DiagramKind::Force)
+    };
+    a.worked.plan == b.worked.plan
+        && a.worked.construction.acts == b.worked.construction.acts
+        && forces()
 }
 
 /// The terms that an action draws.
 fn drawn(p: &Polygon, action: usize) -> Vec<Term> {
-    let of_edges = |edges: &[usize]| edges.iter().flat_map(|e| p.edges[*e].terms.iter().copied()).collect();
+    let of_edges =
+        |edges: &[usize]| edges.iter().flat_map(|e| p.edges[*e].terms.iter().copied()).collect();
     match &p.actions[action] {
         Action::LayOff(edge) => of_edges(&[*edge]),
         Action::Cross { edges, .. } => of_edges(edges),
         Action::Nothing { terms, .. } | Action::Line { terms, .. } => terms.clone(),
         Action::Join(edge) => of_edges(&[*edge]),
         Action::Perpendicular { edges, .. } => of_edges(edges),
-        Action::Reach(_) | Action::Trials { .. } | Action::Copy { .. } | Action::Same { .. } | Action::Rate(_) => Vec::new(),
+        Action::Reach(_)
+        | Action::Trials { .. }
+        | Action::Copy { .. }
+        | Action::Same { .. }
+        | Action::Rate(_) => Vec::new(),
     }
 }
 
@@ -93,20 +108,29 @@ impl EquationTexts {
     }
 
     /// For each action of a polygon: 0, or the index of its text and the columns that it draws.
-    fn level(&mut self, frame: &SolvedFrame, on: DiagramKind, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
+    fn level(
+        &mut self,
+        frame: &SolvedFrame,
+        on: DiagramKind,
+        notation: &Notation,
+        formulas: &mut Formulas,
+    ) -> Vec<Value> {
         let (paper, plan) = (&frame.worked.construction, &frame.worked.plan);
         let Some(polygon) = paper.polygon(on) else { return Vec::new() };
         let writers = LANGS.map(|lang| PlanWriter { scene: &frame.scene, plan, notation, lang });
         let mut all: Vec<SolvedEquation> = Vec::new();
         for group in plan.steps(on) {
             for step in group.steps(group.drawn(paper.acts.chosen[group.group])) {
-                let (Some(found), [Some(en), Some(zh)]) = (found_by(polygon, step.target()), writers.map(|w| written(&w, paper, on, step)))
-                else {
+                let (Some(found), [Some(en), Some(zh)]) = (
+                    found_by(polygon, step.target()),
+                    writers.map(|w| written(&w, paper, on, step)),
+                ) else {
                     continue;
                 };
                 match (en, zh, step) {
                     (WrittenStep::Table(columns), ..) => {
-                        let cells: Vec<Value> = columns.iter().map(|c| cells(c, formulas)).collect();
+                        let cells: Vec<Value> =
+                            columns.iter().map(|c| cells(c, formulas)).collect();
                         all.push((found, Some(self.index(json!(cells))), columns));
                     }
                     (WrittenStep::Line(en), WrittenStep::Line(zh), PlanStep::Equation { .. }) => {
@@ -125,16 +149,28 @@ impl EquationTexts {
 impl EquationTexts {
     /// For each step of a group's equilibrium after the first: 0, or its equation and the columns
     /// that the step draws.
-    fn forces(&mut self, frame: &SolvedFrame, links: &[LinkId], notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
+    fn forces(
+        &mut self,
+        frame: &SolvedFrame,
+        links: &[LinkId],
+        notation: &Notation,
+        formulas: &mut Formulas,
+    ) -> Vec<Value> {
         let Some((w, group)) = writer(frame, links, notation, Lang::En) else { return Vec::new() };
-        let [known, unknown, plus, end] = [&notation.known, &notation.unknown, "+", "= 0"].map(|text| formulas.formula(text) as i64);
+        let [known, unknown, plus, end] = [&notation.known, &notation.unknown, "+", "= 0"]
+            .map(|text| formulas.formula(text) as i64);
         let equations: Vec<(usize, Vec<ForceEdge>)> = w
             .equations(group)
             .into_iter()
             .map(|sides| {
                 let column = |(k, s): (usize, &ForceEdge)| {
                     let symbol = formulas.formula(&notation.vectors.write(w.symbol(s.term))) as i64;
-                    json!([if k > 0 { plus } else { -1 }, symbol, known, if s.known { known } else { unknown }])
+                    json!([
+                        if k > 0 { plus } else { -1 },
+                        symbol,
+                        known,
+                        if s.known { known } else { unknown }
+                    ])
                 };
                 let mut columns: Vec<Value> = sides.iter().enumerate().map(column).collect();
                 columns.push(json!([end, -1, -1, -1]));
@@ -151,9 +187,16 @@ impl EquationTexts {
             Act::Free | Act::Friction | Act::Moments(_) => false,
         };
         let of_act = |act: &Act| {
-            let columns = |sides: &[ForceEdge]| (0..sides.len()).filter(|k| drawn(act, &sides[*k])).collect::<Vec<_>>();
-            let found = equations.iter().map(|(index, sides)| (*index, columns(sides))).find(|(_, columns)| !columns.is_empty());
-            found.map_or(json!(0), |(index, columns)| json!([index].into_iter().chain(columns).collect::<Vec<_>>()))
+            let columns = |sides: &[ForceEdge]| {
+                (0..sides.len()).filter(|k| drawn(act, &sides[*k])).collect::<Vec<_>>()
+            };
+            let found = equations
+                .iter()
+                .map(|(index, sides)| (*index, columns(sides)))
+                .find(|(_, columns)| !columns.is_empty());
+            found.map_or(json!(0), |(index, columns)| {
+                json!([index].into_iter().chain(columns).collect::<Vec<_>>())
+            })
         };
         w.of.acts(group).iter().skip(1).map(of_act).collect()
     }
@@ -165,11 +208,16 @@ fn of_action(polygon: &Polygon, action: usize, all: &[SolvedEquation]) -> Value 
     if polygon.actions[action].reads() {
         return json!(0);
     }
-    let Some((found, Some(index), columns)) = all.iter().find(|(found, ..)| *found >= action) else { return json!(0) };
+    let Some((found, Some(index), columns)) = all.iter().find(|(found, ..)| *found >= action)
+    else {
+        return json!(0);
+    };
     let terms = drawn(polygon, action);
     // The unknown vector comes before the equals sign and is found last.
     let sought = |k: usize, c: &EquationColumn| k == 0 && c.term.is_none() && *found == action;
-    let now = |(k, c): &(usize, &EquationColumn)| c.term.is_some_and(|t| terms.contains(&t)) || sought(*k, c);
+    let now = |(k, c): &(usize, &EquationColumn)| {
+        c.term.is_some_and(|t| terms.contains(&t)) || sought(*k, c)
+    };
     let mut told = vec![*index];
     told.extend(columns.iter().enumerate().filter(now).map(|(k, _)| k));
     json!(told)

@@ -151,17 +151,28 @@ impl LessonInput<'_> {
     pub fn frames(&self, sweep: &PoseSweep) -> Result<Frames, Faults> {
         let mut trials: Vec<TrialPose> = Vec::with_capacity(2 * sweep.poses.len());
         let here = here();
-        let worked: Vec<Option<TrialPose>> = sweep.poses.par_iter().map(|pose| here.enter(|| self.trial(pose))).collect();
+        let worked: Vec<Option<TrialPose>> =
+            sweep.poses.par_iter().map(|pose| here.enter(|| self.trial(pose))).collect();
         for (k, trial) in worked.into_iter().enumerate() {
             match trial {
                 Some(trial) => trials.push(trial),
-                None => trials.extend(self.beside(sweep, k, if sweep.is_limit(k) { &BEFORE } else { &ASIDE })),
+                None => trials.extend(self.beside(
+                    sweep,
+                    k,
+                    if sweep.is_limit(k) { &BEFORE } else { &ASIDE },
+                )),
             }
         }
         if trials.is_empty() {
             // No motion leads on from the scene's own pose (a dead centre or a locked pose): it is
             // shown alone, with the answers that it has.
-            trials.extend(sweep.poses.iter().find(|pose| pose.travel == 0.0).and_then(|pose| self.worked(pose)));
+            trials.extend(
+                sweep
+                    .poses
+                    .iter()
+                    .find(|pose| pose.travel == 0.0)
+                    .and_then(|pose| self.worked(pose)),
+            );
         }
         if sweep.full
             && let Some(first) = trials.first()
@@ -187,16 +198,25 @@ impl LessonInput<'_> {
     /// Any pose, with the answers that it has.
     fn worked(&self, pose: &TravelPose) -> Option<TrialPose> {
         let scene = self.follower.scene_at(self.scene, pose.travel);
-        let (scene, worked) = work_pose(&scene, (self.mechanism, self.demand), &pose.configuration).ok()?;
+        let (scene, worked) =
+            work_pose(&scene, (self.mechanism, self.demand), &pose.configuration).ok()?;
         Some(TrialPose { travel: pose.travel, scene, at: pose.configuration.clone(), worked })
     }
 
     /// Returns the poses next to a singular one.
     fn beside(&self, sweep: &PoseSweep, k: usize, parts: &[f64]) -> Vec<TrialPose> {
         let here = &sweep.poses[k];
-        let neighbours = [k.checked_sub(1), Some(k + 1)].map(|n| n.and_then(|n| sweep.poses.get(n)));
-        let at = |travel: f64| self.trial(&TravelPose { travel, configuration: self.follower.at(&here.configuration, travel)? });
-        let aside = |n: &TravelPose| parts.iter().find_map(|part| at(here.travel + (n.travel - here.travel) * part));
+        let neighbours =
+            [k.checked_sub(1), Some(k + 1)].map(|n| n.and_then(|n| sweep.poses.get(n)));
+        let at = |travel: f64| {
+            self.trial(&TravelPose {
+                travel,
+                configuration: self.follower.at(&here.configuration, travel)?,
+            })
+        };
+        let aside = |n: &TravelPose| {
+            parts.iter().find_map(|part| at(here.travel + (n.travel - here.travel) * part))
+        };
         neighbours.into_iter().flatten().filter_map(aside).collect()
     }
 
@@ -206,17 +226,22 @@ impl LessonInput<'_> {
         let mut settled = vec![false; trials.len().saturating_sub(1)];
         for _ in 0..ROUNDS {
             let papers = self.papers(trials, sweep.is_unlimited());
-            let open: Vec<usize> = (0..trials.len().saturating_sub(1)).filter(|k| !settled[*k]).collect();
+            let open: Vec<usize> =
+                (0..trials.len().saturating_sub(1)).filter(|k| !settled[*k]).collect();
             let halved = |k: &usize| {
                 let travel = 0.5 * (trials[*k].travel + trials[k + 1].travel);
-                let [one, other] = [*k, k + 1].map(|i| TravelPose { travel: trials[i].travel, configuration: trials[i].at.clone() });
+                let [one, other] = [*k, k + 1].map(|i| TravelPose {
+                    travel: trials[i].travel,
+                    configuration: trials[i].at.clone(),
+                });
                 let configuration = self.follower.at(&between(&one, &other, travel), travel)?;
                 let middle = self.trial(&TravelPose { travel, configuration })?;
                 let error = self.error(trials, *k, &middle, &papers);
                 (error > BETWEEN_MM).then_some((*k, error, middle))
             };
             let here = here();
-            let mut wanted: Vec<(usize, f64, TrialPose)> = open.par_iter().filter_map(|k| here.enter(|| halved(k))).collect();
+            let mut wanted: Vec<(usize, f64, TrialPose)> =
+                open.par_iter().filter_map(|k| here.enter(|| halved(k))).collect();
             // The worst come first, because only a limited number may be added.
             wanted.sort_by(|a, b| b.1.total_cmp(&a.1));
             wanted.truncate(most.saturating_sub(trials.len()));
@@ -240,10 +265,13 @@ impl LessonInput<'_> {
     fn error(&self, trials: &[TrialPose], k: usize, middle: &TrialPose, papers: &Papers) -> f64 {
         let from = k.saturating_sub(2);
         // Polygons by two plans have no points in common.
-        let alike = |t: &TrialPose| [t.worked.plan == middle.worked.plan, groups(&t.worked) == groups(&middle.worked)];
+        let alike = |t: &TrialPose| {
+            [t.worked.plan == middle.worked.plan, groups(&t.worked) == groups(&middle.worked)]
+        };
         let marks = |t: &TrialPose| papers.marks(t, alike(t));
-        let keys: Vec<(f64, Vec<Option<WindowPoint>>)> =
-            (from..(k + 4).min(trials.len())).map(|i| (trials[i].travel, marks(&trials[i]))).collect();
+        let keys: Vec<(f64, Vec<Option<WindowPoint>>)> = (from..(k + 4).min(trials.len()))
+            .map(|i| (trials[i].travel, marks(&trials[i])))
+            .collect();
         let at = k - from;
         let mut worst: f64 = 0.0;
         for (i, truth) in marks(middle).iter().enumerate() {
@@ -255,15 +283,29 @@ impl LessonInput<'_> {
             }
             // Places in another window do not help to interpolate in this one.
             let alike = |n: &usize| mark(*n).is_some_and(|m| m.0 == scale);
-            let side = |places: [Option<usize>; 3]| places.into_iter().map_while(|n| n.filter(alike)).collect::<Vec<_>>();
-            let (before, after) =
-                (side([Some(at), at.checked_sub(1), at.checked_sub(2)]), side([Some(at + 1), Some(at + 2), Some(at + 3)]));
+            let side = |places: [Option<usize>; 3]| {
+                places.into_iter().map_while(|n| n.filter(alike)).collect::<Vec<_>>()
+            };
+            let (before, after) = (
+                side([Some(at), at.checked_sub(1), at.checked_sub(2)]),
+                side([Some(at + 1), Some(at + 2), Some(at + 3)]),
+            );
             let axis = |of: fn(&Point) -> f64| {
                 let known = |n: &usize| (keys[*n].0, mark(*n).map_or(0.0, |m| of(&m.1)));
                 match (before.is_empty(), after.is_empty()) {
                     (false, false) => {
-                        let around: Vec<usize> = before.iter().take(2).rev().chain(after.iter().take(2)).copied().collect();
-                        curve::between(&around.iter().map(known).collect::<Vec<_>>(), before.len().min(2) - 1, middle.travel)
+                        let around: Vec<usize> = before
+                            .iter()
+                            .take(2)
+                            .rev()
+                            .chain(after.iter().take(2))
+                            .copied()
+                            .collect();
+                        curve::between(
+                            &around.iter().map(known).collect::<Vec<_>>(),
+                            before.len().min(2) - 1,
+                            middle.travel,
+                        )
                     }
                     (no_before, _) => {
                         let near = if no_before { &after } else { &before };
@@ -281,24 +323,39 @@ impl LessonInput<'_> {
     /// The scales of all poses.
     fn papers(&self, trials: &[TrialPose], unlimited: bool) -> Papers {
         let poses: Vec<(f64, &Worked)> = trials.iter().map(|t| (t.travel, &t.worked)).collect();
-        let own = trials.iter().min_by(|a, b| a.travel.abs().total_cmp(&b.travel.abs())).map(|t| &t.worked);
+        let own = trials
+            .iter()
+            .min_by(|a, b| a.travel.abs().total_cmp(&b.travel.abs()))
+            .map(|t| &t.worked);
         let boxes = own.map_or(Boxes::default(), |w| Boxes::of(&self.scene.paper, &w.plan));
         let common = SeriesScales::of(&self.scene.paper, &poses, unlimited, boxes);
-        let own_poses: Vec<(&Scene, &Worked)> = trials.iter().map(|t| (&t.scene, &t.worked)).collect();
+        let own_poses: Vec<(&Scene, &Worked)> =
+            trials.iter().map(|t| (&t.scene, &t.worked)).collect();
         let of = |on| {
             let (split, label_mm) = split(&own_poses, on, self.style, self.notation);
             let ends = |w: &Worked, part| {
-                split.as_ref().map_or_else(Vec::new, |s: &PolygonSplit| s.ends(w, on, part).into_iter().flatten().collect())
+                split.as_ref().map_or_else(Vec::new, |s: &PolygonSplit| {
+                    s.ends(w, on, part).into_iter().flatten().collect()
+                })
             };
             let parts: Option<VectorEnds> = if split.is_some() { Some(&ends) } else { None };
             (Zoom::of(&self.scene.paper, &poses, &common, on, boxes, parts, &label_mm), split)
         };
         let (mut zooms, mut splits) = (ByKind::default(), ByKind::default());
-        let sheets: Vec<Vec<LinkId>> = own.map_or_else(Vec::new, |w| groups(w).iter().map(|g| g.links.clone()).collect());
+        let sheets: Vec<Vec<LinkId>> =
+            own.map_or_else(Vec::new, |w| groups(w).iter().map(|g| g.links.clone()).collect());
         if !sheets.is_empty() {
             let ends = |w: &Worked, part: usize| vertices(w, &sheets[part]).collect();
             let label_mm = vec![self.style.label_mm; sheets.len()];
-            let zoom = Zoom::of(&self.scene.paper, &poses, &common, DiagramKind::Force, boxes, Some(&ends), &label_mm);
+            let zoom = Zoom::of(
+                &self.scene.paper,
+                &poses,
+                &common,
+                DiagramKind::Force,
+                boxes,
+                Some(&ends),
+                &label_mm,
+            );
             zooms.set(Kind::Force, zoom);
         }
         for on in DiagramKind::POLYGONS {
@@ -306,8 +363,16 @@ impl LessonInput<'_> {
             zooms.set(on.kind(), zoom);
             splits.set(on.kind(), split);
         }
-        let mu = own.map(|w| w.construction.diagram.mu).or(common.mu.get(Kind::Length)).unwrap_or(1.0);
-        Papers { mu, points: self.scene.points.iter().map(|p| p.name.clone()).collect(), common, zooms, splits, groups: sheets }
+        let mu =
+            own.map(|w| w.construction.diagram.mu).or(common.mu.get(Kind::Length)).unwrap_or(1.0);
+        Papers {
+            mu,
+            points: self.scene.points.iter().map(|p| p.name.clone()).collect(),
+            common,
+            zooms,
+            splits,
+            groups: sheets,
+        }
     }
 
     /// Draws all poses to the common scales.
@@ -329,25 +394,42 @@ impl LessonInput<'_> {
                 scene.paper.scales.set(on.kind(), papers.zooms.of(on.kind()).map(|z| z.mu));
             }
             let Worked { mechanism, demand, configuration, .. } = &trial.worked;
-            let worked = work_placed(&scene, mechanism.clone(), demand.clone(), configuration.clone()).ok()?.value;
+            let worked =
+                work_placed(&scene, mechanism.clone(), demand.clone(), configuration.clone())
+                    .ok()?
+                    .value;
             Some((scene, worked))
         };
         let here = here();
-        let drawn: Vec<Option<(Scene, Worked)>> = trials.par_iter().map(|trial| here.enter(|| to_scale(trial))).collect();
+        let drawn: Vec<Option<(Scene, Worked)>> =
+            trials.par_iter().map(|trial| here.enter(|| to_scale(trial))).collect();
         for (trial, drawn) in trials.into_iter().zip(drawn) {
             let Some((scene, worked)) = drawn else { continue };
             let holds = |on: &DiagramKind| papers.common.holds(&trial.worked, *on);
-            let drawn =
-                |on: &DiagramKind| worked.construction.polygon(*on).is_some() || *on == DiagramKind::Force && !groups(&worked).is_empty();
+            let drawn = |on: &DiagramKind| {
+                worked.construction.polygon(*on).is_some()
+                    || *on == DiagramKind::Force && !groups(&worked).is_empty()
+            };
             frames.cut |= DiagramKind::VECTORS.iter().any(|on| !holds(on) && drawn(on));
             let shown: Vec<DiagramKind> = DiagramKind::VECTORS.into_iter().filter(holds).collect();
-            let near = |k: usize| sweep.is_limit(k) && (sweep.poses[k].travel - trial.travel).abs() < 2.0 * BEFORE[3] * sweep.step(k);
+            let near = |k: usize| {
+                sweep.is_limit(k)
+                    && (sweep.poses[k].travel - trial.travel).abs()
+                        < 2.0 * BEFORE[3] * sweep.step(k)
+            };
             let end = trial.travel != 0.0 && (near(0) || near(sweep.poses.len() - 1));
-            frames.list.push(SolvedFrame { travel: trial.travel, scene, worked, shown: if end { Vec::new() } else { shown }, end });
+            frames.list.push(SolvedFrame {
+                travel: trial.travel,
+                scene,
+                worked,
+                shown: if end { Vec::new() } else { shown },
+                end,
+            });
         }
         // For a scene in a singular pose, the nearest frame is the base.
         let from_own = |k: &usize| frames.list[*k].travel.abs();
-        frames.base = (0..frames.list.len()).min_by(|a, b| from_own(a).total_cmp(&from_own(b))).unwrap_or(0);
+        frames.base =
+            (0..frames.list.len()).min_by(|a, b| from_own(a).total_cmp(&from_own(b))).unwrap_or(0);
         if frames.list.is_empty() {
             let d = Diagnostic::error(
                 "no-motion",
@@ -357,7 +439,10 @@ impl LessonInput<'_> {
                 ),
             );
             return Err(d
-                .help(both!("give another pose, or move another driver with --driver", "请改变位置，或用 --driver 另选原动件"))
+                .help(both!(
+                    "give another pose, or move another driver with --driver",
+                    "请改变位置，或用 --driver 另选原动件"
+                ))
                 .into());
         }
         Ok(frames)
@@ -375,14 +460,19 @@ impl Papers {
     /// are, in a fixed order.
     fn marks(&self, trial: &TrialPose, [polygons, forces]: [bool; 2]) -> Vec<Option<WindowPoint>> {
         let TrialPose { scene, worked, .. } = trial;
-        let on_paper = |p: Point| Some((p.to_vec2() * (1.0 / self.mu)).to_point()).filter(|p| p.to_vec2().norm() < FAR_MM);
+        let on_paper = |p: Point| {
+            Some((p.to_vec2() * (1.0 / self.mu)).to_point()).filter(|p| p.to_vec2().norm() < FAR_MM)
+        };
         let joint = |name: &String| Some((0, on_paper(worked.configuration.named(scene, name)?)?));
         let mut marks: Vec<Option<WindowPoint>> = self.points.iter().map(joint).collect();
         if let Some(zoom) = self.zooms.of(Kind::Force).filter(|_| forces) {
             let on_paper = self.common.holds(worked, DiagramKind::Force);
             for (links, windows) in self.groups.iter().zip(&zoom.windows) {
                 let scale = windows.place(vertices(worked, links));
-                let place = |q: Point| on_paper.then(|| (scale, (q.to_vec2() * (1.0 / windows.view[scale])).to_point()));
+                let place = |q: Point| {
+                    on_paper
+                        .then(|| (scale, (q.to_vec2() * (1.0 / windows.view[scale])).to_point()))
+                };
                 marks.extend(vertices(worked, links).map(place));
             }
         }
@@ -390,19 +480,31 @@ impl Papers {
             return marks;
         }
         for on in DiagramKind::POLYGONS {
-            let (Some(p), Some(zoom)) = (worked.construction.polygon(on), self.zooms.of(on.kind())) else { continue };
+            let (Some(p), Some(zoom)) = (worked.construction.polygon(on), self.zooms.of(on.kind()))
+            else {
+                continue;
+            };
             // Points outside the paper need not be accurate.
             let on_paper = self.common.holds(worked, on);
             let through = |windows: &Windows, scale: usize, q: Point| {
                 on_paper.then(|| (scale, (q.to_vec2() * (1.0 / windows.view[scale])).to_point()))
             };
             for (part, windows) in zoom.windows.iter().enumerate() {
-                let mut add = |list: Vec<Option<Point>>, scale| marks.extend(list.into_iter().map(|q| through(windows, scale, q?)));
+                let mut add = |list: Vec<Option<Point>>, scale| {
+                    marks.extend(list.into_iter().map(|q| through(windows, scale, q?)))
+                };
                 match self.splits.of(on.kind()) {
                     None => {
                         let scale = windows.place(ends(worked, on));
                         let in_si = |q: Point| (q.to_vec2() * p.mu).to_point();
-                        add(p.images.iter().map(|q| q.map(in_si)).chain(p.edges.iter().map(|e| Some(in_si(e.to.1)))).collect(), scale);
+                        add(
+                            p.images
+                                .iter()
+                                .map(|q| q.map(in_si))
+                                .chain(p.edges.iter().map(|e| Some(in_si(e.to.1))))
+                                .collect(),
+                            scale,
+                        );
                     }
                     Some(split) => {
                         let list = split.ends(worked, on, part);
@@ -428,20 +530,40 @@ mod tests {
     fn each_frame_of_a_law_is_the_scene_at_its_instant() {
         let scene = read(templates::get("plate-by-law").unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
-        let follower = PoseFollower::new(&scene, &worked.mechanism, &worked.demand, &worked.configuration, Swept::Time);
+        let follower = PoseFollower::new(
+            &scene,
+            &worked.mechanism,
+            &worked.demand,
+            &worked.configuration,
+            Swept::Time,
+        );
         let (style, notation) = (Style::default(), Notation::of_language(Lang::En));
         let (mechanism, demand) = (&worked.mechanism, &worked.demand);
-        let maker = LessonInput { scene: &scene, mechanism, demand, follower: &follower, style: &style, notation: &notation };
+        let maker = LessonInput {
+            scene: &scene,
+            mechanism,
+            demand,
+            follower: &follower,
+            style: &style,
+            notation: &notation,
+        };
         let frames = maker.frames(&follower.sweep(8)).unwrap();
         assert!(frames.list.len() > 7 && !frames.cut && !frames.full);
         for frame in frames.list.iter().step_by(3) {
             let instant = format!("{:?} s", scene.instant() + frame.travel);
-            let there = read(templates::instantiate("plate-by-law", &[("t", &instant)]).unwrap()).unwrap().value;
+            let there = read(templates::instantiate("plate-by-law", &[("t", &instant)]).unwrap())
+                .unwrap()
+                .value;
             let meant = work(&there, Scope::Figure).unwrap().value;
             for (told, meant) in frame.worked.results.iter().zip(&meant.results) {
                 let of = |r: &crate::worked::Outcome| r.value().columns();
-                let off = of(told).iter().zip(of(meant)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-                assert!(off < 1e-12, "{} at {instant}: off by {off}", frame.scene.find[told.find].text);
+                let off =
+                    of(told).iter().zip(of(meant)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                assert!(
+                    off < 1e-12,
+                    "{} at {instant}: off by {off}",
+                    frame.scene.find[told.find].text
+                );
             }
         }
     }

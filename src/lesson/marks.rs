@@ -31,7 +31,9 @@ pub fn marks(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> V
     let plan = &base.worked.plan;
     let w = PlanWriter { scene: &base.scene, plan, notation, lang: Lang::En };
     let alike = |f: &SolvedFrame| f.worked.plan.vertices == plan.vertices;
-    let has = |f: &SolvedFrame, on: DiagramKind| alike(f) && f.shown.contains(&on) && f.worked.construction.polygon(on).is_some();
+    let has = |f: &SolvedFrame, on: DiagramKind| {
+        alike(f) && f.shown.contains(&on) && f.worked.construction.polygon(on).is_some()
+    };
     let seen: [Vec<bool>; 3] = [
         frames.list.iter().map(alike).collect(),
         frames.list.iter().map(|f| has(f, DiagramKind::Velocity)).collect(),
@@ -40,19 +42,30 @@ pub fn marks(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> V
     let mut packed = CoordinateColumns::default();
     let mut list = Vec::new();
     for v in (0..plan.vertices.len()).map(VertexId) {
-        let place = |f: &SolvedFrame| f.worked.construction.diagram.spots[v.0].map(|p| p + stray(frames, f));
+        let place = |f: &SolvedFrame| {
+            f.worked.construction.diagram.spots[v.0].map(|p| p + stray(frames, f))
+        };
         let placed = packed.points(frames, &seen[0], place);
         let fixed = plan.vertex(v).fixed;
         let symbols = [0, 1].map(|i| {
             let on = DiagramKind::POLYGONS[i];
             let image = |f: &SolvedFrame| f.worked.construction.polygon(on)?.images[v.0];
-            if fixed || !seen[i + 1].contains(&true) || !packed.points(frames, &seen[i + 1], image) {
+            if fixed || !seen[i + 1].contains(&true) || !packed.points(frames, &seen[i + 1], image)
+            {
                 return -1;
             }
             formulas.formula(&w.vector(on, v)) as i64
         });
-        let moves = !fixed && plan.vertex(v).trial.is_none() && matches!(plan.vertex(v).spot, VertexPlace::Point(_));
-        list.push(json!([formulas.formula(&w.name(v)), placed, placed && moves, asked(&w, v), symbols]));
+        let moves = !fixed
+            && plan.vertex(v).trial.is_none()
+            && matches!(plan.vertex(v).spot, VertexPlace::Point(_));
+        list.push(json!([
+            formulas.formula(&w.name(v)),
+            placed,
+            placed && moves,
+            asked(&w, v),
+            symbols
+        ]));
     }
     json!({"seen": seen.map(runs), "list": list, "columns": packed.text})
 }
@@ -62,7 +75,14 @@ fn asked(w: &PlanWriter, v: VertexId) -> bool {
     let VertexPlace::Point(point) = w.plan.vertex(v).spot else { return false };
     w.scene.find.iter().any(|f| match f.what.meaning(w.scene) {
         Some(Meaning::Vector(p)) => p.point == point,
-        Some(Meaning::Place(_) | Meaning::Relative(..) | Meaning::Seen(..) | Meaning::Turning(..) | Meaning::Ratio(..)) | None => false,
+        Some(
+            Meaning::Place(_)
+            | Meaning::Relative(..)
+            | Meaning::Seen(..)
+            | Meaning::Turning(..)
+            | Meaning::Ratio(..),
+        )
+        | None => false,
     })
 }
 
@@ -76,8 +96,14 @@ struct CoordinateColumns {
 impl CoordinateColumns {
     /// Adds a point over the frames in which it is seen. Returns `false` and adds nothing if some
     /// frame does not have it.
-    fn points(&mut self, frames: &Frames, seen: &[bool], of: impl Fn(&SolvedFrame) -> Option<Point>) -> bool {
-        let list: Option<Vec<Point>> = frames.list.iter().zip(seen).filter(|(_, s)| **s).map(|(f, _)| of(f)).collect();
+    fn points(
+        &mut self,
+        frames: &Frames,
+        seen: &[bool],
+        of: impl Fn(&SolvedFrame) -> Option<Point>,
+    ) -> bool {
+        let list: Option<Vec<Point>> =
+            frames.list.iter().zip(seen).filter(|(_, s)| **s).map(|(f, _)| of(f)).collect();
         let Some(list) = list else { return false };
         for axis in [|p: &Point| p.x, |p: &Point| p.y] {
             let column: Vec<i64> = list.iter().map(|p| (axis(p) * UNIT).round() as i64).collect();

@@ -107,8 +107,13 @@ pub fn lesson(scene: &Scene, options: &LessonOptions) -> Result<Warned<String>, 
 /// notes of that.
 ///
 /// # Errors
-/// A driver that the scene does not have; a mechanism too large for all its positions; those of the drawings.
-pub fn of_worked(scene: &Scene, worked: &Worked, options: &LessonOptions) -> Result<Warned<String>, Faults> {
+/// A driver that the scene does not have; a mechanism too large for all its positions; those of the
+/// drawings.
+pub fn of_worked(
+    scene: &Scene,
+    worked: &Worked,
+    options: &LessonOptions,
+) -> Result<Warned<String>, Faults> {
     let mut notes = Vec::new();
     let size = scene.links.len() + scene.links.iter().map(|l| l.points.len()).sum::<usize>();
     if size > MOST {
@@ -127,7 +132,12 @@ pub fn of_worked(scene: &Scene, worked: &Worked, options: &LessonOptions) -> Res
     {
         return Err(Diagnostic::error(
             "driver",
-            both!("there is no driver {}: the scene has {}", "没有第 {} 个原动件：共有 {} 个", driver + 1, scene.drivers.len()),
+            both!(
+                "there is no driver {}: the scene has {}",
+                "没有第 {} 个原动件：共有 {} 个",
+                driver + 1,
+                scene.drivers.len()
+            ),
         )
         .into());
     }
@@ -135,10 +145,21 @@ pub fn of_worked(scene: &Scene, worked: &Worked, options: &LessonOptions) -> Res
         && scene.is_led(driver)
     {
         let (name, _) = scene.driver_name(driver);
-        let message = both!("`{name}` follows its cam: it does not move by itself", "`{name}` 由凸轮带动，不能单独运动");
-        return Err(Diagnostic::error("no-driver", message).help(both!("let the cam turn", "请使凸轮转动")).into());
+        let message = both!(
+            "`{name}` follows its cam: it does not move by itself",
+            "`{name}` 由凸轮带动，不能单独运动"
+        );
+        return Err(Diagnostic::error("no-driver", message)
+            .help(both!("let the cam turn", "请使凸轮转动"))
+            .into());
     }
-    let follower = PoseFollower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, options.swept);
+    let follower = PoseFollower::new(
+        scene,
+        &worked.mechanism,
+        &worked.demand,
+        &worked.configuration,
+        options.swept,
+    );
     let sweep = follower.sweep(options.positions.clamp(8, 360));
     follower.proved(sweep.poses.iter().map(|p| &p.configuration))?;
     if let Some(task) = CentreTask::of(scene).filter(|t| t.alone) {
@@ -162,7 +183,10 @@ pub fn of_worked(scene: &Scene, worked: &Worked, options: &LessonOptions) -> Res
                 "该位置附近的位置都画不出：只演示这一位置，没有运动"
             ),
         );
-        notes.push(d.help(both!("give another pose, or move another driver with --driver", "请改变位置，或用 --driver 另选原动件")));
+        notes.push(d.help(both!(
+            "give another pose, or move another driver with --driver",
+            "请改变位置，或用 --driver 另选原动件"
+        )));
     }
     let turns = follower.returns();
     if turns != 1 && options.swept.turns(scene) && sweep.limits == [None, None] {

@@ -32,7 +32,8 @@ use crate::report::particle as report;
 use crate::scene::{Book, Lang};
 use serde_json::{Value, json};
 
-const PAGE: &str = concat!(include_str!("head.html"), include_str!("player.html"), include_str!("motion.html"));
+const PAGE: &str =
+    concat!(include_str!("head.html"), include_str!("player.html"), include_str!("motion.html"));
 const STYLE: [&str; 3] = [BASE, include_str!("design.css"), include_str!("motion.css")];
 const SCRIPT: &str = concat!(include_str!("motion.js"), include_str!("player.js"));
 
@@ -113,7 +114,10 @@ impl MotionFrame {
 
     fn drawn_again(&self, problem: &ParticleProblem) -> Result<MotionDrawing, Faults> {
         let all = draw_again(problem, std::slice::from_ref(&self.drawn))?;
-        Ok(all.into_iter().find(|d| d.motion == self.drawn.motion).ok_or_else(|| nothing(self.drawn.motion))?)
+        Ok(all
+            .into_iter()
+            .find(|d| d.motion == self.drawn.motion)
+            .ok_or_else(|| nothing(self.drawn.motion))?)
     }
 
     /// The frame drawn to other scales.
@@ -123,13 +127,25 @@ impl MotionFrame {
         Ok(MotionFrame { problem, drawn, ..self })
     }
 
-    fn maker<'a>(&'a self, style: &'a Style, lang: Lang, also: &'a [Vec<Point>; 2]) -> ParticleDrafter<'a> {
+    fn maker<'a>(
+        &'a self,
+        style: &'a Style,
+        lang: Lang,
+        also: &'a [Vec<Point>; 2],
+    ) -> ParticleDrafter<'a> {
         ParticleDrafter { problem: &self.problem, solved: &self.solved, style, lang, also }
     }
 }
 
 fn nothing(which: usize) -> Diagnostic {
-    let d = Diagnostic::error("driver", both!("there is no motion {} that has something to draw", "没有第 {} 个可作图的运动", which + 1));
+    let d = Diagnostic::error(
+        "driver",
+        both!(
+            "there is no motion {} that has something to draw",
+            "没有第 {} 个可作图的运动",
+            which + 1
+        ),
+    );
     d.help(both!(
         "pursuers, and points that move on something, have a construction; --driver counts them from 1",
         "追踪点和在动系上运动的点有作图；--driver 从 1 数起"
@@ -149,7 +165,11 @@ fn nothing(which: usize) -> Diagnostic {
 /// # Errors
 /// The motion is not there, or cannot be solved at the given instant; those of the SVG writer.
 pub fn lesson(problem: &ParticleProblem, options: &MotionOptions) -> Result<String, Faults> {
-    let style = Style { small_mm: options.style.small_mm * LARGER, label_mm: options.style.label_mm * LARGER, ..options.style.clone() };
+    let style = Style {
+        small_mm: options.style.small_mm * LARGER,
+        label_mm: options.style.label_mm * LARGER,
+        ..options.style.clone()
+    };
     let (frames, base) = frames(problem, options)?;
     let also = needed_points(&frames);
     let given = &frames[base];
@@ -159,7 +179,8 @@ pub fn lesson(problem: &ParticleProblem, options: &MotionOptions) -> Result<Stri
     for f in &frames {
         views.push(seen(&f.maker(&style, options.lang, &also), &f.drawn, still.as_ref())?);
     }
-    let told: Vec<Value> = frames.iter().zip(&views).map(|(f, v)| instant_json(f, v, &style)).collect();
+    let told: Vec<Value> =
+        frames.iter().zip(&views).map(|(f, v)| instant_json(f, v, &style)).collect();
     let title = &problem.title;
     let page = MotionPage {
         title: [title.en.as_str(), title.zh.as_str()],
@@ -172,7 +193,8 @@ pub fn lesson(problem: &ParticleProblem, options: &MotionOptions) -> Result<Stri
     page.written(&views, &told)
 }
 
-/// A page of poses or instants, each with its drawings, the steps of its construction and its answers.
+/// A page of poses or instants, each with its drawings, the steps of its construction and its
+/// answers.
 pub(super) struct MotionPage<'a> {
     /// English and Chinese.
     pub title: [&'a str; 2],
@@ -199,9 +221,12 @@ impl MotionPage<'_> {
             let parts: Vec<&ParticleView> = views.iter().map(|v| &v[k]).collect();
             drawings.push(Sequence::of(&parts, ground, &mut elements)?);
         }
-        let pairs = |v: &ParticleView| LANGS.map(|lang| escaped(&Phrase::new(lang.of(&v.caption)).plain()));
+        let pairs =
+            |v: &ParticleView| LANGS.map(|lang| escaped(&Phrase::new(lang.of(&v.caption)).plain()));
         let list = |lang: Lang| {
-            let word = |(key, said): &(&str, [&str; 2])| ((*key).to_owned(), json!(said[usize::from(lang == Lang::Zh)]));
+            let word = |(key, said): &(&str, [&str; 2])| {
+                ((*key).to_owned(), json!(said[usize::from(lang == Lang::Zh)]))
+            };
             PLAYER.iter().chain(self.words).map(word).collect::<serde_json::Map<_, _>>()
         };
         let data = json!({
@@ -216,7 +241,11 @@ impl MotionPage<'_> {
         });
         let half = drawings.len().div_ceil(2).min(if self.still.is_some() { 1 } else { 2 });
         let put = |range: std::ops::Range<usize>| {
-            range.map(|k| drawings[k].markup(k, self.base, &views[self.base][k], (self.lang, self.book))).collect::<String>()
+            range
+                .map(|k| {
+                    drawings[k].markup(k, self.base, &views[self.base][k], (self.lang, self.book))
+                })
+                .collect::<String>()
         };
         let own = usize::from(self.lang == Lang::Zh);
         Ok(filled(
@@ -228,7 +257,12 @@ impl MotionPage<'_> {
                 ("letters", &Elements::letters(&elements)),
                 ("left", &put(0..half)),
                 ("right", &put(half..drawings.len())),
-                ("noscript", &escaped(self.words.iter().find(|w| w.0 == "noscript").map_or("", |w| w.1[own]))),
+                (
+                    "noscript",
+                    &escaped(
+                        self.words.iter().find(|w| w.0 == "noscript").map_or("", |w| w.1[own]),
+                    ),
+                ),
                 ("data", &pressed(&data.to_string())),
                 ("script", &terse(SCRIPT)),
             ],
@@ -237,7 +271,10 @@ impl MotionPage<'_> {
 }
 
 /// The instants, to one set of scales as far as possible, and the index of the given one.
-fn frames(problem: &ParticleProblem, options: &MotionOptions) -> Result<(Vec<MotionFrame>, usize), Faults> {
+fn frames(
+    problem: &ParticleProblem,
+    options: &MotionOptions,
+) -> Result<(Vec<MotionFrame>, usize), Faults> {
     let which = options.motion;
     let drawn = draw(problem)?.into_iter().nth(which).ok_or_else(|| nothing(which))?;
     let given = MotionFrame { problem: problem.clone(), solved: solve(problem)?, drawn };
@@ -254,7 +291,10 @@ fn frames(problem: &ParticleProblem, options: &MotionOptions) -> Result<(Vec<Mot
         Views::Plate { .. } => 1.0,
     };
     let count = options.positions.clamp(8, 360);
-    let mut times: Vec<f64> = (0..=count).map(|k| last * k as f64 / count as f64).filter(|t| (t - now).abs() > 1e-6 * last).collect();
+    let mut times: Vec<f64> = (0..=count)
+        .map(|k| last * k as f64 / count as f64)
+        .filter(|t| (t - now).abs() > 1e-6 * last)
+        .collect();
     times.push(now);
     times.sort_by(f64::total_cmp);
     // An instant at which a law has no value has no picture.
@@ -270,7 +310,9 @@ fn frames(problem: &ParticleProblem, options: &MotionOptions) -> Result<(Vec<Mot
             if mu == f.drawn.mu { Ok(f) } else { f.scaled(mu) }
         })
         .collect::<Result<_, Faults>>()?;
-    let Some(base) = frames.iter().position(|f| f.problem.instant() == now) else { return Err(nothing(which).into()) };
+    let Some(base) = frames.iter().position(|f| f.problem.instant() == now) else {
+        return Err(nothing(which).into());
+    };
     Ok((frames, base))
 }
 
@@ -278,7 +320,9 @@ fn frames(problem: &ParticleProblem, options: &MotionOptions) -> Result<(Vec<Mot
 fn needed_points(frames: &[MotionFrame]) -> [Vec<Point>; 2] {
     let mut out = ALONE;
     for f in frames {
-        let Views::Plate { places, velocities, accelerations, .. } = &f.drawn.views else { continue };
+        let Views::Plate { places, velocities, accelerations, .. } = &f.drawn.views else {
+            continue;
+        };
         for k in 0..2 {
             out[k].push(places[k]);
             out[k].extend(velocities[k].iter().chain(&accelerations[k]).map(|a| a.to));
@@ -288,9 +332,17 @@ fn needed_points(frames: &[MotionFrame]) -> [Vec<Point>; 2] {
 }
 
 /// The moving part of the views of an instant.
-fn seen(maker: &ParticleDrafter, drawn: &MotionDrawing, still: Option<&ParticleView>) -> Result<Vec<ParticleView>, Diagnostic> {
+fn seen(
+    maker: &ParticleDrafter,
+    drawn: &MotionDrawing,
+    still: Option<&ParticleView>,
+) -> Result<Vec<ParticleView>, Diagnostic> {
     let Some(still) = still else { return maker.views(drawn) };
-    let course = ParticleView { part: maker.pair(drawn), caption: still.caption.clone(), scales: still.scales.clone() };
+    let course = ParticleView {
+        part: maker.pair(drawn),
+        caption: still.caption.clone(),
+        scales: still.scales.clone(),
+    };
     Ok([course].into_iter().chain(maker.polygons(drawn)).collect())
 }
 
@@ -298,13 +350,18 @@ fn seen(maker: &ParticleDrafter, drawn: &MotionDrawing, still: Option<&ParticleV
 /// drawings.
 fn instant_json(f: &MotionFrame, views: &[ParticleView], style: &Style) -> Value {
     let both_of = |say: &dyn Fn(Lang) -> String| json!(LANGS.map(say));
-    let steps: Vec<Value> =
-        f.drawn.steps.iter().map(|s| both_of(&|lang| html(&report::sentence(s, lang, &notation(style, lang))))).collect();
+    let steps: Vec<Value> = f
+        .drawn
+        .steps
+        .iter()
+        .map(|s| both_of(&|lang| html(&report::sentence(s, lang, &notation(style, lang)))))
+        .collect();
     let answers = both_of(&|lang| {
         let lines = report::lines(&f.problem, &f.solved, DIGITS, lang, &notation(style, lang));
         lines.iter().map(|l| format!("<li>{}</li>", html(l))).collect()
     });
-    let scales: Vec<String> = views.iter().map(|v| mathml(&Label::math(v.scale(&f.problem.book)))).collect();
+    let scales: Vec<String> =
+        views.iter().map(|v| mathml(&Label::math(v.scale(&f.problem.book)))).collect();
     let at = format!("t = {} s", significant(f.problem.instant(), 5));
     json!({"at": at, "steps": steps, "answers": answers, "scales": scales})
 }
@@ -319,9 +376,16 @@ struct Sequence {
 }
 
 impl Sequence {
-    fn of(views: &[&ParticleView], ground: Option<&ParticleView>, all: &mut Vec<Elements>) -> Result<Sequence, Faults> {
+    fn of(
+        views: &[&ParticleView],
+        ground: Option<&ParticleView>,
+        all: &mut Vec<Elements>,
+    ) -> Result<Sequence, Faults> {
         let boxes = views.iter().copied().chain(ground).filter_map(|v| bounds(&v.part.items));
-        let window = boxes.reduce(Rect::union).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)).grown(AIR_MM);
+        let window = boxes
+            .reduce(Rect::union)
+            .unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN))
+            .grown(AIR_MM);
         let mut elements = Elements::new(window.height_mm());
         let mut written = |v: &ParticleView| -> Result<String, Faults> {
             let mut items: Vec<FigureItem> = nameless(v.part.items.iter());
@@ -339,7 +403,13 @@ impl Sequence {
         Ok(Sequence { size_mm: [window.width_mm(), window.height_mm()], ground, frames })
     }
 
-    fn markup(&self, k: usize, base: usize, view: &ParticleView, (lang, book): (Lang, &Book)) -> String {
+    fn markup(
+        &self,
+        k: usize,
+        base: usize,
+        view: &ParticleView,
+        (lang, book): (Lang, &Book),
+    ) -> String {
         let [w, h] = self.size_mm.map(mm);
         format!(
             "<figure class=\"drawing\" id=\"drawing-{k}\" style=\"--w:{w}\">\n<svg viewBox=\"0 0 {w} {h}\" role=\"img\">\n<g class=\"ink\">\n{}</g>\n<g class=\"ink moving\">\n{}</g>\n</svg>\n\

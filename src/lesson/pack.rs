@@ -20,7 +20,8 @@ pub fn pressed(text: &str) -> String {
 /// lesson.
 pub fn told(page: &str) -> Option<String> {
     let text = page.split("id=\"data\">").nth(1)?.split("</script>").next()?;
-    let bytes = decompress_to_vec_with_limit(&BASE64_STANDARD.decode(text).ok()?, MOST_BYTES).ok()?;
+    let bytes =
+        decompress_to_vec_with_limit(&BASE64_STANDARD.decode(text).ok()?, MOST_BYTES).ok()?;
     String::from_utf8(bytes).ok()
 }
 
@@ -28,7 +29,8 @@ pub fn told(page: &str) -> Option<String> {
 const MOST_BYTES: usize = 1 << 26;
 
 /// The digits: printable characters that need no escape in JSON or HTML.
-const DIGITS: &[u8; 88] = b"!#$%'()*+,-./0123456789:;=?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[]^_`abcdefghijklmnopqrstuvwxyz{|}";
+const DIGITS: &[u8; 88] =
+    b"!#$%'()*+,-./0123456789:;=?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[]^_`abcdefghijklmnopqrstuvwxyz{|}";
 /// The last digit of a number comes from the first half, all digits before it from the second.
 const HALF: u64 = 44;
 
@@ -111,7 +113,8 @@ mod tests {
 
     #[test]
     fn columns_come_back() {
-        let wave: Vec<i64> = (0..72).map(|k| (30_000.0 * libm::sin(f64::from(k) * 0.0873)).round() as i64).collect();
+        let wave: Vec<i64> =
+            (0..72).map(|k| (30_000.0 * libm::sin(f64::from(k) * 0.0873)).round() as i64).collect();
         for values in [vec![], vec![5], vec![-3, 4_000_000, 0, 7], wave.clone()] {
             let mut text = String::new();
             column(&values, &mut text);
@@ -119,7 +122,11 @@ mod tests {
         }
         let mut text = String::new();
         column(&wave, &mut text);
-        assert!(text.len() < 90, "a smooth column takes about one character a frame: {}", text.len());
+        assert!(
+            text.len() < 90,
+            "a smooth column takes about one character a frame: {}",
+            text.len()
+        );
     }
 
     #[test]

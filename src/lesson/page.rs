@@ -76,21 +76,28 @@ pub fn page(
         (steps, answers, equations, marks, formulas)
     };
     let here = here();
-    let (drawings, (steps, answers, equations, marks, mut formulas)) =
-        rayon::join(|| here.enter(|| scenery(frames, notation, &options.style)), || here.enter(written));
+    let (drawings, (steps, answers, equations, marks, mut formulas)) = rayon::join(
+        || here.enter(|| scenery(frames, notation, &options.style)),
+        || here.enter(written),
+    );
     let drawings = drawings?;
-    let told: Vec<Vec<TrackOutput>> =
-        drawings.iter().map(|d| d.layouts.iter().enumerate().map(|(k, l)| l.track.output(k == 0)).collect()).collect();
-    let mut figures = drawings.iter().zip(&told).map(|(d, told)| figure(d, told, frames, options.lang));
+    let told: Vec<Vec<TrackOutput>> = drawings
+        .iter()
+        .map(|d| d.layouts.iter().enumerate().map(|(k, l)| l.track.output(k == 0)).collect())
+        .collect();
+    let mut figures =
+        drawings.iter().zip(&told).map(|(d, told)| figure(d, told, frames, options.lang));
     let first = figures.next().unwrap_or_default();
     let polygons: String = figures.collect();
     let title = |lang: Lang| match scene.title.get(lang) {
         "" => DiagramKind::Plane.caption(lang).to_owned(),
         title => title.to_owned(),
     };
-    let told_drawings: Vec<Value> = drawings.iter().zip(&told).map(|(d, t)| drawing(d, t, frames.groups.len() > 1)).collect();
+    let told_drawings: Vec<Value> =
+        drawings.iter().zip(&told).map(|(d, t)| drawing(d, t, frames.groups.len() > 1)).collect();
     let book = &frames.list[frames.base].scene.book;
-    let scales: Vec<usize> = drawings.iter().map(|d| formulas.formula(&scale_formula(book, d.shows.on, d.mu))).collect();
+    let scales: Vec<usize> =
+        drawings.iter().map(|d| formulas.formula(&scale_formula(book, d.shows.on, d.mu))).collect();
     let mut data = json!({
         "digits": pack::alphabet(),
         "unit": UNIT,
@@ -127,7 +134,12 @@ pub fn page(
             ("lang", tag(options.lang)),
             ("title", &escaped(&title(options.lang))),
             ("style", &with_fonts(&STYLE)),
-            ("letters", &Elements::letters(drawings.iter().flat_map(|d| &d.layouts).map(|l| &l.track.elements_of))),
+            (
+                "letters",
+                &Elements::letters(
+                    drawings.iter().flat_map(|d| &d.layouts).map(|l| &l.track.elements_of),
+                ),
+            ),
             ("mechanism", &first),
             ("polygons", &polygons),
             ("noscript", &escaped(word("noscript", options.lang))),
@@ -143,7 +155,9 @@ pub fn page(
 pub(super) fn filled(template: &str, values: &[(&str, &str)]) -> String {
     let mut out = String::new();
     for (k, part) in template.split("{{").enumerate() {
-        let value = part.split_once("}}").and_then(|(name, rest)| Some((values.iter().find(|v| v.0 == name)?.1, rest)));
+        let value = part
+            .split_once("}}")
+            .and_then(|(name, rest)| Some((values.iter().find(|v| v.0 == name)?.1, rest)));
         match value {
             Some((value, rest)) => {
                 out += value;
@@ -188,7 +202,12 @@ fn drawing(d: &Scenery, told: &[TrackOutput], many: bool) -> Value {
         let origin = [l.origin.x, d.size_mm[1] - l.origin.y].map(ten_digits);
         // In hundredths; rounding and the round corners of arrowheads alone do not enlarge the
         // window.
-        let back = bank::runs(&l.back.iter().map(|b| if *b < 1.03 { 100 } else { (b * 100.0).ceil() as i64 }).collect::<Vec<_>>());
+        let back = bank::runs(
+            &l.back
+                .iter()
+                .map(|b| if *b < 1.03 { 100 } else { (b * 100.0).ceil() as i64 })
+                .collect::<Vec<_>>(),
+        );
         let mut value = json!({"mu": l.mu, "times": ten_digits(d.mu / l.mu), "origin": origin, "held": runs(l.held.iter().copied()), "back": back, "moving": told.moving});
         if let Some(group) = l.group {
             value["with"] = json!(Shows { on: DiagramKind::Force, part: Some(group) }.key());
@@ -211,14 +230,17 @@ fn figure(d: &Scenery, told: &[TrackOutput], frames: &Frames, lang: Lang) -> Str
     let [w, h] = d.size_mm.map(crate::render::number::mm);
     let book = &frames.list[frames.base].scene.book;
     let caption = |l: Lang| match (d.shows.on.caption(l), d.shows.part, l) {
-        (name, Some(group), _) if d.shows.on == DiagramKind::Force => of_links(name, &frames.groups[group], frames, l),
+        (name, Some(group), _) if d.shows.on == DiagramKind::Force => {
+            of_links(name, &frames.groups[group], frames, l)
+        }
         (name, None, _) => name.to_owned(),
         (name, Some(part), Lang::En) => format!("{name} ({})", part + 1),
         (name, Some(part), Lang::Zh) => format!("{name}（{}）", part + 1),
     };
     let key = d.shows.key();
     let both = LANGS.map(|l| format!(" data-{}=\"{}\"", tag(l), escaped(&caption(l)))).concat();
-    let ink = told.first().map_or_else(String::new, |t| format!("<g class=\"ink\">\n{}</g>\n", t.markup));
+    let ink =
+        told.first().map_or_else(String::new, |t| format!("<g class=\"ink\">\n{}</g>\n", t.markup));
     format!(
         "<figure id=\"{key}\" class=\"drawing\">\n<svg viewBox=\"0 0 {w} {h}\" style=\"--w:{w};--h:{h}\" role=\"img\" aria-labelledby=\"{key}-caption\">\n\
          {ink}</svg>\n<p class=\"off\" hidden></p>\n{ZOOMS}<figcaption><span id=\"{key}-caption\"{both}>{}</span> <span class=\"scale\">{}</span></figcaption>\n</figure>\n",
@@ -249,8 +271,10 @@ fn statement(scene: &Scene, lang: Lang, formulas: &mut Formulas) -> String {
 pub(super) fn moved(scene: &Scene, swept: Swept) -> Value {
     match swept {
         Swept::Driver(k) => driver(scene, k),
-        Swept::Time => json!({"turns": false, "time": true, "symbol": mathml(&Label::math("t")), "plain": "t", "start": scene.instant(),
-            "factor": 1.0, "back": false, "unit": " s", "parts": 1000.0}),
+        Swept::Time => {
+            json!({"turns": false, "time": true, "symbol": mathml(&Label::math("t")), "plain": "t", "start": scene.instant(),
+            "factor": 1.0, "back": false, "unit": " s", "parts": 1000.0})
+        }
     }
 }
 
@@ -262,17 +286,31 @@ fn driver(scene: &Scene, k: usize) -> Value {
         DriverKind::Turn { link, against, .. } if *against == scene.ground => {
             (true, format!("\\varphi_{{{}}}", name_label(scene.link_name(*link))))
         }
-        DriverKind::Turn { link, against, .. } => {
-            (true, format!("\\varphi_{{{}/{}}}", name_label(scene.link_name(*link)), name_label(scene.link_name(*against))))
-        }
+        DriverKind::Turn { link, against, .. } => (
+            true,
+            format!(
+                "\\varphi_{{{}/{}}}",
+                name_label(scene.link_name(*link)),
+                name_label(scene.link_name(*against))
+            ),
+        ),
         DriverKind::Slide { guide, .. } => {
             let g = &scene.guides[guide.0];
-            let name = g.pin.map(|p| scene.point_name(p)).or(g.slider.map(|s| scene.link_name(s))).unwrap_or_default();
+            let name = g
+                .pin
+                .map(|p| scene.point_name(p))
+                .or(g.slider.map(|s| scene.link_name(s)))
+                .unwrap_or_default();
             (false, format!("s_{{{}}}", name_label(name)))
         }
-        DriverKind::Cylinder { a, b, .. } => {
-            (false, format!("l_{{{}{}}}", name_label(scene.point_name(*a)), name_label(scene.point_name(*b))))
-        }
+        DriverKind::Cylinder { a, b, .. } => (
+            false,
+            format!(
+                "l_{{{}{}}}",
+                name_label(scene.point_name(*a)),
+                name_label(scene.point_name(*b))
+            ),
+        ),
     };
     let (book, what) = (&scene.book, scene.driver_name(k).1);
     let factor = match (book.chosen(what), turns) {
@@ -303,8 +341,11 @@ fn limits(scene: &Scene, mechanism: &Mechanism, sweep: &PoseSweep) -> Value {
         let (Some(pose), Some(_)) = (pose, limit) else { return Value::Null };
         let key = if sweep.far(pose) { "limit_far" } else { "limit" };
         let toggle = Toggle::at(mechanism, &pose.configuration).filter(|_| !sweep.far(pose));
-        let told = |t: &Toggle, lang| word("limit_toggle", lang).replace("{}", &t.words(scene, lang));
-        json!(LANGS.map(|lang| toggle.as_ref().map_or_else(|| word(key, lang).to_owned(), |t| told(t, lang))))
+        let told =
+            |t: &Toggle, lang| word("limit_toggle", lang).replace("{}", &t.words(scene, lang));
+        json!(LANGS.map(|lang| {
+            toggle.as_ref().map_or_else(|| word(key, lang).to_owned(), |t| told(t, lang))
+        }))
     });
     said.collect()
 }
@@ -313,7 +354,11 @@ fn limits(scene: &Scene, mechanism: &Mechanism, sweep: &PoseSweep) -> Value {
 /// of the mechanism's paper, from its origin, y up.
 fn handle(frames: &Frames, driver: usize) -> Value {
     let arm = arm(frames, driver);
-    let places: Vec<Point> = frames.list.iter().map(|f| grip(f, driver, arm).unwrap_or(Point::ORIGIN) + stray(frames, f)).collect();
+    let places: Vec<Point> = frames
+        .list
+        .iter()
+        .map(|f| grip(f, driver, arm).unwrap_or(Point::ORIGIN) + stray(frames, f))
+        .collect();
     let mut packed = String::new();
     let whole = |v: f64| (v * UNIT).round() as i64;
     pack::column(&places.iter().map(|p| whole(p.x)).collect::<Vec<_>>(), &mut packed);
@@ -324,12 +369,19 @@ fn handle(frames: &Frames, driver: usize) -> Value {
 /// Distance (m) from its pivot at which a link without another point is gripped: the farthest place
 /// of a pin in its slot or of its rolling contact, else far enough to be turned.
 fn arm(frames: &Frames, driver: usize) -> f64 {
-    let Some((link, _)) = frames.list[frames.base].scene.drivers[driver].kind.turned() else { return 0.0 };
+    let Some((link, _)) = frames.list[frames.base].scene.drivers[driver].kind.turned() else {
+        return 0.0;
+    };
     let reaches = frames.list.iter().flat_map(|f| {
         let (scene, at) = (&f.scene, &f.worked.configuration.points);
         let centre = scene.links[link.0].points.first().and_then(|p| at[p.0]);
-        let pins = scene.guides.iter().filter(|g| g.on == link && g.rolling.is_none()).filter_map(|g| g.pin);
-        let contacts = scene.rolling.iter().filter(|r| r.links.contains(&link)).map(|r| r.at_of(link));
+        let pins = scene
+            .guides
+            .iter()
+            .filter(|g| g.on == link && g.rolling.is_none())
+            .filter_map(|g| g.pin);
+        let contacts =
+            scene.rolling.iter().filter(|r| r.links.contains(&link)).map(|r| r.at_of(link));
         let far = |p: PointId| Some(at[p.0]?.distance(centre?));
         pins.chain(contacts).filter_map(far).collect::<Vec<f64>>()
     });
@@ -352,8 +404,13 @@ fn grip(frame: &SolvedFrame, driver: usize, arm: f64) -> Option<Point> {
             match (of_line, centre) {
                 (Some((a, b)), Some(c)) => Some(if a.distance(c) > b.distance(c) { a } else { b }),
                 (Some((_, b)), None) => Some(b),
-                (None, Some(c)) if points.len() == 1 => Some(at.poses[link.0].map_or(c, |pose| c + pose.axis * arm)),
-                (None, Some(c)) => points.iter().filter_map(|p| at.points[p.0]).max_by(|a, b| a.distance(c).total_cmp(&b.distance(c))),
+                (None, Some(c)) if points.len() == 1 => {
+                    Some(at.poses[link.0].map_or(c, |pose| c + pose.axis * arm))
+                }
+                (None, Some(c)) => points
+                    .iter()
+                    .filter_map(|p| at.points[p.0])
+                    .max_by(|a, b| a.distance(c).total_cmp(&b.distance(c))),
                 (None, None) => points.iter().find_map(|p| at.points[p.0]),
             }
         }

@@ -24,7 +24,11 @@ const GAP_MM: f64 = 6.0;
 ///
 /// # Errors
 /// Those of the SVG writer.
-pub fn reveal(scene: &Scene, worked: &Worked, options: &sheet::SheetOptions) -> Result<Warned<String>, Faults> {
+pub fn reveal(
+    scene: &Scene,
+    worked: &Worked,
+    options: &sheet::SheetOptions,
+) -> Result<Warned<String>, Faults> {
     let (drawings, _) = drawings(scene, worked, options, false)?;
     Ok(Warned { value: drawings.svg(scene, options, None), notes: Vec::new() })
 }
@@ -34,12 +38,21 @@ pub fn reveal(scene: &Scene, worked: &Worked, options: &sheet::SheetOptions) -> 
 ///
 /// # Errors
 /// `paper-too-small` where the smallest legible drawings are wider.
-pub fn reveal_in(scene: &Scene, worked: &Worked, options: &sheet::SheetOptions, width_mm: f64) -> Result<Warned<String>, Faults> {
+pub fn reveal_in(
+    scene: &Scene,
+    worked: &Worked,
+    options: &sheet::SheetOptions,
+    width_mm: f64,
+) -> Result<Warned<String>, Faults> {
     let extras = Extras::default();
     let wanted = FigureInput { scene, worked, options, extras: &extras };
     let value = fit::first_that_fits("reveal", &wanted, Room::Column(width_mm), |w, stacked| {
         let (drawings, size) = drawings(w.scene, w.worked, w.options, stacked)?;
-        Ok(if size[0] <= width_mm { Ok(drawings.svg(w.scene, w.options, Some(width_mm))) } else { Err(size) })
+        Ok(if size[0] <= width_mm {
+            Ok(drawings.svg(w.scene, w.options, Some(width_mm)))
+        } else {
+            Err(size)
+        })
     })?;
     Ok(Warned { value, notes: Vec::new() })
 }
@@ -53,17 +66,25 @@ struct Drawings {
 
 /// The drawings and their common size (mm): those of the motion side by side with those of the
 /// forces below, or all stacked.
-fn drawings(scene: &Scene, worked: &Worked, options: &sheet::SheetOptions, stacked: bool) -> Result<(Drawings, [f64; 2]), Faults> {
-    let of_motion =
-        DiagramKind::ALL.into_iter().filter_map(|on| Some((on > DiagramKind::Plane, sheet::drawing(scene, worked, options, on)?)));
+fn drawings(
+    scene: &Scene,
+    worked: &Worked,
+    options: &sheet::SheetOptions,
+    stacked: bool,
+) -> Result<(Drawings, [f64; 2]), Faults> {
+    let of_motion = DiagramKind::ALL.into_iter().filter_map(|on| {
+        Some((on > DiagramKind::Plane, sheet::drawing(scene, worked, options, on)?))
+    });
     let groups = worked.equilibrium.as_ref().map_or(0, |of| of.groups.len());
-    let of_forces = (0..groups).filter_map(|k| Some((true, forces::group(scene, worked, options, k)?)));
+    let of_forces =
+        (0..groups).filter_map(|k| Some((true, forces::group(scene, worked, options, k)?)));
     let mut rows: Vec<Vec<(bool, Figure)>> = vec![of_motion.collect(), of_forces.collect()];
     if stacked {
         rows = rows.into_iter().flatten().map(|drawing| vec![drawing]).collect();
     }
     rows.retain(|row| !row.is_empty());
-    let widths = |row: &[(bool, Figure)]| row.iter().map(|(_, f)| f.width_mm + GAP_MM).sum::<f64>() - GAP_MM;
+    let widths =
+        |row: &[(bool, Figure)]| row.iter().map(|(_, f)| f.width_mm + GAP_MM).sum::<f64>() - GAP_MM;
     let tallest = |row: &[(bool, Figure)]| row.iter().map(|(_, f)| f.height_mm).fold(0.0, f64::max);
     let width = rows.iter().map(|row| widths(row)).fold(0.0, f64::max);
     let height = rows.iter().map(|row| tallest(row) + GAP_MM).sum::<f64>() - GAP_MM;
@@ -76,11 +97,15 @@ fn drawings(scene: &Scene, worked: &Worked, options: &sheet::SheetOptions, stack
         let (mut x, bottom) = ((width - widths(row)) / 2.0, top - tallest(row));
         top = bottom - GAP_MM;
         for (has_steps, figure) in row {
-            crate::paper::extent::translate(&mut figure.items, Point::new(x, bottom) - Point::ORIGIN);
+            crate::paper::extent::translate(
+                &mut figure.items,
+                Point::new(x, bottom) - Point::ORIGIN,
+            );
             x += figure.width_mm + GAP_MM;
             let list = elements.of(&figure.items)?;
             // An item that several steps draw comes with the first.
-            let of: Vec<Option<usize>> = figure.items.iter().map(|i| i.steps().min().filter(|_| *has_steps)).collect();
+            let of: Vec<Option<usize>> =
+                figure.items.iter().map(|i| i.steps().min().filter(|_| *has_steps)).collect();
             let most = of.iter().flatten().max().map_or(0, |n| n + 1);
             // Items of one step stay together, in the order of the drawing; the index gives the
             // order of steps.
@@ -108,7 +133,8 @@ impl Drawings {
         let wide = width_mm.unwrap_or(own);
         let left = (own - wide) / 2.0;
         let (left, w, h) = (mm(left), mm(wide), mm(height));
-        let shown = width_mm.map_or_else(|| "width:100%".to_owned(), |_| format!("width:{w}mm;max-width:100%"));
+        let shown = width_mm
+            .map_or_else(|| "width:100%".to_owned(), |_| format!("width:{w}mm;max-width:100%"));
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"{left} 0 {w} {h}\" role=\"img\" aria-label=\"{}\" style=\"{shown};background:{}\">\n{}\n{}</svg>\n",
             escaped(scene.title.get(options.lang)),

@@ -105,19 +105,31 @@ struct DrawingView {
 ///
 /// # Errors
 /// Those of the SVG writer.
-pub fn scenery(frames: &Frames, notation: &Notation, style: &Style) -> Result<Vec<Scenery>, Faults> {
+pub fn scenery(
+    frames: &Frames,
+    notation: &Notation,
+    style: &Style,
+) -> Result<Vec<Scenery>, Faults> {
     let mut wanted = vec![Shows { on: DiagramKind::Plane, part: None }];
-    let drawn = |on: DiagramKind| frames.list.iter().any(|f| f.worked.construction.polygon(on).is_some());
+    let drawn =
+        |on: DiagramKind| frames.list.iter().any(|f| f.worked.construction.polygon(on).is_some());
     for on in DiagramKind::POLYGONS.into_iter().filter(|on| drawn(*on)) {
         match frames.split.of(on.kind()) {
             None => wanted.push(Shows { on, part: None }),
-            Some(split) => wanted.extend((0..split.parts()).map(|part| Shows { on, part: Some(part) })),
+            Some(split) => {
+                wanted.extend((0..split.parts()).map(|part| Shows { on, part: Some(part) }))
+            }
         }
     }
-    wanted.extend((0..frames.groups.len()).map(|group| Shows { on: DiagramKind::Force, part: Some(group) }));
+    wanted.extend(
+        (0..frames.groups.len()).map(|group| Shows { on: DiagramKind::Force, part: Some(group) }),
+    );
     // The drawings are independent of one another.
     let here = here();
-    wanted.into_par_iter().map(|shows| here.enter(|| Studio::of(frames, notation, style, shows).scenery())).collect()
+    wanted
+        .into_par_iter()
+        .map(|shows| here.enter(|| Studio::of(frames, notation, style, shows).scenery()))
+        .collect()
 }
 
 /// The parts of all frames; `None` where nothing is drawn.
@@ -142,7 +154,9 @@ impl<'a> Studio<'a> {
         let Style { palette, plate, .. } = Style::default();
         let style = Style { palette, plate, ..style.clone() };
         let share = share_of(frames, shows);
-        let is_full = |(w, p): (PlanWriter, &Polygon)| share.map_or_else(|| polygon::is_full(&w, p), |s| polygon::is_full_share(&w, p, s));
+        let is_full = |(w, p): (PlanWriter, &Polygon)| {
+            share.map_or_else(|| polygon::is_full(&w, p), |s| polygon::is_full_share(&w, p, s))
+        };
         let full = frames.list.iter().any(|f| polygon_of(f, shows, notation).is_some_and(is_full));
         let mu = match shows.on {
             DiagramKind::Plane => frames.list[frames.base].worked.construction.diagram.mu,
@@ -150,14 +164,20 @@ impl<'a> Studio<'a> {
                 frames.zoom.of(on.kind()).map_or(1.0, |z| z.mu)
             }
         };
-        let options = SheetOptions { notation: notation.clone(), style, ..SheetOptions::of_language(Lang::En) };
+        let options = SheetOptions {
+            notation: notation.clone(),
+            style,
+            ..SheetOptions::of_language(Lang::En)
+        };
         Studio { frames, notation, options, shows, full, mu }
     }
 
     fn scenery(&self) -> Result<Scenery, Faults> {
         match self.shows.on {
             DiagramKind::Plane => self.mechanism(),
-            on @ (DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force) => self.polygon(on, self.shows.part.unwrap_or(0)),
+            on @ (DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force) => {
+                self.polygon(on, self.shows.part.unwrap_or(0))
+            }
         }
     }
 
@@ -165,39 +185,61 @@ impl<'a> Studio<'a> {
     /// not be seen as a whole.
     fn mechanism(&self) -> Result<Scenery, Faults> {
         let label = self.options.style.label_mm;
-        let lines = |k: usize, mu: f64, courses: &[SeriesFeatures]| self.diagram(k, mu, &courses[k]).1;
+        let lines =
+            |k: usize, mu: f64, courses: &[SeriesFeatures]| self.diagram(k, mu, &courses[k]).1;
         let alone = |mu: f64| with_names(lines(self.frames.base, mu, &self.courses(mu)), label);
         let together = |mu: f64| {
             let courses = self.courses(mu);
             let here = here();
-            let boxes = (0..self.frames.list.len()).into_par_iter().map(|k| here.enter(|| lines(k, mu, &courses)));
+            let boxes = (0..self.frames.list.len())
+                .into_par_iter()
+                .map(|k| here.enter(|| lines(k, mu, &courses)));
             boxes.reduce_with(Rect::union).map_or(alone(mu), |r| with_names(r, label))
         };
-        let times = |box_mm: Rect, [w, h]: [f64; 2]| (size(box_mm)[0] / w).max(size(box_mm)[1] / h).max(1.0);
+        let times = |box_mm: Rect, [w, h]: [f64; 2]| {
+            (size(box_mm)[0] / w).max(size(box_mm)[1] / h).max(1.0)
+        };
         // Symbols keep their size, which the first estimate of the scale does not take into
         // account.
         let first = self.mu * times(alone(self.mu), stage_mm(label));
         let own_mu = first * times(alone(first), stage_mm(label));
         let (own, all) = (alone(own_mu), together(own_mu));
         if times(all, size(own)) <= GAIN {
-            let view = DrawingView { mu: own_mu, seen: all, parts: self.parts(own_mu, all, false), group: None };
+            let view = DrawingView {
+                mu: own_mu,
+                seen: all,
+                parts: self.parts(own_mu, all, false),
+                group: None,
+            };
             return self.told(size(all), self.with_groups(vec![view], own_mu, size(all)));
         }
         let first = own_mu * times(all, size(own));
         let mu = first * times(together(first), size(own));
         let seen = together(mu);
-        let near = DrawingView { mu: own_mu, seen: own, parts: self.parts(own_mu, own, true), group: None };
+        let near = DrawingView {
+            mu: own_mu,
+            seen: own,
+            parts: self.parts(own_mu, own, true),
+            group: None,
+        };
         let whole = DrawingView { mu, seen, parts: self.parts(mu, seen, false), group: None };
         self.told(size(own), self.with_groups(vec![near, whole], own_mu, size(own)))
     }
 
     /// Adds the free bodies of each group, as large as the window can hold them in all frames.
-    fn with_groups(&self, mut views: Vec<DrawingView>, own_mu: f64, [w, h]: [f64; 2]) -> Vec<DrawingView> {
+    fn with_groups(
+        &self,
+        mut views: Vec<DrawingView>,
+        own_mu: f64,
+        [w, h]: [f64; 2],
+    ) -> Vec<DrawingView> {
         let frames = &self.frames.list;
         for group in 0..self.frames.groups.len() {
             let around = |mu: f64| {
                 let here = here();
-                let boxes = (0..frames.len()).into_par_iter().filter_map(|k| here.enter(|| Some(self.bodies(k, group, mu)?.1)));
+                let boxes = (0..frames.len())
+                    .into_par_iter()
+                    .filter_map(|k| here.enter(|| Some(self.bodies(k, group, mu)?.1)));
                 boxes.reduce_with(Rect::union).map(|r| with_names(r, self.options.style.label_mm))
             };
             let mut mu = own_mu;
@@ -209,7 +251,9 @@ impl<'a> Studio<'a> {
             let Some(lines) = around(mu) else { continue };
             let seen = about(lines.centre(), [w, h]);
             let courses = self.courses(mu);
-            let parts = self.over_frames(seen, false, |k, habits| self.freed(k, group, (mu, &courses[k]), seen, habits));
+            let parts = self.over_frames(seen, false, |k, habits| {
+                self.freed(k, group, (mu, &courses[k]), seen, habits)
+            });
             views.push(DrawingView { mu, seen, parts, group: Some(group) });
         }
         views
@@ -224,13 +268,21 @@ impl<'a> Studio<'a> {
         }
         let worked = zoom::diagram(&frame.worked, self.mu / mu);
         let by = stray(self.frames, frame) * (self.mu / mu);
-        let drawing = forces::free_bodies(&frame.scene, &worked, &self.options, &self.frames.groups[group])?;
+        let drawing =
+            forces::free_bodies(&frame.scene, &worked, &self.options, &self.frames.groups[group])?;
         let lines = drawing.bounds();
         Some((drawing, Rect::new(lines.min + by, lines.max + by), by))
     }
 
     /// The free bodies of a group over the mechanism without its letters.
-    fn freed(&self, k: usize, group: usize, (mu, course): (f64, &SeriesFeatures), seen: Rect, habits: &mut Habits) -> Option<DrawingPart> {
+    fn freed(
+        &self,
+        k: usize,
+        group: usize,
+        (mu, course): (f64, &SeriesFeatures),
+        seen: Rect,
+        habits: &mut Habits,
+    ) -> Option<DrawingPart> {
         let (drawing, lines, by) = self.bodies(k, group, mu)?;
         let room = with_names(lines, self.options.style.label_mm).union(seen);
         let mut part = drawing.finish_within(habits, Rect::new(room.min - by, room.max - by));
@@ -252,20 +304,37 @@ impl<'a> Studio<'a> {
             return self.told([0.0; 2], Vec::new());
         };
         let window = window_mm(self.label_mm());
-        let seen = |i: usize, mu: f64| about((zoom.middles[i].to_vec2() * (1.0 / mu)).to_point(), window);
+        let seen =
+            |i: usize, mu: f64| about((zoom.middles[i].to_vec2() * (1.0 / mu)).to_point(), window);
         // The own pose is drawn slightly smaller where its names would be cut off.
         let mut own = zoom.view[0];
         for _ in 0..PASSES {
-            let Some(part) = self.part(self.frames.base, own, None, seen(0, own), &mut Habits::new()) else { break };
-            let over = beyond(part.bounds, seen(0, own).centre(), window.map(|side| side + 2.0 * MARGIN_MM));
+            let Some(part) =
+                self.part(self.frames.base, own, None, seen(0, own), &mut Habits::new())
+            else {
+                break;
+            };
+            let over = beyond(
+                part.bounds,
+                seen(0, own).centre(),
+                window.map(|side| side + 2.0 * MARGIN_MM),
+            );
             if over <= 1.0 {
                 break;
             }
             own *= over;
         }
-        let layout = |i: usize, mu: f64| DrawingView { mu, seen: seen(i, mu), parts: self.parts(mu, seen(i, mu), i == 0), group: None };
-        let layouts =
-            if zoom.view[0] == zoom.view[1] { vec![layout(1, own)] } else { vec![layout(0, own), layout(1, zoom.view[1].max(own))] };
+        let layout = |i: usize, mu: f64| DrawingView {
+            mu,
+            seen: seen(i, mu),
+            parts: self.parts(mu, seen(i, mu), i == 0),
+            group: None,
+        };
+        let layouts = if zoom.view[0] == zoom.view[1] {
+            vec![layout(1, own)]
+        } else {
+            vec![layout(0, own), layout(1, zoom.view[1].max(own))]
+        };
         self.told(window, layouts)
     }
 
@@ -282,19 +351,32 @@ impl<'a> Studio<'a> {
         self.over_frames(window, held, |k, habits| self.part(k, mu, courses.get(k), window, habits))
     }
 
-    fn over_frames(&self, window: Rect, held: bool, part: impl Fn(usize, &mut Habits) -> Option<DrawingPart> + Sync) -> FrameParts {
+    fn over_frames(
+        &self,
+        window: Rect,
+        held: bool,
+        part: impl Fn(usize, &mut Habits) -> Option<DrawingPart> + Sync,
+    ) -> FrameParts {
         let frames = self.frames;
         let mut at_base = Habits::new();
         let first = part(frames.base, &mut at_base);
         let (ahead, back) = ways(frames);
         let outer = window.grown(AIR_MM);
         let outer = first.as_ref().map_or(outer, |p| outer.union(p.bounds));
-        let stays = |p: &Option<DrawingPart>| !held || p.as_ref().is_some_and(|p| outer.union(p.bounds) == outer);
+        let stays = |p: &Option<DrawingPart>| {
+            !held || p.as_ref().is_some_and(|p| outer.union(p.bounds) == outer)
+        };
         let along = |way: Vec<usize>, mut habits: Habits| -> Vec<(usize, Option<DrawingPart>)> {
-            way.into_iter().map(|k| (k, part(k, &mut habits))).take_while(|(_, p)| stays(p)).collect()
+            way.into_iter()
+                .map(|k| (k, part(k, &mut habits)))
+                .take_while(|(_, p)| stays(p))
+                .collect()
         };
         let here = here();
-        let (on, before) = rayon::join(|| here.enter(|| along(ahead, at_base.clone())), || here.enter(|| along(back, at_base.clone())));
+        let (on, before) = rayon::join(
+            || here.enter(|| along(ahead, at_base.clone())),
+            || here.enter(|| along(back, at_base.clone())),
+        );
         let mut parts: FrameParts = frames.list.iter().map(|_| None).collect();
         parts[frames.base] = first;
         on.into_iter().chain(before).for_each(|(k, part)| parts[k] = part);
@@ -305,8 +387,10 @@ impl<'a> Studio<'a> {
         if self.shows.on != DiagramKind::Plane {
             return Vec::new();
         }
-        let drawn: Vec<Worked> = self.frames.list.iter().map(|f| zoom::diagram(&f.worked, self.mu / mu)).collect();
-        let poses: Vec<_> = self.frames.list.iter().zip(&drawn).map(|(f, w)| (&f.scene, w)).collect();
+        let drawn: Vec<Worked> =
+            self.frames.list.iter().map(|f| zoom::diagram(&f.worked, self.mu / mu)).collect();
+        let poses: Vec<_> =
+            self.frames.list.iter().zip(&drawn).map(|(f, w)| (&f.scene, w)).collect();
         courses(&poses, &self.options.style, self.notation)
     }
 
@@ -314,13 +398,21 @@ impl<'a> Studio<'a> {
     fn diagram(&self, k: usize, mu: f64, course: &SeriesFeatures) -> (Drawing, Rect) {
         let (frame, times) = (&self.frames.list[k], self.mu / mu);
         let worked = zoom::diagram(&frame.worked, times);
-        let mut drawing = mechanism::drawing(&self.options.style, &frame.scene, &worked, self.notation, course);
+        let mut drawing =
+            mechanism::drawing(&self.options.style, &frame.scene, &worked, self.notation, course);
         forces::given_loads(&frame.scene, &worked, &self.options, &mut drawing);
         let (lines, by) = (drawing.bounds(), stray(self.frames, frame) * times);
         (drawing, Rect::new(lines.min + by, lines.max + by))
     }
 
-    fn part(&self, k: usize, mu: f64, course: Option<&SeriesFeatures>, window: Rect, habits: &mut Habits) -> Option<DrawingPart> {
+    fn part(
+        &self,
+        k: usize,
+        mu: f64,
+        course: Option<&SeriesFeatures>,
+        window: Rect,
+        habits: &mut Habits,
+    ) -> Option<DrawingPart> {
         let frame = &self.frames.list[k];
         match self.shows.on {
             DiagramKind::Plane => {
@@ -334,7 +426,11 @@ impl<'a> Studio<'a> {
                 let drawing = self.polygon_at(frame, mu)?;
                 // Lines too long for the window get a margin.
                 let lines = drawing.bounds();
-                let room = if window.union(lines) == window { window } else { with_names(lines, self.label_mm()).union(window) };
+                let room = if window.union(lines) == window {
+                    window
+                } else {
+                    with_names(lines, self.label_mm()).union(window)
+                };
                 Some(drawing.finish_within(habits, room))
             }
         }
@@ -344,7 +440,11 @@ impl<'a> Studio<'a> {
     fn polygon_at(&self, frame: &SolvedFrame, mu: f64) -> Option<Drawing> {
         if self.shows.on == DiagramKind::Force {
             let links = self.frames.groups.get(self.shows.part?)?;
-            let of = frame.worked.equilibrium.as_ref().filter(|_| frame.shown.contains(&DiagramKind::Force))?;
+            let of = frame
+                .worked
+                .equilibrium
+                .as_ref()
+                .filter(|_| frame.shown.contains(&DiagramKind::Force))?;
             let worked = Worked { equilibrium: Some(of.to_scale(mu)), ..frame.worked.clone() };
             return forces::polygon(&frame.scene, &worked, &self.options, links);
         }
@@ -361,7 +461,10 @@ impl<'a> Studio<'a> {
         let frames = self.frames;
         let size_mm = window.map(|side| side + 2.0 * MARGIN_MM);
         let whole = views.iter().rfind(|v| v.group.is_none());
-        let shown = whole.map_or_else(|| vec![false; frames.list.len()], |v| v.parts.iter().map(Option::is_some).collect());
+        let shown = whole.map_or_else(
+            || vec![false; frames.list.len()],
+            |v| v.parts.iter().map(Option::is_some).collect(),
+        );
         let (plans, force_plans) = (frames.plans(), frames.force_plans());
         let mut list = Vec::new();
         for DrawingView { mu, seen, parts, group } in views {
@@ -376,7 +479,9 @@ impl<'a> Studio<'a> {
                 if let Some(own) = self.shows.part {
                     // An item that several parts show has a name of its own in each.
                     let whole = self.shows.on.prefix();
-                    part.items.iter_mut().for_each(|i| i.id = i.id.replacen(whole, &format!("{whole}-{}", own + 1), 1));
+                    part.items.iter_mut().for_each(|i| {
+                        i.id = i.id.replacen(whole, &format!("{whole}-{}", own + 1), 1)
+                    });
                 }
                 back[k] = beyond(part.bounds, middle, size_mm);
                 let mut drawn = frames.list[k].worked.construction.acts.chosen.clone();
@@ -398,7 +503,10 @@ fn ways(frames: &Frames) -> (Vec<usize>, Vec<usize>) {
     let (base, count) = (frames.base, frames.list.len());
     if frames.full {
         let half = count / 2;
-        ((1..=half).map(|k| (base + k) % count).collect(), (1..count - half).map(|k| (base + count - k) % count).collect())
+        (
+            (1..=half).map(|k| (base + k) % count).collect(),
+            (1..count - half).map(|k| (base + count - k) % count).collect(),
+        )
     } else {
         ((base + 1..count).collect(), (0..base).rev().collect())
     }
@@ -422,9 +530,17 @@ fn about(centre: Point, [w, h]: [f64; 2]) -> Rect {
 
 /// A frame's polygon, if it is on the paper, and the writer of its letters (independent of the
 /// language).
-fn polygon_of<'a>(frame: &'a SolvedFrame, shows: Shows, notation: &'a Notation) -> Option<(PlanWriter<'a>, &'a Polygon)> {
-    let p = frame.worked.construction.polygon(shows.on).filter(|_| frame.shown.contains(&shows.on))?;
-    Some((PlanWriter { scene: &frame.scene, plan: &frame.worked.plan, notation, lang: Lang::En }, p))
+fn polygon_of<'a>(
+    frame: &'a SolvedFrame,
+    shows: Shows,
+    notation: &'a Notation,
+) -> Option<(PlanWriter<'a>, &'a Polygon)> {
+    let p =
+        frame.worked.construction.polygon(shows.on).filter(|_| frame.shown.contains(&shows.on))?;
+    Some((
+        PlanWriter { scene: &frame.scene, plan: &frame.worked.plan, notation, lang: Lang::En },
+        p,
+    ))
 }
 
 /// The part of a split polygon that a drawing shows.
@@ -435,6 +551,7 @@ fn share_of(frames: &Frames, shows: Shows) -> Option<Share<'_>> {
 /// Displacement (mm) that brings a frame's diagram over that of the scene's own pose: the origin of
 /// the diagram may be a moving point.
 pub fn stray(frames: &Frames, frame: &SolvedFrame) -> Vec2 {
-    let (here, first) = (&frame.worked.construction.diagram, &frames.list[frames.base].worked.construction.diagram);
+    let (here, first) =
+        (&frame.worked.construction.diagram, &frames.list[frames.base].worked.construction.diagram);
     (here.origin - first.origin) * (1.0 / first.mu)
 }

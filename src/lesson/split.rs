@@ -38,13 +38,22 @@ impl PolygonSplit {
     /// poses.
     pub fn ends(&self, worked: &Worked, on: DiagramKind, part: usize) -> Vec<Option<Point>> {
         let Some(p) = worked.construction.polygon(on) else { return Vec::new() };
-        self.share(part).ends(p).into_iter().map(|end| end.map(|q| (q.to_vec2() * p.mu).to_point())).collect()
+        self.share(part)
+            .ends(p)
+            .into_iter()
+            .map(|end| end.map(|q| (q.to_vec2() * p.mu).to_point()))
+            .collect()
     }
 }
 
 /// The split of a polygon over all poses, if it is split, and the type size of each of its drawings
 /// (mm): small where there are many vectors.
-pub fn split(poses: &[(&Scene, &Worked)], on: DiagramKind, style: &Style, notation: &Notation) -> (Option<PolygonSplit>, Vec<f64>) {
+pub fn split(
+    poses: &[(&Scene, &Worked)],
+    on: DiagramKind,
+    style: &Style,
+    notation: &Notation,
+) -> (Option<PolygonSplit>, Vec<f64>) {
     let drawn = || {
         poses.iter().filter_map(|(scene, worked)| {
             let w = PlanWriter { scene, plan: &worked.plan, notation, lang: Lang::En };

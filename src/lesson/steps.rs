@@ -30,22 +30,49 @@ pub const LANGS: [Lang; 2] = [Lang::En, Lang::Zh];
 pub fn steps(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
     let mut steps = Vec::new();
     let here = here();
-    let told: Vec<CertifiedSteps> = frames.list.par_iter().map(|f| here.enter(|| certified_steps(&f.scene, &f.worked, None))).collect();
+    let told: Vec<CertifiedSteps> = frames
+        .list
+        .par_iter()
+        .map(|f| here.enter(|| certified_steps(&f.scene, &f.worked, None)))
+        .collect();
     for on in DiagramKind::POLYGONS {
-        let of = |lang| frames.list.iter().zip(&told).map(|(f, t)| polygon_sentences(f, t, on, notation, lang)).collect::<Vec<_>>();
+        let of = |lang| {
+            frames
+                .list
+                .iter()
+                .zip(&told)
+                .map(|(f, t)| polygon_sentences(f, t, on, notation, lang))
+                .collect::<Vec<_>>()
+        };
         let split = frames.split.of(on.kind());
         let shows = |n: usize| Shows { on, part: split.map(|s| s.part_of(n.checked_sub(1))) };
         listed(LANGS.map(of), shows, formulas, &mut steps);
     }
     for (group, links) in frames.groups.iter().enumerate() {
-        let of = |lang| frames.list.iter().map(|f| group_sentences(f, links, notation, lang)).collect::<Vec<_>>();
-        listed(LANGS.map(of), |_| Shows { on: DiagramKind::Force, part: Some(group) }, formulas, &mut steps);
+        let of = |lang| {
+            frames
+                .list
+                .iter()
+                .map(|f| group_sentences(f, links, notation, lang))
+                .collect::<Vec<_>>()
+        };
+        listed(
+            LANGS.map(of),
+            |_| Shows { on: DiagramKind::Force, part: Some(group) },
+            formulas,
+            &mut steps,
+        );
     }
     steps
 }
 
 /// Adds the steps of one list: for each language and frame its sentences.
-fn listed(mut said: [Vec<Vec<String>>; 2], shows: impl Fn(usize) -> Shows, formulas: &mut Formulas, steps: &mut Vec<Value>) {
+fn listed(
+    mut said: [Vec<Vec<String>>; 2],
+    shows: impl Fn(usize) -> Shows,
+    formulas: &mut Formulas,
+    steps: &mut Vec<Value>,
+) {
     let count = said[0].iter().map(Vec::len).max().unwrap_or(0);
     // A pose in which fewer vectors are drawn gets a sentence for the steps of the others, too.
     for (lang, frames) in LANGS.into_iter().zip(&mut said) {
@@ -67,14 +94,27 @@ fn in_both(said: impl Fn(usize) -> Vec<Option<String>>, formulas: &mut Formulas)
     [en, zh]
 }
 
-fn polygon_sentences(frame: &SolvedFrame, told: &CertifiedSteps, on: DiagramKind, notation: &Notation, lang: Lang) -> Vec<String> {
-    let Some(p) = frame.worked.construction.polygon(on).filter(|_| !frame.end) else { return Vec::new() };
+fn polygon_sentences(
+    frame: &SolvedFrame,
+    told: &CertifiedSteps,
+    on: DiagramKind,
+    notation: &Notation,
+    lang: Lang,
+) -> Vec<String> {
+    let Some(p) = frame.worked.construction.polygon(on).filter(|_| !frame.end) else {
+        return Vec::new();
+    };
     let w = PlanWriter { scene: &frame.scene, plan: &frame.worked.plan, notation, lang };
     sentences(&w, &frame.worked.construction, p, told).iter().map(Phrase::source).collect()
 }
 
 /// The sentences of a group's equilibrium in a frame; none where the pose does not draw it.
-fn group_sentences(frame: &SolvedFrame, links: &[LinkId], notation: &Notation, lang: Lang) -> Vec<String> {
+fn group_sentences(
+    frame: &SolvedFrame,
+    links: &[LinkId],
+    notation: &Notation,
+    lang: Lang,
+) -> Vec<String> {
     let Some((w, group)) = writer(frame, links, notation, lang) else { return Vec::new() };
     w.steps(group).iter().map(Phrase::source).collect()
 }
@@ -86,18 +126,32 @@ pub(super) fn writer<'a>(
     notation: &'a Notation,
     lang: Lang,
 ) -> Option<(ForceWriter<'a>, &'a GroupForces)> {
-    let of = frame.worked.equilibrium.as_ref().filter(|_| frame.shown.contains(&DiagramKind::Force))?;
+    let of =
+        frame.worked.equilibrium.as_ref().filter(|_| frame.shown.contains(&DiagramKind::Force))?;
     Some((ForceWriter { scene: &frame.scene, notation, lang, of }, of.group_of(links)?))
 }
 
 /// The answers: for each question its value in all frames, English and Chinese.
-pub fn answers(frames: &Frames, swept: Swept, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
+pub fn answers(
+    frames: &Frames,
+    swept: Swept,
+    notation: &Notation,
+    formulas: &mut Formulas,
+) -> Vec<Value> {
     let here = here();
-    let certified: Vec<Vec<Certified>> = frames.list.par_iter().map(|f| here.enter(|| certified(f, swept))).collect();
+    let certified: Vec<Vec<Certified>> =
+        frames.list.par_iter().map(|f| here.enter(|| certified(f, swept))).collect();
     let finds = frames.list.first().map_or(0, |f| f.scene.find.len());
     (0..finds)
         .map(|i| {
-            let said = |l: usize| frames.list.iter().zip(&certified).map(|(f, c)| answer(f, c, i, notation, LANGS[l])).collect();
+            let said = |l: usize| {
+                frames
+                    .list
+                    .iter()
+                    .zip(&certified)
+                    .map(|(f, c)| answer(f, c, i, notation, LANGS[l]))
+                    .collect()
+            };
             let [en, zh] = in_both(said, formulas);
             json!([en, zh])
         })
@@ -123,10 +177,24 @@ pub(super) fn certified(frame: &SolvedFrame, swept: Swept) -> Vec<Certified> {
     list
 }
 
-pub(super) fn answer(frame: &SolvedFrame, certified: &[Certified], i: usize, notation: &Notation, lang: Lang) -> Option<String> {
+pub(super) fn answer(
+    frame: &SolvedFrame,
+    certified: &[Certified],
+    i: usize,
+    notation: &Notation,
+    lang: Lang,
+) -> Option<String> {
     // At a dead centre some questions have no answer.
     let (r, c) = frame.worked.results.iter().zip(certified).find(|(r, _)| r.find == i)?;
     let find = &frame.scene.find[r.find];
     let sense = sense(find, r.value(), c, words(lang), DIGITS).plain();
-    Some(format!("${} = {}$ {sense}", symbol(find, notation), amount(&frame.scene.book, find, r.value(), c, DIGITS)).trim_end().to_owned())
+    Some(
+        format!(
+            "${} = {}$ {sense}",
+            symbol(find, notation),
+            amount(&frame.scene.book, find, r.value(), c, DIGITS)
+        )
+        .trim_end()
+        .to_owned(),
+    )
 }

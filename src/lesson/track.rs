@@ -35,7 +35,8 @@ struct TrackElement {
     head: Option<ArrowHead>,
 }
 
-/// The numbers of an arrow's markup: ends of the shaft (x, x, y, y), then the corners of the head, the tip first.
+/// The numbers of an arrow's markup: ends of the shaft (x, x, y, y), then the corners of the head,
+/// the tip first.
 const ARROW: usize = 12;
 /// Indices of the coordinates of the two ends: x and y.
 const ENDS: [usize; 4] = [0, 2, 4, 5];
@@ -64,7 +65,14 @@ impl DrawingTrack {
     /// A drawing on a paper of this height, over this number of frames; `base` is the frame of the
     /// scene's own pose.
     pub fn new(height_mm: f64, base: usize, count: usize) -> DrawingTrack {
-        DrawingTrack { elements_of: Elements::new(height_mm), base, count, order: Vec::new(), elements: Vec::new(), known: HashMap::new() }
+        DrawingTrack {
+            elements_of: Elements::new(height_mm),
+            base,
+            count,
+            order: Vec::new(),
+            elements: Vec::new(),
+            known: HashMap::new(),
+        }
     }
 
     /// Adds the items of a frame, in any order of frames. `drawn` distinguishes drawings: a polygon
@@ -73,7 +81,12 @@ impl DrawingTrack {
     ///
     /// # Errors
     /// Those of the SVG writer.
-    pub fn add(&mut self, frame: usize, items: &[FigureItem], drawn: &[usize]) -> Result<(), Faults> {
+    pub fn add(
+        &mut self,
+        frame: usize,
+        items: &[FigureItem],
+        drawn: &[usize],
+    ) -> Result<(), Faults> {
         // Blank labels have the same places; the outlines of letters are not needed in every frame.
         let blank: Vec<FigureItem> = items.iter().map(blank).collect();
         let mut after = None;
@@ -84,7 +97,9 @@ impl DrawingTrack {
                 Some(&index) => index,
                 None => {
                     let index = self.elements.len();
-                    let place = after.and_then(|a| self.order.iter().position(|e| *e == a)).map_or(0, |p| p + 1);
+                    let place = after
+                        .and_then(|a| self.order.iter().position(|e| *e == a))
+                        .map_or(0, |p| p + 1);
                     self.order.insert(place, index);
                     let markup = self.markup(item)?;
                     let mut head = None;
@@ -93,7 +108,12 @@ impl DrawingTrack {
                     {
                         head = Some(of);
                     }
-                    self.elements.push(TrackElement { markup, at_base: false, frames: vec![None; self.count], head });
+                    self.elements.push(TrackElement {
+                        markup,
+                        at_base: false,
+                        frames: vec![None; self.count],
+                        head,
+                    });
                     self.known.insert(key, index);
                     index
                 }
@@ -113,7 +133,9 @@ impl DrawingTrack {
     fn markup(&mut self, item: &FigureItem) -> Result<String, Faults> {
         let text = self.elements_of.of(std::slice::from_ref(item))?.concat();
         Ok(match item.link {
-            Some(link) if item.class.starts_with("mechanism") => with(&text, &format!("data-l=\"{link}\"")),
+            Some(link) if item.class.starts_with("mechanism") => {
+                with(&text, &format!("data-l=\"{link}\""))
+            }
             _ => text,
         })
     }
@@ -126,7 +148,8 @@ impl DrawingTrack {
         let mut columns_told: HashMap<(Vec<usize>, Vec<i64>), usize> = HashMap::new();
         for (place, element) in self.order.iter().map(|e| &self.elements[*e]).enumerate() {
             let seen: Vec<&Vec<i64>> = element.frames.iter().flatten().collect();
-            let changing: Vec<usize> = (0..seen[0].len()).filter(|n| seen.iter().any(|f| f[*n] != seen[0][*n])).collect();
+            let changing: Vec<usize> =
+                (0..seen[0].len()).filter(|n| seen.iter().any(|f| f[*n] != seen[0][*n])).collect();
             let arrow = element.head.filter(|_| !changing.is_empty());
             let markup = if element.at_base && at_once {
                 element.markup.clone()
@@ -154,7 +177,9 @@ impl DrawingTrack {
                 }
             }
             let parts = match arrow {
-                Some(ArrowHead { length_mm, width_mm, notch }) => vec![format!("0 arrow {length_mm} {width_mm} {notch} {HEAD_PART_MAX}")],
+                Some(ArrowHead { length_mm, width_mm, notch }) => {
+                    vec![format!("0 arrow {length_mm} {width_mm} {notch} {HEAD_PART_MAX}")]
+                }
                 None => places(&element.markup, &changing),
             };
             told.moving.push(serde_json::json!([place, runs, parts, columns]));
@@ -163,7 +188,8 @@ impl DrawingTrack {
     }
 }
 
-/// Lengths of the runs of frames in which something is seen, not seen, seen …; empty where it is seen in all.
+/// Lengths of the runs of frames in which something is seen, not seen, seen …; empty where it is
+/// seen in all.
 pub fn runs(frames: impl IntoIterator<Item = bool>) -> Vec<usize> {
     let mut runs = vec![0];
     let mut seen = true;
@@ -219,12 +245,15 @@ fn attributes(markup: &str) -> Vec<Attribute<'_>> {
     let mut list = Vec::new();
     let mut pieces = markup.split('"');
     while let Some(before) = pieces.next() {
-        let opened = before.match_indices('<').filter(|(i, _)| !before[i + 1..].starts_with('/')).count();
+        let opened =
+            before.match_indices('<').filter(|(i, _)| !before[i + 1..].starts_with('/')).count();
         if opened > 0 {
             part += opened - usize::from(!begun);
             begun = true;
         }
-        let (Some(name), Some(value)) = (before.rsplit([' ', '<']).next(), pieces.next()) else { break };
+        let (Some(name), Some(value)) = (before.rsplit([' ', '<']).next(), pieces.next()) else {
+            break;
+        };
         list.push(Attribute { part, name: name.trim_end_matches('='), value });
     }
     list
@@ -309,7 +338,8 @@ fn places(markup: &str, changing: &[usize]) -> Vec<String> {
     let mut n = 0;
     for a in attributes(markup).iter().filter(|a| GEOMETRY.contains(&a.name)) {
         let count = numerals(a.value).len();
-        let mine: Vec<String> = (0..count).filter(|k| changing.contains(&(n + k))).map(|k| k.to_string()).collect();
+        let mine: Vec<String> =
+            (0..count).filter(|k| changing.contains(&(n + k))).map(|k| k.to_string()).collect();
         if !mine.is_empty() {
             list.push(format!("{} {} {}", a.part, a.name, mine.join(" ")));
         }
@@ -326,33 +356,58 @@ mod tests {
 
     #[test]
     fn markup_is_taken_apart() {
-        let (form, numbers) = taken_apart("<g id=\"v3\"><line x1=\"-1.5\" y1=\"2\"/>\n<path d=\"M0 1A3 3 0 0 1 4 5.25Z\"/></g>");
+        let (form, numbers) = taken_apart(
+            "<g id=\"v3\"><line x1=\"-1.5\" y1=\"2\"/>\n<path d=\"M0 1A3 3 0 0 1 4 5.25Z\"/></g>",
+        );
         assert_eq!(form, "0 id=v31 x1=#1 y1=#2 d=M# #A# # 0 0 1 # #Z");
         assert_eq!(numbers, [-300, 400, 0, 200, 600, 600, 800, 1050]);
     }
 
     #[test]
     fn numbers_that_are_told_elsewhere_are_left_out() {
-        let markup = "<g id=\"v3\"><line x1=\"-1.5\" y1=\"2\"/><path d=\"M0 1A3 3 0 0 1 4-5.25Z\"/></g>";
+        let markup =
+            "<g id=\"v3\"><line x1=\"-1.5\" y1=\"2\"/><path d=\"M0 1A3 3 0 0 1 4-5.25Z\"/></g>";
         let left = without(markup, &[0, 6, 7]);
-        assert_eq!(left, "<g id=\"v3\"><line x1=\"0\" y1=\"2\"/><path d=\"M0 1A3 3 0 0 1 0 0Z\"/></g>");
+        assert_eq!(
+            left,
+            "<g id=\"v3\"><line x1=\"0\" y1=\"2\"/><path d=\"M0 1A3 3 0 0 1 0 0Z\"/></g>"
+        );
         assert_eq!(taken_apart(&left).1.len(), taken_apart(markup).1.len());
     }
 
     #[test]
     fn an_element_that_comes_and_goes() {
         let line = |id: &str, x: f64| {
-            FigureItem::new("link", Shape::Line { from: Point::ORIGIN, to: Point::new(x, 3.0), stroke: LineStroke::new(0.5) }).with_id(id)
+            FigureItem::new(
+                "link",
+                Shape::Line {
+                    from: Point::ORIGIN,
+                    to: Point::new(x, 3.0),
+                    stroke: LineStroke::new(0.5),
+                },
+            )
+            .with_id(id)
         };
         let mut track = DrawingTrack::new(10.0, 0, 3);
         track.add(0, &[line("a", 1.0), line("c", 1.0)], &[]).unwrap();
         track.add(1, &[line("a", 2.0), line("b", 5.0), line("c", 1.0)], &[]).unwrap();
         track.add(2, &[line("a", 3.0), line("c", 1.0)], &[]).unwrap();
         let told = track.output(true);
-        let ids: Vec<usize> = ["\"a\"", "\"b\"", "\"c\""].iter().map(|id| told.markup.find(id).unwrap()).collect();
-        assert!(ids.is_sorted() && told.markup.contains("<line display=\"none\""), "{}", told.markup);
+        let ids: Vec<usize> =
+            ["\"a\"", "\"b\"", "\"c\""].iter().map(|id| told.markup.find(id).unwrap()).collect();
+        assert!(
+            ids.is_sorted() && told.markup.contains("<line display=\"none\""),
+            "{}",
+            told.markup
+        );
         assert_eq!(told.moving.len(), 2);
-        assert_eq!((&told.moving[0][0], &told.moving[0][2]), (&0.into(), &serde_json::json!(["0 x2 0"])));
-        assert_eq!((&told.moving[1][0], &told.moving[1][1]), (&1.into(), &serde_json::json!([0, 1, 1, 1])));
+        assert_eq!(
+            (&told.moving[0][0], &told.moving[0][2]),
+            (&0.into(), &serde_json::json!(["0 x2 0"]))
+        );
+        assert_eq!(
+            (&told.moving[1][0], &told.moving[1][1]),
+            (&1.into(), &serde_json::json!([0, 1, 1, 1]))
+        );
     }
 }

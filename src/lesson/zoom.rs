@@ -73,7 +73,8 @@ pub struct Zoom {
 /// The two windows of a drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Windows {
-    /// SI per mm of the window, for the scene's own pose and for all of them; equal where one window serves both.
+    /// SI per mm of the window, for the scene's own pose and for all of them; equal where one
+    /// window serves both.
     pub view: [f64; 2],
     /// Centres of the two windows (SI): the middles of the vectors that they are made for.
     pub middles: [Point; 2],
@@ -118,10 +119,18 @@ impl Zoom {
         let base = poses.iter().min_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))?.1;
         let own_mu = || match on {
             DiagramKind::Force => base.equilibrium.as_ref().map(Equilibrium::mu),
-            DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Acceleration => base.construction.polygon(on).map(|p| p.mu),
+            DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Acceleration => {
+                base.construction.polygon(on).map(|p| p.mu)
+            }
         };
         let usual = if own.size >= half { own_mu() } else { None };
-        let usual_mu = || scale::choose_in(paper.unit(on.kind()), extent(Sight::around(&whole, half).into_iter()), boxes.polygon);
+        let usual_mu = || {
+            scale::choose_in(
+                paper.unit(on.kind()),
+                extent(Sight::around(&whole, half).into_iter()),
+                boxes.polygon,
+            )
+        };
         let mu = fixed.or(usual).unwrap_or_else(|| if half > 0.0 { usual_mu() } else { one });
         let windows = match parts {
             None => vec![Windows::of(&whole, label_mm[0], one)?],
@@ -142,7 +151,11 @@ impl Zoom {
 }
 
 impl Sight {
-    fn list(poses: &[(f64, &Worked)], held: impl Fn(&Worked) -> bool, seen: impl Fn(&Worked) -> (f64, Vec<Point>)) -> Vec<Sight> {
+    fn list(
+        poses: &[(f64, &Worked)],
+        held: impl Fn(&Worked) -> bool,
+        seen: impl Fn(&Worked) -> (f64, Vec<Point>),
+    ) -> Vec<Sight> {
         let of = |(travel, w): &(f64, &Worked)| {
             let (size, ends) = seen(w);
             Sight { travel: *travel, held: held(w), size, ends }
@@ -180,9 +193,13 @@ impl Windows {
             (w / inner[0]).max(h / inner[1])
         };
         let typical = own.max(middling);
-        let all = Sight::around(list, if typical > 0.0 { LONGEST * typical } else { f64::INFINITY });
-        let shown: Vec<Point> =
-            if own >= least { base.ends.iter().copied().chain([Point::ORIGIN]).collect() } else { Sight::around(list, least) };
+        let all =
+            Sight::around(list, if typical > 0.0 { LONGEST * typical } else { f64::INFINITY });
+        let shown: Vec<Point> = if own >= least {
+            base.ends.iter().copied().chain([Point::ORIGIN]).collect()
+        } else {
+            Sight::around(list, least)
+        };
         let (turn, own) = (needed(&all), needed(&shown));
         let two = own > 0.0 && turn > GAIN * own;
         let view = match (turn > 0.0, two) {
@@ -198,7 +215,8 @@ impl Windows {
     /// that. Ends from the pole (SI).
     pub fn place(&self, mut ends: impl Iterator<Item = Point>) -> usize {
         let at = self.middles[0];
-        let inside = |p: Point| (p.x - at.x).abs() <= self.half[0] && (p.y - at.y).abs() <= self.half[1];
+        let inside =
+            |p: Point| (p.x - at.x).abs() <= self.half[0] && (p.y - at.y).abs() <= self.half[1];
         usize::from(self.view[0] < self.view[1] && !ends.all(inside))
     }
 }
@@ -206,7 +224,10 @@ impl Windows {
 /// The middle of the box around points.
 fn middle(points: &[Point]) -> Point {
     let axis = |of: fn(&Point) -> f64| {
-        let (low, high) = points.iter().map(of).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+        let (low, high) = points
+            .iter()
+            .map(of)
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
         0.5 * (low + high)
     };
     Point::new(axis(|p| p.x), axis(|p| p.y))

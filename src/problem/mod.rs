@@ -86,7 +86,9 @@ pub fn read_of(source: impl AsRef<[u8]>, kind: Kind) -> Result<Warned<Problem>, 
 fn read_kind(source: &[u8], kind: Kind, extent: Extent) -> Result<Warned<Problem>, Faults> {
     match kind {
         Kind::Task => Ok(synthesis::read(source)?.map(|task| Problem::Task(Box::new(task)))),
-        Kind::Motion => Ok(particle::read(source)?.map(|problem| Problem::Motion(Box::new(problem)))),
+        Kind::Motion => {
+            Ok(particle::read(source)?.map(|problem| Problem::Motion(Box::new(problem))))
+        }
         Kind::Scene => {
             let Warned { value, mut notes } = match extent {
                 Extent::Motion => crate::scene::read_at_any_rate(source),
@@ -98,7 +100,9 @@ fn read_kind(source: &[u8], kind: Kind, extent: Extent) -> Result<Warned<Problem
             }
             let read = match extent {
                 Extent::Motion => Problem::of_scene(value),
-                Extent::Pose => Warned { value: Problem::Scene(Box::new(value)), notes: Vec::new() },
+                Extent::Pose => {
+                    Warned { value: Problem::Scene(Box::new(value)), notes: Vec::new() }
+                }
             };
             notes.extend(read.notes);
             Ok(Warned { value: read.value, notes })
@@ -213,7 +217,12 @@ pub struct Look {
 
 impl Default for Look {
     fn default() -> Look {
-        Look { lang: None, notation: None, style: Style::default(), digits: crate::report::answers::DIGITS }
+        Look {
+            lang: None,
+            notation: None,
+            style: Style::default(),
+            digits: crate::report::answers::DIGITS,
+        }
     }
 }
 
@@ -226,7 +235,12 @@ impl Look {
     }
 
     fn sheet(&self, lang: Lang, notation: &Notation) -> sheet::SheetOptions {
-        sheet::SheetOptions { lang, notation: self.style.marks.over(notation), digits: self.digits, style: self.style.clone() }
+        sheet::SheetOptions {
+            lang,
+            notation: self.style.marks.over(notation),
+            digits: self.digits,
+            style: self.style.clone(),
+        }
     }
 }
 
@@ -264,7 +278,12 @@ pub struct Lesson {
 
 impl Default for Lesson {
     fn default() -> Lesson {
-        Lesson { positions: crate::lesson::POSITIONS, swept: Swept::Driver(0), reveal: false, width_mm: None }
+        Lesson {
+            positions: crate::lesson::POSITIONS,
+            swept: Swept::Driver(0),
+            reveal: false,
+            width_mm: None,
+        }
     }
 }
 
@@ -330,7 +349,9 @@ impl Solved {
     /// describes it.
     pub fn json(&self, look: &Look, steps: bool, notes: &[Diagnostic]) -> Json {
         let mut all = json!({"schema": SCHEMA, "kind": self.answered.kind().word()});
-        if let (Json::Object(all), Json::Object(told)) = (&mut all, self.answered.json(look, steps, notes)) {
+        if let (Json::Object(all), Json::Object(told)) =
+            (&mut all, self.answered.json(look, steps, notes))
+        {
             all.extend(told);
         }
         all
@@ -349,7 +370,12 @@ impl Solved {
     ///
     /// # Errors
     /// `attempt` for a mistake that cannot be made in this scene; those of the drawings.
-    pub fn worksheet(&self, sides: WorksheetSides, mistake: Option<&str>, look: &Look) -> Result<Document, Faults> {
+    pub fn worksheet(
+        &self,
+        sides: WorksheetSides,
+        mistake: Option<&str>,
+        look: &Look,
+    ) -> Result<Document, Faults> {
         self.answered.worksheet(sides, mistake, look)
     }
 
@@ -384,7 +410,12 @@ trait Answered: std::fmt::Debug + Send + Sync {
     fn kind(&self) -> Kind;
     fn json(&self, look: &Look, steps: bool, notes: &[Diagnostic]) -> Json;
     fn figures(&self, pictures: &Pictures, look: &Look) -> Result<Warned<Pages>, Faults>;
-    fn worksheet(&self, sides: WorksheetSides, mistake: Option<&str>, look: &Look) -> Result<Document, Faults>;
+    fn worksheet(
+        &self,
+        sides: WorksheetSides,
+        mistake: Option<&str>,
+        look: &Look,
+    ) -> Result<Document, Faults>;
     fn lesson(&self, lesson: &Lesson, look: &Look) -> Result<Warned<String>, Faults>;
 
     fn verdict(&self) -> Verdict {

@@ -27,7 +27,10 @@ pub(super) fn solve(problem: &ParticleProblem) -> Result<Solved, Faults> {
     let solved = particle::solve(problem)?;
     let board = board::draw(problem)?;
     let notes = board.iter().filter_map(|d| d.unread.clone()).collect();
-    Ok(Solved { notes, answered: Box::new(MotionSolution { problem: problem.clone(), solved, board }) })
+    Ok(Solved {
+        notes,
+        answered: Box::new(MotionSolution { problem: problem.clone(), solved, board }),
+    })
 }
 
 impl MotionSolution {
@@ -37,7 +40,8 @@ impl MotionSolution {
 
     /// The style, with the marks of the requested notation in addition to its own.
     fn style(&self, look: &Look) -> Style {
-        let marks = look.notation.as_ref().map(|notation| Marks::of(look.style.marks.over(notation)));
+        let marks =
+            look.notation.as_ref().map(|notation| Marks::of(look.style.marks.over(notation)));
         Style { marks: marks.unwrap_or_else(|| look.style.marks.clone()), ..look.style.clone() }
     }
 
@@ -72,7 +76,14 @@ impl Answered for MotionSolution {
                 find: find.text.clone(),
                 unit: report::kind(find.what).map_or("", |q| q.si()),
                 value: parts.as_deref().and_then(in_plane),
-                text: report::value(&self.problem.book, find.what, &a.value, size, look.digits, lang),
+                text: report::value(
+                    &self.problem.book,
+                    find.what,
+                    &a.value,
+                    size,
+                    look.digits,
+                    lang,
+                ),
                 drawn: report::drawn(&self.board, find.what).and_then(in_plane),
                 difference: self.apart(a),
             }
@@ -83,7 +94,14 @@ impl Answered for MotionSolution {
     fn text(&self, look: &Look, steps: bool) -> String {
         let lang = self.lang(look);
         let notation = look.notation.clone().unwrap_or_else(|| Notation::of_language(lang));
-        report::text(&self.problem, &self.solved, &self.board, look.digits, steps.then_some(&notation), lang)
+        report::text(
+            &self.problem,
+            &self.solved,
+            &self.board,
+            look.digits,
+            steps.then_some(&notation),
+            lang,
+        )
     }
 
     fn kind(&self) -> Kind {
@@ -95,7 +113,13 @@ impl Answered for MotionSolution {
     }
 
     fn figures(&self, pictures: &Pictures, look: &Look) -> Result<Warned<Pages>, Faults> {
-        let mut pages = figure::figures(&self.problem, &self.solved, &self.board, &self.style(look), self.lang(look))?;
+        let mut pages = figure::figures(
+            &self.problem,
+            &self.solved,
+            &self.board,
+            &self.style(look),
+            self.lang(look),
+        )?;
         if pages.is_empty() {
             let message = both!(
                 "there is nothing to draw: no point pursues another one or moves on a plate",
@@ -113,10 +137,23 @@ impl Answered for MotionSolution {
         Ok(Warned { value: pages, notes: Vec::new() })
     }
 
-    fn worksheet(&self, sides: WorksheetSides, _: Option<&str>, look: &Look) -> Result<Document, Faults> {
-        let sheet =
-            sheet::SheetOptions { style: self.style(look), digits: look.digits, ..sheet::SheetOptions::of_language(self.lang(look)) };
-        Ok(worksheet::particle(&self.problem, &self.solved, &self.board, &worksheet::WorksheetOptions { sheet, sides })?)
+    fn worksheet(
+        &self,
+        sides: WorksheetSides,
+        _: Option<&str>,
+        look: &Look,
+    ) -> Result<Document, Faults> {
+        let sheet = sheet::SheetOptions {
+            style: self.style(look),
+            digits: look.digits,
+            ..sheet::SheetOptions::of_language(self.lang(look))
+        };
+        Ok(worksheet::particle(
+            &self.problem,
+            &self.solved,
+            &self.board,
+            &worksheet::WorksheetOptions { sheet, sides },
+        )?)
     }
 
     fn lesson(&self, wanted: &Lesson, look: &Look) -> Result<Warned<String>, Faults> {
@@ -124,7 +161,12 @@ impl Answered for MotionSolution {
             Swept::Driver(k) => k,
             Swept::Time => 0,
         };
-        let options = lesson::MotionOptions { lang: self.lang(look), style: self.style(look), positions: wanted.positions, motion };
+        let options = lesson::MotionOptions {
+            lang: self.lang(look),
+            style: self.style(look),
+            positions: wanted.positions,
+            motion,
+        };
         let value = lesson::lesson(&self.problem, &options)?;
         Ok(Warned { value, notes: Vec::new() })
     }

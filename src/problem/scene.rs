@@ -78,9 +78,14 @@ impl SceneSolution {
     fn asked<'a>(&self, pictures: &Pictures<'a>) -> Vec<&'a FigureEntry> {
         let there = pictures.figures.iter().any(|e| e.name == list::MECHANISM.name);
         let alone: [&'static FigureEntry; 1] = [list::MECHANISM];
-        let asked: Vec<&'a FigureEntry> =
-            if pictures.extras.of_mechanism_alone() && !there { alone.to_vec() } else { pictures.figures.to_vec() };
-        let first = |(k, entry): (usize, &&'a FigureEntry)| (!asked[..k].iter().any(|e| e.name == entry.name)).then_some(*entry);
+        let asked: Vec<&'a FigureEntry> = if pictures.extras.of_mechanism_alone() && !there {
+            alone.to_vec()
+        } else {
+            pictures.figures.to_vec()
+        };
+        let first = |(k, entry): (usize, &&'a FigureEntry)| {
+            (!asked[..k].iter().any(|e| e.name == entry.name)).then_some(*entry)
+        };
         asked.iter().enumerate().filter_map(first).collect()
     }
 }
@@ -91,16 +96,40 @@ impl Answered for SceneSolution {
         let certified = self.certified(look);
         let without = |find: usize, text: String| {
             let find = &self.scene.find[find];
-            Answer { find: find.text.clone(), unit: find.what.kind().si(), value: None, text, drawn: None, difference: None }
+            Answer {
+                find: find.text.clone(),
+                unit: find.what.kind().si(),
+                value: None,
+                text,
+                drawn: None,
+                difference: None,
+            }
         };
         let answer = |line: AnswerLine| match line {
             AnswerLine::Answer(r, c) => Answer {
                 value: Some(r.value()),
                 drawn: r.drawn.as_ref().map(|d| d.value),
                 difference: r.agreement.map(|a| a.difference),
-                ..without(r.find, answers::value_words(&self.scene.book, &self.scene.find[r.find], r.value(), c, look.digits, lang))
+                ..without(
+                    r.find,
+                    answers::value_words(
+                        &self.scene.book,
+                        &self.scene.find[r.find],
+                        r.value(),
+                        c,
+                        look.digits,
+                        lang,
+                    ),
+                )
             },
-            AnswerLine::None(u) => without(u.find, format!("{} ({})", answers::verdict(u, lang), answers::reason(&self.scene, u, lang))),
+            AnswerLine::None(u) => without(
+                u.find,
+                format!(
+                    "{} ({})",
+                    answers::verdict(u, lang),
+                    answers::reason(&self.scene, u, lang)
+                ),
+            ),
             AnswerLine::InfiniteCentre(far) => without(far.find, answers::at_infinity(far, lang)),
         };
         answers::lines(&self.worked, &certified).into_iter().map(answer).collect()
@@ -125,7 +154,10 @@ impl Answered for SceneSolution {
                 let forces = ForceWriter { scene, notation: &notation, lang, of };
                 out += &format!("\n{}", forces.text());
                 let (lever, pole) = (zhukovsky(scene, worked), w.pole(DiagramKind::Velocity));
-                out += &forces.checks_text(&worked.configuration, lever.as_ref().map(|lever| (lever, pole.as_str())));
+                out += &forces.checks_text(
+                    &worked.configuration,
+                    lever.as_ref().map(|lever| (lever, pole.as_str())),
+                );
             }
         }
         out
@@ -146,7 +178,11 @@ impl Answered for SceneSolution {
         let wanted = FigureInput { scene, worked, options: &options, extras: &pictures.extras };
         if pictures.steps {
             let value = fit::steps(&wanted, pictures.width_mm)?;
-            return if value.is_empty() { Err(no_steps().into()) } else { Ok(Warned { value, notes: Vec::new() }) };
+            return if value.is_empty() {
+                Err(no_steps().into())
+            } else {
+                Ok(Warned { value, notes: Vec::new() })
+            };
         }
         let (mut out, mut notes, mut missing) = (Vec::new(), Vec::new(), Faults::default());
         for entry in self.asked(pictures) {
@@ -160,7 +196,12 @@ impl Answered for SceneSolution {
         if missing.has_errors() { Err(missing) } else { Ok(Warned { value: out, notes }) }
     }
 
-    fn worksheet(&self, sides: WorksheetSides, mistake: Option<&str>, look: &Look) -> Result<Document, Faults> {
+    fn worksheet(
+        &self,
+        sides: WorksheetSides,
+        mistake: Option<&str>,
+        look: &Look,
+    ) -> Result<Document, Faults> {
         let (lang, notation) = self.look(look);
         let options = worksheet::WorksheetOptions { sheet: look.sheet(lang, &notation), sides };
         let SceneSolution { scene, worked } = self;
@@ -183,7 +224,8 @@ impl Answered for SceneSolution {
             };
         }
         let Lesson { positions, swept, .. } = *wanted;
-        let options = lesson::LessonOptions { lang, notation, positions, swept, style: look.style.clone() };
+        let options =
+            lesson::LessonOptions { lang, notation, positions, swept, style: look.style.clone() };
         lesson::of_worked(&self.scene, &self.worked, &options)
     }
 
@@ -210,8 +252,14 @@ impl Verdict {
 }
 
 fn not_called_for(word: &str) -> Diagnostic {
-    let d = Diagnostic::error("no-figure", both!("the scene's questions call for no figure `{word}`", "所求的量用不到图 `{word}`"));
-    d.help(both!("ask for one in \"find\", or leave `{word}` out of --figure", "请在 \"find\" 中求相应的量，或从 --figure 中去掉 `{word}`"))
+    let d = Diagnostic::error(
+        "no-figure",
+        both!("the scene's questions call for no figure `{word}`", "所求的量用不到图 `{word}`"),
+    );
+    d.help(both!(
+        "ask for one in \"find\", or leave `{word}` out of --figure",
+        "请在 \"find\" 中求相应的量，或从 --figure 中去掉 `{word}`"
+    ))
 }
 
 fn no_steps() -> Diagnostic {
@@ -223,9 +271,17 @@ fn no_steps() -> Diagnostic {
 
 fn no_mistake(name: &str) -> Diagnostic {
     let message = match name {
-        "" => both!("no known mistake changes an answer of this scene", "本题中没有会改变结果的典型错误"),
-        name => both!("the mistake `{name}` cannot be made in this scene", "本题中不会出现错误 `{name}`"),
+        "" => both!(
+            "no known mistake changes an answer of this scene",
+            "本题中没有会改变结果的典型错误"
+        ),
+        name => both!(
+            "the mistake `{name}` cannot be made in this scene",
+            "本题中不会出现错误 `{name}`"
+        ),
     };
-    Diagnostic::error("attempt", message)
-        .help(both!("`hodograph attempts --all` lists those that can", "`hodograph attempts --all` 列出可能的错误"))
+    Diagnostic::error("attempt", message).help(both!(
+        "`hodograph attempts --all` lists those that can",
+        "`hodograph attempts --all` 列出可能的错误"
+    ))
 }

@@ -33,7 +33,11 @@ pub(super) fn solve(task: &Task, options: &Options) -> Result<Solved, Faults> {
     let design = synthesis::solve(task)?;
     let (picked, count) = (options.candidate, design.candidates.len());
     if picked >= count {
-        let message = both!("there is no candidate {}: there are {count}", "没有第 {} 个方案：共有 {count} 个", picked + 1);
+        let message = both!(
+            "there is no candidate {}: there are {count}",
+            "没有第 {} 个方案：共有 {count} 个",
+            picked + 1
+        );
         return Err(Diagnostic::error("no-candidate", message).into());
     }
     let candidate = &design.candidates[picked];
@@ -42,7 +46,10 @@ pub(super) fn solve(task: &Task, options: &Options) -> Result<Solved, Faults> {
         CandidateSteps { steps: Both { en, zh }, json: report::construction(&board) }
     });
     let notes = design.notes.clone();
-    Ok(Solved { notes, answered: Box::new(Designed { task: task.clone(), design, picked, construction }) })
+    Ok(Solved {
+        notes,
+        answered: Box::new(Designed { task: task.clone(), design, picked, construction }),
+    })
 }
 
 /// Replaces the name of a scene file in a task (`"scene": "linkage.json"`) by the file's text;
@@ -50,14 +57,19 @@ pub(super) fn solve(task: &Task, options: &Options) -> Result<Solved, Faults> {
 ///
 /// # Errors
 /// Those of `file`, at the place of the name.
-pub fn included(source: Vec<u8>, mut file: impl FnMut(&str) -> Result<Vec<u8>, Diagnostic>) -> Result<Vec<u8>, Faults> {
+pub fn included(
+    source: Vec<u8>,
+    mut file: impl FnMut(&str) -> Result<Vec<u8>, Diagnostic>,
+) -> Result<Vec<u8>, Faults> {
     if !synthesis::is_task(&source) {
         return Ok(source);
     }
     let Ok((text, root)) = json::parse(&source, &mut Faults::default()) else { return Ok(source) };
     let json::NodeKind::Object(members) = &root.kind else { return Ok(source) };
     let named = members.iter().find_map(|(key, node)| match &node.kind {
-        json::NodeKind::Text(name) if key.text == "scene" && name.ends_with(".json") => Some((name, node.span)),
+        json::NodeKind::Text(name) if key.text == "scene" && name.ends_with(".json") => {
+            Some((name, node.span))
+        }
         _ => None,
     });
     let Some((name, span)) = named else { return Ok(source) };
@@ -114,7 +126,8 @@ impl Answered for Designed {
 
     fn figures(&self, pictures: &Pictures, look: &Look) -> Result<Warned<Pages>, Faults> {
         let all = figure::figures(&self.task, self.candidate(), &look.style, self.lang(look))?;
-        let mut pages: Pages = all.into_iter().map(|(name, figure)| (name.to_owned(), figure)).collect();
+        let mut pages: Pages =
+            all.into_iter().map(|(name, figure)| (name.to_owned(), figure)).collect();
         if pictures.steps {
             let Some(at) = pages.iter().position(|p| p.0 == "construction") else {
                 let d = Diagnostic::error("no-construction", no_construction());
@@ -124,14 +137,31 @@ impl Answered for Designed {
         }
         if let Some(width_mm) = pictures.width_mm {
             let room = fit::Room::Column(width_mm);
-            pages = if pictures.steps { fit::placed_alike(pages, room) } else { fit::placed(pages, room) }?;
+            pages = if pictures.steps {
+                fit::placed_alike(pages, room)
+            } else {
+                fit::placed(pages, room)
+            }?;
         }
         Ok(Warned { value: pages, notes: Vec::new() })
     }
 
-    fn worksheet(&self, sides: WorksheetSides, _: Option<&str>, look: &Look) -> Result<Document, Faults> {
-        let sheet = sheet::SheetOptions { style: look.style.clone(), ..sheet::SheetOptions::of_language(self.lang(look)) };
-        worksheet::design(&self.task, &self.design, self.picked, &worksheet::WorksheetOptions { sheet, sides })
+    fn worksheet(
+        &self,
+        sides: WorksheetSides,
+        _: Option<&str>,
+        look: &Look,
+    ) -> Result<Document, Faults> {
+        let sheet = sheet::SheetOptions {
+            style: look.style.clone(),
+            ..sheet::SheetOptions::of_language(self.lang(look))
+        };
+        worksheet::design(
+            &self.task,
+            &self.design,
+            self.picked,
+            &worksheet::WorksheetOptions { sheet, sides },
+        )
     }
 
     fn lesson(&self, _: &Lesson, look: &Look) -> Result<Warned<String>, Faults> {

@@ -23,9 +23,18 @@ pub fn all() -> Vec<Template> {
     let scenes = scene::templates::list().into_iter();
     let of = |name, kind, title| Template { name, kind, title, parameters: Vec::new() };
     scenes
-        .map(|t| Template { parameters: t.parameters, ..of(t.name, Kind::Scene, Both { en: t.title.en, zh: t.title.zh }) })
-        .chain(synthesis::templates::names().map(|name| of(name, Kind::Task, synthesis::templates::title(name))))
-        .chain(particle::templates::names().map(|name| of(name, Kind::Motion, particle::templates::title(name))))
+        .map(|t| Template {
+            parameters: t.parameters,
+            ..of(t.name, Kind::Scene, Both { en: t.title.en, zh: t.title.zh })
+        })
+        .chain(
+            synthesis::templates::names()
+                .map(|name| of(name, Kind::Task, synthesis::templates::title(name))),
+        )
+        .chain(
+            particle::templates::names()
+                .map(|name| of(name, Kind::Motion, particle::templates::title(name))),
+        )
         .collect()
 }
 

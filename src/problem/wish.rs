@@ -101,14 +101,20 @@ impl Kind {
     fn refuses(self, option: &str) -> Diagnostic {
         let (message, help) = match self {
             Kind::Task => (
-                both!("{option} is of scenes, and this is a synthesis file", "{option} 只用于机构文件，而这是综合文件"),
+                both!(
+                    "{option} is of scenes, and this is a synthesis file",
+                    "{option} 只用于机构文件，而这是综合文件"
+                ),
                 both!(
                     "leave it out, or make a scene first: `hodograph synth FILE -o scene.json`",
                     "请去掉它，或先生成机构文件：`hodograph synth FILE -o scene.json`"
                 ),
             ),
             Kind::Scene | Kind::Motion => (
-                both!("{option} is of mechanisms, and this file has none", "{option} 只用于机构，而此文件没有机构"),
+                both!(
+                    "{option} is of mechanisms, and this file has none",
+                    "{option} 只用于机构，而此文件没有机构"
+                ),
                 both!("leave {option} out", "请去掉 {option}"),
             ),
         };
@@ -117,7 +123,10 @@ impl Kind {
 }
 
 fn no_candidates() -> Diagnostic {
-    let message = both!("a scene has no candidates: they are of synthesis files", "机构文件没有方案可选：只有综合文件才有");
+    let message = both!(
+        "a scene has no candidates: they are of synthesis files",
+        "机构文件没有方案可选：只有综合文件才有"
+    );
     Diagnostic::error("no-candidate", message).help(both!("leave --pick out", "请去掉 --pick"))
 }
 
@@ -135,8 +144,14 @@ pub(super) fn no_mechanism(kind: Kind) -> Diagnostic {
             ),
         ),
         Kind::Scene | Kind::Motion => (
-            both!("this file has motions without a mechanism: there are no links", "此文件是无机构的运动：没有构件"),
-            both!("`solve`, `draw`, `worksheet` and `lesson` take it", "请用 `solve`、`draw`、`worksheet`、`lesson`"),
+            both!(
+                "this file has motions without a mechanism: there are no links",
+                "此文件是无机构的运动：没有构件"
+            ),
+            both!(
+                "`solve`, `draw`, `worksheet` and `lesson` take it",
+                "请用 `solve`、`draw`、`worksheet`、`lesson`"
+            ),
         ),
     };
     Diagnostic::error("not-a-scene", message).help(help)

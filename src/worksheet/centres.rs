@@ -21,11 +21,15 @@ impl SheetMaker<'_> {
         blocks.push(self.heading(2, "Instantaneous centres", "速度瞬心"));
         let counted = words.counts();
         blocks.push(DocumentBlock::Paragraph(Phrase::new(&match self.lang() {
-            Lang::En => format!("The ground is one of the links, so that there are $N(N - 1)/2$ centres: {counted}."),
+            Lang::En => format!(
+                "The ground is one of the links, so that there are $N(N - 1)/2$ centres: {counted}."
+            ),
             Lang::Zh => format!("机架也计为构件，瞬心数为 $N(N - 1)/2$：{counted}。"),
         })));
-        let (at_pairs, others): (Vec<_>, Vec<_>) = task.found.list.iter().partition(|c| matches!(c.step.how, CentreMethod::Primary(_)));
-        let list = |all: Vec<&Centre>| all.into_iter().map(|c| words.sentence(c)).collect::<Vec<_>>();
+        let (at_pairs, others): (Vec<_>, Vec<_>) =
+            task.found.list.iter().partition(|c| matches!(c.step.how, CentreMethod::Primary(_)));
+        let list =
+            |all: Vec<&Centre>| all.into_iter().map(|c| words.sentence(c)).collect::<Vec<_>>();
         blocks.push(DocumentBlock::List { numbered: false, members: list(at_pairs) });
         if !others.is_empty() {
             blocks.push(self.paragraph(
@@ -36,27 +40,49 @@ impl SheetMaker<'_> {
         }
         self.drawn_centres(blocks);
         blocks.push(self.heading(2, "Velocities by the centres", "用瞬心求速度"));
-        blocks.push(DocumentBlock::List { numbered: true, members: words.steps().iter().map(|s| Phrase::new(s)).collect() });
+        blocks.push(DocumentBlock::List {
+            numbered: true,
+            members: words.steps().iter().map(|s| Phrase::new(s)).collect(),
+        });
     }
 
     fn drawn_centres(&self, blocks: &mut Vec<DocumentBlock>) {
-        let wanted = FigureInput { scene: self.scene, worked: self.worked, options: self.options, extras: &Extras::default() };
-        let pages = named("centres").and_then(|entry| (entry.draw)(&wanted).ok()).map_or_else(Vec::new, |pages| pages.value);
-        blocks.extend(pages.into_iter().map(|(_, figure)| DocumentBlock::Figure { name: "centres", figure: Box::new(figure) }));
+        let wanted = FigureInput {
+            scene: self.scene,
+            worked: self.worked,
+            options: self.options,
+            extras: &Extras::default(),
+        };
+        let pages = named("centres")
+            .and_then(|entry| (entry.draw)(&wanted).ok())
+            .map_or_else(Vec::new, |pages| pages.value);
+        blocks.extend(pages.into_iter().map(|(_, figure)| DocumentBlock::Figure {
+            name: "centres",
+            figure: Box::new(figure),
+        }));
     }
 
     /// The values by centres compared with those of the loop equations.
     pub(super) fn compared_centres(&self, blocks: &mut Vec<DocumentBlock>, task: &CentreTask) {
-        let head = [self.tr("quantity", "量"), self.tr("by centres", "瞬心法"), self.tr("loop equations", "解析")];
+        let head = [
+            self.tr("quantity", "量"),
+            self.tr("by centres", "瞬心法"),
+            self.tr("loop equations", "解析"),
+        ];
         let mut rows = vec![head.map(Phrase::new).to_vec()];
         for r in &self.worked.results {
             let find = &self.scene.find[r.find];
             let Some(own) = task.found.value(self.scene, find) else { continue };
-            let computed =
-                r.computed.magnitude().copysign(if matches!(r.computed, AnswerValue::Scalar(s) if s < 0.0) { -1.0 } else { 1.0 });
+            let computed = r.computed.magnitude().copysign(
+                if matches!(r.computed, AnswerValue::Scalar(s) if s < 0.0) { -1.0 } else { 1.0 },
+            );
             // A value that is only a rounding residue is printed as zero.
             let told = |si: f64| {
-                if si.abs() <= r.noise { "$0$".to_owned() } else { format!("${}$", self.size(find, AnswerValue::Scalar(si), COMPARED)) }
+                if si.abs() <= r.noise {
+                    "$0$".to_owned()
+                } else {
+                    format!("${}$", self.size(find, AnswerValue::Scalar(si), COMPARED))
+                }
             };
             rows.push(vec![
                 Phrase::new(&format!("${}$", symbol(find, self.notation()))),

@@ -6,7 +6,9 @@
 //! ([`crate::synthesis::told`]), the numbers from its candidates.
 
 use super::speak::Speak;
-use super::{Document, DocumentBlock, DocumentTable, TableKind, WorksheetOptions, WorksheetSides, one_line};
+use super::{
+    Document, DocumentBlock, DocumentTable, TableKind, WorksheetOptions, WorksheetSides, one_line,
+};
 use crate::diag::{Both, Faults};
 use crate::digits::{inked, shortest, significant};
 use crate::figure::synthesis::{self as figure, Set};
@@ -29,7 +31,8 @@ const ROWS: usize = 25;
 /// Number of lengths of a candidate in the table of all.
 const LENGTHS: usize = 5;
 
-/// Makes the worksheet of a synthesis task, with the construction of one of its candidates, counted from 0.
+/// Makes the worksheet of a synthesis task, with the construction of one of its candidates, counted
+/// from 0.
 ///
 /// ```
 /// use hodograph::{scene::Lang, synthesis, worksheet::{self, WorksheetOptions}};
@@ -45,7 +48,12 @@ const LENGTHS: usize = 5;
 ///
 /// # Panics
 /// There is no such candidate.
-pub fn design(task: &Task, design: &Design, pick: usize, options: &WorksheetOptions) -> Result<Document, Faults> {
+pub fn design(
+    task: &Task,
+    design: &Design,
+    pick: usize,
+    options: &WorksheetOptions,
+) -> Result<Document, Faults> {
     let candidate = &design.candidates[pick];
     let lang = options.sheet.lang;
     let board = figure::to_scale(task, candidate)?;
@@ -89,10 +97,21 @@ impl DesignMaker<'_> {
         if let Some(board) = self.board.as_ref().filter(|_| stated.open_steps > 0) {
             let mut open = board.clone();
             open.steps.truncate(stated.open_steps);
-            blocks.push(picture("given", figure::construction(self.task, self.candidate, &open, self.set)));
+            blocks.push(picture(
+                "given",
+                figure::construction(self.task, self.candidate, &open, self.set),
+            ));
         }
-        let list = |all: &[Both]| DocumentBlock::List { numbered: false, members: all.iter().map(|b| self.said(b)).collect() };
-        blocks.extend([self.heading(2, "Given", "已知"), list(&stated.given), self.heading(2, "Wanted", "求"), list(&stated.wanted)]);
+        let list = |all: &[Both]| DocumentBlock::List {
+            numbered: false,
+            members: all.iter().map(|b| self.said(b)).collect(),
+        };
+        blocks.extend([
+            self.heading(2, "Given", "已知"),
+            list(&stated.given),
+            self.heading(2, "Wanted", "求"),
+            list(&stated.wanted),
+        ]);
     }
 
     fn solution(&self, blocks: &mut Vec<DocumentBlock>) {
@@ -118,11 +137,22 @@ impl DesignMaker<'_> {
     /// The drawing, its steps, and the measured values.
     fn construction(&self, board: &SynthesisBoard, blocks: &mut Vec<DocumentBlock>) {
         blocks.push(self.heading(2, "Construction", "作图"));
-        blocks.push(picture("construction", figure::construction(self.task, self.candidate, board, self.set)));
-        let sentence = |s: &crate::synthesis::board::BoardStep| Phrase::new(&symbols(self.lang().of(&s.text)));
-        blocks.push(DocumentBlock::List { numbered: true, members: board.steps.iter().map(sentence).collect() });
+        blocks.push(picture(
+            "construction",
+            figure::construction(self.task, self.candidate, board, self.set),
+        ));
+        let sentence =
+            |s: &crate::synthesis::board::BoardStep| Phrase::new(&symbols(self.lang().of(&s.text)));
+        blocks.push(DocumentBlock::List {
+            numbered: true,
+            members: board.steps.iter().map(sentence).collect(),
+        });
         let by_hand = tolerances(self.task, self.candidate, board);
-        let numbered = board.readings.iter().zip(by_hand).filter_map(|(r, t)| Some((r, t, self.candidate.number(&r.name)?)));
+        let numbered = board
+            .readings
+            .iter()
+            .zip(by_hand)
+            .filter_map(|(r, t)| Some((r, t, self.candidate.number(&r.name)?)));
         let read: Vec<(&PaperReading, Option<f64>, f64)> = numbered.collect();
         if read.is_empty() {
             return;
@@ -147,12 +177,26 @@ impl DesignMaker<'_> {
         let mut rows = vec![head.iter().map(|h: &String| Phrase::new(h)).collect::<Vec<_>>()];
         for (r, tolerance, formula) in read {
             let (measured, drawn, exact) = match r.angle {
-                true => (degrees(board.value(r), 4), degrees(board.value(r), 5), degrees(formula.abs(), 6)),
-                false => (mm(r.measured * 1e-3, 4), self.length(board.value(r), 5), self.length(formula.abs(), 6)),
+                true => (
+                    degrees(board.value(r), 4),
+                    degrees(board.value(r), 5),
+                    degrees(formula.abs(), 6),
+                ),
+                false => (
+                    mm(r.measured * 1e-3, 4),
+                    self.length(board.value(r), 5),
+                    self.length(formula.abs(), 6),
+                ),
             };
-            let hand =
-                tolerance.map_or("—".to_owned(), |t| format!("± {}", if r.angle { degrees(t, DIGITS) } else { self.length(t, DIGITS) }));
-            rows.push([format!("${}$", symbol(&r.name)), measured, drawn, exact, hand].iter().map(|c| Phrase::new(c)).collect());
+            let hand = tolerance.map_or("—".to_owned(), |t| {
+                format!("± {}", if r.angle { degrees(t, DIGITS) } else { self.length(t, DIGITS) })
+            });
+            rows.push(
+                [format!("${}$", symbol(&r.name)), measured, drawn, exact, hand]
+                    .iter()
+                    .map(|c| Phrase::new(c))
+                    .collect(),
+            );
         }
         blocks.push(DocumentBlock::Table(DocumentTable { kind: TableKind::Values, rows }));
     }
@@ -161,7 +205,9 @@ impl DesignMaker<'_> {
     fn length(&self, value_m: f64, digits: usize) -> String {
         let book = &self.task.book;
         match book.chosen(Kind::Length) {
-            Some(unit) => format!("${}$", unit.label(&inked(&significant(unit.of(value_m), digits)))),
+            Some(unit) => {
+                format!("${}$", unit.label(&inked(&significant(unit.of(value_m), digits))))
+            }
             None => mm(value_m, digits),
         }
     }
@@ -180,12 +226,22 @@ impl DesignMaker<'_> {
         blocks.push(picture("positions", figure::linkage(self.task, self.candidate, self.set)));
         let swept = match self.lang() {
             Lang::En => {
-                format!("Followed from the first position, the linkage shows: {}.", motion(self.candidate, Lang::En).replace(" · ", "; "))
+                format!(
+                    "Followed from the first position, the linkage shows: {}.",
+                    motion(self.candidate, Lang::En).replace(" · ", "; ")
+                )
             }
-            Lang::Zh => format!("由第一位置起考察其运动：{}。", motion(self.candidate, Lang::Zh).replace(" · ", "；")),
+            Lang::Zh => format!(
+                "由第一位置起考察其运动：{}。",
+                motion(self.candidate, Lang::Zh).replace(" · ", "；")
+            ),
         };
         blocks.push(DocumentBlock::Paragraph(Phrase::new(&swept)));
-        let said: Vec<Phrase> = self.candidate.notes().map(|d| Phrase::new(&symbols(self.lang().of(&d.message)))).collect();
+        let said: Vec<Phrase> = self
+            .candidate
+            .notes()
+            .map(|d| Phrase::new(&symbols(self.lang().of(&d.message))))
+            .collect();
         if !said.is_empty() {
             blocks.push(DocumentBlock::List { numbered: false, members: said });
         }
@@ -199,7 +255,13 @@ impl DesignMaker<'_> {
         blocks.push(picture("deviation", figure));
         let wanted = tr(self.lang(), "wanted function", "期望函数");
         let real = tr(self.lang(), "generated function", "再现函数");
-        let head = ["$x$".to_owned(), "$\\varphi$".into(), format!("$\\psi$ {wanted}"), format!("$\\psi$ {real}"), "$\\Delta\\psi$".into()];
+        let head = [
+            "$x$".to_owned(),
+            "$\\varphi$".into(),
+            format!("$\\psi$ {wanted}"),
+            format!("$\\psi$ {real}"),
+            "$\\Delta\\psi$".into(),
+        ];
         let mut rows = vec![head.iter().map(|h| Phrase::new(h)).collect::<Vec<_>>()];
         let turned = |a: f64| degrees(a, 6);
         let row = |c: &Compared| {
@@ -213,7 +275,11 @@ impl DesignMaker<'_> {
             cells.iter().map(|c| Phrase::new(c)).collect::<Vec<_>>()
         };
         let steps = course.len().clamp(2, ROWS) - 1;
-        rows.extend((0..=steps).filter_map(|k| course.get(k * course.len().saturating_sub(1) / steps)).map(row));
+        rows.extend(
+            (0..=steps)
+                .filter_map(|k| course.get(k * course.len().saturating_sub(1) / steps))
+                .map(row),
+        );
         blocks.push(DocumentBlock::Table(DocumentTable { kind: TableKind::Values, rows }));
     }
 
@@ -224,7 +290,9 @@ impl DesignMaker<'_> {
             .draft
             .numbers
             .iter()
-            .filter(|n| n.kind == Some(Kind::Length) && n.name.bytes().all(|b| b.is_ascii_uppercase()))
+            .filter(|n| {
+                n.kind == Some(Kind::Length) && n.name.bytes().all(|b| b.is_ascii_uppercase())
+            })
             .map(|n| n.name.as_str())
             .take(LENGTHS)
             .collect();
@@ -234,9 +302,18 @@ impl DesignMaker<'_> {
         head.push(Phrase::new(tr(self.lang(), "type, defects", "类型、缺陷")));
         let mut rows = vec![head];
         for (k, c) in self.design.candidates.iter().enumerate() {
-            let mut row = vec![Phrase::new(&(k + 1).to_string()), Phrase::new(&symbols(self.lang().of(&c.draft.which)))];
-            row.extend(lengths.iter().map(|n| Phrase::new(&c.number(n).map_or("—".into(), |l| self.length(l, 5)))));
-            row.push(Phrase::new(&c.judged.transmission.map_or("—".into(), |(angle, _)| degrees(angle, 4))));
+            let mut row = vec![
+                Phrase::new(&(k + 1).to_string()),
+                Phrase::new(&symbols(self.lang().of(&c.draft.which))),
+            ];
+            row.extend(
+                lengths
+                    .iter()
+                    .map(|n| Phrase::new(&c.number(n).map_or("—".into(), |l| self.length(l, 5)))),
+            );
+            row.push(Phrase::new(
+                &c.judged.transmission.map_or("—".into(), |(angle, _)| degrees(angle, 4)),
+            ));
             row.push(Phrase::new(&self.verdict(c)));
             rows.push(row);
         }
@@ -268,7 +345,11 @@ impl DesignMaker<'_> {
         let grashof = c.judged.grashof.map(|g| grashof_words(g, self.lang()).to_owned());
         let defects = c.judged.defects.iter().map(|d| self.lang().of(&d.message).to_owned());
         let all: Vec<String> = grashof.into_iter().chain(defects).collect();
-        if all.is_empty() { tr(self.lang(), "no defect", "无运动缺陷").to_owned() } else { all.join(tr(self.lang(), "; ", "；")) }
+        if all.is_empty() {
+            tr(self.lang(), "no defect", "无运动缺陷").to_owned()
+        } else {
+            all.join(tr(self.lang(), "; ", "；"))
+        }
     }
 }
 
@@ -361,8 +442,13 @@ mod tests {
             let task = synthesis::read(templates::get(kind.name).unwrap()).unwrap().value;
             let solved = synthesis::solve(&task).unwrap();
             for lang in [Lang::En, Lang::Zh] {
-                let document = design(&task, &solved, 0, &WorksheetOptions::of_language(lang)).unwrap();
-                let formulas = document.blocks.iter().filter(|b| matches!(b, DocumentBlock::Formula(_))).count();
+                let document =
+                    design(&task, &solved, 0, &WorksheetOptions::of_language(lang)).unwrap();
+                let formulas = document
+                    .blocks
+                    .iter()
+                    .filter(|b| matches!(b, DocumentBlock::Formula(_)))
+                    .count();
                 assert!(formulas > 1, "{}", kind.name);
                 for label in labels(&document) {
                     assert_eq!(label.faults(), [], "{}: {}", kind.name, label.source());
@@ -394,13 +480,21 @@ mod tests {
         for kind in KINDS {
             let task = synthesis::read(templates::get(kind.name).unwrap()).unwrap().value;
             let solved = synthesis::solve(&task).unwrap();
-            let options = WorksheetOptions { sides: WorksheetSides::Problem, ..WorksheetOptions::of_language(Lang::En) };
+            let options = WorksheetOptions {
+                sides: WorksheetSides::Problem,
+                ..WorksheetOptions::of_language(Lang::En)
+            };
             let document = design(&task, &solved, 0, &options).unwrap();
-            let text: String = document.blocks.iter().flat_map(phrases).map(|p| p.plain() + "\n").collect();
+            let text: String =
+                document.blocks.iter().flat_map(phrases).map(|p| p.plain() + "\n").collect();
             for answer in ["BC", "CD", "AB"].iter().filter_map(|n| solved.candidates[0].number(n)) {
                 let told = significant(answer * 1e3, 6);
                 let given = self::given(&task).contains(&told);
-                assert!(given || !text.contains(&format!(" {told} ")), "{}: {told} in {text}", kind.name);
+                assert!(
+                    given || !text.contains(&format!(" {told} ")),
+                    "{}: {told} in {text}",
+                    kind.name
+                );
             }
         }
     }

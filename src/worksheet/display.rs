@@ -10,7 +10,8 @@ use crate::report::math::Math;
 
 use super::pages::line;
 
-/// The line of a fraction, as in the MATH table of STIX Two Math: height over the baseline and thickness, in em.
+/// The line of a fraction, as in the MATH table of STIX Two Math: height over the baseline and
+/// thickness, in em.
 const AXIS_EM: f64 = 0.258;
 const RULE_EM: f64 = 0.068;
 /// Gap between a fraction's line and its numerator and denominator, and between a root's bar and
@@ -29,7 +30,11 @@ pub(super) fn built(parts: &[Math], em: f64, fonts: &Fonts) -> Built {
     let mut out = Built { items: Vec::new(), above: em, below: 0.3 * em };
     let mut x = 0.0;
     let rule = |from: f64, to: f64, y: f64| {
-        let shape = Shape::Line { from: Point::new(from, y), to: Point::new(to, y), stroke: LineStroke::new(RULE_EM * em) };
+        let shape = Shape::Line {
+            from: Point::new(from, y),
+            to: Point::new(to, y),
+            stroke: LineStroke::new(RULE_EM * em),
+        };
         FigureItem::new("rule", shape)
     };
     let set = |label: &Label| label.clone().in_fonts(fonts);
@@ -60,9 +65,11 @@ pub(super) fn built(parts: &[Math], em: f64, fonts: &Fonts) -> Built {
                 let (set, inner) = (text::set(&sign), text::set(label));
                 // The root sign grows with its contents; its bar begins at its end.
                 let top = inner.ascent_em + GAP_EM;
-                let size = (top + inner.descent_em.max(0.0)) / (set.ascent_em + set.descent_em) * em;
+                let size =
+                    (top + inner.descent_em.max(0.0)) / (set.ascent_em + set.descent_em) * em;
                 let foot = -inner.descent_em.max(0.0) * em + set.descent_em * size;
-                let right = bounds(&[line(&sign, Point::new(x, foot), size, Anchor::Start)]).map_or(x, |b| b.max.x);
+                let right = bounds(&[line(&sign, Point::new(x, foot), size, Anchor::Start)])
+                    .map_or(x, |b| b.max.x);
                 out.items.push(line(&sign, Point::new(x, foot), size, Anchor::Start));
                 let end = right + inner.width_em * em + 0.1 * em;
                 out.items.push(rule(right, end, (top - RULE_EM / 2.0) * em));
@@ -82,7 +89,10 @@ mod tests {
     #[test]
     fn a_fraction_stands_on_the_axis() {
         let b = built(
-            &[Math::Row(Label::math("\\omega_3 =")), Math::Fraction(Label::math("v_C"), Label::math("l_{CD}"))],
+            &[
+                Math::Row(Label::math("\\omega_3 =")),
+                Math::Fraction(Label::math("v_C"), Label::math("l_{CD}")),
+            ],
             4.0,
             &Fonts::default(),
         );

@@ -71,8 +71,12 @@ pub fn html(document: &Document) -> Result<String, Faults> {
                 out += &format!("</{tag}>\n");
             }
             DocumentBlock::Table(table) => out += &rows(table),
-            DocumentBlock::Formula(parts) => out += &format!("<div class=\"scroll\">{}</div>\n", mathml_display(parts)),
-            DocumentBlock::Figure { figure, .. } => out += &format!("<figure>\n{}</figure>\n", drawing(figure, &mut drawn)?),
+            DocumentBlock::Formula(parts) => {
+                out += &format!("<div class=\"scroll\">{}</div>\n", mathml_display(parts))
+            }
+            DocumentBlock::Figure { figure, .. } => {
+                out += &format!("<figure>\n{}</figure>\n", drawing(figure, &mut drawn)?)
+            }
         }
     }
     // The letters of all drawings, each once: ids must be unique in a page.
@@ -89,7 +93,8 @@ pub fn html(document: &Document) -> Result<String, Faults> {
 
 /// A drawing inside the page. Its parts have no ids, because several drawings must not share them.
 fn drawing(figure: &Figure, drawn: &mut Vec<svg::Elements>) -> Result<String, Faults> {
-    let nameless = |item: &FigureItem| FigureItem { id: String::new(), class: String::new(), ..item.clone() };
+    let nameless =
+        |item: &FigureItem| FigureItem { id: String::new(), class: String::new(), ..item.clone() };
     let items: Vec<FigureItem> = figure.items.iter().map(nameless).collect();
     let (w, h) = (mm(figure.width_mm), mm(figure.height_mm));
     let (title, desc) = (escaped(&figure.title), escaped(&figure.desc));
@@ -111,7 +116,13 @@ fn rows(table: &DocumentTable) -> String {
     for (r, row) in table.rows.iter().enumerate() {
         out += "<tr>";
         for (c, cell) in row.iter().enumerate() {
-            let tag = if r == 0 && table.kind == TableKind::Values || c == 0 && table.kind == TableKind::Equation { "th" } else { "td" };
+            let tag = if r == 0 && table.kind == TableKind::Values
+                || c == 0 && table.kind == TableKind::Equation
+            {
+                "th"
+            } else {
+                "td"
+            };
             out += &format!("<{tag}>{}</{tag}>", sentence(cell));
         }
         out += "</tr>\n";

@@ -1,7 +1,10 @@
 //! A worksheet as Markdown: formulas in TeX between dollar signs, tables with pipes, drawings as
 //! SVG files in the same folder (programs that show Markdown seldom show embedded drawings).
 
-use super::{CompanionFile, Document, DocumentBlock, DocumentTable, backslashed, guarded, one_line, picture_names};
+use super::{
+    CompanionFile, Document, DocumentBlock, DocumentTable, backslashed, guarded, one_line,
+    picture_names,
+};
 use crate::diag::Faults;
 use crate::paper::label::Label;
 use crate::paper::phrase::{Phrase, PhrasePiece};
@@ -20,7 +23,9 @@ pub fn markdown(document: &Document, stem: &str) -> Result<(String, Vec<Companio
     for block in &document.blocks {
         out.push('\n');
         match block {
-            DocumentBlock::Heading(level, text) => out += &format!("{} {}\n", "#".repeat(usize::from(*level) + 1), escaped(text)),
+            DocumentBlock::Heading(level, text) => {
+                out += &format!("{} {}\n", "#".repeat(usize::from(*level) + 1), escaped(text))
+            }
             DocumentBlock::Paragraph(p) => out += &format!("{}\n", guarded(inline(p))),
             DocumentBlock::List { numbered, members } => {
                 for (k, m) in members.iter().enumerate() {
@@ -64,7 +69,9 @@ fn inline(phrase: &Phrase) -> String {
 /// strikethrough and fences (`~~~`), formulas, links. Two hyphens would become a dash in some
 /// programs.
 fn escaped(text: &str) -> String {
-    let sign = |c| matches!(c, '\\' | '`' | '*' | '_' | '<' | '>' | '[' | ']' | '$' | '#' | '&' | '~' | '^');
+    let sign = |c| {
+        matches!(c, '\\' | '`' | '*' | '_' | '<' | '>' | '[' | ']' | '$' | '#' | '&' | '~' | '^')
+    };
     backslashed(text, |before, c, _| sign(c) || c == '-' && before == Some('-'))
 }
 

@@ -15,12 +15,19 @@ use crate::scene::Scene;
 use crate::worked::Worked;
 
 /// Makes the worksheet.
-pub fn find_the_mistake(scene: &Scene, worked: &Worked, attempt: &Attempt, options: &WorksheetOptions) -> Document {
+pub fn find_the_mistake(
+    scene: &Scene,
+    worked: &Worked,
+    attempt: &Attempt,
+    options: &WorksheetOptions,
+) -> Document {
     let certified = certify(scene, worked, options.sheet.digits);
     let told = steps(scene, worked, worked.drafting.as_ref().map(|d| d.pencil_mm));
-    let maker = SheetMaker { scene, worked, options: &options.sheet, certified: &certified, told: &told };
+    let maker =
+        SheetMaker { scene, worked, options: &options.sheet, certified: &certified, told: &told };
     let wrong = SheetMaker { scene: &attempt.wrong.scene, worked: &attempt.wrong.worked, ..maker };
-    let (lang, notation, digits) = (options.sheet.lang, &options.sheet.notation, options.sheet.digits);
+    let (lang, notation, digits) =
+        (options.sheet.lang, &options.sheet.notation, options.sheet.digits);
     let words = AttemptWords { scene, worked, certified: &certified, notation, lang, digits };
     let mut blocks = Vec::new();
     if options.sides != WorksheetSides::Solution {
@@ -30,7 +37,10 @@ pub fn find_the_mistake(scene: &Scene, worked: &Worked, attempt: &Attempt, optio
     if options.sides != WorksheetSides::Problem {
         blocks.push(maker.heading(1, "The mistake", "错误所在"));
         blocks.push(DocumentBlock::Paragraph(words.heading_set(attempt)));
-        blocks.push(DocumentBlock::Figure { name: "mistake", figure: Box::new(page_of(scene, worked, &options.sheet, attempt)) });
+        blocks.push(DocumentBlock::Figure {
+            name: "mistake",
+            figure: Box::new(page_of(scene, worked, &options.sheet, attempt)),
+        });
         maker.solution(&mut blocks, options.sides == WorksheetSides::Solution);
     }
     document(scene, options, blocks)
@@ -52,7 +62,9 @@ impl SheetMaker<'_> {
             }
         }
         let figure = as_printed(attempt, self.options);
-        blocks.extend(figure.map(|f| DocumentBlock::Figure { name: "examined", figure: Box::new(f) }));
+        blocks.extend(
+            figure.map(|f| DocumentBlock::Figure { name: "examined", figure: Box::new(f) }),
+        );
         let members: Vec<Phrase> = attempt.rows.iter().filter_map(|r| words.claimed(r)).collect();
         if !members.is_empty() {
             blocks.push(self.paragraph("Its results:", "其结果："));

@@ -6,7 +6,10 @@
 //! groups apart. For a scene with links and pairs only, these are listed and nothing is drawn.
 
 use super::speak::Speak;
-use super::{Document, DocumentBlock, DocumentTable, SheetMaker, TableKind, WorksheetOptions, WorksheetSides, document, pairs};
+use super::{
+    Document, DocumentBlock, DocumentTable, SheetMaker, TableKind, WorksheetOptions,
+    WorksheetSides, document, pairs,
+};
 use crate::certified::steps;
 use crate::figure::groups;
 use crate::figure::sheet;
@@ -82,11 +85,18 @@ impl MobilitySheet<'_> {
                 ));
                 blocks.push(whole(maker));
                 blocks.push(self.heading(2, "Given", "已知"));
-                blocks.push(DocumentBlock::List { numbered: false, members: maker.givens().list() });
+                blocks
+                    .push(DocumentBlock::List { numbered: false, members: maker.givens().list() });
             }
             None => {
-                blocks.push(self.paragraph("A planar mechanism consists of these links and pairs:", "某平面机构由下列构件和运动副组成："));
-                blocks.push(DocumentBlock::List { numbered: false, members: pairs::listed(self.scene, self.lang()) });
+                blocks.push(self.paragraph(
+                    "A planar mechanism consists of these links and pairs:",
+                    "某平面机构由下列构件和运动副组成：",
+                ));
+                blocks.push(DocumentBlock::List {
+                    numbered: false,
+                    members: pairs::listed(self.scene, self.lang()),
+                });
             }
         }
         blocks.push(self.heading(2, "Wanted", "求"));
@@ -113,7 +123,10 @@ impl MobilitySheet<'_> {
             )
             .to_owned(),
         ];
-        blocks.push(DocumentBlock::List { numbered: true, members: members.map(|m| Phrase::new(&m)).to_vec() });
+        blocks.push(DocumentBlock::List {
+            numbered: true,
+            members: members.map(|m| Phrase::new(&m)).to_vec(),
+        });
     }
 
     fn said(&self, both: &crate::diag::Both) -> Phrase {
@@ -124,22 +137,37 @@ impl MobilitySheet<'_> {
         blocks.push(self.heading(1, "Solution", "解"));
         blocks.push(self.heading(2, "Degree of freedom", "自由度"));
         let Counts { moving, lower, higher } = counted.survey.counts;
-        let head = [self.tr("quantity", "量"), self.tr("number", "数目"), self.tr("which", "说明")].map(Phrase::new).to_vec();
+        let head = [self.tr("quantity", "量"), self.tr("number", "数目"), self.tr("which", "说明")]
+            .map(Phrase::new)
+            .to_vec();
         let mut rows = vec![head];
         let mut row = |name: &str, number: usize, reasons: Vec<Phrase>| {
             let mut reasons = reasons.into_iter();
-            rows.push(vec![Phrase::new(name), Phrase::new(&format!("${number}$")), reasons.next().unwrap_or_default()]);
+            rows.push(vec![
+                Phrase::new(name),
+                Phrase::new(&format!("${number}$")),
+                reasons.next().unwrap_or_default(),
+            ]);
             rows.extend(reasons.map(|r| vec![Phrase::default(), Phrase::default(), r]));
         };
         let links = self.scene.links_in_order().into_iter().filter(|l| *l != self.scene.ground);
         let names: Vec<&str> = links.map(|l| self.link(l)).collect();
-        let which = if names.len() == moving { names.join(self.words().comma) } else { String::new() };
+        let which =
+            if names.len() == moving { names.join(self.words().comma) } else { String::new() };
         row(self.tr("moving links $n$", "活动构件 $n$"), moving, vec![Phrase::of_words(&which)]);
-        row(self.tr("lower pairs $p_l$", "低副 $p_l$"), lower, counted.lower(self.scene, self.lang()));
+        row(
+            self.tr("lower pairs $p_l$", "低副 $p_l$"),
+            lower,
+            counted.lower(self.scene, self.lang()),
+        );
         row(self.tr("higher pairs $p_h$", "高副 $p_h$"), higher, Vec::new());
         let local: Vec<Phrase> = counted.local().iter().map(|b| self.said(b)).collect();
         row(self.tr("local freedoms $F'$", "局部自由度 $F'$"), local.len(), local.clone());
-        row(self.tr("virtual constraints $p'$", "虚约束 $p'$"), counted.sure, counted.repeats().iter().map(|b| self.said(b)).collect());
+        row(
+            self.tr("virtual constraints $p'$", "虚约束 $p'$"),
+            counted.sure,
+            counted.repeats().iter().map(|b| self.said(b)).collect(),
+        );
         blocks.push(DocumentBlock::Table(DocumentTable { kind: TableKind::Values, rows }));
         let f = counted.survey.counts.freedom(counted.sure, local.len());
         let formula = format!(
@@ -168,10 +196,16 @@ impl MobilitySheet<'_> {
     /// Sentence: whether this number of drivers determines the motion.
     fn determined(&self, f: i64, drivers: i64) -> String {
         match (f == drivers, self.lang()) {
-            (true, Lang::En) => format!("As many freedoms as drivers ({drivers}): the motion is determined."),
+            (true, Lang::En) => {
+                format!("As many freedoms as drivers ({drivers}): the motion is determined.")
+            }
             (true, Lang::Zh) => format!("自由度等于原动件数（{drivers}），机构具有确定的运动。"),
-            (false, Lang::En) => format!("{f} freedoms, {drivers} drivers: what carried parts do by themselves is not driven."),
-            (false, Lang::Zh) => format!("自由度为 {f}，原动件数为 {drivers}：其余自由度不由原动件确定。"),
+            (false, Lang::En) => format!(
+                "{f} freedoms, {drivers} drivers: what carried parts do by themselves is not driven."
+            ),
+            (false, Lang::Zh) => {
+                format!("自由度为 {f}，原动件数为 {drivers}：其余自由度不由原动件确定。")
+            }
         }
     }
 
@@ -185,7 +219,10 @@ impl MobilitySheet<'_> {
             "去掉局部自由度和虚约束，并将高副低代：",
         ));
         let (n, p) = (s.moving, s.lower);
-        let formula = format!("n = {n} ,\\quad p_l = {p} ,\\quad F = 3 \\times {n} - 2 \\times {p} = {}", s.freedom(0, 0));
+        let formula = format!(
+            "n = {n} ,\\quad p_l = {p} ,\\quad F = 3 \\times {n} - 2 \\times {p} = {}",
+            s.freedom(0, 0)
+        );
         blocks.push(DocumentBlock::Formula(vec![Math::Row(Label::math(formula))]));
     }
 
@@ -198,7 +235,10 @@ impl MobilitySheet<'_> {
             Lang::En => format!("Driven: {driven}. Taken off from the far end, where they leave the rest moving as before:"),
             Lang::Zh => format!("原动件为{driven}。由远离原动件处开始，依次拆下："),
         })));
-        let members = given.from_the_far_end().into_iter().map(|g| group_set(&given.scene, &given.mechanism, &g, self.lang()));
+        let members = given
+            .from_the_far_end()
+            .into_iter()
+            .map(|g| group_set(&given.scene, &given.mechanism, &g, self.lang()));
         blocks.push(DocumentBlock::List { numbered: true, members: members.collect() });
         if let Some(maker) = &self.drawn {
             let (style, notation) = (&self.options.style, &self.options.notation);
@@ -216,7 +256,11 @@ impl MobilitySheet<'_> {
             return;
         }
         blocks.push(self.heading(2, "Other drivers", "换用其他原动件"));
-        let head = [self.tr("driver", "原动件"), self.tr("class", "机构级别"), self.tr("groups from the far end", "由远端拆下的杆组")];
+        let head = [
+            self.tr("driver", "原动件"),
+            self.tr("class", "机构级别"),
+            self.tr("groups from the far end", "由远端拆下的杆组"),
+        ];
         let mut rows = vec![head.map(Phrase::new).to_vec()];
         for c in others {
             let cells = [self.driven(c), class(c, self.lang()).to_owned(), kinds(c, self.lang())];
@@ -236,11 +280,21 @@ impl MobilitySheet<'_> {
         };
         let slid = |guide: &Guide| match (guide.slider, self.lang()) {
             (Some(l), _) => link(l),
-            (None, Lang::En) => format!("the pin {} in its slot", guide.pin.map_or("", |p| scene.point_name(p))),
-            (None, Lang::Zh) => format!("槽中的销 {}", guide.pin.map_or("", |p| scene.point_name(p))),
+            (None, Lang::En) => {
+                format!("the pin {} in its slot", guide.pin.map_or("", |p| scene.point_name(p)))
+            }
+            (None, Lang::Zh) => {
+                format!("槽中的销 {}", guide.pin.map_or("", |p| scene.point_name(p)))
+            }
         };
-        let cylinder =
-            |[a, b]: [PointId; 2]| format!("{} {}{}", self.tr("the cylinder", "液压缸"), scene.point_name(a), scene.point_name(b));
+        let cylinder = |[a, b]: [PointId; 2]| {
+            format!(
+                "{} {}{}",
+                self.tr("the cylinder", "液压缸"),
+                scene.point_name(a),
+                scene.point_name(b)
+            )
+        };
         let one = |d: &Driver| {
             let turned = d.kind.turned().map(|(l, against)| turned(l, against));
             let slid = || d.kind.guide().map(|g| slid(&scene.guides[g.0]));

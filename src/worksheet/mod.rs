@@ -66,7 +66,10 @@ pub struct WorksheetOptions {
 impl WorksheetOptions {
     /// Both sides in the default style of a language.
     pub fn of_language(lang: Lang) -> WorksheetOptions {
-        WorksheetOptions { sheet: sheet::SheetOptions::of_language(lang), sides: WorksheetSides::Both }
+        WorksheetOptions {
+            sheet: sheet::SheetOptions::of_language(lang),
+            sides: WorksheetSides::Both,
+        }
     }
 }
 
@@ -95,7 +98,9 @@ impl Document {
             | DocumentBlock::Table(_)
             | DocumentBlock::Formula(_) => None,
         });
-        figures.max_by_key(|f| f.remarks().len() * f.labels_placed()).map_or_else(Vec::new, |f| f.remarks())
+        figures
+            .max_by_key(|f| f.remarks().len() * f.labels_placed())
+            .map_or_else(Vec::new, |f| f.remarks())
     }
 }
 
@@ -166,7 +171,8 @@ pub struct CompanionFile {
 pub fn worksheet(scene: &Scene, worked: &Worked, options: &WorksheetOptions) -> Document {
     let certified = certify(scene, worked, options.sheet.digits);
     let told = steps(scene, worked, worked.drafting.as_ref().map(|d| d.pencil_mm));
-    let maker = SheetMaker { scene, worked, options: &options.sheet, certified: &certified, told: &told };
+    let maker =
+        SheetMaker { scene, worked, options: &options.sheet, certified: &certified, told: &told };
     let mut blocks = Vec::new();
     if options.sides != WorksheetSides::Solution {
         maker.problem(&mut blocks);
@@ -208,7 +214,12 @@ impl SheetMaker<'_> {
     }
 
     fn writer(&self) -> PlanWriter<'_> {
-        PlanWriter { scene: self.scene, plan: &self.worked.plan, notation: self.notation(), lang: self.lang() }
+        PlanWriter {
+            scene: self.scene,
+            plan: &self.worked.plan,
+            notation: self.notation(),
+            lang: self.lang(),
+        }
     }
 
     fn link(&self, l: LinkId) -> &str {
@@ -227,7 +238,11 @@ fn one_line(text: &str) -> String {
 fn guarded(line: String) -> String {
     let digits = line.bytes().take_while(u8::is_ascii_digit).count();
     let mark = if digits > 0 { &[".", ")"][..] } else { &["-", "+", "="][..] };
-    if mark.iter().any(|m| line[digits..].starts_with(m)) { format!("{}\\{}", &line[..digits], &line[digits..]) } else { line }
+    if mark.iter().any(|m| line[digits..].starts_with(m)) {
+        format!("{}\\{}", &line[..digits], &line[digits..])
+    } else {
+        line
+    }
 }
 
 /// Puts a backslash before each character that has a meaning in a language; `means` gets the
@@ -254,7 +269,8 @@ fn picture_names<'a>(document: &'a Document, stem: &str) -> Vec<(String, &'a Fig
         if let DocumentBlock::Figure { name, figure } = block {
             let plain = format!("{stem}-{name}.svg");
             let counted = (2..).map(|k| format!("{stem}-{name}-{k}.svg"));
-            let free = std::iter::once(plain).chain(counted).find(|n| all.iter().all(|(m, _)| m != n));
+            let free =
+                std::iter::once(plain).chain(counted).find(|n| all.iter().all(|(m, _)| m != n));
             all.push((free.expect("numbers do not run out"), figure));
         }
     }

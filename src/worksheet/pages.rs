@@ -59,7 +59,8 @@ struct Setting {
 
 /// The default setting, and the settings that are tried to save a page, with the smallest change
 /// first.
-const USUAL: Setting = Setting { line_em: LINE_EM, beside_part: BESIDE_PART, columns: false, filled: false };
+const USUAL: Setting =
+    Setting { line_em: LINE_EM, beside_part: BESIDE_PART, columns: false, filled: false };
 const CLOSER: [Setting; 5] = [
     Setting { line_em: CLOSE_LINE_EM, ..USUAL },
     Setting { line_em: CLOSE_LINE_EM, columns: true, ..USUAL },
@@ -95,13 +96,19 @@ pub fn pages(document: &Document) -> Vec<Page> {
     let count = pages.len();
     for (n, page) in pages.iter_mut().enumerate() {
         let label = Label::text(format!("{} / {count}", n + 1)).in_fonts(&document.fonts);
-        let foot = line(&label, Point::new(page.width_mm / 2.0, FOOT_MM), TEXT_MM * 0.9, Anchor::Middle);
+        let foot =
+            line(&label, Point::new(page.width_mm / 2.0, FOOT_MM), TEXT_MM * 0.9, Anchor::Middle);
         page.parts.push(Part { kind: Kind::Artifact, items: vec![foot] });
     }
     pages
 }
 
-fn set(document: &Document, title: Option<&str>, blocks: &[DocumentBlock], setting: Setting) -> Vec<Page> {
+fn set(
+    document: &Document,
+    title: Option<&str>,
+    blocks: &[DocumentBlock],
+    setting: Setting,
+) -> Vec<Page> {
     let mut setter = PageSetter::new(setting, document.fonts.clone());
     if let Some(title) = title {
         setter.heading(0, title);
@@ -223,7 +230,13 @@ impl PageSetter {
         self.y -= chunk.height_mm;
         match self.parts.last_mut() {
             // Consecutive lines of a paragraph form one paragraph.
-            Some(last) if chunk.kind == Kind::Paragraph && chunk.air_mm == 0.0 && last.kind == Kind::Paragraph => last.items.extend(items),
+            Some(last)
+                if chunk.kind == Kind::Paragraph
+                    && chunk.air_mm == 0.0
+                    && last.kind == Kind::Paragraph =>
+            {
+                last.items.extend(items)
+            }
             _ => self.parts.push(Part { kind: chunk.kind, items }),
         }
     }
@@ -262,5 +275,8 @@ impl PageSetter {
 
 /// A line of text.
 pub(super) fn line(label: &Label, at: Point, size_mm: f64, anchor: Anchor) -> FigureItem {
-    FigureItem::new("text", Shape::Label { at, label: label.clone(), size_mm, anchor, colour: Colour::BLACK })
+    FigureItem::new(
+        "text",
+        Shape::Label { at, label: label.clone(), size_mm, anchor, colour: Colour::BLACK },
+    )
 }

@@ -13,10 +13,21 @@ pub(super) fn listed(scene: &Scene, lang: Lang) -> Vec<Phrase> {
     let mut all = vec![w.links()];
     all.extend((0..scene.points.len()).map(PointId).filter_map(|p| w.pin(p)));
     let cam = |g: usize| scene.cams.iter().any(|c| c.contact == Some(GuideId(g)));
-    all.extend(scene.guides.iter().enumerate().filter(|(i, g)| g.rolling.is_none() && !cam(*i)).map(|(_, g)| w.guide(g)));
+    all.extend(
+        scene
+            .guides
+            .iter()
+            .enumerate()
+            .filter(|(i, g)| g.rolling.is_none() && !cam(*i))
+            .map(|(_, g)| w.guide(g)),
+    );
     all.extend(scene.cams.iter().map(|c| w.cam(c.cam, c.follower, &c.follows)));
     all.extend((0..scene.rolling.len()).map(|r| rolling_pair_words(scene, RollingId(r))));
-    all.extend((0..scene.drivers.len()).filter(|d| !scene.is_led(*d)).map(|d| w.driver(&scene.drivers[d].kind)));
+    all.extend(
+        (0..scene.drivers.len())
+            .filter(|d| !scene.is_led(*d))
+            .map(|d| w.driver(&scene.drivers[d].kind)),
+    );
     all.iter().map(|b| Phrase::new(if lang == Lang::En { &b.en } else { &b.zh })).collect()
 }
 
@@ -35,25 +46,39 @@ impl PairWords<'_> {
     }
 
     fn links(&self) -> Both {
-        let moving: Vec<LinkId> = (0..self.scene.links.len()).map(LinkId).filter(|l| *l != self.scene.ground).collect();
+        let moving: Vec<LinkId> =
+            (0..self.scene.links.len()).map(LinkId).filter(|l| *l != self.scene.ground).collect();
         let ground = self.scene.link_name(self.scene.ground);
-        both!("moving links {}; link {ground} is fixed", "活动构件 {}；构件 {ground} 为机架", self.names(&moving))
+        both!(
+            "moving links {}; link {ground} is fixed",
+            "活动构件 {}；构件 {ground} 为机架",
+            self.names(&moving)
+        )
     }
 
     /// A pin that joins links.
     fn pin(&self, p: PointId) -> Option<Both> {
         let links: Vec<LinkId> = self.scene.carriers(p).collect();
         let point = self.point(p);
-        (links.len() > 1).then(|| both!("pin {point} joins links {}", "{point} 处构件 {} 铰接", self.names(&links)))
+        (links.len() > 1).then(|| {
+            both!("pin {point} joins links {}", "{point} 处构件 {} 铰接", self.names(&links))
+        })
     }
 
     fn guide(&self, g: &Guide) -> Both {
         let on = self.scene.link_name(g.on);
         let pin = g.pin.map(|p| self.point(p));
         match (g.slider.map(|s| self.scene.link_name(s)), pin) {
-            (Some(slider), Some(pin)) => both!("{slider} slides on {on} at {pin}", "构件 {slider} 与 {on} 在 {pin} 处组成移动副"),
-            (Some(slider), None) => both!("{slider} slides on {on}", "构件 {slider} 与 {on} 组成移动副"),
-            (None, Some(pin)) => both!("pin {pin} runs in a slot of {on}", "销 {pin} 在构件 {on} 的槽中移动（高副）"),
+            (Some(slider), Some(pin)) => both!(
+                "{slider} slides on {on} at {pin}",
+                "构件 {slider} 与 {on} 在 {pin} 处组成移动副"
+            ),
+            (Some(slider), None) => {
+                both!("{slider} slides on {on}", "构件 {slider} 与 {on} 组成移动副")
+            }
+            (None, Some(pin)) => {
+                both!("pin {pin} runs in a slot of {on}", "销 {pin} 在构件 {on} 的槽中移动（高副）")
+            }
             (None, None) => Both::default(),
         }
     }
@@ -62,7 +87,11 @@ impl PairWords<'_> {
         let [cam, link] = [cam, follower].map(|l| self.scene.link_name(l));
         match follows {
             Follows::Edge(p) => {
-                both!("the edge {} of {link} touches cam {cam}", "从动件 {link} 的尖顶 {} 与凸轮 {cam} 接触", self.point(*p))
+                both!(
+                    "the edge {} of {link} touches cam {cam}",
+                    "从动件 {link} 的尖顶 {} 与凸轮 {cam} 接触",
+                    self.point(*p)
+                )
             }
             Follows::Roller(p, _) => self.roller(cam, link, *p, follower),
             Follows::Arc(p, _) => {
@@ -72,13 +101,19 @@ impl PairWords<'_> {
                     self.point(*p)
                 )
             }
-            Follows::Face(_) => both!("the flat face of {link} touches cam {cam}", "从动件 {link} 的平底与凸轮 {cam} 接触"),
+            Follows::Face(_) => both!(
+                "the flat face of {link} touches cam {cam}",
+                "从动件 {link} 的平底与凸轮 {cam} 接触"
+            ),
         }
     }
 
     /// A roller is a link of its own if a link hangs on its pin.
     fn roller(&self, cam: &str, follower: &str, pin: PointId, link: LinkId) -> Both {
-        let own = self.scene.carriers(pin).find(|l| *l != link && self.scene.links[l.0].points.len() == 1);
+        let own = self
+            .scene
+            .carriers(pin)
+            .find(|l| *l != link && self.scene.links[l.0].points.len() == 1);
         let point = self.point(pin);
         match own.map(|l| self.scene.link_name(l)) {
             Some(roller) => both!(
@@ -86,7 +121,10 @@ impl PairWords<'_> {
                 "从动件 {follower} 的滚子 {roller}（轴 {point}）与凸轮 {cam} 接触"
             ),
             None => {
-                both!("the roller of {follower} about {point} touches cam {cam}", "从动件 {follower} 的滚子（轴 {point}）与凸轮 {cam} 接触")
+                both!(
+                    "the roller of {follower} about {point} touches cam {cam}",
+                    "从动件 {follower} 的滚子（轴 {point}）与凸轮 {cam} 接触"
+                )
             }
         }
     }
@@ -96,7 +134,11 @@ impl PairWords<'_> {
             return both!("{} is driven", "原动件为构件 {}", self.scene.link_name(link));
         }
         if let Some(g) = kind.guide().map(|g| &self.scene.guides[g.0]) {
-            let what = g.slider.map(|s| self.scene.link_name(s).to_owned()).or(g.pin.map(|p| self.point(p))).unwrap_or_default();
+            let what = g
+                .slider
+                .map(|s| self.scene.link_name(s).to_owned())
+                .or(g.pin.map(|p| self.point(p)))
+                .unwrap_or_default();
             return both!("{what} is driven along its guide", "原动件为沿导路移动的 {what}");
         }
         let [a, b] = kind.ends().map(|ends| ends.map(|p| self.point(p))).unwrap_or_default();

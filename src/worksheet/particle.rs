@@ -3,7 +3,9 @@
 
 mod given;
 
-use super::{Document, DocumentBlock, DocumentTable, TableKind, WorksheetOptions, WorksheetSides, one_line};
+use super::{
+    Document, DocumentBlock, DocumentTable, TableKind, WorksheetOptions, WorksheetSides, one_line,
+};
 use crate::diag::Diagnostic;
 use crate::digits::significant;
 use crate::figure::particle::{as_given, notation, within_text};
@@ -13,7 +15,9 @@ use crate::paper::phrase::{Phrase, tr};
 use crate::particle::board::MotionDrawing;
 use crate::particle::{ParticleMotionKind, ParticleProblem, ParticleSolution};
 use crate::report::math::Math;
-use crate::report::particle::{drawn, in_unit, integrated, largest, marked, sentence, symbol, unit, value};
+use crate::report::particle::{
+    drawn, in_unit, integrated, largest, marked, sentence, symbol, unit, value,
+};
 use crate::scene::Lang;
 
 /// Makes the worksheet.
@@ -28,7 +32,9 @@ pub fn particle(
 ) -> Result<Document, Diagnostic> {
     let lang = options.sheet.lang;
     let notation = &notation(&options.sheet.style, lang);
-    let heading = |level: u8, en: &'static str, zh: &'static str| DocumentBlock::Heading(level, tr(lang, en, zh).into());
+    let heading = |level: u8, en: &'static str, zh: &'static str| {
+        DocumentBlock::Heading(level, tr(lang, en, zh).into())
+    };
     let mut blocks = Vec::new();
     if options.sides != WorksheetSides::Solution {
         blocks.push(heading(1, "Problem", "题目"));
@@ -56,16 +62,33 @@ pub fn particle(
             let steps = d.steps.iter().map(|s| sentence(s, lang, notation)).collect();
             blocks.push(DocumentBlock::List { numbered: true, members: steps });
         }
-        blocks.extend([heading(2, "Answers", "结果"), DocumentBlock::Table(answers(problem, solved, board, options, notation))]);
+        blocks.extend([
+            heading(2, "Answers", "结果"),
+            DocumentBlock::Table(answers(problem, solved, board, options, notation)),
+        ]);
     }
-    Ok(Document { title: one_line(lang.of(&problem.title)), lang, fonts: options.sheet.style.fonts.clone(), blocks })
+    Ok(Document {
+        title: one_line(lang.of(&problem.title)),
+        lang,
+        fonts: options.sheet.style.fonts.clone(),
+        blocks,
+    })
 }
 
 /// The drawn equations.
-fn equations(problem: &ParticleProblem, d: &MotionDrawing, lang: Lang, notation: &Notation) -> Vec<DocumentBlock> {
+fn equations(
+    problem: &ParticleProblem,
+    d: &MotionDrawing,
+    lang: Lang,
+    notation: &Notation,
+) -> Vec<DocumentBlock> {
     let motion = &problem.motions[d.motion];
-    let say = |en: &'static str, zh: &'static str| DocumentBlock::Paragraph(Phrase::new(tr(lang, en, zh)));
-    let formula = |source: &str| DocumentBlock::Formula(vec![Math::Row(Label::math(marked(source, notation)))]);
+    let say = |en: &'static str, zh: &'static str| {
+        DocumentBlock::Paragraph(Phrase::new(tr(lang, en, zh)))
+    };
+    let formula = |source: &str| {
+        DocumentBlock::Formula(vec![Math::Row(Label::math(marked(source, notation)))])
+    };
     match &motion.kind {
         ParticleMotionKind::Toward { .. } => {
             let (a, b) = (&motion.point, problem.chase(motion).map_or("", |c| c.1));
@@ -82,7 +105,9 @@ fn equations(problem: &ParticleProblem, d: &MotionDrawing, lang: Lang, notation:
                 "动点：该点；动系：平板。沿轴的分量以及 $v_r$、$a_r$ 在板面视图中示出真实长度；垂直于轴的分量在沿轴视图中示出。",
             ),
             formula("v_a = v_e + v_r ,\\quad v_e = \\omega \\times r"),
-            formula("a_a = a_e^n + a_e^t + a_r^n + a_r^t + a_k ,\\quad a_k = 2 \\omega v_r \\sin \\theta"),
+            formula(
+                "a_a = a_e^n + a_e^t + a_r^n + a_r^t + a_k ,\\quad a_k = 2 \\omega v_r \\sin \\theta",
+            ),
         ],
         ParticleMotionKind::Fixed(_) => Vec::new(),
     }
@@ -96,7 +121,8 @@ fn answers(
     notation: &Notation,
 ) -> DocumentTable {
     let lang = options.sheet.lang;
-    let head = [tr(lang, "quantity", "量"), tr(lang, "drawing", "作图"), tr(lang, "analysis", "解析")];
+    let head =
+        [tr(lang, "quantity", "量"), tr(lang, "drawing", "作图"), tr(lang, "analysis", "解析")];
     let mut rows = vec![head.iter().map(|h| Phrase::of_words(h)).collect::<Vec<_>>()];
     for a in &solved.answers {
         let what = problem.find[a.find].what;
@@ -107,13 +133,24 @@ fn answers(
                     [one] => *one,
                     _ => all.iter().fold(0.0, |s, x| s + x * x).sqrt(),
                 };
-                format!("{} {}", significant(in_unit(&problem.book, what, size), 4), unit(&problem.book, what))
+                format!(
+                    "{} {}",
+                    significant(in_unit(&problem.book, what, size), 4),
+                    unit(&problem.book, what)
+                )
             },
         );
         let cells = [
             format!("${}$", symbol(problem, what, notation)),
             printed(&read),
-            printed(&value(&problem.book, what, &a.value, largest(problem, solved, what), options.sheet.digits, lang)),
+            printed(&value(
+                &problem.book,
+                what,
+                &a.value,
+                largest(problem, solved, what),
+                options.sheet.digits,
+                lang,
+            )),
         ];
         rows.push(cells.iter().map(|c| Phrase::new(c)).collect());
     }

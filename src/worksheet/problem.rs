@@ -53,7 +53,8 @@ impl SheetMaker<'_> {
             }
         }
         let member = |finds: &Vec<&Find>| {
-            let symbols: Vec<String> = finds.iter().map(|f| format!("${}$", symbol(f, self.notation()))).collect();
+            let symbols: Vec<String> =
+                finds.iter().map(|f| format!("${}$", symbol(f, self.notation()))).collect();
             let words = match (&finds[..], self.kind(&finds[0].what)) {
                 ([_, _, ..], Some(kind)) => kind.to_owned(),
                 _ => self.asked(&finds[0].what),
@@ -67,7 +68,12 @@ impl SheetMaker<'_> {
     fn kind(&self, what: &Asked) -> Option<&'static str> {
         match what.of() {
             Of::Point(OnLink { link: None, .. }) | Of::Link(_) => what.entry().several(self.lang()),
-            Of::Point(OnLink { link: Some(_), .. }) | Of::Points(..) | Of::Links(..) | Of::Line(..) | Of::Seen(..) | Of::Mechanism => None,
+            Of::Point(OnLink { link: Some(_), .. })
+            | Of::Points(..)
+            | Of::Links(..)
+            | Of::Line(..)
+            | Of::Seen(..)
+            | Of::Mechanism => None,
         }
     }
 
@@ -92,7 +98,10 @@ impl SheetMaker<'_> {
         // drawn to a smaller scale.
         let large = figure.width_mm > HALF_MM && figure.height_mm > HIGH_MM;
         match large.then(|| to_part(self.scene, self.worked, self.options, SMALLER)).flatten() {
-            Some((scene, worked)) => (problem_diagram(&scene, &bare(&worked), self.options, &dimensioned), worked.construction.diagram.mu),
+            Some((scene, worked)) => (
+                problem_diagram(&scene, &bare(&worked), self.options, &dimensioned),
+                worked.construction.diagram.mu,
+            ),
             None => (figure, self.worked.construction.diagram.mu),
         }
     }
@@ -110,25 +119,43 @@ impl SheetMaker<'_> {
     fn asked(&self, what: &Asked) -> String {
         let spot = |p: &OnLink| match (p.link, self.lang()) {
             (None, _) => self.point(p.point),
-            (Some(l), Lang::En) => format!("the point of link {} at {}", self.link(l), self.point(p.point)),
-            (Some(l), Lang::Zh) => format!("构件 {} 上与 {} 重合的点", self.link(l), self.point(p.point)),
+            (Some(l), Lang::En) => {
+                format!("the point of link {} at {}", self.link(l), self.point(p.point))
+            }
+            (Some(l), Lang::Zh) => {
+                format!("构件 {} 上与 {} 重合的点", self.link(l), self.point(p.point))
+            }
         };
         // Coincident points are identified by their place and the two links.
-        let of_link = |p: &OnLink| p.link.map_or(spot(p), |l| format!("{} {}", self.tr("link", "构件"), self.link(l)));
+        let of_link = |p: &OnLink| {
+            p.link.map_or(spot(p), |l| format!("{} {}", self.tr("link", "构件"), self.link(l)))
+        };
         let name = what.entry().name(self.lang());
         if let Some(Meaning::Ratio([a, b], arm)) = what.meaning(self.scene) {
             return match (arm.map(|h| self.link(h)), self.lang()) {
-                (None, Lang::En) => format!("{name} of link {} to link {}", self.link(a), self.link(b)),
-                (None, Lang::Zh) => format!("构件 {} 与构件 {} 的{name}", self.link(a), self.link(b)),
-                (Some(h), Lang::En) => format!("{name} of link {} to link {}, both relative to the arm {h}", self.link(a), self.link(b)),
-                (Some(h), Lang::Zh) => format!("构件 {} 与构件 {} 相对系杆 {h} 的{name}", self.link(a), self.link(b)),
+                (None, Lang::En) => {
+                    format!("{name} of link {} to link {}", self.link(a), self.link(b))
+                }
+                (None, Lang::Zh) => {
+                    format!("构件 {} 与构件 {} 的{name}", self.link(a), self.link(b))
+                }
+                (Some(h), Lang::En) => format!(
+                    "{name} of link {} to link {}, both relative to the arm {h}",
+                    self.link(a),
+                    self.link(b)
+                ),
+                (Some(h), Lang::Zh) => {
+                    format!("构件 {} 与构件 {} 相对系杆 {h} 的{name}", self.link(a), self.link(b))
+                }
             };
         }
         if let Asked::Combined(c) = what {
             let [a, b] = c.operands.map(|q| self.asked(&q.asked()));
             return match (c.operation, self.lang()) {
                 (Operation::Sum, Lang::En) => format!("the sum of the {a} and the {b}"),
-                (Operation::Difference, Lang::En) => format!("the difference of the {a} and the {b}"),
+                (Operation::Difference, Lang::En) => {
+                    format!("the difference of the {a} and the {b}")
+                }
                 (Operation::Ratio, Lang::En) => format!("the ratio of the {a} to the {b}"),
                 (Operation::Sum, Lang::Zh) => format!("{a}与{b}之和"),
                 (Operation::Difference, Lang::Zh) => format!("{a}与{b}之差"),
@@ -138,7 +165,9 @@ impl SheetMaker<'_> {
         if let Asked::FromCentre(q) = what {
             let ([a, b], point) = (q.centre.links.map(|(l, _)| self.link(l)), self.point(q.point));
             return match self.lang() {
-                Lang::En => format!("distance of {point} from the instantaneous centre of links {a} and {b}"),
+                Lang::En => format!(
+                    "distance of {point} from the instantaneous centre of links {a} and {b}"
+                ),
                 Lang::Zh => format!("{point} 到构件 {a}、{b} 的瞬心的距离"),
             };
         }
@@ -147,13 +176,22 @@ impl SheetMaker<'_> {
             (Of::Point(p), Lang::Zh) if p.link.is_some() => format!("{}的{name}", spot(&p)),
             (Of::Point(p), Lang::Zh) => format!("{} 的{name}", spot(&p)),
             (Of::Points(a, b), Lang::En) if a.point == b.point => {
-                format!("{name} at {}, of {} relative to {}", self.point(a.point), of_link(&a), of_link(&b))
+                format!(
+                    "{name} at {}, of {} relative to {}",
+                    self.point(a.point),
+                    of_link(&a),
+                    of_link(&b)
+                )
             }
-            (Of::Points(a, b), Lang::Zh) if a.point == b.point && a.link.is_none() => format!("{} 对{} 的{name}", spot(&a), of_link(&b)),
+            (Of::Points(a, b), Lang::Zh) if a.point == b.point && a.link.is_none() => {
+                format!("{} 对{} 的{name}", spot(&a), of_link(&b))
+            }
             (Of::Points(a, b), Lang::Zh) if a.point == b.point => {
                 format!("{} 处{} 对{} 的{name}", self.point(a.point), of_link(&a), of_link(&b))
             }
-            (Of::Points(a, b), Lang::En) => format!("{name} of {} relative to {}", spot(&a), spot(&b)),
+            (Of::Points(a, b), Lang::En) => {
+                format!("{name} of {} relative to {}", spot(&a), spot(&b))
+            }
             (Of::Points(a, b), Lang::Zh) => format!("{} 相对 {} 的{name}", spot(&a), spot(&b)),
             (Of::Link(l), Lang::En) => format!("{name} of link {}", self.link(l)),
             (Of::Link(l), Lang::Zh) => format!("构件 {} 的{name}", self.link(l)),
@@ -163,8 +201,14 @@ impl SheetMaker<'_> {
                 match (fixed(a) || fixed(b), lang) {
                     (true, Lang::En) => format!("absolute instantaneous centre of link {moving}"),
                     (true, Lang::Zh) => format!("构件 {moving} 的绝对瞬心"),
-                    (false, Lang::En) => format!("relative instantaneous centre of links {} and {}", self.link(a), self.link(b)),
-                    (false, Lang::Zh) => format!("构件 {} 与构件 {} 的相对瞬心", self.link(a), self.link(b)),
+                    (false, Lang::En) => format!(
+                        "relative instantaneous centre of links {} and {}",
+                        self.link(a),
+                        self.link(b)
+                    ),
+                    (false, Lang::Zh) => {
+                        format!("构件 {} 与构件 {} 的相对瞬心", self.link(a), self.link(b))
+                    }
                 }
             }
             // The names of the table say what they belong to.
@@ -172,9 +216,15 @@ impl SheetMaker<'_> {
             (Of::Links(a, b), Lang::En) if what.kind() == Kind::Force => {
                 format!("{name} of link {} on link {}", self.link(a), self.link(b))
             }
-            (Of::Links(a, b), Lang::Zh) if what.kind() == Kind::Force => format!("构件 {} 对构件 {} 的{name}", self.link(a), self.link(b)),
-            (Of::Links(a, b), Lang::En) => format!("{name} of link {} relative to link {}", self.link(a), self.link(b)),
-            (Of::Links(a, b), Lang::Zh) => format!("构件 {} 相对构件 {} 的{name}", self.link(a), self.link(b)),
+            (Of::Links(a, b), Lang::Zh) if what.kind() == Kind::Force => {
+                format!("构件 {} 对构件 {} 的{name}", self.link(a), self.link(b))
+            }
+            (Of::Links(a, b), Lang::En) => {
+                format!("{name} of link {} relative to link {}", self.link(a), self.link(b))
+            }
+            (Of::Links(a, b), Lang::Zh) => {
+                format!("构件 {} 相对构件 {} 的{name}", self.link(a), self.link(b))
+            }
             (Of::Seen(p, frame), lang) => {
                 let own = match (frame, lang) {
                     (Frame::Link(l), Lang::En) => format!("is fixed to link {}", self.link(l)),
@@ -188,7 +238,11 @@ impl SheetMaker<'_> {
                 }
             }
             (Of::Line(a, b), _) => {
-                format!("{name} ${}{}$", point_label(self.scene.point_name(a)), point_label(self.scene.point_name(b)))
+                format!(
+                    "{name} ${}{}$",
+                    point_label(self.scene.point_name(a)),
+                    point_label(self.scene.point_name(b))
+                )
             }
         }
     }

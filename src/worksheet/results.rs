@@ -25,8 +25,12 @@ impl SheetMaker<'_> {
     pub(super) fn results(&self, blocks: &mut Vec<DocumentBlock>, task: Option<&CentreTask>) {
         let (scene, words, digits) = (self.scene, self.words(), self.options.digits);
         blocks.push(DocumentBlock::Heading(2, words.results.into()));
-        let head =
-            [self.tr("quantity", "量"), self.tr("measured", "量取"), self.tr("value", "值"), self.tr("sense or direction", "转向或方向")];
+        let head = [
+            self.tr("quantity", "量"),
+            self.tr("measured", "量取"),
+            self.tr("value", "值"),
+            self.tr("sense or direction", "转向或方向"),
+        ];
         let mut rows = vec![head.map(Phrase::new).to_vec()];
         let mut said = Vec::new();
         let centres = task.map(|t| &t.found);
@@ -36,7 +40,12 @@ impl SheetMaker<'_> {
                 AnswerLine::Answer(r, c) => (r, c),
                 AnswerLine::InfiniteCentre(far) => {
                     let name = math(&symbol(&scene.find[far.find], self.notation()));
-                    rows.push(vec![name, Phrase::default(), Phrase::of_words(&at_infinity(far, self.lang())), Phrase::default()]);
+                    rows.push(vec![
+                        name,
+                        Phrase::default(),
+                        Phrase::of_words(&at_infinity(far, self.lang())),
+                        Phrase::default(),
+                    ]);
                     continue;
                 }
                 AnswerLine::None(u) => {
@@ -51,11 +60,16 @@ impl SheetMaker<'_> {
             let value = r.value();
             let name = symbol(find, self.notation());
             // A singular pose is reported once for all, among the remarks.
-            if let Some(why) = c.why.as_ref().filter(|w| !matches!(w, MissingDigits::NextOrder(_))) {
-                said.push(Phrase::new(&fill(words.uncertain, &[("", &format!("${name}$")), ("why", &why.words(self.lang()))])));
+            if let Some(why) = c.why.as_ref().filter(|w| !matches!(w, MissingDigits::NextOrder(_)))
+            {
+                said.push(Phrase::new(&fill(
+                    words.uncertain,
+                    &[("", &format!("${name}$")), ("why", &why.words(self.lang()))],
+                )));
             }
             let by_ruler = centres.and_then(|found| by_lines(found, find, words));
-            let read = by_ruler.or_else(|| measured(&scene.book, r, c, find, words).filter(|_| !alone));
+            let read =
+                by_ruler.or_else(|| measured(&scene.book, r, c, find, words).filter(|_| !alone));
             rows.push(vec![
                 math(&named(&self.writer(), find, r)),
                 read.map_or(Phrase::default(), |l| of_label(&l)),
@@ -64,7 +78,14 @@ impl SheetMaker<'_> {
             ]);
         }
         blocks.push(DocumentBlock::Table(DocumentTable { kind: TableKind::Values, rows }));
-        let answers = ResultsContent { scene, worked: self.worked, certified: self.certified, notation: self.notation(), words, digits };
+        let answers = ResultsContent {
+            scene,
+            worked: self.worked,
+            certified: self.certified,
+            notation: self.notation(),
+            words,
+            digits,
+        };
         if !alone {
             said.extend(remarks(&answers));
         }
@@ -102,18 +123,32 @@ impl SheetMaker<'_> {
         self.components(blocks);
         let mm = shortest(by_hand.pencil_mm);
         let hand = format!("{} ({mm} mm)", self.tr("by hand", "手工作图误差"));
-        let head = [self.tr("quantity", "量"), self.tr("drawing", "图解"), self.tr("loop equations", "解析"), &hand];
+        let head = [
+            self.tr("quantity", "量"),
+            self.tr("drawing", "图解"),
+            self.tr("loop equations", "解析"),
+            &hand,
+        ];
         let mut rows = vec![head.map(Phrase::new).to_vec()];
         for r in &self.worked.results {
             let (Some(drawn), Some(_)) = (&r.drawn, r.agreement) else { continue };
             let find = &self.scene.find[r.find];
-            let shown =
-                |v: AnswerValue| if v.magnitude() <= r.noise { "$0$".into() } else { format!("${}$", self.size(find, v, trusted(r))) };
+            let shown = |v: AnswerValue| {
+                if v.magnitude() <= r.noise {
+                    "$0$".into()
+                } else {
+                    format!("${}$", self.size(find, v, trusted(r)))
+                }
+            };
             rows.push(vec![
                 math(&symbol(find, self.notation())),
                 Phrase::new(&shown(drawn.value)),
                 Phrase::new(&shown(r.computed)),
-                Phrase::new(&drafting::words(&self.scene.book, find, by_hand.tolerances[r.find].as_ref())),
+                Phrase::new(&drafting::words(
+                    &self.scene.book,
+                    find,
+                    by_hand.tolerances[r.find].as_ref(),
+                )),
             ]);
         }
         blocks.push(DocumentBlock::Table(DocumentTable { kind: TableKind::Values, rows }));
@@ -143,7 +178,8 @@ impl SheetMaker<'_> {
         let name = symbol(find, self.notation());
         let printed = |si: f64| self.scene.book.value(find.what.kind(), si);
         let digits = trusted(r).min(self.options.digits + 1);
-        let part = |x: f64| if x.abs() <= r.noise { "0".to_owned() } else { number(printed(x), digits) };
+        let part =
+            |x: f64| if x.abs() <= r.noise { "0".to_owned() } else { number(printed(x), digits) };
         // A number with a sign or a power of ten gets brackets before it is squared.
         let squared = |x: f64| match part(x) {
             text if text.starts_with('−') || text.contains('^') => format!("({text})^2"),
@@ -153,7 +189,10 @@ impl SheetMaker<'_> {
         blocks.push(DocumentBlock::Formula(vec![
             Math::Row(Label::math(format!("{name} ="))),
             Math::Root(Label::math(squares)),
-            Math::Row(Label::math(format!("= {}", self.scene.book.label(find.what.kind(), &number(printed(v.norm()), digits))))),
+            Math::Row(Label::math(format!(
+                "= {}",
+                self.scene.book.label(find.what.kind(), &number(printed(v.norm()), digits))
+            ))),
         ]));
     }
 }

@@ -30,7 +30,10 @@ const RULER_DIGITS: usize = 4;
 const RATES_IN_A_LINE: usize = 4;
 
 /// Words for the files of groups' forces; further groups are described in words only.
-const FORCES: [&str; 9] = ["forces-1", "forces-2", "forces-3", "forces-4", "forces-5", "forces-6", "forces-7", "forces-8", "forces-9"];
+const FORCES: [&str; 9] = [
+    "forces-1", "forces-2", "forces-3", "forces-4", "forces-5", "forces-6", "forces-7", "forces-8",
+    "forces-9",
+];
 
 impl SheetMaker<'_> {
     /// Writes the solution. `alone`: true if no problem side precedes it, so that the mechanism is
@@ -46,13 +49,10 @@ impl SheetMaker<'_> {
                 return self.results(blocks, Some(task));
             }
         }
-        let special = self
-            .worked
-            .plan
-            .vertices
-            .iter()
-            .enumerate()
-            .any(|(v, vertex)| matches!(vertex.spot, VertexPlace::Special(_)) && self.worked.construction.diagram.spots[v].is_some());
+        let special = self.worked.plan.vertices.iter().enumerate().any(|(v, vertex)| {
+            matches!(vertex.spot, VertexPlace::Special(_))
+                && self.worked.construction.diagram.spots[v].is_some()
+        });
         if task.is_none() {
             self.laws(blocks);
             self.counted(blocks, self.tr("Degree of freedom and groups", "自由度与杆组"));
@@ -71,23 +71,36 @@ impl SheetMaker<'_> {
     }
 
     fn figure(&self, name: &'static str, on: DiagramKind) -> Option<DocumentBlock> {
-        drawing(self.scene, self.worked, self.options, on).map(|f| DocumentBlock::Figure { name, figure: Box::new(f) })
+        drawing(self.scene, self.worked, self.options, on)
+            .map(|f| DocumentBlock::Figure { name, figure: Box::new(f) })
     }
 
     /// Each group's moments, force polygon and reactions, the last group first; then the checks.
     fn forces(&self, blocks: &mut Vec<DocumentBlock>) {
-        let Some(of) = self.worked.equilibrium.as_ref().filter(|of| !of.groups.is_empty()) else { return };
-        let w = ForceWriter { scene: self.scene, notation: &self.options.notation, lang: self.lang(), of };
+        let Some(of) = self.worked.equilibrium.as_ref().filter(|of| !of.groups.is_empty()) else {
+            return;
+        };
+        let w = ForceWriter {
+            scene: self.scene,
+            notation: &self.options.notation,
+            lang: self.lang(),
+            of,
+        };
         blocks.push(self.heading(2, "Forces", "力分析"));
         for (k, group) in of.groups.iter().enumerate() {
             blocks.push(DocumentBlock::Heading(3, w.heading(group)));
-            if let (Some(name), Some(figure)) = (FORCES.get(k), forces::group(self.scene, self.worked, self.options, k)) {
+            if let (Some(name), Some(figure)) =
+                (FORCES.get(k), forces::group(self.scene, self.worked, self.options, k))
+            {
                 blocks.push(DocumentBlock::Figure { name, figure: Box::new(figure) });
             }
             blocks.push(DocumentBlock::List { numbered: true, members: w.sentences(group) });
         }
-        let (lever, pole) = (forces::zhukovsky(self.scene, self.worked), self.writer().pole(DiagramKind::Velocity));
-        if let Some((heading, members)) = w.checks(&self.worked.configuration, lever.as_ref().map(|lever| (lever, pole.as_str()))) {
+        let (lever, pole) =
+            (forces::zhukovsky(self.scene, self.worked), self.writer().pole(DiagramKind::Velocity));
+        if let Some((heading, members)) =
+            w.checks(&self.worked.configuration, lever.as_ref().map(|lever| (lever, pole.as_str())))
+        {
             blocks.push(DocumentBlock::Heading(3, heading.into()));
             blocks.push(DocumentBlock::List { numbered: true, members });
         }
@@ -108,15 +121,22 @@ impl SheetMaker<'_> {
         blocks.push(DocumentBlock::Heading(2, heading.into()));
         let (n, low, high) = (f.moving, f.lower, f.higher);
         let known = match self.lang() {
-            Lang::En => format!("Moving links $n = {n}$, lower pairs $p_l = {low}$, higher pairs $p_h = {high}$:"),
-            Lang::Zh => format!("活动构件数 $n = {n}$，低副数 $p_l = {low}$，高副数 $p_h = {high}$："),
+            Lang::En => format!(
+                "Moving links $n = {n}$, lower pairs $p_l = {low}$, higher pairs $p_h = {high}$:"
+            ),
+            Lang::Zh => {
+                format!("活动构件数 $n = {n}$，低副数 $p_l = {low}$，高副数 $p_h = {high}$：")
+            }
         };
         blocks.push(DocumentBlock::Paragraph(Phrase::new(&known)));
         let why = lower_set(self.scene, &compound(self.scene), self.lang());
         if !why.is_empty() {
             blocks.push(DocumentBlock::List { numbered: false, members: why });
         }
-        let formula = format!("F = 3n - 2p_l - p_h = 3 \\times {n} - 2 \\times {low} - {high} = {}", f.freedom);
+        let formula = format!(
+            "F = 3n - 2p_l - p_h = 3 \\times {n} - 2 \\times {low} - {high} = {}",
+            f.freedom
+        );
         blocks.push(DocumentBlock::Formula(vec![Math::Row(Label::math(formula))]));
     }
 
@@ -125,8 +145,13 @@ impl SheetMaker<'_> {
         let m = &self.worked.mechanism;
         let drivers = self.scene.own_drivers();
         let verdict = match self.lang() {
-            Lang::En if drivers == 1 => "With one driver its motion is determined. Groups in the order of solving:".to_owned(),
-            Lang::En => format!("With {drivers} drivers its motion is determined. Groups in the order of solving:"),
+            Lang::En if drivers == 1 => {
+                "With one driver its motion is determined. Groups in the order of solving:"
+                    .to_owned()
+            }
+            Lang::En => format!(
+                "With {drivers} drivers its motion is determined. Groups in the order of solving:"
+            ),
             Lang::Zh => format!("原动件数为 {drivers}，机构具有确定的运动。杆组按求解顺序为："),
         };
         blocks.push(DocumentBlock::Paragraph(Phrase::new(&verdict)));
@@ -146,7 +171,8 @@ impl SheetMaker<'_> {
         let mut mu = format!("${}$", scale_formula(book, DiagramKind::Plane, mu_of_figure));
         if let Some(l) = self.scene.lengths.first() {
             let (a, b) = (l.a.min(l.b), l.a.max(l.b));
-            let ends = name_label(&format!("{}{}", self.scene.point_name(a), self.scene.point_name(b)));
+            let ends =
+                name_label(&format!("{}{}", self.scene.point_name(a), self.scene.point_name(b)));
             let on_paper = mm(l.value.value / mu_of_figure);
             mu += &match self.lang() {
                 Lang::En => format!(": $l_{{{ends}}}$ is drawn ${on_paper}$ long"),
@@ -155,7 +181,12 @@ impl SheetMaker<'_> {
         }
         members.push(mu);
         for on in DiagramKind::POLYGONS {
-            members.extend(paper.polygon(on).filter(|_| !paper.is_empty(on)).map(|p| format!("${}$", scale_formula(book, on, p.mu))));
+            members.extend(
+                paper
+                    .polygon(on)
+                    .filter(|_| !paper.is_empty(on))
+                    .map(|p| format!("${}$", scale_formula(book, on, p.mu))),
+            );
         }
         blocks.push(self.heading(2, "Scales", "比例尺"));
         blocks.push(self.paragraph(
@@ -163,7 +194,10 @@ impl SheetMaker<'_> {
              allows. A length measured on paper, multiplied by its scale, is the quantity.",
             "比例尺取自 1、2、2.5、5 乘以 10 的幂的系列，使图形在图纸允许的范围内尽量大。图上量得的长度乘以相应的比例尺，即为该量的大小。",
         ));
-        blocks.push(DocumentBlock::List { numbered: false, members: members.iter().map(|s| Phrase::new(s)).collect() });
+        blocks.push(DocumentBlock::List {
+            numbered: false,
+            members: members.iter().map(|s| Phrase::new(s)).collect(),
+        });
     }
 
     fn level(&self, blocks: &mut Vec<DocumentBlock>, on: DiagramKind) {
@@ -171,7 +205,8 @@ impl SheetMaker<'_> {
         blocks.push(DocumentBlock::Heading(2, self.words().equations(on).into()));
         for group in self.worked.plan.steps(on) {
             let chosen = group.drawn(self.worked.construction.acts.chosen[group.group]);
-            for step in group.steps(chosen).take(group.alternatives.get(chosen).map_or(0, Vec::len)) {
+            for step in group.steps(chosen).take(group.alternatives.get(chosen).map_or(0, Vec::len))
+            {
                 self.step(blocks, on, step);
             }
             self.rates(blocks, on, group);
@@ -210,7 +245,13 @@ impl SheetMaker<'_> {
         }
     }
 
-    fn table(&self, blocks: &mut Vec<DocumentBlock>, vector: &str, method: Method, columns: Vec<EquationColumn>) {
+    fn table(
+        &self,
+        blocks: &mut Vec<DocumentBlock>,
+        vector: &str,
+        method: Method,
+        columns: Vec<EquationColumn>,
+    ) {
         let why = match (method, self.lang()) {
             (Method::SameLink, Lang::En) => "two points of one link",
             (Method::SameLink, Lang::Zh) => "基点法",
@@ -232,9 +273,12 @@ impl SheetMaker<'_> {
             Lang::Zh => format!("求 ${vector}$（{why}）："),
         })));
         let [mut symbols, mut magnitudes, mut directions] =
-            ["", self.words().magnitude, self.words().direction].map(|head| vec![Phrase::new(head)]);
+            ["", self.words().magnitude, self.words().direction]
+                .map(|head| vec![Phrase::new(head)]);
         for c in columns {
-            let cell = |text: &str| Phrase::new(&if text.is_empty() { String::new() } else { format!("${text}$") });
+            let cell = |text: &str| {
+                Phrase::new(&if text.is_empty() { String::new() } else { format!("${text}$") })
+            };
             if !c.joint.is_empty() {
                 symbols.push(cell(c.joint));
                 magnitudes.push(cell(""));
@@ -244,8 +288,15 @@ impl SheetMaker<'_> {
             magnitudes.push(cell(&c.magnitude));
             directions.push(cell(&c.direction));
         }
-        let [second, third] = if self.notation().first_row == "direction" { [directions, magnitudes] } else { [magnitudes, directions] };
-        blocks.push(DocumentBlock::Table(DocumentTable { kind: TableKind::Equation, rows: vec![symbols, second, third] }));
+        let [second, third] = if self.notation().first_row == "direction" {
+            [directions, magnitudes]
+        } else {
+            [magnitudes, directions]
+        };
+        blocks.push(DocumentBlock::Table(DocumentTable {
+            kind: TableKind::Equation,
+            rows: vec![symbols, second, third],
+        }));
     }
 
     /// Derives the angular velocity or acceleration of each link of the group from the vectors:
@@ -255,8 +306,13 @@ impl SheetMaker<'_> {
         let formula = |(body, rate): &(TurningBody, Rate)| {
             let symbol = w.turning(on, *body);
             match rate {
-                Rate::Measured { of, to } => Some((format!("{symbol} ="), Some((w.measured(on, *body, *of, *to), w.length(*of, *to))))),
-                Rate::Same(l) => Some((format!("{symbol} = {}", w.turning(on, TurningBody::Link(*l))), None)),
+                Rate::Measured { of, to } => Some((
+                    format!("{symbol} ="),
+                    Some((w.measured(on, *body, *of, *to), w.length(*of, *to))),
+                )),
+                Rate::Same(l) => {
+                    Some((format!("{symbol} = {}", w.turning(on, TurningBody::Link(*l))), None))
+                }
                 Rate::Given { .. } | Rate::Zero => None,
             }
         };
@@ -266,8 +322,9 @@ impl SheetMaker<'_> {
             for (k, (row, fraction)) in line.iter().enumerate() {
                 let apart = if k > 0 { "\\quad \\quad " } else { "" };
                 parts.push(Math::Row(Label::math(format!("{apart}{row}"))));
-                parts
-                    .extend(fraction.as_ref().map(|(over, under)| Math::Fraction(Label::math(over.as_str()), Label::math(under.as_str()))));
+                parts.extend(fraction.as_ref().map(|(over, under)| {
+                    Math::Fraction(Label::math(over.as_str()), Label::math(under.as_str()))
+                }));
             }
             blocks.push(DocumentBlock::Formula(parts));
         }

@@ -1,7 +1,10 @@
 //! A worksheet as Typst source: native formulas and tables, drawings as SVG files in the same
 //! folder.
 
-use super::{CompanionFile, Document, DocumentBlock, DocumentTable, TableKind, backslashed, guarded, picture_names};
+use super::{
+    CompanionFile, Document, DocumentBlock, DocumentTable, TableKind, backslashed, guarded,
+    picture_names,
+};
 use crate::diag::Faults;
 use crate::paper::label::Label;
 use crate::paper::phrase::{Phrase, PhrasePiece};
@@ -53,7 +56,8 @@ pub fn typst(document: &Document, stem: &str) -> Result<(String, Vec<CompanionFi
                 let (name, figure) = next.next().expect("every figure has its name");
                 let (name_text, alt) = (string(name), string(&figure.desc));
                 let width = mm(figure.width_mm.min(WIDEST_MM));
-                out += &format!("#align(center, image({name_text}, width: {width}mm, alt: {alt}))\n");
+                out +=
+                    &format!("#align(center, image({name_text}, width: {width}mm, alt: {alt}))\n");
                 files.push(CompanionFile { name: name.clone(), text: svg::write(figure)?.value });
             }
         }
@@ -67,7 +71,9 @@ fn rows(table: &DocumentTable) -> String {
         TableKind::Equation => ("center", ""),
         TableKind::Values => ("left", "  table.hline(y: 1, stroke: 0.5pt),\n"),
     };
-    let mut out = format!("#table(columns: {columns}, stroke: none, inset: 4pt, align: {align} + horizon,\n{line}");
+    let mut out = format!(
+        "#table(columns: {columns}, stroke: none, inset: 4pt, align: {align} + horizon,\n{line}"
+    );
     for row in &table.rows {
         let cells: Vec<String> = row.iter().map(|c| format!("[{}]", inline(c))).collect();
         out += &format!("  {},\n", cells.join(", "));
@@ -101,9 +107,32 @@ fn string(text: &str) -> String {
 /// row, where they would become dashes, a hyphenation hint (`-?`), a minus sign (`-1`) or an
 /// ellipsis.
 fn escaped(text: &str) -> String {
-    let sign = |c| matches!(c, '\\' | '#' | '*' | '_' | '`' | '$' | '<' | '>' | '@' | '[' | ']' | '~' | '=' | '/' | '"' | '\'');
+    let sign = |c| {
+        matches!(
+            c,
+            '\\' | '#'
+                | '*'
+                | '_'
+                | '`'
+                | '$'
+                | '<'
+                | '>'
+                | '@'
+                | '['
+                | ']'
+                | '~'
+                | '='
+                | '/'
+                | '"'
+                | '\''
+        )
+    };
     backslashed(text, |before, c, next| match c {
-        '-' => before == Some('-') || matches!(next, Some('-' | '?' | '0'..='9')) && !before.is_some_and(char::is_alphanumeric),
+        '-' => {
+            before == Some('-')
+                || matches!(next, Some('-' | '?' | '0'..='9'))
+                    && !before.is_some_and(char::is_alphanumeric)
+        }
         '.' => next == Some('.') || before == Some('.'),
         c => sign(c),
     })

@@ -103,12 +103,21 @@ mod tests {
     #[test]
     fn every_file_is_in_a_list() {
         for (folder, list) in [("", SCENES), ("synthesis", TASKS), ("particle", MOTIONS)] {
-            let files = std::fs::read_dir(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)).unwrap();
-            let files: Vec<_> = files.map(|f| f.unwrap().path()).filter(|f| f.extension().is_some_and(|e| e == "json")).collect();
+            let files =
+                std::fs::read_dir(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(folder))
+                    .unwrap();
+            let files: Vec<_> = files
+                .map(|f| f.unwrap().path())
+                .filter(|f| f.extension().is_some_and(|e| e == "json"))
+                .collect();
             assert_eq!(files.len(), list.len(), "{folder}");
             for file in files {
                 let name = file.file_stem().unwrap();
-                assert!(list.iter().any(|(n, _)| *n == name), "add {} to the list of templates/src/lib.rs", file.display());
+                assert!(
+                    list.iter().any(|(n, _)| *n == name),
+                    "add {} to the list of templates/src/lib.rs",
+                    file.display()
+                );
             }
         }
     }

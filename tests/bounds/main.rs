@@ -35,13 +35,25 @@ fn written(folder: &Path, name: &str, scene: &Value) -> PathBuf {
 
 fn template(folder: &Path, name: &str, set: &[&str]) -> PathBuf {
     let path = folder.join("scene.json");
-    hodograph().args(["new", name, "-o"]).arg(&path).args(set.iter().flat_map(|s| ["--set", s])).assert().success();
+    hodograph()
+        .args(["new", name, "-o"])
+        .arg(&path)
+        .args(set.iter().flat_map(|s| ["--set", s]))
+        .assert()
+        .success();
     path
 }
 
 /// Returns the exit code and the text on standard error.
 fn run(arguments: &[&str], scene: &Path, output: &Path) -> (Option<i32>, String) {
-    let out = hodograph().arg(arguments[0]).arg(scene).args(&arguments[1..]).arg("-o").arg(output).output().unwrap();
+    let out = hodograph()
+        .arg(arguments[0])
+        .arg(scene)
+        .args(&arguments[1..])
+        .arg("-o")
+        .arg(output)
+        .output()
+        .unwrap();
     (out.status.code(), String::from_utf8_lossy(&out.stderr).into_owned())
 }
 
@@ -80,7 +92,8 @@ fn worksheets_over_many_points_are_written_and_told() {
         let output = folder.path().join(format!("{n}.md"));
         let (code, said) = run(&["worksheet", "--problem-only"], &scene, &output);
         assert_eq!((code, said.contains("coarse-labels")), (Some(0), coarse), "{n}: {said}");
-        let figure = std::fs::read_to_string(folder.path().join(format!("{n}-mechanism.svg"))).unwrap();
+        let figure =
+            std::fs::read_to_string(folder.path().join(format!("{n}-mechanism.svg"))).unwrap();
         assert!(figure.matches("dimension-").count() > 5, "{n}");
     }
 }
@@ -90,7 +103,11 @@ fn worksheets_over_many_points_are_written_and_told() {
 #[test]
 fn lessons_have_a_limit() {
     let folder = tempfile::tempdir().unwrap();
-    for (name, scene, code) in [("chain", chain(30), 2), ("points", points_on_a_link(200), 2), ("fair", points_on_a_link(40), 0)] {
+    for (name, scene, code) in [
+        ("chain", chain(30), 2),
+        ("points", points_on_a_link(200), 2),
+        ("fair", points_on_a_link(40), 0),
+    ] {
         let scene = written(folder.path(), &format!("{name}.json"), &scene);
         let output = folder.path().join(format!("{name}.html"));
         let (got, said) = run(&["lesson", "--positions", "8"], &scene, &output);
@@ -103,7 +120,9 @@ fn lessons_have_a_limit() {
 #[test]
 fn more_than_can_be_drawn_is_refused_at_once() {
     let folder = tempfile::tempdir().unwrap();
-    for (name, scene, limit) in [("chain", chain(300), "500"), ("points", points_on_a_link(2100), "2000")] {
+    for (name, scene, limit) in
+        [("chain", chain(300), "500"), ("points", points_on_a_link(2100), "2000")]
+    {
         let scene = written(folder.path(), &format!("{name}.json"), &scene);
         let (code, said) = run(&["draw"], &scene, &folder.path().join("o.svg"));
         assert_eq!(code, Some(2), "{name}: {said}");
@@ -126,7 +145,10 @@ fn turns_through_change_points_cost_no_more_than_a_few() {
         assert_eq!(code, Some(0), "{arguments:?}: {said}");
         assert!(said.len() < 5000, "{arguments:?}: {said}");
     }
-    assert_eq!(std::fs::read_to_string(table).unwrap().lines().filter(|l| !l.starts_with('#')).count(), 1002);
+    assert_eq!(
+        std::fs::read_to_string(table).unwrap().lines().filter(|l| !l.starts_with('#')).count(),
+        1002
+    );
 }
 
 #[test]
@@ -176,7 +198,9 @@ fn long_texts_and_names_are_refused_and_not_echoed() {
         }
     }
     // The longest permitted texts are drawn.
-    let scene = with(&|s| (s["title"], s["statement"]) = (json!("速".repeat(500)), json!("wide word ".repeat(1000))));
+    let scene = with(&|s| {
+        (s["title"], s["statement"]) = (json!("速".repeat(500)), json!("wide word ".repeat(1000)))
+    });
     for (arguments, output) in [(&["draw"][..], "o.svg"), (&["worksheet"], "o.pdf")] {
         assert_eq!(run(arguments, &scene, &folder.path().join(output)).0, Some(0), "{arguments:?}");
     }

@@ -32,7 +32,8 @@ pub fn points_on_a_link(n: usize) -> Value {
     for i in 0..n {
         let (x, y) = (5.0 + 240.0 * i as f64 / n as f64, 20.0 + 60.0 * (0.7 * i as f64).sin());
         coupler.as_array_mut().unwrap().push(json!(format!("P{i}")));
-        points[format!("P{i}")] = json!({"base": "BC", "x": format!("{x:.3} mm"), "y": format!("{y:.3} mm")});
+        points[format!("P{i}")] =
+            json!({"base": "BC", "x": format!("{x:.3} mm"), "y": format!("{y:.3} mm")});
     }
     json!({
         "title": format!("{n} points"), "links": {"1": ["A", "B"], "2": coupler, "3": ["C", "D"], "4": ["A", "D"]}, "ground": "4",

@@ -52,7 +52,11 @@ fn wish() -> String {
     let place = |k: usize| {
         let turn = std::f64::consts::TAU * k as f64 / 60.0;
         let noise = 2.0 * libm::sin(17.0 * k as f64);
-        format!(r#"["{:.3} mm", "{:.3} mm"]"#, 100.0 + 60.0 * libm::cos(turn) + noise, 80.0 + 25.0 * libm::sin(turn))
+        format!(
+            r#"["{:.3} mm", "{:.3} mm"]"#,
+            100.0 + 60.0 * libm::cos(turn) + noise,
+            80.0 + 25.0 * libm::sin(turn)
+        )
     };
     let places: Vec<String> = (0..60).map(place).collect();
     format!(r#"{{"synthesis": "path", "points": [{}]}}"#, places.join(", "))
@@ -91,20 +95,31 @@ fn taken(child: &Child) -> Option<f64> {
 /// True if SIGINT is ignored here, as in background jobs of a shell: child processes inherit that.
 fn interrupts_are_ignored() -> bool {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let mask = status.lines().find_map(|l| l.strip_prefix("SigIgn:")).and_then(|m| u64::from_str_radix(m.trim(), 16).ok());
+    let mask = status
+        .lines()
+        .find_map(|l| l.strip_prefix("SigIgn:"))
+        .and_then(|m| u64::from_str_radix(m.trim(), 16).ok());
     mask.is_some_and(|m| m & 0b10 != 0)
 }
 
 /// Returns the processor time after the signal; `None` if the program had already ended.
 fn interrupted(folder: &Path, arguments: &[String], signal: &str, after: Duration) -> Option<f64> {
     let mut run = Command::new(env!("CARGO_BIN_EXE_hodograph"));
-    let mut child = run.current_dir(folder).args(arguments).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+    let mut child = run
+        .current_dir(folder)
+        .args(arguments)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
     std::thread::sleep(after);
     if child.try_wait().unwrap().is_some() {
         return None;
     }
     let before = taken(&child).unwrap_or(0.0);
-    assert!(Command::new("kill").arg(signal).arg(child.id().to_string()).status().unwrap().success());
+    assert!(
+        Command::new("kill").arg(signal).arg(child.id().to_string()).status().unwrap().success()
+    );
     let (asked, mut last) = (Instant::now(), before);
     while child.try_wait().unwrap().is_none() {
         last = taken(&child).filter(|t| *t > 0.0).unwrap_or(last);
@@ -118,25 +133,48 @@ fn interrupted(folder: &Path, arguments: &[String], signal: &str, after: Duratio
 fn a_signal_ends_every_command() {
     let help = hodograph().args(["--help", "--lang", "en"]).output().unwrap().stdout;
     let help = String::from_utf8(help).unwrap();
-    let listed = help.lines().skip_while(|l| !l.starts_with("Commands:")).skip(1).take_while(|l| !l.is_empty());
-    for command in listed.filter(|l| !l.starts_with("   ")).filter_map(|l| l.split_whitespace().next()).filter(|c| *c != "help") {
-        let tried = AT_ONCE.contains(&command) || LONG.iter().any(|(line, _)| line.split(' ').next() == Some(command));
-        assert!(tried, "no signal is sent to `{command}`: add a command line that takes it seconds");
+    let listed = help
+        .lines()
+        .skip_while(|l| !l.starts_with("Commands:"))
+        .skip(1)
+        .take_while(|l| !l.is_empty());
+    for command in listed
+        .filter(|l| !l.starts_with("   "))
+        .filter_map(|l| l.split_whitespace().next())
+        .filter(|c| *c != "help")
+    {
+        let tried = AT_ONCE.contains(&command)
+            || LONG.iter().any(|(line, _)| line.split(' ').next() == Some(command));
+        assert!(
+            tried,
+            "no signal is sent to `{command}`: add a command line that takes it seconds"
+        );
     }
     let ignored = interrupts_are_ignored();
     let mut ended = 0;
     for (k, (line, name)) in LONG.iter().enumerate().step_by(every(3)) {
         let folder = tempfile::tempdir().unwrap();
         let path = scene(folder.path(), name);
-        let arguments: Vec<String> =
-            line.split(' ').map(|w| if w == "SCENE" { path.display().to_string() } else { w.to_owned() }).collect();
+        let arguments: Vec<String> = line
+            .split(' ')
+            .map(|w| if w == "SCENE" { path.display().to_string() } else { w.to_owned() })
+            .collect();
         let signal = if k % 2 == 0 && !ignored { "-INT" } else { "-TERM" };
-        let Some(after) = interrupted(folder.path(), &arguments, signal, Duration::from_millis(800)) else { continue };
+        let Some(after) =
+            interrupted(folder.path(), &arguments, signal, Duration::from_millis(800))
+        else {
+            continue;
+        };
         ended += 1;
         assert!(after < MOST_S, "{line} of {name}: {after} s of the processor after {signal}");
         // No half-written file has its final name.
-        let left: Vec<_> = std::fs::read_dir(folder.path()).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
-        let named = |n: &&String| !n.ends_with(".json") && !n.starts_with('.') && !n.contains(".part") && n.contains('.');
+        let left: Vec<_> = std::fs::read_dir(folder.path())
+            .unwrap()
+            .map(|e| e.unwrap().file_name().into_string().unwrap())
+            .collect();
+        let named = |n: &&String| {
+            !n.ends_with(".json") && !n.starts_with('.') && !n.contains(".part") && n.contains('.')
+        };
         assert!(!left.iter().any(|n| named(&n)), "{line} of {name} leaves {left:?}");
     }
     assert!(ended > 6 / every(3), "only {ended} commands took long enough to be interrupted");

@@ -33,7 +33,10 @@ pub fn found() -> Option<PathBuf> {
     }
     let path = std::env::var_os("PATH")?;
     let names = ["chromium", "chromium-browser", "google-chrome"];
-    names.iter().flat_map(|n| std::env::split_paths(&path).map(move |p| p.join(n))).find(|p| p.is_file())
+    names
+        .iter()
+        .flat_map(|n| std::env::split_paths(&path).map(move |p| p.join(n)))
+        .find(|p| p.is_file())
 }
 
 impl Browser {
@@ -48,8 +51,20 @@ impl Browser {
             .args(["-c", line, "sh"])
             .args([&to, &from])
             .arg(program)
-            .args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking"])
-            .args(["--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", "--remote-debugging-pipe"])
+            .args([
+                "--headless",
+                "--no-sandbox",
+                "--disable-gpu",
+                "--disable-quic",
+                "--no-first-run",
+                "--disable-background-networking",
+            ])
+            .args([
+                "--disable-component-update",
+                "--disable-sync",
+                "--disable-dev-shm-usage",
+                "--remote-debugging-pipe",
+            ])
             .arg(format!("--user-data-dir={}", folder.path().join("profile").display()))
             .arg("about:blank")
             .stdin(Stdio::null())
@@ -76,10 +91,19 @@ impl Browser {
                 }
             }
         });
-        let mut browser =
-            Browser { child, to: writer, from: receive, next: 0, session: String::new(), events: VecDeque::new(), _folder: folder };
-        let target = browser.call("Target.createTarget", json!({"url": "about:blank"}))["targetId"].clone();
-        let attached = browser.call("Target.attachToTarget", json!({"targetId": target, "flatten": true}));
+        let mut browser = Browser {
+            child,
+            to: writer,
+            from: receive,
+            next: 0,
+            session: String::new(),
+            events: VecDeque::new(),
+            _folder: folder,
+        };
+        let target =
+            browser.call("Target.createTarget", json!({"url": "about:blank"}))["targetId"].clone();
+        let attached =
+            browser.call("Target.attachToTarget", json!({"targetId": target, "flatten": true}));
         browser.session = attached["sessionId"].as_str().unwrap().to_owned();
         for domain in ["Page", "Runtime", "Network", "Log"] {
             browser.call(&format!("{domain}.enable"), json!({}));
@@ -98,7 +122,8 @@ impl Browser {
         let mut bytes = message.to_string().into_bytes();
         bytes.push(0);
         self.to.write_all(&bytes).unwrap();
-        let answer = self.until(|m| m["id"] == id).unwrap_or_else(|| panic!("no answer to {method}"));
+        let answer =
+            self.until(|m| m["id"] == id).unwrap_or_else(|| panic!("no answer to {method}"));
         assert!(answer.get("error").is_none(), "{method}: {answer}");
         answer["result"].clone()
     }
@@ -117,7 +142,8 @@ impl Browser {
 
     /// Opens a file in a window of this size and waits until it has loaded.
     pub fn open(&mut self, file: &Path, [width, height]: [u32; 2]) {
-        let size = json!({"width": width, "height": height, "deviceScaleFactor": 1, "mobile": false});
+        let size =
+            json!({"width": width, "height": height, "deviceScaleFactor": 1, "mobile": false});
         self.call("Emulation.setDeviceMetricsOverride", size);
         self.events.clear();
         self.call("Page.navigate", json!({"url": format!("file://{}", file.display())}));
@@ -184,9 +210,11 @@ impl Browser {
     pub fn asked_and_said(&self) -> (Vec<String>, Vec<String>) {
         let text = |v: &Value| v.as_str().unwrap_or_default().to_owned();
         let of = |method: &'static str| self.events.iter().filter(move |m| m["method"] == method);
-        let asked = of("Network.requestWillBeSent").map(|m| text(&m["params"]["request"]["url"])).collect();
+        let asked =
+            of("Network.requestWillBeSent").map(|m| text(&m["params"]["request"]["url"])).collect();
         let said = of("Runtime.consoleAPICalled").map(|m| m["params"]["args"].to_string());
-        let thrown = of("Runtime.exceptionThrown").map(|m| m["params"]["exceptionDetails"].to_string());
+        let thrown =
+            of("Runtime.exceptionThrown").map(|m| m["params"]["exceptionDetails"].to_string());
         let logged = of("Log.entryAdded").map(|m| m["params"]["entry"].to_string());
         (asked, said.chain(thrown).chain(logged).collect())
     }

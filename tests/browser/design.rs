@@ -45,8 +45,14 @@ fn of_kind(name: &str) -> (Task, DesignCandidate, usize, PathBuf) {
     let task = synthesis::read(synthesis::templates::get(name).unwrap()).unwrap().value;
     let candidate = synthesis::solve(&task).unwrap().candidates.remove(0);
     let steps = to_scale(&task, &candidate).unwrap().map_or(0, |b| b.steps.len());
-    let page = design::lesson(&task, &candidate, &design::DesignOptions { lang: Lang::En, style: Style::default() }).unwrap();
-    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("lesson-design-{name}.html"));
+    let page = design::lesson(
+        &task,
+        &candidate,
+        &design::DesignOptions { lang: Lang::En, style: Style::default() },
+    )
+    .unwrap();
+    let path =
+        PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("lesson-design-{name}.html"));
     std::fs::write(&path, page).unwrap();
     (task, candidate, steps, path)
 }
@@ -59,12 +65,20 @@ fn designs_are_read_from_the_last_row_and_go_through_their_steps() {
         for (window, least) in [(SMALL_PROJECTOR, 10.5), (PHONE, 6.5)] {
             b.open(&path, window);
             let told = format!("{} at {window:?}", kind.name);
-            let over = b.eval("document.documentElement.scrollWidth - innerWidth").as_f64().unwrap();
+            let over =
+                b.eval("document.documentElement.scrollWidth - innerWidth").as_f64().unwrap();
             assert!(over <= 0.0, "{told} is {over} pixels too wide");
             let seen = b.eval(DRAWINGS);
-            eprintln!("{told}: letters of {:.1} px, {} names", seen["least"].as_f64().unwrap_or(0.0), seen["count"]);
+            eprintln!(
+                "{told}: letters of {:.1} px, {} names",
+                seen["least"].as_f64().unwrap_or(0.0),
+                seen["count"]
+            );
             assert_eq!(seen["cut"], json!([]), "{told}");
-            assert!(seen["count"] == 0 || seen["least"].as_f64().unwrap() >= least, "{told}: {seen}");
+            assert!(
+                seen["count"] == 0 || seen["least"].as_f64().unwrap() >= least,
+                "{told}: {seen}"
+            );
             stepped(&mut b, &told, steps);
             stopped(&mut b, &told, &candidate);
         }
@@ -83,7 +97,11 @@ fn stepped(b: &mut Browser, told: &str, steps: usize) {
         let mut before = 0.0;
         for step in 1..=steps {
             assert_eq!(b.eval(WORDS), json!([]), "{told}, step {step}, language {language}");
-            assert!(b.eval("document.getElementById('sentence').textContent.length").as_f64().unwrap() > 3.0, "{told}, step {step}");
+            assert!(
+                b.eval("document.getElementById('sentence').textContent.length").as_f64().unwrap()
+                    > 3.0,
+                "{told}, step {step}"
+            );
             let now = b.eval(SEEN).as_f64().unwrap();
             assert!(now > before, "{told}: step {step} brings nothing");
             before = now;
@@ -97,15 +115,20 @@ fn stepped(b: &mut Browser, told: &str, steps: usize) {
 
 /// Checks the button for each prescribed position, at which the driver has the library's value.
 fn stopped(b: &mut Browser, told: &str, candidate: &DesignCandidate) {
-    let stops = b.eval("document.querySelectorAll('#stops button').length").as_f64().unwrap() as usize;
+    let stops =
+        b.eval("document.querySelectorAll('#stops button').length").as_f64().unwrap() as usize;
     assert!(stops > 0 && stops <= candidate.draft.wanted.len(), "{told}: {stops} stops");
     let wanted: Vec<f64> = candidate.draft.wanted.iter().map(|w| w.driver.to_degrees()).collect();
     for k in 0..stops {
         b.eval(&format!("document.querySelectorAll('#stops button')[{k}].click()"));
         let travel = b.eval("parseFloat(document.getElementById('travel').textContent.replace('−', '-').replace(/^[^0-9-]*/, ''))");
         let travel = travel.as_f64().unwrap_or_else(|| panic!("{told}: no driver's angle"));
-        let near = wanted.iter().any(|w| ((w - travel + 180.0).rem_euclid(360.0) - 180.0).abs() < 0.06);
+        let near =
+            wanted.iter().any(|w| ((w - travel + 180.0).rem_euclid(360.0) - 180.0).abs() < 0.06);
         assert!(near, "{told}: stop {k} at {travel}°, wanted {wanted:?}");
-        assert!(b.eval("document.querySelectorAll('#linkage .reached').length").as_f64().unwrap() > 0.0, "{told}: stop {k}");
+        assert!(
+            b.eval("document.querySelectorAll('#linkage .reached').length").as_f64().unwrap() > 0.0,
+            "{told}: stop {k}"
+        );
     }
 }

@@ -11,7 +11,12 @@ use hodograph::report::forces::ForceWriter;
 fn items(b: &mut Browser, (scene, worked): (&Scene, &Worked), k: usize) -> Vec<FigureItem> {
     let options = sheet::SheetOptions::of_language(Lang::En);
     let key = format!("force-{}", k + 1);
-    let mu = b.eval(&format!("document.querySelector('#{key} svg').dataset.mu")).as_str().unwrap().parse().unwrap();
+    let mu = b
+        .eval(&format!("document.querySelector('#{key} svg').dataset.mu"))
+        .as_str()
+        .unwrap()
+        .parse()
+        .unwrap();
     let of = worked.equilibrium.as_ref().unwrap().to_scale(mu);
     let links = of.groups[k].links.clone();
     let worked = Worked { equilibrium: Some(of), ..worked.clone() };
@@ -20,7 +25,8 @@ fn items(b: &mut Browser, (scene, worked): (&Scene, &Worked), k: usize) -> Vec<F
     items
 }
 
-/// The arrows of a group's force polygon as the page shows them: tail and tip in mm from the first vertex, y up.
+/// The arrows of a group's force polygon as the page shows them: tail and tip in mm from the first
+/// vertex, y up.
 fn arrows(b: &mut Browser, k: usize) -> Ends {
     let script = format!(
         r##"(() => {{
@@ -44,7 +50,9 @@ fn arrows(b: &mut Browser, k: usize) -> Ends {
 fn force_polygons_move_with_the_crank() {
     let Some(mut b) = browser() else { return };
     let mut compared = 0;
-    for name in ["press-forces", "class-iv-six-bar", "four-bar-forces"].into_iter().step_by(every(2)) {
+    for name in
+        ["press-forces", "class-iv-six-bar", "four-bar-forces"].into_iter().step_by(every(2))
+    {
         let scene = template(name);
         b.open(&page(name, &scene), PROJECTOR);
         let start = driver_position(&scene, 0).unwrap();
@@ -78,15 +86,25 @@ fn force_polygons_move_with_the_crank() {
                     drawn.keys()
                 );
                 for (id, want) in drawn.iter().filter(|(id, _)| shown.contains_key(*id)) {
-                    let worst = shown[id].iter().zip(want).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-                    assert!(worst < 2e-2, "{name} at {turned}: {id} is off by {worst} mm: {:?} instead of {want:?}", shown[id]);
+                    let worst =
+                        shown[id].iter().zip(want).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                    assert!(
+                        worst < 2e-2,
+                        "{name} at {turned}: {id} is off by {worst} mm: {:?} instead of {want:?}",
+                        shown[id]
+                    );
                     compared += 1;
                 }
                 // With a group, the mechanism shows the group's free bodies and no others.
                 b.eval(&format!("document.getElementById('tab-force-{}').click()", k + 1));
                 let bodies = r##"[...document.querySelectorAll("#mechanism .ink:not([display]) [data-id^=group-]")].map((e) => e.dataset.id.split("-")[1])"##;
                 let seen: BTreeSet<String> = serde_json::from_value(b.eval(bodies)).unwrap();
-                assert_eq!(seen, BTreeSet::from([(k + 1).to_string()]), "{name}: {:?}", of.groups[k].links);
+                assert_eq!(
+                    seen,
+                    BTreeSet::from([(k + 1).to_string()]),
+                    "{name}: {:?}",
+                    of.groups[k].links
+                );
             }
             b.eval("document.querySelector('#tabs button')?.click()");
             let place = in_window(&mut b, on(start + turned));
@@ -114,14 +132,21 @@ fn every_step_of_forces_reveals_what_it_names() {
             .map((e) => e.id || e.dataset.id).filter((id) => !id.includes("label"))"##,
             k + 1
         );
-        let items: Vec<FigureItem> = items(&mut b, (&scene, &worked), k).into_iter().filter(|i| !i.id.contains("label")).collect();
+        let items: Vec<FigureItem> = items(&mut b, (&scene, &worked), k)
+            .into_iter()
+            .filter(|i| !i.id.contains("label"))
+            .collect();
         for (n, phrase) in w.steps(group).iter().enumerate() {
             b.key("ArrowRight");
             let said = b.eval("document.getElementById('sentence').textContent");
             assert_eq!(bare(said.as_str().unwrap()), bare(&phrase.plain()), "group {k} step {n}");
             let now: BTreeSet<String> = serde_json::from_value(b.eval(&visible)).unwrap();
             let new: BTreeSet<&str> = now.difference(&before).map(String::as_str).collect();
-            let want: BTreeSet<&str> = items.iter().filter(|i| i.steps().min().map_or(0, |s| s + 1) == n).map(|i| i.id.as_str()).collect();
+            let want: BTreeSet<&str> = items
+                .iter()
+                .filter(|i| i.steps().min().map_or(0, |s| s + 1) == n)
+                .map(|i| i.id.as_str())
+                .collect();
             assert_eq!(new, want, "group {k} step {n}: {}", phrase.plain());
             before = now;
         }
@@ -137,10 +162,16 @@ fn laid(worked: &Worked) -> (Vec<[f64; 2]>, usize) {
     let acts = |group: &GroupForces| of.acts(group);
     let all: Vec<Act> = of.groups.iter().flat_map(acts).collect();
     let vector = |act: &Act| match act {
-        Act::Lay(side) => of.vector_mm(side.vector).map(|[from, to]| to - from).map(|v| [v.y.atan2(v.x).to_degrees(), v.norm()]),
+        Act::Lay(side) => of
+            .vector_mm(side.vector)
+            .map(|[from, to]| to - from)
+            .map(|v| [v.y.atan2(v.x).to_degrees(), v.norm()]),
         _ => None,
     };
-    (all.iter().filter_map(vector).collect(), all.iter().filter(|a| matches!(a, Act::Cross(_))).count())
+    (
+        all.iter().filter_map(vector).collect(),
+        all.iter().filter(|a| matches!(a, Act::Cross(_))).count(),
+    )
 }
 
 #[test]
@@ -168,7 +199,11 @@ fn force_polygons_are_predicted() {
         assert_eq!(predict::text(&mut b, "verdict"), "The direction is right.");
         predict::lengthen_to(&mut b, mm);
         b.key("Enter");
-        assert!(predict::text(&mut b, "verdict").starts_with("Correct."), "{}", predict::text(&mut b, "verdict"));
+        assert!(
+            predict::text(&mut b, "verdict").starts_with("Correct."),
+            "{}",
+            predict::text(&mut b, "verdict")
+        );
         b.key("Enter");
     }
     while predict::asking(&mut b) {

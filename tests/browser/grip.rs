@@ -31,11 +31,17 @@ fn a_wheel_and_a_slotted_lever_turn_with_the_hand() {
         let mut last = grip;
         for k in 1..=8 {
             let (s, c) = (5.0 * f64::from(k)).to_radians().sin_cos();
-            last = in_window(&mut b, [centre[0] + arm[0] * c - arm[1] * s, centre[1] + arm[0] * s + arm[1] * c]);
+            last = in_window(
+                &mut b,
+                [centre[0] + arm[0] * c - arm[1] * s, centre[1] + arm[0] * s + arm[1] * c],
+            );
             b.mouse("mouseMoved", last);
         }
         let travelled = travel(&mut b).to_degrees();
-        assert!((travelled - 40.0).abs() < 1.0, "{name}: turned by 40°, the page says {travelled}°");
+        assert!(
+            (travelled - 40.0).abs() < 1.0,
+            "{name}: turned by 40°, the page says {travelled}°"
+        );
         let_go(&mut b, last);
         assert_quiet(&b, name);
     }

@@ -43,7 +43,13 @@ const MEASURE: &str = r#"(() => {
 
 fn in_browser(b: &mut Browser, name: &str, markup: &str) -> Boxes {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("ink-{name}.html"));
-    std::fs::write(&path, format!("<!doctype html><html data-ready><meta charset=\"utf-8\"><title>{name}</title>{markup}")).unwrap();
+    std::fs::write(
+        &path,
+        format!(
+            "<!doctype html><html data-ready><meta charset=\"utf-8\"><title>{name}</title>{markup}"
+        ),
+    )
+    .unwrap();
     b.open(&path, [1600, 1200]);
     let told = b.eval(MEASURE);
     serde_json::from_str(told.as_str().unwrap()).unwrap()
@@ -60,19 +66,31 @@ fn by_usvg(markup: &str) -> Boxes {
     let mut all: Boxes = letters.collect();
     let mut often: BTreeMap<&str, usize> = BTreeMap::new();
     ink.lines.iter().for_each(|l| *often.entry(&l.id).or_default() += 1);
-    let drawn = |l: &&read::Line| l.width_mm > 0.0 && !l.pieces.is_empty() && !l.class.contains("leader");
+    let drawn =
+        |l: &&read::Line| l.width_mm > 0.0 && !l.pieces.is_empty() && !l.class.contains("leader");
     for line in ink.lines.iter().filter(drawn).filter(|l| often[l.id.as_str()] == 1) {
         let ends: Vec<P> = line.pieces.iter().flat_map(|(a, b)| [*a, *b]).collect();
-        let side = |k: usize, pick: fn(f64, f64) -> f64, from: f64| ends.iter().map(|p| p[k]).fold(from, pick);
+        let side = |k: usize, pick: fn(f64, f64) -> f64, from: f64| {
+            ends.iter().map(|p| p[k]).fold(from, pick)
+        };
         let (low, high) = (f64::INFINITY, f64::NEG_INFINITY);
-        all.insert(line.id.clone(), [side(0, f64::min, low), side(1, f64::min, low), side(0, f64::max, high), side(1, f64::max, high)]);
+        all.insert(
+            line.id.clone(),
+            [
+                side(0, f64::min, low),
+                side(1, f64::min, low),
+                side(0, f64::max, high),
+                side(1, f64::max, high),
+            ],
+        );
     }
     assert!(!ink.marks.is_empty(), "a sheet names its places");
     all
 }
 
 fn sheets() -> Vec<(String, Scene, Lang, &'static str)> {
-    let turned = |name: &str, degrees: f64| with_driver_at(&template(name), 0, degrees.to_radians());
+    let turned =
+        |name: &str, degrees: f64| with_driver_at(&template(name), 0, degrees.to_radians());
     vec![
         ("shaper".into(), template("shaper"), Lang::En, "print"),
         ("crank-rocker".into(), turned("crank-rocker", 124.0), Lang::Zh, "slides"),
@@ -87,12 +105,18 @@ fn letters_and_lines_stand_where_the_checks_take_them_to_be() {
     let Some(mut b) = browser() else { return };
     for (name, scene, lang, style) in sheets() {
         let worked = work(&scene, Scope::Figure).unwrap().value;
-        let options = SheetOptions { style: Style::named(style).unwrap(), ..SheetOptions::of_language(lang) };
+        let options =
+            SheetOptions { style: Style::named(style).unwrap(), ..SheetOptions::of_language(lang) };
         let markup = svg::write(&sheet(&scene, &worked, &options).unwrap()).unwrap().value;
         let (shown, read) = (in_browser(&mut b, &name, &markup), by_usvg(&markup));
-        let both: Vec<(&String, [f64; 4], [f64; 4])> = shown.iter().filter_map(|(id, s)| Some((id, *s, *read.get(id)?))).collect();
+        let both: Vec<(&String, [f64; 4], [f64; 4])> =
+            shown.iter().filter_map(|(id, s)| Some((id, *s, *read.get(id)?))).collect();
         let labels = both.iter().filter(|(id, ..)| id.contains("-label-")).count();
-        assert!(labels >= 10 && both.len() >= labels + 5, "{name}: {labels} labels among {} things in both", both.len());
+        assert!(
+            labels >= 10 && both.len() >= labels + 5,
+            "{name}: {labels} labels among {} things in both",
+            both.len()
+        );
         for (id, s, r) in both {
             let off = s.iter().zip(&r).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
             assert!(off <= OFF_MM, "{name}: {id} is shown at {s:.3?} and read at {r:.3?}");

@@ -27,7 +27,9 @@ use hodograph::paper::item::Shape;
 use hodograph::paper::style::Style;
 use hodograph::plan::text::PlanWriter;
 use hodograph::report::construction::sentences;
-use hodograph::scene::{self, DiagramKind, DriverKind, Kind, Lang, Scene, driver_position, templates, with_driver_at};
+use hodograph::scene::{
+    self, DiagramKind, DriverKind, Kind, Lang, Scene, driver_position, templates, with_driver_at,
+};
 use hodograph::sweep::extreme::ends;
 use hodograph::worked::{Scope, Worked, work};
 use std::collections::{BTreeMap, BTreeSet};
@@ -40,7 +42,9 @@ const PHONE: [u32; 2] = [390, 844];
 fn browser() -> Option<Browser> {
     let found = chromium::found();
     if found.is_none() {
-        eprintln!("skipped: no Chromium on this machine ($CHROMIUM, chromium, chromium-browser, google-chrome)");
+        eprintln!(
+            "skipped: no Chromium on this machine ($CHROMIUM, chromium, chromium-browser, google-chrome)"
+        );
     }
     found.map(|program| Browser::start(&program))
 }
@@ -51,7 +55,9 @@ fn template(name: &str) -> Scene {
 
 /// Writes the lesson of a scene to a file.
 fn page(name: &str, scene: &Scene) -> PathBuf {
-    let page = lesson(scene, &LessonOptions::of_language(Lang::En)).unwrap_or_else(|f| panic!("{name}: {f}")).value;
+    let page = lesson(scene, &LessonOptions::of_language(Lang::En))
+        .unwrap_or_else(|f| panic!("{name}: {f}"))
+        .value;
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("lesson-{name}.html"));
     std::fs::write(&path, page).unwrap();
     path
@@ -60,8 +66,12 @@ fn page(name: &str, scene: &Scene) -> PathBuf {
 /// Asserts that the page requested nothing but itself and wrote no message.
 fn assert_quiet(b: &Browser, name: &str) {
     let (asked, said) = b.asked_and_said();
-    let foreign: Vec<&String> = asked.iter().filter(|u| !u.starts_with("file://") && !u.starts_with("data:")).collect();
-    assert!(asked.iter().filter(|u| u.starts_with("file://")).count() <= 1 && foreign.is_empty(), "{name} fetches {asked:?}");
+    let foreign: Vec<&String> =
+        asked.iter().filter(|u| !u.starts_with("file://") && !u.starts_with("data:")).collect();
+    assert!(
+        asked.iter().filter(|u| u.starts_with("file://")).count() <= 1 && foreign.is_empty(),
+        "{name} fetches {asked:?}"
+    );
     assert!(said.is_empty(), "{name}: the console says {said:?}");
 }
 
@@ -69,9 +79,18 @@ fn assert_quiet(b: &Browser, name: &str) {
 fn worked_at(b: &mut Browser, scene: &Scene, travel: f64) -> (Scene, Worked) {
     let start = driver_position(scene, 0).unwrap();
     let mut there = with_driver_at(scene, 0, start + travel);
-    let mut mu =
-        |key: &str| b.eval(&format!("document.querySelector('#{key} svg')?.dataset.mu ?? ''")).as_str().unwrap().parse::<f64>().ok();
-    for (kind, shows) in [(Kind::Length, "mechanism"), (Kind::Velocity, "velocity"), (Kind::Acceleration, "acceleration")] {
+    let mut mu = |key: &str| {
+        b.eval(&format!("document.querySelector('#{key} svg')?.dataset.mu ?? ''"))
+            .as_str()
+            .unwrap()
+            .parse::<f64>()
+            .ok()
+    };
+    for (kind, shows) in [
+        (Kind::Length, "mechanism"),
+        (Kind::Velocity, "velocity"),
+        (Kind::Acceleration, "acceleration"),
+    ] {
         there.paper.scales.set(kind, mu(shows));
     }
     let worked = work(&there, Scope::Figure).unwrap().value;
@@ -118,13 +137,21 @@ fn drawn(scene: &Scene, worked: &Worked) -> Ends {
             worked
                 .construction
                 .polygon(on)
-                .map(|p| polygon::drawing(&Style::default(), &w, p, polygon::is_full(&w, p)).finish().items)
+                .map(|p| {
+                    polygon::drawing(&Style::default(), &w, p, polygon::is_full(&w, p))
+                        .finish()
+                        .items
+                })
                 .unwrap_or_default(),
         );
     }
     let ends = items.into_iter().filter_map(|i| match i.shape {
-        Shape::Circle { centre, .. } if i.class.contains("pin") => Some((i.id, [centre.x, centre.y, centre.x, centre.y])),
-        Shape::Arrow { from, to, .. } if i.class.contains("edge") || i.class.contains("absolute") => {
+        Shape::Circle { centre, .. } if i.class.contains("pin") => {
+            Some((i.id, [centre.x, centre.y, centre.x, centre.y]))
+        }
+        Shape::Arrow { from, to, .. }
+            if i.class.contains("edge") || i.class.contains("absolute") =>
+        {
             Some((i.id, [from.x, from.y, to.x, to.y]))
         }
         _ => None,
@@ -149,11 +176,16 @@ fn travel(b: &mut Browser) -> f64 {
 
 /// The crank's joint (m from the diagram's origin), and the crank's length.
 fn crank(scene: &Scene, worked: &Worked) -> ([f64; 2], f64) {
-    let DriverKind::Turn { link, against, .. } = scene.drivers[0].kind else { panic!("the driver turns") };
+    let DriverKind::Turn { link, against, .. } = scene.drivers[0].kind else {
+        panic!("the driver turns")
+    };
     let at = |p: scene::PointId| worked.configuration.points[p.0].unwrap();
     let points = &scene.links[link.0].points;
     let joint = points.iter().find(|p| scene.links[against.0].points.contains(p)).unwrap();
-    let end = points.iter().max_by(|a, b| at(**a).distance(at(*joint)).total_cmp(&at(**b).distance(at(*joint)))).unwrap();
+    let end = points
+        .iter()
+        .max_by(|a, b| at(**a).distance(at(*joint)).total_cmp(&at(**b).distance(at(*joint))))
+        .unwrap();
     let diagram = &worked.construction.diagram;
     let centre = at(*joint) - diagram.origin;
     ([centre.x, centre.y], at(*end).distance(at(*joint)))
@@ -163,7 +195,10 @@ fn crank(scene: &Scene, worked: &Worked) -> ([f64; 2], f64) {
 fn a_dragged_crank_shows_what_the_library_computes() {
     let Some(mut b) = browser() else { return };
     let mut compared = 0;
-    for name in ["crank-rocker", "slotted-lever", "shaper", "watt-six-bar", "class-iii-six-bar"].into_iter().step_by(every(2)) {
+    for name in ["crank-rocker", "slotted-lever", "shaper", "watt-six-bar", "class-iii-six-bar"]
+        .into_iter()
+        .step_by(every(2))
+    {
         let scene = template(name);
         let window = if name == "shaper" { PHONE } else { PROJECTOR };
         b.open(&page(name, &scene), window);
@@ -172,9 +207,18 @@ fn a_dragged_crank_shows_what_the_library_computes() {
         let (centre, radius) = crank(&scene, &first);
         let mut from = start.to_degrees();
         // With the triad, the crank can only rock.
-        for degrees in if name == "class-iii-six-bar" { [17.0_f64, 101.5, 60.0, -33.0] } else { [17.0, 143.0, 260.0, 331.5] } {
+        for degrees in if name == "class-iii-six-bar" {
+            [17.0_f64, 101.5, 60.0, -33.0]
+        } else {
+            [17.0, 143.0, 260.0, 331.5]
+        } {
             // Along the circle, as by hand: the crank's path is closed.
-            let on = |d: f64| [centre[0] + radius * d.to_radians().cos(), centre[1] + radius * d.to_radians().sin()];
+            let on = |d: f64| {
+                [
+                    centre[0] + radius * d.to_radians().cos(),
+                    centre[1] + radius * d.to_radians().sin(),
+                ]
+            };
             let grip = in_window(&mut b, on(from));
             b.mouse("mousePressed", grip);
             for k in 1..=6 {
@@ -190,21 +234,37 @@ fn a_dragged_crank_shows_what_the_library_computes() {
             // Between two frames the page shows the arrows of the nearer one. Where two vectors
             // nearly coincide, or where another special point becomes the better one, these are not
             // all arrows.
-            let apart: Vec<&String> =
-                shown.keys().filter(|id| !drawn.contains_key(*id)).chain(drawn.keys().filter(|id| !shown.contains_key(*id))).collect();
-            assert!(apart.len() * 4 <= drawn.len(), "{name} at {degrees}°: {apart:?} of {:?}", drawn.keys());
+            let apart: Vec<&String> = shown
+                .keys()
+                .filter(|id| !drawn.contains_key(*id))
+                .chain(drawn.keys().filter(|id| !shown.contains_key(*id)))
+                .collect();
+            assert!(
+                apart.len() * 4 <= drawn.len(),
+                "{name} at {degrees}°: {apart:?} of {:?}",
+                drawn.keys()
+            );
             if !apart.is_empty() {
                 eprintln!("{name} at {degrees}°: only on one side {apart:?}");
             }
             // Arrows of the special point change with it at once, between two frames.
             let special = |id: &str| name == "class-iii-six-bar" && id.contains('S');
-            for (id, want) in drawn.iter().filter(|(id, _)| shown.contains_key(*id) && !special(id)) {
-                let worst = shown[id].iter().zip(want).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            for (id, want) in drawn.iter().filter(|(id, _)| shown.contains_key(*id) && !special(id))
+            {
+                let worst =
+                    shown[id].iter().zip(want).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                 // A vector close to zero (below 0.05 mm it is a dot) is not followed between its
                 // last frame and none.
                 let length = (want[2] - want[0]).hypot(want[3] - want[1]);
-                let most = [(0.2, 0.1), (1.0, 2e-2)].iter().find(|m| length > 0.0 && length < m.0).map_or(1e-2, |m| m.1);
-                assert!(worst < most, "{name} at {degrees}°: {id} is off by {worst} mm: {:?} instead of {want:?}", shown[id]);
+                let most = [(0.2, 0.1), (1.0, 2e-2)]
+                    .iter()
+                    .find(|m| length > 0.0 && length < m.0)
+                    .map_or(1e-2, |m| m.1);
+                assert!(
+                    worst < most,
+                    "{name} at {degrees}°: {id} is off by {worst} mm: {:?} instead of {want:?}",
+                    shown[id]
+                );
                 compared += 4;
             }
             let place = in_window(&mut b, on(degrees));
@@ -221,7 +281,9 @@ fn a_dragged_crank_shows_what_the_library_computes() {
 fn bare(text: &str) -> String {
     let text = text.replace('²', "2"); // A page raises the digit itself.
     // The page joins a formula and its punctuation by a word joiner.
-    text.chars().filter(|c| !c.is_whitespace() && !matches!(c, '_' | '^' | '{' | '}' | '′' | '\u{2060}')).collect()
+    text.chars()
+        .filter(|c| !c.is_whitespace() && !matches!(c, '_' | '^' | '{' | '}' | '′' | '\u{2060}'))
+        .collect()
 }
 
 #[test]
@@ -236,28 +298,49 @@ fn every_step_reveals_what_it_names() {
         let visible = r##"[...document.querySelectorAll("#velocity .ink:not([display]) > *, #acceleration .ink:not([display]) > *")]
             .filter((e) => getComputedStyle(e).visibility !== "hidden" && e.getAttribute("display") !== "none").map((e) => e.id || e.dataset.id)
             .filter((id) => !id.endsWith("-leader"))"##;
-        assert_eq!(b.eval(visible).as_array().unwrap().len(), 0, "{name}: the construction begins with empty paper");
+        assert_eq!(
+            b.eval(visible).as_array().unwrap().len(),
+            0,
+            "{name}: the construction begins with empty paper"
+        );
         let mut before: BTreeSet<String> = BTreeSet::new();
-        let levels = [(DiagramKind::Velocity, "velocity"), (DiagramKind::Acceleration, "acceleration")];
+        let levels =
+            [(DiagramKind::Velocity, "velocity"), (DiagramKind::Acceleration, "acceleration")];
         for (on, key) in levels {
             let Some(p) = worked.construction.polygon(on) else { continue };
-            let w = PlanWriter { scene: &there, plan: &worked.plan, notation: &notation, lang: Lang::En };
-            let items = polygon::drawing(&Style::default(), &w, p, polygon::is_full(&w, p)).finish().items;
+            let w = PlanWriter {
+                scene: &there,
+                plan: &worked.plan,
+                notation: &notation,
+                lang: Lang::En,
+            };
+            let items =
+                polygon::drawing(&Style::default(), &w, p, polygon::is_full(&w, p)).finish().items;
             // The lengths in the sentences are those of the figure.
             let own = work(&scene, Scope::Figure).unwrap().value;
-            let writer = PlanWriter { scene: &scene, plan: &own.plan, notation: &notation, lang: Lang::En };
+            let writer =
+                PlanWriter { scene: &scene, plan: &own.plan, notation: &notation, lang: Lang::En };
             let told = hodograph::certified::steps(&scene, &own, None);
-            let said = sentences(&writer, &own.construction, own.construction.polygon(on).unwrap(), &told);
-            let step =
-                |class: &str| class.split(' ').filter_map(|w| w.strip_prefix("step-")?.parse::<usize>().ok()).min().map_or(0, |n| n + 1);
+            let said =
+                sentences(&writer, &own.construction, own.construction.polygon(on).unwrap(), &told);
+            let step = |class: &str| {
+                class
+                    .split(' ')
+                    .filter_map(|w| w.strip_prefix("step-")?.parse::<usize>().ok())
+                    .min()
+                    .map_or(0, |n| n + 1)
+            };
             // The space of a window decides which vectors are named.
             let all = r##"[...document.querySelectorAll(".ink:not([display]) > :not([display])")].map((e) => e.id || e.dataset.id)"##;
             let page: BTreeSet<String> = serde_json::from_value(b.eval(all)).unwrap();
-            let both = |id: &str| !id.contains("-label-") || page.contains(id) && items.iter().any(|i| i.id == id);
+            let both = |id: &str| {
+                !id.contains("-label-") || page.contains(id) && items.iter().any(|i| i.id == id)
+            };
             for (n, phrase) in said.iter().enumerate() {
                 b.key(if n % 2 == 0 { "ArrowRight" } else { "PageDown" });
                 let now: BTreeSet<String> = serde_json::from_value(b.eval(visible)).unwrap();
-                let new: BTreeSet<&str> = now.difference(&before).map(String::as_str).filter(|id| both(id)).collect();
+                let new: BTreeSet<&str> =
+                    now.difference(&before).map(String::as_str).filter(|id| both(id)).collect();
                 // A part without a step of its own belongs to the pole and appears with the first
                 // sentence.
                 let want: BTreeSet<&str> = items
@@ -268,7 +351,11 @@ fn every_step_reveals_what_it_names() {
                     .collect();
                 assert_eq!(new, want, "{name}, {key} step {n}: {}", phrase.plain());
                 let text = b.eval("document.getElementById('sentence').textContent");
-                assert_eq!(bare(text.as_str().unwrap()), bare(&phrase.plain()), "{name}, {key} step {n}");
+                assert_eq!(
+                    bare(text.as_str().unwrap()),
+                    bare(&phrase.plain()),
+                    "{name}, {key} step {n}"
+                );
                 before = now;
             }
         }
@@ -315,20 +402,43 @@ fn the_keyboard_alone_does_everything() {
     assert!(turned > 0.05, "it turns by itself: {turned}");
     // Switches languages, with all their words.
     let words = |b: &mut Browser| b.eval("document.body.innerText").as_str().unwrap().to_owned();
-    assert!(!words(&mut b).contains("clockwise"), "the answers are hidden until they are asked for");
+    assert!(
+        !words(&mut b).contains("clockwise"),
+        "the answers are hidden until they are asked for"
+    );
     b.key("r");
-    assert!(words(&mut b).contains("Velocities") && words(&mut b).contains("clockwise") && b.eval("document.documentElement.lang") == "en");
+    assert!(
+        words(&mut b).contains("Velocities")
+            && words(&mut b).contains("clockwise")
+            && b.eval("document.documentElement.lang") == "en"
+    );
     b.key("End");
     b.key("l");
     let chinese = words(&mut b);
-    assert!(chinese.contains("加速度") && chinese.contains("逆时针") && b.eval("document.documentElement.lang") == "zh");
-    for english in ["Velocity", "Results", "clockwise", "Step", "Turn", "position", "undefined", "NaN"] {
+    assert!(
+        chinese.contains("加速度")
+            && chinese.contains("逆时针")
+            && b.eval("document.documentElement.lang") == "zh"
+    );
+    for english in
+        ["Velocity", "Results", "clockwise", "Step", "Turn", "position", "undefined", "NaN"]
+    {
         assert!(!chinese.contains(english), "{english} in\n{chinese}");
     }
     b.key("ArrowLeft");
-    assert!(b.eval("document.getElementById('sentence').textContent").as_str().unwrap().chars().any(|c| c > '\u{4e00}'));
+    assert!(
+        b.eval("document.getElementById('sentence').textContent")
+            .as_str()
+            .unwrap()
+            .chars()
+            .any(|c| c > '\u{4e00}')
+    );
     b.key("l");
-    assert!(!words(&mut b).chars().any(|c| ('\u{4e00}'..'\u{9fff}').contains(&c) && !"中文".contains(c)));
+    assert!(
+        !words(&mut b)
+            .chars()
+            .any(|c| ('\u{4e00}'..'\u{9fff}').contains(&c) && !"中文".contains(c))
+    );
     let ink = "getComputedStyle(document.querySelector('.ink [stroke]')).stroke";
     let light = b.eval(ink);
     b.key("d");
@@ -342,7 +452,9 @@ fn a_limit_stops_the_driver_and_says_why() {
     let scene = template("five-bar");
     b.open(&page("limit", &scene), PROJECTOR);
     let start = driver_position(&scene, 0).unwrap();
-    let said = |b: &mut Browser| b.eval("document.getElementById('limit').textContent").as_str().unwrap().to_owned();
+    let said = |b: &mut Browser| {
+        b.eval("document.getElementById('limit').textContent").as_str().unwrap().to_owned()
+    };
     assert_eq!(said(&mut b), "");
     for (key, up) in [("+", true), ("-", false)] {
         for _ in 0..200 {
@@ -351,7 +463,11 @@ fn a_limit_stops_the_driver_and_says_why() {
         let end = travel(&mut b);
         let limit = ends(&scene, 0).unwrap()[usize::from(up)].unwrap();
         assert!((start + end - limit).abs() < 1e-6, "{} instead of {limit}", start + end);
-        assert!(said(&mut b).contains("link 2 (BC) and link 3 (CD) lie in line"), "{}", said(&mut b));
+        assert!(
+            said(&mut b).contains("link 2 (BC) and link 3 (CD) lie in line"),
+            "{}",
+            said(&mut b)
+        );
     }
     b.key("l");
     assert!(said(&mut b).contains("共线"), "{}", said(&mut b));
@@ -363,17 +479,24 @@ fn a_limit_stops_the_driver_and_says_why() {
 #[test]
 fn pages_fit_phones_and_projectors_and_print() {
     let Some(mut b) = browser() else { return };
-    for name in ["crank-rocker", "stephenson-six-bar", "robot-arm", "scotch-yoke", "excavator"].into_iter().step_by(every(2)) {
+    for name in ["crank-rocker", "stephenson-six-bar", "robot-arm", "scotch-yoke", "excavator"]
+        .into_iter()
+        .step_by(every(2))
+    {
         let path = page(&format!("fit-{name}"), &template(name));
         for window in [PHONE, PROJECTOR, [1024, 768]] {
             b.open(&path, window);
-            let over = b.eval("document.documentElement.scrollWidth - innerWidth").as_f64().unwrap();
+            let over =
+                b.eval("document.documentElement.scrollWidth - innerWidth").as_f64().unwrap();
             assert!(over <= 0.0, "{name} at {window:?} is {over} pixels too wide");
             assert_quiet(&b, name);
         }
         // In print: every sentence, although only some steps were shown.
         b.key("Home");
-        let steps: u64 = serde_json::from_value(b.eval("Number(document.getElementById('count').textContent.match(/\\d+/g)[1])")).unwrap();
+        let steps: u64 = serde_json::from_value(
+            b.eval("Number(document.getElementById('count').textContent.match(/\\d+/g)[1])"),
+        )
+        .unwrap();
         b.eval("dispatchEvent(new Event('beforeprint'))");
         assert_eq!(b.eval("document.querySelectorAll('#all li').length").as_u64().unwrap(), steps);
         assert_eq!(b.eval("document.querySelectorAll('.ink .later').length"), 0);
@@ -391,10 +514,15 @@ fn a_dragged_slider_follows_along_its_line() {
     b.open(&page("slider", &scene), PHONE);
     let (_, first) = worked_at(&mut b, &scene, 0.0);
     let at = first.configuration.points[scene.guides[guide.0].pin.unwrap().0].unwrap();
-    let Some(hodograph::position::Path::Line { direction, .. }) = first.configuration.guides[guide.0] else { panic!("a straight guide") };
+    let Some(hodograph::position::Path::Line { direction, .. }) =
+        first.configuration.guides[guide.0]
+    else {
+        panic!("a straight guide")
+    };
     let diagram = &first.construction.diagram;
     let place = |along: f64, across: f64| {
-        let p = (at - diagram.origin) + (direction * along + direction.perp() * across) * diagram.mu;
+        let p =
+            (at - diagram.origin) + (direction * along + direction.perp() * across) * diagram.mu;
         [p.x, p.y]
     };
     let grip = in_window(&mut b, place(0.0, 0.0));

@@ -24,9 +24,14 @@ fn answers(scene: &Scene) -> Vec<Answer> {
                 Action::LayOff(e) => {
                     let (from, to) = ends(*e);
                     let by = to - from;
-                    list.push(Answer::Vector { degrees: by.y.atan2(by.x).to_degrees(), mm: by.norm() });
+                    list.push(Answer::Vector {
+                        degrees: by.y.atan2(by.x).to_degrees(),
+                        mm: by.norm(),
+                    });
                 }
-                Action::Line { direction, .. } => list.push(Answer::Line { degrees: direction.y.atan2(direction.x).to_degrees() }),
+                Action::Line { direction, .. } => {
+                    list.push(Answer::Line { degrees: direction.y.atan2(direction.x).to_degrees() })
+                }
                 Action::Cross { target, .. } => {
                     let at = p.images[target.0].unwrap();
                     list.push(Answer::Mark([at.x, at.y]));
@@ -48,7 +53,12 @@ enum Answer {
 /// Turns the tip by keys to a whole degree.
 pub fn turn_to(b: &mut Browser, degrees: f64) {
     for _ in 0..400 {
-        let now: f64 = b.eval("document.querySelector('.tip').getAttribute('aria-valuenow')").as_str().unwrap().parse().unwrap();
+        let now: f64 = b
+            .eval("document.querySelector('.tip').getAttribute('aria-valuenow')")
+            .as_str()
+            .unwrap()
+            .parse()
+            .unwrap();
         let off = (degrees.round() - now + 180.0).rem_euclid(360.0) - 180.0;
         if off.abs() < 0.5 {
             return;
@@ -65,7 +75,10 @@ pub fn lengthen_to(b: &mut Browser, mm: f64) {
         if off.abs() < 0.25 {
             return;
         }
-        b.key_with(if off > 0.0 { "ArrowUp" } else { "ArrowDown" }, if off.abs() >= 5.0 { 8 } else { 0 });
+        b.key_with(
+            if off > 0.0 { "ArrowUp" } else { "ArrowDown" },
+            if off.abs() >= 5.0 { 8 } else { 0 },
+        );
     }
     panic!("the tip does not go to {mm} mm");
 }
@@ -105,7 +118,8 @@ fn a_construction_is_predicted_by_keys() {
                     turn_to(&mut b, degrees + 180.0);
                     b.key("Enter");
                     assert!(
-                        text(&mut b, "verdict").contains("sense") && bare(&text(&mut b, "verdict")).contains("ω1"),
+                        text(&mut b, "verdict").contains("sense")
+                            && bare(&text(&mut b, "verdict")).contains("ω1"),
                         "{}",
                         text(&mut b, "verdict")
                     );
@@ -114,7 +128,11 @@ fn a_construction_is_predicted_by_keys() {
                     assert_eq!(text(&mut b, "verdict"), "It is square to AB, not along it.");
                     turn_to(&mut b, degrees + 20.0);
                     b.key("Enter");
-                    assert!(text(&mut b, "verdict").contains("20° off"), "{}", text(&mut b, "verdict"));
+                    assert!(
+                        text(&mut b, "verdict").contains("20° off"),
+                        "{}",
+                        text(&mut b, "verdict")
+                    );
                 }
                 turn_to(&mut b, *degrees);
                 b.key("Enter");
@@ -122,7 +140,11 @@ fn a_construction_is_predicted_by_keys() {
                 if k == 0 {
                     lengthen_to(&mut b, mm + 3.0);
                     b.key("Enter");
-                    assert!(text(&mut b, "verdict").starts_with("Too long by 3.0 mm"), "{}", text(&mut b, "verdict"));
+                    assert!(
+                        text(&mut b, "verdict").starts_with("Too long by 3.0 mm"),
+                        "{}",
+                        text(&mut b, "verdict")
+                    );
                 }
                 lengthen_to(&mut b, *mm);
             }
@@ -137,13 +159,20 @@ fn a_construction_is_predicted_by_keys() {
         }
         b.key("Enter");
         let said = text(&mut b, "verdict");
-        assert!(said.starts_with(if k == 0 { "Correct." } else { "Right." }), "{k}: {answer:?}: {said}");
+        assert!(
+            said.starts_with(if k == 0 { "Correct." } else { "Right." }),
+            "{k}: {answer:?}: {said}"
+        );
         b.key("Enter");
     }
     assert!(!asking(&mut b));
     let marks = all.iter().filter(|a| matches!(a, Answer::Mark(_))).count();
     let want = format!("{} of {} at the first try", all.len() - marks - 1, all.len());
-    assert!(text(&mut b, "verdict").contains(&want), "{} instead of {want}", text(&mut b, "verdict"));
+    assert!(
+        text(&mut b, "verdict").contains(&want),
+        "{} instead of {want}",
+        text(&mut b, "verdict")
+    );
     b.key("q");
     assert_eq!(b.eval("document.getElementById('predict').getAttribute('aria-pressed')"), "false");
     assert_quiet(&b, "predict");
@@ -155,7 +184,8 @@ fn a_construction_is_predicted_by_the_pointer_on_a_phone() {
     let scene = template("crank-rocker");
     b.open(&page("predict-pointer", &scene), PHONE);
     b.eval("document.getElementById('predict').click()");
-    let click = |b: &mut Browser, id: &str| b.eval(&format!("document.getElementById('{id}').click()"));
+    let click =
+        |b: &mut Browser, id: &str| b.eval(&format!("document.getElementById('{id}').click()"));
     let mut tail = [0.0, 0.0];
     for answer in answers(&scene).into_iter().take(4) {
         assert!(asking(&mut b), "{answer:?}");
@@ -180,7 +210,11 @@ fn a_construction_is_predicted_by_the_pointer_on_a_phone() {
             Answer::Mark(at) => {
                 drag_to(&mut b, [at[0] + 8.0, at[1]]);
                 click(&mut b, "check");
-                assert!(text(&mut b, "verdict").contains("mm from the point of intersection"), "{}", text(&mut b, "verdict"));
+                assert!(
+                    text(&mut b, "verdict").contains("mm from the point of intersection"),
+                    "{}",
+                    text(&mut b, "verdict")
+                );
                 drag_to(&mut b, at);
             }
         }

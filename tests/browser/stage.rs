@@ -5,8 +5,15 @@ use super::*;
 use serde_json::Value;
 
 const SMALL_PROJECTOR: [u32; 2] = [1280, 720];
-const TEMPLATES: [&str; 7] =
-    ["crank-rocker", "shaper", "excavator", "stephenson-six-bar", "class-iii-six-bar", "planetary-gear", "cam-offset-roller"];
+const TEMPLATES: [&str; 7] = [
+    "crank-rocker",
+    "shaper",
+    "excavator",
+    "stephenson-six-bar",
+    "class-iii-six-bar",
+    "planetary-gear",
+    "cam-offset-roller",
+];
 
 /// For the visible polygon: the least height of a name's first letter (px), the part of its
 /// window's width or height that the drawing fills, and names cut by the window.
@@ -48,7 +55,11 @@ fn measured(b: &mut Browser, name: &str, path: &std::path::Path, window: [u32; 2
         b.eval(&format!("document.getElementById('tab-{key}')?.click()"));
         let seen = b.eval(POLYGON);
         let (least, fill) = (number(&seen, "least"), number(&seen, "fill"));
-        eprintln!("{name} {key} at {window:?}: letters of {least:.1} px, {:.0} % filled, {} names", 100.0 * fill, seen["count"]);
+        eprintln!(
+            "{name} {key} at {window:?}: letters of {least:.1} px, {:.0} % filled, {} names",
+            100.0 * fill,
+            seen["count"]
+        );
         assert!(least >= least_px, "{name} {key} at {window:?}: a letter is {least} px high");
         assert!(fill > 0.7, "{name} {key} at {window:?} fills {fill} of its window");
         assert_eq!(seen["cut"], serde_json::json!([]), "{name} {key} at {window:?}");
@@ -109,7 +120,9 @@ fn what_is_drawn_over_the_drawings_is_true() {
     let Some(mut b) = browser() else { return };
     let scene = template("crank-rocker");
     b.open(&page("over", &scene), SMALL_PROJECTOR);
-    let count = |b: &mut Browser, what: &str| b.eval(&format!("document.querySelectorAll('{what}').length")).as_u64().unwrap();
+    let count = |b: &mut Browser, what: &str| {
+        b.eval(&format!("document.querySelectorAll('{what}').length")).as_u64().unwrap()
+    };
     for (key, what) in [
         ("s", "#mechanism .path"),
         ("v", "#mechanism .vector.velocity"),
@@ -128,17 +141,29 @@ fn what_is_drawn_over_the_drawings_is_true() {
     let ends = "[...document.querySelectorAll('#mechanism .vector.velocity:not(.head)')].map((e) => { const n = e.getAttribute('d').match(/-?[\\d.]+/g).map(Number); \
                 const m = e.getScreenCTM(); return [0, 2].flatMap((i) => { const p = new DOMPoint(n[i], n[i + 1]).matrixTransform(m); return [p.x, p.y]; }); })";
     let ends: Vec<[f64; 4]> = serde_json::from_value(b.eval(ends)).unwrap();
-    let own = ends.iter().find(|e| (e[0] - place[0]).hypot(e[1] - place[1]) < 0.5).unwrap_or_else(|| panic!("{ends:?} {place:?}"));
+    let own = ends
+        .iter()
+        .find(|e| (e[0] - place[0]).hypot(e[1] - place[1]) < 0.5)
+        .unwrap_or_else(|| panic!("{ends:?} {place:?}"));
     let p = worked.construction.polygon(DiagramKind::Velocity).unwrap();
-    let of_c = worked.plan.vertices.iter().position(|v| matches!(v.spot, hodograph::plan::VertexPlace::Point(q) if q.0 == c)).unwrap();
+    let of_c = worked
+        .plan
+        .vertices
+        .iter()
+        .position(|v| matches!(v.spot, hodograph::plan::VertexPlace::Point(q) if q.0 == c))
+        .unwrap();
     let v = p.images[of_c].unwrap();
-    let off = ((own[3] - own[1]) * v.x + (own[2] - own[0]) * v.y).abs() / v.to_vec2().norm() / (own[2] - own[0]).hypot(own[3] - own[1]);
+    let off = ((own[3] - own[1]) * v.x + (own[2] - own[0]) * v.y).abs()
+        / v.to_vec2().norm()
+        / (own[2] - own[0]).hypot(own[3] - own[1]);
     assert!(off < 1e-2 && (own[2] - own[0]) * v.x > 0.0, "{own:?} {v:?}");
     // During playback a hodograph grows from the start of the motion; also backwards and faster.
     b.key(">");
     b.key("b");
     b.eval("new Promise((done) => setTimeout(done, 300))");
-    let length = |b: &mut Browser| b.eval("document.querySelector('#velocity .hodograph').getTotalLength()").as_f64().unwrap();
+    let length = |b: &mut Browser| {
+        b.eval("document.querySelector('#velocity .hodograph').getTotalLength()").as_f64().unwrap()
+    };
     let early = length(&mut b);
     b.eval("new Promise((done) => setTimeout(done, 500))");
     let later = length(&mut b);
@@ -176,7 +201,11 @@ fn one_scale_and_at_most_one_larger_window() {
     }
     assert_eq!(windows.len(), 2, "{windows:?}");
     b.key("0");
-    assert_eq!(b.eval("document.querySelector('#acceleration svg').dataset.mu"), windows[0], "the given position fills its window again");
+    assert_eq!(
+        b.eval("document.querySelector('#acceleration svg').dataset.mu"),
+        windows[0],
+        "the given position fills its window again"
+    );
     assert_quiet(&b, "scales");
 }
 
@@ -185,8 +214,11 @@ fn one_scale_and_at_most_one_larger_window() {
 fn names_keep_their_size() {
     for name in ["double-butterfly", "jansen-leg"] {
         let page = lesson(&template(name), &LessonOptions::of_language(Lang::En)).unwrap().value;
-        let figures: Vec<&str> =
-            page.split("<figure id=\"acceleration").skip(1).filter_map(|rest| rest.split("</figure>").next()).collect();
+        let figures: Vec<&str> = page
+            .split("<figure id=\"acceleration")
+            .skip(1)
+            .filter_map(|rest| rest.split("</figure>").next())
+            .collect();
         assert!(!figures.is_empty());
         for figure in figures {
             let sizes: std::collections::BTreeSet<&str> =
@@ -204,8 +236,14 @@ fn a_polygon_of_many_vectors_is_split() {
     let Some(mut b) = browser() else { return };
     let scene = template("excavator");
     b.open(&page("split", &scene), PROJECTOR);
-    let parts: Vec<String> = serde_json::from_value(b.eval("[...document.querySelectorAll('#polygons figure')].map((f) => f.id)")).unwrap();
-    assert!(parts.len() > 4 && parts.iter().all(|p| p.ends_with(|c: char| c.is_ascii_digit())), "{parts:?}");
+    let parts: Vec<String> = serde_json::from_value(
+        b.eval("[...document.querySelectorAll('#polygons figure')].map((f) => f.id)"),
+    )
+    .unwrap();
+    assert!(
+        parts.len() > 4 && parts.iter().all(|p| p.ends_with(|c: char| c.is_ascii_digit())),
+        "{parts:?}"
+    );
     // Ids are unique in the document.
     let twice = "(() => { const ids = [...document.querySelectorAll('[id]')].map((e) => e.id); return ids.length - new Set(ids).size; })()";
     assert_eq!(b.eval(twice), 0);
@@ -233,16 +271,28 @@ fn a_polygon_of_many_vectors_is_split() {
         let library: Ends = drawn(&scene_there, &worked);
         let mut compared = 0;
         for (id, ends) in shown(&mut b) {
-            // The figure `velocity-2` has the ids `vel-2-abs-B`, in the library they are `vel-abs-B`.
+            // The figure `velocity-2` has the ids `vel-2-abs-B`, in the library they are
+            // `vel-abs-B`.
             let own = |part: &str| {
                 let (kind, number) = part.split_once('-')?;
                 let kind = hodograph::paper::drawing::prefix(kind);
                 Some(format!("{kind}-{}", id.strip_prefix(&format!("{kind}-{number}-"))?))
             };
-            let Some((part, whole)) = parts.iter().find_map(|p| Some((p, own(p)?))) else { continue };
+            let Some((part, whole)) = parts.iter().find_map(|p| Some((p, own(p)?))) else {
+                continue;
+            };
             let Some(want) = library.get(&whole) else { continue };
-            let mu: f64 = b.eval(&format!("document.querySelector('#{part} svg').dataset.mu")).as_str().unwrap().parse().unwrap();
-            let on = if part.starts_with('a') { DiagramKind::Acceleration } else { DiagramKind::Velocity };
+            let mu: f64 = b
+                .eval(&format!("document.querySelector('#{part} svg').dataset.mu"))
+                .as_str()
+                .unwrap()
+                .parse()
+                .unwrap();
+            let on = if part.starts_with('a') {
+                DiagramKind::Acceleration
+            } else {
+                DiagramKind::Velocity
+            };
             let times = worked.construction.polygon(on).unwrap().mu / mu;
             let off = ends.iter().zip(want).map(|(a, b)| (a - b * times).abs()).fold(0.0, f64::max);
             assert!(off < 1e-2, "{id} at {there}: off by {off} mm");

@@ -12,21 +12,36 @@ fn a_lesson_through_time_shows_what_holds_at_each_time() {
     let Some(mut b) = browser() else { return };
     let name = "plate-by-law";
     let scene = read(templates::get(name).unwrap()).unwrap().value;
-    let options = LessonOptions { swept: Swept::usual(&scene), ..Options::of_language(Lang::En) };
+    let options =
+        LessonOptions { swept: Swept::usual(&scene), ..LessonOptions::of_language(Lang::En) };
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("lesson-time.html");
     std::fs::write(&path, lesson(&scene, &options).unwrap().value).unwrap();
     b.open(&path, PROJECTOR);
-    let said = |b: &mut super::Browser| b.eval("document.getElementById('travel').textContent").as_str().unwrap().to_owned();
+    let said = |b: &mut super::Browser| {
+        b.eval("document.getElementById('travel').textContent").as_str().unwrap().to_owned()
+    };
     assert_eq!(said(&mut b), "t = 1 s");
     for steps in [3, 40] {
         for _ in 0..steps {
             b.key("+");
         }
         let instant = scene.instant() + travel(&mut b);
-        let mut there = read(templates::instantiate(name, &[("t", &format!("{instant:?} s"))]).unwrap()).unwrap().value;
-        let mut mu =
-            |key: &str| b.eval(&format!("document.querySelector('#{key} svg')?.dataset.mu ?? ''")).as_str().unwrap().parse::<f64>().ok();
-        for (kind, shows) in [(Kind::Length, "mechanism"), (Kind::Velocity, "velocity"), (Kind::Acceleration, "acceleration")] {
+        let mut there =
+            read(templates::instantiate(name, &[("t", &format!("{instant:?} s"))]).unwrap())
+                .unwrap()
+                .value;
+        let mut mu = |key: &str| {
+            b.eval(&format!("document.querySelector('#{key} svg')?.dataset.mu ?? ''"))
+                .as_str()
+                .unwrap()
+                .parse::<f64>()
+                .ok()
+        };
+        for (kind, shows) in [
+            (Kind::Length, "mechanism"),
+            (Kind::Velocity, "velocity"),
+            (Kind::Acceleration, "acceleration"),
+        ] {
             there.paper.scales.set(kind, mu(shows));
         }
         let worked = work(&there, Scope::Figure).unwrap().value;

@@ -19,7 +19,9 @@ fn a_finger_turns_the_crank_and_the_page_stays_where_it_is() {
     let start = driver_position(&scene, 0).unwrap().to_degrees();
     let (_, first) = worked_at(&mut b, &scene, 0.0);
     let (centre, radius) = crank(&scene, &first);
-    let on = |d: f64| [centre[0] + radius * d.to_radians().cos(), centre[1] + radius * d.to_radians().sin()];
+    let on = |d: f64| {
+        [centre[0] + radius * d.to_radians().cos(), centre[1] + radius * d.to_radians().sin()]
+    };
     let grip = in_window(&mut b, on(start));
     touch(&mut b, "touchStart", Some(grip));
     for turned in [10.0, 25.0, 40.0, 55.0, 70.0] {
@@ -34,7 +36,8 @@ fn a_finger_turns_the_crank_and_the_page_stays_where_it_is() {
     assert_eq!(b.eval("scrollY"), 0, "the page has scrolled under the finger");
 
     // Beside the grip, the same finger scrolls the page.
-    let acts = |what: &str| format!("getComputedStyle(document.querySelector('{what}')).touchAction");
+    let acts =
+        |what: &str| format!("getComputedStyle(document.querySelector('{what}')).touchAction");
     assert_eq!(b.eval(&acts("#mechanism svg")), "pan-y");
     assert_eq!(b.eval(&acts(".grip")), "none");
     assert_quiet(&b, "touch");

@@ -13,7 +13,9 @@ use std::f64::consts::TAU;
 
 /// Every follower of every face, by arcs and lines and by all laws.
 fn kinds() -> Vec<String> {
-    let laws = MotionLaw::ALL.into_iter().flat_map(|l| ["law", "swing"].map(|of| format!("{of} {}", l.name())));
+    let laws = MotionLaw::ALL
+        .into_iter()
+        .flat_map(|l| ["law", "swing"].map(|of| format!("{of} {}", l.name())));
     PROFILES.into_iter().map(str::to_owned).chain(laws).collect()
 }
 
@@ -24,7 +26,8 @@ fn reversed(scene: &Scene) -> Scene {
     scene
 }
 
-/// The angles of the driver at the joints of the cam, and in each stretch at a third and at four fifths of it.
+/// The angles of the driver at the joints of the cam, and in each stretch at a third and at four
+/// fifths of it.
 fn angles(scene: &Scene) -> Vec<f64> {
     let t = scene.cams[0].disc.as_ref().unwrap();
     let mut joints = t.disc.corners();
@@ -32,7 +35,8 @@ fn angles(scene: &Scene) -> Vec<f64> {
         assert_eq!(joints, t.disc.stretches().iter().map(|s| s.0).collect::<Vec<_>>());
     }
     joints.push(joints[0] + TAU);
-    let within = joints.windows(2).flat_map(|w| [0.0, 1.0 / 3.0, 0.8].map(|k| w[0] + k * (w[1] - w[0])));
+    let within =
+        joints.windows(2).flat_map(|w| [0.0, 1.0 / 3.0, 0.8].map(|k| w[0] + k * (w[1] - w[0])));
     within.map(|phi| t.way * (t.disc.sense * phi + t.start)).collect()
 }
 
@@ -46,18 +50,27 @@ fn alone(scene: &Scene, m: &Mechanism, placed: &PlacedScene, at: f64) -> Vec<f64
         AnswerValue::Vector(v) => vec![v.x, v.y, v.norm()],
         AnswerValue::Point(p) => vec![p.x, p.y],
     };
-    scene.find.iter().flat_map(|f| numbers(solution.answer(&moved, &pose, &f.what).unwrap())).collect()
+    scene
+        .find
+        .iter()
+        .flat_map(|f| numbers(solution.answer(&moved, &pose, &f.what).unwrap()))
+        .collect()
 }
 
 fn compare(name: &str, scene: &Scene) {
     let m = Mechanism::new(scene).unwrap().value;
     let placed = PlacedScene::new(scene, &m).unwrap();
-    assert!(sweep::compile(scene, &m, &placed.at, Some(0), &scene.find).is_ok(), "{name} is not compiled");
+    assert!(
+        sweep::compile(scene, &m, &placed.at, Some(0), &scene.find).is_ok(),
+        "{name} is not compiled"
+    );
     let once = angles(scene);
     let values: Vec<f64> = once.iter().flat_map(|a| [*a, a + TAU]).collect();
-    let table = sweep::run(&placed, 0, &Stations::of_values(values.clone(), 1.0), Width::Widest).unwrap();
+    let table =
+        sweep::run(&placed, 0, &Stations::of_values(values.clone(), 1.0), Width::Widest).unwrap();
     assert_eq!(table.rows(), values.len(), "{name}: {:?}", table.notes);
-    let expected: Vec<Vec<f64>> = once.iter().flat_map(|a| [*a, *a]).map(|a| alone(scene, &m, &placed, a)).collect();
+    let expected: Vec<Vec<f64>> =
+        once.iter().flat_map(|a| [*a, *a]).map(|a| alone(scene, &m, &placed, a)).collect();
     for (k, column) in table.columns[1..].iter().enumerate() {
         let size = expected.iter().fold(0.0f64, |m, row| m.max(row[k].abs()));
         for (i, row) in expected.iter().enumerate() {

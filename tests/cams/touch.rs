@@ -35,9 +35,16 @@ fn check(what: &str, scene: &Scene, index: usize, outward: Vec2) {
     let w = worked(scene);
     let cam = &scene.cams[index];
     let touch = w.configuration.touch(scene, cam).unwrap_or_else(|| panic!("{what}"));
-    assert!((touch.normal.norm() - 1.0).abs() < 1e-12 && touch.normal.dot(outward) > 0.0, "{what}: {touch:?}");
-    let [own, other] = [cam.cam, cam.follower].map(|l| w.solution.of_link(Level::Velocity, l, touch.at).unwrap());
-    assert!((own - other).dot(touch.normal).abs() < 1e-9 * own.norm().max(1e-3), "{what}: {own:?} {other:?}");
+    assert!(
+        (touch.normal.norm() - 1.0).abs() < 1e-12 && touch.normal.dot(outward) > 0.0,
+        "{what}: {touch:?}"
+    );
+    let [own, other] =
+        [cam.cam, cam.follower].map(|l| w.solution.of_link(Level::Velocity, l, touch.at).unwrap());
+    assert!(
+        (own - other).dot(touch.normal).abs() < 1e-9 * own.norm().max(1e-3),
+        "{what}: {own:?} {other:?}"
+    );
     if let Some((centre, radius)) = cam.circle {
         let centre = w.configuration.points[centre.0].unwrap();
         assert!((touch.at - centre - touch.normal * radius).norm() < 1e-12, "{what}: {touch:?}");
@@ -55,12 +62,26 @@ fn both_faces_of_a_yoke_touch_where_they_are() {
             // either face.
             let staged = ContactScene::new(&scene);
             assert_eq!(staged.contacts.len(), 2);
-            let choices: Vec<_> = staged.choices(&scene).into_iter().filter(|c| matches!(c.place, ChoicePlace::Cam(_))).collect();
+            let choices: Vec<_> = staged
+                .choices(&scene)
+                .into_iter()
+                .filter(|c| matches!(c.place, ChoicePlace::Cam(_)))
+                .collect();
             let (_, solved) = staged.solved(&choices, Level::Acceleration).unwrap().value;
             for s in &solved {
                 let slip = s.slip.expect("it is a contact");
-                let bent = s.acceleration.iter().find(|(p, _)| *p == Some(CompositePart::RelativeNormal)).unwrap().1.dot(slip.normal);
-                assert!((bent - slip.acceleration()).abs() < 1e-9, "{angle}, {turned}, {:?}: {bent} {slip:?}", s.choice);
+                let bent = s
+                    .acceleration
+                    .iter()
+                    .find(|(p, _)| *p == Some(CompositePart::RelativeNormal))
+                    .unwrap()
+                    .1
+                    .dot(slip.normal);
+                assert!(
+                    (bent - slip.acceleration()).abs() < 1e-9,
+                    "{angle}, {turned}, {:?}: {bent} {slip:?}",
+                    s.choice
+                );
             }
             assert_eq!(solved.len(), 6);
         }
@@ -80,7 +101,10 @@ fn every_end_touches_square_to_the_contour() {
             let station = t.disc.station(t.phi, t.side).unwrap();
             let outward = station.normal.rotate_by(Vec2::from_angle(t.disc.sense * t.phi));
             let touch = w.configuration.touch(&scene, cam).unwrap();
-            assert!((touch.normal - outward).norm() < 1e-9, "{kind} at {angle}: {touch:?} {outward:?}");
+            assert!(
+                (touch.normal - outward).norm() < 1e-9,
+                "{kind} at {angle}: {touch:?} {outward:?}"
+            );
             let pivot = w.configuration.points[t.pivot.0].unwrap();
             let meant = pivot + station.contact.rotate_by(Vec2::from_angle(t.disc.sense * t.phi));
             assert!((touch.at - meant).norm() < 1e-9, "{kind} at {angle}: {touch:?} {meant:?}");

@@ -23,11 +23,17 @@ fn json(arguments: &[&str], scene: &str) -> Value {
 
 fn number(answer: &Value) -> f64 {
     let value = &answer["value"];
-    value["value"].as_f64().or_else(|| value["magnitude"].as_f64()).unwrap_or_else(|| panic!("no number in {answer}"))
+    value["value"]
+        .as_f64()
+        .or_else(|| value["magnitude"].as_f64())
+        .unwrap_or_else(|| panic!("no number in {answer}"))
 }
 
 fn near(got: f64, expected: f64, what: &str) {
-    assert!((got - expected).abs() <= 1e-9 * expected.abs().max(1e-6), "{what}: {got} for {expected}");
+    assert!(
+        (got - expected).abs() <= 1e-9 * expected.abs().max(1e-6),
+        "{what}: {got} for {expected}"
+    );
 }
 
 #[test]
@@ -55,10 +61,22 @@ fn sums_differences_and_ratios_are_those_of_their_operands() {
     }
     // Quantities without a common unit are reported, and a frame after a stroke is read like any
     // frame.
-    let scene = hodograph::scene::edit::with_find(hodograph::scene::templates::get("crank-rocker").unwrap(), &["omega_2 + v_C"]).unwrap();
+    let scene = hodograph::scene::edit::with_find(
+        hodograph::scene::templates::get("crank-rocker").unwrap(),
+        &["omega_2 + v_C"],
+    )
+    .unwrap();
     let run = hodograph().args(["solve", "-"]).write_stdin(scene).assert().code(2);
-    assert!(text(&run.get_output().stderr).contains("combines rad/s with m/s"), "{}", text(&run.get_output().stderr));
-    near(number(&answers("crank-rocker", &["omega_3/2"])[0]), of("omega_3") - of("omega_2"), "omega_3/2");
+    assert!(
+        text(&run.get_output().stderr).contains("combines rad/s with m/s"),
+        "{}",
+        text(&run.get_output().stderr)
+    );
+    near(
+        number(&answers("crank-rocker", &["omega_3/2"])[0]),
+        of("omega_3") - of("omega_2"),
+        "omega_3/2",
+    );
 }
 
 /// v_C : v_B is the ratio of their distances from the pole of the coupler.
@@ -80,20 +98,41 @@ fn a_coordinate_along_a_guide_is_that_of_limits() {
     let found = answers("slider-crank", &["s_C", "x_C"]);
     near(number(&found[0]), number(&found[1]), "s_C");
     let limits = json(&["limits", "-", "--json"], scene);
-    let stroke = limits["outputs"].as_array().unwrap().iter().find(|o| o["output"] == "s_C").unwrap()["stroke"].as_f64().unwrap();
+    let stroke = limits["outputs"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|o| o["output"] == "s_C")
+        .unwrap()["stroke"]
+        .as_f64()
+        .unwrap();
     let scene = hodograph::scene::edit::with_find(scene, &["s_C"]).unwrap();
-    let run = hodograph().args(["sweep", "-", "--steps", "360"]).write_stdin(scene).assert().success();
+    let run =
+        hodograph().args(["sweep", "-", "--steps", "360"]).write_stdin(scene).assert().success();
     let table = text(&run.get_output().stdout);
-    let values: Vec<f64> = table.lines().filter_map(|l| l.rsplit(',').next()?.parse().ok()).collect();
+    let values: Vec<f64> =
+        table.lines().filter_map(|l| l.rsplit(',').next()?.parse().ok()).collect();
     let [low, high] = [f64::min, f64::max].map(|f| values.iter().copied().reduce(f).unwrap());
     assert!((high - low - stroke).abs() < 1e-6 * stroke.max(1.0), "{low} {high} {stroke}");
 }
 
 #[test]
 fn a_cam_answers_what_its_report_prints() {
-    let find = ["Phi_3", "Phi_far_3", "Phi_back_3", "Phi_near_3", "pressure_out_3", "pressure_back_3", "pressure_start_3", "rb_min_2"];
+    let find = [
+        "Phi_3",
+        "Phi_far_3",
+        "Phi_back_3",
+        "Phi_near_3",
+        "pressure_out_3",
+        "pressure_back_3",
+        "pressure_start_3",
+        "rb_min_2",
+    ];
     let found = answers("cam-offset-roller", &find);
-    let cam = &json(&["cam", "-", "--json"], hodograph::scene::templates::get("cam-offset-roller").unwrap())[0];
+    let cam = &json(
+        &["cam", "-", "--json"],
+        hodograph::scene::templates::get("cam-offset-roller").unwrap(),
+    )[0];
     let of = |path: &str| cam.pointer(path).and_then(Value::as_f64).unwrap().abs();
     let paths = [
         "/angles/rise",
@@ -113,7 +152,10 @@ fn a_cam_answers_what_its_report_prints() {
     // A cam with this base circle is not undercut, one with a smaller one is.
     let least = number(&found[7]) * 1e3;
     let undercut = |base: f64| {
-        let run = hodograph().args(["cam", "templates/cam-offset-roller.json", "--set", &format!("r0={base}")]).output().unwrap();
+        let run = hodograph()
+            .args(["cam", "templates/cam-offset-roller.json", "--set", &format!("r0={base}")])
+            .output()
+            .unwrap();
         text(&run.stderr).contains("undercut")
     };
     assert!(undercut(least * 0.999) && !undercut(least * 1.001), "{least}");
@@ -135,11 +177,20 @@ fn the_half_length_of_a_face_is_the_greatest_rate() {
 #[test]
 fn a_centre_at_infinity_has_one_direction() {
     let mut compared = 0;
-    for name in ["parallelogram", "slider-crank", "shaper", "scotch-yoke", "elliptic-trammel", "turning-plate"] {
+    for name in [
+        "parallelogram",
+        "slider-crank",
+        "shaper",
+        "scotch-yoke",
+        "elliptic-trammel",
+        "turning-plate",
+    ] {
         let scene = hodograph::scene::templates::get(name).unwrap();
         let all = json(&["centres", "-", "--json"], scene);
-        for c in all["centres"].as_array().unwrap().iter().filter(|c| !c["infinity_deg"].is_null()) {
-            let links: Vec<&str> = c["links"].as_array().unwrap().iter().map(|l| l.as_str().unwrap()).collect();
+        for c in all["centres"].as_array().unwrap().iter().filter(|c| !c["infinity_deg"].is_null())
+        {
+            let links: Vec<&str> =
+                c["links"].as_array().unwrap().iter().map(|l| l.as_str().unwrap()).collect();
             let find = format!("P_{}", links.join(","));
             let Some(answer) = answers(name, &[&find]).into_iter().next() else { continue };
             let Some(direction) = answer["direction_deg"].as_f64() else { continue };
@@ -168,7 +219,9 @@ fn what_a_figure_draws_is_a_drawing_in_the_json() {
 /// The parts of a relative acceleration are drawn along and perpendicular to the drawn v_r.
 #[test]
 fn parts_along_a_path_that_no_pair_gives_are_drawn() {
-    for (template, frame) in [("lathe", "T/2"), ("cam-offset-roller", "B3/2"), ("cam-eccentric", "E3/2")] {
+    for (template, frame) in
+        [("lathe", "T/2"), ("cam-offset-roller", "B3/2"), ("cam-eccentric", "E3/2")]
+    {
         let find = ["ve", "vr", "ar", "arn", "art"].map(|symbol| format!("{symbol}_{frame}"));
         let find: Vec<&str> = find.iter().map(String::as_str).collect();
         for answer in answers(template, &find) {
@@ -193,7 +246,9 @@ fn the_construction_of_a_design_for_programs() {
     let steps = all["construction"]["steps"].as_array().unwrap();
     let marks = steps.iter().flat_map(|s| s["marks"].as_array().unwrap()).count();
     assert!(steps.len() > 2 && marks > 3, "{all:#}");
-    let told = text(&hodograph().args(["synth", "--steps"]).arg(&task).assert().success().get_output().stdout);
+    let told = text(
+        &hodograph().args(["synth", "--steps"]).arg(&task).assert().success().get_output().stdout,
+    );
     assert!(told.contains("[A (") || told.contains("A ("), "{told}");
 }
 
@@ -203,7 +258,10 @@ fn a_function_beside_pairs_is_told_as_what_it_is() {
         "input": {"from": "86 deg", "swing": "60 deg"}, "output": {"from": "24 deg", "swing": "85 deg"}, "frame": "100 mm"}"#;
     let run = hodograph().args(["synth", "-"]).write_stdin(task).assert().code(2);
     let said = text(&run.get_output().stderr);
-    assert!(said.contains("`function` and `pairs` are both given") && !said.contains("missing-key"), "{said}");
+    assert!(
+        said.contains("`function` and `pairs` are both given") && !said.contains("missing-key"),
+        "{said}"
+    );
 }
 
 /// The lever of a disc on a coupler, given by its pivot alone.
@@ -219,7 +277,11 @@ fn lever(face: &str, more: &str) -> String {
 #[test]
 fn the_point_of_a_face_says_on_which_side_it_lies() {
     let of = |more: &str| number(&asked(&lever(r#""offset": "6.8 mm""#, more))[0]);
-    let run = hodograph().args(["solve", "-"]).write_stdin(lever(r#""offset": "6.8 mm""#, "")).assert().success();
+    let run = hodograph()
+        .args(["solve", "-"])
+        .write_stdin(lever(r#""offset": "6.8 mm""#, ""))
+        .assert()
+        .success();
     let note = text(&run.get_output().stderr);
     assert!(note.contains("the one with W at") && note.contains("a rough place of W"), "{note}");
     let sides = [r#", "side": {"W": "left of FD"}"#, r#", "side": {"W": "right of FD"}"#].map(of);
@@ -234,7 +296,11 @@ fn the_point_of_a_face_says_on_which_side_it_lies() {
 /// it.
 #[test]
 fn a_missed_contact_is_told_in_the_words_of_the_scene() {
-    let run = hodograph().args(["solve", "-"]).write_stdin(lever(r#""angle": "atan(7/24)", "offset": "6.7 mm""#, "")).assert().code(2);
+    let run = hodograph()
+        .args(["solve", "-"])
+        .write_stdin(lever(r#""angle": "atan(7/24)", "offset": "6.7 mm""#, ""))
+        .assert()
+        .code(2);
     let said = text(&run.get_output().stderr);
     assert!(said.contains("the contact of cam 3 and follower 5 is missed by 0.1000 mm"), "{said}");
     assert!(!said.contains("guide"), "{said}");
@@ -245,7 +311,9 @@ fn a_shaky_mechanism_is_called_so() {
     let scene = r#"{"units": {"length": "m"}, "links": {"1": ["A", "D", "F"], "2": ["A", "B"], "3": ["B", "C", "E"], "4": ["C", "D"], "5": ["E", "F"]},
         "ground": "1", "points": {"A": [0, 0], "B": [3, 4], "C": [13, 4], "D": [10, 0], "E": [8, 4], "F": [6.5, 2]},
         "driver": {"link": "2", "omega": "5 rad/s"}}"#;
-    for (lang, word) in [("en", "shaky, mobile to first order, it locks at a finite turn"), ("zh", "瞬时可动")] {
+    for (lang, word) in
+        [("en", "shaky, mobile to first order, it locks at a finite turn"), ("zh", "瞬时可动")]
+    {
         let run = hodograph().args(["mobility", "-", "--lang", lang]).write_stdin(scene).assert();
         let said = text(&run.get_output().stdout);
         assert!(said.contains(word), "{said}");
@@ -255,9 +323,13 @@ fn a_shaky_mechanism_is_called_so() {
 /// Ball's point is constructed: each letter used by a step is introduced by an earlier step.
 #[test]
 fn the_point_of_ball_is_constructed() {
-    let run = hodograph().args(["curvature", "templates/crank-rocker.json", "--steps"]).assert().success();
+    let run = hodograph()
+        .args(["curvature", "templates/crank-rocker.json", "--steps"])
+        .assert()
+        .success();
     let said = text(&run.get_output().stdout);
-    let steps = said.lines().filter(|l| l.contains("G_B") || l.contains("Ball's point U_2")).count();
+    let steps =
+        said.lines().filter(|l| l.contains("G_B") || l.contains("Ball's point U_2")).count();
     assert!(steps >= 2 && said.contains("is Ball's point U_2"), "{said}");
 }
 
@@ -276,7 +348,13 @@ fn tangential_parts_bear_the_mark_of_the_notation() {
     let folder = tempfile::tempdir().unwrap();
     let (style, out) = (folder.path().join("style.json"), folder.path().join("sheet.svg"));
     std::fs::write(&style, r#"{"base": "print", "notation": {"tangential": "\\tau"}}"#).unwrap();
-    hodograph().args(["draw", "templates/crank-rocker.json", "--style"]).arg(&style).arg("-o").arg(&out).assert().success();
+    hodograph()
+        .args(["draw", "templates/crank-rocker.json", "--style"])
+        .arg(&style)
+        .arg("-o")
+        .arg(&out)
+        .assert()
+        .success();
     let sheet = std::fs::read_to_string(&out).unwrap();
     assert!(sheet.contains('τ'), "no tau");
     // Composite motion, in its figure and in its text, and a plate that turns in space, in
@@ -284,7 +362,12 @@ fn tangential_parts_bear_the_mark_of_the_notation() {
     let lever = ["draw", "templates/slotted-lever.json", "--figure", "composite", "--style"];
     hodograph().args(lever).arg(&style).arg("-o").arg(&out).assert().success();
     let figure = std::fs::read_to_string(&out).unwrap();
-    assert!(figure.contains("a_e^τ + a_r^n + a_r^τ") && !figure.contains("_r^t") && figure.contains("α_3 = a_e^τ/l_CB"), "{figure}");
+    assert!(
+        figure.contains("a_e^τ + a_r^n + a_r^τ")
+            && !figure.contains("_r^t")
+            && figure.contains("α_3 = a_e^τ/l_CB"),
+        "{figure}"
+    );
     let plate = folder.path().join("plate.md");
     hodograph()
         .args(["worksheet", "templates/particle/plate-in-space.json", "--style"])
@@ -294,15 +377,29 @@ fn tangential_parts_bear_the_mark_of_the_notation() {
         .assert()
         .success();
     let sheet = std::fs::read_to_string(&plate).unwrap();
-    assert!(sheet.contains("a_{e}^{\\tau}+a_{r}^{n}+a_{r}^{\\tau}+a_{c}") && !sheet.contains("^{t}"), "{sheet}");
+    assert!(
+        sheet.contains("a_{e}^{\\tau}+a_{r}^{n}+a_{r}^{\\tau}+a_{c}") && !sheet.contains("^{t}"),
+        "{sheet}"
+    );
     for (notation, letter) in [("cn", "a_k = 2ω"), ("en", "a_c = 2ω")] {
         for lang in ["en", "zh"] {
-            let asked = ["solve", "templates/particle/plate-in-space.json", "--steps", "--notation", notation, "--lang", lang];
+            let asked = [
+                "solve",
+                "templates/particle/plate-in-space.json",
+                "--steps",
+                "--notation",
+                notation,
+                "--lang",
+                lang,
+            ];
             let said = text(&hodograph().args(asked).assert().success().get_output().stdout);
             assert!(said.contains(letter), "{notation} {lang}: {said}");
         }
     }
-    let run = hodograph().args(["composite", "templates/slotted-lever.json", "--notation", "cn"]).assert().success();
+    let run = hodograph()
+        .args(["composite", "templates/slotted-lever.json", "--notation", "cn"])
+        .assert()
+        .success();
     let said = text(&run.get_output().stdout);
     assert!(said.contains("a_r^t + a_k") && !said.contains("a_c"), "{said}");
 }

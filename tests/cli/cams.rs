@@ -12,20 +12,32 @@ fn a_cam_is_told_drawn_and_written_out() {
         .success();
     let said = text(&run.get_output().stdout);
     assert!(said.contains("偏距 e = 10.0000 mm") && said.contains("柔性冲击"), "{said}");
-    let mut names: Vec<String> = std::fs::read_dir(out.path()).unwrap().map(|f| f.unwrap().file_name().into_string().unwrap()).collect();
+    let mut names: Vec<String> = std::fs::read_dir(out.path())
+        .unwrap()
+        .map(|f| f.unwrap().file_name().into_string().unwrap())
+        .collect();
     names.sort();
-    let expected = ["motion.png", "motion.svg", "profile.png", "profile.svg"].map(|n| format!("cam-offset-roller-cam-{n}"));
+    let expected = ["motion.png", "motion.svg", "profile.png", "profile.svg"]
+        .map(|n| format!("cam-offset-roller-cam-{n}"));
     assert_eq!(names, expected);
 
     let csv = out.path().join("cam.csv");
-    hodograph().args(["cam", "templates/cam-offset-roller.json", "--steps", "360", "--profile"]).arg(&csv).assert().success();
+    hodograph()
+        .args(["cam", "templates/cam-offset-roller.json", "--steps", "360", "--profile"])
+        .arg(&csv)
+        .assert()
+        .success();
     let table = std::fs::read_to_string(csv).unwrap();
     assert!(table.starts_with("phi [deg],s [mm],ds [mm/rad]"), "{table}");
     // A row for each degree, and the end of the turn.
     assert_eq!(table.lines().count(), 362);
 
     let dxf = out.path().join("cam.dxf");
-    hodograph().args(["cam", "templates/cam-valve-train.json", "--profile"]).arg(&dxf).assert().success();
+    hodograph()
+        .args(["cam", "templates/cam-valve-train.json", "--profile"])
+        .arg(&dxf)
+        .assert()
+        .success();
     let drawing = std::fs::read_to_string(dxf).unwrap();
     let count = |what: &str| drawing.lines().filter(|l| *l == what).count();
     // Two arcs and two flanks are kept; the centre is a cross.
@@ -39,14 +51,31 @@ fn an_infinite_radius_has_a_row_in_every_table() {
     let out = tempfile::tempdir().unwrap();
     let sweep = |name: &str| {
         let path = out.path().join(name);
-        let asked = ["sweep", "templates/cam-valve-train.json", "--steps", "36", "--find", "rho_2/3", "--lang", "zh", "-o"];
+        let asked = [
+            "sweep",
+            "templates/cam-valve-train.json",
+            "--steps",
+            "36",
+            "--find",
+            "rho_2/3",
+            "--lang",
+            "zh",
+            "-o",
+        ];
         hodograph().args(asked).arg(&path).assert().success();
         std::fs::read(path).unwrap()
     };
     let csv = String::from_utf8(sweep("rho.csv")).unwrap();
-    let rows: Vec<&str> = csv.lines().filter(|l| l.starts_with(|c: char| c.is_ascii_digit())).collect();
+    let rows: Vec<&str> =
+        csv.lines().filter(|l| l.starts_with(|c: char| c.is_ascii_digit())).collect();
     let empty = rows.iter().filter(|l| l.ends_with(',')).count();
-    assert!(rows.len() == 37 && empty > 0 && csv.contains("# rho_2/3 在 phi_2 = ") && csv.contains("为无穷大"), "{csv}");
+    assert!(
+        rows.len() == 37
+            && empty > 0
+            && csv.contains("# rho_2/3 在 phi_2 = ")
+            && csv.contains("为无穷大"),
+        "{csv}"
+    );
     assert!(!rows.iter().any(|l| l.contains("inf")), "{csv}");
     let json: serde_json::Value = serde_json::from_slice(&sweep("rho.json")).unwrap();
     let values = json["columns"][1]["values"].as_array().unwrap();
@@ -58,11 +87,19 @@ fn an_infinite_radius_has_a_row_in_every_table() {
 
 #[test]
 fn a_cam_for_programs() {
-    let run = hodograph().args(["cam", "templates/cam-offset-roller.json", "--json"]).assert().success();
+    let run =
+        hodograph().args(["cam", "templates/cam-offset-roller.json", "--json"]).assert().success();
     let list: serde_json::Value = serde_json::from_slice(&run.get_output().stdout).unwrap();
     let cam = &list[0];
-    let number = |path: &str| cam.pointer(path).and_then(serde_json::Value::as_f64).unwrap_or_else(|| panic!("no {path} in {cam}"));
-    assert!((number("/stroke") - 0.02).abs() < 1e-15 && (number("/least_rho/value") - 0.037_257_387_229_340_7).abs() < 1e-12);
+    let number = |path: &str| {
+        cam.pointer(path)
+            .and_then(serde_json::Value::as_f64)
+            .unwrap_or_else(|| panic!("no {path} in {cam}"))
+    };
+    assert!(
+        (number("/stroke") - 0.02).abs() < 1e-15
+            && (number("/least_rho/value") - 0.037_257_387_229_340_7).abs() < 1e-12
+    );
     assert!((number("/now/pressure_angle").to_degrees() - 8.553_423_323_410_39).abs() < 1e-10);
     assert_eq!(cam["shocks"].as_array().unwrap().len(), 2);
 }
@@ -72,22 +109,38 @@ fn what_does_not_work_is_told() {
     let run = |args: &[&str]| text(&hodograph().arg("cam").args(args).output().unwrap().stderr);
     // Case cam-undercut: the pitch curve has a radius of 19 mm at the end of the rise, the roller
     // one of 25 mm.
-    let sharp = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/templates/cam-offset-roller.json")).unwrap();
+    let sharp = std::fs::read_to_string(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/templates/cam-offset-roller.json"
+    ))
+    .unwrap();
     let sharp = sharp.replace(
         "\"over\": \"120 deg\", \"law\": \"cycloidal\"}, {\"dwell\": \"60 deg\"",
         "\"over\": \"50 deg\", \"law\": \"harmonic\"}, {\"dwell\": \"130 deg\"",
     );
     let mut cam = hodograph();
-    let undercut = cam.args(["cam", "-", "--set", "r0=15", "--set", "rr=25", "--set", "e=0"]).write_stdin(sharp).output().unwrap();
+    let undercut = cam
+        .args(["cam", "-", "--set", "r0=15", "--set", "rr=25", "--set", "e=0"])
+        .write_stdin(sharp)
+        .output()
+        .unwrap();
     let undercut = text(&undercut.stderr);
-    assert!(undercut.contains("undercut") && undercut.contains("18.9873 mm") && undercut.contains("least base circle"), "{undercut}");
+    assert!(
+        undercut.contains("undercut")
+            && undercut.contains("18.9873 mm")
+            && undercut.contains("least base circle"),
+        "{undercut}"
+    );
     let steep = run(&["templates/cam-offset-roller.json", "--set", "h=60", "--lang", "zh"]);
     assert!(steep.contains("压力角"), "{steep}");
     for (args, said) in [
         (vec!["templates/crank-rocker.json"], "the scene has no cam"),
         (vec!["templates/cam-offset-roller.json", "--cam", "2"], "there is no cam 2"),
         (vec!["templates/cam-offset-roller.json", "-o", "cam.svg"], "would be a folder"),
-        (vec!["templates/cam-offset-roller.json", "--profile", "cam.step"], "neither a .csv nor a .dxf"),
+        (
+            vec!["templates/cam-offset-roller.json", "--profile", "cam.step"],
+            "neither a .csv nor a .dxf",
+        ),
     ] {
         let out = hodograph().arg("cam").args(&args).output().unwrap();
         assert_eq!(out.status.code(), Some(2), "{args:?}");
@@ -109,7 +162,9 @@ fn a_swinging_face_goes_over_its_joints_with_a_line_and_without() {
             if face.is_empty() { "" } else { r#""B": ["40 mm", "60 mm"]"# },
         )
     };
-    let run = |text: String| hodograph().args(["sweep", "-", "--steps", "8"]).write_stdin(text).output().unwrap();
+    let run = |text: String| {
+        hodograph().args(["sweep", "-", "--steps", "8"]).write_stdin(text).output().unwrap()
+    };
     let rows = |out: &std::process::Output| -> Vec<Vec<f64>> {
         assert!(!text(&out.stderr).contains("cam-piece"), "{}", text(&out.stderr));
         let told = text(&out.stdout);
@@ -133,14 +188,25 @@ fn profiles_have_no_infinite_numbers() {
     for t in hodograph::scene::templates::list() {
         let scene = super::templates_path(t.name);
         let mut run = hodograph();
-        if !run.args(["cam", &scene, "--cam", "1", "--steps", "90", "--profile"]).arg(&csv).output().unwrap().status.success() {
+        if !run
+            .args(["cam", &scene, "--cam", "1", "--steps", "90", "--profile"])
+            .arg(&csv)
+            .output()
+            .unwrap()
+            .status
+            .success()
+        {
             continue;
         }
         tables += 1;
         let table = std::fs::read_to_string(&csv).unwrap();
         for field in table.lines().skip(1).flat_map(|l| l.split(',')) {
             straight += usize::from(field.is_empty());
-            assert!(field.is_empty() || field.parse::<f64>().is_ok_and(f64::is_finite), "{}: {field}", t.name);
+            assert!(
+                field.is_empty() || field.parse::<f64>().is_ok_and(f64::is_finite),
+                "{}: {field}",
+                t.name
+            );
         }
     }
     assert!(tables > 3 && straight > 0, "{tables} {straight}");

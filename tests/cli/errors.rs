@@ -20,14 +20,16 @@ fn schema(which: &str) -> jsonschema::Validator {
 }
 
 fn fits(schema: &jsonschema::Validator, told: &Value, what: &str) {
-    let faults: Vec<String> = schema.iter_errors(told).map(|e| format!("{}: {e}", e.instance_path())).collect();
+    let faults: Vec<String> =
+        schema.iter_errors(told).map(|e| format!("{}: {e}", e.instance_path())).collect();
     assert!(faults.is_empty(), "{what}: {faults:#?}");
 }
 
 /// The scenes of a folder.
 fn scenes(folder: &str) -> Vec<PathBuf> {
     let all = fs::read_dir(root().join(folder)).unwrap().map(|f| f.unwrap().path());
-    let mut all: Vec<PathBuf> = all.filter(|p| p.extension().is_some_and(|e| e == "json")).collect();
+    let mut all: Vec<PathBuf> =
+        all.filter(|p| p.extension().is_some_and(|e| e == "json")).collect();
     all.sort();
     assert!(all.len() > 3, "{folder}");
     all
@@ -36,12 +38,18 @@ fn scenes(folder: &str) -> Vec<PathBuf> {
 /// Standard error of a run with `--errors json`: one document, all of it.
 fn document(args: &[&str]) -> (Value, Option<i32>) {
     let run = hodograph().args(["--errors", "json"]).args(args).output().unwrap();
-    let told = serde_json::from_slice(&run.stderr).unwrap_or_else(|e| panic!("{args:?}: {e}\n{}", text(&run.stderr)));
+    let told = serde_json::from_slice(&run.stderr)
+        .unwrap_or_else(|e| panic!("{args:?}: {e}\n{}", text(&run.stderr)));
     (told, run.status.code())
 }
 
 fn codes(document: &Value) -> Vec<String> {
-    document["diagnostics"].as_array().unwrap().iter().map(|d| d["code"].as_str().unwrap().to_owned()).collect()
+    document["diagnostics"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|d| d["code"].as_str().unwrap().to_owned())
+        .collect()
 }
 
 #[test]
@@ -64,10 +72,14 @@ fn faults_of_broken_scenes_are_one_document_of_the_schema() {
                 continue;
             }
             assert_eq!(d["file"], path);
-            assert!(said.contains(&format!("{path}:{}:{}]", place["line"], place["column"])), "{path}: {d}\n{said}");
+            assert!(
+                said.contains(&format!("{path}:{}:{}]", place["line"], place["column"])),
+                "{path}: {d}\n{said}"
+            );
             let [from, to] = ["start", "end"].map(|key| place[key].as_u64().unwrap() as usize);
             let line = source.lines().nth(place["line"].as_u64().unwrap() as usize - 1).unwrap();
-            let here: String = line.chars().skip(place["column"].as_u64().unwrap() as usize - 1).collect();
+            let here: String =
+                line.chars().skip(place["column"].as_u64().unwrap() as usize - 1).collect();
             assert!(here.starts_with(source[from..to].lines().next().unwrap()), "{path}: {d}");
         }
     }
@@ -99,14 +111,21 @@ fn whatever_is_told_on_standard_error_is_the_document() {
         fits(&schema, &document, &args.join(" "));
         assert_eq!(code, Some(*due), "{args:?}");
         let codes = codes(&document);
-        assert!(wanted.iter().all(|w| codes.iter().any(|c| c == w)) && (codes.is_empty() == wanted.is_empty()), "{args:?}: {codes:?}");
+        assert!(
+            wanted.iter().all(|w| codes.iter().any(|c| c == w))
+                && (codes.is_empty() == wanted.is_empty()),
+            "{args:?}: {codes:?}"
+        );
     }
     // Answers as JSON hold their notes; so does the document.
     let (told, _) = document(&["solve", "--json", "tests/bad/dead-centre.json"]);
     assert!(codes(&told).iter().any(|c| c == "dead-centre"), "{told}");
     let (usage, _) = document(&["solve", "x.json", "--lang", "zh", "--digits", "99"]);
     let message = &usage["diagnostics"][0]["message"];
-    assert!(message["en"].as_str().unwrap().contains("not a whole number from 1 to 30"), "{message}");
+    assert!(
+        message["en"].as_str().unwrap().contains("not a whole number from 1 to 30"),
+        "{message}"
+    );
     assert!(message["zh"].as_str().unwrap().contains("不是 1 到 30 的整数"), "{message}");
     // Every command accepts the option, in any place; without it the text stays.
     let run = hodograph().args(["solve", "not-there.json", "--errors=json"]).assert().code(2);
@@ -129,22 +148,32 @@ fn answers_as_json_fit_their_schema() {
     .unwrap();
     // Templates and motions; a pose next to a toggle, a dead centre; singular scenes and scenes of
     // past faults; tolerances.
-    let mut all = [scenes("templates"), scenes("tests/repro"), scenes("templates/particle"), scenes("tests/bad")].concat();
+    let mut all = [
+        scenes("templates"),
+        scenes("tests/repro"),
+        scenes("templates/particle"),
+        scenes("tests/bad"),
+    ]
+    .concat();
     all.extend([root().join("docs/near-toggle.json"), parallel]);
     let every = super::wide::every(3);
     let (mut seen, mut unanswered, mut motions) = (0, 0, 0);
     for path in all
         .iter()
         .enumerate()
-        .filter(|(n, p)| n % every == 0 || *n + 2 >= all.len() || p.to_str().unwrap().contains("dead"))
+        .filter(|(n, p)| {
+            n % every == 0 || *n + 2 >= all.len() || p.to_str().unwrap().contains("dead")
+        })
         .map(|(_, p)| p)
     {
         for options in [&[][..], &["--drafting"]] {
-            let run = hodograph().args(["solve", "--json"]).arg(path).args(options).output().unwrap();
+            let run =
+                hodograph().args(["solve", "--json"]).arg(path).args(options).output().unwrap();
             if !matches!(run.status.code(), Some(0 | 4)) {
                 continue;
             }
-            let told: Value = serde_json::from_slice(&run.stdout).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+            let told: Value = serde_json::from_slice(&run.stdout)
+                .unwrap_or_else(|e| panic!("{}: {e}", path.display()));
             fits(&schema, &told, path.to_str().unwrap());
             seen += 1;
             unanswered += usize::from(run.status.code() == Some(4));
@@ -156,15 +185,22 @@ fn answers_as_json_fit_their_schema() {
     let tasks = scenes("templates/synthesis");
     for path in &tasks {
         for options in [&[][..], &["--steps"]] {
-            let run = hodograph().args(["synth", "--json"]).arg(path).args(options).output().unwrap();
-            let told: Value = serde_json::from_slice(&run.stdout).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+            let run =
+                hodograph().args(["synth", "--json"]).arg(path).args(options).output().unwrap();
+            let told: Value = serde_json::from_slice(&run.stdout)
+                .unwrap_or_else(|e| panic!("{}: {e}", path.display()));
             fits(&schema, &told, path.to_str().unwrap());
-            assert!(told["kind"] == "task" && told.get("construction").is_some() != options.is_empty(), "{}", path.display());
+            assert!(
+                told["kind"] == "task" && told.get("construction").is_some() != options.is_empty(),
+                "{}",
+                path.display()
+            );
         }
     }
     assert!(tasks.len() >= 5, "{tasks:?}");
     // Documents of another shape are refused.
-    let mut told: Value = serde_json::from_str(&printed(&["solve", "--json", &templates_path("shaper")])).unwrap();
+    let mut told: Value =
+        serde_json::from_str(&printed(&["solve", "--json", &templates_path("shaper")])).unwrap();
     assert!(schema.is_valid(&told));
     told["answers"][0]["agrees"] = "yes".into();
     assert!(!schema.is_valid(&told));
@@ -173,11 +209,21 @@ fn answers_as_json_fit_their_schema() {
 #[test]
 fn a_code_is_explained_with_cause_and_cure() {
     let said = printed(&["explain", "dead-centre"]);
-    assert!(said.starts_with("dead-centre: ") && ["Cause: ", "Cure: "].iter().all(|w| said.contains(w)), "{said}");
+    assert!(
+        said.starts_with("dead-centre: ") && ["Cause: ", "Cure: "].iter().all(|w| said.contains(w)),
+        "{said}"
+    );
     let said = printed(&["explain", "unknown-key", "--lang", "zh"]);
-    assert!(["原因：", "对策：", "例："].iter().all(|w| said.contains(w)) && !said.contains("Cause"), "{said}");
-    let json: Value = serde_json::from_str(&printed(&["explain", "dead-centre", "--json"])).unwrap();
-    assert!(json["code"] == "dead-centre" && json["cure"]["zh"].as_str().unwrap().contains("原动件"), "{json}");
+    assert!(
+        ["原因：", "对策：", "例："].iter().all(|w| said.contains(w)) && !said.contains("Cause"),
+        "{said}"
+    );
+    let json: Value =
+        serde_json::from_str(&printed(&["explain", "dead-centre", "--json"])).unwrap();
+    assert!(
+        json["code"] == "dead-centre" && json["cure"]["zh"].as_str().unwrap().contains("原动件"),
+        "{json}"
+    );
     let run = hodograph().args(["explain", "dead-center"]).assert().code(2);
     assert!(text(&run.get_output().stderr).contains("did you mean `dead-centre`"));
     let run = hodograph().args(["explain", "xyzzy"]).assert().code(2);
@@ -209,8 +255,18 @@ fn page() -> String {
         for e in codes.iter().filter(|e| e["group"] == *group) {
             let of = |key: &str, lang: &str| word(&e[key][lang]);
             out += &format!("\n### `{}`\n", word(&e["code"]));
-            out += &format!("**{}.** {} *Cure:* {}\n\n", of("title", "en"), of("cause", "en"), of("cure", "en"));
-            out += &format!("**{}。**{}*对策：*{}\n", of("title", "zh"), of("cause", "zh"), of("cure", "zh"));
+            out += &format!(
+                "**{}.** {} *Cure:* {}\n\n",
+                of("title", "en"),
+                of("cause", "en"),
+                of("cure", "en")
+            );
+            out += &format!(
+                "**{}。**{}*对策：*{}\n",
+                of("title", "zh"),
+                of("cause", "zh"),
+                of("cure", "zh")
+            );
             if let Some(example) = e["example"].as_str() {
                 out += &format!("\n```text\n{example}\n```\n");
             }
@@ -227,7 +283,11 @@ fn the_page_of_errors_is_current() {
     }
     if std::env::var_os("HODOGRAPH_ACCEPT").is_some() {
         fs::write(&path, page).unwrap();
-        panic!("docs/errors.md is written: look at it (git diff); without HODOGRAPH_ACCEPT the test passes");
+        panic!(
+            "docs/errors.md is written: look at it (git diff); without HODOGRAPH_ACCEPT the test passes"
+        );
     }
-    panic!("docs/errors.md is not what `hodograph explain --json` makes: HODOGRAPH_ACCEPT=1 cargo test --test cli page");
+    panic!(
+        "docs/errors.md is not what `hodograph explain --json` makes: HODOGRAPH_ACCEPT=1 cargo test --test cli page"
+    );
 }

@@ -39,7 +39,8 @@ fn the_exit_code_is_due_whoever_listens() {
             drop(reader);
             let mut run = program();
             run.args(&words).stdout(Stdio::from(writer.try_clone().unwrap()));
-            let run = if both { run.stderr(Stdio::from(writer)) } else { run.stderr(Stdio::null()) };
+            let run =
+                if both { run.stderr(Stdio::from(writer)) } else { run.stderr(Stdio::null()) };
             assert_eq!(run.status().unwrap().code(), Some(due), "{command} | head -c0");
         }
         // Output printed there is lost: it counts as an output that could not be written, unless
@@ -53,7 +54,12 @@ fn the_exit_code_is_due_whoever_listens() {
         assert_eq!(run.code(), Some(told), "{command} >/dev/full 2>/dev/full");
     }
     for command in ["--help", "--version", "draw --help"] {
-        let run = program().args(command.split(' ')).stdout(full()).stderr(Stdio::null()).status().unwrap();
+        let run = program()
+            .args(command.split(' '))
+            .stdout(full())
+            .stderr(Stdio::null())
+            .status()
+            .unwrap();
         assert_eq!(run.code(), Some(1), "{command} >/dev/full");
     }
 }

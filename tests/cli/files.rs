@@ -83,7 +83,12 @@ fn nothing_that_is_read_is_written_over() {
     ] {
         let stdin = fs::File::open(at("my.json")).unwrap();
         let mut run = std::process::Command::new(env!("CARGO_BIN_EXE_hodograph"));
-        let run = run.args(arguments.split(' ')).current_dir(folder.path()).stdin(stdin).output().unwrap();
+        let run = run
+            .args(arguments.split(' '))
+            .current_dir(folder.path())
+            .stdin(stdin)
+            .output()
+            .unwrap();
         let said = text(&run.stderr);
         let code = run.status.code();
         assert!(code == Some(2) && said.contains("would destroy it"), "{arguments}: {said}");
@@ -111,18 +116,27 @@ fn links_lead_to_their_files() {
     .into_iter()
     .enumerate()
     {
-        let (link, file) = (here.join(format!("{k}.{ending}")), there.join(format!("file-{k}.{ending}")));
+        let (link, file) =
+            (here.join(format!("{k}.{ending}")), there.join(format!("file-{k}.{ending}")));
         symlink(format!("../there/file-{k}.{ending}"), &link).unwrap();
         // First the link leads to nothing, then to a file.
         for _ in 0..2 {
             hodograph().args(command.split(' ')).arg("-o").arg(&link).assert().success();
-            assert!(fs::symlink_metadata(&link).unwrap().is_symlink() && fs::symlink_metadata(&file).unwrap().is_file(), "{command}");
+            assert!(
+                fs::symlink_metadata(&link).unwrap().is_symlink()
+                    && fs::symlink_metadata(&file).unwrap().is_file(),
+                "{command}"
+            );
             assert!(fs::metadata(&file).unwrap().len() > 100, "{command}");
         }
     }
     symlink("b.csv", here.join("a.csv")).unwrap();
     symlink("a.csv", here.join("b.csv")).unwrap();
-    hodograph().args(["sweep", "templates/crank-rocker.json", "-o"]).arg(here.join("a.csv")).assert().code(1);
+    hodograph()
+        .args(["sweep", "templates/crank-rocker.json", "-o"])
+        .arg(here.join("a.csv"))
+        .assert()
+        .code(1);
     assert_eq!((count(&here), count(&there)), (6, 4), "nothing else is left behind");
 }
 
@@ -136,7 +150,10 @@ fn pipes_and_devices_take_the_bytes() {
         ("draw templates/crank-rocker.json", "svg"),
         ("worksheet templates/crank-rocker.json", "html"),
     ] {
-        let (pipe, file) = (folder.path().join(format!("pipe.{ending}")), folder.path().join(format!("file.{ending}")));
+        let (pipe, file) = (
+            folder.path().join(format!("pipe.{ending}")),
+            folder.path().join(format!("file.{ending}")),
+        );
         assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
         let reading = std::thread::spawn({
             let pipe = pipe.clone();
@@ -155,7 +172,10 @@ fn pipes_and_devices_take_the_bytes() {
     }
     assert!(fs::metadata("/dev/full").unwrap().file_type().is_char_device());
     let run = hodograph().args(["new", "crank-rocker", "-o", "/dev/stdout"]).assert().success();
-    assert_eq!(text(&run.get_output().stdout), fs::read_to_string("templates/crank-rocker.json").unwrap());
+    assert_eq!(
+        text(&run.get_output().stdout),
+        fs::read_to_string("templates/crank-rocker.json").unwrap()
+    );
 }
 
 #[test]
@@ -171,7 +191,9 @@ fn rights_stay_and_protected_files_too() {
         let script = format!("umask 027; exec \"$0\" {command} -o \"$1\"");
         let run = || {
             let mut c = assert_cmd::Command::new("sh");
-            c.args(["-c", &script, env!("CARGO_BIN_EXE_hodograph")]).arg(&out).current_dir(env!("CARGO_MANIFEST_DIR"));
+            c.args(["-c", &script, env!("CARGO_BIN_EXE_hodograph")])
+                .arg(&out)
+                .current_dir(env!("CARGO_MANIFEST_DIR"));
             c.assert()
         };
         run().success();
@@ -209,9 +231,16 @@ fn a_part_takes_nobodys_place() {
             lay(&name, &victim);
             let run = hodograph().args(batch("100", &out)).assert().code(1);
             let said = text(&run.get_output().stderr);
-            assert!(said.contains("in the way") && said.contains(ending), "{ending} {what}: {said}");
+            assert!(
+                said.contains("in the way") && said.contains(ending),
+                "{ending} {what}: {said}"
+            );
             assert_eq!(fs::read_to_string(&victim).unwrap(), "theirs", "{ending} {what}");
-            assert!(fs::read_to_string(&name).map_or(true, |t| ["mine", "theirs"].contains(&t.as_str())), "{ending} {what}");
+            assert!(
+                fs::read_to_string(&name)
+                    .map_or(true, |t| ["mine", "theirs"].contains(&t.as_str())),
+                "{ending} {what}"
+            );
             assert_eq!(count(folder.path()), 2, "{ending} {what}: nothing else is left behind");
         }
     }
@@ -229,14 +258,22 @@ fn changed_bytes_are_found() {
         bytes[at] ^= 1;
         fs::write(path, bytes).unwrap();
     };
-    let told = [(".part", 1, true), (".part", 4, true), (".part.journal", 7, false), (".part.journal", 2, false)];
+    let told = [
+        (".part", 1, true),
+        (".part", 4, true),
+        (".part.journal", 7, false),
+        (".part.journal", 2, false),
+    ];
     for (ending, at, told) in told {
         killed(&out);
         change(&beside(&out, ending), at);
         let run = hodograph().args(batch("8000", &out)).assert().success();
         let said = text(&run.get_output().stderr);
         assert_eq!(said.contains("changed-bytes"), told, "{ending} {at}: {said}");
-        assert!(fs::read(&out).unwrap() == fs::read(&whole).unwrap(), "{ending} {at}: the bytes differ");
+        assert!(
+            fs::read(&out).unwrap() == fs::read(&whole).unwrap(),
+            "{ending} {at}: the bytes differ"
+        );
         fs::remove_file(&out).unwrap();
     }
     assert_eq!(count(folder.path()), 1, "nothing else is left behind");
@@ -247,23 +284,40 @@ fn files_of_one_command_appear_together_or_not_at_all() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name);
     for (command, barred, others) in [
-        ("worksheet templates/shaper.json -o sheet.md", "sheet-mechanism.svg", &["sheet.md", "sheet-velocity.svg"][..]),
-        ("worksheet templates/shaper.json -o sheet.typ", "sheet.typ", &["sheet-mechanism.svg", "sheet-velocity.svg"]),
+        (
+            "worksheet templates/shaper.json -o sheet.md",
+            "sheet-mechanism.svg",
+            &["sheet.md", "sheet-velocity.svg"][..],
+        ),
+        (
+            "worksheet templates/shaper.json -o sheet.typ",
+            "sheet.typ",
+            &["sheet-mechanism.svg", "sheet-velocity.svg"],
+        ),
         ("draw templates/shaper.json -o .", "shaper.png", &["shaper.svg"]),
         (
             "draw templates/shaper.json -o . --figure velocity,mechanism",
             "shaper-mechanism.svg",
             &["shaper-velocity.svg", "shaper-velocity.png"],
         ),
-        ("animate templates/crank-rocker.json --frames 4 --dpi 40 -o turn.png", "turn-003.png", &["turn-001.png", "turn-002.png"]),
+        (
+            "animate templates/crank-rocker.json --frames 4 --dpi 40 -o turn.png",
+            "turn-003.png",
+            &["turn-001.png", "turn-002.png"],
+        ),
     ] {
         // One of the names is taken by a folder; one of the other files already exists.
         fs::create_dir(at(barred)).unwrap();
         fs::write(at(others[0]), "before").unwrap();
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-        let words = command.split(' ').map(|w| if w.starts_with("templates/") { root.join(w).display().to_string() } else { w.into() });
+        let words = command.split(' ').map(|w| {
+            if w.starts_with("templates/") { root.join(w).display().to_string() } else { w.into() }
+        });
         let run = hodograph().current_dir(folder.path()).args(words).assert().code(1);
-        assert!(run.get_output().stdout.is_empty() && text(&run.get_output().stderr).contains(barred), "{command}");
+        assert!(
+            run.get_output().stdout.is_empty() && text(&run.get_output().stderr).contains(barred),
+            "{command}"
+        );
         assert_eq!(fs::read_to_string(at(others[0])).unwrap(), "before", "{command}");
         assert_eq!(count(folder.path()), 2, "{command}: nothing else appears");
         fs::remove_dir(at(barred)).unwrap();
@@ -277,7 +331,11 @@ fn the_next_run_clears_what_a_killed_one_left() {
     let folder = tempfile::tempdir().unwrap();
     let sweep = |out: &str| -> Vec<String> {
         let words = "sweep templates/crank-rocker.json --steps 400000 --find a_C -o";
-        words.split(' ').map(str::to_owned).chain([folder.path().join(out).display().to_string()]).collect()
+        words
+            .split(' ')
+            .map(str::to_owned)
+            .chain([folder.path().join(out).display().to_string()])
+            .collect()
     };
     let begun = |n: usize| {
         while count(folder.path()) < n {
@@ -291,14 +349,25 @@ fn the_next_run_clears_what_a_killed_one_left() {
     assert_eq!(count(folder.path()), 1, "nothing was left to clear");
     let mut live = started(&sweep("live.csv"));
     begun(1);
-    while fs::read_dir(folder.path()).unwrap().flatten().all(|f| f.metadata().map_or(0, |m| m.len()) == 0) {
+    while fs::read_dir(folder.path())
+        .unwrap()
+        .flatten()
+        .all(|f| f.metadata().map_or(0, |m| m.len()) == 0)
+    {
         std::thread::sleep(Duration::from_millis(1));
     }
     // A foreign file with a similar name stays.
     fs::write(folder.path().join(".hodograph-notes.tmp"), "mine").unwrap();
-    hodograph().args(["new", "crank-rocker", "-o"]).arg(folder.path().join("new.json")).assert().success();
+    hodograph()
+        .args(["new", "crank-rocker", "-o"])
+        .arg(folder.path().join("new.json"))
+        .assert()
+        .success();
     assert!(live.wait().unwrap().success());
-    let mut names: Vec<String> = fs::read_dir(folder.path()).unwrap().map(|f| f.unwrap().file_name().into_string().unwrap()).collect();
+    let mut names: Vec<String> = fs::read_dir(folder.path())
+        .unwrap()
+        .map(|f| f.unwrap().file_name().into_string().unwrap())
+        .collect();
     names.sort();
     assert_eq!(names, [".hodograph-notes.tmp", "live.csv", "new.json"]);
 }
@@ -313,7 +382,11 @@ fn endings_may_be_written_large() {
         ("curves templates/crank-rocker.json", "c.SVG", b"<svg"),
         ("worksheet templates/crank-rocker.json", "x.HTML", b"<!DOCTYPE"),
         ("sweep templates/crank-rocker.json --find v_C", "x.NPY", b"\x93NUMPY"),
-        ("batch templates/crank-rocker.json --vary l_BC=200..300:5 --find v_C", "x.Parquet", b"PAR1"),
+        (
+            "batch templates/crank-rocker.json --vary l_BC=200..300:5 --find v_C",
+            "x.Parquet",
+            b"PAR1",
+        ),
     ] {
         let out = folder.path().join(name);
         hodograph().args(command.split(' ')).arg("-o").arg(&out).assert().success();
@@ -324,7 +397,13 @@ fn endings_may_be_written_large() {
     let style = folder.path().join("s.JSON");
     fs::File::create(&style).unwrap().write_all(b"{ \"base\": \"dark\" }").unwrap();
     let out = folder.path().join("dark.svg");
-    hodograph().args(["draw", "templates/crank-rocker.json", "--style"]).arg(style).arg("-o").arg(out).assert().success();
+    hodograph()
+        .args(["draw", "templates/crank-rocker.json", "--style"])
+        .arg(style)
+        .arg("-o")
+        .arg(out)
+        .assert()
+        .success();
 }
 
 /// On a full disk, no part of an output remains.
@@ -334,8 +413,18 @@ fn a_full_disk_leaves_nothing() {
     let root = env!("CARGO_MANIFEST_DIR");
     for (command, blocks) in [
         (format!("animate {root}/templates/crank-rocker.json --frames 6 --dpi 40 -o turn.png"), 0),
-        (format!("batch {root}/templates/crank-rocker.json --vary l_AB=60..100:4 --steps 20 --find a_C -o b.csv"), 0),
-        (format!("batch {root}/templates/crank-rocker.json --vary l_AB=60..100:40 --steps 200 --find a_C -o b.csv"), 2),
+        (
+            format!(
+                "batch {root}/templates/crank-rocker.json --vary l_AB=60..100:4 --steps 20 --find a_C -o b.csv"
+            ),
+            0,
+        ),
+        (
+            format!(
+                "batch {root}/templates/crank-rocker.json --vary l_AB=60..100:40 --steps 200 --find a_C -o b.csv"
+            ),
+            2,
+        ),
         (format!("draw {root}/templates/crank-rocker.json -o out.svg"), 1),
         (format!("cam {root}/templates/cam-offset-roller.json --profile p.csv"), 1),
         (format!("sweep {root}/templates/crank-rocker.json --steps 2000 -o s.csv"), 2),
@@ -344,8 +433,10 @@ fn a_full_disk_leaves_nothing() {
         // A file may have this number of blocks of 512 bytes; a full disk does not send the signal
         // of the shell's limit.
         let limited = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" {command}");
-        let run =
-            std::process::Command::new("sh").args(["-c", &limited, env!("CARGO_BIN_EXE_hodograph")]).current_dir(folder.path()).output();
+        let run = std::process::Command::new("sh")
+            .args(["-c", &limited, env!("CARGO_BIN_EXE_hodograph")])
+            .current_dir(folder.path())
+            .output();
         let run = run.unwrap();
         assert_eq!(run.status.code(), Some(1), "{command}: {}", text(&run.stderr));
         assert!(run.stdout.is_empty(), "{command}: {}", text(&run.stdout));

@@ -16,7 +16,10 @@ fn is_chinese(text: &str) -> bool {
 
 /// A text without the lines that quote the scene.
 fn own_words(text: &str) -> String {
-    text.lines().filter(|l| !l.contains('│') || l.trim_start().starts_with('│')).collect::<Vec<_>>().join("\n")
+    text.lines()
+        .filter(|l| !l.contains('│') || l.trim_start().starts_with('│'))
+        .collect::<Vec<_>>()
+        .join("\n")
 }
 
 /// Returns a line with two neighbouring lower-case English words, if any; commands do not count as
@@ -30,7 +33,9 @@ fn english(text: &str) -> Option<&str> {
 
 #[test]
 fn a_fault_is_told_in_the_language_of_the_command_line_or_of_the_scene() {
-    let scene = |language: &str| format!("{{{language}\"links\": {{\"1\": [\"A\", \"B\"]}}, \"gruond\": \"1\"}}");
+    let scene = |language: &str| {
+        format!("{{{language}\"links\": {{\"1\": [\"A\", \"B\"]}}, \"gruond\": \"1\"}}")
+    };
     for (arguments, language, chinese) in [
         (&["solve", "-"][..], "", false),
         (&["solve", "-"], "\"language\": \"zh\", ", true),
@@ -78,23 +83,49 @@ fn every_command_that_takes_a_scene_speaks_chinese() {
             _ => &[],
         };
         for scene in ["no-such-file.json", "tests/bad/several-faults.json"] {
-            let run = hodograph().args([command, "--lang", "zh", scene]).args(more).assert().code(2);
+            let run =
+                hodograph().args([command, "--lang", "zh", scene]).args(more).assert().code(2);
             let said = own_words(&text(&run.get_output().stderr));
-            assert!(is_chinese(&said) && english(&said).is_none(), "{command} {scene}: {:?} in\n{said}", english(&said));
+            assert!(
+                is_chinese(&said) && english(&said).is_none(),
+                "{command} {scene}: {:?} in\n{said}",
+                english(&said)
+            );
         }
         if ["draw", "lesson", "worksheet", "sweep", "batch", "curves", "path"].contains(&command) {
-            let more: Vec<&str> = more.iter().map(|m| if m.starts_with("x.") { out } else { *m }).collect();
+            let more: Vec<&str> =
+                more.iter().map(|m| if m.starts_with("x.") { out } else { *m }).collect();
             let output: &[&str] = if more.contains(&out) { &[] } else { &["-o", out] };
-            let run = hodograph().args([command, "--lang", "zh", "templates/crank-rocker.json"]).args(more).args(output).assert();
+            let run = hodograph()
+                .args([command, "--lang", "zh", "templates/crank-rocker.json"])
+                .args(more)
+                .args(output)
+                .assert();
             let said = own_words(&text(&run.get_output().stderr));
-            assert!(is_chinese(&said) && english(&said).is_none(), "{command} -o x.gif: {:?} in\n{said}", english(&said));
+            assert!(
+                is_chinese(&said) && english(&said).is_none(),
+                "{command} -o x.gif: {:?} in\n{said}",
+                english(&said)
+            );
         }
     }
 }
 
 #[test]
 fn notes_and_tables_are_in_the_language_too() {
-    let (said, table) = told(&["sweep", "templates/crank-rocker.json", "--set", "l_AB=260", "--steps", "9", "--lang", "zh"], "");
+    let (said, table) = told(
+        &[
+            "sweep",
+            "templates/crank-rocker.json",
+            "--set",
+            "l_AB=260",
+            "--steps",
+            "9",
+            "--lang",
+            "zh",
+        ],
+        "",
+    );
     let notes: String = table.lines().filter(|l| l.starts_with('#')).collect();
     for text in [&own_words(&said), &notes] {
         assert!(is_chinese(text) && english(text).is_none(), "{text}");
@@ -139,7 +170,9 @@ fn faults_of_arguments_are_told_in_chinese() {
 /// A code for programs at the head of a sentence: `slow-stroke: ...`.
 fn headed_by_a_code(line: &str) -> bool {
     let head = line.trim_start().split(':').next().unwrap_or_default();
-    line.contains(':') && head.contains('-') && head.bytes().all(|b| b.is_ascii_lowercase() || b == b'-')
+    line.contains(':')
+        && head.contains('-')
+        && head.bytes().all(|b| b.is_ascii_lowercase() || b == b'-')
 }
 
 /// True if a Chinese character is directly followed by a half-width mark.
@@ -167,7 +200,10 @@ fn chinese_has_its_own_punctuation() {
         &["attempts"],
     ];
     let list = hodograph::scene::templates::list();
-    let scenes = list.iter().step_by(every(8)).map(|t| (t.name, hodograph::scene::templates::get(t.name).unwrap()));
+    let scenes = list
+        .iter()
+        .step_by(every(8))
+        .map(|t| (t.name, hodograph::scene::templates::get(t.name).unwrap()));
     let tasks = hodograph::synthesis::templates::names().step_by(every(2));
     let tasks = tasks.map(|name| (name, hodograph::synthesis::templates::get(name).unwrap()));
     let of_tasks: &[&[&str]] = &[&["synth", "--steps"]];
@@ -176,7 +212,9 @@ fn chinese_has_its_own_punctuation() {
         for command in commands {
             let arguments = [&command[..1], &["-", "--lang", "zh"], &command[1..]].concat();
             let (said, printed) = told(&arguments, scene);
-            for line in said.lines().chain(printed.lines()).filter(|l| is_chinese(l) && !l.contains('│')) {
+            for line in
+                said.lines().chain(printed.lines()).filter(|l| is_chinese(l) && !l.contains('│'))
+            {
                 looked += 1;
                 let mut depth = 0;
                 let bare: String = line
@@ -211,10 +249,20 @@ fn givens_of_a_motion_are_values() {
     let (file, out) = (folder.path().join("plate.json"), folder.path().join("plate.md"));
     std::fs::write(&file, hodograph::particle::templates::get("plate-in-space").unwrap()).unwrap();
     for lang in ["en", "zh"] {
-        hodograph().args(["worksheet", "--lang", lang, "--problem-only"]).arg(&file).arg("-o").arg(&out).assert().success();
+        hodograph()
+            .args(["worksheet", "--lang", lang, "--problem-only"])
+            .arg(&file)
+            .arg("-o")
+            .arg(&out)
+            .assert()
+            .success();
         let said = std::fs::read_to_string(&out).unwrap();
-        let given: String = said.lines().filter(|l| l.starts_with("- ")).collect::<Vec<_>>().join("\n");
-        assert!(given.contains("60°") && given.contains("90°") && given.contains("ω = 1/3 rad/s"), "{given}");
+        let given: String =
+            said.lines().filter(|l| l.starts_with("- ")).collect::<Vec<_>>().join("\n");
+        assert!(
+            given.contains("60°") && given.contains("90°") && given.contains("ω = 1/3 rad/s"),
+            "{given}"
+        );
         for name in ["deg", "theta", "omega"] {
             assert!(!given.contains(name), "{name} in\n{given}");
         }

@@ -39,19 +39,31 @@ fn parameters_are_set_and_scenes_piped_everywhere() {
         run("l_BC=260").success();
         let failed = run("l_bc=260").code(2);
         let said = text(&failed.get_output().stderr);
-        assert!(said.contains("the scene has no parameter `l_bc`") && said.contains("did you mean `l_BC`?"), "{arguments:?}: {said}");
+        assert!(
+            said.contains("the scene has no parameter `l_bc`")
+                && said.contains("did you mean `l_BC`?"),
+            "{arguments:?}: {said}"
+        );
     }
 }
 
 #[test]
 fn a_parameter_of_ones_own_scene() {
     let solve = |set: &[&str]| {
-        let run = hodograph().args(["solve", "-"]).args(set.iter().flat_map(|s| ["--set", s])).write_stdin(SCENE).assert();
+        let run = hodograph()
+            .args(["solve", "-"])
+            .args(set.iter().flat_map(|s| ["--set", s]))
+            .write_stdin(SCENE)
+            .assert();
         let output = run.get_output();
         (output.status.code(), text(&output.stdout), text(&output.stderr))
     };
     assert!(solve(&[]).1.contains("v_O2 = 1.00000 m/s"));
-    assert!(solve(&["r=120", "w=60 rpm/2"]).1.contains("v_O2 = 0.376991 m/s"), "{:?}", solve(&["r=120", "w=60 rpm/2"]));
+    assert!(
+        solve(&["r=120", "w=60 rpm/2"]).1.contains("v_O2 = 0.376991 m/s"),
+        "{:?}",
+        solve(&["r=120", "w=60 rpm/2"])
+    );
     let (code, _, said) = solve(&["r"]);
     assert!(code == Some(2) && said.contains("`--set r` has no `=`"), "{said}");
     let (code, _, said) = solve(&["r=1 s"]);
@@ -62,8 +74,16 @@ fn a_parameter_of_ones_own_scene() {
 #[test]
 fn a_list_of_questions_may_hold_commas() {
     let sweep = |find: &str| {
-        let run = hodograph().args(["sweep", "-", "--steps", "2", "--find", find]).write_stdin(SCENE).assert().success();
-        text(&run.get_output().stdout).lines().find(|l| !l.starts_with('#')).unwrap_or_default().to_owned()
+        let run = hodograph()
+            .args(["sweep", "-", "--steps", "2", "--find", find])
+            .write_stdin(SCENE)
+            .assert()
+            .success();
+        text(&run.get_output().stdout)
+            .lines()
+            .find(|l| !l.starts_with('#'))
+            .unwrap_or_default()
+            .to_owned()
     };
     let head = sweep("v_A,O2,omega_1,x_O2");
     for column in ["v_A,O2", "omega_1", "x_O2"] {
@@ -72,7 +92,12 @@ fn a_list_of_questions_may_hold_commas() {
     // A question with a comma is asked again for its curves.
     let out = tempfile::tempdir().unwrap();
     let with_comma = SCENE.replace("\"v_O2\"", "\"v_O2,A\", \"omega_1\"");
-    hodograph().args(["curves", "-", "--steps", "4", "-o"]).arg(out.path().join("c.svg")).write_stdin(with_comma).assert().success();
+    hodograph()
+        .args(["curves", "-", "--steps", "4", "-o"])
+        .arg(out.path().join("c.svg"))
+        .write_stdin(with_comma)
+        .assert()
+        .success();
 }
 
 /// The range of a driver depends neither on its speed nor on its angle.
@@ -81,7 +106,8 @@ fn limits_need_neither_rate_nor_angle() {
     let limits = |scene: &str| {
         let run = hodograph().args(["limits", "-"]).write_stdin(scene).assert().success();
         // The start of the motion decides which of its extremes is printed first.
-        let mut lines: Vec<String> = text(&run.get_output().stdout).lines().map(str::to_owned).collect();
+        let mut lines: Vec<String> =
+            text(&run.get_output().stdout).lines().map(str::to_owned).collect();
         lines.sort();
         lines
     };
@@ -102,24 +128,40 @@ fn refused_answers_keep_their_keys() {
     for drafting in [&[][..], &["--drafting"]] {
         let dead = r#"{"links": {"1": ["A","B"], "2": ["B","C"], "3": ["C","D"], "4": ["A","D"]}, "ground": "4", "units": {"length": "m"},
  "points": {"A": [0,0], "B": [2,0], "C": [7,0], "D": [4,-4]}, "driver": {"link": "3", "omega": "1 rad/s"}, "find": ["v_C", "omega_1"]}"#;
-        let run = hodograph().args(["solve", "-", "--json"]).args(drafting).write_stdin(dead).assert().code(4);
+        let run = hodograph()
+            .args(["solve", "-", "--json"])
+            .args(drafting)
+            .write_stdin(dead)
+            .assert()
+            .code(4);
         let json: serde_json::Value = serde_json::from_slice(&run.get_output().stdout).unwrap();
         let keys = |k: usize| {
-            let mut keys: Vec<_> = json["answers"][k].as_object().unwrap().keys().cloned().collect();
+            let mut keys: Vec<_> =
+                json["answers"][k].as_object().unwrap().keys().cloned().collect();
             keys.sort();
             keys
         };
         assert_eq!(keys(0), keys(1));
-        assert!(json["answers"][1]["drawing"].is_null() && json["answers"][1]["why"].is_object() && json["answers"][0]["why"].is_null());
+        assert!(
+            json["answers"][1]["drawing"].is_null()
+                && json["answers"][1]["why"].is_object()
+                && json["answers"][0]["why"].is_null()
+        );
     }
 }
 
 #[test]
 fn an_unknown_ending_is_refused() {
     let out = tempfile::tempdir().unwrap();
-    for (command, name, right) in [("draw", "x.gif", ".png"), ("draw", "deep/x.jpeg", ".pdf"), ("lesson", "x.gif", ".html")] {
+    for (command, name, right) in
+        [("draw", "x.gif", ".png"), ("draw", "deep/x.jpeg", ".pdf"), ("lesson", "x.gif", ".html")]
+    {
         let path = out.path().join(name);
-        let run = hodograph().args([command, "templates/crank-rocker.json", "-o"]).arg(&path).assert().code(2);
+        let run = hodograph()
+            .args([command, "templates/crank-rocker.json", "-o"])
+            .arg(&path)
+            .assert()
+            .code(2);
         let said = text(&run.get_output().stderr);
         assert!(said.contains(name) && said.contains(right), "{said}");
         assert!(!path.exists());
@@ -129,7 +171,15 @@ fn an_unknown_ending_is_refused() {
     let folder = format!("{}/v1.2/", out.path().display());
     for _ in 0..2 {
         let draw = ["draw", "templates/crank-rocker.json", "--format", "svg", "-o"];
-        hodograph().args(draw).arg(folder.trim_end_matches('/').to_owned() + "/").assert().success();
+        hodograph()
+            .args(draw)
+            .arg(folder.trim_end_matches('/').to_owned() + "/")
+            .assert()
+            .success();
     }
-    hodograph().args(["draw", "templates/crank-rocker.json", "--format", "svg", "-o"]).arg(folder.trim_end_matches('/')).assert().success();
+    hodograph()
+        .args(["draw", "templates/crank-rocker.json", "--format", "svg", "-o"])
+        .arg(folder.trim_end_matches('/'))
+        .assert()
+        .success();
 }

@@ -41,7 +41,8 @@ fn one_result_goes_to_standard_output_alone() {
             if output != "-" && !cfg!(target_os = "linux") {
                 continue;
             }
-            let run = hodograph().args(asking(command, ending)).args(["-o", output]).assert().success();
+            let run =
+                hodograph().args(asking(command, ending)).args(["-o", output]).assert().success();
             let got = &run.get_output().stdout;
             assert!(
                 *got == wanted,
@@ -52,11 +53,20 @@ fn one_result_goes_to_standard_output_alone() {
             );
         }
     }
-    assert!(!Path::new(env!("CARGO_MANIFEST_DIR")).join("-").exists(), "a folder or a file of that name");
+    assert!(
+        !Path::new(env!("CARGO_MANIFEST_DIR")).join("-").exists(),
+        "a folder or a file of that name"
+    );
     // Tables of the other commands, a cam's profile, one inversion, one design.
     for (command, begins) in [
-        ("batch templates/crank-rocker.json --vary l_BC=200..300:3 --find v_C -o -", "mechanism,l_BC"),
-        ("batch templates/crank-rocker.json --vary l_BC=200..300:3 --find v_C -o - --format npy", "\u{fffd}NUMPY"),
+        (
+            "batch templates/crank-rocker.json --vary l_BC=200..300:3 --find v_C -o -",
+            "mechanism,l_BC",
+        ),
+        (
+            "batch templates/crank-rocker.json --vary l_BC=200..300:3 --find v_C -o - --format npy",
+            "\u{fffd}NUMPY",
+        ),
         ("sweep templates/crank-rocker.json --find v_C --steps 12 --format json", "{\n  \"title\""),
         ("cam templates/cam-offset-roller.json --profile -", "phi [deg],"),
         ("inversions templates/crank-rocker.json --pick 1 -o -", "{"),
@@ -64,18 +74,31 @@ fn one_result_goes_to_standard_output_alone() {
         ("accuracy templates/crank-rocker.json --patience 1 -o -", "<svg"),
     ] {
         let run = hodograph().args(command.split(' ')).assert().success();
-        assert!(text(&run.get_output().stdout).starts_with(begins), "{command}: {}", text(&run.get_output().stdout));
+        assert!(
+            text(&run.get_output().stdout).starts_with(begins),
+            "{command}: {}",
+            text(&run.get_output().stdout)
+        );
     }
     // Standard output may be a file, and a reader may close before the end.
     let file = folder.path().join("redirected.svg");
     let to = fs::File::create(&file).unwrap();
     let mut run = std::process::Command::new(env!("CARGO_BIN_EXE_hodograph"));
-    let run = run.args(["draw", "templates/shaper.json", "-o", "-"]).current_dir(env!("CARGO_MANIFEST_DIR")).stdout(to);
-    assert!(run.status().unwrap().success() && fs::read_to_string(&file).unwrap().trim_end().ends_with("</svg>"));
+    let run = run
+        .args(["draw", "templates/shaper.json", "-o", "-"])
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .stdout(to);
+    assert!(
+        run.status().unwrap().success()
+            && fs::read_to_string(&file).unwrap().trim_end().ends_with("</svg>")
+    );
     let (reader, writer) = std::io::pipe().unwrap();
     drop(reader);
     let mut run = std::process::Command::new(env!("CARGO_BIN_EXE_hodograph"));
-    let run = run.args(["draw", "templates/shaper.json", "-o", "-"]).current_dir(env!("CARGO_MANIFEST_DIR")).stdout(writer);
+    let run = run
+        .args(["draw", "templates/shaper.json", "-o", "-"])
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .stdout(writer);
     assert!(run.status().unwrap().success());
 }
 
@@ -119,26 +142,46 @@ fn formats_are_one_list() {
         let kept = fs::canonicalize(env!("CARGO_MANIFEST_DIR")).unwrap().join("templates");
         let command = command.replace("T/", &format!("{}/", kept.display()));
         hodograph().current_dir(folder.path()).args(command.split(' ')).assert().success();
-        let mut names: Vec<String> = fs::read_dir(folder.path()).unwrap().map(|f| f.unwrap().file_name().into_string().unwrap()).collect();
+        let mut names: Vec<String> = fs::read_dir(folder.path())
+            .unwrap()
+            .map(|f| f.unwrap().file_name().into_string().unwrap())
+            .collect();
         names.sort();
         names.join(" ")
     };
     for (command, a, b, wanted) in [
-        ("draw T/crank-rocker.json --figure mechanism", "svg", "pdf", "crank-rocker-mechanism.pdf crank-rocker-mechanism.svg"),
+        (
+            "draw T/crank-rocker.json --figure mechanism",
+            "svg",
+            "pdf",
+            "crank-rocker-mechanism.pdf crank-rocker-mechanism.svg",
+        ),
         ("curves T/crank-rocker.json --steps 36 -o c", "svg", "pdf", "c.pdf c.svg"),
-        ("path T/crank-rocker.json --point E", "svg", "png", "crank-rocker-path.png crank-rocker-path.svg"),
+        (
+            "path T/crank-rocker.json --point E",
+            "svg",
+            "png",
+            "crank-rocker-path.png crank-rocker-path.svg",
+        ),
         ("path T/crank-rocker.json --point E -o p", "svg", "pdf", "p.pdf p.svg"),
         ("worksheet T/crank-rocker.json -o w", "pdf", "html", "w.html w.pdf"),
         ("animate T/crank-rocker.json --frames 2 -o m", "gif", "png", "m-001.png m-002.png m.gif"),
         ("mobility T/crank-rocker.json -o g", "svg", "pdf", "g.pdf g.svg"),
     ] {
         assert_eq!(names(&format!("{command} --format {a},{b}")), wanted, "{command}");
-        assert_eq!(names(&format!("{command} --format {a} --format {b} --format {a}")), wanted, "{command}");
+        assert_eq!(
+            names(&format!("{command} --format {a} --format {b} --format {a}")),
+            wanted,
+            "{command}"
+        );
     }
     // An ending with the same format; a single format keeps the name itself; a folder takes the
     // default formats.
     assert_eq!(names("draw T/crank-rocker.json -o sheet.svg --format svg"), "sheet.svg");
-    assert_eq!(names("sweep T/crank-rocker.json --find v_C --steps 3 -o rows.txt --format csv"), "rows.txt");
+    assert_eq!(
+        names("sweep T/crank-rocker.json --find v_C --steps 3 -o rows.txt --format csv"),
+        "rows.txt"
+    );
     assert_eq!(names("draw T/crank-rocker.json"), "crank-rocker.png crank-rocker.svg");
 }
 
@@ -148,31 +191,74 @@ fn formats_are_one_list() {
 fn steps_and_fragments_have_a_width() {
     let folder = tempfile::tempdir().unwrap();
     let run = |args: &str| {
-        hodograph().current_dir(env!("CARGO_MANIFEST_DIR")).args(args.split(' ')).args(["-o", folder.path().to_str().unwrap()]).assert()
+        hodograph()
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .args(args.split(' '))
+            .args(["-o", folder.path().to_str().unwrap()])
+            .assert()
     };
     // Side by side, and in a narrow column stacked: higher than wide.
     for (width, narrow) in [(200, false), (80, true)] {
-        run(&format!("draw templates/crank-rocker.json --steps --format svg --width {width}mm")).success();
+        run(&format!("draw templates/crank-rocker.json --steps --format svg --width {width}mm"))
+            .success();
         let sizes: Vec<String> = fs::read_dir(folder.path())
             .unwrap()
             .map(|f| {
-                fs::read_to_string(f.unwrap().path()).unwrap().split("viewBox=\"").nth(1).unwrap().split('"').next().unwrap().to_owned()
+                fs::read_to_string(f.unwrap().path())
+                    .unwrap()
+                    .split("viewBox=\"")
+                    .nth(1)
+                    .unwrap()
+                    .split('"')
+                    .next()
+                    .unwrap()
+                    .to_owned()
             })
             .collect();
-        assert!(sizes.len() > 5 && sizes.iter().all(|s| *s == sizes[0] && s.starts_with(&format!("0 0 {width} "))), "{sizes:?}");
+        assert!(
+            sizes.len() > 5
+                && sizes.iter().all(|s| *s == sizes[0] && s.starts_with(&format!("0 0 {width} "))),
+            "{sizes:?}"
+        );
         let height: f64 = sizes[0].rsplit(' ').next().unwrap().parse().unwrap();
         assert_eq!(height > f64::from(width), narrow, "{sizes:?}");
     }
     run("draw templates/crank-rocker.json --steps --format svg --width 21mm").code(2);
     run("draw templates/synthesis/time-ratio.json --steps --format svg --width 200mm").success();
-    let reveal =
-        |width: &str| hodograph().args(["lesson", "templates/crank-rocker.json", "--reveal", "--width", width, "-o", "-"]).assert();
+    let reveal = |width: &str| {
+        hodograph()
+            .args([
+                "lesson",
+                "templates/crank-rocker.json",
+                "--reveal",
+                "--width",
+                width,
+                "-o",
+                "-",
+            ])
+            .assert()
+    };
     let fragment = text(&reveal("240mm").success().get_output().stdout);
-    assert!(fragment.contains("style=\"width:240mm;max-width:100%") && fragment.contains("fragment"), "{}", &fragment[..400]);
-    let view: Vec<f64> =
-        fragment.split("viewBox=\"").nth(1).unwrap().split('"').next().unwrap().split(' ').map(|n| n.parse().unwrap()).collect();
+    assert!(
+        fragment.contains("style=\"width:240mm;max-width:100%") && fragment.contains("fragment"),
+        "{}",
+        &fragment[..400]
+    );
+    let view: Vec<f64> = fragment
+        .split("viewBox=\"")
+        .nth(1)
+        .unwrap()
+        .split('"')
+        .next()
+        .unwrap()
+        .split(' ')
+        .map(|n| n.parse().unwrap())
+        .collect();
     assert!((view[2] - 240.0).abs() < 1e-9, "{view:?}");
     let refused = reveal("25mm").code(2);
     assert!(text(&refused.get_output().stderr).contains("paper-too-small"));
-    hodograph().args(["lesson", "templates/crank-rocker.json", "--width", "240mm", "-o", "-"]).assert().code(2);
+    hodograph()
+        .args(["lesson", "templates/crank-rocker.json", "--width", "240mm", "-o", "-"])
+        .assert()
+        .code(2);
 }

@@ -39,7 +39,8 @@ const WORDS: [&str; 25] = [
 ];
 
 fn scene(words: &str) -> String {
-    let mut scene: Value = serde_json::from_str(&fs::read_to_string("templates/crank-rocker.json").unwrap()).unwrap();
+    let mut scene: Value =
+        serde_json::from_str(&fs::read_to_string("templates/crank-rocker.json").unwrap()).unwrap();
     scene["title"] = json!(words);
     // In a statement, dollar signs and braces have a meaning unless they are escaped.
     let stated = words.replace('{', "{{").replace('}', "}}").replace('$', "\\$");
@@ -49,13 +50,24 @@ fn scene(words: &str) -> String {
 
 fn written(folder: &Path, words: &str, command: &str, name: &str) -> String {
     let out = folder.join(name);
-    hodograph().args(command.split(' ')).arg("-").arg("-o").arg(&out).write_stdin(scene(words)).assert().success();
+    hodograph()
+        .args(command.split(' '))
+        .arg("-")
+        .arg("-o")
+        .arg(&out)
+        .write_stdin(scene(words))
+        .assert()
+        .success();
     fs::read_to_string(out).unwrap()
 }
 
-/// The words of headings and paragraphs, as a reader of Markdown sees them, and the targets of images.
+/// The words of headings and paragraphs, as a reader of Markdown sees them, and the targets of
+/// images.
 fn markdown(source: &str) -> (Vec<String>, Vec<String>) {
-    let options = Options::ENABLE_MATH | Options::ENABLE_STRIKETHROUGH | Options::ENABLE_TABLES | Options::ENABLE_SUBSCRIPT;
+    let options = Options::ENABLE_MATH
+        | Options::ENABLE_STRIKETHROUGH
+        | Options::ENABLE_TABLES
+        | Options::ENABLE_SUBSCRIPT;
     let (mut blocks, mut images, mut here) = (Vec::new(), Vec::new(), String::new());
     for event in Parser::new_ext(source, options) {
         match event {
@@ -63,7 +75,13 @@ fn markdown(source: &str) -> (Vec<String>, Vec<String>) {
             Event::End(TagEnd::Heading(_) | TagEnd::Paragraph) => blocks.push(here.clone()),
             Event::Start(Tag::Image { dest_url, .. }) => images.push(dest_url.to_string()),
             Event::Text(t) => here.push_str(&t),
-            Event::Start(Tag::Strong | Tag::Emphasis | Tag::Link { .. } | Tag::CodeBlock(_) | Tag::Strikethrough) => here.push('\0'),
+            Event::Start(
+                Tag::Strong
+                | Tag::Emphasis
+                | Tag::Link { .. }
+                | Tag::CodeBlock(_)
+                | Tag::Strikethrough,
+            ) => here.push('\0'),
             Event::Html(h) | Event::InlineHtml(h) => panic!("HTML in Markdown: {h}"),
             Event::Code(c) => panic!("code in Markdown: {c}"),
             Event::Rule => panic!("a rule in Markdown"),
@@ -80,9 +98,12 @@ fn typst(node: &SyntaxNode, out: &mut String) {
         SyntaxKind::Text | SyntaxKind::Space => out.push_str(node.leaf_text()),
         SyntaxKind::Escape => out.push_str(&node.leaf_text()[1..]),
         SyntaxKind::Parbreak => out.push('\n'),
-        SyntaxKind::Shorthand | SyntaxKind::SmartQuote | SyntaxKind::Link | SyntaxKind::Strong | SyntaxKind::Emph | SyntaxKind::Ref => {
-            out.push('\0')
-        }
+        SyntaxKind::Shorthand
+        | SyntaxKind::SmartQuote
+        | SyntaxKind::Link
+        | SyntaxKind::Strong
+        | SyntaxKind::Emph
+        | SyntaxKind::Ref => out.push('\0'),
         _ => node.children().for_each(|c| typst(c, out)),
     }
 }
@@ -93,23 +114,49 @@ fn words_are_words_in_every_format() {
     for words in WORDS.into_iter().step_by(every(2)) {
         let plain = words.split_whitespace().collect::<Vec<_>>().join(" ");
         let svg = written(folder.path(), words, "draw", "a.svg");
-        let document = roxmltree::Document::parse(&svg).unwrap_or_else(|e| panic!("{words:?}: {e}"));
-        assert!(document.descendants().filter(|n| n.has_tag_name("title")).any(|n| n.text() == Some(words)), "{words:?}");
+        let document =
+            roxmltree::Document::parse(&svg).unwrap_or_else(|e| panic!("{words:?}: {e}"));
+        assert!(
+            document
+                .descendants()
+                .filter(|n| n.has_tag_name("title"))
+                .any(|n| n.text() == Some(words)),
+            "{words:?}"
+        );
 
         let html = written(folder.path(), words, "worksheet", "a.html");
-        let document = roxmltree::Document::parse(html.trim_start_matches("<!DOCTYPE html>")).unwrap_or_else(|e| panic!("{words:?}: {e}"));
-        let said = |tag: &str| document.descendants().filter(|n| n.tag_name().name() == tag).filter(|n| n.text() == Some(&plain)).count();
+        let document = roxmltree::Document::parse(html.trim_start_matches("<!DOCTYPE html>"))
+            .unwrap_or_else(|e| panic!("{words:?}: {e}"));
+        let said = |tag: &str| {
+            document
+                .descendants()
+                .filter(|n| n.tag_name().name() == tag)
+                .filter(|n| n.text() == Some(&plain))
+                .count()
+        };
         assert!(said("title") >= 1 && said("h1") == 1 && said("p") == 2, "{words:?}");
 
         let md = written(folder.path(), words, "worksheet", "a.md");
         let (blocks, images) = markdown(&md);
         // The title, the statement twice, and the words of each picture.
-        assert_eq!(blocks.iter().filter(|b| **b == plain).count(), 3 + images.len(), "{words:?} in\n{}", &md[..800.min(md.len())]);
-        assert!(images.iter().all(|i| folder.path().join(i).exists()) && !images.is_empty(), "{images:?}");
+        assert_eq!(
+            blocks.iter().filter(|b| **b == plain).count(),
+            3 + images.len(),
+            "{words:?} in\n{}",
+            &md[..800.min(md.len())]
+        );
+        assert!(
+            images.iter().all(|i| folder.path().join(i).exists()) && !images.is_empty(),
+            "{images:?}"
+        );
 
         let typ = written(folder.path(), words, "worksheet", "a.typ");
         let root = typst_syntax::parse(&typ);
-        assert!(root.errors_and_warnings().0.is_empty(), "{words:?}: {:?}", root.errors_and_warnings().0);
+        assert!(
+            root.errors_and_warnings().0.is_empty(),
+            "{words:?}: {:?}",
+            root.errors_and_warnings().0
+        );
         let mut said = String::new();
         typst(&root, &mut said);
         // The title in its box, the statement in two paragraphs.
@@ -117,15 +164,30 @@ fn words_are_words_in_every_format() {
 
         // For a page: the title in the markup, and in the data of a script that ends correctly.
         let page = written(folder.path(), words, "lesson --positions 8", "lesson.html");
-        assert!(page.contains(&format!("<h1 id=\"title\">{}</h1>", hodograph::render::escaped(words))), "{words:?}");
-        let data = hodograph::lesson::told(&page).unwrap_or_else(|| panic!("{words:?}: the page is told nothing"));
+        assert!(
+            page.contains(&format!("<h1 id=\"title\">{}</h1>", hodograph::render::escaped(words))),
+            "{words:?}"
+        );
+        let data = hodograph::lesson::told(&page)
+            .unwrap_or_else(|| panic!("{words:?}: the page is told nothing"));
         let data: Value = serde_json::from_str(&data).unwrap_or_else(|e| panic!("{words:?}: {e}"));
         assert_eq!(data["title"][0], words);
 
-        let table: Value = serde_json::from_str(&written(folder.path(), words, "sweep --steps 4 --find v_C", "a.json")).unwrap();
+        let table: Value = serde_json::from_str(&written(
+            folder.path(),
+            words,
+            "sweep --steps 4 --find v_C",
+            "a.json",
+        ))
+        .unwrap();
         assert_eq!(table["title"], words);
         let out = folder.path().join("a.pdf");
-        hodograph().args(["worksheet", "-", "-o"]).arg(&out).write_stdin(scene(words)).assert().success();
+        hodograph()
+            .args(["worksheet", "-", "-o"])
+            .arg(&out)
+            .write_stdin(scene(words))
+            .assert()
+            .success();
         assert!(fs::read(&out).unwrap().starts_with(b"%PDF-1.7"));
     }
 }
@@ -136,7 +198,9 @@ fn words_are_words_in_every_format() {
 fn line_breaks_and_names_of_files_are_quoted() {
     let folder = tempfile::tempdir().unwrap();
     let words = "a\n\n= b\n# c\n- d";
-    assert!(written(folder.path(), words, "worksheet", "a.md").starts_with("# a = b \\# c - d\n\n"));
+    assert!(
+        written(folder.path(), words, "worksheet", "a.md").starts_with("# a = b \\# c - d\n\n")
+    );
     assert!(written(folder.path(), words, "worksheet", "a.typ").contains("[a \\= b \\# c - d])\n"));
     let svg = written(folder.path(), words, "draw", "a.svg");
     roxmltree::Document::parse(&svg).unwrap();
@@ -185,11 +249,25 @@ fn what_cannot_be_shown_is_refused_at_its_place() {
             let source = format!("{}曲柄 {as_written}{}", &plain[..at], &plain[at..]);
             let faults = hodograph::scene::read(&source).unwrap_err();
             let first = faults.list.first().unwrap();
-            assert_eq!(first.span.map(|s| &source[s.start..s.end]), Some(as_written), "{c:?}: {first:?}");
-            let run = hodograph().args(["draw", "-", "-o", "never.svg"]).write_stdin(source).assert().code(2);
+            assert_eq!(
+                first.span.map(|s| &source[s.start..s.end]),
+                Some(as_written),
+                "{c:?}: {first:?}"
+            );
+            let run = hodograph()
+                .args(["draw", "-", "-o", "never.svg"])
+                .write_stdin(source)
+                .assert()
+                .code(2);
             let said = text(&run.get_output().stderr);
-            let (line, column) = (plain[..at].matches('\n').count() + 1, at - plain[..at].rfind('\n').map_or(0, |i| i + 1) + 4);
-            assert!(said.contains(&format!(":{line}:{column}]")), "columns count characters: {said}");
+            let (line, column) = (
+                plain[..at].matches('\n').count() + 1,
+                at - plain[..at].rfind('\n').map_or(0, |i| i + 1) + 4,
+            );
+            assert!(
+                said.contains(&format!(":{line}:{column}]")),
+                "columns count characters: {said}"
+            );
             assert!(!said.contains(|c: char| c.is_control() && c != '\n'), "{said:?}");
         }
     }
@@ -210,8 +288,17 @@ fn what_cannot_be_shown_is_refused_at_its_place() {
     // People write line breaks and tabs.
     every["statement"] = json!("one\n\ttwo");
     assert!(hodograph::scene::read(every.to_string()).is_ok());
-    let style = format!("{{ \"name\": \"{}\", \"notation\": {{ \"pole\": \"\\u001b\" }} }}", "x\u{9b}");
-    assert_eq!(hodograph::paper::style::read(style.as_bytes()).unwrap_err().list.iter().filter(|d| d.code == "text").count(), 2);
+    let style =
+        format!("{{ \"name\": \"{}\", \"notation\": {{ \"pole\": \"\\u001b\" }} }}", "x\u{9b}");
+    assert_eq!(
+        hodograph::paper::style::read(style.as_bytes())
+            .unwrap_err()
+            .list
+            .iter()
+            .filter(|d| d.code == "text")
+            .count(),
+        2
+    );
 }
 
 #[test]
@@ -272,7 +359,10 @@ fn faults_of_arguments_point_at_the_argument() {
         assert!(said.contains(place), "{arguments:?}: no {place} in\n{said}");
         assert!(!said.contains(&format!("[{scene}")), "{arguments:?}: {said}");
     }
-    let run = hodograph().args(["batch", scene, "--vary", "l_BC=60...120:3", "-o", "x.csv"]).assert().code(2);
+    let run = hodograph()
+        .args(["batch", scene, "--vary", "l_BC=60...120:3", "-o", "x.csv"])
+        .assert()
+        .code(2);
     assert!(text(&run.get_output().stderr).contains("two dots"));
     let run = hodograph().args(["draw", scene, "--style", "nosuch.json"]).assert().code(2);
     assert!(!text(&run.get_output().stderr).contains("scene file"), "a style is no scene");

@@ -13,19 +13,32 @@ use hodograph::worked::{Scope, work};
 /// The curvature figures of a template with its crank at an angle, in a language.
 fn figures(name: &str, angle: f64, lang: Lang) -> Vec<Figure> {
     let scene = template(name, &[("phi_1", &format!("{angle} deg"))]);
-    let (worked, options) = (work(&scene, Scope::Figure).unwrap().value, SheetOptions::of_language(lang));
-    let wanted = FigureInput { scene: &scene, worked: &worked, options: &options, extras: &Extras::default() };
-    (named("curvature").unwrap().draw)(&wanted).unwrap().value.into_iter().map(|(_, page)| page).collect()
+    let (worked, options) =
+        (work(&scene, Scope::Figure).unwrap().value, SheetOptions::of_language(lang));
+    let wanted = FigureInput {
+        scene: &scene,
+        worked: &worked,
+        options: &options,
+        extras: &Extras::default(),
+    };
+    (named("curvature").unwrap().draw)(&wanted)
+        .unwrap()
+        .value
+        .into_iter()
+        .map(|(_, page)| page)
+        .collect()
 }
 
 /// The words of a page.
 fn said(page: &Figure) -> Vec<String> {
-    let text = |i: &FigureItem| if let Shape::Label { label, .. } = &i.shape { label.plain() } else { String::new() };
+    let text = |i: &FigureItem| {
+        if let Shape::Label { label, .. } = &i.shape { label.plain() } else { String::new() }
+    };
     page.items.iter().map(text).collect()
 }
 
-/// A figure whose places are drawn does not call them calculated; one that finds no pole on paper does, in both
-/// languages.
+/// A figure whose places are drawn does not call them calculated; one that finds no pole on paper
+/// does, in both languages.
 #[test]
 fn a_figure_says_what_is_calculated() {
     let words = |lang| match lang {
@@ -33,7 +46,8 @@ fn a_figure_says_what_is_calculated() {
         Lang::Zh => "位置由计算得到",
     };
     for lang in [Lang::En, Lang::Zh] {
-        let calculated = |page: &Figure| said(page).iter().filter(|s| s.contains(words(lang))).count();
+        let calculated =
+            |page: &Figure| said(page).iter().filter(|s| s.contains(words(lang))).count();
         for name in ["crank-rocker", "slider-crank", "watt-six-bar"] {
             for page in figures(name, 60.0, lang) {
                 assert_eq!(calculated(&page), 0, "{name}: {:?}", said(&page));
@@ -67,14 +81,22 @@ fn the_lines_to_the_point_of_ball_are_drawn() {
             },
             other => panic!("{other:?}"),
         };
-        let lines: Vec<[Point; 2]> = page.items.iter().filter(|i| i.id.contains("ball-")).map(|i| ends(&i.shape)).collect();
-        let carries = |p: Point| lines.iter().filter(|[a, b]| ((*b - *a).unit().unwrap().cross(p - *a)).abs() < 0.05).count();
+        let lines: Vec<[Point; 2]> =
+            page.items.iter().filter(|i| i.id.contains("ball-")).map(|i| ends(&i.shape)).collect();
+        let carries = |p: Point| {
+            lines
+                .iter()
+                .filter(|[a, b]| ((*b - *a).unit().unwrap().cross(p - *a)).abs() < 0.05)
+                .count()
+        };
         // Two sides of its rectangle and the line of the corners; that line, the parallel and the
         // perpendicular; the two lines that end in U.
         for (name, least) in [("G_B", 3), ("G_C", 3), ("G", 3), ("U_2", 2)] {
             assert!(carries(spot(name)) >= least, "{name}: {}", carries(spot(name)));
         }
-        assert!(!figures("crank-rocker", 60.0, lang)[0].items.iter().any(|i| i.id.contains("ball-")));
+        assert!(
+            !figures("crank-rocker", 60.0, lang)[0].items.iter().any(|i| i.id.contains("ball-"))
+        );
     }
 }
 
@@ -88,16 +110,31 @@ fn labels_do_not_overlap() {
             let Ok(worked) = work(&scene, Scope::Figure) else { continue };
             for lang in [Lang::En, Lang::Zh] {
                 let options = SheetOptions::of_language(lang);
-                let wanted = FigureInput { scene: &scene, worked: &worked.value, options: &options, extras: &Extras::default() };
+                let wanted = FigureInput {
+                    scene: &scene,
+                    worked: &worked.value,
+                    options: &options,
+                    extras: &Extras::default(),
+                };
                 for figure in ["curvature", "centrodes"] {
                     for (word, page) in (named(figure).unwrap().draw)(&wanted).unwrap().value {
-                        let labels: Vec<_> = page.items.iter().filter(|i| matches!(i.shape, Shape::Label { .. })).collect();
-                        let boxes: Vec<_> = labels.iter().map(|i| bounds(std::slice::from_ref(*i)).unwrap()).collect();
+                        let labels: Vec<_> = page
+                            .items
+                            .iter()
+                            .filter(|i| matches!(i.shape, Shape::Label { .. }))
+                            .collect();
+                        let boxes: Vec<_> = labels
+                            .iter()
+                            .map(|i| bounds(std::slice::from_ref(*i)).unwrap())
+                            .collect();
                         figures += 1;
                         for i in 0..boxes.len() {
                             for j in 0..i {
                                 if boxes[i].overlap_mm2(boxes[j]) > 0.05 {
-                                    faults.push(format!("{name} {k} {lang:?} {word}: {} {}", labels[i].id, labels[j].id));
+                                    faults.push(format!(
+                                        "{name} {k} {lang:?} {word}: {} {}",
+                                        labels[i].id, labels[j].id
+                                    ));
                                 }
                             }
                         }
@@ -106,5 +143,10 @@ fn labels_do_not_overlap() {
             }
         }
     }
-    assert!(figures > 50 && faults.is_empty(), "{figures} figures, {}:\n{}", faults.len(), faults.join("\n"));
+    assert!(
+        figures > 50 && faults.is_empty(),
+        "{figures} figures, {}:\n{}",
+        faults.len(),
+        faults.join("\n")
+    );
 }

@@ -8,10 +8,13 @@ use serde_json::{Value as Json, json};
 fn drawn(task: &Json, readings: usize) {
     let read = read(task.to_string()).unwrap_or_else(|f| panic!("{task}: {f}")).value;
     for c in &solve(&read).unwrap_or_else(|f| panic!("{task}: {f}")).candidates {
-        let board = construct(&read, c, 0.002).unwrap_or_else(|f| panic!("{task}: {f}")).unwrap_or_else(|| panic!("{task}: no drawing"));
+        let board = construct(&read, c, 0.002)
+            .unwrap_or_else(|f| panic!("{task}: {f}"))
+            .unwrap_or_else(|| panic!("{task}: no drawing"));
         assert_eq!(board.readings.len(), readings, "{task}");
         for r in &board.readings {
-            let number = c.number(&r.name).unwrap_or_else(|| panic!("{task}: no formula for {}", r.name));
+            let number =
+                c.number(&r.name).unwrap_or_else(|| panic!("{task}: no formula for {}", r.name));
             assert!((board.value(r) - number.abs()).abs() < 1e-8, "{task}: {}", r.name);
         }
     }
@@ -32,7 +35,11 @@ fn straight_line_linkages_are_drawn_and_measured() {
     // The widest value named in a refusal is accepted.
     for linkage in ["watt", "scott-russell", "peaucellier"] {
         let refused = read(swung(linkage, 200.0).to_string()).unwrap_err().to_string();
-        let most = refused.split("at most ").nth(1).and_then(|rest| rest.split('°').next()).unwrap_or_else(|| panic!("{refused}"));
+        let most = refused
+            .split("at most ")
+            .nth(1)
+            .and_then(|rest| rest.split('°').next())
+            .unwrap_or_else(|| panic!("{refused}"));
         drawn(&swung(linkage, most.parse().unwrap()), 2);
     }
     // The ratio named in a refusal is accepted.
@@ -40,7 +47,11 @@ fn straight_line_linkages_are_drawn_and_measured() {
         let mut other = wish("hoeken");
         other["ratios"] = json!(refused);
         let told = read(other.to_string()).unwrap_err().to_string();
-        let named = told.split("write ").nth(1).and_then(|rest| rest.split_inclusive(']').next()).unwrap_or_else(|| panic!("{told}"));
+        let named = told
+            .split("write ")
+            .nth(1)
+            .and_then(|rest| rest.split_inclusive(']').next())
+            .unwrap_or_else(|| panic!("{told}"));
         other["ratios"] = serde_json::from_str(named).unwrap();
         drawn(&other, 2);
     }
@@ -56,7 +67,11 @@ fn approximations_of_functions_are_drawn_and_measured() {
     let ln = json!({"synthesis": "function", "function": {"y": "ln(x)", "from": 1, "to": 2}, "fit": "minimax",
         "input": {"swing": "60 deg"}, "output": {"swing": "85 deg"}});
     drawn(&ln, 6);
-    let pairs: Vec<Json> = (0..30).map(|k| json!([format!("{} deg", 40 + 3 * k), format!("{} deg", 60.0 + 2.5 * f64::from(k))])).collect();
+    let pairs: Vec<Json> = (0..30)
+        .map(|k| {
+            json!([format!("{} deg", 40 + 3 * k), format!("{} deg", 60.0 + 2.5 * f64::from(k))])
+        })
+        .collect();
     // Of more positions than can be distinguished, twelve are drawn.
     for (count, shown) in [(6, 6), (30, 12)] {
         drawn(&json!({"synthesis": "function", "pairs": pairs[..count]}), shown);

@@ -35,21 +35,33 @@ fn mm(v: f64) -> Json {
 
 /// True if a candidate has these numbers (mm).
 fn is(c: &DesignCandidate, wanted: &[(&str, f64)]) -> bool {
-    wanted.iter().all(|(n, v)| c.number(n).is_some_and(|found| (found * 1e3 - v).abs() < 1e-7 * v.abs()))
+    wanted
+        .iter()
+        .all(|(n, v)| c.number(n).is_some_and(|found| (found * 1e3 - v).abs() < 1e-7 * v.abs()))
 }
 
 fn found(task: &Json, wanted: &[(&str, f64)]) {
     let design = design(task);
     assert!(design.candidates.iter().any(|c| is(c, wanted)), "{task}: {wanted:?}");
     for c in &design.candidates {
-        assert!(c.judged.off_m <= 1e-12 * c.judged.size_m, "{task}: {} of {}", c.judged.off_m, c.judged.size_m);
+        assert!(
+            c.judged.off_m <= 1e-12 * c.judged.size_m,
+            "{task}: {} of {}",
+            c.judged.off_m,
+            c.judged.size_m
+        );
     }
 }
 
 /// Crank, coupler, rocker, frame of a random crank-rocker (mm).
 fn crank_rocker(r: &mut Mixed) -> [f64; 4] {
     loop {
-        let l = [r.between(20.0, 60.0), r.between(80.0, 250.0), r.between(80.0, 250.0), r.between(80.0, 250.0)];
+        let l = [
+            r.between(20.0, 60.0),
+            r.between(80.0, 250.0),
+            r.between(80.0, 250.0),
+            r.between(80.0, 250.0),
+        ];
         let longest = l[1].max(l[2]).max(l[3]);
         if 2.0 * (l[0] + longest) < 0.97 * l.iter().sum::<f64>() {
             return l;
@@ -80,14 +92,23 @@ fn crank_rockers_are_found_from_their_time_ratio() {
             "swing": format!("{swing} rad")});
         found(&by_swing, &lengths);
         for (key, bar) in [("crank", a), ("coupler", b)] {
-            let mut by_bar =
-                json!({"synthesis": "time-ratio", "linkage": "crank-rocker", "K": ratio, "rocker": mm(c), "swing": format!("{swing} rad")});
+            let mut by_bar = json!({"synthesis": "time-ratio", "linkage": "crank-rocker", "K": ratio, "rocker": mm(c), "swing": format!("{swing} rad")});
             by_bar[key] = mm(bar);
             let read = read(by_bar.to_string()).unwrap().value;
             let design = solve(&read).unwrap();
-            let own = design.candidates.iter().find(|c| is(c, &lengths)).unwrap_or_else(|| panic!("{by_bar}"));
+            let own = design
+                .candidates
+                .iter()
+                .find(|c| is(c, &lengths))
+                .unwrap_or_else(|| panic!("{by_bar}"));
             let board = construct(&read, own, 0.002).unwrap().expect("it is drawn");
-            assert!(board.readings.iter().all(|m| (board.value(m) - own.number(&m.name).unwrap()).abs() < 1e-9), "{by_bar}");
+            assert!(
+                board
+                    .readings
+                    .iter()
+                    .all(|m| (board.value(m) - own.number(&m.name).unwrap()).abs() < 1e-9),
+                "{by_bar}"
+            );
         }
     }
 }
@@ -115,8 +136,7 @@ fn slider_cranks_and_slotted_levers_are_found_from_their_time_ratio() {
         // While the lever turns from one limit to the other, the crank turns by twice the angle
         // with the cosine AC/AB.
         let quick = 2.0 * (inner / a).acos();
-        let task =
-            json!({"synthesis": "time-ratio", "linkage": "whitworth", "K": 2.0 * PI / quick - 1.0, "crank": mm(a), "stroke": "100 mm"});
+        let task = json!({"synthesis": "time-ratio", "linkage": "whitworth", "K": 2.0 * PI / quick - 1.0, "crank": mm(a), "stroke": "100 mm"});
         found(&task, &[("AB", a), ("AC", inner)]);
         // Left to the program: the slider's stroke and link, the link to the ram.
         found(
@@ -170,7 +190,13 @@ fn linkages_are_found_from_three_places_of_their_coupler_point() {
         let task = json!({"synthesis": "path", "points": [place(0), place(1), place(2)],
             "ground": {"A": [mm(0.0), mm(0.0)], "D": [mm(l[3]), mm(0.0)]}, "crank": mm(l[0]), "BE": mm(u.hypot(v))});
         // B may be on either side of AE in each place, and change sides from one to the next.
-        assert!(design(&task).candidates.iter().any(|c| is(c, &[("AB", l[0]), ("BC", l[1]), ("CD", l[2])])), "{task}: {l:?}");
+        assert!(
+            design(&task)
+                .candidates
+                .iter()
+                .any(|c| is(c, &[("AB", l[0]), ("BC", l[1]), ("CD", l[2])])),
+            "{task}: {l:?}"
+        );
     }
 }
 
@@ -189,13 +215,15 @@ fn four_positions_choose_their_pivots_in_a_box() {
     let mut r = Mixed(7);
     for _ in 0..6 {
         let l = crank_rocker(&mut r);
-        let task =
-            json!({"synthesis": "body", "positions": four(l), "box": {"from": [mm(-120.0), mm(-120.0)], "to": [mm(300.0), mm(150.0)]}});
+        let task = json!({"synthesis": "body", "positions": four(l), "box": {"from": [mm(-120.0), mm(-120.0)], "to": [mm(300.0), mm(150.0)]}});
         let design = design(&task);
         for c in &design.candidates {
             for (x, y) in [("A_x", "A_y"), ("D_x", "D_y")] {
                 let (x, y) = (c.number(x).unwrap() * 1e3, c.number(y).unwrap() * 1e3);
-                assert!((-120.0..=300.0).contains(&x) && (-120.0..=150.0).contains(&y), "{task}: {x} {y}");
+                assert!(
+                    (-120.0..=300.0).contains(&x) && (-120.0..=150.0).contains(&y),
+                    "{task}: {x} {y}"
+                );
             }
             assert!(c.judged.off_m <= 1e-12 * c.judged.size_m, "{task}: {}", c.judged.off_m);
         }
@@ -212,7 +240,8 @@ fn four_positions_find_a_linkage_by_the_inscribed_angles_of_its_pivots() {
         let poles = design(&by_line).numbers;
         let of = |n: &str| poles.iter().find(|p| p.name == n).unwrap().value * 1e3;
         let seen = |m: [f64; 2]| {
-            let [p, q] = ["P12", "P23"].map(|n| [of(&format!("{n}_x")) - m[0], of(&format!("{n}_y")) - m[1]]);
+            let [p, q] = ["P12", "P23"]
+                .map(|n| [of(&format!("{n}_x")) - m[0], of(&format!("{n}_y")) - m[1]]);
             (p[0] * q[1] - p[1] * q[0]).atan2(p[0] * q[0] + p[1] * q[1]).rem_euclid(PI)
         };
         let angles = [seen([0.0, 0.0]), seen([l[3], 0.0])].map(|a| format!("{a} rad"));
@@ -220,7 +249,11 @@ fn four_positions_find_a_linkage_by_the_inscribed_angles_of_its_pivots() {
         let design = design(&task);
         let lengths = [("AB", l[0]), ("BC", l[1]), ("CD", l[2]), ("AD", l[3])];
         assert!(
-            design.candidates.iter().any(|c| lengths.iter().all(|(n, v)| (c.number(n).unwrap() * 1e3 - v).abs() < 1e-6 * v)),
+            design.candidates.iter().any(|c| lengths.iter().all(|(n, v)| (c.number(n).unwrap()
+                * 1e3
+                - v)
+                .abs()
+                < 1e-6 * v)),
             "{task}: {l:?}"
         );
     }
@@ -231,16 +264,28 @@ fn four_positions_find_a_linkage_by_the_inscribed_angles_of_its_pivots() {
 fn boxes_and_angles_that_cannot_be_are_told() {
     let l = [40.0, 120.0, 100.0, 130.0];
     for (extra, code) in [
-        (json!({"box": {"from": [mm(900.0), mm(900.0)], "to": [mm(910.0), mm(910.0)]}}), "no-real-solution"),
+        (
+            json!({"box": {"from": [mm(900.0), mm(900.0)], "to": [mm(910.0), mm(910.0)]}}),
+            "no-real-solution",
+        ),
         (json!({"box": {"from": [mm(0.0), mm(0.0)], "to": [mm(0.0), mm(50.0)]}}), "out-of-range"),
         (json!({"box": {"from": [mm(0.0), mm(0.0)]}}), "missing-key"),
         (json!({"angles": ["0 deg", "50 deg"]}), "out-of-range"),
-        (json!({"angles": ["40 deg", "50 deg"], "line": {"through": [mm(0.0), mm(0.0)]}}), "wrong-given"),
-        (json!({"angles": ["40 deg", "50 deg"], "box": {"from": [mm(0.0), mm(0.0)], "to": [mm(9.0), mm(9.0)]}}), "wrong-given"),
+        (
+            json!({"angles": ["40 deg", "50 deg"], "line": {"through": [mm(0.0), mm(0.0)]}}),
+            "wrong-given",
+        ),
+        (
+            json!({"angles": ["40 deg", "50 deg"], "box": {"from": [mm(0.0), mm(0.0)], "to": [mm(9.0), mm(9.0)]}}),
+            "wrong-given",
+        ),
     ] {
         let mut task = json!({"synthesis": "body", "positions": four(l)});
         task.as_object_mut().unwrap().extend(extra.as_object().unwrap().clone());
-        let faults = read(task.to_string()).and_then(|t| solve(&t.value)).err().unwrap_or_else(|| panic!("{task} has a solution"));
+        let faults = read(task.to_string())
+            .and_then(|t| solve(&t.value))
+            .err()
+            .unwrap_or_else(|| panic!("{task} has a solution"));
         assert!(faults.list.iter().any(|d| d.code == code), "{task}: {faults}");
         faults.list.iter().for_each(|d| assert_eq!(d.english_in_chinese(), None, "{d}"));
     }

@@ -19,13 +19,24 @@ fn crank_rockers_and_slider_cranks_are_found_from_their_limits() {
             "angles": limits.map(|q| format!("{q} rad"))});
         found(&by_angles, &lengths);
         let turn = r.between(0.0, 6.0);
-        let place = |x: f64, y: f64| json!([mm(x * turn.cos() - y * turn.sin() + 12.0), mm(x * turn.sin() + y * turn.cos() - 7.0)]);
+        let place = |x: f64, y: f64| {
+            json!([
+                mm(x * turn.cos() - y * turn.sin() + 12.0),
+                mm(x * turn.sin() + y * turn.cos() - 7.0)
+            ])
+        };
         let [c1, c2] = limits.map(|q| place(d - c * q.cos(), c * q.sin()));
         let places = json!({"A": place(0.0, 0.0), "D": place(d, 0.0), "C1": c1, "C2": c2});
-        found(&json!({"synthesis": "limits", "linkage": "crank-rocker", "places": places}), &lengths);
+        found(
+            &json!({"synthesis": "limits", "linkage": "crank-rocker", "places": places}),
+            &lengths,
+        );
         let mut free = places.clone();
         free.as_object_mut().unwrap().remove("D");
-        found(&json!({"synthesis": "limits", "linkage": "crank-rocker", "places": free, "rocker": mm(c)}), &lengths);
+        found(
+            &json!({"synthesis": "limits", "linkage": "crank-rocker", "places": free, "rocker": mm(c)}),
+            &lengths,
+        );
         // A slider-crank with its guide at the offset e.
         let e = r.between(5.0, (b - a) * 0.9);
         let [x1, x2] = [b + a, b - a].map(|reach| (reach * reach - e * e).sqrt());
@@ -48,7 +59,11 @@ fn coupler_point(l: [f64; 4], crank: f64, [u, v]: [f64; 2]) -> Json {
 fn linkages_are_found_from_three_places_at_given_turns() {
     let mut r = Mixed(62);
     for _ in 0..20 {
-        let (l, e, start) = (crank_rocker(&mut r), [r.between(20.0, 100.0), r.between(20.0, 80.0)], r.between(0.0, 6.0));
+        let (l, e, start) = (
+            crank_rocker(&mut r),
+            [r.between(20.0, 100.0), r.between(20.0, 80.0)],
+            r.between(0.0, 6.0),
+        );
         let cranks = [start, start + r.between(0.3, 0.9), start + r.between(1.2, 2.0)];
         let task = json!({"synthesis": "path", "points": cranks.map(|t| coupler_point(l, t, e)),
             "timing": cranks.map(|t| format!("{} rad", t - start + 0.7)), "ground": {"A": [mm(0.0), mm(0.0)], "D": [mm(l[3]), mm(0.0)]}});
@@ -63,13 +78,24 @@ fn linkages_are_found_from_three_places_at_given_turns() {
 fn linkages_are_found_from_four_and_five_places_at_given_turns() {
     let mut r = Mixed(64);
     for _ in 0..8 {
-        let (l, e, start) = (crank_rocker(&mut r), [r.between(20.0, 100.0), r.between(20.0, 80.0)], r.between(0.0, 6.0));
-        let turns = [0.0, r.between(0.4, 0.9), r.between(1.3, 2.0), r.between(2.6, 3.4), r.between(4.0, 5.2)];
+        let (l, e, start) = (
+            crank_rocker(&mut r),
+            [r.between(20.0, 100.0), r.between(20.0, 80.0)],
+            r.between(0.0, 6.0),
+        );
+        let turns = [
+            0.0,
+            r.between(0.4, 0.9),
+            r.between(1.3, 2.0),
+            r.between(2.6, 3.4),
+            r.between(4.0, 5.2),
+        ];
         let task = |count: usize| {
             json!({"synthesis": "path", "points": turns[..count].iter().map(|t| coupler_point(l, start + t, e)).collect::<Vec<_>>(),
                 "timing": turns[..count].iter().map(|t| format!("{t} rad")).collect::<Vec<_>>()})
         };
-        let wanted = [("AB", l[0]), ("BC", l[1]), ("CD", l[2]), ("AD", l[3]), ("BE", e[0].hypot(e[1]))];
+        let wanted =
+            [("AB", l[0]), ("BC", l[1]), ("CD", l[2]), ("AD", l[3]), ("BE", e[0].hypot(e[1]))];
         found(&task(5), &wanted);
         let mut four = task(4);
         four["line"] = json!({"through": [mm(l[3]), mm(0.0)], "angle": "70 deg"});
@@ -79,7 +105,10 @@ fn linkages_are_found_from_four_and_five_places_at_given_turns() {
             let read = read(task.to_string()).unwrap().value;
             let best = &solve(&read).unwrap().candidates[0];
             let board = construct(&read, best, 0.002).unwrap().expect("what is met is constructed");
-            let off = board.readings.iter().map(|m| (board.value(m) - best.number(&m.name).unwrap()).abs());
+            let off = board
+                .readings
+                .iter()
+                .map(|m| (board.value(m) - best.number(&m.name).unwrap()).abs());
             assert!(board.readings.len() >= 5 && off.fold(0.0, f64::max) < 1e-9, "{task}");
         }
     }
@@ -90,8 +119,13 @@ fn linkages_are_found_from_four_and_five_places_with_crank_and_be() {
     let mut r = Mixed(63);
     for count in [4, 5] {
         for _ in 0..8 {
-            let (l, e, start) = (crank_rocker(&mut r), [r.between(20.0, 100.0), r.between(20.0, 80.0)], r.between(0.0, 6.0));
-            let points: Vec<Json> = (0..count).map(|k| coupler_point(l, start + 0.5 * f64::from(k), e)).collect();
+            let (l, e, start) = (
+                crank_rocker(&mut r),
+                [r.between(20.0, 100.0), r.between(20.0, 80.0)],
+                r.between(0.0, 6.0),
+            );
+            let points: Vec<Json> =
+                (0..count).map(|k| coupler_point(l, start + 0.5 * f64::from(k), e)).collect();
             let mut task = json!({"synthesis": "path", "points": points, "ground": {"A": [mm(0.0), mm(0.0)]}, "crank": mm(l[0]),
                 "BE": mm(e[0].hypot(e[1]))});
             if count == 4 {
@@ -99,8 +133,13 @@ fn linkages_are_found_from_four_and_five_places_with_crank_and_be() {
             }
             let design = design(&task);
             let lengths = [("AB", l[0]), ("BC", l[1]), ("CD", l[2]), ("AD", l[3])];
-            let near = |n: &str, v: f64, c: &hodograph::synthesis::DesignCandidate| (c.number(n).unwrap() * 1e3 - v).abs() < 1e-6 * v;
-            assert!(design.candidates.iter().any(|c| lengths.iter().all(|(n, v)| near(n, *v, c))), "{task}: {l:?}");
+            let near = |n: &str, v: f64, c: &hodograph::synthesis::DesignCandidate| {
+                (c.number(n).unwrap() * 1e3 - v).abs() < 1e-6 * v
+            };
+            assert!(
+                design.candidates.iter().any(|c| lengths.iter().all(|(n, v)| near(n, *v, c))),
+                "{task}: {l:?}"
+            );
         }
     }
 }
@@ -120,8 +159,17 @@ fn positions_by_two_points_are_those_by_angles() {
         };
         let lengths = [("AB", l[0]), ("BC", l[1]), ("CD", l[2]), ("AD", l[3])];
         found(&json!({"synthesis": "body", "positions": of(3)}), &lengths);
-        let four = design(&json!({"synthesis": "body", "positions": of(4), "line": {"through": [mm(0.0), mm(0.0)]}}));
-        assert!(four.candidates.iter().any(|c| lengths.iter().all(|(n, v)| (c.number(n).unwrap() * 1e3 - v).abs() < 1e-6 * v)), "{l:?}");
+        let four = design(
+            &json!({"synthesis": "body", "positions": of(4), "line": {"through": [mm(0.0), mm(0.0)]}}),
+        );
+        assert!(
+            four.candidates.iter().any(|c| lengths.iter().all(|(n, v)| (c.number(n).unwrap()
+                * 1e3
+                - v)
+                .abs()
+                < 1e-6 * v)),
+            "{l:?}"
+        );
     }
     // Coordinates rounded as in a book are accepted with a note; points that do not fit are
     // refused.
@@ -138,7 +186,12 @@ fn positions_by_two_points_are_those_by_angles() {
 #[test]
 fn limits_and_places_that_cannot_be_are_told() {
     let zero = json!([mm(0.0), mm(0.0)]);
-    let places = json!([coupler_point([40.0, 120.0, 100.0, 130.0], 0.5, [30.0, 40.0]), zero, [mm(50.0), mm(20.0)], [mm(10.0), mm(90.0)]]);
+    let places = json!([
+        coupler_point([40.0, 120.0, 100.0, 130.0], 0.5, [30.0, 40.0]),
+        zero,
+        [mm(50.0), mm(20.0)],
+        [mm(10.0), mm(90.0)]
+    ]);
     for (task, code) in [
         (
             json!({"synthesis": "limits", "linkage": "crank-rocker", "rocker": mm(50.0), "frame": mm(100.0), "angles": ["80 deg", "80 deg"]}),
@@ -154,8 +207,14 @@ fn limits_and_places_that_cannot_be_are_told() {
             "D": [mm(0.0), mm(20.0)]}}),
             "wrong-given",
         ),
-        (json!({"synthesis": "limits", "linkage": "slider-crank", "places": {"A": zero, "C1": [mm(60.0), mm(50.0)]}}), "missing-key"),
-        (json!({"synthesis": "path", "points": places, "ground": {"A": zero}, "crank": mm(30.0), "BE": mm(60.0)}), "missing-key"),
+        (
+            json!({"synthesis": "limits", "linkage": "slider-crank", "places": {"A": zero, "C1": [mm(60.0), mm(50.0)]}}),
+            "missing-key",
+        ),
+        (
+            json!({"synthesis": "path", "points": places, "ground": {"A": zero}, "crank": mm(30.0), "BE": mm(60.0)}),
+            "missing-key",
+        ),
         (
             json!({"synthesis": "path", "points": places, "ground": {"A": zero, "D": [mm(90.0), mm(0.0)]}, "crank": mm(30.0), "BE": mm(60.0)}),
             "wrong-given",
@@ -176,7 +235,10 @@ fn limits_and_places_that_cannot_be_are_told() {
             "wrong-count",
         ),
     ] {
-        let faults = read(task.to_string()).and_then(|t| solve(&t.value)).err().unwrap_or_else(|| panic!("{task} has a solution"));
+        let faults = read(task.to_string())
+            .and_then(|t| solve(&t.value))
+            .err()
+            .unwrap_or_else(|| panic!("{task} has a solution"));
         assert!(faults.list.iter().any(|d| d.code == code), "{task}: {faults}");
         faults.list.iter().for_each(|d| assert_eq!(d.english_in_chinese(), None, "{d}"));
     }
@@ -188,9 +250,13 @@ fn the_treadle_of_a_course() {
     let design = design(
         &json!({"synthesis": "limits", "linkage": "crank-rocker", "rocker": mm(500.0), "frame": mm(1000.0), "angles": ["80 deg", "100 deg"]}),
     );
-    let far = [80.0_f64, 100.0].map(|q| (500.0_f64.powi(2) + 1000.0_f64.powi(2) - 1e6 * q.to_radians().cos()).sqrt());
+    let far = [80.0_f64, 100.0]
+        .map(|q| (500.0_f64.powi(2) + 1000.0_f64.powi(2) - 1e6 * q.to_radians().cos()).sqrt());
     let c = &design.candidates[0];
-    assert!(is(c, &[("AB", (far[1] - far[0]) / 2.0), ("BC", (far[0] + far[1]) / 2.0)]) && c.judged.defects.is_empty());
+    assert!(
+        is(c, &[("AB", (far[1] - far[0]) / 2.0), ("BC", (far[0] + far[1]) / 2.0)])
+            && c.judged.defects.is_empty()
+    );
     let theta = c.number("theta").unwrap();
     assert!((c.judged.time_ratio.unwrap() - (PI + theta) / (PI - theta)).abs() < 1e-9);
 }
@@ -208,7 +274,11 @@ fn answers_have_the_units_of_the_file() {
     assert!(told.contains("CD = 5.00000 in"), "{told}");
     let stated = task.statement();
     assert!(stated.given.iter().any(|g| g.en.contains("l_{CD} = 5 in")), "{stated:?}");
-    assert!(task.proof(&design.candidates[0]).iter().all(|p| p.formulas.iter().all(|f| !f.contains(" mm") && !f.contains('\u{2983}'))));
+    assert!(
+        task.proof(&design.candidates[0])
+            .iter()
+            .all(|p| p.formulas.iter().all(|f| !f.contains(" mm") && !f.contains('\u{2983}')))
+    );
     assert!(design.candidates[0].scene_text().contains(r#""answers": {"length": "in"}"#));
 }
 
@@ -221,23 +291,34 @@ fn crank_rockers_are_found_from_their_least_transmission_angle() {
         let [a, b, c, d] = crank_rocker(&mut r);
         let theta = (angle(b + a, d, c) - angle(b - a, d, c)).abs();
         let swing = (angle(c, d, b + a) - angle(c, d, b - a)).abs();
-        let gamma = [d - a, d + a].map(|e| angle(b, c, e)).map(|m| m.min(PI - m)).into_iter().fold(PI, f64::min);
+        let gamma = [d - a, d + a]
+            .map(|e| angle(b, c, e))
+            .map(|m| m.min(PI - m))
+            .into_iter()
+            .fold(PI, f64::min);
         for (key, length) in [("rocker", c), ("frame", d), ("crank", a)] {
             let mut task = json!({"synthesis": "time-ratio", "linkage": "crank-rocker", "K": (PI + theta) / (PI - theta),
                 "swing": format!("{swing} rad"), "gamma": format!("{gamma} rad")});
             task[key] = mm(length);
             let design = design(&task);
             let lengths = [("AB", a), ("BC", b), ("CD", c), ("AD", d)];
-            let same =
-                |c: &hodograph::synthesis::DesignCandidate| lengths.iter().all(|(n, v)| (c.number(n).unwrap() * 1e3 - v).abs() < 1e-6 * v);
+            let same = |c: &hodograph::synthesis::DesignCandidate| {
+                lengths.iter().all(|(n, v)| (c.number(n).unwrap() * 1e3 - v).abs() < 1e-6 * v)
+            };
             assert!(design.candidates.iter().any(same), "{task}: {lengths:?}");
             for c in &design.candidates {
-                assert!((c.judged.transmission.unwrap().0 - gamma).abs() < 1e-9, "{task}: {:?}", c.judged.transmission);
+                assert!(
+                    (c.judged.transmission.unwrap().0 - gamma).abs() < 1e-9,
+                    "{task}: {:?}",
+                    c.judged.transmission
+                );
             }
         }
     }
-    let far =
-        json!({"synthesis": "time-ratio", "linkage": "crank-rocker", "K": 1.4, "swing": "50 deg", "gamma": "70 deg", "rocker": mm(50.0)});
+    let far = json!({"synthesis": "time-ratio", "linkage": "crank-rocker", "K": 1.4, "swing": "50 deg", "gamma": "70 deg", "rocker": mm(50.0)});
     let faults = read(far.to_string()).and_then(|t| solve(&t.value)).unwrap_err();
-    assert!(faults.list.iter().any(|d| d.code == "no-real-solution" && d.help.is_some()), "{faults}");
+    assert!(
+        faults.list.iter().any(|d| d.code == "no-real-solution" && d.help.is_some()),
+        "{faults}"
+    );
 }

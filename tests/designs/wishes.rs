@@ -11,7 +11,8 @@ fn presses_are_found_from_their_limits() {
     let mut seen = 0;
     while seen < 15 {
         let (p, q) = (r.between(0.9, 1.4), r.between(1.7, 2.3));
-        let (de, ce_cd, ef_de) = (r.between(100.0, 200.0), r.between(0.3, 1.2), r.between(0.3, 0.8));
+        let (de, ce_cd, ef_de) =
+            (r.between(100.0, 200.0), r.between(0.3, 1.2), r.between(0.3, 0.8));
         let (x1, y) = (r.between(20.0, 80.0), r.between(180.0, 320.0));
         let x2 = de * r.between(0.85, 1.0);
         // Limits count from the upward vertical, clockwise; F hangs below E on the line x = x2.
@@ -25,7 +26,11 @@ fn presses_are_found_from_their_limits() {
         let (ab, bc) = ((far[0] - far[1]) / 2.0, (far[0] + far[1]) / 2.0);
         let frame = x1.hypot(y);
         let longest = bc.max(cd).max(frame);
-        if stroke.is_nan() || ab < 5.0 || ab + longest > (ab + bc + cd + frame) / 2.0 * 0.98 || ab > bc.min(cd).min(frame) {
+        if stroke.is_nan()
+            || ab < 5.0
+            || ab + longest > (ab + bc + cd + frame) / 2.0 * 0.98
+            || ab > bc.min(cd).min(frame)
+        {
             continue;
         }
         let task = json!({"synthesis": "limits", "linkage": "press", "x1": mm(x1), "x2": mm(x2), "y": mm(y), "stroke": mm(stroke),
@@ -65,14 +70,23 @@ fn cognates_have_the_lengths_of_similar_triangles() {
         let design = design(&json!({"synthesis": "cognates", "scene": scene, "point": "E"}));
         assert_eq!(design.candidates.len(), 3);
         let (left, right) = (be / b, ce / b);
-        for lengths in [[a, b, c, d], [b * left, a * left, c * left, d * left], [a * right, c * right, b * right, d * right]] {
+        for lengths in [
+            [a, b, c, d],
+            [b * left, a * left, c * left, d * left],
+            [a * right, c * right, b * right, d * right],
+        ] {
             let names = ["AB", "BC", "CD", "AD"];
             let wanted: Vec<(&str, f64)> = names.into_iter().zip(lengths).collect();
             assert!(design.candidates.iter().any(|c| is(c, &wanted)), "{scene}: {wanted:?}");
         }
         // All trace one curve wherever their drivers reach: E is where the given linkage has it.
         for c in &design.candidates {
-            assert!(c.judged.off_m <= 1e-12 * c.judged.size_m, "{scene}: {} of {}", c.judged.off_m, c.judged.size_m);
+            assert!(
+                c.judged.off_m <= 1e-12 * c.judged.size_m,
+                "{scene}: {} of {}",
+                c.judged.off_m,
+                c.judged.size_m
+            );
         }
     }
 }
@@ -82,7 +96,8 @@ fn straight_lines_are_as_long_as_their_linkage_makes_them() {
     let mut r = Mixed(44);
     for _ in 0..12 {
         let k = r.between(20.0, 80.0);
-        // Hoeken's: BE twice the rod; E is along BC from B, C where the rods cross the frame's bisector of BD.
+        // Hoeken's: BE twice the rod; E is along BC from B, C where the rods cross the frame's
+        // bisector of BD.
         let rod = r.between(2.3, 4.0);
         let frame = r.between(1.6, (2.0 * rod - 1.0).min(3.0));
         let e = |angle: f64| {
@@ -100,8 +115,15 @@ fn straight_lines_are_as_long_as_their_linkage_makes_them() {
         found(&of("scott-russell", 4.0 * half.sin() * k), &[("AB", k), ("CE", 2.0 * k)]);
         // OC · OE = 6² − 2.5², C on the circle about K through O.
         let reach = 29.75 * 2.0 * half.sin() / (8.0 * (1.0 + half.cos()));
-        found(&of("peaucellier", 2.0 * reach * k), &[("KC", 2.0 * k), ("OX", 6.0 * k), ("CX", 2.5 * k)]);
-        let chebyshev = design(&json!({"synthesis": "straight-line", "linkage": "chebyshev", "length": mm(4.0 * k)})).candidates.remove(0);
+        found(
+            &of("peaucellier", 2.0 * reach * k),
+            &[("KC", 2.0 * k), ("OX", 6.0 * k), ("CX", 2.5 * k)],
+        );
+        let chebyshev = design(
+            &json!({"synthesis": "straight-line", "linkage": "chebyshev", "length": mm(4.0 * k)}),
+        )
+        .candidates
+        .remove(0);
         assert!(is(&chebyshev, &[("AB", 5.0 * k), ("AD", 4.0 * k)]));
         // Its line ends in dead centres, next to which half of the digits remain.
         assert!(chebyshev.judged.off_m <= 1e-9 * chebyshev.judged.size_m);

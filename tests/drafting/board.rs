@@ -40,7 +40,8 @@ fn worked(text: &str) -> (Scene, Worked) {
 }
 
 fn all() -> Vec<(String, Scene, Worked)> {
-    let texts = templates::list().into_iter().map(|t| (t.name.to_owned(), templates::get(t.name).unwrap()));
+    let texts =
+        templates::list().into_iter().map(|t| (t.name.to_owned(), templates::get(t.name).unwrap()));
     let texts = texts.chain(MORE.iter().enumerate().map(|(k, text)| (format!("scene {k}"), *text)));
     texts
         .map(|(name, text)| {
@@ -73,7 +74,8 @@ fn magnitudes_name_what_they_are_made_of() {
     let mut seen = std::collections::BTreeSet::new();
     for (name, scene, w) in all() {
         let notation = Notation::of_language(Lang::En);
-        let writer = PlanWriter { scene: &scene, plan: &w.plan, notation: &notation, lang: Lang::En };
+        let writer =
+            PlanWriter { scene: &scene, plan: &w.plan, notation: &notation, lang: Lang::En };
         for on in DiagramKind::POLYGONS {
             for t in w.plan.terms(on).filter(|t| t.known && !w.plan.vanishes(&scene, on, t)) {
                 let said = writer.magnitude(on, &t);
@@ -83,7 +85,9 @@ fn magnitudes_name_what_they_are_made_of() {
                             TermConnection::Guide { .. } => "guide",
                             TermConnection::Frame { .. } => "frame",
                             TermConnection::Cylinder(_) => "cylinder",
-                            TermConnection::Turning(_) | TermConnection::Contact(_) | TermConnection::Apart => "another",
+                            TermConnection::Turning(_)
+                            | TermConnection::Contact(_)
+                            | TermConnection::Apart => "another",
                         });
                         ("2\\omega_", &[" v"])
                     }
@@ -92,7 +96,10 @@ fn magnitudes_name_what_they_are_made_of() {
                     (TermKind::Tangential, TermConnection::Turning(_)) => ("\\alpha_", &[" l_"]),
                     _ => continue,
                 };
-                assert!(said.starts_with(begins) && holds.iter().all(|h| said.contains(h)), "{name}: {t:?} is {said}");
+                assert!(
+                    said.starts_with(begins) && holds.iter().all(|h| said.contains(h)),
+                    "{name}: {t:?} is {said}"
+                );
             }
         }
     }
@@ -106,7 +113,8 @@ fn rolling_is_marked_where_it_is_a_part() {
     let mut counts = [0; 2];
     for (name, scene, w) in all() {
         let notation = Notation::of_language(Lang::En);
-        let writer = PlanWriter { scene: &scene, plan: &w.plan, notation: &notation, lang: Lang::En };
+        let writer =
+            PlanWriter { scene: &scene, plan: &w.plan, notation: &notation, lang: Lang::En };
         for t in w.plan.terms(DiagramKind::Acceleration).filter(|t| t.kind == TermKind::Roll) {
             let symbol = writer.symbol(DiagramKind::Acceleration, &t);
             let on_ground = w.plan.vertex(t.to).fixed;
@@ -124,20 +132,29 @@ fn equations_name_their_vector() {
     let (mut sums, mut single) = (0, 0);
     for (name, scene, w) in all() {
         let notation = Notation::of_language(Lang::En);
-        let writer = PlanWriter { scene: &scene, plan: &w.plan, notation: &notation, lang: Lang::En };
+        let writer =
+            PlanWriter { scene: &scene, plan: &w.plan, notation: &notation, lang: Lang::En };
         for on in DiagramKind::POLYGONS {
             for step in steps(&w, on) {
                 let PlanStep::Equation { target, chains, .. } = step else { continue };
                 let columns = writer.columns(on, *target, chains);
                 let terms = chains[0].known.len();
                 assert!(chains.len() > 1 || chains[0].unknown.is_empty(), "{name}: {step:?}");
-                let (own, fixed) = (writer.vector(on, *target), w.plan.vertex(chains[0].start).fixed);
-                let said = || columns.iter().map(|c| format!("{} {}", c.joint, c.symbol)).collect::<Vec<_>>();
+                let (own, fixed) =
+                    (writer.vector(on, *target), w.plan.vertex(chains[0].start).fixed);
+                let said = || {
+                    columns.iter().map(|c| format!("{} {}", c.joint, c.symbol)).collect::<Vec<_>>()
+                };
                 if chains.len() > 1 && fixed || columns.is_empty() {
                     continue;
                 }
                 if terms > 1 || !fixed {
-                    assert_eq!((columns[0].joint, &columns[0].symbol, columns[1].joint), ("", &own, "="), "{name}: {:?}", said());
+                    assert_eq!(
+                        (columns[0].joint, &columns[0].symbol, columns[1].joint),
+                        ("", &own, "="),
+                        "{name}: {:?}",
+                        said()
+                    );
                     sums += 1;
                 } else {
                     assert_eq!(columns.len(), 1, "{name}: {:?}", said());
@@ -154,9 +171,13 @@ fn shows(row: &[Term], wanted: &[Term]) -> bool {
     let flip = |t: &Term| (t.kind, t.to, t.of);
     let plain = |t: &Term| (t.kind, t.of, t.to);
     row.windows(wanted.len()).any(|w| {
-        let same = |f: &dyn Fn(&Term) -> (TermKind, hodograph::plan::VertexId, hodograph::plan::VertexId)| {
-            w.iter().zip(wanted).all(|(a, b)| plain(a) == f(b))
-        };
+        let same = |f: &dyn Fn(
+            &Term,
+        ) -> (
+            TermKind,
+            hodograph::plan::VertexId,
+            hodograph::plan::VertexId,
+        )| { w.iter().zip(wanted).all(|(a, b)| plain(a) == f(b)) };
         same(&plain) || same(&flip)
     })
 }
@@ -174,12 +195,15 @@ fn no_vector_is_drawn_twice_and_each_that_is_asked_is_drawn() {
                 for q in &link.points[i + 1..] {
                     let names = [plain.point_name(*p), plain.point_name(*q)];
                     if names.iter().all(|n| n.len() == 1) {
-                        asked.extend(["v", "a", "an", "at"].map(|k| format!("{k}_{}{}", names[0], names[1])));
+                        asked.extend(
+                            ["v", "a", "an", "at"].map(|k| format!("{k}_{}{}", names[0], names[1])),
+                        );
                     }
                 }
             }
         }
-        let mut text: serde_json::Value = serde_json::from_str(templates::get(t.name).unwrap()).unwrap();
+        let mut text: serde_json::Value =
+            serde_json::from_str(templates::get(t.name).unwrap()).unwrap();
         text["find"] = asked.clone().into();
         let Ok(scene) = scene::read(text.to_string()) else { continue };
         let Ok(done) = work(&scene.value, Scope::Questions) else { continue };
@@ -193,18 +217,30 @@ fn no_vector_is_drawn_twice_and_each_that_is_asked_is_drawn() {
                 for (k, b) in group.between.iter().enumerate() {
                     between += 1;
                     let wanted = b.terms();
-                    let earlier =
-                        groups[..g].iter().flat_map(|g| &g.between).chain(&group.between[..k]).any(|o| shows(&o.terms(), &wanted));
+                    let earlier = groups[..g]
+                        .iter()
+                        .flat_map(|g| &g.between)
+                        .chain(&group.between[..k])
+                        .any(|o| shows(&o.terms(), &wanted));
                     let row = |s: &PlanStep| {
                         s.chains().iter().any(|c| {
                             let alone = if c.unknown.len() == 1 { &c.unknown[..] } else { &[] };
-                            shows(&c.known.iter().chain(alone).copied().collect::<Vec<_>>(), &wanted)
+                            shows(
+                                &c.known.iter().chain(alone).copied().collect::<Vec<_>>(),
+                                &wanted,
+                            )
                         })
                     };
                     let all = |g: &hodograph::plan::GroupSteps| {
-                        !g.alternatives.is_empty() && g.alternatives.iter().all(|a| a.iter().any(row)) || g.further.iter().any(row)
+                        !g.alternatives.is_empty()
+                            && g.alternatives.iter().all(|a| a.iter().any(row))
+                            || g.further.iter().any(row)
                     };
-                    assert!(!earlier && !groups.iter().any(all), "{}: {wanted:?} is drawn twice", t.name);
+                    assert!(
+                        !earlier && !groups.iter().any(all),
+                        "{}: {wanted:?} is drawn twice",
+                        t.name
+                    );
                 }
             }
         }
@@ -220,8 +256,14 @@ fn arms_are_as_long_as_their_bodies() {
     for (name, scene, w) in all() {
         let layout = Layout::of(&w.construction);
         for seed in 0..3 {
-            let Ok((drawn, _)) = by_hand(&w.construction.acts, &scene, &w.configuration, &w.plan, &layout, &mut Blunt::new(0.5, seed))
-            else {
+            let Ok((drawn, _)) = by_hand(
+                &w.construction.acts,
+                &scene,
+                &w.configuration,
+                &w.plan,
+                &layout,
+                &mut Blunt::new(0.5, seed),
+            ) else {
                 continue;
             };
             for rate in &drawn.rates {
@@ -229,12 +271,19 @@ fn arms_are_as_long_as_their_bodies() {
                 let spots = [m.line.0, m.line.1].map(|v| w.plan.vertex(v).spot);
                 let [VertexPlace::Point(p), VertexPlace::Point(q)] = spots else { continue };
                 let on_body = match rate.body {
-                    TurningBody::Link(l) => [p, q].iter().all(|x| scene.links[l.0].points.contains(x)),
+                    TurningBody::Link(l) => {
+                        [p, q].iter().all(|x| scene.links[l.0].points.contains(x))
+                    }
                     TurningBody::Cylinder(_) => true,
                 };
                 if on_body {
                     let given = w.configuration.point(p).distance(w.configuration.point(q));
-                    assert!((m.arm - given).abs() <= 1e-12 * given, "{name}: {:?} is {} long, its body {given}", m.line, m.arm);
+                    assert!(
+                        (m.arm - given).abs() <= 1e-12 * given,
+                        "{name}: {:?} is {} long, its body {given}",
+                        m.line,
+                        m.arm
+                    );
                     arms += 1;
                 }
             }

@@ -12,8 +12,14 @@ fn leg(kind: &str, x: &str, g: &str, link: &str) -> (Json, Json, Json) {
     let (none, slot) = (json!([]), if x == "Q" { "QV" } else { "RW" });
     match kind {
         "bar" => (json!({link: [x, g]}), none.clone(), none),
-        "block" => (json!({link: [x]}), json!([{"slider": link, "on": "1", "pin": x, "angle": "25 deg"}]), none),
-        "sleeve" => (json!({link: [g]}), json!([{"pin": g, "slider": link, "on": "4", "line": slot}]), none),
+        "block" => (
+            json!({link: [x]}),
+            json!([{"slider": link, "on": "1", "pin": x, "angle": "25 deg"}]),
+            none,
+        ),
+        "sleeve" => {
+            (json!({link: [g]}), json!([{"pin": g, "slider": link, "on": "4", "line": slot}]), none)
+        }
         "slot" => (json!({}), json!([{"pin": g, "on": "4", "line": slot}]), none),
         _ => (json!({}), none, json!([{"cylinder": format!("{x}{g}"), "rate": "0.3 m/s"}])),
     }
@@ -31,10 +37,13 @@ fn a_link_on_three_legs_is_drawn() {
         for part in [&to_q.0, &to_r.0] {
             links.as_object_mut().unwrap().extend(part.as_object().unwrap().clone());
         }
-        let list = |a: &Json, b: &Json| -> Vec<Json> { [a, b].into_iter().flat_map(|l| l.as_array().unwrap().clone()).collect() };
+        let list = |a: &Json, b: &Json| -> Vec<Json> {
+            [a, b].into_iter().flat_map(|l| l.as_array().unwrap().clone()).collect()
+        };
         let crank = json!([{"link": "2", "omega": "2 rad/s", "alpha": "1 rad/s^2"}]);
         let drivers = list(&crank, &json!(list(&to_q.2, &to_r.2)));
-        let named: Vec<String> = links.as_object().unwrap().keys().filter(|l| *l != "1").cloned().collect();
+        let named: Vec<String> =
+            links.as_object().unwrap().keys().filter(|l| *l != "1").cloned().collect();
         // A block that slides on the link carries couples only.
         let sleeve = |l: &str| (l == "5" && *a == "sleeve") || (l == "6" && *b == "sleeve");
         let forces = named.iter().enumerate().flat_map(|(k, l)| {
@@ -49,7 +58,11 @@ fn a_link_on_three_legs_is_drawn() {
                 "slot" => vec!["F_14".to_owned()],
                 "cylinder" => vec![],
                 "bar" => vec![format!("F_{l}4"), format!("F_1{l}")],
-                _ => vec![format!("F_{l}4"), format!("F_1{l}"), format!("h_{}{l}", if *kind == "block" { "1" } else { "4" })],
+                _ => vec![
+                    format!("F_{l}4"),
+                    format!("F_1{l}"),
+                    format!("h_{}{l}", if *kind == "block" { "1" } else { "4" }),
+                ],
             });
         }
         if (*a, *b) == ("slot", "slot") {
@@ -65,12 +78,15 @@ fn a_link_on_three_legs_is_drawn() {
             "forces": forces.collect::<Vec<_>>(), "find": find
         });
         let scene = scene::read(scene.to_string()).unwrap_or_else(|f| panic!("{a} {b}: {f}")).value;
-        let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{a} {b}: {f}")).value;
+        let worked =
+            work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{a} {b}: {f}")).value;
         for r in &worked.results {
             let find = &scene.find[r.find].text;
             match r.agreement {
                 None => failures.push(format!("{a} {b}: {find} is not drawn")),
-                Some(agreement) if !agreement.holds() => failures.push(format!("{a} {b}: {find}: {agreement:?}")),
+                Some(agreement) if !agreement.holds() => {
+                    failures.push(format!("{a} {b}: {find}: {agreement:?}"))
+                }
                 Some(_) => {}
             }
         }
@@ -83,17 +99,31 @@ fn a_link_on_three_legs_is_drawn() {
 #[test]
 fn a_rough_pin_of_three_links_tells_where_it_is_fast() {
     let mut scene: Json = serde_json::from_str(templates::get("toggle-clamp").unwrap()).unwrap();
-    let pin = scene["friction"].as_array_mut().unwrap().iter_mut().find(|f| f["pin"] == "B").unwrap();
+    let pin =
+        scene["friction"].as_array_mut().unwrap().iter_mut().find(|f| f["pin"] == "B").unwrap();
     pin.as_object_mut().unwrap().remove("on");
     let faults = scene::read(scene.to_string()).unwrap_err().to_string();
-    assert!(faults.contains("`B` joins 3 links: in which of them is the pin fast? (write \"on\", one of 2, 3, 4)"), "{faults}");
+    assert!(
+        faults.contains(
+            "`B` joins 3 links: in which of them is the pin fast? (write \"on\", one of 2, 3, 4)"
+        ),
+        "{faults}"
+    );
 }
 
 /// Two links joined by two bars, with any of them loaded, in many places: the drawing gives all
 /// reactions, equal to those of the rows.
 #[test]
 fn two_links_on_two_bars_are_drawn() {
-    let places = [("O", 0, 0), ("A", 20, 10), ("B", 35, 36), ("C", 52, 19), ("D", 64, 51), ("E", 83, 26), ("F", 90, 60)];
+    let places = [
+        ("O", 0, 0),
+        ("A", 20, 10),
+        ("B", 35, 36),
+        ("C", 52, 19),
+        ("D", 64, 51),
+        ("E", 83, 26),
+        ("F", 90, 60),
+    ];
     let links = json!({"1": ["O", "A"], "2": ["A", "B", "C"], "3": ["B", "D"], "4": ["C", "E"], "5": ["D", "E", "F"], "6": ["O", "F"]});
     let mut failures = Vec::new();
     for n in 0..64usize {
@@ -102,7 +132,12 @@ fn two_links_on_two_bars_are_drawn() {
         let points: serde_json::Map<String, Json> = places
             .iter()
             .enumerate()
-            .map(|(k, (name, x, y))| ((*name).into(), json!([format!("{} cm", x + moved(k, 0)), format!("{} cm", y + moved(k, 1))])))
+            .map(|(k, (name, x, y))| {
+                (
+                    (*name).into(),
+                    json!([format!("{} cm", x + moved(k, 0)), format!("{} cm", y + moved(k, 1))]),
+                )
+            })
             .collect();
         let loaded = (2..=5).filter(|l| (n % 16) >> (l - 2) & 1 == 1);
         let forces: Vec<Json> = loaded
@@ -122,7 +157,8 @@ fn two_links_on_two_bars_are_drawn() {
         for r in &done.results {
             match (&r.drawn, r.agreement) {
                 (Some(_), Some(a)) if a.holds() => {}
-                (drawn, agreement) => failures.push(format!("{n}: {} {drawn:?} {agreement:?}", scene.find[r.find].text)),
+                (drawn, agreement) => failures
+                    .push(format!("{n}: {} {drawn:?} {agreement:?}", scene.find[r.find].text)),
             }
         }
     }
@@ -133,7 +169,8 @@ fn two_links_on_two_bars_are_drawn() {
 fn drawn(scene: Json) -> Vec<String> {
     let scene = scene::read(scene.to_string()).unwrap().value;
     let worked = work(&scene, Scope::Questions).unwrap().value;
-    let all = worked.results.iter().filter_map(|r| Some((scene.find[r.find].text.clone(), r.agreement?)));
+    let all =
+        worked.results.iter().filter_map(|r| Some((scene.find[r.find].text.clone(), r.agreement?)));
     all.inspect(|(text, a)| assert!(a.holds(), "{text}: {a:?}")).map(|(text, _)| text).collect()
 }
 
@@ -165,7 +202,8 @@ fn a_pin_between_slots_hands_its_force_on() {
     assert!(found.is_empty() || found.len() == 3, "{found:?}");
 }
 
-/// A block in a curved guide turns about the centre of the arc: with the guide on the ground, on a rocker, and driven.
+/// A block in a curved guide turns about the centre of the arc: with the guide on the ground, on a
+/// rocker, and driven.
 #[test]
 fn blocks_in_curved_guides_are_drawn() {
     let loads = json!({"3": {"m": "4 kg", "J": "0.01 kg*m^2", "at": "C"}, "2": {"m": "2 kg", "J": "0.02 kg*m^2", "at": "B"}});
@@ -213,10 +251,17 @@ fn fragments_reveal_forces() {
             (index.parse().unwrap(), rest.split("</g>").next().unwrap())
         })
         .collect();
-    let steps = |of: &str| -> Vec<usize> { fragments.iter().filter(|(_, part)| part.contains(of)).map(|(n, _)| *n).collect() };
+    let steps = |of: &str| -> Vec<usize> {
+        fragments.iter().filter(|(_, part)| part.contains(of)).map(|(n, _)| *n).collect()
+    };
     let (motion, forces) = (steps("class=\"acceleration "), steps("class=\"force"));
     let groups = worked.equilibrium.as_ref().unwrap().groups.len();
-    assert!(groups == 3 && forces.len() > 3 * groups && !motion.is_empty(), "{} and {}", motion.len(), forces.len());
+    assert!(
+        groups == 3 && forces.len() > 3 * groups && !motion.is_empty(),
+        "{} and {}",
+        motion.len(),
+        forces.len()
+    );
     assert!(motion.iter().max() < forces.iter().min(), "{motion:?} {forces:?}");
 }
 
@@ -228,7 +273,9 @@ fn rings_of_bars_are_drawn() {
         let file = std::fs::read_to_string(format!("tests/cases/higher-{name}.json")).unwrap();
         let mut scene = serde_json::from_str::<Json>(&file).unwrap()["scene"].clone();
         let links = scene["links"].as_object().unwrap().clone();
-        let points = |link: &str| -> Vec<&str> { links[link].as_array().unwrap().iter().filter_map(Json::as_str).collect() };
+        let points = |link: &str| -> Vec<&str> {
+            links[link].as_array().unwrap().iter().filter_map(Json::as_str).collect()
+        };
         let names: Vec<&str> = links.keys().map(String::as_str).collect();
         let moving: Vec<&str> = names.iter().copied().filter(|l| scene["ground"] != **l).collect();
         let forces = moving.iter().enumerate().flat_map(|(k, l)| {
@@ -237,11 +284,18 @@ fn rings_of_bars_are_drawn() {
         });
         let mut forces: Vec<Json> = forces.collect();
         let joined = |a: &str, b: &str| points(a).iter().any(|p| points(b).contains(p));
-        let pairs = names.iter().enumerate().flat_map(|(k, a)| names[k + 1..].iter().map(move |b| (*a, *b)));
-        let mut find: Vec<String> = pairs.filter(|(a, b)| joined(a, b)).map(|(a, b)| format!("F_{a},{b}")).collect();
+        let pairs = names
+            .iter()
+            .enumerate()
+            .flat_map(|(k, a)| names[k + 1..].iter().map(move |b| (*a, *b)));
+        let mut find: Vec<String> =
+            pairs.filter(|(a, b)| joined(a, b)).map(|(a, b)| format!("F_{a},{b}")).collect();
         find.push("P".into());
         if scene["guides"].is_array() {
-            forces.extend([json!({"on": "4", "at": "C", "F": ["33 N", "-71 N"]}), json!({"on": "4", "M": "9 N*m"})]);
+            forces.extend([
+                json!({"on": "4", "at": "C", "F": ["33 N", "-71 N"]}),
+                json!({"on": "4", "M": "9 N*m"}),
+            ]);
             find.extend(["F_54".into(), "h_54".into()]);
         }
         scene["forces"] = json!(forces);

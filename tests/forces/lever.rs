@@ -25,7 +25,11 @@ fn the_lever_balances_as_the_polygons_do() {
         let scene = scene::read(text).unwrap().value;
         // Templates without loads get one on each link.
         let own = !scene.loads.is_empty();
-        let scene = if own { scene } else { scene::read(super::loaded(text, &scene).0.to_string()).unwrap().value };
+        let scene = if own {
+            scene
+        } else {
+            scene::read(super::loaded(text, &scene).0.to_string()).unwrap().value
+        };
         let Some(start) = driver_position(&scene, 0) else { continue };
         for k in 0..if own { 4 } else { 1 } {
             let posed = with_driver_at(&scene, 0, start + 0.35 * f64::from(k));
@@ -35,7 +39,9 @@ fn the_lever_balances_as_the_polygons_do() {
             let forces = &worked.value.equilibrium.as_ref().unwrap().forces;
             let sizes = [forces.largest_power, forces.largest];
             for ([lever, polygons], size) in all.into_iter().zip(sizes) {
-                if polygons.is_finite() && (lever - polygons).abs() > 1e-9 * polygons.abs().max(size) {
+                if polygons.is_finite()
+                    && (lever - polygons).abs() > 1e-9 * polygons.abs().max(size)
+                {
                     faults.push(format!("{} pose {k}: {lever} and {polygons}", t.name));
                 }
             }
@@ -55,9 +61,12 @@ fn the_mechanism_shows_the_given_loads() {
     json["springs"] = json!([{"from": "X", "to": "S3", "k": "40 N/m", "free": "0.1 m"}]);
     let scene = scene::read(json.to_string()).unwrap().value;
     let worked = work(&scene, Scope::Figure).unwrap().value;
-    let figure = drawing(&scene, &worked, &SheetOptions::of_language(Lang::En), DiagramKind::Plane).unwrap();
+    let figure =
+        drawing(&scene, &worked, &SheetOptions::of_language(Lang::En), DiagramKind::Plane).unwrap();
     let ids: Vec<&str> = figure.items.iter().map(|i| i.id.as_str()).collect();
-    for wanted in ["force-G-1", "force-G-2", "force-G-3", "couple-of-M-3", "spring-1", "spring-1-ground"] {
+    for wanted in
+        ["force-G-1", "force-G-2", "force-G-3", "couple-of-M-3", "spring-1", "spring-1-ground"]
+    {
         assert!(ids.iter().any(|id| id.ends_with(wanted)), "{wanted} is missing among {ids:?}");
     }
     // Inertia and reactions are drawn at the separated links.

@@ -8,8 +8,10 @@ use hodograph::worked::{Scope, work};
 use serde_json::json;
 
 /// Templates with a group that is not drawn, with words of the reason.
-const LEFT_OUT: [(&str, &str); 2] =
-    [("belt-crank-rocker", "belts, chains and ropes"), ("double-butterfly", "there is no method for 6 links")];
+const LEFT_OUT: [(&str, &str); 2] = [
+    ("belt-crank-rocker", "belts, chains and ropes"),
+    ("double-butterfly", "there is no method for 6 links"),
+];
 
 /// A template with forces and couples on all links except the parts of cylinders, with the
 /// reactions of pins and contacts asked for.
@@ -19,7 +21,9 @@ pub fn asked(name: &str) -> Option<Scene> {
     let (mut json, _) = loaded(text, &plain);
     let forces = json["forces"].as_array_mut()?;
     let rod = |l: usize| plain.drivers.iter().any(|d| d.kind.parts().contains(&scene::LinkId(l)));
-    for (k, link) in plain.links.iter().enumerate().filter(|(k, _)| *k != plain.ground.0 && !rod(*k)) {
+    for (k, link) in
+        plain.links.iter().enumerate().filter(|(k, _)| *k != plain.ground.0 && !rod(*k))
+    {
         forces.push(json!({"on": link.name, "M": format!("{} N*m", 5.0 - 3.0 * k as f64)}));
     }
     let link = |l| plain.link_name(l);
@@ -49,13 +53,23 @@ fn reactions_of_templates_are_drawn() {
         let Some(scene) = asked(name) else { continue };
         let why = LEFT_OUT.iter().find(|(left_out, _)| *left_out == name).map(|(_, why)| *why);
         for turned in [0.0, 0.7, 2.1, -1.3] {
-            let there = driver_position(&scene, 0).map_or_else(|| scene.clone(), |start| with_driver_at(&scene, 0, start + turned));
+            let there = driver_position(&scene, 0)
+                .map_or_else(|| scene.clone(), |start| with_driver_at(&scene, 0, start + turned));
             let Ok(worked) = work(&there, Scope::Questions) else { continue };
             let worked = worked.value;
             let Some(of) = &worked.equilibrium else { continue };
             let named = |l: &scene::LinkId| there.link_name(*l);
-            let told: Vec<String> =
-                of.undrawn.iter().map(|u| format!("{}: {}", u.links.iter().map(named).collect::<Vec<_>>().join(" "), u.why.en)).collect();
+            let told: Vec<String> = of
+                .undrawn
+                .iter()
+                .map(|u| {
+                    format!(
+                        "{}: {}",
+                        u.links.iter().map(named).collect::<Vec<_>>().join(" "),
+                        u.why.en
+                    )
+                })
+                .collect();
             match (why, told.first()) {
                 (None, None) => {}
                 (Some(why), Some(first)) if first.contains(why) => continue,
@@ -66,10 +80,14 @@ fn reactions_of_templates_are_drawn() {
             }
             match ForceTotals::of(&there, &worked.configuration, of) {
                 Some(all) if (all.loads + all.ground).norm() > 1e-9 * of.forces.largest => {
-                    failures.push(format!("{name} at {turned}: the ground bears {:?}, the loads are {:?}", all.ground, all.loads));
+                    failures.push(format!(
+                        "{name} at {turned}: the ground bears {:?}, the loads are {:?}",
+                        all.ground, all.loads
+                    ));
                 }
                 Some(_) => whole += 1,
-                None => failures.push(format!("{name} at {turned}: a reaction of the ground is missing")),
+                None => failures
+                    .push(format!("{name} at {turned}: a reaction of the ground is missing")),
             }
             for r in &worked.results {
                 let text = &there.find[r.find].text;

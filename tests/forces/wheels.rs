@@ -15,8 +15,12 @@ fn off_the_line_of_action(scene: &Scene, worked: &Worked, r: RollingId) -> Optio
         return None;
     }
     let [a, b] = pair.links;
-    let names = [(a, b), (b, a)].map(|(a, b)| format!("F_{},{}", scene.link_name(a), scene.link_name(b)));
-    let AnswerValue::Vector(force) = names.iter().find_map(|find| answer(scene, worked, find))? else { return None };
+    let names =
+        [(a, b), (b, a)].map(|(a, b)| format!("F_{},{}", scene.link_name(a), scene.link_name(b)));
+    let AnswerValue::Vector(force) = names.iter().find_map(|find| answer(scene, worked, find))?
+    else {
+        return None;
+    };
     let n = worked.configuration.normal(scene, r)?;
     let along = force.dot(n.perp()).abs();
     (along > 1e-6).then(|| force.dot(n).abs() / along - pressure_angle(pair).tan())
@@ -24,7 +28,14 @@ fn off_the_line_of_action(scene: &Scene, worked: &Worked, r: RollingId) -> Optio
 
 #[test]
 fn teeth_press_along_their_line_of_action() {
-    let names = ["gear-linkage", "geared-five-bar", "planetary-gear", "hypocycloid", "sun-and-planet", "wheel-in-groove"];
+    let names = [
+        "gear-linkage",
+        "geared-five-bar",
+        "planetary-gear",
+        "hypocycloid",
+        "sun-and-planet",
+        "wheel-in-groove",
+    ];
     let mut pressed = 0;
     let mut failures = Vec::new();
     for name in names {
@@ -38,7 +49,9 @@ fn teeth_press_along_their_line_of_action() {
                 let Some(off) = off_the_line_of_action(&there, &worked, r) else { continue };
                 pressed += 1;
                 if off.abs() > 1e-9 {
-                    failures.push(format!("{name} at {turned}: teeth {r:?} press {off} off their line of action"));
+                    failures.push(format!(
+                        "{name} at {turned}: teeth {r:?} press {off} off their line of action"
+                    ));
                 }
             }
         }

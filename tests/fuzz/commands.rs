@@ -50,20 +50,34 @@ fn fuzz_commands() {
         let line = COMMANDS[k as usize % COMMANDS.len()];
         fs::write(at("s.json"), input).unwrap();
         let mut run = assert_cmd::Command::new(env!("CARGO_BIN_EXE_hodograph"));
-        let run = run.current_dir(folder.path()).env("LC_ALL", "C").args(line.split(' ')).timeout(SOON).output().unwrap();
-        let (out, said) = (String::from_utf8_lossy(&run.stdout), String::from_utf8_lossy(&run.stderr));
+        let run = run
+            .current_dir(folder.path())
+            .env("LC_ALL", "C")
+            .args(line.split(' '))
+            .timeout(SOON)
+            .output()
+            .unwrap();
+        let (out, said) =
+            (String::from_utf8_lossy(&run.stdout), String::from_utf8_lossy(&run.stderr));
         let code = run.status.code();
         assert!(matches!(code, Some(0 | 2 | 4)), "{line}: {code:?} {said}");
         assert!(!said.contains("panicked"), "{line}: {said}");
         assert!(code != Some(2) || !said.is_empty(), "{line}: refused without a word");
         if code != Some(2) {
             finite(&out);
-            let written = ["t.csv", "p.csv"].map(|name| fs::read_to_string(at(name)).unwrap_or_default());
+            let written =
+                ["t.csv", "p.csv"].map(|name| fs::read_to_string(at(name)).unwrap_or_default());
             written.iter().for_each(|table| finite(table));
             // Each named file exists, and a command with an output names one.
-            let names: Vec<&str> = out.lines().filter(|l| l.ends_with(".svg") || l.ends_with(".html") || l.ends_with(".md")).collect();
+            let names: Vec<&str> = out
+                .lines()
+                .filter(|l| l.ends_with(".svg") || l.ends_with(".html") || l.ends_with(".md"))
+                .collect();
             assert!(names.iter().all(|n| folder.path().join(n).exists()), "{line}: {out}");
-            assert!(!line.contains(" -o ") || fs::read_dir(folder.path()).unwrap().count() > 1, "{line}: no file and no word");
+            assert!(
+                !line.contains(" -o ") || fs::read_dir(folder.path()).unwrap().count() > 1,
+                "{line}: no file and no word"
+            );
         }
         for entry in fs::read_dir(folder.path()).unwrap().flatten() {
             let path = entry.path();

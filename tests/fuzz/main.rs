@@ -34,7 +34,11 @@ fn root(path: &str) -> std::path::PathBuf {
 
 /// The texts of all JSON files in these folders.
 fn corpus(folders: &[&str]) -> Vec<String> {
-    let mut files: Vec<_> = folders.iter().flat_map(|f| fs::read_dir(root(f)).unwrap()).map(|f| f.unwrap().path()).collect();
+    let mut files: Vec<_> = folders
+        .iter()
+        .flat_map(|f| fs::read_dir(root(f)).unwrap())
+        .map(|f| f.unwrap().path())
+        .collect();
     files.retain(|f| f.extension().is_some_and(|e| e == "json"));
     files.sort();
     assert!(!files.is_empty());
@@ -45,16 +49,23 @@ fn corpus(folders: &[&str]) -> Vec<String> {
 /// profile.
 #[test]
 fn checks_are_on() {
-    assert!(std::hint::black_box(cfg!(debug_assertions)), "Cargo.toml: the profile of these tests has no debug assertions");
+    assert!(
+        std::hint::black_box(cfg!(debug_assertions)),
+        "Cargo.toml: the profile of these tests has no debug assertions"
+    );
     let least = std::hint::black_box(0usize);
-    assert!(catch_unwind(|| least - 1).is_err(), "Cargo.toml: the profile of these tests has no overflow checks");
+    assert!(
+        catch_unwind(|| least - 1).is_err(),
+        "Cargo.toml: the profile of these tests has no overflow checks"
+    );
 }
 
 /// Feeds mutated inputs to a target: the default number or a multiple of it, or for a given time.
 /// Prints the number of accepted inputs.
 fn fuzz(name: &str, seeds: &[String], usual: u64, target: &dyn Fn(&[u8], u64) -> bool) {
     let number = |key: &str| std::env::var(key).ok().and_then(|v| v.parse::<u64>().ok());
-    let (seconds, seed) = (number("HODOGRAPH_FUZZ_SECONDS"), number("HODOGRAPH_FUZZ_SEED").unwrap_or(1));
+    let (seconds, seed) =
+        (number("HODOGRAPH_FUZZ_SECONDS"), number("HODOGRAPH_FUZZ_SEED").unwrap_or(1));
     let most = usual * number("HODOGRAPH_FUZZ_TIMES").unwrap_or(1);
     let begin = Instant::now();
     let mutator = Mutator::new(seeds);
@@ -66,12 +77,23 @@ fn fuzz(name: &str, seeds: &[String], usual: u64, target: &dyn Fn(&[u8], u64) ->
         match catch_unwind(AssertUnwindSafe(|| target(&input, tried))) {
             Ok(whole) => accepted += u64::from(whole),
             Err(e) => {
-                let words = e.downcast_ref::<String>().cloned().or(e.downcast_ref::<&str>().map(|s| s.to_string())).unwrap_or_default();
-                panic!("{name}, seed {seed}, input {tried}: {words}\n{}", String::from_utf8_lossy(&input));
+                let words = e
+                    .downcast_ref::<String>()
+                    .cloned()
+                    .or(e.downcast_ref::<&str>().map(|s| s.to_string()))
+                    .unwrap_or_default();
+                panic!(
+                    "{name}, seed {seed}, input {tried}: {words}\n{}",
+                    String::from_utf8_lossy(&input)
+                );
             }
         }
         let took = start.elapsed();
-        assert!(took < SOON, "{name}, seed {seed}, input {tried}: took {took:?}\n{}", String::from_utf8_lossy(&input));
+        assert!(
+            took < SOON,
+            "{name}, seed {seed}, input {tried}: took {took:?}\n{}",
+            String::from_utf8_lossy(&input)
+        );
         tried += 1;
     }
     println!("{name}: {tried} inputs, {accepted} of them accepted, {:.0?}", begin.elapsed());
@@ -115,7 +137,8 @@ fn scene_target(input: &[u8], k: u64) -> bool {
     let certified = certify(&scene, &worked, answers::DIGITS);
     let text = answers::text(&scene, &worked, &certified, answers::DIGITS, lang);
     finite(&text);
-    let drawn = sheet(&scene, &worked, &SheetOptions::of_language(lang)).and_then(|f| svg::write(&f));
+    let drawn =
+        sheet(&scene, &worked, &SheetOptions::of_language(lang)).and_then(|f| svg::write(&f));
     match drawn {
         Ok(svg) => well_formed(&svg.value),
         Err(faults) => told(&faults, input),
@@ -156,7 +179,8 @@ fn fuzz_styles() {
         Ok(style) => {
             if k.is_multiple_of(8) {
                 let usual = SheetOptions::of_language(Lang::En);
-                let options = SheetOptions { notation: style.marks.over(&usual.notation), style, ..usual };
+                let options =
+                    SheetOptions { notation: style.marks.over(&usual.notation), style, ..usual };
                 match sheet(&scene, &worked, &options).and_then(|f| svg::write(&f)) {
                     Ok(svg) => well_formed(&svg.value),
                     Err(faults) => told(&faults, input),
@@ -179,7 +203,8 @@ const WORDS: &str = "draw lesson solve plan worksheet accuracy sweep batch curve
 /// The words in the lines of a help text that hold options.
 fn options(help: &str) -> Vec<String> {
     let words = help.split(|c: char| !(c.is_ascii_alphanumeric() || c == '-'));
-    let mut all: Vec<String> = words.filter(|w| w.starts_with("--") && w.len() > 2).map(str::to_owned).collect();
+    let mut all: Vec<String> =
+        words.filter(|w| w.starts_with("--") && w.len() > 2).map(str::to_owned).collect();
     all.sort();
     all.dedup();
     all
@@ -188,13 +213,22 @@ fn options(help: &str) -> Vec<String> {
 /// The commands that the program lists, each with its options.
 fn commands() -> Vec<(String, Vec<String>)> {
     let help = |command: &[&str]| {
-        let run =
-            assert_cmd::Command::new(env!("CARGO_BIN_EXE_hodograph")).args(command).args(["--help", "--lang", "en"]).output().unwrap();
+        let run = assert_cmd::Command::new(env!("CARGO_BIN_EXE_hodograph"))
+            .args(command)
+            .args(["--help", "--lang", "en"])
+            .output()
+            .unwrap();
         String::from_utf8(run.stdout).unwrap()
     };
     let all = help(&[]);
-    let listed = all.lines().skip_while(|l| !l.starts_with("Commands:")).skip(1).take_while(|l| !l.is_empty());
-    let names = listed.filter(|l| l.starts_with("  ") && !l.starts_with("   ")).filter_map(|l| l.split_whitespace().next());
+    let listed = all
+        .lines()
+        .skip_while(|l| !l.starts_with("Commands:"))
+        .skip(1)
+        .take_while(|l| !l.is_empty());
+    let names = listed
+        .filter(|l| l.starts_with("  ") && !l.starts_with("   "))
+        .filter_map(|l| l.split_whitespace().next());
     names.filter(|n| *n != "help").map(|n| (n.to_owned(), options(&help(&[n])))).collect()
 }
 
@@ -245,18 +279,32 @@ fn fuzz_arguments() {
     let seeds: Vec<String> = right.iter().map(|s| s.to_string()).collect();
     let folder = tempfile::tempdir().unwrap();
     fs::copy(root("templates/crank-rocker.json"), folder.path().join("scene.json")).unwrap();
-    for (name, seed) in [("wish", "synthesis/time-ratio"), ("cam", "cam-offset-roller"), ("motion", "particle/pursuit")] {
-        fs::copy(root(&format!("templates/{seed}.json")), folder.path().join(format!("{name}.json"))).unwrap();
+    for (name, seed) in [
+        ("wish", "synthesis/time-ratio"),
+        ("cam", "cam-offset-roller"),
+        ("motion", "particle/pursuit"),
+    ] {
+        fs::copy(
+            root(&format!("templates/{seed}.json")),
+            folder.path().join(format!("{name}.json")),
+        )
+        .unwrap();
     }
-    fs::copy(root("crates/paper/src/paper/style/dark.json"), folder.path().join("style.json")).unwrap();
+    fs::copy(root("crates/paper/src/paper/style/dark.json"), folder.path().join("style.json"))
+        .unwrap();
     for (name, figure) in [("first", "mechanism"), ("second", "velocity")] {
-        fs::copy(root(&format!("examples/golden-images/golden/{figure}.svg")), folder.path().join(format!("{name}.svg"))).unwrap();
+        fs::copy(
+            root(&format!("examples/golden-images/golden/{figure}.svg")),
+            folder.path().join(format!("{name}.svg")),
+        )
+        .unwrap();
     }
     let before = fs::read(folder.path().join("scene.json")).unwrap();
     fuzz("arguments", &seeds, 100, &|input, k| {
         let mut rng = Rng::new(k);
         // The commands in turn.
-        let mut line: Vec<String> = seeds[k as usize % seeds.len()].split(' ').map(str::to_owned).collect();
+        let mut line: Vec<String> =
+            seeds[k as usize % seeds.len()].split(' ').map(str::to_owned).collect();
         let own = commands.iter().find(|c| c.0 == line[0]).map_or(&[][..], |c| &c.1[..]);
         for _ in 0..1 + rng.below(3) * rng.below(2) {
             let at = 1 + rng.below(line.len() - 1);
@@ -264,7 +312,10 @@ fn fuzz_arguments() {
                 4 if !own.is_empty() => line.insert(at, own[rng.below(own.len())].clone()),
                 0 => drop(line.remove(at)),
                 1 => line[at] = words[rng.below(words.len())].to_owned(),
-                2 => line[at] = String::from_utf8_lossy(&input[..input.len().min(40)]).replace(['\0', '/'], ""),
+                2 => {
+                    line[at] = String::from_utf8_lossy(&input[..input.len().min(40)])
+                        .replace(['\0', '/'], "")
+                }
                 _ => line.insert(at, words[rng.below(words.len())].to_owned()),
             }
             if line.len() < 2 {
@@ -272,15 +323,31 @@ fn fuzz_arguments() {
             }
         }
         let mut run = assert_cmd::Command::new(env!("CARGO_BIN_EXE_hodograph"));
-        let run = run.current_dir(folder.path()).args(&line).timeout(SOON).write_stdin("{").output().unwrap();
-        let (out, said) = (String::from_utf8_lossy(&run.stdout), String::from_utf8_lossy(&run.stderr));
+        let run = run
+            .current_dir(folder.path())
+            .args(&line)
+            .timeout(SOON)
+            .write_stdin("{")
+            .output()
+            .unwrap();
+        let (out, said) =
+            (String::from_utf8_lossy(&run.stdout), String::from_utf8_lossy(&run.stderr));
         let code = run.status.code();
         assert!(matches!(code, Some(0 | 1 | 2 | 4)), "{line:?}: {code:?} {said}");
-        assert!(!said.contains("panicked") && !said.contains('\u{1b}') && !out.contains('\u{1b}'), "{line:?}: {said:?}");
+        assert!(
+            !said.contains("panicked") && !said.contains('\u{1b}') && !out.contains('\u{1b}'),
+            "{line:?}: {said:?}"
+        );
         // Differences count as an answer: they are printed.
-        let answered = code == Some(0) || code == Some(4) || code == Some(1) && line[0] == "diff" && !out.is_empty();
+        let answered = code == Some(0)
+            || code == Some(4)
+            || code == Some(1) && line[0] == "diff" && !out.is_empty();
         assert!(answered || !said.is_empty(), "{line:?}: {code:?} without a word");
-        assert_eq!(fs::read(folder.path().join("scene.json")).unwrap(), before, "{line:?}: the scene was written over");
+        assert_eq!(
+            fs::read(folder.path().join("scene.json")).unwrap(),
+            before,
+            "{line:?}: the scene was written over"
+        );
         code == Some(0)
     });
 }

@@ -106,7 +106,11 @@ impl<'a> Mutator<'a> {
     /// that is in use.
     fn name(text: &mut Vec<u8>, rng: &mut Rng) {
         let marks: Vec<usize> = (0..text.len()).filter(|i| text[*i] == b'"').collect();
-        let words: Vec<[usize; 2]> = marks.chunks_exact(2).map(|m| [m[0] + 1, m[1]]).filter(|[a, b]| b - a <= LONGEST_NAME).collect();
+        let words: Vec<[usize; 2]> = marks
+            .chunks_exact(2)
+            .map(|m| [m[0] + 1, m[1]])
+            .filter(|[a, b]| b - a <= LONGEST_NAME)
+            .collect();
         let (one, other) = (words.get(rng.below(words.len())), words.get(rng.below(words.len())));
         if let (Some([a, b]), Some([c, d])) = (one, other) {
             let word = text[*c..*d].to_vec();
@@ -140,11 +144,18 @@ impl<'a> Mutator<'a> {
             }
             // Replacing a number by a number keeps the kind of the text.
             5 | 6 => {
-                let digits: Vec<usize> = (0..text.len()).filter(|i| text[*i].is_ascii_digit()).collect();
+                let digits: Vec<usize> =
+                    (0..text.len()).filter(|i| text[*i].is_ascii_digit()).collect();
                 if let Some(&from) = digits.get(rng.below(digits.len())) {
-                    let to = (from..text.len()).find(|i| !text[*i].is_ascii_digit()).unwrap_or(text.len());
+                    let to = (from..text.len())
+                        .find(|i| !text[*i].is_ascii_digit())
+                        .unwrap_or(text.len());
                     let number = [30, 31, 32, 33, 34, 35, 36].map(|k| HOSTILE[k])[rng.below(7)];
-                    let number = if rng.below(2) == 0 { rng.below(400).to_string() } else { number.to_owned() };
+                    let number = if rng.below(2) == 0 {
+                        rng.below(400).to_string()
+                    } else {
+                        number.to_owned()
+                    };
                     text.splice(from..to, number.bytes());
                 }
             }

@@ -53,10 +53,17 @@ fn design_target(input: &[u8], k: u64) -> bool {
     }
     if k.is_multiple_of(4) {
         match worksheet::design(&task, &design, 0, &Sheets::of_language(lang)) {
-            Ok(document) => drop(worksheet::html::html(&document).map(|page| well_formed(page.trim_start_matches("<!DOCTYPE html>")))),
+            Ok(document) => drop(
+                worksheet::html::html(&document)
+                    .map(|page| well_formed(page.trim_start_matches("<!DOCTYPE html>"))),
+            ),
             Err(faults) => told(&faults, input),
         }
-        if let Err(faults) = design_lesson::lesson(&task, candidate, &design_lesson::DesignOptions { lang, style: Style::default() }) {
+        if let Err(faults) = design_lesson::lesson(
+            &task,
+            candidate,
+            &design_lesson::DesignOptions { lang, style: Style::default() },
+        ) {
             told(&faults, input);
         }
     }
@@ -91,8 +98,13 @@ fn motion_target(input: &[u8], k: u64) -> bool {
     for answer in &solved.answers {
         let what = problem.find[answer.find].what;
         let size = motion_report::largest(&problem, &solved, what);
-        let apart = motion_report::drawn(&drawn, what).and_then(|d| motion_report::apart(&answer.value, d, size));
-        assert!(apart.is_none_or(|off| off < 1e-9), "{}: drawing and laws differ by {apart:?}", problem.find[answer.find].text);
+        let apart = motion_report::drawn(&drawn, what)
+            .and_then(|d| motion_report::apart(&answer.value, d, size));
+        assert!(
+            apart.is_none_or(|off| off < 1e-9),
+            "{}: drawing and laws differ by {apart:?}",
+            problem.find[answer.find].text
+        );
     }
     let lang = if k.is_multiple_of(2) { Lang::En } else { Lang::Zh };
     finite(&motion_report::text(
@@ -113,7 +125,10 @@ fn motion_target(input: &[u8], k: u64) -> bool {
     }
     if k.is_multiple_of(4) {
         match worksheet::particle(&problem, &solved, &drawn, &Sheets::of_language(lang)) {
-            Ok(document) => drop(worksheet::html::html(&document).map(|page| well_formed(page.trim_start_matches("<!DOCTYPE html>")))),
+            Ok(document) => drop(
+                worksheet::html::html(&document)
+                    .map(|page| well_formed(page.trim_start_matches("<!DOCTYPE html>"))),
+            ),
             Err(d) => told(&d.into(), input),
         }
     }

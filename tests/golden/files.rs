@@ -8,12 +8,14 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// The command that accepts, named by every failure.
-pub const HOW: &str = "if this is what you want, look at it and run: HODOGRAPH_ACCEPT=1 cargo test --test golden";
+pub const HOW: &str =
+    "if this is what you want, look at it and run: HODOGRAPH_ACCEPT=1 cargo test --test golden";
 
 pub const LANGS: [(Lang, &str); 2] = [(Lang::En, "en"), (Lang::Zh, "zh")];
 
 /// Templates with their plan also kept as JSON: Coriolis, in both languages; a triad; cylinders.
-pub const PLANS_AS_JSON: [(&str, &str); 4] = [("shaper", "en"), ("shaper", "zh"), ("class-iii-six-bar", "en"), ("excavator", "en")];
+pub const PLANS_AS_JSON: [(&str, &str); 4] =
+    [("shaper", "en"), ("shaper", "zh"), ("class-iii-six-bar", "en"), ("excavator", "en")];
 
 /// Templates with answers kept with the tolerances of hand drawing.
 pub const DRAFTED: [&str; 1] = ["shaper"];
@@ -45,14 +47,20 @@ pub const PATHS: [(&str, &[&str], usize, &str); 4] = [
 ];
 
 /// Sheets of many poses: template, point with hodographs behind the polygons, number of poses.
-pub const POSES: [(&str, Option<&str>, usize); 3] = [("crank-rocker", Some("E"), 12), ("shaper", None, 4), ("class-iii-six-bar", None, 5)];
+pub const POSES: [(&str, Option<&str>, usize); 3] =
+    [("crank-rocker", Some("E"), 12), ("shaper", None, 4), ("class-iii-six-bar", None, 5)];
 
-/// Figures of centres: a crank-rocker, shapers with centres at infinity, a common normal, a pitch point.
-pub const CENTRES: [&str; 5] = ["crank-rocker", "shaper", "shaper-centres", "cam-centres", "five-bar-centres"];
+/// Figures of centres: a crank-rocker, shapers with centres at infinity, a common normal, a pitch
+/// point.
+pub const CENTRES: [&str; 5] =
+    ["crank-rocker", "shaper", "shaper-centres", "cam-centres", "five-bar-centres"];
 
 /// Figures of curvature, inversions and cognates, by their names.
-pub const CURVATURE: [(&str, &[&str]); 3] =
-    [("crank-rocker", &["curvature", "centrodes", "cognates"]), ("slider-crank", &["curvature", "inversions"]), ("shaper", &["curvature"])];
+pub const CURVATURE: [(&str, &[&str]); 3] = [
+    ("crank-rocker", &["curvature", "centrodes", "cognates"]),
+    ("slider-crank", &["curvature", "inversions"]),
+    ("shaper", &["curvature"]),
+];
 
 /// Constructions of synthesis: the first candidate of each kind that has one, and the linkage of
 /// the kind without one.
@@ -90,22 +98,54 @@ pub const ASKED: [(&str, &str); 13] = [
 /// Pictures in the gallery in addition to the sheets: title, the command that draws it, the
 /// picture.
 pub const SHOWN: [(&str, &str, &str); 36] = [
-    ("Forces with friction: circles and angles", "draw --figure forces", "compressor-friction/forces.en.png"),
-    ("Dimensions: to draw the mechanism again", "draw --dimensions", "crank-rocker/dimensions.en.png"),
-    ("Vectors, positions and the path of a point", "draw --vectors velocity --poses 6 --path S", "offset-slider-crank/overlay.png"),
+    (
+        "Forces with friction: circles and angles",
+        "draw --figure forces",
+        "compressor-friction/forces.en.png",
+    ),
+    (
+        "Dimensions: to draw the mechanism again",
+        "draw --dimensions",
+        "crank-rocker/dimensions.en.png",
+    ),
+    (
+        "Vectors, positions and the path of a point",
+        "draw --vectors velocity --poses 6 --path S",
+        "offset-slider-crank/overlay.png",
+    ),
     ("The groups drawn apart", "mobility -o", "shaper/groups.png"),
     ("Equations with their tables", "draw --figure equations", "crank-rocker/equations.png"),
-    ("Forces: free bodies, force polygons, equations", "draw --figure forces", "press-forces/forces.en.png"),
-    ("Zhukovsky's lever: the loads on the turned velocities", "draw --figure lever", "four-bar-forces/lever.en.png"),
+    (
+        "Forces: free bodies, force polygons, equations",
+        "draw --figure forces",
+        "press-forces/forces.en.png",
+    ),
+    (
+        "Zhukovsky's lever: the loads on the turned velocities",
+        "draw --figure lever",
+        "four-bar-forces/lever.en.png",
+    ),
     ("One step of a construction", "draw --steps", "slotted-lever/step.png"),
     ("Plates: a polygon split by group", "draw --figure plates", "class-iii-six-bar/plates.en.png"),
     ("Insets", "draw", "class-iii-six-bar/inset.png"),
-    ("Many positions to one set of scales", "draw --poses 12 --path E", "crank-rocker/poses.en.png"),
+    (
+        "Many positions to one set of scales",
+        "draw --poses 12 --path E",
+        "crank-rocker/poses.en.png",
+    ),
     ("The path of a point with its hodographs", "path", "crank-rocker/path.en.png"),
     ("Line diagrams of a turn", "curves", "shaper/curves.en.png"),
-    ("Polar diagrams: a bearing's force, the shaking force", "curves --find F_12,F_sh --polar", "engine-forces/polar.en.png"),
+    (
+        "Polar diagrams: a bearing's force, the shaking force",
+        "curves --find F_12,F_sh --polar",
+        "engine-forces/polar.en.png",
+    ),
     ("Instantaneous centres", "draw --figure centres", "crank-rocker/centres.en.png"),
-    ("Curvature: inflection circle, centres of curvature", "draw --figure curvature", "crank-rocker/curvature.en.png"),
+    (
+        "Curvature: inflection circle, centres of curvature",
+        "draw --figure curvature",
+        "crank-rocker/curvature.en.png",
+    ),
     ("Centrodes", "draw --figure centrodes", "crank-rocker/centrodes.en.png"),
     ("Cognates", "draw --figure cognates", "crank-rocker/cognates.en.png"),
     ("Inversions", "draw --figure inversions", "slider-crank/inversions.en.png"),
@@ -114,7 +154,11 @@ pub const SHOWN: [(&str, &str, &str); 36] = [
     ("Composite motion of a point", "draw --figure composite", "turning-plate/composite.en.png"),
     ("A pursuit with its course", "draw", "motions/pursuit-of-a-ship.en.png"),
     ("A plate that turns in space, in two views", "draw", "motions/plate-in-space.en.png"),
-    ("A wrong solution over the right one", "draw --figure attempts", "flat-face-mistake/attempts.en.png"),
+    (
+        "A wrong solution over the right one",
+        "draw --figure attempts",
+        "flat-face-mistake/attempts.en.png",
+    ),
     ("A cam: the motion of its follower", "cam -o", "cam-offset-roller/motion.en.png"),
     ("A cam: its profile by inversion", "cam -o", "cam-offset-roller/profile.en.png"),
     ("Synthesis: function generation", "draw", "synthesis/function-construction.en.png"),
@@ -137,7 +181,8 @@ pub const MOTIONS: [&str; 4] = ["pursuit", "pursuit-of-a-ship", "plate-in-space"
 
 pub const WORKSHEETS: [&str; 4] = ["crank-rocker", "shaper", "class-iii-six-bar", "pump-jack"];
 
-/// Sheets whose Chinese letters are compared as pixels; elsewhere the words and their places suffice.
+/// Sheets whose Chinese letters are compared as pixels; elsewhere the words and their places
+/// suffice.
 const CHINESE: [&str; 2] = ["crank-rocker", "shaper"];
 
 /// True if the pixels of a figure are compared: in English, and of the sheets of [`CHINESE`].
@@ -153,15 +198,23 @@ fn root() -> PathBuf {
 pub fn kept() -> BTreeSet<String> {
     let mut all = BTreeSet::new();
     let mut in_both = |template: &str, files: &[&str]| {
-        all.extend(LANGS.iter().flat_map(|(_, lang)| files.iter().map(move |f| format!("{template}/{}", f.replace("LANG", lang)))));
+        all.extend(LANGS.iter().flat_map(|(_, lang)| {
+            files.iter().map(move |f| format!("{template}/{}", f.replace("LANG", lang)))
+        }));
     };
-    templates::list().iter().for_each(|t| in_both(t.name, &["plan.LANG.txt", "construction.LANG.txt"]));
+    templates::list()
+        .iter()
+        .for_each(|t| in_both(t.name, &["plan.LANG.txt", "construction.LANG.txt"]));
     DRAFTED.iter().for_each(|t| in_both(t, &["drafting.LANG.txt"]));
     LESSONS.iter().for_each(|t| in_both(t, &["lesson.html.txt", "reveal.html.txt"]));
     KINDS.iter().for_each(|(t, kind, _)| in_both(t, &[&format!("{kind}.png")]));
     CENTRES.iter().for_each(|t| in_both(t, &["centres.LANG.txt"]));
-    MOBILITY.iter().for_each(|t| in_both(t, &["mobility.LANG.md", "mobility.LANG.typ", "mobility.LANG.html"]));
-    WORKSHEETS.iter().for_each(|t| in_both(t, &["worksheet.LANG.md", "worksheet.LANG.typ", "worksheet.LANG.html"]));
+    MOBILITY
+        .iter()
+        .for_each(|t| in_both(t, &["mobility.LANG.md", "mobility.LANG.typ", "mobility.LANG.html"]));
+    WORKSHEETS.iter().for_each(|t| {
+        in_both(t, &["worksheet.LANG.md", "worksheet.LANG.typ", "worksheet.LANG.html"])
+    });
     for (folder, figure) in figures() {
         in_both(&folder, &[&format!("{figure}.LANG.svg.txt")]);
         let pixels = LANGS.iter().filter(|(_, lang)| has_pixels(&folder, &figure, lang));
@@ -173,7 +226,8 @@ pub fn kept() -> BTreeSet<String> {
 
 /// Every figure that is compared in both languages: folder and name.
 fn figures() -> Vec<(String, String)> {
-    let mut all: Vec<(String, String)> = templates::list().iter().map(|t| (t.name.to_owned(), "sheet".to_owned())).collect();
+    let mut all: Vec<(String, String)> =
+        templates::list().iter().map(|t| (t.name.to_owned(), "sheet".to_owned())).collect();
     let mut add = |folder: &str, figure: &str| all.push((folder.to_owned(), figure.to_owned()));
     ASKED.iter().for_each(|(t, figure)| add(t, figure));
     CURVES.iter().for_each(|t| add(t, "curves"));
@@ -224,9 +278,20 @@ pub fn check_text(path: &Path, now: &str, failures: &mut Vec<String>) {
     if was == now || write_if_accepting(path, now.as_bytes(), failures) {
         return;
     }
-    let line = was.lines().zip(now.lines()).position(|(a, b)| a != b).unwrap_or(was.lines().count().min(now.lines().count()));
-    let at = |t: &str| t.lines().nth(line).unwrap_or("(nothing)").chars().take(160).collect::<String>();
-    failures.push(format!("{}:{}\n    expected: {}\n    actual:   {}\n    {HOW}", path.display(), line + 1, at(&was), at(now)));
+    let line = was
+        .lines()
+        .zip(now.lines())
+        .position(|(a, b)| a != b)
+        .unwrap_or(was.lines().count().min(now.lines().count()));
+    let at =
+        |t: &str| t.lines().nth(line).unwrap_or("(nothing)").chars().take(160).collect::<String>();
+    failures.push(format!(
+        "{}:{}\n    expected: {}\n    actual:   {}\n    {HOW}",
+        path.display(),
+        line + 1,
+        at(&was),
+        at(now)
+    ));
 }
 
 /// Width, height, kind and samples of a PNG.
@@ -245,7 +310,9 @@ pub fn check_png(path: &Path, now: &[u8], failures: &mut Vec<String>) {
     let fault = match (pixels(&was), pixels(now)) {
         (_, None) => panic!("{}: what was drawn is no PNG", path.display()),
         (None, _) => "there is no golden picture".to_owned(),
-        (Some(a), Some(b)) if (a.0, a.1, a.2) != (b.0, b.1, b.2) => format!("{}x{} expected, {}x{} drawn", a.0, a.1, b.0, b.1),
+        (Some(a), Some(b)) if (a.0, a.1, a.2) != (b.0, b.1, b.2) => {
+            format!("{}x{} expected, {}x{} drawn", a.0, a.1, b.0, b.1)
+        }
         (Some(a), Some(b)) => {
             let off: Vec<u8> = a.3.iter().zip(&b.3).map(|(x, y)| x.abs_diff(*y)).collect();
             let bad = off.iter().filter(|d| **d > 1).count();
@@ -255,13 +322,19 @@ pub fn check_png(path: &Path, now: &[u8], failures: &mut Vec<String>) {
             let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"));
             let part = |p: &Path| p.file_name().unwrap().to_string_lossy().into_owned();
             let name = format!("{}-{}", part(path.parent().unwrap()), part(path));
-            let (actual, difference) = (folder.join(format!("actual-{name}")), folder.join(format!("difference-{name}")));
+            let (actual, difference) =
+                (folder.join(format!("actual-{name}")), folder.join(format!("difference-{name}")));
             std::fs::write(&actual, now).unwrap();
-            let mut encoder = png::Encoder::new(std::fs::File::create(&difference).unwrap(), a.0, a.1);
+            let mut encoder =
+                png::Encoder::new(std::fs::File::create(&difference).unwrap(), a.0, a.1);
             encoder.set_color(a.2);
             let ink: Vec<u8> = off.iter().map(|d| 255 - d.saturating_mul(4)).collect();
             encoder.write_header().unwrap().write_image_data(&ink).unwrap();
-            format!("{bad} values differ by more than 1\n    actual:     {}\n    difference: {}", actual.display(), difference.display())
+            format!(
+                "{bad} values differ by more than 1\n    actual:     {}\n    difference: {}",
+                actual.display(),
+                difference.display()
+            )
         }
     };
     if !write_if_accepting(path, now, failures) {
@@ -271,7 +344,12 @@ pub fn check_png(path: &Path, now: &[u8], failures: &mut Vec<String>) {
 
 /// Ends a test that compared golden files.
 pub fn finish(failures: &[String]) {
-    assert!(failures.is_empty(), "{} golden files differ:\n{}", failures.len(), failures.join("\n"));
+    assert!(
+        failures.is_empty(),
+        "{} golden files differ:\n{}",
+        failures.len(),
+        failures.join("\n")
+    );
 }
 
 /// Every golden file is compared by some test.
@@ -282,13 +360,19 @@ fn no_golden_file_is_an_orphan() {
         let folder = folder.unwrap();
         let name = folder.file_name().into_string().unwrap();
         match std::fs::read_dir(folder.path()) {
-            Ok(files) => found.extend(files.map(|f| format!("{name}/{}", f.unwrap().file_name().into_string().unwrap()))),
+            Ok(files) => found.extend(
+                files.map(|f| format!("{name}/{}", f.unwrap().file_name().into_string().unwrap())),
+            ),
             Err(_) => drop(found.insert(name)),
         }
     }
     let kept = kept();
     let orphans: Vec<String> = found.difference(&kept).map(|f| format!("golden/{f}")).collect();
     let missing: Vec<String> = kept.difference(&found).map(|f| format!("golden/{f}")).collect();
-    assert!(orphans.is_empty(), "no test compares these; remove them: git rm {}", orphans.join(" "));
+    assert!(
+        orphans.is_empty(),
+        "no test compares these; remove them: git rm {}",
+        orphans.join(" ")
+    );
     assert!(missing.is_empty(), "these are missing: {}\n{HOW}", missing.join(" "));
 }

@@ -6,8 +6,8 @@ use hayro_interpret::font::Glyph;
 use hayro_interpret::hayro_cmap::BfString;
 use hayro_interpret::hayro_syntax::Pdf;
 use hayro_interpret::{
-    BlendMode, ClipPath, Context, Device, GlyphDrawMode, Image, InterpreterCache, InterpreterSettings, Paint, PathDrawMode, SoftMask,
-    StrokeProps, TransformExt, interpret_page,
+    BlendMode, ClipPath, Context, Device, GlyphDrawMode, Image, InterpreterCache,
+    InterpreterSettings, Paint, PathDrawMode, SoftMask, StrokeProps, TransformExt, interpret_page,
 };
 use hodograph::paper::item::{Figure, FigureItem, Shape};
 use hodograph::paper::text;
@@ -40,7 +40,8 @@ pub fn read(file: &[u8], dpi: f64) -> Vec<Read> {
         let stretch = Affine::scale_non_uniform(w / f64::from(wide), h / f64::from(high));
         let transform = stretch * page.initial_transform(true).to_kurbo();
         let (cache, settings) = (InterpreterCache::new(), InterpreterSettings::default());
-        let mut context = Context::new(transform, Rect::new(0.0, 0.0, w, h), &cache, page.xref(), settings);
+        let mut context =
+            Context::new(transform, Rect::new(0.0, 0.0, w, h), &cache, page.xref(), settings);
         let mut reader = Reader { read: Read { pixels, text: String::new() } };
         interpret_page(page, &mut context, &mut reader);
         all.push(reader.read);
@@ -59,7 +60,9 @@ fn path_of(path: &BezPath) -> Option<tiny_skia::Path> {
             PathEl::MoveTo(p) => b.move_to(p.x as f32, p.y as f32),
             PathEl::LineTo(p) => b.line_to(p.x as f32, p.y as f32),
             PathEl::QuadTo(p, q) => b.quad_to(p.x as f32, p.y as f32, q.x as f32, q.y as f32),
-            PathEl::CurveTo(p, q, r) => b.cubic_to(p.x as f32, p.y as f32, q.x as f32, q.y as f32, r.x as f32, r.y as f32),
+            PathEl::CurveTo(p, q, r) => {
+                b.cubic_to(p.x as f32, p.y as f32, q.x as f32, q.y as f32, r.x as f32, r.y as f32)
+            }
             PathEl::ClosePath => b.close(),
         }
     }
@@ -67,7 +70,13 @@ fn path_of(path: &BezPath) -> Option<tiny_skia::Path> {
 }
 
 impl Reader {
-    fn draw(&mut self, path: &BezPath, transform: Affine, paint: &Paint, stroke: Option<&StrokeProps>) {
+    fn draw(
+        &mut self,
+        path: &BezPath,
+        transform: Affine,
+        paint: &Paint,
+        stroke: Option<&StrokeProps>,
+    ) {
         let Paint::Color(colour) = paint else { panic!("figures have plain colours") };
         let [r, g, b, a] = colour.to_rgba().to_rgba8();
         let mut ink = tiny_skia::Paint::default();
@@ -76,13 +85,23 @@ impl Reader {
         let [a, b, c, d, e, f] = transform.as_coeffs().map(|v| v as f32);
         let place = tiny_skia::Transform::from_row(a, b, c, d, e, f);
         match stroke {
-            None => self.read.pixels.fill_path(&path, &ink, tiny_skia::FillRule::Winding, place, None),
+            None => {
+                self.read.pixels.fill_path(&path, &ink, tiny_skia::FillRule::Winding, place, None)
+            }
             Some(s) => {
                 let pen = tiny_skia::Stroke {
                     width: s.line_width,
                     miter_limit: s.miter_limit,
-                    line_cap: if s.line_cap == Cap::Round { tiny_skia::LineCap::Round } else { tiny_skia::LineCap::Butt },
-                    line_join: if s.line_join == Join::Round { tiny_skia::LineJoin::Round } else { tiny_skia::LineJoin::Miter },
+                    line_cap: if s.line_cap == Cap::Round {
+                        tiny_skia::LineCap::Round
+                    } else {
+                        tiny_skia::LineCap::Butt
+                    },
+                    line_join: if s.line_join == Join::Round {
+                        tiny_skia::LineJoin::Round
+                    } else {
+                        tiny_skia::LineJoin::Miter
+                    },
                     dash: tiny_skia::StrokeDash::new(s.dash_array.to_vec(), s.dash_offset),
                 };
                 self.read.pixels.stroke_path(&path, &ink, &pen, place, None);
@@ -92,14 +111,27 @@ impl Reader {
 }
 
 impl<'a> Device<'a> for Reader {
-    fn draw_path(&mut self, path: &BezPath, transform: Affine, paint: &Paint<'a>, mode: &PathDrawMode) {
+    fn draw_path(
+        &mut self,
+        path: &BezPath,
+        transform: Affine,
+        paint: &Paint<'a>,
+        mode: &PathDrawMode,
+    ) {
         match mode {
             PathDrawMode::Fill(_) => self.draw(path, transform, paint, None),
             PathDrawMode::Stroke(s) => self.draw(path, transform, paint, Some(s)),
         }
     }
 
-    fn draw_glyph(&mut self, glyph: &Glyph<'a>, transform: Affine, own: Affine, paint: &Paint<'a>, _: &GlyphDrawMode) {
+    fn draw_glyph(
+        &mut self,
+        glyph: &Glyph<'a>,
+        transform: Affine,
+        own: Affine,
+        paint: &Paint<'a>,
+        _: &GlyphDrawMode,
+    ) {
         match glyph.as_unicode() {
             Some(BfString::Char(c)) => self.read.text.push(c),
             Some(BfString::String(s)) => self.read.text.push_str(&s),
@@ -135,7 +167,11 @@ pub fn letters<'i>(items: impl IntoIterator<Item = &'i FigureItem>) -> String {
 /// An item drawn twice in one colour, such as `fill` and `stroke` of a circle, comes in two parts:
 /// compares the grey values of both pictures.
 fn greys(pixels: &tiny_skia::Pixmap) -> Vec<u8> {
-    pixels.pixels().iter().map(|p| ((u32::from(p.red()) + u32::from(p.green()) + u32::from(p.blue())) / 3) as u8).collect()
+    pixels
+        .pixels()
+        .iter()
+        .map(|p| ((u32::from(p.red()) + u32::from(p.green()) + u32::from(p.blue())) / 3) as u8)
+        .collect()
 }
 
 fn greys_of_png(bytes: &[u8]) -> (u32, u32, Vec<u8>) {
@@ -148,7 +184,12 @@ fn greys_of_png(bytes: &[u8]) -> (u32, u32, Vec<u8>) {
 fn sheet(name: &str, lang: Lang) -> Figure {
     let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
     let worked = work(&scene, Scope::Figure).unwrap().value;
-    hodograph::figure::sheet::sheet(&scene, &worked, &hodograph::figure::sheet::SheetOptions::of_language(lang)).unwrap()
+    hodograph::figure::sheet::sheet(
+        &scene,
+        &worked,
+        &hodograph::figure::sheet::SheetOptions::of_language(lang),
+    )
+    .unwrap()
 }
 
 /// Resolution at which pages and pictures are compared.
@@ -156,13 +197,22 @@ const DPI: f64 = 110.0;
 
 #[test]
 fn a_pdf_looks_as_the_svg_does_and_says_the_same() {
-    for (name, lang) in [("shaper", Lang::Zh), ("class-iii-six-bar", Lang::En), ("excavator", Lang::Zh), ("curved-slot", Lang::En)] {
+    for (name, lang) in [
+        ("shaper", Lang::Zh),
+        ("class-iii-six-bar", Lang::En),
+        ("excavator", Lang::Zh),
+        ("curved-slot", Lang::En),
+    ] {
         let mut figure = sheet(name, lang);
         // Whole pixels: the two programs round half of one differently.
         let whole = |mm: f64| (mm * DPI / 25.4).ceil() * 25.4 / DPI;
         (figure.width_mm, figure.height_mm) = (whole(figure.width_mm), whole(figure.height_mm));
         let file = pdf::pdf(std::slice::from_ref(&figure)).unwrap().value;
-        assert_eq!(file, pdf::pdf(std::slice::from_ref(&figure)).unwrap().value, "the same bytes twice");
+        assert_eq!(
+            file,
+            pdf::pdf(std::slice::from_ref(&figure)).unwrap().value,
+            "the same bytes twice"
+        );
         let [page] = &read(&file, DPI)[..] else { panic!("one page") };
         assert_eq!(page.text, letters(&figure.items), "{name}");
         let picture = raster::render(&svg::write(&figure).unwrap().value, DPI).unwrap();
@@ -170,12 +220,18 @@ fn a_pdf_looks_as_the_svg_does_and_says_the_same() {
         assert_eq!((page.pixels.width(), page.pixels.height()), (w, h), "{name}");
         let actual = greys(&page.pixels);
         let off: Vec<u8> = expected.iter().zip(&actual).map(|(a, b)| a.abs_diff(*b)).collect();
-        let (mean, worst) = (off.iter().map(|d| f64::from(*d)).sum::<f64>() / off.len() as f64, off.iter().max().unwrap());
+        let (mean, worst) = (
+            off.iter().map(|d| f64::from(*d)).sum::<f64>() / off.len() as f64,
+            off.iter().max().unwrap(),
+        );
         let far = off.iter().filter(|d| **d > 64).count();
         println!("{name}: mean {mean:.3} of 255, worst {worst}, {far} pixels off by more than 64");
         // Letters are outlines of 1/1000 em in one and of the font's own units in the other; a
         // missing arrowhead is 56 pixels.
-        assert!(mean < 0.05 && far < 10, "{name}: mean {mean:.3}, {far} pixels off by more than 64, worst {worst}");
+        assert!(
+            mean < 0.05 && far < 10,
+            "{name}: mean {mean:.3}, {far} pixels off by more than 64, worst {worst}"
+        );
     }
 }
 
@@ -217,17 +273,34 @@ fn documents_meet_pdf_ua() {
     for (name, lang) in [("shaper", Lang::Zh), ("planetary-gear", Lang::En)] {
         let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
-        let document = worksheet::worksheet(&scene, &worked, &worksheet::WorksheetOptions::of_language(lang));
-        let file = pdf::document(&worksheet::pages::pages(&document), &document.title, words(lang).tag).unwrap();
+        let document =
+            worksheet::worksheet(&scene, &worked, &worksheet::WorksheetOptions::of_language(lang));
+        let file =
+            pdf::document(&worksheet::pages::pages(&document), &document.title, words(lang).tag)
+                .unwrap();
         assert!(file.notes.is_empty(), "{name}: {:?}", file.notes);
         let file = file.value;
-        for (key, least) in [("<pdfuaid:part>1<", 1), ("/DisplayDocTitle true", 1), ("/Marked true", 1), ("/S/Table/", 2), ("/S/L/", 4)] {
-            assert!(count(&file, key) >= least, "{name}: {key} is there {} times, not {least}", count(&file, key));
+        for (key, least) in [
+            ("<pdfuaid:part>1<", 1),
+            ("/DisplayDocTitle true", 1),
+            ("/Marked true", 1),
+            ("/S/Table/", 2),
+            ("/S/L/", 4),
+        ] {
+            assert!(
+                count(&file, key) >= least,
+                "{name}: {key} is there {} times, not {least}",
+                count(&file, key)
+            );
         }
         assert_eq!(count(&file, "/Suspects"), 0, "{name}: Poppler warns of it");
         assert_eq!(count(&file, "/S/TH/"), count(&file, "/Scope/"), "{name}: heads without scope");
         assert_eq!(count(&file, "/S/LI/"), count(&file, "/S/LBody/"), "{name}");
-        let cells: usize = document.blocks.iter().map(|b| if let DocumentBlock::Table(t) = b { places(t) } else { 0 }).sum();
+        let cells: usize = document
+            .blocks
+            .iter()
+            .map(|b| if let DocumentBlock::Table(t) = b { places(t) } else { 0 })
+            .sum();
         let found = count(&file, "/S/TH/") + count(&file, "/S/TD/");
         assert!(cells > 0 && found >= cells, "{name}: {found} cells of {cells}");
     }

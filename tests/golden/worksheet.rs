@@ -14,7 +14,10 @@ use hodograph::render::pages::{Kind, Page};
 use hodograph::render::pdf;
 use hodograph::scene::{self, DiagramKind, GuideDirection, GuidePath, Lang, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
-use hodograph::worksheet::{Document, DocumentBlock, WorksheetOptions, WorksheetSides, html, markdown, pages, typst, worksheet};
+use hodograph::worksheet::{
+    Document, DocumentBlock, WorksheetOptions, WorksheetSides, html, markdown, pages, typst,
+    worksheet,
+};
 
 pub fn worked(name: &str) -> (Scene, Worked) {
     let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
@@ -47,8 +50,16 @@ fn worksheets_read_as_accepted() {
             let d = document(&scene, &worked, lang, WorksheetSides::Both);
             let file = |ending: &str| golden(name, &format!("worksheet.{suffix}.{ending}"));
             check_text(&file("md"), &markdown::markdown(&d, name).unwrap().0, &mut failures);
-            check_text(&file("typ"), &without(&typst::typst(&d, name).unwrap().0, ", width: ", "mm"), &mut failures);
-            check_text(&file("html"), &without(&without(&html::html(&d).unwrap(), "<svg", "</svg>"), "base64,", ")"), &mut failures);
+            check_text(
+                &file("typ"),
+                &without(&typst::typst(&d, name).unwrap().0, ", width: ", "mm"),
+                &mut failures,
+            );
+            check_text(
+                &file("html"),
+                &without(&without(&html::html(&d).unwrap(), "<svg", "</svg>"), "base64,", ")"),
+                &mut failures,
+            );
         }
     }
     finish(&failures);
@@ -95,9 +106,18 @@ fn the_problem_side_tells_no_answer() {
                     // At least three digits, and not those of a given quantity: a length of 150 mm
                     // does not give away a direction.
                     let Some((digits, _)) = number.text_scaled(4, 0) else { continue };
-                    let digits = digits.trim_start_matches('-').trim_end_matches('0').trim_end_matches('.').to_owned();
-                    let enough =
-                        digits.trim_start_matches(['0', '.']).chars().filter(char::is_ascii_digit).count() >= 3 && !given.contains(&digits);
+                    let digits = digits
+                        .trim_start_matches('-')
+                        .trim_end_matches('0')
+                        .trim_end_matches('.')
+                        .to_owned();
+                    let enough = digits
+                        .trim_start_matches(['0', '.'])
+                        .chars()
+                        .filter(char::is_ascii_digit)
+                        .count()
+                        >= 3
+                        && !given.contains(&digits);
                     assert!(
                         !enough || !text.contains(&digits),
                         "{} {suffix}: {} ({part:?}) = {digits} is told",
@@ -106,10 +126,19 @@ fn the_problem_side_tells_no_answer() {
                     );
                 }
             }
-            let figures: Vec<_> =
-                d.blocks.iter().filter_map(|b| if let DocumentBlock::Figure { figure, .. } = b { Some(figure) } else { None }).collect();
+            let figures: Vec<_> = d
+                .blocks
+                .iter()
+                .filter_map(|b| {
+                    if let DocumentBlock::Figure { figure, .. } = b { Some(figure) } else { None }
+                })
+                .collect();
             assert_eq!(figures.len(), 1, "{}", t.name);
-            assert!(figures[0].items.iter().all(|i| !i.class.contains("special")), "{}: the special point is found by the solver", t.name);
+            assert!(
+                figures[0].items.iter().all(|i| !i.class.contains("special")),
+                "{}: the special point is found by the solver",
+                t.name
+            );
             assert!(text.contains(if lang == Lang::En { "## Wanted" } else { "## 求" }));
             assert!(!text.contains(if lang == Lang::En { "## Solution" } else { "## 解" }));
         }
@@ -131,7 +160,12 @@ fn the_solution_has_every_answer_and_both_polygons() {
                 (worked.construction.polygon(DiagramKind::Acceleration), "acceleration"),
             ] {
                 let name = format!("{}-{word}.svg", t.name);
-                assert_eq!(polygon.is_some() && !by_centres, beside.iter().any(|f| f.name == name), "{} {word}", t.name);
+                assert_eq!(
+                    polygon.is_some() && !by_centres,
+                    beside.iter().any(|f| f.name == name),
+                    "{} {word}",
+                    t.name
+                );
             }
             // Every written file is named, and vice versa.
             assert_eq!(text.matches("](<").count(), beside.len());
@@ -145,7 +179,10 @@ fn the_solution_has_every_answer_and_both_polygons() {
 fn label_boxes(page: &Page) -> Vec<(&FigureItem, Rect)> {
     let text = |k: &Kind| !matches!(k, Kind::Figure(_));
     let items = page.parts.iter().filter(|p| text(&p.kind)).flat_map(|p| &p.items);
-    items.filter(|i| matches!(i.shape, Shape::Label { .. })).filter_map(|i| Some((i, i.bounds()?))).collect()
+    items
+        .filter(|i| matches!(i.shape, Shape::Label { .. }))
+        .filter_map(|i| Some((i, i.bounds()?)))
+        .collect()
 }
 
 /// The faults of a page, one per line.
@@ -153,28 +190,39 @@ pub fn faults_of(page: &Page, at: &str) -> Vec<String> {
     let mut faults = Vec::new();
     let all = bounds(&page.parts.iter().flat_map(|p| p.items.clone()).collect::<Vec<_>>()).unwrap();
     // A printer cannot reach the outer 8 mm.
-    if all.min.x < 8.0 - 1e-6 || all.min.y < 8.0 - 1e-6 || all.max.x > page.width_mm - 8.0 + 1e-6 || all.max.y > page.height_mm - 8.0 + 1e-6
+    if all.min.x < 8.0 - 1e-6
+        || all.min.y < 8.0 - 1e-6
+        || all.max.x > page.width_mm - 8.0 + 1e-6
+        || all.max.y > page.height_mm - 8.0 + 1e-6
     {
         faults.push(format!("{at}: ink at {all:?}"));
     }
     let common = |r: &Rect, s: &Rect| {
-        let (w, h) = (r.max.x.min(s.max.x) - r.min.x.max(s.min.x), r.max.y.min(s.max.y) - r.min.y.max(s.min.y));
+        let (w, h) = (
+            r.max.x.min(s.max.x) - r.min.x.max(s.min.x),
+            r.max.y.min(s.max.y) - r.min.y.max(s.min.y),
+        );
         w > 0.05 && h > 0.05
     };
     // The sign of a root encloses its row.
-    let root = |i: &FigureItem| matches!(&i.shape, Shape::Label { label, .. } if label.plain() == "√");
+    let root =
+        |i: &FigureItem| matches!(&i.shape, Shape::Label { label, .. } if label.plain() == "√");
     let labels = label_boxes(page);
     for (k, (a, r)) in labels.iter().enumerate() {
         for (b, s) in &labels[k + 1..] {
             if common(r, s) && !root(a) && !root(b) {
-                faults.push(format!("{at}: {:?} on {:?}", a.shape, b.shape).chars().take(300).collect());
+                faults.push(
+                    format!("{at}: {:?} on {:?}", a.shape, b.shape).chars().take(300).collect(),
+                );
             }
         }
     }
     for part in page.parts.iter().filter(|p| matches!(p.kind, Kind::Figure(_))) {
         let Some(figure) = bounds(&part.items) else { continue };
         let inside = labels.iter().filter(|(_, r)| common(r, &figure));
-        faults.extend(inside.map(|(_, r)| format!("{at}: text at {r:?} in the drawing at {figure:?}")));
+        faults.extend(
+            inside.map(|(_, r)| format!("{at}: text at {r:?} in the drawing at {figure:?}")),
+        );
     }
     let last = page.parts.iter().rev().find(|p| p.kind != Kind::Artifact);
     if last.is_some_and(|p| matches!(p.kind, Kind::Heading { .. })) {
@@ -188,7 +236,9 @@ pub fn faults_of(page: &Page, at: &str) -> Vec<String> {
 fn nothing_overlaps_and_nothing_is_cut_on_any_page() {
     let mut faults = Vec::new();
     let mut check = |name: &str, scene: &Scene, worked: &Worked, lang: Lang| {
-        for (n, page) in pages::pages(&document(scene, worked, lang, WorksheetSides::Both)).iter().enumerate() {
+        for (n, page) in
+            pages::pages(&document(scene, worked, lang, WorksheetSides::Both)).iter().enumerate()
+        {
             faults.extend(faults_of(page, &format!("{name} {lang:?} page {}", n + 1)));
         }
     };
@@ -197,17 +247,22 @@ fn nothing_overlaps_and_nothing_is_cut_on_any_page() {
         LANGS.iter().for_each(|(lang, _)| check(t.name, &scene, &worked, *lang));
     }
     let mut cases = 0;
-    let mut files: Vec<_> =
-        std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cases")).unwrap().map(|file| file.unwrap().path()).collect();
+    let mut files: Vec<_> = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cases"))
+        .unwrap()
+        .map(|file| file.unwrap().path())
+        .collect();
     files.sort();
     for path in files.iter().step_by(every(8)) {
-        let case: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+        let case: serde_json::Value =
+            serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
         let name = path.file_stem().unwrap().to_string_lossy();
         // A case that only counts has no solution.
         if case["expect"].as_array().unwrap().iter().all(|e| e["find"].is_null()) {
             continue;
         }
-        let scene = scene::read(case["scene"].to_string().as_bytes()).unwrap_or_else(|f| panic!("{name}: {f}")).value;
+        let scene = scene::read(case["scene"].to_string().as_bytes())
+            .unwrap_or_else(|f| panic!("{name}: {f}"))
+            .value;
         let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{name}: {f}")).value;
         check(&name, &scene, &worked, Lang::En);
         cases += 1;
@@ -224,12 +279,13 @@ fn no_page_is_wasted() {
     for t in templates::list().iter().step_by(every(8)) {
         let (scene, worked) = worked(t.name);
         for (lang, suffix) in LANGS {
-            let [problem, both] =
-                [WorksheetSides::Problem, WorksheetSides::Both].map(|sides| pages::pages(&document(&scene, &worked, lang, sides)).len());
+            let [problem, both] = [WorksheetSides::Problem, WorksheetSides::Both]
+                .map(|sides| pages::pages(&document(&scene, &worked, lang, sides)).len());
             println!("{} {suffix}: {problem} of {both} pages", t.name);
             // Twelve links take one more page, a group of class IV with its trial and its forces
             // two.
-            let higher = worked.mechanism.groups.iter().any(|g| matches!(g.core, Core::Higher)) && worked.equilibrium.is_some();
+            let higher = worked.mechanism.groups.iter().any(|g| matches!(g.core, Core::Higher))
+                && worked.equilibrium.is_some();
             let most = 6 + usize::from(scene.links.len() > 7) + if higher { 2 } else { 0 };
             if problem > 1 || both > most {
                 long.push(format!("{} {suffix}: {problem} of {both} pages", t.name));
@@ -247,10 +303,18 @@ fn formulas_stand_beside_their_tables() {
     let sheets = pages::pages(&document(&scene, &worked, Lang::En, WorksheetSides::Both));
     let mut beside = 0;
     for page in &sheets {
-        let formulas: Vec<Rect> =
-            page.parts.iter().filter(|p| matches!(p.kind, Kind::Formula(_))).filter_map(|p| bounds(&p.items)).collect();
+        let formulas: Vec<Rect> = page
+            .parts
+            .iter()
+            .filter(|p| matches!(p.kind, Kind::Formula(_)))
+            .filter_map(|p| bounds(&p.items))
+            .collect();
         for pair in formulas.windows(2) {
-            beside += usize::from(pair[1].min.x > pair[0].max.x && pair[1].min.y > pair[0].min.y && pair[1].max.y < pair[0].max.y);
+            beside += usize::from(
+                pair[1].min.x > pair[0].max.x
+                    && pair[1].min.y > pair[0].min.y
+                    && pair[1].max.y < pair[0].max.y,
+            );
         }
     }
     assert_eq!(beside, 4, "one for each equation");
@@ -262,7 +326,9 @@ fn formulas_stand_beside_their_tables() {
 fn places_are_told_in_words() {
     let told = |name: &str, lang| {
         let (scene, worked) = worked(name);
-        markdown::markdown(&document(&scene, &worked, lang, WorksheetSides::Problem), "x").unwrap().0
+        markdown::markdown(&document(&scene, &worked, lang, WorksheetSides::Problem), "x")
+            .unwrap()
+            .0
     };
     let pantograph = told("pantograph", Lang::En);
     assert!(pantograph.contains("from $O$ toward $B$; $D$ is"), "{pantograph}");
@@ -275,7 +341,8 @@ fn places_are_told_in_words() {
 #[test]
 fn pdf_pages_carry_their_text() {
     let (scene, worked) = worked("slotted-lever");
-    for (lang, word) in [(Lang::En, "Degree of freedom and groups"), (Lang::Zh, "自由度与杆组")] {
+    for (lang, word) in [(Lang::En, "Degree of freedom and groups"), (Lang::Zh, "自由度与杆组")]
+    {
         let d = document(&scene, &worked, lang, WorksheetSides::Both);
         let sheets = pages::pages(&d);
         let file = pdf::document(&sheets, &d.title, "en").unwrap().value;
@@ -295,18 +362,29 @@ fn html_is_well_formed_and_fetches_nothing() {
         let (scene, worked) = worked(t.name);
         for (lang, suffix) in LANGS {
             let text = html::html(&document(&scene, &worked, lang, WorksheetSides::Both)).unwrap();
-            let options = roxmltree::ParsingOptions { allow_dtd: true, ..roxmltree::ParsingOptions::default() };
-            let tree = roxmltree::Document::parse_with_options(&text, options).unwrap_or_else(|e| panic!("{} {suffix}: {e}", t.name));
-            let count = |name: &str| tree.descendants().filter(|n| n.tag_name().name() == name).count();
+            let options = roxmltree::ParsingOptions {
+                allow_dtd: true,
+                ..roxmltree::ParsingOptions::default()
+            };
+            let tree = roxmltree::Document::parse_with_options(&text, options)
+                .unwrap_or_else(|e| panic!("{} {suffix}: {e}", t.name));
+            let count =
+                |name: &str| tree.descendants().filter(|n| n.tag_name().name() == name).count();
             assert!(count("math") > 20 && count("svg") >= 1, "{} {suffix}", t.name);
             for (parent, children) in [("mfrac", 2), ("msub", 2), ("msup", 2), ("msubsup", 3)] {
                 for n in tree.descendants().filter(|n| n.tag_name().name() == parent) {
-                    assert_eq!(n.children().filter(|c| c.is_element()).count(), children, "{} {suffix}: {parent}", t.name);
+                    assert_eq!(
+                        n.children().filter(|c| c.is_element()).count(),
+                        children,
+                        "{} {suffix}: {parent}",
+                        t.name
+                    );
                 }
             }
             for n in tree.descendants() {
                 assert!(
-                    n.attributes().all(|a| !matches!(a.name(), "src" | "href") || a.value().starts_with('#')),
+                    n.attributes()
+                        .all(|a| !matches!(a.name(), "src" | "href") || a.value().starts_with('#')),
                     "{} {suffix}: fetches something",
                     t.name
                 );
@@ -331,14 +409,22 @@ fn typst_reads_the_source() {
         let (scene, worked) = worked(t.name);
         for (lang, suffix) in LANGS {
             let folder = tempfile::tempdir().unwrap();
-            let (text, beside) = typst::typst(&document(&scene, &worked, lang, WorksheetSides::Both), t.name).unwrap();
+            let (text, beside) =
+                typst::typst(&document(&scene, &worked, lang, WorksheetSides::Both), t.name)
+                    .unwrap();
             for f in beside {
                 std::fs::write(folder.path().join(f.name), f.text).unwrap();
             }
             let source = folder.path().join("sheet.typ");
             std::fs::write(&source, text).unwrap();
-            let run = std::process::Command::new("typst").arg("compile").arg(&source).output().unwrap();
-            assert!(run.status.success(), "{} {suffix}: {}", t.name, String::from_utf8_lossy(&run.stderr));
+            let run =
+                std::process::Command::new("typst").arg("compile").arg(&source).output().unwrap();
+            assert!(
+                run.status.success(),
+                "{} {suffix}: {}",
+                t.name,
+                String::from_utf8_lossy(&run.stderr)
+            );
         }
     }
 }

@@ -106,8 +106,11 @@ pub fn of(ink: &Ink) -> Faults {
 /// Distance between the places that one label names, unless they are one place.
 fn spread(ink: &Ink, label: &Text) -> Option<f64> {
     let kind = label.id.split('-').next()?;
-    let place = |name: &str| ink.marks.iter().find(|m| m.0 == format!("{kind}-mark-image-{name}")).map(|m| m.1);
-    let places: Vec<P> = label.text.split(", ").filter_map(|letter| place(&point_of(letter)?)).collect();
+    let place = |name: &str| {
+        ink.marks.iter().find(|m| m.0 == format!("{kind}-mark-image-{name}")).map(|m| m.1)
+    };
+    let places: Vec<P> =
+        label.text.split(", ").filter_map(|letter| place(&point_of(letter)?)).collect();
     let first = *places.first()?;
     let wide = places.iter().map(|p| (p[0] - first[0]).hypot(p[1] - first[1])).fold(0.0, f64::max);
     // Numbers of the file are rounded to a thousandth of a millimetre.
@@ -127,11 +130,20 @@ fn has(class: &str, word: &str) -> bool {
 
 fn hatchings(ink: &Ink, f: &mut Faults) {
     let hatches: Vec<&Line> = ink.lines.iter().filter(|l| has(&l.class, "hatch")).collect();
-    let crossed = |h: &Line, pieces: &[(P, P)]| h.pieces.iter().any(|a| pieces.iter().any(|b| cross(*a, *b)));
+    let crossed =
+        |h: &Line, pieces: &[(P, P)]| h.pieces.iter().any(|a| pieces.iter().any(|b| cross(*a, *b)));
     for line in &ink.lines {
         let kind = match line {
-            l if has(&l.class, "leader") || has(&l.class, "angle") && !has(&l.class, "reference") => 9,
-            l if has(&l.class, "rotation") || has(&l.class, "driver") && !has(&l.class, "reference") => 2,
+            l if has(&l.class, "leader")
+                || has(&l.class, "angle") && !has(&l.class, "reference") =>
+            {
+                9
+            }
+            l if has(&l.class, "rotation")
+                || has(&l.class, "driver") && !has(&l.class, "reference") =>
+            {
+                2
+            }
             _ => continue,
         };
         // The ground's number may point to the hatching, but not through it.
@@ -151,8 +163,13 @@ fn hatchings(ink: &Ink, f: &mut Faults) {
 
 /// Leader lines may cross lines, but neither arcs nor texts.
 fn leaders(ink: &Ink, f: &mut Faults) {
-    let arcs: Vec<&Line> =
-        ink.lines.iter().filter(|l| has(&l.class, "rotation") || has(&l.class, "angle") && !has(&l.class, "reference")).collect();
+    let arcs: Vec<&Line> = ink
+        .lines
+        .iter()
+        .filter(|l| {
+            has(&l.class, "rotation") || has(&l.class, "angle") && !has(&l.class, "reference")
+        })
+        .collect();
     for leader in ink.lines.iter().filter(|l| has(&l.class, "leader")) {
         f.leaders += 1;
         let way = way(leader);
@@ -197,24 +214,55 @@ fn nearest(ink: &Ink, f: &mut Faults) {
         if kind == "mechanism" {
             continue;
         }
-        let shafts = |l: &&Line| l.width_mm >= THICK_MM && l.id.starts_with(kind) && (has(&l.class, "edge") || has(&l.class, "absolute"));
+        let shafts = |l: &&Line| {
+            l.width_mm >= THICK_MM
+                && l.id.starts_with(kind)
+                && (has(&l.class, "edge") || has(&l.class, "absolute"))
+        };
         let shafts: Vec<&Line> = ink.lines.iter().filter(shafts).collect();
         let inset = has(&text.class, "inset");
-        let own = [format!("{kind}-{name}"), format!("{kind}-inset-{}", name.trim_start_matches("inset-"))];
-        if let Some(own) = shafts.iter().find(|l| own.contains(&l.id) && has(&l.class, "inset") == inset) {
+        let own = [
+            format!("{kind}-{name}"),
+            format!("{kind}-inset-{}", name.trim_start_matches("inset-")),
+        ];
+        if let Some(own) =
+            shafts.iter().find(|l| own.contains(&l.id) && has(&l.class, "inset") == inset)
+        {
             // The head is part of the vector.
-            let mine = ink.lines.iter().filter(|l| l.id == own.id).map(|l| apart(text, l)).fold(f64::INFINITY, f64::min);
+            let mine = ink
+                .lines
+                .iter()
+                .filter(|l| l.id == own.id)
+                .map(|l| apart(text, l))
+                .fold(f64::INFINITY, f64::min);
             for other in shafts.iter().filter(|l| l.id != own.id && !along(own, l)) {
                 let theirs = apart(text, other);
                 if theirs < mine - NEARER_MM {
-                    f.note(5, format!("{} nearer to {} ({theirs:.2} mm, {mine:.2} to its own)", text.id, other.id));
+                    f.note(
+                        5,
+                        format!(
+                            "{} nearer to {} ({theirs:.2} mm, {mine:.2} to its own)",
+                            text.id, other.id
+                        ),
+                    );
                 }
             }
-        } else if !inset && let Some((_, at)) = ink.marks.iter().find(|m| m.0 == format!("{kind}-{name}")) {
+        } else if !inset
+            && let Some((_, at)) = ink.marks.iter().find(|m| m.0 == format!("{kind}-{name}"))
+        {
             let mine = off(text.ink, *at);
-            let nearer = |m: &&(String, P)| m.0.starts_with(kind) && off(text.ink, m.1) < mine - NEARER_MM;
+            let nearer =
+                |m: &&(String, P)| m.0.starts_with(kind) && off(text.ink, m.1) < mine - NEARER_MM;
             for m in ink.marks.iter().filter(nearer) {
-                f.note(6, format!("{} nearer to {} ({:.2} mm, {mine:.2} to its own)", text.id, m.0, off(text.ink, m.1)));
+                f.note(
+                    6,
+                    format!(
+                        "{} nearer to {} ({:.2} mm, {mine:.2} to its own)",
+                        text.id,
+                        m.0,
+                        off(text.ink, m.1)
+                    ),
+                );
             }
         }
     }
@@ -223,7 +271,9 @@ fn nearest(ink: &Ink, f: &mut Faults) {
 /// True if one vector covers the other: no side then belongs to one of them.
 fn along(a: &Line, b: &Line) -> bool {
     let ends = |l: &Line| [l.pieces[0].0, l.pieces[l.pieces.len() - 1].1];
-    let covers = |s: &Line, l: &Line| ends(l).iter().all(|p| s.pieces.iter().any(|q| to_piece(*p, *q) < 0.35));
+    let covers = |s: &Line, l: &Line| {
+        ends(l).iter().all(|p| s.pieces.iter().any(|q| to_piece(*p, *q) < 0.35))
+    };
     covers(a, b) || covers(b, a)
 }
 
@@ -253,7 +303,11 @@ fn box_to_piece(b: Box4, piece: (P, P)) -> f64 {
 fn to_piece(p: P, (a, b): (P, P)) -> f64 {
     let d = [b[0] - a[0], b[1] - a[1]];
     let n = d[0] * d[0] + d[1] * d[1];
-    let t = if n > 0.0 { (((p[0] - a[0]) * d[0] + (p[1] - a[1]) * d[1]) / n).clamp(0.0, 1.0) } else { 0.0 };
+    let t = if n > 0.0 {
+        (((p[0] - a[0]) * d[0] + (p[1] - a[1]) * d[1]) / n).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
     (a[0] + d[0] * t - p[0]).hypot(a[1] + d[1] * t - p[1])
 }
 

@@ -41,19 +41,37 @@ fn poses(scene: &Scene, template: usize) -> Vec<Scene> {
 #[test]
 fn what_belongs_to_what_is_seen() {
     let only = std::env::var("HODOGRAPH_ONLY").unwrap_or_default();
-    let looks: &[(Lang, &str)] = &[(Lang::En, "print"), (Lang::Zh, "slides"), (Lang::En, "dark"), (Lang::Zh, "print")];
+    let looks: &[(Lang, &str)] =
+        &[(Lang::En, "print"), (Lang::Zh, "slides"), (Lang::En, "dark"), (Lang::Zh, "print")];
     let (mut total, mut told, mut sheets) = (Faults::default(), Vec::new(), 0);
-    for (t, template) in templates::list().iter().enumerate().filter(|(_, t)| only.is_empty() || only.split(',').any(|o| o == t.name)) {
+    for (t, template) in templates::list()
+        .iter()
+        .enumerate()
+        .filter(|(_, t)| only.is_empty() || only.split(',').any(|o| o == t.name))
+    {
         let scene = scene::read(templates::get(template.name).unwrap()).unwrap().value;
         for (k, pose) in poses(&scene, t).iter().enumerate() {
             let Ok(worked) = work(pose, Scope::Figure) else { continue };
-            for (lang, style) in looks.iter().enumerate().filter(|(l, _)| all() || (k + t) % 2 == *l).map(|(_, l)| *l) {
-                let options = SheetOptions { style: Style::named(style).unwrap(), ..SheetOptions::of_language(lang) };
+            for (lang, style) in looks
+                .iter()
+                .enumerate()
+                .filter(|(l, _)| all() || (k + t) % 2 == *l)
+                .map(|(_, l)| *l)
+            {
+                let options = SheetOptions {
+                    style: Style::named(style).unwrap(),
+                    ..SheetOptions::of_language(lang)
+                };
                 let figure = sheet(pose, &worked.value, &options).unwrap();
                 let found = faults::of(&read::read(&svg::write(&figure).unwrap().value));
                 sheets += 1;
                 let angle = driver_position(pose, 0).unwrap_or_default().to_degrees();
-                told.extend(found.list.iter().map(|f| format!("{} at {angle:.1} {lang:?} {style}: {f}", template.name)));
+                told.extend(
+                    found
+                        .list
+                        .iter()
+                        .map(|f| format!("{} at {angle:.1} {lang:?} {style}: {f}", template.name)),
+                );
                 total.add(found);
             }
         }

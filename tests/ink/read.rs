@@ -72,7 +72,12 @@ fn group(g: &Group, told: &Told, named: &str, ink: &mut Ink) {
         let b = g.abs_bounding_box();
         let mm = |v: f32| f64::from(v) / PX_PER_MM;
         let ink_box = Box4 { lo: [mm(b.left()), mm(b.top())], hi: [mm(b.right()), mm(b.bottom())] };
-        ink.texts.push(Text { id: named.into(), class: class.clone(), text: text.clone(), ink: ink_box });
+        ink.texts.push(Text {
+            id: named.into(),
+            class: class.clone(),
+            text: text.clone(),
+            ink: ink_box,
+        });
         return;
     }
     for child in g.children() {
@@ -122,5 +127,7 @@ fn line(path: &Path, told: &Told, named: &str) -> Line {
 
 fn bezier([a, b, c, d]: [P; 4], t: f64) -> P {
     let s = 1.0 - t;
-    [0, 1].map(|k| s * s * s * a[k] + 3.0 * s * s * t * b[k] + 3.0 * s * t * t * c[k] + t * t * t * d[k])
+    [0, 1].map(|k| {
+        s * s * s * a[k] + 3.0 * s * s * t * b[k] + 3.0 * s * t * t * c[k] + t * t * t * d[k]
+    })
 }

@@ -174,7 +174,8 @@ fn links_and_pairs_are_counted_as_books_count_them() {
         let told: Json = mobility::json(&scene, &survey, &checked);
         let of = |key: &str| told[key].as_i64().unwrap_or(-99);
         let counts = |key: &str| told["counts"][key].as_i64().unwrap_or(-99);
-        let found = [counts("n"), counts("p_l"), counts("p_h"), of("F_local"), of("p_virtual"), of("F")];
+        let found =
+            [counts("n"), counts("p_l"), counts("p_h"), of("F_local"), of("p_virtual"), of("F")];
         if found != b.counts || told["F_if_virtual"].as_i64() != b.if_virtual {
             faults.push(format!(
                 "{}: n p_l p_h F' p' F = {found:?}, {:?}; expected {:?}\n{}",
@@ -189,7 +190,12 @@ fn links_and_pairs_are_counted_as_books_count_them() {
             let document = mobility_of_pairs(&scene, &WorksheetOptions::of_language(lang));
             let (text, beside) = markdown::markdown(&document, "count").unwrap();
             assert!(beside.is_empty(), "{}", b.name);
-            assert!(text.contains(&format!("={}", b.counts[5])) || text.contains(&format!("= {}", b.counts[5])), "{}: {text}", b.name);
+            assert!(
+                text.contains(&format!("={}", b.counts[5]))
+                    || text.contains(&format!("= {}", b.counts[5])),
+                "{}: {text}",
+                b.name
+            );
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n\n"));

@@ -30,7 +30,9 @@ fn problems(file: &str) -> Vec<Json> {
 #[test]
 fn the_readme_counts_the_problems() {
     let counts = ["motion", "centres", "mobility"].map(|file| problems(file).len());
-    let read = |path: &str| std::fs::read_to_string(format!("{}/{path}", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let read = |path: &str| {
+        std::fs::read_to_string(format!("{}/{path}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+    };
     let all = format!("{} further problems", counts.iter().sum::<usize>());
     assert!(read("README.md").contains(&all), "README.md should say: {all}");
     let [motion, centres, mobility] = counts;
@@ -70,8 +72,9 @@ fn motions_of_further_problems() {
     let (mut faults, mut answers) = (Vec::new(), 0);
     for problem in problems("motion") {
         let id = name(&problem);
-        let solved = scene::read(problem["scene"].to_string())
-            .and_then(|read| work(&read.value, Scope::Questions).map(|worked| (read.value, worked.value)));
+        let solved = scene::read(problem["scene"].to_string()).and_then(|read| {
+            work(&read.value, Scope::Questions).map(|worked| (read.value, worked.value))
+        });
         let (scene, worked) = match solved {
             Ok(solved) => solved,
             Err(f) => {
@@ -91,11 +94,14 @@ fn motions_of_further_problems() {
                 let Some(value) = value else { continue };
                 // A value of zero is judged by the largest answer of its kind.
                 let kind = scene.find[r.find].what.kind();
-                let others = worked.results.iter().filter(|o| scene.find[o.find].what.kind() == kind);
+                let others =
+                    worked.results.iter().filter(|o| scene.find[o.find].what.kind() == kind);
                 let largest = others.map(|o| size(o.computed)).fold(0.0, f64::max);
                 match miss(kind, value, expected) {
                     Some([off, size]) if off <= ALLOWED * size.max(largest * 1e-3) + 1e-15 => {}
-                    off => faults.push(format!("{id}: {find} by {way} is {value:?}, expected {expected}: {off:?}")),
+                    off => faults.push(format!(
+                        "{id}: {find} by {way} is {value:?}, expected {expected}: {off:?}"
+                    )),
                 }
             }
         }
@@ -110,7 +116,8 @@ fn centres_of_further_problems() {
     let mut faults = Vec::new();
     for problem in problems("centres") {
         let id = name(&problem);
-        let scene = scene::read(problem["scene"].to_string()).unwrap_or_else(|f| panic!("{id}: {f}")).value;
+        let scene =
+            scene::read(problem["scene"].to_string()).unwrap_or_else(|f| panic!("{id}: {f}")).value;
         let found = centres(&scene).unwrap_or_else(|f| panic!("{id}: {f}")).value;
         let extent = found.worked.configuration.extent();
         for (pair, expected) in problem["expect"].as_object().unwrap() {
@@ -118,11 +125,15 @@ fn centres_of_further_problems() {
                 assert_eq!(found.list.len() as i64, expected.as_i64().unwrap(), "{id}");
                 continue;
             }
-            let place = found.list.iter().find(|c| c.step.pair.name(&scene) == *pair).and_then(|c| c.place);
+            let place =
+                found.list.iter().find(|c| c.step.pair.name(&scene) == *pair).and_then(|c| c.place);
             let off = match place {
-                Some(CentrePlace::At(p)) => miss(Kind::Length, AnswerValue::Point(p), expected).map(|[off, size]| off / size.max(extent)),
+                Some(CentrePlace::At(p)) => miss(Kind::Length, AnswerValue::Point(p), expected)
+                    .map(|[off, size]| off / size.max(extent)),
                 // A direction without a sense.
-                Some(CentrePlace::Infinity(u)) => expected["inf_deg"].as_f64().map(|e| (u.angle() - e.to_radians()).sin().abs()),
+                Some(CentrePlace::Infinity(u)) => {
+                    expected["inf_deg"].as_f64().map(|e| (u.angle() - e.to_radians()).sin().abs())
+                }
                 None => None,
             };
             if off.is_none_or(|off| off.is_nan() || off > ALLOWED) {
@@ -138,7 +149,9 @@ fn mobility_of_further_problems() {
     let mut faults = Vec::new();
     for problem in problems("mobility") {
         let id = name(&problem);
-        let scene = scene::read_topology(problem["scene"].to_string()).unwrap_or_else(|f| panic!("{id}: {f}")).value;
+        let scene = scene::read_topology(problem["scene"].to_string())
+            .unwrap_or_else(|f| panic!("{id}: {f}"))
+            .value;
         let (survey, checked) = mobility::surveyed(&scene);
         let told = mobility::json(&scene, &survey, &checked);
         for (count, expected) in problem["expect"].as_object().unwrap() {
@@ -166,7 +179,10 @@ fn shuffled(scene: &Json, seed: usize) -> Json {
     let mut scene = scene.clone();
     let order = |n: usize| -> Vec<usize> {
         // A step coprime to the length, and another start.
-        let step = (1..n.max(2)).filter(|s| (2..=*s).all(|d| s % d > 0 || !n.is_multiple_of(d))).nth_back(seed % 2).unwrap_or(1);
+        let step = (1..n.max(2))
+            .filter(|s| (2..=*s).all(|d| s % d > 0 || !n.is_multiple_of(d)))
+            .nth_back(seed % 2)
+            .unwrap_or(1);
         (0..n).map(|k| (seed + 1 + k * step) % n).collect()
     };
     for (key, value) in scene.as_object_mut().unwrap() {
@@ -189,7 +205,9 @@ fn shuffled(scene: &Json, seed: usize) -> Json {
 fn the_order_of_entries_decides_nothing() {
     let (mut faults, mut compared) = (Vec::new(), 0);
     let given = problems("motion");
-    let own = templates::list().into_iter().map(|t| (t.name.to_owned(), serde_json::from_str(templates::get(t.name).unwrap()).unwrap()));
+    let own = templates::list().into_iter().map(|t| {
+        (t.name.to_owned(), serde_json::from_str(templates::get(t.name).unwrap()).unwrap())
+    });
     let all = given.iter().map(|p| (name(p).to_owned(), p["scene"].clone())).chain(own);
     for (id, scene) in all {
         // Several drivers are distinguished by their order.
@@ -200,13 +218,21 @@ fn the_order_of_entries_decides_nothing() {
             let read = scene::read(scene.to_string())?.value;
             let worked = work(&read, Scope::Questions)?.value;
             Ok::<_, hodograph::diag::Faults>(
-                worked.results.iter().map(|r| (read.find[r.find].text.clone(), r.computed)).collect::<Vec<_>>(),
+                worked
+                    .results
+                    .iter()
+                    .map(|r| (read.find[r.find].text.clone(), r.computed))
+                    .collect::<Vec<_>>(),
             )
         };
         // Of several assemblies that the scene does not distinguish one is taken, with a note.
         let open = |scene: &Json| {
-            let told = scene::read(scene.to_string()).and_then(|s| work(&s.value, Scope::Questions)).map(|w| w.notes);
-            told.is_ok_and(|notes| notes.iter().any(|n| ["side-undecided", "assembly-by-default"].contains(&n.code)))
+            let told = scene::read(scene.to_string())
+                .and_then(|s| work(&s.value, Scope::Questions))
+                .map(|w| w.notes);
+            told.is_ok_and(|notes| {
+                notes.iter().any(|n| ["side-undecided", "assembly-by-default"].contains(&n.code))
+            })
         };
         let Ok(first) = answers(&scene) else { continue };
         if open(&scene) {
@@ -234,7 +260,8 @@ fn the_order_of_entries_decides_nothing() {
                 };
                 let largest = first.iter().map(|(_, v)| size(*v)).fold(0.0, f64::max);
                 if off.is_nan() || off > ALLOWED * size(*value).max(largest * 1e-3) {
-                    faults.push(format!("{id}, order {seed}: {find} is {other:?} and was {value:?}"));
+                    faults
+                        .push(format!("{id}, order {seed}: {find} is {other:?} and was {value:?}"));
                 }
             }
         }
@@ -249,9 +276,16 @@ fn sweeps_of_further_problems_begin_with_their_poses() {
     let (mut faults, mut compared) = (Vec::new(), 0);
     for problem in problems("motion") {
         let id = name(&problem);
-        let scene = scene::read(problem["scene"].to_string()).unwrap_or_else(|f| panic!("{id}: {f}")).value.over_a_turn();
+        let scene = scene::read(problem["scene"].to_string())
+            .unwrap_or_else(|f| panic!("{id}: {f}"))
+            .value
+            .over_a_turn();
         let mechanism = Mechanism::new(&scene).unwrap().value;
-        let (Some(now), Ok(placed)) = (scene::driver_position(&scene, 0), PlacedScene::new(&scene, &mechanism)) else { continue };
+        let (Some(now), Ok(placed)) =
+            (scene::driver_position(&scene, 0), PlacedScene::new(&scene, &mechanism))
+        else {
+            continue;
+        };
         let stations = Stations::of_values(vec![now], angle_per_value(&scene, &placed.at, 0));
         let table = match sweep::run(&placed, 0, &stations, Width::Widest) {
             Ok(table) if table.rows() == 1 => table,
@@ -260,16 +294,21 @@ fn sweeps_of_further_problems_begin_with_their_poses() {
                 continue;
             }
         };
-        let value = |name: String| table.columns[1..].iter().find(|c| c.name == name).map(|c| c.values[0]);
+        let value =
+            |name: String| table.columns[1..].iter().find(|c| c.name == name).map(|c| c.values[0]);
         let expect = problem["expect"].as_object().unwrap();
-        let of = |e: &Json| e.as_f64().map_or_else(|| e[0].as_f64().unwrap().hypot(e[1].as_f64().unwrap()), f64::abs);
+        let of = |e: &Json| {
+            e.as_f64()
+                .map_or_else(|| e[0].as_f64().unwrap().hypot(e[1].as_f64().unwrap()), f64::abs)
+        };
         let largest = expect.values().map(of).fold(0.0, f64::max);
         for (find, expected) in expect {
             let off = match expected.as_f64() {
-                Some(e) => value(find.clone()).map(|x| if find.starts_with("phi") { ((x - e) / 2.0).sin() } else { x - e }),
-                None => value(format!("{find}.x"))
-                    .zip(value(format!("{find}.y")))
-                    .map(|(x, y)| (x - expected[0].as_f64().unwrap()).hypot(y - expected[1].as_f64().unwrap())),
+                Some(e) => value(find.clone())
+                    .map(|x| if find.starts_with("phi") { ((x - e) / 2.0).sin() } else { x - e }),
+                None => value(format!("{find}.x")).zip(value(format!("{find}.y"))).map(|(x, y)| {
+                    (x - expected[0].as_f64().unwrap()).hypot(y - expected[1].as_f64().unwrap())
+                }),
             };
             // Some are named as in the drawing.
             let Some(off) = off else { continue };

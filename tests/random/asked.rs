@@ -21,7 +21,11 @@ struct Pair {
 fn pairs(own: u64, mut check: impl FnMut(&Pair)) {
     for seed in seeds(own) {
         let Some(m) = mechanism(seed) else { continue };
-        let pose = if m.coordinates_only || seed.is_multiple_of(2) { Pose::Coordinates } else { Pose::Lengths };
+        let pose = if m.coordinates_only || seed.is_multiple_of(2) {
+            Pose::Coordinates
+        } else {
+            Pose::Lengths
+        };
         let text = emit::scene(&m, &style(pose, Ask::Everything, seed));
         let mut json: serde_json::Value = serde_json::from_str(&text).unwrap();
         let all: Vec<String> = serde_json::from_value(json["find"].clone()).unwrap();
@@ -32,7 +36,8 @@ fn pairs(own: u64, mut check: impl FnMut(&Pair)) {
         if scene::read(&text_of_part).is_err() {
             continue; // the same question twice
         }
-        let solve = |text: &str| worked(seed, text).unwrap_or_else(|f| panic!("seed {seed}: {f}\n{text}"));
+        let solve =
+            |text: &str| worked(seed, text).unwrap_or_else(|f| panic!("seed {seed}: {f}\n{text}"));
         check(&Pair { seed, whole: solve(&text), part: solve(&text_of_part), text: text_of_part });
     }
 }
@@ -51,7 +56,11 @@ fn counters(w: &Worked) -> Vec<(&'static str, usize)> {
             ("unknowns", m.unknowns),
         ]
     };
-    let placed = [("groups placed", done.groups_placed), ("levels", done.levels()), ("answers", done.answers)];
+    let placed = [
+        ("groups placed", done.groups_placed),
+        ("levels", done.levels()),
+        ("answers", done.answers),
+    ];
     placed.into_iter().chain(motion(done.velocity)).chain(motion(done.acceleration)).collect()
 }
 
@@ -62,7 +71,12 @@ fn asking_less_never_does_more() {
         for ((what, few), (_, all)) in counters(&p.part.1).into_iter().zip(counters(&p.whole.1)) {
             compared += 1;
             less += usize::from(few < all);
-            assert!(few <= all, "seed {}: {few} {what} for a few questions, {all} for all of them\n{}", p.seed, p.text);
+            assert!(
+                few <= all,
+                "seed {}: {few} {what} for a few questions, {all} for all of them\n{}",
+                p.seed,
+                p.text
+            );
         }
     });
     println!("{compared} counters compared, {less} smaller where less is asked");
@@ -79,7 +93,10 @@ fn what_else_is_asked_changes_no_answer() {
         let ((scene, few), (whole, all)) = (&p.part, &p.whole);
         for (i, at) in few.configuration.points.iter().enumerate() {
             if at.is_some() && *at != all.configuration.points[i] {
-                fail(format!("{} is at {at:?}, asked with others at {:?}", scene.points[i].name, all.configuration.points[i]));
+                fail(format!(
+                    "{} is at {at:?}, asked with others at {:?}",
+                    scene.points[i].name, all.configuration.points[i]
+                ));
             }
         }
         let alone = motion::solve(scene, &few.mechanism, &few.configuration, &few.demand);
@@ -91,15 +108,26 @@ fn what_else_is_asked_changes_no_answer() {
             if a != b {
                 fail(format!("{} alone is {a:?}, with others {b:?}", find.text));
             }
-            let other = all.results.iter().find(|r| whole.find[r.find].text == find.text).expect("all questions hold it");
+            let other = all
+                .results
+                .iter()
+                .find(|r| whole.find[r.find].text == find.text)
+                .expect("all questions hold it");
             let off = match (o.computed, other.computed) {
                 (AnswerValue::Vector(a), AnswerValue::Vector(b)) => (a - b).norm(),
                 (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => (a - b).abs(),
                 _ => f64::INFINITY,
             };
-            let bound = [o.agreement, other.agreement].into_iter().flatten().map(|a| a.bound).fold(0.0, f64::max);
+            let bound = [o.agreement, other.agreement]
+                .into_iter()
+                .flatten()
+                .map(|a| a.bound)
+                .fold(0.0, f64::max);
             if off > bound * other.scale.max(o.scale).max(o.computed.magnitude()) {
-                fail(format!("{} by the loop equations: alone {:?}, with others {:?}", find.text, o.computed, other.computed));
+                fail(format!(
+                    "{} by the loop equations: alone {:?}, with others {:?}",
+                    find.text, o.computed, other.computed
+                ));
             }
             answers += 1;
         }

@@ -9,8 +9,11 @@ use std::fmt::Write;
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/bad");
 
 fn messages() -> String {
-    let mut files: Vec<_> =
-        std::fs::read_dir(FOLDER).unwrap().map(|f| f.unwrap().path()).filter(|p| p.extension().is_some_and(|e| e == "json")).collect();
+    let mut files: Vec<_> = std::fs::read_dir(FOLDER)
+        .unwrap()
+        .map(|f| f.unwrap().path())
+        .filter(|p| p.extension().is_some_and(|e| e == "json"))
+        .collect();
     files.sort();
     let mut out = String::new();
     for path in files {
@@ -61,15 +64,24 @@ fn broken_scenes_are_explained() {
     let sections: Vec<&str> = now.split("=== ").skip(1).collect();
     let names: Vec<&str> = sections.iter().filter_map(|s| s.split('.').next()).collect();
     let lost = DEMANDS.iter().filter(|d| !names.contains(&d.0));
-    let mut missing: Vec<String> = lost.map(|d| format!("{}: its scene is not in tests/bad", d.0)).collect();
+    let mut missing: Vec<String> =
+        lost.map(|d| format!("{}: its scene is not in tests/bad", d.0)).collect();
     for section in &sections {
         let name = section.split('.').next().unwrap();
         // The quoted source contains the words too: only the messages and the advice count.
-        let said: String =
-            section.lines().filter(|l| !l.trim_start().starts_with(|c: char| c.is_ascii_digit())).collect::<Vec<_>>().join("\n");
+        let said: String = section
+            .lines()
+            .filter(|l| !l.trim_start().starts_with(|c: char| c.is_ascii_digit()))
+            .collect::<Vec<_>>()
+            .join("\n");
         match DEMANDS.iter().find(|d| d.0 == name) {
             None => missing.push(format!("{name}: nothing is demanded of it; add it to DEMANDS")),
-            Some((_, words)) => missing.extend(words.iter().filter(|w| !said.contains(**w)).map(|w| format!("{name}: does not say {w:?}"))),
+            Some((_, words)) => missing.extend(
+                words
+                    .iter()
+                    .filter(|w| !said.contains(**w))
+                    .map(|w| format!("{name}: does not say {w:?}")),
+            ),
         }
     }
     let file = format!("{FOLDER}/messages.txt");
@@ -82,7 +94,11 @@ fn broken_scenes_are_explained() {
                 "tests/bad/messages.txt: accepted. Read it (git diff tests/bad/messages.txt) and run without HODOGRAPH_ACCEPT:\n  cargo test --test random broken_scenes"
             );
         }
-        let at = golden.lines().zip(now.lines()).position(|(a, b)| a != b).unwrap_or(golden.lines().count().min(now.lines().count()));
+        let at = golden
+            .lines()
+            .zip(now.lines())
+            .position(|(a, b)| a != b)
+            .unwrap_or(golden.lines().count().min(now.lines().count()));
         let line = |t: &str| t.lines().nth(at).unwrap_or("(end)").to_string();
         panic!(
             "the messages for tests/bad changed, first in line {}:\n  expected {}\n  actual   {}\nRead them all with `git diff tests/bad/messages.txt` after accepting them:\n  HODOGRAPH_ACCEPT=1 cargo test --test random broken_scenes",
@@ -116,7 +132,10 @@ fn the_chinese_has_no_english() {
             }
             for d in said(&std::fs::read_to_string(&path).unwrap()) {
                 told += 1;
-                faults.extend(d.english_in_chinese().map(|left| format!("{}: {left:?} in {d:?}", path.display())));
+                faults.extend(
+                    d.english_in_chinese()
+                        .map(|left| format!("{}: {left:?} in {d:?}", path.display())),
+                );
             }
         }
     }

@@ -40,12 +40,17 @@ fn printed_digits_are_true_of_cams() {
                     // The search for the least radius takes the longest.
                     law.answers(seed % 8 == 0)
                 }
-                Profile::Arcs { .. } => cam.of_arcs(scene.cams[0].disc.as_ref().unwrap().touched.unwrap()),
+                Profile::Arcs { .. } => {
+                    cam.of_arcs(scene.cams[0].disc.as_ref().unwrap().touched.unwrap())
+                }
             };
             for u in &worked.unanswered {
                 let infinite = matches!(u.why, NoAnswer::Infinite(_));
                 if !infinite || truth[u.find].is_some() {
-                    wrong.push(format!("seed {seed}: {} has no answer\n{text}", scene.find[u.find].text));
+                    wrong.push(format!(
+                        "seed {seed}: {} has no answer\n{text}",
+                        scene.find[u.find].text
+                    ));
                 }
             }
             for (i, r) in worked.results.iter().enumerate() {
@@ -57,12 +62,17 @@ fn printed_digits_are_true_of_cams() {
                         // A nose that touches the base circle from within gives no lift: no rise
                         // may be printed.
                         if certified[i].parts.iter().any(|(_, n)| n.text(*digits).is_some()) {
-                            wrong.push(format!("seed {seed}: {} is told and has no true value\n{text}", find.text));
+                            wrong.push(format!(
+                                "seed {seed}: {} is told and has no true value\n{text}",
+                                find.text
+                            ));
                         }
                         continue;
                     };
                     if certified[i].parts.is_empty() {
-                        *open.entry(format!("{}: {:?}", find.text, certified[i].why)).or_default() += 1;
+                        *open
+                            .entry(format!("{}: {:?}", find.text, certified[i].why))
+                            .or_default() += 1;
                     }
                     for (part, n) in &certified[i].parts {
                         let Some((told, certain)) = n.text(*digits) else {
@@ -72,8 +82,11 @@ fn printed_digits_are_true_of_cams() {
                         printed += 1;
                         short += usize::from(certain < *digits);
                         let (_, e) = expected.iter().find(|(p, _)| p == part).unwrap();
-                        let whole = if matches!(part, AnswerPart::Degrees) { 360.0 } else { r.scale };
-                        if n.zero && e.enclosure().largest() <= 10f64.powi(-(*digits as i32 + 10)) * whole {
+                        let whole =
+                            if matches!(part, AnswerPart::Degrees) { 360.0 } else { r.scale };
+                        if n.zero
+                            && e.enclosure().largest() <= 10f64.powi(-(*digits as i32 + 10)) * whole
+                        {
                             continue;
                         }
                         let truth = e.text(certain).map_or_else(|| format!("{e:?}"), |t| t.0);
@@ -94,6 +107,14 @@ fn printed_digits_are_true_of_cams() {
         "{scenes} scenes, {printed} printed numbers against {BITS} bit: {} wrong; {short} with fewer digits than asked; {open:?}",
         wrong.len()
     );
-    assert!(wrong.is_empty(), "{} are wrong, first {}", wrong.len(), wrong[..wrong.len().min(3)].join("\n"));
-    assert!(printed >= 8000 / every(8) && short * 100 <= printed, "only {printed} numbers were compared, {short} with fewer digits");
+    assert!(
+        wrong.is_empty(),
+        "{} are wrong, first {}",
+        wrong.len(),
+        wrong[..wrong.len().min(3)].join("\n")
+    );
+    assert!(
+        printed >= 8000 / every(8) && short * 100 <= printed,
+        "only {printed} numbers were compared, {short} with fewer digits"
+    );
 }

@@ -15,12 +15,19 @@ pub fn normal(law: &str, x: Big, half: usize) -> Big {
         "harmonic" => (whole(1) - (pi * x).sin_cos().1) / whole(2),
         "cycloidal" => x - sine(whole(2) * pi * x) / (whole(2) * pi),
         "3-4-5" => whole(10) * power(3) - whole(15) * power(4) + whole(6) * power(5),
-        "4-5-6-7" => whole(35) * power(4) - whole(84) * power(5) + whole(70) * power(6) - whole(20) * power(7),
+        "4-5-6-7" => {
+            whole(35) * power(4) - whole(84) * power(5) + whole(70) * power(6)
+                - whole(20) * power(7)
+        }
         "modified-sine" => {
             let over = whole(4) + pi;
             match half {
                 0 => (pi * x - sine(whole(4) * pi * x) / whole(4)) / over,
-                1 => (whole(2) + pi * x - whole(9) / whole(4) * sine(whole(4) * pi * x / whole(3) + pi / whole(3))) / over,
+                1 => {
+                    (whole(2) + pi * x
+                        - whole(9) / whole(4) * sine(whole(4) * pi * x / whole(3) + pi / whole(3)))
+                        / over
+                }
                 _ => (whole(4) + pi * x - sine(whole(4) * pi * x) / whole(4)) / over,
             }
         }

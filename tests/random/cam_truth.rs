@@ -23,7 +23,9 @@ impl Number {
     }
 
     pub fn exact(&self) -> Big {
-        self.0.strip_prefix('-').map_or_else(|| Big::from_decimal(&self.0), |t| -Big::from_decimal(t))
+        self.0
+            .strip_prefix('-')
+            .map_or_else(|| Big::from_decimal(&self.0), |t| -Big::from_decimal(t))
     }
 
     pub fn metres(&self) -> Big {
@@ -52,7 +54,8 @@ pub enum Follower {
     Face,
 }
 
-/// Stages of a law: name, gain, angle; or the radius of nose and flank (0: a tangent) and the distance of the centres.
+/// Stages of a law: name, gain, angle; or the radius of nose and flank (0: a tangent) and the
+/// distance of the centres.
 #[derive(Clone, Debug)]
 pub enum Profile {
     Law(Vec<(&'static str, Number, Number)>),
@@ -69,7 +72,8 @@ pub struct Cam {
     clockwise: bool,
 }
 
-const LAWS: [&str; 7] = ["parabolic", "harmonic", "cycloidal", "3-4-5", "4-5-6-7", "modified-sine", "uniform"];
+const LAWS: [&str; 7] =
+    ["parabolic", "harmonic", "cycloidal", "3-4-5", "4-5-6-7", "modified-sine", "uniform"];
 
 impl Cam {
     pub fn of(seed: u64) -> Cam {
@@ -77,17 +81,28 @@ impl Cam {
         let law = rng.chance(0.6);
         let follower = match rng.below(3) {
             0 => Follower::Guide(Number::of(&mut rng, -9.0, 9.0)),
-            1 => Follower::Arm([Number::of(&mut rng, 80.0, 95.0), Number::of(&mut rng, -15.0, 15.0)], Number::of(&mut rng, 68.0, 80.0)),
+            1 => Follower::Arm(
+                [Number::of(&mut rng, 80.0, 95.0), Number::of(&mut rng, -15.0, 15.0)],
+                Number::of(&mut rng, 68.0, 80.0),
+            ),
             _ => Follower::Face,
         };
         let end = if rng.chance(0.2) { Number("0".into()) } else { Number::of(&mut rng, 3.0, 9.0) };
         let base = Number::of(&mut rng, 24.0, 33.0);
         let profile = if law {
             let swings = matches!(follower, Follower::Arm(..));
-            let gain = if swings { Number::of(&mut rng, 6.0, 18.0) } else { Number::of(&mut rng, 6.0, 22.0) };
-            let [rise, dwell, back] =
-                [Number::of(&mut rng, 70.0, 140.0), Number::of(&mut rng, 10.0, 60.0), Number::of(&mut rng, 70.0, 140.0)];
-            let rest = Number(format!("{:.4}", 360.0 - rise.approx() - dwell.approx() - back.approx()));
+            let gain = if swings {
+                Number::of(&mut rng, 6.0, 18.0)
+            } else {
+                Number::of(&mut rng, 6.0, 22.0)
+            };
+            let [rise, dwell, back] = [
+                Number::of(&mut rng, 70.0, 140.0),
+                Number::of(&mut rng, 10.0, 60.0),
+                Number::of(&mut rng, 70.0, 140.0),
+            ];
+            let rest =
+                Number(format!("{:.4}", 360.0 - rise.approx() - dwell.approx() - back.approx()));
             let [out, home] = [LAWS[rng.below(7)], LAWS[rng.below(7)]];
             let none = Number("0".into());
             Profile::Law(vec![
@@ -102,7 +117,11 @@ impl Cam {
                 (1, Follower::Guide(_) | Follower::Arm(..)) => Number::of(&mut rng, -120.0, -60.0),
                 _ => Number::of(&mut rng, 65.0, 110.0),
             };
-            Profile::Arcs { nose: Number::of(&mut rng, 6.0, 14.0), flank, apart: Number::of(&mut rng, 22.0, 33.0) }
+            Profile::Arcs {
+                nose: Number::of(&mut rng, 6.0, 14.0),
+                flank,
+                apart: Number::of(&mut rng, 22.0, 33.0),
+            }
         };
         let angle = Number(format!("{:.1$}", rng.between(0.0, 360.0), rng.below(9)));
         let clockwise = law && rng.chance(0.5);
@@ -124,7 +143,10 @@ impl Cam {
             Follower::Guide(e) => (
                 r#""1": ["O"], "3": ["B"]"#.to_owned(),
                 String::new(),
-                format!(r#""guides": [{{"pin": "B", "slider": "3", "on": "1", "through": ["{} mm", 0], "angle": "90 deg"}}],"#, e.0),
+                format!(
+                    r#""guides": [{{"pin": "B", "slider": "3", "on": "1", "through": ["{} mm", 0], "angle": "90 deg"}}],"#,
+                    e.0
+                ),
                 "",
             ),
             Follower::Arm([x, y], arm) => (
@@ -136,7 +158,8 @@ impl Cam {
             Follower::Face => (
                 r#""1": ["O"]"#.to_owned(),
                 String::new(),
-                r#""guides": [{"slider": "3", "on": "1", "angle": "90 deg", "through": "O"}],"#.to_owned(),
+                r#""guides": [{"slider": "3", "on": "1", "angle": "90 deg", "through": "O"}],"#
+                    .to_owned(),
                 "",
             ),
         };
@@ -148,19 +171,44 @@ impl Cam {
         let unit = if self.swings() { "deg" } else { "mm" };
         let (cam, profile, lengths) = match &self.profile {
             Profile::Law(stages) => {
-                let stage = |(law, gain, over): &(&str, Number, Number)| match gain.0.strip_prefix('-') {
-                    _ if law.is_empty() => format!(r#"{{"dwell": "{} deg"}}"#, over.0),
-                    Some(back) => format!(r#"{{"return": "{back} {unit}", "over": "{} deg", "law": "{law}"}}"#, over.0),
-                    None => format!(r#"{{"rise": "{} {unit}", "over": "{} deg", "law": "{law}"}}"#, gain.0, over.0),
-                };
+                let stage =
+                    |(law, gain, over): &(&str, Number, Number)| match gain.0.strip_prefix('-') {
+                        _ if law.is_empty() => format!(r#"{{"dwell": "{} deg"}}"#, over.0),
+                        Some(back) => format!(
+                            r#"{{"return": "{back} {unit}", "over": "{} deg", "law": "{law}"}}"#,
+                            over.0
+                        ),
+                        None => format!(
+                            r#"{{"rise": "{} {unit}", "over": "{} deg", "law": "{law}"}}"#,
+                            gain.0, over.0
+                        ),
+                    };
                 let sense = if self.clockwise { r#""turns": "clockwise", "# } else { "" };
                 let stages: Vec<String> = stages.iter().map(stage).collect();
-                (r#""O""#, format!(r#"{{"base": "{} mm", {sense}"law": [{}]}}"#, self.base.0, stages.join(", ")), String::new())
+                (
+                    r#""O""#,
+                    format!(
+                        r#"{{"base": "{} mm", {sense}"law": [{}]}}"#,
+                        self.base.0,
+                        stages.join(", ")
+                    ),
+                    String::new(),
+                )
             }
             Profile::Arcs { nose, flank, apart } => {
-                let flank = if flank.approx() == 0.0 { r#""tangent""#.to_owned() } else { format!(r#"{{"radius": "{} mm"}}"#, flank.0) };
-                let circle = |centre: &str, r: &Number| format!(r#"{{"centre": "{centre}", "radius": "{} mm"}}"#, r.0);
-                let list = format!("[{}, {flank}, {}, {flank}]", circle("O", &self.base), circle("Q", nose));
+                let flank = if flank.approx() == 0.0 {
+                    r#""tangent""#.to_owned()
+                } else {
+                    format!(r#"{{"radius": "{} mm"}}"#, flank.0)
+                };
+                let circle = |centre: &str, r: &Number| {
+                    format!(r#"{{"centre": "{centre}", "radius": "{} mm"}}"#, r.0)
+                };
+                let list = format!(
+                    "[{}, {flank}, {}, {flank}]",
+                    circle("O", &self.base),
+                    circle("Q", nose)
+                );
                 (r#""O", "Q""#, list, format!(r#""OQ": "{} mm""#, apart.0))
             }
         };
@@ -186,7 +234,10 @@ fn step() -> Big {
 }
 
 /// First and second difference quotient.
-pub fn differences<T: Copy + std::ops::Sub<Output = T> + std::ops::Mul<Big, Output = T>>(f: &dyn Fn(Big) -> T, at: Big) -> [T; 2] {
+pub fn differences<T: Copy + std::ops::Sub<Output = T> + std::ops::Mul<Big, Output = T>>(
+    f: &dyn Fn(Big) -> T,
+    at: Big,
+) -> [T; 2] {
     let h = step();
     let [a, b, c] = [f(at - h), f(at), f(at + h)];
     [(c - a) * (whole(1) / (h + h)), ((c - b) - (b - a)) * (whole(1) / (h * h))]
@@ -264,14 +315,24 @@ impl ByLaw<'_> {
         let gain = &self.stages[0].1;
         let gain = if self.cam.swings() { gain.radians() } else { gain.metres() };
         let least = least.then(|| self.least());
-        [Some(self.lift(branch, phi)), Some(gain), Some(self.stages[0].2.radians()), Some(pressure), Some(rho), least]
+        [
+            Some(self.lift(branch, phi)),
+            Some(gain),
+            Some(self.stages[0].2.radians()),
+            Some(pressure),
+            Some(rho),
+            least,
+        ]
     }
 
     /// The least radius of curvature; for round ends only where the pitch curve is convex.
     pub fn least(&self) -> Big {
         let mut least: Option<Big> = None;
         let starts = self.starts();
-        let convex = |rho: Big| matches!(self.cam.follower, Follower::Face) || rho.approx() + self.cam.end.metres().approx() > 0.0;
+        let convex = |rho: Big| {
+            matches!(self.cam.follower, Follower::Face)
+                || rho.approx() + self.cam.end.metres().approx() > 0.0
+        };
         let mut consider = |rho: Big| {
             if convex(rho) && least.is_none_or(|l| rho.approx() < l.approx()) {
                 least = Some(rho);
@@ -283,11 +344,14 @@ impl ByLaw<'_> {
                 let at = |x: f64| starts[k] + Big::from_f64(x) * over.radians();
                 let rho = |phi: Big| self.bent((k, part), phi)[1];
                 const STEPS: usize = 24;
-                let samples: Vec<(Big, Big)> =
-                    (0..=STEPS).map(|i| at(from + (end - from) * i as f64 / STEPS as f64)).map(|phi| (phi, rho(phi))).collect();
+                let samples: Vec<(Big, Big)> = (0..=STEPS)
+                    .map(|i| at(from + (end - from) * i as f64 / STEPS as f64))
+                    .map(|phi| (phi, rho(phi)))
+                    .collect();
                 consider(samples[0].1);
                 consider(samples[STEPS].1);
-                let falls: Vec<bool> = samples.iter().map(|(phi, _)| slope(&rho, *phi).approx() < 0.0).collect();
+                let falls: Vec<bool> =
+                    samples.iter().map(|(phi, _)| slope(&rho, *phi).approx() < 0.0).collect();
                 for (w, falls) in samples.windows(2).zip(falls.windows(2)) {
                     if falls[0] && !falls[1] && convex(w[0].1) && convex(w[1].1) {
                         consider(rho(bottom(&rho, w[0].0, w[1].0)));
@@ -360,7 +424,8 @@ impl Cam {
     /// of arcs, touched on a given piece.
     pub fn of_arcs(&self, piece: usize) -> [Option<Big>; 6] {
         let Profile::Arcs { nose, flank, apart } = &self.profile else { panic!() };
-        let (r1, r2, r, d, end) = (self.base.metres(), nose.metres(), flank.metres(), apart.metres(), self.end.metres());
+        let (r1, r2, r, d, end) =
+            (self.base.metres(), nose.metres(), flank.metres(), apart.metres(), self.end.metres());
         let hollow = flank.approx() < 0.0;
         // The normal of the upper flank where it leaves the base circle, and the flank's centre.
         let (joint, centre) = if flank.approx() == 0.0 {
@@ -375,7 +440,8 @@ impl Cam {
         let turned = |v: Place| v.rotate_by(Vec2::from_angle(self.angle.radians()));
         let face = matches!(self.follower, Follower::Face);
         let end = if face { whole(0) } else { end };
-        let (home, top) = (self.stands(r1 + end, whole(0)).0, self.stands(d + r2 + end, whole(0)).0);
+        let (home, top) =
+            (self.stands(r1 + end, whole(0)).0, self.stands(d + r2 + end, whole(0)).0);
         let rise = if face { joint } else { top.angle() - home.angle() + joint };
         let low = self.coordinate(home);
         // The piece: 0 about O, 1 the lower flank, 2 about Q, 3 the upper flank.
@@ -424,10 +490,19 @@ impl Cam {
         };
         let out = match &self.follower {
             Follower::Guide(_) | Follower::Face => up,
-            Follower::Arm([x, y], arm) => -((at - Vec2::new(x.metres(), y.metres())) * (whole(1) / arm.metres())).perp(),
+            Follower::Arm([x, y], arm) => {
+                -((at - Vec2::new(x.metres(), y.metres())) * (whole(1) / arm.metres())).perp()
+            }
         };
         let pressure = out.cross(across).atan2(out.dot(across));
         let least = if r2.approx() < r1.approx() { r2 } else { r1 };
-        [Some(self.coordinate(at) - low), Some(self.coordinate(top) - low), Some(rise), Some(pressure), radius, Some(least)]
+        [
+            Some(self.coordinate(at) - low),
+            Some(self.coordinate(top) - low),
+            Some(rise),
+            Some(pressure),
+            radius,
+            Some(least),
+        ]
     }
 }

@@ -33,7 +33,11 @@ struct Greatest {
 
 /// The maximum of a function over some stages, at ends of pieces or where its slope passes through
 /// zero.
-fn greatest(law: &ByLaw, on: &dyn Fn(usize) -> bool, f: &dyn Fn(Branch, Big) -> Big) -> Option<Greatest> {
+fn greatest(
+    law: &ByLaw,
+    on: &dyn Fn(usize) -> bool,
+    f: &dyn Fn(Branch, Big) -> Big,
+) -> Option<Greatest> {
     const STEPS: usize = 24;
     let mut all: Vec<(Big, Big)> = Vec::new();
     let starts = law.starts();
@@ -42,7 +46,8 @@ fn greatest(law: &ByLaw, on: &dyn Fn(usize) -> bool, f: &dyn Fn(Branch, Big) -> 
         for (part, end) in ends(name).iter().enumerate() {
             let at = |x: f64| starts[k] + Big::from_f64(x) * over.radians();
             let fall = |phi: Big| -f((k, part), phi);
-            let places: Vec<Big> = (0..=STEPS).map(|i| at(from + (end - from) * i as f64 / STEPS as f64)).collect();
+            let places: Vec<Big> =
+                (0..=STEPS).map(|i| at(from + (end - from) * i as f64 / STEPS as f64)).collect();
             all.extend([places[0], places[STEPS]].map(|phi| (phi, f((k, part), phi))));
             let slopes: Vec<f64> = places.iter().map(|phi| slope(&fall, *phi).approx()).collect();
             for i in 0..STEPS {
@@ -77,11 +82,15 @@ fn of_law(cam: &Cam, law: &ByLaw, seed: u64) -> Told {
     let mut all: Told = vec![(CamNumber::Base, PrintedUnit::Length, law.base * whole(1000))];
     let gain = if cam.swings() { law.stages[0].1.radians() } else { law.stages[0].1.metres() };
     all.push((CamNumber::Stroke, PrintedUnit::Lift(0), lift(gain)));
-    for (k, (way, out)) in [(1, false), (0, true), (-1, false), (0, false)].into_iter().enumerate() {
+    for (k, (way, out)) in [(1, false), (0, true), (-1, false), (0, false)].into_iter().enumerate()
+    {
         all.push((CamNumber::Phase(way, out), PrintedUnit::Degrees, law.stages[k].2.exact()));
         all.push((CamNumber::Start(k), PrintedUnit::Degrees, degrees(law.starts()[k])));
     }
-    let mut extreme = |mark: CamExtreme, unit: PrintedUnit, found: Option<Greatest>, value: &dyn Fn(Big) -> Big| {
+    let mut extreme = |mark: CamExtreme,
+                       unit: PrintedUnit,
+                       found: Option<Greatest>,
+                       value: &dyn Fn(Big) -> Big| {
         let Some(found) = found else { return };
         all.push((CamNumber::Most(mark), unit, value(found.value)));
         if found.alone {
@@ -89,22 +98,34 @@ fn of_law(cam: &Cam, law: &ByLaw, seed: u64) -> Told {
         }
     };
     for (k, sign) in [(0, whole(-1)), (1, whole(1))] {
-        let of = |order: usize| move |b: Branch, phi: Big| sign * differences(&|x| law.lift(b, x), phi)[order];
+        let of = |order: usize| {
+            move |b: Branch, phi: Big| sign * differences(&|x| law.lift(b, x), phi)[order]
+        };
         // A follower at rest has no velocity.
-        extreme(CamExtreme::Rate(k), PrintedUnit::Lift(1), greatest(law, &moving, &of(0)), &|x| sign * x * omega);
-        extreme(CamExtreme::Bend(k), PrintedUnit::Lift(2), greatest(law, &moving, &of(1)), &|x| sign * x * omega * omega);
+        extreme(CamExtreme::Rate(k), PrintedUnit::Lift(1), greatest(law, &moving, &of(0)), &|x| {
+            sign * x * omega
+        });
+        extreme(CamExtreme::Bend(k), PrintedUnit::Lift(2), greatest(law, &moving, &of(1)), &|x| {
+            sign * x * omega * omega
+        });
         if !flat && seed.is_multiple_of(4) {
             let stage = 2 * k;
             let size = |b: Branch, phi: Big| {
                 let x = law.bent(b, phi)[0];
                 if x.approx() < 0.0 { -x } else { x }
             };
-            extreme(CamExtreme::Pressure(k), PrintedUnit::Degrees, greatest(law, &|s| s == stage, &size), &degrees);
+            extreme(
+                CamExtreme::Pressure(k),
+                PrintedUnit::Degrees,
+                greatest(law, &|s| s == stage, &size),
+                &degrees,
+            );
         }
     }
     let turn = cam.turned();
     let branch = law.branch(turn.approx());
-    let ([v, a], [pressure, rho]) = (differences(&|x| law.lift(branch, x), turn), law.bent(branch, turn));
+    let ([v, a], [pressure, rho]) =
+        (differences(&|x| law.lift(branch, x), turn), law.bent(branch, turn));
     let way = law.sense() * omega;
     all.extend([
         (CamNumber::Now(Now::Phi), PrintedUnit::Degrees, degrees(turn)),
@@ -145,7 +166,12 @@ fn printed_digits_are_true_of_cams_over_a_turn() {
         let scene = scene.value;
         let Some(turning) = &scene.cams[0].disc else { continue };
         let Profile::Law(stages) = &cam.profile else { continue };
-        let report = Report { scene: &scene, cam: &scene.cams[0], turning, survey: turning.survey.of(&turning.disc) };
+        let report = Report {
+            scene: &scene,
+            cam: &scene.cams[0],
+            turning,
+            survey: turning.survey.of(&turning.disc),
+        };
         scenes += 1;
         within(BITS, || {
             let law = ByLaw { cam: &cam, stages, base: cam.base.metres() };
@@ -153,8 +179,14 @@ fn printed_digits_are_true_of_cams_over_a_turn() {
             // An edge has no undercut: its least base circle is the one at which the follower just
             // reaches its cam.
             let edge = !matches!(cam.follower, Follower::Face) && cam.end.approx() == 0.0;
-            if let Some(near) = (seed.is_multiple_of(16) && !edge).then(|| least_base(&turning.disc)).flatten() {
-                all.push((CamNumber::LeastBase, PrintedUnit::Length, base_without_undercut(&cam, &law, near) * whole(1000)));
+            if let Some(near) =
+                (seed.is_multiple_of(16) && !edge).then(|| least_base(&turning.disc)).flatten()
+            {
+                all.push((
+                    CamNumber::LeastBase,
+                    PrintedUnit::Length,
+                    base_without_undercut(&cam, &law, near) * whole(1000),
+                ));
                 bases += 1;
             }
             for (which, unit, truth) in all {
@@ -170,9 +202,15 @@ fn printed_digits_are_true_of_cams_over_a_turn() {
                         continue;
                     };
                     printed += 1;
-                    let (truth, _) = expected.text(digits).unwrap_or_else(|| (format!("{:e}", truth.approx()), 0));
-                    if told != truth && !(told == "0" && truth.parse::<f64>().is_ok_and(|x| x.abs() < 1e-20)) {
-                        wrong.push(format!("seed {seed}: {which:?} is told {told}, it is {truth}\n{text}"));
+                    let (truth, _) = expected
+                        .text(digits)
+                        .unwrap_or_else(|| (format!("{:e}", truth.approx()), 0));
+                    if told != truth
+                        && !(told == "0" && truth.parse::<f64>().is_ok_and(|x| x.abs() < 1e-20))
+                    {
+                        wrong.push(format!(
+                            "seed {seed}: {which:?} is told {told}, it is {truth}\n{text}"
+                        ));
                     }
                 }
             }
@@ -182,6 +220,14 @@ fn printed_digits_are_true_of_cams_over_a_turn() {
         "{scenes} cams over a turn, {printed} printed numbers against {BITS} bit: {} wrong; {open} without digits; {bases} base circles",
         wrong.len()
     );
-    assert!(wrong.is_empty(), "{} are wrong, first {}", wrong.len(), wrong[..wrong.len().min(8)].join("\n"));
-    assert!(printed >= 2000 / every(8) && open * 100 <= printed, "only {printed} numbers were compared, {open} had no digits");
+    assert!(
+        wrong.is_empty(),
+        "{} are wrong, first {}",
+        wrong.len(),
+        wrong[..wrong.len().min(8)].join("\n")
+    );
+    assert!(
+        printed >= 2000 / every(8) && open * 100 <= printed,
+        "only {printed} numbers were compared, {open} had no digits"
+    );
 }

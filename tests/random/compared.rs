@@ -29,7 +29,14 @@ impl Compared {
     /// Compares the printed numbers of a scene with true values. `off` is the error of the true
     /// values, as a part of the size of each; `truth` returns those of all questions in order, in a
     /// region of [`BITS`] bits.
-    pub fn scene(&mut self, name: &str, scene: &Scene, worked: &Worked, off: f64, truth: impl FnOnce() -> Vec<Option<AnswerValue<Big>>>) {
+    pub fn scene(
+        &mut self,
+        name: &str,
+        scene: &Scene,
+        worked: &Worked,
+        off: f64,
+        truth: impl FnOnce() -> Vec<Option<AnswerValue<Big>>>,
+    ) {
         let printed = DIGITS.map(|d| certify(scene, worked, d));
         self.scenes += 1;
         within(BITS, || {
@@ -43,7 +50,9 @@ impl Compared {
                 *self.asked.entry(find.what.entry().symbol).or_default() += 1;
                 let t = t.map(|x| Ball::new(x, off * x.approx().abs().max(r.scale)));
                 for (digits, printed) in DIGITS.iter().zip(&printed) {
-                    let Ok(expected) = parts(find.what.kind(), t, r.scale, *digits) else { continue };
+                    let Ok(expected) = parts(find.what.kind(), t, r.scale, *digits) else {
+                        continue;
+                    };
                     let c = &printed[i];
                     if c.parts.is_empty() {
                         *self.open.entry(format!("{:?}", c.why)).or_default() += 1;
@@ -59,13 +68,20 @@ impl Compared {
                             self.wrong.push(format!("{name}: {} has no {}", find.text, part.key()));
                             continue;
                         };
-                        if n.zero && e.enclosure().largest() <= nothing(*part, *digits, r.scale).max(r.noise) {
+                        if n.zero
+                            && e.enclosure().largest()
+                                <= nothing(*part, *digits, r.scale).max(r.noise)
+                        {
                             continue;
                         }
                         let truth = e.text(certain).map_or_else(|| format!("{e:?}"), |t| t.0);
                         if truth != text {
                             let rung = c.rung.name();
-                            self.wrong.push(format!("{name}: {} {} is printed {text}, it is {truth} ({rung})", find.text, part.key()));
+                            self.wrong.push(format!(
+                                "{name}: {} {} is printed {text}, it is {truth} ({rung})",
+                                find.text,
+                                part.key()
+                            ));
                         }
                     }
                 }
@@ -84,7 +100,12 @@ impl Compared {
             self.asked,
             self.open
         );
-        assert!(self.wrong.is_empty(), "{} are wrong, first {}", self.wrong.len(), self.wrong[..self.wrong.len().min(5)].join("\n"));
+        assert!(
+            self.wrong.is_empty(),
+            "{} are wrong, first {}",
+            self.wrong.len(),
+            self.wrong[..self.wrong.len().min(5)].join("\n")
+        );
         assert!(self.printed >= least, "only {} numbers were compared", self.printed);
     }
 }
@@ -106,7 +127,10 @@ fn nothing(part: AnswerPart, digits: usize, scale: f64) -> f64 {
 }
 
 /// True values by the texts of the questions.
-pub fn by_text(scene: &Scene, known: &[(String, AnswerValue<Big>)]) -> Vec<Option<AnswerValue<Big>>> {
+pub fn by_text(
+    scene: &Scene,
+    known: &[(String, AnswerValue<Big>)],
+) -> Vec<Option<AnswerValue<Big>>> {
     let of = |f: &Find| known.iter().find(|(text, _)| *text == f.text).map(|(_, value)| *value);
     scene.find.iter().map(of).collect()
 }

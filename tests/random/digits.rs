@@ -54,7 +54,9 @@ impl Tally {
                 let ball = |x: Big| Ball::new(x, 1e-60 * r.scale);
                 let t = t.map(ball);
                 for (digits, printed) in DIGITS.iter().zip(&printed) {
-                    let Ok(expected) = parts(find.what.kind(), t, r.scale, *digits) else { continue };
+                    let Ok(expected) = parts(find.what.kind(), t, r.scale, *digits) else {
+                        continue;
+                    };
                     let c = &printed[i];
                     *self.by_rung.entry(c.rung.name()).or_default() += c.parts.len();
                     for (part, n) in &c.parts {
@@ -94,7 +96,10 @@ impl Tally {
                             (AnswerValue::Vector(v), "magnitude") => Some(v.norm()),
                             _ => None,
                         };
-                        self.plain += usize::from(f64s.is_some_and(|x| hodograph::digits::significant(x, certain) != text));
+                        self.plain +=
+                            usize::from(f64s.is_some_and(|x| {
+                                hodograph::digits::significant(x, certain) != text
+                            }));
                     }
                 }
             }
@@ -109,7 +114,9 @@ impl Tally {
         for t in told(scene, worked, &differences, PENCIL_MM) {
             let place = || format!("{name}: {:?} step {} {:?}", t.level, t.action + 2, t.what);
             let digits = t.what.digits();
-            let Some((n, (text, certain))) = printed.number(t.level, t.action, t.what).and_then(|n| Some((n, n.text(digits)?))) else {
+            let Some((n, (text, certain))) =
+                printed.number(t.level, t.action, t.what).and_then(|n| Some((n, n.text(digits)?)))
+            else {
                 self.short += 1;
                 continue;
             };
@@ -119,13 +126,19 @@ impl Tally {
             if n.zero {
                 // The differences themselves are true to some 80 digits.
                 if t.value.approx().abs() > t.nothing + 1e-60 {
-                    self.wrong.push(format!("{} is told as zero, it is {:e}", place(), t.value.approx()));
+                    self.wrong.push(format!(
+                        "{} is told as zero, it is {:e}",
+                        place(),
+                        t.value.approx()
+                    ));
                 }
                 continue;
             }
             let ball = Ball::new(t.value, 1e-60 * t.value.approx().abs());
             let expected = parts(Kind::Omega, AnswerValue::Scalar(ball), 0.0, digits).ok();
-            let truth = expected.and_then(|e| e[0].1.text(certain)).map_or_else(|| format!("{:e}", t.value.approx()), |t| t.0);
+            let truth = expected
+                .and_then(|e| e[0].1.text(certain))
+                .map_or_else(|| format!("{:e}", t.value.approx()), |t| t.0);
             if truth != text {
                 self.wrong.push(format!("{} is told as {text}, it is {truth}", place()));
             }
@@ -147,7 +160,12 @@ impl Tally {
         for w in self.wrong.iter().take(20) {
             println!("  {w}");
         }
-        assert!(self.wrong.is_empty(), "{} printed digits are wrong, first {}", self.wrong.len(), self.wrong[0]);
+        assert!(
+            self.wrong.is_empty(),
+            "{} printed digits are wrong, first {}",
+            self.wrong.len(),
+            self.wrong[0]
+        );
         assert!(self.printed >= least / every(8), "only {} numbers were compared", self.printed);
     }
 }
@@ -162,7 +180,11 @@ fn printed_digits_are_true_on_templates() {
         let Some(start) = driver_position(&scene, 0) else { continue };
         for _ in seeds(3) {
             // Anywhere in its range, as the shortest decimal of a double.
-            let at = if start.abs() > 0.0 { start * rng.between(0.6, 1.4) } else { rng.between(-0.5, 0.5) };
+            let at = if start.abs() > 0.0 {
+                start * rng.between(0.6, 1.4)
+            } else {
+                rng.between(-0.5, 0.5)
+            };
             tally.check(&format!("{} at {at}", t.name), &with_driver_at(&scene, 0, at));
         }
     }
@@ -230,7 +252,8 @@ fn printed_digits_are_true_closer_than_f64_can_tell() {
                 "9".repeat(nines)
             );
             let scene = read(&text).unwrap_or_else(|f| panic!("{f}")).value;
-            let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
+            let worked =
+                work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
             assert!(worked.unanswered.is_empty(), "{text}");
             longer += usize::from(worked.results.iter().any(|r| r.longer.is_some()));
             tally.check(&format!("89.9({nines}) {side}"), &scene);
@@ -258,12 +281,20 @@ fn angles_of_many_turns_are_those_within_one() {
     let all = templates::list();
     for (t, name) in all.iter().flat_map(|t| names.map(|name| (t, name))) {
         for at in ["30", "47.25", "-12.3"] {
-            let scene = |angle: &str| read(&templates::instantiate(t.name, &[(name, angle)]).ok()?).ok().map(|s| in_si(s.value));
-            let (Some(one), whole) = (scene(at), at.split_once('.').map_or(at, |p| p.0)) else { continue };
+            let scene = |angle: &str| {
+                read(&templates::instantiate(t.name, &[(name, angle)]).ok()?)
+                    .ok()
+                    .map(|s| in_si(s.value))
+            };
+            let (Some(one), whole) = (scene(at), at.split_once('.').map_or(at, |p| p.0)) else {
+                continue;
+            };
             let Ok(here) = work(&one, Scope::Questions) else { continue };
             let printed = |scene: &Scene, w: &Worked| -> Vec<Option<String>> {
                 let all = certify(scene, w, 12);
-                all.iter().flat_map(|c| c.parts.iter().map(|(_, n)| n.text(12).map(|t| t.0))).collect()
+                all.iter()
+                    .flat_map(|c| c.parts.iter().map(|(_, n)| n.text(12).map(|t| t.0)))
+                    .collect()
             };
             let expected = printed(&one, &here.value);
             for turns in [1_000_000u128, 300_000_000_000_000, 10u128.pow(24), 10u128.pow(34) + 7] {
@@ -271,25 +302,43 @@ fn angles_of_many_turns_are_those_within_one() {
                 // A wheel with another number of teeth is in another position after a turn of the
                 // driver.
                 if !one.rolling.is_empty() {
-                    let told = templates::instantiate(t.name, &[(name, &many.to_string())]).and_then(|text| read(&text));
-                    let refused = told.is_err_and(|f| f.list.iter().any(|d| d.code == "out-of-range"));
-                    assert_eq!(refused, many > 1 << 53 && one.drivers.iter().any(|d| d.kind.turns()), "{} after {turns} turns", t.name);
+                    let told = templates::instantiate(t.name, &[(name, &many.to_string())])
+                        .and_then(|text| read(&text));
+                    let refused =
+                        told.is_err_and(|f| f.list.iter().any(|d| d.code == "out-of-range"));
+                    assert_eq!(
+                        refused,
+                        many > 1 << 53 && one.drivers.iter().any(|d| d.kind.turns()),
+                        "{} after {turns} turns",
+                        t.name
+                    );
                     continue;
                 }
-                let sum = whole.parse::<i64>().map(|w| if w < 0 { many - w.unsigned_abs() as u128 } else { many + w as u128 }).unwrap();
+                let sum = whole
+                    .parse::<i64>()
+                    .map(|w| if w < 0 { many - w.unsigned_abs() as u128 } else { many + w as u128 })
+                    .unwrap();
                 let text = match at.split_once('.') {
                     // −12.3 is a turn less 12.3.
-                    Some((_, broken)) if at.starts_with('-') => format!("-{}.{broken}", many + whole[1..].parse::<u128>().unwrap()),
+                    Some((_, broken)) if at.starts_with('-') => {
+                        format!("-{}.{broken}", many + whole[1..].parse::<u128>().unwrap())
+                    }
                     Some((_, broken)) => format!("{sum}.{broken}"),
                     None => sum.to_string(),
                 };
                 let there = scene(&text).unwrap_or_else(|| panic!("{} at {text}", t.name));
-                let worked = work(&there, Scope::Questions).unwrap_or_else(|f| panic!("{} at {text}: {f}", t.name)).value;
+                let worked = work(&there, Scope::Questions)
+                    .unwrap_or_else(|f| panic!("{} at {text}: {f}", t.name))
+                    .value;
                 assert_eq!(printed(&there, &worked), expected, "{} at {text}", t.name);
                 for (a, b) in here.value.results.iter().zip(&worked.results) {
                     let scale = a.scale;
                     let (a, b) = (a.value().magnitude(), b.value().magnitude());
-                    assert!((a - b).abs() <= 1e-9 * a.max(1e-3 * scale), "{} at {text}: {b:e}, within a turn {a:e}", t.name);
+                    assert!(
+                        (a - b).abs() <= 1e-9 * a.max(1e-3 * scale),
+                        "{} at {text}: {b:e}, within a turn {a:e}",
+                        t.name
+                    );
                 }
                 compared += 1;
             }
@@ -304,7 +353,8 @@ impl Tally {
         for up in [true, false] {
             let Some(limit) = ends(scene, 0).unwrap_or_default()[usize::from(up)] else { continue };
             for k in (2..=12).step_by(2) {
-                let at = limit + if up { -1.0 } else { 1.0 } * 10f64.powi(-k) * limit.abs().min(1.0);
+                let at =
+                    limit + if up { -1.0 } else { 1.0 } * 10f64.powi(-k) * limit.abs().min(1.0);
                 self.check(&format!("{name} 1e-{k} before {limit}"), &with_driver_at(scene, 0, at));
             }
         }

@@ -118,7 +118,10 @@ pub fn scene(m: &Mech, style: &Style) -> String {
                     return; // their distance is given by coordinates, to the last digit only in one of the two
                 }
                 if !lengths.contains_key(&format!("{},{}", pn(q), pn(p))) {
-                    lengths.insert(format!("{},{}", pn(p), pn(q)), json!(metres(at(p).distance(at(q)))));
+                    lengths.insert(
+                        format!("{},{}", pn(p), pn(q)),
+                        json!(metres(at(p).distance(at(q)))),
+                    );
                 }
             };
             length(*a, *b);
@@ -253,7 +256,10 @@ pub fn scene(m: &Mech, style: &Style) -> String {
                     o.insert("length".into(), json!(metres(at(*a).distance(at(*b)))));
                 }
                 if !links.is_empty() {
-                    o.insert("links".into(), json!(links.iter().map(|l| ln(*l)).collect::<Vec<_>>()));
+                    o.insert(
+                        "links".into(),
+                        json!(links.iter().map(|l| ln(*l)).collect::<Vec<_>>()),
+                    );
                 }
                 ("rate", "acceleration", "m/s")
             }
@@ -270,7 +276,11 @@ pub fn scene(m: &Mech, style: &Style) -> String {
     scene.insert("points".into(), Value::Object(points));
     scene.insert("lengths".into(), Value::Object(lengths));
     scene.insert("guides".into(), Value::Array(guides));
-    let driver = if drivers.len() == 1 && rng.chance(0.5) { drivers.remove(0) } else { Value::Array(drivers) };
+    let driver = if drivers.len() == 1 && rng.chance(0.5) {
+        drivers.remove(0)
+    } else {
+        Value::Array(drivers)
+    };
     scene.insert("driver".into(), driver);
     scene.insert("sketch".into(), Value::Object(sketch));
     scene.insert("find".into(), json!(questions(m, style)));
@@ -304,7 +314,9 @@ fn reorder(v: &mut Value, rng: &mut Rng) {
 fn questions(m: &Mech, style: &Style) -> Vec<String> {
     let pn = |p: usize| point_name(p, style.renamed);
     let ln = |l: usize| link_name(l, style.renamed);
-    let placed = |p: usize| m.links.iter().any(|l| l.points.contains(&p)) || m.guides.iter().any(|g| g.pin == Some(p));
+    let placed = |p: usize| {
+        m.links.iter().any(|l| l.points.contains(&p)) || m.guides.iter().any(|g| g.pin == Some(p))
+    };
     let mut find = Vec::new();
     let accelerations = style.ask == Ask::Everything;
     for p in (0..m.points.len()).filter(|p| placed(*p)) {

@@ -40,7 +40,8 @@ fn loads(scene: &Scene, rng: &mut Rng) -> Vec<Load> {
         let Some(&at) = scene.links[link.0].points.last() else { continue };
         let mut load = Load { link, at, force: [0.0; 2], couple: 0.0, mass: 0.0, inertia: 0.0 };
         if rng.chance(0.6) {
-            (load.force, load.couple) = ([rng.between(-50.0, 50.0), rng.between(-50.0, 50.0)], rng.between(-20.0, 20.0));
+            (load.force, load.couple) =
+                ([rng.between(-50.0, 50.0), rng.between(-50.0, 50.0)], rng.between(-20.0, 20.0));
         }
         if rng.chance(0.5) {
             (load.mass, load.inertia) = (rng.between(0.5, 3.0), rng.between(0.1, 2.0));
@@ -63,7 +64,9 @@ fn balance(scene: &Scene, rng: &mut Rng) -> Option<Json> {
             (link, *scene.links[link.0].points.first()?)
         }
     };
-    Some(json!({"link": scene.link_name(link), "at": scene.point_name(at), "angle": format!("{:?} deg", rng.between(5.0, 80.0))}))
+    Some(
+        json!({"link": scene.link_name(link), "at": scene.point_name(at), "angle": format!("{:?} deg", rng.between(5.0, 80.0))}),
+    )
 }
 
 /// The scene with loads, with balancing moments and the reactions of pins between two links asked
@@ -76,7 +79,9 @@ fn asked(text: &str, scene: &Scene, loads: &[Load], balance: Option<Json>) -> St
     for l in loads {
         let at = scene.point_name(l.at);
         if l.couple != 0.0 {
-            forces.push(json!({"on": name(l.link), "at": at, "F": l.force.map(|f| format!("{f:?} N"))}));
+            forces.push(
+                json!({"on": name(l.link), "at": at, "F": l.force.map(|f| format!("{f:?} N"))}),
+            );
             forces.push(json!({"on": name(l.link), "M": format!("{:?} N*m", l.couple)}));
         }
         if l.mass != 0.0 {
@@ -123,7 +128,9 @@ fn by_work(scene: &Scene, worked: &Worked, loads: &[Load]) -> Option<Big> {
         power = power + v.dot(Vec2::new(big(l.force[0]), big(l.force[1]))) + omega * big(l.couple);
         if l.mass != 0.0 {
             let a = motion.vector(Level::Acceleration, l.at, None)?;
-            power = power - v.dot(a) * big(l.mass) - omega * motion.turning(Level::Acceleration, l.link)? * big(l.inertia);
+            power = power
+                - v.dot(a) * big(l.mass)
+                - omega * motion.turning(Level::Acceleration, l.link)? * big(l.inertia);
         }
     }
     Some(big(0.0) - power)
@@ -135,7 +142,10 @@ fn of_pin(scene: &Scene, find: &str, all: &[(PointId, LinkId, Vec2<Big>)]) -> Op
     let asks = |(p, on, _): &&(PointId, LinkId, Vec2<Big>)| {
         let link = scene.link_name(*on);
         let alone = find == format!("F_{}{link}", scene.point_name(*p));
-        let others = scene.carriers(*p).filter(|l| l != on).map(|l| format!("F_{},{link}", scene.link_name(l)));
+        let others = scene
+            .carriers(*p)
+            .filter(|l| l != on)
+            .map(|l| format!("F_{},{link}", scene.link_name(l)));
         alone || parties(scene, *p) == 2 && others.into_iter().any(|text| text == find)
     };
     all.iter().find(asks).map(|(.., force)| *force)
@@ -143,7 +153,8 @@ fn of_pin(scene: &Scene, find: &str, all: &[(PointId, LinkId, Vec2<Big>)]) -> Op
 
 /// The direction of a vector in degrees.
 fn degrees(v: Vec2<Big>) -> f64 {
-    (v.y.atan2(v.x) * Big::from_f64(180.0) / (Big::from_f64(0.0).atan2(Big::from_f64(-1.0)))).approx()
+    (v.y.atan2(v.x) * Big::from_f64(180.0) / (Big::from_f64(0.0).atan2(Big::from_f64(-1.0))))
+        .approx()
 }
 
 /// One unit of the last of this number of significant digits.
@@ -153,10 +164,13 @@ fn last_place(value: f64, digits: usize) -> f64 {
 
 #[test]
 fn random_loads_are_balanced_three_ways() {
-    let (mut whole, mut compared, mut drawn, mut balanced, mut proven, mut digits, mut reactions) = (0, 0, 0, 0, 0, 0, 0);
+    let (mut whole, mut compared, mut drawn, mut balanced, mut proven, mut digits, mut reactions) =
+        (0, 0, 0, 0, 0, 0, 0);
     let mut failures = Vec::new();
     for seed in seeds(400) {
-        let Some(m) = mechanism(seed).filter(|m| !m.coordinates_only && m.groups.len() <= 8) else { continue };
+        let Some(m) = mechanism(seed).filter(|m| !m.coordinates_only && m.groups.len() <= 8) else {
+            continue;
+        };
         let plain = emit::scene(&m, &style(Pose::Lengths, Ask::Velocities, seed));
         let Ok(read) = scene::read(&plain) else { continue };
         let loads = loads(&read.value, &mut Rng::new(seed ^ 0xF0));
@@ -173,18 +187,24 @@ fn random_loads_are_balanced_three_ways() {
             continue;
         }
         // All links together, where every reaction of the ground is drawn.
-        let together =
-            worked.equilibrium.as_ref().and_then(|of| Some((of.forces.largest, ForceTotals::of(&scene, &worked.configuration, of)?)));
+        let together = worked.equilibrium.as_ref().and_then(|of| {
+            Some((of.forces.largest, ForceTotals::of(&scene, &worked.configuration, of)?))
+        });
         if let Some((largest, all)) = together {
             whole += 1;
             if (all.loads + all.ground).norm() > 1e-9 * largest {
-                failures.push(format!("seed {seed}: the ground bears {:?}, the loads are {:?}", all.ground, all.loads));
+                failures.push(format!(
+                    "seed {seed}: the ground bears {:?}, the loads are {:?}",
+                    all.ground, all.loads
+                ));
             }
         }
         for r in &worked.results {
             compared += 1;
             drawn += usize::from(r.drawn.is_some());
-            balanced += usize::from(r.drawn.is_some() && balance.is_some() && scene.find[r.find].text == "F_b");
+            balanced += usize::from(
+                r.drawn.is_some() && balance.is_some() && scene.find[r.find].text == "F_b",
+            );
             if let Some(a) = r.agreement.filter(|a| !a.holds()) {
                 failures.push(format!("seed {seed}: {} {a:?}", scene.find[r.find].text));
             }
@@ -192,13 +212,22 @@ fn random_loads_are_balanced_three_ways() {
         let told = certify(&scene, &worked, DIGITS);
         if balance.is_none() {
             within(truth::BITS, || {
-                let Some(true_values) = free_bodies::reactions(&scene, &worked, &loads) else { return };
+                let Some(true_values) = free_bodies::reactions(&scene, &worked, &loads) else {
+                    return;
+                };
                 for (r, c) in worked.results.iter().zip(&told) {
                     let find = &scene.find[r.find].text;
                     let Some(value) = of_pin(&scene, find, &true_values) else { continue };
-                    let numbers = [(AnswerPart::Magnitude, value.norm().approx()), (AnswerPart::Direction, degrees(value))];
-                    for (part, value) in numbers.into_iter().filter(|(_, value)| value.abs() > 1e-9) {
-                        let Some((printed, count)) = c.part(part).and_then(|n| n.text(DIGITS)) else { continue };
+                    let numbers = [
+                        (AnswerPart::Magnitude, value.norm().approx()),
+                        (AnswerPart::Direction, degrees(value)),
+                    ];
+                    for (part, value) in numbers.into_iter().filter(|(_, value)| value.abs() > 1e-9)
+                    {
+                        let Some((printed, count)) = c.part(part).and_then(|n| n.text(DIGITS))
+                        else {
+                            continue;
+                        };
                         reactions += 1;
                         let off = (printed.parse::<f64>().unwrap() - value).abs();
                         if off.min((off - 360.0).abs()) > 0.5001 * last_place(value, count) {
@@ -208,7 +237,9 @@ fn random_loads_are_balanced_three_ways() {
                 }
             });
         }
-        let Some(k) = worked.results.iter().position(|r| scene.find[r.find].text == "P") else { continue };
+        let Some(k) = worked.results.iter().position(|r| scene.find[r.find].text == "P") else {
+            continue;
+        };
         within(truth::BITS, || {
             let Some(true_value) = by_work(&scene, &worked, &loads) else { return };
             let AnswerValue::Scalar(computed) = worked.results[k].computed else { return };
@@ -218,13 +249,19 @@ fn random_loads_are_balanced_three_ways() {
             }
             proven += 1;
             if (computed - value).abs() > 1e-9 * value.abs().max(1.0) {
-                failures.push(format!("seed {seed}: P is {computed}, by the work of the loads {value}"));
+                failures.push(format!(
+                    "seed {seed}: P is {computed}, by the work of the loads {value}"
+                ));
             }
-            if let Some((printed, _)) = told[k].part(AnswerPart::Scalar).and_then(|n| n.text(DIGITS)) {
+            if let Some((printed, _)) =
+                told[k].part(AnswerPart::Scalar).and_then(|n| n.text(DIGITS))
+            {
                 digits += 1;
                 let off: f64 = (printed.parse::<f64>().unwrap() - value).abs();
                 if off > 0.5001 * last_place(value, DIGITS) {
-                    failures.push(format!("seed {seed}: P is printed as {printed}, by the work of the loads {value}"));
+                    failures.push(format!(
+                        "seed {seed}: P is printed as {printed}, by the work of the loads {value}"
+                    ));
                 }
             }
         });

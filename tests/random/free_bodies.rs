@@ -91,7 +91,11 @@ impl Equations<'_> {
 
 /// The force of each pin on each of its moving links; `None` for scenes with cylinders, wheels or
 /// links of unknown pose, and where reactions are not determined.
-pub fn reactions(scene: &Scene, worked: &Worked, loads: &[Load]) -> Option<Vec<(PointId, LinkId, Vec2<Big>)>> {
+pub fn reactions(
+    scene: &Scene,
+    worked: &Worked,
+    loads: &[Load],
+) -> Option<Vec<(PointId, LinkId, Vec2<Big>)>> {
     let motion = hodograph::effort::truth::differences(scene, worked).ok()?;
     let at = &motion.now;
     let drivers_turn_or_slide = scene.drivers.iter().all(|d| d.kind.ends().is_none());
@@ -107,14 +111,24 @@ pub fn reactions(scene: &Scene, worked: &Worked, loads: &[Load]) -> Option<Vec<(
         count += 3;
     }
     let on_ground = |p: PointId| scene.links[scene.ground.0].points.contains(&p);
-    let slots = |p: PointId| scene.guides.iter().filter(|g| g.pin == Some(p) && g.slider.is_none()).count();
+    let slots =
+        |p: PointId| scene.guides.iter().filter(|g| g.pin == Some(p) && g.slider.is_none()).count();
     let mut of_pin = vec![None; scene.points.len()];
-    let pins: Vec<PointId> = (0..scene.points.len()).map(PointId).filter(|p| scene.carriers(*p).count() + slots(*p) > 1).collect();
+    let pins: Vec<PointId> = (0..scene.points.len())
+        .map(PointId)
+        .filter(|p| scene.carriers(*p).count() + slots(*p) > 1)
+        .collect();
     for p in pins.iter().filter(|p| !on_ground(**p)) {
         of_pin[p.0] = Some(count);
         count += 2;
     }
-    let mut all = Equations { scene, of_link, of_pin, rows: vec![Vec::new(); count], right: vec![zero; count] };
+    let mut all = Equations {
+        scene,
+        of_link,
+        of_pin,
+        rows: vec![Vec::new(); count],
+        right: vec![zero; count],
+    };
     if count == 0 {
         return None;
     }
@@ -166,11 +180,20 @@ pub fn reactions(scene: &Scene, worked: &Worked, loads: &[Load]) -> Option<Vec<(
         all.load(l.link, force, place.cross(force) + couple);
     }
     let found = all.solved()?;
-    Some(of_pins.into_iter().map(|(p, link, [x, y])| (p, link, Vec2::new(found[x], found[y]))).collect())
+    Some(
+        of_pins
+            .into_iter()
+            .map(|(p, link, [x, y])| (p, link, Vec2::new(found[x], found[y])))
+            .collect(),
+    )
 }
 
 /// The place of the part that runs in a guide, and the unit vector along the guide there.
-fn tangent(scene: &Scene, g: GuideId, at: &hodograph::position::Configuration<Big>) -> Option<(Point<Big>, Vec2<Big>)> {
+fn tangent(
+    scene: &Scene,
+    g: GuideId,
+    at: &hodograph::position::Configuration<Big>,
+) -> Option<(Point<Big>, Vec2<Big>)> {
     let guide = &scene.guides[g.0];
     let p = guide.pin.or_else(|| scene.links[guide.slider?.0].points.first().copied());
     let place = match p {
@@ -185,7 +208,11 @@ fn tangent(scene: &Scene, g: GuideId, at: &hodograph::position::Configuration<Bi
 
 /// Adds the unknowns of a guide: for a slot a force perpendicular to it, for a straight guide with
 /// a slider also a couple, for a curved one a force through its centre.
-fn guide(all: &mut Equations, g: GuideId, at: &hodograph::position::Configuration<Big>) -> Option<()> {
+fn guide(
+    all: &mut Equations,
+    g: GuideId,
+    at: &hodograph::position::Configuration<Big>,
+) -> Option<()> {
     let scene = all.scene;
     let own = &scene.guides[g.0];
     let (place, along) = tangent(scene, g, at)?;

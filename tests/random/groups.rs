@@ -14,15 +14,28 @@ fn group_by_group_as_all_at_once() {
             let pose = if m.coordinates_only { Pose::Coordinates } else { pose };
             let c = solve(seed, &m, &style(pose, Ask::Everything, seed));
             let w = &c.worked;
-            let again = position::recompute::<f64>(&c.scene, &w.mechanism, &w.demand, &w.configuration)
-                .unwrap_or_else(|f| panic!("seed {seed}: {f}\n{}", c.text));
+            let again =
+                position::recompute::<f64>(&c.scene, &w.mechanism, &w.demand, &w.configuration)
+                    .unwrap_or_else(|f| panic!("seed {seed}: {f}\n{}", c.text));
             // The same numbers, or, where the closed forms had lost digits, numbers rounded from
             // longer ones.
             let size = w.configuration.extent();
-            let off = again.points.iter().zip(&w.configuration.points).filter_map(|(a, b)| Some((*a)?.distance((*b)?)));
+            let off = again
+                .points
+                .iter()
+                .zip(&w.configuration.points)
+                .filter_map(|(a, b)| Some((*a)?.distance((*b)?)));
             let off = off.fold(0.0, f64::max);
-            assert_eq!(again.closures, w.configuration.closures, "seed {seed}: another assembly in the same numbers\n{}", c.text);
-            assert!(off <= 1e-9 * size, "seed {seed}: {off:e} m off in the same numbers\n{}", c.text);
+            assert_eq!(
+                again.closures, w.configuration.closures,
+                "seed {seed}: another assembly in the same numbers\n{}",
+                c.text
+            );
+            assert!(
+                off <= 1e-9 * size,
+                "seed {seed}: {off:e} m off in the same numbers\n{}",
+                c.text
+            );
             settled += usize::from(again != w.configuration);
             placed += 1;
             let again = w.configuration.clone();
@@ -31,7 +44,8 @@ fn group_by_group_as_all_at_once() {
             let largest = |a: AnswerValue, b: AnswerValue| a.magnitude().max(b.magnitude());
             for o in w.results.iter().filter(|o| o.agreement.is_some()) {
                 let find = &c.scene.find[o.find];
-                let value = evaluate(&c.scene, &again, &motion, &find.what).unwrap_or_else(|| panic!("seed {seed}: {}", find.text));
+                let value = evaluate(&c.scene, &again, &motion, &find.what)
+                    .unwrap_or_else(|| panic!("seed {seed}: {}", find.text));
                 let off = match (value, o.computed) {
                     (AnswerValue::Vector(a), AnswerValue::Vector(b)) => (a - b).norm(),
                     (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => (a - b).abs(),
@@ -41,7 +55,10 @@ fn group_by_group_as_all_at_once() {
                 let size = largest(value, o.computed).max(agreement.noise * 1e13);
                 answers += 1;
                 if off > 1e-9f64.max(100.0 * agreement.bound) * size {
-                    panic!("seed {seed}: {} of {:?} is {value:?}, loop equations {:?}\n{}", find.text, m.groups, o.computed, c.text);
+                    panic!(
+                        "seed {seed}: {} of {:?} is {value:?}, loop equations {:?}\n{}",
+                        find.text, m.groups, o.computed, c.text
+                    );
                 }
                 worst = worst.max(off / size);
             }
@@ -50,18 +67,24 @@ fn group_by_group_as_all_at_once() {
     println!(
         "{answers} answers group by group against all at once: worst {worst:.1e}; {settled} of {placed} poses found again in longer numbers"
     );
-    assert!(settled * 10 < placed, "{settled} of {placed} ordinary poses count as ones that lost digits");
+    assert!(
+        settled * 10 < placed,
+        "{settled} of {placed} ordinary poses count as ones that lost digits"
+    );
 }
 
 /// `f32` gives the same results with half the digits.
 #[test]
 fn single_precision_goes_the_same_way() {
-    let scene = hodograph::scene::read(hodograph::scene::templates::get("crank-rocker").unwrap()).unwrap().value;
+    let scene = hodograph::scene::read(hodograph::scene::templates::get("crank-rocker").unwrap())
+        .unwrap()
+        .value;
     let w = hodograph::worked::work(&scene, hodograph::worked::Scope::Questions).unwrap().value;
     let at = position::recompute::<f32>(&scene, &w.mechanism, &w.demand, &w.configuration).unwrap();
     let motion = motion::solve(&scene, &w.mechanism, &at, &w.demand);
     for r in &w.results {
-        let (Some(AnswerValue::Vector(a)), AnswerValue::Vector(b)) = (evaluate(&scene, &at, &motion, &scene.find[r.find].what), r.computed)
+        let (Some(AnswerValue::Vector(a)), AnswerValue::Vector(b)) =
+            (evaluate(&scene, &at, &motion, &scene.find[r.find].what), r.computed)
         else {
             continue;
         };

@@ -52,7 +52,12 @@ impl Growing {
         let links: Vec<String> = self
             .links
             .iter()
-            .map(|(l, p)| format!("\"{l}\": [{}]", p.iter().map(|p| format!("\"{p}\"")).collect::<Vec<_>>().join(", ")))
+            .map(|(l, p)| {
+                format!(
+                    "\"{l}\": [{}]",
+                    p.iter().map(|p| format!("\"{p}\"")).collect::<Vec<_>>().join(", ")
+                )
+            })
             .collect();
         let find: Vec<String> = find.iter().map(|f| format!("\"{f}\"")).collect();
         format!(
@@ -70,7 +75,8 @@ impl Growing {
 
     /// The places of its moving points (mm).
     fn places(&self) -> Option<Vec<Point>> {
-        let find: Vec<String> = self.movers.iter().flat_map(|p| [format!("x_{p}"), format!("y_{p}")]).collect();
+        let find: Vec<String> =
+            self.movers.iter().flat_map(|p| [format!("x_{p}"), format!("y_{p}")]).collect();
         let scene = match scene::read(self.text(&find)) {
             Ok(scene) => scene.value,
             Err(f) if f.list.iter().any(|d| d.code == "no-contact") => return None,
@@ -106,7 +112,10 @@ impl Growing {
             self.link(&last, &[&joint, &pivot]);
             self.lengths.push(format!("\"{joint},{pivot}\": \"{}\"", mm(reach)));
             let left = (foot - at).cross(there - at) > 0.0;
-            self.sides.push(format!("\"{joint}\": \"{} of {from},{pivot}\"", if left { "left" } else { "right" }));
+            self.sides.push(format!(
+                "\"{joint}\": \"{} of {from},{pivot}\"",
+                if left { "left" } else { "right" }
+            ));
             self.turning.push(last);
         } else {
             // The slider's path crosses the rod at no small angle; a rough place selects one of the
@@ -130,7 +139,11 @@ impl Growing {
 }
 
 fn rates(rng: &mut Rng) -> String {
-    format!("\"omega\": \"{:.2} rad/s\", \"alpha\": \"{:.2} rad/s^2\"", rng.between(1.0, 6.0), rng.between(-9.0, 9.0))
+    format!(
+        "\"omega\": \"{:.2} rad/s\", \"alpha\": \"{:.2} rad/s^2\"",
+        rng.between(1.0, 6.0),
+        rng.between(-9.0, 9.0)
+    )
 }
 
 const LAWS: [&str; 6] = ["harmonic", "cycloidal", "3-4-5", "4-5-6-7", "modified-sine", "parabolic"];
@@ -176,10 +189,17 @@ fn cam(rng: &mut Rng) -> Growing {
     }
     let touch = match (end, swings) {
         (0, _) => "\"edge\": \"B\"".to_owned(),
-        (1, _) => format!("\"roller\": {{\"pin\": \"B\", \"radius\": \"{}\"}}", mm(rng.between(5.0, 12.0))),
-        (2, _) => format!("\"arc\": {{\"pin\": \"B\", \"radius\": \"{}\"}}", mm(rng.between(15.0, 40.0))),
+        (1, _) => format!(
+            "\"roller\": {{\"pin\": \"B\", \"radius\": \"{}\"}}",
+            mm(rng.between(5.0, 12.0))
+        ),
+        (2, _) => {
+            format!("\"arc\": {{\"pin\": \"B\", \"radius\": \"{}\"}}", mm(rng.between(15.0, 40.0)))
+        }
         (_, false) => "\"face\": {}".to_owned(),
-        (_, true) => "\"face\": {\"through\": \"P\", \"line\": \"PB\", \"cam\": \"left\"}".to_owned(),
+        (_, true) => {
+            "\"face\": {\"through\": \"P\", \"line\": \"PB\", \"cam\": \"left\"}".to_owned()
+        }
     };
     let profile = match kind {
         0 => format!("{{\"centre\": \"Q\", \"radius\": \"{}\"}}", mm(base)),
@@ -199,7 +219,11 @@ fn cam(rng: &mut Rng) -> Growing {
             mm(nose)
         ),
         _ => {
-            let lift = if swings { format!("{:.1} deg", rng.between(5.0, 14.0)) } else { mm(rng.between(5.0, 15.0)) };
+            let lift = if swings {
+                format!("{:.1} deg", rng.between(5.0, 14.0))
+            } else {
+                mm(rng.between(5.0, 15.0))
+            };
             let over = (rng.between(90.0, 130.0).round(), rng.between(90.0, 130.0).round());
             format!(
                 "{{\"base\": \"{}\", \"law\": [{{\"rise\": \"{lift}\", \"over\": \"{} deg\", \"law\": \"{}\"}}, {{\"dwell\": \"40 deg\"}}, {{\"return\": \"{lift}\", \"over\": \"{} deg\", \"law\": \"{}\"}}, {{\"dwell\": \"{} deg\"}}]}}",
@@ -212,7 +236,9 @@ fn cam(rng: &mut Rng) -> Growing {
             )
         }
     };
-    g.sections = format!("\"cams\": [{{\"cam\": \"2\", \"follower\": \"3\", {touch}, \"profile\": {profile}}}],");
+    g.sections = format!(
+        "\"cams\": [{{\"cam\": \"2\", \"follower\": \"3\", {touch}, \"profile\": {profile}}}],"
+    );
     g.movers.push("B".into());
     g
 }
@@ -232,7 +258,10 @@ fn geared(rng: &mut Rng) -> Growing {
             g.ground("Q", [rng.between(70.0, 110.0), rng.between(-20.0, 20.0)]);
             g.link("2", &["O", "A"]);
             g.link("3", &["Q", "C"]);
-            g.lengths.extend([format!("\"OA\": \"{}\"", mm(pin)), format!("\"QC\": \"{}\"", mm(rng.between(15.0, 35.0)))]);
+            g.lengths.extend([
+                format!("\"OA\": \"{}\"", mm(pin)),
+                format!("\"QC\": \"{}\"", mm(rng.between(15.0, 35.0))),
+            ]);
             g.sections = format!(
                 "\"gears\": [{{\"links\": [\"2\", \"3\"], \"centres\": [\"O\", \"Q\"], \"teeth\": [{z1}, {z2}], \"phase\": \"{phase}\", \"at\": \"K\"}}],"
             );
@@ -264,7 +293,11 @@ fn geared(rng: &mut Rng) -> Growing {
                 mm(0.0),
                 mm(-radius)
             ));
-            g.points.push(format!("\"B\": [\"{}\", \"{}\"]", mm(rng.between(-50.0, 50.0)), mm(-radius)));
+            g.points.push(format!(
+                "\"B\": [\"{}\", \"{}\"]",
+                mm(rng.between(-50.0, 50.0)),
+                mm(-radius)
+            ));
             g.sections = format!(
                 "\"gears\": [{{\"links\": [\"2\", \"3\"], \"centres\": [\"O\"], \"radii\": [\"{}\"], \"rack\": \"3\", \"angle\": \"0 deg\", \"at\": \"K\"}}],",
                 mm(radius)
@@ -277,7 +310,8 @@ fn geared(rng: &mut Rng) -> Growing {
             g.link("3", &["A", "C"]);
             g.link("4", &["C"]);
             let (rod, radius) = (rng.between(90.0, 130.0), rng.between(15.0, 40.0));
-            g.lengths.extend([format!("\"OA\": \"{}\"", mm(pin)), format!("\"AC\": \"{}\"", mm(rod))]);
+            g.lengths
+                .extend([format!("\"OA\": \"{}\"", mm(pin)), format!("\"AC\": \"{}\"", mm(rod))]);
             let low = rng.between(-40.0, 10.0);
             g.sections = format!(
                 "\"sketch\": {{\"C\": [\"{}\", \"{}\"]}}, \"rolling\": [{{\"wheel\": \"4\", \"centre\": \"C\", \"radius\": \"{}\", \"on\": \"1\", \"through\": [\"0 mm\", \"{}\"], \"angle\": \"0 deg\", \"at\": \"N\"}}],",
@@ -313,7 +347,10 @@ pub fn scene(seed: u64) -> Option<(String, Scene)> {
         Ok(scene) => Some((text, scene.value)),
         Err(f) => {
             assert!(
-                f.list.iter().all(|d| d.code == "no-contact" || d.severity != hodograph::diag::Severity::Error),
+                f.list
+                    .iter()
+                    .all(|d| d.code == "no-contact"
+                        || d.severity != hodograph::diag::Severity::Error),
                 "seed {seed}: {f}\n{text}"
             );
             None

@@ -56,12 +56,16 @@ fn a_slider_inside_a_higher_group_is_proved() {
     let (scene, done) = worked(&with_slider());
     let places = [("D", 6.0, 5.0), ("E", 7.0, 2.0), ("B", 3.0, 4.0)];
     for (name, x, y) in places {
-        let at = done.configuration.point(PointId(scene.points.iter().position(|p| p.name == name).unwrap()));
+        let at = done
+            .configuration
+            .point(PointId(scene.points.iter().position(|p| p.name == name).unwrap()));
         assert!((at - Point::new(x, y)).norm() < 1e-13, "{name} is at {at:?}");
     }
     let certified = certify(&scene, &done, 12);
     within(truth::BITS, || {
-        for ((c, r), t) in certified.iter().zip(&done.results).zip(truth::answers(&scene, &done).unwrap()) {
+        for ((c, r), t) in
+            certified.iter().zip(&done.results).zip(truth::answers(&scene, &done).unwrap())
+        {
             let find = &scene.find[r.find];
             assert_eq!(c.why, None, "{}", find.text);
             let t = match t.unwrap() {
@@ -79,7 +83,9 @@ fn a_slider_inside_a_higher_group_is_proved() {
 /// guide: the rough sketch must not decide it.
 #[test]
 fn the_direction_of_a_slider_is_not_taken_from_the_sketch() {
-    let text = with_slider().replace(r#""5": ["D"]"#, r#""5": ["D", "K"]"#).replace(r#""OA":"#, r#""DK": 1, "OA":"#);
+    let text = with_slider()
+        .replace(r#""5": ["D"]"#, r#""5": ["D", "K"]"#)
+        .replace(r#""OA":"#, r#""DK": 1, "OA":"#);
     let text = text
         .replace(r#""E": [7,2]}"#, r#""E": [7,2], "K": [7,5.1]}"#)
         .replace(r#""through": "D", "angle": "90 deg""#, r#""line": "DK", "angle": "90 deg""#);
@@ -91,7 +97,11 @@ fn the_direction_of_a_slider_is_not_taken_from_the_sketch() {
 fn worked(text: &str) -> (Scene, Worked) {
     let scene = scene::read(text).unwrap_or_else(|f| panic!("{f}")).value;
     let done = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{f}"));
-    assert!(done.notes.iter().any(|d| d.code == "higher-group" && d.message.en.contains("2, 3, 4, 5")), "{:?}", done.notes);
+    assert!(
+        done.notes.iter().any(|d| d.code == "higher-group" && d.message.en.contains("2, 3, 4, 5")),
+        "{:?}",
+        done.notes
+    );
     (scene, done.value)
 }
 
@@ -125,7 +135,8 @@ fn a_higher_group_is_what_differences_of_positions_say() {
 }
 
 /// Links, guides, places that may be moved, questions.
-type Shape = (&'static str, &'static str, &'static str, &'static [(&'static str, f64, f64)], &'static str);
+type Shape =
+    (&'static str, &'static str, &'static str, &'static [(&'static str, f64, f64)], &'static str);
 
 /// Groups that no link on three lines opens.
 const SHAPES: [Shape; 4] = [
@@ -133,21 +144,44 @@ const SHAPES: [Shape; 4] = [
         "two bars",
         r#""1": ["O","A"], "2": ["A","B","C"], "3": ["B","D"], "4": ["C","E"], "5": ["D","E","F"], "6": ["O","F"]"#,
         "",
-        &[("O", 0.0, 0.0), ("A", 2.0, 1.0), ("B", 3.5, 3.6), ("C", 5.2, 1.9), ("D", 6.4, 5.1), ("E", 8.3, 2.6), ("F", 9.0, 6.0)],
+        &[
+            ("O", 0.0, 0.0),
+            ("A", 2.0, 1.0),
+            ("B", 3.5, 3.6),
+            ("C", 5.2, 1.9),
+            ("D", 6.4, 5.1),
+            ("E", 8.3, 2.6),
+            ("F", 9.0, 6.0),
+        ],
         r#""omega_2", "omega_3", "omega_5", "alpha_2", "alpha_4", "alpha_5", "v_B", "a_E""#,
     ),
     (
         "a bar and a slot",
         r#""1": ["O","A"], "2": ["A","B","C"], "3": ["B","D"], "5": ["D","F"], "6": ["O","F"]"#,
         r#""guides": [{"pin": "C", "on": "5", "slider": "4", "angle": "63 deg"}],"#,
-        &[("O", 0.0, 0.0), ("A", 2.0, 1.0), ("B", 3.5, 3.6), ("C", 5.2, 1.9), ("D", 6.4, 5.1), ("F", 9.0, 6.0)],
+        &[
+            ("O", 0.0, 0.0),
+            ("A", 2.0, 1.0),
+            ("B", 3.5, 3.6),
+            ("C", 5.2, 1.9),
+            ("D", 6.4, 5.1),
+            ("F", 9.0, 6.0),
+        ],
         r#""omega_2", "omega_3", "omega_5", "alpha_2", "alpha_3", "alpha_5", "v_CC5", "ak_CC5", "a_D""#,
     ),
     (
         "a bar and a curved slot",
         r#""1": ["O","A"], "2": ["A","B","C"], "3": ["B","D"], "5": ["D","F","K"], "6": ["O","F"]"#,
         r#""guides": [{"pin": "C", "on": "5", "centre": "K"}],"#,
-        &[("O", 0.0, 0.0), ("A", 2.0, 1.0), ("B", 3.5, 3.6), ("C", 5.2, 1.9), ("D", 6.4, 5.1), ("F", 9.0, 6.0), ("K", 8.0, -1.0)],
+        &[
+            ("O", 0.0, 0.0),
+            ("A", 2.0, 1.0),
+            ("B", 3.5, 3.6),
+            ("C", 5.2, 1.9),
+            ("D", 6.4, 5.1),
+            ("F", 9.0, 6.0),
+            ("K", 8.0, -1.0),
+        ],
         r#""omega_2", "omega_3", "omega_5", "alpha_2", "alpha_3", "alpha_5", "v_C", "a_D""#,
     ),
     (
@@ -179,29 +213,55 @@ fn every_way_to_draw_a_group_gives_the_same() {
         for seed in 0..25 {
             let mut rng = crate::rng::Rng::new(seed);
             let mut moved = || rng.between(-0.8, 0.8);
-            let points: Vec<String> = places.iter().map(|(name, x, y)| format!("\"{name}\": [{}, {}]", x + moved(), y + moved())).collect();
+            let points: Vec<String> = places
+                .iter()
+                .map(|(name, x, y)| format!("\"{name}\": [{}, {}]", x + moved(), y + moved()))
+                .collect();
             let ground = if shape == "a ring" { "8" } else { "6" };
             let text = format!(
                 r#"{{"units": {{"length": "m"}}, "links": {{{links}}}, "ground": "{ground}", {guides} "points": {{{}}}, "driver": {{"link": "1", "omega": "3 rad/s", "alpha": "2 rad/s^2"}}, "find": [{find}]}}"#,
                 points.join(", ")
             );
             let scene = scene::read(&text).unwrap_or_else(|f| panic!("{shape}: {f}")).value;
-            let w = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{shape}, seed {seed}: {f}")).value;
+            let w = work(&scene, Scope::Figure)
+                .unwrap_or_else(|f| panic!("{shape}, seed {seed}: {f}"))
+                .value;
             assert!(w.plan.undrawable.is_empty(), "{shape}, seed {seed}: not drawn");
-            assert!(w.results.iter().all(|r| r.agreement.is_some_and(|a| a.holds())), "{shape}, seed {seed}: {:?}", w.results);
-            let group = w.mechanism.groups.iter().position(|g| matches!(g.core, Core::Higher)).expect("a group without a core");
+            assert!(
+                w.results.iter().all(|r| r.agreement.is_some_and(|a| a.holds())),
+                "{shape}, seed {seed}: {:?}",
+                w.results
+            );
+            let group = w
+                .mechanism
+                .groups
+                .iter()
+                .position(|g| matches!(g.core, Core::Higher))
+                .expect("a group without a core");
             // The smallest intersection angle of a drawing, in degrees.
-            let flattest = |d: &PlanDrawing| crossings(d, 0.0).iter().map(|c| c.angle_deg()).fold(90.0, f64::min);
+            let flattest = |d: &PlanDrawing| {
+                crossings(d, 0.0).iter().map(|c| c.angle_deg()).fold(90.0, f64::min)
+            };
             let mut best: f64 = 0.0;
             let mut way = 0;
             loop {
-                let plan =
-                    plan_with(&scene, &w.mechanism, &w.demand, &GroupChoices { way: [(group, way)].into(), ..GroupChoices::default() });
+                let plan = plan_with(
+                    &scene,
+                    &w.mechanism,
+                    &w.demand,
+                    &GroupChoices { way: [(group, way)].into(), ..GroupChoices::default() },
+                );
                 if plan.undrawable.contains(&group) {
                     break;
                 }
                 way += 1;
-                let drawn = construct(&scene, &w.mechanism, &w.configuration, &plan, &Boxes::of(&scene.paper, &plan));
+                let drawn = construct(
+                    &scene,
+                    &w.mechanism,
+                    &w.configuration,
+                    &plan,
+                    &Boxes::of(&scene.paper, &plan),
+                );
                 let Ok(drawn) = drawn else {
                     flat += 1;
                     continue;
@@ -214,9 +274,12 @@ fn every_way_to_draw_a_group_gives_the_same() {
                 }
                 let answers = read(&scene, &w.mechanism, &w.configuration, &plan, &drawn);
                 for (r, answer) in w.results.iter().zip(&answers) {
-                    let answer = answer
-                        .as_ref()
-                        .unwrap_or_else(|| panic!("{shape}, seed {seed}, way {way}: {} is not drawn", scene.find[r.find].text));
+                    let answer = answer.as_ref().unwrap_or_else(|| {
+                        panic!(
+                            "{shape}, seed {seed}, way {way}: {} is not drawn",
+                            scene.find[r.find].text
+                        )
+                    });
                     let off = match (answer.value, r.computed) {
                         (AnswerValue::Vector(a), AnswerValue::Vector(b)) => (a - b).norm(),
                         (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => (a - b).abs(),
@@ -231,11 +294,19 @@ fn every_way_to_draw_a_group_gives_the_same() {
                 }
             }
             let chosen = flattest(&w.construction);
-            assert!(chosen >= best.min(BAD_DEG) - 1e-9, "{shape}, seed {seed}: drawn under {chosen}°, where {best}° was to be had");
+            assert!(
+                chosen >= best.min(BAD_DEG) - 1e-9,
+                "{shape}, seed {seed}: drawn under {chosen}°, where {best}° was to be had"
+            );
             ways_of += way;
         }
-        println!("{shape}: {compared} answers compared in {ways_of} ways, {flat} of them without a crossing");
-        assert!(compared > 800, "{shape}: {compared} answers compared in {ways_of} ways, {flat} of them without a crossing");
+        println!(
+            "{shape}: {compared} answers compared in {ways_of} ways, {flat} of them without a crossing"
+        );
+        assert!(
+            compared > 800,
+            "{shape}: {compared} answers compared in {ways_of} ways, {flat} of them without a crossing"
+        );
     }
 }
 
@@ -247,12 +318,28 @@ fn a_double_butterfly_is_drawn_by_special_points() {
     let (mut drawn, mut left) = (0, 0);
     for seed in 0..60 {
         let mut rng = crate::rng::Rng::new(seed);
-        let places =
-            [(0.0, 0.0), (1.0, 6.0), (-5.0, 1.0), (-4.0, 5.0), (6.0, 0.0), (7.0, 4.0), (-2.0, 3.0), (-1.0, 5.0), (3.0, 2.0), (4.0, 7.0)];
+        let places = [
+            (0.0, 0.0),
+            (1.0, 6.0),
+            (-5.0, 1.0),
+            (-4.0, 5.0),
+            (6.0, 0.0),
+            (7.0, 4.0),
+            (-2.0, 3.0),
+            (-1.0, 5.0),
+            (3.0, 2.0),
+            (4.0, 7.0),
+        ];
         let points: Vec<String> = places
             .iter()
             .zip("ABCDEFGHKL".chars())
-            .map(|((x, y), name)| format!("\"{name}\": [{}, {}]", x + rng.between(-1.0, 1.0), y + rng.between(-1.0, 1.0)))
+            .map(|((x, y), name)| {
+                format!(
+                    "\"{name}\": [{}, {}]",
+                    x + rng.between(-1.0, 1.0),
+                    y + rng.between(-1.0, 1.0)
+                )
+            })
             .collect();
         let text = format!(
             r#"{{"units": {{"length": "mm"}}, "links": {{"1": ["A","C","E"], "2": ["A","G","K"], "3": ["B","D","H"], "4": ["B","F","L"], "5": ["C","D"], "6": ["E","F"],
@@ -263,7 +350,10 @@ fn a_double_butterfly_is_drawn_by_special_points() {
         let scene = scene::read(&text).unwrap_or_else(|f| panic!("{f}")).value;
         let done = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("seed {seed}: {f}"));
         let w = done.value;
-        let not_drawn = done.notes.iter().any(|d| d.code == "higher-group" && d.message.en.contains("not drawn"));
+        let not_drawn = done
+            .notes
+            .iter()
+            .any(|d| d.code == "higher-group" && d.message.en.contains("not drawn"));
         assert_eq!(w.plan.undrawable.is_empty(), !not_drawn, "seed {seed}");
         for r in &w.results {
             let Some(d) = &r.drawn else {

@@ -28,11 +28,19 @@ fn survive(input: &[u8], what: &str) -> bool {
             Ok(s) => s.value,
             Err(f) => return Err(f),
         };
-        let done = work(&scene, if input.len().is_multiple_of(2) { Scope::Figure } else { Scope::Questions })?.value;
+        let done = work(
+            &scene,
+            if input.len().is_multiple_of(2) { Scope::Figure } else { Scope::Questions },
+        )?
+        .value;
         for o in &done.results {
             for v in o.drawn.iter().map(|d| d.value).chain([o.computed]) {
                 let (x, y) = v.numbers();
-                assert!(x.is_finite() && y.is_none_or(f64::is_finite), "{} is {v:?}", scene.find[o.find].text);
+                assert!(
+                    x.is_finite() && y.is_none_or(f64::is_finite),
+                    "{} is {v:?}",
+                    scene.find[o.find].text
+                );
             }
         }
         // Everything that `solve --steps --drafting` prints.
@@ -46,7 +54,9 @@ fn survive(input: &[u8], what: &str) -> bool {
             answers::json(&scene, &done, &certified, answers::DIGITS, &[])["answers"].to_string(),
         ];
         for text in &printed {
-            let number = |w: &str| matches!(w.trim_matches(|c: char| !c.is_ascii_alphabetic()), "NaN" | "inf");
+            let number = |w: &str| {
+                matches!(w.trim_matches(|c: char| !c.is_ascii_alphabetic()), "NaN" | "inf")
+            };
             // A title may contain anything.
             let told = text.lines().filter(|l| l.contains('=') || l.starts_with('['));
             assert!(!told.flat_map(str::split_whitespace).any(number), "{text}");
@@ -58,7 +68,11 @@ fn survive(input: &[u8], what: &str) -> bool {
     assert!(took < SOON, "{what}: took {took:?} on\n{}", shown());
     match result {
         Err(e) => {
-            let words = e.downcast_ref::<String>().cloned().or(e.downcast_ref::<&str>().map(|s| s.to_string())).unwrap_or_default();
+            let words = e
+                .downcast_ref::<String>()
+                .cloned()
+                .or(e.downcast_ref::<&str>().map(|s| s.to_string()))
+                .unwrap_or_default();
             panic!("{what}: {words}\non\n{}", shown())
         }
         Ok(Ok(())) => true,
@@ -72,10 +86,12 @@ fn survive(input: &[u8], what: &str) -> bool {
 
 /// Valid scenes to be damaged: the templates and some random mechanisms.
 fn sources() -> Vec<String> {
-    let mut all: Vec<String> = templates::list().iter().map(|t| templates::get(t.name).unwrap().to_string()).collect();
+    let mut all: Vec<String> =
+        templates::list().iter().map(|t| templates::get(t.name).unwrap().to_string()).collect();
     for seed in 0..40 {
         if let Some(m) = mechanism(seed).filter(|m| m.groups.len() < 8) {
-            let pose = if m.coordinates_only || seed % 2 == 0 { Pose::Coordinates } else { Pose::Lengths };
+            let pose =
+                if m.coordinates_only || seed % 2 == 0 { Pose::Coordinates } else { Pose::Lengths };
             all.push(emit::scene(&m, &style(pose, Ask::Everything, seed)));
         }
     }
@@ -89,9 +105,26 @@ fn random_bytes() {
         let n = rng.below(300);
         let bytes: Vec<u8> = match seed % 3 {
             0 => (0..n).map(|_| rng.next() as u8).collect(),
-            1 => (0..n).map(|_| *b"{}[]\",:0123456789 abcAB.eE-+u\\\n".get(rng.below(31)).unwrap()).collect(),
+            1 => (0..n)
+                .map(|_| *b"{}[]\",:0123456789 abcAB.eE-+u\\\n".get(rng.below(31)).unwrap())
+                .collect(),
             _ => (0..n)
-                .flat_map(|_| rng.pick(&["\"links\":", "{", "}", "[", "]", ",", "\"A\"", "\"1\"", ":", "\"ground\"", "null"]).bytes())
+                .flat_map(|_| {
+                    rng.pick(&[
+                        "\"links\":",
+                        "{",
+                        "}",
+                        "[",
+                        "]",
+                        ",",
+                        "\"A\"",
+                        "\"1\"",
+                        ":",
+                        "\"ground\"",
+                        "null",
+                    ])
+                    .bytes()
+                })
                 .collect(),
         };
         survive(&bytes, &format!("random bytes, seed {seed}"));
@@ -112,7 +145,8 @@ fn flipped_bytes() {
                 2 => drop(bytes.remove(i)),
                 // Replacing a digit by a digit keeps the text a scene.
                 _ => {
-                    let digits: Vec<usize> = (0..bytes.len()).filter(|i| bytes[*i].is_ascii_digit()).collect();
+                    let digits: Vec<usize> =
+                        (0..bytes.len()).filter(|i| bytes[*i].is_ascii_digit()).collect();
                     if !digits.is_empty() {
                         bytes[digits[rng.below(digits.len())]] = b'0' + rng.below(10) as u8;
                     }
@@ -139,8 +173,8 @@ fn paths(v: &Json, at: &mut Vec<String>, out: &mut Vec<String>) {
 }
 
 const NUMBERS: [&str; 22] = [
-    "1e308", "1e-300", "5e-324", "-1", "0", "NaN", "inf", "1e999", "1/0", "0/0", "1e154", "1e-154", "1e16", "1e-12", "0.1", "1", "2", "3",
-    "90", "180", "360", "1e400",
+    "1e308", "1e-300", "5e-324", "-1", "0", "NaN", "inf", "1e999", "1/0", "0/0", "1e154", "1e-154",
+    "1e16", "1e-12", "0.1", "1", "2", "3", "90", "180", "360", "1e400",
 ];
 const UNITS: [&str; 8] = ["m", "mm", "deg", "rad", "rad/s", "m/s", "m/s^2", "rad/s^2"];
 
@@ -158,17 +192,24 @@ fn spoil(scene: &mut Json, rng: &mut Rng) {
         let links = scene["links"].as_object();
         let mut n: Vec<String> = links.iter().flat_map(|o| o.keys().cloned()).collect();
         n.extend(
-            links.iter().flat_map(|o| o.values()).filter_map(|v| v.as_array()).flatten().filter_map(|v| v.as_str()).map(str::to_string),
+            links
+                .iter()
+                .flat_map(|o| o.values())
+                .filter_map(|v| v.as_array())
+                .flatten()
+                .filter_map(|v| v.as_str())
+                .map(str::to_string),
         );
         n
     };
     match rng.below(9) {
         // Replaces a quantity, or any value, by an extreme one.
         0 | 1 => {
-            let unit = match scene.pointer(&path).and_then(Json::as_str).and_then(|t| t.split_once(' ')) {
-                Some((_, unit)) if rng.chance(0.9) => unit.to_string(),
-                _ => rng.pick(&UNITS).to_string(),
-            };
+            let unit =
+                match scene.pointer(&path).and_then(Json::as_str).and_then(|t| t.split_once(' ')) {
+                    Some((_, unit)) if rng.chance(0.9) => unit.to_string(),
+                    _ => rng.pick(&UNITS).to_string(),
+                };
             *scene.pointer_mut(&path).unwrap() = json!(format!("{} {unit}", rng.pick(&NUMBERS)));
         }
         // Removes an entry.
@@ -258,7 +299,10 @@ fn spoilt_scenes() {
                 spoil(&mut scene, &mut rng);
             }
         }
-        solved += usize::from(survive(scene.to_string().as_bytes(), &format!("spoilt scene, seed {seed}")));
+        solved += usize::from(survive(
+            scene.to_string().as_bytes(),
+            &format!("spoilt scene, seed {seed}"),
+        ));
     }
     println!("{solved} of {n} spoilt scenes were solved all the same");
 }
@@ -277,7 +321,8 @@ fn nested_and_huge() {
         let scene = json!({"links": links, "ground": "0", "driver": {"link": "1", "omega": "1 rad/s"}, "find": ["omega_2"]});
         assert!(!survive(scene.to_string().as_bytes(), &format!("an open chain of {n} links")));
         // All links on one pin.
-        let links: serde_json::Map<_, _> = (0..n).map(|i| (format!("{i}"), json!(["A", format!("B{i}")]))).collect();
+        let links: serde_json::Map<_, _> =
+            (0..n).map(|i| (format!("{i}"), json!(["A", format!("B{i}")]))).collect();
         let scene = json!({"links": links, "ground": "0", "driver": {"link": "1", "omega": "1 rad/s"}, "find": ["omega_2"]});
         assert!(!survive(scene.to_string().as_bytes(), &format!("{n} links on one pin")));
         // All points on all links.

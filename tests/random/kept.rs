@@ -46,7 +46,8 @@ fn apart(a: AnswerValue, b: AnswerValue) -> f64 {
         (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => (a - b).abs(),
         (AnswerValue::Vector(a), AnswerValue::Vector(b)) => (a - b).norm(),
         // The true value of a place is given as the vector to it.
-        (AnswerValue::Point(a), AnswerValue::Vector(b)) | (AnswerValue::Vector(b), AnswerValue::Point(a)) => (a.to_vec2() - b).norm(),
+        (AnswerValue::Point(a), AnswerValue::Vector(b))
+        | (AnswerValue::Vector(b), AnswerValue::Point(a)) => (a.to_vec2() - b).norm(),
         (AnswerValue::Point(a), AnswerValue::Point(b)) => (a - b).norm(),
         _ => f64::INFINITY,
     }
@@ -58,13 +59,19 @@ impl Seen {
         let done = done.value;
         for (r, c) in done.results.iter().zip(certify(scene, &done, 12)) {
             let find = &scene.find[r.find];
-            if find.what.level() == Level::Position || matches!(c.why, Some(MissingDigits::NextOrder(_))) {
+            if find.what.level() == Level::Position
+                || matches!(c.why, Some(MissingDigits::NextOrder(_)))
+            {
                 continue;
             }
             let Some(truth) = certified(&c) else { continue };
             self.answers += 1;
             if let Some(words) = self.broken_by(r, truth) {
-                self.broken.push(format!("{name}: {} = {:?}, certified {truth:?}: {words}", find.text, r.value()));
+                self.broken.push(format!(
+                    "{name}: {} = {:?}, certified {truth:?}: {words}",
+                    find.text,
+                    r.value()
+                ));
             }
         }
     }
@@ -86,7 +93,8 @@ impl Seen {
             (None, Some(rung)) => {
                 self.longer += 1;
                 let last = 4.0 * f64::EPSILON * truth.magnitude();
-                (apart(r.value(), truth) > last).then(|| format!("off by {off:e} though from {}", rung.name()))
+                (apart(r.value(), truth) > last)
+                    .then(|| format!("off by {off:e} though from {}", rung.name()))
             }
             (None, None) => {
                 self.computed += 1;
@@ -105,7 +113,12 @@ impl Seen {
             self.broken.len()
         );
         self.broken.iter().take(30).for_each(|b| println!("  {b}"));
-        assert!(self.broken.is_empty(), "{} promises are broken, first: {}", self.broken.len(), self.broken[0]);
+        assert!(
+            self.broken.is_empty(),
+            "{} promises are broken, first: {}",
+            self.broken.len(),
+            self.broken[0]
+        );
         assert!(self.answers >= least, "only {} answers were looked at", self.answers);
     }
 }
@@ -121,10 +134,14 @@ fn promises_are_kept_in_hard_cases() {
     let mut files: Vec<_> = std::fs::read_dir(folder).unwrap().map(|f| f.unwrap().path()).collect();
     files.sort();
     for path in files {
-        let case: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
+        let case: serde_json::Value =
+            serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
         // A case that only counts has no solution.
         if case["expect"].as_array().unwrap().iter().any(|e| !e["find"].is_null()) {
-            seen.check(&path.file_stem().unwrap().to_string_lossy(), &scene_of(&case["scene"].to_string()));
+            seen.check(
+                &path.file_stem().unwrap().to_string_lossy(),
+                &scene_of(&case["scene"].to_string()),
+            );
         }
     }
     seen.done(250);
@@ -137,10 +154,16 @@ fn promises_are_kept_next_to_toggles() {
         let scene = scene_of(templates::get(t.name).unwrap());
         seen.check(t.name, &scene);
         for up in [true, false] {
-            let Some(limit) = ends(&scene, 0).unwrap_or_default()[usize::from(up)] else { continue };
+            let Some(limit) = ends(&scene, 0).unwrap_or_default()[usize::from(up)] else {
+                continue;
+            };
             for k in 2..=14 {
-                let at = limit + if up { -1.0 } else { 1.0 } * 10f64.powi(-k) * limit.abs().min(1.0);
-                seen.check(&format!("{} 1e-{k} before {limit}", t.name), &with_driver_at(&scene, 0, at));
+                let at =
+                    limit + if up { -1.0 } else { 1.0 } * 10f64.powi(-k) * limit.abs().min(1.0);
+                seen.check(
+                    &format!("{} 1e-{k} before {limit}", t.name),
+                    &with_driver_at(&scene, 0, at),
+                );
             }
         }
     }
@@ -177,7 +200,12 @@ fn promises_are_kept_next_to_singular_poses() {
             }
         }
         for f in FRAMES {
-            let points = [("A", 0.0, 0.0), ("B", 2.0, 0.0), ("C", 7.0, 5.0 * 10f64.powi(-k)), ("D", 4.0, -4.0)];
+            let points = [
+                ("A", 0.0, 0.0),
+                ("B", 2.0, 0.0),
+                ("C", 7.0, 5.0 * 10f64.powi(-k)),
+                ("D", 4.0, -4.0),
+            ];
             let text = scene_in(f, FOUR_BAR, &points, &format!("{}, {RATES}", drive(3, 1.0, 0.5)));
             seen.check(&format!("dead point at {h}, {}", f.angle), &scene_of(&text));
         }
@@ -251,16 +279,27 @@ fn followers_beside_their_transitions() {
             let mut first: Option<f64> = None;
             for w in ["10", "-10"] {
                 let text = text.replace("{h}", &format!("1e-{k}")).replace("{w}", w);
-                let scene = read(&text).unwrap_or_else(|f| panic!("{name}, 1e-{k} rad, {w} rad/s: {f}")).value;
-                let done = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{name}, 1e-{k} rad, {w} rad/s: {f}")).value;
+                let scene = read(&text)
+                    .unwrap_or_else(|f| panic!("{name}, 1e-{k} rad, {w} rad/s: {f}"))
+                    .value;
+                let done = work(&scene, Scope::Figure)
+                    .unwrap_or_else(|f| panic!("{name}, 1e-{k} rad, {w} rad/s: {f}"))
+                    .value;
                 for r in &done.results {
                     let find = &scene.find[r.find].text;
-                    assert!(r.agreement.is_none_or(|a| a.holds()), "{name}, 1e-{k} rad, {w} rad/s: {find} {:?}", r.agreement);
+                    assert!(
+                        r.agreement.is_none_or(|a| a.holds()),
+                        "{name}, 1e-{k} rad, {w} rad/s: {find} {:?}",
+                        r.agreement
+                    );
                 }
                 // As written, no pose is the dead centre; the velocity reverses with the cam.
                 assert!(done.unanswered.is_empty(), "{name}, 1e-{k} rad: {:?}", done.unanswered);
                 let speed = done.results[0].value().magnitude();
-                assert!(first.is_none_or(|f| (f - speed).abs() <= 1e-6 * speed), "{name}, 1e-{k} rad: {first:?} {speed}");
+                assert!(
+                    first.is_none_or(|f| (f - speed).abs() <= 1e-6 * speed),
+                    "{name}, 1e-{k} rad: {first:?} {speed}"
+                );
                 first = Some(speed);
                 seen.check(&format!("{name}, 1e-{k} rad, {w} rad/s"), &scene);
             }
@@ -318,22 +357,29 @@ fn what_is_written_is_told_from_the_exact_dead_centre() {
             let h = 10f64.powi(-k);
             let text = text.replace("{H}", &format!("1e-{k}"));
             let scene = scene_of(&text);
-            let done = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{name}: {f}\n{text}")).value;
+            let done = work(&scene, Scope::Questions)
+                .unwrap_or_else(|f| panic!("{name}: {f}\n{text}"))
+                .value;
             assert!(done.unanswered.is_empty(), "{name} at {h:e}: {:?}", done.unanswered);
             for (r, c) in done.results.iter().zip(certify(&scene, &done, 12)) {
                 assert!(c.why.is_none(), "{name} at {h:e}: {} {c:?}", scene.find[r.find].text);
             }
             assert_eq!(scene.find[done.results[0].find].text, first);
             // Velocities are proportional to 1/h.
-            let first = certified(&certify(&scene, &done, 15)[0]).unwrap_or_else(|| panic!("{name} at {h:e}: no certificate"));
+            let first = certified(&certify(&scene, &done, 15)[0])
+                .unwrap_or_else(|| panic!("{name} at {h:e}: no certificate"));
             let product = first.magnitude() * h;
             if let Some(last) = last {
-                assert!((product - last).abs() <= (100.0 * h + 1e-13) * last, "{name} at {h:e}: {product:e} after {last:e}");
+                assert!(
+                    (product - last).abs() <= (100.0 * h + 1e-13) * last,
+                    "{name} at {h:e}: {product:e} after {last:e}"
+                );
             }
             last = Some(product);
         }
         let exact = text.replace("{H}", "0");
-        let answered = work(&scene_of(&exact), Scope::Questions).is_ok_and(|w| w.value.unanswered.is_empty());
+        let answered =
+            work(&scene_of(&exact), Scope::Questions).is_ok_and(|w| w.value.unanswered.is_empty());
         assert!(!answered, "{name}: answered where it is singular\n{exact}");
     }
 }
@@ -353,7 +399,11 @@ fn a_triad_twelve_sixes_from_its_dead_centre() {
 #[test]
 fn a_pin_within_rounding_of_its_pivot() {
     for beside in ["1e-14", "1e-16", "1e-20", "1e-40"] {
-        let text = templates::instantiate("slotted-lever", &[("l_AB", "250 mm"), ("phi_1", &format!("-90 deg + {beside} deg"))]).unwrap();
+        let text = templates::instantiate(
+            "slotted-lever",
+            &[("l_AB", "250 mm"), ("phi_1", &format!("-90 deg + {beside} deg"))],
+        )
+        .unwrap();
         let scene = scene_of(&text);
         let done = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{beside}: {f}")).value;
         let omega = done.results.iter().find(|r| scene.find[r.find].text == "omega_3").unwrap();
@@ -363,13 +413,15 @@ fn a_pin_within_rounding_of_its_pivot() {
         seen.done(5);
     }
     // On the pivot as written, the program says so.
-    let text = templates::instantiate("slotted-lever", &[("l_AB", "250 mm"), ("phi_1", "-90 deg")]).unwrap();
+    let text = templates::instantiate("slotted-lever", &[("l_AB", "250 mm"), ("phi_1", "-90 deg")])
+        .unwrap();
     let faults = work(&scene_of(&text), Scope::Questions).expect_err("no direction");
     assert!(faults.to_string().contains("lies on the pivot"), "{faults}");
 }
 
 /// True if positions were found again in longer numbers.
 pub fn settled(scene: &Scene, w: &Worked) -> bool {
-    let again = hodograph::position::recompute::<f64>(scene, &w.mechanism, &w.demand, &w.configuration);
+    let again =
+        hodograph::position::recompute::<f64>(scene, &w.mechanism, &w.demand, &w.configuration);
     again.is_ok_and(|at| at != w.configuration)
 }

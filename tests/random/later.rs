@@ -79,7 +79,8 @@ fn closed_forms_go_where_newton_goes() {
             let after = |time: f64| {
                 let mut drivers = sliding.clone();
                 for (value, d) in drivers.0.iter_mut().zip(&scene.drivers) {
-                    *value += d.rate.value * time + 0.5 * d.acceleration.as_ref().map_or(0.0, |a| a.value) * time * time;
+                    *value += d.rate.value * time
+                        + 0.5 * d.acceleration.as_ref().map_or(0.0, |a| a.value) * time * time;
                 }
                 drivers
             };
@@ -88,11 +89,20 @@ fn closed_forms_go_where_newton_goes() {
                 newton::moved(&scene, &w.mechanism, &at, &after(time * k as f64 / steps as f64))
             };
             let Some(meant) = (1..=steps).try_fold(w.configuration.clone(), step) else { continue };
-            let Ok(at) = later::<f64>(&scene, &w.mechanism, &w.demand, &meant, &w.configuration, time) else { continue };
+            let Ok(at) =
+                later::<f64>(&scene, &w.mechanism, &w.demand, &meant, &w.configuration, time)
+            else {
+                continue;
+            };
             let size = w.configuration.extent();
             for (i, p) in scene.points.iter().enumerate() {
                 let (Some(a), Some(b)) = (at.points[i], meant.points[i]) else { continue };
-                assert!(a.distance(b) < 1e-8 * size, "{} turned {turned}: {} is at {a:?}, by Newton's method at {b:?}", name, p.name);
+                assert!(
+                    a.distance(b) < 1e-8 * size,
+                    "{} turned {turned}: {} is at {a:?}, by Newton's method at {b:?}",
+                    name,
+                    p.name
+                );
             }
             for (l, link) in scene.links.iter().enumerate() {
                 let (Some(a), Some(b)) = (at.poses[l], meant.poses[l]) else { continue };
@@ -123,7 +133,8 @@ fn a_sound_drawing_keeps_the_conditions_of_opened_links() {
       "driver": {"link": "2", "omega": "OMEGA rad/s", "alpha": "ALPHA rad/s^2"}, "find": ["v_X", "a_X", "omega_5", "alpha_5"]}"#;
     let mut levels = [0, 0];
     for (omega, alpha) in [("5", "3"), ("0.02", "0"), ("-40", "900"), ("1", "-7")] {
-        let scene = scene::read(base.replace("OMEGA", omega).replace("ALPHA", alpha)).unwrap().value;
+        let scene =
+            scene::read(base.replace("OMEGA", omega).replace("ALPHA", alpha)).unwrap().value;
         let w = work(&scene, Scope::Figure).unwrap().value;
         for c in conditions(&scene, &w.mechanism, &w.configuration, &w.plan, &w.construction) {
             assert!(c.off_mm < 1e-9, "{omega} rad/s, {alpha} rad/s²: {c:?}");
@@ -148,9 +159,14 @@ fn an_assembly_that_falls_together_is_not_meant() {
             );
             let scene = scene::read(&text).unwrap().value;
             let w = work(&scene, Scope::Questions).unwrap().value;
-            let b = w.configuration.points[scene.points.iter().position(|p| p.name == "B").unwrap()].unwrap();
+            let b = w.configuration.points
+                [scene.points.iter().position(|p| p.name == "B").unwrap()]
+            .unwrap();
             let (s, c) = angle.to_radians().sin_cos();
-            assert!(b.distance(Point::new(size * (1.0 + c), size * s)) < 1e-9 * size, "{size} m, {angle}°: B is at {b:?}");
+            assert!(
+                b.distance(Point::new(size * (1.0 + c), size * s)) < 1e-9 * size,
+                "{size} m, {angle}°: B is at {b:?}"
+            );
         }
     }
 }
@@ -167,15 +183,24 @@ fn an_assembly_by_default_is_told_beside_another_one() {
     let triad = r#"{"links": {"1": ["O", "A"], "2": ["A", "P"], "3": ["P", "Q", "R"], "4": ["G", "Q"], "5": ["H", "R"], "0": ["O", "G", "H"]}, "ground": "0",
         "units": {"length": "m"}, "points": {"O": [0, 0], "G": [4, 0.3], "H": [8, 1]}, "lengths": {"OA": 1, "AP": 3, "PQ": 2, "QR": 2.2, "PR": 4, "GQ": 3, "HR": 4},
         "driver": {"link": "1", "angle": "60 deg", "omega": "1 rad/s"}, "find": ["x_Q", "y_Q"]}"#;
-    for (name, text, ways) in [("four-bar", four_bar, 2), ("slider-crank", slider, 2), ("triad", triad, 3)] {
+    for (name, text, ways) in
+        [("four-bar", four_bar, 2), ("slider-crank", slider, 2), ("triad", triad, 3)]
+    {
         let scene = scene::read(text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
         let done = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}\n{text}"));
-        let notes: Vec<&str> = done.notes.iter().filter(|d| d.code == "assembly-by-default").map(|d| d.message.en.as_str()).collect();
+        let notes: Vec<&str> = done
+            .notes
+            .iter()
+            .filter(|d| d.code == "assembly-by-default")
+            .map(|d| d.message.en.as_str())
+            .collect();
         let [said] = notes[..] else { panic!("{name}: {:?}", done.notes) };
-        let count: usize = said.split(" ways").next().unwrap().rsplit(' ').next().unwrap().parse().unwrap();
+        let count: usize =
+            said.split(" ways").next().unwrap().rsplit(' ').next().unwrap().parse().unwrap();
         assert!(count >= ways, "{name}: {said}");
         // "the one with C at (x, y) was taken, not the one with C at (x, y)".
-        let places: Vec<&str> = said.split(" at ").skip(1).map(|s| s.split(')').next().unwrap()).collect();
+        let places: Vec<&str> =
+            said.split(" at ").skip(1).map(|s| s.split(')').next().unwrap()).collect();
         assert!(places.len() == 2 && places[0] != places[1], "{name}: {said}");
     }
 }
@@ -193,16 +218,27 @@ fn third_derivatives_are_the_slopes_of_the_accelerations() {
         let rate = scene.drivers.iter().map(|d| d.rate.value.abs()).fold(0.0, f64::max);
         // Their followers have the third derivative of their law, see `tests/cams.rs`; Newton's
         // method continues along an arc.
-        let by_law =
-            |c: &hodograph::scene::Cam| c.disc.as_ref().is_some_and(|t| matches!(t.disc.motion, hodograph::cam::CamMotion::Law { .. }));
-        if scene.cams.iter().any(by_law) || rate == 0.0 || w.demand.level < Level::Acceleration || !w.solution.singular.is_empty() {
+        let by_law = |c: &hodograph::scene::Cam| {
+            c.disc
+                .as_ref()
+                .is_some_and(|t| matches!(t.disc.motion, hodograph::cam::CamMotion::Law { .. }))
+        };
+        if scene.cams.iter().any(by_law)
+            || rate == 0.0
+            || w.demand.level < Level::Acceleration
+            || !w.solution.singular.is_empty()
+        {
             continue;
         }
         let start = newton::driver_values(&scene, &w.configuration);
         let step = 1e-4 / rate;
         let beside = |time: f64| {
             let mut drivers = start.clone();
-            drivers.0.iter_mut().zip(&scene.drivers).for_each(|(value, d)| *value += d.rate.value * time);
+            drivers
+                .0
+                .iter_mut()
+                .zip(&scene.drivers)
+                .for_each(|(value, d)| *value += d.rate.value * time);
             let at = newton::moved_to(&scene, &w.mechanism, &w.configuration, &drivers, 1e-15)
                 .or_else(|| newton::moved(&scene, &w.mechanism, &w.configuration, &drivers))?;
             solve(&scene, &w.mechanism, &at, &w.demand).ok()
@@ -211,7 +247,9 @@ fn third_derivatives_are_the_slopes_of_the_accelerations() {
         for (l, link) in scene.links.iter().enumerate() {
             for p in &link.points {
                 let Some(place) = w.configuration.points[p.0] else { continue };
-                let Some((jerk, turning)) = third(&scene, &w.mechanism, &w.configuration, &w.demand, &w.solution, place)[l] else {
+                let Some((jerk, turning)) =
+                    third(&scene, &w.mechanism, &w.configuration, &w.demand, &w.solution, place)[l]
+                else {
                     continue;
                 };
                 let rate_of = |s: &Solution| s.turning(Level::Acceleration, LinkId(l));
@@ -225,7 +263,8 @@ fn third_derivatives_are_the_slopes_of_the_accelerations() {
                     );
                 }
                 if let (Some(a), Some(b)) = (of(&after), of(&before)) {
-                    let (slope, size) = ((a - b) * (0.5 / step), rate.powi(3) * w.configuration.extent());
+                    let (slope, size) =
+                        ((a - b) * (0.5 / step), rate.powi(3) * w.configuration.extent());
                     assert!(
                         (slope - jerk).norm() < 1e-4 * (jerk.norm() + size * 1e-2),
                         "{name}, {} of link {}: {jerk:?}, slope {slope:?}",

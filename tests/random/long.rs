@@ -10,8 +10,12 @@ use std::time::{Duration, Instant};
 fn chain(dyads: usize, lengths: bool) -> String {
     let mut rng = Rng::new(7);
     let mut near = |a: f64| a + rng.between(-0.03, 0.03);
-    let (mut links, mut points, mut sketch, mut rods) =
-        (serde_json::Map::new(), serde_json::Map::new(), serde_json::Map::new(), serde_json::Map::new());
+    let (mut links, mut points, mut sketch, mut rods) = (
+        serde_json::Map::new(),
+        serde_json::Map::new(),
+        serde_json::Map::new(),
+        serde_json::Map::new(),
+    );
     let mut pivots = vec!["A0".to_string()];
     let m = |x: f64| format!("{x:?} m");
     points.insert("A0".into(), json!(["0 m", "0 m"]));
@@ -22,7 +26,8 @@ fn chain(dyads: usize, lengths: bool) -> String {
         let at = (near(i as f64), near(1.0));
         let pivot = (near(i as f64), near(0.0));
         points.insert(format!("A{i}"), json!([m(pivot.0), m(pivot.1)]));
-        (if lengths { &mut sketch } else { &mut points }).insert(format!("B{i}"), json!([m(at.0), m(at.1)]));
+        (if lengths { &mut sketch } else { &mut points })
+            .insert(format!("B{i}"), json!([m(at.0), m(at.1)]));
         if lengths {
             rods.insert(format!("B{},B{i}", i - 1), json!(m((at.0 - last.0).hypot(at.1 - last.1))));
             rods.insert(format!("A{i},B{i}"), json!(m((at.0 - pivot.0).hypot(at.1 - pivot.1))));
@@ -44,12 +49,21 @@ fn a_hundred_dyads_and_three_hundred_links() {
     for (dyads, lengths) in [(100, false), (100, true), (150, false), (150, true)] {
         let start = Instant::now();
         let scene = scene::read(chain(dyads, lengths)).unwrap().value;
-        let done = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{dyads} dyads: {f}")).value;
+        let done =
+            work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{dyads} dyads: {f}")).value;
         let took = start.elapsed();
-        println!("{dyads} dyads ({} links): {took:?}, condition {:.1e}", scene.links.len(), done.solution.condition);
+        println!(
+            "{dyads} dyads ({} links): {took:?}, condition {:.1e}",
+            scene.links.len(),
+            done.solution.condition
+        );
         for o in &done.results {
             let a = o.agreement.expect("drawn and computed");
-            assert!(a.holds() && a.difference < 1e-9, "{dyads} dyads: {} {o:?}", scene.find[o.find].text);
+            assert!(
+                a.holds() && a.difference < 1e-9,
+                "{dyads} dyads: {} {o:?}",
+                scene.find[o.find].text
+            );
         }
         assert!(took < Duration::from_secs(10), "{dyads} dyads took {took:?}");
     }

@@ -121,7 +121,12 @@ pub fn grow(topology: u64, geometry: u64, groups: usize) -> Option<Mech> {
             coordinates_only: false,
             groups: vec![],
         };
-        let mut g = Grower { m, topology: Rng::new(topology), geometry: Rng::new(geometry ^ (attempt << 48) ^ 0xabcdef), fresh: (0, 0) };
+        let mut g = Grower {
+            m,
+            topology: Rng::new(topology),
+            geometry: Rng::new(geometry ^ (attempt << 48) ^ 0xabcdef),
+            fresh: (0, 0),
+        };
         if g.all(groups) {
             return Some(g.m);
         }
@@ -131,7 +136,8 @@ pub fn grow(topology: u64, geometry: u64, groups: usize) -> Option<Mech> {
 
 impl Grower {
     fn all(&mut self, groups: usize) -> bool {
-        let first = self.topology.pick(&["crank", "crank", "crank", "slide", "cylinder", "ram", "glide"]);
+        let first =
+            self.topology.pick(&["crank", "crank", "crank", "slide", "cylinder", "ram", "glide"]);
         if !self.group(first) {
             return false;
         }
@@ -191,7 +197,10 @@ impl Grower {
         let (points, guides) = self.fresh;
         let spread = 1.0 + 0.15 * self.m.groups.len() as f64;
         for p in points..self.m.points.len() {
-            self.m.points[p] = Point::new(self.geometry.between(-spread, spread), self.geometry.between(-spread, spread));
+            self.m.points[p] = Point::new(
+                self.geometry.between(-spread, spread),
+                self.geometry.between(-spread, spread),
+            );
         }
         for g in guides..self.m.guides.len() {
             if let Shape::Line(d) = &mut self.m.guides[g].shape {
@@ -213,7 +222,9 @@ impl Grower {
     fn force(&self, f: Force) -> (Point, Vec2) {
         let (p, d) = match f {
             Force::Bar(a, b) => (self.m.points[a], self.m.points[a] - self.m.points[b]),
-            Force::Normal(g) => (self.m.guides[g].pin.map_or(Point::ORIGIN, |p| self.m.points[p]), self.normal(g)),
+            Force::Normal(g) => {
+                (self.m.guides[g].pin.map_or(Point::ORIGIN, |p| self.m.points[p]), self.normal(g))
+            }
         };
         (p, d.unit().unwrap_or(Vec2::ZERO))
     }
@@ -265,7 +276,8 @@ impl Grower {
                 let c = all.iter().fold(Vec2::ZERO, |s, f| s + f.0.to_vec2() * (1.0 / 3.0));
                 let size = all.iter().map(|f| (f.0.to_vec2() - c).norm()).fold(0.0, f64::max);
                 let row = all.map(|(p, d)| (d.x, d.y, (p.to_vec2() - c).cross(d) / size));
-                let det = row[0].0 * (row[1].1 * row[2].2 - row[1].2 * row[2].1) - row[0].1 * (row[1].0 * row[2].2 - row[1].2 * row[2].0)
+                let det = row[0].0 * (row[1].1 * row[2].2 - row[1].2 * row[2].1)
+                    - row[0].1 * (row[1].0 * row[2].2 - row[1].2 * row[2].0)
                     + row[0].2 * (row[1].0 * row[2].1 - row[1].1 * row[2].0);
                 size > SHORTEST && det.abs() > GOOD_ANGLE
             }
@@ -293,7 +305,8 @@ impl Grower {
         if self.topology.chance(0.35) && !not.contains(&0) {
             return 0;
         }
-        let open: Vec<usize> = (0..self.known()).filter(|l| !self.m.links[*l].closed && !not.contains(l)).collect();
+        let open: Vec<usize> =
+            (0..self.known()).filter(|l| !self.m.links[*l].closed && !not.contains(l)).collect();
         if open.is_empty() { 0 } else { self.topology.pick(&open) }
     }
 
@@ -316,7 +329,13 @@ impl Grower {
         self.new_point(&[l])
     }
 
-    fn add_guide(&mut self, pin: Option<usize>, slider: Option<usize>, on: usize, shape: Shape) -> usize {
+    fn add_guide(
+        &mut self,
+        pin: Option<usize>,
+        slider: Option<usize>,
+        on: usize,
+        shape: Shape,
+    ) -> usize {
         self.m.guides.push(Guide { pin, slider, on, shape });
         self.m.guides.len() - 1
     }
@@ -330,7 +349,11 @@ impl Grower {
     }
 
     fn guide_on(&mut self, pin: usize, on: usize) -> usize {
-        let shape = if self.topology.chance(0.3) { Shape::Arc(self.new_point(&[on])) } else { Shape::Line(Vec2::ZERO) };
+        let shape = if self.topology.chance(0.3) {
+            Shape::Arc(self.new_point(&[on]))
+        } else {
+            Shape::Line(Vec2::ZERO)
+        };
         self.guide_shaped(pin, on, shape)
     }
 
@@ -453,7 +476,10 @@ impl Grower {
         let first = if pinned {
             let c = self.new_point(&[x]);
             self.add_guide(Some(c), Some(x), on, Shape::Line(Vec2::ZERO))
-        } else if self.topology.chance(0.25) && on != 0 && !self.m.guides.iter().any(|g| g.slider == Some(on)) {
+        } else if self.topology.chance(0.25)
+            && on != 0
+            && !self.m.guides.iter().any(|g| g.slider == Some(on))
+        {
             // The reverse: the known link slides in a guide of the unknown one.
             self.m.coordinates_only = true;
             self.add_guide(None, Some(on), x, Shape::Line(Vec2::ZERO))
@@ -537,7 +563,8 @@ impl Grower {
         let (a, b) = if listed { (vec![far], vec![near]) } else { (vec![], vec![]) };
         let pair = vec![self.new_link(&a), self.new_link(&b)];
         for l in &pair {
-            self.m.links[*l] = Link { closed: true, follower: true, listed, ..self.m.links[*l].clone() };
+            self.m.links[*l] =
+                Link { closed: true, follower: true, listed, ..self.m.links[*l].clone() };
         }
         pair
     }
@@ -571,13 +598,19 @@ impl Grower {
         let (a, b) = self.sites();
         let c = self.new_point(&[]);
         let links = self.parts(c, a);
-        let other = if self.topology.chance(0.6) || !self.m.links.iter().skip(1).any(|l| l.points.contains(&c)) {
+        let other = if self.topology.chance(0.6)
+            || !self.m.links.iter().skip(1).any(|l| l.points.contains(&c))
+        {
             self.bar(c, b);
             Force::Bar(c, b)
         } else {
             Force::Normal(self.guide_for(c, &links))
         };
-        let (p, q, links) = if self.topology.chance(0.5) { (a, c, links) } else { (c, a, links.into_iter().rev().collect()) };
+        let (p, q, links) = if self.topology.chance(0.5) {
+            (a, c, links)
+        } else {
+            (c, a, links.into_iter().rev().collect())
+        };
         self.drive(Drive::Cylinder { a: p, b: q, links });
         Check::Two(Force::Bar(c, a), other)
     }

@@ -34,7 +34,8 @@ fn accelerations_at_a_limit_agree_with_the_other_drive() {
     }
 }
 
-/// A four-bar that can be folded flat, 2 + 5 = 3 + 4: both motions at the change point are the limits of those near it.
+/// A four-bar that can be folded flat, 2 + 5 = 3 + 4: both motions at the change point are the
+/// limits of those near it.
 #[test]
 fn both_motions_are_limits_of_those_nearby() {
     let at = |angle: f64, side: &str| {
@@ -50,10 +51,14 @@ fn both_motions_are_limits_of_those_nearby() {
         for h in [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-12] {
             let (near, notes) = at(h, side);
             let warned = notes.iter().any(|d| ["near-singular", "change-point"].contains(&d.code));
-            // The motions differ from their limit by h²; positions are rounded from certified ones, so that velocities lose ε/h.
+            // The motions differ from their limit by h²; positions are rounded from certified ones,
+            // so that velocities lose ε/h.
             let rounding = 1e-14 / h;
             for (a, b) in near.iter().zip(&here) {
-                assert!((a - b).abs() <= 10.0 * h * h + rounding.min(1e-6), "{side} at {h:e}: {near:?}, limit {here:?}");
+                assert!(
+                    (a - b).abs() <= 10.0 * h * h + rounding.min(1e-6),
+                    "{side} at {h:e}: {near:?}, limit {here:?}"
+                );
                 assert!(rounding < 1e-6 || warned, "{side} at {h:e}: no word of it");
             }
         }
@@ -71,16 +76,22 @@ fn near_a_dead_point() {
             let text = scene_in(f, FOUR_BAR, &points, &format!("{}, {RATES}", drive(3, 1.0, 0.0)));
             let (_, done, notes) = run(&text).unwrap_or_else(|e| panic!("{e}\n{text}"));
             // v_C·(C − B) = v_B·(C − B): ω₁ = DC⊥·BC / AB⊥·BC.
-            let (ab, bc, dc) = (Vec2::new(2.0, 0.0), Vec2::new(5.0, 5.0 * h), Vec2::new(3.0, 4.0 + 5.0 * h));
+            let (ab, bc, dc) =
+                (Vec2::new(2.0, 0.0), Vec2::new(5.0, 5.0 * h), Vec2::new(3.0, 4.0 + 5.0 * h));
             let expected = dc.perp().dot(bc) / ab.perp().dot(bc);
             let got = number(done.results[0].value());
             // Shifted coordinates are rounded at their own size.
             let rounding = 1e-15 * if f.shift == Vec2::ZERO { 1.0 } else { 8.0 };
             let longer = done.results[0].longer.is_some();
             let bound = if longer { 1e-14 } else { 4.0 * rounding / h };
-            assert!((got - expected).abs() <= bound * expected.abs(), "h {h:e}: {got:e} {expected:e}\n{text}");
+            assert!(
+                (got - expected).abs() <= bound * expected.abs(),
+                "h {h:e}: {got:e} {expected:e}\n{text}"
+            );
             assert!(longer || k < 14, "h {h:e}\n{text}");
-            let warned = notes.iter().any(|d| d.code == "near-singular" && d.message.en.contains("link 1 (AB) and link 2 (BC)"));
+            let warned = notes.iter().any(|d| {
+                d.code == "near-singular" && d.message.en.contains("link 1 (AB) and link 2 (BC)")
+            });
             assert!(warned || rounding / h < 1e-6, "h {h:e}: {got:e} without a word\n{text}");
         }
     }
@@ -105,7 +116,8 @@ impl CrankRocker {
         let longest = coupler.max(rocker).max(ground);
         let sum = crank + coupler + rocker + ground;
         // The crank is the shortest, with a margin: no change point is near.
-        let fits = crank < 0.9 * coupler.min(rocker).min(ground) && 2.0 * (crank + longest) < 0.97 * sum;
+        let fits =
+            crank < 0.9 * coupler.min(rocker).min(ground) && 2.0 * (crank + longest) < 0.97 * sum;
         fits.then_some(CrankRocker { crank, coupler, rocker, ground, sense })
     }
 
@@ -163,33 +175,55 @@ fn random_crank_rockers_at_their_limits() {
         let Some(m) = CrankRocker::random(seed) else { continue };
         tried += 1;
         let turn = if m.sense > 0.0 { m.angle() } else { m.angle() + std::f64::consts::PI };
-        let crank = format!(r#""driver": {{"link": "1", "angle": "{turn:?} rad", "omega": "1 rad/s"}}"#);
+        let crank =
+            format!(r#""driver": {{"link": "1", "angle": "{turn:?} rad", "omega": "1 rad/s"}}"#);
         let rocker_line = Vec2::new(m.places()[2].1 - m.ground, m.places()[2].2);
-        let rocker = format!(r#""driver": {{"link": "3", "angle": "{:?} rad", "omega": "1 rad/s"}}"#, rocker_line.angle());
-        let coordinates = |driver: String| scene_in(FRAMES[1], FOUR_BAR, &m.places(), &format!("{driver}, {RATES}"));
+        let rocker = format!(
+            r#""driver": {{"link": "3", "angle": "{:?} rad", "omega": "1 rad/s"}}"#,
+            rocker_line.angle()
+        );
+        let coordinates = |driver: String| {
+            scene_in(FRAMES[1], FOUR_BAR, &m.places(), &format!("{driver}, {RATES}"))
+        };
         for text in [m.by_lengths(&crank), coordinates(drive(1, 1.0, 0.0))] {
             let (_, done, _) = run(&text).unwrap_or_else(|e| panic!("seed {seed}: {e}\n{text}"));
-            let (omega, alpha) = (number(done.results[2].computed), number(done.results[5].value()));
+            let (omega, alpha) =
+                (number(done.results[2].computed), number(done.results[5].value()));
             assert!(omega.abs() < 1e-13, "seed {seed}: omega_3 is {omega:e} at the limit\n{text}");
-            assert!(close(alpha, m.alpha(), m.alpha().abs() * 10.0), "seed {seed}: alpha_3 is {alpha:e}, not {:e}\n{text}", m.alpha());
+            assert!(
+                close(alpha, m.alpha(), m.alpha().abs() * 10.0),
+                "seed {seed}: alpha_3 is {alpha:e}, not {:e}\n{text}",
+                m.alpha()
+            );
         }
         for text in [m.by_lengths(&rocker), coordinates(drive(3, 1.0, 0.0))] {
             match run(&text) {
                 Ok((_, done, notes)) => {
                     near += 1;
                     let finite = |v: AnswerValue| number(v).is_finite();
-                    assert!(done.results.iter().all(|o| finite(o.value()) && finite(o.computed)), "seed {seed}\n{text}");
+                    assert!(
+                        done.results.iter().all(|o| finite(o.value()) && finite(o.computed)),
+                        "seed {seed}\n{text}"
+                    );
                     let warned = notes.iter().any(|d| d.code == "near-singular");
-                    assert!(warned || !done.results.iter().any(huge), "seed {seed}: {:?}\n{text}", done.results);
+                    assert!(
+                        warned || !done.results.iter().any(huge),
+                        "seed {seed}: {:?}\n{text}",
+                        done.results
+                    );
                 }
                 Err(e) => {
                     dead += 1;
-                    let said =
-                        e.list.iter().all(|d| d.code == "dead-centre" && d.message.en.contains("link 1 (AB) and link 2 (BC) lie in line"));
+                    let said = e.list.iter().all(|d| {
+                        d.code == "dead-centre"
+                            && d.message.en.contains("link 1 (AB) and link 2 (BC) lie in line")
+                    });
                     assert!(said, "seed {seed}: {e}\n{text}");
                 }
             }
         }
     }
-    println!("{tried} crank-rockers at a limit; driven by the rocker: {dead} dead points, {near} answered with a warning");
+    println!(
+        "{tried} crank-rockers at a limit; driven by the rocker: {dead} dead points, {near} answered with a warning"
+    );
 }

@@ -32,7 +32,12 @@ fn texts(own: u64) -> impl Iterator<Item = (String, String)> {
 }
 
 /// Compares the answers to some questions about each scene.
-fn compare(own: u64, what: &str, least: usize, questions: impl Fn(&Scene, &mut Rng) -> Vec<String>) {
+fn compare(
+    own: u64,
+    what: &str,
+    least: usize,
+    questions: impl Fn(&Scene, &mut Rng) -> Vec<String>,
+) {
     let mut all = Compared::default();
     for (seed, (name, text)) in texts(own).enumerate() {
         let Ok(bare) = read(&text) else { continue };
@@ -41,7 +46,9 @@ fn compare(own: u64, what: &str, least: usize, questions: impl Fn(&Scene, &mut R
         let scene = read(&text).unwrap_or_else(|f| panic!("{name}: {f}\n{text}")).value;
         let run = || work(&scene, Scope::Questions);
         let run = std::panic::catch_unwind(std::panic::AssertUnwindSafe(run));
-        let Ok(worked) = run.unwrap_or_else(|_| panic!("{name}: a panic on\n{text}")) else { continue };
+        let Ok(worked) = run.unwrap_or_else(|_| panic!("{name}: a panic on\n{text}")) else {
+            continue;
+        };
         let (worked, mut refused) = (worked.value, None);
         all.scene(&name, &scene, &worked, OFF, || match truth::differences(&scene, &worked) {
             Ok(d) => {
@@ -89,7 +96,11 @@ fn printed_digits_are_true_of_centres() {
         let one = |k: usize, rng: &mut Rng| {
             let [i, j] = pair(scene, rng);
             let centre = if i < j { format!("P_{i},{j}") } else { format!("P_{j},{i}") };
-            if k.is_multiple_of(3) { format!("{centre},{}", points[rng.below(points.len())]) } else { centre }
+            if k.is_multiple_of(3) {
+                format!("{centre},{}", points[rng.below(points.len())])
+            } else {
+                centre
+            }
         };
         let all = (0..12).map(|k| one(k, rng)).collect();
         some(rng, all, 12)
@@ -101,15 +112,21 @@ fn printed_digits_are_true_of_curvature() {
     compare(60, "curvature", 600 / every(8), |scene, rng| {
         let points = movers(scene);
         let ground = scene.link_name(scene.ground).to_owned();
-        let has_points = |name: &String| scene.links.iter().any(|l| l.name == *name && !l.points.is_empty());
+        let has_points =
+            |name: &String| scene.links.iter().any(|l| l.name == *name && !l.points.is_empty());
         let one = |k: usize, rng: &mut Rng| {
             if k.is_multiple_of(3) {
-                return Some(format!("{}_{}", rng.pick(&["rho", "O"]), points[rng.below(points.len())]));
+                return Some(format!(
+                    "{}_{}",
+                    rng.pick(&["rho", "O"]),
+                    points[rng.below(points.len())]
+                ));
             }
             let [i, j] = pair(scene, rng);
             let (i, j) = if i == ground { (j, i) } else { (i, j) };
             let symbol = rng.pick(&["J", "d", "K", "u", "p"]);
-            let seen = if j == ground { format!("{symbol}_{i}") } else { format!("{symbol}_{i}/{j}") };
+            let seen =
+                if j == ground { format!("{symbol}_{i}") } else { format!("{symbol}_{i}/{j}") };
             [&i, &j].into_iter().all(|l| *l == ground || has_points(l)).then_some(seen)
         };
         let all = (0..14).filter_map(|k| one(k, rng)).collect();
@@ -120,7 +137,9 @@ fn printed_digits_are_true_of_curvature() {
 #[test]
 fn printed_digits_are_true_of_composite_motion() {
     compare(60, "composite motion", 1500 / every(8), |scene, rng| {
-        let usable = choices(scene).into_iter().filter(|c| !matches!(c.verdict, ChoiceVerdict::SameBody | ChoiceVerdict::FrameFixed));
+        let usable = choices(scene)
+            .into_iter()
+            .filter(|c| !matches!(c.verdict, ChoiceVerdict::SameBody | ChoiceVerdict::FrameFixed));
         let all = usable.flat_map(|c| {
             let (frame, turns) = match c.frame {
                 Frame::Link(l) => (scene.link_name(l).to_owned(), true),

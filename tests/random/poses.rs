@@ -35,7 +35,9 @@ impl Oracle<'_> {
     pub fn answer(&self, what: &Asked) -> Option<AnswerValue<Big>> {
         match what {
             Asked::InstantCentre(c) => Some(AnswerValue::Point(self.centre(c)?)),
-            Asked::FromCentre(f) => Some(AnswerValue::Scalar(self.d.now.points[f.point.0]?.distance(self.centre(&f.centre)?))),
+            Asked::FromCentre(f) => Some(AnswerValue::Scalar(
+                self.d.now.points[f.point.0]?.distance(self.centre(&f.centre)?),
+            )),
             Asked::Curvature(Curvature::Path(p, of)) => self.path(*p, *of),
             Asked::Curvature(Curvature::Pole(links, of)) => self.pole(links.map(|l| l.0), *of),
             Asked::Composite(c) => self.part(c),
@@ -53,7 +55,9 @@ impl Oracle<'_> {
             return Some(Pose::ground());
         }
         let part = self.scene.drivers.iter().find_map(|d| match &d.kind {
-            DriverKind::Cylinder { a, b, links, .. } => Some((*a, *b, links.iter().position(|own| *own == l)?)),
+            DriverKind::Cylinder { a, b, links, .. } => {
+                Some((*a, *b, links.iter().position(|own| *own == l)?))
+            }
             DriverKind::Turn { .. } | DriverKind::Slide { .. } => None,
         });
         let Some((a, b, k)) = part else { return at.poses[l.0] };
@@ -96,7 +100,9 @@ impl Oracle<'_> {
                 let pose = self.pose(&self.d.now, i)?;
                 let [a, b, ..] = self.scene.links[i.0].points[..] else { return None };
                 let [a, b] = [a, b].map(|p| self.d.now.point(p));
-                AnswerValue::Point((pose.to_world(in_link.to_point()) - a).divide_by((b - a).unit()?).to_point())
+                AnswerValue::Point(
+                    (pose.to_world(in_link.to_point()) - a).divide_by((b - a).unit()?).to_point(),
+                )
             }
             _ => return None,
         })
@@ -133,7 +139,10 @@ impl Oracle<'_> {
             }
             Frame::Link(l) => {
                 let [before, now, after] = self.each(|at| self.pose(at, l))?;
-                Some([(before, moving[0]), (now, moving[1]), (after, moving[2])].map(|(pose, p)| now.turn(pose.to_local(p).to_vec2())))
+                Some(
+                    [(before, moving[0]), (now, moving[1]), (after, moving[2])]
+                        .map(|(pose, p)| now.turn(pose.to_local(p).to_vec2())),
+                )
             }
         }
     }
@@ -166,7 +175,9 @@ impl Oracle<'_> {
             CompositePart::Relative => second(seen),
             CompositePart::RelativeNormal => second(seen) - along(seen)?,
             CompositePart::RelativeTangential => along(seen)?,
-            CompositePart::Coriolis => second(self.places(c.of)?.map(Point::to_vec2)) - second(seat) - second(seen),
+            CompositePart::Coriolis => {
+                second(self.places(c.of)?.map(Point::to_vec2)) - second(seat) - second(seen)
+            }
             CompositePart::Path => return None,
         }))
     }

@@ -16,8 +16,12 @@ use hodograph::plan::text::PlanWriter;
 use hodograph::plan::{VertexId, VertexPlace};
 use hodograph::render::svg;
 use hodograph::report::construction::mark;
-use hodograph::scene::quantity::{Meaning, Of, Rate, Relative, RelativeComponent, Sliding, Turning, relative, sliding};
-use hodograph::scene::{self, Asked, DiagramKind, DriverKind, Find, Lang, LinkId, OnLink, Scene, templates};
+use hodograph::scene::quantity::{
+    Meaning, Of, Rate, Relative, RelativeComponent, Sliding, Turning, relative, sliding,
+};
+use hodograph::scene::{
+    self, Asked, DiagramKind, DriverKind, Find, Lang, LinkId, OnLink, Scene, templates,
+};
 use hodograph::worked::{Scope, Worked, work};
 use std::collections::BTreeMap;
 
@@ -27,8 +31,10 @@ fn relative_questions(scene: &Scene) -> Vec<Asked> {
     let pin = |point| OnLink { point, link: None };
     let moving = |p: &OnLink| !scene.links[scene.ground.0].points.contains(&p.point);
     let mut all: Vec<Asked> = Vec::new();
-    let parts = |of, to| relative::RelativePart::ALL.map(|part| Asked::from(Relative { part, of, to }));
-    let slidings = |of, to| sliding::SlidingTerm::ALL.map(|part| Asked::from(Sliding { part, of, to }));
+    let parts =
+        |of, to| relative::RelativePart::ALL.map(|part| Asked::from(Relative { part, of, to }));
+    let slidings =
+        |of, to| sliding::SlidingTerm::ALL.map(|part| Asked::from(Sliding { part, of, to }));
     for (l, link) in scene.links.iter().enumerate().filter(|(l, _)| *l != scene.ground.0) {
         for (i, p) in link.points.iter().enumerate().take(3) {
             for q in &link.points[i + 1..] {
@@ -46,7 +52,9 @@ fn relative_questions(scene: &Scene) -> Vec<Asked> {
     for guide in &scene.guides {
         let runner = match (guide.pin, guide.slider) {
             (Some(p), _) => Some(pin(p)),
-            (None, Some(s)) => scene.links[s.0].points.first().map(|p| OnLink { point: *p, link: Some(s) }),
+            (None, Some(s)) => {
+                scene.links[s.0].points.first().map(|p| OnLink { point: *p, link: Some(s) })
+            }
             (None, None) => None,
         };
         let Some(a) = runner else { continue };
@@ -63,14 +71,23 @@ fn relative_questions(scene: &Scene) -> Vec<Asked> {
     if let [first, .., last] = movers[..] {
         all.extend([parts(first, last)[0], parts(last, first)[1]]);
     }
-    for (l, _) in scene.links.iter().enumerate().filter(|(l, link)| *l != scene.ground.0 && link.points.len() > 1) {
-        all.extend(Rate::ALL.map(|rate| Asked::from(Turning { rate, of: LinkId(l), against: None })));
+    for (l, _) in scene
+        .links
+        .iter()
+        .enumerate()
+        .filter(|(l, link)| *l != scene.ground.0 && link.points.len() > 1)
+    {
+        all.extend(
+            Rate::ALL.map(|rate| Asked::from(Turning { rate, of: LinkId(l), against: None })),
+        );
     }
     all.retain(|what| match what.meaning(scene) {
         Some(Meaning::Relative(RelativeComponent::Along | RelativeComponent::Across, a, b)) => {
             a.point != b.point && joined(scene, &a, &b).is_some()
         }
-        Some(Meaning::Relative(RelativeComponent::Sliding | RelativeComponent::Coriolis, a, b)) => joined(scene, &a, &b).is_some(),
+        Some(Meaning::Relative(RelativeComponent::Sliding | RelativeComponent::Coriolis, a, b)) => {
+            joined(scene, &a, &b).is_some()
+        }
         _ => true,
     });
     all
@@ -78,7 +95,9 @@ fn relative_questions(scene: &Scene) -> Vec<Asked> {
 
 /// The text of a question.
 fn text(scene: &Scene, what: &Asked) -> String {
-    let name = |p: &OnLink| format!("{}{}", scene.point_name(p.point), p.link.map_or("", |l| scene.link_name(l)));
+    let name = |p: &OnLink| {
+        format!("{}{}", scene.point_name(p.point), p.link.map_or("", |l| scene.link_name(l)))
+    };
     let symbol = what.entry().symbol;
     match what.of() {
         Of::Points(a, b) => format!("{symbol}_{}{}", name(&a), name(&b)),
@@ -102,7 +121,9 @@ fn scale(worked: &Worked, on: DiagramKind) -> f64 {
     let largest = |on| worked.construction.polygon(on).map_or(0.0, |p| p.largest());
     let v = largest(DiagramKind::Velocity);
     match on {
-        DiagramKind::Acceleration => largest(on).max(v * v / worked.configuration.extent().max(1e-300)),
+        DiagramKind::Acceleration => {
+            largest(on).max(v * v / worked.configuration.extent().max(1e-300))
+        }
         _ => v,
     }
 }
@@ -114,8 +135,12 @@ fn check_readings(name: &str, scene: &Scene, worked: &Worked) -> usize {
         let find = &scene.find[r.find];
         let (on, what) = (find.what.diagram(), format!("{name}: {}", find.text));
         // Forces are read off polygons of their own: tests/forces.rs.
-        let (Some(drawn), true) = (&r.drawn, on > DiagramKind::Plane && on != DiagramKind::Force) else { continue };
-        let size = if matches!(drawn.value, AnswerValue::Scalar(_)) { r.scale } else { scale(worked, on) };
+        let (Some(drawn), true) = (&r.drawn, on > DiagramKind::Plane && on != DiagramKind::Force)
+        else {
+            continue;
+        };
+        let size =
+            if matches!(drawn.value, AnswerValue::Scalar(_)) { r.scale } else { scale(worked, on) };
         let off = |a: AnswerValue, b: AnswerValue| match (a, b) {
             (AnswerValue::Vector(a), AnswerValue::Vector(b)) => (a - b).norm(),
             (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => (a - b).abs(),
@@ -123,9 +148,19 @@ fn check_readings(name: &str, scene: &Scene, worked: &Worked) -> usize {
         };
         let worst = worked.construction.magnified(on);
         let near = 1e-12 * worst.max(1e3) * size;
-        assert!(off(drawn.value, r.computed) <= near, "{what}: edge {:?}, rows {:?}, size {size}", drawn.value, r.computed);
-        let formula = evaluate(scene, &worked.configuration, &worked.solution, &find.what).expect("the analysis reaches what is drawn");
-        assert!(off(r.computed, formula) <= near, "{what}: rows {:?}, formula {formula:?}, size {size}", r.computed);
+        assert!(
+            off(drawn.value, r.computed) <= near,
+            "{what}: edge {:?}, rows {:?}, size {size}",
+            drawn.value,
+            r.computed
+        );
+        let formula = evaluate(scene, &worked.configuration, &worked.solution, &find.what)
+            .expect("the analysis reaches what is drawn");
+        assert!(
+            off(r.computed, formula) <= near,
+            "{what}: rows {:?}, formula {formula:?}, size {size}",
+            r.computed
+        );
         let Some(m) = &drawn.measured else {
             assert!(
                 matches!(drawn.value, AnswerValue::Scalar(_)) || drawn.value.magnitude() <= near,
@@ -138,17 +173,26 @@ fn check_readings(name: &str, scene: &Scene, worked: &Worked) -> usize {
         let polygon = worked.construction.polygon(on).expect("what is measured is drawn");
         let [from, to] = m.marks;
         let distance = (to.1 - from.1).norm();
-        assert!((distance - m.length_mm).abs() <= near / polygon.mu, "{what}: {} mm between marks {distance} mm apart", m.length_mm);
+        assert!(
+            (distance - m.length_mm).abs() <= near / polygon.mu,
+            "{what}: {} mm between marks {distance} mm apart",
+            m.length_mm
+        );
         for (mark, at) in m.marks {
             let there = match mark {
                 PolygonMark::Pole => at.to_vec2().norm() == 0.0,
                 PolygonMark::Image(v) => polygon.images[v.0] == Some(at),
-                PolygonMark::Part(_) | PolygonMark::Again(_) => polygon.edges.iter().any(|e| e.to == (mark, at)),
+                PolygonMark::Part(_) | PolygonMark::Again(_) => {
+                    polygon.edges.iter().any(|e| e.to == (mark, at))
+                }
             };
             assert!(there, "{what}: {mark:?} is not at {at:?}");
         }
         if let AnswerValue::Vector(v) = drawn.value {
-            assert!(((to.1 - from.1) * polygon.mu - v).norm() <= near, "{what}: the marks do not show {v:?}");
+            assert!(
+                ((to.1 - from.1) * polygon.mu - v).norm() <= near,
+                "{what}: the marks do not show {v:?}"
+            );
         }
     }
     read
@@ -165,7 +209,10 @@ fn check_names(name: &str, scene: &Scene, worked: &Worked) {
             let mut called: BTreeMap<String, Vec2> = BTreeMap::new();
             let mut call = |symbol: String, v: Vec2| {
                 let before = *called.entry(symbol.clone()).or_insert(v);
-                assert!((before - v).norm() <= 1e-6 * size, "{name}: {symbol} is {before:?} and {v:?} mm");
+                assert!(
+                    (before - v).norm() <= 1e-6 * size,
+                    "{name}: {symbol} is {before:?} and {v:?} mm"
+                );
             };
             for e in &p.edges {
                 if let [t] = e.terms[..] {
@@ -183,11 +230,18 @@ fn check_names(name: &str, scene: &Scene, worked: &Worked) {
                 let Some(shown) = &m.shown else { continue };
                 let drawn = match &shown.vector {
                     ShownAs::Image(v) => w.vector(on, *v),
-                    ShownAs::Edges(terms) => terms.iter().map(|t| w.symbol(on, t)).collect::<Vec<_>>().join(" + "),
+                    ShownAs::Edges(terms) => {
+                        terms.iter().map(|t| w.symbol(on, t)).collect::<Vec<_>>().join(" + ")
+                    }
                 };
                 let told = named(&w, &scene.find[r.find], r);
-                assert!(told.ends_with(&drawn) || told.ends_with(&format!("({drawn})")), "{name}: {told} is drawn as {drawn}");
-                for symbol in told.split(" = ").filter(|s| !s.starts_with('−') && !s.contains(" + ")) {
+                assert!(
+                    told.ends_with(&drawn) || told.ends_with(&format!("({drawn})")),
+                    "{name}: {told} is drawn as {drawn}"
+                );
+                for symbol in
+                    told.split(" = ").filter(|s| !s.starts_with('−') && !s.contains(" + "))
+                {
                     call(symbol.to_string(), m.marks[1].1 - m.marks[0].1);
                 }
             }
@@ -254,7 +308,8 @@ fn printed_lengths_are_distances_in_the_svg() {
             let drawn = svg::write_editable(&figure).unwrap().value;
             let document = roxmltree::Document::parse(&drawn).unwrap();
             let by_id = |id: &str| document.descendants().find(|n| n.attribute("id") == Some(id));
-            let w = PlanWriter { scene: &scene, plan: &worked.plan, notation: &options.notation, lang };
+            let w =
+                PlanWriter { scene: &scene, plan: &worked.plan, notation: &options.notation, lang };
             for r in &worked.results {
                 let find = &scene.find[r.find];
                 let Some(m) = r.drawn.as_ref().and_then(|d| d.measured.as_ref()) else { continue };
@@ -264,17 +319,30 @@ fn printed_lengths_are_distances_in_the_svg() {
                 let on = find.what.diagram();
                 let place = |k: usize| {
                     let id = hodograph::figure::polygon::mark_id(&w, on, &m.marks[k].0);
-                    let node = by_id(&id).unwrap_or_else(|| panic!("{name}: no mark {id} for {}", find.text));
+                    let node = by_id(&id)
+                        .unwrap_or_else(|| panic!("{name}: no mark {id} for {}", find.text));
                     assert!(node.attribute("class").unwrap().split(' ').any(|c| c == "mark"));
                     let number = |key: &str| node.attribute(key).unwrap().parse::<f64>().unwrap();
                     Vec2::new(number("cx"), number("cy"))
                 };
                 let distance = (place(1) - place(0)).norm();
-                let cell = by_id(&format!("result-{}-measured", hodograph::paper::shown::question_id(&find.text)))
-                    .unwrap_or_else(|| panic!("{name}: {} is not printed", find.text));
-                let printed: String = cell.descendants().filter(|n| n.is_text()).filter_map(|n| n.text()).collect();
-                let printed = printed.split("mm").next().unwrap().trim().replace('−', "-").replace(['\u{a0}', '\u{2009}', ' '], "");
-                let printed: f64 = printed.parse().unwrap_or_else(|_| panic!("{name}: {} prints {printed}", find.text));
+                let cell = by_id(&format!(
+                    "result-{}-measured",
+                    hodograph::paper::shown::question_id(&find.text)
+                ))
+                .unwrap_or_else(|| panic!("{name}: {} is not printed", find.text));
+                let printed: String =
+                    cell.descendants().filter(|n| n.is_text()).filter_map(|n| n.text()).collect();
+                let printed = printed
+                    .split("mm")
+                    .next()
+                    .unwrap()
+                    .trim()
+                    .replace('−', "-")
+                    .replace(['\u{a0}', '\u{2009}', ' '], "");
+                let printed: f64 = printed
+                    .parse()
+                    .unwrap_or_else(|_| panic!("{name}: {} prints {printed}", find.text));
                 // Places are written to 0.001 mm, lengths to four digits.
                 assert!(
                     (printed - distance).abs() <= 2e-3 + 5.1e-4 * distance,
@@ -293,7 +361,8 @@ fn printed_lengths_are_distances_in_the_svg() {
 #[test]
 fn parts_of_a_cylinder_can_be_asked() {
     let text = templates::get("excavator").unwrap();
-    let scene = scene::read_asking(text, "vr_CB, vr_BC, an_CB, at_CB, ak_CB, v_CB, a_FE").unwrap().value;
+    let scene =
+        scene::read_asking(text, "vr_CB, vr_BC, an_CB, at_CB, ak_CB, v_CB, a_FE").unwrap().value;
     let worked = work(&scene, Scope::Questions).unwrap().value;
     assert_eq!(check_readings("excavator", &scene, &worked), 7);
     check_names("excavator", &scene, &worked);

@@ -134,7 +134,9 @@ fn a_triad_whose_legs_are_almost_stretched() {
             k = s + 3.0,
         );
         let scene = scene::read(&text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
-        let done = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("hair {hair:e}: {f}\n{text}")).value;
+        let done = work(&scene, Scope::Figure)
+            .unwrap_or_else(|f| panic!("hair {hair:e}: {f}\n{text}"))
+            .value;
         let at = scene.points.iter().position(|p| p.name == "A").unwrap();
         let off = done.configuration.points[at].unwrap().distance(Point::new(c, s));
         assert!(off < 1e-10, "hair {hair:e}: A lies {off:e} from its sketch");
@@ -151,7 +153,10 @@ fn a_link_on_a_curved_guide_is_a_pin_joint() {
             "guides": [{guides}], "driver": {{"link": "1", "omega": "1 rad/s"}}, "find": ["omega_3", "alpha_3", "a_D"]}}"#
         )
     };
-    refused(&scene(r#""3": ["C", "D"]"#, r#"{"pin": "C", "slider": "3", "on": "0", "centre": "K"}"#), "curved-slider");
+    refused(
+        &scene(r#""3": ["C", "D"]"#, r#"{"pin": "C", "slider": "3", "on": "0", "centre": "K"}"#),
+        "curved-slider",
+    );
     solved(&scene(r#""3": ["K", "C", "D"]"#, ""));
 }
 

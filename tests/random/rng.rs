@@ -6,7 +6,8 @@ use crate::wide::every;
 /// SplitMix64.
 ///
 /// # Source
-/// G. L. Steele, D. Lea, C. H. Flood, *Fast splittable pseudorandom number generators*, OOPSLA 2014.
+/// G. L. Steele, D. Lea, C. H. Flood, *Fast splittable pseudorandom number generators*, OOPSLA
+/// 2014.
 #[derive(Clone, Debug)]
 pub struct Rng(pub u64);
 

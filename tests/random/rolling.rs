@@ -49,7 +49,13 @@ impl Grown {
         name
     }
 
-    fn gear(&mut self, [a, b]: [usize; 2], [p, q]: [usize; 2], [r, s]: [f64; 2], ring: Option<usize>) {
+    fn gear(
+        &mut self,
+        [a, b]: [usize; 2],
+        [p, q]: [usize; 2],
+        [r, s]: [f64; 2],
+        ring: Option<usize>,
+    ) {
         let at = self.contact([a, b]);
         let ring = ring.map_or(String::new(), |l| format!(", \"ring\": \"{l}\""));
         self.gears.push(format!(
@@ -60,7 +66,9 @@ impl Grown {
     /// A gear pinned to a link that carries the centre of a wheel, in mesh with it.
     fn meshed(&mut self, rng: &mut Rng) {
         let on = self.wheels[rng.below(self.wheels.len())];
-        let arms: Vec<usize> = (0..self.links.len()).filter(|l| *l != on.link && self.links[*l].contains(&on.centre)).collect();
+        let arms: Vec<usize> = (0..self.links.len())
+            .filter(|l| *l != on.link && self.links[*l].contains(&on.centre))
+            .collect();
         if arms.is_empty() {
             return;
         }
@@ -72,16 +80,24 @@ impl Grown {
         self.links[arm].push(centre);
         let end = self.point(self.points[centre] + rng.direction() * rng.between(0.5, 1.5));
         let link = self.link(vec![centre, end]);
-        self.gear([on.link, link], [on.centre, centre], [on.radius, radius], inside.then_some(link));
+        self.gear(
+            [on.link, link],
+            [on.centre, centre],
+            [on.radius, radius],
+            inside.then_some(link),
+        );
         if !inside {
             self.wheels.push(Wheel { link, centre, radius });
         }
     }
 
-    /// A pulley on a link that carries the centre of a wheel, and a belt round both, open or crossed.
+    /// A pulley on a link that carries the centre of a wheel, and a belt round both, open or
+    /// crossed.
     fn belted(&mut self, rng: &mut Rng) {
         let on = self.wheels[rng.below(self.wheels.len())];
-        let arms: Vec<usize> = (0..self.links.len()).filter(|l| *l != on.link && self.links[*l].contains(&on.centre)).collect();
+        let arms: Vec<usize> = (0..self.links.len())
+            .filter(|l| *l != on.link && self.links[*l].contains(&on.centre))
+            .collect();
         if arms.is_empty() {
             return;
         }
@@ -101,7 +117,11 @@ impl Grown {
 
     /// An arm about a wheel on the ground with a planet between it and a fixed ring.
     fn planet(&mut self, rng: &mut Rng) {
-        let Some(sun) = self.wheels.iter().copied().find(|w| w.link != 0 && self.links[0].contains(&w.centre)) else { return };
+        let Some(sun) =
+            self.wheels.iter().copied().find(|w| w.link != 0 && self.links[0].contains(&w.centre))
+        else {
+            return;
+        };
         let radius = rng.between(0.3, 0.9);
         let centre = self.point(self.points[sun.centre] + rng.direction() * (sun.radius + radius));
         let end = self.point(self.points[centre] + rng.direction() * rng.between(0.3, 1.0));
@@ -114,11 +134,17 @@ impl Grown {
 
     /// A point of a moving link.
     fn mover(&self, rng: &mut Rng) -> usize {
-        let moving: Vec<usize> = self.links[1..].iter().flatten().copied().filter(|p| !self.links[0].contains(p)).collect();
+        let moving: Vec<usize> = self.links[1..]
+            .iter()
+            .flatten()
+            .copied()
+            .filter(|p| !self.links[0].contains(p))
+            .collect();
         rng.pick(&moving)
     }
 
-    /// A rod from a moving point to the centre of a wheel that rolls on a straight track, or on a round one outside or inside.
+    /// A rod from a moving point to the centre of a wheel that rolls on a straight track, or on a
+    /// round one outside or inside.
     fn rolls(&mut self, rng: &mut Rng) {
         let from = self.mover(rng);
         let (along, length) = (rng.direction(), rng.between(1.5, 3.0));
@@ -130,7 +156,9 @@ impl Grown {
         let at = self.contact([0, wheel]);
         // The centre's path is nearly along the rod, so that the two loci intersect well.
         let way = along.rotate_by(Vec2::from_angle(rng.between(-0.8, 0.8)));
-        let head = format!("\"wheel\": \"{wheel}\", \"centre\": \"P{centre}\", \"radius\": \"{radius:?} m\", \"at\": \"{at}\"");
+        let head = format!(
+            "\"wheel\": \"{wheel}\", \"centre\": \"P{centre}\", \"radius\": \"{radius:?} m\", \"at\": \"{at}\""
+        );
         let track = match rng.below(3) {
             0 => format!("{{{head}, \"angle\": \"{:?} rad\"}}", way.angle()),
             kind => {
@@ -138,7 +166,10 @@ impl Grown {
                 let distance = if kind == 1 { track + radius } else { track - radius };
                 let middle = self.point(self.points[centre] + way.perp() * distance);
                 self.links[0].push(middle);
-                format!("{{{head}, \"track\": \"P{middle}\", \"track_radius\": \"{track:?} m\", \"inside\": {}}}", kind == 2)
+                format!(
+                    "{{{head}, \"track\": \"P{middle}\", \"track_radius\": \"{track:?} m\", \"inside\": {}}}",
+                    kind == 2
+                )
             }
         };
         self.rolling.push(track);
@@ -169,7 +200,11 @@ impl Grown {
             let pivot = second + rng.direction() * rng.between(0.8, 2.0);
             // As the two are pinned at their contact, this is a dyad.
             let contact = first + arm * part;
-            let (Some(u), Some(w)) = ((contact - self.points[from]).unit(), (pivot - contact).unit()) else { continue };
+            let (Some(u), Some(w)) =
+                ((contact - self.points[from]).unit(), (pivot - contact).unit())
+            else {
+                continue;
+            };
             if u.cross(w).abs() < 0.4 {
                 continue;
             }
@@ -193,14 +228,24 @@ impl Grown {
                 format!("\"{l}\": [{}]", points.join(", "))
             })
             .collect();
-        let points: Vec<String> =
-            self.points.iter().enumerate().map(|(i, p)| format!("\"P{i}\": [\"{:?} m\", \"{:?} m\"]", p.x, p.y)).collect();
+        let points: Vec<String> = self
+            .points
+            .iter()
+            .enumerate()
+            .map(|(i, p)| format!("\"P{i}\": [\"{:?} m\", \"{:?} m\"]", p.x, p.y))
+            .collect();
         let moving = (0..self.points.len()).filter(|p| !self.links[0].contains(p));
-        let mut find: Vec<String> = moving.flat_map(|p| [format!("\"v_P{p}\""), format!("\"a_P{p}\"")]).collect();
-        find.extend((1..self.links.len()).flat_map(|l| [format!("\"omega_{l}\""), format!("\"alpha_{l}\"")]));
+        let mut find: Vec<String> =
+            moving.flat_map(|p| [format!("\"v_P{p}\""), format!("\"a_P{p}\"")]).collect();
+        find.extend(
+            (1..self.links.len())
+                .flat_map(|l| [format!("\"omega_{l}\""), format!("\"alpha_{l}\"")]),
+        );
         for (name, links) in &self.contacts {
             let moving = links.iter().filter(|l| **l != 0);
-            find.extend(moving.flat_map(|l| [format!("\"v_{name},{l}\""), format!("\"a_{name},{l}\"")]));
+            find.extend(
+                moving.flat_map(|l| [format!("\"v_{name},{l}\""), format!("\"a_{name},{l}\"")]),
+            );
         }
         find.retain(|f| !f.contains(','));
         format!(
@@ -278,7 +323,9 @@ fn each(own: u64, mut check: impl FnMut(u64, &Grown, &Scene, &Worked)) {
                 check(seed, &g, &scene, &w);
             }
             Err(f) => {
-                let dead = f.list.iter().all(|d| ["dead-centre", "disagreement", "singular"].contains(&d.code) || !f.has_errors());
+                let dead = f.list.iter().all(|d| {
+                    ["dead-centre", "disagreement", "singular"].contains(&d.code) || !f.has_errors()
+                });
                 assert!(dead, "seed {seed}: {f}\n{text}");
             }
         }
@@ -321,21 +368,38 @@ fn rolling_moves_as_its_rates_say() {
         let at = |h: f64| {
             let mut v = values.clone();
             v.0[0] += h;
-            newton::moved(scene, &w.mechanism, &w.configuration, &v).unwrap_or_else(|| panic!("seed {seed}: not moved"))
+            newton::moved(scene, &w.mechanism, &w.configuration, &v)
+                .unwrap_or_else(|| panic!("seed {seed}: not moved"))
         };
         let (minus, plus) = (at(-STEP), at(STEP));
         let driver = &scene.drivers[0];
-        let (rate, acceleration) = (driver.rate.value, driver.acceleration.as_ref().map_or(0.0, |a| a.value));
+        let (rate, acceleration) =
+            (driver.rate.value, driver.acceleration.as_ref().map_or(0.0, |a| a.value));
         for (p, point) in scene.points.iter().enumerate().take(g.points.len()) {
-            let (a, b, c) = (minus.points[p].unwrap(), w.configuration.points[p].unwrap(), plus.points[p].unwrap());
+            let (a, b, c) = (
+                minus.points[p].unwrap(),
+                w.configuration.points[p].unwrap(),
+                plus.points[p].unwrap(),
+            );
             let slope = (c - a) * (0.5 / STEP);
             let bend = ((c - b) - (b - a)) * (1.0 / (STEP * STEP));
             let (v, acc) = (slope * rate, bend * (rate * rate) + slope * acceleration);
             let of = |level| w.solution.vector(level, hodograph::scene::PointId(p), None);
-            let (Some(v0), Some(a0)) = (of(Level::Velocity), of(Level::Acceleration)) else { continue };
-            let (sv, sa) = (largest(w, Level::Velocity, scene), largest(w, Level::Acceleration, scene));
-            assert!((v - v0).norm() < 1e-4 * sv, "seed {seed}: v of {} is {v0:?}, differences say {v:?}", point.name);
-            assert!((acc - a0).norm() < 1e-3 * sa.max(sv), "seed {seed}: a of {} is {a0:?}, differences say {acc:?}", point.name);
+            let (Some(v0), Some(a0)) = (of(Level::Velocity), of(Level::Acceleration)) else {
+                continue;
+            };
+            let (sv, sa) =
+                (largest(w, Level::Velocity, scene), largest(w, Level::Acceleration, scene));
+            assert!(
+                (v - v0).norm() < 1e-4 * sv,
+                "seed {seed}: v of {} is {v0:?}, differences say {v:?}",
+                point.name
+            );
+            assert!(
+                (acc - a0).norm() < 1e-3 * sa.max(sv),
+                "seed {seed}: a of {} is {a0:?}, differences say {acc:?}",
+                point.name
+            );
         }
     });
 }
@@ -372,7 +436,12 @@ fn contacts_roll() {
             };
             let n = w.configuration.normal(scene, hodograph::scene::RollingId(r)).unwrap();
             let expected = n * ((w2 - w1) * (w2 - w1) * delta);
-            assert!((v2 - v1).norm() < 1e-10 * sv, "seed {seed}: {} slips by {:?}", scene.point_name(pair.at[0]), v2 - v1);
+            assert!(
+                (v2 - v1).norm() < 1e-10 * sv,
+                "seed {seed}: {} slips by {:?}",
+                scene.point_name(pair.at[0]),
+                v2 - v1
+            );
             let off = (a2 - a1 - expected).norm() / sa;
             assert!(
                 off < 1e-9,

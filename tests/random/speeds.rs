@@ -24,7 +24,10 @@ fn worked(text: &str) -> Worked {
 
 /// The values, and those of the other motion.
 fn rates(done: &Worked) -> Vec<[f64; 2]> {
-    done.results.iter().map(|o| [number(o.value()), o.others.first().map_or(f64::NAN, |v| number(*v))]).collect()
+    done.results
+        .iter()
+        .map(|o| [number(o.value()), o.others.first().map_or(f64::NAN, |v| number(*v))])
+        .collect()
 }
 
 /// At any speed: velocities are proportional to the driver's, accelerations to its square.
@@ -33,9 +36,18 @@ fn change_points_are_the_same_at_every_speed() {
     for points in CHANGE_POINTS {
         for f in FRAMES {
             let at = |k: f64| {
-                let text = scene_in(f, FOUR_BAR, &points, &format!("{}, {RATES}", drive(1, k, 2.0 * k * k)));
+                let text = scene_in(
+                    f,
+                    FOUR_BAR,
+                    &points,
+                    &format!("{}, {RATES}", drive(1, k, 2.0 * k * k)),
+                );
                 let done = worked(&text);
-                assert_eq!(done.solution.singular.first().map(|s| s.kind), Some(SingularKind::ChangePoint), "speed {k:e}\n{text}");
+                assert_eq!(
+                    done.solution.singular.first().map(|s| s.kind),
+                    Some(SingularKind::ChangePoint),
+                    "speed {k:e}\n{text}"
+                );
                 rates(&done)
             };
             let usual = at(1.0);
@@ -44,7 +56,10 @@ fn change_points_are_the_same_at_every_speed() {
                 for (i, (there, here)) in at(k).iter().zip(&usual).enumerate() {
                     let unit = if i < 3 { k } else { k * k };
                     for (a, b) in there.iter().zip(here) {
-                        assert!(close(a / unit, *b, 10.0), "{points:?} at speed {k:e}: {there:?}, at 1 {here:?}");
+                        assert!(
+                            close(a / unit, *b, 10.0),
+                            "{points:?} at speed {k:e}: {there:?}, at 1 {here:?}"
+                        );
                     }
                 }
             }
@@ -61,7 +76,8 @@ fn two_motions_that_are_one() {
         let angle = format!("{} deg", 7.3 * f64::from(turn));
         for k in [1e-9, 1.0, 1e9] {
             let text = |find: &str| {
-                let guide = |pin: &str| format!(r#"{{"pin": "{pin}", "on": "0", "angle": "{angle}"}}"#);
+                let guide =
+                    |pin: &str| format!(r#"{{"pin": "{pin}", "on": "0", "angle": "{angle}"}}"#);
                 format!(
                     r#"{{"links": {{"1": ["A", "B"], "0": ["O"]}}, "ground": "0", "points": {{"O": ["-1 m", 0], "A": [0, 0], "B": ["-0.3*sin({angle})*1 m", "0.3*cos({angle})*1 m"]}},
                     "guides": [{}, {}], "driver": {{"slide": "A", "velocity": "{k:e} m/s"}}, "find": [{find}]}}"#,
@@ -71,13 +87,19 @@ fn two_motions_that_are_one() {
             };
             let all = text(r#""v_B", "v_A", "omega_1""#);
             let values: Vec<f64> = worked(&all).results.iter().map(|o| number(o.value())).collect();
-            assert!(close(values[0], k, k) && close(values[1], k, k) && values[2].abs() < 1e-6 * k, "{values:?}\n{all}");
+            assert!(
+                close(values[0], k, k) && close(values[1], k, k) && values[2].abs() < 1e-6 * k,
+                "{values:?}\n{all}"
+            );
             // Accelerations do not follow; velocities are answered.
             let both = text(r#""v_B", "a_B""#);
             let scene = scene::read(&both).unwrap().value;
             let done = work(&scene, Scope::Figure).unwrap_or_else(|e| panic!("{e}\n{both}")).value;
             let [o] = &done.results[..] else { panic!("{:?}\n{both}", done.results) };
-            assert!(scene.find[o.find].text == "v_B" && close(number(o.value()), k, k), "{o:?}\n{both}");
+            assert!(
+                scene.find[o.find].text == "v_B" && close(number(o.value()), k, k),
+                "{o:?}\n{both}"
+            );
             assert_eq!(done.unanswered.len(), 1, "{both}");
         }
     }
@@ -101,14 +123,23 @@ fn change_points_by_lengths_that_are_rounded() {
                 "AD": "(sqrt({a}) + sqrt({b}) - sqrt({c}))*1 m"}}, "driver": {{"link": "1", "angle": "{} deg", "omega": "1 rad/s"}}, {RATES}}}"#,
                 360 * i
             );
-            let points = [("A", 0.0, 0.0), ("B", root_a, 0.0), ("C", root_a + root_b, 0.0), ("D", ad, 0.0)];
-            let exact = rates(&worked(&scene_in(FRAMES[0], FOUR_BAR, &points, &format!("{}, {RATES}", drive(1, 1.0, 0.0)))));
+            let points =
+                [("A", 0.0, 0.0), ("B", root_a, 0.0), ("C", root_a + root_b, 0.0), ("D", ad, 0.0)];
+            let exact = rates(&worked(&scene_in(
+                FRAMES[0],
+                FOUR_BAR,
+                &points,
+                &format!("{}, {RATES}", drive(1, 1.0, 0.0)),
+            )));
             let done = worked(&lengths);
             let size = exact.iter().flatten().fold(1.0f64, |m, v| m.max(v.abs()));
             for (got, exact) in rates(&done).iter().zip(&exact) {
                 // The other motion may have changed places with the intended one.
                 let off = |k: usize| (got[k] - exact[k]).abs();
-                assert!(off(0) < 1e-5 * size && off(1) < 1e-5 * size, "{got:?}, by coordinates {exact:?}\n{lengths}");
+                assert!(
+                    off(0) < 1e-5 * size && off(1) < 1e-5 * size,
+                    "{got:?}, by coordinates {exact:?}\n{lengths}"
+                );
             }
             rounded += usize::from(done.solution.singular[0].off > 0.0);
         }
@@ -120,10 +151,19 @@ fn change_points_by_lengths_that_are_rounded() {
 #[test]
 fn at_rest_nothing_moves() {
     for points in CHANGE_POINTS {
-        let text = scene_in(FRAMES[1], FOUR_BAR, &points, &format!("{}, {RATES}", drive(1, 0.0, 0.0)));
+        let text =
+            scene_in(FRAMES[1], FOUR_BAR, &points, &format!("{}, {RATES}", drive(1, 0.0, 0.0)));
         let done = worked(&text);
-        assert_eq!(done.solution.singular.first().map(|s| s.kind), Some(SingularKind::Rest), "{text}");
-        assert!(done.results.iter().all(|o| number(o.value()) == 0.0 && o.others.is_empty()), "{:?}\n{text}", done.results);
+        assert_eq!(
+            done.solution.singular.first().map(|s| s.kind),
+            Some(SingularKind::Rest),
+            "{text}"
+        );
+        assert!(
+            done.results.iter().all(|o| number(o.value()) == 0.0 && o.others.is_empty()),
+            "{:?}\n{text}",
+            done.results
+        );
     }
 }
 
@@ -132,7 +172,12 @@ fn at_rest_nothing_moves() {
 fn the_sketch_tells_the_motions_apart() {
     let frame = Frame::scaled(1.0);
     for points in CHANGE_POINTS {
-        let all = rates(&worked(&scene_in(frame, FOUR_BAR, &points, &format!("{}, {RATES}", drive(1, 1.0, 0.0)))));
+        let all = rates(&worked(&scene_in(
+            frame,
+            FOUR_BAR,
+            &points,
+            &format!("{}, {RATES}", drive(1, 1.0, 0.0)),
+        )));
         let length = |a: usize, b: usize| (points[a].1 - points[b].1).abs();
         let (c, d) = (points[2].1, points[3].1);
         for way in [0, 1] {
@@ -149,7 +194,10 @@ fn the_sketch_tells_the_motions_apart() {
             );
             let values = rates(&worked(&text));
             let meant: Vec<f64> = all[..3].iter().map(|v| v[way]).collect();
-            assert!(values.iter().zip(&meant).all(|(v, m)| close(v[0], *m, 10.0)), "way {way}: {values:?}, {meant:?}\n{text}");
+            assert!(
+                values.iter().zip(&meant).all(|(v, m)| close(v[0], *m, 10.0)),
+                "way {way}: {values:?}, {meant:?}\n{text}"
+            );
         }
     }
 }

@@ -3,7 +3,9 @@
 
 use crate::properties::seeds;
 use crate::rng::Rng;
-use crate::synth_truth::{Task, body, cognates, crank_rocker, function, path, quick_return, two_positions};
+use crate::synth_truth::{
+    Task, body, cognates, crank_rocker, function, path, quick_return, two_positions,
+};
 use crate::wide::every;
 use hodograph::answer::AnswerValue;
 use hodograph::certified::ladder::parts;
@@ -29,7 +31,8 @@ fn texts(book: &Book, n: &DesignNumber, truth: Big) -> Option<[String; 2]> {
     if printed.ends_with(" m") {
         return None;
     }
-    let bare = printed.trim_end_matches('°').trim_end_matches(" mm").trim_start_matches('-').to_owned();
+    let bare =
+        printed.trim_end_matches('°').trim_end_matches(" mm").trim_start_matches('-').to_owned();
     // A difference of 10⁻⁹ of its terms or less is zero, or has no digit.
     let truth = match n.kind {
         Some(Kind::Length) => truth * Big::from_f64(1000.0),
@@ -45,7 +48,8 @@ fn texts(book: &Book, n: &DesignNumber, truth: Big) -> Option<[String; 2]> {
 /// True if a number is midway between two values of the last digit, one of which is printed.
 fn is_a_half(told: &str, truth: &str) -> bool {
     let decimals = told.split_once('.').map_or(0, |(_, d)| d.len() as i32);
-    let off = (told.parse::<f64>().unwrap() - truth.parse::<f64>().unwrap()).abs() * 10f64.powi(decimals);
+    let off =
+        (told.parse::<f64>().unwrap() - truth.parse::<f64>().unwrap()).abs() * 10f64.powi(decimals);
     truth.len() > told.len() && (off - 0.5).abs() < 1e-6
 }
 
@@ -60,11 +64,14 @@ fn printed_digits_are_true_of_designs() {
         ("crank-rocker", crank_rocker),
         ("quick return", quick_return),
     ];
-    let (mut printed, mut open, mut wrong, mut by) = (0, 0, Vec::new(), std::collections::BTreeMap::<&str, usize>::new());
+    let (mut printed, mut open, mut wrong, mut by) =
+        (0, 0, Vec::new(), std::collections::BTreeMap::<&str, usize>::new());
     for seed in seeds(30) {
         for (name, make) in kinds {
             let task = make(&mut Rng::new(seed + 5));
-            let read = read(task.text.as_bytes()).unwrap_or_else(|f| panic!("{name} {seed}: {f}\n{}", task.text)).value;
+            let read = read(task.text.as_bytes())
+                .unwrap_or_else(|f| panic!("{name} {seed}: {f}\n{}", task.text))
+                .value;
             let Ok(design) = solve(&read) else {
                 open += 1;
                 continue;
@@ -80,13 +87,19 @@ fn printed_digits_are_true_of_designs() {
                         truth.iter().filter_map(find).collect()
                     };
                     let far = |pairs: &[(DesignNumber, Big)]| {
-                        let off = |(n, x): &(DesignNumber, Big)| (n.value.abs() - x.approx().abs()).abs() / x.approx().abs().max(1e-3);
+                        let off = |(n, x): &(DesignNumber, Big)| {
+                            (n.value.abs() - x.approx().abs()).abs() / x.approx().abs().max(1e-3)
+                        };
                         pairs.iter().map(off).fold(0.0, f64::max)
                     };
-                    let best = truths.iter().map(|t| of(t)).min_by(|a, b| far(a).total_cmp(&far(b)));
+                    let best =
+                        truths.iter().map(|t| of(t)).min_by(|a, b| far(a).total_cmp(&far(b)));
                     let Some(pairs) = best.filter(|p| !p.is_empty()) else { continue };
                     if far(&pairs) > NEAR {
-                        wrong.push(format!("{name} {seed}: candidate {} is none of the true ones\n{}", c.draft.which.en, task.text));
+                        wrong.push(format!(
+                            "{name} {seed}: candidate {} is none of the true ones\n{}",
+                            c.draft.which.en, task.text
+                        ));
                         continue;
                     }
                     for (n, x) in pairs {
@@ -94,14 +107,25 @@ fn printed_digits_are_true_of_designs() {
                         printed += 1;
                         *by.entry(name).or_default() += 1;
                         if told != truth && !is_a_half(&told, &truth) {
-                            wrong.push(format!("{name} {seed}: {} is printed {told}, it is {truth}\n{}", n.name, task.text));
+                            wrong.push(format!(
+                                "{name} {seed}: {} is printed {told}, it is {truth}\n{}",
+                                n.name, task.text
+                            ));
                         }
                     }
                 }
             });
         }
     }
-    println!("designs: {printed} printed numbers against {BITS} bit: {} wrong; {open} tasks without a design; {by:?}", wrong.len());
-    assert!(wrong.is_empty(), "{} are wrong, first {}", wrong.len(), wrong[..wrong.len().min(3)].join("\n"));
+    println!(
+        "designs: {printed} printed numbers against {BITS} bit: {} wrong; {open} tasks without a design; {by:?}",
+        wrong.len()
+    );
+    assert!(
+        wrong.is_empty(),
+        "{} are wrong, first {}",
+        wrong.len(),
+        wrong[..wrong.len().min(3)].join("\n")
+    );
     assert!(printed >= 1000 / every(8), "only {printed} numbers were compared");
 }

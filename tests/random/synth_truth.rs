@@ -1,5 +1,6 @@
-//! Random tasks of synthesis, and their numbers by closed formulas of this file in long numbers: circles through three places, linear equations by
-//! determinants, arcs with an inscribed angle, similar triangles.
+//! Random tasks of synthesis, and their numbers by closed formulas of this file in long numbers:
+//! circles through three places, linear equations by determinants, arcs with an inscribed angle,
+//! similar triangles.
 
 use crate::cam_truth::{Number, whole};
 use crate::rng::Rng;
@@ -71,7 +72,12 @@ impl Position {
 
 /// The lengths of a four-bar linkage ABCD.
 fn four_bar(a: V, b: V, c: V, d: V) -> Numbers {
-    named(&[("AB", (b - a).norm()), ("BC", (c - b).norm()), ("CD", (d - c).norm()), ("AD", (d - a).norm())])
+    named(&[
+        ("AB", (b - a).norm()),
+        ("BC", (c - b).norm()),
+        ("CD", (d - c).norm()),
+        ("AD", (d - a).norm()),
+    ])
 }
 
 fn pair(rng: &mut Rng, [x, y]: [[f64; 2]; 2]) -> [Number; 2] {
@@ -88,16 +94,24 @@ fn mm(p: &[Number; 2]) -> String {
 
 /// Three positions of a coupler, with its pins or its pivots given.
 pub fn body(rng: &mut Rng) -> Task {
-    let ranges = [[[-5.0, 5.0], [-5.0, 5.0]], [[30.0, 70.0], [15.0, 45.0]], [[70.0, 120.0], [60.0, 110.0]]];
+    let ranges =
+        [[[-5.0, 5.0], [-5.0, 5.0]], [[30.0, 70.0], [15.0, 45.0]], [[70.0, 120.0], [60.0, 110.0]]];
     let origins = ranges.map(|r| pair(rng, r));
     let angles = [[0.0, 10.0], [20.0, 45.0], [55.0, 95.0]].map(|r| Number::of(rng, r[0], r[1]));
     let moving = rng.chance(0.5);
     let pins = match moving {
-        true => [pair(rng, [[-20.0, 10.0], [-10.0, 20.0]]), pair(rng, [[40.0, 80.0], [-20.0, 30.0]])],
-        false => [pair(rng, [[-40.0, -10.0], [40.0, 70.0]]), pair(rng, [[60.0, 90.0], [-50.0, -20.0]])],
+        true => {
+            [pair(rng, [[-20.0, 10.0], [-10.0, 20.0]]), pair(rng, [[40.0, 80.0], [-20.0, 30.0]])]
+        }
+        false => {
+            [pair(rng, [[-40.0, -10.0], [40.0, 70.0]]), pair(rng, [[60.0, 90.0], [-50.0, -20.0]])]
+        }
     };
-    let rows: Vec<String> =
-        origins.iter().zip(&angles).map(|(o, a)| format!(r#"["{} mm", "{} mm", "{} deg"]"#, o[0].0, o[1].0, a.0)).collect();
+    let rows: Vec<String> = origins
+        .iter()
+        .zip(&angles)
+        .map(|(o, a)| format!(r#"["{} mm", "{} mm", "{} deg"]"#, o[0].0, o[1].0, a.0))
+        .collect();
     let keys = if moving { ["moving", "B", "C"] } else { ["ground", "A", "D"] };
     let text = format!(
         r#"{{"synthesis": "body", "positions": [{}], "{}": {{"{}": {}, "{}": {}}}}}"#,
@@ -109,7 +123,8 @@ pub fn body(rng: &mut Rng) -> Task {
         mm(&pins[1])
     );
     let truth = move || {
-        let all = [0, 1, 2].map(|k| Position(at(&origins[k]), Vec2::from_angle(angles[k].radians())));
+        let all =
+            [0, 1, 2].map(|k| Position(at(&origins[k]), Vec2::from_angle(angles[k].radians())));
         let given = pins.each_ref().map(at);
         let [[a, d], [b, c]] = match moving {
             true => [given.map(|p| centre(all.map(|s| s.out(p)))), given.map(|p| all[0].out(p))],
@@ -129,9 +144,17 @@ pub fn body(rng: &mut Rng) -> Task {
 
 /// A coupler point through three places.
 pub fn path(rng: &mut Rng) -> Task {
-    let ranges = [[[120.0, 145.0], [200.0, 220.0]], [[60.0, 90.0], [200.0, 215.0]], [[0.0, 20.0], [140.0, 160.0]]];
+    let ranges = [
+        [[120.0, 145.0], [200.0, 220.0]],
+        [[60.0, 90.0], [200.0, 215.0]],
+        [[0.0, 20.0], [140.0, 160.0]],
+    ];
     let points = ranges.map(|r| pair(rng, r));
-    let (frame, crank, arm) = (Number::of(rng, 250.0, 330.0), Number::of(rng, 90.0, 110.0), Number::of(rng, 140.0, 165.0));
+    let (frame, crank, arm) = (
+        Number::of(rng, 250.0, 330.0),
+        Number::of(rng, 90.0, 110.0),
+        Number::of(rng, 140.0, 165.0),
+    );
     let rows: Vec<String> = points.iter().map(mm).collect();
     let text = format!(
         r#"{{"synthesis": "path", "points": [{}], "ground": {{"A": ["0 mm", "0 mm"], "D": ["{} mm", "0 mm"]}}, "crank": "{} mm", "BE": "{} mm", "side": {{"B": "right of AE"}}}}"#,
@@ -160,13 +183,19 @@ pub fn path(rng: &mut Rng) -> Task {
 /// Three pairs of angles, the starting angles given.
 pub fn function(rng: &mut Rng) -> Task {
     let [a, b] = [[20.0, 60.0], [30.0, 90.0]].map(|r| Number::of(rng, r[0], r[1]));
-    let steps: Vec<[f64; 2]> = (0..2).map(|_| [rng.between(10.0, 40.0), rng.between(8.0, 35.0)]).collect();
+    let steps: Vec<[f64; 2]> =
+        (0..2).map(|_| [rng.between(10.0, 40.0), rng.between(8.0, 35.0)]).collect();
     let told = |x: f64| Number(format!("{x:.3}"));
     let (p, q) = (a.approx() + steps[0][0], b.approx() + steps[0][1]);
     let pairs = [[a, b], [told(p), told(q)], [told(p + steps[1][0]), told(q + steps[1][1])]];
     let frame = Number::of(rng, 80.0, 300.0);
-    let rows: Vec<String> = pairs.iter().map(|[a, b]| format!(r#"["{} deg", "{} deg"]"#, a.0, b.0)).collect();
-    let text = format!(r#"{{"synthesis": "function", "pairs": [{}], "frame": "{} mm"}}"#, rows.join(", "), frame.0);
+    let rows: Vec<String> =
+        pairs.iter().map(|[a, b]| format!(r#"["{} deg", "{} deg"]"#, a.0, b.0)).collect();
+    let text = format!(
+        r#"{{"synthesis": "function", "pairs": [{}], "frame": "{} mm"}}"#,
+        rows.join(", "),
+        frame.0
+    );
     let truth = move || {
         // K₁ cos ψ − K₂ cos θ + K₃ = cos(θ − ψ).
         let rows = pairs.each_ref().map(|[t, p]| {
@@ -175,7 +204,8 @@ pub fn function(rng: &mut Rng) -> Task {
         });
         let determinant = |c: [usize; 3]| {
             let m = |i: usize, j: usize| rows[i][c[j]];
-            m(0, 0) * (m(1, 1) * m(2, 2) - m(1, 2) * m(2, 1)) - m(0, 1) * (m(1, 0) * m(2, 2) - m(1, 2) * m(2, 0))
+            m(0, 0) * (m(1, 1) * m(2, 2) - m(1, 2) * m(2, 1))
+                - m(0, 1) * (m(1, 0) * m(2, 2) - m(1, 2) * m(2, 0))
                 + m(0, 2) * (m(1, 0) * m(2, 1) - m(1, 1) * m(2, 0))
         };
         let whole_of = determinant([0, 1, 2]);
@@ -183,14 +213,23 @@ pub fn function(rng: &mut Rng) -> Task {
         let d = frame.metres();
         let (a, c) = (d / k1, d / k2);
         let b = (a * a + c * c + d * d - whole(2) * a * c * k3).sqrt();
-        vec![named(&[("K1", k1), ("K2", k2), ("K3", k3), ("AB", absolute(a)), ("BC", b), ("CD", absolute(c)), ("AD", d)])]
+        vec![named(&[
+            ("K1", k1),
+            ("K2", k2),
+            ("K3", k3),
+            ("AB", absolute(a)),
+            ("BC", b),
+            ("CD", absolute(c)),
+            ("AD", d),
+        ])]
     };
     Task { text, truth: Box::new(truth) }
 }
 
 /// The cognates of a four-bar linkage, by similar triangles.
 pub fn cognates(rng: &mut Rng) -> Task {
-    let [ab, bc, cd, ad] = [[60.0, 100.0], [220.0, 260.0], [180.0, 210.0], [250.0, 300.0]].map(|r| Number::of(rng, r[0], r[1]));
+    let [ab, bc, cd, ad] = [[60.0, 100.0], [220.0, 260.0], [180.0, 210.0], [250.0, 300.0]]
+        .map(|r| Number::of(rng, r[0], r[1]));
     let [be, ce] = [[130.0, 190.0], [120.0, 180.0]].map(|r| Number::of(rng, r[0], r[1]));
     let text = format!(
         r#"{{"synthesis": "cognates", "scene": {{"links": {{"1": ["A","B"], "2": ["B","C","E"], "3": ["C","D"], "4": ["A","D"]}}, "ground": "4",
@@ -200,7 +239,13 @@ pub fn cognates(rng: &mut Rng) -> Task {
     );
     let truth = move || {
         let [a, b, c, d, e, f] = [&ab, &bc, &cd, &ad, &be, &ce].map(Number::metres);
-        let lengths = |l: [Big; 6]| ["AB", "BC", "CD", "AD", "BE", "CE"].iter().map(|n| (*n).to_owned()).zip(l).collect::<Numbers>();
+        let lengths = |l: [Big; 6]| {
+            ["AB", "BC", "CD", "AD", "BE", "CE"]
+                .iter()
+                .map(|n| (*n).to_owned())
+                .zip(l)
+                .collect::<Numbers>()
+        };
         let (left, right) = (e / b, f / b);
         vec![
             lengths([a, b, c, d, e, f]),
@@ -236,7 +281,14 @@ pub fn crank_rocker(rng: &mut Rng) -> Task {
             let [p, q] = ends.map(|e| (e - a).norm());
             let (u, w) = (ends[0] - at, ends[1] - at);
             let swing = absolute(u.cross(w).atan2(u.dot(w)));
-            named(&[("AB", half(absolute(p - q))), ("BC", half(p + q)), ("CD", c), ("AD", d), ("theta", theta), ("psi", swing)])
+            named(&[
+                ("AB", half(absolute(p - q))),
+                ("BC", half(p + q)),
+                ("CD", c),
+                ("AD", d),
+                ("theta", theta),
+                ("psi", swing),
+            ])
         };
         if by_limit {
             let a = V::zero();
@@ -244,14 +296,22 @@ pub fn crank_rocker(rng: &mut Rng) -> Task {
             let first = pivot + Vec2::from_angle(Big::pi() - angle) * c;
             // C₂ is on the ray AC₁ turned by θ either way, at both intersections with the rocker's
             // circle.
-            let rays = [theta, -theta].map(|t| first.rotate_by(Vec2::from_angle(t)) * (whole(1) / first.norm()));
+            let rays = [theta, -theta]
+                .map(|t| first.rotate_by(Vec2::from_angle(t)) * (whole(1) / first.norm()));
             let on = |u: V| {
                 let (along, aside) = (pivot.dot(u), pivot.cross(u));
                 let room = c * c - aside * aside;
                 let h = if room.approx() > 0.0 { Some(room.sqrt()) } else { None };
-                h.into_iter().flat_map(move |h| [along + h, along - h]).map(move |s| u * s).collect::<Vec<_>>()
+                h.into_iter()
+                    .flat_map(move |h| [along + h, along - h])
+                    .map(move |s| u * s)
+                    .collect::<Vec<_>>()
             };
-            return rays.into_iter().flat_map(on).map(|second| linkage(a, pivot, [first, second])).collect();
+            return rays
+                .into_iter()
+                .flat_map(on)
+                .map(|second| linkage(a, pivot, [first, second]))
+                .collect();
         }
         let up = |turn: Big| Vec2::from_angle(half(Big::pi()) + turn) * c;
         let ends = [up(half(angle)), up(-half(angle))];
@@ -281,7 +341,10 @@ pub fn quick_return(rng: &mut Rng) -> Task {
                 stroke.0, crank.0
             )
         }
-        1 => format!(r#"{{"synthesis": "time-ratio", "linkage": "slotted-lever", "K": {}, "crank": "{} mm"}}"#, k.0, crank.0),
+        1 => format!(
+            r#"{{"synthesis": "time-ratio", "linkage": "slotted-lever", "K": {}, "crank": "{} mm"}}"#,
+            k.0, crank.0
+        ),
         2 => format!(
             r#"{{"synthesis": "time-ratio", "linkage": "shaper", "K": {}, "crank": "{} mm", "link": "150 mm", "stroke": "{} mm"}}"#,
             k.0, crank.0, stroke.0
@@ -303,26 +366,47 @@ pub fn quick_return(rng: &mut Rng) -> Task {
             0 => {
                 let difference = stroke * crank / s;
                 let sum = half(stroke * stroke) + difference * c / whole(1);
-                named(&[("AB", half(sum - difference).sqrt()), ("BC", half(sum + difference).sqrt()), ("theta", theta)])
+                named(&[
+                    ("AB", half(sum - difference).sqrt()),
+                    ("BC", half(sum + difference).sqrt()),
+                    ("theta", theta),
+                ])
             }
             1 => named(&[("AB", crank), ("AC", crank / hs), ("theta", theta)]),
             2 => {
                 let lever = half(stroke) / hs;
-                named(&[("AC", crank / hs), ("CD", lever), ("y", half(lever * (whole(1) + hc))), ("theta", theta)])
+                named(&[
+                    ("AC", crank / hs),
+                    ("CD", lever),
+                    ("y", half(lever * (whole(1) + hc))),
+                    ("theta", theta),
+                ])
             }
             3 => {
                 let back = whole(2) * Big::pi() / (k.exact() + whole(1));
-                named(&[("alpha_return", back), ("AC", crank * half(back).sin_cos().1), ("CD", half(stroke))])
+                named(&[
+                    ("alpha_return", back),
+                    ("AC", crank * half(back).sin_cos().1),
+                    ("CD", half(stroke)),
+                ])
             }
             _ => {
                 let (cd, de) = (whole(1) / whole(10), whole(15) / whole(100));
                 let a = V::new(crank, stroke);
                 let turn = Big::pi() / whole(3);
-                let ends = [turn, whole(2) * turn].map(|b| V::new(b.sin_cos().0, b.sin_cos().1) * cd - a);
+                let ends =
+                    [turn, whole(2) * turn].map(|b| V::new(b.sin_cos().0, b.sin_cos().1) * cd - a);
                 let [p, q] = ends.map(Vec2::norm);
                 let theta = absolute(ends[0].cross(ends[1]).atan2(ends[0].dot(ends[1])));
                 let ratio = (Big::pi() + theta) / (Big::pi() - theta);
-                let bars = [("AB", half(absolute(p - q))), ("BC", half(p + q)), ("CD", cd), ("DE", de), ("theta", theta), ("K", ratio)];
+                let bars = [
+                    ("AB", half(absolute(p - q))),
+                    ("BC", half(p + q)),
+                    ("CD", cd),
+                    ("DE", de),
+                    ("theta", theta),
+                    ("K", ratio),
+                ];
                 named(&bars)
             }
         }]
@@ -337,8 +421,11 @@ pub fn two_positions(rng: &mut Rng) -> Task {
     let angles = [[0.0, 10.0], [25.0, 45.0]].map(|r| Number::of(rng, r[0], r[1]));
     let pins = [pair(rng, [[-20.0, 0.0], [0.0, 15.0]]), pair(rng, [[45.0, 70.0], [10.0, 30.0]])];
     let low = Number::of(rng, -40.0, -15.0);
-    let rows: Vec<String> =
-        origins.iter().zip(&angles).map(|(o, a)| format!(r#"["{} mm", "{} mm", "{} deg"]"#, o[0].0, o[1].0, a.0)).collect();
+    let rows: Vec<String> = origins
+        .iter()
+        .zip(&angles)
+        .map(|(o, a)| format!(r#"["{} mm", "{} mm", "{} deg"]"#, o[0].0, o[1].0, a.0))
+        .collect();
     let text = format!(
         r#"{{"synthesis": "body", "positions": [{}], "moving": {{"B": {}, "C": {}}}, "line": {{"through": ["0 mm", "{} mm"]}}}}"#,
         rows.join(", "),
@@ -351,7 +438,14 @@ pub fn two_positions(rng: &mut Rng) -> Task {
         let pivot = |pin: V| {
             let [p, q] = all.map(|s| s.out(pin));
             let middle = p + (q - p) * (whole(1) / whole(2));
-            cross_lines(middle.to_point(), (q - p).perp(), V::new(whole(0), low.metres()).to_point(), Vec2::unit_x()).at.to_vec2()
+            cross_lines(
+                middle.to_point(),
+                (q - p).perp(),
+                V::new(whole(0), low.metres()).to_point(),
+                Vec2::unit_x(),
+            )
+            .at
+            .to_vec2()
         };
         let given = pins.each_ref().map(at);
         let [a, d] = given.map(pivot);

@@ -23,7 +23,9 @@ fn compare(what: &str, own: u64, least: usize, make: impl Fn(&mut Rng) -> Told) 
             Err(f) => panic!("{what} {seed}: {f}\n{}", told.text),
         };
         match work(&scene, Scope::Questions) {
-            Ok(worked) => all.scene(&format!("{what} {seed}"), &scene, &worked.value, OFF, || by_text(&scene, &(told.truth)())),
+            Ok(worked) => all.scene(&format!("{what} {seed}"), &scene, &worked.value, OFF, || {
+                by_text(&scene, &(told.truth)())
+            }),
             Err(f) => refused.push(format!("{what} {seed}: {f}\n{}", told.text)),
         }
     }

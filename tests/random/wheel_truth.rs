@@ -73,7 +73,8 @@ fn driver(link: &str, [omega, alpha]: &[Number; 2]) -> String {
 /// Sun, planet, ring and arm: one of them is fixed, and others are driven.
 pub fn planetary(rng: &mut Rng) -> Told {
     let (sun, planet) = (12 + rng.below(50), 12 + rng.below(50));
-    let (module, phi, first, second) = (Number::of(rng, 1.0, 6.0), Number::of(rng, -170.0, 170.0), rate(rng), rate(rng));
+    let (module, phi, first, second) =
+        (Number::of(rng, 1.0, 6.0), Number::of(rng, -170.0, 170.0), rate(rng), rate(rng));
     let out = [Number::of(rng, -40.0, 40.0), Number::of(rng, -40.0, 40.0)];
     let kind = rng.below(4);
     let ring = sun + 2 * planet;
@@ -91,8 +92,12 @@ pub fn planetary(rng: &mut Rng) -> Told {
         0 | 1 => {
             "omega_2 alpha_2 omega_3 alpha_3 omega_4 alpha_4 i_23 i_24/3 v_P a_P v_M a_M v_K4 a_K4 v_E4 a_E4 P_2,4 P_1,4 rho_M J_4 d_4"
         }
-        2 => "omega_5 alpha_5 omega_3 alpha_3 omega_4 alpha_4 i_53 i_54/3 v_P a_P v_M a_M v_K4 a_K4 v_E4 a_E4 P_4,5 P_1,4 rho_M J_4 d_4",
-        _ => "omega_3 alpha_3 omega_4 alpha_4 i_23 i_53 i_24/3 v_P a_P v_M a_M v_K4 a_K4 v_E4 a_E4 P_2,4 P_4,5 P_1,4 rho_M",
+        2 => {
+            "omega_5 alpha_5 omega_3 alpha_3 omega_4 alpha_4 i_53 i_54/3 v_P a_P v_M a_M v_K4 a_K4 v_E4 a_E4 P_4,5 P_1,4 rho_M J_4 d_4"
+        }
+        _ => {
+            "omega_3 alpha_3 omega_4 alpha_4 i_23 i_53 i_24/3 v_P a_P v_M a_M v_K4 a_K4 v_E4 a_E4 P_2,4 P_4,5 P_1,4 rho_M"
+        }
     };
     let text = format!(
         r#"{{"parameters": {{"m0": "{} mm", "phi": "{} deg", "a": "m0*{}/2"}}, "links": {{{links}}}, "ground": "1",
@@ -160,12 +165,17 @@ pub fn planetary(rng: &mut Rng) -> Told {
     Told { text, truth: Box::new(truth) }
 }
 
-/// Wheels on fixed axes: two pairs of gears one behind the other, the second external or in a ring, and a belt behind them.
+/// Wheels on fixed axes: two pairs of gears one behind the other, the second external or in a ring,
+/// and a belt behind them.
 pub fn in_a_row(rng: &mut Rng) -> Told {
     let z = [0; 4].map(|_| 12 + rng.below(60));
     let inside = rng.chance(0.4);
     let z = if inside { [z[0], z[1], z[2], z[2] + z[3]] } else { z };
-    let (m, angles, turns) = ([0; 2].map(|_| Number::of(rng, 1.0, 5.0)), [0; 3].map(|_| Number::of(rng, -170.0, 170.0)), rate(rng));
+    let (m, angles, turns) = (
+        [0; 2].map(|_| Number::of(rng, 1.0, 5.0)),
+        [0; 3].map(|_| Number::of(rng, -170.0, 170.0)),
+        rate(rng),
+    );
     let pulleys = [0; 2].map(|_| Number::of(rng, 30.0, 80.0));
     let (reach, crossed) = (Number::of(rng, 200.0, 300.0), rng.chance(0.5));
     let second = if inside { z[3] - z[2] } else { z[2] + z[3] };
@@ -235,18 +245,26 @@ fn step() -> Big {
     Big::from_f64(2f64.powi(-180))
 }
 
-/// A crank and a rod that draw a wheel along a straight track, or on a round one, outside or inside.
+/// A crank and a rod that draw a wheel along a straight track, or on a round one, outside or
+/// inside.
 pub fn drawn(rng: &mut Rng) -> Told {
-    let (crank, rod, r) = (Number::of(rng, 20.0, 50.0), Number::of(rng, 120.0, 180.0), Number::of(rng, 10.0, 40.0));
+    let (crank, rod, r) =
+        (Number::of(rng, 20.0, 50.0), Number::of(rng, 120.0, 180.0), Number::of(rng, 10.0, 40.0));
     let (phi, turns, lean) = (Number::of(rng, 0.0, 360.0), rate(rng), Number::of(rng, -40.0, 40.0));
-    let (x, y, track) = (Number::of(rng, -20.0, 20.0), Number::of(rng, -40.0, -20.0), Number::of(rng, 150.0, 220.0));
+    let (x, y, track) = (
+        Number::of(rng, -20.0, 20.0),
+        Number::of(rng, -40.0, -20.0),
+        Number::of(rng, 150.0, 220.0),
+    );
     let kind = rng.below(3);
     // The middle of a round track is below or above the path of the centre.
     let middle = [Number::of(rng, 100.0, 160.0), Number::of(rng, 120.0, 160.0)];
     let below = rng.chance(0.5);
-    let middle = [middle[0].clone(), Number(format!("{}{}", if below { "-" } else { "" }, middle[1].0))];
+    let middle =
+        [middle[0].clone(), Number(format!("{}{}", if below { "-" } else { "" }, middle[1].0))];
     let places = {
-        let (crank, rod, r, phi, turns, lean) = (crank.clone(), rod.clone(), r.clone(), phi.clone(), turns.clone(), lean.clone());
+        let (crank, rod, r, phi, turns, lean) =
+            (crank.clone(), rod.clone(), r.clone(), phi.clone(), turns.clone(), lean.clone());
         let (x, y, track, middle) = (x.clone(), y.clone(), track.clone(), middle.clone());
         // Crank pin, wheel's centre and the normal from the track to it, at a time.
         move |t: Big| -> [V; 3] {
@@ -272,7 +290,10 @@ pub fn drawn(rng: &mut Rng) -> Told {
         }
     };
     let on = match kind {
-        0 => format!(r#""on": "1", "through": ["{} mm", "{} mm"], "angle": "{} deg""#, x.0, y.0, lean.0),
+        0 => format!(
+            r#""on": "1", "through": ["{} mm", "{} mm"], "angle": "{} deg""#,
+            x.0, y.0, lean.0
+        ),
         _ => format!(r#""track": "K", "track_radius": "{} mm", "inside": {}"#, track.0, kind == 2),
     };
     let (ground, k) = match kind {
@@ -318,7 +339,8 @@ pub fn drawn(rng: &mut Rng) -> Told {
         all.rates("4", of_wheel);
         all.moves("N4", carried(c, of_wheel, n * -r));
         all.place("P_1,4", now[1] - n * r);
-        let crossing = hodograph::geom::cross_lines(Point::origin(), now[0], now[1].to_point(), n).at;
+        let crossing =
+            hodograph::geom::cross_lines(Point::origin(), now[0], now[1].to_point(), n).at;
         all.place("P_1,3", crossing.to_vec2());
         all.place("P_3,4", now[1]);
         all.scalar("P_1,3,C", crossing.distance(now[1].to_point()));

@@ -18,7 +18,10 @@ fn gone_on(mut json: Json, plain: &Scene, time: f64) -> Json {
             one => one,
         };
         let (rate, acceleration) = (d.rate.value, d.acceleration.as_ref().map_or(0.0, |a| a.value));
-        let (way, unit) = (rate * time + 0.5 * acceleration * time * time, if d.kind.turns() { "rad" } else { "m" });
+        let (way, unit) = (
+            rate * time + 0.5 * acceleration * time * time,
+            if d.kind.turns() { "rad" } else { "m" },
+        );
         for (keys, by, unit) in [
             (&["angle", "position", "length"][..], way, unit.to_owned()),
             (&["omega", "velocity"], acceleration * time, format!("{unit}/s")),
@@ -47,7 +50,8 @@ pub fn compare_in_time(name: &str, json: &Json, tally: &mut Tally) {
     let placed = PlacedScene::new(&swept, &m).unwrap();
     tally.scenes += 1;
     let (timed, [from, to]) = TimedSweep::new(&placed, [None, None]).unwrap();
-    let times: Vec<f64> = (0..POSITIONS).map(|k| from + (to - from) * (k as f64 + OFF) / POSITIONS as f64).collect();
+    let times: Vec<f64> =
+        (0..POSITIONS).map(|k| from + (to - from) * (k as f64 + OFF) / POSITIONS as f64).collect();
     let text = json.to_string();
     let at = |t: &f64, find: &[String]| {
         let text = edit::with_parameters(&text, &[("t", &format!("{t:?} s"))]).unwrap();
@@ -64,7 +68,11 @@ pub fn compare_in_time(name: &str, json: &Json, tally: &mut Tally) {
         // The motion ends at a limit: later times have no row, while `solve` may find another
         // assembly.
         let ended = |k: usize| {
-            let outward: Vec<usize> = if times[k] < plain.instant() { (0..=k).collect() } else { (k..times.len()).collect() };
+            let outward: Vec<usize> = if times[k] < plain.instant() {
+                (0..=k).collect()
+            } else {
+                (k..times.len()).collect()
+            };
             outward.iter().all(|k| found[*k].is_none()) && found.iter().any(Option::is_some)
         };
         for (k, ((single, row), t)) in singles.iter().zip(&found).zip(&times).enumerate() {
@@ -75,20 +83,35 @@ pub fn compare_in_time(name: &str, json: &Json, tally: &mut Tally) {
             let here = |what: &str| format!("{name} at {t} s: {what}");
             // If some parts cannot be assembled, the questions that do not need them are answered
             // alone.
-            let alone = if single.is_none() && row.is_some() { at(t, std::slice::from_ref(&f.text)) } else { None };
+            let alone = if single.is_none() && row.is_some() {
+                at(t, std::slice::from_ref(&f.text))
+            } else {
+                None
+            };
             let expected = single.as_ref().or(alone.as_ref());
-            let expected = expected.and_then(|s| Some((s.answers.get(&f.text)?.as_ref()?, s.condition)));
+            let expected =
+                expected.and_then(|s| Some((s.answers.get(&f.text)?.as_ref()?, s.condition)));
             match (expected, row) {
                 (Some((expected, condition)), Some(row)) => {
                     for (c, e) in table.columns[1..].iter().zip(expected) {
                         let size = size(c.unit, &swept, placed.at.extent()).max(1.0);
-                        tally.check(&|| here(&c.name), c.unit, [c.values[*row], *e], [size, e.abs()], condition);
+                        tally.check(
+                            &|| here(&c.name),
+                            c.unit,
+                            [c.values[*row], *e],
+                            [size, e.abs()],
+                            condition,
+                        );
                     }
                 }
                 (None, None) => {}
                 (expected, _) => {
                     let notes: Vec<_> = table.notes.iter().map(|n| n.message.en.as_str()).collect();
-                    tally.faults.push(here(&format!("{} is answered by solve: {} {notes:?}", f.text, expected.is_some())));
+                    tally.faults.push(here(&format!(
+                        "{} is answered by solve: {} {notes:?}",
+                        f.text,
+                        expected.is_some()
+                    )));
                 }
             }
         }

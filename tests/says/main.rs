@@ -22,7 +22,9 @@ use hodograph::sweep::limit::DriverRange;
 use hodograph::sweep::long::LongSweep;
 use hodograph::sweep::pieces::gather;
 use hodograph::sweep::vary::Variation;
-use hodograph::sweep::{self, PlacedScene, StationSteps, Stations, Table, Width, compile, extreme, station};
+use hodograph::sweep::{
+    self, PlacedScene, StationSteps, Stations, Table, Width, compile, extreme, station,
+};
 use in_time::compare_in_time;
 use moved::{Moved, Single, solved};
 use rayon::prelude::*;
@@ -48,7 +50,12 @@ fn part(asked: &str) -> Option<(usize, usize)> {
 /// Scenes that are always examined: questions without a value in some rows, beyond a change point;
 /// a ratio of links that turn by rounding only; a point of a frame that is its pole; a cam behind
 /// wheels with a given angle.
-const ALWAYS: [&str; 4] = ["third-crank", "cases/hit-7.17", "problems/scissor-lift", "problems/cam-shaft-behind-ring-gear"];
+const ALWAYS: [&str; 4] = [
+    "third-crank",
+    "cases/hit-7.17",
+    "problems/scissor-lift",
+    "problems/cam-shaft-behind-ring-gear",
+];
 
 /// Positions of a driver.
 const POSITIONS: usize = 8;
@@ -85,7 +92,14 @@ impl Tally {
 
     /// Compares a number of a table with the expected one; `size` is the size of quantities with
     /// its unit, `largest` the largest number of the answer.
-    fn check(&mut self, what: &dyn Fn() -> String, unit: &str, [got, expected]: [f64; 2], [size, largest]: [f64; 2], condition: f64) {
+    fn check(
+        &mut self,
+        what: &dyn Fn() -> String,
+        unit: &str,
+        [got, expected]: [f64; 2],
+        [size, largest]: [f64; 2],
+        condition: f64,
+    ) {
         self.compared += 1;
         let off = (got - expected).abs();
         let off = if unit == "rad" { off.min((off - TAU).abs()) } else { off };
@@ -96,7 +110,10 @@ impl Tally {
         // A distant place is an intersection of nearly parallel lines, which rounding moves along
         // them.
         let far = size.max(largest);
-        let allowed = 1e-9 * far * (2.0 + 1e-3 * far / size.max(f64::MIN_POSITIVE)) * (1e-2 * condition).max(1.0);
+        let allowed = 1e-9
+            * far
+            * (2.0 + 1e-3 * far / size.max(f64::MIN_POSITIVE))
+            * (1e-2 * condition).max(1.0);
         if off > allowed || got.is_nan() {
             self.faults.push(format!("{}: {got:e}, solve says {expected:e}", what()));
         }
@@ -107,7 +124,9 @@ impl Tally {
 fn size(unit: &str, scene: &Scene, extent: f64) -> f64 {
     // A driver at rest is judged by its velocity after moving by its own size.
     let own = |d: &scene::Driver, rate: f64| rate.abs() / if d.kind.turns() { 1.0 } else { extent };
-    let rate = |d: &scene::Driver| own(d, d.rate.value).max(own(d, d.acceleration.as_ref().map_or(0.0, |a| a.value)).sqrt());
+    let rate = |d: &scene::Driver| {
+        own(d, d.rate.value).max(own(d, d.acceleration.as_ref().map_or(0.0, |a| a.value)).sqrt())
+    };
     let rate = scene.drivers.iter().map(rate).fold(0.0f64, f64::max);
     match unit {
         "m" => extent,
@@ -146,7 +165,12 @@ fn asking(scene: &Scene, find: &[Find]) -> Scene {
 }
 
 /// The scene swept in each of the ways of the program.
-fn tables(scene: &Scene, m: &Mechanism, driver: usize, values: &[f64]) -> Vec<(&'static str, Table)> {
+fn tables(
+    scene: &Scene,
+    m: &Mechanism,
+    driver: usize,
+    values: &[f64],
+) -> Vec<(&'static str, Table)> {
     let placed = match PlacedScene::new(scene, m) {
         Ok(placed) => placed,
         Err(_) => return Vec::new(),
@@ -160,13 +184,27 @@ fn tables(scene: &Scene, m: &Mechanism, driver: usize, values: &[f64]) -> Vec<(&
     } else {
         station::DriverSpan::Slide { from: first, to: last, per_value }
     };
-    out.push(("sweep", gather(&mut LongSweep::new(&placed, driver, StationSteps { way, steps: values.len() - 1 }).unwrap())));
+    out.push((
+        "sweep",
+        gather(
+            &mut LongSweep::new(&placed, driver, StationSteps { way, steps: values.len() - 1 })
+                .unwrap(),
+        ),
+    ));
     if let Ok(variation) = Variation::new(scene, &[]) {
-        let batch =
-            Batch { scene, mechanism: m, variation, values: Vec::new(), choice: ParameterChoice::Grid, driver, stations: Some(stations) };
+        let batch = Batch {
+            scene,
+            mechanism: m,
+            variation,
+            values: Vec::new(),
+            choice: ParameterChoice::Grid,
+            driver,
+            stations: Some(stations),
+        };
         let block = batch.block(0, 1);
         let heads = batch.columns().into_iter().zip(block.columns).skip(1);
-        let columns = heads.map(|((name, unit), values)| sweep::Column { name, unit, values }).collect();
+        let columns =
+            heads.map(|((name, unit), values)| sweep::Column { name, unit, values }).collect();
         out.push(("batch", Table { columns, notes: Vec::new() }));
     }
     out
@@ -175,7 +213,12 @@ fn tables(scene: &Scene, m: &Mechanism, driver: usize, values: &[f64]) -> Vec<(&
 /// True if a driver reaches a value, or one that differs by whole turns.
 fn goes_there(range: &DriverRange, value: f64, turns: bool) -> bool {
     let [low, high] = range.bounds();
-    range.full() || if turns { low <= value + TAU * ((high - value) / TAU).floor() } else { (low..=high).contains(&value) }
+    range.full()
+        || if turns {
+            low <= value + TAU * ((high - value) / TAU).floor()
+        } else {
+            (low..=high).contains(&value)
+        }
 }
 
 /// Compares every question of a scene, with its driver at eight places.
@@ -187,7 +230,9 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
     let find = askable(json, &plain);
     let plain = match read(json, &find) {
         Ok(plain) => plain,
-        Err(f) => return tally.faults.push(format!("{name}: the questions are not taken together: {f}")),
+        Err(f) => {
+            return tally.faults.push(format!("{name}: the questions are not taken together: {f}"));
+        }
     };
     if solved(&plain, None).is_err() {
         return;
@@ -213,19 +258,38 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
         let Ok(there) = PlacedScene::new(&scene, &m) else { continue };
         let Some(table) = sweep::of_values(&there, driver, values.clone()) else { continue };
         let at = rows(&table, &values);
-        let base = sweep::of_values(&there, driver, vec![station::position_now(&scene, &there.at, driver)]);
+        let base = sweep::of_values(
+            &there,
+            driver,
+            vec![station::position_now(&scene, &there.at, driver)],
+        );
         let number = |name: &str, row: usize| table.column(name).map(|c| c.values[row]);
-        let moved = Moved { json, plain: &plain, driver, at: &placed.at, now: station::position_now(&swept, &placed.at, driver) };
+        let moved = Moved {
+            json,
+            plain: &plain,
+            driver,
+            at: &placed.at,
+            now: station::position_now(&swept, &placed.at, driver),
+        };
         let mut singles: Vec<Result<Single, String>> = Vec::new();
         let mut said: Vec<bool> = Vec::new();
         for (value, row) in values.iter().zip(&at) {
             let place = |p: &scene::NamedPoint| {
                 let row = (*row)?;
-                Some((p.name.clone(), [number(&format!("x_{}", p.name), row)?, number(&format!("y_{}", p.name), row)?]))
+                Some((
+                    p.name.clone(),
+                    [
+                        number(&format!("x_{}", p.name), row)?,
+                        number(&format!("y_{}", p.name), row)?,
+                    ],
+                ))
             };
             let turn = |l: &scene::Link| {
                 let column = format!("phi_{}", l.name);
-                Some((l.name.clone(), number(&column, (*row)?)? - base.as_ref()?.column(&column)?.values.first()?))
+                Some((
+                    l.name.clone(),
+                    number(&column, (*row)?)? - base.as_ref()?.column(&column)?.values.first()?,
+                ))
             };
             let places = swept.points.iter().filter_map(place).collect();
             let mut turned: BTreeMap<String, f64> = swept.links.iter().filter_map(turn).collect();
@@ -233,9 +297,14 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
             // wheel's centre to the contact.
             for [link, centre, contact] in moved::touching(json) {
                 let way = |table: &Table, row: usize| {
-                    let number = |axis: &str, p: &str| table.column(&format!("{axis}_{p}"))?.values.get(row).copied();
-                    Some(["x", "y"].map(|axis| Some(number(axis, &contact)? - number(axis, &centre)?)))
-                        .and_then(|[x, y]| Some(Vec2::new(x?, y?)))
+                    let number = |axis: &str, p: &str| {
+                        table.column(&format!("{axis}_{p}"))?.values.get(row).copied()
+                    };
+                    Some(
+                        ["x", "y"]
+                            .map(|axis| Some(number(axis, &contact)? - number(axis, &centre)?)),
+                    )
+                    .and_then(|[x, y]| Some(Vec2::new(x?, y?)))
                 };
                 let by = || Some(way(&table, (*row)?)?.divide_by(way(base.as_ref()?, 0)?).angle());
                 if !turned.contains_key(&link)
@@ -246,31 +315,58 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
             }
             let written = moved.at(*value, &places, &turned);
             said.push(written.is_some());
-            let single =
-                written.ok_or_else(Faults::default).and_then(|json| read(&json, &find)).and_then(|scene| solved(&scene, Some(driver)));
-            singles.push(single.map_err(|f| f.list.first().map_or(String::new(), |d| d.message.en.clone())));
+            let single = written
+                .ok_or_else(Faults::default)
+                .and_then(|json| read(&json, &find))
+                .and_then(|scene| solved(&scene, Some(driver)));
+            singles.push(
+                single.map_err(|f| f.list.first().map_or(String::new(), |d| d.message.en.clone())),
+            );
         }
         for (k, single) in singles.iter().enumerate() {
             let Ok(single) = single else { continue };
             let turns = swept.drivers[driver].kind.turns();
-            let off = if turns { Vec2::from_angle(single.value - values[k]).angle() } else { (single.value - values[k]) / extent };
-            let lies = swept.drivers[driver].kind.turned().map_or(moved.told(), |(l, _)| has_line(&plain, l, &json.to_string()));
+            let off = if turns {
+                Vec2::from_angle(single.value - values[k]).angle()
+            } else {
+                (single.value - values[k]) / extent
+            };
+            let lies = swept.drivers[driver]
+                .kind
+                .turned()
+                .map_or(moved.told(), |(l, _)| has_line(&plain, l, &json.to_string()));
             if off.abs() > 1e-9 && single.condition < 1e6 && lies {
                 let at = values[k];
-                tally.faults.push(format!("{name} driver {driver} at {at}: by the places of the sweep it stands at {}", single.value));
+                tally.faults.push(format!(
+                    "{name} driver {driver} at {at}: by the places of the sweep it stands at {}",
+                    single.value
+                ));
             }
         }
         let range = extreme::limits(&swept, &m, driver).map(|l| l.range);
-        let reached = |value: f64| range.as_ref().map_or(true, |range| goes_there(range, value, swept.drivers[driver].kind.turns()));
-        let compiled = |f: &Find| compile(&swept, &m, &placed.at, Some(driver), std::slice::from_ref(f)).is_ok();
+        let reached = |value: f64| {
+            range
+                .as_ref()
+                .map_or(true, |range| goes_there(range, value, swept.drivers[driver].kind.turns()))
+        };
+        let compiled = |f: &Find| {
+            compile(&swept, &m, &placed.at, Some(driver), std::slice::from_ref(f)).is_ok()
+        };
         // Questions answered in every position are asked together, separated by whether they have a
         // kernel; all others are asked alone.
-        let everywhere = |f: &Find| singles.iter().flatten().all(|s| s.answers.get(&f.text).is_some_and(Option::is_some));
-        let (whole, parts): (Vec<Find>, Vec<Find>) = swept.find.iter().cloned().partition(everywhere);
+        let everywhere = |f: &Find| {
+            singles.iter().flatten().all(|s| s.answers.get(&f.text).is_some_and(Option::is_some))
+        };
+        let (whole, parts): (Vec<Find>, Vec<Find>) =
+            swept.find.iter().cloned().partition(everywhere);
         let (kernels, others): (Vec<Find>, Vec<Find>) = whole.into_iter().partition(compiled);
         let alone = parts
             .iter()
-            .step_by(if asked() == ALL || part(&asked()).is_some() { 1 } else { (parts.len() / 4).max(1) })
+            .step_by(if asked() == ALL || part(&asked()).is_some() {
+                1
+            } else {
+                (parts.len() / 4).max(1)
+            })
             .map(|f| vec![f.clone()]);
         for group in [kernels, others].into_iter().filter(|g| !g.is_empty()).chain(alone) {
             let scene = asking(&swept, &group);
@@ -281,8 +377,17 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
                         tally.unsaid += 1;
                         continue;
                     }
-                    let here = |what: &str| format!("{name} {way} over {} at {:?}: {what}", swept.driver_name(driver).0, values[k]);
-                    let answered = single.as_ref().ok().filter(|s| s.answers.get(&group[0].text).is_some_and(Option::is_some));
+                    let here = |what: &str| {
+                        format!(
+                            "{name} {way} over {} at {:?}: {what}",
+                            swept.driver_name(driver).0,
+                            values[k]
+                        )
+                    };
+                    let answered = single
+                        .as_ref()
+                        .ok()
+                        .filter(|s| s.answers.get(&group[0].text).is_some_and(Option::is_some));
                     if single.as_ref().is_ok_and(|s| s.condition > 1e6) {
                         tally.singular += 1;
                         continue;
@@ -290,9 +395,14 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
                     // A place or a radius beyond the paper is infinite up to rounding: a straight
                     // path, a link that does not turn.
                     let off_paper = |v: &f64| v.is_finite() && v.abs() > FAR * extent;
-                    let off_paper_in_row = || at[k].is_some_and(|row| table.columns[1..].iter().any(|c| off_paper(&c.values[row])));
+                    let off_paper_in_row = || {
+                        at[k].is_some_and(|row| {
+                            table.columns[1..].iter().any(|c| off_paper(&c.values[row]))
+                        })
+                    };
                     if group[0].what.kind() == scene::Kind::Length
-                        && (values_of(answered, &group[0]).iter().any(off_paper) || answered.is_none() && off_paper_in_row())
+                        && (values_of(answered, &group[0]).iter().any(off_paper)
+                            || answered.is_none() && off_paper_in_row())
                     {
                         continue;
                     }
@@ -304,9 +414,16 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
                     let (Some(single), Some(row)) = (answered, at[k]) else {
                         // A position that the file cannot express may still be reached by the
                         // mechanism.
-                        if answered.is_some() != at[k].is_some() && (answered.is_some() || single.is_ok()) {
-                            let told = if at[k].is_some() { "a row that solve refuses" } else { "no row, solve answers" };
-                            let notes: Vec<_> = table.notes.iter().map(|n| n.message.en.as_str()).collect();
+                        if answered.is_some() != at[k].is_some()
+                            && (answered.is_some() || single.is_ok())
+                        {
+                            let told = if at[k].is_some() {
+                                "a row that solve refuses"
+                            } else {
+                                "no row, solve answers"
+                            };
+                            let notes: Vec<_> =
+                                table.notes.iter().map(|n| n.message.en.as_str()).collect();
                             tally.faults.push(here(&format!(
                                 "{told}: {} ({}) {notes:?} {:?}",
                                 group[0].text,
@@ -322,8 +439,18 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
                         let expected = single.answers[&f.text].as_ref().unwrap();
                         let largest = expected.iter().fold(0.0f64, |a, b| a.max(b.abs()));
                         for (c, e) in columns[of..].iter().zip(expected) {
-                            let size = if c.unit == "m" { extent } else { size(c.unit, &swept, extent).max(largest) };
-                            tally.check(&|| here(&c.name), c.unit, [c.values[row], *e], [size, largest], single.condition);
+                            let size = if c.unit == "m" {
+                                extent
+                            } else {
+                                size(c.unit, &swept, extent).max(largest)
+                            };
+                            tally.check(
+                                &|| here(&c.name),
+                                c.unit,
+                                [c.values[row], *e],
+                                [size, largest],
+                                single.condition,
+                            );
                         }
                         of += expected.len();
                     }
@@ -344,7 +471,14 @@ fn compare(name: &str, json: &Json, tally: &mut Tally) {
 
 /// The extremes of `limits` contain all positions that `solve` finds between them, are listed once,
 /// and the output is at rest there.
-fn limits_hold(name: &str, swept: &Scene, m: &Mechanism, driver: usize, singles: &[Result<Single, String>], tally: &mut Tally) {
+fn limits_hold(
+    name: &str,
+    swept: &Scene,
+    m: &Mechanism,
+    driver: usize,
+    singles: &[Result<Single, String>],
+    tally: &mut Tally,
+) {
     let Ok(placed) = PlacedScene::new(swept, m) else { return };
     let extent = placed.at.extent();
     let limits = match extreme::limits(swept, m, driver) {
@@ -355,20 +489,29 @@ fn limits_hold(name: &str, swept: &Scene, m: &Mechanism, driver: usize, singles:
     for s in &limits.swings {
         let number = |single: &Single, of: String| single.answers.get(&of)?.as_ref().map(|v| v[0]);
         let position = |single: &Single| match s.output {
-            extreme::DrivenOutput::Turning(l) => number(single, format!("phi_{}", swept.link_name(l))),
+            extreme::DrivenOutput::Turning(l) => {
+                number(single, format!("phi_{}", swept.link_name(l)))
+            }
             extreme::DrivenOutput::Sliding(g) => {
                 let guide = &swept.guides[g.0];
-                let (p, Some(position::Path::Line { through, direction })) = (swept.point_name(guide.pin?), placed.at.guides[g.0]) else {
+                let (p, Some(position::Path::Line { through, direction })) =
+                    (swept.point_name(guide.pin?), placed.at.guides[g.0])
+                else {
                     return None;
                 };
-                let at = Vec2::new(number(single, format!("x_{p}"))?, number(single, format!("y_{p}"))?);
+                let at =
+                    Vec2::new(number(single, format!("x_{p}"))?, number(single, format!("y_{p}"))?);
                 Some(direction.dot(at - through.to_vec2()))
             }
         };
         let rate_of = |single: &Single| match s.output {
-            extreme::DrivenOutput::Turning(l) => number(single, format!("omega_{}", swept.link_name(l))),
+            extreme::DrivenOutput::Turning(l) => {
+                number(single, format!("omega_{}", swept.link_name(l)))
+            }
             extreme::DrivenOutput::Sliding(g) => {
-                let (p, Some(position::Path::Line { direction, .. })) = (swept.guides[g.0].pin?, placed.at.guides[g.0]) else {
+                let (p, Some(position::Path::Line { direction, .. })) =
+                    (swept.guides[g.0].pin?, placed.at.guides[g.0])
+                else {
                     return None;
                 };
                 let v = single.answers.get(&format!("v_{}", swept.point_name(p)))?.as_ref()?;
@@ -392,14 +535,30 @@ fn limits_hold(name: &str, swept: &Scene, m: &Mechanism, driver: usize, singles:
         let lowest = s.extremes.iter().map(|e| e.output).fold(f64::INFINITY, f64::min);
         let Some(stroke) = s.stroke else {
             // An output without an extreme position moves in one sense only.
-            let rates: Vec<f64> = singles.iter().flatten().filter(|s| s.condition < 1e6).filter_map(rate_of).collect();
+            let rates: Vec<f64> = singles
+                .iter()
+                .flatten()
+                .filter(|s| s.condition < 1e6)
+                .filter_map(rate_of)
+                .collect();
             let least = 1e-9 * rates.iter().fold(0.0f64, |a, r| a.max(r.abs()));
-            if s.extremes.is_empty() && limits.range.full() && rates.iter().any(|r| *r > least) && rates.iter().any(|r| *r < -least) {
-                tally.faults.push(format!("{what}: no extreme from {:?}, solve says of its rate {rates:?}", limits.range.bounds()));
+            if s.extremes.is_empty()
+                && limits.range.full()
+                && rates.iter().any(|r| *r > least)
+                && rates.iter().any(|r| *r < -least)
+            {
+                tally.faults.push(format!(
+                    "{what}: no extreme from {:?}, solve says of its rate {rates:?}",
+                    limits.range.bounds()
+                ));
             }
             continue;
         };
-        for single in singles.iter().flatten().filter(|s| s.condition < 1e6 && goes_there(&limits.range, s.value, turns)) {
+        for single in singles
+            .iter()
+            .flatten()
+            .filter(|s| s.condition < 1e6 && goes_there(&limits.range, s.value, turns))
+        {
             let Some(at) = position(single) else { continue };
             let mut over = at - lowest;
             if matches!(s.output, extreme::DrivenOutput::Turning(_)) {
@@ -407,9 +566,10 @@ fn limits_hold(name: &str, swept: &Scene, m: &Mechanism, driver: usize, singles:
             }
             tally.compared += 1;
             if stroke < TAU && !(-1e-7 * size..=stroke + 1e-7 * size).contains(&over) {
-                tally
-                    .faults
-                    .push(format!("{what}: from {lowest} on by {stroke}, solve says {at} at {}: {s:?} {:?}", single.value, limits.range));
+                tally.faults.push(format!(
+                    "{what}: from {lowest} on by {stroke}, solve says {at} at {}: {s:?} {:?}",
+                    single.value, limits.range
+                ));
             }
         }
     }
@@ -424,7 +584,8 @@ fn a_sweep_says_what_solve_says() {
         ALL => true,
         words => part(words).map_or_else(|| name.contains(words), |(k, of)| n % of == k % of),
     };
-    let some: Vec<&(String, Json)> = all.iter().enumerate().filter(picked).map(|(_, s)| s).collect();
+    let some: Vec<&(String, Json)> =
+        all.iter().enumerate().filter(picked).map(|(_, s)| s).collect();
     let one = |(name, json): &&(String, Json)| {
         let mut tally = Tally::default();
         compare(name, json, &mut tally);

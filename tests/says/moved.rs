@@ -31,7 +31,11 @@ pub fn solved(scene: &Scene, driver: Option<usize>) -> Result<Single, Faults> {
     };
     let answers = scene.find.iter().map(|f| (f.text.clone(), answer(f))).collect();
     let condition = if solution.singular.is_empty() { solution.condition } else { f64::INFINITY };
-    Ok(Single { answers, condition, value: driver.map_or(0.0, |d| station::position_now(scene, &placed.at, d)) })
+    Ok(Single {
+        answers,
+        condition,
+        value: driver.map_or(0.0, |d| station::position_now(scene, &placed.at, d)),
+    })
 }
 
 /// The links that carry a track or a rack, each with the key of its list and of its name there.
@@ -40,7 +44,8 @@ const CARRYING: [(&str, &str); 2] = [("rolling", "on"), ("gears", "rack")];
 /// The racks of a file with a named contact, each with the centre of its wheel and the contact.
 pub fn touching(json: &Json) -> Vec<[String; 3]> {
     let named = |pair: &Json| {
-        let all = [&pair["rack"], &pair["centres"][0], &pair["at"]].map(|v| v.as_str().map(str::to_owned));
+        let all = [&pair["rack"], &pair["centres"][0], &pair["at"]]
+            .map(|v| v.as_str().map(str::to_owned));
         let [Some(rack), Some(centre), Some(at)] = all else { return None };
         Some([rack, centre, at])
     };
@@ -74,20 +79,36 @@ impl Moved<'_> {
     /// True if the sides of a joint refer to lines of its own link.
     fn is_made_so(&self, joint: &str) -> bool {
         let mut own = self.plain.sides.iter().filter(|s| self.plain.point_name(s.point) == joint);
-        own.all(|s| self.plain.links.iter().any(|l| [s.point, s.from, s.to].iter().all(|p| l.points.contains(p))))
+        own.all(|s| {
+            self.plain
+                .links
+                .iter()
+                .any(|l| [s.point, s.from, s.to].iter().all(|p| l.points.contains(p)))
+        })
     }
 
     /// The driver that turns the link of a guide, if the coordinates of the guide's pin show its
     /// direction and no angle of that driver is given.
     fn shown_beside(&self, g: GuideId) -> Option<usize> {
         let (guide, ground) = (&self.plain.guides[g.0], self.plain.ground);
-        let silent = |d: &scene::Driver| d.kind.turned() == Some((guide.on, ground)) && d.kind.angle().is_none();
-        self.plain.drivers.iter().position(silent).filter(|_| guide.pin.is_some_and(|p| self.posed(p.0)))
+        let silent = |d: &scene::Driver| {
+            d.kind.turned() == Some((guide.on, ground)) && d.kind.angle().is_none()
+        };
+        self.plain
+            .drivers
+            .iter()
+            .position(silent)
+            .filter(|_| guide.pin.is_some_and(|p| self.posed(p.0)))
     }
 
     /// The scene with its driver at `value`, the points at their places and the links turned by
     /// these angles; `None` if its format cannot express it.
-    pub fn at(&self, value: f64, places: &BTreeMap<String, [f64; 2]>, turned: &BTreeMap<String, f64>) -> Option<Json> {
+    pub fn at(
+        &self,
+        value: f64,
+        places: &BTreeMap<String, [f64; 2]>,
+        turned: &BTreeMap<String, f64>,
+    ) -> Option<Json> {
         let (plain, mut json) = (self.plain, self.json.clone());
         let posed: Vec<usize> = (0..plain.points.len()).filter(|p| self.posed(*p)).collect();
         let own_guides = json["guides"].as_array().map_or(0, Vec::len);
@@ -114,18 +135,26 @@ impl Moved<'_> {
         }
         // A side gives the assembly of the instant; a motion may carry the joint to the other side,
         // so that its place is given instead. Sides of three points of one link describe its shape.
-        if let Some(mut sides) = json.as_object_mut()?.remove("side").and_then(|sides| sides.as_object().cloned()) {
+        if let Some(mut sides) =
+            json.as_object_mut()?.remove("side").and_then(|sides| sides.as_object().cloned())
+        {
             sides.retain(|joint, _| self.is_made_so(joint));
-            let joints = self.json["side"].as_object()?.keys().filter(|joint| !sides.contains_key(*joint));
+            let joints =
+                self.json["side"].as_object()?.keys().filter(|joint| !sides.contains_key(*joint));
             for joint in joints {
                 json["sketch"][joint] = written(*places.get(joint)?);
             }
             json["side"] = Json::Object(sides);
         }
         if let Some(sketch) = json.get_mut("sketch").and_then(Json::as_object_mut) {
-            sketch.iter_mut().filter_map(|(p, at)| Some((at, places.get(p)?))).for_each(|(at, place)| *at = written(*place));
+            sketch
+                .iter_mut()
+                .filter_map(|(p, at)| Some((at, places.get(p)?)))
+                .for_each(|(at, place)| *at = written(*place));
         }
-        for (g, guide) in plain.guides.iter().enumerate().take(own_guides).filter(|(_, g)| g.on != plain.ground) {
+        for (g, guide) in
+            plain.guides.iter().enumerate().take(own_guides).filter(|(_, g)| g.on != plain.ground)
+        {
             let scene::GuidePath::Line { through, direction, .. } = &guide.path else { continue };
             if matches!(through, Through::At(_)) {
                 return None;
@@ -148,7 +177,11 @@ impl Moved<'_> {
         // So is the position of a track or a rack on its link.
         for (key, on) in CARRYING {
             for pair in json.get_mut(key).and_then(Json::as_array_mut).into_iter().flatten() {
-                let (Some(link), Some(angle), None) = (pair[on].as_str(), pair["angle"].as_str(), pair.get("line")) else { continue };
+                let (Some(link), Some(angle), None) =
+                    (pair[on].as_str(), pair["angle"].as_str(), pair.get("line"))
+                else {
+                    continue;
+                };
                 if link != plain.link_name(plain.ground) {
                     pair["angle"] = json!(format!("({angle}) + ({:?} rad)", turned.get(link)?));
                 }
@@ -161,7 +194,12 @@ impl Moved<'_> {
         };
         for load in of("ropes", "load").into_iter().chain(of("gears", "rack")) {
             let driven = plain.drivers[self.driver].kind.guide();
-            for (g, guide) in plain.guides.iter().enumerate().filter(|(_, g)| g.slider.is_some_and(|l| plain.link_name(l) == load)) {
+            for (g, guide) in plain
+                .guides
+                .iter()
+                .enumerate()
+                .filter(|(_, g)| g.slider.is_some_and(|l| plain.link_name(l) == load))
+            {
                 if driven == Some(GuideId(g)) {
                     continue;
                 }
@@ -171,8 +209,11 @@ impl Moved<'_> {
         }
         // The angle of a cam behind wheels is given for the pose.
         for (i, cam) in plain.cams.iter().enumerate() {
-            if let (Some(angle), Some(t)) = (json["cams"][i]["angle"].as_str().map(str::to_owned), &cam.disc) {
-                json["cams"][i]["angle"] = json!(format!("({angle}) + ({:?} rad)", t.way * (value - self.now)));
+            if let (Some(angle), Some(t)) =
+                (json["cams"][i]["angle"].as_str().map(str::to_owned), &cam.disc)
+            {
+                json["cams"][i]["angle"] =
+                    json!(format!("({angle}) + ({:?} rad)", t.way * (value - self.now)));
             }
         }
         Some(json)

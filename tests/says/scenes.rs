@@ -13,25 +13,39 @@ pub fn scenes() -> Vec<(String, Json)> {
     let root = env!("CARGO_MANIFEST_DIR");
     let files = |folder: &str| {
         let all = std::fs::read_dir(format!("{root}/{folder}")).unwrap().map(|f| f.unwrap().path());
-        let mut files: Vec<_> = all.filter(|p| p.extension().is_some_and(|e| e == "json")).collect();
+        let mut files: Vec<_> =
+            all.filter(|p| p.extension().is_some_and(|e| e == "json")).collect();
         files.sort();
         files
     };
-    let mut out: Vec<(String, Json)> =
-        templates::list().iter().map(|t| (t.name.to_owned(), parsed(templates::get(t.name).unwrap()))).collect();
+    let mut out: Vec<(String, Json)> = templates::list()
+        .iter()
+        .map(|t| (t.name.to_owned(), parsed(templates::get(t.name).unwrap())))
+        .collect();
     for path in files("tests/cases") {
         let case = parsed(&read(path.to_str().unwrap()));
         if case["scene"].is_object() {
-            out.push((format!("cases/{}", path.file_stem().unwrap().display()), case["scene"].clone()));
+            out.push((
+                format!("cases/{}", path.file_stem().unwrap().display()),
+                case["scene"].clone(),
+            ));
         }
     }
     for file in ["motion", "centres"] {
-        for problem in parsed(&read(&format!("{root}/tests/problems/{file}.json"))).as_array().unwrap() {
-            out.push((format!("problems/{}", problem["name"].as_str().unwrap()), problem["scene"].clone()));
+        for problem in
+            parsed(&read(&format!("{root}/tests/problems/{file}.json"))).as_array().unwrap()
+        {
+            out.push((
+                format!("problems/{}", problem["name"].as_str().unwrap()),
+                problem["scene"].clone(),
+            ));
         }
     }
     for path in files("tests/says") {
-        out.push((format!("says/{}", path.file_stem().unwrap().display()), parsed(&read(path.to_str().unwrap()))));
+        out.push((
+            format!("says/{}", path.file_stem().unwrap().display()),
+            parsed(&read(path.to_str().unwrap())),
+        ));
     }
     out
 }
@@ -52,7 +66,8 @@ pub fn askable(json: &Json, plain: &Scene) -> Vec<String> {
     let points: Vec<&str> = plain.points.iter().map(|p| p.name.as_str()).filter(own).collect();
     let links: Vec<&str> = plain.links.iter().map(|l| l.name.as_str()).collect();
     let mut all: Vec<String> = plain.find.iter().map(|f| f.text.clone()).collect();
-    let mut ask = |symbols: &[&str], of: &str| all.extend(symbols.iter().map(|s| format!("{s}_{of}")));
+    let mut ask =
+        |symbols: &[&str], of: &str| all.extend(symbols.iter().map(|s| format!("{s}_{of}")));
     for p in &points {
         ask(&["x", "y", "v", "a", "rho", "O", "gamma"], p);
         for q in points.iter().filter(|q| *q > p) {
@@ -61,18 +76,32 @@ pub fn askable(json: &Json, plain: &Scene) -> Vec<String> {
         let on: Vec<&str> = links
             .iter()
             .copied()
-            .filter(|l| plain.links.iter().any(|k| k.name == *l && k.points.iter().any(|q| plain.point_name(*q) == *p)))
+            .filter(|l| {
+                plain
+                    .links
+                    .iter()
+                    .any(|k| k.name == *l && k.points.iter().any(|q| plain.point_name(*q) == *p))
+            })
             .collect();
         for l in &links {
             ask(&["v", "a"], &format!("{p}{l}"));
-            ask(&["ve", "vr", "ae", "aen", "aet", "ar", "arn", "art", "ak", "path"], &format!("{p}/{l}"));
+            ask(
+                &["ve", "vr", "ae", "aen", "aet", "ar", "arn", "art", "ak", "path"],
+                &format!("{p}/{l}"),
+            );
             for k in links.iter().filter(|k| *k != l && on.contains(k)) {
                 ask(&["vr", "ar", "ak"], &format!("{p}{k}{p}{l}"));
             }
         }
     }
     for l in &links {
-        ask(&["phi", "omega", "alpha", "J", "d", "K", "u", "p", "s", "psi", "h", "Psi", "Phi", "pressure", "rho_min", "spin"], l);
+        ask(
+            &[
+                "phi", "omega", "alpha", "J", "d", "K", "u", "p", "s", "psi", "h", "Psi", "Phi",
+                "pressure", "rho_min", "spin",
+            ],
+            l,
+        );
         for k in links.iter().filter(|k| *k != l) {
             ask(&["omega", "alpha", "rho"], &format!("{l}/{k}"));
             if k > l {
@@ -93,7 +122,8 @@ pub fn askable(json: &Json, plain: &Scene) -> Vec<String> {
 pub fn has_line(scene: &Scene, l: LinkId, file: &str) -> bool {
     let own = |p: &&PointId| scene.cams.is_empty() || is_named(file, scene.point_name(**p));
     let touches = scene.cams.iter().any(|c| c.cam == l || c.follower == l);
-    scene.links[l.0].points.iter().filter(own).count() > 1 || !touches && position::guide_of(scene, l).is_some()
+    scene.links[l.0].points.iter().filter(own).count() > 1
+        || !touches && position::guide_of(scene, l).is_some()
 }
 
 /// True if a file names a point, alone or in a pair of points.
@@ -109,7 +139,9 @@ pub fn is_of_no_line(scene: &Scene, question: &str, file: &str) -> bool {
         "path" => of.split_once('/').map_or(of, |(_, frame)| frame),
         _ => return false,
     };
-    (0..scene.links.len()).map(LinkId).any(|l| scene.link_name(l) == link && !has_line(scene, l, file))
+    (0..scene.links.len())
+        .map(LinkId)
+        .any(|l| scene.link_name(l) == link && !has_line(scene, l, file))
 }
 
 /// The questions of a list that the scene accepts.

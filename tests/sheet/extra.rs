@@ -43,7 +43,12 @@ fn every_page_can_be_read(name: &str) {
             let Ok(worked) = work(pose, Scope::Figure) else { continue };
             for lang in [Lang::En, Lang::Zh] {
                 let options = SheetOptions::of_language(lang);
-                let wanted = FigureInput { scene: pose, worked: &worked.value, options: &options, extras: &Extras::default() };
+                let wanted = FigureInput {
+                    scene: pose,
+                    worked: &worked.value,
+                    options: &options,
+                    extras: &Extras::default(),
+                };
                 let drawn = match (entry.draw)(&wanted) {
                     Ok(drawn) => drawn.value,
                     // A named mistake may be possible only in the pose of the file.
@@ -95,8 +100,11 @@ fn a_roller_lies_over_the_plate_that_holds_it() {
     }
     let scene = scene::read(&text).unwrap().value;
     let worked = work(&scene, Scope::Figure).unwrap().value;
-    let figure = drawing(&scene, &worked, &SheetOptions::of_language(Lang::En), DiagramKind::Plane).unwrap();
-    let last = |what: &str| figure.items.iter().rposition(|i| i.class.split_whitespace().any(|c| c == what));
+    let figure =
+        drawing(&scene, &worked, &SheetOptions::of_language(Lang::En), DiagramKind::Plane).unwrap();
+    let last = |what: &str| {
+        figure.items.iter().rposition(|i| i.class.split_whitespace().any(|c| c == what))
+    };
     let (plate, roller) = (last("plate"), last("roller"));
     assert!(plate.is_some() && plate < roller, "plate {plate:?}, roller {roller:?}");
 }
@@ -108,11 +116,18 @@ fn twelve_links_have_twelve_colours() {
     let scene = scene::read(templates::get("excavator").unwrap()).unwrap().value;
     let worked = work(&scene, Scope::Figure).unwrap().value;
     for style in ["slides", "dark"] {
-        let options = SheetOptions { style: Style::named(style).unwrap(), ..SheetOptions::of_language(Lang::En) };
+        let options = SheetOptions {
+            style: Style::named(style).unwrap(),
+            ..SheetOptions::of_language(Lang::En)
+        };
         let figure = drawing(&scene, &worked, &options, DiagramKind::Plane).unwrap();
         let mut colours: Vec<(usize, Colour)> = Vec::new();
         for item in &figure.items {
-            let (Some(link), Shape::Line { stroke, .. } | Shape::Polyline { stroke: Some(stroke), .. }) = (item.link, &item.shape) else {
+            let (
+                Some(link),
+                Shape::Line { stroke, .. } | Shape::Polyline { stroke: Some(stroke), .. },
+            ) = (item.link, &item.shape)
+            else {
                 continue;
             };
             match colours.iter().find(|(l, _)| *l == link) {
@@ -124,6 +139,10 @@ fn twelve_links_have_twelve_colours() {
                 }
             }
         }
-        assert_eq!(colours.len(), scene.links.len() - 1, "{style}: every moving link is drawn in its colour");
+        assert_eq!(
+            colours.len(),
+            scene.links.len() - 1,
+            "{style}: every moving link is drawn in its colour"
+        );
     }
 }

@@ -20,7 +20,9 @@ use hodograph::worked::{Scope, work};
 use hodograph::worksheet::{self, WorksheetSides, pages};
 
 fn tinos() -> Fonts {
-    let file = |name: &str| std::fs::read(format!("{}/crates/paper/fonts/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let file = |name: &str| {
+        std::fs::read(format!("{}/crates/paper/fonts/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+    };
     let names = ["tinos-normal.ttf", "tinos-italic.ttf"];
     names.iter().fold(Fonts::default(), |fonts, name| fonts.with(name, file(name)).unwrap())
 }
@@ -31,7 +33,12 @@ fn vectors_are_bold_in_vector_equations_alone() {
     let worked = work(&scene, Scope::Figure).unwrap().value;
     let style = style::read(br#"{ "notation": { "vectors": "bold" } }"#).unwrap();
     let notation = style.marks.over(&Notation::named("en").unwrap());
-    let figure = sheet(&scene, &worked, &SheetOptions { style, notation, ..SheetOptions::of_language(Lang::En) }).unwrap();
+    let figure = sheet(
+        &scene,
+        &worked,
+        &SheetOptions { style, notation, ..SheetOptions::of_language(Lang::En) },
+    )
+    .unwrap();
     let (mut bold, mut plain) = (0, 0);
     for item in &figure.items {
         let Shape::Label { label, .. } = &item.shape else { continue };
@@ -53,7 +60,9 @@ fn letters<'a>(items: impl IntoIterator<Item = &'a FigureItem>) -> (Vec<String>,
         for run in &text::set(label).runs {
             match run.face {
                 Face::Own(_) => own += 1,
-                Face::Roman | Face::Italic if run.text.chars().any(char::is_alphanumeric) => bundled.push(label.plain()),
+                Face::Roman | Face::Italic if run.text.chars().any(char::is_alphanumeric) => {
+                    bundled.push(label.plain())
+                }
                 _ => {}
             }
         }
@@ -69,7 +78,9 @@ fn every_label_is_set_in_the_fonts_of_its_style() {
     let options = SheetOptions { style: style.clone(), ..SheetOptions::of_language(Lang::En) };
     let points = vec![PointId(scene.points.iter().position(|p| p.name == "E").unwrap())];
     let mut drawn: Vec<(&str, Vec<FigureItem>)> = Vec::new();
-    let mut figures = |what: &'static str, list: Vec<Figure>| drawn.extend(list.into_iter().map(|f| (what, f.items)));
+    let mut figures = |what: &'static str, list: Vec<Figure>| {
+        drawn.extend(list.into_iter().map(|f| (what, f.items)))
+    };
     figures("sheet", vec![sheet(&scene, &worked, &options).unwrap()]);
     figures("steps", steps::figures(&scene, &worked, &options));
     let overlay = Overlay { dimensions: true, ..Overlay::default() };
@@ -80,15 +91,29 @@ fn every_label_is_set_in_the_fonts_of_its_style() {
     figures("path", vec![path::figure(&scene, &worked, &options, &wanted).unwrap().value]);
     let mechanism = Mechanism::new(&scene).unwrap().value;
     let placed = PlacedScene::new(&scene, &mechanism).unwrap();
-    let table = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 90), Width::One).unwrap();
+    let table = sweep::run(
+        &placed,
+        0,
+        &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 90),
+        Width::One,
+    )
+    .unwrap();
     let lines = CurveDiagram::of(&placed, 0, &table, &options.notation);
     figures("curves", vec![curves::figure(&scene, &lines, &style, Lang::En)]);
     let start = Instant::now();
     let watch = ways::Watch { now: &|| start.elapsed(), patience: Duration::from_millis(1) };
     let measured = ways::measure(&scene, &worked, watch).unwrap();
     figures("accuracy", vec![price::figure(&scene, &measured, &[], &style, Lang::En)]);
-    let document = worksheet::worksheet(&scene, &worked, &worksheet::WorksheetOptions { sheet: options, sides: WorksheetSides::Both });
-    drawn.extend(pages::pages(&document).into_iter().map(|p| ("worksheet", p.parts.into_iter().flat_map(|p| p.items).collect())));
+    let document = worksheet::worksheet(
+        &scene,
+        &worked,
+        &worksheet::WorksheetOptions { sheet: options, sides: WorksheetSides::Both },
+    );
+    drawn.extend(
+        pages::pages(&document)
+            .into_iter()
+            .map(|p| ("worksheet", p.parts.into_iter().flat_map(|p| p.items).collect())),
+    );
     for (what, items) in &drawn {
         let (bundled, own) = letters(items);
         assert!(bundled.is_empty() && own > 0, "{what}: {own} in one's own, but {bundled:?}");

@@ -21,14 +21,21 @@ fn forces_can_be_read() {
             let Ok(worked) = work(pose, Scope::Figure) else { continue };
             for lang in [Lang::En, Lang::Zh] {
                 let options = SheetOptions::of_language(lang);
-                let figures =
-                    [("forces", forces::forces(pose, &worked.value, &options)), ("lever", forces::lever(pose, &worked.value, &options))];
-                for (name, figure) in figures.into_iter().filter_map(|(name, figure)| Some((name, figure?))) {
+                let figures = [
+                    ("forces", forces::forces(pose, &worked.value, &options)),
+                    ("lever", forces::lever(pose, &worked.value, &options)),
+                ];
+                for (name, figure) in
+                    figures.into_iter().filter_map(|(name, figure)| Some((name, figure?)))
+                {
                     let found = look(&figure, usize::MAX);
                     drawn += 1;
                     labels += figure.labels_placed();
                     if found.overlaps + found.outside > 0 {
-                        faults.push(format!("{} pose {k} {lang:?} {name}: {} overlaps, {} outside", t.name, found.overlaps, found.outside));
+                        faults.push(format!(
+                            "{} pose {k} {lang:?} {name}: {} overlaps, {} outside",
+                            t.name, found.overlaps, found.outside
+                        ));
                     }
                 }
             }

@@ -23,7 +23,10 @@ const SMALLEST_MM: f64 = 1.5;
 fn judge(name: &str, figure: &Figure, faults: &mut Vec<String>) -> Found {
     let found = look(figure, usize::MAX);
     if found.overlaps + found.outside > 0 || found.smallest_mm < SMALLEST_MM {
-        faults.push(format!("{name}: {} overlaps, {} outside, smallest type {:.2} mm", found.overlaps, found.outside, found.smallest_mm));
+        faults.push(format!(
+            "{name}: {} overlaps, {} outside, smallest type {:.2} mm",
+            found.overlaps, found.outside, found.smallest_mm
+        ));
     }
     found
 }
@@ -42,11 +45,20 @@ fn geared_figures_can_be_read() {
                 let options = SheetOptions::of_language(lang);
                 for name in ["gears", "kutzbach"] {
                     let entry = list::named(name).unwrap();
-                    let wanted = FigureInput { scene: pose, worked: &worked.value, options: &options, extras: &Extras::default() };
+                    let wanted = FigureInput {
+                        scene: pose,
+                        worked: &worked.value,
+                        options: &options,
+                        extras: &Extras::default(),
+                    };
                     // Pairs given by radii have no teeth.
                     let Ok(pages) = (entry.draw)(&wanted) else { continue };
                     for (page, figure) in pages.value {
-                        judge(&format!("{} pose {k} {lang:?} {page}", t.name), &figure, &mut faults);
+                        judge(
+                            &format!("{} pose {k} {lang:?} {page}", t.name),
+                            &figure,
+                            &mut faults,
+                        );
                         drawn += 1;
                     }
                 }
@@ -69,10 +81,15 @@ fn figures_of_cams_can_be_read() {
                 let report = Report { scene: pose, cam, turning, survey: &survey };
                 for lang in [Lang::En, Lang::Zh] {
                     let style = SheetOptions::of_language(lang).style;
-                    for (what, figure) in
-                        [("motion", motion::figure(&report, &style, lang)), ("profile", inversion::figure(&report, &style, lang))]
-                    {
-                        judge(&format!("{} pose {k} {lang:?} {what}", t.name), &figure, &mut faults);
+                    for (what, figure) in [
+                        ("motion", motion::figure(&report, &style, lang)),
+                        ("profile", inversion::figure(&report, &style, lang)),
+                    ] {
+                        judge(
+                            &format!("{} pose {k} {lang:?} {what}", t.name),
+                            &figure,
+                            &mut faults,
+                        );
                         drawn += 1;
                     }
                 }
@@ -97,19 +114,27 @@ fn legends_of_cams_name_what_is_drawn() {
         let scene = scene::read(templates::get(t.name).unwrap()).unwrap().value;
         for cam in &scene.cams {
             let Some(turning) = &cam.disc else { continue };
-            let report = Report { scene: &scene, cam, turning, survey: &CamSurvey::of(&turning.disc) };
+            let report =
+                Report { scene: &scene, cam, turning, survey: &CamSurvey::of(&turning.disc) };
             for (l, lang) in [Lang::En, Lang::Zh].into_iter().enumerate() {
-                let figure = inversion::figure(&report, &SheetOptions::of_language(lang).style, lang);
+                let figure =
+                    inversion::figure(&report, &SheetOptions::of_language(lang).style, lang);
                 for (k, (class, words)) in lines.iter().enumerate() {
                     let drawn = figure.items.iter().any(|i| i.class == *class);
-                    let told = figure.desc.replace("base and offset circles", "offset circle").contains(words[l]);
+                    let told = figure
+                        .desc
+                        .replace("base and offset circles", "offset circle")
+                        .contains(words[l]);
                     assert_eq!(drawn, told, "{} {lang:?}: {class}: {}", t.name, figure.desc);
                     seen[k][usize::from(drawn)] += 1;
                 }
             }
         }
     }
-    assert!(seen.iter().all(|s| s[0] > 0 && s[1] > 0), "each line is drawn in some and not in others: {seen:?}");
+    assert!(
+        seen.iter().all(|s| s[0] > 0 && s[1] > 0),
+        "each line is drawn in some and not in others: {seen:?}"
+    );
 }
 
 /// The groups of every template, drawn apart.

@@ -77,12 +77,19 @@ fn printed(figure: &Figure, links: usize) -> f64 {
 }
 
 pub fn look(figure: &Figure, links: usize) -> Found {
-    let labels: Vec<(&FigureItem, Rect)> =
-        figure.items.iter().filter(|i| matches!(i.shape, Shape::Label { .. })).filter_map(|i| Some((i, i.bounds()?))).collect();
-    let mut found = Found { sheets: 1, labels: labels.len(), smallest_mm: f64::INFINITY, ..Found::default() };
+    let labels: Vec<(&FigureItem, Rect)> = figure
+        .items
+        .iter()
+        .filter(|i| matches!(i.shape, Shape::Label { .. }))
+        .filter_map(|i| Some((i, i.bounds()?)))
+        .collect();
+    let mut found =
+        Found { sheets: 1, labels: labels.len(), smallest_mm: f64::INFINITY, ..Found::default() };
     let paper = Rect::new(Point::ORIGIN, Point::new(figure.width_mm, figure.height_mm));
     // The ring around an inset is a line, not a joint.
-    let is_ink = |i: &&FigureItem| !matches!(i.shape, Shape::Label { .. } | Shape::Circle { fill: None, .. });
+    let is_ink = |i: &&FigureItem| {
+        !matches!(i.shape, Shape::Label { .. } | Shape::Circle { fill: None, .. })
+    };
     let lines: Vec<FigureItem> = figure.items.iter().filter(is_ink).cloned().collect();
     let ink = Obstacles::of(&lines);
     let meets = |r: Rect, a: Point, b: Point, half: f64| clipped(a, b, r.grown(half)) > GRAZE_MM;
@@ -92,10 +99,12 @@ pub fn look(figure: &Figure, links: usize) -> Found {
         found.outside += usize::from(paper.union(*r) != paper);
         found.overlaps += labels[..k].iter().filter(|(_, o)| r.overlap_mm2(*o) > 0.0).count();
         let thick = ink.bars.iter().filter(|b| b.half_width_mm > 0.15);
-        found.on_thick_lines += usize::from(thick.clone().any(|b| meets(*r, b.from, b.to, b.half_width_mm)));
+        found.on_thick_lines +=
+            usize::from(thick.clone().any(|b| meets(*r, b.from, b.to, b.half_width_mm)));
         found.on_heads += usize::from(ink.heads.iter().any(|h| meets(*r, h.from, h.to, 0.0)));
         let near = |d: &hodograph::paper::place::InkDisc| {
-            let p = Point::new(d.centre.x.clamp(r.min.x, r.max.x), d.centre.y.clamp(r.min.y, r.max.y));
+            let p =
+                Point::new(d.centre.x.clamp(r.min.x, r.max.x), d.centre.y.clamp(r.min.y, r.max.y));
             p.distance(d.centre) < d.radius_mm - GRAZE_MM
         };
         found.on_joints += usize::from(ink.discs.iter().any(near));
@@ -108,7 +117,10 @@ pub fn look(figure: &Figure, links: usize) -> Found {
 fn clipped(a: Point, b: Point, r: Rect) -> f64 {
     const PIECES: usize = 200;
     let inside = |p: Point| r.min.x <= p.x && p.x <= r.max.x && r.min.y <= p.y && p.y <= r.max.y;
-    let apart = a.x.max(b.x) < r.min.x || a.x.min(b.x) > r.max.x || a.y.max(b.y) < r.min.y || a.y.min(b.y) > r.max.y;
+    let apart = a.x.max(b.x) < r.min.x
+        || a.x.min(b.x) > r.max.x
+        || a.y.max(b.y) < r.min.y
+        || a.y.min(b.y) > r.max.y;
     if apart {
         return 0.0;
     }
@@ -127,7 +139,10 @@ pub fn poses(scene: &Scene) -> Vec<Scene> {
         _ if turns => [start, start + std::f64::consts::TAU],
         _ => [start * 0.8, start * 1.2],
     };
-    (0..POSES).step_by(every(8)).map(|k| with_driver_at(scene, 0, low + (high - low) * (k as f64 + 0.25) / POSES as f64)).collect()
+    (0..POSES)
+        .step_by(every(8))
+        .map(|k| with_driver_at(scene, 0, low + (high - low) * (k as f64 + 0.25) / POSES as f64))
+        .collect()
 }
 
 #[test]
@@ -135,7 +150,16 @@ fn every_pose_can_be_read() {
     let only = std::env::var("HODOGRAPH_ONLY").unwrap_or_default();
     let mut table = vec![format!(
         "{:<22} {:>6} {:>7} {:>8} {:>7} {:>8} {:>8} {:>8} {:>8} {:>8}",
-        "", "sheets", "labels", "overlaps", "outside", "on lines", "on heads", "on pins", "leaders", "least mm"
+        "",
+        "sheets",
+        "labels",
+        "overlaps",
+        "outside",
+        "on lines",
+        "on heads",
+        "on pins",
+        "leaders",
+        "least mm"
     )];
     let mut all = Found::default();
     let mut faults = Vec::new();
@@ -151,7 +175,12 @@ fn every_pose_can_be_read() {
                 for notation in ["en", "cn"] {
                     let notation = Notation::named(notation).unwrap();
                     let name = format!("{} pose {k} {lang:?} {}", t.name, notation.name);
-                    let figure = sheet(pose, &worked.value, &SheetOptions { notation, ..SheetOptions::of_language(lang) }).unwrap();
+                    let figure = sheet(
+                        pose,
+                        &worked.value,
+                        &SheetOptions { notation, ..SheetOptions::of_language(lang) },
+                    )
+                    .unwrap();
                     let forces = worked.value.equilibrium.is_some();
                     let found = look(&figure, if forces { usize::MAX } else { pose.links.len() });
                     if found.overlaps + found.outside > 0 || found.smallest_mm < SMALLEST_MM {
@@ -194,12 +223,20 @@ fn every_centre_can_be_read() {
             let Ok(worked) = work(pose, Scope::Figure) else { continue };
             for lang in [Lang::En, Lang::Zh] {
                 let options = SheetOptions::of_language(lang);
-                let wanted = FigureInput { scene: pose, worked: &worked.value, options: &options, extras: &Extras::default() };
-                let pages = (entry.draw)(&wanted).unwrap_or_else(|f| panic!("{} pose {k}: {f}", t.name)).value;
+                let wanted = FigureInput {
+                    scene: pose,
+                    worked: &worked.value,
+                    options: &options,
+                    extras: &Extras::default(),
+                };
+                let pages = (entry.draw)(&wanted)
+                    .unwrap_or_else(|f| panic!("{} pose {k}: {f}", t.name))
+                    .value;
                 for (page, figure) in &pages {
                     let found = look(figure, pose.links.len());
                     if found.overlaps + found.outside > 0 || found.smallest_mm < SMALLEST_MM {
-                        let (overlaps, outside, least) = (found.overlaps, found.outside, found.smallest_mm);
+                        let (overlaps, outside, least) =
+                            (found.overlaps, found.outside, found.smallest_mm);
                         faults.push(format!(
                             "{} pose {k} {lang:?} {page}: {overlaps} overlaps, {outside} outside, smallest type {least:.2} mm",
                             t.name

@@ -51,8 +51,13 @@ const ENGLISH: Words = Words {
     direction: "Direction",
     magnitude: "Magnitude",
 };
-const CHINESE: Words =
-    Words { lang: "zh", configuration: "(a) 机构位置图", polygon: "(b) 速度多边形", direction: "方向", magnitude: "大小" };
+const CHINESE: Words = Words {
+    lang: "zh",
+    configuration: "(a) 机构位置图",
+    polygon: "(b) 速度多边形",
+    direction: "方向",
+    magnitude: "大小",
+};
 
 /// Items, obstacles for labels, and the labels to be placed.
 #[derive(Default)]
@@ -78,11 +83,27 @@ impl Board {
     }
 
     fn along(&mut self, from: Point, to: Point, label: &str, owner: u32) {
-        self.requests.push(LabelRequest::along(Label::math(label), STYLE.label_mm, from, to, STYLE.vector.width_mm / 2.0).owned(owner));
+        self.requests.push(
+            LabelRequest::along(
+                Label::math(label),
+                STYLE.label_mm,
+                from,
+                to,
+                STYLE.vector.width_mm / 2.0,
+            )
+            .owned(owner),
+        );
     }
 
     fn arc(&mut self, centre: Point, radius_mm: f64, angles: [f64; 2], label: &str, owner: u32) {
-        let request = LabelRequest::along_arc(Label::math(label), STYLE.label_mm, centre, radius_mm, angles, STYLE.vector.width_mm / 2.0);
+        let request = LabelRequest::along_arc(
+            Label::math(label),
+            STYLE.label_mm,
+            centre,
+            radius_mm,
+            angles,
+            STYLE.vector.width_mm / 2.0,
+        );
         self.requests.push(request.owned(owner));
     }
 
@@ -92,7 +113,10 @@ impl Board {
     }
 
     fn text(&mut self, at: Point, label: Label, size_mm: f64, anchor: Anchor) {
-        self.draw(vec![FigureItem::new("text", Shape::Label { at, label, size_mm, anchor, colour: Colour::BLACK })]);
+        self.draw(vec![FigureItem::new(
+            "text",
+            Shape::Label { at, label, size_mm, anchor, colour: Colour::BLACK },
+        )]);
     }
 
     fn finish(mut self, words: &Words) -> (Figure, Vec<Placement>) {
@@ -115,15 +139,24 @@ impl Board {
 
 fn fourbar(words: &Words) -> (Figure, Vec<Placement>) {
     let mut board = Board::default();
-    let (a, d, b, c) = (Point::new(17.0, 29.0), Point::new(98.0, 29.0), Point::new(34.0, 53.3), Point::new(104.7, 84.0));
+    let (a, d, b, c) = (
+        Point::new(17.0, 29.0),
+        Point::new(98.0, 29.0),
+        Point::new(34.0, 53.3),
+        Point::new(104.7, 84.0),
+    );
     let pin = STYLE.pin_radius_mm + STYLE.outline.width_mm / 2.0;
     let omega = 0.72;
     let vb = (b - a).perp() * omega;
-    let vc_along = cross_lines(Point::ORIGIN + vb, (c - b).perp(), Point::ORIGIN, (c - d).perp()).at.to_vec2();
+    let vc_along =
+        cross_lines(Point::ORIGIN + vb, (c - b).perp(), Point::ORIGIN, (c - d).perp()).at.to_vec2();
 
     for (p, q, name) in [(a, b, "1"), (b, c, "2"), (d, c, "3")] {
         let owner = board.draw(sym::link(&STYLE, &[p, q]));
-        board.requests.push(LabelRequest::along(Label::math(name), STYLE.label_mm, p, q, STYLE.link.width_mm / 2.0).owned(owner));
+        board.requests.push(
+            LabelRequest::along(Label::math(name), STYLE.label_mm, p, q, STYLE.link.width_mm / 2.0)
+                .owned(owner),
+        );
     }
     board.vector(b, b + vb, "v_B");
     board.vector(c, c + vc_along * 0.8, "v_C");
@@ -153,21 +186,31 @@ fn fourbar(words: &Words) -> (Figure, Vec<Placement>) {
     for (p, name) in [(pole, "p"), (tip_b, "b"), (tip_c, "c")] {
         board.point(p, 0.6, name, Some(p - middle));
     }
-    board.draw(sym::scale_bar(&STYLE, Point::new(131.0, 49.0), 20.0, Label::math("0"), Label::math("0.1 m/s")));
+    board.draw(sym::scale_bar(
+        &STYLE,
+        Point::new(131.0, 49.0),
+        20.0,
+        Label::math("0"),
+        Label::math("0.1 m/s"),
+    ));
 
     let columns = [146.0, 156.5, 167.0, 177.5, 188.0];
     for (x, sign) in columns.iter().zip(["v_C", "=", "v_B", "+", "v_{CB}"]) {
         board.text(Point::new(*x, 37.5), Label::math(sign), STYLE.label_mm, Anchor::Middle);
     }
-    for (y, word, cells) in
-        [(30.0, words.direction, [r"\perp CD", r"\perp AB", r"\perp BC"]), (22.5, words.magnitude, ["?", r"\omega_1 l_{AB}", "?"])]
-    {
+    for (y, word, cells) in [
+        (30.0, words.direction, [r"\perp CD", r"\perp AB", r"\perp BC"]),
+        (22.5, words.magnitude, ["?", r"\omega_1 l_{AB}", "?"]),
+    ] {
         board.text(Point::new(134.0, y), Label::text(word), STYLE.caption_mm, Anchor::End);
         for (x, cell) in [columns[0], columns[2], columns[4]].into_iter().zip(cells) {
             board.text(Point::new(x, y), Label::math(cell), STYLE.caption_mm, Anchor::Middle);
         }
     }
-    for (x, words, scale) in [(58.0, words.configuration, r"\mu_l = 0.002 m/mm"), (161.0, words.polygon, r"\mu_v = 0.01 (m/s)/mm")] {
+    for (x, words, scale) in [
+        (58.0, words.configuration, r"\mu_l = 0.002 m/mm"),
+        (161.0, words.polygon, r"\mu_v = 0.01 (m/s)/mm"),
+    ] {
         board.text(Point::new(x, 11.0), Label::text(words), STYLE.caption_mm, Anchor::Middle);
         board.text(Point::new(x, 5.0), Label::math(scale), STYLE.small_mm, Anchor::Middle);
     }
@@ -178,7 +221,9 @@ fn fourbar(words: &Words) -> (Figure, Vec<Placement>) {
 fn symbols() -> Figure {
     let mut items = Vec::new();
     let at = |x: f64, y: f64| Point::new(x, y);
-    for (k, side) in [Vec2::new(0.0, -1.0), Vec2::new(1.0, 0.0), Vec2::new(-1.0, 1.0)].into_iter().enumerate() {
+    for (k, side) in
+        [Vec2::new(0.0, -1.0), Vec2::new(1.0, 0.0), Vec2::new(-1.0, 1.0)].into_iter().enumerate()
+    {
         items.extend(sym::fixed_pivot(&STYLE, at(15.0 + 22.0 * k as f64, 88.0), side));
     }
     items.extend(sym::guide(&STYLE, at(85.0, 88.0), 0.0, 26.0, sym::GuideForm::OneSided));
@@ -222,7 +267,12 @@ fn symbols() -> Figure {
     items.extend(sym::angle(&STYLE, at(155.0, 18.0), 12.0, 0.0, 0.9));
     for (k, length) in [1.0, 2.0, 4.0, 8.0, 16.0].into_iter().enumerate() {
         let from = at(180.0, 12.0 + 5.0 * k as f64);
-        let shape = Shape::Arrow { from, to: from + Vec2::new(length, 0.0), stroke: STYLE.vector, head: STYLE.head };
+        let shape = Shape::Arrow {
+            from,
+            to: from + Vec2::new(length, 0.0),
+            stroke: STYLE.vector,
+            head: STYLE.head,
+        };
         items.push(FigureItem::new("velocity", shape));
     }
     let formulas = [
@@ -268,7 +318,8 @@ fn ink(figure: &Figure, name: &str) -> (String, Vec<u8>) {
     // To look at the sheets: HODOGRAPH_SHEETS=some/folder cargo test --test sheet
     if let Some(folder) = std::env::var_os("HODOGRAPH_SHEETS") {
         let path = std::path::Path::new(&folder).join(name);
-        std::fs::write(path.with_extension("svg"), &svg.value).expect("the folder can be written to");
+        std::fs::write(path.with_extension("svg"), &svg.value)
+            .expect("the folder can be written to");
         std::fs::write(path.with_extension("png"), &png).expect("the folder can be written to");
     }
     (svg.value, png)
@@ -280,7 +331,10 @@ fn fourbar_sheet_in_two_languages() {
         let (figure, placements) = fourbar(&words);
         for (i, p) in placements.iter().enumerate() {
             assert!(p.cost < CROWDED && p.leader.is_none(), "label {i} is crowded: {p:?}");
-            assert!(placements[..i].iter().all(|q| p.bounds.overlap_mm2(q.bounds) <= 0.0), "label {i} overlaps");
+            assert!(
+                placements[..i].iter().all(|q| p.bounds.overlap_mm2(q.bounds) <= 0.0),
+                "label {i} overlaps"
+            );
         }
         let name = format!("fourbar-{}", words.lang);
         let (svg, png) = ink(&figure, &name);
@@ -301,7 +355,12 @@ fn symbol_sheet() {
 const ASIDE_MM: f64 = 5.0;
 
 /// Checks the properties of every sheet; returns the faults.
-fn check(name: &str, scene: &scene::Scene, worked: &hodograph::worked::Worked, figure: &Figure) -> Vec<String> {
+fn check(
+    name: &str,
+    scene: &scene::Scene,
+    worked: &hodograph::worked::Worked,
+    figure: &Figure,
+) -> Vec<String> {
     let mut faults = Vec::new();
     let mut fault = |text: String| faults.push(format!("{name}: {text}"));
     let mut ids = std::collections::HashSet::new();
@@ -316,21 +375,36 @@ fn check(name: &str, scene: &scene::Scene, worked: &hodograph::worked::Worked, f
             fault(format!("{} is cut by the paper's edge: {b:?}", item.id));
         }
     }
-    let labels: Vec<(&FigureItem, Rect)> =
-        figure.items.iter().filter(|i| matches!(i.shape, Shape::Label { .. })).filter_map(|i| Some((i, i.bounds()?))).collect();
+    let labels: Vec<(&FigureItem, Rect)> = figure
+        .items
+        .iter()
+        .filter(|i| matches!(i.shape, Shape::Label { .. }))
+        .filter_map(|i| Some((i, i.bounds()?)))
+        .collect();
     for (k, (a, ra)) in labels.iter().enumerate() {
         for (b, rb) in &labels[..k] {
             if ra.overlap_mm2(*rb) > 0.0 {
-                fault(format!("labels {} and {} overlap by {:.2} mm²", a.id, b.id, ra.overlap_mm2(*rb)));
+                fault(format!(
+                    "labels {} and {} overlap by {:.2} mm²",
+                    a.id,
+                    b.id,
+                    ra.overlap_mm2(*rb)
+                ));
             }
         }
     }
-    for (on, kind) in [(DiagramKind::Velocity, "velocity"), (DiagramKind::Acceleration, "acceleration")] {
+    for (on, kind) in
+        [(DiagramKind::Velocity, "velocity"), (DiagramKind::Acceleration, "acceleration")]
+    {
         let Some(p) = worked.construction.polygon(on) else { continue };
-        let pole = figure.items.iter().find(|i| i.id == hodograph::paper::drawing::id(kind, "pole")).and_then(|i| match i.shape {
-            Shape::Circle { centre, .. } => Some(centre),
-            _ => None,
-        });
+        let pole = figure
+            .items
+            .iter()
+            .find(|i| i.id == hodograph::paper::drawing::id(kind, "pole"))
+            .and_then(|i| match i.shape {
+                Shape::Circle { centre, .. } => Some(centre),
+                _ => None,
+            });
         let Some(pole) = pole else {
             fault(format!("{kind} has no pole"));
             continue;
@@ -356,20 +430,27 @@ fn check(name: &str, scene: &scene::Scene, worked: &hodograph::worked::Worked, f
                 fault(format!("{kind}: no arrow from {:?} to {:?}", e.from, e.to));
             }
         }
-        let notes = figure.items.iter().filter(|i| i.class.starts_with(&format!("{kind} zero"))).count();
+        let notes =
+            figure.items.iter().filter(|i| i.class.starts_with(&format!("{kind} zero"))).count();
         if p.edges.iter().any(|e| e.from.1.distance(e.to.1) < 0.01) && notes == 0 {
             fault(format!("{kind}: a vector of no length is not noted"));
         }
         for (n, action) in p.actions.iter().enumerate() {
             let word = format!("step-{n}");
-            let shown = figure.items.iter().any(|i| i.class.starts_with(kind) && i.class.split(' ').any(|w| w == word));
+            let shown = figure
+                .items
+                .iter()
+                .any(|i| i.class.starts_with(kind) && i.class.split(' ').any(|w| w == word));
             if !shown && !matches!(action, hodograph::construct::Action::Rate(_)) {
                 fault(format!("{kind}: {action:?} (step {n}) shows nothing"));
             }
         }
     }
     for r in &worked.results {
-        let id = format!("result-{}-value", hodograph::paper::shown::question_id(&scene.find[r.find].text));
+        let id = format!(
+            "result-{}-value",
+            hodograph::paper::shown::question_id(&scene.find[r.find].text)
+        );
         if !ids.contains(id.as_str()) {
             fault(format!("no result {id}"));
         }
@@ -386,7 +467,8 @@ fn sheets_of(name: &str, values: &[(&str, &str)], languages: &[Lang]) -> Vec<Str
     };
     let mut faults = Vec::new();
     for lang in languages {
-        let figure = sheet(&scene, &worked, &SheetOptions::of_language(*lang)).unwrap_or_else(|f| panic!("{name}{tag}: {f}"));
+        let figure = sheet(&scene, &worked, &SheetOptions::of_language(*lang))
+            .unwrap_or_else(|f| panic!("{name}{tag}: {f}"));
         let name = format!("{name}{tag}-{}", figure.lang);
         faults.extend(check(&name, &scene, &worked, &figure));
         let (svg, _) = ink(&figure, &name);
@@ -403,8 +485,10 @@ fn every_template_in_two_languages() {
     // To look at some only: HODOGRAPH_ONLY=crank-rocker,shaper
     let only = std::env::var("HODOGRAPH_ONLY").unwrap_or_default();
     let wanted = |name: &str| only.is_empty() || only.split(',').any(|o| o == name);
-    let names: Vec<&str> = templates::list().iter().step_by(every(8)).map(|t| t.name).filter(|n| wanted(n)).collect();
-    let faults: Vec<String> = names.iter().flat_map(|n| sheets_of(n, &[], &[Lang::En, Lang::Zh])).collect();
+    let names: Vec<&str> =
+        templates::list().iter().step_by(every(8)).map(|t| t.name).filter(|n| wanted(n)).collect();
+    let faults: Vec<String> =
+        names.iter().flat_map(|n| sheets_of(n, &[], &[Lang::En, Lang::Zh])).collect();
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
 }
 
@@ -436,5 +520,9 @@ fn a_fixed_sheet_is_kept() {
 }
 
 fn text_on(size: &str) -> String {
-    templates::get("crank-rocker").unwrap().replacen('{', &format!(r#"{{"paper": {{"size": {size}}},"#), 1)
+    templates::get("crank-rocker").unwrap().replacen(
+        '{',
+        &format!(r#"{{"paper": {{"size": {size}}},"#),
+        1,
+    )
 }

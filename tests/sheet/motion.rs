@@ -12,7 +12,8 @@ use hodograph::sweep::points::motion;
 use hodograph::sweep::{self, PlacedScene, Stations, Width, extreme, station};
 use hodograph::worked::{Scope, Worked, work};
 
-/// A coupler point, a foot, a slider, points of rockers and of links that are stopped, a cylinder's rod.
+/// A coupler point, a foot, a slider, points of rockers and of links that are stopped, a cylinder's
+/// rod.
 const POINTS: [(&str, &[&str]); 8] = [
     ("crank-rocker", &["E"]),
     ("jansen-leg", &["G"]),
@@ -31,7 +32,15 @@ fn open(name: &str) -> (Scene, Worked) {
 }
 
 fn points(scene: &Scene, names: &[&str]) -> Vec<PointId> {
-    let of = |name: &&str| PointId(scene.points.iter().position(|p| p.name == **name).unwrap_or_else(|| panic!("no {name}")));
+    let of = |name: &&str| {
+        PointId(
+            scene
+                .points
+                .iter()
+                .position(|p| p.name == **name)
+                .unwrap_or_else(|| panic!("no {name}")),
+        )
+    };
     names.iter().map(of).collect()
 }
 
@@ -43,11 +52,21 @@ fn hodographs_are_what_a_sweep_tells() {
     for (name, names) in POINTS {
         let (scene, worked) = open(name);
         let points = points(&scene, names);
-        let moved = motion(&scene, &worked.mechanism, &worked.demand, &worked.configuration, Swept::Driver(0), &points, 12);
+        let moved = motion(
+            &scene,
+            &worked.mechanism,
+            &worked.demand,
+            &worked.configuration,
+            Swept::Driver(0),
+            &points,
+            12,
+        );
         assert_eq!(moved.marks.len(), 12, "{name}");
-        let find: Vec<String> = names.iter().flat_map(|n| ["x", "y", "v", "a"].map(|q| format!("{q}_{n}"))).collect();
+        let find: Vec<String> =
+            names.iter().flat_map(|n| ["x", "y", "v", "a"].map(|q| format!("{q}_{n}"))).collect();
         let find: Vec<&str> = find.iter().map(String::as_str).collect();
-        let asked = read(edit::with_find(templates::get(name).unwrap(), &find).unwrap()).unwrap().value;
+        let asked =
+            read(edit::with_find(templates::get(name).unwrap(), &find).unwrap()).unwrap().value;
         let mechanism = Mechanism::new(&asked).unwrap().value;
         let placed = PlacedScene::new(&asked, &mechanism).unwrap();
         let per_value = station::angle_per_value(&asked, &placed.at, 0);
@@ -75,7 +94,11 @@ fn hodographs_are_what_a_sweep_tells() {
                     let Some(expected) = column else { continue };
                     let bounded = moved.limits.iter().any(|l| *l);
                     let tolerance = if bounded { 1e-5 } else { 1e-9 };
-                    assert!((expected - value).abs() <= tolerance * size.max(1e-6), "{name} {n}: {expected} {value} at {}", mark.place);
+                    assert!(
+                        (expected - value).abs() <= tolerance * size.max(1e-6),
+                        "{name} {n}: {expected} {value} at {}",
+                        mark.place
+                    );
                     compared += 1;
                 }
             }
@@ -90,7 +113,15 @@ fn paths_end_at_the_limits_of_the_driver() {
     let (scene, worked) = open("class-iii-six-bar");
     let limits = extreme::limits(&scene, &worked.mechanism, 0).unwrap();
     let ends: Vec<f64> = limits.range.ends.iter().map(|e| e.as_ref().unwrap().value).collect();
-    let moved = motion(&scene, &worked.mechanism, &worked.demand, &worked.configuration, Swept::Driver(0), &points(&scene, &["P"]), 5);
+    let moved = motion(
+        &scene,
+        &worked.mechanism,
+        &worked.demand,
+        &worked.configuration,
+        Swept::Driver(0),
+        &points(&scene, &["P"]),
+        5,
+    );
     for (mark, end) in [(&moved.marks[0], ends[0]), (&moved.marks[4], ends[1])] {
         assert!((mark.place - end).abs() < 1e-9, "{} {end}", mark.place);
     }
@@ -100,14 +131,16 @@ fn paths_end_at_the_limits_of_the_driver() {
 fn readable(name: &str, figure: &Figure, links: usize, at_full_size: bool) {
     let found = look(figure, links);
     let smallest = if at_full_size {
-        let size = |s: &Shape| if let Shape::Label { size_mm, .. } = s { *size_mm } else { f64::INFINITY };
+        let size =
+            |s: &Shape| if let Shape::Label { size_mm, .. } = s { *size_mm } else { f64::INFINITY };
         figure.items.iter().map(|i| size(&i.shape)).fold(f64::INFINITY, f64::min)
     } else {
         found.smallest_mm
     };
     assert_eq!((found.overlaps, found.outside), (0, 0), "{name}");
     assert!(smallest >= SMALLEST_MM, "{name}: {smallest}");
-    let mut ids: Vec<&str> = figure.items.iter().map(|i| i.id.as_str()).filter(|id| !id.is_empty()).collect();
+    let mut ids: Vec<&str> =
+        figure.items.iter().map(|i| i.id.as_str()).filter(|id| !id.is_empty()).collect();
     ids.sort_unstable();
     let all = ids.len();
     ids.dedup();
@@ -120,8 +153,14 @@ fn paths_can_be_read() {
     for (k, (name, names)) in POINTS.into_iter().enumerate() {
         let (scene, worked) = open(name);
         let (lang, poses) = if k % 2 == 0 { (Lang::En, 0) } else { (Lang::Zh, 6) };
-        let wanted = PathContent { points: points(&scene, names), swept: Swept::Driver(0), marks: 12, poses };
-        let figure = path::figure(&scene, &worked, &SheetOptions::of_language(lang), &wanted).unwrap_or_else(|f| panic!("{name}: {f}"));
+        let wanted = PathContent {
+            points: points(&scene, names),
+            swept: Swept::Driver(0),
+            marks: 12,
+            poses,
+        };
+        let figure = path::figure(&scene, &worked, &SheetOptions::of_language(lang), &wanted)
+            .unwrap_or_else(|f| panic!("{name}: {f}"));
         readable(name, &figure.value, scene.links.len(), false);
     }
 }
@@ -130,10 +169,16 @@ fn paths_can_be_read() {
 /// paper.
 #[test]
 fn sheets_of_poses_can_be_read() {
-    for (name, lang) in [("crank-rocker", Lang::En), ("shaper", Lang::Zh), ("class-iii-six-bar", Lang::En), ("five-bar", Lang::Zh)] {
+    for (name, lang) in [
+        ("crank-rocker", Lang::En),
+        ("shaper", Lang::Zh),
+        ("class-iii-six-bar", Lang::En),
+        ("five-bar", Lang::Zh),
+    ] {
         let (scene, worked) = open(name);
         let wanted = poses::PosesContent { count: 5, swept: Swept::Driver(0), points: Vec::new() };
-        let pages = poses::sheets(&scene, &worked, &SheetOptions::of_language(lang), &wanted).unwrap_or_else(|f| panic!("{name}: {f}"));
+        let pages = poses::sheets(&scene, &worked, &SheetOptions::of_language(lang), &wanted)
+            .unwrap_or_else(|f| panic!("{name}: {f}"));
         assert!(pages.notes.iter().all(|n| n.code == "poses-driver"), "{name}: {:?}", pages.notes);
         for page in &pages.value {
             readable(name, page, scene.links.len(), true);
@@ -149,16 +194,30 @@ fn tables_of_poses_are_printed_on_a4_or_a3() {
     for t in templates::list().iter().step_by(every(4)) {
         let (scene, worked) = open(t.name);
         let wanted = poses::PosesContent { count: 6, swept: Swept::Driver(0), points: Vec::new() };
-        let Ok(pages) = poses::sheets(&scene, &worked, &SheetOptions::of_language(Lang::En), &wanted) else { continue };
+        let Ok(pages) =
+            poses::sheets(&scene, &worked, &SheetOptions::of_language(Lang::En), &wanted)
+        else {
+            continue;
+        };
         let mut positions = 0;
         for page in &pages.value {
-            let (short, long) = (page.width_mm.min(page.height_mm), page.width_mm.max(page.height_mm));
+            let (short, long) =
+                (page.width_mm.min(page.height_mm), page.width_mm.max(page.height_mm));
             let format = if short <= 210.0 && long <= 297.0 { 0 } else { 1 };
             assert!(short <= 297.0 && long <= 420.0, "{}: {short} x {long}", t.name);
             formats[format] += 1;
-            positions += page.items.iter().filter(|i| i.id.starts_with("position-") && !i.id.ends_with("-driver")).count();
+            positions += page
+                .items
+                .iter()
+                .filter(|i| i.id.starts_with("position-") && !i.id.ends_with("-driver"))
+                .count();
         }
-        assert!(positions >= 2 && pages.value.len() <= positions.div_ceil(2), "{}: {} pages", t.name, pages.value.len());
+        assert!(
+            positions >= 2 && pages.value.len() <= positions.div_ceil(2),
+            "{}: {} pages",
+            t.name,
+            pages.value.len()
+        );
     }
     assert!(formats[0] > formats[1], "{formats:?}");
 }
@@ -168,13 +227,22 @@ fn tables_of_poses_are_printed_on_a4_or_a3() {
 fn names_stand_in_the_first_row() {
     let (scene, worked) = open("crank-rocker");
     let wanted = poses::PosesContent { count: 4, swept: Swept::Driver(0), points: Vec::new() };
-    let pages = poses::sheets(&scene, &worked, &SheetOptions::of_language(Lang::En), &wanted).unwrap().value;
+    let pages = poses::sheets(&scene, &worked, &SheetOptions::of_language(Lang::En), &wanted)
+        .unwrap()
+        .value;
     let labels = |row: usize, what: &str| {
         let start = format!("pose-{row}-{}-label-", hodograph::paper::drawing::prefix(what));
-        pages.iter().flat_map(|p| &p.items).filter(|i| i.id.starts_with(&start) && !i.id.ends_with("-leader")).count()
+        pages
+            .iter()
+            .flat_map(|p| &p.items)
+            .filter(|i| i.id.starts_with(&start) && !i.id.ends_with("-leader"))
+            .count()
     };
     for what in ["mechanism", "velocity", "acceleration"] {
-        assert!((2..=4).all(|row| labels(row, what) >= 3 && labels(row, what) < labels(1, what)), "{what}");
+        assert!(
+            (2..=4).all(|row| labels(row, what) >= 3 && labels(row, what) < labels(1, what)),
+            "{what}"
+        );
     }
 }
 
@@ -182,11 +250,16 @@ fn names_stand_in_the_first_row() {
 #[test]
 fn a_fixed_paper_makes_pages() {
     let (mut scene, worked) = open("slider-crank");
-    let wanted = poses::PosesContent { count: 5, swept: Swept::Driver(0), points: points(&scene, &["B"]) };
+    let wanted =
+        poses::PosesContent { count: 5, swept: Swept::Driver(0), points: points(&scene, &["B"]) };
     let options = SheetOptions::of_language(Lang::En);
     scene.paper.size_mm = Some([420.0, 297.0]);
     let pages = poses::sheets(&scene, &worked, &options, &wanted).unwrap().value;
-    assert!(pages.len() > 1 && pages.iter().all(|p| (p.width_mm, p.height_mm) == (420.0, 297.0)), "{}", pages.len());
+    assert!(
+        pages.len() > 1 && pages.iter().all(|p| (p.width_mm, p.height_mm) == (420.0, 297.0)),
+        "{}",
+        pages.len()
+    );
     scene.paper.size_mm = Some([100.0, 100.0]);
     let faults = poses::sheets(&scene, &worked, &options, &wanted).unwrap_err();
     assert_eq!(faults.list[0].code, "paper-too-small");

@@ -17,8 +17,11 @@ fn drawn(text: &str) -> Vec<FigureItem> {
 
 /// The links drawn as blocks, by their numbers in the scene.
 fn blocks(items: &[FigureItem]) -> Vec<String> {
-    let mut names: Vec<String> =
-        items.iter().filter(|i| i.class.ends_with("slider")).map(|i| i.id.trim_start_matches("mechanism-").to_owned()).collect();
+    let mut names: Vec<String> = items
+        .iter()
+        .filter(|i| i.class.ends_with("slider"))
+        .map(|i| i.id.trim_start_matches("mechanism-").to_owned())
+        .collect();
     names.sort();
     names
 }
@@ -63,8 +66,13 @@ fn both_arms_of_a_cross_are_drawn() {
         "driver": {"link": "2", "omega": "12 rad/s"}, "find": ["omega_4"]}"#;
     let items = drawn(oldham);
     let blocks = blocks(&items);
-    assert!(matches!(&blocks[..], [a, b] if a.starts_with("link-3") && b.starts_with("link-4")), "{blocks:?}");
-    let bars = |link: usize| items.iter().filter(|i| i.link == Some(link) && i.class.ends_with("link")).count();
+    assert!(
+        matches!(&blocks[..], [a, b] if a.starts_with("link-3") && b.starts_with("link-4")),
+        "{blocks:?}"
+    );
+    let bars = |link: usize| {
+        items.iter().filter(|i| i.link == Some(link) && i.class.ends_with("link")).count()
+    };
     assert_eq!([bars(1), bars(2)], [1, 1], "a lever 2, and the other arm of 3");
 }
 
@@ -77,7 +85,9 @@ fn a_plank_is_guided_where_it_lies() {
         "driver": {"link": "2", "angle": "60 deg", "omega": "5 rad/s"}, "side": {"C": "right of OA"}, "find": ["v_T5"]}"#;
     let items = drawn(plank);
     let level = |i: &FigureItem| match i.shape {
-        Shape::Line { from, to, .. } if i.id.ends_with("link-5") || i.id.ends_with("track-T") => Some([from, to]),
+        Shape::Line { from, to, .. } if i.id.ends_with("link-5") || i.id.ends_with("track-T") => {
+            Some([from, to])
+        }
         _ => None,
     };
     let ends: Vec<Point> = items.iter().filter_map(level).flatten().collect();
@@ -94,7 +104,10 @@ fn oblique_guides_have_names_of_their_own() {
                    {"pin": "M", "on": "2", "through": "A", "angle": "20 deg"}, {"pin": "M", "on": "3", "through": "B", "angle": "100 deg"}],
         "driver": [{"slide": "A", "velocity": "0.4 m/s"}, {"slide": "B", "velocity": "0.25 m/s"}], "find": ["v_M"]}"#;
     let items = drawn(bars);
-    let names: Vec<&str> = written(&items).into_iter().filter(|t| t.starts_with("t_") || t.starts_with("t\\")).collect();
+    let names: Vec<&str> = written(&items)
+        .into_iter()
+        .filter(|t| t.starts_with("t_") || t.starts_with("t\\"))
+        .collect();
     let mut different = names.clone();
     different.sort_unstable();
     different.dedup();
@@ -112,21 +125,29 @@ fn a_yoke_has_two_faces() {
         "driver": {"link": "2", "angle": "50 deg", "omega": "2 rad/s"}, "find": ["v_F"]}"#;
     let items = drawn(yoke);
     let circle = items.iter().find_map(|i| match i.shape {
-        Shape::Arc { centre, radius_mm, .. } if i.class.ends_with("cam") => Some((centre, radius_mm)),
+        Shape::Arc { centre, radius_mm, .. } if i.class.ends_with("cam") => {
+            Some((centre, radius_mm))
+        }
         _ => None,
     });
     let (centre, radius) = circle.unwrap();
     let faces: Vec<(f64, Dash)> = items
         .iter()
         .filter_map(|i| match i.shape {
-            Shape::Line { from, to, stroke } if i.id.contains("follower-3") && (from.y - to.y).abs() < 1e-9 => {
+            Shape::Line { from, to, stroke }
+                if i.id.contains("follower-3") && (from.y - to.y).abs() < 1e-9 =>
+            {
                 Some((from.y - centre.y, stroke.dash))
             }
             _ => None,
         })
         .collect();
     assert!(faces.iter().all(|(off, _)| (off.abs() - radius).abs() < 1e-9), "{faces:?} {radius}");
-    assert!(faces.iter().any(|f| f.0 > 0.0 && f.1 == Dash::Solid) && faces.iter().any(|f| f.0 < 0.0 && f.1 == Dash::Dashed), "{faces:?}");
+    assert!(
+        faces.iter().any(|f| f.0 > 0.0 && f.1 == Dash::Solid)
+            && faces.iter().any(|f| f.0 < 0.0 && f.1 == Dash::Dashed),
+        "{faces:?}"
+    );
 }
 
 /// The disc of Oldham's coupling is one body with an arm in each slot: no joint where they meet, no
@@ -136,12 +157,16 @@ fn a_block_in_two_slots_is_a_cross() {
     let items = drawn(templates::get("oldham-coupling").unwrap());
     assert_eq!(blocks(&items), ["link-3"]);
     let corners = items.iter().find_map(|i| match &i.shape {
-        Shape::Polyline { points, closed: true, .. } if i.class.ends_with("slider") => Some(points.len()),
+        Shape::Polyline { points, closed: true, .. } if i.class.ends_with("slider") => {
+            Some(points.len())
+        }
         _ => None,
     });
     assert_eq!(corners, Some(12));
     assert!(items.iter().all(|i| !i.id.ends_with("pin-C")), "nothing is joined at C");
-    let bars = |link: usize| items.iter().filter(|i| i.link == Some(link) && i.class.ends_with("link")).count();
+    let bars = |link: usize| {
+        items.iter().filter(|i| i.link == Some(link) && i.class.ends_with("link")).count()
+    };
     assert_eq!([bars(1), bars(3)], [1, 1], "levers 2 and 4");
 }
 
@@ -169,9 +194,15 @@ fn the_number_of_the_ground_is_at_its_hatching() {
         let ground = scene::read(text).unwrap().value;
         let name = ground.link_name(ground.ground).to_owned();
         let items = drawn(text);
-        let hatched: Vec<Rect> =
-            items.iter().filter(|i| i.class.ends_with("hatch") && i.id.contains("pivot")).filter_map(FigureItem::bounds).collect();
-        let number = items.iter().find(|i| i.id == format!("mechanism-label-number-{name}")).and_then(FigureItem::bounds);
+        let hatched: Vec<Rect> = items
+            .iter()
+            .filter(|i| i.class.ends_with("hatch") && i.id.contains("pivot"))
+            .filter_map(FigureItem::bounds)
+            .collect();
+        let number = items
+            .iter()
+            .find(|i| i.id == format!("mechanism-label-number-{name}"))
+            .and_then(FigureItem::bounds);
         let (Some(number), false) = (number, hatched.is_empty()) else { continue };
         let off = hatched.iter().map(|h| gap_mm(number, *h)).fold(f64::INFINITY, f64::min);
         assert!(off < 4.0, "{}: {off} mm from the nearest hatching", template.name);

@@ -19,7 +19,9 @@ type Bar = (Option<usize>, Point, Point);
 
 fn bars(items: &[FigureItem]) -> Vec<Bar> {
     let bar = |i: &FigureItem| match i.shape {
-        Shape::Line { from, to, .. } if i.class.trim_end().ends_with(" link") => Some((i.link, from, to)),
+        Shape::Line { from, to, .. } if i.class.trim_end().ends_with(" link") => {
+            Some((i.link, from, to))
+        }
         _ => None,
     };
     items.iter().filter_map(bar).collect()
@@ -34,14 +36,16 @@ fn least_apart((_, a, b): Bar, (_, c, d): Bar) -> Option<f64> {
         let t = (p - c).dot(u);
         (0.0..=c.distance(d)).contains(&t).then(|| u.cross(p - c).abs())
     };
-    let near: Vec<f64> = (0..=PLACES).filter_map(|k| off(a + (b - a) * (k as f64 / PLACES as f64))).collect();
+    let near: Vec<f64> =
+        (0..=PLACES).filter_map(|k| off(a + (b - a) * (k as f64 / PLACES as f64))).collect();
     let shared = near.len() as f64 / PLACES as f64 * a.distance(b);
     (shared > OVER_MM).then(|| near.into_iter().fold(0.0, f64::max))
 }
 
 fn over_one_another(scene: &Scene) -> Vec<String> {
     let Ok(worked) = work(scene, Scope::Figure) else { return Vec::new() };
-    let drawn = mechanism(&Style::default(), scene, &worked.value, &Notation::of_language(Lang::En));
+    let drawn =
+        mechanism(&Style::default(), scene, &worked.value, &Notation::of_language(Lang::En));
     let bars = bars(&drawn.items);
     let mut found = Vec::new();
     for (k, one) in bars.iter().enumerate() {
@@ -62,7 +66,11 @@ fn links_over_one_another_are_told_apart() {
         let Some(start) = driver_position(&scene, 0) else { continue };
         for degrees in (0..360).step_by(every(8)) {
             let pose = with_driver_at(&scene, 0, start + f64::from(degrees).to_radians());
-            faults.extend(over_one_another(&pose).into_iter().map(|f| format!("{} {degrees}° on: {f}", t.name)));
+            faults.extend(
+                over_one_another(&pose)
+                    .into_iter()
+                    .map(|f| format!("{} {degrees}° on: {f}", t.name)),
+            );
         }
     }
     assert!(faults.is_empty(), "{} poses:\n{}", faults.len(), faults.join("\n"));

@@ -18,14 +18,29 @@ use hodograph::worked::{Scope, work};
 fn faults_of(figure: &Figure, what: &str) -> Vec<String> {
     let mut faults = Vec::new();
     let ink = bounds(&figure.items).unwrap();
-    if ink.min.x < 0.0 || ink.min.y < 0.0 || ink.max.x > figure.width_mm || ink.max.y > figure.height_mm {
-        faults.push(format!("{what}: ink at {ink:?} of {} x {} mm", figure.width_mm, figure.height_mm));
+    if ink.min.x < 0.0
+        || ink.min.y < 0.0
+        || ink.max.x > figure.width_mm
+        || ink.max.y > figure.height_mm
+    {
+        faults.push(format!(
+            "{what}: ink at {ink:?} of {} x {} mm",
+            figure.width_mm, figure.height_mm
+        ));
     }
     let label = |i: &&hodograph::paper::item::FigureItem| matches!(i.shape, Shape::Label { .. });
-    let boxes: Vec<(&str, Rect)> = figure.items.iter().filter(label).filter_map(|i| Some((i.id.as_str(), i.bounds()?))).collect();
+    let boxes: Vec<(&str, Rect)> = figure
+        .items
+        .iter()
+        .filter(label)
+        .filter_map(|i| Some((i.id.as_str(), i.bounds()?)))
+        .collect();
     for (k, (a, r)) in boxes.iter().enumerate() {
         for (b, s) in &boxes[k + 1..] {
-            let (w, h) = (r.max.x.min(s.max.x) - r.min.x.max(s.min.x), r.max.y.min(s.max.y) - r.min.y.max(s.min.y));
+            let (w, h) = (
+                r.max.x.min(s.max.x) - r.min.x.max(s.min.x),
+                r.max.y.min(s.max.y) - r.min.y.max(s.min.y),
+            );
             if w > 0.05 && h > 0.05 {
                 faults.push(format!("{what}: {a} on {b}"));
             }
@@ -46,7 +61,13 @@ fn plots_stay_on_the_paper_and_their_names_apart() {
     let scene = read(templates::get("jansen-leg").unwrap()).unwrap().value;
     let mechanism = Mechanism::new(&scene).unwrap().value;
     let placed = PlacedScene::new(&scene, &mechanism).unwrap();
-    let table = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 90), Width::One).unwrap();
+    let table = sweep::run(
+        &placed,
+        0,
+        &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 90),
+        Width::One,
+    )
+    .unwrap();
     let mut faults = Vec::new();
     for style in Style::names().map(|name| Style::named(name).unwrap()) {
         for lang in [Lang::En, Lang::Zh] {
@@ -54,7 +75,10 @@ fn plots_stay_on_the_paper_and_their_names_apart() {
             let named = |text: &str| {
                 figure.items.iter().filter(|i| matches!(&i.shape, Shape::Label { label, .. } if label.source() == text)).count()
             };
-            assert!(named("10^{−10}") >= 2 && named("1") >= 2, "both vertical axes have their powers of ten");
+            assert!(
+                named("10^{−10}") >= 2 && named("1") >= 2,
+                "both vertical axes have their powers of ten"
+            );
             faults.extend(faults_of(&figure, &format!("accuracy {} {lang:?}", style.name)));
             let diagram = CurveDiagram::of(&placed, 0, &table, &Notation::of_language(lang));
             for (k, page) in curves::pages(&scene, &diagram, &style, lang).iter().enumerate() {
@@ -64,7 +88,9 @@ fn plots_stay_on_the_paper_and_their_names_apart() {
             let figure = curves::figure(&scene, &diagram, &style, lang);
             // More lines than kinds of dashes are still distinguishable.
             let mut strokes: Vec<String> = Vec::new();
-            for item in figure.items.iter().filter(|i| i.class == "curve" && i.id.starts_with("panel-0-")) {
+            for item in
+                figure.items.iter().filter(|i| i.class == "curve" && i.id.starts_with("panel-0-"))
+            {
                 if let Shape::Polyline { stroke: Some(s), .. } = item.shape {
                     strokes.push(format!("{:?} {}", s.dash, s.width_mm));
                 }

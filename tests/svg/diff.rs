@@ -37,7 +37,12 @@ fn a_moved_vector_is_found_with_its_millimetres() {
     let [v] = &found.vectors[..] else { panic!("{found:?}") };
     assert_eq!((v.id.as_str(), v.name.as_str()), ("vel-rel-C-B", "v_CB"));
     assert!(v.moved_mm[0] == 0.0 && (v.moved_mm[1] - 0.5).abs() < 2e-3, "{:?}", v.moved_mm);
-    assert!(found.moved.is_empty() && found.texts.is_empty() && found.added.is_empty() && found.removed.is_empty());
+    assert!(
+        found.moved.is_empty()
+            && found.texts.is_empty()
+            && found.added.is_empty()
+            && found.removed.is_empty()
+    );
     assert!(found.pixels.over > 20 && found.pixels_differ);
     // Within a tolerance an item has not moved; the pixels are counted and decide nothing.
     let wide = Options { tolerance_mm: 0.6, pixels: None, ..Options::default() };
@@ -61,8 +66,15 @@ fn changed_texts_colours_and_items_are_found() {
     pin.id = "mechanism-pin-Q".into();
     new.title = "Another".into();
     let found = compare(&written(&old), &written(&new), &Options::default()).unwrap();
-    let texts: Vec<[&str; 3]> = found.texts.iter().map(|t| [t.id.as_str(), &t.old, &t.new]).collect();
-    assert_eq!(texts, [["<title>", "Crank-rocker with a coupler point", "Another"], ["vel-label-rel-C-B", "v_{CB}", "v_{BC}"]]);
+    let texts: Vec<[&str; 3]> =
+        found.texts.iter().map(|t| [t.id.as_str(), &t.old, &t.new]).collect();
+    assert_eq!(
+        texts,
+        [
+            ["<title>", "Crank-rocker with a coupler point", "Another"],
+            ["vel-label-rel-C-B", "v_{CB}", "v_{BC}"]
+        ]
+    );
     assert_eq!(found.restyled, ["acc-abs-E"]);
     assert_eq!(found.removed, ["mechanism-pin-B", "mechanism-point-E"]);
     assert_eq!(found.added, ["mechanism-pin-Q"]);
@@ -71,13 +83,18 @@ fn changed_texts_colours_and_items_are_found() {
 
 #[test]
 fn png_files_are_compared_by_their_pixels() {
-    let draw = |f: &Figure| Picture::read(png::render(&svg::write(f).unwrap().value, 60.0).unwrap()).unwrap();
+    let draw = |f: &Figure| {
+        Picture::read(png::render(&svg::write(f).unwrap().value, 60.0).unwrap()).unwrap()
+    };
     let (old, mut new) = (figure(), figure());
     new.items.retain(|i| i.id != "vel-abs-B");
     assert!(compare(&draw(&old), &draw(&old), &Options::default()).unwrap().is_empty());
     let found = compare(&draw(&old), &draw(&new), &Options::default()).unwrap();
     let [left, top, right, bottom] = found.pixels.bounds.unwrap();
-    assert!(found.pixels.over > 50 && right > left && bottom > top && found.vectors.is_empty(), "{found:?}");
+    assert!(
+        found.pixels.over > 50 && right > left && bottom > top && found.vectors.is_empty(),
+        "{found:?}"
+    );
     let made = picture(&draw(&old), &draw(&new), &Options::default()).unwrap();
     // The picture shows in red the items of the first figure only.
     let Picture::Png(raster) = Picture::read(made).unwrap() else { panic!("a PNG") };
@@ -86,7 +103,10 @@ fn png_files_are_compared_by_their_pixels() {
         r > 200 && g < 100 && b < 100
     });
     assert!(red.count() > 20);
-    assert_eq!(compare(&draw(&old), &written(&old), &Options::default()).unwrap_err().code, "diff-kinds");
+    assert_eq!(
+        compare(&draw(&old), &written(&old), &Options::default()).unwrap_err().code,
+        "diff-kinds"
+    );
 }
 
 /// Files that would take time or memory without bound, and files that are not figures, are refused.
@@ -97,8 +117,14 @@ fn hostile_files_are_refused_at_once() {
             "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"9mm\" height=\"9mm\" viewBox=\"0 0 9 9\">{inner}</svg>"
         )
     };
-    let laughs: String =
-        (1..12).map(|k| format!("<g id=\"a{k}\">{}</g>", format!("<use xlink:href=\"#a{}\"/>", k - 1).repeat(10))).collect();
+    let laughs: String = (1..12)
+        .map(|k| {
+            format!(
+                "<g id=\"a{k}\">{}</g>",
+                format!("<use xlink:href=\"#a{}\"/>", k - 1).repeat(10)
+            )
+        })
+        .collect();
     let bad = [
         root(&format!("<path id=\"a0\" d=\"M0 0\"/>{laughs}")),
         root(&format!("{}{}", "<g>".repeat(5000), "</g>".repeat(5000))),
@@ -134,19 +160,30 @@ fn exit_codes_are_those_of_diff() {
         std::fs::write(folder.join(name), svg::write(f).unwrap().value).unwrap();
     }
     let run = |args: &[&str]| {
-        let out = Command::new(env!("CARGO_BIN_EXE_hodograph")).arg("diff").args(args).output().unwrap();
+        let out =
+            Command::new(env!("CARGO_BIN_EXE_hodograph")).arg("diff").args(args).output().unwrap();
         (out.status.code().unwrap(), String::from_utf8(out.stdout).unwrap())
     };
     let [a, b, png, nowhere] = ["a.svg", "b.svg", "d.png", "a.svg/d.png"].map(at);
     assert_eq!(run(&[&a, &a]), (0, String::new()));
     let (code, said) = run(&[&a, &b, "-o", &png]);
-    assert!(code == 1 && said.starts_with("removed vel-abs-B\n") && std::fs::metadata(&png).unwrap().len() > 1000, "{code}: {said}");
+    assert!(
+        code == 1
+            && said.starts_with("removed vel-abs-B\n")
+            && std::fs::metadata(&png).unwrap().len() > 1000,
+        "{code}: {said}"
+    );
     assert!(run(&[&a, &b, "--lang", "zh"]).1.starts_with("缺少 vel-abs-B\n"));
     let (code, said) = run(&[&a, &b, "--json"]);
     let told: serde_json::Value = serde_json::from_str(&said).unwrap();
     assert!(code == 1 && told["removed"][0] == "vel-abs-B" && told["alike"] == false, "{told}");
-    for bad in [&[&a, "/no/such.svg"][..], &[&a, &png], &[&a, &b, "-o", &nowhere], &[&a, &b, "-o", "d.svg"], &[&a, &b, "--tolerance", "-1"]]
-    {
+    for bad in [
+        &[&a, "/no/such.svg"][..],
+        &[&a, &png],
+        &[&a, &b, "-o", &nowhere],
+        &[&a, &b, "-o", "d.svg"],
+        &[&a, &b, "--tolerance", "-1"],
+    ] {
         assert_eq!(run(bad).0, 2, "{bad:?}");
     }
     std::fs::remove_dir_all(&folder).unwrap();

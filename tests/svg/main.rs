@@ -8,7 +8,8 @@ mod diff;
 mod ids;
 mod shown;
 
-/// The example for users of golden images: its sources are compiled with the other tests and run here.
+/// The example for users of golden images: its sources are compiled with the other tests and run
+/// here.
 #[path = "../../examples/golden-images/tests/golden.rs"]
 mod example;
 /// The library of the example, under the crate name that its test uses.
@@ -30,5 +31,10 @@ fn the_example_is_a_project_of_its_own() {
         .env("CARGO_TARGET_DIR", root.join("target/example"))
         .output()
         .unwrap();
-    assert!(made.status.success(), "{}{}", String::from_utf8_lossy(&made.stdout), String::from_utf8_lossy(&made.stderr));
+    assert!(
+        made.status.success(),
+        "{}{}",
+        String::from_utf8_lossy(&made.stdout),
+        String::from_utf8_lossy(&made.stderr)
+    );
 }

@@ -34,27 +34,52 @@ fn lengths_are_distances_on_paper_and_values_are_lengths_times_the_scale() {
             let inset = node.attribute("class").unwrap().contains("inset");
             if !inset {
                 let wanted = number("data-mm") * mu;
-                assert!((number("data-si") - wanted).abs() <= ROUNDED_MM * mu + 1e-5 * wanted.abs(), "{}: {id} is {wanted}", t.name);
+                assert!(
+                    (number("data-si") - wanted).abs() <= ROUNDED_MM * mu + 1e-5 * wanted.abs(),
+                    "{}: {id} is {wanted}",
+                    t.name
+                );
             }
             // The tip is the corner of the head that is farthest from the tail.
             let line = node.children().find(|n| n.has_tag_name("line")).unwrap();
             let tail = ["x1", "y1"].map(|k| line.attribute(k).unwrap().parse::<f64>().unwrap());
-            let head = node.children().find(|n| n.has_tag_name("path")).unwrap().attribute("d").unwrap();
-            let numbers: Vec<f64> = head.split(['M', 'L', 'Z', ' ']).filter_map(|n| n.parse().ok()).collect();
-            let far = numbers.chunks(2).map(|p| (p[0] - tail[0]).hypot(p[1] - tail[1])).fold(0.0, f64::max);
-            assert!((far - number("data-mm")).abs() < 2.0 * ROUNDED_MM, "{}: {id} tells {} and is {far} mm", t.name, number("data-mm"));
+            let head =
+                node.children().find(|n| n.has_tag_name("path")).unwrap().attribute("d").unwrap();
+            let numbers: Vec<f64> =
+                head.split(['M', 'L', 'Z', ' ']).filter_map(|n| n.parse().ok()).collect();
+            let far = numbers
+                .chunks(2)
+                .map(|p| (p[0] - tail[0]).hypot(p[1] - tail[1]))
+                .fold(0.0, f64::max);
+            assert!(
+                (far - number("data-mm")).abs() < 2.0 * ROUNDED_MM,
+                "{}: {id} tells {} and is {far} mm",
+                t.name,
+                number("data-mm")
+            );
             vectors += 1;
         }
         for r in &worked.results {
-            let (find, AnswerValue::Vector(v)) = (&scene.find[r.find], r.computed) else { continue };
+            let (find, AnswerValue::Vector(v)) = (&scene.find[r.find], r.computed) else {
+                continue;
+            };
             let Some(drawn) = figure.vector(&find.text) else { continue };
             let value = v.norm();
-            assert!((drawn.si - value).abs() <= 1e-6 * value.max(drawn.mm * 1e-3), "{}: {} is {} and {value}", t.name, find.text, drawn.si);
+            assert!(
+                (drawn.si - value).abs() <= 1e-6 * value.max(drawn.mm * 1e-3),
+                "{}: {} is {} and {value}",
+                t.name,
+                find.text,
+                drawn.si
+            );
             assert!((drawn.from.distance(drawn.to) - drawn.mm).abs() < 1e-9);
             asked += 1;
         }
     }
-    assert!(vectors > 100 / every(5) && asked > 20 / every(5), "{vectors} vectors, {asked} answers");
+    assert!(
+        vectors > 100 / every(5) && asked > 20 / every(5),
+        "{vectors} vectors, {asked} answers"
+    );
 }
 
 #[test]
@@ -77,12 +102,16 @@ fn a_vector_and_its_mark_are_found_by_name() {
 fn a_prefix_stands_before_all_ids_and_their_uses() {
     let scene = scene::read(templates::get("crank-rocker").unwrap()).unwrap().value;
     let worked = work(&scene, Scope::Figure).unwrap().value;
-    let plain = svg::write(&sheet(&scene, &worked, &SheetOptions::of_language(Lang::En)).unwrap()).unwrap().value;
+    let plain = svg::write(&sheet(&scene, &worked, &SheetOptions::of_language(Lang::En)).unwrap())
+        .unwrap()
+        .value;
     let put = svg::IdPrefix::new("fig2-").unwrap().put_before(&plain).into_owned();
     let document = roxmltree::Document::parse(&put).unwrap();
     let ids: Vec<&str> = document.descendants().filter_map(|n| n.attribute("id")).collect();
     assert!(ids.len() > 100 && ids.iter().all(|i| i.starts_with("fig2-")));
-    let used = document.descendants().filter_map(|n| n.attribute(("http://www.w3.org/1999/xlink", "href")));
+    let used = document
+        .descendants()
+        .filter_map(|n| n.attribute(("http://www.w3.org/1999/xlink", "href")));
     used.for_each(|u| assert!(ids.contains(&u.strip_prefix('#').unwrap()), "{u}"));
     assert_eq!(put.replace("\"fig2-", "\"").replace("\"#fig2-", "\"#"), plain);
     for bad in ["1a", "a b", "é", "a\"", "-", "_a", &"a".repeat(65)] {
@@ -90,5 +119,10 @@ fn a_prefix_stands_before_all_ids_and_their_uses() {
     }
     // Words in a text stay.
     let text = r#"<svg><title>a id="x" > b</title><g aria-label="q > id=" id="c"/></svg>"#;
-    assert!(svg::IdPrefix::new("p").unwrap().put_before(text).contains(r#"<title>a id="x" > b</title><g aria-label="q > id=" id="pc"/>"#));
+    assert!(
+        svg::IdPrefix::new("p")
+            .unwrap()
+            .put_before(text)
+            .contains(r#"<title>a id="x" > b</title><g aria-label="q > id=" id="pc"/>"#)
+    );
 }

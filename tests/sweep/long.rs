@@ -8,14 +8,22 @@ use hodograph::sweep::pieces::SweepPieces;
 pub fn pieces(sweep: &mut dyn SweepPieces, cut: usize) -> (Vec<Vec<f64>>, Vec<Diagnostic>) {
     let (count, mut columns) = (sweep.count(), vec![Vec::new(); sweep.columns().len()]);
     for from in (0..count).step_by(cut) {
-        columns.iter_mut().zip(sweep.piece(from..count.min(from + cut), &|| false).unwrap()).for_each(|(c, p)| c.extend(p));
+        columns
+            .iter_mut()
+            .zip(sweep.piece(from..count.min(from + cut), &|| false).unwrap())
+            .for_each(|(c, p)| c.extend(p));
     }
     (columns, sweep.notes())
 }
 
 pub fn same_bits(name: &str, columns: &[Vec<f64>], whole: &Table) {
     for (a, b) in columns.iter().zip(&whole.columns) {
-        assert!(a.len() == b.values.len() && a.iter().zip(&b.values).all(|(x, y)| x.to_bits() == y.to_bits()), "{name} {}", b.name);
+        assert!(
+            a.len() == b.values.len()
+                && a.iter().zip(&b.values).all(|(x, y)| x.to_bits() == y.to_bits()),
+            "{name} {}",
+            b.name
+        );
     }
 }
 
@@ -34,7 +42,12 @@ fn a_long_sweep_is_its_pieces() {
         }
         let set: &[(&str, &str)] = if t.name == "crank-rocker" { &[("l_AB", "240")] } else { &[] };
         let scene = read(templates::instantiate(t.name, set).unwrap()).unwrap().value;
-        let whole = Mechanism::new(&scene).unwrap().value.groups.iter().any(|g| g.class() == Some("IV or higher"));
+        let whole = Mechanism::new(&scene)
+            .unwrap()
+            .value
+            .groups
+            .iter()
+            .any(|g| g.class() == Some("IV or higher"));
         let size = match t.name {
             // More positions than are between two stored states.
             "class-iii-six-bar" => [10_000, 4096],
@@ -51,21 +64,32 @@ fn a_long_sweep_is_its_pieces() {
         let placed = PlacedScene::new(scene, &m).unwrap();
         let per_value = station::angle_per_value(scene, &placed.at, 0);
         let now = station::position_now(scene, &placed.at, 0);
-        let (turn, slide) = (|a, b| station::DriverSpan::Turn(Angle::Deg(a), Angle::Deg(b)), placed.at.extent());
+        let (turn, slide) =
+            (|a, b| station::DriverSpan::Turn(Angle::Deg(a), Angle::Deg(b)), placed.at.extent());
         let ways = match scene.drivers[0].kind {
             DriverKind::Turn { .. } => [turn(-30.0, 450.0), turn(400.0, -30.0)],
-            _ => [[-slide, slide], [slide, -slide]].map(|[a, b]| station::DriverSpan::Slide { from: now + a, to: now + b, per_value }),
+            _ => [[-slide, slide], [slide, -slide]].map(|[a, b]| station::DriverSpan::Slide {
+                from: now + a,
+                to: now + b,
+                per_value,
+            }),
         };
         for way in ways {
             let steps = sweep::StationSteps { way, steps: *steps };
             let whole = sweep::run(&placed, 0, &steps.all(), Width::Widest).unwrap();
             let mut long = LongSweep::new(&placed, 0, steps).unwrap();
             let (columns, notes) = pieces(&mut long, *cut);
-            assert!(long.columns().into_iter().eq(whole.columns.iter().map(|c| (c.name.clone(), c.unit))), "{name}");
+            assert!(
+                long.columns()
+                    .into_iter()
+                    .eq(whole.columns.iter().map(|c| (c.name.clone(), c.unit))),
+                "{name}"
+            );
             same_bits(name, &columns, &whole);
             assert_eq!(notes, whole.notes, "{name}");
             missing += steps.steps + 1 - whole.rows();
-            followed_missing += if followed(scene, &m) { steps.steps + 1 - whole.rows() } else { 0 };
+            followed_missing +=
+                if followed(scene, &m) { steps.steps + 1 - whole.rows() } else { 0 };
         }
     }
     assert!(
@@ -81,7 +105,8 @@ fn a_sweep_in_pieces_stops_when_asked() {
         let m = Mechanism::new(&scene).unwrap().value;
         let placed = PlacedScene::new(&scene, &m).unwrap();
         let way = station::DriverSpan::Turn(Angle::Deg(0.0), Angle::Deg(360.0));
-        let mut long = LongSweep::new(&placed, 0, sweep::StationSteps { way, steps: 1000 }).unwrap();
+        let mut long =
+            LongSweep::new(&placed, 0, sweep::StationSteps { way, steps: 1000 }).unwrap();
         assert!(long.piece(0..10, &|| true).is_none());
     }
 }

@@ -23,10 +23,16 @@ fn same(swing: &Swing, wanted: &[Wanted], what: &str) {
             (Some(a), Some(b)) => apart(a, b.to_radians()) < 1e-9,
             (a, b) => a.is_none() && b.is_none(),
         };
-        until && apart(e.driver, driver.to_radians()) < 1e-7 && (e.output - output).abs() < 1e-12 && !e.at_limit
+        until
+            && apart(e.driver, driver.to_radians()) < 1e-7
+            && (e.output - output).abs() < 1e-12
+            && !e.at_limit
     };
     assert_eq!(swing.extremes.len(), wanted.len(), "{what}: {swing:?}");
-    assert!(wanted.iter().all(|w| swing.extremes.iter().any(|e| is(e, w))), "{what}: {swing:?}, not {wanted:?}");
+    assert!(
+        wanted.iter().all(|w| swing.extremes.iter().any(|e| is(e, w))),
+        "{what}: {swing:?}, not {wanted:?}"
+    );
 }
 
 /// Compares stroke and time ratio of a swing with those expected.
@@ -48,8 +54,9 @@ fn roller(offset: f64, two: &str, profile: &str, angle: f64) -> Scene {
     over_a_turn(&read(&text).unwrap_or_else(|f| panic!("{f}\n{text}")).value)
 }
 
-/// Rise over 100°, return over 130°, dwells of 70° and 60°: one extreme for each dwell, from its start to its end; the time ratio is that of the
-/// strokes alone, 130/100, not that of 200/160 with the dwells.
+/// Rise over 100°, return over 130°, dwells of 70° and 60°: one extreme for each dwell, from its
+/// start to its end; the time ratio is that of the strokes alone, 130/100, not that of 200/160 with
+/// the dwells.
 #[test]
 fn a_dwell_is_one_extreme_and_no_part_of_a_stroke() {
     let law = |of: &str| {
@@ -60,11 +67,17 @@ fn a_dwell_is_one_extreme_and_no_part_of_a_stroke() {
     };
     // The guide is 9 mm from O: at its lowest the roller's centre is 40 mm from O.
     let low = (0.04f64 * 0.04 - 0.009 * 0.009).sqrt();
-    for (start, of) in STARTS.into_iter().zip(["uniform", "harmonic", "cycloidal", "3-4-5"].into_iter().cycle()) {
+    for (start, of) in
+        STARTS.into_iter().zip(["uniform", "harmonic", "cycloidal", "3-4-5"].into_iter().cycle())
+    {
         let limits = limits_of(&roller(9.0, r#""O""#, &law(of), start));
         let what = format!("{of} from {start}°");
         assert!(limits.range.full() && limits.swings.len() == 1, "{what}");
-        same(&limits.swings[0], &[(100.0, Some(170.0), low + 0.02), (300.0, Some(360.0), low)], &what);
+        same(
+            &limits.swings[0],
+            &[(100.0, Some(170.0), low + 0.02), (300.0, Some(360.0), low)],
+            &what,
+        );
         strokes(&limits.swings[0], 0.02, 1.3, &what);
     }
 }
@@ -73,12 +86,17 @@ fn a_dwell_is_one_extreme_and_no_part_of_a_stroke() {
 /// the nose without a dwell; the flanks begin acos((R − r)/OQ) to either side of the nose.
 #[test]
 fn a_nose_is_an_extreme_and_a_base_circle_a_dwell() {
-    let profile = r#"[{"centre": "O", "radius": 20}, "tangent", {"centre": "Q", "radius": 8}, "tangent"]"#;
+    let profile =
+        r#"[{"centre": "O", "radius": 20}, "tangent", {"centre": "Q", "radius": 8}, "tangent"]"#;
     let flank = (12.0f64 / 20.0).acos().to_degrees();
     for start in STARTS {
         let limits = limits_of(&roller(0.0, r#""O", "Q""#, profile, start));
         // The angle of the driver is that of OQ; the nose is at the top at 90°.
-        same(&limits.swings[0], &[(90.0, None, 0.038), (90.0 + flank, Some(90.0 - flank), 0.03)], &format!("from {start}°"));
+        same(
+            &limits.swings[0],
+            &[(90.0, None, 0.038), (90.0 + flank, Some(90.0 - flank), 0.03)],
+            &format!("from {start}°"),
+        );
         strokes(&limits.swings[0], 0.008, 1.0, &format!("from {start}°"));
     }
 }
@@ -98,9 +116,18 @@ fn an_eccentric_has_a_stroke_of_twice_its_eccentricity() {
         let high = (0.015f64 / 0.065).acos();
         let low = (0.015f64 / 0.025).acos();
         let far = |l: f64| (l * l - 0.015f64 * 0.015).sqrt();
-        same(&limits.swings[0], &[(high.to_degrees(), None, far(0.065)), (180.0 + low.to_degrees(), None, far(0.025))], &what);
+        same(
+            &limits.swings[0],
+            &[(high.to_degrees(), None, far(0.065)), (180.0 + low.to_degrees(), None, far(0.025))],
+            &what,
+        );
         let turn = PI + low - high;
-        strokes(&limits.swings[0], far(0.065) - far(0.025), (TAU - turn).max(turn) / (TAU - turn).min(turn), &what);
+        strokes(
+            &limits.swings[0],
+            far(0.065) - far(0.025),
+            (TAU - turn).max(turn) / (TAU - turn).min(turn),
+            &what,
+        );
     }
     let text = r#"{"units": {"length": "mm"}, "links": {"1": ["O"], "2": ["O", "Q"]}, "ground": "1", "points": {"O": [0, 0]}, "lengths": {"OQ": 12},
         "guides": [{"slider": "3", "on": "1", "angle": "90 deg", "through": "O"}],
@@ -114,7 +141,9 @@ fn an_eccentric_has_a_stroke_of_twice_its_eccentricity() {
 /// The scene of a template with its crank at an angle.
 fn turned(template: &str, parameter: &str, angle: f64) -> Scene {
     let text = templates::instantiate(template, &[(parameter, &format!("{angle:?}"))]).unwrap();
-    read(edit::with_find(&text, &["v_C"]).unwrap()).unwrap_or_else(|f| panic!("{template} at {angle}: {f}")).value
+    read(edit::with_find(&text, &["v_C"]).unwrap())
+        .unwrap_or_else(|f| panic!("{template} at {angle}: {f}"))
+        .value
 }
 
 /// A crank-rocker's extremes are where crank and coupler are in line, extended or folded.
@@ -143,9 +172,18 @@ fn a_shaper_cuts_slowly_and_returns_fast() {
     for start in STARTS.into_iter().chain([180.0 + degrees, -degrees]) {
         let limits = limits_of(&turned("shaper", "phi_1", start));
         let what = format!("from {start}°");
-        let of = |wanted: fn(&DrivenOutput) -> bool| limits.swings.iter().find(|s| wanted(&s.output)).unwrap();
-        let (lever, ram) = (of(|o| matches!(o, DrivenOutput::Turning(_))), of(|o| matches!(o, DrivenOutput::Sliding(_))));
-        same(lever, &[(180.0 + degrees, None, PI / 2.0 + half), (-degrees, None, PI / 2.0 - half)], &what);
+        let of = |wanted: fn(&DrivenOutput) -> bool| {
+            limits.swings.iter().find(|s| wanted(&s.output)).unwrap()
+        };
+        let (lever, ram) = (
+            of(|o| matches!(o, DrivenOutput::Turning(_))),
+            of(|o| matches!(o, DrivenOutput::Sliding(_))),
+        );
+        same(
+            lever,
+            &[(180.0 + degrees, None, PI / 2.0 + half), (-degrees, None, PI / 2.0 - half)],
+            &what,
+        );
         strokes(lever, 2.0 * half, ratio, &what);
         assert_eq!(ram.extremes.len(), 2, "{what}: {ram:?}");
         strokes(ram, 2.0 * 0.65 * 110.0 / 380.0, ratio, &what);
@@ -163,12 +201,19 @@ fn limits_of_a_crank_rocker() {
     assert_eq!(limits.grashof.unwrap().0, Grashof::CrankRocker);
     let swing = &limits.swings[0];
     let angle = |s: f64| PI - ((c * c + d * d - s * s) / (2.0 * c * d)).acos();
-    assert!((swing.stroke.unwrap() - (angle(b - a) - angle(a + b)).abs()).abs() < 1e-14, "{swing:?}");
+    assert!(
+        (swing.stroke.unwrap() - (angle(b - a) - angle(a + b)).abs()).abs() < 1e-14,
+        "{swing:?}"
+    );
     let crank = |s: f64| ((s * s + d * d - c * c) / (2.0 * s * d)).acos();
     let turn = PI + crank(b - a) - crank(b + a);
     let (long, short) = (turn.max(TAU - turn), turn.min(TAU - turn));
     assert!((swing.time_ratio.unwrap() - long / short).abs() < 1e-13, "{swing:?}");
     let gamma = |s: f64| ((b * b + c * c - s * s) / (2.0 * b * c)).acos();
     let worst = gamma(d - a).min(PI - gamma(d + a));
-    assert!((limits.transmission[0].angle - worst).abs() < 1e-14, "{:?} {worst}", limits.transmission);
+    assert!(
+        (limits.transmission[0].angle - worst).abs() < 1e-14,
+        "{:?} {worst}",
+        limits.transmission
+    );
 }

@@ -16,7 +16,15 @@ const NONE: [usize; 6] = [0; 6];
 
 /// A template, its changes, the questions, and the expected work: groups placed; groups, equations,
 /// images, vectors, rates and unknowns at velocity and at acceleration level; numbers certified.
-type Row = (&'static str, &'static [(&'static str, &'static str)], &'static [&'static str], usize, [usize; 6], [usize; 6], usize);
+type Row = (
+    &'static str,
+    &'static [(&'static str, &'static str)],
+    &'static [&'static str],
+    usize,
+    [usize; 6],
+    [usize; 6],
+    usize,
+);
 
 const STOPPED: (&str, &str) = ("/parameters/omega_1", "0 rad/s");
 const STARTING: (&str, &str) = ("/driver/alpha", "3 rad/s^2");
@@ -32,7 +40,8 @@ const TABLE: &[Row] = &[
     ("jansen-leg", &[], &["v_D"], 2, [2, 2, 0, 3, 1, 9], NONE, 2),
     ("jansen-leg", &[], &["v_E"], 2, [2, 2, 1, 3, 1, 9], NONE, 2),
     ("jansen-leg", &[], &["omega_3"], 2, [2, 2, 0, 3, 2, 9], NONE, 1),
-    // Velocities of the upstream links only for their normal accelerations: rates of crank and dyad.
+    // Velocities of the upstream links only for their normal accelerations: rates of crank and
+    // dyad.
     ("jansen-leg", &[], &["a_C"], 2, [2, 2, 0, 3, 3, 9], [2, 2, 0, 5, 0, 9], 2),
     ("jansen-leg", &[], &["alpha_3"], 2, [2, 2, 0, 3, 3, 9], [2, 2, 0, 5, 1, 9], 1),
     ("jansen-leg", &[], &["v_C", "v_D"], 3, [3, 3, 0, 5, 1, 15], NONE, 4),
@@ -81,7 +90,9 @@ fn asking(template: &str, changes: &[(&str, &str)], find: &[&str]) -> Scene {
         json.pointer_mut(object).unwrap()[key] = json!(value);
     }
     json["find"] = json!(find);
-    scene::read(json.to_string()).unwrap_or_else(|f| panic!("{template} {changes:?} {find:?}: {f}")).value
+    scene::read(json.to_string())
+        .unwrap_or_else(|f| panic!("{template} {changes:?} {find:?}: {f}"))
+        .value
 }
 
 fn solved(scene: &Scene) -> Worked {
@@ -89,13 +100,22 @@ fn solved(scene: &Scene) -> Worked {
 }
 
 fn motion([groups, equations, images, vectors, rates, unknowns]: [usize; 6]) -> MotionWork {
-    MotionWork { groups, equations_planned: equations, equations_closed: equations, images, vectors, rates, unknowns }
+    MotionWork {
+        groups,
+        equations_planned: equations,
+        equations_closed: equations,
+        images,
+        vectors,
+        rates,
+        unknowns,
+    }
 }
 
 #[test]
 fn the_work_is_what_is_asked() {
     let mut failures = Vec::new();
-    for (template, changes, find, groups_placed, velocity, acceleration, certified_values) in TABLE {
+    for (template, changes, find, groups_placed, velocity, acceleration, certified_values) in TABLE
+    {
         let scene = asking(template, changes, find);
         let worked = solved(&scene);
         let done = Work::of(&worked).with_certified(&certify(&scene, &worked, 6));
@@ -112,27 +132,50 @@ fn the_work_is_what_is_asked() {
         if done != expected {
             failures.push(format!("{template} {changes:?}, asked for {find:?}\n  expected {expected:?}\n  done     {done:?}"));
         }
-        let levels = usize::from(*groups_placed > 0) + usize::from(*velocity != NONE) + usize::from(*acceleration != NONE);
+        let levels = usize::from(*groups_placed > 0)
+            + usize::from(*velocity != NONE)
+            + usize::from(*acceleration != NONE);
         assert_eq!(done.levels(), levels, "{template} {find:?}");
-        let disagree: Vec<_> = worked.results.iter().filter(|o| o.agreement.is_some_and(|a| !a.holds())).collect();
+        let disagree: Vec<_> =
+            worked.results.iter().filter(|o| o.agreement.is_some_and(|a| !a.holds())).collect();
         assert!(disagree.is_empty(), "{template} {find:?}: {disagree:?}");
     }
-    assert!(failures.is_empty(), "{} of {} rows:\n{}", failures.len(), TABLE.len(), failures.join("\n"));
+    assert!(
+        failures.is_empty(),
+        "{} of {} rows:\n{}",
+        failures.len(),
+        TABLE.len(),
+        failures.join("\n")
+    );
 }
 
 /// For each row the effects that are left out, or included for a reason of their own.
 #[test]
 fn the_plan_says_why_an_effect_is_out() {
     let guide = |scene: &Scene, at: &str| {
-        let index = scene.guides.iter().position(|g| g.pin.is_some_and(|p| scene.point_name(p) == at)).unwrap();
+        let index = scene
+            .guides
+            .iter()
+            .position(|g| g.pin.is_some_and(|p| scene.point_name(p) == at))
+            .unwrap();
         Effect::Coriolis(scene::GuideId(index))
     };
-    let check = |template: &str, changes: &[(&str, &str)], find: &[&str], at: Option<&str>, included: bool, why: Reason| {
+    let check = |template: &str,
+                 changes: &[(&str, &str)],
+                 find: &[&str],
+                 at: Option<&str>,
+                 included: bool,
+                 why: Reason| {
         let scene = asking(template, changes, find);
         let plan = solved(&scene).plan;
         let effect = at.map_or(Effect::DriverRate(0), |at| guide(&scene, at));
         let found = plan.effects.iter().find(|e| e.0 == effect);
-        assert_eq!(found, Some(&(effect, included, why)), "{template} {changes:?} {find:?}: {:?}", plan.effects);
+        assert_eq!(
+            found,
+            Some(&(effect, included, why)),
+            "{template} {changes:?} {find:?}: {:?}",
+            plan.effects
+        );
     };
     check("shaper", &[], &["a_C"], Some("C"), false, Reason::GuideDoesNotTurn);
     check("shaper", &[], &["a_C"], Some("A"), true, Reason::GuideTurns);
@@ -141,7 +184,14 @@ fn the_plan_says_why_an_effect_is_out() {
     // Velocities only: the rotation of a guide has no influence, and nothing is said of it.
     let scene = asking("shaper", &[], &["v_C"]);
     let plan = solved(&scene).plan;
-    assert!(!plan.effects.iter().any(|e| matches!(e.0, Effect::Coriolis(_) | Effect::DriverAcceleration(_))), "{:?}", plan.effects);
+    assert!(
+        !plan
+            .effects
+            .iter()
+            .any(|e| matches!(e.0, Effect::Coriolis(_) | Effect::DriverAcceleration(_))),
+        "{:?}",
+        plan.effects
+    );
     assert!(plan.effects.contains(&(Effect::Accelerations, false, Reason::NotAsked)));
 }
 
@@ -158,5 +208,8 @@ fn labels_are_placed_for_a_figure_only() {
         Work::of(&worked).with_labels(figure.labels_placed()).labels_placed
     };
     let [positions, velocities, both] = [&["x_C"][..], &["v_C"], &["v_C", "a_C"]].map(labels);
-    assert!(0 < positions && positions < velocities && velocities < both, "{positions} {velocities} {both}");
+    assert!(
+        0 < positions && positions < velocities && velocities < both,
+        "{positions} {velocities} {both}"
+    );
 }

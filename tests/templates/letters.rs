@@ -9,7 +9,13 @@ use hodograph::scene::{self, DiagramKind, Lang, templates};
 use hodograph::worked::{Scope, work};
 
 fn labels(figure: &Figure) -> Vec<&str> {
-    figure.items.iter().filter_map(|i| if let Shape::Label { label, .. } = &i.shape { Some(label.source()) } else { None }).collect()
+    figure
+        .items
+        .iter()
+        .filter_map(|i| {
+            if let Shape::Label { label, .. } = &i.shape { Some(label.source()) } else { None }
+        })
+        .collect()
 }
 
 /// Removes typesetting: a point is O_1 where a length's index has O1, and t–t is the direction t.
@@ -17,12 +23,15 @@ fn plain(name: &str) -> String {
     name.replace("\\text{–}t", "").replace(['{', '}', '_'], "")
 }
 
-/// The names in a direction (`\perp AB`, `B \to A_2`, `\parallel t_{3}`) or in the lengths of a magnitude (`\omega_2^2 l_{AB}`).
+/// The names in a direction (`\perp AB`, `B \to A_2`, `\parallel t_{3}`) or in the lengths of a
+/// magnitude (`\omega_2^2 l_{AB}`).
 fn named(source: &str) -> Vec<String> {
     let of_direction = ["\\perp", "\\parallel", "\\to"].iter().any(|w| source.contains(w));
     let mut out = Vec::new();
     if of_direction {
-        let bare = ["\\perp", "\\parallel", "\\to"].iter().fold(source.to_owned(), |s, w| s.replace(w, " "));
+        let bare = ["\\perp", "\\parallel", "\\to"]
+            .iter()
+            .fold(source.to_owned(), |s, w| s.replace(w, " "));
         let bare = bare.replace("\\text{–}t", "");
         out.extend(points(&bare));
     }
@@ -73,7 +82,8 @@ fn every_letter_of_a_table_is_in_the_diagram() {
             for source in labels(&tables) {
                 for name in named(source) {
                     seen += 1;
-                    // A point with its link, B_3, is found at B; a direction of an axis needs no letter.
+                    // A point with its link, B_3, is found at B; a direction of an axis needs no
+                    // letter.
                     let there = drawn.iter().any(|d| name == *d || name.starts_with(d.as_str()));
                     if !there && name != "x" && name != "y" {
                         missing.insert(format!("{} {lang:?}: {name} of `{source}`", t.name));
@@ -83,5 +93,10 @@ fn every_letter_of_a_table_is_in_the_diagram() {
         }
     }
     assert!(seen > 1000, "only {seen} names were read in the tables");
-    assert!(missing.is_empty(), "{} letters are not in the diagram:\n{}", missing.len(), Vec::from_iter(missing).join("\n"));
+    assert!(
+        missing.is_empty(),
+        "{} letters are not in the diagram:\n{}",
+        missing.len(),
+        Vec::from_iter(missing).join("\n")
+    );
 }

@@ -15,7 +15,11 @@ use std::collections::BTreeSet;
 
 #[test]
 fn answers_are_as_expected() {
-    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/templates-expected.json")).unwrap();
+    let text = std::fs::read_to_string(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/tests/templates-expected.json"
+    ))
+    .unwrap();
     let expected: serde_json::Value = serde_json::from_str(&text).unwrap();
     let mut failures = Vec::new();
     for t in templates::list() {
@@ -30,24 +34,46 @@ fn answers_are_as_expected() {
         // Answers and expectations are one set: a question without an answer, or an expected answer
         // without a question, is a fault.
         for unanswered in &worked.unanswered {
-            failures.push(format!("{} {}: is not answered", t.name, scene.find[unanswered.find].text));
+            failures
+                .push(format!("{} {}: is not answered", t.name, scene.find[unanswered.find].text));
         }
         let asked: BTreeSet<&str> = scene.find.iter().map(|f| f.text.as_str()).collect();
-        let told = worked.results.iter().map(|r| r.find).chain(worked.unanswered.iter().map(|u| u.find));
+        let told =
+            worked.results.iter().map(|r| r.find).chain(worked.unanswered.iter().map(|u| u.find));
         let told: BTreeSet<&str> = told.map(|find| scene.find[find].text.as_str()).collect();
-        let known: BTreeSet<&str> = expected[t.name].as_object().into_iter().flatten().map(|(find, _)| find.as_str()).collect();
+        let known: BTreeSet<&str> = expected[t.name]
+            .as_object()
+            .into_iter()
+            .flatten()
+            .map(|(find, _)| find.as_str())
+            .collect();
         let mut fault = |what: &str, finds: Vec<&&str>| {
             failures.extend(finds.iter().map(|find| format!("{} {find}: {what}", t.name)));
         };
-        fault("is asked, and has neither an answer nor a reason", asked.difference(&told).collect());
-        fault("is asked, and tests/templates-expected.json has no answer to it", asked.difference(&known).collect());
-        fault("is in tests/templates-expected.json, and the template does not ask for it", known.difference(&asked).collect());
-        for outcome in worked.results.iter().filter(|r| known.contains(scene.find[r.find].text.as_str())) {
+        fault(
+            "is asked, and has neither an answer nor a reason",
+            asked.difference(&told).collect(),
+        );
+        fault(
+            "is asked, and tests/templates-expected.json has no answer to it",
+            asked.difference(&known).collect(),
+        );
+        fault(
+            "is in tests/templates-expected.json, and the template does not ask for it",
+            known.difference(&asked).collect(),
+        );
+        for outcome in
+            worked.results.iter().filter(|r| known.contains(scene.find[r.find].text.as_str()))
+        {
             let find = &scene.find[outcome.find].text;
             let e = &expected[t.name][find];
-            let component = |k: &str| e[k].as_f64().unwrap_or_else(|| panic!("{} {find}: no expected {k}", t.name));
+            let component = |k: &str| {
+                e[k].as_f64().unwrap_or_else(|| panic!("{} {find}: no expected {k}", t.name))
+            };
             let off = |v: AnswerValue| match v {
-                AnswerValue::Scalar(s) => (s - component("value")).abs() / component("value").abs().max(1e-3),
+                AnswerValue::Scalar(s) => {
+                    (s - component("value")).abs() / component("value").abs().max(1e-3)
+                }
                 AnswerValue::Vector(v) => {
                     let (x, y) = (component("x"), component("y"));
                     (v.x - x).hypot(v.y - y) / x.hypot(y).max(1e-3)
@@ -56,19 +82,33 @@ fn answers_are_as_expected() {
             };
             // Centres are drawn in a figure of their own: see tests/centres.rs.
             let place = matches!(outcome.computed, AnswerValue::Point(_));
-            let drawn = outcome.drawn.as_ref().map_or(if place { 0.0 } else { f64::INFINITY }, |a| off(a.value));
+            let drawn = outcome
+                .drawn
+                .as_ref()
+                .map_or(if place { 0.0 } else { f64::INFINITY }, |a| off(a.value));
             let computed = off(outcome.computed);
             if !(drawn < 1e-9 && computed < 1e-9) {
-                failures.push(format!("{} {find}: drawing off by {drawn:e}, analysis by {computed:e}", t.name));
+                failures.push(format!(
+                    "{} {find}: drawing off by {drawn:e}, analysis by {computed:e}",
+                    t.name
+                ));
             }
             if outcome.agreement.is_some_and(|a| a.difference > 1e-11) {
-                failures.push(format!("{} {find}: drawing and analysis differ by {:e}", t.name, outcome.agreement.unwrap().difference));
+                failures.push(format!(
+                    "{} {find}: drawing and analysis differ by {:e}",
+                    t.name,
+                    outcome.agreement.unwrap().difference
+                ));
             }
         }
     }
     let names: BTreeSet<&str> = templates::list().iter().map(|t| t.name).collect();
-    let unknown = expected.as_object().unwrap().keys().filter(|name| !names.contains(name.as_str()));
-    failures.extend(unknown.map(|name| format!("{name} is in tests/templates-expected.json, and is no template")));
+    let unknown =
+        expected.as_object().unwrap().keys().filter(|name| !names.contains(name.as_str()));
+    failures.extend(
+        unknown
+            .map(|name| format!("{name} is in tests/templates-expected.json, and is no template")),
+    );
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
 }
 

@@ -54,25 +54,52 @@ const POINTS: &[&str] = &[
     "of",
 ];
 /// Endings of names.
-const AFTER: &[&str] = &["", "", "1", "2", "21", "_", "_1", "__b", "'", "''", "1'", "'2", "_'", "甲", "x3"];
-const LINKS: &[&str] =
-    &["1", "2", "3", "10", "21", "1a", "_", "_2", "'", "''", "3'", "4_'", "曲柄", "ω", "Pleuel", "A", "S", "t", "LangesGliedWort9"];
+const AFTER: &[&str] =
+    &["", "", "1", "2", "21", "_", "_1", "__b", "'", "''", "1'", "'2", "_'", "甲", "x3"];
+const LINKS: &[&str] = &[
+    "1",
+    "2",
+    "3",
+    "10",
+    "21",
+    "1a",
+    "_",
+    "_2",
+    "'",
+    "''",
+    "3'",
+    "4_'",
+    "曲柄",
+    "ω",
+    "Pleuel",
+    "A",
+    "S",
+    "t",
+    "LangesGliedWort9",
+];
 
 struct Rng(u64);
 
 impl Rng {
     fn below(&mut self, n: usize) -> usize {
         // Knuth's MMIX generator.
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         ((self.0 >> 33) % n as u64) as usize
     }
 }
 
 /// Other names, all different.
-fn names(old: impl Iterator<Item = String>, rng: &mut Rng, make: impl Fn(&mut Rng) -> String) -> HashMap<String, String> {
+fn names(
+    old: impl Iterator<Item = String>,
+    rng: &mut Rng,
+    make: impl Fn(&mut Rng) -> String,
+) -> HashMap<String, String> {
     let mut used = HashSet::new();
     old.map(|name| {
-        let new = std::iter::repeat_with(|| make(rng)).find(|n| n.chars().count() <= 16 && used.insert(n.clone())).unwrap();
+        let new = std::iter::repeat_with(|| make(rng))
+            .find(|n| n.chars().count() <= 16 && used.insert(n.clone()))
+            .unwrap();
         (name, new)
     })
     .collect()
@@ -95,7 +122,9 @@ impl Renamed {
     /// `AB`, `O2,B`.
     fn pair(&self, text: &str) -> String {
         let halves = text.split_once([',', '-']).or_else(|| {
-            text.char_indices().map(|(i, _)| text.split_at(i)).find(|(a, b)| self.points.contains_key(*a) && self.points.contains_key(*b))
+            text.char_indices()
+                .map(|(i, _)| text.split_at(i))
+                .find(|(a, b)| self.points.contains_key(*a) && self.points.contains_key(*b))
         });
         let (a, b) = halves.unwrap_or_else(|| panic!("{text} names two points"));
         format!("{},{}", self.points[a.trim()], self.points[b.trim()])
@@ -107,9 +136,16 @@ impl Renamed {
             if let Some(p) = self.points.get(t) {
                 return Some(p.clone());
             }
-            t.char_indices().map(|(i, _)| t.split_at(i)).find_map(|(p, l)| Some(format!("{}{}", self.points.get(p)?, self.links.get(l)?)))
+            t.char_indices()
+                .map(|(i, _)| t.split_at(i))
+                .find_map(|(p, l)| Some(format!("{}{}", self.points.get(p)?, self.links.get(l)?)))
         };
-        let two = || text.char_indices().skip(1).map(|(i, _)| text.split_at(i)).find_map(|(a, b)| Some(format!("{},{}", one(a)?, one(b)?)));
+        let two = || {
+            text.char_indices()
+                .skip(1)
+                .map(|(i, _)| text.split_at(i))
+                .find_map(|(a, b)| Some(format!("{},{}", one(a)?, one(b)?)))
+        };
         one(text).or_else(two).unwrap_or_else(|| panic!("{text} names points"))
     }
 
@@ -117,26 +153,45 @@ impl Renamed {
         let Some((symbol, rest)) = text.split_once('_') else { return text.to_owned() };
         let link = |l: &str| self.link(l);
         let two_links = || {
-            let pair = rest.char_indices().map(|(i, _)| rest.split_at(i)).find_map(|(a, b)| Some((self.links.get(a)?, self.links.get(b)?)));
+            let pair = rest
+                .char_indices()
+                .map(|(i, _)| rest.split_at(i))
+                .find_map(|(a, b)| Some((self.links.get(a)?, self.links.get(b)?)));
             pair.map(|(a, b)| format!("{symbol}_{a},{b}"))
         };
         match symbol {
             // The driver's, or the whole mechanism's.
             "M" | "F" if ["b", "b2", "sh"].contains(&rest) => text.to_owned(),
-            "F" | "Fn" | "Ft" | "h" | "M" => two_links().unwrap_or_else(|| format!("{symbol}_{}", self.on_links(rest))),
+            "F" | "Fn" | "Ft" | "h" | "M" => {
+                two_links().unwrap_or_else(|| format!("{symbol}_{}", self.on_links(rest)))
+            }
             "FI" | "MI" => format!("{symbol}_{}", link(rest)),
-            "omega" | "alpha" => format!("{symbol}_{}", rest.split('/').map(link).collect::<Vec<_>>().join("/")),
+            "omega" | "alpha" => {
+                format!("{symbol}_{}", rest.split('/').map(link).collect::<Vec<_>>().join("/"))
+            }
             "phi" => format!("{symbol}_{}", link(rest)),
             // Two links; for a ratio also the arm from which they are seen.
             "i" | "P" => {
-                let (pair, arm) = rest.split_once('/').map_or((rest, None), |(pair, arm)| (pair, Some(link(arm))));
+                let (pair, arm) = rest
+                    .split_once('/')
+                    .map_or((rest, None), |(pair, arm)| (pair, Some(link(arm))));
                 let halves = pair.char_indices().map(|(i, _)| pair.split_at(i));
-                let (a, b) = halves.clone().find(|(a, b)| self.links.contains_key(*a) && self.links.contains_key(*b)).unwrap();
-                format!("{symbol}_{},{}{}", link(a), link(b), arm.map(|a| format!("/{a}")).unwrap_or_default())
+                let (a, b) = halves
+                    .clone()
+                    .find(|(a, b)| self.links.contains_key(*a) && self.links.contains_key(*b))
+                    .unwrap();
+                format!(
+                    "{symbol}_{},{}{}",
+                    link(a),
+                    link(b),
+                    arm.map(|a| format!("/{a}")).unwrap_or_default()
+                )
             }
             "l" => format!("{symbol}_{}", self.pair(rest)),
             _ => match rest.split_once('/') {
-                Some((of, frame)) => format!("{symbol}_{}/{}", self.on_links(of), self.frame(frame)),
+                Some((of, frame)) => {
+                    format!("{symbol}_{}/{}", self.on_links(of), self.frame(frame))
+                }
                 None => format!("{symbol}_{}", self.on_links(rest)),
             },
         }
@@ -164,7 +219,8 @@ impl Renamed {
         }
         if let Some(printed) = object.get_mut("printed") {
             let old = std::mem::take(printed.as_object_mut().unwrap());
-            *printed = Value::Object(old.into_iter().map(|(k, v)| (self.question(&k), v)).collect());
+            *printed =
+                Value::Object(old.into_iter().map(|(k, v)| (self.question(&k), v)).collect());
         }
     }
 
@@ -172,10 +228,18 @@ impl Renamed {
     fn part(&self, object: &mut Map<String, Value>) {
         for (key, value) in object.iter_mut() {
             let Some(text) = value.as_str().map(str::to_owned) else {
-                let list =
-                    |new: &dyn Fn(&str) -> String| value.as_array().unwrap().iter().map(|v| json!(new(v.as_str().unwrap()))).collect();
+                let list = |new: &dyn Fn(&str) -> String| {
+                    value
+                        .as_array()
+                        .unwrap()
+                        .iter()
+                        .map(|v| json!(new(v.as_str().unwrap())))
+                        .collect()
+                };
                 match key.as_str() {
-                    "links" | "pulleys" | "sprockets" | "reversed" => *value = list(&|l| self.link(l)),
+                    "links" | "pulleys" | "sprockets" | "reversed" => {
+                        *value = list(&|l| self.link(l))
+                    }
                     "centres" | "at" if value.is_array() => *value = list(&|p| self.point(p)),
                     "at" => self.place(value),
                     "over" | "diagram" => self.part(value.as_object_mut().unwrap()),
@@ -187,7 +251,8 @@ impl Renamed {
                 "pin" | "through" | "centre" | "track" | "at" | "from" | "to" => self.point(&text),
                 // A load.
                 "against" if text == "motion" => text,
-                "slider" | "on" | "link" | "against" | "ring" | "rack" | "wheel" | "drum" | "load" => self.link(&text),
+                "slider" | "on" | "link" | "against" | "ring" | "rack" | "wheel" | "drum"
+                | "load" => self.link(&text),
                 "line" | "against_line" | "cylinder" => self.pair(&text),
                 "slide" => self.points.get(&text).cloned().unwrap_or_else(|| self.link(&text)),
                 _ => text,
@@ -215,7 +280,9 @@ impl Renamed {
                     };
                     *value = match key.as_str() {
                         // For a face, `cam` is a side.
-                        "cam" | "follower" if !["left", "right"].contains(&text.as_str()) => self.link(&text),
+                        "cam" | "follower" if !["left", "right"].contains(&text.as_str()) => {
+                            self.link(&text)
+                        }
                         "pin" | "through" | "centre" | "corner" | "edge" => self.point(&text),
                         "line" => self.pair(&text),
                         _ => text,
@@ -238,7 +305,12 @@ impl Renamed {
                 "links" => {
                     keys(value, &|l| self.link(l));
                     for points in value.as_object_mut().unwrap().values_mut() {
-                        *points = points.as_array().unwrap().iter().map(|p| json!(self.point(p.as_str().unwrap()))).collect();
+                        *points = points
+                            .as_array()
+                            .unwrap()
+                            .iter()
+                            .map(|p| json!(self.point(p.as_str().unwrap())))
+                            .collect();
                     }
                 }
                 "ground" => *value = self.link(value.as_str().unwrap()).into(),
@@ -250,17 +322,28 @@ impl Renamed {
                 "lengths" => keys(value, &|ends| self.pair(ends)),
                 "masses" => {
                     keys(value, &|l| self.link(l));
-                    value.as_object_mut().unwrap().values_mut().for_each(|m| self.part(m.as_object_mut().unwrap()));
+                    value
+                        .as_object_mut()
+                        .unwrap()
+                        .values_mut()
+                        .for_each(|m| self.part(m.as_object_mut().unwrap()));
                 }
-                "guides" | "gears" | "rolling" | "belts" | "chains" | "ropes" | "forces" | "springs" | "friction" => {
-                    value.as_array_mut().unwrap().iter_mut().for_each(|g| self.part(g.as_object_mut().unwrap()))
-                }
+                "guides" | "gears" | "rolling" | "belts" | "chains" | "ropes" | "forces"
+                | "springs" | "friction" => value
+                    .as_array_mut()
+                    .unwrap()
+                    .iter_mut()
+                    .for_each(|g| self.part(g.as_object_mut().unwrap())),
                 "cams" => self.cam(value),
-                "composite" | "motions" | "attempts" => {
-                    value.as_array_mut().unwrap().iter_mut().for_each(|c| self.seen(c.as_object_mut().unwrap()))
-                }
+                "composite" | "motions" | "attempts" => value
+                    .as_array_mut()
+                    .unwrap()
+                    .iter_mut()
+                    .for_each(|c| self.seen(c.as_object_mut().unwrap())),
                 "driver" => match value {
-                    Value::Array(list) => list.iter_mut().for_each(|d| self.part(d.as_object_mut().unwrap())),
+                    Value::Array(list) => {
+                        list.iter_mut().for_each(|d| self.part(d.as_object_mut().unwrap()))
+                    }
                     one => self.part(one.as_object_mut().unwrap()),
                 },
                 "side" => {
@@ -270,7 +353,14 @@ impl Renamed {
                         *side = format!("{words} {}", self.pair(line)).into();
                     }
                 }
-                "find" => *value = value.as_array().unwrap().iter().map(|q| json!(self.question(q.as_str().unwrap()))).collect(),
+                "find" => {
+                    *value = value
+                        .as_array()
+                        .unwrap()
+                        .iter()
+                        .map(|q| json!(self.question(q.as_str().unwrap())))
+                        .collect()
+                }
                 _ => {}
             }
         }
@@ -283,7 +373,9 @@ impl Renamed {
 fn renamed(text: &str, rng: &mut Rng) -> (String, Scene) {
     let was = scene::read(text).unwrap().value;
     for _ in 0..200 {
-        let point = |r: &mut Rng| format!("{}{}", POINTS[r.below(POINTS.len())], AFTER[r.below(AFTER.len())]);
+        let point = |r: &mut Rng| {
+            format!("{}{}", POINTS[r.below(POINTS.len())], AFTER[r.below(AFTER.len())])
+        };
         let link = |r: &mut Rng| LINKS[r.below(LINKS.len())].to_owned();
         let new = Renamed {
             points: names(was.points.iter().map(|p| p.name.clone()), rng, point),
@@ -291,9 +383,13 @@ fn renamed(text: &str, rng: &mut Rng) -> (String, Scene) {
         };
         let text = new.scene(text);
         match scene::read(&text) {
-            Ok(now) if now.value.find.iter().zip(&was.find).all(|(a, b)| a.what == b.what) => return (text, now.value),
+            Ok(now) if now.value.find.iter().zip(&was.find).all(|(a, b)| a.what == b.what) => {
+                return (text, now.value);
+            }
             Ok(_) => {}
-            Err(faults) => assert!(faults.list.iter().any(|d| d.code == "ambiguous"), "{faults}\n{text}"),
+            Err(faults) => {
+                assert!(faults.list.iter().any(|d| d.code == "ambiguous"), "{faults}\n{text}")
+            }
         }
     }
     panic!("no names serve");
@@ -305,7 +401,17 @@ fn numbers(scene: &Scene, worked: &Worked) -> Value {
         match value {
             Value::Object(fields) => {
                 fields.retain(|key, _| {
-                    !matches!(key.as_str(), "find" | "measured_between" | "title" | "notes" | "words" | "links" | "message" | "help")
+                    !matches!(
+                        key.as_str(),
+                        "find"
+                            | "measured_between"
+                            | "title"
+                            | "notes"
+                            | "words"
+                            | "links"
+                            | "message"
+                            | "help"
+                    )
                 });
                 fields.values_mut().for_each(bare);
             }
@@ -325,8 +431,12 @@ fn alike(a: &Value, b: &Value) -> bool {
             let [a, b] = [a, b].map(|n| n.as_f64().unwrap());
             (a - b).abs() <= 1e-12 * a.abs().max(1.0)
         }
-        (Value::Array(a), Value::Array(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| alike(a, b)),
-        (Value::Object(a), Value::Object(b)) => a.len() == b.len() && a.iter().all(|(k, v)| b.get(k).is_some_and(|w| alike(v, w))),
+        (Value::Array(a), Value::Array(b)) => {
+            a.len() == b.len() && a.iter().zip(b).all(|(a, b)| alike(a, b))
+        }
+        (Value::Object(a), Value::Object(b)) => {
+            a.len() == b.len() && a.iter().all(|(k, v)| b.get(k).is_some_and(|w| alike(v, w)))
+        }
         _ => a == b,
     }
 }
@@ -339,7 +449,10 @@ fn drawn(what: &str, figure: &Figure, failures: &mut Vec<String>) {
             failures.extend(svg.notes.iter().map(|n| format!("{what}: {n}")));
             let mut seen = HashSet::new();
             let ids = svg.value.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next());
-            failures.extend(ids.filter(|id| !seen.insert(*id)).map(|id| format!("{what}: two elements have the id {id}")));
+            failures.extend(
+                ids.filter(|id| !seen.insert(*id))
+                    .map(|id| format!("{what}: two elements have the id {id}")),
+            );
         }
     }
 }
@@ -351,7 +464,12 @@ fn everything(text: &str, scene: &Scene, worked: &Worked, failures: &mut Vec<Str
         let options = SheetOptions::of_language(lang);
         let w = PlanWriter { scene, plan: &worked.plan, notation: &notation, lang };
         let told = hodograph::certified::steps(scene, worked, None);
-        let forces = worked.equilibrium.as_ref().map(|of| ForceWriter { scene, notation: &notation, lang, of });
+        let forces = worked.equilibrium.as_ref().map(|of| ForceWriter {
+            scene,
+            notation: &notation,
+            lang,
+            of,
+        });
         plan::text(scene, &worked.mechanism, &w, forces.as_ref());
         plan_json::json(&worked.mechanism, &worked.demand, &w, None, &[]);
         construction::text(&w, &worked.construction, &told);
@@ -360,22 +478,33 @@ fn everything(text: &str, scene: &Scene, worked: &Worked, failures: &mut Vec<Str
             Ok(figure) => drawn("sheet", &figure, failures),
             Err(faults) => failures.push(format!("sheet: {faults}")),
         }
-        let moving =
-            (0..scene.points.len()).map(PointId).find(|p| scene.mover(*p).is_some() && !scene.links[scene.ground.0].points.contains(p));
-        let overlay = Overlay { vectors: Some(DiagramKind::Velocity), dimensions: true, ..Overlay::default() };
+        let moving = (0..scene.points.len())
+            .map(PointId)
+            .find(|p| scene.mover(*p).is_some() && !scene.links[scene.ground.0].points.contains(p));
+        let overlay = Overlay {
+            vectors: Some(DiagramKind::Velocity),
+            dimensions: true,
+            ..Overlay::default()
+        };
         let overlay = overlay.with_motion(scene, worked, 3, moving.as_slice());
         drawn("overlay", &diagram(scene, worked, &options, &overlay), failures);
         if let Some(figure) = steps_of::figures(scene, worked, &options).last() {
             drawn("step", figure, failures);
         }
         if let Some(point) = moving {
-            let wanted = path::PathContent { points: vec![point], swept: Swept::Driver(0), marks: 4, poses: 0 };
+            let wanted = path::PathContent {
+                points: vec![point],
+                swept: Swept::Driver(0),
+                marks: 4,
+                poses: 0,
+            };
             match path::figure(scene, worked, &options, &wanted) {
                 Ok(figure) => drawn("path", &figure.value, failures),
                 Err(faults) => failures.push(format!("path: {faults}")),
             }
         }
-        let document = worksheet::worksheet(scene, worked, &worksheet::WorksheetOptions::of_language(lang));
+        let document =
+            worksheet::worksheet(scene, worked, &worksheet::WorksheetOptions::of_language(lang));
         let mut written = |what: &str, result: Result<(), hodograph::diag::Faults>| {
             failures.extend(result.err().map(|faults| format!("worksheet as {what}: {faults}")));
         };
@@ -383,14 +512,22 @@ fn everything(text: &str, scene: &Scene, worked: &Worked, failures: &mut Vec<Str
         written("Markdown", worksheet::markdown::markdown(&document, stem).map(drop));
         written("Typst", worksheet::typst::typst(&document, stem).map(drop));
         match pdf::document(&worksheet::pages::pages(&document), &document.title, "en") {
-            Ok(file) => failures.extend(file.notes.iter().map(|n| format!("worksheet's pages: {n}"))),
+            Ok(file) => {
+                failures.extend(file.notes.iter().map(|n| format!("worksheet's pages: {n}")))
+            }
             Err(faults) => failures.push(format!("worksheet's pages: {faults}")),
         }
     }
     // A lesson holds both languages.
-    let options = lesson::LessonOptions { positions: 8, ..lesson::LessonOptions::of_language(Lang::En) };
+    let options =
+        lesson::LessonOptions { positions: 8, ..lesson::LessonOptions::of_language(Lang::En) };
     match lesson::lesson(scene, &options) {
-        Ok(page) => failures.extend(page.notes.iter().filter(|n| n.severity > Severity::Note).map(|n| format!("lesson: {n}"))),
+        Ok(page) => failures.extend(
+            page.notes
+                .iter()
+                .filter(|n| n.severity > Severity::Note)
+                .map(|n| format!("lesson: {n}")),
+        ),
         Err(faults) => failures.push(format!("lesson: {faults}")),
     }
     if let Err(faults) = lesson::reveal(scene, worked, &SheetOptions::of_language(Lang::En)) {
@@ -401,8 +538,12 @@ fn everything(text: &str, scene: &Scene, worked: &Worked, failures: &mut Vec<Str
     let now = sweep::station::position_now(scene, &placed.at, 0);
     let stations = Stations::of_values((0..5).map(|k| now + 1e-3 * f64::from(k)).collect(), 1.0);
     let table = sweep::run(&placed, 0, &stations, Width::Widest).unwrap();
-    let curves =
-        curves::figure(scene, &CurveDiagram::of(&placed, 0, &table, &Notation::of_language(Lang::En)), &Default::default(), Lang::Zh);
+    let curves = curves::figure(
+        scene,
+        &CurveDiagram::of(&placed, 0, &table, &Notation::of_language(Lang::En)),
+        &Default::default(),
+        Lang::Zh,
+    );
     drawn("curves", &curves, failures);
     if let Ok(found) = extreme::limits(scene, &mechanism, 0) {
         limits::text(scene, 0, &found, Lang::Zh);
@@ -413,17 +554,21 @@ fn everything(text: &str, scene: &Scene, worked: &Worked, failures: &mut Vec<Str
 #[test]
 fn any_name_works_everywhere() {
     // The gate draws each template once more; more seeds find more: HODOGRAPH_SEEDS=20.
-    let seeds: u64 = std::env::var("HODOGRAPH_SEEDS").ok().and_then(|s| s.parse().ok()).unwrap_or(1);
+    let seeds: u64 =
+        std::env::var("HODOGRAPH_SEEDS").ok().and_then(|s| s.parse().ok()).unwrap_or(1);
     let mut all = Vec::new();
     for t in templates::list().iter().step_by(every(8)) {
         let text = templates::get(t.name).unwrap();
         let was = scene::read(text).unwrap().value;
         let expected = numbers(&was, &work(&was, Scope::Figure).unwrap().value);
         for seed in 0..seeds {
-            let mut rng = Rng(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ t.name.bytes().map(u64::from).sum::<u64>());
+            let mut rng = Rng(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15)
+                ^ t.name.bytes().map(u64::from).sum::<u64>());
             rng.below(2);
             let (text, scene) = renamed(text, &mut rng);
-            let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{} {seed}: {f}\n{text}", t.name)).value;
+            let worked = work(&scene, Scope::Figure)
+                .unwrap_or_else(|f| panic!("{} {seed}: {f}\n{text}", t.name))
+                .value;
             let mut failures = Vec::new();
             if !alike(&numbers(&scene, &worked), &expected) {
                 failures.push("its numbers are others".to_owned());
@@ -440,8 +585,12 @@ fn any_name_works_everywhere() {
 #[test]
 fn pivots_of_a_triad_may_be_called_as_poles_are() {
     let text = templates::get("class-iii-six-bar").unwrap();
-    let swap = |text: &str, from: &str, to: &str| text.replace(&format!("\"{from}\""), &format!("\"{to}\""));
-    let text = swap(&swap(text, "M", "O2"), "N", "P2").replace("\"MQ\"", "\"O2,Q\"").replace("\"NR\"", "\"P2,R\"");
+    let swap = |text: &str, from: &str, to: &str| {
+        text.replace(&format!("\"{from}\""), &format!("\"{to}\""))
+    };
+    let text = swap(&swap(text, "M", "O2"), "N", "P2")
+        .replace("\"MQ\"", "\"O2,Q\"")
+        .replace("\"NR\"", "\"P2,R\"");
     let scene = scene::read(&text).unwrap_or_else(|f| panic!("{f}")).value;
     let worked = work(&scene, Scope::Figure).unwrap().value;
     let mut failures = Vec::new();

@@ -12,7 +12,10 @@ type P = [f64; 2];
 fn places(d: &str) -> Vec<P> {
     let mut out = Vec::new();
     let mut here = [0.0; 2];
-    let spaced: String = d.chars().map(|c| if c.is_ascii_alphabetic() { format!(" {c} ") } else { c.to_string() }).collect();
+    let spaced: String = d
+        .chars()
+        .map(|c| if c.is_ascii_alphabetic() { format!(" {c} ") } else { c.to_string() })
+        .collect();
     let mut words = spaced.split([' ', ',']).filter(|w| !w.is_empty()).peekable();
     let mut command = 'M';
     while let Some(word) = words.peek() {
@@ -54,10 +57,15 @@ fn places(d: &str) -> Vec<P> {
 fn arrow(document: &roxmltree::Document, id: &str) -> Option<(P, P)> {
     let node = document.descendants().find(|n| n.attribute("id") == Some(id))?;
     let line = |n: roxmltree::Node| {
-        let end = |[x, y]: [&str; 2]| Some([n.attribute(x)?.parse().ok()?, n.attribute(y)?.parse().ok()?]);
+        let end = |[x, y]: [&str; 2]| {
+            Some([n.attribute(x)?.parse().ok()?, n.attribute(y)?.parse().ok()?])
+        };
         Some(vec![end(["x1", "y1"])?, end(["x2", "y2"])?])
     };
-    let outlines: Vec<Vec<P>> = node.descendants().filter_map(|n| n.attribute("d").map(places).or_else(|| line(n))).collect();
+    let outlines: Vec<Vec<P>> = node
+        .descendants()
+        .filter_map(|n| n.attribute("d").map(places).or_else(|| line(n)))
+        .collect();
     let (shaft, head) = (outlines.first()?, outlines.last()?);
     let tail = shaft[0];
     let apart = |p: &P| (p[0] - tail[0]).hypot(p[1] - tail[1]);
@@ -71,12 +79,17 @@ fn given(scene: &Scene, driver: &Driver) -> Vec<(f64, String)> {
     let names: [String; 2] = match driver.kind {
         DriverKind::Turn { link, against, .. } => {
             let who = scene.link_name(link);
-            let index = if against == scene.ground { who.to_owned() } else { format!("{who}-{}", scene.link_name(against)) };
+            let index = if against == scene.ground {
+                who.to_owned()
+            } else {
+                format!("{who}-{}", scene.link_name(against))
+            };
             ["rotation", "angular-acceleration"].map(|k| format!("mechanism-{k}-{index}"))
         }
         DriverKind::Slide { guide, .. } => {
             let g = &scene.guides[guide.0];
-            let who = g.pin.map_or_else(|| scene.link_name(g.slider.unwrap()), |p| scene.point_name(p));
+            let who =
+                g.pin.map_or_else(|| scene.link_name(g.slider.unwrap()), |p| scene.point_name(p));
             ["vel", "acc"].map(|k| format!("mechanism-driver-{k}-{who}"))
         }
         DriverKind::Cylinder { a, b, .. } => {
@@ -88,7 +101,13 @@ fn given(scene: &Scene, driver: &Driver) -> Vec<(f64, String)> {
 }
 
 /// The sense of an arrow as a signed number.
-fn sense(scene: &Scene, worked: &Worked, driver: &Driver, (tail, tip): (P, P), centre: Option<P>) -> f64 {
+fn sense(
+    scene: &Scene,
+    worked: &Worked,
+    driver: &Driver,
+    (tail, tip): (P, P),
+    centre: Option<P>,
+) -> f64 {
     let place = |p: scene::PointId| worked.configuration.points[p.0].map(|p| [p.x, p.y]);
     let along = match driver.kind {
         DriverKind::Turn { .. } => {
@@ -98,7 +117,10 @@ fn sense(scene: &Scene, worked: &Worked, driver: &Driver, (tail, tip): (P, P), c
         }
         DriverKind::Slide { guide, .. } => {
             let path = worked.configuration.guides[guide.0].unwrap();
-            let at = scene.guides[guide.0].pin.and_then(|p| worked.configuration.points[p.0]).unwrap_or_default();
+            let at = scene.guides[guide.0]
+                .pin
+                .and_then(|p| worked.configuration.points[p.0])
+                .unwrap_or_default();
             let t = path.tangent_at(at);
             [t.x, t.y]
         }
@@ -114,7 +136,8 @@ fn sense(scene: &Scene, worked: &Worked, driver: &Driver, (tail, tip): (P, P), c
 fn check(name: &str, scene: &Scene, faults: &mut Vec<String>) -> usize {
     let worked = work(scene, Scope::Figure).unwrap_or_else(|f| panic!("{name}: {f}")).value;
     let options = SheetOptions::of_language(Lang::En);
-    let written = svg::write(&drawing(scene, &worked, &options, DiagramKind::Plane).unwrap()).unwrap().value;
+    let written =
+        svg::write(&drawing(scene, &worked, &options, DiagramKind::Plane).unwrap()).unwrap().value;
     let document = roxmltree::Document::parse(&written).unwrap();
     let mut seen = 0;
     for (k, driver) in scene.drivers.iter().enumerate() {
@@ -138,21 +161,34 @@ fn check(name: &str, scene: &Scene, faults: &mut Vec<String>) -> usize {
         }
     }
     // An arrow has one name: a comma would separate two.
-    let drivers = document.descendants().filter(|n| n.attribute("class").is_some_and(|c| c.contains("driver")));
-    faults.extend(drivers.filter_map(|n| n.attribute("data-text")).filter(|t| t.contains(',')).map(|t| format!("{name}: one label `{t}`")));
+    let drivers = document
+        .descendants()
+        .filter(|n| n.attribute("class").is_some_and(|c| c.contains("driver")));
+    faults.extend(
+        drivers
+            .filter_map(|n| n.attribute("data-text"))
+            .filter(|t| t.contains(','))
+            .map(|t| format!("{name}: one label `{t}`")),
+    );
     seen
 }
 
 /// The place at which the joint of a turning driver is drawn, y up.
 fn pivot(document: &roxmltree::Document, scene: &Scene, driver: &Driver) -> Option<P> {
     let DriverKind::Turn { link, against, .. } = driver.kind else { return None };
-    let shared = scene.links[link.0].points.iter().find(|p| scene.links[against.0].points.contains(p))?;
+    let shared =
+        scene.links[link.0].points.iter().find(|p| scene.links[against.0].points.contains(p))?;
     let name = scene.point_name(*shared);
-    let ids = [format!("mechanism-pivot-{name}"), format!("mechanism-pin-{name}"), format!("mechanism-pivot-{name}-2")];
-    let circle = document
-        .descendants()
-        .filter(|n| n.tag_name().name() == "circle")
-        .find(|n| n.ancestors().any(|a| a.attribute("id").is_some_and(|i| ids.iter().any(|w| i.starts_with(w.as_str())))))?;
+    let ids = [
+        format!("mechanism-pivot-{name}"),
+        format!("mechanism-pin-{name}"),
+        format!("mechanism-pivot-{name}-2"),
+    ];
+    let circle = document.descendants().filter(|n| n.tag_name().name() == "circle").find(|n| {
+        n.ancestors().any(|a| {
+            a.attribute("id").is_some_and(|i| ids.iter().any(|w| i.starts_with(w.as_str())))
+        })
+    })?;
     let of = |a: &str| circle.attribute(a).unwrap().parse::<f64>().unwrap();
     Some([of("cx"), -of("cy")])
 }
@@ -169,10 +205,15 @@ fn arrows_of_drivers_point_as_they_are_given() {
             for d in &mut other.drivers {
                 let size = d.rate.value.abs();
                 d.rate.value = rate * size;
-                d.acceleration = Some(scene::GivenQuantity { value: second * (size + 1.0), ..d.rate.clone() });
+                d.acceleration =
+                    Some(scene::GivenQuantity { value: second * (size + 1.0), ..d.rate.clone() });
             }
             if work(&other, Scope::Figure).is_ok() {
-                seen += check(&format!("{} with rate {rate}, acceleration {second}", t.name), &other, &mut faults);
+                seen += check(
+                    &format!("{} with rate {rate}, acceleration {second}", t.name),
+                    &other,
+                    &mut faults,
+                );
             }
         }
     }

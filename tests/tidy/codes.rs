@@ -44,22 +44,34 @@ fn codes() -> (BTreeMap<String, String>, Vec<String>) {
 fn every_code_is_explained() {
     let (codes, open) = codes();
     let texts = files("src/cli/explain", &["txt"]);
-    let mut faults: Vec<String> =
-        open.iter().map(|at| format!("{at}: the code stands elsewhere: add the file to OWN in tests/tidy/codes.rs")).collect();
+    let mut faults: Vec<String> = open
+        .iter()
+        .map(|at| {
+            format!("{at}: the code stands elsewhere: add the file to OWN in tests/tidy/codes.rs")
+        })
+        .collect();
     let mut explained = BTreeSet::new();
     for (file, text) in &texts {
         let lines: Vec<&str> = text.lines().collect();
         for (n, line) in lines.iter().enumerate() {
-            let Some(code) = line.strip_prefix('[').and_then(|l| l.strip_suffix(']')) else { continue };
+            let Some(code) = line.strip_prefix('[').and_then(|l| l.strip_suffix(']')) else {
+                continue;
+            };
             if !explained.insert(code) {
                 faults.push(format!("{file}:{}: {code} is explained twice", n + 1));
             }
             // Title, cause, cure, the three in Chinese, and perhaps an example.
             let chinese = |l: &str| l.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c));
             let told = |k: usize, mark: &str, zh: bool| {
-                lines.get(n + k).is_some_and(|l| l.starts_with(mark) && l.len() > mark.len() + 2 && chinese(l) == zh && !l.starts_with('['))
+                lines.get(n + k).is_some_and(|l| {
+                    l.starts_with(mark)
+                        && l.len() > mark.len() + 2
+                        && chinese(l) == zh
+                        && !l.starts_with('[')
+                })
             };
-            let whole = [("", false), ("- ", false), ("+ ", false), ("", true), ("- ", true), ("+ ", true)];
+            let whole =
+                [("", false), ("- ", false), ("+ ", false), ("", true), ("- ", true), ("+ ", true)];
             if let Some(k) = (0..6).find(|k| !told(k + 1, whole[*k].0, whole[*k].1)) {
                 faults.push(format!("{file}:{}: {code}: title, - cause, + cure, and the three in Chinese are wanted", n + 2 + k));
             }
@@ -70,11 +82,20 @@ fn every_code_is_explained() {
         }
     }
     faults.extend(
-        codes.iter().filter(|(code, _)| !explained.contains(code.as_str())).map(|(code, at)| format!("{at}: {code} is not explained")),
+        codes
+            .iter()
+            .filter(|(code, _)| !explained.contains(code.as_str()))
+            .map(|(code, at)| format!("{at}: {code} is not explained")),
     );
     faults.extend(
-        explained.iter().filter(|code| !codes.contains_key(**code)).map(|code| format!("{code} is explained, and no diagnostic has it")),
+        explained
+            .iter()
+            .filter(|code| !codes.contains_key(**code))
+            .map(|code| format!("{code} is explained, and no diagnostic has it")),
     );
     assert!(codes.len() > 200, "only {} codes were found", codes.len());
-    finish(&faults, "`hodograph explain` tells cause and cure of every code: src/cli/explain/*.txt.");
+    finish(
+        &faults,
+        "`hodograph explain` tells cause and cure of every code: src/cli/explain/*.txt.",
+    );
 }

@@ -4,8 +4,20 @@ use super::{files, finish, sources};
 use std::collections::BTreeMap;
 
 /// Openings of a doc comment that do not say what an item is or returns.
-const OPENINGS: &[&str] =
-    &["What ", "Whether ", "The same", "Of ", "That ", "How ", "Where ", "Those ", "Which ", "By which ", "As ", "So "];
+const OPENINGS: &[&str] = &[
+    "What ",
+    "Whether ",
+    "The same",
+    "Of ",
+    "That ",
+    "How ",
+    "Where ",
+    "Those ",
+    "Which ",
+    "By which ",
+    "As ",
+    "So ",
+];
 
 /// Words that are no terms of the field or of programming.
 const DIALECT: &[&str] = &["told", "room", "rooms", "house", "door", "doors", "pricked"];
@@ -26,7 +38,9 @@ fn doc(line: &str) -> Option<&str> {
 
 /// The sources of the crates and the program.
 fn product() -> impl Iterator<Item = (String, String)> {
-    sources(&["rs"]).into_iter().filter(|(name, _)| name.starts_with("src/") || name.starts_with("crates/"))
+    sources(&["rs"])
+        .into_iter()
+        .filter(|(name, _)| name.starts_with("src/") || name.starts_with("crates/"))
 }
 
 #[test]
@@ -46,23 +60,38 @@ fn doc_comments_say_what_an_item_is() {
             }
             seen += 1;
             let opening = OPENINGS.iter().find(|o| first && said.starts_with(**o));
-            let dialect = DIALECT.iter().find(|d| said.split(|c: char| !c.is_alphanumeric()).any(|w| w == **d));
-            faults.extend(opening.or(dialect).map(|word| format!("{file}:{}: `{}` in: {said}", n + 1, word.trim())));
+            let dialect = DIALECT
+                .iter()
+                .find(|d| said.split(|c: char| !c.is_alphanumeric()).any(|w| w == **d));
+            faults.extend(
+                opening
+                    .or(dialect)
+                    .map(|word| format!("{file}:{}: `{}` in: {said}", n + 1, word.trim())),
+            );
         }
     }
     assert!(seen > 10_000, "only {seen} lines");
-    finish(&faults, "A doc comment begins with a verb or a noun: what the item returns or is. Its words are those of the field.");
+    finish(
+        &faults,
+        "A doc comment begins with a verb or a noun: what the item returns or is. Its words are those of the field.",
+    );
 }
 
 /// The type that a line at the top of a module, or within one, defines.
 fn defined(line: &str) -> Option<&str> {
     let item = line.trim_start();
-    let item = item.strip_prefix("pub(").and_then(|rest| rest.split_once(") ")).map_or(item, |(_, rest)| rest);
+    let item = item
+        .strip_prefix("pub(")
+        .and_then(|rest| rest.split_once(") "))
+        .map_or(item, |(_, rest)| rest);
     let item = item.strip_prefix("pub ").unwrap_or(item);
     let (keyword, rest) = item.split_once(' ')?;
     let associated = keyword == "type" && line.starts_with(' ');
     let name = super::word(rest);
-    (["struct", "enum", "trait", "type"].contains(&keyword) && !associated && name.starts_with(|c: char| c.is_uppercase())).then_some(name)
+    (["struct", "enum", "trait", "type"].contains(&keyword)
+        && !associated
+        && name.starts_with(|c: char| c.is_uppercase()))
+    .then_some(name)
 }
 
 #[test]
@@ -76,8 +105,11 @@ fn type_names_have_one_meaning() {
         }
     }
     assert!(places.len() > 600, "only {} types", places.len());
-    let twice: Vec<String> =
-        places.into_iter().filter(|(_, at)| at.len() > 1).map(|(name, at)| format!("{name}: {}", at.join(" "))).collect();
+    let twice: Vec<String> = places
+        .into_iter()
+        .filter(|(_, at)| at.len() > 1)
+        .map(|(name, at)| format!("{name}: {}", at.join(" ")))
+        .collect();
     let faults = if twice.len() > NAMES_TWICE { twice } else { Vec::new() };
     finish(&faults, "A type's name says of what it is: at most 80 names have two definitions.");
 }
@@ -88,7 +120,9 @@ fn no_document_tells_history() {
     let mut faults = Vec::new();
     for (file, text) in files("docs", &["md"]) {
         for (n, line) in text.lines().enumerate() {
-            let found = ["no longer", "used to be", "in earlier versions"].into_iter().find(|w| line.contains(w));
+            let found = ["no longer", "used to be", "in earlier versions"]
+                .into_iter()
+                .find(|w| line.contains(w));
             faults.extend(found.map(|w| format!("{file}:{}: `{w}`", n + 1)));
         }
     }

@@ -7,7 +7,12 @@ use super::{code, finish, word, words};
 /// to `mechanism/pair`. The lists only shrink.
 type Kinds = (&'static str, &'static [&'static str], &'static [&'static str], &'static str);
 const KINDS: &[Kinds] = &[
-    ("Leg", &[], &["crates/mechanism/src/mechanism/groups.rs", "crates/mechanism/src/mechanism/leg.rs"], "Leg::gives, hold or line"),
+    (
+        "Leg",
+        &[],
+        &["crates/mechanism/src/mechanism/groups.rs", "crates/mechanism/src/mechanism/leg.rs"],
+        "Leg::gives, hold or line",
+    ),
     (
         "DriverKind",
         &[],
@@ -74,16 +79,26 @@ fn kinds_are_told_apart_where_the_list_says() {
         let mut idle = told.to_vec();
         for (name, code) in code() {
             for (n, line) in code.lines().enumerate() {
-                let after = words(line).filter(|(_, word, _)| word == of).filter_map(|(_, _, after)| after.strip_prefix("::").map(word));
-                for kind in after.filter(|w| w.starts_with(char::is_uppercase) && (kinds.is_empty() || kinds.contains(w))) {
-                    match told.iter().find(|file| name == **file || file.ends_with('/') && name.starts_with(**file)) {
+                let after = words(line)
+                    .filter(|(_, word, _)| word == of)
+                    .filter_map(|(_, _, after)| after.strip_prefix("::").map(word));
+                for kind in after.filter(|w| {
+                    w.starts_with(char::is_uppercase) && (kinds.is_empty() || kinds.contains(w))
+                }) {
+                    match told.iter().find(|file| {
+                        name == **file || file.ends_with('/') && name.starts_with(**file)
+                    }) {
                         Some(file) => idle.retain(|f| f != file),
-                        None => faults.push(format!("{name}:{}: {of}::{kind}; ask what {ask} tells", n + 1)),
+                        None => faults
+                            .push(format!("{name}:{}: {of}::{kind}; ask what {ask} tells", n + 1)),
                     }
                 }
             }
         }
         faults.extend(idle.iter().map(|file| format!("{file} tells no {of} apart: strike it off")));
     }
-    finish(&faults, "A new kind is one file, or one arm, where the list in tests/tidy/kinds.rs says.");
+    finish(
+        &faults,
+        "A new kind is one file, or one arm, where the list in tests/tidy/kinds.rs says.",
+    );
 }

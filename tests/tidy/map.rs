@@ -7,9 +7,21 @@ use std::sync::OnceLock;
 
 /// Imports that no table may ever allow, with the reason.
 const NEVER: &[(&str, &str, &str)] = &[
-    ("construct", "analytic", "their agreement is evidence only because the drawing does not know the loop equations"),
-    ("analytic", "construct", "their agreement is evidence only because the loop equations do not know the drawing"),
-    ("analytic", "plan", "the loop equations share the mechanism and its positions with the drawing, nothing else"),
+    (
+        "construct",
+        "analytic",
+        "their agreement is evidence only because the drawing does not know the loop equations",
+    ),
+    (
+        "analytic",
+        "construct",
+        "their agreement is evidence only because the loop equations do not know the drawing",
+    ),
+    (
+        "analytic",
+        "plan",
+        "the loop equations share the mechanism and its positions with the drawing, nothing else",
+    ),
     ("stated", "motion", "what proves positions shares nothing with what finds them"),
     ("plan", "number", "a plan holds no numbers"),
     ("plan", "position", "a plan holds no numbers"),
@@ -38,7 +50,8 @@ fn room_of(file: &str) -> &str {
 fn imports(file: &str, code: &str) -> Vec<(usize, String)> {
     let mut found = Vec::new();
     for (i, _) in code.match_indices("hodograph_") {
-        let (line, name) = (code[..i].matches('\n').count() + 1, word(&code[i + "hodograph_".len()..]));
+        let (line, name) =
+            (code[..i].matches('\n').count() + 1, word(&code[i + "hodograph_".len()..]));
         let rest = &code[i + "hodograph_".len() + name.len()..];
         match rest.strip_prefix("::") {
             _ if whole().contains(name) => found.push((line, name.to_owned())),
@@ -54,7 +67,8 @@ fn imports(file: &str, code: &str) -> Vec<(usize, String)> {
     let to_root = "super::".repeat(depth);
     for door in ["crate::", to_root.as_str()] {
         for (i, _) in code.match_indices(door) {
-            if code[..i].ends_with(is_word) || code[..i].ends_with("::") || code[..i].ends_with('$') {
+            if code[..i].ends_with(is_word) || code[..i].ends_with("::") || code[..i].ends_with('$')
+            {
                 continue;
             }
             let line = code[..i].matches('\n').count() + 1;
@@ -87,7 +101,12 @@ fn first_words(path: &str) -> impl Iterator<Item = &str> {
 /// The modules of each crate by the documentation, by the crate's folder.
 fn told_crates() -> BTreeMap<String, BTreeSet<String>> {
     let chapter = chapter("# Crates");
-    let block = chapter.split("```").nth(1).expect("a block with the table").strip_prefix("text\n").expect("text");
+    let block = chapter
+        .split("```")
+        .nth(1)
+        .expect("a block with the table")
+        .strip_prefix("text\n")
+        .expect("text");
     let row = |line: &str| {
         let mut words = line.split_whitespace().map(str::to_owned);
         (words.next().expect("a crate"), words.collect())
@@ -98,18 +117,31 @@ fn told_crates() -> BTreeMap<String, BTreeSet<String>> {
 /// Crates that are a single module, with their submodules at the top.
 pub fn whole() -> &'static BTreeSet<String> {
     static WHOLE: OnceLock<BTreeSet<String>> = OnceLock::new();
-    WHOLE.get_or_init(|| told_crates().into_iter().filter(|(name, rooms)| rooms.iter().eq([name])).map(|(name, _)| name).collect())
+    WHOLE.get_or_init(|| {
+        told_crates()
+            .into_iter()
+            .filter(|(name, rooms)| rooms.iter().eq([name]))
+            .map(|(name, _)| name)
+            .collect()
+    })
 }
 
 /// The modules of each crate: those that its `src/lib.rs` declares, or itself; the root package is
 /// `.`.
 fn crates() -> BTreeMap<String, BTreeSet<String>> {
     let mut all = BTreeMap::new();
-    for (name, text) in sources(&["rs"]).into_iter().filter(|(name, _)| name.ends_with("src/lib.rs")) {
+    for (name, text) in
+        sources(&["rs"]).into_iter().filter(|(name, _)| name.ends_with("src/lib.rs"))
+    {
         let folder = crate_of(&name).to_owned();
-        let declared = text.lines().filter_map(|l| l.strip_prefix("pub mod ").or(l.strip_prefix("mod ")));
+        let declared =
+            text.lines().filter_map(|l| l.strip_prefix("pub mod ").or(l.strip_prefix("mod ")));
         let declared = declared.map(|l| l.trim_end_matches(';').to_owned());
-        let rooms = if whole().contains(&folder) { BTreeSet::from([folder.clone()]) } else { declared.collect() };
+        let rooms = if whole().contains(&folder) {
+            BTreeSet::from([folder.clone()])
+        } else {
+            declared.collect()
+        };
         all.insert(folder, rooms);
     }
     all
@@ -122,16 +154,30 @@ fn rooms() -> BTreeSet<String> {
 /// The part of the crate's documentation under a heading.
 fn chapter(heading: &str) -> String {
     let lib = std::fs::read_to_string(root().join("src/lib.rs")).unwrap();
-    let doc: Vec<&str> = lib.lines().map_while(|l| l.strip_prefix("//!")).map(|l| l.strip_prefix(' ').unwrap_or(l)).collect();
-    let from = doc.iter().position(|l| *l == heading).unwrap_or_else(|| panic!("src/lib.rs has no chapter {heading:?}"));
-    let length = doc[from + 1..].iter().position(|l| l.starts_with("# ")).unwrap_or(doc.len() - from - 1);
+    let doc: Vec<&str> = lib
+        .lines()
+        .map_while(|l| l.strip_prefix("//!"))
+        .map(|l| l.strip_prefix(' ').unwrap_or(l))
+        .collect();
+    let from = doc
+        .iter()
+        .position(|l| *l == heading)
+        .unwrap_or_else(|| panic!("src/lib.rs has no chapter {heading:?}"));
+    let length =
+        doc[from + 1..].iter().position(|l| l.starts_with("# ")).unwrap_or(doc.len() - from - 1);
     doc[from + 1..from + 1 + length].join("\n")
 }
 
 /// The table of the crate's documentation: modules from the bottom up, each with its imports.
 fn table() -> Vec<(String, BTreeSet<String>)> {
     let chapter = chapter("# Who may import whom");
-    let block = chapter.split("```").nth(1).expect("a block with the table").strip_prefix("text\n").expect("text").to_owned();
+    let block = chapter
+        .split("```")
+        .nth(1)
+        .expect("a block with the table")
+        .strip_prefix("text\n")
+        .expect("text")
+        .to_owned();
     let row = |line: &str| {
         let mut words = line.split_whitespace();
         let room = words.next().expect("a room").to_owned();
@@ -157,8 +203,10 @@ fn imports_are_those_of_the_map() {
     }
     let table = table();
     let place = |room: &str| table.iter().position(|(r, _)| r == room);
-    let allowed: BTreeSet<(String, String)> =
-        table.iter().flat_map(|(room, list)| list.iter().map(move |other| (room.clone(), other.clone()))).collect();
+    let allowed: BTreeSet<(String, String)> = table
+        .iter()
+        .flat_map(|(room, list)| list.iter().map(move |other| (room.clone(), other.clone())))
+        .collect();
     for ((room, other), at) in &actual {
         if !allowed.contains(&(room.clone(), other.clone())) {
             faults.push(format!("{at}: {room} imports {other}, which the table does not allow"));
@@ -169,13 +217,18 @@ fn imports_are_those_of_the_map() {
     }
     for (room, other) in &allowed {
         if !actual.contains_key(&(room.clone(), other.clone())) {
-            faults.push(format!("the table allows {room} to import {other}, and no file does: strike it off"));
+            faults.push(format!(
+                "the table allows {room} to import {other}, and no file does: strike it off"
+            ));
         }
         if place(room) <= place(other) {
             faults.push(format!("{room} imports {other}, which does not stand below it: a circle"));
         }
     }
-    finish(&faults, "Imports follow the table under \"Who may import whom\" in src/lib.rs, from the bottom up.");
+    finish(
+        &faults,
+        "Imports follow the table under \"Who may import whom\" in src/lib.rs, from the bottom up.",
+    );
 }
 
 #[test]
@@ -183,14 +236,29 @@ fn the_map_lists_every_room() {
     let rooms = rooms();
     let mut faults = Vec::new();
     let map = chapter("# Rooms");
-    let listed: BTreeSet<String> = map.split("[`").skip(1).filter_map(|l| l.split("`]").next()).map(str::to_owned).collect();
-    faults.extend(rooms.iter().filter(|r| !listed.contains(*r)).map(|r| format!("{r} is not in the list of rooms")));
+    let listed: BTreeSet<String> =
+        map.split("[`").skip(1).filter_map(|l| l.split("`]").next()).map(str::to_owned).collect();
+    faults.extend(
+        rooms
+            .iter()
+            .filter(|r| !listed.contains(*r))
+            .map(|r| format!("{r} is not in the list of rooms")),
+    );
     let names: Vec<String> = table().into_iter().map(|(room, _)| room).collect();
     let in_table: BTreeSet<String> = names.iter().cloned().collect();
     assert_eq!(names.len(), in_table.len(), "a room stands in the table twice: {names:?}");
-    faults.extend(rooms.difference(&in_table).map(|r| format!("{r} has no row in the table of imports")));
-    faults.extend(in_table.difference(&rooms).map(|r| format!("the table of imports has a row for {r}, which is no room")));
-    finish(&faults, "The crate's documentation in src/lib.rs lists every room that it and the crates under it declare.");
+    faults.extend(
+        rooms.difference(&in_table).map(|r| format!("{r} has no row in the table of imports")),
+    );
+    faults.extend(
+        in_table
+            .difference(&rooms)
+            .map(|r| format!("the table of imports has a row for {r}, which is no room")),
+    );
+    finish(
+        &faults,
+        "The crate's documentation in src/lib.rs lists every room that it and the crates under it declare.",
+    );
 }
 
 /// The proof of positions takes from the position solver only the value to be proved.
@@ -213,7 +281,10 @@ fn the_proof_of_positions_shares_nothing_with_their_solver() {
         );
     }
     assert!(files > 1, "{files}");
-    finish(&faults, "What proves positions reads the scene, and of the configuration places and directions of links alone.");
+    finish(
+        &faults,
+        "What proves positions reads the scene, and of the configuration places and directions of links alone.",
+    );
 }
 
 /// Cargo refuses imports between crates without a dependency; the documentation says which modules

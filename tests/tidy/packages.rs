@@ -13,12 +13,16 @@ const INCLUDES: [&str; 3] = ["include", "include_bytes", "include_str"];
 /// The files that Cargo puts into each package, by the package's folder from the project's root,
 /// which is empty for the root package.
 static PACKAGES: LazyLock<BTreeMap<String, BTreeSet<String>>> = LazyLock::new(|| {
-    let members = ["crates", "."].map(|folder| std::fs::read_dir(root().join(folder)).unwrap().map(|f| f.unwrap().path()));
-    let members = members.into_iter().flatten().filter(|folder| folder.join("Cargo.toml").is_file());
-    let folders = members.map(|folder| folder.strip_prefix(root()).unwrap().to_str().unwrap().replace('\\', "/"));
+    let members = ["crates", "."]
+        .map(|folder| std::fs::read_dir(root().join(folder)).unwrap().map(|f| f.unwrap().path()));
+    let members =
+        members.into_iter().flatten().filter(|folder| folder.join("Cargo.toml").is_file());
+    let folders = members
+        .map(|folder| folder.strip_prefix(root()).unwrap().to_str().unwrap().replace('\\', "/"));
     let of = |folder: String| {
         let manifest = std::fs::read_to_string(root().join(&folder).join("Cargo.toml")).unwrap();
-        let name = manifest.lines().find_map(|l| l.strip_prefix("name = ")).and_then(quoted).unwrap();
+        let name =
+            manifest.lines().find_map(|l| l.strip_prefix("name = ")).and_then(quoted).unwrap();
         let list = ["package", "--list", "--allow-dirty", "--offline", "--package", name];
         let run = Command::new(env!("CARGO")).args(list).current_dir(root()).output().unwrap();
         assert!(run.status.success(), "{folder}: {}", String::from_utf8_lossy(&run.stderr));
@@ -48,10 +52,13 @@ fn faults(file: &str, text: &str, package: &BTreeSet<String>) -> Vec<String> {
     let of = |(before, name, after): (&str, &str, &str)| {
         let argument = after.strip_prefix("!(").filter(|_| INCLUDES.contains(&name))?;
         let line = before.lines().count();
-        let Some(path) = quoted(argument) else { return Some(format!("{line}: the path is not written out")) };
+        let Some(path) = quoted(argument) else {
+            return Some(format!("{line}: the path is not written out"));
+        };
         match beside(file, path) {
             None => Some(format!("{line}: {path} leads out of the package")),
-            Some(included) => (!package.contains(&included)).then(|| format!("{line}: {path} is not in the package")),
+            Some(included) => (!package.contains(&included))
+                .then(|| format!("{line}: {path} is not in the package")),
         }
     };
     words(text).filter_map(of).collect()
@@ -65,7 +72,11 @@ fn each_package_holds_what_it_includes() {
         let at = root().join(folder);
         for file in files.iter().filter(|f| f.ends_with(".rs")) {
             let text = std::fs::read_to_string(at.join(file)).unwrap();
-            all.extend(faults(file, &text, files).into_iter().map(|fault| format!("{}:{fault}", at.join(file).display())));
+            all.extend(
+                faults(file, &text, files)
+                    .into_iter()
+                    .map(|fault| format!("{}:{fault}", at.join(file).display())),
+            );
         }
     }
     finish(&all, "A package includes files of its own.");
@@ -74,10 +85,20 @@ fn each_package_holds_what_it_includes() {
 #[test]
 fn what_a_package_lacks_is_told() {
     let package = BTreeSet::from(["src/a/b.rs".to_owned(), "fonts/a.ttf".to_owned()]);
-    let told = |path: &str| faults("src/a/b.rs", &format!("\nconst A: &[u8] = {}!(\n    {path}\n);", INCLUDES[1]), &package).join("");
+    let told = |path: &str| {
+        faults(
+            "src/a/b.rs",
+            &format!("\nconst A: &[u8] = {}!(\n    {path}\n);", INCLUDES[1]),
+            &package,
+        )
+        .join("")
+    };
     assert_eq!(told("\"../../fonts/a.ttf\""), "");
     assert_eq!(told("\"b.rs\""), "");
-    assert_eq!(told("\"../../../fonts/a.ttf\""), "2: ../../../fonts/a.ttf leads out of the package");
+    assert_eq!(
+        told("\"../../../fonts/a.ttf\""),
+        "2: ../../../fonts/a.ttf leads out of the package"
+    );
     assert_eq!(told("\"../fonts/a.ttf\""), "2: ../fonts/a.ttf is not in the package");
     assert_eq!(told("concat!(\"a\", \".ttf\")"), "2: the path is not written out");
 }

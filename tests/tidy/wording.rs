@@ -45,9 +45,13 @@ fn one_thing_has_one_term() {
     let mut faults = Vec::new();
     for (file, text) in &texts {
         for (n, line) in text.lines().enumerate() {
-            let said = line.split_once("//").map_or(line, |(code, _)| if code.contains('"') { line } else { code });
+            let said = line
+                .split_once("//")
+                .map_or(line, |(code, _)| if code.contains('"') { line } else { code });
             let found = TERMS.iter().chain(ENGLISH).filter(|(wrong, _)| said.contains(wrong));
-            faults.extend(found.map(|(wrong, right)| format!("{file}:{}: {wrong}; write {right}", n + 1)));
+            faults.extend(
+                found.map(|(wrong, right)| format!("{file}:{}: {wrong}; write {right}", n + 1)),
+            );
         }
     }
     finish(&faults, "One thing has one term, that of the books.");
@@ -60,7 +64,10 @@ fn half_width(text: &str) -> Option<String> {
     let text = quoted('`', &text.replace("\\\"", "\""));
     let text = quoted('"', &text);
     let chars: Vec<char> = text.chars().collect();
-    chars.windows(2).find(|w| chinese(w[0]) && [',', ':', ';', '?', '!'].contains(&w[1])).map(|w| w.iter().collect())
+    chars
+        .windows(2)
+        .find(|w| chinese(w[0]) && [',', ':', ';', '?', '!'].contains(&w[1]))
+        .map(|w| w.iter().collect())
 }
 
 #[test]

@@ -14,7 +14,13 @@ fn a_load_rises_by_the_angle_times_the_radius() {
     let scene = read(&scene::edit::with_find(text, &["y_A", "y_B"]).unwrap());
     let m = Mechanism::new(&scene).unwrap().value;
     let placed = PlacedScene::new(&scene, &m).unwrap();
-    let table = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(900.0), 25), Width::Widest).unwrap();
+    let table = sweep::run(
+        &placed,
+        0,
+        &Stations::turned(Angle::Deg(0.0), Angle::Deg(900.0), 25),
+        Width::Widest,
+    )
+    .unwrap();
     let column = |k: usize| &table.columns[k].values;
     for i in 0..table.rows() {
         let turned = column(0)[i] - column(0)[0];
@@ -29,7 +35,13 @@ fn a_falling_load_turns_the_drum() {
     let text = templates::get("hoist").unwrap();
     let driver = r#""driver": {"link": "2", "omega": "omega_2", "alpha": "alpha_2"}"#;
     let fall = r#""driver": {"slide": "A", "velocity": "-0.9 m/s", "acceleration": "-0.6 m/s^2"}"#;
-    let scene = read(&scene::edit::with_find(&text.replace(driver, fall), &["omega_2", "alpha_2", "v_B", "a_M2"]).unwrap());
+    let scene = read(
+        &scene::edit::with_find(
+            &text.replace(driver, fall),
+            &["omega_2", "alpha_2", "v_B", "a_M2"],
+        )
+        .unwrap(),
+    );
     let worked = solved(&scene);
     near(scalar(&scene, &worked, "omega_2"), 3.0, "omega_2");
     near(scalar(&scene, &worked, "alpha_2"), 2.0, "alpha_2");
@@ -83,12 +95,18 @@ fn ropes_that_cannot_be_are_named() {
         (fourth, r#""load": "4""#, "no-direction"),
         (fourth, r#""load": "2", "angle": "90 deg""#, "rolling"),
         (fourth, r#""load": "4", "angle": "90 deg", "phase": "0 deg""#, "unknown-key"),
-        (r#"{"slider": "4", "pin": "B", "on": "1", "angle": "90 deg"}"#, r#"{"pin": "B", "on": "1", "angle": "90 deg"}"#, "rope-load"),
+        (
+            r#"{"slider": "4", "pin": "B", "on": "1", "angle": "90 deg"}"#,
+            r#"{"pin": "B", "on": "1", "angle": "90 deg"}"#,
+            "rope-load",
+        ),
     ] {
         assert!(text.contains(from), "{from}");
         let faults = match scene::read(text.replace(from, to)) {
             Err(faults) => faults,
-            Ok(scene) => hodograph::worked::work(&scene.value, hodograph::worked::Scope::Figure).unwrap_err(),
+            Ok(scene) => {
+                hodograph::worked::work(&scene.value, hodograph::worked::Scope::Figure).unwrap_err()
+            }
         };
         assert!(faults.list.iter().any(|d| d.code == code), "{code}: {faults}");
     }

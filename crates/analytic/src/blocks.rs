@@ -38,10 +38,14 @@ pub(super) fn of_lists(lists: &[Vec<usize>], n: usize) -> Vec<EquationBlock> {
     let mut row_of: Vec<Option<usize>> = vec![None; n];
     for r in 0..lists.len() {
         if !matched(r, lists, &mut row_of, &mut vec![false; n]) {
-            return vec![EquationBlock { rows: (0..lists.len()).collect(), unknowns: (0..n).collect() }];
+            return vec![EquationBlock {
+                rows: (0..lists.len()).collect(),
+                unknowns: (0..n).collect(),
+            }];
         }
     }
-    let rests_on: Vec<&[usize]> = row_of.iter().map(|r| r.map_or(&[][..], |r| &lists[r][..])).collect();
+    let rests_on: Vec<&[usize]> =
+        row_of.iter().map(|r| r.map_or(&[][..], |r| &lists[r][..])).collect();
     let mut search = ComponentSearch {
         rests_on: &rests_on,
         found: vec![0; n],
@@ -66,7 +70,12 @@ pub(super) fn of_lists(lists: &[Vec<usize>], n: usize) -> Vec<EquationBlock> {
 }
 
 /// Finds an unknown for row `r`, and moves earlier rows to other unknowns of theirs if necessary.
-fn matched(r: usize, lists: &[Vec<usize>], row_of: &mut [Option<usize>], seen: &mut [bool]) -> bool {
+fn matched(
+    r: usize,
+    lists: &[Vec<usize>],
+    row_of: &mut [Option<usize>],
+    seen: &mut [bool],
+) -> bool {
     for &u in &lists[r] {
         if seen[u] {
             continue;

@@ -24,7 +24,9 @@ impl UnknownLayout {
     /// Adds the rows of all followers of cams with a law.
     pub(super) fn by_laws(&self, scene: &Scene, at: &Configuration, rows: &mut Vec<EquationRow>) {
         for g in (0..scene.guides.len()).map(GuideId) {
-            rows.extend(law_of(scene, g).and_then(|(cam, turning)| self.by_law(scene, at, (cam, turning), EquationPair::Guide(g))));
+            rows.extend(law_of(scene, g).and_then(|(cam, turning)| {
+                self.by_law(scene, at, (cam, turning), EquationPair::Guide(g))
+            }));
         }
     }
 
@@ -33,7 +35,9 @@ impl UnknownLayout {
     pub(super) fn third_by_law(&self, scene: &Scene, of: EquationPair) -> f64 {
         let EquationPair::Guide(g) = of else { return 0.0 };
         let Some((cam, t)) = law_of(scene, g) else { return 0.0 };
-        let Some([_, _, second, third]) = t.disc.coordinate(t.phi, t.side).map(|q| q.0) else { return 0.0 };
+        let Some([_, _, second, third]) = t.disc.coordinate(t.phi, t.side).map(|q| q.0) else {
+            return 0.0;
+        };
         let [rate, acceleration] = t.rates(scene);
         let slides = scene.guides.iter().any(|g| g.slider == Some(cam.follower) && g.on == t.frame);
         let unit = if slides { self.scale } else { 1.0 };
@@ -42,14 +46,29 @@ impl UnknownLayout {
 
     /// Returns the row of the motion that a law prescribes for its follower: along its guide ṡ =
     /// s′φ̇, s̈ = s″φ̇² + s′φ̈, and correspondingly for its angle.
-    fn by_law(&self, scene: &Scene, at: &Configuration, (cam, t): (&Cam, &TurningCam), of: EquationPair) -> Option<EquationRow> {
+    fn by_law(
+        &self,
+        scene: &Scene,
+        at: &Configuration,
+        (cam, t): (&Cam, &TurningCam),
+        of: EquationPair,
+    ) -> Option<EquationRow> {
         let [_, first, second, _] = t.disc.coordinate(t.phi, t.side)?.0;
         let [rate, acceleration] = t.rates(scene);
-        let drive = [first * rate, second * rate * rate + first * acceleration].map(|x| t.outward * x);
-        let Some(guide) = scene.guides.iter().position(|g| g.slider == Some(cam.follower) && g.on == t.frame) else {
+        let drive =
+            [first * rate, second * rate * rate + first * acceleration].map(|x| t.outward * x);
+        let Some(guide) =
+            scene.guides.iter().position(|g| g.slider == Some(cam.follower) && g.on == t.frame)
+        else {
             return self.lock(scene, cam.follower, t.frame, drive, of);
         };
         let runner = Runner::Pin(scene.guides[guide].pin?);
-        self.along_path(scene, at, (runner, GuideId(guide), t.frame), drive.map(|x| x * self.scale), of)
+        self.along_path(
+            scene,
+            at,
+            (runner, GuideId(guide), t.frame),
+            drive.map(|x| x * self.scale),
+            of,
+        )
     }
 }

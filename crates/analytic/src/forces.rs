@@ -8,7 +8,8 @@ use super::rows::UnknownLayout;
 use super::{LoopSystem, Solution};
 use hodograph_base::geom::Vec2;
 use hodograph_mechanism::force::{
-    Load, between_teeth, completed, is_determined, loads, pressed_apart, rubbing, settled, unit_balance, with_friction,
+    Load, between_teeth, completed, is_determined, loads, pressed_apart, rubbing, settled,
+    unit_balance, with_friction,
 };
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
 use hodograph_mechanism::position::Configuration;
@@ -40,10 +41,19 @@ struct BalancedLoads<'a> {
 ///
 /// `None` if the reactions are unbounded or not determined, or if a motion that a load needs is not
 /// known.
-pub(super) fn forces(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, solution: &Solution) -> Option<Forces> {
+pub(super) fn forces(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    demand: &Demand,
+    solution: &Solution,
+) -> Option<Forces> {
     let loads = loads(scene, at, solution)?;
     // Equilibrium of all placed links, whatever level of motion is requested.
-    let still = Demand { groups: demand.groups.iter().map(|g| g.map(|_| Level::Velocity)).collect(), ..demand.clone() };
+    let still = Demand {
+        groups: demand.groups.iter().map(|g| g.map(|_| Level::Velocity)).collect(),
+        ..demand.clone()
+    };
     let layout = UnknownLayout::new(scene, m, at, &still, Level::Velocity);
     let rows = layout.rows_of_contacts(scene, at);
     let system = LoopSystem::of_rows(rows, layout.unknowns).ok()?;
@@ -55,7 +65,12 @@ pub(super) fn forces(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &
         for load in loads {
             layout.body(scene, load.link, load.place)?.loaded(&mut q, load.wrench, layout.scale);
         }
-        Some(LoadMultipliers { scene, layout: &layout, rows: &system.rows, lambda: system.solve_transposed(&-q)? })
+        Some(LoadMultipliers {
+            scene,
+            layout: &layout,
+            rows: &system.rows,
+            lambda: system.solve_transposed(&-q)?,
+        })
     };
     let whole = |mut loads: Vec<Load>| -> Option<BalancedLoads> {
         let mut found = balanced(&loads)?;
@@ -64,17 +79,26 @@ pub(super) fn forces(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &
         let mut balance = None;
         if let Some(unit) = unit_balance(scene, at) {
             let (own, by_unit) = (*drivers.first()?, *balanced(&[unit])?.drivers().first()?);
-            let nothing = f64::EPSILON.sqrt() * if scene.drivers[0].kind.turns() { at.extent() } else { 1.0 };
+            let nothing =
+                f64::EPSILON.sqrt() * if scene.drivers[0].kind.turns() { at.extent() } else { 1.0 };
             if by_unit.abs() <= nothing {
                 return None;
             }
             let size = -own / by_unit;
-            loads.push(Load { wrench: Wrench { force: unit.wrench.force * size, couple: unit.wrench.couple * size }, ..unit });
+            loads.push(Load {
+                wrench: Wrench {
+                    force: unit.wrench.force * size,
+                    couple: unit.wrench.couple * size,
+                },
+                ..unit
+            });
             found = balanced(&loads)?;
             balance = Some(size);
         }
-        let tangential: Vec<(RollingId, Vec2)> =
-            (0..scene.rolling.len()).map(RollingId).filter_map(|r| Some((r, found.tangential(r)?))).collect();
+        let tangential: Vec<(RollingId, Vec2)> = (0..scene.rolling.len())
+            .map(RollingId)
+            .filter_map(|r| Some((r, found.tangential(r)?)))
+            .collect();
         let teeth = between_teeth(scene, at, &tangential);
         if !teeth.is_empty() {
             let all: Vec<Load> = loads.iter().chain(&teeth).copied().collect();
@@ -87,21 +111,27 @@ pub(super) fn forces(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &
     };
     let smooth = whole(loads.clone())?;
     let (rubs, _) = rubbing(scene, at, solution)?;
-    let (smooth, BalancedLoads { loads, teeth, found, balance, power }) = if scene.loads.friction.is_empty() {
-        (None, smooth)
-    } else {
-        // Friction depends on reactions, which are not determined in this case.
-        if !is_determined(scene, m) {
-            return None;
-        }
-        let under = |friction: &[Load]| whole(loads.iter().chain(friction).copied().collect()).ok_or(());
-        let read = |w: &BalancedLoads| (w.found.pins(at), guides_of(&w.found));
-        (Some(smooth.power), settled(scene, &rubs, under, read).ok()??)
-    };
+    let (smooth, BalancedLoads { loads, teeth, found, balance, power }) =
+        if scene.loads.friction.is_empty() {
+            (None, smooth)
+        } else {
+            // Friction depends on reactions, which are not determined in this case.
+            if !is_determined(scene, m) {
+                return None;
+            }
+            let under = |friction: &[Load]| {
+                whole(loads.iter().chain(friction).copied().collect()).ok_or(())
+            };
+            let read = |w: &BalancedLoads| (w.found.pins(at), guides_of(&w.found));
+            (Some(smooth.power), settled(scene, &rubs, under, read).ok()??)
+        };
     let pins = found.pins(at);
     let guides = with_friction(guides_of(&found), &rubs);
     let reactions = Forces {
-        rolling: (0..scene.rolling.len()).map(RollingId).filter_map(|r| Some((r, found.rolling(r, &guides, &teeth)?))).collect(),
+        rolling: (0..scene.rolling.len())
+            .map(RollingId)
+            .filter_map(|r| Some((r, found.rolling(r, &guides, &teeth)?)))
+            .collect(),
         drivers: found.drivers(),
         determinate: is_determined(scene, m),
         balance,
@@ -132,7 +162,9 @@ impl BodyPoint {
 /// one.
 fn on_first(relation: &PositionEquation) -> Vec2 {
     match *relation {
-        PositionEquation::Meet { k, .. } | PositionEquation::Along { k, .. } | PositionEquation::Track { k, .. } => k,
+        PositionEquation::Meet { k, .. }
+        | PositionEquation::Along { k, .. }
+        | PositionEquation::Track { k, .. } => k,
         PositionEquation::Turn { .. } => Vec2::ZERO,
         PositionEquation::Distance { d, .. } => d * (1.0 / d.norm()),
         PositionEquation::Line { d, .. } => d.perp() * (1.0 / d.norm2()),
@@ -181,7 +213,9 @@ impl LoadMultipliers<'_> {
         Some(rows.fold(Wrench::zero(), |sum, (k, row)| {
             let is_slider = |h: BodyPoint| slider.is_some() && h.first == slider;
             let turned = match row.relation {
-                PositionEquation::Turn { a, b, .. } => f64::from(u8::from(is_slider(a))) - f64::from(u8::from(is_slider(b))),
+                PositionEquation::Turn { a, b, .. } => {
+                    f64::from(u8::from(is_slider(a))) - f64::from(u8::from(is_slider(b)))
+                }
                 PositionEquation::Line { body, .. } if is_slider(body) => -1.0,
                 PositionEquation::Meet { .. }
                 | PositionEquation::Along { .. }
@@ -205,7 +239,10 @@ impl LoadMultipliers<'_> {
     /// carries a part, and teeth press them apart.
     fn rolling(&self, r: RollingId, guides: &[(GuideId, Wrench)], teeth: &[Load]) -> Option<Vec2> {
         let pair = &self.scene.rolling[r.0];
-        let held = pair.guide().and_then(|g| guides.iter().find(|(own, _)| *own == g)).map_or(Vec2::ZERO, |(_, w)| w.force);
+        let held = pair
+            .guide()
+            .and_then(|g| guides.iter().find(|(own, _)| *own == g))
+            .map_or(Vec2::ZERO, |(_, w)| w.force);
         Some(self.tangential(r)? + held + pressed_apart(self.scene, teeth, r))
     }
 
@@ -217,7 +254,12 @@ impl LoadMultipliers<'_> {
             let force = self.force(k);
             let mut guided = |g: GuideId| {
                 let guide = &self.scene.guides[g.0];
-                out.extend(guide.pin.filter(|_| !matches!(row.relation, PositionEquation::Turn { .. })).map(|p| (p, guide.slider, force)));
+                out.extend(
+                    guide
+                        .pin
+                        .filter(|_| !matches!(row.relation, PositionEquation::Turn { .. }))
+                        .map(|p| (p, guide.slider, force)),
+                );
             };
             match row.of {
                 EquationPair::Guide(g) => guided(g),
@@ -253,11 +295,16 @@ impl LoadMultipliers<'_> {
             for l in carriers.iter().filter(|l| **l != self.scene.ground) {
                 let first = self.layout.first_of(*l);
                 let of_row = |(k, row): (usize, &EquationRow)| {
-                    let PositionEquation::Meet { p, q, k: u } = row.relation else { return Vec2::ZERO };
-                    let sign = f64::from(u8::from(p.first == first)) - f64::from(u8::from(q.first == first));
+                    let PositionEquation::Meet { p, q, k: u } = row.relation else {
+                        return Vec2::ZERO;
+                    };
+                    let sign = f64::from(u8::from(p.first == first))
+                        - f64::from(u8::from(q.first == first));
                     u * (sign * self.lambda[k] * self.layout.scale)
                 };
-                let mut force = self.rows_of(EquationPair::Pin(p)).fold(Vec2::ZERO, |sum, row| sum + of_row(row));
+                let mut force = self
+                    .rows_of(EquationPair::Pin(p))
+                    .fold(Vec2::ZERO, |sum, row| sum + of_row(row));
                 for (_, owner, x) in &here {
                     if self.layout.handle_of(self.scene, p) == Some(*l) {
                         force += *x;
@@ -270,7 +317,9 @@ impl LoadMultipliers<'_> {
                 out.push((p, *l, force));
             }
             if carriers.contains(&self.scene.ground) {
-                let unowned = here.iter().filter(|(_, owner, _)| owner.is_none_or(|l| l == self.scene.ground || !part(&l)));
+                let unowned = here.iter().filter(|(_, owner, _)| {
+                    owner.is_none_or(|l| l == self.scene.ground || !part(&l))
+                });
                 let others = unowned.fold(Vec2::ZERO, |sum, (.., x)| sum + *x);
                 out.push((p, self.scene.ground, others - sum));
             }

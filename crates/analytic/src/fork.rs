@@ -38,7 +38,13 @@ const SAME: f64 = 1e-6;
 
 /// Returns the index of the selected motion, of two solutions of the same velocities, and the
 /// criterion; `of` are the links of the singular block.
-pub(super) fn choose(scene: &Scene, at: &Configuration, ways: &[Solution; 2], of: &[LinkId], turning: bool) -> (usize, Decided) {
+pub(super) fn choose(
+    scene: &Scene,
+    at: &Configuration,
+    ways: &[Solution; 2],
+    of: &[LinkId],
+    turning: bool,
+) -> (usize, Decided) {
     if let Some(i) = by_side(scene, at, ways) {
         return (i, Decided::Side);
     }
@@ -48,7 +54,8 @@ pub(super) fn choose(scene: &Scene, at: &Configuration, ways: &[Solution; 2], of
     if turning {
         return (usize::from(first_turning(ways, of) < 0.0), Decided::Sense);
     }
-    let scores = ways.each_ref().map(|w| (resting_joints(scene, at, w, of), spread(scene, at, w, of)));
+    let scores =
+        ways.each_ref().map(|w| (resting_joints(scene, at, w, of), spread(scene, at, w, of)));
     let (a, b) = (&scores[0], &scores[1]);
     let second = b.0 < a.0 || (b.0 == a.0 && b.1 < a.1 * (1.0 - SAME));
     (usize::from(second), Decided::Kind)
@@ -116,14 +123,23 @@ fn joined(scene: &Scene, at: &Configuration, way: &Solution, of: &[LinkId]) -> V
     let known = |l: LinkId| way.links[l.0].is_some();
     let near = |l: LinkId| {
         of.contains(&l)
-            || scene.links[l.0].points.iter().any(|p| at.points[p.0].is_some() && scene.carriers(*p).any(|k| of.contains(&k)))
-            || scene.guides.iter().any(|g| g.on == l && scene_runner(scene, g).any(|k| of.contains(&k)))
+            || scene.links[l.0]
+                .points
+                .iter()
+                .any(|p| at.points[p.0].is_some() && scene.carriers(*p).any(|k| of.contains(&k)))
+            || scene
+                .guides
+                .iter()
+                .any(|g| g.on == l && scene_runner(scene, g).any(|k| of.contains(&k)))
     };
     (0..scene.links.len()).map(LinkId).filter(|l| known(*l) && near(*l)).collect()
 }
 
 /// Returns the links that run in a guide: its slider, and the links that carry its pin.
-fn scene_runner<'a>(scene: &'a Scene, g: &'a hodograph_scene::Guide) -> impl Iterator<Item = LinkId> + 'a {
+fn scene_runner<'a>(
+    scene: &'a Scene,
+    g: &'a hodograph_scene::Guide,
+) -> impl Iterator<Item = LinkId> + 'a {
     g.slider.into_iter().chain(g.pin.into_iter().flat_map(|p| scene.carriers(p)))
 }
 
@@ -136,14 +152,24 @@ fn resting_joints(scene: &Scene, at: &Configuration, way: &Solution, of: &[LinkI
     for link in of {
         for p in &scene.links[link.0].points {
             // If several links meet, one of them may turn with the same rate as another.
-            let mut there = scene.carriers(*p).filter(|k| k != link && links.contains(k)).peekable();
+            let mut there =
+                scene.carriers(*p).filter(|k| k != link && links.contains(k)).peekable();
             let same = |k: LinkId| (turning(way, k) - turning(way, *link)).abs() <= SAME * fastest;
             rest += usize::from(there.peek().is_some() && there.all(same));
         }
     }
     for guide in &scene.guides {
-        let Some(pin) = guide.pin.filter(|_| scene_runner(scene, guide).chain([guide.on]).any(|l| of.contains(&l))) else { continue };
-        let (Some(v), Some(under)) = (velocity(way, pin), way.vector(Level::Velocity, pin, Some(guide.on))) else { continue };
+        let Some(pin) = guide
+            .pin
+            .filter(|_| scene_runner(scene, guide).chain([guide.on]).any(|l| of.contains(&l)))
+        else {
+            continue;
+        };
+        let (Some(v), Some(under)) =
+            (velocity(way, pin), way.vector(Level::Velocity, pin, Some(guide.on)))
+        else {
+            continue;
+        };
         if (v - under).norm() <= SAME * fastest * at.extent() {
             rest += 1;
         }

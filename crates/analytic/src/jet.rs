@@ -50,7 +50,9 @@ impl TaylorJet {
         let order = self.0.len() - 1;
         let (mut c, mut s) = (TaylorJet::constant(1.0, order), TaylorJet::constant(0.0, order));
         for n in 1..=order {
-            let sum = |of: &TaylorJet| (1..=n).map(|i| i as f64 * self.0[i] * of.0[n - i]).sum::<f64>() / n as f64;
+            let sum = |of: &TaylorJet| {
+                (1..=n).map(|i| i as f64 * self.0[i] * of.0[n - i]).sum::<f64>() / n as f64
+            };
             let (cn, sn) = (-sum(&s), sum(&c));
             c.0[n] = cn;
             s.0[n] = sn;

@@ -111,7 +111,12 @@ struct LinkRates {
 ///
 /// # Errors
 /// `overflow`: numbers out of range.
-pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> Result<Solution, Faults> {
+pub fn solve(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    demand: &Demand,
+) -> Result<Solution, Faults> {
     let mut solution = motion(scene, m, at, demand)?;
     if demand.wants_forces() {
         solution.forces = forces::forces(scene, m, at, demand, &solution);
@@ -120,7 +125,12 @@ pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) 
 }
 
 /// Solves velocities and accelerations.
-fn motion(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> Result<Solution, Faults> {
+fn motion(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    demand: &Demand,
+) -> Result<Solution, Faults> {
     spend();
     let mut solution = Solution {
         links: vec![None; scene.links.len()],
@@ -137,7 +147,8 @@ fn motion(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> 
         size: [0; 2],
         forces: None,
     };
-    solution.links[scene.ground.0] = Some(LinkRates { v: Vec2::ZERO, omega: 0.0, second: Some((Vec2::ZERO, 0.0)) });
+    solution.links[scene.ground.0] =
+        Some(LinkRates { v: Vec2::ZERO, omega: 0.0, second: Some((Vec2::ZERO, 0.0)) });
     if demand.level == Level::Position {
         return Ok(solution);
     }
@@ -150,7 +161,8 @@ fn motion(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> 
         if system.condition > SUSPECT || system.condition.is_nan() {
             let pose = PosedLayout { scene, at, demand, layout: &layout };
             let rounding = layout.rounding(at);
-            let blocks = Blocks::new(&system.rows, layout.unknowns, rounding, |b| pose.blur(b, rounding));
+            let blocks =
+                Blocks::new(&system.rows, layout.unknowns, rounding, |b| pose.blur(b, rounding));
             solution.near = pose.near(&system.rows, &blocks, rounding);
             if blocks.singular() {
                 return Ok(pose.singular(&system.rows, &blocks, solution));
@@ -161,15 +173,23 @@ fn motion(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> 
         layout.unpack_rates(&rates, &mut solution);
         if layout.second {
             let gamma = system.solve(&system.gamma(&rates));
-            layout.unpack_accelerations(&gamma.ok_or_else(|| overflow(scene, &layout))?, &mut solution);
+            layout.unpack_accelerations(
+                &gamma.ok_or_else(|| overflow(scene, &layout))?,
+                &mut solution,
+            );
             solution.size[1] = layout.unknowns;
         } else if demand.level >= Level::Acceleration {
             // Parts for which only the velocity is requested are not in the second system.
             let part = rows::UnknownLayout::new(scene, m, at, demand, Level::Acceleration);
             if part.unknowns > 0 {
                 let system = LoopSystem::new(scene, at, &part)?;
-                let gamma = part.rates_from(scene, at, &layout, &rates).and_then(|q| system.solve(&system.gamma(&q)));
-                part.unpack_accelerations(&gamma.ok_or_else(|| overflow(scene, &part))?, &mut solution);
+                let gamma = part
+                    .rates_from(scene, at, &layout, &rates)
+                    .and_then(|q| system.solve(&system.gamma(&q)));
+                part.unpack_accelerations(
+                    &gamma.ok_or_else(|| overflow(scene, &part))?,
+                    &mut solution,
+                );
                 solution.size[1] = part.unknowns;
             }
         }
@@ -200,7 +220,11 @@ impl LoopSystem {
     ///
     /// # Errors
     /// The number of rows differs from the number of unknowns.
-    fn new(scene: &Scene, at: &Configuration, layout: &rows::UnknownLayout) -> Result<LoopSystem, Faults> {
+    fn new(
+        scene: &Scene,
+        at: &Configuration,
+        layout: &rows::UnknownLayout,
+    ) -> Result<LoopSystem, Faults> {
         LoopSystem::of_rows(layout.rows(scene, at), layout.unknowns)
     }
 
@@ -210,13 +234,16 @@ impl LoopSystem {
     /// The number of rows differs from the number of unknowns.
     fn of_rows(rows: Vec<relation::EquationRow>, n: usize) -> Result<LoopSystem, Faults> {
         if rows.len() != n {
-            return Err(
-                Diagnostic::error("not-square", both!("{} equations for {n} unknowns", "{} 个方程，{n} 个未知数", rows.len())).into()
-            );
+            return Err(Diagnostic::error(
+                "not-square",
+                both!("{} equations for {n} unknowns", "{} 个方程，{n} 个未知数", rows.len()),
+            )
+            .into());
         }
         if n >= LARGE {
             let staged = StagedFactors::new(&rows, n);
-            let condition = staged.one_norm() * inverse_one_norm(&|b| staged.solve(b), &|b| staged.solve_transposed(b), n);
+            let condition = staged.one_norm()
+                * inverse_one_norm(&|b| staged.solve(b), &|b| staged.solve_transposed(b), n);
             return Ok(LoopSystem { rows, factors: Factors::Staged(staged), condition });
         }
         let mut jacobian = DMatrix::zeros(n, n);
@@ -227,7 +254,8 @@ impl LoopSystem {
         }
         let lu = jacobian.clone().lu();
         let solve_transposed = transposed(&lu);
-        let condition = one_norm(&jacobian) * inverse_one_norm(&|b| lu.solve(b), &solve_transposed, n);
+        let condition =
+            one_norm(&jacobian) * inverse_one_norm(&|b| lu.solve(b), &solve_transposed, n);
         Ok(LoopSystem { rows, factors: Factors::Whole { jacobian, lu }, condition })
     }
 
@@ -300,8 +328,13 @@ fn inverse_one_norm(solve: LinearSolve, solve_transposed: LinearSolve, n: usize)
         if !norm.is_finite() {
             return f64::INFINITY;
         }
-        let Some(z) = solve_transposed(&y.map(|v| if v >= 0.0 { 1.0 } else { -1.0 })) else { return f64::INFINITY };
-        let (best, big) = z.iter().enumerate().fold((0, 0.0), |(i, b), (k, v)| if v.abs() > b { (k, v.abs()) } else { (i, b) });
+        let Some(z) = solve_transposed(&y.map(|v| if v >= 0.0 { 1.0 } else { -1.0 })) else {
+            return f64::INFINITY;
+        };
+        let (best, big) = z
+            .iter()
+            .enumerate()
+            .fold((0, 0.0), |(i, b), (k, v)| if v.abs() > b { (k, v.abs()) } else { (i, b) });
         if norm <= estimate || big <= z.dot(&x) {
             return estimate.max(norm);
         }
@@ -316,7 +349,11 @@ fn overflow(scene: &Scene, layout: &rows::UnknownLayout) -> Diagnostic {
     let names: Vec<_> = layout.links.iter().map(|l| scene.link_name(*l)).collect();
     Diagnostic::error(
         "overflow",
-        both!("the numbers of links {} are too large or too small to be solved", "构件 {} 的数值过大或过小，无法求解", Both::names(&names)),
+        both!(
+            "the numbers of links {} are too large or too small to be solved",
+            "构件 {} 的数值过大或过小，无法求解",
+            Both::names(&names)
+        ),
     )
 }
 
@@ -334,18 +371,28 @@ impl Solution {
         let moving = || self.links.iter().flatten();
         let acceleration = level == Level::Acceleration;
         if turning {
-            let of = |m: &LinkRates| if acceleration { m.second.map_or(0.0, |s| s.1.abs()).max(m.omega * m.omega) } else { m.omega.abs() };
+            let of = |m: &LinkRates| {
+                if acceleration {
+                    m.second.map_or(0.0, |s| s.1.abs()).max(m.omega * m.omega)
+                } else {
+                    m.omega.abs()
+                }
+            };
             return moving().map(of).fold(0.0, f64::max);
         }
-        let of_points = (0..self.points.len()).filter_map(|p| self.vector(level, PointId(p), None)).map(Vec2::norm);
-        let of_links = moving().map(|m| if acceleration { m.second.map_or(0.0, |s| s.0.norm()) } else { m.v.norm() });
+        let of_points = (0..self.points.len())
+            .filter_map(|p| self.vector(level, PointId(p), None))
+            .map(Vec2::norm);
+        let of_links = moving()
+            .map(|m| if acceleration { m.second.map_or(0.0, |s| s.0.norm()) } else { m.v.norm() });
         of_points.chain(of_links).fold(0.0, f64::max)
     }
 
     /// Removes the singular and refused parts, if longer numbers show that they are not singular,
     /// and replaces the notes by those that `note` returns for the links in words.
     pub fn taken_for_singular(&mut self, note: impl Fn(&Both) -> Diagnostic) {
-        let words = self.singular.drain(..).map(|s| s.words).chain(self.refused.drain(..).map(|r| r.words));
+        let words =
+            self.singular.drain(..).map(|s| s.words).chain(self.refused.drain(..).map(|r| r.words));
         self.notes = words.map(|w| note(&w)).collect();
     }
 
@@ -368,7 +415,8 @@ impl Solution {
     /// Returns true if the motion of a pin is solved up to a level.
     pub fn reaches_pin(&self, level: Level, p: PointId) -> bool {
         let slot = usize::from(level == Level::Acceleration);
-        self.bare[slot].iter().any(|b| b.0 == p) || self.point_links[slot].get(p.0).is_some_and(|l| l.is_some())
+        self.bare[slot].iter().any(|b| b.0 == p)
+            || self.point_links[slot].get(p.0).is_some_and(|l| l.is_some())
     }
 
     /// Returns true if the motion of a link is solved up to a level.
@@ -422,7 +470,13 @@ impl MotionSource for Solution {
 
 /// Returns the links that take part at a level: those of groups requested so far, and the passive
 /// links that follow them.
-fn taking_part(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, level: Level) -> Vec<LinkId> {
+fn taking_part(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    demand: &Demand,
+    level: Level,
+) -> Vec<LinkId> {
     let reached = |l: LinkId| m.group_of_link[l.0].is_some_and(|g| demand.wants(g, level));
     (0..scene.links.len())
         .map(LinkId)
@@ -431,12 +485,16 @@ fn taking_part(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand
             None => reached(l),
             Some(Passive::Block(g)) => {
                 let guide = &scene.guides[g.0];
-                let pin = guide.pin.is_some_and(|p| m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, level)));
+                let pin = guide
+                    .pin
+                    .is_some_and(|p| m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, level)));
                 pin && (guide.on == scene.ground || reached(guide.on))
             }
             Some(Passive::Cylinder(_) | Passive::Held(..)) => {
                 let ends = m.line_of(scene, l).map(<[PointId; 2]>::from);
-                ends.is_some_and(|ends| ends.iter().all(|p| m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, level))))
+                ends.is_some_and(|ends| {
+                    ends.iter().all(|p| m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, level)))
+                })
             }
         })
         .collect()

@@ -3,7 +3,9 @@
 use super::fork::{self, Decided};
 use super::relation::EquationRow;
 use super::rows::UnknownLayout;
-use super::singular::{Blocks, ContinuedMotion, FactoredBlock, Fork, Passed, Refusal, RefusalReason};
+use super::singular::{
+    Blocks, ContinuedMotion, FactoredBlock, Fork, Passed, Refusal, RefusalReason,
+};
 use super::{Solution, blocks::EquationBlock, words};
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_mechanism::mechanism::{Demand, Level};
@@ -108,9 +110,15 @@ impl PosedLayout<'_> {
     }
 
     /// Returns the blocks that are nearly singular but not treated as singular, the worst first.
-    pub fn near(&self, system: &[EquationRow], blocks: &Blocks, rounding: f64) -> Vec<NearSingular> {
+    pub fn near(
+        &self,
+        system: &[EquationRow],
+        blocks: &Blocks,
+        rounding: f64,
+    ) -> Vec<NearSingular> {
         let loss = |p: &FactoredBlock| rounding * p.factor.magnified / p.factor.ratio;
-        let mut near: Vec<&FactoredBlock> = blocks.list.iter().filter(|p| p.deficiency == 0 && loss(p) > SLIGHT).collect();
+        let mut near: Vec<&FactoredBlock> =
+            blocks.list.iter().filter(|p| p.deficiency == 0 && loss(p) > SLIGHT).collect();
         near.sort_by(|a, b| loss(b).total_cmp(&loss(a)));
         let told = |p: &FactoredBlock| NearSingular {
             links: words::links_of(self.layout, p),
@@ -122,7 +130,12 @@ impl PosedLayout<'_> {
     }
 
     /// Returns the motion through a singular pose, as far as it exists.
-    pub fn singular(&self, system: &[EquationRow], blocks: &Blocks, mut empty: Solution) -> Solution {
+    pub fn singular(
+        &self,
+        system: &[EquationRow],
+        blocks: &Blocks,
+        mut empty: Solution,
+    ) -> Solution {
         empty.condition = f64::INFINITY;
         // Drivers that start from rest, or stay at rest: with t² for t their accelerations take the
         // part of the rates elsewhere. Only if that gives a dead point (a driver at its own limit),
@@ -139,7 +152,13 @@ impl PosedLayout<'_> {
     }
 
     /// Returns the selected motion, with the other motion at each change point.
-    fn ways(&self, rows: &[EquationRow], blocks: &Blocks, empty: &Solution, from_rest: bool) -> Solution {
+    fn ways(
+        &self,
+        rows: &[EquationRow],
+        blocks: &Blocks,
+        empty: &Solution,
+        from_rest: bool,
+    ) -> Solution {
         let terms = if self.demand.level >= Level::Acceleration && !from_rest { 2 } else { 1 };
         let choose = |fork: &Fork| {
             let of = words::links_of(self.layout, &blocks.list[fork.block]);
@@ -167,7 +186,10 @@ impl PosedLayout<'_> {
                     let way = choose(fork).0;
                     if fork.block == passed.block { 1 - way } else { way }
                 });
-                turned.refused.is_empty().then(|| Box::new(self.solution(empty, &turned, from_rest)))
+                turned
+                    .refused
+                    .is_empty()
+                    .then(|| Box::new(self.solution(empty, &turned, from_rest)))
             });
             solution.singular.push(self.singularity(rows, blocks, passed, by, other));
         }
@@ -191,7 +213,8 @@ impl PosedLayout<'_> {
 
     /// Returns the pins of a block that are on no link.
     fn bare_pins(&self, part: &FactoredBlock) -> Vec<PointId> {
-        let mut pins: Vec<PointId> = part.block.unknowns.iter().filter_map(|u| self.layout.bare_of(*u)).collect();
+        let mut pins: Vec<PointId> =
+            part.block.unknowns.iter().filter_map(|u| self.layout.bare_of(*u)).collect();
         pins.dedup();
         pins
     }
@@ -213,11 +236,25 @@ impl PosedLayout<'_> {
             (false, false) => SingularKind::ChangePoint,
         };
         let links = words::links_of(self.layout, part);
-        Singularity { kind, links, pins, named: held.links, words: held.text, off: passed.off, decided, other }
+        Singularity {
+            kind,
+            links,
+            pins,
+            named: held.links,
+            words: held.text,
+            off: passed.off,
+            decided,
+            other,
+        }
     }
 
     /// Returns a solution from the rates, and from the accelerations if known.
-    fn unpacked(&self, empty: &Solution, rates: &DVector<f64>, accelerations: Option<&DVector<f64>>) -> Solution {
+    fn unpacked(
+        &self,
+        empty: &Solution,
+        rates: &DVector<f64>,
+        accelerations: Option<&DVector<f64>>,
+    ) -> Solution {
         let mut out = empty.clone();
         self.layout.unpack_rates(rates, &mut out);
         if let Some(accelerations) = accelerations {
@@ -231,7 +268,8 @@ impl PosedLayout<'_> {
     fn solution(&self, empty: &Solution, carried: &ContinuedMotion, from_rest: bool) -> Solution {
         let n = self.layout.unknowns;
         let term = |k: usize| DVector::from_iterator(n, (0..n).map(|u| carried.motion.term(u, k)));
-        let (rates, accelerations) = if from_rest { (DVector::zeros(n), term(1) * 2.0) } else { (term(1), term(2) * 2.0) };
+        let (rates, accelerations) =
+            if from_rest { (DVector::zeros(n), term(1) * 2.0) } else { (term(1), term(2) * 2.0) };
         let wanted = self.demand.level >= Level::Acceleration;
         let mut out = self.unpacked(empty, &rates, wanted.then_some(&accelerations));
         let order = |u: usize| carried.motion.order(u) + usize::from(from_rest);
@@ -250,8 +288,13 @@ impl PosedLayout<'_> {
 fn note(s: &Singularity) -> Diagnostic {
     let words = &s.words;
     let by = match s.decided {
-        Some(Decided::Side) => both!("\"side\" says which is meant, as it is just after the pose", "由 \"side\" 按该位置稍后的情形确定"),
-        Some(Decided::Sketch) => both!("taken is the one that leads toward the sketch", "取趋向草图的一种"),
+        Some(Decided::Side) => both!(
+            "\"side\" says which is meant, as it is just after the pose",
+            "由 \"side\" 按该位置稍后的情形确定"
+        ),
+        Some(Decided::Sketch) => {
+            both!("taken is the one that leads toward the sketch", "取趋向草图的一种")
+        }
         Some(Decided::Kind) => both!(
             "taken is the one on which the assembly keeps its kind (a parallelogram stays a parallelogram)",
             "取保持装配型式的一种（平行四边形仍为平行四边形）"

@@ -31,7 +31,12 @@ impl EquationRow {
         if let Some(drive) = relation.drive_mut() {
             *drive = [0.5 * drive[1], 0.0];
         }
-        EquationRow { coefficients: self.coefficients.clone(), rate: relation.drive()[0], relation, of: self.of }
+        EquationRow {
+            coefficients: self.coefficients.clone(),
+            rate: relation.drive()[0],
+            relation,
+            of: self.of,
+        }
     }
 }
 
@@ -73,7 +78,9 @@ pub(super) enum PositionEquation {
 impl PositionEquation {
     fn drive_mut(&mut self) -> Option<&mut [f64; 2]> {
         match self {
-            PositionEquation::Meet { .. } | PositionEquation::Roll { .. } | PositionEquation::Track { .. } => None,
+            PositionEquation::Meet { .. }
+            | PositionEquation::Roll { .. }
+            | PositionEquation::Track { .. } => None,
             PositionEquation::Turn { drive, .. }
             | PositionEquation::Along { drive, .. }
             | PositionEquation::Distance { drive, .. }
@@ -94,18 +101,24 @@ impl PositionEquation {
             Some(i) if h.turns && i + 2 == unknown => arm,
             _ => 0.0,
         };
-        let turns = |h: BodyPoint| if h.first.is_some_and(|i| h.turns && i + 2 == unknown) { 1.0 } else { 0.0f64 };
+        let turns = |h: BodyPoint| {
+            if h.first.is_some_and(|i| h.turns && i + 2 == unknown) { 1.0 } else { 0.0f64 }
+        };
         match *self {
             PositionEquation::Roll { bodies: [a, b], weights: [u, w], p, q, d } => {
                 let line = (u + w).abs() * of(p, p.r.norm()).max(of(q, q.r.norm())) / d.norm();
                 line.max(u.abs() * turns(a)).max(w.abs() * turns(b))
             }
-            PositionEquation::Track { body, rho, p, q, arm, .. } => {
-                of(p, p.r.norm()).max(of(q, q.r.norm().max(arm.norm()))).max(rho.abs() * turns(body).max(turns(q)))
+            PositionEquation::Track { body, rho, p, q, arm, .. } => of(p, p.r.norm())
+                .max(of(q, q.r.norm().max(arm.norm())))
+                .max(rho.abs() * turns(body).max(turns(q))),
+            PositionEquation::Meet { p, q, .. } | PositionEquation::Distance { p, q, .. } => {
+                of(p, p.r.norm()).max(of(q, q.r.norm()))
             }
-            PositionEquation::Meet { p, q, .. } | PositionEquation::Distance { p, q, .. } => of(p, p.r.norm()).max(of(q, q.r.norm())),
             PositionEquation::Turn { a, b, .. } => turns(a).max(turns(b)),
-            PositionEquation::Along { p, q, arm, .. } => of(p, p.r.norm()).max(of(q, q.r.norm().max(arm.norm()))),
+            PositionEquation::Along { p, q, arm, .. } => {
+                of(p, p.r.norm()).max(of(q, q.r.norm().max(arm.norm())))
+            }
             PositionEquation::Line { body, p, q, d, .. } => {
                 let turned = if body.first.is_some_and(|i| i + 2 == unknown) { 1.0 } else { 0.0 };
                 (of(p, p.r.norm()).max(of(q, q.r.norm())) / d.norm()).max(turned)
@@ -122,7 +135,10 @@ impl PositionEquation {
             // d²/dt²: k·(a_P − a_Q) + α k⊥·(P − Q) + 2ω k⊥·(v_P − v_Q) − ω² k·(P − Q) = s̈.
             PositionEquation::Along { p, q, k, arm, drive } => {
                 let w = q.omega(x);
-                drive[1] - k.dot(p.bias(x) - q.bias(x)) - 2.0 * w * k.perp().dot(p.velocity(x) - q.velocity(x)) + w * w * k.dot(arm)
+                drive[1]
+                    - k.dot(p.bias(x) - q.bias(x))
+                    - 2.0 * w * k.perp().dot(p.velocity(x) - q.velocity(x))
+                    + w * w * k.dot(arm)
             }
             // d·(a_P − a_Q) + |v_P − v_Q|² = l̇² + l l̈, divided by l.
             PositionEquation::Distance { p, q, d, drive } => {
@@ -138,7 +154,9 @@ impl PositionEquation {
                 let turned = u * a.omega(x) + w * b.omega(x);
                 (u + w) * d.perp().dot(p.bias(x) - q.bias(x)) / l2 - 2.0 * turned * d.dot(v) / l2
             }
-            PositionEquation::Track { p, q, k, arm, .. } => PositionEquation::Along { p, q, k, arm, drive: [0.0; 2] }.gamma(x),
+            PositionEquation::Track { p, q, k, arm, .. } => {
+                PositionEquation::Along { p, q, k, arm, drive: [0.0; 2] }.gamma(x)
+            }
             // α l² + 2 ω d·(v_P − v_Q) = d × (a_P − a_Q).
             PositionEquation::Line { body, p, q, d, drive } => {
                 let l2 = d.norm2();
@@ -191,28 +209,58 @@ impl BodyPoint {
 }
 
 /// k·(P − Q) = s(t) with k fixed in the body of Q: k·(v_P − v_Q) + ω k⊥·(P − Q) = ṡ.
-pub(super) fn projection(p: BodyPoint, q: BodyPoint, k: Vec2, arm: Vec2, drive: [f64; 2], of: EquationPair) -> EquationRow {
+pub(super) fn projection(
+    p: BodyPoint,
+    q: BodyPoint,
+    k: Vec2,
+    arm: Vec2,
+    drive: [f64; 2],
+    of: EquationPair,
+) -> EquationRow {
     let mut c = Vec::new();
     p.add(&mut c, k);
     q.add(&mut c, -k);
     if let (Some(i), true) = (q.first, q.turns) {
         c.push((i + 2, k.perp().dot(arm)));
     }
-    EquationRow { coefficients: c, rate: drive[0], relation: PositionEquation::Along { p, q, k, arm, drive }, of }
+    EquationRow {
+        coefficients: c,
+        rate: drive[0],
+        relation: PositionEquation::Along { p, q, k, arm, drive },
+        of,
+    }
 }
 
 /// |P − Q|² = l(t)², halved: d·(v_P − v_Q) = l l̇; divided by l.
-pub(super) fn distance(p: BodyPoint, q: BodyPoint, d: Vec2, drive: [f64; 2], of: EquationPair) -> EquationRow {
+pub(super) fn distance(
+    p: BodyPoint,
+    q: BodyPoint,
+    d: Vec2,
+    drive: [f64; 2],
+    of: EquationPair,
+) -> EquationRow {
     let u = d * (1.0 / d.norm());
     let mut c = Vec::new();
     p.add(&mut c, u);
     q.add(&mut c, -u);
-    EquationRow { coefficients: c, rate: drive[0], relation: PositionEquation::Distance { p, q, d, drive }, of }
+    EquationRow {
+        coefficients: c,
+        rate: drive[0],
+        relation: PositionEquation::Distance { p, q, d, drive },
+        of,
+    }
 }
 
 /// Rotation of the line Q→P relative to a body, constant or with a prescribed rate ψ̇: (ω_body +
 /// ψ̇) l² = d × (v_P − v_Q).
-pub(super) fn along_line(body: BodyPoint, p: BodyPoint, q: BodyPoint, d: Vec2, drive: [f64; 2], of: EquationPair) -> EquationRow {
+pub(super) fn along_line(
+    body: BodyPoint,
+    p: BodyPoint,
+    q: BodyPoint,
+    d: Vec2,
+    drive: [f64; 2],
+    of: EquationPair,
+) -> EquationRow {
     let k = d.perp() * (1.0 / d.norm2());
     let mut c = Vec::new();
     p.add(&mut c, k);
@@ -220,7 +268,12 @@ pub(super) fn along_line(body: BodyPoint, p: BodyPoint, q: BodyPoint, d: Vec2, d
     if let Some(i) = body.first {
         c.push((i + 2, -1.0));
     }
-    EquationRow { coefficients: c, rate: drive[0], relation: PositionEquation::Line { body, p, q, d, drive }, of }
+    EquationRow {
+        coefficients: c,
+        rate: drive[0],
+        relation: PositionEquation::Line { body, p, q, d, drive },
+        of,
+    }
 }
 
 #[cfg(test)]
@@ -249,9 +302,13 @@ mod tests {
         match relation {
             PositionEquation::Meet { p, q, k } => k.dot(moved(p) - moved(q)),
             PositionEquation::Turn { a, b, .. } => turn(a) - turn(b),
-            PositionEquation::Along { p, q, k, arm, .. } => turned(*k, turn(q)).dot(between(p, q, *arm)),
+            PositionEquation::Along { p, q, k, arm, .. } => {
+                turned(*k, turn(q)).dot(between(p, q, *arm))
+            }
             PositionEquation::Distance { p, q, d, .. } => between(p, q, *d).norm(),
-            PositionEquation::Line { body, p, q, d, .. } => swung(*d, between(p, q, *d)) - turn(body),
+            PositionEquation::Line { body, p, q, d, .. } => {
+                swung(*d, between(p, q, *d)) - turn(body)
+            }
             PositionEquation::Roll { bodies: [a, b], weights: [u, w], p, q, d } => {
                 let beta = swung(*d, between(p, q, *d));
                 u * (turn(a) - beta) + w * (turn(b) - beta)
@@ -278,14 +335,20 @@ mod tests {
             (PositionEquation::Line { body: p, p, q, d, drive }, &[0, 1, 2, 3, 4, 5]),
         ];
         for sign in [1.0, -1.0] {
-            all.push((PositionEquation::Roll { bodies: [p, q], weights: [1.0, sign * 0.25], p, q, d }, &[0, 1, 2, 3, 4, 5]));
-            all.push((PositionEquation::Track { body: p, rho: sign * 2.9 * size, p, q, k, arm: d }, &[0, 1, 2, 3, 4, 5]));
+            all.push((
+                PositionEquation::Roll { bodies: [p, q], weights: [1.0, sign * 0.25], p, q, d },
+                &[0, 1, 2, 3, 4, 5],
+            ));
+            all.push((
+                PositionEquation::Track { body: p, rho: sign * 2.9 * size, p, q, k, arm: d },
+                &[0, 1, 2, 3, 4, 5],
+            ));
         }
         all
     }
 
-    /// [`PositionEquation::reach`] equals the largest coefficient in all poses, from finite differences,
-    /// except for the sum of its up to four parts.
+    /// [`PositionEquation::reach`] equals the largest coefficient in all poses, from finite
+    /// differences, except for the sum of its up to four parts.
     #[test]
     fn coefficients_reach_as_far_as_is_said() {
         for size in [0.2, 1.0, 6.0] {
@@ -303,7 +366,11 @@ mod tests {
                         said = relation.reach(unknown);
                     }
                     let has = in_pose(0, size)[kind].1.contains(&unknown);
-                    assert_eq!(has, said != 0.0, "kind {kind}, size {size}, unknown {unknown}: {said}");
+                    assert_eq!(
+                        has,
+                        said != 0.0,
+                        "kind {kind}, size {size}, unknown {unknown}: {said}"
+                    );
                     assert!(
                         most <= 4.0 * said + 1e-9 && said <= 1.5 * most + 1e-9,
                         "kind {kind}, size {size}, unknown {unknown}: the largest is {most}, {said} is said"

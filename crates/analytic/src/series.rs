@@ -1,4 +1,5 @@
-//! The motion as a power series in time, and the residual of each position equation for it, order by order.
+//! The motion as a power series in time, and the residual of each position equation for it, order
+//! by order.
 //!
 //! With c₁ = q̇ and c₂ = q̈/2, the orders t and t² repeat the equation's row and its γ. The higher
 //! orders determine the motion if the Jacobian is singular.
@@ -25,7 +26,10 @@ impl VectorSeries {
 
     /// Returns a vector turned by the angle (cos, sin).
     fn turned(v: Vec2, (c, s): &(TaylorJet, TaylorJet)) -> VectorSeries {
-        VectorSeries { x: c.scaled(v.x).minus(&s.scaled(v.y)), y: s.scaled(v.x).plus(&c.scaled(v.y)) }
+        VectorSeries {
+            x: c.scaled(v.x).minus(&s.scaled(v.y)),
+            y: s.scaled(v.x).plus(&c.scaled(v.y)),
+        }
     }
 
     fn plus(&self, o: &VectorSeries) -> VectorSeries {
@@ -98,11 +102,18 @@ impl MotionSeries {
     /// Returns the residual of an equation in t^n, n from 1 on: the row times the terms c_n, plus
     /// the contributions of the lower terms and the drivers.
     pub fn residual(&self, relation: &PositionEquation, n: usize) -> f64 {
-        let driven = |drive: [f64; 2]| TaylorJet::from_rest([drive[0], 0.5 * drive[1]].into_iter(), n);
-        let from = |d: Vec2, p: BodyPoint, q: BodyPoint| VectorSeries::constant(d, n).plus(&self.way(p, n).minus(&self.way(q, n)));
+        let driven =
+            |drive: [f64; 2]| TaylorJet::from_rest([drive[0], 0.5 * drive[1]].into_iter(), n);
+        let from = |d: Vec2, p: BodyPoint, q: BodyPoint| {
+            VectorSeries::constant(d, n).plus(&self.way(p, n).minus(&self.way(q, n)))
+        };
         let left = match *relation {
-            PositionEquation::Meet { p, q, k } => from(Vec2::ZERO, p, q).dot(&VectorSeries::constant(k, n)),
-            PositionEquation::Turn { a, b, drive } => self.angle(a, n).minus(&self.angle(b, n)).minus(&driven(drive)),
+            PositionEquation::Meet { p, q, k } => {
+                from(Vec2::ZERO, p, q).dot(&VectorSeries::constant(k, n))
+            }
+            PositionEquation::Turn { a, b, drive } => {
+                self.angle(a, n).minus(&self.angle(b, n)).minus(&driven(drive))
+            }
             PositionEquation::Along { p, q, k, arm, drive } => {
                 let k = VectorSeries::turned(k, &self.angle(q, n).cos_sin());
                 from(arm, p, q).dot(&k).minus(&driven(drive))
@@ -114,16 +125,22 @@ impl MotionSeries {
                 now.dot(&now).minus(&length.times(&length)).scaled(0.5 / l)
             }
             PositionEquation::Roll { bodies: [a, b], weights: [u, w], p, q, d } => {
-                let theta = self.angle(a, n).scaled(u / (u + w)).plus(&self.angle(b, n).scaled(w / (u + w)));
+                let theta = self
+                    .angle(a, n)
+                    .scaled(u / (u + w))
+                    .plus(&self.angle(b, n).scaled(w / (u + w)));
                 let line = VectorSeries::turned(d, &theta.cos_sin());
                 line.cross(&from(d, p, q)).scaled(-(u + w) / d.norm2())
             }
             PositionEquation::Track { body, rho, p, q, k, arm } => {
                 let k = VectorSeries::turned(k, &self.angle(q, n).cos_sin());
-                from(arm, p, q).dot(&k).plus(&self.angle(body, n).minus(&self.angle(q, n)).scaled(rho))
+                from(arm, p, q)
+                    .dot(&k)
+                    .plus(&self.angle(body, n).minus(&self.angle(q, n)).scaled(rho))
             }
             PositionEquation::Line { body, p, q, d, drive } => {
-                let line = VectorSeries::turned(d, &self.angle(body, n).plus(&driven(drive)).cos_sin());
+                let line =
+                    VectorSeries::turned(d, &self.angle(body, n).plus(&driven(drive)).cos_sin());
                 line.cross(&from(d, p, q)).scaled(1.0 / d.norm2())
             }
         };
@@ -159,15 +176,25 @@ mod tests {
             }
             let rates = DVector::from_iterator(layout.unknowns, (0..layout.unknowns).map(rate));
             for row in layout.rows(&scene, &at) {
-                let sum = |of: &dyn Fn(usize) -> f64| row.coefficients.iter().map(|(u, c)| c * of(*u)).sum::<f64>();
+                let sum = |of: &dyn Fn(usize) -> f64| {
+                    row.coefficients.iter().map(|(u, c)| c * of(*u)).sum::<f64>()
+                };
                 let first = sum(&rate) - row.rate;
                 let second = 0.5 * (sum(&acceleration) - row.acceleration(&rates));
                 let [one, two] = [1, 2].map(|n| motion.residual(&row.relation, n));
-                let size = 1.0 + first.abs() + second.abs() + row.rate.abs() + row.acceleration(&rates).abs();
+                let size = 1.0
+                    + first.abs()
+                    + second.abs()
+                    + row.rate.abs()
+                    + row.acceleration(&rates).abs();
                 // Along a driven arc the hand-written γ omits d·v, which another row makes zero.
                 let slides = matches!(row.relation, PositionEquation::Line { drive, .. } if drive != [0.0; 2]);
                 assert!((one - first).abs() < 1e-13 * size, "{}: {one} {first}", t.name);
-                assert!(slides || (two - second).abs() < 1e-13 * size, "{}: {two} {second}", t.name);
+                assert!(
+                    slides || (two - second).abs() < 1e-13 * size,
+                    "{}: {two} {second}",
+                    t.name
+                );
                 kinds[match row.relation {
                     PositionEquation::Meet { .. } => 0,
                     PositionEquation::Turn { .. } => 1,

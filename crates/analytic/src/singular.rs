@@ -1,8 +1,8 @@
 //! The motion through a pose with a singular Jacobian: dead point, change point, limit of a driver.
 //!
-//! The unknown motion is a power series in time ([`MotionSeries`]). A block whose Jacobian has a left
-//! null vector l and a right null vector z leaves one number open in every order, q̇ = p + y z, and
-//! its equations must satisfy a condition before they can be solved:
+//! The unknown motion is a power series in time ([`MotionSeries`]). A block whose Jacobian has a
+//! left null vector l and a right null vector z leaves one number open in every order, q̇ = p + y
+//! z, and its equations must satisfy a condition before they can be solved:
 //! - first order: l·Φ_t = 0, otherwise no velocity is finite: a *dead point*;
 //! - second order: A y² + B y + C = 0: a *change point* if it has two roots (two motions go
 //!   through the pose), no motion if it has none;
@@ -95,7 +95,12 @@ pub(super) struct ContinuedMotion {
 impl Blocks {
     /// Decomposes and factors a system. `data` is the relative rounding of the coefficients;
     /// `bound_of` may return a larger bound for a block with a less accurate pose.
-    pub fn new(rows: &[EquationRow], n: usize, data: f64, bound_of: impl Fn(&EquationBlock) -> f64) -> Blocks {
+    pub fn new(
+        rows: &[EquationRow],
+        n: usize,
+        data: f64,
+        bound_of: impl Fn(&EquationBlock) -> f64,
+    ) -> Blocks {
         let list = blocks(rows, n)
             .into_iter()
             .map(|block| {
@@ -108,7 +113,9 @@ impl Blocks {
                         }
                     }
                 }
-                let reach = |u: usize| block.rows.iter().map(|r| rows[*r].relation.reach(u)).fold(0.0, f64::max);
+                let reach = |u: usize| {
+                    block.rows.iter().map(|r| rows[*r].relation.reach(u)).fold(0.0, f64::max)
+                };
                 let reach: Vec<f64> = block.unknowns.iter().map(|u| reach(*u)).collect();
                 let factor = Factor::new(a, &reach);
                 // A few rounding units of each coefficient add up over the unknowns.
@@ -131,9 +138,18 @@ impl Blocks {
     ///
     /// A block without a motion is refused and left without terms, as is everything that depends on
     /// it; the other blocks continue.
-    pub fn carry(&self, rows: &[EquationRow], terms: usize, mut pick: impl FnMut(&Fork) -> usize) -> ContinuedMotion {
+    pub fn carry(
+        &self,
+        rows: &[EquationRow],
+        terms: usize,
+        mut pick: impl FnMut(&Fork) -> usize,
+    ) -> ContinuedMotion {
         let singular = self.list.iter().filter(|p| p.deficiency > 0).count();
-        let mut out = ContinuedMotion { motion: MotionSeries::new(self.n), passed: Vec::new(), refused: Vec::new() };
+        let mut out = ContinuedMotion {
+            motion: MotionSeries::new(self.n),
+            passed: Vec::new(),
+            refused: Vec::new(),
+        };
         for (i, part) in self.list.iter().enumerate() {
             let known = known_before(rows, part, &out.motion).unwrap_or(terms + singular);
             if known == 0 {
@@ -144,7 +160,11 @@ impl Blocks {
             } else {
                 self.pass(rows, i, known, &mut out.motion, &mut pick).and_then(|passed| {
                     out.passed.push(passed);
-                    if out.motion.order(part.block.unknowns[0]) < terms { Err(RefusalReason::NoAcceleration) } else { Ok(()) }
+                    if out.motion.order(part.block.unknowns[0]) < terms {
+                        Err(RefusalReason::NoAcceleration)
+                    } else {
+                        Ok(())
+                    }
                 })
             };
             if let Err(why) = done {
@@ -187,7 +207,10 @@ impl Blocks {
             0.0 => at_p.amax().sqrt(),
             rate => rate,
         };
-        let (up, down) = (second(rows, part, motion, &(&p + &z * unit)), second(rows, part, motion, &(&p - &z * unit)));
+        let (up, down) = (
+            second(rows, part, motion, &(&p + &z * unit)),
+            second(rows, part, motion, &(&p - &z * unit)),
+        );
         let quadratic = (&up + &down - &at_p * 2.0) / (2.0 * unit * unit);
         let linear = (&up - &down) / (2.0 * unit);
         let (a, b, c) = (l.dot(&quadratic), l.dot(&linear), l.dot(&at_p));
@@ -196,11 +219,16 @@ impl Blocks {
         let blur = 16.0 * part.data.sqrt();
         // A form that consists of rounding errors has no size of its own: it is judged by the rates
         // from which it is computed.
-        let zero = |value: f64, of: &DVector<f64>, made_of: f64| value.abs() <= (blur * of.amax()).max(part.data * made_of);
+        let zero = |value: f64, of: &DVector<f64>, made_of: f64| {
+            value.abs() <= (blur * of.amax()).max(part.data * made_of)
+        };
         let (no_a, no_b) = (zero(a, &quadratic, 1.0), zero(b, &linear, unit));
         let no_c = zero(c, &at_p, unit * unit);
 
-        if still && at_p.amax() == 0.0 && (3..=known).all(|n| residuals(rows, part, motion, n).amax() == 0.0) {
+        if still
+            && at_p.amax() == 0.0
+            && (3..=known).all(|n| residuals(rows, part, motion, n).amax() == 0.0)
+        {
             if no_a {
                 return Err(RefusalReason::Loose);
             }
@@ -216,7 +244,9 @@ impl Blocks {
         let d = b * b - 4.0 * a * c;
         let size = b * b + 4.0 * (a * c).abs();
         let agrees = g.abs() <= part.data * first.amax()
-            || (d.abs() > blur * size && (g * g * a / d).abs() <= part.data && (g * b / d).abs() <= blur);
+            || (d.abs() > blur * size
+                && (g * g * a / d).abs() <= part.data
+                && (g * b / d).abs() <= blur);
         if !agrees {
             return Err(RefusalReason::DeadPoint);
         }
@@ -245,7 +275,10 @@ impl Blocks {
         let slope = 2.0 * a * y + b;
         if slope.abs() > blur * (a * y).abs().max(b.abs()) {
             for n in 2..known {
-                let p = part.factor.solve(&-residuals(rows, part, motion, n), true).ok_or(RefusalReason::Several)?;
+                let p = part
+                    .factor
+                    .solve(&-residuals(rows, part, motion, n), true)
+                    .ok_or(RefusalReason::Several)?;
                 set(part, motion, n, &p);
                 let y = -l.dot(&residuals(rows, part, motion, n + 1)) / slope;
                 set(part, motion, n, &(p + &z * y));
@@ -257,9 +290,17 @@ impl Blocks {
 }
 
 /// Continues the motion through a block that determines it.
-fn follow(rows: &[EquationRow], part: &FactoredBlock, known: usize, motion: &mut MotionSeries) -> Result<(), RefusalReason> {
+fn follow(
+    rows: &[EquationRow],
+    part: &FactoredBlock,
+    known: usize,
+    motion: &mut MotionSeries,
+) -> Result<(), RefusalReason> {
     for n in 1..=known {
-        let c = part.factor.solve(&-residuals(rows, part, motion, n), false).ok_or(RefusalReason::Several)?;
+        let c = part
+            .factor
+            .solve(&-residuals(rows, part, motion, n), false)
+            .ok_or(RefusalReason::Several)?;
         set(part, motion, n, &c);
     }
     Ok(())
@@ -273,18 +314,35 @@ fn set(part: &FactoredBlock, motion: &mut MotionSeries, n: usize, c: &DVector<f6
 
 /// Returns the number of known terms of the unknowns on which a block depends; `None` if it depends
 /// on none.
-fn known_before(rows: &[EquationRow], part: &FactoredBlock, motion: &MotionSeries) -> Option<usize> {
+fn known_before(
+    rows: &[EquationRow],
+    part: &FactoredBlock,
+    motion: &MotionSeries,
+) -> Option<usize> {
     let of = part.block.rows.iter().flat_map(|r| &rows[*r].coefficients).map(|c| c.0);
     of.filter(|u| part.block.unknowns.binary_search(u).is_err()).map(|u| motion.order(u)).min()
 }
 
 /// Returns the residuals of the block's equations in t^n.
-fn residuals(rows: &[EquationRow], part: &FactoredBlock, motion: &MotionSeries, n: usize) -> DVector<f64> {
-    DVector::from_iterator(part.block.rows.len(), part.block.rows.iter().map(|r| motion.residual(&rows[*r].relation, n)))
+fn residuals(
+    rows: &[EquationRow],
+    part: &FactoredBlock,
+    motion: &MotionSeries,
+    n: usize,
+) -> DVector<f64> {
+    DVector::from_iterator(
+        part.block.rows.len(),
+        part.block.rows.iter().map(|r| motion.residual(&rows[*r].relation, n)),
+    )
 }
 
 /// Returns the residuals of the block in t² with the rates `c` and no acceleration of its own.
-fn second(rows: &[EquationRow], part: &FactoredBlock, motion: &mut MotionSeries, c: &DVector<f64>) -> DVector<f64> {
+fn second(
+    rows: &[EquationRow],
+    part: &FactoredBlock,
+    motion: &mut MotionSeries,
+    c: &DVector<f64>,
+) -> DVector<f64> {
     set(part, motion, 1, c);
     let left = residuals(rows, part, motion, 2);
     for u in &part.block.unknowns {
@@ -328,11 +386,19 @@ mod tests {
         for off in [0.0, 1e-14, -1e-11, 1e-9, -1e-9, 4e-9] {
             // A parallelogram: A, B, C and D in line.
             let through = carried(1, 0.0, off);
-            assert!(through.refused.is_empty() && through.passed.len() == 1, "{off}: {:?}", through.refused.first().map(|r| r.why));
+            assert!(
+                through.refused.is_empty() && through.passed.len() == 1,
+                "{off}: {:?}",
+                through.refused.first().map(|r| r.why)
+            );
             assert!(off == 0.0 || through.passed[0].off > 0.0, "{off}");
             // The rocker's drive at its limit: only A, B and C are in line.
             let dead = carried(3, -2.0, off);
-            assert_eq!(dead.refused.iter().map(|r| r.why).collect::<Vec<_>>(), [RefusalReason::DeadPoint], "{off}");
+            assert_eq!(
+                dead.refused.iter().map(|r| r.why).collect::<Vec<_>>(),
+                [RefusalReason::DeadPoint],
+                "{off}"
+            );
         }
     }
 

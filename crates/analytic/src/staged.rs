@@ -55,7 +55,8 @@ impl StagedFactors {
 
     /// Factors the given blocks.
     fn of(coefficients: Vec<Vec<(usize, f64)>>, blocks: Vec<EquationBlock>) -> StagedFactors {
-        let parts = blocks.into_iter().map(|block| StagedBlock::new(block, &coefficients)).collect();
+        let parts =
+            blocks.into_iter().map(|block| StagedBlock::new(block, &coefficients)).collect();
         StagedFactors { coefficients, parts }
     }
 
@@ -73,8 +74,17 @@ impl StagedFactors {
         let mut x = DVector::zeros(b.len());
         for part in &self.parts {
             // Unknowns outside the block are solved before it.
-            let known = |row: usize| self.coefficients[row].iter().filter(|(k, _)| !part.has(*k)).map(|(k, c)| c * x[*k]).sum::<f64>();
-            let rhs = DVector::from_iterator(part.block.rows.len(), part.block.rows.iter().map(|row| b[*row] - known(*row)));
+            let known = |row: usize| {
+                self.coefficients[row]
+                    .iter()
+                    .filter(|(k, _)| !part.has(*k))
+                    .map(|(k, c)| c * x[*k])
+                    .sum::<f64>()
+            };
+            let rhs = DVector::from_iterator(
+                part.block.rows.len(),
+                part.block.rows.iter().map(|row| b[*row] - known(*row)),
+            );
             let found = part.lu.solve(&rhs)?;
             part.block.unknowns.iter().zip(found.iter()).for_each(|(k, v)| x[*k] = *v);
         }
@@ -85,12 +95,21 @@ impl StagedFactors {
     pub fn solve_transposed(&self, c: &DVector<f64>) -> Option<DVector<f64>> {
         let (mut rest, mut y) = (c.clone(), DVector::zeros(c.len()));
         for part in self.parts.iter().rev() {
-            let rhs = DVector::from_iterator(part.block.unknowns.len(), part.block.unknowns.iter().map(|k| rest[*k]));
-            let mut found = part.u.tr_solve_upper_triangular(&rhs).and_then(|z| part.l.tr_solve_lower_triangular(&z))?;
+            let rhs = DVector::from_iterator(
+                part.block.unknowns.len(),
+                part.block.unknowns.iter().map(|k| rest[*k]),
+            );
+            let mut found = part
+                .u
+                .tr_solve_upper_triangular(&rhs)
+                .and_then(|z| part.l.tr_solve_lower_triangular(&z))?;
             part.p.inv_permute_rows(&mut found);
             for (row, v) in part.block.rows.iter().zip(found.iter()) {
                 y[*row] = *v;
-                self.coefficients[*row].iter().filter(|(k, _)| !part.has(*k)).for_each(|(k, c)| rest[*k] -= c * v);
+                self.coefficients[*row]
+                    .iter()
+                    .filter(|(k, _)| !part.has(*k))
+                    .for_each(|(k, c)| rest[*k] -= c * v);
             }
         }
         Some(y)
@@ -99,7 +118,10 @@ impl StagedFactors {
     /// b − A x.
     pub fn residual(&self, x: &DVector<f64>, b: &DVector<f64>) -> DVector<f64> {
         let product = |row: &Vec<(usize, f64)>| row.iter().map(|(k, c)| c * x[*k]).sum::<f64>();
-        DVector::from_iterator(b.len(), self.coefficients.iter().zip(b.iter()).map(|(row, b)| b - product(row)))
+        DVector::from_iterator(
+            b.len(),
+            self.coefficients.iter().zip(b.iter()).map(|(row, b)| b - product(row)),
+        )
     }
 }
 
@@ -117,7 +139,13 @@ mod tests {
         for i in 0..n {
             let first = (i / 3 * 3).saturating_sub(3);
             rows[row(i)] = (first..i / 3 * 3 + 3)
-                .map(|k| (unknown(k), 0.3 * (((i * 5 + k * 3) % 13) as f64 - 6.5) + if i == k { 20.0 } else { 0.0 }))
+                .map(|k| {
+                    (
+                        unknown(k),
+                        0.3 * (((i * 5 + k * 3) % 13) as f64 - 6.5)
+                            + if i == k { 20.0 } else { 0.0 },
+                    )
+                })
                 .collect();
         }
         rows
@@ -128,19 +156,28 @@ mod tests {
         for count in [1, 2, 10, 40, 100] {
             let coefficients = chain(count);
             let n = coefficients.len();
-            let lists: Vec<Vec<usize>> = coefficients.iter().map(|row| row.iter().map(|c| c.0).collect()).collect();
+            let lists: Vec<Vec<usize>> =
+                coefficients.iter().map(|row| row.iter().map(|c| c.0).collect()).collect();
             let staged = StagedFactors::of(coefficients.clone(), of_lists(&lists, n));
             // The work is that of this many small blocks.
-            assert!(staged.parts.len() == count && staged.parts.iter().all(|p| p.block.rows.len() == 3));
+            assert!(
+                staged.parts.len() == count && staged.parts.iter().all(|p| p.block.rows.len() == 3)
+            );
             let mut whole = DMatrix::<f64>::zeros(n, n);
             for (i, row) in coefficients.iter().enumerate() {
                 row.iter().for_each(|(k, c)| whole[(i, *k)] += c);
             }
             let b = DVector::from_fn(n, |i, _| (i % 17) as f64 - 8.0);
             let (x, y) = (staged.solve(&b).unwrap(), staged.solve_transposed(&b).unwrap());
-            assert!((&whole * &x - &b).amax() < 1e-10 && (whole.transpose() * &y - &b).amax() < 1e-10, "{count} blocks");
+            assert!(
+                (&whole * &x - &b).amax() < 1e-10 && (whole.transpose() * &y - &b).amax() < 1e-10,
+                "{count} blocks"
+            );
             assert!((staged.residual(&y, &b) - (&b - &whole * &y)).amax() < 1e-10);
-            let sums = whole.column_iter().map(|c| c.iter().map(|v| v.abs()).sum::<f64>()).fold(0.0, f64::max);
+            let sums = whole
+                .column_iter()
+                .map(|c| c.iter().map(|v| v.abs()).sum::<f64>())
+                .fold(0.0, f64::max);
             assert!((staged.one_norm() - sums).abs() < 1e-9);
         }
     }

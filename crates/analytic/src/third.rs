@@ -53,20 +53,32 @@ fn solved(
         return None;
     }
     let mut motion = MotionSeries::new(layout.unknowns);
-    let [rates, accelerations] = [Level::Velocity, Level::Acceleration].map(|level| packed(&layout, solution, level));
+    let [rates, accelerations] =
+        [Level::Velocity, Level::Acceleration].map(|level| packed(&layout, solution, level));
     for (u, (rate, acceleration)) in rates?.into_iter().zip(accelerations?).enumerate() {
         motion.set(u, 1, rate);
         motion.set(u, 2, 0.5 * acceleration);
     }
     let system = LoopSystem::new(scene, at, &layout).ok()?;
-    let left = system.rows.iter().map(|row| layout.third_by_law(scene, row.of) / 6.0 - motion.residual(&row.relation, 3));
+    let left = system
+        .rows
+        .iter()
+        .map(|row| layout.third_by_law(scene, row.of) / 6.0 - motion.residual(&row.relation, 3));
     let terms = system.solve(&DVector::from_iterator(system.rows.len(), left))? * 6.0;
     Some(
         layout
             .links
             .iter()
             .enumerate()
-            .map(|(i, l)| (*l, (Vec2::new(terms[3 * i], terms[3 * i + 1]) * (1.0 / layout.scale), terms[3 * i + 2])))
+            .map(|(i, l)| {
+                (
+                    *l,
+                    (
+                        Vec2::new(terms[3 * i], terms[3 * i + 1]) * (1.0 / layout.scale),
+                        terms[3 * i + 2],
+                    ),
+                )
+            })
             .collect(),
     )
 }
@@ -96,10 +108,18 @@ impl Solution {
 
     /// Returns the third derivative at a point of a link, from that at its origin: (D³ e^{iθ}) r =
     /// (i θ⃛ − 3 ω α − i ω³) r.
-    fn moved_to(&self, link: LinkId, place: Point, (of_origin, turning): ThirdDerivatives) -> Option<ThirdDerivatives> {
+    fn moved_to(
+        &self,
+        link: LinkId,
+        place: Point,
+        (of_origin, turning): ThirdDerivatives,
+    ) -> Option<ThirdDerivatives> {
         let motion = self.links[link.0]?;
         let (omega, (_, alpha)) = (motion.omega, motion.second?);
         let r = place - self.origins[link.0]?;
-        Some((of_origin + r.perp() * (turning - omega * omega * omega) - r * (3.0 * omega * alpha), turning))
+        Some((
+            of_origin + r.perp() * (turning - omega * omega * omega) - r * (3.0 * omega * alpha),
+            turning,
+        ))
     }
 }

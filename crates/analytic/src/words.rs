@@ -30,16 +30,28 @@ pub(super) struct LoadedPart {
 const LOADED: f64 = 1e-6;
 
 /// Returns the links and joints that a block's left null vector loads.
-pub(super) fn held(scene: &Scene, at: &Configuration, layout: &UnknownLayout, rows: &[EquationRow], part: &FactoredBlock) -> LoadedPart {
+pub(super) fn held(
+    scene: &Scene,
+    at: &Configuration,
+    layout: &UnknownLayout,
+    rows: &[EquationRow],
+    part: &FactoredBlock,
+) -> LoadedPart {
     let loads = part.factor.left();
     let loaded = |i: usize| loads[i].abs() > LOADED * loads.amax();
-    let (mut pins, mut guides, mut drivers): (Vec<PointId>, Vec<GuideId>, Vec<usize>) = Default::default();
-    for of in part.block.rows.iter().enumerate().filter(|(i, _)| loaded(*i)).map(|(_, r)| rows[*r].of) {
+    let (mut pins, mut guides, mut drivers): (Vec<PointId>, Vec<GuideId>, Vec<usize>) =
+        Default::default();
+    for of in
+        part.block.rows.iter().enumerate().filter(|(i, _)| loaded(*i)).map(|(_, r)| rows[*r].of)
+    {
         match of {
             EquationPair::Pin(p) if !pins.contains(&p) => pins.push(p),
             EquationPair::Guide(g) if !guides.contains(&g) => guides.push(g),
             EquationPair::Driver(d) if !drivers.contains(&d) => drivers.push(d),
-            EquationPair::Pin(_) | EquationPair::Guide(_) | EquationPair::Driver(_) | EquationPair::Rolling(_) => {}
+            EquationPair::Pin(_)
+            | EquationPair::Guide(_)
+            | EquationPair::Driver(_)
+            | EquationPair::Rolling(_) => {}
         }
     }
     // A runner that is driven along its guide is held like a pin; any other runner is held square
@@ -52,16 +64,25 @@ pub(super) fn held(scene: &Scene, at: &Configuration, layout: &UnknownLayout, ro
         }
         pins.extend(kind.ends().into_iter().flatten());
     }
-    drivers.retain(|d| scene.drivers[*d].kind.guide().is_none_or(|guide| scene.guides[guide.0].pin.is_none()));
+    drivers.retain(|d| {
+        scene.drivers[*d].kind.guide().is_none_or(|guide| scene.guides[guide.0].pin.is_none())
+    });
     pins.extend(guides.iter().filter_map(|g| scene.guides[g.0].pin));
     pins.sort_unstable();
     pins.dedup();
     let block = links_of(layout, part);
-    let on = |l: LinkId| -> Vec<PointId> { scene.links[l.0].points.iter().copied().filter(|p| pins.contains(p)).collect() };
+    let on = |l: LinkId| -> Vec<PointId> {
+        scene.links[l.0].points.iter().copied().filter(|p| pins.contains(p)).collect()
+    };
     let mut links: Vec<LinkId> = block
         .iter()
         .copied()
-        .filter(|l| on(*l).len() > 1 || guides.iter().any(|g| scene.guides[g.0].on == *l || scene.guides[g.0].slider == Some(*l)))
+        .filter(|l| {
+            on(*l).len() > 1
+                || guides
+                    .iter()
+                    .any(|g| scene.guides[g.0].on == *l || scene.guides[g.0].slider == Some(*l))
+        })
         .collect();
     if links.is_empty() {
         links.clone_from(&block);
@@ -80,11 +101,20 @@ pub(super) fn held(scene: &Scene, at: &Configuration, layout: &UnknownLayout, ro
         // A link that leads into the block along the same line is included: the crank of a
         // parallelogram.
         let reaches = |l: LinkId| {
-            let mine: Vec<_> = scene.links[l.0].points.iter().filter(|p| pins.contains(p)).collect();
-            let all: Vec<_> = scene.links[l.0].points.iter().filter_map(|p| at.points[p.0]).chain(places.iter().copied()).collect();
+            let mine: Vec<_> =
+                scene.links[l.0].points.iter().filter(|p| pins.contains(p)).collect();
+            let all: Vec<_> = scene.links[l.0]
+                .points
+                .iter()
+                .filter_map(|p| at.points[p.0])
+                .chain(places.iter().copied())
+                .collect();
             !mine.is_empty() && scene.links[l.0].points.len() == 2 && collinear(&all, at.extent())
         };
-        links = (0..scene.links.len()).map(LinkId).filter(|l| *l != scene.ground && (links.contains(l) || reaches(*l))).collect();
+        links = (0..scene.links.len())
+            .map(LinkId)
+            .filter(|l| *l != scene.ground && (links.contains(l) || reaches(*l)))
+            .collect();
     }
     // A bar is lettered by the joints at which it is loaded.
     let letters = |l: LinkId| {
@@ -95,22 +125,40 @@ pub(super) fn held(scene: &Scene, at: &Configuration, layout: &UnknownLayout, ro
             _ => both!("", " "),
         }
     };
-    let bars: Vec<Both> = links.iter().map(|l| both!("link {}{}", "构件 {}{}", scene.link_name(*l), letters(*l))).collect();
+    let bars: Vec<Both> = links
+        .iter()
+        .map(|l| both!("link {}{}", "构件 {}{}", scene.link_name(*l), letters(*l)))
+        .collect();
     let guide = |g: &GuideId| match (scene.guides[g.0].pin, scene.guides[g.0].slider) {
-        _ if scene.contact_words(*g).is_some() => both!("the line of {}", "{}的导向线", scene.guide_words(*g)),
+        _ if scene.contact_words(*g).is_some() => {
+            both!("the line of {}", "{}的导向线", scene.guide_words(*g))
+        }
         (Some(p), _) => both!("the guide of {}", "{} 的导路", scene.point_name(p)),
         (None, Some(s)) => both!("the guide of link {}", "构件 {} 的导路", scene.link_name(s)),
         (None, None) => both!("the guide", "导路"),
     };
     let at_joint = joint.map_or_else(Both::default, |p| both!(" at {}", "{}", scene.point_name(p)));
-    let carries_guide = |l: LinkId| guides.iter().any(|g| scene.guides[g.0].on == l || scene.guides[g.0].slider == Some(l));
+    let carries_guide = |l: LinkId| {
+        guides.iter().any(|g| scene.guides[g.0].on == l || scene.guides[g.0].slider == Some(l))
+    };
     let text = match (&guides[..], in_line) {
         (_, true) => {
             let cylinders = drivers.iter().map(|d| mover_words(scene, *d));
             let all: Vec<Both> = bars.into_iter().chain(cylinders).collect();
             match joint {
-                Some(_) => both!("{} lie in line{}{}", "{}在 {} 处共线{}", Both::listed(&all), at_joint, coincident(scene, at, &pins)),
-                None => both!("{} lie in line{}", "{}共线{}", Both::listed(&all), coincident(scene, at, &pins)),
+                Some(_) => both!(
+                    "{} lie in line{}{}",
+                    "{}在 {} 处共线{}",
+                    Both::listed(&all),
+                    at_joint,
+                    coincident(scene, at, &pins)
+                ),
+                None => both!(
+                    "{} lie in line{}",
+                    "{}共线{}",
+                    Both::listed(&all),
+                    coincident(scene, at, &pins)
+                ),
             }
         }
         ([g], _) if bars.len() == 1 && on(links[0]).len() == 2 && !carries_guide(links[0]) => {
@@ -118,9 +166,13 @@ pub(super) fn held(scene: &Scene, at: &Configuration, layout: &UnknownLayout, ro
         }
         _ => {
             let cylinders = drivers.iter().map(|d| mover_words(scene, *d));
-            let all: Vec<Both> = bars.into_iter().chain(guides.iter().map(guide)).chain(cylinders).collect();
+            let all: Vec<Both> =
+                bars.into_iter().chain(guides.iter().map(guide)).chain(cylinders).collect();
             let verb = if all.len() == 1 { "leaves" } else { "leave" };
-            let at_joint = Both { zh: joint.map_or_else(String::new, |p| format!("在 {} 处", scene.point_name(p))), ..at_joint };
+            let at_joint = Both {
+                zh: joint.map_or_else(String::new, |p| format!("在 {} 处", scene.point_name(p))),
+                ..at_joint
+            };
             both!(
                 "{} {} one freedom open{}{}",
                 "{0}{2}余下一个自由度{1:.0}{3}",
@@ -136,15 +188,28 @@ pub(super) fn held(scene: &Scene, at: &Configuration, layout: &UnknownLayout, ro
 
 fn collinear(places: &[hodograph_base::geom::Point], extent: f64) -> bool {
     let Some(first) = places.first() else { return false };
-    let far = places.iter().map(|p| *p - *first).fold(Vec2::ZERO, |a, b| if b.norm2() > a.norm2() { b } else { a });
-    far.norm() > 0.0 && places.iter().all(|p| far.cross(*p - *first).abs() <= LOADED * far.norm() * extent)
+    let far = places
+        .iter()
+        .map(|p| *p - *first)
+        .fold(Vec2::ZERO, |a, b| if b.norm2() > a.norm2() { b } else { a });
+    far.norm() > 0.0
+        && places.iter().all(|p| far.cross(*p - *first).abs() <= LOADED * far.norm() * extent)
 }
 
 fn coincident(scene: &Scene, at: &Configuration, pins: &[PointId]) -> Both {
-    let close = |a: &PointId, b: &PointId| at.points[a.0].zip(at.points[b.0]).is_some_and(|(a, b)| a.distance(b) <= LOADED * at.extent());
+    let close = |a: &PointId, b: &PointId| {
+        at.points[a.0]
+            .zip(at.points[b.0])
+            .is_some_and(|(a, b)| a.distance(b) <= LOADED * at.extent())
+    };
     for (i, a) in pins.iter().enumerate() {
         if let Some(b) = pins[i + 1..].iter().find(|b| close(a, b)) {
-            return both!(" ({} and {} coincide)", "（{} 与 {} 重合）", scene.point_name(*a), scene.point_name(*b));
+            return both!(
+                " ({} and {} coincide)",
+                "（{} 与 {} 重合）",
+                scene.point_name(*a),
+                scene.point_name(*b)
+            );
         }
     }
     Both::default()
@@ -152,7 +217,8 @@ fn coincident(scene: &Scene, at: &Configuration, pins: &[PointId]) -> Both {
 
 /// Returns the links with unknowns in a block, in the order of the scene.
 pub(super) fn links_of(layout: &UnknownLayout, part: &FactoredBlock) -> Vec<LinkId> {
-    let mut links: Vec<LinkId> = part.block.unknowns.iter().filter_map(|u| layout.link_of(*u)).collect();
+    let mut links: Vec<LinkId> =
+        part.block.unknowns.iter().filter_map(|u| layout.link_of(*u)).collect();
     links.sort_unstable();
     links.dedup();
     links
@@ -160,13 +226,24 @@ pub(super) fn links_of(layout: &UnknownLayout, part: &FactoredBlock) -> Vec<Link
 
 /// Returns the drivers that move, or are intended to move.
 fn moving_drivers(scene: &Scene) -> Both {
-    let moves = |d: &hodograph_scene::Driver| d.rate.value != 0.0 || d.acceleration.as_ref().is_some_and(|a| a.value != 0.0);
-    let all: Vec<Both> = (0..scene.drivers.len()).filter(|d| moves(&scene.drivers[*d])).map(|d| mover_words(scene, d)).collect();
+    let moves = |d: &hodograph_scene::Driver| {
+        d.rate.value != 0.0 || d.acceleration.as_ref().is_some_and(|a| a.value != 0.0)
+    };
+    let all: Vec<Both> = (0..scene.drivers.len())
+        .filter(|d| moves(&scene.drivers[*d]))
+        .map(|d| mover_words(scene, d))
+        .collect();
     if all.is_empty() { both!("the driver", "原动件") } else { Both::listed(&all) }
 }
 
 /// Returns the diagnostic about a part without a motion.
-pub(super) fn refusal(scene: &Scene, layout: &UnknownLayout, part: &FactoredBlock, refused: &Refusal, held: &LoadedPart) -> Diagnostic {
+pub(super) fn refusal(
+    scene: &Scene,
+    layout: &UnknownLayout,
+    part: &FactoredBlock,
+    refused: &Refusal,
+    held: &LoadedPart,
+) -> Diagnostic {
     let drivers = moving_drivers(scene);
     let free = free_links(scene, layout, part);
     let text = &held.text;
@@ -241,12 +318,23 @@ pub(super) fn refusal(scene: &Scene, layout: &UnknownLayout, part: &FactoredBloc
 fn free_links(scene: &Scene, layout: &UnknownLayout, part: &FactoredBlock) -> Both {
     let z = part.factor.right();
     let moved = |u: usize| z.as_ref().is_none_or(|z| z[u].abs() > LOADED * z.amax());
-    let mut links: Vec<LinkId> =
-        part.block.unknowns.iter().enumerate().filter(|(i, _)| moved(*i)).filter_map(|(_, u)| layout.link_of(*u)).collect();
+    let mut links: Vec<LinkId> = part
+        .block
+        .unknowns
+        .iter()
+        .enumerate()
+        .filter(|(i, _)| moved(*i))
+        .filter_map(|(_, u)| layout.link_of(*u))
+        .collect();
     links.sort_unstable();
     links.dedup();
-    let names: Vec<Both> = links.iter().map(|l| both!("link {}", "构件 {} ", scene.link_name(*l))).collect();
-    if names.is_empty() { both!("the joints there", "该处的运动副") } else { Both::listed(&names) }
+    let names: Vec<Both> =
+        links.iter().map(|l| both!("link {}", "构件 {} ", scene.link_name(*l))).collect();
+    if names.is_empty() {
+        both!("the joints there", "该处的运动副")
+    } else {
+        Both::listed(&names)
+    }
 }
 
 #[cfg(test)]
@@ -256,7 +344,9 @@ mod tests {
 
     #[test]
     fn places_in_line_are_two_at_least() {
-        let at = |all: &[(f64, f64)]| -> Vec<Point> { all.iter().map(|(x, y)| Point::new(*x, *y)).collect() };
+        let at = |all: &[(f64, f64)]| -> Vec<Point> {
+            all.iter().map(|(x, y)| Point::new(*x, *y)).collect()
+        };
         for (places, in_line) in [
             (vec![], false),
             (at(&[(1.0, 2.0)]), false),

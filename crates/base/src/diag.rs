@@ -80,7 +80,11 @@ impl Both {
     /// Returns the text with the full stop of each language at its end, added if it is missing.
     pub fn sentence(self) -> Both {
         let stopped = |text: String, stop: &str| {
-            if text.is_empty() || text.ends_with(['.', '。', ':', '：', '?', '？']) { text } else { text + stop }
+            if text.is_empty() || text.ends_with(['.', '。', ':', '：', '?', '？']) {
+                text
+            } else {
+                text + stop
+            }
         };
         Both { en: stopped(self.en, "."), zh: stopped(self.zh, "。") }
     }
@@ -92,7 +96,10 @@ impl Both {
             [one] => one.clone(),
             [head @ .., last] => {
                 let head = Both::join(head, ", ", "、");
-                Both { en: format!("{} and {}", head.en, last.en), zh: format!("{}和{}", head.zh, last.zh) }
+                Both {
+                    en: format!("{} and {}", head.en, last.en),
+                    zh: format!("{}和{}", head.zh, last.zh),
+                }
             }
         }
     }
@@ -199,7 +206,13 @@ pub struct Diagnostic {
 impl Diagnostic {
     /// Creates an error.
     pub fn error(code: &'static str, message: impl Into<Both>) -> Self {
-        Diagnostic { severity: Severity::Error, code, message: message.into().each(bounded), span: None, help: None }
+        Diagnostic {
+            severity: Severity::Error,
+            code,
+            message: message.into().each(bounded),
+            span: None,
+            help: None,
+        }
     }
 
     /// Creates a warning.
@@ -239,7 +252,8 @@ impl Diagnostic {
 
 /// Returns two lower-case words of Latin letters side by side, outside quotations.
 fn english(text: &str) -> Option<String> {
-    let unquoted = |mark: char, text: &str| text.split(mark).step_by(2).collect::<Vec<_>>().join(" \u{b7} ");
+    let unquoted =
+        |mark: char, text: &str| text.split(mark).step_by(2).collect::<Vec<_>>().join(" \u{b7} ");
     let text = unquoted('"', &unquoted('`', text));
     let words: Vec<&str> = text.split_whitespace().collect();
     let small = |w: &str| w.len() > 1 && w.bytes().all(|b| b.is_ascii_lowercase());
@@ -375,7 +389,9 @@ mod tests {
 
     #[test]
     fn lists_have_the_comma_of_their_language() {
-        let told = |all: Both| Diagnostic::error("x", both!("the points are {}", "点有 {}", all)).english_in_chinese();
+        let told = |all: Both| {
+            Diagnostic::error("x", both!("the points are {}", "点有 {}", all)).english_in_chinese()
+        };
         assert_eq!(told(Both::names(&["A", "B", "C"])), None);
         assert!(told(Both::same("A, B, C")).is_some());
         // English commas in coordinates and in quotations of the file are allowed.
@@ -385,9 +401,12 @@ mod tests {
     #[test]
     fn huge_names_are_told_by_their_ends() {
         let name = "x".repeat(200_000);
-        let d = Diagnostic::error("name", format!("`{name}` cannot name a point, `B` can")).help(format!("not `{name}`"));
+        let d = Diagnostic::error("name", format!("`{name}` cannot name a point, `B` can"))
+            .help(format!("not `{name}`"));
         assert!(
-            d.message.en.len() < 200 && d.message.en.contains("(200000 characters)") && d.message.en.contains("`B` can"),
+            d.message.en.len() < 200
+                && d.message.en.contains("(200000 characters)")
+                && d.message.en.contains("`B` can"),
             "{}",
             d.message.en
         );

@@ -26,17 +26,20 @@ pub enum DiagramKind {
 
 impl DiagramKind {
     /// All kinds, in drawing order.
-    pub const ALL: [DiagramKind; 4] = [DiagramKind::Plane, DiagramKind::Velocity, DiagramKind::Acceleration, DiagramKind::Force];
+    pub const ALL: [DiagramKind; 4] =
+        [DiagramKind::Plane, DiagramKind::Velocity, DiagramKind::Acceleration, DiagramKind::Force];
 
     /// The diagrams of one construction of the motion at an instant: the plane and the polygons
     /// with a pole.
-    pub const OF_MOTION: [DiagramKind; 3] = [DiagramKind::Plane, DiagramKind::Velocity, DiagramKind::Acceleration];
+    pub const OF_MOTION: [DiagramKind; 3] =
+        [DiagramKind::Plane, DiagramKind::Velocity, DiagramKind::Acceleration];
 
     /// The diagrams with vectors drawn from a pole, in drawing order.
     pub const POLYGONS: [DiagramKind; 2] = [DiagramKind::Velocity, DiagramKind::Acceleration];
 
     /// The diagrams of vectors, in drawing order.
-    pub const VECTORS: [DiagramKind; 3] = [DiagramKind::Velocity, DiagramKind::Acceleration, DiagramKind::Force];
+    pub const VECTORS: [DiagramKind; 3] =
+        [DiagramKind::Velocity, DiagramKind::Acceleration, DiagramKind::Force];
 
     /// Returns the polygon of the derivatives of an order; the plane for positions.
     pub const fn of(level: Level) -> DiagramKind {

@@ -3,7 +3,11 @@
 /// Returns a length for a diagnostic: millimetres with four significant digits, or metres from 10 m
 /// on.
 pub fn metres(value_m: f64) -> String {
-    if value_m.abs() >= 10.0 { format!("{} m", significant(value_m, 4)) } else { format!("{} mm", significant(value_m * 1e3, 4)) }
+    if value_m.abs() >= 10.0 {
+        format!("{} m", significant(value_m, 4))
+    } else {
+        format!("{} mm", significant(value_m * 1e3, 4))
+    }
 }
 
 /// Returns a number with `digits` significant digits, without an exponent between 1e-4 and 1e6.
@@ -45,7 +49,11 @@ pub fn plain(scientific: &str) -> String {
     } else {
         let whole = e as usize + 1;
         let padded = format!("{ciphers:0<whole$}");
-        if decimals == 0 { padded[..whole].to_string() } else { format!("{}.{}", &padded[..whole], &padded[whole..]) }
+        if decimals == 0 {
+            padded[..whole].to_string()
+        } else {
+            format!("{}.{}", &padded[..whole], &padded[whole..])
+        }
     };
     if negative { format!("-{plain}") } else { plain }
 }
@@ -92,7 +100,11 @@ pub fn shortest(value: f64) -> String {
     }
     let rounded: f64 = format!("{value:.12e}").parse().expect("a formatted float parses");
     let rounded = rounded + 0.0;
-    if rounded != 0.0 && !(1e-4..1e7).contains(&rounded.abs()) { format!("{rounded:e}") } else { format!("{rounded}") }
+    if rounded != 0.0 && !(1e-4..1e7).contains(&rounded.abs()) {
+        format!("{rounded:e}")
+    } else {
+        format!("{rounded}")
+    }
 }
 
 #[cfg(test)]
@@ -107,7 +119,10 @@ mod tests {
         assert_eq!(significant(123456.0, 4), "123500");
         assert_eq!(significant(1.5e9, 4), "1.500e9");
         assert_eq!(significant(0.0, 4), "0");
-        assert_eq!([f64::INFINITY, -f64::INFINITY, f64::NAN].map(|x| significant(x, 4)), ["∞", "-∞", "—"]);
+        assert_eq!(
+            [f64::INFINITY, -f64::INFINITY, f64::NAN].map(|x| significant(x, 4)),
+            ["∞", "-∞", "—"]
+        );
         assert_eq!(shortest(f64::INFINITY), "∞");
     }
 

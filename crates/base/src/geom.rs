@@ -274,7 +274,12 @@ mod tests {
 
     #[test]
     fn crossing_of_the_axes() {
-        let c = cross_lines(Point::new(3.0, 0.0), Vec2::new(2.0, 0.0), Point::new(0.0, 4.0), Vec2::new(0.0, 5.0));
+        let c = cross_lines(
+            Point::new(3.0, 0.0),
+            Vec2::new(2.0, 0.0),
+            Point::new(0.0, 4.0),
+            Vec2::new(0.0, 5.0),
+        );
         assert_eq!(c.at, Point::ORIGIN);
         assert_eq!(c.sine, 1.0);
     }

@@ -103,13 +103,28 @@ impl Kind {
             Kind::Velocity => Some("mu_v"),
             Kind::Acceleration => Some("mu_a"),
             Kind::Force => Some("mu_F"),
-            Kind::Angle | Kind::Omega | Kind::Alpha | Kind::Moment | Kind::Power | Kind::Time | Kind::Number => None,
+            Kind::Angle
+            | Kind::Omega
+            | Kind::Alpha
+            | Kind::Moment
+            | Kind::Power
+            | Kind::Time
+            | Kind::Number => None,
         }
     }
 
     /// All kinds with a selectable unit of the answers.
-    pub const ALL: [Kind; 9] =
-        [Kind::Length, Kind::Angle, Kind::Velocity, Kind::Acceleration, Kind::Omega, Kind::Alpha, Kind::Force, Kind::Moment, Kind::Power];
+    pub const ALL: [Kind; 9] = [
+        Kind::Length,
+        Kind::Angle,
+        Kind::Velocity,
+        Kind::Acceleration,
+        Kind::Omega,
+        Kind::Alpha,
+        Kind::Force,
+        Kind::Moment,
+        Kind::Power,
+    ];
 
     /// Returns the SI unit, for programs and tables.
     pub const fn si(self) -> &'static str {
@@ -132,7 +147,13 @@ impl Kind {
     /// quantities, such as forces.
     pub const fn level(self) -> Level {
         match self {
-            Kind::Length | Kind::Angle | Kind::Force | Kind::Moment | Kind::Power | Kind::Time | Kind::Number => Level::Position,
+            Kind::Length
+            | Kind::Angle
+            | Kind::Force
+            | Kind::Moment
+            | Kind::Power
+            | Kind::Time
+            | Kind::Number => Level::Position,
             Kind::Velocity | Kind::Omega => Level::Velocity,
             Kind::Acceleration | Kind::Alpha => Level::Acceleration,
         }

@@ -52,13 +52,16 @@ pub enum Vectors {
 
 impl Vectors {
     /// All forms, with their words in files.
-    pub const ALL: [(&'static str, Vectors); 2] = [("plain", Vectors::Plain), ("bold", Vectors::Bold)];
+    pub const ALL: [(&'static str, Vectors); 2] =
+        [("plain", Vectors::Plain), ("bold", Vectors::Bold)];
 
     /// Returns the symbol of a vector in the label language: its first letter is the symbol of the
     /// quantity.
     pub fn write(self, symbol: String) -> String {
         match (self, symbol.chars().next()) {
-            (Vectors::Bold, Some(letter @ ('a'..='z' | 'A'..='Z'))) => format!("\\bm{{{letter}}}{}", &symbol[1..]),
+            (Vectors::Bold, Some(letter @ ('a'..='z' | 'A'..='Z'))) => {
+                format!("\\bm{{{letter}}}{}", &symbol[1..])
+            }
             (Vectors::Plain | Vectors::Bold, _) => symbol,
         }
     }
@@ -88,7 +91,10 @@ impl Notation {
 }
 
 fn all() -> Vec<Notation> {
-    PROFILES.iter().map(|p| serde_json::from_str(p).expect("bundled profiles are read by a test")).collect()
+    PROFILES
+        .iter()
+        .map(|p| serde_json::from_str(p).expect("bundled profiles are read by a test"))
+        .collect()
 }
 
 #[cfg(test)]

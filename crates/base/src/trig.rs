@@ -143,7 +143,10 @@ mod tests {
             for turns in [-2.0, -1.0, 0.0, 1.0, 1000.0] {
                 let (gs, gc) = sin_cos(Angle::Deg(d + 360.0 * turns));
                 assert_eq!((gs, gc), (s, c), "{d} degrees and {turns} turns");
-                assert!([gs, gc].iter().all(|x| x.to_bits() != (-0.0f64).to_bits()), "negative zero at {d}");
+                assert!(
+                    [gs, gc].iter().all(|x| x.to_bits() != (-0.0f64).to_bits()),
+                    "negative zero at {d}"
+                );
             }
         }
     }

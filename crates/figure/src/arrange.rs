@@ -76,7 +76,8 @@ impl Tree {
             Tree::Leaf(k) => [parts[*k].bounds.width_mm(), parts[*k].bounds.height_mm()],
             Tree::Air(mm) => [0.0, *mm],
             Tree::Group { along, gap_mm, children, .. } => {
-                let sizes: Vec<[f64; 2]> = children.iter().map(|c| c.size(parts)).filter(|s| s[1] > 0.0).collect();
+                let sizes: Vec<[f64; 2]> =
+                    children.iter().map(|c| c.size(parts)).filter(|s| s[1] > 0.0).collect();
                 let gaps = gap_mm * sizes.len().saturating_sub(1) as f64;
                 let sum = |k: usize| sizes.iter().map(|s| s[k]).sum::<f64>();
                 let max = |k: usize| sizes.iter().map(|s| s[k]).fold(0.0, f64::max);
@@ -122,10 +123,17 @@ impl Tree {
 ///
 /// # Errors
 /// `paper-too-small` when a fixed paper does not hold the best arrangement.
-pub(super) fn arrange(pieces: SheetPieces, paper: Option<[f64; 2]>, margin_mm: f64) -> Result<(Vec<FigureItem>, [f64; 2]), Faults> {
+pub(super) fn arrange(
+    pieces: SheetPieces,
+    paper: Option<[f64; 2]>,
+    margin_mm: f64,
+) -> Result<(Vec<FigureItem>, [f64; 2]), Faults> {
     let layout = SheetLayout::of(pieces);
     let aim = paper.map_or(AIM_MM, |[w, h]| [w - 2.0 * margin_mm, h - 2.0 * margin_mm]);
-    let best = layout.candidates().into_iter().min_by(|a, b| layout.cost(a, aim).total_cmp(&layout.cost(b, aim)));
+    let best = layout
+        .candidates()
+        .into_iter()
+        .min_by(|a, b| layout.cost(a, aim).total_cmp(&layout.cost(b, aim)));
     let best = best.expect("there is always an arrangement");
     let [w, h] = best.size(&layout.parts);
     let size = paper.unwrap_or([w + 2.0 * margin_mm, h + 2.0 * margin_mm]);
@@ -140,7 +148,10 @@ pub(super) fn arrange(pieces: SheetPieces, paper: Option<[f64; 2]>, margin_mm: f
                 size[1]
             ),
         )
-        .help(both!("give a larger paper, leave its size to the sheet, or ask for less", "请用更大的图纸，或不规定图幅，或少求一些量"))
+        .help(both!(
+            "give a larger paper, leave its size to the sheet, or ask for less",
+            "请用更大的图纸，或不规定图幅，或少求一些量"
+        ))
         .into());
     }
     let mut parts = layout.parts;
@@ -158,7 +169,8 @@ pub(super) fn arrange_in(pieces: SheetPieces, width_mm: f64) -> (Vec<FigureItem>
         if w <= width_mm { (0.0, h) } else { (w, h) }
     };
     let all = layout.candidates().into_iter().chain(layout.in_rows(width_mm));
-    let best = all.min_by(|a, b| cost(a).0.total_cmp(&cost(b).0).then(cost(a).1.total_cmp(&cost(b).1)));
+    let best =
+        all.min_by(|a, b| cost(a).0.total_cmp(&cost(b).0).then(cost(a).1.total_cmp(&cost(b).1)));
     let best = best.expect("there is always an arrangement");
     let size = best.size(&layout.parts);
     let mut parts = layout.parts;
@@ -259,10 +271,20 @@ impl SheetLayout {
     /// polygon or all in columns side by side; the results. The last candidate has everything one
     /// below the other.
     fn in_rows(&self, width_mm: f64) -> Vec<Tree> {
-        let by_level = || self.equations.iter().map(|e| Tree::text_column(e.iter().map(|k| Tree::Leaf(*k)).collect())).collect();
+        let by_level = || {
+            self.equations
+                .iter()
+                .map(|e| Tree::text_column(e.iter().map(|k| Tree::Leaf(*k)).collect()))
+                .collect()
+        };
         let beside = |columns| vec![Tree::text_row(self.text_columns(columns))];
         let rows = |equations: Vec<Tree>, width_mm: f64| {
-            let blocks = self.drawings.iter().map(|k| Tree::Leaf(*k)).chain(equations).chain([Tree::Leaf(self.results)]);
+            let blocks = self
+                .drawings
+                .iter()
+                .map(|k| Tree::Leaf(*k))
+                .chain(equations)
+                .chain([Tree::Leaf(self.results)]);
             let blocks = blocks.chain(self.forces.iter().flatten().map(|k| Tree::Leaf(*k)));
             let rows = lines(blocks.collect(), self.drawings.len(), width_mm, &self.parts);
             Tree::column(self.title.map(Tree::Leaf).into_iter().chain(rows).collect())
@@ -289,9 +311,15 @@ impl SheetLayout {
             // Drawings above, all text below.
             let mut text = self.text_columns(columns);
             text.push(results());
-            all.push(vec![Tree::row(self.drawings.iter().map(leaf).collect()), Tree::text_row(text)]);
+            all.push(vec![
+                Tree::row(self.drawings.iter().map(leaf).collect()),
+                Tree::text_row(text),
+            ]);
             // Mechanism on the left with the results below it; polygons and equations on the right.
-            let right = Tree::column(vec![Tree::row(polygons()), Tree::text_row(self.text_columns(columns))]);
+            let right = Tree::column(vec![
+                Tree::row(polygons()),
+                Tree::text_row(self.text_columns(columns)),
+            ]);
             all.push(vec![Tree::text_row(vec![Tree::column(vec![diagram(), results()]), right])]);
             // Mechanism alone on the left; polygons, equations and results on the right.
             let mut text = self.text_columns(columns);
@@ -301,17 +329,24 @@ impl SheetLayout {
             // All drawings on the left, one below the other; text on the right.
             let mut text = self.text_columns(columns);
             text.push(results());
-            all.push(vec![Tree::row(vec![Tree::column(self.drawings.iter().map(leaf).collect()), Tree::text_row(text)])]);
+            all.push(vec![Tree::row(vec![
+                Tree::column(self.drawings.iter().map(leaf).collect()),
+                Tree::text_row(text),
+            ])]);
         }
         // Each polygon above its own equations.
         let mut columns = vec![Tree::column(vec![diagram(), results()])];
         for (k, polygon) in self.drawings[1..].iter().enumerate() {
             let mut column = vec![Tree::Leaf(*polygon)];
-            column.extend(self.equations.get(k).map(|e| Tree::text_column(e.iter().map(leaf).collect())));
+            column.extend(
+                self.equations.get(k).map(|e| Tree::text_column(e.iter().map(leaf).collect())),
+            );
             columns.push(Tree::column(column));
         }
         all.push(vec![Tree::text_row(columns)]);
-        let with = |rest: Vec<Tree>| Tree::column(self.title.map(Tree::Leaf).into_iter().chain(rest).collect());
+        let with = |rest: Vec<Tree>| {
+            Tree::column(self.title.map(Tree::Leaf).into_iter().chain(rest).collect())
+        };
         let forces = self.forces();
         if forces.is_empty() {
             return all.into_iter().map(with).collect();
@@ -329,11 +364,16 @@ impl SheetLayout {
         if self.forces.is_empty() {
             return Vec::new();
         }
-        let drawings = |[apart, polygon, _]: [usize; 3]| Tree::row(vec![Tree::Leaf(apart), Tree::Leaf(polygon)]);
+        let drawings = |[apart, polygon, _]: [usize; 3]| {
+            Tree::row(vec![Tree::Leaf(apart), Tree::Leaf(polygon)])
+        };
         let pair = |group: &[usize; 3]| [drawings(*group), Tree::Leaf(group[2])];
-        let rows = Tree::column(self.forces.iter().map(|group| Tree::row(group.map(Tree::Leaf).into())).collect());
+        let rows = Tree::column(
+            self.forces.iter().map(|group| Tree::row(group.map(Tree::Leaf).into())).collect(),
+        );
         let columns = |n: usize| {
-            let column = |groups: &[[usize; 3]]| Tree::column(groups.iter().flat_map(pair).collect());
+            let column =
+                |groups: &[[usize; 3]]| Tree::column(groups.iter().flat_map(pair).collect());
             Tree::text_row(self.forces.chunks(self.forces.len().div_ceil(n)).map(column).collect())
         };
         vec![rows, columns(1), columns(2), columns(3)]
@@ -352,7 +392,8 @@ impl SheetLayout {
             let heading = self.equations.iter().any(|e| e[0] == *k);
             // A line goes to the column that holds its middle; a heading goes with the line after
             // it.
-            let middle = done + if heading { h + lines.get(n + 1).map_or(0.0, height) / 2.0 } else { h / 2.0 };
+            let middle = done
+                + if heading { h + lines.get(n + 1).map_or(0.0, height) / 2.0 } else { h / 2.0 };
             let column = ((middle / total * columns as f64) as usize).min(columns - 1);
             if column >= out.len() {
                 out.push(Vec::new());

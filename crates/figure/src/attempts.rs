@@ -32,7 +32,10 @@ use hodograph_report::amount::scale_formula;
 /// Each wrong solution on its own page.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "attempts",
-    about: ["Wrong solutions over the right one, a page for each", "错误解法与正确解法对照，每种一页"],
+    about: [
+        "Wrong solutions over the right one, a page for each",
+        "错误解法与正确解法对照，每种一页",
+    ],
     draw,
 };
 
@@ -60,46 +63,73 @@ fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
         lang: w.options.lang,
         digits: w.options.digits,
     };
-    let name = |k: usize| if all.len() == 1 { ENTRY.name.to_owned() } else { format!("{}-{}", ENTRY.name, k + 1) };
+    let name = |k: usize| {
+        if all.len() == 1 { ENTRY.name.to_owned() } else { format!("{}-{}", ENTRY.name, k + 1) }
+    };
     let pages = all.iter().enumerate().map(|(k, a)| (name(k), figure(w, &words, a))).collect();
     Ok(Warned { value: pages, notes: Vec::new() })
 }
 
 /// Draws the page of one wrong solution.
 fn figure(w: &FigureInput, words: &AttemptWords, a: &Attempt) -> Figure {
-    let maker = SheetDrafter { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
+    let maker = SheetDrafter {
+        scene: w.scene,
+        worked: w.worked,
+        options: w.options,
+        certified: Vec::new(),
+    };
     let mut parts = vec![text(w, &[words.heading_set(a)], "heading", w.options.style.caption_mm)];
     if let Some(part) = overlay(w, &maker, words, a) {
         parts.push(part);
     }
     parts.extend(equation(w, words, a));
-    parts.push(text(w, &folded(&w.options.style, &words.lines(a)), "line", w.options.style.small_mm));
+    parts.push(text(
+        w,
+        &folded(&w.options.style, &words.lines(a)),
+        "line",
+        w.options.style.small_mm,
+    ));
     let tree = Tree::column((0..parts.len()).map(Tree::Leaf).collect());
     tree.put(&mut parts, Point::ORIGIN);
-    let mut figure = maker.alone(DrawingPart::of(parts.into_iter().flat_map(|p| p.items).collect()));
+    let mut figure =
+        maker.alone(DrawingPart::of(parts.into_iter().flat_map(|p| p.items).collect()));
     let said: Vec<String> = words.lines(a).iter().map(Phrase::plain).collect();
     figure.desc = format!("{}. {}", words.heading(a), said.join("; "));
     figure
 }
 
 /// Draws the right polygon with the wrong one over it.
-fn overlay(w: &FigureInput, maker: &SheetDrafter, words: &AttemptWords, a: &Attempt) -> Option<DrawingPart> {
+fn overlay(
+    w: &FigureInput,
+    maker: &SheetDrafter,
+    words: &AttemptWords,
+    a: &Attempt,
+) -> Option<DrawingPart> {
     let on = a.gap.on;
-    let (right, wrong) = (a.right.worked.construction.polygon(on)?, a.wrong.worked.construction.polygon(on)?);
+    let (right, wrong) =
+        (a.right.worked.construction.polygon(on)?, a.wrong.worked.construction.polygon(on)?);
     let [right_words, wrong_words] = words.writers(a);
     let mut d = polygon::drawing(&w.options.style, &right_words, right, false);
     let style = &w.options.style;
     let stroke = LineStroke { dash: Dash::Dashed, colour: RED, ..style.vector };
-    let mut lettered: Vec<Point> = right.images.iter().flatten().copied().chain([Point::ORIGIN]).collect();
+    let mut lettered: Vec<Point> =
+        right.images.iter().flatten().copied().chain([Point::ORIGIN]).collect();
     let whole = right.images.iter().flatten().map(|tip| (Point::ORIGIN, *tip));
-    let right_edges: Vec<(Point, Point)> = right.edges.iter().map(|e| (e.from.1, e.to.1)).chain(whole).collect();
+    let right_edges: Vec<(Point, Point)> =
+        right.edges.iter().map(|e| (e.from.1, e.to.1)).chain(whole).collect();
     // A vector over another one is drawn beside it, joined to its true position.
     let mut placed = right_edges.clone();
     let mut beside = |d: &mut Drawing, name: &str, (from, to): (Point, Point), width_mm: f64| {
         let by = lane((from, to), &placed, width_mm);
         let moved = (from + by, to + by);
-        for (end, shifted) in [(from, moved.0), (to, moved.1)].into_iter().filter(|_| by != Vec2::ZERO) {
-            d.shape(&format!("aside-{name}"), "wrong", Shape::Line { from: end, to: shifted, stroke: style.thin.coloured(RED) });
+        for (end, shifted) in
+            [(from, moved.0), (to, moved.1)].into_iter().filter(|_| by != Vec2::ZERO)
+        {
+            d.shape(
+                &format!("aside-{name}"),
+                "wrong",
+                Shape::Line { from: end, to: shifted, stroke: style.thin.coloured(RED) },
+            );
         }
         placed.push(moved);
         moved
@@ -108,7 +138,13 @@ fn overlay(w: &FigureInput, maker: &SheetDrafter, words: &AttemptWords, a: &Atte
         let name = format!("wrong-{key}");
         let (from, to) = beside(d, &name, ends, style.vector.width_mm);
         let owner = d.shape(&name, "wrong", Shape::Arrow { from, to, stroke, head: style.head });
-        let request = LabelRequest::along(Label::math(format!("{symbol}*")), style.label_mm, from, to, stroke.width_mm / 2.0);
+        let request = LabelRequest::along(
+            Label::math(format!("{symbol}*")),
+            style.label_mm,
+            from,
+            to,
+            stroke.width_mm / 2.0,
+        );
         d.label(&name, "wrong", request.owned(owner).optional(true));
     };
     let mut drawn: Vec<(Point, Point)> = Vec::new();
@@ -118,7 +154,10 @@ fn overlay(w: &FigureInput, maker: &SheetDrafter, words: &AttemptWords, a: &Atte
     };
     for e in &wrong.edges {
         let (from, to) = (e.from.1, e.to.1);
-        if from.distance(to) < SAME_MM || is_there(from, to, &right_edges) || is_there(from, to, &drawn) {
+        if from.distance(to) < SAME_MM
+            || is_there(from, to, &right_edges)
+            || is_there(from, to, &drawn)
+        {
             continue;
         }
         drawn.push((from, to));
@@ -126,32 +165,55 @@ fn overlay(w: &FigureInput, maker: &SheetDrafter, words: &AttemptWords, a: &Atte
     }
     let tips = gap_tips(right, wrong, a)?;
     if tips[1].to_vec2().norm() > SAME_MM && !is_there(Point::ORIGIN, tips[1], &drawn) {
-        arrow(&mut d, (Point::ORIGIN, tips[1]), (&wrong_words.vector_key(a.gap.wrong), &wrong_words.vector(on, a.gap.wrong)));
+        arrow(
+            &mut d,
+            (Point::ORIGIN, tips[1]),
+            (&wrong_words.vector_key(a.gap.wrong), &wrong_words.vector(on, a.gap.wrong)),
+        );
     }
-    for (v, at) in wrong.images.iter().enumerate().filter_map(|(v, at)| Some((VertexId(v), (*at)?))) {
-        if a.wrong.worked.plan.vertex(v).fixed || lettered.iter().any(|p| p.distance(at) < SAME_MM) {
+    for (v, at) in wrong.images.iter().enumerate().filter_map(|(v, at)| Some((VertexId(v), (*at)?)))
+    {
+        if a.wrong.worked.plan.vertex(v).fixed || lettered.iter().any(|p| p.distance(at) < SAME_MM)
+        {
             continue;
         }
         lettered.push(at);
         // No equation leads to a point that is found as an image point: its whole vector is drawn.
         if !drawn.iter().any(|(a, b)| a.distance(at) < SAME_MM || b.distance(at) < SAME_MM) {
             drawn.push((Point::ORIGIN, at));
-            arrow(&mut d, (Point::ORIGIN, at), (&wrong_words.vector_key(v), &wrong_words.vector(on, v)));
+            arrow(
+                &mut d,
+                (Point::ORIGIN, at),
+                (&wrong_words.vector_key(v), &wrong_words.vector(on, v)),
+            );
         }
         let name = format!("wrong-image-{}", vertex_name(wrong_words.scene, wrong_words.plan, v));
         d.draw(&name, "wrong", hodograph_paper::paper::symbols::dot(style, at));
         let label = Label::math(format!("{}*", wrong_words.image(on, v)));
-        d.label(&name, "wrong", LabelRequest::at_point(label, style.label_mm, at, style.dot_radius_mm));
+        d.label(
+            &name,
+            "wrong",
+            LabelRequest::at_point(label, style.label_mm, at, style.dot_radius_mm),
+        );
     }
     let gap = LineStroke { width_mm: style.vector.width_mm * 1.6, colour: RED, ..style.vector };
     let (from, to) = beside(&mut d, "gap", (tips[0], tips[1]), gap.width_mm);
     let owner = d.shape("gap", "gap", Shape::Line { from, to, stroke: gap });
     let label = Label::math(gap_symbol(&wrong_words, a));
-    d.label("gap", "gap", LabelRequest::along(label, style.label_mm, from, to, gap.width_mm / 2.0).owned(owner));
+    d.label(
+        "gap",
+        "gap",
+        LabelRequest::along(label, style.label_mm, from, to, gap.width_mm / 2.0).owned(owner),
+    );
     // Beside a much larger wrong solution the right one may shrink to a spot.
     d.thin_out(&[Point::ORIGIN, tips[0], tips[1], from + (to - from) * 0.5]);
     let caption = words.frame_of_drawing(a);
-    Some(maker.titled(d.finish(), Label::text(caption), &scale_formula(&w.scene.book, on, right.mu), "attempt"))
+    Some(maker.titled(
+        d.finish(),
+        Label::text(caption),
+        &scale_formula(&w.scene.book, on, right.mu),
+        "attempt",
+    ))
 }
 
 fn symbol(e: &Edge, w: &PlanWriter, on: DiagramKind) -> String {
@@ -170,34 +232,72 @@ fn gap_tips(right: &Polygon, wrong: &Polygon, a: &Attempt) -> Option<[Point; 2]>
 fn equation(w: &FigureInput, words: &AttemptWords, a: &Attempt) -> Option<DrawingPart> {
     let style = &w.options.style;
     let cell = |label: Label, size_mm: f64, anchor: Anchor, id: String| {
-        Some(Cell { label: label.in_fonts(&style.fonts), size_mm, anchor, class: "attempt table".into(), id })
+        Some(Cell {
+            label: label.in_fonts(&style.fonts),
+            size_mm,
+            anchor,
+            class: "attempt table".into(),
+            id,
+        })
     };
     let Some(columns) = words.equation(a) else {
         let said = words.statement(a)?;
-        let row = Row { cells: vec![cell(said.label(), style.label_mm, Anchor::Start, "statement".into())], height_mm: TABLE_MM[0] };
+        let row = Row {
+            cells: vec![cell(said.label(), style.label_mm, Anchor::Start, "statement".into())],
+            height_mm: TABLE_MM[0],
+        };
         let mut items = grid::set(&[row], 0.0);
         items.push(frame(&items.clone()));
         return Some(noted(w, words, a, items));
     };
     let own = hodograph_paper::paper::words::words(w.options.lang);
-    let heading =
-        |word: &str, id: &str| cell(Label::text(word).then(Label::math("\\quad")), style.caption_mm, Anchor::End, format!("attempt-{id}"));
-    let mut rows = [vec![None], vec![heading(own.magnitude, "magnitude")], vec![heading(own.direction, "direction")]];
+    let heading = |word: &str, id: &str| {
+        cell(
+            Label::text(word).then(Label::math("\\quad")),
+            style.caption_mm,
+            Anchor::End,
+            format!("attempt-{id}"),
+        )
+    };
+    let mut rows = [
+        vec![None],
+        vec![heading(own.magnitude, "magnitude")],
+        vec![heading(own.direction, "direction")],
+    ];
     for (k, f) in columns.iter().enumerate() {
         let c = &f.column;
-        let math = |text: &str, size: f64, what: &str| cell(Label::math(text), size, Anchor::Middle, format!("attempt-{what}-{k}"));
-        rows[0].push(if c.joint.is_empty() { None } else { math(c.joint, style.label_mm, "joint") });
+        let math = |text: &str, size: f64, what: &str| {
+            cell(Label::math(text), size, Anchor::Middle, format!("attempt-{what}-{k}"))
+        };
+        rows[0].push(if c.joint.is_empty() {
+            None
+        } else {
+            math(c.joint, style.label_mm, "joint")
+        });
         rows[0].push(math(&c.symbol, style.label_mm, "symbol"));
         rows[1].extend([None, math(&c.magnitude, style.caption_mm, "magnitude")]);
         rows[2].extend([None, math(&c.direction, style.caption_mm, "direction")]);
     }
     let [symbols, magnitudes, directions] = rows;
-    let both = if w.options.notation.first_row == "direction" { [directions, magnitudes] } else { [magnitudes, directions] };
+    let both = if w.options.notation.first_row == "direction" {
+        [directions, magnitudes]
+    } else {
+        [magnitudes, directions]
+    };
     let heights = [TABLE_MM[0], TABLE_MM[1], TABLE_MM[1]];
-    let rows: Vec<Row> = [symbols].into_iter().chain(both).zip(heights).map(|(cells, height_mm)| Row { cells, height_mm }).collect();
+    let rows: Vec<Row> = [symbols]
+        .into_iter()
+        .chain(both)
+        .zip(heights)
+        .map(|(cells, height_mm)| Row { cells, height_mm })
+        .collect();
     let mut items = grid::set(&rows, 1.6);
     for k in columns.iter().enumerate().filter(|(_, f)| f.framed).map(|(k, _)| k) {
-        let of = |i: &&FigureItem| ["symbol", "magnitude", "direction"].iter().any(|what| i.id == format!("attempt-{what}-{k}"));
+        let of = |i: &&FigureItem| {
+            ["symbol", "magnitude", "direction"]
+                .iter()
+                .any(|what| i.id == format!("attempt-{what}-{k}"))
+        };
         let column: Vec<FigureItem> = items.iter().filter(of).cloned().collect();
         items.push(frame(&column));
     }
@@ -208,16 +308,29 @@ fn frame(around: &[FigureItem]) -> FigureItem {
     let b = DrawingPart::of(around.to_vec()).bounds.grown(FRAME_MM);
     let points = vec![b.min, Point::new(b.max.x, b.min.y), b.max, Point::new(b.min.x, b.max.y)];
     let stroke = LineStroke::new(0.35).coloured(RED);
-    FigureItem::new("attempt frame", Shape::Polyline { points, closed: true, stroke: Some(stroke), fill: None })
+    FigureItem::new(
+        "attempt frame",
+        Shape::Polyline { points, closed: true, stroke: Some(stroke), fill: None },
+    )
 }
 
 /// Adds the meaning of the frame below the items.
-fn noted(w: &FigureInput, words: &AttemptWords, a: &Attempt, mut items: Vec<FigureItem>) -> DrawingPart {
+fn noted(
+    w: &FigureInput,
+    words: &AttemptWords,
+    a: &Attempt,
+    mut items: Vec<FigureItem>,
+) -> DrawingPart {
     let style = &w.options.style;
     let low = DrawingPart::of(items.clone()).bounds.min.y;
     let label = Label::text(words.frame(a)).in_fonts(&style.fonts);
-    let shape =
-        Shape::Label { at: Point::new(0.0, low - ROW_MM), label, size_mm: style.small_mm, anchor: Anchor::Start, colour: Colour::BLACK };
+    let shape = Shape::Label {
+        at: Point::new(0.0, low - ROW_MM),
+        label,
+        size_mm: style.small_mm,
+        anchor: Anchor::Start,
+        colour: Colour::BLACK,
+    };
     items.push(FigureItem::new("attempt remark", shape).with_id("attempt-frame"));
     DrawingPart::of(items)
 }
@@ -242,7 +355,10 @@ fn text(w: &FigureInput, lines: &[Phrase], what: &str, size_mm: f64) -> DrawingP
 /// Breaks sentences into lines no wider than a page: at spaces, between Chinese characters, and
 /// beside formulas.
 fn folded(style: &Style, lines: &[Phrase]) -> Vec<Phrase> {
-    let width = |p: &PhrasePiece| set(&Phrase::of_pieces(vec![p.clone()]).label().in_fonts(&style.fonts)).width_em * style.small_mm;
+    let width = |p: &PhrasePiece| {
+        set(&Phrase::of_pieces(vec![p.clone()]).label().in_fonts(&style.fonts)).width_em
+            * style.small_mm
+    };
     let mut out = Vec::new();
     for line in lines {
         let (mut here, mut used): (Vec<PhrasePiece>, f64) = (Vec::new(), 0.0);
@@ -267,7 +383,8 @@ fn parted(piece: &PhrasePiece) -> Vec<PhrasePiece> {
     let PhrasePiece::Words(words) = piece else { return vec![piece.clone()] };
     let mut out: Vec<String> = vec![String::new()];
     for c in words.chars() {
-        let breaks = out.last().is_some_and(|w: &String| w.ends_with(' ') && c != ' ') || !c.is_ascii() && c.width() == Some(2);
+        let breaks = out.last().is_some_and(|w: &String| w.ends_with(' ') && c != ' ')
+            || !c.is_ascii() && c.width() == Some(2);
         if breaks && out.last().is_some_and(|w| !w.is_empty()) {
             out.push(String::new());
         }
@@ -281,7 +398,12 @@ fn parted(piece: &PhrasePiece) -> Vec<PhrasePiece> {
 /// Draws the polygon of a wrong solution as its author would draw it, without any mark of the
 /// error.
 pub fn as_printed(a: &Attempt, options: &SheetOptions) -> Option<Figure> {
-    let maker = SheetDrafter { scene: &a.wrong.scene, worked: &a.wrong.worked, options, certified: Vec::new() };
+    let maker = SheetDrafter {
+        scene: &a.wrong.scene,
+        worked: &a.wrong.worked,
+        options,
+        certified: Vec::new(),
+    };
     let on = a.gap.on;
     let part = maker.captioned(maker.polygon(a.wrong.worked.construction.polygon(on)?), "", on);
     let mut figure = maker.alone(part);
@@ -292,7 +414,13 @@ pub fn as_printed(a: &Attempt, options: &SheetOptions) -> Option<Figure> {
 /// Draws the page of a wrong solution for documents.
 pub fn page_of(scene: &Scene, worked: &Worked, options: &SheetOptions, a: &Attempt) -> Figure {
     let certified = certify(scene, worked, options.digits);
-    let words =
-        AttemptWords { scene, worked, certified: &certified, notation: &options.notation, lang: options.lang, digits: options.digits };
+    let words = AttemptWords {
+        scene,
+        worked,
+        certified: &certified,
+        notation: &options.notation,
+        lang: options.lang,
+        digits: options.digits,
+    };
     figure(&FigureInput { scene, worked, options, extras: &Extras::default() }, &words, a)
 }

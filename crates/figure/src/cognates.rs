@@ -19,7 +19,10 @@ use hodograph_paper::paper::symbols as sym;
 /// The cognates.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "cognates",
-    about: ["The cognates of a four-bar with a coupler point, with their construction", "四杆机构的同源机构及其作图"],
+    about: [
+        "The cognates of a four-bar with a coupler point, with their construction",
+        "四杆机构的同源机构及其作图",
+    ],
     draw,
 };
 
@@ -28,7 +31,8 @@ const STEPS: usize = 360;
 
 fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     let at = &w.worked.configuration;
-    let found = Cognates::of_scene(w.scene, at, w.extras.points.first().copied()).map_err(|d: Diagnostic| Faults::from(d))?;
+    let found = Cognates::of_scene(w.scene, at, w.extras.points.first().copied())
+        .map_err(|d: Diagnostic| Faults::from(d))?;
     let diagram = &w.worked.construction.diagram;
     let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu)).to_point();
     let style = &w.options.style;
@@ -37,11 +41,22 @@ fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     let pivot = to_paper(found.given.d);
     let [a1, p1] = found.left.map(to_paper);
     let [d1, p2] = found.right.map(to_paper);
-    let link = LineStroke { width_mm: style.link.width_mm * 0.6, dash: Dash::Solid, cap: Cap::Round, ..style.link };
-    let cognates = [("left", [a, a1, p1, f], [a1, p1, e]), ("right", [pivot, d1, p2, f], [d1, p2, e])];
+    let link = LineStroke {
+        width_mm: style.link.width_mm * 0.6,
+        dash: Dash::Solid,
+        cap: Cap::Round,
+        ..style.link
+    };
+    let cognates =
+        [("left", [a, a1, p1, f], [a1, p1, e]), ("right", [pivot, d1, p2, f], [d1, p2, e])];
     d.behind(|d| {
         for (name, _, triangle) in cognates {
-            let shape = Shape::Polyline { points: triangle.to_vec(), closed: true, stroke: Some(link), fill: Some(style.plate) };
+            let shape = Shape::Polyline {
+                points: triangle.to_vec(),
+                closed: true,
+                stroke: Some(link),
+                fill: Some(style.plate),
+            };
             d.shape(name, "cognate plate", shape);
         }
     });
@@ -49,28 +64,55 @@ fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     d.behind(|d| {
         for points in curve(&found, &to_paper) {
             let stroke = Some(style.thin.dashed(Dash::DashDot));
-            d.shape("path", "cognate path", Shape::Polyline { points, closed: false, stroke, fill: None });
+            d.shape(
+                "path",
+                "cognate path",
+                Shape::Polyline { points, closed: false, stroke, fill: None },
+            );
         }
         // The parallelograms, and the frame of the three pivots: a triangle similar to the coupler.
         for (from, to) in [(a, f), (f, pivot)] {
-            d.shape("parallel", "cognate construction", Shape::Line { from, to, stroke: style.thin.dashed(Dash::Dashed) });
+            d.shape(
+                "parallel",
+                "cognate construction",
+                Shape::Line { from, to, stroke: style.thin.dashed(Dash::Dashed) },
+            );
         }
         for (name, chain, _) in cognates {
             for pair in [[chain[0], chain[1]], [chain[2], chain[3]]] {
-                d.shape(name, "cognate link", Shape::Line { from: pair[0], to: pair[1], stroke: link });
+                d.shape(
+                    name,
+                    "cognate link",
+                    Shape::Line { from: pair[0], to: pair[1], stroke: link },
+                );
             }
         }
     });
     for (name, at) in [("A_{1}", a1), ("P_{1}", p1), ("D_{1}", d1), ("P_{2}", p2)] {
         d.draw(name, "cognate", sym::pin(style, at));
-        d.label(name, "cognate", LabelRequest::at_point(Label::math(name), style.label_mm, at, style.pin_radius_mm));
+        d.label(
+            name,
+            "cognate",
+            LabelRequest::at_point(Label::math(name), style.label_mm, at, style.pin_radius_mm),
+        );
     }
     d.draw("F", "cognate", sym::fixed_pivot(style, f, Vec2::new(0.0, -1.0)));
-    d.label("F", "cognate", LabelRequest::at_point(Label::math("F"), style.label_mm, f, style.pin_radius_mm));
-    let maker = SheetDrafter { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
+    d.label(
+        "F",
+        "cognate",
+        LabelRequest::at_point(Label::math("F"), style.label_mm, f, style.pin_radius_mm),
+    );
+    let maker = SheetDrafter {
+        scene: w.scene,
+        worked: w.worked,
+        options: w.options,
+        certified: Vec::new(),
+    };
     let (_, mu) = maker.caption(DiagramKind::Plane);
-    let words = tr(w.options.lang, "Cognates (Roberts–Chebyshev): ", "同源机构（罗伯茨–切比雪夫）：");
-    let caption = Label::text(words).then(Label::math("ABCD,\\quad AA_{1}P_{1}F,\\quad DD_{1}P_{2}F"));
+    let words =
+        tr(w.options.lang, "Cognates (Roberts–Chebyshev): ", "同源机构（罗伯茨–切比雪夫）：");
+    let caption =
+        Label::text(words).then(Label::math("ABCD,\\quad AA_{1}P_{1}F,\\quad DD_{1}P_{2}F"));
     let figure = maker.alone(maker.titled(d.finish(), caption, &mu, "cognates"));
     page(ENTRY.name, Some(figure))
 }
@@ -84,5 +126,8 @@ fn curve(found: &Cognates, to_paper: &dyn Fn(Point) -> Point) -> Vec<Vec<Point>>
         Some(to_paper(given.coupler_point(b, c)?))
     };
     let all: Vec<Option<Point>> = (0..=STEPS).map(place).collect();
-    all.split(Option::is_none).map(|run| run.iter().flatten().copied().collect::<Vec<_>>()).filter(|r| r.len() > 1).collect()
+    all.split(Option::is_none)
+        .map(|run| run.iter().flatten().copied().collect::<Vec<_>>())
+        .filter(|r| r.len() > 1)
+        .collect()
 }

@@ -31,7 +31,10 @@ use hodograph_report::amount::scale_formula;
 /// The parallelograms and the components of the accelerations.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "composite",
-    about: ["Composite motion of a point: its parallelogram and its parts", "点的合成运动：动点处的速度平行四边形和加速度各分量"],
+    about: [
+        "Composite motion of a point: its parallelogram and its parts",
+        "点的合成运动：动点处的速度平行四边形和加速度各分量",
+    ],
     draw,
 };
 
@@ -70,20 +73,26 @@ struct CompositeScales {
 impl CompositeScales {
     fn of(w: &FigureInput, each: &[ChoiceSolution]) -> CompositeScales {
         let one = |kind: Kind, all: Vec<Vec2>| {
-            let most = all.iter().fold([0.0_f64; 2], |[x, y], v| [x.max(v.x.abs()), y.max(v.y.abs())]);
+            let most =
+                all.iter().fold([0.0_f64; 2], |[x, y], v| [x.max(v.x.abs()), y.max(v.y.abs())]);
             scale::choose_in(w.scene.paper.unit(kind), most, [VECTOR_MM, VECTOR_MM])
         };
         let velocities = each.iter().flat_map(|s| s.velocity).collect();
-        let accelerations: Vec<Vec2> = each.iter().flat_map(|s| s.acceleration.iter().map(|a| a.1)).collect();
+        let accelerations: Vec<Vec2> =
+            each.iter().flat_map(|s| s.acceleration.iter().map(|a| a.1)).collect();
         let any = !accelerations.is_empty();
-        CompositeScales { velocity: one(Kind::Velocity, velocities), acceleration: any.then(|| one(Kind::Acceleration, accelerations)) }
+        CompositeScales {
+            velocity: one(Kind::Velocity, velocities),
+            acceleration: any.then(|| one(Kind::Acceleration, accelerations)),
+        }
     }
 }
 
 fn figure(w: &FigureInput, worked: &Worked, each: &[ChoiceSolution]) -> Figure {
     let maker = SheetDrafter { scene: w.scene, worked, options: w.options, certified: Vec::new() };
     let scales = CompositeScales::of(w, each);
-    let words = CompositeWords { scene: w.scene, lang: w.options.lang, notation: &w.options.notation };
+    let words =
+        CompositeWords { scene: w.scene, lang: w.options.lang, notation: &w.options.notation };
     let mut parts: Vec<DrawingPart> = Vec::new();
     let mut add = |part: DrawingPart| {
         parts.push(part);
@@ -92,7 +101,14 @@ fn figure(w: &FigureInput, worked: &Worked, each: &[ChoiceSolution]) -> Figure {
     let mut columns: Vec<Vec<usize>> = Vec::new();
     for (k, s) in each.iter().enumerate() {
         let letter = if each.len() > 1 { format!("({}) ", k + 1) } else { String::new() };
-        let mut column = vec![add(velocities(w, &maker, &scales, s, Label::text(letter).then(words.heading(&s.choice).label()), k))];
+        let mut column = vec![add(velocities(
+            w,
+            &maker,
+            &scales,
+            s,
+            Label::text(letter).then(words.heading(&s.choice).label()),
+            k,
+        ))];
         if let Some(mu) = scales.acceleration {
             column.push(add(accelerations(w, &maker, mu, s, k)));
             column.push(add(polygon(w, &maker, mu, s, k)));
@@ -101,7 +117,8 @@ fn figure(w: &FigureInput, worked: &Worked, each: &[ChoiceSolution]) -> Figure {
         columns.push(column);
     }
     arrange(&mut parts, &columns, w.options.style.small_mm);
-    let mut figure = maker.alone(DrawingPart::of(parts.into_iter().flat_map(|p| p.items).collect()));
+    let mut figure =
+        maker.alone(DrawingPart::of(parts.into_iter().flat_map(|p| p.items).collect()));
     let told = each.iter().flat_map(|s| words.lines(s)).map(|l| l.plain()).collect::<Vec<_>>();
     figure.desc = told.join("; ");
     figure
@@ -154,7 +171,13 @@ fn stand(parts: &mut [DrawingPart], rows: &[Vec<usize>]) {
     let many = rows.iter().map(Vec::len).max().unwrap_or(0);
     // A row of one part does not widen the first column of the others.
     let counts = |r: &&Vec<usize>| r.len() > 1 || many == 1;
-    let width = |k: usize| rows.iter().filter(counts).filter_map(|r| r.get(k)).map(|p| parts[*p].bounds.width_mm()).fold(0.0, f64::max);
+    let width = |k: usize| {
+        rows.iter()
+            .filter(counts)
+            .filter_map(|r| r.get(k))
+            .map(|p| parts[*p].bounds.width_mm())
+            .fold(0.0, f64::max)
+    };
     let widths: Vec<f64> = (0..many).map(width).collect();
     let mut y = 0.0;
     for row in rows {
@@ -164,7 +187,11 @@ fn stand(parts: &mut [DrawingPart], rows: &[Vec<usize>]) {
             // Captions of a row are on one line: drawings are aligned at the bottom, text at the
             // top.
             let part = &mut parts[*p];
-            let drop = if part.items.iter().any(|i| i.id.contains("caption")) { height - part.bounds.height_mm() } else { 0.0 };
+            let drop = if part.items.iter().any(|i| i.id.contains("caption")) {
+                height - part.bounds.height_mm()
+            } else {
+                0.0
+            };
             part.stand_at(Point::new(x, y - drop));
             x += wide + GAP_MM;
         }
@@ -177,12 +204,22 @@ fn vectors(w: &FigureInput, s: &ChoiceSolution, on: DiagramKind, mu: f64) -> Vec
     let notation = &w.options.notation;
     let vector = |part: Option<Piece>, v: Vec2| {
         let mm = v * (1.0 / mu);
-        let shown =
-            ShownQuantity { names: vec![quantity(w.scene, s, part, on)], length: Some(ShownLength { mm: mm.norm(), si: v.norm() }) };
-        ComposedVector { symbol: symbol(part, on, notation), key: key(part).into(), shown, mm, absolute: part.is_none() }
+        let shown = ShownQuantity {
+            names: vec![quantity(w.scene, s, part, on)],
+            length: Some(ShownLength { mm: mm.norm(), si: v.norm() }),
+        };
+        ComposedVector {
+            symbol: symbol(part, on, notation),
+            key: key(part).into(),
+            shown,
+            mm,
+            absolute: part.is_none(),
+        }
     };
     match on {
-        DiagramKind::Acceleration => s.acceleration.iter().map(|(part, v)| vector(*part, *v)).collect(),
+        DiagramKind::Acceleration => {
+            s.acceleration.iter().map(|(part, v)| vector(*part, *v)).collect()
+        }
         DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Force => {
             let parts = [None, Some(Piece::TransportVelocity), Some(Piece::RelativeVelocity)];
             parts.into_iter().zip(s.velocity).map(|(part, v)| vector(part, v)).collect()
@@ -233,19 +270,53 @@ fn velocities(
     heading: Label,
     k: usize,
 ) -> DrawingPart {
-    let composed = Composed { at: s.choice.of.point, vectors: vectors(w, s, DiagramKind::Velocity, scales.velocity), parallelogram: true };
-    let part = mechanism::composed(&w.options.style, w.scene, maker.worked, &w.options.notation, &composed);
-    let mu =
-        format!("{},\\quad {}", maker.caption(DiagramKind::Plane).1, scale_formula(&w.scene.book, DiagramKind::Velocity, scales.velocity));
+    let composed = Composed {
+        at: s.choice.of.point,
+        vectors: vectors(w, s, DiagramKind::Velocity, scales.velocity),
+        parallelogram: true,
+    };
+    let part = mechanism::composed(
+        &w.options.style,
+        w.scene,
+        maker.worked,
+        &w.options.notation,
+        &composed,
+    );
+    let mu = format!(
+        "{},\\quad {}",
+        maker.caption(DiagramKind::Plane).1,
+        scale_formula(&w.scene.book, DiagramKind::Velocity, scales.velocity)
+    );
     named(maker.titled(part, heading, &mu, "velocities"), "velocities", k)
 }
 
-fn accelerations(w: &FigureInput, maker: &SheetDrafter, mu: f64, s: &ChoiceSolution, k: usize) -> DrawingPart {
-    let composed = Composed { at: s.choice.of.point, vectors: vectors(w, s, DiagramKind::Acceleration, mu), parallelogram: false };
-    let part = mechanism::composed(&w.options.style, w.scene, maker.worked, &w.options.notation, &composed);
+fn accelerations(
+    w: &FigureInput,
+    maker: &SheetDrafter,
+    mu: f64,
+    s: &ChoiceSolution,
+    k: usize,
+) -> DrawingPart {
+    let composed = Composed {
+        at: s.choice.of.point,
+        vectors: vectors(w, s, DiagramKind::Acceleration, mu),
+        parallelogram: false,
+    };
+    let part = mechanism::composed(
+        &w.options.style,
+        w.scene,
+        maker.worked,
+        &w.options.notation,
+        &composed,
+    );
     let words = maker.words().composite_acceleration;
     named(
-        maker.titled(part, Label::text(words), &scale_formula(&w.scene.book, DiagramKind::Acceleration, mu), "accelerations"),
+        maker.titled(
+            part,
+            Label::text(words),
+            &scale_formula(&w.scene.book, DiagramKind::Acceleration, mu),
+            "accelerations",
+        ),
         "accelerations",
         k,
     )
@@ -253,7 +324,13 @@ fn accelerations(w: &FigureInput, maker: &SheetDrafter, mu: f64, s: &ChoiceSolut
 
 /// Draws the components one after another from the pole, and the absolute vector from the pole to
 /// their end.
-fn polygon(w: &FigureInput, maker: &SheetDrafter, mu: f64, s: &ChoiceSolution, k: usize) -> DrawingPart {
+fn polygon(
+    w: &FigureInput,
+    maker: &SheetDrafter,
+    mu: f64,
+    s: &ChoiceSolution,
+    k: usize,
+) -> DrawingPart {
     let style = &w.options.style;
     let mut d = Drawing::new("composite", style.clone());
     let all = vectors(w, s, DiagramKind::Acceleration, mu);
@@ -266,8 +343,14 @@ fn polygon(w: &FigureInput, maker: &SheetDrafter, mu: f64, s: &ChoiceSolution, k
         let to = from + v.mm;
         let width_mm = if v.absolute { style.vector.width_mm } else { style.vector.width_mm * 0.7 };
         let stroke = hodograph_paper::paper::item::LineStroke { width_mm, ..style.vector };
-        let owner = d.vector(&v.key, "edge", Shape::Arrow { from, to, stroke, head: style.head }, v.shown.clone());
-        let request = LabelRequest::along(Label::math(&v.symbol), style.label_mm, from, to, width_mm / 2.0);
+        let owner = d.vector(
+            &v.key,
+            "edge",
+            Shape::Arrow { from, to, stroke, head: style.head },
+            v.shown.clone(),
+        );
+        let request =
+            LabelRequest::along(Label::math(&v.symbol), style.label_mm, from, to, width_mm / 2.0);
         d.label(&v.key, "edge", request.owned(owner));
     };
     for v in all.iter().filter(|v| !v.absolute) {
@@ -277,10 +360,19 @@ fn polygon(w: &FigureInput, maker: &SheetDrafter, mu: f64, s: &ChoiceSolution, k
     all.iter().filter(|v| v.absolute).for_each(|v| arrow(&mut d, pole, v));
     let pole_name = format!("{}'", w.options.notation.pole);
     d.draw("pole", "pole", hodograph_paper::paper::symbols::dot(style, pole));
-    d.label("pole", "pole", LabelRequest::at_point(Label::math(pole_name), style.label_mm, pole, style.dot_radius_mm));
+    d.label(
+        "pole",
+        "pole",
+        LabelRequest::at_point(Label::math(pole_name), style.label_mm, pole, style.dot_radius_mm),
+    );
     let words = maker.name(Captioned::Drawing(DiagramKind::Acceleration));
     named(
-        maker.titled(d.finish(), Phrase::new(words).label(), &scale_formula(&w.scene.book, DiagramKind::Acceleration, mu), "polygon"),
+        maker.titled(
+            d.finish(),
+            Phrase::new(words).label(),
+            &scale_formula(&w.scene.book, DiagramKind::Acceleration, mu),
+            "polygon",
+        ),
         "polygon",
         k,
     )
@@ -290,8 +382,15 @@ fn polygon(w: &FigureInput, maker: &SheetDrafter, mu: f64, s: &ChoiceSolution, k
 fn text(w: &FigureInput, words: &CompositeWords, s: &ChoiceSolution, k: usize) -> DrawingPart {
     let style = &w.options.style;
     let row = |(i, line): (usize, hodograph_paper::paper::phrase::Phrase)| {
-        let (label, id) = (line.label().in_fonts(&style.fonts), format!("composite-{}-line-{}", k + 1, i + 1));
-        let cell = Cell { label, size_mm: style.small_mm, anchor: Anchor::Start, class: "remark".into(), id };
+        let (label, id) =
+            (line.label().in_fonts(&style.fonts), format!("composite-{}-line-{}", k + 1, i + 1));
+        let cell = Cell {
+            label,
+            size_mm: style.small_mm,
+            anchor: Anchor::Start,
+            class: "remark".into(),
+            id,
+        };
         Row { cells: vec![Some(cell)], height_mm: ROW_MM }
     };
     let rows: Vec<Row> = words.body(s, PER_LINE).into_iter().enumerate().map(row).collect();

@@ -18,9 +18,15 @@ use super::mechanism::SeriesFeatures;
 use hodograph_paper::paper::style::Style;
 
 /// Returns the course of each pose.
-pub fn courses(poses: &[(&Scene, &Worked)], style: &Style, notation: &Notation) -> Vec<SeriesFeatures> {
+pub fn courses(
+    poses: &[(&Scene, &Worked)],
+    style: &Style,
+    notation: &Notation,
+) -> Vec<SeriesFeatures> {
     let here = here();
-    let of_one = |(scene, worked): &(&Scene, &Worked)| here.enter(|| SeriesFeatures::of_one(style, scene, worked, notation));
+    let of_one = |(scene, worked): &(&Scene, &Worked)| {
+        here.enter(|| SeriesFeatures::of_one(style, scene, worked, notation))
+    };
     let alone: Vec<SeriesFeatures> = poses.par_iter().map(of_one).collect();
     let (mut supports, mut guides) = (BTreeMap::new(), BTreeMap::new());
     for ((scene, _), course) in poses.iter().zip(&alone) {
@@ -31,8 +37,14 @@ pub fn courses(poses: &[(&Scene, &Worked)], style: &Style, notation: &Notation) 
             guides.entry(Runs::of(scene, guide)).or_insert_with(Vec::new).extend(*side);
         }
     }
-    let supports: BTreeMap<&str, Vec2> = supports.into_iter().filter_map(|(name, sides)| Some((name, usual(sides.into_iter())?))).collect();
-    let guides: BTreeMap<Runs, _> = guides.into_iter().map(|(runs, sides)| (runs, (way(poses, runs), usual(sides.into_iter())))).collect();
+    let supports: BTreeMap<&str, Vec2> = supports
+        .into_iter()
+        .filter_map(|(name, sides)| Some((name, usual(sides.into_iter())?)))
+        .collect();
+    let guides: BTreeMap<Runs, _> = guides
+        .into_iter()
+        .map(|(runs, sides)| (runs, (way(poses, runs), usual(sides.into_iter()))))
+        .collect();
     let of_pose = |(k, (scene, _)): (usize, &(&Scene, &Worked))| SeriesFeatures {
         travel_mm: scene.guides.iter().map(|g| travel(&guides[&Runs::of(scene, g)].0, k)).collect(),
         supports: scene.points.iter().map(|p| supports[p.name.as_str()]).collect(),
@@ -117,7 +129,10 @@ mod tests {
     #[test]
     fn travel_is_seen_from_the_pose() {
         let way = [Some(3.0), None, Some(-1.0), Some(5.0)];
-        assert_eq!((travel(&way, 0), travel(&way, 1), travel(&way, 3)), ([-4.0, 2.0], [0.0, 0.0], [-6.0, 0.0]));
+        assert_eq!(
+            (travel(&way, 0), travel(&way, 1), travel(&way, 3)),
+            ([-4.0, 2.0], [0.0, 0.0], [-6.0, 0.0])
+        );
         assert_eq!(usual([1, 2, 2, 1, 3].into_iter()), Some(1));
     }
 }

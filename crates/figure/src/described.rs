@@ -14,14 +14,20 @@ pub fn described(scene: &Scene, lang: Lang, title: &str, items: &[FigureItem]) -
     let word = |what: &str| items.iter().any(|i| i.class.split(' ').any(|w| w == what));
     let mut shown = Vec::new();
     if first("mechanism") {
-        let moving = (0..scene.links.len()).filter(|l| *l != scene.ground.0).map(|l| scene.links[l].name.clone()).collect();
+        let moving = (0..scene.links.len())
+            .filter(|l| *l != scene.ground.0)
+            .map(|l| scene.links[l].name.clone())
+            .collect();
         let (links, ground) = (list(lang, moving), scene.link_name(scene.ground));
         shown.push(match lang {
             Lang::En => format!("kinematic diagram to scale, links {links}, ground {ground}"),
             Lang::Zh => format!("按比例绘制的机构运动简图，构件 {links}，机架 {ground}"),
         });
     }
-    let polygons = [("velocity", "velocity polygon", "速度多边形"), ("acceleration", "acceleration polygon", "加速度多边形")];
+    let polygons = [
+        ("velocity", "velocity polygon", "速度多边形"),
+        ("acceleration", "acceleration polygon", "加速度多边形"),
+    ];
     for (kind, en, zh) in polygons {
         if !items.iter().any(|i| i.class.starts_with(&format!("{kind} pole"))) {
             continue;
@@ -44,7 +50,11 @@ pub fn described(scene: &Scene, lang: Lang, title: &str, items: &[FigureItem]) -
         Lang::En => (": ", "; ", ". "),
         Lang::Zh => ("：", "；", "。"),
     };
-    if shown.is_empty() { format!("{title}{end}") } else { format!("{title}{colon}{}{end}", shown.join(between)) }
+    if shown.is_empty() {
+        format!("{title}{end}")
+    } else {
+        format!("{title}{colon}{}{end}", shown.join(between))
+    }
 }
 
 /// The symbols of a polygon's vectors, taken from its labels.
@@ -53,7 +63,10 @@ fn vectors(items: &[FigureItem], kind: &str) -> Vec<String> {
     for item in items {
         let Shape::Label { label, .. } = &item.shape else { continue };
         let mut words = item.class.split(' ');
-        if words.next() == Some(kind) && words.any(|w| matches!(w, "edge" | "absolute")) && !out.contains(&label.plain()) {
+        if words.next() == Some(kind)
+            && words.any(|w| matches!(w, "edge" | "absolute"))
+            && !out.contains(&label.plain())
+        {
             out.push(label.plain());
         }
     }

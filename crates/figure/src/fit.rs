@@ -84,7 +84,11 @@ impl Room {
 ///
 /// # Errors
 /// The errors of [`pages`].
-pub fn drawn(entry: &FigureEntry, w: &FigureInput, width_mm: Option<f64>) -> Result<Warned<Pages>, Faults> {
+pub fn drawn(
+    entry: &FigureEntry,
+    w: &FigureInput,
+    width_mm: Option<f64>,
+) -> Result<Warned<Pages>, Faults> {
     if let Some(width_mm) = width_mm {
         return pages(entry, w, Room::Column(width_mm));
     }
@@ -131,7 +135,8 @@ pub fn pages(entry: &FigureEntry, w: &FigureInput, room: Room) -> Result<Warned<
             continue;
         }
         let Warned { value, notes } = (entry.draw)(&wanted)?;
-        let placed: Result<Vec<_>, [f64; 2]> = value.into_iter().map(|(word, f)| Ok((word, room.page(f)?))).collect();
+        let placed: Result<Vec<_>, [f64; 2]> =
+            value.into_iter().map(|(word, f)| Ok((word, room.page(f)?))).collect();
         match placed {
             Ok(value) => return Ok(Warned { value, notes }),
             Err(size) => needs = size,
@@ -147,8 +152,12 @@ pub fn pages(entry: &FigureEntry, w: &FigureInput, room: Room) -> Result<Warned<
 /// # Errors
 /// `paper-too-small` if the smallest legible pages are wider than the column.
 pub fn steps(w: &FigureInput, width_mm: Option<f64>) -> Result<Pages, Faults> {
-    let named = |all: Vec<Figure>| -> Pages { (1..).zip(all).map(|(k, figure)| (format!("step-{k:02}"), figure)).collect() };
-    let Some(room) = width_mm.map(Room::Column) else { return Ok(named(super::steps::figures(w.scene, w.worked, w.options))) };
+    let named = |all: Vec<Figure>| -> Pages {
+        (1..).zip(all).map(|(k, figure)| (format!("step-{k:02}"), figure)).collect()
+    };
+    let Some(room) = width_mm.map(Room::Column) else {
+        return Ok(named(super::steps::figures(w.scene, w.worked, w.options)));
+    };
     first_that_fits("steps", w, room, |w, stacked| {
         let within = Within { width_mm: room.inner()[0], stacked };
         Ok(alike(named(super::steps::figures_in(w.scene, w.worked, w.options, Some(within))), room))
@@ -184,7 +193,10 @@ pub fn first_that_fits<T>(
             Err(size) => needs = size,
         }
     }
-    let help = both!("give more room; scales that the scene fixes are kept", "请给更大的幅面；机构文件规定的比例尺保持不变");
+    let help = both!(
+        "give more room; scales that the scene fixes are kept",
+        "请给更大的幅面；机构文件规定的比例尺保持不变"
+    );
     Err(too_small(name, needs, room).help(help).into())
 }
 
@@ -218,7 +230,10 @@ fn alike(mut figures: Pages, room: Room) -> Result<Pages, [f64; 2]> {
 fn sheet_of(w: &FigureInput, part: f64, room: Room) -> Result<Warned<Pages>, [f64; 2]> {
     let (figure, out) = sheet_in(w.scene, w.worked, w.options, room.inner()[0], fewer(part));
     let figure = room.page(figure)?;
-    Ok(Warned { value: vec![(String::new(), figure)], notes: left_out(&out, room).into_iter().collect() })
+    Ok(Warned {
+        value: vec![(String::new(), figure)],
+        notes: left_out(&out, room).into_iter().collect(),
+    })
 }
 
 /// The sheet at this size factor in a column of free height, with each drawing as large as the
@@ -235,10 +250,17 @@ fn grown(w: &FigureInput, part: f64, room: Room) -> Result<Option<Warned<Pages>>
             let wanted = tried.wanted(w.extras);
             let fits = |width_mm: f64| width_mm <= room.inner()[0];
             // Drawings with lines that are too wide need no names.
-            let lines_fit = wanted.worked.construction.polygon(on).is_none_or(|p| fits(p.extent()[0] / p.mu));
+            let lines_fit =
+                wanted.worked.construction.polygon(on).is_none_or(|p| fits(p.extent()[0] / p.mu));
             let drawn = || drawing(wanted.scene, wanted.worked, wanted.options, on);
-            let links_fit = || on != DiagramKind::Plane || fits(forces::widest_mm(wanted.scene, wanted.worked, wanted.options));
-            if !lines_fit || !drawn().is_none_or(|figure| fits(figure.width_mm - 2.0 * MARGIN_MM)) || !links_fit() {
+            let links_fit = || {
+                on != DiagramKind::Plane
+                    || fits(forces::widest_mm(wanted.scene, wanted.worked, wanted.options))
+            };
+            if !lines_fit
+                || !drawn().is_none_or(|figure| fits(figure.width_mm - 2.0 * MARGIN_MM))
+                || !links_fit()
+            {
                 break;
             }
             parts.set(on.kind(), Some(larger));
@@ -296,21 +318,40 @@ fn too_small(name: &str, needs: [f64; 2], room: Room) -> Diagnostic {
 }
 
 fn left_out(what: &[Both], room: Room) -> Option<Diagnostic> {
-    let list = |of: fn(&Both) -> &str, comma: &str| what.iter().map(of).collect::<Vec<_>>().join(comma);
+    let list =
+        |of: fn(&Both) -> &str, comma: &str| what.iter().map(of).collect::<Vec<_>>().join(comma);
     let (en, zh) = (list(|b| &b.en, ", "), list(|b| &b.zh, "、"));
     let [w, _] = room.inner();
     (!what.is_empty()).then(|| {
-        Diagnostic::note("left-out", both!("left out for want of room ({w:.0} mm): {en}", "因幅面不够（{w:.0} mm）而略去：{zh}"))
-            .help(both!("draw it by itself with --figure, or give more room", "请用 --figure 单独画，或给更大的幅面"))
+        Diagnostic::note(
+            "left-out",
+            both!(
+                "left out for want of room ({w:.0} mm): {en}",
+                "因幅面不够（{w:.0} mm）而略去：{zh}"
+            ),
+        )
+        .help(both!(
+            "draw it by itself with --figure, or give more room",
+            "请用 --figure 单独画，或给更大的幅面"
+        ))
     })
 }
 
 /// Returns the scene at scales at which everything has at most this size factor, except scales that
 /// the scene fixes; `None` if the solution fails at these scales.
-pub fn to_part(scene: &Scene, worked: &Worked, options: &SheetOptions, part: f64) -> Option<(Scene, Worked)> {
+pub fn to_part(
+    scene: &Scene,
+    worked: &Worked,
+    options: &SheetOptions,
+    part: f64,
+) -> Option<(Scene, Worked)> {
     let extras = Extras::default();
-    let Smaller { scene, worked, .. } =
-        Smaller::of(&FigureInput { scene, worked, options, extras: &extras }, part, &ByKind::default()).ok()?;
+    let Smaller { scene, worked, .. } = Smaller::of(
+        &FigureInput { scene, worked, options, extras: &extras },
+        part,
+        &ByKind::default(),
+    )
+    .ok()?;
     Some((scene, worked?))
 }
 
@@ -332,23 +373,32 @@ impl Smaller {
         if part < 1.0 {
             let drawn = |on: DiagramKind| match on {
                 DiagramKind::Force => w.worked.equilibrium.as_ref().map(|of| of.mu()),
-                DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Acceleration => w.worked.construction.scale(on),
+                DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Acceleration => {
+                    w.worked.construction.scale(on)
+                }
             };
             for on in DiagramKind::ALL {
                 let (kind, paper) = (on.kind(), &scene.paper);
                 let part = others.get(kind).unwrap_or(part);
-                let coarser = |mu| if part < 1.0 { coarser(paper.unit(kind), mu, 1.0 / part) } else { mu };
+                let coarser =
+                    |mu| if part < 1.0 { coarser(paper.unit(kind), mu, 1.0 / part) } else { mu };
                 let mu = paper.scales.get(kind).or_else(|| drawn(on).map(coarser));
                 scene.paper.scales.set(kind, mu);
             }
         }
         let again = part < 1.0 || w.scene.paper.size_mm.is_some();
         let worked = if again { Some(work(&scene, Scope::Figure)?.value) } else { None };
-        let worked = worked.map(|k| if w.worked.drafting.is_some() { k.with_drafting(&scene) } else { k });
+        let worked =
+            worked.map(|k| if w.worked.drafting.is_some() { k.with_drafting(&scene) } else { k });
         Ok(Smaller { scene, worked, before: w.worked.clone(), options })
     }
 
     fn wanted<'a>(&'a self, extras: &'a Extras) -> FigureInput<'a> {
-        FigureInput { scene: &self.scene, worked: self.worked.as_ref().unwrap_or(&self.before), options: &self.options, extras }
+        FigureInput {
+            scene: &self.scene,
+            worked: self.worked.as_ref().unwrap_or(&self.before),
+            options: &self.options,
+            extras,
+        }
     }
 }

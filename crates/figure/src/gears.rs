@@ -15,7 +15,9 @@ use hodograph_base::diag::{Diagnostic, Faults, Warned, both};
 use hodograph_base::digits::significant;
 use hodograph_base::geom::Point;
 use hodograph_board::plan::names::name_label;
-use hodograph_methods::gears::{Basic, GearPair, Mate, distance_of, operating, standard, sum_of_shifts};
+use hodograph_methods::gears::{
+    Basic, GearPair, Mate, distance_of, operating, standard, sum_of_shifts,
+};
 use hodograph_scene::{Flanks, LinkId, Normal, Rolling, Scene, Touch};
 
 use super::list::Pages;
@@ -35,12 +37,16 @@ const TABLE_MM: f64 = 14.0;
 /// not fit the centre distance; `gear-teeth` if the given sizes allow no teeth.
 pub(super) fn pairs(maker: &SheetDrafter) -> Result<Warned<Pages>, Faults> {
     let scene = maker.scene;
-    let all: Vec<(&Rolling, &Flanks)> = scene.rolling.iter().filter_map(|r| Some((r, r.flanks.as_ref()?))).collect();
+    let all: Vec<(&Rolling, &Flanks)> =
+        scene.rolling.iter().filter_map(|r| Some((r, r.flanks.as_ref()?))).collect();
     let one = all.len() == 1;
     let (mut pages, mut notes, mut faults) = (Pages::new(), Vec::new(), Faults::default());
     if let (true, Some(bare)) = (all.is_empty(), scene.rolling.iter().find(|r| r.kind.meshes())) {
         let at = scene.point_name(bare.at[0]);
-        let message = both!("the gear pair at `{at}` has radii, but no numbers of teeth", "`{at}` 处的齿轮副只有半径，没有齿数");
+        let message = both!(
+            "the gear pair at `{at}` has radii, but no numbers of teeth",
+            "`{at}` 处的齿轮副只有半径，没有齿数"
+        );
         faults.push(Diagnostic::error("gear-no-teeth", message).at(bare.span).help(both!(
             "give \"teeth\": [20, 40] and \"module\": \"2 mm\" in place of \"radii\"",
             "请用 \"teeth\": [20, 40] 与 \"module\": \"2 mm\" 代替 \"radii\""
@@ -50,8 +56,15 @@ pub(super) fn pairs(maker: &SheetDrafter) -> Result<Warned<Pages>, Faults> {
         match meant(maker, rolling, flanks) {
             Ok(pair) => {
                 notes.extend(remarks(scene, rolling, &pair));
-                let name = if one { String::new() } else { format!("-{}", scene.point_name(rolling.at[0])) };
-                pages.push((format!("gears{name}"), DrawnGears { maker, rolling, pair, order: order(scene, rolling) }.figure()));
+                let name = if one {
+                    String::new()
+                } else {
+                    format!("-{}", scene.point_name(rolling.at[0]))
+                };
+                pages.push((
+                    format!("gears{name}"),
+                    DrawnGears { maker, rolling, pair, order: order(scene, rolling) }.figure(),
+                ));
             }
             Err(fault) => faults.push(fault),
         }
@@ -71,7 +84,9 @@ fn mate(rolling: &Rolling) -> Mate {
 /// The order in which a pair is drawn: of two gears, first the one that a driver turns; otherwise
 /// the gear before ring or rack.
 fn order(scene: &Scene, rolling: &Rolling) -> [usize; 2] {
-    let driven = |l: LinkId| scene.drivers.iter().any(|d| d.kind.turned().is_some_and(|(link, _)| link == l));
+    let driven = |l: LinkId| {
+        scene.drivers.iter().any(|d| d.kind.turned().is_some_and(|(link, _)| link == l))
+    };
     let second_first = match (mate(rolling), rolling.hollow()) {
         (Mate::Rack, _) | (Mate::Ring, Some(0)) => true,
         (Mate::Ring, _) => false,
@@ -85,17 +100,30 @@ fn meant(maker: &SheetDrafter, rolling: &Rolling, flanks: &Flanks) -> Result<Gea
     let scene = maker.scene;
     let fault = |code, message| Diagnostic::error(code, message).at(rolling.span);
     let impossible = || {
-        fault("gear-teeth", both!("no involute teeth can be made with these sizes", "按所给参数无法形成渐开线轮齿"))
-            .help(both!("check module, teeth, shift and the distance of the centres", "请检查模数、齿数、变位系数和中心距"))
+        fault(
+            "gear-teeth",
+            both!("no involute teeth can be made with these sizes", "按所给参数无法形成渐开线轮齿"),
+        )
+        .help(both!(
+            "check module, teeth, shift and the distance of the centres",
+            "请检查模数、齿数、变位系数和中心距"
+        ))
     };
     let mate = mate(rolling);
     let [i, j] = order(scene, rolling);
     let teeth = [i, j].map(|k| flanks.teeth[k].unwrap_or(0));
-    let unit = |module| Basic { module, alpha: flanks.pressure_angle, addendum: flanks.addendum, clearance: flanks.clearance };
+    let unit = |module| Basic {
+        module,
+        alpha: flanks.pressure_angle,
+        addendum: flanks.addendum,
+        clearance: flanks.clearance,
+    };
     let distance = match mate {
         Mate::Rack => standard(&unit(flanks.module.ok_or_else(impossible)?), mate, teeth),
         Mate::Gear | Mate::Ring => {
-            let place = |i: usize| rolling.centres()[i].and_then(|p| maker.worked.configuration.points[p.0]);
+            let place = |i: usize| {
+                rolling.centres()[i].and_then(|p| maker.worked.configuration.points[p.0])
+            };
             let (Some(p), Some(q)) = (place(0), place(1)) else { return Err(impossible()) };
             p.distance(q)
         }
@@ -109,7 +137,9 @@ fn meant(maker: &SheetDrafter, rolling: &Rolling, flanks: &Flanks) -> Result<Gea
     let sum = mate.shift(given);
     let (module, shifts) = match (flanks.module, &flanks.shifts[..]) {
         // Only teeth are given: the module follows from the distance.
-        (None, _) => (distance / distance_of(&unit(1.0), mate, teeth, sum).ok_or_else(impossible)?, given),
+        (None, _) => {
+            (distance / distance_of(&unit(1.0), mate, teeth, sum).ok_or_else(impossible)?, given)
+        }
         (Some(module), &[first]) if mate != Mate::Rack => {
             let angle = operating(&unit(module), mate, teeth, distance).ok_or_else(impossible)?;
             let sum = sum_of_shifts(&unit(module), mate, teeth, angle);
@@ -157,7 +187,8 @@ fn remarks(scene: &Scene, rolling: &Rolling, pair: &GearPair) -> Vec<Diagnostic>
         out.push(note("gear-interference", message).help(larger()));
     }
     let [i, j] = order(scene, rolling);
-    for (gear, k) in pair.gears.iter().zip([i, j]).take(if pair.mate == Mate::Gear { 2 } else { 1 }) {
+    for (gear, k) in pair.gears.iter().zip([i, j]).take(if pair.mate == Mate::Gear { 2 } else { 1 })
+    {
         let least = gear.least_shift(&pair.basic);
         if gear.shift < least {
             let (name, least) = (scene.link_name(rolling.links[k]), significant(least, 3));
@@ -176,7 +207,8 @@ fn remarks(scene: &Scene, rolling: &Rolling, pair: &GearPair) -> Vec<Diagnostic>
             "the ring's teeth at `{at}` reach inside its base circle, where they have no involute",
             "`{at}` 处内齿轮齿顶圆小于基圆，该段无渐开线"
         );
-        let help = both!("give the ring more teeth or a larger shift", "请增加内齿轮齿数或加大其变位系数");
+        let help =
+            both!("give the ring more teeth or a larger shift", "请增加内齿轮齿数或加大其变位系数");
         out.push(note("gear-ring-tip", message).help(help));
     }
     if pair.tips_overlap() {
@@ -184,7 +216,10 @@ fn remarks(scene: &Scene, rolling: &Rolling, pair: &GearPair) -> Vec<Diagnostic>
             "at `{at}` the tips of gear and ring overlap beside the line of action: their numbers of teeth are too near",
             "`{at}` 处内外齿轮齿顶发生齿廓重叠干涉：两轮齿数差过小"
         );
-        out.push(note("gear-overlap", message).help(both!("make the difference of the teeth larger", "请加大齿数差")));
+        out.push(
+            note("gear-overlap", message)
+                .help(both!("make the difference of the teeth larger", "请加大齿数差")),
+        );
     }
     if pair.gears.iter().any(|g| g.teeth > 0 && g.pointed(&pair.basic)) {
         out.push(note(
@@ -258,21 +293,34 @@ mod tests {
         let scene = read(text(gear, distance)).unwrap().value;
         let worked = work(&scene, Scope::Questions).unwrap().value;
         let options = SheetOptions::of_language(lang);
-        pairs(&SheetDrafter { scene: &scene, worked: &worked, options: &options, certified: certify(&scene, &worked, 4) })
+        pairs(&SheetDrafter {
+            scene: &scene,
+            worked: &worked,
+            options: &options,
+            certified: certify(&scene, &worked, 4),
+        })
     }
 
     #[test]
     fn the_exercise_of_the_lecture_notes_is_in_the_table() {
         for lang in [Lang::En, Lang::Zh] {
-            let pages = drawn(r#""teeth": [15, 32], "module": "2 mm", "shift": [0.6]"#, 50.0, lang).unwrap();
+            let pages = drawn(r#""teeth": [15, 32], "module": "2 mm", "shift": [0.6]"#, 50.0, lang)
+                .unwrap();
             let [(name, figure)] = &pages.value[..] else { panic!("{} pages", pages.value.len()) };
             assert_eq!(name, "gears");
             let labels: Vec<&str> = figure
                 .items
                 .iter()
-                .filter_map(|i| if let Shape::Label { label, .. } = &i.shape { Some(label.source()) } else { None })
+                .filter_map(|i| {
+                    if let Shape::Label { label, .. } = &i.shape {
+                        Some(label.source())
+                    } else {
+                        None
+                    }
+                })
                 .collect();
-            for wanted in ["27.96°", "1.801", "1.201", "47.000 mm", "50.000 mm", "N_{2}", "B_{3}"] {
+            for wanted in ["27.96°", "1.801", "1.201", "47.000 mm", "50.000 mm", "N_{2}", "B_{3}"]
+            {
                 assert!(labels.contains(&wanted), "{wanted} is not among {labels:?}");
             }
             assert!(figure.items.iter().all(FigureItem::is_finite));
@@ -282,14 +330,18 @@ mod tests {
     #[test]
     fn teeth_alone_make_the_module() {
         let pages = drawn(r#""teeth": [20, 40]"#, 90.0, Lang::En).unwrap();
-        assert!(pages.value[0].1.items.iter().any(|i| matches!(&i.shape, Shape::Label { label, .. } if label.source() == "3.0000 mm")));
+        assert!(pages.value[0].1.items.iter().any(
+            |i| matches!(&i.shape, Shape::Label { label, .. } if label.source() == "3.0000 mm")
+        ));
     }
 
     #[test]
     fn a_ring_and_a_rack_have_teeth() {
         let ring = r#""teeth": [20, 60], "ring": "3", "module": "2 mm", "shift": [0.2]"#;
         let pages = drawn(ring, 40.5, Lang::En).unwrap();
-        let teeth = |f: &Figure| f.items.iter().filter(|i| i.class.split(' ').any(|c| c == "teeth")).count();
+        let teeth = |f: &Figure| {
+            f.items.iter().filter(|i| i.class.split(' ').any(|c| c == "teeth")).count()
+        };
         assert_eq!(teeth(&pages.value[0].1), 2);
         assert!(pages.notes.is_empty(), "{:?}", pages.notes);
         let told = |text: &str, code: &str| {
@@ -297,20 +349,36 @@ mod tests {
             assert!(notes.iter().any(|n| n.code == code), "{text}: {notes:?}");
         };
         told(r#""teeth": [20, 60], "ring": "3", "module": "2 mm", "shift": [-1]"#, "gear-undercut");
-        let tight = text(r#""teeth": [40, 44], "ring": "3", "module": "2 mm", "shift": [0, 0]"#, 4.0);
+        let tight =
+            text(r#""teeth": [40, 44], "ring": "3", "module": "2 mm", "shift": [0, 0]"#, 4.0);
         let scene = read(tight).unwrap().value;
         let worked = work(&scene, Scope::Questions).unwrap().value;
         let options = SheetOptions::of_language(Lang::En);
-        let pages =
-            pairs(&SheetDrafter { scene: &scene, worked: &worked, options: &options, certified: certify(&scene, &worked, 4) }).unwrap();
+        let pages = pairs(&SheetDrafter {
+            scene: &scene,
+            worked: &worked,
+            options: &options,
+            certified: certify(&scene, &worked, 4),
+        })
+        .unwrap();
         assert!(pages.notes.iter().any(|n| n.code == "gear-overlap"), "{:?}", pages.notes);
         let rack = hodograph_scene::templates::get("rack-stroke-doubler").unwrap();
         let scene = read(rack).unwrap().value;
         let worked = work(&scene, Scope::Questions).unwrap().value;
-        let pages =
-            pairs(&SheetDrafter { scene: &scene, worked: &worked, options: &options, certified: certify(&scene, &worked, 4) }).unwrap();
+        let pages = pairs(&SheetDrafter {
+            scene: &scene,
+            worked: &worked,
+            options: &options,
+            certified: certify(&scene, &worked, 4),
+        })
+        .unwrap();
         assert_eq!(pages.value.len(), 2);
-        assert!(pages.value.iter().all(|(_, f)| teeth(f) == 2 && f.items.iter().all(FigureItem::is_finite)));
+        assert!(
+            pages
+                .value
+                .iter()
+                .all(|(_, f)| teeth(f) == 2 && f.items.iter().all(FigureItem::is_finite))
+        );
         // Pairs with radii have no teeth: the diagnostic states the missing field.
         let bare = drawn(r#""radii": [13.5, 27]"#, 40.5, Lang::En).unwrap_err();
         assert_eq!(bare.list[0].code, "gear-no-teeth");
@@ -318,9 +386,13 @@ mod tests {
 
     #[test]
     fn what_does_not_fit_is_told() {
-        let faults = drawn(r#""teeth": [15, 32], "module": "2 mm", "shift": [0.5, 0.5]"#, 50.0, Lang::En).unwrap_err();
+        let faults =
+            drawn(r#""teeth": [15, 32], "module": "2 mm", "shift": [0.5, 0.5]"#, 50.0, Lang::En)
+                .unwrap_err();
         assert_eq!(faults.list[0].code, "gear-shift");
-        let notes = drawn(r#""teeth": [8, 40], "module": "2 mm", "shift": [0, 0]"#, 48.0, Lang::En).unwrap().notes;
+        let notes = drawn(r#""teeth": [8, 40], "module": "2 mm", "shift": [0, 0]"#, 48.0, Lang::En)
+            .unwrap()
+            .notes;
         assert!(notes.iter().any(|n| n.code == "gear-interference"), "{notes:?}");
         for (gear, code) in [
             (r#""radii": [20, 40], "shift": [0.5]"#, "gear-flanks"),

@@ -26,9 +26,16 @@ const WIDE_MM: f64 = 281.0;
 const MARGIN_MM: f64 = 8.0;
 
 /// Draws the figure; `worked` must hold all positions.
-pub fn figure(scene: &Scene, worked: &Worked, style: &Style, notation: &Notation, lang: Lang) -> Figure {
+pub fn figure(
+    scene: &Scene,
+    worked: &Worked,
+    style: &Style,
+    notation: &Notation,
+    lang: Lang,
+) -> Figure {
     let parts = apart(style, scene, worked, notation);
-    let groups = parts.iter().filter(|(piece, _)| matches!(piece, MechanismPiece::Group(_))).count();
+    let groups =
+        parts.iter().filter(|(piece, _)| matches!(piece, MechanismPiece::Group(_))).count();
     let mut number = groups;
     let mut named = Vec::new();
     for (piece, drawing) in parts {
@@ -50,17 +57,33 @@ pub fn figure(scene: &Scene, worked: &Worked, style: &Style, notation: &Notation
     let (mut items, width_mm, height_mm) = rows(named);
     let label = Label::text(heading).in_fonts(&style.fonts);
     let at = Point::new(width_mm / 2.0, height_mm - MARGIN_MM - style.caption_mm);
-    let shape = Shape::Label { at, label, size_mm: style.caption_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
+    let shape = Shape::Label {
+        at,
+        label,
+        size_mm: style.caption_mm,
+        anchor: Anchor::Middle,
+        colour: Colour::BLACK,
+    };
     items.insert(0, FigureItem::new("heading", shape).with_id("heading"));
     let title = match scene.title.get(lang) {
         "" => heading.to_owned(),
         title => format!("{title}{}{heading}", tr(lang, ": ", "：")),
     };
     let desc = match lang {
-        Lang::En => format!("{title}. What is driven with the ground, and {groups} groups, each in its pose."),
+        Lang::En => format!(
+            "{title}. What is driven with the ground, and {groups} groups, each in its pose."
+        ),
         Lang::Zh => format!("{title}。原动件和机架，以及 {groups} 个杆组，均按其位置绘出。"),
     };
-    let mut figure = Figure { width_mm, height_mm, title, desc, lang: words(lang).tag.into(), paper: Colour::WHITE, items };
+    let mut figure = Figure {
+        width_mm,
+        height_mm,
+        title,
+        desc,
+        lang: words(lang).tag.into(),
+        paper: Colour::WHITE,
+        items,
+    };
     style.palette.paint(&mut figure);
     figure
 }
@@ -78,7 +101,13 @@ fn group_name(g: &Assur, lang: Lang) -> String {
 fn with_name(part: DrawingPart, name: &str, style: &Style) -> (DrawingPart, f64) {
     let label = Label::text(name).in_fonts(&style.fonts);
     let at = Point::new(part.bounds.centre().x, part.bounds.min.y - NAME_MM);
-    let shape = Shape::Label { at, label, size_mm: style.small_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
+    let shape = Shape::Label {
+        at,
+        label,
+        size_mm: style.small_mm,
+        anchor: Anchor::Middle,
+        colour: Colour::BLACK,
+    };
     let mut items = part.items;
     items.push(FigureItem::new("caption", shape).with_id("caption"));
     (DrawingPart::of(items), at.y)
@@ -100,7 +129,9 @@ fn rows(parts: Vec<(DrawingPart, f64)>) -> (Vec<FigureItem>, f64, f64) {
         }
         lines.last_mut().expect("a line was begun").push(part);
     }
-    let width_of = |line: &Vec<(DrawingPart, f64)>| line.iter().map(|p| p.0.bounds.width_mm() + GAP_MM).sum::<f64>() - GAP_MM;
+    let width_of = |line: &Vec<(DrawingPart, f64)>| {
+        line.iter().map(|p| p.0.bounds.width_mm() + GAP_MM).sum::<f64>() - GAP_MM
+    };
     let widest = lines.iter().map(width_of).fold(0.0, f64::max);
     let (mut items, mut y) = (Vec::new(), MARGIN_MM);
     for line in lines.into_iter().rev() {

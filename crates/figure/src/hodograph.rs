@@ -65,7 +65,8 @@ pub fn runs(curve: &[Option<Vec2>], closed: bool, most: f64) -> (Vec<Vec<Vec2>>,
         return (vec![all.chain(again).collect()], false);
     };
     // A closed curve is cut where it is off the paper, so that no run is cut at the first pose.
-    let order: Vec<usize> = if closed { (0..=n).map(|k| (start + k) % n).collect() } else { (0..n).collect() };
+    let order: Vec<usize> =
+        if closed { (0..=n).map(|k| (start + k) % n).collect() } else { (0..n).collect() };
     let mut out: Vec<Vec<Vec2>> = Vec::new();
     let mut run: Vec<Vec2> = Vec::new();
     for w in 0..order.len() {
@@ -108,7 +109,8 @@ pub fn hodograph(style: &Style, h: &Hodograph) -> DrawingPart {
     d.of_link(h.link);
     for (k, run) in runs.iter().enumerate() {
         let points: Vec<Point> = run.iter().map(|v| paper(*v)).collect();
-        let shape = Shape::Polyline { points, closed: false, stroke: Some(style.vector), fill: None };
+        let shape =
+            Shape::Polyline { points, closed: false, stroke: Some(style.vector), fill: None };
         d.shape(&format!("{key}-curve-{k}"), "curve", shape);
     }
     for (k, v) in h.marks.iter().enumerate() {
@@ -116,17 +118,39 @@ pub fn hodograph(style: &Style, h: &Hodograph) -> DrawingPart {
         let tip = paper(v);
         let name = format!("{key}-{}", k + 1);
         if tip.to_vec2().norm() > SHORTEST_MM {
-            let shape = Shape::Arrow { from: Point::ORIGIN, to: tip, stroke: style.thin, head: style.thin_head };
-            d.vector(&name, "vector", shape, ShownQuantity::vector(h.quantity, Point::ORIGIN, tip, h.mu));
+            let shape = Shape::Arrow {
+                from: Point::ORIGIN,
+                to: tip,
+                stroke: style.thin,
+                head: style.thin_head,
+            };
+            d.vector(
+                &name,
+                "vector",
+                shape,
+                ShownQuantity::vector(h.quantity, Point::ORIGIN, tip, h.mu),
+            );
         }
         d.draw(&name, "position", sym::dot(style, tip));
-        let request = LabelRequest::at_point(Label::math((k + 1).to_string()), style.small_mm, tip, style.dot_radius_mm);
+        let request = LabelRequest::at_point(
+            Label::math((k + 1).to_string()),
+            style.small_mm,
+            tip,
+            style.dot_radius_mm,
+        );
         d.label(&name, "position", LabelRequest { prefer: v.unit(), ..request });
     }
     d.of_link(None);
     d.draw(&format!("{key}-pole"), "pole", sym::dot(style, Point::ORIGIN));
     let middle = runs.iter().flatten().fold(Vec2::ZERO, |s, v| s + *v);
-    d.label_at(&format!("{key}-pole"), "pole", h.pole, Point::ORIGIN, style.dot_radius_mm, (-middle).unit());
+    d.label_at(
+        &format!("{key}-pole"),
+        "pole",
+        h.pole,
+        Point::ORIGIN,
+        style.dot_radius_mm,
+        (-middle).unit(),
+    );
     d.finish()
 }
 
@@ -140,23 +164,40 @@ fn axes(d: &mut Drawing, style: &Style, h: &Hodograph, runs: &[Vec<Vec2>]) {
     for (axis, along) in [("x", Vec2::new(1.0, 0.0)), ("y", Vec2::new(0.0, 1.0))] {
         let parts = || runs.iter().flatten().map(|v| v.dot(along));
         let (lo, hi) = (parts().fold(0.0, f64::min), parts().fold(0.0, f64::max));
-        let (first, last) = (libm::ceil(lo / step - 1e-9) as i64, libm::floor(hi / step + 1e-9) as i64);
-        let (from, to) = ((along * (lo / h.mu - BEYOND_MM)).to_point(), (along * (hi / h.mu + BEYOND_MM)).to_point());
+        let (first, last) =
+            (libm::ceil(lo / step - 1e-9) as i64, libm::floor(hi / step + 1e-9) as i64);
+        let (from, to) = (
+            (along * (lo / h.mu - BEYOND_MM)).to_point(),
+            (along * (hi / h.mu + BEYOND_MM)).to_point(),
+        );
         let name = format!("{}-axis-{axis}", question_id(h.quantity));
-        let owner = d.shape(&name, "axis", Shape::Arrow { from, to, stroke, head: style.thin_head });
+        let owner =
+            d.shape(&name, "axis", Shape::Arrow { from, to, stroke, head: style.thin_head });
         let label = Label::math(over(&format!("{letter}_{axis}"), &unit));
         let side = if axis == "x" { Vec2::new(0.0, -1.0) } else { Vec2::new(1.0, 0.0) };
-        d.label(&name, "axis", LabelRequest::at_point(label, style.small_mm, to, 0.4).owned(owner).towards(side));
+        d.label(
+            &name,
+            "axis",
+            LabelRequest::at_point(label, style.small_mm, to, 0.4).owned(owner).towards(side),
+        );
         for tick in (first..=last).filter(|k| *k != 0) {
             let value = tick as f64 * step;
             let at = (along * (value / h.mu)).to_point();
             let across = along.perp() * TICK_HALF_MM;
             let line = Shape::Line { from: at - across, to: at + across, stroke };
             let owner = d.shape(&format!("{name}-tick"), "tick", line);
-            let request =
-                LabelRequest::at_point(Label::math(inked(&shortest(h.book.value(kind, value)))), style.small_mm, at, TICK_HALF_MM);
+            let request = LabelRequest::at_point(
+                Label::math(inked(&shortest(h.book.value(kind, value)))),
+                style.small_mm,
+                at,
+                TICK_HALF_MM,
+            );
             // A number may be omitted at the curve: its neighbours show the step.
-            d.label(&format!("{name}-{tick}"), "tick", request.owned(owner).towards(-along.perp()).optional(true));
+            d.label(
+                &format!("{name}-{tick}"),
+                "tick",
+                request.owned(owner).towards(-along.perp()).optional(true),
+            );
         }
     }
 }

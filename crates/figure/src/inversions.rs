@@ -15,10 +15,11 @@ use hodograph_paper::paper::item::{Figure, FigureItem};
 use hodograph_paper::paper::label::Label;
 
 /// All inversions.
-pub const ENTRY: FigureEntry =
-    FigureEntry {
-        name: "inversions", about: ["Each link of the chain as ground in turn", "机构的倒置：依次以各构件为机架"], draw
-    };
+pub const ENTRY: FigureEntry = FigureEntry {
+    name: "inversions",
+    about: ["Each link of the chain as ground in turn", "机构的倒置：依次以各构件为机架"],
+    draw,
+};
 
 /// Gap between drawings.
 const GAP_MM: f64 = 14.0;
@@ -37,7 +38,8 @@ fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     let count = if count > 1 { numbered.len().div_ceil(FEWER) } else { count };
     let mut pages = Pages::new();
     for (k, some) in numbered.chunks(numbered.len().div_ceil(count).max(1)).enumerate() {
-        let name = if count > 1 { format!("{}-{}", ENTRY.name, k + 1) } else { ENTRY.name.to_owned() };
+        let name =
+            if count > 1 { format!("{}-{}", ENTRY.name, k + 1) } else { ENTRY.name.to_owned() };
         pages.push((name, sheet(w, some)));
     }
     Ok(Warned { value: pages, notes })
@@ -48,16 +50,29 @@ fn sheet(w: &FigureInput, some: &[(usize, &Inversion)]) -> Figure {
     let mut parts: Vec<DrawingPart> = some.iter().map(|(k, i)| part(w, i, *k)).collect();
     let columns = PER_ROW[usize::from(parts.len() > 4)];
     stand(&mut parts, columns);
-    let maker = SheetDrafter { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
-    let mut figure = maker.alone(DrawingPart::of(parts.into_iter().flat_map(|p| p.items).collect()));
-    figure.desc = some.iter().map(|(_, i)| report::line(i, w.options.lang)).collect::<Vec<_>>().join("; ");
+    let maker = SheetDrafter {
+        scene: w.scene,
+        worked: w.worked,
+        options: w.options,
+        certified: Vec::new(),
+    };
+    let mut figure =
+        maker.alone(DrawingPart::of(parts.into_iter().flat_map(|p| p.items).collect()));
+    figure.desc =
+        some.iter().map(|(_, i)| report::line(i, w.options.lang)).collect::<Vec<_>>().join("; ");
     figure
 }
 
 /// Draws one inversion, with its name.
 fn part(w: &FigureInput, i: &Inversion, k: usize) -> DrawingPart {
-    let maker = SheetDrafter { scene: &i.scene, worked: &i.worked, options: w.options, certified: Vec::new() };
-    let drawing = mechanism::numbered(&w.options.style, &i.scene, &i.worked, &w.options.notation).finish();
+    let maker = SheetDrafter {
+        scene: &i.scene,
+        worked: &i.worked,
+        options: w.options,
+        certified: Vec::new(),
+    };
+    let drawing =
+        mechanism::numbered(&w.options.style, &i.scene, &i.worked, &w.options.notation).finish();
     let (_, mu) = maker.caption(DiagramKind::Plane);
     let caption = format!("({}) {}", k + 1, report::heading(i, w.options.lang));
     let below = format!("\\text{{{}}},\\quad {mu}", report::words(i, w.options.lang));
@@ -75,7 +90,9 @@ fn named(item: &mut FigureItem, k: usize) {
 
 /// Arranges parts in rows: captions of a row on one line, columns as wide as their widest part.
 fn stand(parts: &mut [DrawingPart], columns: usize) {
-    let width = |k: usize| parts.iter().skip(k).step_by(columns).map(|p| p.bounds.width_mm()).fold(0.0, f64::max);
+    let width = |k: usize| {
+        parts.iter().skip(k).step_by(columns).map(|p| p.bounds.width_mm()).fold(0.0, f64::max)
+    };
     let widths: Vec<f64> = (0..columns).map(width).collect();
     let mut y = 0.0;
     for row in parts.chunks_mut(columns) {

@@ -136,16 +136,23 @@ impl KutzbachPlan<'_> {
         let (maker, train) = (self.maker, self.train);
         let style = &maker.options.style;
         let stations = self.stations()?;
-        let (mu_l, mu_v) = (maker.worked.construction.diagram.mu, maker.worked.construction.polygon(DiagramKind::Velocity)?.mu);
+        let (mu_l, mu_v) = (
+            maker.worked.construction.diagram.mu,
+            maker.worked.construction.polygon(DiagramKind::Velocity)?.mu,
+        );
         // A link that turns to the left moves to the left above its centre: the plan is the
         // mechanism turned upright.
         let speed = |link: LinkId, s: f64| self.speed(&stations, link, s) * (-mu_l / mu_v);
         let mut d = Drawing::new("kutzbach", style.clone());
-        let (low, high) = stations.iter().fold((0.0_f64, 0.0_f64), |(a, b), s| (a.min(s.s), b.max(s.s)));
-        let widest =
-            stations.iter().flat_map(|s| s.links.iter().map(|l| speed(*l, s.s))).fold([0.0_f64; 2], |[a, b], x| [a.min(x), b.max(x)]);
+        let (low, high) =
+            stations.iter().fold((0.0_f64, 0.0_f64), |(a, b), s| (a.min(s.s), b.max(s.s)));
+        let widest = stations
+            .iter()
+            .flat_map(|s| s.links.iter().map(|l| speed(*l, s.s)))
+            .fold([0.0_f64; 2], |[a, b], x| [a.min(x), b.max(x)]);
         // The pitch circles, on the left.
-        let circles: Vec<(LinkId, f64, f64)> = train.meshes.iter().flat_map(|m| self.circles(&stations, m.0)).collect();
+        let circles: Vec<(LinkId, f64, f64)> =
+            train.meshes.iter().flat_map(|m| self.circles(&stations, m.0)).collect();
         let radius = circles.iter().map(|c| c.2).fold(0.0, f64::max);
         let off = widest[0].min(self.rates_mm(mu_v / mu_l).1[0] - BEYOND_MM) - APART_MM - radius;
         for (link, s, r) in &circles {
@@ -161,26 +168,65 @@ impl KutzbachPlan<'_> {
         }
         d.of_link(None);
         let line = |from, to, stroke| Shape::Line { from, to, stroke };
-        d.shape("centres", "line", line(Point::new(off, low), Point::new(off, high), style.thin.dashed(Dash::DashDot)));
-        d.shape("zero", "line", line(Point::new(0.0, low - BEYOND_MM), Point::new(0.0, high + BEYOND_MM), style.outline));
+        d.shape(
+            "centres",
+            "line",
+            line(Point::new(off, low), Point::new(off, high), style.thin.dashed(Dash::DashDot)),
+        );
+        d.shape(
+            "zero",
+            "line",
+            line(
+                Point::new(0.0, low - BEYOND_MM),
+                Point::new(0.0, high + BEYOND_MM),
+                style.outline,
+            ),
+        );
         for s in &stations {
             let ends = s.links.iter().map(|l| speed(*l, s.s)).fold(0.0_f64, f64::max);
-            let across = line(Point::new(off, s.s), Point::new(ends.max(0.0), s.s), style.thin.dashed(Dash::Dotted));
+            let across = line(
+                Point::new(off, s.s),
+                Point::new(ends.max(0.0), s.s),
+                style.thin.dashed(Dash::Dotted),
+            );
             d.frame(&format!("height-{}", s.name), "height", across);
             d.draw(&format!("point-{}", s.name), "point", sym::dot(style, Point::new(off, s.s)));
-            d.label_at(&s.name, "point", &point_label(&s.name), Point::new(off, s.s), style.dot_radius_mm, Some(Vec2::new(1.0, 1.0)));
+            d.label_at(
+                &s.name,
+                "point",
+                &point_label(&s.name),
+                Point::new(off, s.s),
+                style.dot_radius_mm,
+                Some(Vec2::new(1.0, 1.0)),
+            );
         }
         for s in &stations {
-            let Some(v) = s.links.iter().map(|l| speed(*l, s.s)).find(|v| v.abs() > ZERO_MM) else { continue };
+            let Some(v) = s.links.iter().map(|l| speed(*l, s.s)).find(|v| v.abs() > ZERO_MM) else {
+                continue;
+            };
             let (from, to) = (Point::new(0.0, s.s), Point::new(v, s.s));
-            let owner = d.shape(&format!("vel-{}", s.name), "vector", Shape::Arrow { from, to, stroke: style.vector, head: style.head });
+            let owner = d.shape(
+                &format!("vel-{}", s.name),
+                "vector",
+                Shape::Arrow { from, to, stroke: style.vector, head: style.head },
+            );
             let name = format!("v_{{{}}}", name_label(&s.name));
-            d.label_along(&format!("vel-{}", s.name), "vector", &name, (from, to), style.vector.width_mm / 2.0, owner);
+            d.label_along(
+                &format!("vel-{}", s.name),
+                "vector",
+                &name,
+                (from, to),
+                style.vector.width_mm / 2.0,
+                owner,
+            );
         }
         // One ray for each link.
         for link in self.links() {
-            let own: Vec<f64> = stations.iter().filter(|s| s.links.contains(&link)).map(|s| s.s).collect();
-            let (a, b) = own.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(*s), b.max(*s)));
+            let own: Vec<f64> =
+                stations.iter().filter(|s| s.links.contains(&link)).map(|s| s.s).collect();
+            let (a, b) = own
+                .iter()
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| (a.min(*s), b.max(*s)));
             let at = |s: f64| Point::new(speed(link, s), s);
             let (Some(u), true) = ((at(b) - at(a)).unit(), a < b) else { continue };
             let (from, to) = (at(a) - u * BEYOND_MM, at(b) + u * BEYOND_MM);
@@ -188,7 +234,14 @@ impl KutzbachPlan<'_> {
             d.of_link((link != maker.scene.ground).then_some(link.0));
             if link != maker.scene.ground {
                 let owner = d.shape(&format!("ray-{name}"), "ray", line(from, to, style.outline));
-                d.label_along(&format!("ray-{name}"), "number", &name_label(name), (from, to), style.outline.width_mm / 2.0, owner);
+                d.label_along(
+                    &format!("ray-{name}"),
+                    "number",
+                    &name_label(name),
+                    (from, to),
+                    style.outline.width_mm / 2.0,
+                    owner,
+                );
             }
         }
         d.of_link(None);
@@ -218,7 +271,8 @@ impl KutzbachPlan<'_> {
     /// Velocity of a link's point on the line of centres, positive to the left, in mm of paper
     /// times rad/s.
     fn speed(&self, stations: &[KutzbachPoint], link: LinkId, s: f64) -> f64 {
-        let centre = self.train.gear(link).map(|g| self.maker.scene.point_name(self.train.gears[g].centre));
+        let centre =
+            self.train.gear(link).map(|g| self.maker.scene.point_name(self.train.gears[g].centre));
         let at = centre.and_then(|c| stations.iter().find(|t| t.name == c)).map_or(0.0, |t| t.s);
         self.turns.arm * at + self.rate(link) * (s - at)
     }
@@ -227,7 +281,8 @@ impl KutzbachPlan<'_> {
     fn circles(&self, stations: &[KutzbachPoint], mesh: usize) -> Vec<(LinkId, f64, f64)> {
         let scene = self.maker.scene;
         let pair = &scene.rolling[mesh];
-        let height = |p: PointId| stations.iter().find(|s| s.name == scene.point_name(p)).map(|s| s.s);
+        let height =
+            |p: PointId| stations.iter().find(|s| s.name == scene.point_name(p)).map(|s| s.s);
         let circle = |i: usize| {
             let (c, q) = (height(pair.centres()[i]?)?, height(pair.at[0])?);
             Some((pair.links[i], c, (q - c).abs()))
@@ -240,7 +295,10 @@ impl KutzbachPlan<'_> {
     fn rates_mm(&self, slope: f64) -> (f64, [f64; 2]) {
         let rates: Vec<f64> = self.links().into_iter().map(|l| -self.rate(l) / slope).collect();
         let [a, b] = rates.iter().fold([0.0_f64; 2], |[a, b], x| [a.min(*x), b.max(*x)]);
-        let pole_mm = POLE_MM.into_iter().find(|h| b.max(-a) * h <= RATES_MM).unwrap_or(POLE_MM[POLE_MM.len() - 1]);
+        let pole_mm = POLE_MM
+            .into_iter()
+            .find(|h| b.max(-a) * h <= RATES_MM)
+            .unwrap_or(POLE_MM[POLE_MM.len() - 1]);
         (pole_mm, [a * pole_mm, b * pole_mm])
     }
 
@@ -260,14 +318,29 @@ impl KutzbachPlan<'_> {
                 None => ends.push((p, vec![l])),
             }
         }
-        let axis = Shape::Line { from: Point::new(a - BEYOND_MM, foot), to: Point::new(b + BEYOND_MM, foot), stroke: style.outline };
+        let axis = Shape::Line {
+            from: Point::new(a - BEYOND_MM, foot),
+            to: Point::new(b + BEYOND_MM, foot),
+            stroke: style.outline,
+        };
         d.shape("rates", "line", axis);
         for (end, who) in &ends {
             let names: Vec<&str> = who.iter().map(|l| maker.scene.link_name(*l)).collect();
-            d.shape(&format!("rate-{}", names[0]), "ray", Shape::Line { from: pole, to: *end, stroke: style.thin });
+            d.shape(
+                &format!("rate-{}", names[0]),
+                "ray",
+                Shape::Line { from: pole, to: *end, stroke: style.thin },
+            );
             d.draw(&format!("end-{}", names[0]), "point", sym::dot(style, *end));
             let text = names.iter().map(|n| name_label(n)).collect::<Vec<_>>().join(", ");
-            d.label_at(&format!("rate-{}", names[0]), "number", &text, *end, style.dot_radius_mm, Some(Vec2::new(0.0, -1.0)));
+            d.label_at(
+                &format!("rate-{}", names[0]),
+                "number",
+                &text,
+                *end,
+                style.dot_radius_mm,
+                Some(Vec2::new(0.0, -1.0)),
+            );
         }
         for (end, who) in ends.iter().filter(|e| e.0.x.abs() > ZERO_MM) {
             let from = Point::new(0.0, foot);
@@ -287,7 +360,13 @@ impl KutzbachPlan<'_> {
         let (maker, style, lang) = (self.maker, &self.maker.options.style, self.maker.options.lang);
         let table = table(maker.scene, self.train, self.turns, lang, maker.options.digits);
         let cell = |label: Label, size_mm: f64, anchor: Anchor, id: String| {
-            Some(Cell { label: label.in_fonts(&style.fonts), size_mm, anchor, class: "willis table".into(), id })
+            Some(Cell {
+                label: label.in_fonts(&style.fonts),
+                size_mm,
+                anchor,
+                class: "willis table".into(),
+                id,
+            })
         };
         let heading = Label::text(tr(lang, "Willis' table", "列表法（转化机构法）"));
         let shape = Shape::Label {
@@ -298,15 +377,24 @@ impl KutzbachPlan<'_> {
             colour: hodograph_paper::paper::item::Colour::BLACK,
         };
         let mut items = vec![FigureItem::new("willis heading", shape).with_id("willis-heading")];
-        let head = std::iter::once(None).chain(
-            table.head.iter().enumerate().map(|(k, h)| cell(Label::math(h), style.label_mm, Anchor::Middle, format!("willis-head-{k}"))),
-        );
+        let head = std::iter::once(None).chain(table.head.iter().enumerate().map(|(k, h)| {
+            cell(Label::math(h), style.label_mm, Anchor::Middle, format!("willis-head-{k}"))
+        }));
         let mut rows = vec![Row { cells: head.collect(), height_mm: ROW_MM + 1.0 }];
         for (r, (words, cells)) in table.rows.iter().enumerate() {
-            let first = cell(Phrase::new(words).label(), style.caption_mm, Anchor::Start, format!("willis-{r}"));
-            let rest =
-                cells.iter().enumerate().map(|(k, c)| cell(Label::math(c), style.caption_mm, Anchor::Middle, format!("willis-{r}-{k}")));
-            rows.push(Row { cells: std::iter::once(first).chain(rest).collect(), height_mm: ROW_MM });
+            let first = cell(
+                Phrase::new(words).label(),
+                style.caption_mm,
+                Anchor::Start,
+                format!("willis-{r}"),
+            );
+            let rest = cells.iter().enumerate().map(|(k, c)| {
+                cell(Label::math(c), style.caption_mm, Anchor::Middle, format!("willis-{r}-{k}"))
+            });
+            rows.push(Row {
+                cells: std::iter::once(first).chain(rest).collect(),
+                height_mm: ROW_MM,
+            });
         }
         items.extend(grid::set(&rows, GAP_MM));
         let mut y = -(ROW_MM * (rows.len() as f64 + 1.0) + 2.0);
@@ -323,7 +411,9 @@ impl KutzbachPlan<'_> {
                 anchor: Anchor::Start,
                 colour: hodograph_paper::paper::item::Colour::BLACK,
             };
-            items.push(FigureItem::new("willis result", shape).with_id(format!("willis-result-{k}")));
+            items.push(
+                FigureItem::new("willis result", shape).with_id(format!("willis-result-{k}")),
+            );
             y -= ROW_MM;
         }
         DrawingPart::of(items)
@@ -354,15 +444,31 @@ mod tests {
         let scene = read(TRAIN).unwrap().value;
         let worked = work(&scene, Scope::Questions).unwrap().value;
         let options = SheetOptions::of_language(Lang::En);
-        let maker = SheetDrafter { scene: &scene, worked: &worked, options: &options, certified: certify(&scene, &worked, 4) };
+        let maker = SheetDrafter {
+            scene: &scene,
+            worked: &worked,
+            options: &options,
+            certified: certify(&scene, &worked, 4),
+        };
         let all = trains(&scene);
-        let plan = KutzbachPlan { maker: &maker, train: &all[0], turns: turns(&scene, &worked, &all[0]).unwrap() };
+        let plan = KutzbachPlan {
+            maker: &maker,
+            train: &all[0],
+            turns: turns(&scene, &worked, &all[0]).unwrap(),
+        };
         let stations = plan.stations().unwrap();
         assert_eq!(stations.len(), 4);
-        let largest = stations.iter().flat_map(|s| s.links.iter().map(|l| plan.speed(&stations, *l, s.s).abs())).fold(0.0, f64::max);
+        let largest = stations
+            .iter()
+            .flat_map(|s| s.links.iter().map(|l| plan.speed(&stations, *l, s.s).abs()))
+            .fold(0.0, f64::max);
         for s in &stations {
             let speeds: Vec<f64> = s.links.iter().map(|l| plan.speed(&stations, *l, s.s)).collect();
-            assert!(s.links.len() > 1 && speeds.iter().all(|v| (v - speeds[0]).abs() < 1e-12 * largest), "{}: {speeds:?}", s.name);
+            assert!(
+                s.links.len() > 1 && speeds.iter().all(|v| (v - speeds[0]).abs() < 1e-12 * largest),
+                "{}: {speeds:?}",
+                s.name
+            );
         }
     }
 
@@ -372,7 +478,12 @@ mod tests {
         let worked = work(&scene, Scope::Questions).unwrap().value;
         for lang in [Lang::En, Lang::Zh] {
             let options = SheetOptions::of_language(lang);
-            let maker = SheetDrafter { scene: &scene, worked: &worked, options: &options, certified: certify(&scene, &worked, 4) };
+            let maker = SheetDrafter {
+                scene: &scene,
+                worked: &worked,
+                options: &options,
+                certified: certify(&scene, &worked, 4),
+            };
             let pages = plans(&maker);
             assert_eq!(pages.len(), 1);
             let items = &pages[0].1.items;
@@ -384,7 +495,12 @@ mod tests {
         let scene = read(hodograph_scene::templates::get("crank-rocker").unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Questions).unwrap().value;
         let options = SheetOptions::of_language(Lang::En);
-        let maker = SheetDrafter { scene: &scene, worked: &worked, options: &options, certified: certify(&scene, &worked, 4) };
+        let maker = SheetDrafter {
+            scene: &scene,
+            worked: &worked,
+            options: &options,
+            certified: certify(&scene, &worked, 4),
+        };
         assert!(plans(&maker).is_empty());
     }
 }

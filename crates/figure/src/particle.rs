@@ -23,7 +23,9 @@ use super::arrange::Tree;
 use super::sheet::MARGIN_MM;
 use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::grid::{self, Cell, Row};
-use hodograph_paper::paper::item::{Anchor, Colour, Figure, FigureItem, LineStroke, Shape, distinct};
+use hodograph_paper::paper::item::{
+    Anchor, Colour, Figure, FigureItem, LineStroke, Shape, distinct,
+};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::lines::wrapped;
 use hodograph_paper::paper::place::LabelRequest;
@@ -69,7 +71,8 @@ pub struct ParticleView {
 impl ParticleView {
     /// Returns the scales in a line, in the label language.
     pub fn scale(&self, book: &Book) -> String {
-        let told: Vec<String> = self.scales.iter().map(|(on, mu)| scale_formula(book, *on, *mu)).collect();
+        let told: Vec<String> =
+            self.scales.iter().map(|(on, mu)| scale_formula(book, *on, *mu)).collect();
         told.join(",\\quad ")
     }
 }
@@ -87,7 +90,9 @@ pub fn figures(
     lang: Lang,
 ) -> Result<Vec<(String, Figure)>, Diagnostic> {
     let maker = ParticleDrafter { problem, solved, style, lang, also: &ALONE };
-    let name = |d: &MotionDrawing| if board.len() == 1 { String::new() } else { problem.motions[d.motion].point.clone() };
+    let name = |d: &MotionDrawing| {
+        if board.len() == 1 { String::new() } else { problem.motions[d.motion].point.clone() }
+    };
     board.iter().map(|d| Ok((name(d), maker.figure(d, true)?))).collect()
 }
 
@@ -120,7 +125,10 @@ pub fn as_given(
     let maker = ParticleDrafter { problem, solved, style, lang, also: &ALONE };
     let views = match &drawn.views {
         Views::Chase { .. } => maker.start(drawn).into_iter().collect(),
-        Views::Plate { .. } => vec![maker.on_plate(drawn, DiagramKind::Plane, &[])?, maker.along_axis(drawn, DiagramKind::Plane, &[])],
+        Views::Plate { .. } => vec![
+            maker.on_plate(drawn, DiagramKind::Plane, &[])?,
+            maker.along_axis(drawn, DiagramKind::Plane, &[]),
+        ],
     };
     let mut parts: Vec<DrawingPart> = views.into_iter().map(|v| maker.captioned(v)).collect();
     let tree = Tree::row((0..parts.len()).map(Tree::Leaf).collect());
@@ -131,7 +139,15 @@ pub fn as_given(
     distinct(&mut items);
     let title = lang.of(&problem.title).to_owned();
     let tag = words(lang).tag.into();
-    let mut figure = Figure { width_mm: page[0], height_mm: page[1], desc: title.clone(), title, lang: tag, paper: Colour::WHITE, items };
+    let mut figure = Figure {
+        width_mm: page[0],
+        height_mm: page[1],
+        desc: title.clone(),
+        title,
+        lang: tag,
+        paper: Colour::WHITE,
+        items,
+    };
     style.palette.paint(&mut figure);
     Ok(figure)
 }
@@ -157,11 +173,19 @@ impl ParticleDrafter<'_> {
     /// A law without a value during the motion.
     pub fn views(&self, d: &MotionDrawing) -> Result<Vec<ParticleView>, Diagnostic> {
         match &d.views {
-            Views::Chase { .. } => Ok(self.course(d, true).into_iter().chain(self.polygons(d)).collect()),
+            Views::Chase { .. } => {
+                Ok(self.course(d, true).into_iter().chain(self.polygons(d)).collect())
+            }
             Views::Plate { velocities, accelerations, .. } => {
                 let mut all = Vec::new();
-                for (on, views) in [(DiagramKind::Velocity, velocities), (DiagramKind::Acceleration, accelerations)] {
-                    all.extend([self.on_plate(d, on, &views[0])?, self.along_axis(d, on, &views[1])]);
+                for (on, views) in [
+                    (DiagramKind::Velocity, velocities),
+                    (DiagramKind::Acceleration, accelerations),
+                ] {
+                    all.extend([
+                        self.on_plate(d, on, &views[0])?,
+                        self.along_axis(d, on, &views[1]),
+                    ]);
                 }
                 Ok(all)
             }
@@ -169,7 +193,8 @@ impl ParticleDrafter<'_> {
     }
 
     fn figure(&self, d: &MotionDrawing, whole: bool) -> Result<Figure, Diagnostic> {
-        let mut parts: Vec<DrawingPart> = self.views(d)?.into_iter().map(|v| self.captioned(v)).collect();
+        let mut parts: Vec<DrawingPart> =
+            self.views(d)?.into_iter().map(|v| self.captioned(v)).collect();
         // A pursuit: its course above the two polygons; a plate: both views in a row.
         let first = if matches!(d.views, Views::Chase { .. }) { 1 } else { 2 };
         let row = |range: std::ops::Range<usize>| Tree::row(range.map(Tree::Leaf).collect());
@@ -196,14 +221,25 @@ impl ParticleDrafter<'_> {
         distinct(&mut items);
         let desc = self.lines().iter().map(|l| l.plain()).collect::<Vec<_>>().join("; ");
         let lang = words(self.lang).tag.into();
-        let mut figure = Figure { width_mm: page[0], height_mm: page[1], title, desc, lang, paper: Colour::WHITE, items };
+        let mut figure = Figure {
+            width_mm: page[0],
+            height_mm: page[1],
+            title,
+            desc,
+            lang,
+            paper: Colour::WHITE,
+            items,
+        };
         self.style.palette.paint(&mut figure);
         Ok(figure)
     }
 
     fn words(&self, class: &str, at: Point, label: Label, size_mm: f64) -> FigureItem {
         let label = label.in_fonts(&self.style.fonts);
-        FigureItem::new(class, Shape::Label { at, label, size_mm, anchor: Anchor::Middle, colour: Colour::BLACK })
+        FigureItem::new(
+            class,
+            Shape::Label { at, label, size_mm, anchor: Anchor::Middle, colour: Colour::BLACK },
+        )
     }
 
     /// Adds the caption of a view, and its scales below.
@@ -215,13 +251,19 @@ impl ParticleDrafter<'_> {
         let on = view.scales.last().map_or(DiagramKind::Plane, |(on, _)| *on);
         // Ids of the same view with the velocities and with the accelerations must differ.
         if on != DiagramKind::Plane {
-            items.iter_mut().for_each(|i| i.id = format!("{}-{}", on.prefix(), i.id.trim_start_matches("polygon-")));
+            items.iter_mut().for_each(|i| {
+                i.id = format!("{}-{}", on.prefix(), i.id.trim_start_matches("polygon-"))
+            });
         }
         let caption = Phrase::new(self.lang.of(&view.caption)).label();
-        let below = [("caption", y, caption, self.style.caption_mm), ("scale", y - SCALE_MM, Label::math(scale), self.style.small_mm)];
-        items.extend(
-            below.map(|(what, y, label, size)| self.words(what, Point::new(x, y), label, size).with_id(format!("{what}-{}", on.prefix()))),
-        );
+        let below = [
+            ("caption", y, caption, self.style.caption_mm),
+            ("scale", y - SCALE_MM, Label::math(scale), self.style.small_mm),
+        ];
+        items.extend(below.map(|(what, y, label, size)| {
+            self.words(what, Point::new(x, y), label, size)
+                .with_id(format!("{what}-{}", on.prefix()))
+        }));
         DrawingPart::of(items)
     }
 
@@ -230,7 +272,13 @@ impl ParticleDrafter<'_> {
         let lines = self.lines();
         let labels = lines.iter().flat_map(|l| wrapped(l, TEXT_MM, style.small_mm, &style.fonts));
         let row = |label: Label| Row {
-            cells: vec![Some(Cell { label, size_mm: style.small_mm, anchor: Anchor::Start, class: "answer".into(), id: String::new() })],
+            cells: vec![Some(Cell {
+                label,
+                size_mm: style.small_mm,
+                anchor: Anchor::Start,
+                class: "answer".into(),
+                id: String::new(),
+            })],
             height_mm: style.small_mm * 1.6,
         };
         DrawingPart::of(grid::set(&labels.map(row).collect::<Vec<_>>(), 0.0))
@@ -252,17 +300,28 @@ impl ParticleDrafter<'_> {
         };
         let arrow = Shape::Arrow { from: a.from, to: a.to, stroke, head: style.head };
         let owner = match quantity(&a.symbol, on_plate) {
-            Some(name) => d.vector(&id, &class, arrow, ShownQuantity::vector(&name, a.from, a.to, mu)),
+            Some(name) => {
+                d.vector(&id, &class, arrow, ShownQuantity::vector(&name, a.from, a.to, mu))
+            }
             None => d.shape(&id, &class, arrow),
         };
         let symbol = report::marked(&a.symbol, &self.notation());
-        d.label(&id, &class, LabelRequest::along(Label::math(&symbol), style.label_mm, a.from, a.to, width_mm / 2.0).owned(owner));
+        d.label(
+            &id,
+            &class,
+            LabelRequest::along(Label::math(&symbol), style.label_mm, a.from, a.to, width_mm / 2.0)
+                .owned(owner),
+        );
     }
 
     /// Draws a line; its name is the first word of its class.
     fn line(&self, d: &mut Drawing, class: &str, points: Vec<Point>, stroke: LineStroke) {
         let name = class.split(' ').next().unwrap_or(class);
-        d.shape(name, class, Shape::Polyline { points, closed: false, stroke: Some(stroke), fill: None });
+        d.shape(
+            name,
+            class,
+            Shape::Polyline { points, closed: false, stroke: Some(stroke), fill: None },
+        );
     }
 
     fn named(&self, d: &mut Drawing, name: &str, at: Point) {
@@ -272,7 +331,10 @@ impl ParticleDrafter<'_> {
 
     fn scales(&self, drawn: &MotionDrawing, on: DiagramKind) -> Vec<(DiagramKind, f64)> {
         let shown = [DiagramKind::Plane, on];
-        shown[usize::from(on == DiagramKind::Plane)..].iter().map(|on| (*on, drawn.scale(*on))).collect()
+        shown[usize::from(on == DiagramKind::Plane)..]
+            .iter()
+            .map(|on| (*on, drawn.scale(*on)))
+            .collect()
     }
 }
 

@@ -13,7 +13,9 @@ use hodograph_board::construct::scale::{self, Boxes};
 use hodograph_board::plan::names::point_label;
 use hodograph_paper::paper::phrase::{Phrase, capital, fill, tr};
 use hodograph_scene::{DiagramKind, Kind, Lang, PointId, Scene, Swept};
-use hodograph_sweep::points::{PathMotion, PointMoment, alone, at_equal_steps, bounded, motion, questions};
+use hodograph_sweep::points::{
+    PathMotion, PointMoment, alone, at_equal_steps, bounded, motion, questions,
+};
 use hodograph_worked::worked::{Worked, work_motion, work_placed};
 
 use super::arrange::{AIM_MM, Tree};
@@ -73,10 +75,16 @@ pub struct PathContent {
 /// assert!(figure.title.starts_with("Crank-rocker"));
 /// # Ok::<(), hodograph_base::diag::Faults>(())
 /// ```
-pub fn figure(scene: &Scene, worked: &Worked, options: &SheetOptions, wanted: &PathContent) -> Result<Warned<Figure>, Faults> {
+pub fn figure(
+    scene: &Scene,
+    worked: &Worked,
+    options: &SheetOptions,
+    wanted: &PathContent,
+) -> Result<Warned<Figure>, Faults> {
     check(scene, wanted)?;
     let motion_of_cams = work_motion(scene)?;
-    let (scene, worked) = motion_of_cams.as_ref().map_or((scene, worked), |(scene, worked)| (scene, worked));
+    let (scene, worked) =
+        motion_of_cams.as_ref().map_or((scene, worked), |(scene, worked)| (scene, worked));
     // Each velocity is then tangent to the drawn path.
     let alone = alone(scene, wanted.swept);
     let moved = motion(
@@ -88,24 +96,55 @@ pub fn figure(scene: &Scene, worked: &Worked, options: &SheetOptions, wanted: &P
         &wanted.points,
         wanted.marks.clamp(1, MOST_MARKS),
     );
-    PoseFollower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.swept)
-        .proved(moved.moments.iter().chain(&moved.marks).map(|m| &m.configuration))?;
+    PoseFollower::new(
+        scene,
+        &worked.mechanism,
+        &worked.demand,
+        &worked.configuration,
+        wanted.swept,
+    )
+    .proved(moved.moments.iter().chain(&moved.marks).map(|m| &m.configuration))?;
     if moved.moments.len() < 2 {
         let d = Diagnostic::error(
             "no-motion",
-            both!("the mechanism cannot be followed from its pose: there is no path", "从该位置无法跟踪机构的运动：没有轨迹"),
+            both!(
+                "the mechanism cannot be followed from its pose: there is no path",
+                "从该位置无法跟踪机构的运动：没有轨迹"
+            ),
         );
-        return Err(d.help(both!("give another pose, or move another driver with --over", "请改变位置，或用 --over 另选原动件")).into());
+        return Err(d
+            .help(both!(
+                "give another pose, or move another driver with --over",
+                "请改变位置，或用 --over 另选原动件"
+            ))
+            .into());
     }
     let poses = poses(scene, worked, wanted);
     // Everything drawn of the mechanism fits its box.
     let mut fitted = scene.clone();
-    let ghosts = poses.iter().chain([&worked.configuration]).flat_map(|c| c.points.iter().flatten().copied());
-    let places = moved.moments.iter().flat_map(|m| moved.points.iter().filter_map(|p| m.configuration.points[p.0]));
+    let ghosts = poses
+        .iter()
+        .chain([&worked.configuration])
+        .flat_map(|c| c.points.iter().flatten().copied());
+    let places = moved
+        .moments
+        .iter()
+        .flat_map(|m| moved.points.iter().filter_map(|p| m.configuration.points[p.0]));
     let boxes = Boxes::of(&scene.paper, &worked.plan);
-    let mu = scale::fitted(&scene.paper, Kind::Length, scale::extent(ghosts.chain(places)), boxes.diagram);
+    let mu = scale::fitted(
+        &scene.paper,
+        Kind::Length,
+        scale::extent(ghosts.chain(places)),
+        boxes.diagram,
+    );
     fitted.paper.scales.set(Kind::Length, Some(mu));
-    let worked = &work_placed(&fitted, worked.mechanism.clone(), worked.demand.clone(), worked.configuration.clone())?.value;
+    let worked = &work_placed(
+        &fitted,
+        worked.mechanism.clone(),
+        worked.demand.clone(),
+        worked.configuration.clone(),
+    )?
+    .value;
     let maker = SheetDrafter { scene: &fitted, worked, options, certified: Vec::new() };
     let mut page = PathPage { maker, moved: &moved, swept: wanted.swept, cut: false };
 
@@ -133,7 +172,10 @@ fn check(scene: &Scene, wanted: &PathContent) -> Result<(), Faults> {
     if let Swept::Driver(driver) = wanted.swept
         && driver >= scene.drivers.len()
     {
-        faults.push(Diagnostic::error("no-driver", both!("the scene has no driver {}", "机构文件没有第 {} 个原动件", driver + 1)));
+        faults.push(Diagnostic::error(
+            "no-driver",
+            both!("the scene has no driver {}", "机构文件没有第 {} 个原动件", driver + 1),
+        ));
     }
     if wanted.points.is_empty() {
         faults.push(
@@ -141,22 +183,46 @@ fn check(scene: &Scene, wanted: &PathContent) -> Result<(), Faults> {
                 .help(both!("name one with --point", "请用 --point 指定一个点")),
         );
     }
-    let stands = |p: &&PointId| scene.mover(**p).is_none() || scene.links[scene.ground.0].points.contains(p);
+    let stands =
+        |p: &&PointId| scene.mover(**p).is_none() || scene.links[scene.ground.0].points.contains(p);
     for p in wanted.points.iter().filter(stands) {
-        let d = Diagnostic::error("no-path", both!("point {} stands still: it has no path", "点 {} 静止，没有轨迹", scene.point_name(*p)));
-        faults.push(d.at(scene.points[p.0].span).help(both!("name a point that moves", "请指定一个运动的点")));
+        let d = Diagnostic::error(
+            "no-path",
+            both!(
+                "point {} stands still: it has no path",
+                "点 {} 静止，没有轨迹",
+                scene.point_name(*p)
+            ),
+        );
+        faults.push(
+            d.at(scene.points[p.0].span)
+                .help(both!("name a point that moves", "请指定一个运动的点")),
+        );
     }
     if faults.has_errors() { Err(faults) } else { Ok(()) }
 }
 
 /// The mechanism in other positions.
-fn poses(scene: &Scene, worked: &Worked, wanted: &PathContent) -> Vec<hodograph_mechanism::position::Configuration> {
+fn poses(
+    scene: &Scene,
+    worked: &Worked,
+    wanted: &PathContent,
+) -> Vec<hodograph_mechanism::position::Configuration> {
     if wanted.poses == 0 {
         return Vec::new();
     }
-    let follower = PoseFollower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.swept);
+    let follower = PoseFollower::new(
+        scene,
+        &worked.mechanism,
+        &worked.demand,
+        &worked.configuration,
+        wanted.swept,
+    );
     let sweep = follower.sweep(MOST_MARKS);
-    at_equal_steps(&follower, &sweep, wanted.poses.min(MOST_MARKS)).into_iter().map(|p| p.configuration).collect()
+    at_equal_steps(&follower, &sweep, wanted.poses.min(MOST_MARKS))
+        .into_iter()
+        .map(|p| p.configuration)
+        .collect()
 }
 
 /// The figure under construction.
@@ -174,17 +240,29 @@ impl PathPage<'_> {
     }
 
     fn mechanism(&self, poses: Vec<hodograph_mechanism::position::Configuration>) -> DrawingPart {
-        let places = |moments: &[PointMoment], p: PointId| moments.iter().filter_map(|m| m.configuration.points[p.0]).collect();
+        let places = |moments: &[PointMoment], p: PointId| {
+            moments.iter().filter_map(|m| m.configuration.points[p.0]).collect()
+        };
         let track = |&point: &PointId| PointTrack {
             point,
             places: places(&self.moved.moments, point),
             closed: self.moved.full,
             marks: places(&self.moved.marks, point),
         };
-        let overlay = Overlay { poses, paths: self.moved.points.iter().map(track).collect(), ..Overlay::default() };
+        let overlay = Overlay {
+            poses,
+            paths: self.moved.points.iter().map(track).collect(),
+            ..Overlay::default()
+        };
         let maker = &self.maker;
-        let part = overlaid(&maker.options.style, maker.scene, maker.worked, &maker.writer(), &overlay);
-        let names: Vec<String> = self.moved.points.iter().map(|p| format!("${}$", point_label(self.scene().point_name(*p)))).collect();
+        let part =
+            overlaid(&maker.options.style, maker.scene, maker.worked, &maker.writer(), &overlay);
+        let names: Vec<String> = self
+            .moved
+            .points
+            .iter()
+            .map(|p| format!("${}$", point_label(self.scene().point_name(*p))))
+            .collect();
         let words = match (&names[..], self.maker.options.lang) {
             (names, hodograph_scene::Lang::Zh) => format!("点 {} 的轨迹", names.join("、")),
             ([one], _) => format!("Path of {one}"),
@@ -199,17 +277,31 @@ impl PathPage<'_> {
         let paper = self.scene().paper.clone();
         let mut parts = Vec::new();
         for (l, on) in DiagramKind::POLYGONS.into_iter().enumerate() {
-            let of = |moments: &[PointMoment], k: usize| -> Vec<Option<Vec2>> { moments.iter().map(|m| m.vector(k, on.level())).collect() };
-            let curves: Vec<Vec<Option<Vec2>>> = (0..self.moved.points.len()).map(|k| of(&self.moved.moments, k)).collect();
+            let of = |moments: &[PointMoment], k: usize| -> Vec<Option<Vec2>> {
+                moments.iter().map(|m| m.vector(k, on.level())).collect()
+            };
+            let curves: Vec<Vec<Option<Vec2>>> =
+                (0..self.moved.points.len()).map(|k| of(&self.moved.moments, k)).collect();
             let sizes = curves.iter().flatten().flatten().map(|v| v.norm()).collect();
             let own = self.moved.moments.iter().find(|m| m.travel == 0.0);
-            let own = own.into_iter().flat_map(|m| m.vectors.iter().filter_map(|v| v[l])).map(Vec2::norm).fold(0.0, f64::max);
-            let Some(most) = bounded(sizes, own, self.moved.limits == [false, false]) else { continue };
+            let own = own
+                .into_iter()
+                .flat_map(|m| m.vectors.iter().filter_map(|v| v[l]))
+                .map(Vec2::norm)
+                .fold(0.0, f64::max);
+            let Some(most) = bounded(sizes, own, self.moved.limits == [false, false]) else {
+                continue;
+            };
             let shown: Vec<_> = curves.iter().map(|c| runs(c, self.moved.full, most)).collect();
             self.cut |= shown.iter().any(|s| s.1);
             let ends = shown.iter().flat_map(|s| s.0.iter().flatten()).map(|v| v.to_point());
             let kind = on.kind();
-            let mu = scale::fitted(&paper, kind, scale::extent(ends.chain([hodograph_base::geom::Point::ORIGIN])), boxes.polygon);
+            let mu = scale::fitted(
+                &paper,
+                kind,
+                scale::extent(ends.chain([hodograph_base::geom::Point::ORIGIN])),
+                boxes.polygon,
+            );
             for (k, &point) in self.moved.points.iter().enumerate() {
                 let find = &questions(self.scene(), point)[l];
                 let h = Hodograph {
@@ -233,7 +325,12 @@ impl PathPage<'_> {
                     Lang::En => format!("{} hodograph of ${point}$", capital(&vector.en)),
                     Lang::Zh => format!("点 ${point}$ 的{}矢端曲线", vector.zh),
                 };
-                parts.push(self.maker.titled(part, Phrase::new(&words).label(), &scale_formula(&self.scene().book, on, mu), &id));
+                parts.push(self.maker.titled(
+                    part,
+                    Phrase::new(&words).label(),
+                    &scale_formula(&self.scene().book, on, mu),
+                    &id,
+                ));
             }
         }
         parts
@@ -250,7 +347,13 @@ impl PathPage<'_> {
         for (block, marks) in self.moved.marks.chunks(IN_ROW).enumerate() {
             let cell = |text: Label, anchor, row: &str, k: usize| {
                 let id = format!("position-{row}-{}", block * IN_ROW + k);
-                Some(Cell { label: text.in_fonts(&style.fonts), size_mm: style.small_mm, anchor, class: "positions".into(), id })
+                Some(Cell {
+                    label: text.in_fonts(&style.fonts),
+                    size_mm: style.small_mm,
+                    anchor,
+                    class: "positions".into(),
+                    id,
+                })
             };
             let mut row = |name: &str, head: Label, text: &dyn Fn(usize) -> Label| {
                 let first = cell(head, Anchor::Start, name, 0);
@@ -258,18 +361,30 @@ impl PathPage<'_> {
                 let height_mm = if name == "number" && block > 0 { ROW_MM * 1.6 } else { ROW_MM };
                 rows.push(Row { cells: std::iter::once(first).chain(rest).collect(), height_mm });
             };
-            row("number", Label::text(tr(lang, "Position", "位置")), &|k| Label::math((block * IN_ROW + k + 1).to_string()));
+            row("number", Label::text(tr(lang, "Position", "位置")), &|k| {
+                Label::math((block * IN_ROW + k + 1).to_string())
+            });
             row("driver", Label::math(over(&driver, &unit)), &|k| {
                 let value = marks[k].place;
-                let shown = if kind == Kind::Angle { turned(value, factor, self.moved.full) } else { value * factor };
-                Label::math(hodograph_base::digits::inked(&hodograph_base::digits::shortest((shown * parts).round() / parts)))
+                let shown = if kind == Kind::Angle {
+                    turned(value, factor, self.moved.full)
+                } else {
+                    value * factor
+                };
+                Label::math(hodograph_base::digits::inked(&hodograph_base::digits::shortest(
+                    (shown * parts).round() / parts,
+                )))
             });
             for (p, point) in self.moved.points.iter().enumerate() {
                 for (l, find) in questions(self.scene(), *point).iter().enumerate() {
                     let unit = book.upright(find.what.kind());
                     let symbol = symbol(find, &self.maker.options.notation);
-                    row(&find.text, Label::math(over(&symbol, &unit)), &|k| match marks[k].vectors[p][l] {
-                        Some(v) => Label::math(number(book.value(find.what.kind(), v.norm()), DIGITS)),
+                    row(&find.text, Label::math(over(&symbol, &unit)), &|k| match marks[k].vectors
+                        [p][l]
+                    {
+                        Some(v) => {
+                            Label::math(number(book.value(find.what.kind(), v.norm()), DIGITS))
+                        }
                         None => Label::text("—"),
                     });
                 }
@@ -299,7 +414,11 @@ impl PathPage<'_> {
             "Next to a limit the vectors grow beyond all bounds; there the hodographs leave the paper.",
             "接近极限位置时矢量趋于无穷大，该处的矢端曲线超出图纸。",
         );
-        let alone = tr(lang, "One driver moves, the others stand still.", "一个原动件运动，其余原动件静止。");
+        let alone = tr(
+            lang,
+            "One driver moves, the others stand still.",
+            "一个原动件运动，其余原动件静止。",
+        );
         let mut said = Vec::new();
         said.extend(self.cut.then_some(cut));
         said.extend((self.scene().drivers.len() > 1 && self.swept != Swept::Time).then_some(alone));
@@ -313,8 +432,14 @@ impl PathPage<'_> {
         for (k, point) in self.moved.points.iter().enumerate() {
             let name = self.scene().point_name(*point);
             let speeds = self.moved.moments.iter().filter_map(|m| m.vectors[k][0]);
-            let [slow, fast] = speeds.fold([f64::INFINITY, 0.0_f64], |[lo, hi], v| [lo.min(v.norm()), hi.max(v.norm())]);
-            let first = self.moved.marks.first().and_then(|m| m.vectors[k][0]).map(|v| direction_degrees(v.angle()));
+            let [slow, fast] = speeds
+                .fold([f64::INFINITY, 0.0_f64], |[lo, hi], v| [lo.min(v.norm()), hi.max(v.norm())]);
+            let first = self
+                .moved
+                .marks
+                .first()
+                .and_then(|m| m.vectors[k][0])
+                .map(|v| direction_degrees(v.angle()));
             let words = tr(
                 lang,
                 "Path of point {}, its velocity and its acceleration drawn from one pole through {travel}: speed from {slow} to {fast} {unit}, at position 1 towards {first}°.",
@@ -322,7 +447,9 @@ impl PathPage<'_> {
             );
             let travel = match (self.moved.full, self.moved.limits) {
                 (true, _) => tr(lang, "a full turn", "原动件一整转"),
-                (_, [true, true]) => tr(lang, "the travel between its limits", "两极限位置之间的行程"),
+                (_, [true, true]) => {
+                    tr(lang, "the travel between its limits", "两极限位置之间的行程")
+                }
                 _ => tr(lang, "the travel", "行程"),
             };
             let plain = |v: f64| hodograph_base::digits::significant(v, 3);
@@ -355,10 +482,15 @@ pub(super) fn turned(radians: f64, factor: f64, full: bool) -> f64 {
 
 /// Arranges title, drawings and table on the page: the mechanism beside the hodographs, with one
 /// row or one column for each kind, whichever is closer to A4.
-fn stand(title: Option<DrawingPart>, drawings: Vec<DrawingPart>, text: DrawingPart) -> (Vec<FigureItem>, [f64; 2]) {
+fn stand(
+    title: Option<DrawingPart>,
+    drawings: Vec<DrawingPart>,
+    text: DrawingPart,
+) -> (Vec<FigureItem>, [f64; 2]) {
     let per_level = drawings.len().saturating_sub(1) / 2;
     let mut parts = drawings;
-    let leaves = |from: usize, count: usize| (from..from + count).map(Tree::Leaf).collect::<Vec<_>>();
+    let leaves =
+        |from: usize, count: usize| (from..from + count).map(Tree::Leaf).collect::<Vec<_>>();
     let (table, heading) = (parts.len(), title.is_some().then_some(parts.len() + 1));
     let levels = parts.len().saturating_sub(1).div_ceil(per_level.max(1));
     parts.push(text);
@@ -375,7 +507,8 @@ fn stand(title: Option<DrawingPart>, drawings: Vec<DrawingPart>, text: DrawingPa
         let [w, h] = t.size(&parts);
         (w / AIM_MM[0]).max(h / AIM_MM[1])
     };
-    let best = layouts.into_iter().min_by(|a, b| scale(a).total_cmp(&scale(b))).unwrap_or(Tree::Leaf(0));
+    let best =
+        layouts.into_iter().min_by(|a, b| scale(a).total_cmp(&scale(b))).unwrap_or(Tree::Leaf(0));
     let [w, h] = best.size(&parts);
     let size = [w + 2.0 * MARGIN_MM, h + 2.0 * MARGIN_MM];
     best.put(&mut parts, hodograph_base::geom::Point::new(MARGIN_MM, size[1] - MARGIN_MM));

@@ -42,16 +42,22 @@ enum MethodFamily {
 }
 
 impl MethodFamily {
-    const ALL: [MethodFamily; 5] =
-        [MethodFamily::Drawing, MethodFamily::Closed, MethodFamily::Certified, MethodFamily::Loops, MethodFamily::Differences];
+    const ALL: [MethodFamily; 5] = [
+        MethodFamily::Drawing,
+        MethodFamily::Closed,
+        MethodFamily::Certified,
+        MethodFamily::Loops,
+        MethodFamily::Differences,
+    ];
 
     fn of(way: AnswerMethod) -> Option<MethodFamily> {
         Some(match way {
             AnswerMethod::Paper(_) => return None,
             AnswerMethod::DrawingSingle | AnswerMethod::Drawing => MethodFamily::Drawing,
-            AnswerMethod::ClosedSingle | AnswerMethod::Closed | AnswerMethod::ClosedDouble | AnswerMethod::ClosedLong(_) => {
-                MethodFamily::Closed
-            }
+            AnswerMethod::ClosedSingle
+            | AnswerMethod::Closed
+            | AnswerMethod::ClosedDouble
+            | AnswerMethod::ClosedLong(_) => MethodFamily::Closed,
             AnswerMethod::Loops(_) => MethodFamily::Loops,
             AnswerMethod::Differences(_) => MethodFamily::Differences,
             AnswerMethod::Certified(_) => MethodFamily::Certified,
@@ -78,13 +84,20 @@ impl MethodFamily {
             stroke: line,
             fill: Some(fill),
         };
-        let disc = |fill| Shape::Circle { centre: at, radius_mm: R, stroke: line, fill: Some(fill) };
+        let disc =
+            |fill| Shape::Circle { centre: at, radius_mm: R, stroke: line, fill: Some(fill) };
         match self {
             MethodFamily::Drawing => disc(Colour::WHITE),
             MethodFamily::Closed => disc(Colour::BLACK),
-            MethodFamily::Loops => corners(&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)], Colour::WHITE),
-            MethodFamily::Differences => corners(&[(-1.1, -0.8), (1.1, -0.8), (0.0, 1.2)], Colour::WHITE),
-            MethodFamily::Certified => corners(&[(-1.2, 0.0), (0.0, -1.2), (1.2, 0.0), (0.0, 1.2)], Colour::grey(150)),
+            MethodFamily::Loops => {
+                corners(&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)], Colour::WHITE)
+            }
+            MethodFamily::Differences => {
+                corners(&[(-1.1, -0.8), (1.1, -0.8), (0.0, 1.2)], Colour::WHITE)
+            }
+            MethodFamily::Certified => {
+                corners(&[(-1.2, 0.0), (0.0, -1.2), (1.2, 0.0), (0.0, 1.2)], Colour::grey(150))
+            }
         }
     }
 }
@@ -94,10 +107,18 @@ fn short(way: AnswerMethod) -> Label {
     match way {
         AnswerMethod::Paper(mm) => Label::text(format!("{mm} mm")),
         AnswerMethod::DrawingSingle | AnswerMethod::ClosedSingle => Label::text("f32"),
-        AnswerMethod::Drawing | AnswerMethod::Closed | AnswerMethod::Certified(Rung::Double) => Label::text("f64"),
-        AnswerMethod::ClosedDouble | AnswerMethod::Certified(Rung::DoubleDouble) => Label::text("dd"),
-        AnswerMethod::ClosedLong(bits) | AnswerMethod::Certified(Rung::Long(bits)) => Label::text(format!("{bits} bit")),
-        AnswerMethod::Loops(x) | AnswerMethod::Differences(x) => Label::math(format!("10^{{−{}}}", -libm::log10(x).round() as i32)),
+        AnswerMethod::Drawing | AnswerMethod::Closed | AnswerMethod::Certified(Rung::Double) => {
+            Label::text("f64")
+        }
+        AnswerMethod::ClosedDouble | AnswerMethod::Certified(Rung::DoubleDouble) => {
+            Label::text("dd")
+        }
+        AnswerMethod::ClosedLong(bits) | AnswerMethod::Certified(Rung::Long(bits)) => {
+            Label::text(format!("{bits} bit"))
+        }
+        AnswerMethod::Loops(x) | AnswerMethod::Differences(x) => {
+            Label::math(format!("10^{{−{}}}", -libm::log10(x).round() as i32))
+        }
     }
 }
 
@@ -112,17 +133,28 @@ fn log_error(e: f64) -> f64 {
 
 /// Draws the figure of all methods, and below it the figure of the series of poses, if there is
 /// one.
-pub fn figure(scene: &Scene, ways: &[MethodMeasurement], series: &[TogglePose], style: &Style, lang: Lang) -> Figure {
+pub fn figure(
+    scene: &Scene,
+    ways: &[MethodMeasurement],
+    series: &[TogglePose],
+    style: &Style,
+    lang: Lang,
+) -> Figure {
     let panels = if series.iter().any(|n| !n.ways.is_empty()) { 2.0 } else { 1.0 };
     let panel_mm = PLOT_MM[1] + ABOVE_MM + BELOW_MM;
     let heading_mm = 10.0;
     let width_mm = LEFT_MM + PLOT_MM[0] + RIGHT_MM;
     let height_mm = panels * panel_mm + heading_mm;
     let title = scene.title.get(lang);
-    let subject =
-        if ways.iter().any(|m| m.errors[1].is_some()) { tr(lang, "accelerations", "加速度") } else { tr(lang, "velocities", "速度") };
+    let subject = if ways.iter().any(|m| m.errors[1].is_some()) {
+        tr(lang, "accelerations", "加速度")
+    } else {
+        tr(lang, "velocities", "速度")
+    };
     let heading = match lang {
-        Lang::En => format!("What accuracy costs{}{title}", if title.is_empty() { "" } else { ": " }),
+        Lang::En => {
+            format!("What accuracy costs{}{title}", if title.is_empty() { "" } else { ": " })
+        }
         Lang::Zh => format!("精度的代价{}{title}", if title.is_empty() { "" } else { "：" }),
     };
     let label = Shape::Label {
@@ -143,13 +175,24 @@ pub fn figure(scene: &Scene, ways: &[MethodMeasurement], series: &[TogglePose], 
     items.extend(look.against_time(frame, ways));
     if panels > 1.0 {
         let below = Vec2::new(0.0, -panel_mm);
-        items.extend(look.against_distance(Rect::new(frame.min + below, frame.max + below), series));
+        items
+            .extend(look.against_distance(Rect::new(frame.min + below, frame.max + below), series));
     }
     let desc = match lang {
-        Lang::En => format!("Relative error of the {subject} against time on logarithmic axes, for every way to the answer."),
+        Lang::En => format!(
+            "Relative error of the {subject} against time on logarithmic axes, for every way to the answer."
+        ),
         Lang::Zh => format!("各种求解方法的{subject}相对误差与用时（双对数坐标）。"),
     };
-    let mut figure = Figure { width_mm, height_mm, title: heading, desc, lang: words(lang).tag.into(), paper: Colour::WHITE, items };
+    let mut figure = Figure {
+        width_mm,
+        height_mm,
+        title: heading,
+        desc,
+        lang: words(lang).tag.into(),
+        paper: Colour::WHITE,
+        items,
+    };
     style.palette.paint(&mut figure);
     figure
 }
@@ -165,11 +208,15 @@ struct PriceStyle<'a> {
 impl PriceStyle<'_> {
     fn against_time(&self, frame: Rect, ways: &[MethodMeasurement]) -> Vec<FigureItem> {
         let logs = ways.iter().filter_map(|m| m.seconds).map(libm::log10);
-        let (lo, hi) = logs.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), t| (a.min(t), b.max(t)));
+        let (lo, hi) =
+            logs.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), t| (a.min(t), b.max(t)));
         let errors = ways.iter().filter_map(shown);
         let axes = [PlotAxis::powers(libm::floor(lo), libm::ceil(hi)), errors_axis(errors)];
         let mut plot = Plot::new("time".into(), self.style, frame, axes);
-        plot.axes(Some(Label::text(tr(self.lang, "time of a whole solution / s", "一次求解用时 / s"))), self.error.clone());
+        plot.axes(
+            Some(Label::text(tr(self.lang, "time of a whole solution / s", "一次求解用时 / s"))),
+            self.error.clone(),
+        );
         let mut pencils = Vec::new();
         for m in ways.iter().filter(|m| matches!(m.way, AnswerMethod::Paper(_))) {
             let Some(e) = shown(m) else { continue };
@@ -180,10 +227,14 @@ impl PriceStyle<'_> {
         plot.names(pencils);
         for family in MethodFamily::ALL {
             let of_family = ways.iter().filter(|m| MethodFamily::of(m.way) == Some(family));
-            let points: Vec<(Point, AnswerMethod)> = of_family.filter_map(|m| Some((plot.at(m.seconds?, shown(m)?), m.way))).collect();
+            let points: Vec<(Point, AnswerMethod)> =
+                of_family.filter_map(|m| Some((plot.at(m.seconds?, shown(m)?), m.way))).collect();
             joined(&mut plot, family, &points.iter().map(|p| p.0).collect::<Vec<_>>());
             for (at, way) in points {
-                plot.label(LabelRequest::at_point(short(way), self.style.small_mm * 0.85, at, 1.4), None);
+                plot.label(
+                    LabelRequest::at_point(short(way), self.style.small_mm * 0.85, at, 1.4),
+                    None,
+                );
             }
         }
         self.legend(&mut plot);
@@ -194,24 +245,52 @@ impl PriceStyle<'_> {
     fn legend(&self, plot: &mut Plot) {
         let small = self.style.small_mm;
         for (k, family) in MethodFamily::ALL.into_iter().enumerate() {
-            let at = Point::new(plot.frame.max.x + 5.0, plot.frame.centre().y - 2.0 * small * k as f64);
+            let at =
+                Point::new(plot.frame.max.x + 5.0, plot.frame.centre().y - 2.0 * small * k as f64);
             plot.draw("way", family.symbol(at), None);
-            plot.words("legend", at + Vec2::new(3.5, -small * 0.33), Label::text(family.words(self.lang)), small, Anchor::Start);
+            plot.words(
+                "legend",
+                at + Vec2::new(3.5, -small * 0.33),
+                Label::text(family.words(self.lang)),
+                small,
+                Anchor::Start,
+            );
         }
     }
 
     fn against_distance(&self, frame: Rect, series: &[TogglePose]) -> Vec<FigureItem> {
         let logs: Vec<f64> = series.iter().map(|n| libm::log10(n.distance)).collect();
-        let (far, near) = (logs.iter().copied().fold(f64::NEG_INFINITY, f64::max), logs.iter().copied().fold(f64::INFINITY, f64::min));
+        let (far, near) = (
+            logs.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+            logs.iter().copied().fold(f64::INFINITY, f64::min),
+        );
         let errors = series.iter().flat_map(|n| &n.ways).filter_map(shown);
-        let mut plot = Plot::new("distance".into(), self.style, frame, [PlotAxis::powers(far, near), errors_axis(errors)]);
-        let below = tr(self.lang, "distance of the driver from its limit, rad (m)", "原动件距极限位置，rad（m）");
+        let mut plot = Plot::new(
+            "distance".into(),
+            self.style,
+            frame,
+            [PlotAxis::powers(far, near), errors_axis(errors)],
+        );
+        let below = tr(
+            self.lang,
+            "distance of the driver from its limit, rad (m)",
+            "原动件距极限位置，rad（m）",
+        );
         plot.axes(Some(Label::text(below)), self.error.clone());
-        let ways: Vec<AnswerMethod> = series.iter().find(|n| !n.ways.is_empty()).iter().flat_map(|n| &n.ways).map(|m| m.way).collect();
+        let ways: Vec<AnswerMethod> = series
+            .iter()
+            .find(|n| !n.ways.is_empty())
+            .iter()
+            .flat_map(|n| &n.ways)
+            .map(|m| m.way)
+            .collect();
         let mut ends = Vec::new();
         for (k, way) in ways.into_iter().enumerate() {
             let Some(family) = MethodFamily::of(way) else { continue };
-            let points: Vec<Point> = series.iter().filter_map(|n| Some(plot.at(n.distance, shown(n.ways.get(k)?)?))).collect();
+            let points: Vec<Point> = series
+                .iter()
+                .filter_map(|n| Some(plot.at(n.distance, shown(n.ways.get(k)?)?)))
+                .collect();
             joined(&mut plot, family, &points);
             ends.extend(points.last().map(|last| (*last, Label::text(name(way, self.lang)))));
         }
@@ -228,7 +307,12 @@ fn errors_axis(errors: impl Iterator<Item = f64>) -> PlotAxis {
 /// Draws symbols joined by a thin line.
 fn joined(plot: &mut Plot, family: MethodFamily, points: &[Point]) {
     if points.len() > 1 {
-        let line = Shape::Polyline { points: points.to_vec(), closed: false, stroke: Some(JOINED), fill: None };
+        let line = Shape::Polyline {
+            points: points.to_vec(),
+            closed: false,
+            stroke: Some(JOINED),
+            fill: None,
+        };
         plot.draw("curve", line, None);
     }
     for at in points {

@@ -45,15 +45,21 @@ pub(crate) fn pencil(answers: &ResultsContent) -> Vec<Phrase> {
     }
     let hand = worked.by_hand(scene);
     let mm = shortest(hand.pencil_mm);
-    let told = scene.find.iter().zip(&hand.tolerances).filter_map(|(find, t)| Some((find, t.as_ref()?.relative?)));
+    let told = scene
+        .find
+        .iter()
+        .zip(&hand.tolerances)
+        .filter_map(|(find, t)| Some((find, t.as_ref()?.relative?)));
     let (read, lost): (Vec<_>, Vec<_>) = told.partition(|(_, part)| *part < 1.0);
     let worst = read.into_iter().filter(|(_, part)| *part > 0.0).max_by(|a, b| a.1.total_cmp(&b.1));
     let worst = worst.map(|(find, part)| {
         let percent = significant(part * 100.0, drafting::DIGITS);
         fill(words.pencil, &[("", &mm), ("1", &percent), ("symbol", &symbol(find, notation))])
     });
-    let lost: Vec<String> = lost.into_iter().map(|(find, _)| format!("${}$", symbol(find, notation))).collect();
-    let lost = (!lost.is_empty()).then(|| fill(words.pencil_lost, &[("", &mm), ("1", &lost.join(words.comma))]));
+    let lost: Vec<String> =
+        lost.into_iter().map(|(find, _)| format!("${}$", symbol(find, notation))).collect();
+    let lost = (!lost.is_empty())
+        .then(|| fill(words.pencil_lost, &[("", &mm), ("1", &lost.join(words.comma))]));
     worst.into_iter().chain(lost).map(|line| Phrase::new(&line)).collect()
 }
 
@@ -72,18 +78,31 @@ fn repeats(answers: &ResultsContent, repeats: &Checked) -> Vec<String> {
     let why = repeats.reason.words(scene, repeats.positions);
     let zh = words.tag == "zh";
     let of = |text: &'_ Both| if zh { text.zh.clone() } else { text.en.clone() };
-    let conditions = conditions(scene, &worked.mechanism, &worked.configuration, &worked.plan, &worked.construction);
-    let checked = conditions.iter().filter(|c| worked.mechanism.redundant[c.index].opened == repeats.opened).map(|c| {
-        let [a, b] = [c.pins.0, c.pins.1].map(|p| name_label(scene.point_name(p)));
-        let (v, n, line) = (format!("v_{{{b}{a}}}"), format!("a_{{{b}{a}}}^n"), format!("l_{{{a}{b}}}"));
-        let mm = format!("{:.2}", c.off_mm);
-        match c.on {
-            DiagramKind::Acceleration => fill(words.along_acceleration, &[("a", &n), ("w", &v), ("", &line), ("mm", &mm)]),
-            DiagramKind::Velocity | DiagramKind::Plane | DiagramKind::Force => {
-                fill(words.along_velocity, &[("v", &v), ("", &format!("{a}{b}")), ("mm", &mm)])
+    let conditions = conditions(
+        scene,
+        &worked.mechanism,
+        &worked.configuration,
+        &worked.plan,
+        &worked.construction,
+    );
+    let checked = conditions
+        .iter()
+        .filter(|c| worked.mechanism.redundant[c.index].opened == repeats.opened)
+        .map(|c| {
+            let [a, b] = [c.pins.0, c.pins.1].map(|p| name_label(scene.point_name(p)));
+            let (v, n, line) =
+                (format!("v_{{{b}{a}}}"), format!("a_{{{b}{a}}}^n"), format!("l_{{{a}{b}}}"));
+            let mm = format!("{:.2}", c.off_mm);
+            match c.on {
+                DiagramKind::Acceleration => fill(
+                    words.along_acceleration,
+                    &[("a", &n), ("w", &v), ("", &line), ("mm", &mm)],
+                ),
+                DiagramKind::Velocity | DiagramKind::Plane | DiagramKind::Force => {
+                    fill(words.along_velocity, &[("v", &v), ("", &format!("{a}{b}")), ("mm", &mm)])
+                }
             }
-        }
-    });
+        });
     let checked: Vec<String> = checked.collect();
     let said = match repeats.opened {
         // The contact of a wheel is a point of contact, which is drawn like any other.
@@ -110,10 +129,16 @@ fn singular(answers: &ResultsContent) -> Vec<String> {
         lines.push(fill(text, &[("", &links.join(words.comma))]));
     }
     let differs = |r: &Outcome| r.others.first().copied().filter(|v| *v != r.value());
-    if let Some((r, c, other)) = worked.results.iter().zip(certified).find_map(|(r, c)| Some((r, c, differs(r)?))) {
+    if let Some((r, c, other)) =
+        worked.results.iter().zip(certified).find_map(|(r, c)| Some((r, c, differs(r)?)))
+    {
         let find = &scene.find[r.find];
         let sense = sense(find, other, c, words, digits).plain();
-        let value = format!("${} = {}$ {sense}", symbol(find, notation), amount(&scene.book, find, other, c, digits));
+        let value = format!(
+            "${} = {}$ {sense}",
+            symbol(find, notation),
+            amount(&scene.book, find, other, c, digits)
+        );
         lines.push(fill(words.other_motion, &[("", value.trim_end())]));
     }
     lines
@@ -125,16 +150,27 @@ fn bad_angle(scene: &Scene, worked: &Worked, words: &Words, bad: &BadAngle) -> V
     let two = |x: f64| significant(x, 2).replace('-', "−");
     let name = point_label(&vertex_name(scene, &worked.plan, bad.crossing.target));
     let angle = format!("{}\\degree", number(bad.crossing.angle_deg(), 2));
-    let moves = bad.crossing.moves_on_paper_mm().map_or(words.off_paper.into(), |mm| fill(words.by_mm, &[("", &two(mm))]));
-    let mut lines = vec![fill(words.bad_angle, &[("1", &angle), ("2", &shortest(bad.pencil_mm)), ("3", &moves), ("", &name)])];
+    let moves = bad
+        .crossing
+        .moves_on_paper_mm()
+        .map_or(words.off_paper.into(), |mm| fill(words.by_mm, &[("", &two(mm))]));
+    let mut lines = vec![fill(
+        words.bad_angle,
+        &[("1", &angle), ("2", &shortest(bad.pencil_mm)), ("3", &moves), ("", &name)],
+    )];
     if let Some(factor) = bad.larger {
         lines.push(fill(words.bad_larger, &[("", &shortest(factor))]));
     }
     if let Some(p) = bad.special
         && let Core::Link { link, legs } = &worked.mechanism.groups[p.group].core
     {
-        let [a, b] = [p.legs.0, p.legs.1].map(|k| legs[k].line().map_or_else(String::new, |line| constraint_line(scene, words, line)));
-        lines.push(fill(words.bad_special, &[("1", &a), ("2", &b), ("3", &two(p.worst_deg)), ("", scene.link_name(*link))]));
+        let [a, b] = [p.legs.0, p.legs.1].map(|k| {
+            legs[k].line().map_or_else(String::new, |line| constraint_line(scene, words, line))
+        });
+        lines.push(fill(
+            words.bad_special,
+            &[("1", &a), ("2", &b), ("3", &two(p.worst_deg)), ("", scene.link_name(*link))],
+        ));
     }
     if let Some(p) = bad.pose {
         let (text, turn) = p.to_deg.map_or((words.bad_turn, p.turn_deg), |to| (words.bad_pose, to));

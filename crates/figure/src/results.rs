@@ -14,7 +14,9 @@ use hodograph_report::centres as report_of_centres;
 use hodograph_report::drafting::{self, ToleranceAmount};
 use hodograph_scene::quantity::Meaning;
 use hodograph_scene::{Asked, Book, DiagramKind, Find, Kind, Lang, Scene};
-use hodograph_worked::certified::ladder::{Certified, CertifiedNumber, MissingDigits, READING_DIGITS};
+use hodograph_worked::certified::ladder::{
+    Certified, CertifiedNumber, MissingDigits, READING_DIGITS,
+};
 use hodograph_worked::worked::{Outcome, Worked};
 
 use hodograph_report::amount::{amount, number, sense, symbol};
@@ -61,7 +63,12 @@ pub struct ResultsContent<'a> {
 
 impl<'a> ResultsContent<'a> {
     fn writer(&self) -> PlanWriter<'a> {
-        PlanWriter { scene: self.scene, plan: &self.worked.plan, notation: self.notation, lang: self.words.lang() }
+        PlanWriter {
+            scene: self.scene,
+            plan: &self.worked.plan,
+            notation: self.notation,
+            lang: self.words.lang(),
+        }
     }
 }
 
@@ -73,9 +80,16 @@ pub fn results(style: &Style, answers: &ResultsContent) -> drawing::DrawingPart 
 /// Draws the block of results in a column of this width; the `bool` is true if it is complete.
 /// Remarks take more lines; if that is not enough, values are below the measured lengths, and at
 /// last these are left out.
-pub fn results_in(style: &Style, answers: &ResultsContent, width_mm: f64) -> (drawing::DrawingPart, bool) {
+pub fn results_in(
+    style: &Style,
+    answers: &ResultsContent,
+    width_mm: f64,
+) -> (drawing::DrawingPart, bool) {
     let set = |measured| block(style, answers, Some(ResultColumn { width_mm, measured }));
-    let tries = [LengthPlace::Before, LengthPlace::Above].map(set).into_iter().find(|part| part.bounds.width_mm() <= width_mm);
+    let tries = [LengthPlace::Before, LengthPlace::Above]
+        .map(set)
+        .into_iter()
+        .find(|part| part.bounds.width_mm() <= width_mm);
     match tries {
         Some(whole) => (whole, true),
         None => (set(LengthPlace::Nowhere), false),
@@ -101,12 +115,18 @@ enum LengthPlace {
 }
 
 /// The block; in a column, remarks are broken to its width.
-fn block(style: &Style, answers: &ResultsContent, column: Option<ResultColumn>) -> drawing::DrawingPart {
+fn block(
+    style: &Style,
+    answers: &ResultsContent,
+    column: Option<ResultColumn>,
+) -> drawing::DrawingPart {
     let ResultsContent { scene, worked, certified, notation, words, digits } = *answers;
     let row_mm = style.leading(ROW_MM);
     let placed = column.map_or(LengthPlace::Before, |c| c.measured);
     let heading = Cell {
-        label: Phrase::new(style.captions.of(Captioned::Results, words.lang())).label().in_fonts(&style.fonts),
+        label: Phrase::new(style.captions.of(Captioned::Results, words.lang()))
+            .label()
+            .in_fonts(&style.fonts),
         size_mm: style.caption_mm,
         anchor: Anchor::Start,
         class: "result heading".into(),
@@ -119,7 +139,12 @@ fn block(style: &Style, answers: &ResultsContent, column: Option<ResultColumn>) 
         let (r, c) = match line {
             AnswerLine::Answer(r, c) => (r, c),
             AnswerLine::InfiniteCentre(far) => {
-                rows.push(words_row(style, notation, &scene.find[far.find], &at_infinity(far, words.lang())));
+                rows.push(words_row(
+                    style,
+                    notation,
+                    &scene.find[far.find],
+                    &at_infinity(far, words.lang()),
+                ));
                 continue;
             }
             AnswerLine::None(u) => {
@@ -140,7 +165,9 @@ fn block(style: &Style, answers: &ResultsContent, column: Option<ResultColumn>) 
             lines.push(("remark", format!("remark-{}", find.text), Phrase::new(&text)));
         }
         let id = format!("result-{}", question_id(&find.text));
-        let cell = |text: Label, anchor, what: &str| Some(cell(style, text, anchor, format!("{id}-{what}")));
+        let cell = |text: Label, anchor, what: &str| {
+            Some(cell(style, text, anchor, format!("{id}-{what}")))
+        };
         let sign = |what: &str| cell(Label::math("="), Anchor::Middle, what);
         let value = r.value();
         // If nothing moves, there is no polygon to measure.
@@ -162,10 +189,18 @@ fn block(style: &Style, answers: &ResultsContent, column: Option<ResultColumn>) 
         if placed == LengthPlace::Above {
             // Value, sense and tolerance run on, so that no column is wider than its content.
             let gap = || Label::math("\\quad");
-            let whole = [Some(towards), sure].into_iter().flatten().fold(found, |line, next| line.then(gap()).then(next));
+            let whole = [Some(towards), sure]
+                .into_iter()
+                .flatten()
+                .fold(found, |line, next| line.then(gap()).then(next));
             let mut row = |first, from, what: &str| {
-                let (height_mm, what_is) = if first { (row_mm, "is") } else { (BELOW * row_mm, "equals") };
-                let cells = vec![if first { name() } else { None }, sign(what_is), cell(from, Anchor::Start, what)];
+                let (height_mm, what_is) =
+                    if first { (row_mm, "is") } else { (BELOW * row_mm, "equals") };
+                let cells = vec![
+                    if first { name() } else { None },
+                    sign(what_is),
+                    cell(from, Anchor::Start, what),
+                ];
                 rows.push(Row { cells, height_mm });
             };
             let above = measured.is_some();
@@ -197,22 +232,36 @@ fn block(style: &Style, answers: &ResultsContent, column: Option<ResultColumn>) 
         });
     }
     let mut items = grid::set(&rows, GAP_MM);
-    items.extend(grid::set(&[Row { cells: vec![Some(heading)], height_mm: -style.leading(HEADING_MM) }], 0.0));
+    items.extend(grid::set(
+        &[Row { cells: vec![Some(heading)], height_mm: -style.leading(HEADING_MM) }],
+        0.0,
+    ));
     let others = pencil(answers).into_iter().chain(remarks(answers)).enumerate();
     lines.extend(others.map(|(k, remark)| ("remark", format!("remark-{}", k + 1), remark)));
     lines.extend(
-        centres.as_ref().and_then(|found| crossings_agree(found, scene, worked, words)).map(|text| ("agreement", "centres".into(), text)),
+        centres
+            .as_ref()
+            .and_then(|found| crossings_agree(found, scene, worked, words))
+            .map(|text| ("agreement", "centres".into(), text)),
     );
     lines.extend(agreement(worked, words).map(|text| ("agreement", "agreement".into(), text)));
     let mut below = rows.iter().map(|r| r.height_mm).sum::<f64>() + 1.1 * row_mm;
     for (class, id, line) in lines {
         let labels = match column {
-            Some(ResultColumn { width_mm, .. }) => wrapped(&line, width_mm, style.small_mm, &style.fonts),
+            Some(ResultColumn { width_mm, .. }) => {
+                wrapped(&line, width_mm, style.small_mm, &style.fonts)
+            }
             None => vec![line.label().in_fonts(&style.fonts)],
         };
         for (k, label) in labels.into_iter().enumerate() {
             let id = if k == 0 { id.clone() } else { format!("{id}-{}", k + 1) };
-            let cell = Cell { label, size_mm: style.small_mm, anchor: Anchor::Start, class: class.into(), id };
+            let cell = Cell {
+                label,
+                size_mm: style.small_mm,
+                anchor: Anchor::Start,
+                class: class.into(),
+                id,
+            };
             items.extend(grid::set(&[Row { cells: vec![Some(cell)], height_mm: below }], 0.0));
             below += style.leading(REMARK_MM);
         }
@@ -242,25 +291,41 @@ pub fn by_lines(found: &Centres, find: &Find, words: &Words) -> Option<Label> {
 
 /// Returns the agreement between the centres that the ruler finds and those from the velocities of
 /// the loop equations, in digits relative to the mechanism's size.
-pub fn crossings_agree(found: &Centres, scene: &Scene, worked: &Worked, words: &Words) -> Option<Phrase> {
+pub fn crossings_agree(
+    found: &Centres,
+    scene: &Scene,
+    worked: &Worked,
+    words: &Words,
+) -> Option<Phrase> {
     let size = worked.configuration.extent();
     let off = |r: &Outcome| {
-        let (Some(CentrePlace::At(at)), AnswerValue::Point(p)) = (by_ruler(found, &scene.find[r.find])?.place, r.computed) else {
+        let (Some(CentrePlace::At(at)), AnswerValue::Point(p)) =
+            (by_ruler(found, &scene.find[r.find])?.place, r.computed)
+        else {
             return None;
         };
         Some(at.distance(p) / (size + p.to_vec2().norm()))
     };
     let worst = worked.results.iter().filter_map(off).reduce(f64::max)?;
-    let digits = if worst < 1e-15 { 15 } else { (-libm::ceil(libm::log10(worst))).max(0.0) as usize };
+    let digits =
+        if worst < 1e-15 { 15 } else { (-libm::ceil(libm::log10(worst))).max(0.0) as usize };
     Some(Phrase::new(&match words.lang() {
-        Lang::En => format!("Centres by lines and by the velocities of the loop equations agree to {digits} digits."),
+        Lang::En => format!(
+            "Centres by lines and by the velocities of the loop equations agree to {digits} digits."
+        ),
         Lang::Zh => format!("瞬心作图与解析法的速度结果有 {digits} 位数字一致。"),
     }))
 }
 
 /// A cell of the list.
 fn cell(style: &Style, label: Label, anchor: Anchor, id: String) -> Cell {
-    Cell { label: label.in_fonts(&style.fonts), size_mm: style.caption_mm, anchor, class: "result".into(), id }
+    Cell {
+        label: label.in_fonts(&style.fonts),
+        size_mm: style.caption_mm,
+        anchor,
+        class: "result".into(),
+        id,
+    }
 }
 
 /// Returns all results in one sentence, for readers who cannot see the figure.
@@ -270,16 +335,31 @@ pub fn sentence(answers: &ResultsContent) -> String {
         let (r, c) = match line {
             AnswerLine::Answer(r, c) => (r, c),
             AnswerLine::InfiniteCentre(far) => {
-                return format!("{}: {}", Label::math(symbol(&scene.find[far.find], notation)).plain(), at_infinity(far, words.lang()));
+                return format!(
+                    "{}: {}",
+                    Label::math(symbol(&scene.find[far.find], notation)).plain(),
+                    at_infinity(far, words.lang())
+                );
             }
             AnswerLine::None(u) => {
-                return format!("{}: {}", Label::math(symbol(&scene.find[u.find], notation)).plain(), verdict(u, words.lang()));
+                return format!(
+                    "{}: {}",
+                    Label::math(symbol(&scene.find[u.find], notation)).plain(),
+                    verdict(u, words.lang())
+                );
             }
         };
         let find = &scene.find[r.find];
         let value = r.value();
-        let plain = format!("{} = {} ", named(&answers.writer(), find, r), amount(&scene.book, find, value, c, digits));
-        let text = Label::math(plain).then(Label::text(" ")).then(sense(find, value, c, words, digits)).plain();
+        let plain = format!(
+            "{} = {} ",
+            named(&answers.writer(), find, r),
+            amount(&scene.book, find, value, c, digits)
+        );
+        let text = Label::math(plain)
+            .then(Label::text(" "))
+            .then(sense(find, value, c, words, digits))
+            .plain();
         text.split_whitespace().collect::<Vec<_>>().join(" ")
     });
     each.collect::<Vec<_>>().join("; ")
@@ -288,7 +368,8 @@ pub fn sentence(answers: &ResultsContent) -> String {
 /// A row for a question with an answer in words.
 fn words_row(style: &Style, notation: &Notation, find: &Find, words: &str) -> Row {
     let (id, symbol) = (format!("result-{}", question_id(&find.text)), symbol(find, notation));
-    let cell = |text: Label, anchor, what: &str| Some(cell(style, text, anchor, format!("{id}-{what}")));
+    let cell =
+        |text: Label, anchor, what: &str| Some(cell(style, text, anchor, format!("{id}-{what}")));
     Row {
         cells: vec![
             cell(Label::math(symbol.as_str()), Anchor::Start, "symbol"),
@@ -306,10 +387,16 @@ fn words_row(style: &Style, notation: &Notation, find: &Find, words: &str) -> Ro
 pub fn named(w: &PlanWriter, find: &Find, r: &Outcome) -> String {
     let asked = symbol(find, w.notation);
     let on = find.what.diagram();
-    let Some(shown) = r.drawn.as_ref().and_then(|d| d.measured.as_ref()).and_then(|m| m.shown.as_ref()) else { return asked };
+    let Some(shown) =
+        r.drawn.as_ref().and_then(|d| d.measured.as_ref()).and_then(|m| m.shown.as_ref())
+    else {
+        return asked;
+    };
     let drawn = match &shown.vector {
         ShownAs::Image(v) => w.vector(on, *v),
-        ShownAs::Edges(terms) => terms.iter().map(|t| w.symbol(on, t)).collect::<Vec<_>>().join(" + "),
+        ShownAs::Edges(terms) => {
+            terms.iter().map(|t| w.symbol(on, t)).collect::<Vec<_>>().join(" + ")
+        }
     };
     match (drawn == asked, shown.reversed) {
         (true, false) => asked,
@@ -325,8 +412,12 @@ fn tolerance(book: &Book, worked: &Worked, r: &Outcome, find: &Find) -> Option<L
     let t = worked.drafting.as_ref()?.tolerances[r.find].as_ref()?;
     let number = |value| number(value, drafting::DIGITS);
     Some(match drafting::amount(book, find, t)? {
-        ToleranceAmount::Percent(value) => Label::math(format!("\\pm\\,{}", number(value))).then(Label::text(" %")),
-        ToleranceAmount::Of(kind, value) => Label::math(book.label(kind, &format!("\\pm\\,{}", number(value)))),
+        ToleranceAmount::Percent(value) => {
+            Label::math(format!("\\pm\\,{}", number(value))).then(Label::text(" %"))
+        }
+        ToleranceAmount::Of(kind, value) => {
+            Label::math(book.label(kind, &format!("\\pm\\,{}", number(value))))
+        }
     })
 }
 
@@ -334,16 +425,24 @@ fn tolerance(book: &Book, worked: &Worked, r: &Outcome, find: &Find) -> Option<L
 fn as_another(answers: &ResultsContent, find: &Find) -> Option<Label> {
     let Some(Meaning::Turning(link, None)) = find.what.meaning(answers.scene) else { return None };
     let on = find.what.diagram();
-    let other = answers.worked.plan.steps(on).iter().flat_map(|g| &g.rates).find_map(|(body, rate)| match (body, rate) {
-        (TurningBody::Link(l), Rate::Same(other)) if *l == link => Some(*other),
-        (TurningBody::Link(_) | TurningBody::Cylinder(_), _) => None,
-    });
+    let other = answers.worked.plan.steps(on).iter().flat_map(|g| &g.rates).find_map(
+        |(body, rate)| match (body, rate) {
+            (TurningBody::Link(l), Rate::Same(other)) if *l == link => Some(*other),
+            (TurningBody::Link(_) | TurningBody::Cylinder(_), _) => None,
+        },
+    );
     Some(Label::math(answers.writer().turning(on, TurningBody::Link(other?))))
 }
 
 /// Returns the reading of the ruler: `48.32 mm · μ_v`; for angular velocities and accelerations
 /// divided by the link's length.
-pub fn measured(book: &Book, r: &Outcome, c: &Certified, find: &Find, words: &Words) -> Option<Label> {
+pub fn measured(
+    book: &Book,
+    r: &Outcome,
+    c: &Certified,
+    find: &Find,
+    words: &Words,
+) -> Option<Label> {
     let on = find.what.diagram();
     if on == DiagramKind::Plane {
         return None;
@@ -354,7 +453,8 @@ pub fn measured(book: &Book, r: &Outcome, c: &Certified, find: &Find, words: &Wo
     let measured = drawn.measured.as_ref()?;
     let mm = measured.length_mm;
     // A ruler cannot read less than a thousandth of a millimetre.
-    let certain = |n: Option<&CertifiedNumber>| n.and_then(|n| n.text(READING_DIGITS)).map(|t| inked(&t.0));
+    let certain =
+        |n: Option<&CertifiedNumber>| n.and_then(|n| n.text(READING_DIGITS)).map(|t| inked(&t.0));
     let mm_text = match certain(c.reading.as_ref().map(|r| &r.length_mm)) {
         Some(text) => text,
         None if mm < 1e-3 => "0".to_owned(),

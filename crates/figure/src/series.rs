@@ -21,18 +21,29 @@ impl SeriesScales {
     /// Returns the scales at which all poses fit their boxes, except those next to a limit; scales
     /// that the paper fixes are kept. Poses come with the driver's travel; the one with travel 0 is
     /// shown in any case.
-    pub fn of(paper: &Paper, poses: &[(f64, &Worked)], unlimited: bool, boxes: Boxes) -> SeriesScales {
-        let places = poses.iter().flat_map(|(_, w)| w.configuration.points.iter().flatten().copied());
+    pub fn of(
+        paper: &Paper,
+        poses: &[(f64, &Worked)],
+        unlimited: bool,
+        boxes: Boxes,
+    ) -> SeriesScales {
+        let places =
+            poses.iter().flat_map(|(_, w)| w.configuration.points.iter().flatten().copied());
         let lengths = scale::fitted(paper, Kind::Length, extent(places), boxes.diagram);
         let mu = ByKind::default().with(Kind::Length, Some(lengths));
         let mut scales = SeriesScales { mu, most: ByKind::default(), boxes };
         for on in DiagramKind::VECTORS {
             let size = |w: &Worked| size(w, on, &boxes);
             let own = poses.iter().find(|p| p.0 == 0.0).and_then(|p| size(p.1)).unwrap_or(0.0);
-            let Some(most) = bounded(poses.iter().filter_map(|p| size(p.1)).collect(), own, unlimited) else { continue };
+            let Some(most) =
+                bounded(poses.iter().filter_map(|p| size(p.1)).collect(), own, unlimited)
+            else {
+                continue;
+            };
             let fitting = poses.iter().map(|p| p.1).filter(|w| size(w).is_some_and(|s| s <= most));
             let ends = fitting.flat_map(|w| ends(w, on));
-            let mu = scale::fitted(paper, on.kind(), extent(ends.chain([Point::ORIGIN])), boxes.polygon);
+            let mu =
+                scale::fitted(paper, on.kind(), extent(ends.chain([Point::ORIGIN])), boxes.polygon);
             scales.mu.set(on.kind(), Some(mu));
             scales.most.set(on.kind(), Some(most));
         }
@@ -42,7 +53,8 @@ impl SeriesScales {
     /// Returns true if the paper holds a pose's polygon (it exists, and the pose is not next to a
     /// limit).
     pub fn holds(&self, worked: &Worked, on: DiagramKind) -> bool {
-        size(worked, on, &self.boxes).is_some_and(|s| s <= self.most.get(on.kind()).unwrap_or(f64::INFINITY))
+        size(worked, on, &self.boxes)
+            .is_some_and(|s| s <= self.most.get(on.kind()).unwrap_or(f64::INFINITY))
     }
 
     /// Returns the diagonal of the space for a polygon (mm): no vector on the paper is longer.
@@ -61,11 +73,17 @@ impl SeriesScales {
 pub fn ends(worked: &Worked, on: DiagramKind) -> impl Iterator<Item = Point> {
     let of_motion = worked.construction.polygon(on).into_iter().flat_map(|p| {
         let mu = p.mu;
-        let marks = p.edges.iter().flat_map(|e| [e.from.1, e.to.1]).chain(p.images.iter().flatten().copied());
+        let marks = p
+            .edges
+            .iter()
+            .flat_map(|e| [e.from.1, e.to.1])
+            .chain(p.images.iter().flatten().copied());
         marks.map(move |q| (q.to_vec2() * mu).to_point())
     });
     let forces = worked.equilibrium.as_ref().filter(|_| on == DiagramKind::Force);
-    of_motion.chain(forces.into_iter().flat_map(|of| of.groups.iter().flat_map(|group| of.vertices(group))))
+    of_motion.chain(
+        forces.into_iter().flat_map(|of| of.groups.iter().flat_map(|group| of.vertices(group))),
+    )
 }
 
 /// Returns the size of a polygon; for force polygons, of the largest one (SI units per mm of its

@@ -47,7 +47,12 @@ pub struct SheetOptions {
 impl SheetOptions {
     /// Returns the usual style of a language's textbooks.
     pub fn of_language(lang: Lang) -> SheetOptions {
-        SheetOptions { lang, notation: Notation::of_language(lang), digits: results::DIGITS, style: Style::default() }
+        SheetOptions {
+            lang,
+            notation: Notation::of_language(lang),
+            digits: results::DIGITS,
+            style: Style::default(),
+        }
     }
 }
 
@@ -71,7 +76,8 @@ pub fn sheet(scene: &Scene, worked: &Worked, options: &SheetOptions) -> Result<F
     let drawings = maker.drawings(true);
     let equations = maker.equations(&steps(scene, worked, None), None);
     let results = results::results(&options.style, &maker.answers());
-    let pieces = SheetPieces { title, drawings, equations, results, forces: forces::pieces(&maker, None) };
+    let pieces =
+        SheetPieces { title, drawings, equations, results, forces: forces::pieces(&maker, None) };
     let (items, size) = arrange(pieces, scene.paper.size_mm, MARGIN_MM)?;
     Ok(maker.figure(items, size))
 }
@@ -89,23 +95,35 @@ pub enum Fewer {
 
 /// Draws the whole sheet in a given width with free height; also returns the names of the content
 /// left out.
-pub fn sheet_in(scene: &Scene, worked: &Worked, options: &SheetOptions, width_mm: f64, fewer: Fewer) -> (Figure, Vec<Both>) {
+pub fn sheet_in(
+    scene: &Scene,
+    worked: &Worked,
+    options: &SheetOptions,
+    width_mm: f64,
+    fewer: Fewer,
+) -> (Figure, Vec<Both>) {
     let certified = certify(scene, worked, options.digits);
     let maker = SheetDrafter { scene, worked, options, certified };
     let mut out = Vec::new();
     let fits = |part: &DrawingPart| part.bounds.width_mm() <= width_mm;
-    let title = maker.title().and_then(|whole| if fits(&whole) { Some(whole) } else { maker.title_in(width_mm) });
+    let title = maker
+        .title()
+        .and_then(|whole| if fits(&whole) { Some(whole) } else { maker.title_in(width_mm) });
     let broken = fewer >= Fewer::Words;
     let mut equations = maker.equations(&steps(scene, worked, None), broken.then_some(width_mm));
     let mut results = results::results(&options.style, &maker.answers());
     if broken {
-        let count = |e: &[(DrawingPart, Vec<DrawingPart>)]| e.iter().map(|(_, lines)| lines.len()).sum::<usize>();
+        let count = |e: &[(DrawingPart, Vec<DrawingPart>)]| {
+            e.iter().map(|(_, lines)| lines.len()).sum::<usize>()
+        };
         let all = count(&equations);
         equations.iter_mut().for_each(|(_, lines)| lines.retain(fits));
         match (all - count(&equations), all) {
             (0, _) => {}
             (gone, all) if gone == all => out.push(both!("the equations", "方程")),
-            (gone, all) => out.push(both!("{gone} of {all} equations", "{all} 个方程中的 {gone} 个")),
+            (gone, all) => {
+                out.push(both!("{gone} of {all} equations", "{all} 个方程中的 {gone} 个"))
+            }
         }
         let (part, whole) = results::results_in(&options.style, &maker.answers(), width_mm);
         match (fits(&part), whole) {
@@ -122,9 +140,14 @@ pub fn sheet_in(scene: &Scene, worked: &Worked, options: &SheetOptions, width_mm
     }
     let mut drawings = maker.drawings(true);
     if fewer == Fewer::Drawings {
-        let polygons = DiagramKind::POLYGONS.into_iter().filter(|l| worked.construction.polygon(*l).is_some());
-        let levels: Vec<DiagramKind> = std::iter::once(DiagramKind::Plane).chain(polygons).collect();
-        let gone = drawings.iter().zip(&levels).filter(|(part, on)| **on != DiagramKind::Plane && !fits(part));
+        let polygons =
+            DiagramKind::POLYGONS.into_iter().filter(|l| worked.construction.polygon(*l).is_some());
+        let levels: Vec<DiagramKind> =
+            std::iter::once(DiagramKind::Plane).chain(polygons).collect();
+        let gone = drawings
+            .iter()
+            .zip(&levels)
+            .filter(|(part, on)| **on != DiagramKind::Plane && !fits(part));
         out.extend(gone.map(|(_, on)| match on {
             DiagramKind::Plane => both!("the mechanism", "机构运动简图"),
             DiagramKind::Velocity => both!("the velocity polygon", "速度多边形"),
@@ -146,30 +169,46 @@ pub fn sheet_in(scene: &Scene, worked: &Worked, options: &SheetOptions, width_mm
 }
 
 /// Draws a diagram alone, with its caption and scale; `None` if the scene does not need it.
-pub fn drawing(scene: &Scene, worked: &Worked, options: &SheetOptions, on: DiagramKind) -> Option<Figure> {
-    let maker = SheetDrafter { scene, worked, options, certified: certify(scene, worked, options.digits) };
+pub fn drawing(
+    scene: &Scene,
+    worked: &Worked,
+    options: &SheetOptions,
+    on: DiagramKind,
+) -> Option<Figure> {
+    let maker =
+        SheetDrafter { scene, worked, options, certified: certify(scene, worked, options.digits) };
     let part = match on {
         DiagramKind::Plane => maker.mechanism(),
-        DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => maker.polygon(worked.construction.polygon(on)?),
+        DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => {
+            maker.polygon(worked.construction.polygon(on)?)
+        }
     };
     Some(maker.alone(maker.captioned(part, "", on)))
 }
 
 /// Draws all equations alone; `None` if the scene needs none.
 pub fn equations(scene: &Scene, worked: &Worked, options: &SheetOptions) -> Option<Figure> {
-    let maker = SheetDrafter { scene, worked, options, certified: certify(scene, worked, options.digits) };
+    let maker =
+        SheetDrafter { scene, worked, options, certified: certify(scene, worked, options.digits) };
     Some(maker.alone(column(maker.equations(&steps(scene, worked, None), None))?))
 }
 
 /// Draws the results alone.
 pub fn results(scene: &Scene, worked: &Worked, options: &SheetOptions) -> Figure {
-    let maker = SheetDrafter { scene, worked, options, certified: certify(scene, worked, options.digits) };
+    let maker =
+        SheetDrafter { scene, worked, options, certified: certify(scene, worked, options.digits) };
     maker.alone(results::results(&options.style, &maker.answers()))
 }
 
 /// Draws the mechanism with vectors at its points, other positions behind it, or paths of points.
-pub fn diagram(scene: &Scene, worked: &Worked, options: &SheetOptions, overlay: &Overlay) -> Figure {
-    let maker = SheetDrafter { scene, worked, options, certified: certify(scene, worked, options.digits) };
+pub fn diagram(
+    scene: &Scene,
+    worked: &Worked,
+    options: &SheetOptions,
+    overlay: &Overlay,
+) -> Figure {
+    let maker =
+        SheetDrafter { scene, worked, options, certified: certify(scene, worked, options.digits) };
     let part = mechanism::overlaid(&options.style, scene, worked, &maker.writer(), overlay);
     let (words, mut mu) = maker.caption(DiagramKind::Plane);
     if let (Some(on), Some(of_vectors)) = (overlay.vectors, overlay.mu(scene, worked)) {
@@ -180,8 +219,14 @@ pub fn diagram(scene: &Scene, worked: &Worked, options: &SheetOptions, overlay: 
 }
 
 /// Draws the mechanism with its overlay, without a list below: the surrounding document has one.
-pub fn problem_diagram(scene: &Scene, worked: &Worked, options: &SheetOptions, overlay: &Overlay) -> Figure {
-    let maker = SheetDrafter { scene, worked, options, certified: certify(scene, worked, options.digits) };
+pub fn problem_diagram(
+    scene: &Scene,
+    worked: &Worked,
+    options: &SheetOptions,
+    overlay: &Overlay,
+) -> Figure {
+    let maker =
+        SheetDrafter { scene, worked, options, certified: certify(scene, worked, options.digits) };
     let part = mechanism::overlaid(&options.style, scene, worked, &maker.writer(), overlay);
     maker.alone(maker.captioned(part, "", DiagramKind::Plane))
 }
@@ -212,25 +257,50 @@ impl SheetDrafter<'_> {
     }
 
     pub fn writer(&self) -> PlanWriter<'_> {
-        PlanWriter { scene: self.scene, plan: &self.worked.plan, notation: &self.options.notation, lang: self.options.lang }
+        PlanWriter {
+            scene: self.scene,
+            plan: &self.worked.plan,
+            notation: &self.options.notation,
+            lang: self.options.lang,
+        }
     }
 
     /// The equations of each polygon with their heading; empty if there are none. `steps` are the
     /// certified numbers of the construction; long equations are broken to a given width.
-    pub fn equations(&self, steps: &CertifiedSteps, width_mm: Option<f64>) -> Vec<(DrawingPart, Vec<DrawingPart>)> {
+    pub fn equations(
+        &self,
+        steps: &CertifiedSteps,
+        width_mm: Option<f64>,
+    ) -> Vec<(DrawingPart, Vec<DrawingPart>)> {
         let writer = self.writer();
         let tables = Tables { width_mm, ..self.tables(&writer, steps) };
         DiagramKind::POLYGONS.map(|l| (self.heading(l), tables.parts(l))).into()
     }
 
     /// The input of the tables.
-    pub fn tables<'t>(&'t self, writer: &'t PlanWriter<'t>, steps: &'t CertifiedSteps) -> Tables<'t> {
+    pub fn tables<'t>(
+        &'t self,
+        writer: &'t PlanWriter<'t>,
+        steps: &'t CertifiedSteps,
+    ) -> Tables<'t> {
         let worked = self.worked;
-        Tables { style: &self.options.style, writer, construction: &worked.construction, steps, width_mm: None }
+        Tables {
+            style: &self.options.style,
+            writer,
+            construction: &worked.construction,
+            steps,
+            width_mm: None,
+        }
     }
 
     pub fn mechanism(&self) -> DrawingPart {
-        let mut d = mechanism::drawing(&self.options.style, self.scene, self.worked, &self.options.notation, &SeriesFeatures::default());
+        let mut d = mechanism::drawing(
+            &self.options.style,
+            self.scene,
+            self.worked,
+            &self.options.notation,
+            &SeriesFeatures::default(),
+        );
         forces::given_loads(self.scene, self.worked, self.options, &mut d);
         d.finish()
     }
@@ -269,14 +339,17 @@ impl SheetDrafter<'_> {
         let scale = match on {
             DiagramKind::Plane => scale_formula(book, on, paper.diagram.mu),
             _ if paper.is_empty(on) => format!("\\text{{{}}}", self.words().no_vectors),
-            DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => scale_formula(book, on, mu(on)),
+            DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => {
+                scale_formula(book, on, mu(on))
+            }
         };
         (self.name(Captioned::Drawing(on)), scale)
     }
 
     /// A part alone on its paper.
     pub fn alone(&self, mut part: DrawingPart) -> Figure {
-        let size = [part.bounds.width_mm() + 2.0 * MARGIN_MM, part.bounds.height_mm() + 2.0 * MARGIN_MM];
+        let size =
+            [part.bounds.width_mm() + 2.0 * MARGIN_MM, part.bounds.height_mm() + 2.0 * MARGIN_MM];
         part.stand_at(Point::new(MARGIN_MM, size[1] - MARGIN_MM));
         self.figure(part.items, size)
     }
@@ -300,34 +373,57 @@ impl SheetDrafter<'_> {
         let lines = GivenSentences { scene, lang: self.options.lang }.beside(drawn);
         let size_mm = self.options.style.small_mm;
         let width_mm = part.bounds.width_mm().max(GIVEN_MM);
-        let labels = lines.iter().flat_map(|l| wrapped(l, width_mm, size_mm, &self.options.style.fonts));
+        let labels =
+            lines.iter().flat_map(|l| wrapped(l, width_mm, size_mm, &self.options.style.fonts));
         let row = |label: Label| Row {
-            cells: vec![Some(Cell { label, size_mm, anchor: Anchor::Start, class: "given".into(), id: String::new() })],
+            cells: vec![Some(Cell {
+                label,
+                size_mm,
+                anchor: Anchor::Start,
+                class: "given".into(),
+                id: String::new(),
+            })],
             height_mm: size_mm * 1.55,
         };
         let mut items = grid::set(&labels.map(row).collect::<Vec<_>>(), 0.0);
         for (k, item) in items.iter_mut().enumerate() {
             item.id = format!("given-{}", k + 1);
         }
-        put_together(Tree::column(vec![Tree::Leaf(0), Tree::Leaf(1)]), vec![part, DrawingPart::of(items)])
+        put_together(
+            Tree::column(vec![Tree::Leaf(0), Tree::Leaf(1)]),
+            vec![part, DrawingPart::of(items)],
+        )
     }
 
     fn line(&self, id: &str, label: Label, size_mm: f64) -> DrawingPart {
         let label = label.in_fonts(&self.options.style.fonts);
-        let shape = Shape::Label { at: Point::ORIGIN, label, size_mm, anchor: Anchor::Start, colour: Colour::BLACK };
+        let shape = Shape::Label {
+            at: Point::ORIGIN,
+            label,
+            size_mm,
+            anchor: Anchor::Start,
+            colour: Colour::BLACK,
+        };
         DrawingPart::of(vec![FigureItem::new(id, shape).with_id(id)])
     }
 
     pub fn title(&self) -> Option<DrawingPart> {
         let title = self.scene.title.get(self.options.lang);
         // A third larger than the captions: a heading without a bold face.
-        (!title.is_empty()).then(|| self.line("title", Label::text(title), self.options.style.caption_mm * 4.0 / 3.0))
+        (!title.is_empty()).then(|| {
+            self.line("title", Label::text(title), self.options.style.caption_mm * 4.0 / 3.0)
+        })
     }
 
     /// The title, broken to as many lines as needed.
     fn title_in(&self, width_mm: f64) -> Option<DrawingPart> {
         let size_mm = self.options.style.caption_mm * 4.0 / 3.0;
-        let lines = wrapped(&Phrase::new(self.scene.title.get(self.options.lang)), width_mm, size_mm, &self.options.style.fonts);
+        let lines = wrapped(
+            &Phrase::new(self.scene.title.get(self.options.lang)),
+            width_mm,
+            size_mm,
+            &self.options.style.fonts,
+        );
         let item = |(k, label): (usize, Label)| {
             let shape = Shape::Label {
                 at: Point::new(0.0, -1.3 * size_mm * k as f64),
@@ -336,7 +432,11 @@ impl SheetDrafter<'_> {
                 anchor: Anchor::Middle,
                 colour: Colour::BLACK,
             };
-            FigureItem::new("title", shape).with_id(if k == 0 { "title".into() } else { format!("title-{}", k + 1) })
+            FigureItem::new("title", shape).with_id(if k == 0 {
+                "title".into()
+            } else {
+                format!("title-{}", k + 1)
+            })
         };
         Some(DrawingPart::of(lines.into_iter().enumerate().map(item).collect()))
     }
@@ -352,13 +452,16 @@ impl SheetDrafter<'_> {
     pub fn figure(&self, items: Vec<FigureItem>, size: [f64; 2]) -> Figure {
         let words = self.words();
         let title = self.scene.title.get(self.options.lang);
-        let title = if title.is_empty() { DiagramKind::Plane.caption(self.options.lang) } else { title };
+        let title =
+            if title.is_empty() { DiagramKind::Plane.caption(self.options.lang) } else { title };
         let found = results::sentence(&self.answers());
         let mut figure = Figure {
             width_mm: size[0],
             height_mm: size[1],
             title: title.into(),
-            desc: format!("{}{found}", described(self.scene, self.options.lang, title, &items)).trim_end().to_owned(),
+            desc: format!("{}{found}", described(self.scene, self.options.lang, title, &items))
+                .trim_end()
+                .to_owned(),
             lang: words.tag.into(),
             paper: Colour::WHITE,
             items,
@@ -370,16 +473,28 @@ impl SheetDrafter<'_> {
 
 /// A part with its name and its scales below; `id` distinguishes these labels from those of other
 /// parts.
-pub(super) fn titled(style: &Style, mut part: DrawingPart, words: Label, mu: &str, id: &str) -> DrawingPart {
+pub(super) fn titled(
+    style: &Style,
+    mut part: DrawingPart,
+    words: Label,
+    mu: &str,
+    id: &str,
+) -> DrawingPart {
     let x = part.bounds.centre().x;
     let y = part.bounds.min.y - style.leading(CAPTION_MM);
     let text = |at: Point, label: Label, size_mm: f64, what: &str| {
         let label = label.in_fonts(&style.fonts);
-        let shape = Shape::Label { at, label, size_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
+        let shape =
+            Shape::Label { at, label, size_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
         FigureItem::new(what, shape).with_id(format!("{what}-{id}"))
     };
     part.items.push(text(Point::new(x, y), words, style.caption_mm, "caption"));
-    part.items.push(text(Point::new(x, y - style.leading(SCALE_MM)), Label::math(mu), style.small_mm, "scale"));
+    part.items.push(text(
+        Point::new(x, y - style.leading(SCALE_MM)),
+        Label::math(mu),
+        style.small_mm,
+        "scale",
+    ));
     let (placements, left_out) = (part.placements, part.left_out);
     DrawingPart { placements, left_out, ..DrawingPart::of(part.items) }
 }

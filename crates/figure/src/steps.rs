@@ -37,7 +37,12 @@ pub fn figures(scene: &Scene, worked: &Worked, options: &SheetOptions) -> Vec<Fi
 
 /// Works like [`figures`] within a given space: sentences and equations are broken into lines.
 /// Anything that is still wider sticks out.
-pub fn figures_in(scene: &Scene, worked: &Worked, options: &SheetOptions, room: Option<Within>) -> Vec<Figure> {
+pub fn figures_in(
+    scene: &Scene,
+    worked: &Worked,
+    options: &SheetOptions,
+    room: Option<Within>,
+) -> Vec<Figure> {
     let width_mm = room.map(|room| room.width_mm);
     // No results are shown: they need no digits.
     let maker = SheetDrafter { scene, worked, options, certified: Vec::new() };
@@ -45,16 +50,35 @@ pub fn figures_in(scene: &Scene, worked: &Worked, options: &SheetOptions, room: 
     let levels: Vec<PolygonSteps> = DiagramKind::POLYGONS
         .into_iter()
         .zip(maker.equations(&told, width_mm))
-        .filter_map(|(on, (_, written))| Some(PolygonSteps::of(&maker, worked.construction.polygon(on)?, (&told, &written), width_mm)))
-        .chain(forces::steps(&maker, width_mm).into_iter().map(|of| PolygonSteps::of_forces(&maker, of, width_mm)))
+        .filter_map(|(on, (_, written))| {
+            Some(PolygonSteps::of(
+                &maker,
+                worked.construction.polygon(on)?,
+                (&told, &written),
+                width_mm,
+            ))
+        })
+        .chain(
+            forces::steps(&maker, width_mm)
+                .into_iter()
+                .map(|of| PolygonSteps::of_forces(&maker, of, width_mm)),
+        )
         .collect();
     let diagram = maker.captioned(maker.mechanism(), "", DiagramKind::Plane);
     let most = |size: fn(&PolygonSteps) -> f64| levels.iter().map(size).fold(0.0, f64::max);
-    let (polygon_width, polygon_height) = (most(|s| s.polygon.bounds.width_mm()), most(|s| s.polygon.bounds.height_mm()));
+    let (polygon_width, polygon_height) =
+        (most(|s| s.polygon.bounds.width_mm()), most(|s| s.polygon.bounds.height_mm()));
     let (text_width, text_height) = (most(|s| s.text_mm()[0]), most(|s| s.text_mm()[1]));
-    let widest =
-        |size: fn(&DrawingPart) -> f64| levels.iter().filter_map(|s| s.apart.as_ref()).chain([&diagram]).map(size).fold(0.0, f64::max);
-    let (diagram_width, diagram_height) = (widest(|p| p.bounds.width_mm()), widest(|p| p.bounds.height_mm()));
+    let widest = |size: fn(&DrawingPart) -> f64| {
+        levels
+            .iter()
+            .filter_map(|s| s.apart.as_ref())
+            .chain([&diagram])
+            .map(size)
+            .fold(0.0, f64::max)
+    };
+    let (diagram_width, diagram_height) =
+        (widest(|p| p.bounds.width_mm()), widest(|p| p.bounds.height_mm()));
     let stacked = room.is_some_and(|room| room.stacked);
     let drawings = match stacked {
         false => [diagram_width + GAP_MM + polygon_width, diagram_height.max(polygon_height)],
@@ -68,18 +92,25 @@ pub fn figures_in(scene: &Scene, worked: &Worked, options: &SheetOptions, room: 
     for steps in &levels {
         for k in 0..steps.sentences.len() {
             done += 1;
-            let mut diagram = steps.apart.as_ref().map_or_else(|| diagram.clone(), |apart| at(apart, k));
+            let mut diagram =
+                steps.apart.as_ref().map_or_else(|| diagram.clone(), |apart| at(apart, k));
             let top = size[1] - MARGIN_MM;
             // The centres of the two drawings.
             let [of_diagram, of_polygon] = match stacked {
                 false => {
                     let middle = top - drawings[1] / 2.0;
                     let left = MARGIN_MM + diagram_width + GAP_MM;
-                    [Point::new(MARGIN_MM + diagram_width / 2.0, middle), Point::new(left + polygon_width / 2.0, middle)]
+                    [
+                        Point::new(MARGIN_MM + diagram_width / 2.0, middle),
+                        Point::new(left + polygon_width / 2.0, middle),
+                    ]
                 }
                 true => {
                     let middle = MARGIN_MM + drawings[0] / 2.0;
-                    [Point::new(middle, top - diagram_height / 2.0), Point::new(middle, top - drawings[1] + polygon_height / 2.0)]
+                    [
+                        Point::new(middle, top - diagram_height / 2.0),
+                        Point::new(middle, top - drawings[1] + polygon_height / 2.0),
+                    ]
                 }
             };
             diagram.translate(of_diagram - diagram.bounds.centre());
@@ -135,13 +166,27 @@ impl PolygonSteps {
         };
         let equations = (0..sentences.len()).map(equation).collect();
         let lines = lines(maker, &sentences, width_mm);
-        PolygonSteps { apart: None, polygon, sentences, lines, equations, caption_mm: maker.options.style.caption_mm }
+        PolygonSteps {
+            apart: None,
+            polygon,
+            sentences,
+            lines,
+            equations,
+            caption_mm: maker.options.style.caption_mm,
+        }
     }
 
     fn of_forces(maker: &SheetDrafter, of: GroupForceSteps, width_mm: Option<f64>) -> PolygonSteps {
         let GroupForceSteps { apart, polygon, sentences, equations } = of;
         let lines = lines(maker, &sentences, width_mm);
-        PolygonSteps { apart: Some(apart), polygon, sentences, lines, equations, caption_mm: maker.options.style.caption_mm }
+        PolygonSteps {
+            apart: Some(apart),
+            polygon,
+            sentences,
+            lines,
+            equations,
+            caption_mm: maker.options.style.caption_mm,
+        }
     }
 
     /// The equation and the sentence below it.

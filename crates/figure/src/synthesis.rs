@@ -10,7 +10,9 @@ use hodograph_base::digits::{inked, shortest, significant};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale::choose;
 use hodograph_paper::paper::extent::{Rect, translate};
-use hodograph_paper::paper::item::{Anchor, Colour, Figure, FigureItem, LineStroke, PLACED, Shape, distinct, tag};
+use hodograph_paper::paper::item::{
+    Anchor, Colour, Figure, FigureItem, LineStroke, PLACED, Shape, distinct, tag,
+};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::lines::wrapped;
 use hodograph_paper::paper::phrase::{Phrase, tr};
@@ -52,7 +54,12 @@ pub struct Set<'a> {
 ///
 /// # Errors
 /// Drawing and formula disagree.
-pub fn figures(task: &Task, candidate: &DesignCandidate, style: &Style, lang: Lang) -> Result<Vec<(&'static str, Figure)>, Faults> {
+pub fn figures(
+    task: &Task,
+    candidate: &DesignCandidate,
+    style: &Style,
+    lang: Lang,
+) -> Result<Vec<(&'static str, Figure)>, Faults> {
     let set = Set { style, lang, whole: true };
     let mut out = Vec::new();
     if let Some(board) = to_scale(task, candidate)? {
@@ -67,14 +74,21 @@ pub fn figures(task: &Task, candidate: &DesignCandidate, style: &Style, lang: La
 ///
 /// # Errors
 /// Drawing and formula disagree.
-pub fn to_scale(task: &Task, candidate: &DesignCandidate) -> Result<Option<SynthesisBoard>, Faults> {
+pub fn to_scale(
+    task: &Task,
+    candidate: &DesignCandidate,
+) -> Result<Option<SynthesisBoard>, Faults> {
     if let Some(mu) = task.paper.scales.get(Kind::Length) {
         return construct(task, candidate, mu);
     }
     // A first drawing in millimetres gives the size.
     let Some(board) = construct(task, candidate, 1e-3)? else { return Ok(None) };
     let Some(window) = window(&board) else { return Ok(None) };
-    construct(task, candidate, choose([window.width_mm() * 1e-3, window.height_mm() * 1e-3], ROOM_MM))
+    construct(
+        task,
+        candidate,
+        choose([window.width_mm() * 1e-3, window.height_mm() * 1e-3], ROOM_MM),
+    )
 }
 
 /// Returns a figure for each step of a construction, without the later steps.
@@ -91,18 +105,28 @@ pub fn growing(construction: &Figure) -> Vec<(String, Figure)> {
 /// The box around the marks and the lines of the linkage.
 fn window(board: &SynthesisBoard) -> Option<Rect> {
     let marks = board.steps.iter().flat_map(|s| s.marks.iter().map(|m| m.1));
-    let ends = board.steps.iter().flat_map(|s| &s.strokes).filter(|(_, w)| *w != Weight::Thin).flat_map(|(stroke, _)| match *stroke {
-        Drawn::Line(p, q) => vec![p, q],
-        Drawn::Circle(c, r) | Drawn::Arc(c, r, _) => vec![c - Vec2::new(r, r), c + Vec2::new(r, r)],
-    });
+    let ends =
+        board.steps.iter().flat_map(|s| &s.strokes).filter(|(_, w)| *w != Weight::Thin).flat_map(
+            |(stroke, _)| match *stroke {
+                Drawn::Line(p, q) => vec![p, q],
+                Drawn::Circle(c, r) | Drawn::Arc(c, r, _) => {
+                    vec![c - Vec2::new(r, r), c + Vec2::new(r, r)]
+                }
+            },
+        );
     let own = around(marks.chain(ends))?;
     // The places where the compasses strike are included if they enlarge the drawing only a little.
-    let struck = board.steps.iter().flat_map(|s| &s.strokes).filter_map(|(stroke, _)| match *stroke {
-        Drawn::Arc(c, r, at) => Some(c + Vec2::from_angle(at) * r),
-        Drawn::Line(..) | Drawn::Circle(..) => None,
-    });
-    let room = |grown: Rect| grown.width_mm().max(grown.height_mm()) <= MORE * own.width_mm().max(own.height_mm());
-    Some(struck.fold(own, |window, at| Some(window.union(Rect::new(at, at))).filter(|w| room(*w)).unwrap_or(window)))
+    let struck =
+        board.steps.iter().flat_map(|s| &s.strokes).filter_map(|(stroke, _)| match *stroke {
+            Drawn::Arc(c, r, at) => Some(c + Vec2::from_angle(at) * r),
+            Drawn::Line(..) | Drawn::Circle(..) => None,
+        });
+    let room = |grown: Rect| {
+        grown.width_mm().max(grown.height_mm()) <= MORE * own.width_mm().max(own.height_mm())
+    };
+    Some(struck.fold(own, |window, at| {
+        Some(window.union(Rect::new(at, at))).filter(|w| room(*w)).unwrap_or(window)
+    }))
 }
 
 /// Maximum enlargement of a drawing to show where the compasses strike.
@@ -114,7 +138,9 @@ fn around(points: impl Iterator<Item = Point>) -> Option<Rect> {
 
 /// The part of a chain of points within a window, in pieces.
 fn clipped(points: &[Point], window: Rect) -> Vec<Vec<Point>> {
-    let inside = |p: &Point| p.x >= window.min.x && p.x <= window.max.x && p.y >= window.min.y && p.y <= window.max.y;
+    let inside = |p: &Point| {
+        p.x >= window.min.x && p.x <= window.max.x && p.y >= window.min.y && p.y <= window.max.y
+    };
     let mut out: Vec<Vec<Point>> = vec![Vec::new()];
     for p in points {
         match out.last_mut() {
@@ -139,12 +165,19 @@ fn chain(stroke: &Drawn) -> Vec<Point> {
             let at = |k: usize| c + Vec2::from_angle(middle + ARC * (k as f64 / 20.0 - 1.0)) * r;
             (0..=40).map(at).collect()
         }
-        Drawn::Circle(c, r) => (0..=STEPS).map(|k| c + Vec2::from_angle(std::f64::consts::TAU * k as f64 / STEPS as f64) * r).collect(),
+        Drawn::Circle(c, r) => (0..=STEPS)
+            .map(|k| c + Vec2::from_angle(std::f64::consts::TAU * k as f64 / STEPS as f64) * r)
+            .collect(),
     }
 }
 
 /// Draws the construction with its steps numbered.
-pub fn construction(task: &Task, candidate: &DesignCandidate, board: &SynthesisBoard, set: Set) -> Figure {
+pub fn construction(
+    task: &Task,
+    candidate: &DesignCandidate,
+    board: &SynthesisBoard,
+    set: Set,
+) -> Figure {
     let Set { style, lang, whole } = set;
     let window = window(board).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)).grown(BEYOND_MM);
     let mut items = Vec::new();
@@ -163,36 +196,65 @@ pub fn construction(task: &Task, candidate: &DesignCandidate, board: &SynthesisB
             let pieces = clipped(&whole, window);
             // A piece of an arc at the edge would be meaningless: the arc is drawn completely or
             // not at all.
-            let cut = matches!(stroke, Drawn::Arc(..)) && pieces.iter().map(Vec::len).sum::<usize>() < whole.len();
+            let cut = matches!(stroke, Drawn::Arc(..))
+                && pieces.iter().map(Vec::len).sum::<usize>() < whole.len();
             for points in pieces.into_iter().filter(|_| !cut) {
                 // The number of the step is at its first stroke.
                 if !numbered && points.len() > 4 {
                     let at = points.len() / 3;
                     let number = Label::text(format!("({})", k + 1)).in_fonts(&style.fonts);
                     wanted.push((
-                        LabelRequest::along(number, style.small_mm * 0.8, points[at], points[at + points.len() / 6], 0.3).optional(true),
+                        LabelRequest::along(
+                            number,
+                            style.small_mm * 0.8,
+                            points[at],
+                            points[at + points.len() / 6],
+                            0.3,
+                        )
+                        .optional(true),
                         k,
                         format!("label-step-{}", k + 1),
                     ));
                     numbered = true;
                 }
                 let points = match stroke {
-                    Drawn::Line(..) => [points.first(), points.last()].into_iter().flatten().copied().collect(),
+                    Drawn::Line(..) => {
+                        [points.first(), points.last()].into_iter().flatten().copied().collect()
+                    }
                     Drawn::Circle(..) | Drawn::Arc(..) => points,
                 };
-                let shape = Shape::Polyline { points, closed: false, stroke: Some(stroke_of(*weight)), fill: None };
-                items.push(FigureItem::new(class.clone(), shape).with_id(stroke_id(stroke, *weight)));
+                let shape = Shape::Polyline {
+                    points,
+                    closed: false,
+                    stroke: Some(stroke_of(*weight)),
+                    fill: None,
+                };
+                items.push(
+                    FigureItem::new(class.clone(), shape).with_id(stroke_id(stroke, *weight)),
+                );
             }
         }
         for (name, at) in &step.marks {
-            let shape = Shape::Circle { centre: *at, radius_mm: 0.55, stroke: None, fill: Some(Colour::BLACK) };
+            let shape = Shape::Circle {
+                centre: *at,
+                radius_mm: 0.55,
+                stroke: None,
+                fill: Some(Colour::BLACK),
+            };
             let plain = name.replace(['_', '{', '}'], "");
-            items.push(FigureItem::new(class.clone(), shape).with_id(format!("mark-{}", escaped(&plain))));
-            wanted.push((LabelRequest::at_point(label(name), style.small_mm, *at, 0.9), k, format!("label-{}", escaped(&plain))));
+            items.push(
+                FigureItem::new(class.clone(), shape).with_id(format!("mark-{}", escaped(&plain))),
+            );
+            wanted.push((
+                LabelRequest::at_point(label(name), style.small_mm, *at, 0.9),
+                k,
+                format!("label-{}", escaped(&plain)),
+            ));
         }
     }
     let room = window.grown(6.0);
-    let (requests, named): (Vec<LabelRequest>, Vec<(usize, String)>) = wanted.into_iter().map(|(r, k, id)| (r, (k, id))).unzip();
+    let (requests, named): (Vec<LabelRequest>, Vec<(usize, String)>) =
+        wanted.into_iter().map(|(r, k, id)| (r, (k, id))).unzip();
     let placed = place(&requests, &Obstacles::of(&items), room);
     for ((request, at), (k, id)) in requests.iter().zip(&placed).zip(named) {
         let mut labels = at.items(request, PLACED, style.thin);
@@ -226,9 +288,15 @@ fn scale_of(mu_l: f64) -> Label {
 }
 
 /// The instruction of each step, and the values read off the paper.
-fn sentences(candidate: &DesignCandidate, board: &SynthesisBoard, Set { style, lang, .. }: Set) -> Vec<Label> {
+fn sentences(
+    candidate: &DesignCandidate,
+    board: &SynthesisBoard,
+    Set { style, lang, .. }: Set,
+) -> Vec<Label> {
     let mut lines: Vec<Label> = Vec::new();
-    let mut add = |sentence: &str| lines.extend(wrapped(&Phrase::new(sentence), TEXT_MM, style.small_mm, &style.fonts));
+    let mut add = |sentence: &str| {
+        lines.extend(wrapped(&Phrase::new(sentence), TEXT_MM, style.small_mm, &style.fonts))
+    };
     for (k, step) in board.steps.iter().enumerate() {
         add(&symbols(&format!("({}) {}", k + 1, lang.of(&step.text))));
     }
@@ -238,7 +306,12 @@ fn sentences(candidate: &DesignCandidate, board: &SynthesisBoard, Set { style, l
         let name = format!("${}$", symbol(&r.name));
         Some(match r.angle {
             true => {
-                format!("{} = {}°{open}{}°{close}", name, significant(board.value(r).to_degrees(), 5), significant(formula.to_degrees(), 5))
+                format!(
+                    "{} = {}°{open}{}°{close}",
+                    name,
+                    significant(board.value(r).to_degrees(), 5),
+                    significant(formula.to_degrees(), 5)
+                )
             }
             false => format!(
                 "{} = {} mm × $\\mu_l$ = {} mm{open}{} mm{close}",
@@ -249,13 +322,21 @@ fn sentences(candidate: &DesignCandidate, board: &SynthesisBoard, Set { style, l
             ),
         })
     });
-    let read = tr(lang, "Measured, in brackets the closed formula: ", "图上量得（括号内为公式值）：");
+    let read =
+        tr(lang, "Measured, in brackets the closed formula: ", "图上量得（括号内为公式值）：");
     add(&format!("{read}{}", readings.collect::<Vec<_>>().join(tr(lang, "; ", "；"))));
     lines
 }
 
 /// A figure with title, drawing, caption and text.
-fn page(task: &Task, part: &str, items: Vec<FigureItem>, room: Rect, text: (Option<Label>, Vec<Label>), set: Set) -> Figure {
+fn page(
+    task: &Task,
+    part: &str,
+    items: Vec<FigureItem>,
+    room: Rect,
+    text: (Option<Label>, Vec<Label>),
+    set: Set,
+) -> Figure {
     laid_out(task, part, items, room, text, set).0
 }
 
@@ -280,7 +361,9 @@ fn laid_out(
     let (margin, head) = if whole { (MARGIN_MM, 14.0) } else { (1.0, 1.0) };
     let width_mm = room.width_mm().max(wide).max(text_mm) + 2.0 * margin;
     let line = small * 1.5;
-    let below = lines.len() as f64 * line + if caption.is_some() { 9.0 } else { 0.0 } + if whole { 4.0 } else { 0.0 };
+    let below = lines.len() as f64 * line
+        + if caption.is_some() { 9.0 } else { 0.0 }
+        + if whole { 4.0 } else { 0.0 };
     let height_mm = margin + below + room.height_mm() + head;
     let centre = room.centre();
     let shift = Vec2::new(width_mm / 2.0 - centre.x, margin + below - room.min.y);
@@ -290,20 +373,40 @@ fn laid_out(
         FigureItem::new(class, Shape::Label { at, label, size_mm, anchor, colour: Colour::BLACK })
     };
     if whole {
-        items.push(words_at("title", Point::new(width_mm / 2.0, height_mm - 10.0), heading, large, Anchor::Middle));
+        items.push(words_at(
+            "title",
+            Point::new(width_mm / 2.0, height_mm - 10.0),
+            heading,
+            large,
+            Anchor::Middle,
+        ));
     }
     let mut y = margin + below - 4.0;
     if let Some(caption) = caption {
-        items.push(words_at("mu_l", Point::new(width_mm / 2.0, y), caption, small, Anchor::Middle).with_id("scale"));
+        items.push(
+            words_at("mu_l", Point::new(width_mm / 2.0, y), caption, small, Anchor::Middle)
+                .with_id("scale"),
+        );
         y -= 9.0;
     }
     let left = (width_mm - text_mm) / 2.0;
     for (k, l) in lines.into_iter().enumerate() {
-        items.push(words_at("step", Point::new(left, y), l, small, Anchor::Start).with_id(format!("sentence-{}", k + 1)));
+        items.push(
+            words_at("step", Point::new(left, y), l, small, Anchor::Start)
+                .with_id(format!("sentence-{}", k + 1)),
+        );
         y -= line;
     }
     distinct(&mut items);
-    let mut figure = Figure { width_mm, height_mm, desc: title.clone(), title, lang: words(lang).tag.into(), paper: Colour::WHITE, items };
+    let mut figure = Figure {
+        width_mm,
+        height_mm,
+        desc: title.clone(),
+        title,
+        lang: words(lang).tag.into(),
+        paper: Colour::WHITE,
+        items,
+    };
     style.palette.paint(&mut figure);
     (figure, shift)
 }

@@ -72,22 +72,42 @@ impl Tables<'_> {
                         }
                         if let Some(text) = mate(self.writer, step) {
                             let name = id(kind(on), &format!("mate-{}", group.group));
-                            parts.push(self.sentence_block(&text, name, format!("{} statement special {step_class}", kind(on))));
+                            parts.push(self.sentence_block(
+                                &text,
+                                name,
+                                format!("{} statement special {step_class}", kind(on)),
+                            ));
                         }
                         parts.extend(self.equation(on, *target, chains, &step_class));
                     }
-                    PlanStep::Image { target, from, .. } => parts.push(self.image(on, *target, *from, &step_class)),
+                    PlanStep::Image { target, from, .. } => {
+                        parts.push(self.image(on, *target, *from, &step_class))
+                    }
                     PlanStep::Trials { target, images, mates } => {
                         let w = self.writer;
-                        let [a, b] = [images, mates].map(|pair| pair.map(|v| w.image(on, v)).concat());
+                        let [a, b] =
+                            [images, mates].map(|pair| pair.map(|v| w.image(on, v)).concat());
                         let formula = format!("{} = {a} \\times {b}", w.image(on, *target));
-                        parts.push(self.line(on, *target, &formula, Some(Label::text(self.words().trials)), &step_class));
+                        parts.push(self.line(
+                            on,
+                            *target,
+                            &formula,
+                            Some(Label::text(self.words().trials)),
+                            &step_class,
+                        ));
                     }
                     PlanStep::Same { target, from, link } => {
                         let w = self.writer;
-                        let formula = format!("{} = {}", w.summand(on, *target), w.summand(on, *from));
+                        let formula =
+                            format!("{} = {}", w.summand(on, *target), w.summand(on, *from));
                         let why = self.words().no_turning.replace("{}", w.scene.link_name(*link));
-                        parts.push(self.line(on, *target, &formula, Some(Label::text(why)), &step_class));
+                        parts.push(self.line(
+                            on,
+                            *target,
+                            &formula,
+                            Some(Label::text(why)),
+                            &step_class,
+                        ));
                     }
                 }
             }
@@ -107,15 +127,28 @@ impl Tables<'_> {
         Cell { label: label.in_fonts(&self.style.fonts), size_mm, anchor, class: class.into(), id }
     }
 
-    fn equation(&self, on: DiagramKind, target: VertexId, chains: &[TermChain], step: &str) -> Vec<DrawingPart> {
+    fn equation(
+        &self,
+        on: DiagramKind,
+        target: VertexId,
+        chains: &[TermChain],
+        step: &str,
+    ) -> Vec<DrawingPart> {
         let (w, book) = (self.writer, &self.writer.scene.book);
         if let [chain] = chains {
             let [term] = chain.known[..] else {
                 // Nothing is added: the point moves like a known one.
                 if chain.known.is_empty() {
-                    let start = if w.plan.vertex(chain.start).fixed { "0".to_owned() } else { w.summand(on, chain.start) };
+                    let start = if w.plan.vertex(chain.start).fixed {
+                        "0".to_owned()
+                    } else {
+                        w.summand(on, chain.start)
+                    };
                     let formula = format!("{} = {start}", w.summand(on, target));
-                    return (chain.start != target).then(|| self.line(on, target, &formula, None, step)).into_iter().collect();
+                    return (chain.start != target)
+                        .then(|| self.line(on, target, &formula, None, step))
+                        .into_iter()
+                        .collect();
                 }
                 return self.table(on, target, chains, step);
             };
@@ -124,16 +157,28 @@ impl Tables<'_> {
                 // The drawing names the total vector.
                 let head = if whole == part { whole } else { format!("{whole} = {part}") };
                 // A value given by a driver is a number, not a formula.
-                let magnitude = match (w.magnitude(on, &term), self.construction.vector(on, target)) {
+                let magnitude = match (w.magnitude(on, &term), self.construction.vector(on, target))
+                {
                     (known, Some(v)) if known == w.notation.known => {
-                        let certain = self.steps.vector(on, target).and_then(|n| n.text(DIGITS)).map(|(text, _)| inked(&text));
-                        let rough = || format!("\\approx {}", number(book.value(on.kind(), v.norm()), 1));
+                        let certain = self
+                            .steps
+                            .vector(on, target)
+                            .and_then(|n| n.text(DIGITS))
+                            .map(|(text, _)| inked(&text));
+                        let rough =
+                            || format!("\\approx {}", number(book.value(on.kind(), v.norm()), 1));
                         book.label(on.kind(), &certain.unwrap_or_else(rough))
                     }
                     (formula, _) => formula,
                 };
                 let formula = format!("{head} = {magnitude}");
-                return vec![self.line(on, target, &formula, Some(Label::math(w.direction(&term))), step)];
+                return vec![self.line(
+                    on,
+                    target,
+                    &formula,
+                    Some(Label::math(w.direction(&term))),
+                    step,
+                )];
             }
         }
         self.table(on, target, chains, step)
@@ -141,14 +186,26 @@ impl Tables<'_> {
 
     /// The table of an equation; in a column, as many tables as needed, each continued before a
     /// sign.
-    fn table(&self, on: DiagramKind, target: VertexId, chains: &[TermChain], step: &str) -> Vec<DrawingPart> {
+    fn table(
+        &self,
+        on: DiagramKind,
+        target: VertexId,
+        chains: &[TermChain],
+        step: &str,
+    ) -> Vec<DrawingPart> {
         let columns = self.writer.columns(on, target, chains);
         let set = |ends: Range<usize>| self.part_of_table(on, target, &columns, ends, step);
         let Some(width_mm) = self.width_mm else {
             // A table that would make the sheet wide continues in a second row, before a sign of
             // equality.
-            let second = columns.iter().rposition(|c| c.joint == "=").filter(|k| columns.len() > MOST_COLUMNS && *k > 1);
-            return second.map_or_else(|| vec![set(0..columns.len())], |k| vec![set(0..k), set(k..columns.len())]);
+            let second = columns
+                .iter()
+                .rposition(|c| c.joint == "=")
+                .filter(|k| columns.len() > MOST_COLUMNS && *k > 1);
+            return second.map_or_else(
+                || vec![set(0..columns.len())],
+                |k| vec![set(0..k), set(k..columns.len())],
+            );
         };
         let (mut parts, mut start) = (Vec::new(), 0);
         while start < columns.len() {
@@ -156,20 +213,37 @@ impl Tables<'_> {
             let most = (start + 1..=columns.len()).rev().find(fits).unwrap_or(start + 1);
             // A sum of several terms is not broken: the table ends at the sign of equality, if the
             // rest fits.
-            let at_equality = |k: &usize| columns[*k].joint == "=" && set(*k..columns.len()).bounds.width_mm() <= width_mm;
-            let end = if most < columns.len() { (start + 2..=most).rev().find(at_equality).unwrap_or(most) } else { most };
+            let at_equality = |k: &usize| {
+                columns[*k].joint == "=" && set(*k..columns.len()).bounds.width_mm() <= width_mm
+            };
+            let end = if most < columns.len() {
+                (start + 2..=most).rev().find(at_equality).unwrap_or(most)
+            } else {
+                most
+            };
             parts.push(set(start..end));
             start = end;
         }
         parts
     }
 
-    fn part_of_table(&self, on: DiagramKind, target: VertexId, columns: &[EquationColumn], ends: Range<usize>, step: &str) -> DrawingPart {
+    fn part_of_table(
+        &self,
+        on: DiagramKind,
+        target: VertexId,
+        columns: &[EquationColumn],
+        ends: Range<usize>,
+        step: &str,
+    ) -> DrawingPart {
         let (w, style, words) = (self.writer, self.style, self.words());
         let name = id(kind(on), &format!("equation-{}", self.vertex(target)));
         let class = |what: &str| format!("{} table {what} {step}", kind(on));
         let head = |word: &str, what: &str| {
-            let id = if ends.start == 0 { format!("{name}-{what}") } else { format!("{name}-{what}-from-{}", ends.start) };
+            let id = if ends.start == 0 {
+                format!("{name}-{what}")
+            } else {
+                format!("{name}-{what}-from-{}", ends.start)
+            };
             Some(self.cell(heading(word), style.caption_mm, Anchor::End, id, &class("heading")))
         };
         let mut symbols = vec![None];
@@ -177,16 +251,30 @@ impl Tables<'_> {
         let mut directions = vec![head(words.direction, "direction")];
         for (k, c) in columns.iter().enumerate().take(ends.end).skip(ends.start) {
             let cell = |text: &str, size: f64, what: &str| {
-                Some(self.cell(Label::math(text), size, Anchor::Middle, format!("{name}-{what}-{k}"), &class(what)))
+                Some(self.cell(
+                    Label::math(text),
+                    size,
+                    Anchor::Middle,
+                    format!("{name}-{what}-{k}"),
+                    &class(what),
+                ))
             };
-            symbols.push(if c.joint.is_empty() { None } else { cell(c.joint, style.label_mm, "joint") });
+            symbols.push(if c.joint.is_empty() {
+                None
+            } else {
+                cell(c.joint, style.label_mm, "joint")
+            });
             symbols.push(cell(&c.symbol, style.label_mm, "symbol"));
             magnitudes.extend([None, cell(&c.magnitude, style.caption_mm, "magnitude")]);
             directions.extend([None, cell(&c.direction, style.caption_mm, "direction")]);
         }
         let [top, row, bottom] = [TOP_MM, ROW_MM, BOTTOM_MM].map(|mm| style.leading(mm));
         let mut rows = vec![Row { cells: symbols, height_mm: top }];
-        let both = if w.notation.first_row == "direction" { [directions, magnitudes] } else { [magnitudes, directions] };
+        let both = if w.notation.first_row == "direction" {
+            [directions, magnitudes]
+        } else {
+            [magnitudes, directions]
+        };
         rows.extend(both.map(|cells| Row { cells, height_mm: row }));
         self.boxed(grid::set(&rows, style.leading(GAP_MM)), top + 2.0 * row + bottom)
     }
@@ -200,13 +288,32 @@ impl Tables<'_> {
         part
     }
 
-    fn line(&self, on: DiagramKind, target: VertexId, formula: &str, why: Option<Label>, step: &str) -> DrawingPart {
+    fn line(
+        &self,
+        on: DiagramKind,
+        target: VertexId,
+        formula: &str,
+        why: Option<Label>,
+        step: &str,
+    ) -> DrawingPart {
         let name = id(kind(on), &format!("statement-{}", self.vertex(target)));
         let class = format!("{} statement {step}", kind(on));
-        let mut cells = vec![Some(self.cell(Label::math(formula), self.style.label_mm, Anchor::Start, name.clone(), &class))];
+        let mut cells = vec![Some(self.cell(
+            Label::math(formula),
+            self.style.label_mm,
+            Anchor::Start,
+            name.clone(),
+            &class,
+        ))];
         if let Some(why) = why {
             // A quad separates formula and reason.
-            cells.push(Some(self.cell(why, self.style.caption_mm, Anchor::Start, format!("{name}-why"), &class)));
+            cells.push(Some(self.cell(
+                why,
+                self.style.caption_mm,
+                Anchor::Start,
+                format!("{name}-why"),
+                &class,
+            )));
         }
         self.statement(vec![cells], self.style.label_mm)
     }
@@ -216,13 +323,24 @@ impl Tables<'_> {
         let [top, line] = [TOP_MM, LINE_MM].map(|mm| self.style.leading(mm));
         let height = line * rows.len() as f64;
         let heights = std::iter::once(top).chain(std::iter::repeat(line));
-        let rows: Vec<Row> = rows.into_iter().zip(heights).map(|(cells, height_mm)| Row { cells, height_mm }).collect();
+        let rows: Vec<Row> = rows
+            .into_iter()
+            .zip(heights)
+            .map(|(cells, height_mm)| Row { cells, height_mm })
+            .collect();
         self.boxed(grid::set(&rows, gap_mm), height)
     }
 
-    fn image(&self, on: DiagramKind, target: VertexId, from: (VertexId, VertexId), step: &str) -> DrawingPart {
+    fn image(
+        &self,
+        on: DiagramKind,
+        target: VertexId,
+        from: (VertexId, VertexId),
+        step: &str,
+    ) -> DrawingPart {
         let w = self.writer;
-        let images = format!("{}{}{}", w.image(on, from.0), w.image(on, from.1), w.image(on, target));
+        let images =
+            format!("{}{}{}", w.image(on, from.0), w.image(on, from.1), w.image(on, target));
         let points = format!("{}{}{}", w.spot(from.0), w.spot(from.1), w.spot(target));
         // Three collinear points form no triangle: their image is a ratio.
         let in_line = self.construction.diagram.in_line([from.0, from.1, target]);
@@ -230,31 +348,66 @@ impl Tables<'_> {
         let similar = if in_line {
             let ratio = |[a, b, x]: [String; 3]| format!("{a}{b}/{a}{x}");
             let images = ratio([from.0, from.1, target].map(|v| w.image(on, v)));
-            head.then(Label::math(format!("{images} = {}", ratio([from.0, from.1, target].map(|v| w.spot(v))))))
+            head.then(Label::math(format!(
+                "{images} = {}",
+                ratio([from.0, from.1, target].map(|v| w.spot(v)))
+            )))
         } else {
             // No embedded font contains the sign △; a capital delta has its shape.
             let similar = Label::math(w.notation.similar.as_str());
-            let sides = [Label::text("Δ"), Label::math(images), Label::text(" "), similar, Label::text(" Δ"), Label::math(points)];
+            let sides = [
+                Label::text("Δ"),
+                Label::math(images),
+                Label::text(" "),
+                similar,
+                Label::text(" Δ"),
+                Label::math(points),
+            ];
             sides.into_iter().fold(head, Label::then)
         };
         let name = id(kind(on), &format!("statement-{}", self.vertex(target)));
         let class = format!("{} statement image {step}", kind(on));
-        let mut cells = vec![Some(self.cell(similar, self.style.label_mm, Anchor::Start, name.clone(), &class))];
+        let mut cells = vec![Some(self.cell(
+            similar,
+            self.style.label_mm,
+            Anchor::Start,
+            name.clone(),
+            &class,
+        ))];
         if !in_line {
             let why = Label::text(self.words().image);
-            cells.push(Some(self.cell(why, self.style.caption_mm, Anchor::Start, format!("{name}-why"), &class)));
+            cells.push(Some(self.cell(
+                why,
+                self.style.caption_mm,
+                Anchor::Start,
+                format!("{name}-why"),
+                &class,
+            )));
         }
         self.statement(vec![cells], self.style.label_mm)
     }
 
     /// The statement that defines a special point.
-    fn special(&self, on: DiagramKind, target: VertexId, special: &Special, step: &str) -> DrawingPart {
-        let (text, link) = (special_words(self.writer, self.words(), target, special), self.writer.scene.link_name(special.link));
+    fn special(
+        &self,
+        on: DiagramKind,
+        target: VertexId,
+        special: &Special,
+        step: &str,
+    ) -> DrawingPart {
+        let (text, link) = (
+            special_words(self.writer, self.words(), target, special),
+            self.writer.scene.link_name(special.link),
+        );
         let name = match special.legs {
             Some(_) => format!("special-{}", special.group),
             None => format!("special-{}-{link}", special.group),
         };
-        self.sentence_block(&text, id(kind(on), &name), format!("{} statement special {step}", kind(on)))
+        self.sentence_block(
+            &text,
+            id(kind(on), &name),
+            format!("{} statement special {step}", kind(on)),
+        )
     }
 
     /// A sentence, broken to the available width.
@@ -276,7 +429,8 @@ impl Tables<'_> {
 /// Returns the words that introduce a special point.
 pub fn special_words(w: &PlanWriter, words: &Words, target: VertexId, special: &Special) -> String {
     let [a, b] = special.lines.each_ref().map(|line| special_line(w, words, line));
-    let [link, with] = [Some(special.link), special.with].map(|l| l.map_or("", |l| w.scene.link_name(l)));
+    let [link, with] =
+        [Some(special.link), special.with].map(|l| l.map_or("", |l| w.scene.link_name(l)));
     let form = if special.with.is_some() { words.common_point } else { words.special_point };
     fill(form, &[("S", &w.spot(target)), ("1", &a), ("2", &b), ("3", with), ("", link)])
 }
@@ -286,7 +440,11 @@ fn special_line(w: &PlanWriter, words: &Words, line: &SpecialLine) -> String {
     match *line {
         SpecialLine::Leg(line) => constraint_line(w.scene, words, line),
         SpecialLine::Through { pin, special } => {
-            format!("${}{}$", w.spot(special), hodograph_board::plan::text::point_label(w.scene.point_name(pin)))
+            format!(
+                "${}{}$",
+                w.spot(special),
+                hodograph_board::plan::text::point_label(w.scene.point_name(pin))
+            )
         }
     }
 }
@@ -328,7 +486,9 @@ pub fn found_by(p: &Polygon, v: VertexId) -> Option<usize> {
         | Action::Reach(target) => *target == v,
         Action::LayOff(e) => p.edges[*e].to.0 == hodograph_board::construct::PolygonMark::Image(v),
         Action::Nothing { target, .. } => *target == Some(v),
-        Action::Line { .. } | Action::Join(_) | Action::Perpendicular { .. } | Action::Rate(_) => false,
+        Action::Line { .. } | Action::Join(_) | Action::Perpendicular { .. } | Action::Rate(_) => {
+            false
+        }
     };
     p.actions.iter().position(finds)
 }

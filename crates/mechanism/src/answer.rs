@@ -1,11 +1,11 @@
 //! Evaluation of requested quantities from the vectors of points and the angular rates of links, by
 //! the formulas of relative motion.
 //!
-//! A [`MotionSource`] provides vectors and rates; [`evaluate`] combines them with the positions of a pose
-//! according to the definition of the quantity ([`Asked::value`]). Two other ways of solution do
-//! not use these formulas: the drawing reads edges (`construct::read`), and the analysis
-//! (`analytic::Solution::answer`) derives the parts of a relative motion from separate rows. A
-//! wrong definition therefore appears as a disagreement.
+//! A [`MotionSource`] provides vectors and rates; [`evaluate`] combines them with the positions of
+//! a pose according to the definition of the quantity ([`Asked::value`]). Two other ways of
+//! solution do not use these formulas: the drawing reads edges (`construct::read`), and the
+//! analysis (`analytic::Solution::answer`) derives the parts of a relative motion from separate
+//! rows. A wrong definition therefore appears as a disagreement.
 
 use crate::mechanism::Level;
 use crate::position::{Configuration, Path};
@@ -82,12 +82,21 @@ impl<N: Real, S: MotionSource<N>> FormulaInputs<N> for Instant<'_, N, S> {
 
 /// Returns the value of a quantity that depends on positions; `None` for a quantity of motion, and
 /// if a position is not known.
-pub fn place<N: Real>(scene: &Scene, at: &Configuration<N>, what: &Asked) -> Option<AnswerValue<N>> {
+pub fn place<N: Real>(
+    scene: &Scene,
+    at: &Configuration<N>,
+    what: &Asked,
+) -> Option<AnswerValue<N>> {
     evaluate(scene, at, &Still, what)
 }
 
 /// Evaluates a quantity from a source of vectors and rates by the formulas of relative motion: the
 /// definition that the group-by-group solution uses.
-pub fn evaluate<N: Real>(scene: &Scene, at: &Configuration<N>, source: &impl MotionSource<N>, what: &Asked) -> Option<AnswerValue<N>> {
+pub fn evaluate<N: Real>(
+    scene: &Scene,
+    at: &Configuration<N>,
+    source: &impl MotionSource<N>,
+    what: &Asked,
+) -> Option<AnswerValue<N>> {
     what.value(&Instant { scene, at, motion: source })
 }

@@ -17,7 +17,8 @@ use hodograph_base::number::Real;
 use hodograph_scene::exact::Inputs;
 use hodograph_scene::quantity::{Forces, ROUNDING, Wrench};
 use hodograph_scene::{
-    Abscissa, Angle, GivenQuantity, LinkId, LoadCourse, LoadSize, LoadTravel, PointId, Position, Rolling, RollingId, Scene, Touch,
+    Abscissa, Angle, GivenQuantity, LinkId, LoadCourse, LoadSize, LoadTravel, PointId, Position,
+    Rolling, RollingId, Scene, Touch,
 };
 
 /// Cause of a load.
@@ -58,16 +59,28 @@ pub struct Load<N = f64> {
 /// the accelerations of `motion`.
 ///
 /// `None` if a position or a motion that a load needs is not known.
-pub fn loads<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl MotionSource<N>) -> Option<Vec<Load<N>>> {
+pub fn loads<N: Real>(
+    scene: &Scene,
+    at: &Configuration<N>,
+    motion: &impl MotionSource<N>,
+) -> Option<Vec<Load<N>>> {
     let inputs = Inputs::of(scene);
     let zero = N::from_f64(0.0);
     let number = |given: &GivenQuantity| inputs.number(given);
     let mut out = Vec::new();
     for mass in &scene.loads.masses {
-        let (Some(m), Some(s), Some(gravity)) = (&mass.m, mass.at, &scene.loads.gravity) else { continue };
+        let (Some(m), Some(s), Some(gravity)) = (&mass.m, mass.at, &scene.loads.gravity) else {
+            continue;
+        };
         let g = Vec2::new(number(&gravity[0]), number(&gravity[1]));
         let wrench = Wrench { force: g * number(m), couple: zero };
-        out.push(Load { cause: Cause::Weight, link: mass.link, at: Some(s), place: at.points[s.0]?, wrench });
+        out.push(Load {
+            cause: Cause::Weight,
+            link: mass.link,
+            at: Some(s),
+            place: at.points[s.0]?,
+            wrench,
+        });
     }
     for mass in scene.loads.masses.iter().filter(|_| scene.has_inertia()) {
         let force = match (&mass.m, mass.at) {
@@ -82,7 +95,13 @@ pub fn loads<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Motion
             Some(s) => at.points[s.0]?,
             None => Point::origin(),
         };
-        out.push(Load { cause: Cause::Inertia, link: mass.link, at: mass.at, place, wrench: Wrench { force, couple } });
+        out.push(Load {
+            cause: Cause::Inertia,
+            link: mass.link,
+            at: mass.at,
+            place,
+            wrench: Wrench { force, couple },
+        });
     }
     for (k, applied) in scene.loads.applied.iter().enumerate() {
         let place = match applied.at {
@@ -103,7 +122,9 @@ pub fn loads<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Motion
             CourseLoad::Amount(amount) => amount,
         };
         let wrench = match &applied.size {
-            LoadSize::Components([x, y]) => Wrench { force: Vec2::new(number(x), number(y)), couple: zero },
+            LoadSize::Components([x, y]) => {
+                Wrench { force: Vec2::new(number(x), number(y)), couple: zero }
+            }
             LoadSize::Directed { force, line, angle } => {
                 let base = match line {
                     Some((a, b)) => (at.points[b.0]? - at.points[a.0]?).unit()?,
@@ -126,16 +147,29 @@ pub fn loads<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Motion
                 Wrench { force: Vec2::zero(), couple: number(couple) * N::from_f64(sense) }
             }
         };
-        out.push(Load { cause: Cause::Applied(k), link: applied.link, at: applied.at, place, wrench });
+        out.push(Load {
+            cause: Cause::Applied(k),
+            link: applied.link,
+            at: applied.at,
+            place,
+            wrench,
+        });
     }
     for (k, spring) in scene.loads.springs.iter().enumerate() {
         let [(p, a), (q, b)] = spring.ends;
         let (from, to) = (at.points[p.0]?, at.points[q.0]?);
         let line = to - from;
-        let pull = line.unit()? * (number(&spring.stiffness) * (line.norm() - number(&spring.free)));
+        let pull =
+            line.unit()? * (number(&spring.stiffness) * (line.norm() - number(&spring.free)));
         for (point, link, place, force) in [(p, a, from, pull), (q, b, to, -pull)] {
             if link != scene.ground {
-                out.push(Load { cause: Cause::Spring(k), link, at: Some(point), place, wrench: Wrench { force, couple: zero } });
+                out.push(Load {
+                    cause: Cause::Spring(k),
+                    link,
+                    at: Some(point),
+                    place,
+                    wrench: Wrench { force, couple: zero },
+                });
             }
         }
     }
@@ -150,16 +184,23 @@ pub const NEAR: f64 = 1e-12;
 /// with different stretches some load begins, ends, has a corner or changes its sense.
 ///
 /// `None` if a position or a motion that a load needs is not known.
-pub fn stretches(scene: &Scene, at: &Configuration, motion: &impl MotionSource) -> Option<Vec<i32>> {
+pub fn stretches(
+    scene: &Scene,
+    at: &Configuration,
+    motion: &impl MotionSource,
+) -> Option<Vec<i32>> {
     let mut out = Vec::new();
     for applied in &scene.loads.applied {
         out.push(match &applied.course {
-            Some(course) => segment(course, scene, at, motion)?.map_or(-1, |(k, _)| i32::try_from(k).unwrap_or(i32::MAX)),
+            Some(course) => segment(course, scene, at, motion)?
+                .map_or(-1, |(k, _)| i32::try_from(k).unwrap_or(i32::MAX)),
             None => 0,
         });
         let sense = match &applied.size {
             // Projection on a fixed direction that no guide has.
-            LoadSize::AgainstMotion(_) => motion.vector(Level::Velocity, applied.at?, Some(applied.link))?.dot(Vec2::new(1.0, 0.618)),
+            LoadSize::AgainstMotion(_) => motion
+                .vector(Level::Velocity, applied.at?, Some(applied.link))?
+                .dot(Vec2::new(1.0, 0.618)),
             LoadSize::AgainstTurning(_) => motion.turning(Level::Velocity, applied.link)?,
             LoadSize::Components(_) | LoadSize::Directed { .. } | LoadSize::Couple(_) => 1.0,
         };
@@ -180,16 +221,26 @@ enum CourseLoad<N> {
 
 /// Returns the load of a course in a pose; `None` if the ends of its stroke, a position or a
 /// velocity are not known.
-fn here<N: Real>(course: &LoadCourse, scene: &Scene, at: &Configuration<N>, motion: &impl MotionSource<N>) -> Option<CourseLoad<N>> {
-    let Some((k, x)) = segment(course, scene, at, motion)? else { return Some(CourseLoad::Outside) };
+fn here<N: Real>(
+    course: &LoadCourse,
+    scene: &Scene,
+    at: &Configuration<N>,
+    motion: &impl MotionSource<N>,
+) -> Option<CourseLoad<N>> {
+    let Some((k, x)) = segment(course, scene, at, motion)? else {
+        return Some(CourseLoad::Outside);
+    };
     let [before, after] = &course.stations[k..k + 2] else { return None };
-    let (Some(a), Some(b)) = (&before.amount, &after.amount) else { return Some(CourseLoad::Constant) };
+    let (Some(a), Some(b)) = (&before.amount, &after.amount) else {
+        return Some(CourseLoad::Constant);
+    };
     let inputs = Inputs::<N>::of(scene);
     let place = |x: &Abscissa| match x {
         Abscissa::Part(x) | Abscissa::Way(x) => inputs.number(x),
         Abscissa::Angle(a) => inputs.degrees(a),
     };
-    let (a, b, from, to) = (inputs.number(a), inputs.number(b), place(&before.at), place(&after.at));
+    let (a, b, from, to) =
+        (inputs.number(a), inputs.number(b), place(&before.at), place(&after.at));
     Some(CourseLoad::Amount(a + (b - a) * ((x - from) / (to - from))))
 }
 
@@ -214,17 +265,21 @@ fn segment<N: Real>(
                 return Some(None);
             }
             let stroke: N = (inputs.number(end) - inputs.number(start)).magnitude();
-            let gone = (at.points[point.0]? - through).dot(way) - inputs.number(start) * N::from_f64(sense);
+            let gone = (at.points[point.0]? - through).dot(way)
+                - inputs.number(start) * N::from_f64(sense);
             match first.at {
                 Abscissa::Part(_) => (gone / stroke, NEAR),
                 Abscissa::Way(_) | Abscissa::Angle(_) => (gone, NEAR * stroke.approx()),
             }
         }
         LoadTravel::Turn { driver, period } => {
-            let Position::Angle(angle) = scene.drivers[*driver].kind.position()? else { return None };
+            let Position::Angle(angle) = scene.drivers[*driver].kind.position()? else {
+                return None;
+            };
             let near = NEAR * 360.0;
             let x: N = inputs.degrees(angle);
-            let periods = libm::floor((x.approx() - first.at.value() + near) / period.value.degrees());
+            let periods =
+                libm::floor((x.approx() - first.at.value() + near) / period.value.degrees());
             (x - inputs.degrees(period) * N::from_f64(periods), near)
         }
     };
@@ -262,16 +317,28 @@ const PRESSURE_ANGLE: f64 = 20.0 * std::f64::consts::PI / 180.0;
 /// Returns the forces by which teeth press gears apart, from the forces along the common tangent:
 /// |F_t| tan α along the normal, so that the total force of the teeth is on the line of action.
 /// They do no work.
-pub fn between_teeth<N: Real>(scene: &Scene, at: &Configuration<N>, tangential: &[(RollingId, Vec2<N>)]) -> Vec<Load<N>> {
+pub fn between_teeth<N: Real>(
+    scene: &Scene,
+    at: &Configuration<N>,
+    tangential: &[(RollingId, Vec2<N>)],
+) -> Vec<Load<N>> {
     let mut out = Vec::new();
     for (r, force) in tangential {
         let pair = &scene.rolling[r.0];
         let (Touch::Point(_), true) = (pair.touch(), pair.kind.is_toothed()) else { continue };
-        let (Some(n), Some(place)) = (at.normal(scene, *r), at.points[pair.at[0].0]) else { continue };
+        let (Some(n), Some(place)) = (at.normal(scene, *r), at.points[pair.at[0].0]) else {
+            continue;
+        };
         let apart = n * (force.norm() * N::from_f64(libm::tan(pressure_angle(pair))));
         for (link, force) in [(pair.links[0], -apart), (pair.links[1], apart)] {
             if link != scene.ground {
-                out.push(Load { cause: Cause::Teeth(*r), link, at: None, place, wrench: Wrench { force, couple: N::from_f64(0.0) } });
+                out.push(Load {
+                    cause: Cause::Teeth(*r),
+                    link,
+                    at: None,
+                    place,
+                    wrench: Wrench { force, couple: N::from_f64(0.0) },
+                });
             }
         }
     }
@@ -284,32 +351,63 @@ pub fn pressed_apart<N: Real>(scene: &Scene, teeth: &[Load<N>], pair: RollingId)
     let second = scene.rolling[pair.0].links[1];
     // A fixed gear has no loads: only the opposite force is in the list.
     let of_pair = teeth.iter().find(|l| l.cause == Cause::Teeth(pair));
-    of_pair.map_or(Vec2::zero(), |l| if l.link == second { l.wrench.force } else { -l.wrench.force })
+    of_pair
+        .map_or(Vec2::zero(), |l| if l.link == second { l.wrench.force } else { -l.wrench.force })
 }
 
 /// Returns the angle (rad) between the common tangent of a pair with point contact and the line of
 /// action of its force; 0 without teeth.
 pub fn pressure_angle(pair: &Rolling) -> f64 {
-    if pair.kind.is_toothed() { pair.flanks.as_ref().map_or(PRESSURE_ANGLE, |f| f.pressure_angle) } else { 0.0 }
+    if pair.kind.is_toothed() {
+        pair.flanks.as_ref().map_or(PRESSURE_ANGLE, |f| f.pressure_angle)
+    } else {
+        0.0
+    }
 }
 
 /// Completes reactions with the inertia forces and the reference sizes below which a quantity is
 /// rounding.
-pub fn completed<N: Real>(scene: &Scene, at: &Configuration<N>, loads: &[Load<N>], reactions: Forces<N>) -> Forces<N> {
+pub fn completed<N: Real>(
+    scene: &Scene,
+    at: &Configuration<N>,
+    loads: &[Load<N>],
+    reactions: Forces<N>,
+) -> Forces<N> {
     let Forces { pins, guides, drivers, .. } = &reactions;
-    let forces = loads.iter().map(|l| l.wrench.force).chain(pins.iter().map(|p| p.2)).chain(guides.iter().map(|g| g.1.force));
+    let forces = loads
+        .iter()
+        .map(|l| l.wrench.force)
+        .chain(pins.iter().map(|p| p.2))
+        .chain(guides.iter().map(|g| g.1.force));
     let largest = forces.map(|f| f.norm().approx()).fold(inertia_of_rounding(scene, at), f64::max);
-    let turned = scene.drivers.iter().zip(drivers).filter(|(d, _)| d.kind.turns()).map(|(_, moment)| *moment);
-    let couples = loads.iter().map(|l| l.wrench.couple).chain(guides.iter().map(|g| g.1.couple)).chain(turned);
+    let turned = scene
+        .drivers
+        .iter()
+        .zip(drivers)
+        .filter(|(d, _)| d.kind.turns())
+        .map(|(_, moment)| *moment);
+    let couples = loads
+        .iter()
+        .map(|l| l.wrench.couple)
+        .chain(guides.iter().map(|g| g.1.couple))
+        .chain(turned);
     let largest_moment = couples.map(|c| c.approx().abs()).fold(largest * at.extent(), f64::max);
-    let inertia = loads.iter().filter(|l| l.cause == Cause::Inertia).map(|l| (l.link, l.wrench)).collect();
-    Forces { inertia, largest, largest_moment, largest_power: largest * fastest(scene, at), ..reactions }
+    let inertia =
+        loads.iter().filter(|l| l.cause == Cause::Inertia).map(|l| (l.link, l.wrench)).collect();
+    Forces {
+        inertia,
+        largest,
+        largest_moment,
+        largest_power: largest * fastest(scene, at),
+        ..reactions
+    }
 }
 
 /// Returns the inertia force (N) that rounding produces without acceleration; a force up to this
 /// size is zero.
 fn inertia_of_rounding<N: Real>(scene: &Scene, at: &Configuration<N>) -> f64 {
-    let heaviest = scene.loads.masses.iter().filter_map(|m| m.m.as_ref()).map(|m| m.value).fold(0.0, f64::max);
+    let heaviest =
+        scene.loads.masses.iter().filter_map(|m| m.m.as_ref()).map(|m| m.value).fold(0.0, f64::max);
     let speed = fastest(scene, at);
     ROUNDING * heaviest * speed * speed / at.extent().max(f64::MIN_POSITIVE)
 }
@@ -318,6 +416,8 @@ fn inertia_of_rounding<N: Real>(scene: &Scene, at: &Configuration<N>) -> f64 {
 /// drivers at the size of the mechanism.
 pub fn fastest<N: Real>(scene: &Scene, at: &Configuration<N>) -> f64 {
     let extent = at.extent();
-    let of = |d: &hodograph_scene::Driver| d.rate.value.abs() * if d.kind.turns() { extent } else { 1.0 };
+    let of = |d: &hodograph_scene::Driver| {
+        d.rate.value.abs() * if d.kind.turns() { extent } else { 1.0 }
+    };
     scene.drivers.iter().map(of).fold(0.0, f64::max)
 }

@@ -152,7 +152,8 @@ pub fn distance_of(basic: &Basic, mate: Mate, teeth: [u32; 2], sum: f64) -> Opti
     if mate == Mate::Rack {
         return Some(standard(basic, mate, teeth));
     }
-    let operating = arc_inv(2.0 * sum * libm::tan(basic.alpha) / mate.count(teeth) + inv(basic.alpha))?;
+    let operating =
+        arc_inv(2.0 * sum * libm::tan(basic.alpha) / mate.count(teeth) + inv(basic.alpha))?;
     Some(standard(basic, mate, teeth) * libm::cos(basic.alpha) / libm::cos(operating))
 }
 
@@ -161,7 +162,13 @@ impl GearPair {
     /// shortened by Δy = x₁ + x₂ − y, so that the clearance is kept; in a ring the clearance only
     /// grows, and a rack has no distance to choose. `None` if the base circles would overlap, or if
     /// a gear has no tooth height left.
-    pub fn new(basic: Basic, mate: Mate, teeth: [u32; 2], shifts: [f64; 2], distance: f64) -> Option<GearPair> {
+    pub fn new(
+        basic: Basic,
+        mate: Mate,
+        teeth: [u32; 2],
+        shifts: [f64; 2],
+        distance: f64,
+    ) -> Option<GearPair> {
         let operating = operating(&basic, mate, teeth, distance)?;
         let m = basic.module;
         let shortened = match mate {
@@ -184,12 +191,25 @@ impl GearPair {
             }
         };
         let endless = f64::INFINITY;
-        let rack = Gear { teeth: 0, shift: 0.0, reference: endless, base: endless, pitch: endless, tip: endless, root: endless };
+        let rack = Gear {
+            teeth: 0,
+            shift: 0.0,
+            reference: endless,
+            base: endless,
+            pitch: endless,
+            tip: endless,
+            root: endless,
+        };
         let gears = [gear(0), if mate == Mate::Rack { rack } else { gear(1) }];
         let external = |g: &Gear| g.root > 0.0 && g.tip > g.base && g.tip > g.root;
         let possible = match mate {
             Mate::Gear => gears.iter().all(external),
-            Mate::Ring => external(&gears[0]) && gears[1].tip > 0.0 && gears[1].root > gears[1].tip && gears[1].root > gears[1].base,
+            Mate::Ring => {
+                external(&gears[0])
+                    && gears[1].tip > 0.0
+                    && gears[1].root > gears[1].tip
+                    && gears[1].root > gears[1].base
+            }
             Mate::Rack => external(&gears[0]),
         };
         possible.then_some(GearPair { basic, gears, mate, distance, operating })
@@ -275,7 +295,8 @@ impl GearPair {
         }
         let at = |g: &Gear| inv(libm::acos((g.base / g.tip).min(1.0)));
         let delta =
-            [(q * q - p * p - a * a) / (2.0 * p * a), (q * q - p * p + a * a) / (2.0 * q * a)].map(|c| libm::acos(c.clamp(-1.0, 1.0)));
+            [(q * q - p * p - a * a) / (2.0 * p * a), (q * q - p * p + a * a) / (2.0 * q * a)]
+                .map(|c| libm::acos(c.clamp(-1.0, 1.0)));
         let [y, z] = [g.teeth, r.teeth].map(f64::from);
         y * (at(g) + delta[0]) - z * (at(r) + delta[1]) + (z - y) * inv(self.operating) < 0.0
     }

@@ -70,7 +70,11 @@ pub fn inversions(scene: &Scene) -> Result<Warned<Vec<Inversion>>, Faults> {
             Err(faults) => {
                 let name = scene.link_name(ground);
                 let why = faults.list.first().map_or_else(Both::default, |d| d.message.clone());
-                let message = both!("with link {name} as ground nothing moves: {}", "以构件 {name} 为机架时不能运动：{}", why);
+                let message = both!(
+                    "with link {name} as ground nothing moves: {}",
+                    "以构件 {name} 为机架时不能运动：{}",
+                    why
+                );
                 notes.push(Diagnostic::warning("inversion", message));
             }
         }
@@ -83,12 +87,25 @@ fn refused(scene: &Scene) -> Result<(), Faults> {
     let mut faults = Faults::default();
     cams::refused(scene, &mut faults);
     if scene.drivers.is_empty() {
-        let message = both!("nothing drives the chain, which is inverted as it moves", "没有原动件，无法倒置其运动");
-        faults.push(Diagnostic::error("inversion-drivers", message).help(both!("give the scene a driver", "请给一个原动件")));
+        let message = both!(
+            "nothing drives the chain, which is inverted as it moves",
+            "没有原动件，无法倒置其运动"
+        );
+        faults.push(
+            Diagnostic::error("inversion-drivers", message)
+                .help(both!("give the scene a driver", "请给一个原动件")),
+        );
     }
     if scene.links.len() > MOST_LINKS {
-        let message = both!("{} links; at most {MOST_LINKS} are taken", "{} 个构件；最多可有 {MOST_LINKS} 个", scene.links.len());
-        faults.push(Diagnostic::error("too-many-links", message).help(both!("take a part of the mechanism", "请只取一部分机构")));
+        let message = both!(
+            "{} links; at most {MOST_LINKS} are taken",
+            "{} 个构件；最多可有 {MOST_LINKS} 个",
+            scene.links.len()
+        );
+        faults.push(
+            Diagnostic::error("too-many-links", message)
+                .help(both!("take a part of the mechanism", "请只取一部分机构")),
+        );
     }
     if faults.list.is_empty() { Ok(()) } else { Err(faults) }
 }
@@ -97,7 +114,13 @@ fn refused(scene: &Scene) -> Result<(), Faults> {
 fn invert(scene: &Scene, at: &Configuration, ground: LinkId) -> Result<Inversion, Faults> {
     let none = || {
         let name = scene.link_name(ground);
-        Diagnostic::error("inversion", both!("no link is pinned to link {name} or slides on it", "没有构件与构件 {name} 铰接或沿其滑动"))
+        Diagnostic::error(
+            "inversion",
+            both!(
+                "no link is pinned to link {name} or slides on it",
+                "没有构件与构件 {name} 铰接或沿其滑动"
+            ),
+        )
     };
     let (mut first, mut why) = (None, None);
     let candidates = match &scene.drivers[..] {
@@ -126,7 +149,16 @@ fn read(scene: &Scene, ground: LinkId, text: String, driver: String) -> Result<I
     let mechanism = Mechanism::new(&inverted)?.value;
     let limits = extreme::limits(&inverted, &mechanism, 0)?;
     let part = part(scene, ground);
-    Ok(Inversion { ground, original: ground == scene.ground, part, text, scene: inverted, worked, driver, limits })
+    Ok(Inversion {
+        ground,
+        original: ground == scene.ground,
+        part,
+        text,
+        scene: inverted,
+        worked,
+        driver,
+        limits,
+    })
 }
 
 /// Returns the points of a link, and the pins of the guides in which it slides: these belong to it
@@ -156,10 +188,17 @@ fn drivers(scene: &Scene, ground: LinkId) -> Vec<(String, Json)> {
     let has_angle = |l: LinkId| scene.links[l.0].points.len() > 1 || guided(l) || rolls(l);
     let mut links: Vec<LinkId> = (0..scene.links.len())
         .map(LinkId)
-        .filter(|l| *l != ground && points(scene, *l).iter().any(|p| own.contains(p)) && has_angle(*l))
+        .filter(|l| {
+            *l != ground && points(scene, *l).iter().any(|p| own.contains(p)) && has_angle(*l)
+        })
         .collect();
     links.sort_by_key(|l| Some(*l) != own_driver);
-    let turn = |l: &LinkId| (scene.link_name(*l).to_owned(), json!({"link": scene.link_name(*l), "omega": format!("{rate:?} rad/s")}));
+    let turn = |l: &LinkId| {
+        (
+            scene.link_name(*l).to_owned(),
+            json!({"link": scene.link_name(*l), "omega": format!("{rate:?} rad/s")}),
+        )
+    };
     let slide = |g: &scene::Guide| {
         let runner = match g.slider {
             Some(s) if s == ground => scene.link_name(g.on).to_owned(),
@@ -175,8 +214,14 @@ fn drivers(scene: &Scene, ground: LinkId) -> Vec<(String, Json)> {
 /// Returns the file of an inversion: all places are those of the pose.
 fn written(scene: &Scene, at: &Configuration, ground: LinkId, driver: Json) -> String {
     let name = |p: &PointId| scene.point_name(*p).to_owned();
-    let place =
-        |p: PointId| at.points[p.0].map(|at| (scene.point_name(p).to_owned(), json!([format!("{:?} m", at.x), format!("{:?} m", at.y)])));
+    let place = |p: PointId| {
+        at.points[p.0].map(|at| {
+            (
+                scene.point_name(p).to_owned(),
+                json!([format!("{:?} m", at.x), format!("{:?} m", at.y)]),
+            )
+        })
+    };
     let mut links = Map::new();
     for l in (0..scene.links.len()).map(LinkId) {
         let own = if l == ground { points(scene, l) } else { scene.links[l.0].points.clone() };
@@ -187,12 +232,18 @@ fn written(scene: &Scene, at: &Configuration, ground: LinkId, driver: Json) -> S
     if let Some(pin) = pairs::pin_of_part(scene, ground) {
         links.insert(scene.link_name(ground).to_owned(), json!([pin]));
     }
-    let contact = |p: &PointId| scene.rolling.iter().any(|r| r.at.contains(p)) || cams::is_touch(scene, *p);
-    let points: Map<String, Json> = (0..scene.points.len()).map(PointId).filter(|p| !contact(p)).filter_map(place).collect();
+    let contact =
+        |p: &PointId| scene.rolling.iter().any(|r| r.at.contains(p)) || cams::is_touch(scene, *p);
+    let points: Map<String, Json> =
+        (0..scene.points.len()).map(PointId).filter(|p| !contact(p)).filter_map(place).collect();
     let own = scene.guides.iter().zip(&at.guides).filter(|(g, _)| is_own(scene, g));
-    let guides: Vec<Json> =
-        own.filter_map(|(g, path)| guide(scene, g, (*path)?, (ground, &driver))).chain(pairs::cylinder(scene, at, ground)).collect();
-    let title = |text: &str, fixed: String| if text.is_empty() { fixed } else { format!("{text} – {fixed}") };
+    let guides: Vec<Json> = own
+        .filter_map(|(g, path)| guide(scene, g, (*path)?, (ground, &driver)))
+        .chain(pairs::cylinder(scene, at, ground))
+        .collect();
+    let title = |text: &str, fixed: String| {
+        if text.is_empty() { fixed } else { format!("{text} – {fixed}") }
+    };
     let fixed = scene.link_name(ground);
     let mut out = json!({
         "title": {"en": title(&scene.title.en, format!("link {fixed} fixed")), "zh": title(&scene.title.zh, format!("构件 {fixed} 为机架"))},
@@ -207,7 +258,9 @@ fn written(scene: &Scene, at: &Configuration, ground: LinkId, driver: Json) -> S
     if !cams.is_empty() {
         out["cams"] = Json::Array(cams);
     }
-    for (key, pairs) in ["gears", "rolling", "belts", "chains", "ropes"].into_iter().zip(pairs::rolling(scene, at)) {
+    for (key, pairs) in
+        ["gears", "rolling", "belts", "chains", "ropes"].into_iter().zip(pairs::rolling(scene, at))
+    {
         if !pairs.is_empty() {
             out[key] = Json::Array(pairs);
         }
@@ -226,20 +279,33 @@ fn lines(scene: &Json) -> String {
 /// Returns a guide as it is written with another ground. If the block is the ground, it carries the
 /// guide: the original carrier slides, with a pin of its own if it drives, so that its position
 /// follows from the places.
-fn guide(scene: &Scene, g: &scene::Guide, path: Path, (ground, driver): (LinkId, &Json)) -> Option<Json> {
+fn guide(
+    scene: &Scene,
+    g: &scene::Guide,
+    path: Path,
+    (ground, driver): (LinkId, &Json),
+) -> Option<Json> {
     let link = |l: LinkId| scene.link_name(l).to_owned();
     let drives = |l: LinkId| driver["slide"].as_str() == Some(scene.link_name(l));
     Some(match (path, &g.path) {
         (Path::Line { direction, .. }, _) => {
             let angle = format!("{:?} rad", direction.angle());
             match (g.slider, g.pin) {
-                (Some(s), _) if s == ground => match scene.links[g.on.0].points.first().filter(|_| drives(g.on)) {
-                    Some(pin) => json!({"pin": scene.point_name(*pin), "slider": link(g.on), "on": link(s), "angle": angle}),
-                    None => json!({"slider": link(g.on), "on": link(s), "angle": angle}),
-                },
-                (Some(s), Some(p)) => json!({"pin": scene.point_name(p), "slider": link(s), "on": link(g.on), "angle": angle}),
+                (Some(s), _) if s == ground => {
+                    match scene.links[g.on.0].points.first().filter(|_| drives(g.on)) {
+                        Some(pin) => {
+                            json!({"pin": scene.point_name(*pin), "slider": link(g.on), "on": link(s), "angle": angle})
+                        }
+                        None => json!({"slider": link(g.on), "on": link(s), "angle": angle}),
+                    }
+                }
+                (Some(s), Some(p)) => {
+                    json!({"pin": scene.point_name(p), "slider": link(s), "on": link(g.on), "angle": angle})
+                }
                 (Some(s), None) => json!({"slider": link(s), "on": link(g.on), "angle": angle}),
-                (None, Some(p)) => json!({"pin": scene.point_name(p), "on": link(g.on), "angle": angle}),
+                (None, Some(p)) => {
+                    json!({"pin": scene.point_name(p), "on": link(g.on), "angle": angle})
+                }
                 (None, None) => return None,
             }
         }

@@ -64,7 +64,10 @@ impl TrainRatio {
     fn then(&self, [i, j]: [f64; 2], [above, below]: [String; 2]) -> TrainRatio {
         let mut next = TrainRatio { value: -self.value * i / j, ..self.clone() };
         // The size of an idler cancels.
-        let put = |size: String, into: &mut Vec<String>, other: &mut Vec<String>| match other.iter().position(|s| *s == size) {
+        let put = |size: String, into: &mut Vec<String>, other: &mut Vec<String>| match other
+            .iter()
+            .position(|s| *s == size)
+        {
             Some(k) => drop(other.remove(k)),
             None => into.push(size),
         };
@@ -107,8 +110,10 @@ impl GearTrain {
     /// fewer are known, or if all known ones have the same ratio.
     pub fn turns(&self, known: impl Fn(LinkId) -> Option<f64>) -> Option<TrainSpeeds> {
         let members = self.gears.iter().map(|g| (g.link, g.ratio.value));
-        let told: Vec<(f64, f64)> =
-            std::iter::once((self.arm, 0.0)).chain(members).filter_map(|(link, e)| Some((e, known(link)?))).collect();
+        let told: Vec<(f64, f64)> = std::iter::once((self.arm, 0.0))
+            .chain(members)
+            .filter_map(|(link, e)| Some((e, known(link)?)))
+            .collect();
         let (e, w) = *told.first()?;
         // ω = y + e x for both: gears of the same ratio always have the same angular velocity.
         let (f, v) = *told.iter().find(|(f, _)| *f != e)?;
@@ -146,9 +151,10 @@ pub fn trains(scene: &Scene) -> Vec<GearTrain> {
     while !left.is_empty() {
         let mut together = vec![left.remove(0)];
         // All meshes that share a gear with the train.
-        while let Some(k) =
-            left.iter().position(|m| m.arm == together[0].arm && together.iter().any(|t| t.links.iter().any(|l| m.links.contains(l))))
-        {
+        while let Some(k) = left.iter().position(|m| {
+            m.arm == together[0].arm
+                && together.iter().any(|t| t.links.iter().any(|l| m.links.contains(l)))
+        }) {
             together.push(left.remove(k));
         }
         together.sort_by_key(|m| m.id);
@@ -178,7 +184,8 @@ fn meshes(scene: &Scene) -> Vec<TrainMesh> {
         let letter = if toothed.is_some() { 'z' } else { 'r' };
         let values = pair.sizes(&inputs);
         let mut symbol = |i: usize| {
-            let (link, size) = (pair.links[i], toothed.and_then(|z| z[i]).map_or(values[i].abs(), f64::from));
+            let (link, size) =
+                (pair.links[i], toothed.and_then(|z| z[i]).map_or(values[i].abs(), f64::from));
             if !seen.contains(&(link, size)) {
                 seen.push((link, size));
             }
@@ -186,7 +193,14 @@ fn meshes(scene: &Scene) -> Vec<TrainMesh> {
             format!("{letter}{}_{{{}}}", "'".repeat(before), scene.link_name(link))
         };
         let symbols = [symbol(0), symbol(1)];
-        out.push(TrainMesh { id: RollingId(k), arm, links: pair.links, centres, sizes: values, symbols });
+        out.push(TrainMesh {
+            id: RollingId(k),
+            arm,
+            links: pair.links,
+            centres,
+            sizes: values,
+            symbols,
+        });
     }
     out
 }
@@ -198,8 +212,12 @@ fn train(scene: &Scene, meshes: &[TrainMesh]) -> Option<GearTrain> {
     // Among equal centres the fixed one takes precedence, then the first.
     let still = |p: PointId| scene.links[scene.ground.0].points.contains(&p);
     let axis = centres().rev().max_by_key(|p| (count(*p), still(*p)))?;
-    let about = meshes.iter().flat_map(|m| [0, 1].map(|i| (m.links[i], m.centres[i]))).filter(|(_, c)| *c == axis);
-    let (first, centre) = about.min_by_key(|(l, _)| (*l == scene.ground, given(scene, *l).is_none()))?;
+    let about = meshes
+        .iter()
+        .flat_map(|m| [0, 1].map(|i| (m.links[i], m.centres[i])))
+        .filter(|(_, c)| *c == axis);
+    let (first, centre) =
+        about.min_by_key(|(l, _)| (*l == scene.ground, given(scene, *l).is_none()))?;
     let mut gears = vec![TrainGear { link: first, centre, ratio: TrainRatio::ONE }];
     loop {
         let step = meshes.iter().find_map(|m| {
@@ -207,7 +225,11 @@ fn train(scene: &Scene, meshes: &[TrainMesh]) -> Option<GearTrain> {
                 let from = gears.iter().find(|g| g.link == m.links[i])?;
                 let new = gears.iter().all(|g| g.link != m.links[j]);
                 let symbols = [m.symbols[i].clone(), m.symbols[j].clone()];
-                new.then(|| TrainGear { link: m.links[j], centre: m.centres[j], ratio: from.ratio.then([m.sizes[i], m.sizes[j]], symbols) })
+                new.then(|| TrainGear {
+                    link: m.links[j],
+                    centre: m.centres[j],
+                    ratio: from.ratio.then([m.sizes[i], m.sizes[j]], symbols),
+                })
             })
         });
         match step {
@@ -285,9 +307,16 @@ mod tests {
             for (name, wanted) in *rates {
                 let link = LinkId(scene.links.iter().position(|l| l.name == *name).unwrap());
                 let by_willis = train.gear(link).map_or(turns.arm, |g| train.rate(g, turns));
-                assert!((by_willis / rpm - wanted).abs() < 1e-12 * wanted.abs().max(100.0), "{name}: {}", by_willis / rpm);
+                assert!(
+                    (by_willis / rpm - wanted).abs() < 1e-12 * wanted.abs().max(100.0),
+                    "{name}: {}",
+                    by_willis / rpm
+                );
                 let solved = worked.solution.turning(Level::Velocity, link).unwrap();
-                assert!((solved - by_willis).abs() < 1e-10 * by_willis.abs(), "{name}: {solved} and {by_willis}");
+                assert!(
+                    (solved - by_willis).abs() < 1e-10 * by_willis.abs(),
+                    "{name}: {solved} and {by_willis}"
+                );
             }
         }
     }
@@ -298,7 +327,12 @@ mod tests {
             let (links, gears, driver, _) = TRAINS[case];
             let scene = scene(links, gears, driver);
             let train = trains(&scene).remove(0);
-            train.gears.iter().find(|g| scene.link_name(g.link) == name).map(|g| g.ratio.formula()).unwrap()
+            train
+                .gears
+                .iter()
+                .find(|g| scene.link_name(g.link) == name)
+                .map(|g| g.ratio.formula())
+                .unwrap()
         };
         assert_eq!(formula(0, "4"), "1");
         assert_eq!(formula(0, "3"), "−z_{4}/z_{3}");

@@ -18,14 +18,19 @@ pub fn symbol(find: &Find, notation: &Notation) -> String {
         && let Some(halves) = halves_of(&c, &find.text)
     {
         let [a, b] = [0, 1].map(|k| {
-            let half = Find { what: c.operands[k].asked(), text: halves[k].to_owned(), span: find.span };
+            let half =
+                Find { what: c.operands[k].asked(), text: halves[k].to_owned(), span: find.span };
             symbol(&half, notation)
         });
         return format!("{a}{}{b}", c.operation.sign());
     }
     // Names may be separated by a comma or a hyphen; a hyphen would be read as a minus. `P13D` has
     // no underscore.
-    let sub = find.text.split_once('_').map_or_else(|| find.text.strip_prefix('P').unwrap_or_default(), |(_, s)| s).replace('-', ",");
+    let sub = find
+        .text
+        .split_once('_')
+        .map_or_else(|| find.text.strip_prefix('P').unwrap_or_default(), |(_, s)| s)
+        .replace('-', ",");
     let entry = find.what.entry();
     // The notation has its own mark for tangential parts.
     let part = |sign: &str| match sign.strip_suffix('t') {
@@ -47,12 +52,20 @@ pub fn symbol(find: &Find, notation: &Notation) -> String {
     let sub = if place { point_label(sub.trim()) } else { name_label(&sub) };
     // An index in the letter comes before that of the question: F_I and 2 give F_{I2}.
     let (letter, index) = entry.letter.split_once('_').unwrap_or((entry.letter, ""));
-    let reaction = if matches!(find.what, Asked::Force(f) if f.is_reaction()) { notation.reaction.as_str() } else { "" };
+    let reaction = if matches!(find.what, Asked::Force(f) if f.is_reaction()) {
+        notation.reaction.as_str()
+    } else {
+        ""
+    };
     let sub = format!("{index}{reaction}{sub}");
     if sub.is_empty() {
         return letter.to_owned();
     }
-    if sup.is_empty() { format!("{letter}_{{{sub}}}") } else { format!("{letter}^{{{sup}}}_{{{sub}}}") }
+    if sup.is_empty() {
+        format!("{letter}_{{{sub}}}")
+    } else {
+        format!("{letter}^{{{sup}}}_{{{sub}}}")
+    }
 }
 
 /// Returns a certified number multiplied by 10^`shift`; if no digit is certain, the approximate
@@ -68,7 +81,13 @@ fn certain(c: &Certified, part: AnswerPart, digits: usize, shift: i32, rough: f6
 }
 
 /// Returns an answer's number with its unit, in the label language.
-pub fn amount(book: &Book, find: &Find, value: AnswerValue, c: &Certified, digits: usize) -> String {
+pub fn amount(
+    book: &Book,
+    find: &Find,
+    value: AnswerValue,
+    c: &Certified,
+    digits: usize,
+) -> String {
     let kind = find.what.kind();
     let chosen = book.chosen(kind).is_some();
     let number = match value {
@@ -87,32 +106,62 @@ pub fn amount(book: &Book, find: &Find, value: AnswerValue, c: &Certified, digit
         AnswerValue::Point(p) if !chosen && p.x.abs().max(p.y.abs()) < 10.0 => {
             let coordinate = |part, si: f64| certain(c, part, digits, 3, si * 1e3);
             // A unit after a number is upright; after a parenthesis it must be marked as upright.
-            return format!("({}, {})\\,\\text{{mm}}", coordinate(AnswerPart::X, p.x), coordinate(AnswerPart::Y, p.y));
+            return format!(
+                "({}, {})\\,\\text{{mm}}",
+                coordinate(AnswerPart::X, p.x),
+                coordinate(AnswerPart::Y, p.y)
+            );
         }
         AnswerValue::Point(p) => {
-            let [x, y] = if chosen { [AnswerPart::PrintedX, AnswerPart::PrintedY] } else { [AnswerPart::X, AnswerPart::Y] };
+            let [x, y] = if chosen {
+                [AnswerPart::PrintedX, AnswerPart::PrintedY]
+            } else {
+                [AnswerPart::X, AnswerPart::Y]
+            };
             let coordinate = |part, si: f64| certain(c, part, digits, 0, book.value(kind, si));
-            return format!("({}, {})\\,{}", coordinate(x, p.x), coordinate(y, p.y), book.upright(kind));
+            return format!(
+                "({}, {})\\,{}",
+                coordinate(x, p.x),
+                coordinate(y, p.y),
+                book.upright(kind)
+            );
         }
-        AnswerValue::Vector(v) => {
-            certain(c, if chosen { AnswerPart::Printed } else { AnswerPart::Magnitude }, digits, 0, book.value(kind, v.norm()))
-        }
+        AnswerValue::Vector(v) => certain(
+            c,
+            if chosen { AnswerPart::Printed } else { AnswerPart::Magnitude },
+            digits,
+            0,
+            book.value(kind, v.norm()),
+        ),
     };
     // The sense of rotation is given in words.
     book.label(kind, if kind.turns() { number.trim_start_matches('−') } else { &number })
 }
 
 /// Returns an answer's direction, or its sense of rotation in words.
-pub fn sense(find: &Find, value: AnswerValue, c: &Certified, words: &Words, digits: usize) -> Label {
+pub fn sense(
+    find: &Find,
+    value: AnswerValue,
+    c: &Certified,
+    words: &Words,
+    digits: usize,
+) -> Label {
     match value {
-        AnswerValue::Vector(v) if c.part(AnswerPart::Direction).is_some() || (c.rough_digits(digits).1 && v.norm() > 0.0) => {
-            let degrees = certain(c, AnswerPart::Direction, digits, 0, direction_degrees(v.angle()));
+        AnswerValue::Vector(v)
+            if c.part(AnswerPart::Direction).is_some()
+                || (c.rough_digits(digits).1 && v.norm() > 0.0) =>
+        {
+            let degrees =
+                certain(c, AnswerPart::Direction, digits, 0, direction_degrees(v.angle()));
             // A plain number is upright in the label language; only one with a power of ten needs
             // it.
-            let number = if degrees.contains('\\') { Label::math(degrees) } else { Label::text(degrees) };
+            let number =
+                if degrees.contains('\\') { Label::math(degrees) } else { Label::text(degrees) };
             Label::text("∠ ").then(number).then(Label::text("°"))
         }
-        AnswerValue::Scalar(s) if find.what.kind().turns() => Label::text(words.sense(c.part(AnswerPart::Scalar).map_or(s, |n| n.sign()))),
+        AnswerValue::Scalar(s) if find.what.kind().turns() => {
+            Label::text(words.sense(c.part(AnswerPart::Scalar).map_or(s, |n| n.sign())))
+        }
         AnswerValue::Vector(_) | AnswerValue::Scalar(_) | AnswerValue::Point(_) => Label::text(""),
     }
 }

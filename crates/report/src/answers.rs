@@ -11,7 +11,9 @@ use hodograph_board::plan::text::PlanWriter;
 use hodograph_mechanism::answer::AnswerValue;
 use hodograph_paper::paper::phrase::{fill, formula, sense, tr};
 use hodograph_scene::{Book, DiagramKind, Find, Kind, Lang, Scene};
-use hodograph_worked::certified::ladder::{AnswerPart, Certified, CertifiedNumber, MissingDigits, READING_DIGITS};
+use hodograph_worked::certified::ladder::{
+    AnswerPart, Certified, CertifiedNumber, MissingDigits, READING_DIGITS,
+};
 use hodograph_worked::worked::{InfiniteCentre, NoAnswer, Outcome, Unanswered, Worked};
 use serde_json::{Value as Json, json};
 use unicode_width::UnicodeWidthStr;
@@ -28,7 +30,13 @@ pub const DIGITS: usize = 6;
 
 /// Returns the complete text output of `solve`: one line per question, each number to `digits`
 /// significant digits as far as they are certain.
-pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usize, lang: Lang) -> String {
+pub fn text(
+    scene: &Scene,
+    worked: &Worked,
+    certified: &[Certified],
+    digits: usize,
+    lang: Lang,
+) -> String {
     let notation = Notation::of_language(lang);
     let w = PlanWriter { scene, plan: &worked.plan, notation: &notation, lang };
     let mut rows: Vec<[String; 5]> = Vec::new();
@@ -36,24 +44,52 @@ pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
         let (r, c) = match line {
             AnswerLine::Answer(r, c) => (r, c),
             AnswerLine::InfiniteCentre(far) => {
-                rows.push([scene.find[far.find].text.clone(), at_infinity(far, lang), String::new(), String::new(), String::new()]);
+                rows.push([
+                    scene.find[far.find].text.clone(),
+                    at_infinity(far, lang),
+                    String::new(),
+                    String::new(),
+                    String::new(),
+                ]);
                 continue;
             }
             AnswerLine::None(u) => {
                 let value = format!("{} ({})", verdict(u, lang), reason(scene, u, lang));
-                rows.push([scene.find[u.find].text.clone(), value, String::new(), String::new(), String::new()]);
+                rows.push([
+                    scene.find[u.find].text.clone(),
+                    value,
+                    String::new(),
+                    String::new(),
+                    String::new(),
+                ]);
                 continue;
             }
         };
         let find = &scene.find[r.find];
-        let tolerance = drafting::words(&scene.book, find, worked.drafting.as_ref().and_then(|d| d.tolerances[r.find].as_ref()));
+        let tolerance = drafting::words(
+            &scene.book,
+            find,
+            worked.drafting.as_ref().and_then(|d| d.tolerances[r.find].as_ref()),
+        );
         let value = value_words(&scene.book, find, r.value(), c, digits, lang);
         let remarks = [certainty_words(c, digits, lang), agreement_words(r, lang)];
         let remarks: Vec<String> = remarks.into_iter().filter(|w| !w.is_empty()).collect();
-        rows.push([find.text.clone(), value, tolerance, measured_words(&w, worked, find, r, c, digits), remarks.join("  ")]);
+        rows.push([
+            find.text.clone(),
+            value,
+            tolerance,
+            measured_words(&w, worked, find, r, c, digits),
+            remarks.join("  "),
+        ]);
     }
     // Lines without an answer do not affect the column widths.
-    let width = |i: usize| rows.iter().filter(|r| i == 0 || !r[2..].iter().all(String::is_empty)).map(|r| r[i].width()).max().unwrap_or(0);
+    let width = |i: usize| {
+        rows.iter()
+            .filter(|r| i == 0 || !r[2..].iter().all(String::is_empty))
+            .map(|r| r[i].width())
+            .max()
+            .unwrap_or(0)
+    };
     let widths = [width(0), width(1), width(2), width(3)];
     let mut out = String::new();
     let title = scene.title.get(lang);
@@ -62,16 +98,23 @@ pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
         out.push('\n');
     }
     for r in &rows {
-        let pad = |i: usize| format!("{}{}", r[i], " ".repeat(widths[i].saturating_sub(r[i].width())));
+        let pad =
+            |i: usize| format!("{}{}", r[i], " ".repeat(widths[i].saturating_sub(r[i].width())));
         let tolerance = if widths[2] > 0 { format!("  {}", pad(2)) } else { String::new() };
-        out.push_str(format!("  {} = {}{tolerance}  {}  {}", pad(0), pad(1), pad(3), r[4]).trim_end());
+        out.push_str(
+            format!("  {} = {}{tolerance}  {}  {}", pad(0), pad(1), pad(3), r[4]).trim_end(),
+        );
         out.push('\n');
     }
     if let Some(worst) = worst(worked) {
         out.push_str(&format!(
             "{}\n",
             fill(
-                tr(lang, "greatest relative difference between drawing and analysis: {}", "图解法与解析法结果的最大相对差：{}"),
+                tr(
+                    lang,
+                    "greatest relative difference between drawing and analysis: {}",
+                    "图解法与解析法结果的最大相对差：{}"
+                ),
                 &[("", &significant(worst, 1))],
             )
         ));
@@ -91,9 +134,13 @@ pub enum AnswerLine<'a> {
 
 /// Returns all questions in their order.
 pub fn lines<'a>(worked: &'a Worked, certified: &'a [Certified]) -> Vec<AnswerLine<'a>> {
-    let answered = worked.results.iter().zip(certified).map(|(r, c)| (r.find, AnswerLine::Answer(r, c)));
+    let answered =
+        worked.results.iter().zip(certified).map(|(r, c)| (r.find, AnswerLine::Answer(r, c)));
     let none = worked.unanswered.iter().map(|u| (u.find, AnswerLine::None(u)));
-    let mut all: Vec<_> = answered.chain(none).chain(worked.at_infinity.iter().map(|f| (f.find, AnswerLine::InfiniteCentre(f)))).collect();
+    let mut all: Vec<_> = answered
+        .chain(none)
+        .chain(worked.at_infinity.iter().map(|f| (f.find, AnswerLine::InfiniteCentre(f))))
+        .collect();
     all.sort_by_key(|(find, _)| *find);
     all.into_iter().map(|(_, line)| line).collect()
 }
@@ -101,7 +148,10 @@ pub fn lines<'a>(worked: &'a Worked, certified: &'a [Certified]) -> Vec<AnswerLi
 /// Returns the direction of a centre at infinity: `at infinity, ∠ 35.00°`.
 pub fn at_infinity(far: &InfiniteCentre, lang: Lang) -> String {
     match far.direction_deg {
-        Some(degrees) => fill(tr(lang, "at infinity, ∠ {}°", "无穷远处，∠ {}°"), &[("", &significant(degrees, DIRECTION_DIGITS))]),
+        Some(degrees) => fill(
+            tr(lang, "at infinity, ∠ {}°", "无穷远处，∠ {}°"),
+            &[("", &significant(degrees, DIRECTION_DIGITS))],
+        ),
         None => tr(lang, "everywhere: no relative motion", "任意点：无相对运动").to_owned(),
     }
 }
@@ -114,9 +164,19 @@ pub fn worst(worked: &Worked) -> Option<f64> {
 
 /// Returns a value with its unit and its sense or direction, to its certified digits; if none are
 /// certain, the approximate value of the `f64` solution.
-pub fn value_words(book: &Book, find: &Find, value: AnswerValue, c: &Certified, digits: usize, lang: Lang) -> String {
+pub fn value_words(
+    book: &Book,
+    find: &Find,
+    value: AnswerValue,
+    c: &Certified,
+    digits: usize,
+    lang: Lang,
+) -> String {
     let kind = find.what.kind();
-    let number = |part: AnswerPart, digits: usize, rough: f64| match c.part(part).and_then(|n| n.text(digits)) {
+    let number = |part: AnswerPart, digits: usize, rough: f64| match c
+        .part(part)
+        .and_then(|n| n.text(digits))
+    {
         Some((text, _)) => text,
         None => match c.rough_digits(digits) {
             (known, true) => significant(rough, known),
@@ -130,14 +190,30 @@ pub fn value_words(book: &Book, find: &Find, value: AnswerValue, c: &Certified, 
         None if matches!(value, AnswerValue::Vector(_)) => AnswerPart::Magnitude,
         None => AnswerPart::Scalar,
     };
-    let amount = |si: f64, sign: &str| book.text(kind, number(printed, digits, book.value(kind, si)).trim_start_matches(sign));
+    let amount = |si: f64, sign: &str| {
+        book.text(kind, number(printed, digits, book.value(kind, si)).trim_start_matches(sign))
+    };
     match value {
         AnswerValue::Vector(v) => {
             let direction = match c.part(AnswerPart::Direction) {
                 None if v.norm() > 0.0 && matches!(c.why, Some(MissingDigits::NextOrder(_))) => {
-                    format!(" ∠ {}°", number(AnswerPart::Direction, digits.saturating_sub(1).max(1), direction_degrees(v.angle())))
+                    format!(
+                        " ∠ {}°",
+                        number(
+                            AnswerPart::Direction,
+                            digits.saturating_sub(1).max(1),
+                            direction_degrees(v.angle())
+                        )
+                    )
                 }
-                Some(_) => format!(" ∠ {}°", number(AnswerPart::Direction, digits.saturating_sub(1).max(1), direction_degrees(v.angle()))),
+                Some(_) => format!(
+                    " ∠ {}°",
+                    number(
+                        AnswerPart::Direction,
+                        digits.saturating_sub(1).max(1),
+                        direction_degrees(v.angle())
+                    )
+                ),
                 None => String::new(),
             };
             format!("{}{direction}", amount(v.norm(), ""))
@@ -149,8 +225,11 @@ pub fn value_words(book: &Book, find: &Find, value: AnswerValue, c: &Certified, 
         }
         AnswerValue::Scalar(s) => amount(s, ""),
         AnswerValue::Point(p) => {
-            let [x, y] =
-                if book.chosen(kind).is_some() { [AnswerPart::PrintedX, AnswerPart::PrintedY] } else { [AnswerPart::X, AnswerPart::Y] };
+            let [x, y] = if book.chosen(kind).is_some() {
+                [AnswerPart::PrintedX, AnswerPart::PrintedY]
+            } else {
+                [AnswerPart::X, AnswerPart::Y]
+            };
             let coordinate = |part: AnswerPart, si: f64| number(part, digits, book.value(kind, si));
             book.text(kind, &format!("({}, {})", coordinate(x, p.x), coordinate(y, p.y)))
         }
@@ -184,9 +263,17 @@ fn certainty_words(c: &Certified, digits: usize, lang: Lang) -> String {
     }
 }
 
-fn measured_words(w: &PlanWriter, worked: &Worked, find: &Find, r: &Outcome, c: &Certified, digits: usize) -> String {
+fn measured_words(
+    w: &PlanWriter,
+    worked: &Worked,
+    find: &Find,
+    r: &Outcome,
+    c: &Certified,
+    digits: usize,
+) -> String {
     let lang = w.lang;
-    let others: Vec<String> = r.others.iter().map(|v| value_words(&w.scene.book, find, *v, c, digits, lang)).collect();
+    let others: Vec<String> =
+        r.others.iter().map(|v| value_words(&w.scene.book, find, *v, c, digits, lang)).collect();
     match &r.drawn {
         None if !others.is_empty() => match lang {
             Lang::En => format!("(loop equations; on the other motion {})", others.join(", ")),
@@ -198,13 +285,21 @@ fn measured_words(w: &PlanWriter, worked: &Worked, find: &Find, r: &Outcome, c: 
             // If nothing moves there is no polygon and no scale.
             Some(_) if worked.construction.is_empty(find.what.diagram()) => String::new(),
             Some(m) => {
-                let certain = |n: Option<&CertifiedNumber>| n.and_then(|n| n.text(READING_DIGITS)).map(|t| t.0);
+                let certain = |n: Option<&CertifiedNumber>| {
+                    n.and_then(|n| n.text(READING_DIGITS)).map(|t| t.0)
+                };
                 let book = &w.scene.book;
                 let arm = certain(c.reading.as_ref().and_then(|r| r.arm.as_ref()));
                 let rough = |l: f64| significant(book.value(Kind::Length, l), READING_DIGITS);
-                let arm = m.arm_m.map(|l| format!(" / {}", book.text(Kind::Length, &arm.unwrap_or_else(|| rough(l))))).unwrap_or_default();
+                let arm = m
+                    .arm_m
+                    .map(|l| {
+                        format!(" / {}", book.text(Kind::Length, &arm.unwrap_or_else(|| rough(l))))
+                    })
+                    .unwrap_or_default();
                 let length = if r.value().magnitude() == 0.0 { 0.0 } else { m.length_mm };
-                let length = certain(c.reading.as_ref().map(|r| &r.length_mm)).unwrap_or_else(|| significant(length, READING_DIGITS));
+                let length = certain(c.reading.as_ref().map(|r| &r.length_mm))
+                    .unwrap_or_else(|| significant(length, READING_DIGITS));
                 let on = find.what.diagram();
                 format!("({} {length} mm · μ {}{arm})", between(w, on, m), scale_words(book, on, m))
             }
@@ -229,7 +324,11 @@ fn between(w: &PlanWriter, on: DiagramKind, m: &MeasuredDistance) -> String {
 fn agreement_words(r: &Outcome, lang: Lang) -> String {
     match r.agreement {
         Some(a) if !a.holds() => {
-            format!("{} {}", tr(lang, "DRAWING AND ANALYSIS DISAGREE:", "图解与解析不一致："), significant(a.difference, 2))
+            format!(
+                "{} {}",
+                tr(lang, "DRAWING AND ANALYSIS DISAGREE:", "图解与解析不一致："),
+                significant(a.difference, 2)
+            )
         }
         _ => String::new(),
     }
@@ -237,7 +336,13 @@ fn agreement_words(r: &Outcome, lang: Lang) -> String {
 
 /// Returns the answers as JSON: SI values, components, the measured length, the results of drawing
 /// and analysis and their difference.
-pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usize, notes: &[Diagnostic]) -> Json {
+pub fn json(
+    scene: &Scene,
+    worked: &Worked,
+    certified: &[Certified],
+    digits: usize,
+    notes: &[Diagnostic],
+) -> Json {
     let notation = Notation::of_language(Lang::En);
     let w = PlanWriter { scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
     let elsewhere = elsewhere::drawn(scene, worked);
@@ -294,7 +399,8 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
 fn scales(worked: &Worked) -> serde_json::Map<String, Json> {
     let key = |on: DiagramKind| on.kind().scale_key().map(str::to_owned);
     let usual = DiagramKind::OF_MOTION.into_iter();
-    let mut all: serde_json::Map<String, Json> = usual.filter_map(|on| Some((key(on)?, json!(worked.construction.scale(on))))).collect();
+    let mut all: serde_json::Map<String, Json> =
+        usual.filter_map(|on| Some((key(on)?, json!(worked.construction.scale(on))))).collect();
     if let Some(of) = &worked.equilibrium {
         all.extend(key(DiagramKind::Force).map(|key| (key, json!(of.mu()))));
     }
@@ -304,7 +410,9 @@ fn scales(worked: &Worked) -> serde_json::Map<String, Json> {
 /// Returns a value in SI as JSON.
 fn value(v: AnswerValue) -> Json {
     match v {
-        AnswerValue::Vector(v) => json!({"x": v.x, "y": v.y, "magnitude": v.norm(), "angle_deg": v.angle().to_degrees()}),
+        AnswerValue::Vector(v) => {
+            json!({"x": v.x, "y": v.y, "magnitude": v.norm(), "angle_deg": v.angle().to_degrees()})
+        }
         AnswerValue::Scalar(s) => json!({"value": s}),
         AnswerValue::Point(p) => json!({"x": p.x, "y": p.y}),
     }
@@ -320,7 +428,9 @@ fn in_unit(book: &Book, find: &Find, value: AnswerValue, c: &Certified, digits: 
         AnswerValue::Vector(v) => one(v.norm()),
         AnswerValue::Scalar(s) => one(s),
         AnswerValue::Point(p) => {
-            let text = text(AnswerPart::PrintedX).zip(text(AnswerPart::PrintedY)).map(|(x, y)| format!("({x}, {y})"));
+            let text = text(AnswerPart::PrintedX)
+                .zip(text(AnswerPart::PrintedY))
+                .map(|(x, y)| format!("({x}, {y})"));
             json!({"unit": unit.name(), "x": unit.of(p.x), "y": unit.of(p.y), "text": text})
         }
     }
@@ -359,7 +469,9 @@ const NO_ANSWER: &[&str] = &[
 /// It has the keys of an answer, so that all entries have the same keys.
 fn unanswered(scene: &Scene, worked: &Worked, u: &Unanswered) -> Json {
     let (unbounded, code, links) = match &u.why {
-        NoAnswer::NoMotion(r) => (r.why == Refusal::DeadPoint, r.diagnostic.code, r.named.as_slice()),
+        NoAnswer::NoMotion(r) => {
+            (r.why == Refusal::DeadPoint, r.diagnostic.code, r.named.as_slice())
+        }
         NoAnswer::NoValue(_) => (false, "not-defined", [].as_slice()),
         NoAnswer::Infinite(_) => (true, "infinite", [].as_slice()),
     };
@@ -400,7 +512,10 @@ fn certificate(c: &Certified, digits: usize) -> Json {
         .map(|(part, n)| {
             let (text, certain) = n.text(digits).map_or((None, 0), |(t, k)| (Some(t), k));
             let e = n.enclosure();
-            (part.key().into(), json!({"value": e.approx, "radius": e.radius, "text": text, "digits": certain}))
+            (
+                part.key().into(),
+                json!({"value": e.approx, "radius": e.radius, "text": text, "digits": certain}),
+            )
         })
         .collect();
     json!({"rung": c.rung.name(), "complete": c.why.is_none(), "why": c.why.as_ref().map(|w| w.words(Lang::En)), "numbers": numbers})

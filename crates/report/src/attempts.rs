@@ -68,7 +68,11 @@ impl AttemptWords<'_> {
     /// Returns the heading with names of points as formulas.
     pub fn heading_set(&self, a: &Attempt) -> Phrase {
         let (title, place) = (a.site.mistake().title(self.lang), a.site.place(self.scene));
-        let contact = if let Site::ContactPoint(c, _) = a.site { Some(contact::name(self.scene, c)) } else { None };
+        let contact = if let Site::ContactPoint(c, _) = a.site {
+            Some(contact::name(self.scene, c))
+        } else {
+            None
+        };
         let place = self.points_set(self.lang.of(&place), contact.as_deref());
         Phrase::new(&match self.lang {
             Lang::En => format!("{title}, {place}"),
@@ -82,7 +86,8 @@ impl AttemptWords<'_> {
         let mut out = String::new();
         let mut name = String::new();
         let set = |name: &mut String, out: &mut String| {
-            let point = contact == Some(name.as_str()) || self.scene.points.iter().any(|p| p.name == *name);
+            let point =
+                contact == Some(name.as_str()) || self.scene.points.iter().any(|p| p.name == *name);
             if point {
                 out.push_str(&format!("${}$", name_label(name)));
             } else {
@@ -105,7 +110,12 @@ impl AttemptWords<'_> {
 
     /// Returns writers for the right and the wrong equations.
     pub fn writers<'b>(&'b self, a: &'b Attempt) -> [PlanWriter<'b>; 2] {
-        [&a.right, &a.wrong].map(|s| PlanWriter { scene: &s.scene, plan: &s.worked.plan, notation: self.notation, lang: self.lang })
+        [&a.right, &a.wrong].map(|s| PlanWriter {
+            scene: &s.scene,
+            plan: &s.worked.plan,
+            notation: self.notation,
+            lang: self.lang,
+        })
     }
 
     /// Returns the equation that shows the mistake; `None` if the mistake is in a statement.
@@ -119,10 +129,17 @@ impl AttemptWords<'_> {
         let PlanStep::Equation { target, chains, .. } = step else { return None };
         let columns = w.columns(*on, *target, chains);
         let is_framed = |c: &EquationColumn| c.term.is_some_and(|t| framed.contains(&t));
-        let mut all: Vec<Framed> = columns.into_iter().map(|column| Framed { framed: is_framed(&column), column }).collect();
+        let mut all: Vec<Framed> = columns
+            .into_iter()
+            .map(|column| Framed { framed: is_framed(&column), column })
+            .collect();
         if let Some(m) = missing {
-            let (symbol, direction, magnitude) = (m.symbol.clone(), m.direction.clone(), m.magnitude.clone());
-            all.push(Framed { column: EquationColumn { joint: "+", symbol, direction, magnitude, term: None }, framed: true });
+            let (symbol, direction, magnitude) =
+                (m.symbol.clone(), m.direction.clone(), m.magnitude.clone());
+            all.push(Framed {
+                column: EquationColumn { joint: "+", symbol, direction, magnitude, term: None },
+                framed: true,
+            });
         }
         Some(all)
     }
@@ -132,7 +149,8 @@ impl AttemptWords<'_> {
         let [_, w] = self.writers(a);
         let PlanStep::Image { target, from, .. } = &a.shown.step else { return None };
         let on = a.shown.on;
-        let images = format!("{}{}{}", w.image(on, from.0), w.image(on, from.1), w.image(on, *target));
+        let images =
+            format!("{}{}{}", w.image(on, from.0), w.image(on, from.1), w.image(on, *target));
         let spots = format!("{}{}{}", w.spot(from.0), w.spot(from.1), w.spot(*target));
         let (vector, similar) = (w.vector(on, *target), &w.notation.similar);
         let image = match self.lang {
@@ -144,7 +162,8 @@ impl AttemptWords<'_> {
 
     /// Returns the legend of the frame.
     pub fn frame(&self, a: &Attempt) -> &'static str {
-        let missing = matches!((&a.shown.missing, a.shown.side), (Some(_), _) | (None, SolutionSide::Right));
+        let missing =
+            matches!((&a.shown.missing, a.shown.side), (Some(_), _) | (None, SolutionSide::Right));
         match (missing, printed(a)) {
             (true, true) => self.tr("framed: left out in print", "框内：原解漏掉的项"),
             (false, true) => self.tr("framed: wrong in print", "框内：原解中错误的部分"),
@@ -156,9 +175,15 @@ impl AttemptWords<'_> {
     /// Returns the legend of the drawing.
     pub fn frame_of_drawing(&self, a: &Attempt) -> &'static str {
         if printed(a) {
-            self.tr("Right (black) and as printed (red, *), from one pole", "正确解（黑）与原解（红，加 *），同一极点")
+            self.tr(
+                "Right (black) and as printed (red, *), from one pole",
+                "正确解（黑）与原解（红，加 *），同一极点",
+            )
         } else {
-            self.tr("Right (black) and as it is often done (red, *), from one pole", "正确解（黑）与常见错解（红，加 *），同一极点")
+            self.tr(
+                "Right (black) and as it is often done (red, *), from one pole",
+                "正确解（黑）与常见错解（红，加 *），同一极点",
+            )
         }
     }
 
@@ -168,9 +193,16 @@ impl AttemptWords<'_> {
         match value {
             AnswerValue::Scalar(s) if kind.turns() => {
                 let words = if s == 0.0 { "" } else { sense(self.lang, s) };
-                format!("${}$ {words}", book.label(kind, &number(book.value(kind, s.abs()), DIGITS))).trim_end().to_owned()
+                format!(
+                    "${}$ {words}",
+                    book.label(kind, &number(book.value(kind, s.abs()), DIGITS))
+                )
+                .trim_end()
+                .to_owned()
             }
-            AnswerValue::Scalar(s) => format!("${}$", book.label(kind, &number(book.value(kind, s), DIGITS))),
+            AnswerValue::Scalar(s) => {
+                format!("${}$", book.label(kind, &number(book.value(kind, s), DIGITS)))
+            }
             AnswerValue::Vector(v) => {
                 let size = book.label(kind, &number(book.value(kind, v.norm()), DIGITS));
                 if v.norm() == 0.0 {
@@ -198,7 +230,9 @@ impl AttemptWords<'_> {
         let words = words(self.lang);
         let told = certified_sense(find, r.value(), c, words, self.digits).plain();
         let told = if zero(r.value()) { String::new() } else { told };
-        format!("${}$ {told}", amount(&self.scene.book, find, r.value(), c, self.digits)).trim_end().to_owned()
+        format!("${}$ {told}", amount(&self.scene.book, find, r.value(), c, self.digits))
+            .trim_end()
+            .to_owned()
     }
 
     /// Returns the line of a question: printed value, value by that equation, true value.
@@ -209,7 +243,12 @@ impl AttemptWords<'_> {
 
     /// Returns the line of a question without formulas: the quantity is written as in `find`.
     fn plain_row(&self, row: &AttemptAnswer) -> String {
-        format!("{}{}{}", self.asked(row).text, self.tr(": ", "："), Phrase::new(&self.comparison(row)).plain())
+        format!(
+            "{}{}{}",
+            self.asked(row).text,
+            self.tr(": ", "："),
+            Phrase::new(&self.comparison(row)).plain()
+        )
     }
 
     fn asked(&self, row: &AttemptAnswer) -> &Find {
@@ -219,14 +258,28 @@ impl AttemptWords<'_> {
     fn comparison(&self, row: &AttemptAnswer) -> String {
         let find = self.asked(row);
         let mut parts = Vec::new();
-        parts.extend(row.printed.as_ref().map(|p| format!("{} {}", self.tr("printed", "原书"), self.printed(find, p))));
+        parts.extend(
+            row.printed
+                .as_ref()
+                .map(|p| format!("{} {}", self.tr("printed", "原书"), self.printed(find, p))),
+        );
         match row.wrong {
-            Some(v) => parts.push(format!("{} {}", self.tr("by that equation", "按该方程"), self.plain(find, v))),
+            Some(v) => parts.push(format!(
+                "{} {}",
+                self.tr("by that equation", "按该方程"),
+                self.plain(find, v)
+            )),
             None => parts.push(self.tr("not answered by that equation", "该方程不能求").to_owned()),
         }
         parts.push(format!("{} {}", self.tr("true", "正确值"), self.truth(row)));
         if !reproduced(row) {
-            parts.push(self.tr("the printed number does not come from this mistake", "原书数值并非由此错误得出").to_owned());
+            parts.push(
+                self.tr(
+                    "the printed number does not come from this mistake",
+                    "原书数值并非由此错误得出",
+                )
+                .to_owned(),
+            );
         }
         parts.join(" · ")
     }
@@ -246,7 +299,10 @@ impl AttemptWords<'_> {
     pub fn gap(&self, a: &Attempt) -> Phrase {
         let [_, wrong] = self.writers(a);
         let kind = a.gap.on.kind();
-        let size = self.scene.book.label(kind, &number(self.scene.book.value(kind, a.gap.vector.norm()), DIGITS));
+        let size = self
+            .scene
+            .book
+            .label(kind, &number(self.scene.book.value(kind, a.gap.vector.norm()), DIGITS));
         let name = gap_symbol(&wrong, a);
         match self.lang {
             Lang::En => Phrase::new(&format!("gap between the tips: $|{name}| = {size}$")),
@@ -256,7 +312,8 @@ impl AttemptWords<'_> {
 
     /// Returns the reason for the mistake, in the author's words if there are any.
     pub fn why(&self, a: &Attempt) -> Phrase {
-        let said = a.said.as_ref().and_then(|s| s.why.as_ref()).map(|w| w.get(self.lang).to_owned());
+        let said =
+            a.said.as_ref().and_then(|s| s.why.as_ref()).map(|w| w.get(self.lang).to_owned());
         let why = a.site.why(self.scene);
         match (said, self.lang) {
             (Some(said), _) => Phrase::of_words(&said),
@@ -281,7 +338,11 @@ fn zero(v: AnswerValue) -> bool {
 /// Returns a printed number without trailing zeros.
 fn significant_at_most(value: f64) -> String {
     let long = significant(value, PRINTED_DIGITS);
-    if long.contains('.') && !long.contains('e') { long.trim_end_matches('0').trim_end_matches('.').to_owned() } else { long }
+    if long.contains('.') && !long.contains('e') {
+        long.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        long
+    }
 }
 
 /// Returns the symbol of the gap: `\Delta a_{E3}`.
@@ -313,7 +374,14 @@ pub fn text(words: &AttemptWords, all: &[Attempt]) -> String {
         lines.push(title.to_owned());
     }
     if all.is_empty() {
-        lines.push(words.tr("no known mistake changes an answer of this scene", "本题中没有会改变结果的典型错误").to_owned());
+        lines.push(
+            words
+                .tr(
+                    "no known mistake changes an answer of this scene",
+                    "本题中没有会改变结果的典型错误",
+                )
+                .to_owned(),
+        );
     }
     for (k, a) in all.iter().enumerate() {
         lines.push(String::new());
@@ -322,11 +390,22 @@ pub fn text(words: &AttemptWords, all: &[Attempt]) -> String {
             let part = |f: &Framed| {
                 let symbol = hodograph_paper::paper::phrase::formula(&f.column.symbol);
                 let symbol = if f.framed { format!("[{symbol}]") } else { symbol };
-                if f.column.joint.is_empty() { symbol } else { format!("{} {symbol}", f.column.joint) }
+                if f.column.joint.is_empty() {
+                    symbol
+                } else {
+                    format!("{} {symbol}", f.column.joint)
+                }
             };
             let formula = columns.iter().map(part).collect::<Vec<_>>().join(" ");
             let frame = words.frame(a);
-            lines.push(format!("    {formula}    {}", if words.lang == Lang::Zh { format!("（{frame}）") } else { format!("({frame})") }));
+            lines.push(format!(
+                "    {formula}    {}",
+                if words.lang == Lang::Zh {
+                    format!("（{frame}）")
+                } else {
+                    format!("({frame})")
+                }
+            ));
         }
         lines.extend(words.statement(a).map(|p| format!("    {}", p.plain())));
         lines.extend(a.rows.iter().map(|r| format!("    {}", words.plain_row(r))));
@@ -354,7 +433,10 @@ pub fn json(words: &AttemptWords, all: &[Attempt]) -> Json {
             })
         };
         let framed = words.equation(a).map(|all| {
-            all.iter().filter(|f| f.framed).map(|f| hodograph_paper::paper::phrase::formula(&f.column.symbol)).collect::<Vec<_>>()
+            all.iter()
+                .filter(|f| f.framed)
+                .map(|f| hodograph_paper::paper::phrase::formula(&f.column.symbol))
+                .collect::<Vec<_>>()
         });
         json!({
             "mistake": a.site.mistake().name(),

@@ -6,7 +6,8 @@ mod told;
 pub use told::{CamNumber, Now, PrintedUnit};
 
 use hodograph_base::cam::{
-    CamExtreme, CamMotion, CamSurvey, Disc, Fault, Follower, FollowerTip, Jump, MotionLaw, PieceSide, Shock, StageMotion, in_turn, round,
+    CamExtreme, CamMotion, CamSurvey, Disc, Fault, Follower, FollowerTip, Jump, MotionLaw,
+    PieceSide, Shock, StageMotion, in_turn, round,
 };
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::digits::significant;
@@ -69,10 +70,12 @@ impl Report<'_> {
             PrintedUnit::Si => text,
             PrintedUnit::Degrees => in_degrees(&text),
             PrintedUnit::Lift(0) if self.swings() => in_degrees(&text),
-            PrintedUnit::Length | PrintedUnit::Lift(0) => match self.scene.book.chosen(Kind::Length) {
-                Some(chosen) => chosen.text(&text),
-                None => format!("{text} {}", self.scene.length_unit.name),
-            },
+            PrintedUnit::Length | PrintedUnit::Lift(0) => {
+                match self.scene.book.chosen(Kind::Length) {
+                    Some(chosen) => chosen.text(&text),
+                    None => format!("{text} {}", self.scene.length_unit.name),
+                }
+            }
             PrintedUnit::Lift(order) => self.scene.book.text(self.kind_of(order), &text),
         }
     }
@@ -90,7 +93,14 @@ impl Report<'_> {
         let station = self.disc().station(phi, side)?;
         let [w, a] = self.turning.rates(self.scene);
         let [s, v, acceleration, _] = self.survey.lift(self.disc(), phi, side)?;
-        Some([s, v * w, acceleration * w * w + v * a, station.pressure, station.rho, station.rho_pitch])
+        Some([
+            s,
+            v * w,
+            acceleration * w * w + v * a,
+            station.pressure,
+            station.rho,
+            station.rho_pitch,
+        ])
     }
 
     /// Returns the report as text.
@@ -139,11 +149,19 @@ impl Report<'_> {
                     self.say(CamNumber::Distance, PrintedUnit::Length, pivot.norm())
                 ));
                 if arm > 0.0 {
-                    line(format!("  {} l = {}", tr(lang, "arm", "摆杆长"), self.say(CamNumber::Arm, PrintedUnit::Length, arm)));
+                    line(format!(
+                        "  {} l = {}",
+                        tr(lang, "arm", "摆杆长"),
+                        self.say(CamNumber::Arm, PrintedUnit::Length, arm)
+                    ));
                 }
             }
         }
-        line(format!("  {} h = {}", tr(lang, "stroke", "行程"), self.say(CamNumber::Stroke, PrintedUnit::Lift(0), self.survey.stroke)));
+        line(format!(
+            "  {} h = {}",
+            tr(lang, "stroke", "行程"),
+            self.say(CamNumber::Stroke, PrintedUnit::Lift(0), self.survey.stroke)
+        ));
         let s = self.survey;
         line(format!(
             "  {}",
@@ -157,46 +175,78 @@ impl Report<'_> {
         if let CamMotion::Law { program, .. } = &self.disc().motion {
             let (joints, outer) = (program.joints(), program.outer());
             for (k, stage) in program.stages.iter().enumerate() {
-                let [from, to] = [k, k + 1].map(|k| self.say(CamNumber::Start(k), PrintedUnit::Degrees, joints[k]));
+                let [from, to] = [k, k + 1]
+                    .map(|k| self.say(CamNumber::Start(k), PrintedUnit::Degrees, joints[k]));
                 line(format!("  {from:>8} – {to:<8} {}", self.stage(k, stage.way, outer[k], lang)));
             }
         }
         let w = self.omega();
-        let marks = [(1, [0, 1].map(CamExtreme::Rate), s.velocity), (2, [0, 1].map(CamExtreme::Bend), s.acceleration)];
+        let marks = [
+            (1, [0, 1].map(CamExtreme::Rate), s.velocity),
+            (2, [0, 1].map(CamExtreme::Bend), s.acceleration),
+        ];
         for (order, mark, list) in marks {
             let factor = if order == 1 { w } else { w * w };
             let told = |k: usize| {
                 let at = self.say(CamNumber::At(mark[k]), PrintedUnit::Degrees, list[k].0);
-                (at, self.say(CamNumber::Most(mark[k]), PrintedUnit::Lift(order), list[k].1 * factor))
+                (
+                    at,
+                    self.say(
+                        CamNumber::Most(mark[k]),
+                        PrintedUnit::Lift(order),
+                        list[k].1 * factor,
+                    ),
+                )
             };
             let [low, high] = [told(0), told(1)];
             let symbol = self.symbol(order);
             line(match lang {
-                Lang::En => format!("  {symbol}: {} at φ = {}, {} at φ = {}", high.1, high.0, low.1, low.0),
-                Lang::Zh => format!("  φ = {} 时 {symbol} = {}，φ = {} 时 {symbol} = {}", high.0, high.1, low.0, low.1),
+                Lang::En => {
+                    format!("  {symbol}: {} at φ = {}, {} at φ = {}", high.1, high.0, low.1, low.0)
+                }
+                Lang::Zh => format!(
+                    "  φ = {} 时 {symbol} = {}，φ = {} 时 {symbol} = {}",
+                    high.0, high.1, low.0, low.1
+                ),
             });
         }
         for (k, j) in s.jumps.iter().enumerate() {
             line(format!("  {}", self.jump(k, j, lang)));
         }
-        let names =
-            [tr(lang, "greatest pressure angle, out", "推程最大压力角"), tr(lang, "greatest pressure angle, back", "回程最大压力角")];
+        let names = [
+            tr(lang, "greatest pressure angle, out", "推程最大压力角"),
+            tr(lang, "greatest pressure angle, back", "回程最大压力角"),
+        ];
         for (k, name) in names.into_iter().enumerate() {
             if s.pressure[k].is_some() {
-                line(format!("  {name}{}", self.valued(CamExtreme::Pressure(k), s.pressure[k], lang)));
+                line(format!(
+                    "  {name}{}",
+                    self.valued(CamExtreme::Pressure(k), s.pressure[k], lang)
+                ));
             }
         }
         if s.least_rho.is_some() {
             let name = match self.disc().touch {
-                FollowerTip::Point { .. } => tr(lang, "least convex radius of the pitch curve", "理论廓线外凸部分的最小曲率半径"),
-                FollowerTip::Flat { .. } => tr(lang, "least radius of the profile", "廓线的最小曲率半径"),
+                FollowerTip::Point { .. } => tr(
+                    lang,
+                    "least convex radius of the pitch curve",
+                    "理论廓线外凸部分的最小曲率半径",
+                ),
+                FollowerTip::Flat { .. } => {
+                    tr(lang, "least radius of the profile", "廓线的最小曲率半径")
+                }
             };
             line(format!("  {name}{}", self.valued(CamExtreme::Radius, s.least_rho, lang)));
         }
         if let Some([lift, v, a, pressure, rho, rho_pitch]) = self.now() {
             let lifts = [lift, v, a].into_iter().enumerate();
-            let lifts =
-                lifts.map(|(k, x)| format!("{} = {}", self.symbol(k), self.say(CamNumber::Now(Now::Lift(k)), PrintedUnit::Lift(k), x)));
+            let lifts = lifts.map(|(k, x)| {
+                format!(
+                    "{} = {}",
+                    self.symbol(k),
+                    self.say(CamNumber::Now(Now::Lift(k)), PrintedUnit::Lift(k), x)
+                )
+            });
             line(format!(
                 "  {} φ = {}{}{}",
                 tr(lang, "at the instant", "图示位置"),
@@ -206,7 +256,8 @@ impl Report<'_> {
             ));
             let alpha = match self.disc().touch {
                 FollowerTip::Point { .. } => {
-                    let pressure = self.say(CamNumber::Now(Now::Pressure), PrintedUnit::Degrees, pressure);
+                    let pressure =
+                        self.say(CamNumber::Now(Now::Pressure), PrintedUnit::Degrees, pressure);
                     format!("{} {pressure}{comma}", tr(lang, "pressure angle", "压力角"))
                 }
                 FollowerTip::Flat { .. } => String::new(),
@@ -217,7 +268,10 @@ impl Report<'_> {
                 let told = self.say(CamNumber::Now(Now::Pitch), PrintedUnit::Length, rho_pitch);
                 format!("{comma}{} {told}", tr(lang, "of the pitch curve", "理论廓线"))
             };
-            line(format!("    {alpha}ρ = {}{pitch}", self.say(CamNumber::Now(Now::Rho), PrintedUnit::Length, rho)));
+            line(format!(
+                "    {alpha}ρ = {}{pitch}",
+                self.say(CamNumber::Now(Now::Rho), PrintedUnit::Length, rho)
+            ));
         }
         out
     }
@@ -230,9 +284,13 @@ impl Report<'_> {
             Lang::Zh => l.name_zh().to_owned(),
         };
         match way {
-            StageMotion::Rise(h, l) => format!("{} {}{comma}{}", tr(lang, "rise", "推程"), gain(h), law(l)),
+            StageMotion::Rise(h, l) => {
+                format!("{} {}{comma}{}", tr(lang, "rise", "推程"), gain(h), law(l))
+            }
             StageMotion::Dwell => dwell(out, lang).to_owned(),
-            StageMotion::Return(h, l) => format!("{} {}{comma}{}", tr(lang, "return", "回程"), gain(h), law(l)),
+            StageMotion::Return(h, l) => {
+                format!("{} {}{comma}{}", tr(lang, "return", "回程"), gain(h), law(l))
+            }
         }
     }
 
@@ -240,9 +298,14 @@ impl Report<'_> {
     /// `：30°（φ = 60° 时）`.
     fn valued(&self, mark: CamExtreme, found: Option<(f64, f64)>, lang: Lang) -> String {
         let (phi, value) = found.unwrap_or_default();
-        let unit = if mark == CamExtreme::Radius { PrintedUnit::Length } else { PrintedUnit::Degrees };
+        let unit =
+            if mark == CamExtreme::Radius { PrintedUnit::Length } else { PrintedUnit::Degrees };
         let at = self.say(CamNumber::At(mark), PrintedUnit::Degrees, phi);
-        let value = self.say(CamNumber::Most(mark), unit, if mark == CamExtreme::Radius { value } else { value.abs() });
+        let value = self.say(
+            CamNumber::Most(mark),
+            unit,
+            if mark == CamExtreme::Radius { value } else { value.abs() },
+        );
         match lang {
             Lang::En => format!(": {value} at φ = {at}"),
             Lang::Zh => format!("：{value}（φ = {at} 时）"),
@@ -257,7 +320,9 @@ impl Report<'_> {
         };
         let order = j.shock.order();
         let (symbol, factor) = (self.symbol(order), libm::pow(self.omega(), order as f64));
-        let [b, a] = [0, 1].map(|side| self.say(CamNumber::Jump(k, side), PrintedUnit::Lift(order), j.sides[side] * factor));
+        let [b, a] = [0, 1].map(|side| {
+            self.say(CamNumber::Jump(k, side), PrintedUnit::Lift(order), j.sides[side] * factor)
+        });
         let at = self.say(CamNumber::JumpAt(k), PrintedUnit::Degrees, in_turn(j.phi));
         match lang {
             Lang::En => format!("{name} at φ = {at}: {symbol} from {b} to {a}"),
@@ -269,8 +334,7 @@ impl Report<'_> {
     pub fn json(&self) -> Json {
         let s = self.survey;
         let near = |which: CamNumber, rough: f64| self.nearest(which, rough);
-        let place =
-            |mark: CamExtreme, e: (f64, f64)| json!({"phi": near(CamNumber::At(mark), e.0), "value": near(CamNumber::ByPhi(mark), e.1)});
+        let place = |mark: CamExtreme, e: (f64, f64)| json!({"phi": near(CamNumber::At(mark), e.0), "value": near(CamNumber::ByPhi(mark), e.1)});
         let now = self.now().map(|[lift, v, a, pressure, rho, pitch]| {
             let of = |now: Now, rough: f64| near(CamNumber::Now(now), rough);
             json!({"phi": of(Now::Phi, in_turn(self.turning.phi)), "s": of(Now::Lift(0), lift), "v": of(Now::Lift(1), v), "a": of(Now::Lift(2), a),
@@ -290,7 +354,9 @@ impl Report<'_> {
             })
             .collect();
         let angle = |way: i8, out: bool| near(CamNumber::Phase(way, out), s.angle(way, out));
-        let both = |mark: fn(usize) -> CamExtreme, list: [(f64, f64); 2]| [0, 1].map(|k| place(mark(k), list[k]));
+        let both = |mark: fn(usize) -> CamExtreme, list: [(f64, f64); 2]| {
+            [0, 1].map(|k| place(mark(k), list[k]))
+        };
         let pressure = |k: usize| s.pressure[k].map(|e| place(CamExtreme::Pressure(k), e));
         json!({
             "cam": self.scene.link_name(self.cam.cam),
@@ -413,7 +479,9 @@ impl Report<'_> {
             if side == PieceSide::Before && phi < TAU - 1e-9 {
                 continue;
             }
-            let Some([lift, dq, ddq, _]) = self.survey.lift(self.disc(), phi, side) else { continue };
+            let Some([lift, dq, ddq, _]) = self.survey.lift(self.disc(), phi, side) else {
+                continue;
+            };
             let row = [
                 phi.to_degrees(),
                 lift * factor,
@@ -440,7 +508,8 @@ pub fn dwell(outer: bool, lang: Lang) -> &'static str {
 
 /// Returns degrees without trailing zeros.
 fn in_degrees(text: &str) -> String {
-    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text };
+    let text =
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text };
     format!("{text}°")
 }
 

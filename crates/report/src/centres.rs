@@ -6,7 +6,8 @@ use super::writing::PointForm;
 use hodograph_base::digits::{direction_degrees, line_degrees, significant};
 use hodograph_mechanism::answer::AnswerValue;
 use hodograph_methods::centres::{
-    Centre, CentreMethod, CentreMotion, CentreMotionSource, CentrePlace, Centres, LinkPair, RelativeMotion, Speed, omega, velocity,
+    Centre, CentreMethod, CentreMotion, CentreMotionSource, CentrePlace, Centres, LinkPair,
+    RelativeMotion, Speed, omega, velocity,
 };
 use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{Kind, Lang, LinkId, Scene};
@@ -75,13 +76,21 @@ impl<'a> CentreWords<'a> {
         let (n, all, primary) = (c.links.len(), c.steps.len(), c.primary);
         let more = all - primary - taken;
         match (self.lang, taken) {
-            (Lang::En, 0) => format!("{n} links, {all} centres: {primary} at the pairs, {more} by the theorem of three centres"),
+            (Lang::En, 0) => format!(
+                "{n} links, {all} centres: {primary} at the pairs, {more} by the theorem of three centres"
+            ),
             (Lang::En, _) => {
-                format!("{n} links, {all} centres: {primary} at the pairs, {taken} from velocities, {more} by the theorem of three centres")
+                format!(
+                    "{n} links, {all} centres: {primary} at the pairs, {taken} from velocities, {more} by the theorem of three centres"
+                )
             }
-            (Lang::Zh, 0) => format!("{n} 个构件，{all} 个瞬心：{primary} 个由运动副直接得到，{more} 个由三心定理求得"),
+            (Lang::Zh, 0) => format!(
+                "{n} 个构件，{all} 个瞬心：{primary} 个由运动副直接得到，{more} 个由三心定理求得"
+            ),
             (Lang::Zh, _) => {
-                format!("{n} 个构件，{all} 个瞬心：{primary} 个由运动副直接得到，{taken} 个由速度求得，{more} 个由三心定理求得")
+                format!(
+                    "{n} 个构件，{all} 个瞬心：{primary} 个由运动副直接得到，{taken} 个由速度求得，{more} 个由三心定理求得"
+                )
             }
         }
     }
@@ -101,7 +110,8 @@ impl<'a> CentreWords<'a> {
     /// Returns a length in that unit.
     pub fn length(&self, m: f64) -> String {
         let (name, per_metre) = self.unit();
-        let m = if m.abs() <= ROUNDING * self.found.worked.configuration.extent() { 0.0 } else { m };
+        let m =
+            if m.abs() <= ROUNDING * self.found.worked.configuration.extent() { 0.0 } else { m };
         format!("{} {name}", significant(m * per_metre, DIGITS))
     }
 
@@ -128,11 +138,15 @@ impl<'a> CentreWords<'a> {
             let mut row = vec![c.step.pair.name(self.scene), c.round.to_string(), self.how(c)];
             match c.place {
                 Some(CentrePlace::At(p)) => row.extend([number(p.x, c), number(p.y, c)]),
-                Some(CentrePlace::Infinity(u)) => row
-                    .extend([tr(lang, "at infinity", "无穷远").to_owned(), format!("∠ {}°", significant(line_degrees(u.angle()), DIGITS))]),
+                Some(CentrePlace::Infinity(u)) => row.extend([
+                    tr(lang, "at infinity", "无穷远").to_owned(),
+                    format!("∠ {}°", significant(line_degrees(u.angle()), DIGITS)),
+                ]),
                 None => row.extend([tr(lang, "not determined", "不定").to_owned(), String::new()]),
             }
-            row.extend(by_hand.map(|t| t.centres[k].map_or_else(|| "–".to_owned(), |m| significant(m * per_metre, 2))));
+            row.extend(by_hand.map(|t| {
+                t.centres[k].map_or_else(|| "–".to_owned(), |m| significant(m * per_metre, 2))
+            }));
             rows.push(row);
         }
         rows
@@ -140,7 +154,8 @@ impl<'a> CentreWords<'a> {
 
     /// Returns the meaning of the tolerances, if there are any.
     fn by_hand(&self) -> Option<String> {
-        let (pencil, mu) = (self.found.by_hand.as_ref()?.pencil_mm, self.found.worked.construction.diagram.mu);
+        let (pencil, mu) =
+            (self.found.by_hand.as_ref()?.pencil_mm, self.found.worked.construction.diagram.mu);
         Some(drafting::by_hand_words(self.lang, pencil, mu))
     }
 
@@ -163,7 +178,9 @@ impl<'a> CentreWords<'a> {
                 "checked by the loop equations: each centre has the same velocity on both links ({residual}); the three centres of any three links are collinear ({triple})"
             ),
             Lang::Zh => {
-                format!("用封闭矢量方程（解析法）校核：各瞬心在两构件上的速度相同（{residual}），任意三个构件的三个瞬心共线（{triple}）")
+                format!(
+                    "用封闭矢量方程（解析法）校核：各瞬心在两构件上的速度相同（{residual}），任意三个构件的三个瞬心共线（{triple}）"
+                )
             }
         }
     }
@@ -181,7 +198,11 @@ impl<'a> CentreWords<'a> {
     /// Returns the symbol of a link's ω relative to the frame.
     fn symbol(&self, l: LinkId) -> String {
         let (name, frame) = (self.scene.link_name(l), self.found.uses.frame);
-        let of = if frame == self.scene.ground { name.to_owned() } else { format!("{name}/{}", self.scene.link_name(frame)) };
+        let of = if frame == self.scene.ground {
+            name.to_owned()
+        } else {
+            format!("{name}/{}", self.scene.link_name(frame))
+        };
         self.writing.indexed("ω", &of)
     }
 
@@ -195,14 +216,23 @@ impl<'a> CentreWords<'a> {
         let uses = &self.found.uses;
         let mut steps = Vec::new();
         if self.found.at_rest {
-            steps.push(tr(self.lang, "the drivers are at rest: a unit of their rate is taken", "原动件静止：取单位速度").to_owned());
+            steps.push(
+                tr(
+                    self.lang,
+                    "the drivers are at rest: a unit of their rate is taken",
+                    "原动件静止：取单位速度",
+                )
+                .to_owned(),
+            );
         }
         steps.extend(uses.links.iter().map(|t| self.turning(t)));
         steps.extend(uses.points.iter().map(|s| self.speed(s)));
         match self.writing {
             PointForm::Plain => steps,
             // Adjacent names form one formula; column spacing is for terminals only.
-            PointForm::Marked => steps.iter().map(|s| s.replace("$$", "").replace("  ", " ")).collect(),
+            PointForm::Marked => {
+                steps.iter().map(|s| s.replace("$$", "").replace("  ", " ")).collect()
+            }
         }
     }
 
@@ -220,7 +250,8 @@ impl<'a> CentreWords<'a> {
 
     /// Returns the angular velocity of a link relative to the frame; zero if it is only rounding.
     fn rate_of(&self, l: LinkId) -> f64 {
-        let rate = |t: &CentreMotion| if let RelativeMotion::Turn(omega) = t.motion { omega } else { 0.0 };
+        let rate =
+            |t: &CentreMotion| if let RelativeMotion::Turn(omega) = t.motion { omega } else { 0.0 };
         let most = self.found.uses.links.iter().map(|t| rate(t).abs()).fold(0.0, f64::max);
         self.of(l).map(rate).filter(|omega| omega.abs() > ROUNDING * most).unwrap_or(0.0)
     }
@@ -257,7 +288,15 @@ impl<'a> CentreWords<'a> {
         match t.by {
             CentreMotionSource::Driver | CentreMotionSource::Analysis => {
                 let why = if t.by == CentreMotionSource::Driver {
-                    tr(lang, if self.scene.drivers.len() > 1 { "  (a driver)" } else { "  (the driver)" }, "（原动件）")
+                    tr(
+                        lang,
+                        if self.scene.drivers.len() > 1 {
+                            "  (a driver)"
+                        } else {
+                            "  (the driver)"
+                        },
+                        "（原动件）",
+                    )
                 } else {
                     tr(lang, "  (by the analysis)", "（由解析法）")
                 };
@@ -271,37 +310,65 @@ impl<'a> CentreWords<'a> {
                 let (o, c) = (self.name(frame, t.link), self.name(frame, link));
                 let sense = match (lang, rate * self.rate_of(link)) {
                     (_, 0.0) => String::new(),
-                    (Lang::En, p) if p > 0.0 => format!("; {x} lies outside {c}{o}: the same sense"),
+                    (Lang::En, p) if p > 0.0 => {
+                        format!("; {x} lies outside {c}{o}: the same sense")
+                    }
                     (Lang::En, _) => format!("; {x} lies between {c} and {o}: opposite senses"),
                     (Lang::Zh, p) if p > 0.0 => format!("；{x} 在 {c}{o} 之外：转向相同"),
                     (Lang::Zh, _) => format!("；{x} 在 {c}{o} 之间：转向相反"),
                 };
                 let ratio = significant(if rate == 0.0 { 0.0 } else { of_other / arm }, DIGITS);
-                let (over, then) = if frame == self.scene.ground { ("/", tr(lang, "; ", "；")) } else { (" : ", tr(lang, "; ", "；")) };
+                let (over, then) = if frame == self.scene.ground {
+                    ("/", tr(lang, "; ", "；"))
+                } else {
+                    (" : ", tr(lang, "; ", "；"))
+                };
                 let (near, far) = (self.length(of_other), self.length(arm));
-                format!("{own}{over}{m} = {c}{x}/{o}{x} = {near} / {far} = {ratio}{sense}{then}{own} = {rate_words}")
+                format!(
+                    "{own}{over}{m} = {c}{x}/{o}{x} = {near} / {far} = {ratio}{sense}{then}{own} = {rate_words}"
+                )
             }
             CentreMotionSource::Together(m) => match lang {
-                Lang::En => format!("{} lies at infinity: {own} = {} = {rate_words}", self.name(t.link, m), self.symbol(m)),
-                Lang::Zh => format!("{} 在无穷远处：{own} = {} = {rate_words}", self.name(t.link, m), self.symbol(m)),
+                Lang::En => format!(
+                    "{} lies at infinity: {own} = {} = {rate_words}",
+                    self.name(t.link, m),
+                    self.symbol(m)
+                ),
+                Lang::Zh => format!(
+                    "{} 在无穷远处：{own} = {} = {rate_words}",
+                    self.name(t.link, m),
+                    self.symbol(m)
+                ),
             },
             CentreMotionSource::Wedge(m) => {
                 let (x, v_m) = (self.name(t.link, m), self.v(self.scene.link_name(m)));
                 let v = slide.map_or(String::new(), slides);
                 match lang {
-                    Lang::En => format!("{x} lies at infinity: {v_k} and {v_m} have one component along its direction; {v_k} = {v}"),
-                    Lang::Zh => format!("{x} 在无穷远处：{v_k} 与 {v_m} 沿其方向的分量相等；{v_k} = {v}"),
+                    Lang::En => format!(
+                        "{x} lies at infinity: {v_k} and {v_m} have one component along its direction; {v_k} = {v}"
+                    ),
+                    Lang::Zh => {
+                        format!("{x} 在无穷远处：{v_k} 与 {v_m} 沿其方向的分量相等；{v_k} = {v}")
+                    }
                 }
             }
             CentreMotionSource::Slides { link, arm } => {
-                let (x, c, m) = (self.name(t.link, link), self.name(frame, link), self.symbol(link));
+                let (x, c, m) =
+                    (self.name(t.link, link), self.name(frame, link), self.symbol(link));
                 let turns = self.omega(self.rate_of(link).abs());
-                format!("{v_k} = {m} · {c}{x} = {turns} · {} = {}", self.length(arm), slide.map_or(String::new(), slides))
+                format!(
+                    "{v_k} = {m} · {c}{x} = {turns} · {} = {}",
+                    self.length(arm),
+                    slide.map_or(String::new(), slides)
+                )
             }
             CentreMotionSource::FromSlide { link, arm } => {
                 let (x, o) = (self.name(t.link, link), self.name(frame, t.link));
-                let speed = self.of(link).map_or(0.0, |m| if let RelativeMotion::Slide(v) = m.motion { v.norm() } else { 0.0 });
-                let (v_m, speed, arm) = (self.v(self.scene.link_name(link)), self.velocity(speed), self.length(arm));
+                let speed = self.of(link).map_or(0.0, |m| {
+                    if let RelativeMotion::Slide(v) = m.motion { v.norm() } else { 0.0 }
+                });
+                let (v_m, speed, arm) =
+                    (self.v(self.scene.link_name(link)), self.velocity(speed), self.length(arm));
                 format!("{own} = {v_m} / {o}{x} = {speed} / {arm} = {rate_words}")
             }
         }
@@ -309,14 +376,20 @@ impl<'a> CentreWords<'a> {
 
     fn speed(&self, s: &Speed) -> String {
         let link = self.scene.link_name(s.link);
-        let (v_point, point) = (self.v(self.scene.point_name(s.point)), self.writing.point(self.scene.point_name(s.point)));
+        let (v_point, point) = (
+            self.v(self.scene.point_name(s.point)),
+            self.writing.point(self.scene.point_name(s.point)),
+        );
         let size = self.speed_words(s.velocity.norm());
         match s.arm {
             Some(arm) => {
                 let o = self.name(self.scene.ground, s.link);
                 let turns = self.omega(self.of(s.link).map_or(0.0, |t| t.omega.abs()));
                 let omega = self.writing.indexed("ω", link);
-                format!("{v_point} = {omega} · {o}{point} = {turns} · {} = {size}", self.length(arm))
+                format!(
+                    "{v_point} = {omega} · {o}{point} = {turns} · {} = {size}",
+                    self.length(arm)
+                )
             }
             None => format!("{v_point} = {} = {size}", self.v(link)),
         }
@@ -360,7 +433,12 @@ impl<'a> CentreWords<'a> {
         });
         let points = self.found.uses.points.iter().map(|s| {
             let others = self.found.other_ways(&velocity(s.point)).map(|v| v.map(number));
-            (format!("v_{}", self.scene.point_name(s.point)), Kind::Velocity, s.velocity.norm(), others)
+            (
+                format!("v_{}", self.scene.point_name(s.point)),
+                Kind::Velocity,
+                s.velocity.norm(),
+                others,
+            )
         });
         links.chain(points).collect()
     }
@@ -374,5 +452,10 @@ pub fn places(found: &Centres, lang: Lang) -> String {
         Some(CentrePlace::Infinity(_)) => tr(lang, "at infinity", "无穷远").to_owned(),
         None => tr(lang, "not determined", "不定").to_owned(),
     };
-    found.list.iter().map(|c| format!("{} {}", c.step.pair.name(w.scene), place(c))).collect::<Vec<_>>().join("; ")
+    found
+        .list
+        .iter()
+        .map(|c| format!("{} {}", c.step.pair.name(w.scene), place(c)))
+        .collect::<Vec<_>>()
+        .join("; ")
 }

@@ -4,25 +4,38 @@
 use super::centres::CentreWords;
 use super::writing::PointForm;
 use hodograph_board::plan::names::name_label;
-use hodograph_methods::centres::{Centre, CentreLocus, CentreMethod, CentrePlace, LinkPair, Origin, Primary};
+use hodograph_methods::centres::{
+    Centre, CentreLocus, CentreMethod, CentrePlace, LinkPair, Origin, Primary,
+};
 use hodograph_paper::paper::phrase::{Phrase, fill, tr};
 use hodograph_scene::{GuidePath, Lang, PointId};
 
 impl CentreWords<'_> {
     /// Returns the construction of a centre in plain characters: `pin B`, `23·34 × 12·14`.
     pub fn how(&self, c: &Centre) -> String {
-        let given = if c.step.given_drivers { tr(self.lang, " (for the given drivers)", "（对给定的原动件运动）") } else { "" };
+        let given = if c.step.given_drivers {
+            tr(self.lang, " (for the given drivers)", "（对给定的原动件运动）")
+        } else {
+            ""
+        };
         let how = match (&c.step.how, c.origin) {
             (CentreMethod::Primary(primary), _) => self.primary(*primary, PointForm::Plain),
             (_, Some(Origin::Crossing(lines))) => self.crossing(c, lines, PointForm::Plain),
             (CentreMethod::Lines(_), Some(Origin::Velocities)) => {
-                tr(self.lang, "velocities, as its lines coincide", "速度（所作的线重合）").to_owned()
+                tr(self.lang, "velocities, as its lines coincide", "速度（所作的线重合）")
+                    .to_owned()
             }
             (CentreMethod::Velocities, Some(Origin::Velocities)) => {
                 let how = tr(self.lang, "velocities of the analysis", "解析法的速度");
                 self.normals(c).map_or_else(
                     || how.to_owned(),
-                    |normals| format!("{how}{}{}", tr(self.lang, ", ", "，"), Phrase::new(&normals).plain()),
+                    |normals| {
+                        format!(
+                            "{how}{}{}",
+                            tr(self.lang, ", ", "，"),
+                            Phrase::new(&normals).plain()
+                        )
+                    },
                 )
             }
             (_, Some(Origin::Pair) | None) => "–".to_owned(),
@@ -35,7 +48,9 @@ impl CentreWords<'_> {
         Phrase::new(&match (&c.step.how, c.origin) {
             (CentreMethod::Primary(primary), _) => self.primary(*primary, PointForm::Marked),
             (_, Some(Origin::Crossing(lines))) => self.crossing(c, lines, PointForm::Marked),
-            (_, Some(Origin::Velocities)) => self.normals(c).unwrap_or_else(|| tr(self.lang, "from velocities", "由速度求得").to_owned()),
+            (_, Some(Origin::Velocities)) => self
+                .normals(c)
+                .unwrap_or_else(|| tr(self.lang, "from velocities", "由速度求得").to_owned()),
             (_, Some(Origin::Pair) | None) => "–".to_owned(),
         })
     }
@@ -45,17 +60,22 @@ impl CentreWords<'_> {
         let (i, j) = (c.step.pair.i, c.step.pair.j);
         let name = |a, b| format!("P_{{{}}}", name_label(&self.pair(a, b).indices(self.scene)));
         let far = matches!(c.place, Some(CentrePlace::Infinity(_)));
-        let at_infinity = if far { tr(self.lang, ", at infinity", "，在无穷远处") } else { "" };
+        let at_infinity =
+            if far { tr(self.lang, ", at infinity", "，在无穷远处") } else { "" };
         let own = name(i, j);
         let line = |line: CentreLocus| match line {
             CentreLocus::Through(k) => format!("${}{}$", name(i, k), name(k, j)),
-            CentreLocus::Normal(_) | CentreLocus::Infinity => self.line(c.step.pair, line, PointForm::Marked),
+            CentreLocus::Normal(_) | CentreLocus::Infinity => {
+                self.line(c.step.pair, line, PointForm::Marked)
+            }
         };
         Phrase::new(&match (c.origin, self.lang) {
             (Some(Origin::Crossing([a, b])), Lang::En) => {
                 format!("${own}$ is the intersection of {} and {}{at_infinity}.", line(a), line(b))
             }
-            (Some(Origin::Crossing([a, b])), Lang::Zh) => format!("${own}$ 为 {} 与 {} 的交点{at_infinity}。", line(a), line(b)),
+            (Some(Origin::Crossing([a, b])), Lang::Zh) => {
+                format!("${own}$ 为 {} 与 {} 的交点{at_infinity}。", line(a), line(b))
+            }
             (_, Lang::En) => format!("${own}$: {}{at_infinity}.", self.found_by(c).source()),
             (_, Lang::Zh) => format!("${own}$：{}{at_infinity}。", self.found_by(c).source()),
         })
@@ -97,7 +117,8 @@ impl CentreWords<'_> {
                 format!("{words} {}", point(rolling.at[0]))
             }
             Primary::Strand(r) => {
-                let [a, b] = self.scene.rolling[r.0].centres().map(|p| p.map_or(String::new(), point));
+                let [a, b] =
+                    self.scene.rolling[r.0].centres().map(|p| p.map_or(String::new(), point));
                 let inner = self.scene.rolling[r.0].is_crossed();
                 let words = match (self.lang, inner) {
                     (Lang::En, true) => "inner tangent × line of centres",
@@ -107,7 +128,9 @@ impl CentreWords<'_> {
                 };
                 format!("{words} {a}{b}")
             }
-            Primary::Cylinder(_) => tr(self.lang, "perpendicular to the cylinder", "垂直于液压缸").to_owned(),
+            Primary::Cylinder(_) => {
+                tr(self.lang, "perpendicular to the cylinder", "垂直于液压缸").to_owned()
+            }
         }
     }
 
@@ -115,16 +138,28 @@ impl CentreWords<'_> {
     pub(super) fn line(&self, pair: LinkPair, line: CentreLocus, writing: PointForm) -> String {
         match line {
             CentreLocus::Through(k) => {
-                format!("{}·{}", self.pair(pair.i, k).indices(self.scene), self.pair(k, pair.j).indices(self.scene))
+                format!(
+                    "{}·{}",
+                    self.pair(pair.i, k).indices(self.scene),
+                    self.pair(k, pair.j).indices(self.scene)
+                )
             }
             CentreLocus::Normal(g) => {
                 let guide = &self.scene.guides[g.0];
-                let pin = guide.pin.map_or(String::new(), |p| writing.point(self.scene.point_name(p)));
+                let pin =
+                    guide.pin.map_or(String::new(), |p| writing.point(self.scene.point_name(p)));
                 // On a circle of a cam, the normal of the contact and the radius through it are the
                 // same line.
                 if let Some(cam) = self.scene.cams.iter().find(|c| c.contact == Some(g)) {
-                    let at = cam.at.as_deref().map(|at| format!(" {}", writing.point(at))).unwrap_or_default();
-                    return fill(tr(self.lang, "common normal at the contact{}", "接触点{} 处的公法线"), &[("", &at)]);
+                    let at = cam
+                        .at
+                        .as_deref()
+                        .map(|at| format!(" {}", writing.point(at)))
+                        .unwrap_or_default();
+                    return fill(
+                        tr(self.lang, "common normal at the contact{}", "接触点{} 处的公法线"),
+                        &[("", &at)],
+                    );
                 }
                 match (&guide.path, self.lang) {
                     (GuidePath::Line { .. }, Lang::En) => format!("normal of the slot at {pin}"),

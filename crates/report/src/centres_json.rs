@@ -25,7 +25,9 @@ pub fn json(found: &Centres, notes: &[Diagnostic]) -> Json {
                 None => (None, None),
             };
             let lines: Vec<String> = match c.origin {
-                Some(Origin::Crossing(lines)) => lines.iter().map(|l| w.line(c.step.pair, *l, PointForm::Plain)).collect(),
+                Some(Origin::Crossing(lines)) => {
+                    lines.iter().map(|l| w.line(c.step.pair, *l, PointForm::Plain)).collect()
+                }
                 Some(Origin::Pair | Origin::Velocities) | None => Vec::new(),
             };
             json!({

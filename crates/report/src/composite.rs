@@ -14,8 +14,8 @@ use hodograph_base::notation::Notation;
 use hodograph_board::plan::names::name_label;
 use hodograph_methods::composite::contact::ContactSlip;
 use hodograph_methods::composite::{
-    AxisRotation, ChoicePlace, ChoiceSolution, ChoiceVerdict, ContactScene, FrameChoice, KnownMotion, On, Projection, ProjectionTerm,
-    name_of, projections,
+    AxisRotation, ChoicePlace, ChoiceSolution, ChoiceVerdict, ContactScene, FrameChoice,
+    KnownMotion, On, Projection, ProjectionTerm, name_of, projections,
 };
 use hodograph_paper::paper::phrase::{Phrase, capital, sense, tr};
 use hodograph_scene::quantity::composite::CompositePart;
@@ -29,7 +29,13 @@ const DIGITS: usize = 5;
 const PER_LINE: usize = 3;
 
 /// Returns the report as text.
-pub fn text(scene: &Scene, all: &[FrameChoice], solved: &[ChoiceSolution], lang: Lang, notation: &Notation) -> String {
+pub fn text(
+    scene: &Scene,
+    all: &[FrameChoice],
+    solved: &[ChoiceSolution],
+    lang: Lang,
+    notation: &Notation,
+) -> String {
     let w = CompositeWords { scene, lang, notation };
     let mut lines = Vec::new();
     let title = scene.title.get(lang);
@@ -37,7 +43,14 @@ pub fn text(scene: &Scene, all: &[FrameChoice], solved: &[ChoiceSolution], lang:
         lines.push(title.to_owned());
     }
     if all.is_empty() {
-        lines.push(tr(lang, "no pair of moving bodies offers a moving point and a frame", "没有可作动点和动系的运动物体").to_owned());
+        lines.push(
+            tr(
+                lang,
+                "no pair of moving bodies offers a moving point and a frame",
+                "没有可作动点和动系的运动物体",
+            )
+            .to_owned(),
+        );
     } else {
         lines.extend(columns(&w.table(all), usize::MAX));
     }
@@ -72,10 +85,22 @@ pub struct CompositeWords<'a> {
 impl CompositeWords<'_> {
     fn table(&self, all: &[FrameChoice]) -> Vec<Vec<String>> {
         let lang = self.lang;
-        let head = [tr(lang, "moving point", "动点"), tr(lang, "frame", "动系"), tr(lang, "at", "位置"), tr(lang, "verdict", "结论"), ""];
+        let head = [
+            tr(lang, "moving point", "动点"),
+            tr(lang, "frame", "动系"),
+            tr(lang, "at", "位置"),
+            tr(lang, "verdict", "结论"),
+            "",
+        ];
         let row = |c: &FrameChoice| {
             let point = name_of(self.scene, &c.of);
-            vec![point, self.frame(c.frame, PointForm::Plain), self.place(c), self.verdict(c.verdict).to_owned(), self.reason(c)]
+            vec![
+                point,
+                self.frame(c.frame, PointForm::Plain),
+                self.place(c),
+                self.verdict(c.verdict).to_owned(),
+                self.reason(c),
+            ]
         };
         std::iter::once(head.map(str::to_owned).to_vec()).chain(all.iter().map(row)).collect()
     }
@@ -85,8 +110,12 @@ impl CompositeWords<'_> {
         match (frame, self.lang) {
             (Frame::Link(l), Lang::En) => format!("link {}", self.scene.link_name(l)),
             (Frame::Link(l), Lang::Zh) => format!("构件 {}", self.scene.link_name(l)),
-            (Frame::Point(p), Lang::En) => format!("translating with {}", writing.point(&name_of(self.scene, &p))),
-            (Frame::Point(p), Lang::Zh) => format!("随 {} 平移", writing.point(&name_of(self.scene, &p))),
+            (Frame::Point(p), Lang::En) => {
+                format!("translating with {}", writing.point(&name_of(self.scene, &p)))
+            }
+            (Frame::Point(p), Lang::Zh) => {
+                format!("随 {} 平移", writing.point(&name_of(self.scene, &p)))
+            }
         }
     }
 
@@ -94,15 +123,23 @@ impl CompositeWords<'_> {
         let lang = self.lang;
         match c.place {
             ChoicePlace::Named => tr(lang, "as asked", "按题意").to_owned(),
-            ChoicePlace::Pin(p) => format!("{} {}", tr(lang, "pin", "转动副"), self.scene.point_name(p)),
+            ChoicePlace::Pin(p) => {
+                format!("{} {}", tr(lang, "pin", "转动副"), self.scene.point_name(p))
+            }
             ChoicePlace::Guide(g) => {
                 let guide = &self.scene.guides[g.0];
                 let name = guide.pin.map_or("", |p| self.scene.point_name(p));
                 format!("{} {name}", tr(lang, "guide at", "移动副"))
             }
-            ChoicePlace::Cam(_) => format!("{} {}", tr(lang, "contact", "接触点"), self.scene.point_name(c.of.point)),
+            ChoicePlace::Cam(_) => {
+                format!("{} {}", tr(lang, "contact", "接触点"), self.scene.point_name(c.of.point))
+            }
             ChoicePlace::Contact(r) => {
-                format!("{} {}", tr(lang, "contact", "接触点"), self.scene.point_name(self.scene.rolling[r.0].at[0]))
+                format!(
+                    "{} {}",
+                    tr(lang, "contact", "接触点"),
+                    self.scene.point_name(self.scene.rolling[r.0].at[0])
+                )
             }
         }
     }
@@ -157,8 +194,13 @@ impl CompositeWords<'_> {
         let (scene, lang) = (self.scene, self.lang);
         match c.path {
             RelativePath::Guide(g) => match scene.guides[g.0].path {
-                GuidePath::Line { .. } => tr(lang, "relative path: a straight line, the guide", "相对轨迹：沿导路的直线").to_owned(),
-                GuidePath::Arc { centre, .. } => self.circle(&writing.point(scene.point_name(centre))),
+                GuidePath::Line { .. } => {
+                    tr(lang, "relative path: a straight line, the guide", "相对轨迹：沿导路的直线")
+                        .to_owned()
+                }
+                GuidePath::Arc { centre, .. } => {
+                    self.circle(&writing.point(scene.point_name(centre)))
+                }
             },
             RelativePath::Circle(k) => self.circle(&writing.point(scene.point_name(k))),
             RelativePath::Unknown => String::new(),
@@ -174,7 +216,10 @@ impl CompositeWords<'_> {
 
     /// Returns the heading of a choice: `moving point A, frame fixed to link 2`.
     pub fn heading(&self, c: &FrameChoice) -> Phrase {
-        let (point, frame) = (PointForm::Marked.point(&name_of(self.scene, &c.of)), self.frame(c.frame, PointForm::Marked));
+        let (point, frame) = (
+            PointForm::Marked.point(&name_of(self.scene, &c.of)),
+            self.frame(c.frame, PointForm::Marked),
+        );
         Phrase::new(&match (c.frame, self.lang) {
             (Frame::Link(_), Lang::En) => format!("Moving point {point}, frame fixed to {frame}"),
             (Frame::Point(_), Lang::En) => format!("Moving point {point}, frame {frame}"),
@@ -202,25 +247,44 @@ impl CompositeWords<'_> {
             Some(slip) if !s.acceleration.is_empty() => self.contact(&slip, per_line),
             Some(_) | None => vec![self.first(s)],
         };
-        let [whole, carried, relative] = ["v_{a}", "v_{e}", "v_{r}"].map(|symbol| self.notation.vectors.write(symbol.to_owned()));
+        let [whole, carried, relative] = ["v_{a}", "v_{e}", "v_{r}"]
+            .map(|symbol| self.notation.vectors.write(symbol.to_owned()));
         out.push(Phrase::new(&format!("${whole} = {carried} + {relative}$")));
         let [a, e, r] = s.velocity;
-        out.extend(self.values(&[("v_{a}".into(), a), ("v_{e}".into(), e), ("v_{r}".into(), r)], Kind::Velocity, per_line));
+        out.extend(self.values(
+            &[("v_{a}".into(), a), ("v_{e}".into(), e), ("v_{r}".into(), r)],
+            Kind::Velocity,
+            per_line,
+        ));
         let projections = projections(s);
         let projected = |of| -> Vec<Phrase> {
             let lines = projections.iter().filter(|p| p.of == of).flat_map(|p| {
                 let (words, equation) = self.projection(p, s.known);
-                if per_line < PER_LINE { vec![words, format!("${equation}$")] } else { vec![self.projected(&words, &equation)] }
+                if per_line < PER_LINE {
+                    vec![words, format!("${equation}$")]
+                } else {
+                    vec![self.projected(&words, &equation)]
+                }
             });
             lines.map(|l| Phrase::new(&l)).collect()
         };
         out.extend(projected(DiagramKind::Velocity));
         if !s.acceleration.is_empty() {
-            let written = |p| self.notation.vectors.write(symbol(p, DiagramKind::Acceleration, self.notation));
-            let symbols: Vec<String> = s.acceleration.iter().skip(1).map(|(p, _)| written(*p)).collect();
-            out.push(Phrase::new(&format!("${} = {}$", self.notation.vectors.write("a_{a}".to_owned()), symbols.join(" + "))));
-            let each: Vec<(String, Vec2)> =
-                s.acceleration.iter().map(|(p, v)| (symbol(*p, DiagramKind::Acceleration, self.notation), *v)).collect();
+            let written = |p| {
+                self.notation.vectors.write(symbol(p, DiagramKind::Acceleration, self.notation))
+            };
+            let symbols: Vec<String> =
+                s.acceleration.iter().skip(1).map(|(p, _)| written(*p)).collect();
+            out.push(Phrase::new(&format!(
+                "${} = {}$",
+                self.notation.vectors.write("a_{a}".to_owned()),
+                symbols.join(" + ")
+            )));
+            let each: Vec<(String, Vec2)> = s
+                .acceleration
+                .iter()
+                .map(|(p, v)| (symbol(*p, DiagramKind::Acceleration, self.notation), *v))
+                .collect();
             out.extend(self.values(&each, Kind::Acceleration, per_line));
             out.extend(projected(DiagramKind::Acceleration));
         }
@@ -241,10 +305,15 @@ impl CompositeWords<'_> {
             let words = if si == 0.0 { "" } else { sense(lang, si) };
             format!("{}$ {words}", scene.book.label(kind, &number)).trim_end().to_owned()
         };
-        let mut out = format!("$\\omega_{{{link}}} = v_{{{whose}}}/{arm} = {}", value(Kind::Omega, t.omega));
+        let mut out =
+            format!("$\\omega_{{{link}}} = v_{{{whose}}}/{arm} = {}", value(Kind::Omega, t.omega));
         if let Some(alpha) = t.alpha {
             let part = format!("a^{{{}}}_{{{whose}}}", self.notation.tangential);
-            out += &format!("{}$\\alpha_{{{link}}} = {part}/{arm} = {}", self.comma(), value(Kind::Alpha, alpha));
+            out += &format!(
+                "{}$\\alpha_{{{link}}} = {part}/{arm} = {}",
+                self.comma(),
+                value(Kind::Alpha, alpha)
+            );
         }
         Phrase::new(&out)
     }
@@ -253,17 +322,25 @@ impl CompositeWords<'_> {
     fn first(&self, s: &ChoiceSolution) -> Phrase {
         let lang = self.lang;
         Phrase::new(&match s.choice.verdict {
-            ChoiceVerdict::Serves if s.slip.is_some() => {
-                tr(lang, "Momentary contact: $v_{r}$ along the common tangent", "瞬时接触点：$v_{r}$ 沿公切线").to_owned()
-            }
+            ChoiceVerdict::Serves if s.slip.is_some() => tr(
+                lang,
+                "Momentary contact: $v_{r}$ along the common tangent",
+                "瞬时接触点：$v_{r}$ 沿公切线",
+            )
+            .to_owned(),
             ChoiceVerdict::Serves => capital(&self.path(&s.choice, PointForm::Marked)),
             ChoiceVerdict::PathUnknown if !s.acceleration.is_empty() => {
-                let words = tr(lang, "Relative path not known: $a_{r}$ is the closing side", "相对轨迹未知：$a_{r}$ 由封闭边得出");
+                let words = tr(
+                    lang,
+                    "Relative path not known: $a_{r}$ is the closing side",
+                    "相对轨迹未知：$a_{r}$ 由封闭边得出",
+                );
                 words.to_owned()
             }
-            ChoiceVerdict::PathUnknown | ChoiceVerdict::PointChanges | ChoiceVerdict::SameBody | ChoiceVerdict::FrameFixed => {
-                self.verdict(s.choice.verdict).into()
-            }
+            ChoiceVerdict::PathUnknown
+            | ChoiceVerdict::PointChanges
+            | ChoiceVerdict::SameBody
+            | ChoiceVerdict::FrameFixed => self.verdict(s.choice.verdict).into(),
         })
     }
 
@@ -277,13 +354,27 @@ impl CompositeWords<'_> {
         let formula = match slip.radii {
             [Some(_), None] => "\\Omega^2\\rho + 2\\Omega v_{s}",
             [None, Some(_)] => "\\Omega^2\\rho",
-            [Some(_), Some(_)] | [None, None] => "\\Omega^2\\rho_2 − (v_{s} − \\Omega\\rho_2)^2/(\\rho_1 + \\rho_2)",
+            [Some(_), Some(_)] | [None, None] => {
+                "\\Omega^2\\rho_2 − (v_{s} − \\Omega\\rho_2)^2/(\\rho_1 + \\rho_2)"
+            }
         };
-        let first = tr(lang, "Momentary contact: $v_{r}$ along the common tangent", "瞬时接触点：$v_{r}$ 沿公切线");
-        let normal = tr(lang, "along the outward normal of the frame's contour:", "沿动系轮廓外法线：");
-        let equation = format!("$a^{{n}}_{{r}} = {formula} = {}$", told(Kind::Acceleration, slip.acceleration()));
-        let numbers =
-            format!("$\\Omega = {}${} $v_{{s}} = {}$", told(Kind::Omega, slip.omega), self.comma(), told(Kind::Velocity, slip.sliding));
+        let first = tr(
+            lang,
+            "Momentary contact: $v_{r}$ along the common tangent",
+            "瞬时接触点：$v_{r}$ 沿公切线",
+        );
+        let normal =
+            tr(lang, "along the outward normal of the frame's contour:", "沿动系轮廓外法线：");
+        let equation = format!(
+            "$a^{{n}}_{{r}} = {formula} = {}$",
+            told(Kind::Acceleration, slip.acceleration())
+        );
+        let numbers = format!(
+            "$\\Omega = {}${} $v_{{s}} = {}$",
+            told(Kind::Omega, slip.omega),
+            self.comma(),
+            told(Kind::Velocity, slip.sliding)
+        );
         let lines = if per_line < PER_LINE {
             vec![first.to_owned(), normal.to_owned(), equation, numbers]
         } else {
@@ -303,7 +394,10 @@ impl CompositeWords<'_> {
             let degrees = inked(&significant(direction_degrees(v.angle()), DIGITS));
             format!("${symbol} = {}$ ∠ ${degrees}$°", self.scene.book.label(kind, &number))
         };
-        vectors.chunks(per_line.max(1)).map(|row| Phrase::new(&row.iter().map(told).collect::<Vec<_>>().join(self.comma()))).collect()
+        vectors
+            .chunks(per_line.max(1))
+            .map(|row| Phrase::new(&row.iter().map(told).collect::<Vec<_>>().join(self.comma())))
+            .collect()
     }
 
     fn comma(&self) -> &'static str {
@@ -318,8 +412,12 @@ impl CompositeWords<'_> {
             match term {
                 ProjectionTerm::Absolute => symbol(None, p.of, self.notation),
                 ProjectionTerm::AbsoluteNormal => format!("{letter}^{{n}}_{{a}}"),
-                ProjectionTerm::AbsoluteTangential => format!("{letter}^{{{}}}_{{a}}", self.notation.tangential),
-                ProjectionTerm::Component => format!("{letter}_{{a{}}}", if p.on == On::Y { "y" } else { "x" }),
+                ProjectionTerm::AbsoluteTangential => {
+                    format!("{letter}^{{{}}}_{{a}}", self.notation.tangential)
+                }
+                ProjectionTerm::Component => {
+                    format!("{letter}_{{a{}}}", if p.on == On::Y { "y" } else { "x" })
+                }
                 ProjectionTerm::Part(part) => symbol(Some(part), p.of, self.notation),
             }
         };
@@ -332,7 +430,8 @@ impl CompositeWords<'_> {
                 _ => format!("{symbol}\\,\\cos {}°", inked(&degrees)),
             }
         };
-        let (left, right): (Vec<_>, Vec<_>) = p.terms.iter().partition(|(term, _)| !matches!(term, ProjectionTerm::Part(_)));
+        let (left, right): (Vec<_>, Vec<_>) =
+            p.terms.iter().partition(|(term, _)| !matches!(term, ProjectionTerm::Part(_)));
         let side = |terms: &[&(ProjectionTerm, f64)]| match terms {
             [] => "0".to_owned(),
             all => all.iter().map(|t| term(t)).collect::<Vec<_>>().join(" + ").replace("+ −", "− "),
@@ -345,15 +444,21 @@ impl CompositeWords<'_> {
         let lang = self.lang;
         let degrees = inked(&significant(direction_degrees(p.line.angle()), 4));
         let relative = match p.of {
-            DiagramKind::Acceleration => symbol(Some(CompositePart::RelativeTangential), p.of, self.notation),
+            DiagramKind::Acceleration => {
+                symbol(Some(CompositePart::RelativeTangential), p.of, self.notation)
+            }
             DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Force => {
                 symbol(Some(CompositePart::RelativeVelocity), p.of, self.notation)
             }
         };
         let wanted = match (known, p.of) {
-            (KnownMotion::Transport, DiagramKind::Acceleration) => tr(lang, " for $a_{a}$", "，求 $a_{a}$"),
+            (KnownMotion::Transport, DiagramKind::Acceleration) => {
+                tr(lang, " for $a_{a}$", "，求 $a_{a}$")
+            }
             (KnownMotion::Transport, _) => tr(lang, " for $v_{a}$", "，求 $v_{a}$"),
-            (KnownMotion::Absolute, DiagramKind::Acceleration) => tr(lang, " for the transport part", "，求牵连加速度"),
+            (KnownMotion::Absolute, DiagramKind::Acceleration) => {
+                tr(lang, " for the transport part", "，求牵连加速度")
+            }
             (KnownMotion::Absolute, _) => tr(lang, " for $v_{e}$", "，求 $v_{e}$"),
             (KnownMotion::Both, _) => "",
         };
@@ -364,12 +469,24 @@ impl CompositeWords<'_> {
             (On::X, Lang::Zh) => format!("向 x 轴投影{wanted}："),
             (On::Y, Lang::En) => "Projected on the y axis:".to_owned(),
             (On::Y, Lang::Zh) => "向 y 轴投影：".to_owned(),
-            (On::Along, Lang::En) => format!("Projected on the relative path (${degrees}$°) for ${relative}$:"),
-            (On::Along, Lang::Zh) => format!("向相对轨迹的切线方向（${degrees}$°）投影，求 ${relative}$："),
-            (On::Across, Lang::En) if rests => format!("Projected on the perpendicular to the relative path (${degrees}$°){wanted}:"),
-            (On::Across, Lang::Zh) if rests => format!("向垂直于相对轨迹的方向（${degrees}$°）投影{wanted}："),
-            (On::Across, Lang::En) => format!("Projected on the perpendicular to ${relative}$ (${degrees}$°){wanted}:"),
-            (On::Across, Lang::Zh) => format!("向垂直于 ${relative}$ 的方向（${degrees}$°）投影{wanted}："),
+            (On::Along, Lang::En) => {
+                format!("Projected on the relative path (${degrees}$°) for ${relative}$:")
+            }
+            (On::Along, Lang::Zh) => {
+                format!("向相对轨迹的切线方向（${degrees}$°）投影，求 ${relative}$：")
+            }
+            (On::Across, Lang::En) if rests => format!(
+                "Projected on the perpendicular to the relative path (${degrees}$°){wanted}:"
+            ),
+            (On::Across, Lang::Zh) if rests => {
+                format!("向垂直于相对轨迹的方向（${degrees}$°）投影{wanted}：")
+            }
+            (On::Across, Lang::En) => {
+                format!("Projected on the perpendicular to ${relative}$ (${degrees}$°){wanted}:")
+            }
+            (On::Across, Lang::Zh) => {
+                format!("向垂直于 ${relative}$ 的方向（${degrees}$°）投影{wanted}：")
+            }
         }
     }
 }
@@ -383,16 +500,27 @@ pub fn symbol(part: Option<CompositePart>, on: DiagramKind, notation: &Notation)
         Some(CompositePart::TransportVelocity | CompositePart::Transport) => ("e", ""),
         Some(CompositePart::TransportNormal) => ("e", "n"),
         Some(CompositePart::TransportTangential) => ("e", notation.tangential.as_str()),
-        Some(CompositePart::RelativeVelocity | CompositePart::Relative | CompositePart::Path) => ("r", ""),
+        Some(CompositePart::RelativeVelocity | CompositePart::Relative | CompositePart::Path) => {
+            ("r", "")
+        }
         Some(CompositePart::RelativeNormal) => ("r", "n"),
         Some(CompositePart::RelativeTangential) => ("r", notation.tangential.as_str()),
         Some(CompositePart::Coriolis) => (notation.coriolis.as_str(), ""),
     };
-    if above.is_empty() { format!("{letter}_{{{below}}}") } else { format!("{letter}^{{{above}}}_{{{below}}}") }
+    if above.is_empty() {
+        format!("{letter}_{{{below}}}")
+    } else {
+        format!("{letter}^{{{above}}}_{{{below}}}")
+    }
 }
 
 /// Returns the choices as JSON, in SI.
-pub fn json(staged: &ContactScene, all: &[FrameChoice], solved: &[ChoiceSolution], notes: &[Diagnostic]) -> Json {
+pub fn json(
+    staged: &ContactScene,
+    all: &[FrameChoice],
+    solved: &[ChoiceSolution],
+    notes: &[Diagnostic],
+) -> Json {
     let scene = &staged.scene;
     let [english, keys] = [Lang::En, Lang::Zh].map(Notation::of_language);
     let w = CompositeWords { scene, lang: Lang::En, notation: &english };
@@ -403,7 +531,9 @@ pub fn json(staged: &ContactScene, all: &[FrameChoice], solved: &[ChoiceSolution
     let path = |c: &FrameChoice| match c.path {
         RelativePath::Guide(g) => json!({"guide": g.0}),
         RelativePath::Circle(k) => json!({"circle_about": scene.point_name(k)}),
-        RelativePath::Unknown if c.verdict == ChoiceVerdict::Serves => json!({"contact_at": scene.point_name(c.of.point)}),
+        RelativePath::Unknown if c.verdict == ChoiceVerdict::Serves => {
+            json!({"contact_at": scene.point_name(c.of.point)})
+        }
         RelativePath::Unknown => Json::Null,
     };
     let vector = |v: Vec2| json!([v.x, v.y]);
@@ -413,13 +543,16 @@ pub fn json(staged: &ContactScene, all: &[FrameChoice], solved: &[ChoiceSolution
         for (part, v) in &s.acceleration {
             let key = symbol(*part, DiagramKind::Acceleration, &keys).replace(['{', '}'], "");
             let key = match key.split_once("^") {
-                Some((letter, rest)) => rest.split_once('_').map_or(key.clone(), |(above, below)| format!("{letter}_{below}{above}")),
+                Some((letter, rest)) => rest
+                    .split_once('_')
+                    .map_or(key.clone(), |(above, below)| format!("{letter}_{below}{above}")),
                 None => key,
             };
             out[key] = vector(*v);
         }
         if let Some(t) = &s.turning {
-            out["turning"] = json!({"link": scene.link_name(t.link), "omega": t.omega, "alpha": t.alpha});
+            out["turning"] =
+                json!({"link": scene.link_name(t.link), "omega": t.omega, "alpha": t.alpha});
         }
         out["projections"] = projections(s)
             .iter()

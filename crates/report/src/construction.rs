@@ -16,16 +16,25 @@ use hodograph_worked::certified::steps::StepNumber;
 ///
 /// The numbers are the certified ones of [`steps`](hodograph_worked::certified::steps()); if these
 /// contain a pencil error, each intersection has its displacement.
-pub fn sentences(w: &PlanWriter, paper: &PlanDrawing, polygon: &Polygon, steps: &CertifiedSteps) -> Vec<Phrase> {
+pub fn sentences(
+    w: &PlanWriter,
+    paper: &PlanDrawing,
+    polygon: &Polygon,
+    steps: &CertifiedSteps,
+) -> Vec<Phrase> {
     let on = polygon.on;
     let (pole, mu) = (w.pole(on), scale_formula(&w.scene.book, on, polygon.mu));
     let mut out = vec![Phrase::new(&match w.lang {
-        Lang::En if paper.is_empty(on) => format!("Take the pole ${pole}$; nothing is drawn, so that there is no scale."),
+        Lang::En if paper.is_empty(on) => {
+            format!("Take the pole ${pole}$; nothing is drawn, so that there is no scale.")
+        }
         Lang::Zh if paper.is_empty(on) => format!("取极点 ${pole}$；无矢量可作，不需比例尺。"),
         Lang::En => format!("Take the pole ${pole}$; scale ${mu}$."),
         Lang::Zh => format!("取极点 ${pole}$，比例尺 ${mu}$。"),
     })];
-    out.extend((0..polygon.actions.len()).map(|i| Phrase::new(&sentence(w, paper, polygon, i, steps))));
+    out.extend(
+        (0..polygon.actions.len()).map(|i| Phrase::new(&sentence(w, paper, polygon, i, steps))),
+    );
     out
 }
 
@@ -51,7 +60,11 @@ pub fn text(w: &PlanWriter, paper: &PlanDrawing, steps: &CertifiedSteps) -> Stri
     if let Some(why) = &steps.why {
         out.push_str(&format!(
             "\n{}{}\n",
-            tr(w.lang, "numbers with fewer digits have no more that are certain: ", "位数较少的数值无更多可靠位数："),
+            tr(
+                w.lang,
+                "numbers with fewer digits have no more that are certain: ",
+                "位数较少的数值无更多可靠位数："
+            ),
             why.words(w.lang)
         ));
     }
@@ -60,7 +73,13 @@ pub fn text(w: &PlanWriter, paper: &PlanDrawing, steps: &CertifiedSteps) -> Stri
 
 /// Returns a step's number as far as it is certain, else the approximate value from the drawing in
 /// `f64`.
-fn certain_text(steps: &CertifiedSteps, on: DiagramKind, action: usize, what: StepNumber, rough: f64) -> String {
+fn certain_text(
+    steps: &CertifiedSteps,
+    on: DiagramKind,
+    action: usize,
+    what: StepNumber,
+    rough: f64,
+) -> String {
     steps.text(on, action, what).unwrap_or_else(|| format!("≈ {}", significant(rough, 1)))
 }
 
@@ -83,7 +102,13 @@ fn symbols(w: &PlanWriter, on: DiagramKind, terms: &[Term]) -> String {
     terms.iter().map(|t| w.symbol(on, t)).collect::<Vec<_>>().join(" + ")
 }
 
-fn sentence(w: &PlanWriter, paper: &PlanDrawing, p: &Polygon, action: usize, steps: &CertifiedSteps) -> String {
+fn sentence(
+    w: &PlanWriter,
+    paper: &PlanDrawing,
+    p: &Polygon,
+    action: usize,
+    steps: &CertifiedSteps,
+) -> String {
     let on = p.on;
     let tell = |what, rough| amid_words(&certain_text(steps, on, action, what, rough));
     let millimetres = |k, rough: f64| format!("{} mm", tell(StepNumber::Length(k), rough));
@@ -94,19 +119,31 @@ fn sentence(w: &PlanWriter, paper: &PlanDrawing, p: &Polygon, action: usize, ste
             let e = &p.edges[*i];
             let t = &e.terms[0];
             let (from, to) = (mark(w, on, &e.from.0), mark(w, on, &e.to.0));
-            let (symbol, magnitude, direction) = (w.symbol(on, t), w.magnitude(on, t), w.direction(t));
-            let given = if magnitude == w.notation.known { String::new() } else { format!(" = {magnitude}") };
+            let (symbol, magnitude, direction) =
+                (w.symbol(on, t), w.magnitude(on, t), w.direction(t));
+            let given = if magnitude == w.notation.known {
+                String::new()
+            } else {
+                format!(" = {magnitude}")
+            };
             let begins = matches!(e.to.0, PolygonMark::Image(v) if v == t.of);
             let chosen = w.choice(on, t.of).filter(|_| begins);
             match w.lang {
                 Lang::En => {
-                    let chosen = chosen.map_or_else(String::new, |rate| format!("Choose ${rate}$: "));
+                    let chosen =
+                        chosen.map_or_else(String::new, |rate| format!("Choose ${rate}$: "));
                     let from_here = if chosen.is_empty() { "From" } else { "from" };
-                    format!("{chosen}{from_here} ${from}$ lay off ${symbol}{given}$, {}, ${direction}$, which gives ${to}$.", edge(0, *i))
+                    format!(
+                        "{chosen}{from_here} ${from}$ lay off ${symbol}{given}$, {}, ${direction}$, which gives ${to}$.",
+                        edge(0, *i)
+                    )
                 }
                 Lang::Zh => {
                     let chosen = chosen.map_or_else(String::new, |rate| format!("取 ${rate}$，"));
-                    format!("{chosen}自 ${from}$ 作 ${symbol}{given}$，长 {}，${direction}$，得 ${to}$。", edge(0, *i))
+                    format!(
+                        "{chosen}自 ${from}$ 作 ${symbol}{given}$，长 {}，${direction}$，得 ${to}$。",
+                        edge(0, *i)
+                    )
                 }
             }
         }
@@ -114,69 +151,118 @@ fn sentence(w: &PlanWriter, paper: &PlanDrawing, p: &Polygon, action: usize, ste
             let symbols: Vec<String> = terms.iter().map(|t| w.symbol(on, t)).collect();
             let (symbols, image) = (symbols.join(" = "), target.map(|v| w.image(on, v)));
             match (w.lang, image) {
-                (Lang::En, None) => format!("${symbols}$ = 0, for the driver is at rest: nothing is laid off."),
+                (Lang::En, None) => {
+                    format!("${symbols}$ = 0, for the driver is at rest: nothing is laid off.")
+                }
                 (Lang::Zh, None) => format!("${symbols}$ = 0（原动件该瞬时静止），不作图。"),
                 (Lang::En, Some(image)) => {
-                    format!("${symbols}$ = 0, for the driver is at rest: nothing is laid off, ${image}$ lies where the vector would begin.")
+                    format!(
+                        "${symbols}$ = 0, for the driver is at rest: nothing is laid off, ${image}$ lies where the vector would begin."
+                    )
                 }
-                (Lang::Zh, Some(image)) => format!("${symbols}$ = 0（原动件该瞬时静止），不作图，${image}$ 即在其起点。"),
+                (Lang::Zh, Some(image)) => {
+                    format!("${symbols}$ = 0（原动件该瞬时静止），不作图，${image}$ 即在其起点。")
+                }
             }
         }
         Action::Line { terms, mark: from, .. } => {
             let from = mark(w, on, from);
             let (symbol, direction) = (symbols(w, on, terms), w.direction(&terms[0]));
             match w.lang {
-                Lang::En => format!("Through ${from}$ draw the direction of ${symbol}$, ${direction}$."),
+                Lang::En => {
+                    format!("Through ${from}$ draw the direction of ${symbol}$, ${direction}$.")
+                }
                 Lang::Zh => format!("过 ${from}$ 作 ${symbol}$ 的方向线，${direction}$。"),
             }
         }
         Action::Cross { target, edges, sine } => {
             let angle = tell(StepNumber::Angle, libm::asin(sine.abs().min(1.0)).to_degrees());
-            let moved = steps.pencil_mm.map_or_else(String::new, |e| moved(w.lang, e, &tell(StepNumber::Moved, e / sine.abs())));
+            let moved = steps.pencil_mm.map_or_else(String::new, |e| {
+                moved(w.lang, e, &tell(StepNumber::Moved, e / sine.abs()))
+            });
             let image = w.image(on, *target);
-            let lengths: Vec<String> =
-                edges.iter().enumerate().map(|(k, i)| format!("${}$ = {}", symbols(w, on, &p.edges[*i].terms), edge(k, *i))).collect();
+            let lengths: Vec<String> = edges
+                .iter()
+                .enumerate()
+                .map(|(k, i)| format!("${}$ = {}", symbols(w, on, &p.edges[*i].terms), edge(k, *i)))
+                .collect();
             match w.lang {
                 Lang::En => {
-                    format!("The lines intersect at ${image}$ at {angle}°{moved}: {}.", lengths.join(", "))
+                    format!(
+                        "The lines intersect at ${image}$ at {angle}°{moved}: {}.",
+                        lengths.join(", ")
+                    )
                 }
-                Lang::Zh => format!("两线交于 ${image}$，交角 {angle}°{moved}：{}。", lengths.join("，")),
+                Lang::Zh => {
+                    format!("两线交于 ${image}$，交角 {angle}°{moved}：{}。", lengths.join("，"))
+                }
             }
         }
         Action::Trials { target, sine, .. } => {
             let angle = tell(StepNumber::Angle, libm::asin(sine.abs().min(1.0)).to_degrees());
-            let moved = steps.pencil_mm.map_or_else(String::new, |e| moved(w.lang, e, &tell(StepNumber::Moved, e / sine.abs())));
-            let (image, vector, length) = (w.image(on, *target), w.vector(on, *target), from_pole(*target));
-            let [a, b] = w.plan.trials(on, *target).map(|pair| pair.map(|v| w.image(on, v)).concat());
+            let moved = steps.pencil_mm.map_or_else(String::new, |e| {
+                moved(w.lang, e, &tell(StepNumber::Moved, e / sine.abs()))
+            });
+            let (image, vector, length) =
+                (w.image(on, *target), w.vector(on, *target), from_pole(*target));
+            let [a, b] =
+                w.plan.trials(on, *target).map(|pair| pair.map(|v| w.image(on, v)).concat());
             match w.lang {
                 Lang::En => {
-                    format!("The lines ${a}$ and ${b}$ of the two trials intersect at ${image}$ at {angle}°{moved}: ${vector}$ = {length}.")
+                    format!(
+                        "The lines ${a}$ and ${b}$ of the two trials intersect at ${image}$ at {angle}°{moved}: ${vector}$ = {length}."
+                    )
                 }
-                Lang::Zh => format!("两次试作的直线 ${a}$ 与 ${b}$ 交于 ${image}$，交角 {angle}°{moved}：${vector}$ = {length}。"),
+                Lang::Zh => format!(
+                    "两次试作的直线 ${a}$ 与 ${b}$ 交于 ${image}$，交角 {angle}°{moved}：${vector}$ = {length}。"
+                ),
             }
         }
         Action::Reach(v) => {
             let (image, vector) = (w.image(on, *v), w.vector(on, *v));
             if let Some((from, method)) = touched(w, on, *v) {
                 let why = match method {
-                    Method::Strand => {
-                        tr(w.lang, "As the strand does not slip, its two ends have one velocity", "带（链）段不打滑，两端点速度相同")
-                    }
-                    Method::Coincident | Method::Driven | Method::SameLink | Method::Cylinder | Method::Special | Method::Trial => {
-                        tr(w.lang, "At the contact the two points have one velocity", "接触点处两点速度相同")
-                    }
+                    Method::Strand => tr(
+                        w.lang,
+                        "As the strand does not slip, its two ends have one velocity",
+                        "带（链）段不打滑，两端点速度相同",
+                    ),
+                    Method::Coincident
+                    | Method::Driven
+                    | Method::SameLink
+                    | Method::Cylinder
+                    | Method::Special
+                    | Method::Trial => tr(
+                        w.lang,
+                        "At the contact the two points have one velocity",
+                        "接触点处两点速度相同",
+                    ),
                 };
                 let (other, length) = (w.image(on, from), from_pole(*v));
                 return match w.lang {
-                    Lang::En => format!("{why}: ${image}$ falls on ${other}$, ${vector}$ = {length}."),
-                    Lang::Zh => format!("{why}：${image}$ 与 ${other}$ 重合，${vector}$ = {length}。"),
+                    Lang::En => {
+                        format!("{why}: ${image}$ falls on ${other}$, ${vector}$ = {length}.")
+                    }
+                    Lang::Zh => {
+                        format!("{why}：${image}$ 与 ${other}$ 重合，${vector}$ = {length}。")
+                    }
                 };
             }
             match (w.lang, w.choice(on, *v)) {
-                (Lang::En, None) => format!("Nothing is added: ${image}$ lies where it starts, ${vector}$ = {}.", from_pole(*v)),
-                (Lang::Zh, None) => format!("无附加分量，${image}$ 即在起点，${vector}$ = {}。", from_pole(*v)),
-                (Lang::En, Some(rate)) => format!("Choose ${rate}$: ${image}$ lies where it starts, ${vector}$ = {}.", from_pole(*v)),
-                (Lang::Zh, Some(rate)) => format!("取 ${rate}$，${image}$ 即在起点，${vector}$ = {}。", from_pole(*v)),
+                (Lang::En, None) => format!(
+                    "Nothing is added: ${image}$ lies where it starts, ${vector}$ = {}.",
+                    from_pole(*v)
+                ),
+                (Lang::Zh, None) => {
+                    format!("无附加分量，${image}$ 即在起点，${vector}$ = {}。", from_pole(*v))
+                }
+                (Lang::En, Some(rate)) => format!(
+                    "Choose ${rate}$: ${image}$ lies where it starts, ${vector}$ = {}.",
+                    from_pole(*v)
+                ),
+                (Lang::Zh, Some(rate)) => {
+                    format!("取 ${rate}$，${image}$ 即在起点，${vector}$ = {}。", from_pole(*v))
+                }
             }
         }
         Action::Copy { target, from } => {
@@ -240,11 +326,22 @@ fn sentence(w: &PlanWriter, paper: &PlanDrawing, p: &Polygon, action: usize, ste
             let r = &paper.rates[*i];
             let symbol = w.turning(on, r.body);
             let book = &w.scene.book;
-            let value = certain_text(steps, on, action, StepNumber::Rate, book.value(on.turning(), r.value.abs()));
+            let value = certain_text(
+                steps,
+                on,
+                action,
+                StepNumber::Rate,
+                book.value(on.turning(), r.value.abs()),
+            );
             let value = book.label(on.turning(), &inked(value.trim_start_matches('-')));
-            let sign = steps.number(on, action, StepNumber::Rate).map_or(r.value, CertifiedNumber::sign);
+            let sign =
+                steps.number(on, action, StepNumber::Rate).map_or(r.value, CertifiedNumber::sign);
             let sense = if sign == 0.0 { String::new() } else { sense(w.lang, sign).to_string() };
-            let sense = if sense.is_empty() { String::new() } else { format!("{}{sense}", tr(w.lang, ", ", "，")) };
+            let sense = if sense.is_empty() {
+                String::new()
+            } else {
+                format!("{}{sense}", tr(w.lang, ", ", "，"))
+            };
             let [verb, given, is, stop] = match w.lang {
                 Lang::En => ["Calculate ", "", "is given as", "."],
                 Lang::Zh => ["计算 ", "已知 ", "=", "。"],
@@ -254,7 +351,10 @@ fn sentence(w: &PlanWriter, paper: &PlanDrawing, p: &Polygon, action: usize, ste
                     "{verb}${symbol}$ = {} · {} / {} = ${value}${sense}{stop}",
                     millimetres(0, m.length),
                     factor(book, on, p.mu),
-                    book.text(Kind::Length, &tell(StepNumber::Arm, book.value(Kind::Length, m.arm))),
+                    book.text(
+                        Kind::Length,
+                        &tell(StepNumber::Arm, book.value(Kind::Length, m.arm))
+                    ),
                 ),
                 None if w.plan.is_still(r.body) => match w.lang {
                     Lang::En => format!("The link does not turn: ${symbol}$ = 0."),
@@ -274,13 +374,20 @@ fn sentence(w: &PlanWriter, paper: &PlanDrawing, p: &Polygon, action: usize, ste
 fn touched(w: &PlanWriter, on: DiagramKind, v: VertexId) -> Option<(VertexId, Method)> {
     let moves = !w.plan.rest.is_all();
     let alike = |s: &PlanStep| match s {
-        PlanStep::Equation { target, chains, method: method @ (Method::Coincident | Method::Strand) } if *target == v && moves => {
-            match &chains[..] {
-                [chain] if chain.known.is_empty() && chain.unknown.is_empty() => Some((chain.start, *method)),
-                _ => None,
+        PlanStep::Equation {
+            target,
+            chains,
+            method: method @ (Method::Coincident | Method::Strand),
+        } if *target == v && moves => match &chains[..] {
+            [chain] if chain.known.is_empty() && chain.unknown.is_empty() => {
+                Some((chain.start, *method))
             }
-        }
-        PlanStep::Equation { .. } | PlanStep::Image { .. } | PlanStep::Trials { .. } | PlanStep::Same { .. } => None,
+            _ => None,
+        },
+        PlanStep::Equation { .. }
+        | PlanStep::Image { .. }
+        | PlanStep::Trials { .. }
+        | PlanStep::Same { .. } => None,
     };
     let groups = w.plan.steps(on).iter();
     groups.flat_map(|g| g.alternatives.iter().flatten().chain(&g.further)).find_map(alike)
@@ -297,7 +404,10 @@ fn sum(w: &PlanWriter, on: DiagramKind, body: TurningBody) -> Option<String> {
             let sign = if TurningBody::Link(link) == body { "+" } else { "-" };
             let pair = [link, of].map(|l| name_label(w.scene.link_name(l))).join("/");
             let letter = on.turning_letter();
-            Some(format!("{} {sign} {letter}_{{{pair}}}", w.turning(on, TurningBody::Link(against))))
+            Some(format!(
+                "{} {sign} {letter}_{{{pair}}}",
+                w.turning(on, TurningBody::Link(against))
+            ))
         }
         Rate::Given { .. } | Rate::Measured { .. } | Rate::Zero => None,
     }

@@ -47,7 +47,9 @@ pub fn text(found: &LinkCurvatures, steps: bool, lang: Lang) -> String {
         }
         if steps {
             let steps = w.steps(of);
-            lines.extend(steps.iter().enumerate().map(|(k, s)| format!("  {}. {}", k + 1, s.plain())));
+            lines.extend(
+                steps.iter().enumerate().map(|(k, s)| format!("  {}. {}", k + 1, s.plain())),
+            );
         }
     }
     lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
@@ -61,19 +63,33 @@ impl CurvatureWords<'_> {
     /// Returns the link with its points: `2 (BCE)`.
     fn link(&self, link: LinkId) -> String {
         let scene = self.scene();
-        let points: String = hodograph_methods::curvature::points(scene, link).iter().map(|p| scene.point_name(*p)).collect();
-        if points.is_empty() { scene.link_name(link).to_owned() } else { format!("{} ({points})", scene.link_name(link)) }
+        let points: String = hodograph_methods::curvature::points(scene, link)
+            .iter()
+            .map(|p| scene.point_name(*p))
+            .collect();
+        if points.is_empty() {
+            scene.link_name(link).to_owned()
+        } else {
+            format!("{} ({points})", scene.link_name(link))
+        }
     }
 
     /// Returns the heading with the link's points as formulas.
     pub fn heading_set(&self, of: &OfLink) -> Phrase {
-        Phrase::new(&match self.heading(of).split_once('(').map(|(before, rest)| (before, rest.split_once(')'))) {
+        Phrase::new(&match self
+            .heading(of)
+            .split_once('(')
+            .map(|(before, rest)| (before, rest.split_once(')')))
+        {
             Some((before, Some((points, after)))) => {
                 let [open, close] = match self.lang {
                     Lang::En => ["(", ")"],
                     Lang::Zh => ["（", "）"],
                 };
-                format!("{}{open}${points}${close}{after}", if self.lang == Lang::Zh { before.trim_end() } else { before })
+                format!(
+                    "{}{open}${points}${close}{after}",
+                    if self.lang == Lang::Zh { before.trim_end() } else { before }
+                )
             }
             Some((_, None)) | None => self.heading(of),
         })
@@ -138,7 +154,12 @@ impl CurvatureWords<'_> {
     /// Returns the first of some letters that no point has, with or without a number; the first
     /// letter if all are taken.
     fn free_letter(&self, letters: [&'static str; 5]) -> &'static str {
-        let begins = |letter: &str| self.scene().points.iter().any(|p| p.name.trim_end_matches(|c: char| c.is_ascii_digit()) == letter);
+        let begins = |letter: &str| {
+            self.scene()
+                .points
+                .iter()
+                .any(|p| p.name.trim_end_matches(|c: char| c.is_ascii_digit()) == letter)
+        };
         letters.into_iter().find(|l| !begins(l)).unwrap_or(letters[0])
     }
 
@@ -167,20 +188,27 @@ impl CurvatureWords<'_> {
         let scene = self.scene();
         match scene.book.chosen(Kind::Length) {
             Some(unit) => (unit.name().to_owned(), unit.of(1.0)),
-            None => (scene.length_unit.name.to_owned(), scene.length_unit.denominator / scene.length_unit.numerator),
+            None => (
+                scene.length_unit.name.to_owned(),
+                scene.length_unit.denominator / scene.length_unit.numerator,
+            ),
         }
     }
 
     fn length(&self, m: f64) -> String {
         let (name, per_metre) = self.unit();
-        let m = if m.abs() <= ROUNDING * self.found.worked.configuration.extent() { 0.0 } else { m };
+        let m =
+            if m.abs() <= ROUNDING * self.found.worked.configuration.extent() { 0.0 } else { m };
         format!("{} {name}", significant(m * per_metre, DIGITS))
     }
 
     /// Returns the bound of a reading by hand: `± 12 mm`, `–` if there is none.
     fn tolerance(&self, bound: Option<f64>) -> String {
         let (unit, per_metre) = self.unit();
-        bound.map_or_else(|| "–".to_owned(), |m| format!("± {} {unit}", significant(m * per_metre, 2)))
+        bound.map_or_else(
+            || "–".to_owned(),
+            |m| format!("± {} {unit}", significant(m * per_metre, 2)),
+        )
     }
 
     /// Returns the meaning of the tolerances, if there are any.
@@ -204,8 +232,13 @@ impl CurvatureWords<'_> {
 
     fn velocity(&self, v: Vec2) -> String {
         let book = &self.scene().book;
-        let size = book.text(Kind::Velocity, &significant(book.value(Kind::Velocity, v.norm()), DIGITS));
-        if v == Vec2::ZERO { size } else { format!("{size} ∠ {}°", significant(direction_degrees(v.angle()), 5)) }
+        let size =
+            book.text(Kind::Velocity, &significant(book.value(Kind::Velocity, v.norm()), DIGITS));
+        if v == Vec2::ZERO {
+            size
+        } else {
+            format!("{size} ∠ {}°", significant(direction_degrees(v.angle()), 5))
+        }
     }
 
     /// Returns the remarks on the pose that come before the values.
@@ -294,37 +327,70 @@ impl CurvatureWords<'_> {
         let drawn = of.drawn();
         let none = || "–".to_owned();
         let place = |p: Option<Point>| p.map_or_else(none, |p| self.place(p));
-        let mut rows = vec![vec![String::new(), String::new(), tr(lang, "drawing", "作图").into(), tr(lang, "analysis", "解析").into()]];
+        let mut rows = vec![vec![
+            String::new(),
+            String::new(),
+            tr(lang, "drawing", "作图").into(),
+            tr(lang, "analysis", "解析").into(),
+        ]];
         rows[0].extend(of.by_hand.as_ref().map(|_| tr(lang, "by hand", "手工误差").to_owned()));
-        let mut row = |symbol: String, name: [&'static str; 2], by_drawing: String, by_analysis: String| {
-            let mut cells =
-                vec![Phrase::new(&format!("${symbol}$")).plain(), tr(lang, name[0], name[1]).to_owned(), by_drawing, by_analysis];
-            // Velocities and the poles of acceleration rest on the polygons, whose tolerances `solve` gives.
-            let bound = of.by_hand.as_ref().and_then(|t| match name[0] {
-                "pole" => t.pole,
-                "inflection pole" => t.inflection_pole,
-                "inflection circle" => t.diameter,
-                "Ball's point" => t.ball,
-                _ => None,
-            });
-            cells.extend(of.by_hand.as_ref().map(|_| self.tolerance(bound)));
-            rows.push(cells);
-        };
-        row(self.pole(of), ["pole", "速度瞬心"], place(drawn.map(|d| d.pole)), self.place(pole.pole));
+        let mut row =
+            |symbol: String, name: [&'static str; 2], by_drawing: String, by_analysis: String| {
+                let mut cells = vec![
+                    Phrase::new(&format!("${symbol}$")).plain(),
+                    tr(lang, name[0], name[1]).to_owned(),
+                    by_drawing,
+                    by_analysis,
+                ];
+                // Velocities and the poles of acceleration rest on the polygons, whose tolerances
+                // `solve` gives.
+                let bound = of.by_hand.as_ref().and_then(|t| match name[0] {
+                    "pole" => t.pole,
+                    "inflection pole" => t.inflection_pole,
+                    "inflection circle" => t.diameter,
+                    "Ball's point" => t.ball,
+                    _ => None,
+                });
+                cells.extend(of.by_hand.as_ref().map(|_| self.tolerance(bound)));
+                rows.push(cells);
+            };
+        row(
+            self.pole(of),
+            ["pole", "速度瞬心"],
+            place(drawn.map(|d| d.pole)),
+            self.place(pole.pole),
+        );
         if pole.stands() {
             return rows;
         }
         let letter = |l: &str| self.letter(l, of);
-        row(letter("J"), ["inflection pole", "拐点极"], place(drawn.map(|d| d.pole + d.normal)), self.place(pole.inflection_pole()));
+        row(
+            letter("J"),
+            ["inflection pole", "拐点极"],
+            place(drawn.map(|d| d.pole + d.normal)),
+            self.place(pole.inflection_pole()),
+        );
         row(
             letter("d"),
             ["inflection circle", "拐点圆直径"],
             drawn.map_or_else(none, |d| self.length(d.normal.norm())),
             self.length(pole.diameter()),
         );
-        let tangent = |u: Vec2| format!("{}°", significant(direction_degrees(u.angle()).rem_euclid(180.0), DIGITS));
-        row("t".into(), ["pole tangent", "瞬心切线"], drawn.map_or_else(none, |d| tangent(d.normal.perp())), tangent(pole.normal.perp()));
-        row(letter("U"), ["Ball's point", "鲍尔点"], place(drawn.and_then(|d| d.ball)), place(pole.ball));
+        let tangent = |u: Vec2| {
+            format!("{}°", significant(direction_degrees(u.angle()).rem_euclid(180.0), DIGITS))
+        };
+        row(
+            "t".into(),
+            ["pole tangent", "瞬心切线"],
+            drawn.map_or_else(none, |d| tangent(d.normal.perp())),
+            tangent(pole.normal.perp()),
+        );
+        row(
+            letter("U"),
+            ["Ball's point", "鲍尔点"],
+            place(drawn.and_then(|d| d.ball)),
+            place(pole.ball),
+        );
         row(
             letter("u"),
             ["pole velocity", "瞬心移动速度"],
@@ -337,9 +403,17 @@ impl CurvatureWords<'_> {
             place(drawn.and_then(|d| d.acceleration_pole)),
             self.place(pole.acceleration_pole),
         );
-        let bresse = pole.bresse.map_or_else(|| tr(lang, "the line PJ (α = 0)", "直线 PJ（α = 0）").to_owned(), |d| self.length(d.norm()));
+        let bresse = pole.bresse.map_or_else(
+            || tr(lang, "the line PJ (α = 0)", "直线 PJ（α = 0）").to_owned(),
+            |d| self.length(d.norm()),
+        );
         let bresse_drawn = drawn.and_then(|d| d.bresse).filter(|_| pole.bresse.is_some());
-        row(letter("b"), ["Bresse's circle", "布雷斯圆直径"], bresse_drawn.map_or_else(none, |d| self.length(d.norm())), bresse);
+        row(
+            letter("b"),
+            ["Bresse's circle", "布雷斯圆直径"],
+            bresse_drawn.map_or_else(none, |d| self.length(d.norm())),
+            bresse,
+        );
         rows
     }
 
@@ -349,10 +423,13 @@ impl CurvatureWords<'_> {
             .iter()
             .enumerate()
             .map(|(k, p)| {
-                let (name, drawn) = (self.scene().point_name(p.point).to_owned(), p.drawn.map(|d| d.centre));
+                let (name, drawn) =
+                    (self.scene().point_name(p.point).to_owned(), p.drawn.map(|d| d.centre));
                 let (radius, centre) = self.bend(p);
                 let drawn = match drawn {
-                    Some(PlanePoint::At(c)) => format!("{}  {}", self.length(c.distance(p.at)), self.place(c)),
+                    Some(PlanePoint::At(c)) => {
+                        format!("{}  {}", self.length(c.distance(p.at)), self.place(c))
+                    }
                     Some(PlanePoint::Infinity(_)) => tr(self.lang, "∞", "∞").to_owned(),
                     None => "–".to_owned(),
                 };
@@ -376,7 +453,10 @@ impl CurvatureWords<'_> {
         if let Some(pole) = of.pole().filter(|p| !p.stands()) {
             parts.push(format!("${}$ = {}", self.letter("d", of), words(pole.diameter())));
             let book = &scene.book;
-            let u = book.text(Kind::Velocity, &significant(book.value(Kind::Velocity, pole.pole_velocity.norm()), 4));
+            let u = book.text(
+                Kind::Velocity,
+                &significant(book.value(Kind::Velocity, pole.pole_velocity.norm()), 4),
+            );
             parts.push(format!("${}$ = {u}", self.letter("u", of)));
         }
         for p in &of.points {
@@ -397,8 +477,20 @@ impl CurvatureWords<'_> {
         let lang = self.lang;
         match p.bend {
             Bend::About(centre, radius) => (self.length(radius), self.place(centre)),
-            Bend::Straight => ("∞".into(), tr(lang, "on the inflection circle: its path is straight", "在拐点圆上，轨迹为直").into()),
-            Bend::AtPole => ("0".into(), tr(lang, "it is the pole: its path has a cusp or stops", "即瞬心：轨迹有尖点或停止").into()),
+            Bend::Straight => (
+                "∞".into(),
+                tr(lang, "on the inflection circle: its path is straight", "在拐点圆上，轨迹为直")
+                    .into(),
+            ),
+            Bend::AtPole => (
+                "0".into(),
+                tr(
+                    lang,
+                    "it is the pole: its path has a cusp or stops",
+                    "即瞬心：轨迹有尖点或停止",
+                )
+                .into(),
+            ),
             Bend::Rest => ("–".into(), tr(lang, "at rest", "静止").into()),
         }
     }

@@ -56,7 +56,9 @@ fn link(found: &LinkCurvatures, of: &OfLink, centrodes: &[Centrodes]) -> Json {
         CurvatureDrawing::OneLine(_) => "one-line",
         CurvatureDrawing::NoRays => "no-rays",
     };
-    let steps = |lang| CurvatureWords { found, lang }.steps(of).iter().map(|s| s.plain()).collect::<Vec<_>>();
+    let steps = |lang| {
+        CurvatureWords { found, lang }.steps(of).iter().map(|s| s.plain()).collect::<Vec<_>>()
+    };
     let drawn = of.drawn().map(|d| {
         json!({
             "pole": place(d.pole),
@@ -128,8 +130,12 @@ fn link(found: &LinkCurvatures, of: &OfLink, centrodes: &[Centrodes]) -> Json {
 /// Returns the stations of both centrodes; `null` if the pole is at infinity or the pose has no
 /// motion.
 fn paths(c: &Centrodes) -> Json {
-    let at = |s: &PoleStation, p: Point| if s.omega != 0.0 && p.is_finite() { place(p) } else { Json::Null };
-    let known = |of: &dyn Fn(&PoleStation) -> Json| c.stations.iter().map(|s| s.as_ref().map_or(Json::Null, of)).collect::<Vec<_>>();
+    let at = |s: &PoleStation, p: Point| {
+        if s.omega != 0.0 && p.is_finite() { place(p) } else { Json::Null }
+    };
+    let known = |of: &dyn Fn(&PoleStation) -> Json| {
+        c.stations.iter().map(|s| s.as_ref().map_or(Json::Null, of)).collect::<Vec<_>>()
+    };
     json!({
         "closed": c.closed,
         "travel": known(&|s| json!(s.travel)),

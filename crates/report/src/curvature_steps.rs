@@ -20,7 +20,10 @@ impl CurvatureWords<'_> {
         let mut out = match &of.drawing {
             CurvatureDrawing::Rays(rays) => self.of_rays(of, rays),
             CurvatureDrawing::Rolling(rolled) => self.of_rolling(of, rolled),
-            CurvatureDrawing::Hinge(_) | CurvatureDrawing::Parallel(_) | CurvatureDrawing::OneLine(_) | CurvatureDrawing::NoRays => {
+            CurvatureDrawing::Hinge(_)
+            | CurvatureDrawing::Parallel(_)
+            | CurvatureDrawing::OneLine(_)
+            | CurvatureDrawing::NoRays => {
                 return Vec::new();
             }
         };
@@ -56,7 +59,8 @@ impl CurvatureWords<'_> {
         let (pole, j, u) = (self.pole(of), self.letter("J", of), self.letter("U", of));
         let (corner, foot) = (self.corner(), self.foot());
         let [b, c] = rays.known.each_ref().map(|k| self.moving(k));
-        let [g, h] = rays.known.each_ref().map(|k| self.below(corner, k.why.moving().unwrap_or(PointId(0))));
+        let [g, h] =
+            rays.known.each_ref().map(|k| self.below(corner, k.why.moving().unwrap_or(PointId(0))));
         match self.lang {
             Lang::En => [
                 format!(
@@ -78,13 +82,18 @@ impl CurvatureWords<'_> {
     }
 
     fn moving(&self, k: &CurvatureRay) -> String {
-        k.why.moving().map_or_else(|| format!("{}^{{\\infty}}", self.below("N", k.why.fixed().unwrap_or(PointId(0)))), |p| self.point(p))
+        k.why.moving().map_or_else(
+            || format!("{}^{{\\infty}}", self.below("N", k.why.fixed().unwrap_or(PointId(0)))),
+            |p| self.point(p),
+        )
     }
 
     fn fixed(&self, k: &CurvatureRay) -> String {
         match (k.why.fixed(), k.why.moving()) {
             (Some(p), _) => self.point(p),
-            (None, Some(p)) if matches!(k.fixed, PlanePoint::Infinity(_)) => format!("{}^{{\\infty}}", self.centre(p)),
+            (None, Some(p)) if matches!(k.fixed, PlanePoint::Infinity(_)) => {
+                format!("{}^{{\\infty}}", self.centre(p))
+            }
             (None, Some(p)) => self.centre(p),
             (None, None) => String::new(),
         }
@@ -100,19 +109,32 @@ impl CurvatureWords<'_> {
                 )
             }
             (CurvatureReason::Crank(_, _, by), Lang::Zh) => {
-                format!("${moving}$ 绕 ${fixed}$ 作圆周运动（构件 {}）：作射线 ${fixed}{moving}$", self.scene().link_name(by))
+                format!(
+                    "${moving}$ 绕 ${fixed}$ 作圆周运动（构件 {}）：作射线 ${fixed}{moving}$",
+                    self.scene().link_name(by)
+                )
             }
             (CurvatureReason::Straight(..), Lang::En) => {
-                format!("${moving}$ moves on a straight line: the ray is perpendicular to its guide, the centre lies at infinity")
+                format!(
+                    "${moving}$ moves on a straight line: the ray is perpendicular to its guide, the centre lies at infinity"
+                )
             }
-            (CurvatureReason::Straight(..), Lang::Zh) => format!("${moving}$ 沿直线运动：射线垂直于导路，曲率中心在无穷远处"),
-            (CurvatureReason::Arc(..), Lang::En) => format!("${moving}$ moves on an arc about ${fixed}$: draw the ray ${fixed}{moving}$"),
-            (CurvatureReason::Arc(..), Lang::Zh) => format!("${moving}$ 沿以 ${fixed}$ 为中心的圆弧运动：作射线 ${fixed}{moving}$"),
+            (CurvatureReason::Straight(..), Lang::Zh) => {
+                format!("${moving}$ 沿直线运动：射线垂直于导路，曲率中心在无穷远处")
+            }
+            (CurvatureReason::Arc(..), Lang::En) => format!(
+                "${moving}$ moves on an arc about ${fixed}$: draw the ray ${fixed}{moving}$"
+            ),
+            (CurvatureReason::Arc(..), Lang::Zh) => {
+                format!("${moving}$ 沿以 ${fixed}$ 为中心的圆弧运动：作射线 ${fixed}{moving}$")
+            }
             (CurvatureReason::Through(..), Lang::En) => format!(
                 "a line of the link along its guide always leads through ${fixed}$: draw the ray perpendicular to it through ${fixed}$; the moving point lies at infinity"
             ),
             (CurvatureReason::Through(..), Lang::Zh) => {
-                format!("构件上沿导路的直线始终通过 ${fixed}$：过 ${fixed}$ 作其垂线为射线，动点在无穷远处")
+                format!(
+                    "构件上沿导路的直线始终通过 ${fixed}$：过 ${fixed}$ 作其垂线为射线，动点在无穷远处"
+                )
             }
             (CurvatureReason::Borrowed(_, of), Lang::En) => format!(
                 "${moving}$ belongs to link {} too, whose drawing gives the centre ${fixed}$ of its path: draw the ray ${fixed}{moving}$",
@@ -139,9 +161,14 @@ impl CurvatureWords<'_> {
         });
         let [b, c] = &rays.known;
         if let Some(q) = rays.collineation {
-            let (moving, fixed) = ((self.moving(b), self.moving(c)), (self.fixed(b), self.fixed(c)));
+            let (moving, fixed) =
+                ((self.moving(b), self.moving(c)), (self.fixed(b), self.fixed(c)));
             let at = if q.at().is_none() {
-                tr(lang, " (at infinity: the axis is parallel to both)", "（在无穷远处：轴与两线平行）")
+                tr(
+                    lang,
+                    " (at infinity: the axis is parallel to both)",
+                    "（在无穷远处：轴与两线平行）",
+                )
             } else {
                 ""
             };
@@ -210,7 +237,13 @@ impl CurvatureWords<'_> {
 
     fn of_point(&self, of: &OfLink, p: &OfPoint) -> Option<String> {
         let (drawn, h) = (p.drawn?, self.helper());
-        let (pole, j, e, centre, lang) = (self.pole(of), self.letter("J", of), self.point(p.point), self.centre(p.point), self.lang);
+        let (pole, j, e, centre, lang) = (
+            self.pole(of),
+            self.letter("J", of),
+            self.point(p.point),
+            self.centre(p.point),
+            self.lang,
+        );
         let given = match &of.drawing {
             CurvatureDrawing::Rays(r) => r.known.iter().any(|k| k.why.moving() == Some(p.point)),
             CurvatureDrawing::Rolling(_)
@@ -222,9 +255,12 @@ impl CurvatureWords<'_> {
         if given {
             return None;
         }
-        let radius = drawn.centre.at().map_or_else(String::new, |c| self.on_paper(c.distance(p.at)));
+        let radius =
+            drawn.centre.at().map_or_else(String::new, |c| self.on_paper(c.distance(p.at)));
         Some(match (drawn.centre, lang) {
-            (PlanePoint::Infinity(_), Lang::En) => format!("${e}$ lies on the inflection circle: its path is straight"),
+            (PlanePoint::Infinity(_), Lang::En) => {
+                format!("${e}$ lies on the inflection circle: its path is straight")
+            }
             (PlanePoint::Infinity(_), Lang::Zh) => format!("${e}$ 在拐点圆上：其轨迹为直"),
             (PlanePoint::At(_), Lang::En) => format!(
                 "draw the perpendicular to ${pole}{e}$ at ${pole}$: it meets ${e}{j}$ at ${h}$; the parallel to ${pole}{j}$ through ${h}$ meets ${pole}{e}$ at ${centre}$, the centre of the path of ${e}$: ${e}{centre}$ = {radius} on paper"

@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 
 use miette::{
-    GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, MietteError, MietteSpanContents, NamedSource, Report,
-    SourceCode, SourceSpan, SpanContents,
+    GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, MietteError,
+    MietteSpanContents, NamedSource, Report, SourceCode, SourceSpan, SpanContents,
 };
 use textwrap::WordSplitter;
 
@@ -47,7 +47,8 @@ pub fn render_in(faults: &Faults, source_name: &str, source: &str, lang: Lang) -
     for d in faults.list.iter().take(MAX_SHOWN) {
         // The visible signs may be longer than the characters that they replace.
         let moved = |at: usize| if seen == source { at } else { visible(&source[..at]).len() };
-        let span = d.span.map(|s| s.within(source)).map(|s| Span::new(moved(s.start), moved(s.end)));
+        let span =
+            d.span.map(|s| s.within(source)).map(|s| Span::new(moved(s.start), moved(s.end)));
         let shown = match span {
             Some(s) => line_length(s, &seen) <= MAX_LINE,
             None => true,
@@ -91,18 +92,37 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     if !text.char_indices().any(|(at, c)| sign(c).is_some() && !kept(at, c)) {
         return Cow::Borrowed(text);
     }
-    Cow::Owned(text.char_indices().map(|(at, c)| if kept(at, c) { c } else { sign(c).unwrap_or(c) }).collect())
+    Cow::Owned(
+        text.char_indices()
+            .map(|(at, c)| if kept(at, c) { c } else { sign(c).unwrap_or(c) })
+            .collect(),
+    )
 }
 
 /// A source text with columns that count characters; the library counts bytes.
 struct Characters(String);
 
 impl SourceCode for Characters {
-    fn read_span<'a>(&'a self, span: &SourceSpan, before: usize, after: usize) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
+    fn read_span<'a>(
+        &'a self,
+        span: &SourceSpan,
+        before: usize,
+        after: usize,
+    ) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
         let found = self.0.read_span(span, before, after)?;
         // If lines precede it, the text returned starts at the beginning of its line.
-        let column = if before == 0 { LineColumn::of(&self.0, span.offset()).column - 1 } else { found.column() };
-        Ok(Box::new(MietteSpanContents::new(found.data(), *found.span(), found.line(), column, found.line_count())))
+        let column = if before == 0 {
+            LineColumn::of(&self.0, span.offset()).column - 1
+        } else {
+            found.column()
+        };
+        Ok(Box::new(MietteSpanContents::new(
+            found.data(),
+            *found.span(),
+            found.line(),
+            column,
+            found.line_count(),
+        )))
     }
 }
 
@@ -112,13 +132,16 @@ fn report(d: &Diagnostic, span: Option<Span>, name: &str, source: &str, lang: La
         Severity::Warning => miette::Severity::Warning,
         Severity::Error => miette::Severity::Error,
     };
-    let mut shown = MietteDiagnostic::new(visible(lang.of(&d.message))).with_code(d.code).with_severity(severity);
+    let mut shown = MietteDiagnostic::new(visible(lang.of(&d.message)))
+        .with_code(d.code)
+        .with_severity(severity);
     if let Some(help) = &d.help {
         shown = shown.with_help(visible(lang.of(help)));
     }
     if let Some(s) = span {
         shown = shown.with_label(LabeledSpan::at(s.start..s.end, tr(lang, "here", "此处")));
-        return Report::new(shown).with_source_code(NamedSource::new(name, Characters(source.to_owned())));
+        return Report::new(shown)
+            .with_source_code(NamedSource::new(name, Characters(source.to_owned())));
     }
     Report::new(shown)
 }
@@ -136,12 +159,15 @@ fn plain(d: &Diagnostic, span: Option<Span>, name: &str, source: &str, lang: Lan
         Severity::Warning => tr(lang, "warning", "警告"),
         Severity::Error => tr(lang, "error", "错误"),
     };
-    let place = span.map(|s| LineColumn::of(source, s.start)).map_or_else(String::new, |at| format!(":{}:{}", at.line, at.column));
+    let place = span
+        .map(|s| LineColumn::of(source, s.start))
+        .map_or_else(String::new, |at| format!(":{}:{}", at.line, at.column));
     let help = d.help.as_ref().map_or_else(String::new, |h| match lang {
         Lang::En => format!(" ({})", h.en),
         Lang::Zh => format!("（{}）", h.zh),
     });
-    visible(&format!("{name}{place}: {kind}[{}]: {}{help}\n", d.code, lang.of(&d.message))).into_owned()
+    visible(&format!("{name}{place}: {kind}[{}]: {}{help}\n", d.code, lang.of(&d.message)))
+        .into_owned()
 }
 
 #[cfg(test)]
@@ -161,7 +187,13 @@ mod tests {
         let source = "{ \"lengths\": {\n  \"AB\": 100 } }\n";
         let start = source.find("100").unwrap();
         let text = render(&faults(Span::new(start, start + 3)), "scene.json", source);
-        for part in ["no-unit", "a length is wanted here, `100` has no unit", "scene.json:2:9", "\"AB\": 100", "help: write \"100 mm\""] {
+        for part in [
+            "no-unit",
+            "a length is wanted here, `100` has no unit",
+            "scene.json:2:9",
+            "\"AB\": 100",
+            "help: write \"100 mm\"",
+        ] {
             assert!(text.contains(part), "no {part:?} in\n{text}");
         }
         assert!(!text.contains('\u{1b}'), "colours in\n{text}");
@@ -171,12 +203,20 @@ mod tests {
     fn a_very_long_line_is_named_not_shown() {
         let source = format!("{{{}100}}", " ".repeat(5000));
         let text = render(&faults(Span::new(5001, 5004)), "scene.json", &source);
-        assert_eq!(text, "scene.json:1:5002: error[no-unit]: a length is wanted here, `100` has no unit (write \"100 mm\")\n");
+        assert_eq!(
+            text,
+            "scene.json:1:5002: error[no-unit]: a length is wanted here, `100` has no unit (write \"100 mm\")\n"
+        );
     }
 
     #[test]
     fn thousands_are_counted() {
-        let many = Faults { list: vec![Diagnostic::warning("given-twice", Both::same("`v_E` is asked twice")); 1234] };
+        let many = Faults {
+            list: vec![
+                Diagnostic::warning("given-twice", Both::same("`v_E` is asked twice"));
+                1234
+            ],
+        };
         let text = render(&many, "scene.json", "{}");
         assert!(text.ends_with("\n... and 1134 more\n"), "{text}");
     }
@@ -195,7 +235,10 @@ mod tests {
             ] {
                 assert!(text.contains(&format!("s␛.json:1:{column}")), "{text}");
                 assert!(text.contains("a ␛]0;␇ b␀"), "{text}");
-                assert!(!text.contains(|c: char| c.is_control() && c != '\n' || c == '\u{202e}'), "{text:?}");
+                assert!(
+                    !text.contains(|c: char| c.is_control() && c != '\n' || c == '\u{202e}'),
+                    "{text:?}"
+                );
             }
         }
         assert_eq!(visible("a\r\nb\rc"), "a\r\nb␍c");

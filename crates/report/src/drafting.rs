@@ -32,9 +32,13 @@ pub fn amount(book: &Book, find: &Find, t: &Tolerance) -> Option<ToleranceAmount
 pub fn by_hand_words(lang: Lang, pencil_mm: f64, mu_l: f64) -> String {
     match lang {
         Lang::En => {
-            format!("by hand: 95 of 100 drawings to μ_l = {mu_l} m/mm with a pencil error of {pencil_mm} mm fall within ±")
+            format!(
+                "by hand: 95 of 100 drawings to μ_l = {mu_l} m/mm with a pencil error of {pencil_mm} mm fall within ±"
+            )
         }
-        Lang::Zh => format!("手工误差：按 μ_l = {mu_l} m/mm、作图误差 {pencil_mm} mm 作图，100 次中有 95 次在 ± 之内"),
+        Lang::Zh => format!(
+            "手工误差：按 μ_l = {mu_l} m/mm、作图误差 {pencil_mm} mm 作图，100 次中有 95 次在 ± 之内"
+        ),
     }
 }
 
@@ -50,7 +54,9 @@ pub enum ToleranceAmount {
 pub fn words(book: &Book, find: &Find, t: Option<&Tolerance>) -> String {
     match t.and_then(|t| amount(book, find, t)) {
         Some(ToleranceAmount::Percent(value)) => format!("± {} %", significant(value, DIGITS)),
-        Some(ToleranceAmount::Of(kind, value)) => format!("± {}", book.text(kind, &significant(value, DIGITS))),
+        Some(ToleranceAmount::Of(kind, value)) => {
+            format!("± {}", book.text(kind, &significant(value, DIGITS)))
+        }
         None => String::new(),
     }
 }
@@ -62,20 +68,29 @@ pub fn text(w: &PlanWriter, worked: &Worked, steps: &CertifiedSteps) -> String {
     let (lang, book) = (w.lang, &w.scene.book);
     let pencil = shortest(d.pencil_mm);
     let mut out = match lang {
-        hodograph_scene::Lang::En => format!("drawn by hand, 95 % of the marks within {pencil} mm\n"),
+        hodograph_scene::Lang::En => {
+            format!("drawn by hand, 95 % of the marks within {pencil} mm\n")
+        }
         hodograph_scene::Lang::Zh => format!("手工作图，95% 的点误差不超过 {pencil} mm\n"),
     };
     if !d.crossings.is_empty() {
         let head = ["crossing", "angle", "moves by", ""];
         let zh = ["交点", "交角", "偏移", ""];
         let mut rows = vec![[0, 1, 2, 3].map(|i| tr(lang, head[i], zh[i]).to_string())];
-        let certain = DiagramKind::OF_MOTION.into_iter().flat_map(|on| steps.crossings(&worked.construction, on));
+        let certain = DiagramKind::OF_MOTION
+            .into_iter()
+            .flat_map(|on| steps.crossings(&worked.construction, on));
         rows.extend(d.crossings.iter().zip(certain).map(|(c, certain)| {
-            let told = |what, rough: f64| certain(what).unwrap_or_else(|| format!("≈ {}", significant(rough, 1)));
+            let told = |what, rough: f64| {
+                certain(what).unwrap_or_else(|| format!("≈ {}", significant(rough, 1)))
+            };
             let [moves, si] = match c.moves_on_paper_mm() {
                 Some(mm) => [
                     format!("{} mm", told(StepNumber::Moved, mm)),
-                    book.text(c.on.kind(), &told(StepNumber::Off, book.value(c.on.kind(), c.moves))),
+                    book.text(
+                        c.on.kind(),
+                        &told(StepNumber::Off, book.value(c.on.kind(), c.moves)),
+                    ),
                 ],
                 None => [tr(lang, "off the paper", "移出图纸").to_string(), String::new()],
             };
@@ -85,20 +100,45 @@ pub fn text(w: &PlanWriter, worked: &Worked, steps: &CertifiedSteps) -> String {
     }
     let forces = if worked.equilibrium.is_some() { "μ_F" } else { "" };
     let mut rows = vec![
-        [tr(lang, "for 1 %", "误差 1% 时"), tr(lang, "larger by", "放大"), "μ_l", "μ_v", "μ_a", forces, tr(lang, "paper", "图纸")]
-            .map(str::to_string),
+        [
+            tr(lang, "for 1 %", "误差 1% 时"),
+            tr(lang, "larger by", "放大"),
+            "μ_l",
+            "μ_v",
+            "μ_a",
+            forces,
+            tr(lang, "paper", "图纸"),
+        ]
+        .map(str::to_string),
     ];
     for (find, t) in w.scene.find.iter().zip(&d.tolerances) {
-        let Some(l) = t.as_ref().filter(|t| t.absolute > 0.0).and_then(|t| t.larger.as_ref()) else { continue };
+        let Some(l) = t.as_ref().filter(|t| t.absolute > 0.0).and_then(|t| t.larger.as_ref())
+        else {
+            continue;
+        };
         let [width, height] = l.size_mm;
-        let by = if l.factor > 1.0 { format!("× {}", shortest(l.rounded())) } else { tr(lang, "as it is", "不必").to_string() };
+        let by = if l.factor > 1.0 {
+            format!("× {}", shortest(l.rounded()))
+        } else {
+            tr(lang, "as it is", "不必").to_string()
+        };
         let mu = DiagramKind::ALL.map(|on| {
             let kind = on.kind();
-            l.scales.get(kind).map_or(String::new(), |mu| format!("{} {}", shortest(book.value(kind, mu)), book.scale_name(kind)))
+            l.scales.get(kind).map_or(String::new(), |mu| {
+                format!("{} {}", shortest(book.value(kind, mu)), book.scale_name(kind))
+            })
         });
         let sheet = l.sheet().unwrap_or(tr(lang, "larger than A0", "大于 A0"));
         let [l_, v, a, f] = mu;
-        rows.push([find.text.clone(), by, l_, v, a, f, format!("{width:.0} × {height:.0} mm, {sheet}")]);
+        rows.push([
+            find.text.clone(),
+            by,
+            l_,
+            v,
+            a,
+            f,
+            format!("{width:.0} × {height:.0} mm, {sheet}"),
+        ]);
     }
     if rows.len() > 1 {
         out.push_str(&table(&rows));
@@ -109,15 +149,22 @@ pub fn text(w: &PlanWriter, worked: &Worked, steps: &CertifiedSteps) -> String {
 fn crossing_name(w: &PlanWriter, c: &CrossingTolerance) -> String {
     match c.on {
         DiagramKind::Plane => vertex_name(w.scene, w.plan, c.target),
-        on @ (DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force) => formula(&w.image(on, c.target)),
+        on @ (DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force) => {
+            formula(&w.image(on, c.target))
+        }
     }
 }
 
 fn table<const N: usize>(rows: &[[String; N]]) -> String {
-    let wide: Vec<usize> = (0..N).map(|i| rows.iter().map(|r| r[i].width()).max().unwrap_or(0)).collect();
+    let wide: Vec<usize> =
+        (0..N).map(|i| rows.iter().map(|r| r[i].width()).max().unwrap_or(0)).collect();
     let mut out = String::new();
     for row in rows {
-        let cells = row.iter().zip(&wide).filter(|(_, w)| **w > 0).map(|(c, w)| format!("{c}{}", " ".repeat(w - c.width())));
+        let cells = row
+            .iter()
+            .zip(&wide)
+            .filter(|(_, w)| **w > 0)
+            .map(|(c, w)| format!("{c}{}", " ".repeat(w - c.width())));
         out.push_str(format!("  {}", cells.collect::<Vec<_>>().join("  ")).trim_end());
         out.push('\n');
     }
@@ -144,7 +191,9 @@ pub fn json(scene: &Scene, worked: &Worked, d: &Drafting) -> Json {
 pub fn answer_fields(t: Option<&Tolerance>) -> [(&'static str, Json); 3] {
     let larger = t.and_then(|t| t.larger.as_ref()).map(|l| {
         let mut all = json!({"factor": l.factor});
-        for (kind, key) in DiagramKind::ALL.into_iter().filter_map(|on| Some((on.kind(), on.kind().scale_key()?))) {
+        for (kind, key) in
+            DiagramKind::ALL.into_iter().filter_map(|on| Some((on.kind(), on.kind().scale_key()?)))
+        {
             if kind != Kind::Force || l.scales.get(kind).is_some() {
                 all[key] = l.scales.get(kind).into();
             }
@@ -152,5 +201,9 @@ pub fn answer_fields(t: Option<&Tolerance>) -> [(&'static str, Json); 3] {
         (all["largest_drawing_mm"], all["paper"]) = (json!(l.size_mm), json!(l.sheet()));
         all
     });
-    [("tolerance", t.map(|t| t.absolute).into()), ("relative", t.and_then(|t| t.relative).into()), ("scale_for_1_percent", larger.into())]
+    [
+        ("tolerance", t.map(|t| t.absolute).into()),
+        ("relative", t.and_then(|t| t.relative).into()),
+        ("scale_for_1_percent", larger.into()),
+    ]
 }

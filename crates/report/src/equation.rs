@@ -20,32 +20,57 @@ pub enum WrittenStep {
 }
 
 /// Returns the equation of a step of a polygon as it is drawn; `None` for a step without text.
-pub fn written(w: &PlanWriter, paper: &PlanDrawing, on: DiagramKind, step: &PlanStep) -> Option<WrittenStep> {
+pub fn written(
+    w: &PlanWriter,
+    paper: &PlanDrawing,
+    on: DiagramKind,
+    step: &PlanStep,
+) -> Option<WrittenStep> {
     let line = |text: String| Some(WrittenStep::Line(Phrase::new(&text)));
     match step {
         PlanStep::Equation { target, chains, .. } => equation(w, on, *target, chains),
         PlanStep::Image { target, from, link } => {
-            let images = format!("{}{}{}", w.image(on, from.0), w.image(on, from.1), w.image(on, *target));
+            let images =
+                format!("{}{}{}", w.image(on, from.0), w.image(on, from.1), w.image(on, *target));
             let spots = format!("{}{}{}", w.spot(from.0), w.spot(from.1), w.spot(*target));
             let (vector, link) = (w.vector(on, *target), w.scene.link_name(*link));
             let parts = |[a, b, x]: [String; 3]| format!("{a}{b}/{a}{x}");
             let all = [from.0, from.1, *target];
-            let ratio = || format!("{} = {}", parts(all.map(|v| w.image(on, v))), parts(all.map(|v| w.spot(v))));
+            let ratio = || {
+                format!(
+                    "{} = {}",
+                    parts(all.map(|v| w.image(on, v))),
+                    parts(all.map(|v| w.spot(v)))
+                )
+            };
             line(match w.lang {
-                Lang::En if paper.diagram.in_line(all) => format!("${vector}$ by the image of link {link}, points in line: ${}$.", ratio()),
-                Lang::Zh if paper.diagram.in_line(all) => format!("由构件 {link} 上共线各点的影像求 ${vector}$：${}$。", ratio()),
-                Lang::En => {
-                    format!("${vector}$ by the image of link {link}: ${images}$ is similar to ${spots}$, letters in the same order.")
+                Lang::En if paper.diagram.in_line(all) => format!(
+                    "${vector}$ by the image of link {link}, points in line: ${}$.",
+                    ratio()
+                ),
+                Lang::Zh if paper.diagram.in_line(all) => {
+                    format!("由构件 {link} 上共线各点的影像求 ${vector}$：${}$。", ratio())
                 }
-                Lang::Zh => format!("由构件 {link} 的影像求 ${vector}$：${images}$ 与 ${spots}$ 相似，字母顺序一致。"),
+                Lang::En => {
+                    format!(
+                        "${vector}$ by the image of link {link}: ${images}$ is similar to ${spots}$, letters in the same order."
+                    )
+                }
+                Lang::Zh => format!(
+                    "由构件 {link} 的影像求 ${vector}$：${images}$ 与 ${spots}$ 相似，字母顺序一致。"
+                ),
             })
         }
         PlanStep::Trials { target, images, mates } => {
             let [vector, image] = [w.vector(on, *target), w.image(on, *target)];
             let [a, b] = [images, mates].map(|pair| pair.map(|v| w.image(on, v)).concat());
             line(match w.lang {
-                Lang::En => format!("${vector}$: ${image}$ lies where the lines ${a}$ and ${b}$ of the two trials cross."),
-                Lang::Zh => format!("求 ${vector}$：两次试作所得直线 ${a}$ 与 ${b}$ 的交点即 ${image}$。"),
+                Lang::En => format!(
+                    "${vector}$: ${image}$ lies where the lines ${a}$ and ${b}$ of the two trials cross."
+                ),
+                Lang::Zh => {
+                    format!("求 ${vector}$：两次试作所得直线 ${a}$ 与 ${b}$ 的交点即 ${image}$。")
+                }
             })
         }
         PlanStep::Same { target, from, link } => {
@@ -62,7 +87,12 @@ pub fn mate(w: &PlanWriter, step: &PlanStep) -> Option<String> {
     Some(fill(words(w.lang).mate, &[("X", mate_letter(w.scene)), ("1", &point), ("", &bar)]))
 }
 
-fn equation(w: &PlanWriter, on: DiagramKind, target: VertexId, chains: &[TermChain]) -> Option<WrittenStep> {
+fn equation(
+    w: &PlanWriter,
+    on: DiagramKind,
+    target: VertexId,
+    chains: &[TermChain],
+) -> Option<WrittenStep> {
     let vector = w.vector(on, target);
     let line = |text: String| Some(WrittenStep::Line(Phrase::new(&text)));
     if let [chain] = chains
@@ -70,9 +100,11 @@ fn equation(w: &PlanWriter, on: DiagramKind, target: VertexId, chains: &[TermCha
         && let [term] = chain.known[..]
     {
         // One known term: a driven point, or a point on a known link.
-        let (part, magnitude, direction) = (w.symbol(on, &term), w.magnitude(on, &term), w.direction(&term));
+        let (part, magnitude, direction) =
+            (w.symbol(on, &term), w.magnitude(on, &term), w.direction(&term));
         let head = if vector == part { vector } else { format!("{vector} = {part}") };
-        let known = if magnitude == w.notation.known { String::new() } else { format!(" = {magnitude}") };
+        let known =
+            if magnitude == w.notation.known { String::new() } else { format!(" = {magnitude}") };
         let given = if known.is_empty() { tr(w.lang, " (given)", "（已知）") } else { "" };
         return line(format!("${head}{known}${given}{}${direction}$", tr(w.lang, ", ", "，")));
     }
@@ -80,7 +112,11 @@ fn equation(w: &PlanWriter, on: DiagramKind, target: VertexId, chains: &[TermCha
         && chain.known.is_empty()
         && chain.unknown.is_empty()
     {
-        let start = if w.plan.vertex(chain.start).fixed { "0".to_owned() } else { w.summand(on, chain.start) };
+        let start = if w.plan.vertex(chain.start).fixed {
+            "0".to_owned()
+        } else {
+            w.summand(on, chain.start)
+        };
         let vector = w.summand(on, target);
         return if chain.start == target { None } else { line(format!("${vector} = {start}$")) };
     }

@@ -12,7 +12,9 @@ use hodograph_base::digits::{inked, significant};
 use hodograph_base::geom::Vec2;
 use hodograph_base::notation::Notation;
 use hodograph_board::construction::{MarkId, NumberId};
-use hodograph_board::equilibrium::{About, Equilibrium, ForceEdge, ForceTerm, GroupForces, MomentResult, Moments, Party};
+use hodograph_board::equilibrium::{
+    About, Equilibrium, ForceEdge, ForceTerm, GroupForces, MomentResult, Moments, Party,
+};
 use hodograph_board::plan::names::name_label;
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_scene::{Kind, Lang, Scene};
@@ -105,21 +107,34 @@ impl ForceWriter<'_> {
         let v = |side: &ForceEdge| &self.of.construction.vectors[side.vector.index()];
         let Some(first) = group.sides.first() else { return Vec::new() };
         let crossing = v(first).from;
-        let end = group.sides.iter().position(|s| v(s).to == crossing).map_or(group.sides.len(), |k| k + 1);
-        let rest = group.diagonals.first().copied().into_iter().chain(group.sides[end..].iter().copied());
+        let end = group
+            .sides
+            .iter()
+            .position(|s| v(s).to == crossing)
+            .map_or(group.sides.len(), |k| k + 1);
+        let rest =
+            group.diagonals.first().copied().into_iter().chain(group.sides[end..].iter().copied());
         vec![group.sides[..end].to_vec(), rest.collect()]
     }
 
     /// Returns an equation in the label language: `F_{12} + G_{2} + F_{32} = 0`.
     pub fn equation(&self, sides: &[ForceEdge]) -> String {
-        let symbols: Vec<String> = sides.iter().map(|s| self.notation.vectors.write(self.symbol(s.term))).collect();
-        let lines: Vec<String> = symbols.chunks(4 * TOGETHER).map(|line| line.join(" + ")).collect();
+        let symbols: Vec<String> =
+            sides.iter().map(|s| self.notation.vectors.write(self.symbol(s.term))).collect();
+        let lines: Vec<String> =
+            symbols.chunks(4 * TOGETHER).map(|line| line.join(" + ")).collect();
         format!("{} = 0", lines.join(&format!("{BREAK}+ ")))
     }
 
     /// Returns the table of an equation.
     pub fn columns(&self, sides: &[ForceEdge]) -> Vec<ForceColumn> {
-        sides.iter().map(|s| ForceColumn { symbol: self.notation.vectors.write(self.symbol(s.term)), magnitude: s.known }).collect()
+        sides
+            .iter()
+            .map(|s| ForceColumn {
+                symbol: self.notation.vectors.write(self.symbol(s.term)),
+                magnitude: s.known,
+            })
+            .collect()
     }
 
     /// Returns the vertices of a group with their letters, in the order of the equation, then those
@@ -217,7 +232,10 @@ impl ForceWriter<'_> {
             let moment = self.number(m.of[k].2);
             // A line of action through the point has no moment, except for rounding.
             let Some(arm) = self.arm(m, k).filter(|arm| *arm > NO_ARM_MM * 1e-3) else { continue };
-            sum.add(moment, format!("{}\\cdot {}", self.symbol(*term), self.amount(Kind::Length, arm)));
+            sum.add(
+                moment,
+                format!("{}\\cdot {}", self.symbol(*term), self.amount(Kind::Length, arm)),
+            );
         }
         for (term, id) in &m.couples {
             sum.add(self.number(*id), self.couple(*term));
@@ -226,14 +244,26 @@ impl ForceWriter<'_> {
         let (given, result) = match m.gives {
             MomentResult::Force(term, _) => {
                 let symbol = self.symbol(term);
-                (format!("{symbol}\\,l"), format!("|{symbol}| = {}", self.amount(Kind::Force, value.abs())))
+                (
+                    format!("{symbol}\\,l"),
+                    format!("|{symbol}| = {}", self.amount(Kind::Force, value.abs())),
+                )
             }
             MomentResult::Offset(guide) => {
                 let pair = self.pair(guide);
-                let force = self.of.forces.guides.iter().find(|(own, _)| *own == guide).map_or(0.0, |(_, w)| w.force.norm());
+                let force = self
+                    .of
+                    .forces
+                    .guides
+                    .iter()
+                    .find(|(own, _)| *own == guide)
+                    .map_or(0.0, |(_, w)| w.force.norm());
                 let pair = name_label(&pair);
                 let result = match force > 0.0 {
-                    true => format!("h_{{{pair}}} = {}", self.amount(Kind::Length, (value / force).abs())),
+                    true => format!(
+                        "h_{{{pair}}} = {}",
+                        self.amount(Kind::Length, (value / force).abs())
+                    ),
                     false => format!("M_{{{pair}}} = {}", self.amount(Kind::Moment, value)),
                 };
                 (format!("M_{{{pair}}}"), result)
@@ -242,16 +272,24 @@ impl ForceWriter<'_> {
                 let symbol = self.balance(d);
                 (symbol.clone(), format!("{symbol} = {}", self.amount(Kind::Moment, value)))
             }
-            MomentResult::Trial { force, tried, left } => return self.trial(m, force, [tried, left]),
+            MomentResult::Trial { force, tried, left } => {
+                return self.trial(m, force, [tried, left]);
+            }
         };
-        let equation = if sum.terms == 0 { format!("{given} = 0") } else { format!("{given} + ({}) = 0", sum.text) };
+        let equation = if sum.terms == 0 {
+            format!("{given} = 0")
+        } else {
+            format!("{given} + ({}) = 0", sum.text)
+        };
         match self.lang {
             Lang::En => format!(
                 "Moments of link{} {} about {about}: ${equation}$, hence ${result}$.",
                 if names.len() > 1 { "s" } else { "" },
                 names.join(", ")
             ),
-            Lang::Zh => format!("构件 {} 对 {about} 取矩：${equation}$，得 ${result}$。", names.join("、")),
+            Lang::Zh => {
+                format!("构件 {} 对 {about} 取矩：${equation}$，得 ${result}$。", names.join("、"))
+            }
         }
     }
 
@@ -309,25 +347,46 @@ impl ForceWriter<'_> {
     pub fn before(&self, group: &GroupForces) -> Vec<Phrase> {
         let before = |m: &&Moments| !matches!(m.gives, MomentResult::Offset(_));
         let friction = self.friction(group).map(|s| Phrase::new(&s));
-        friction.into_iter().chain(group.moments.iter().filter(before).map(|m| Phrase::new(&self.moments(m)))).collect()
+        friction
+            .into_iter()
+            .chain(group.moments.iter().filter(before).map(|m| Phrase::new(&self.moments(m))))
+            .collect()
     }
 
     /// Returns the results of the polygon, and the moments that determine the points of action of
     /// guide forces.
     pub fn after(&self, group: &GroupForces) -> Vec<Phrase> {
-        let after = group.moments.iter().filter(|m| matches!(m.gives, MomentResult::Offset(_))).map(|m| self.moments(m));
-        self.measured(group).into_iter().map(|m| format!("${m}$")).chain(after).map(|s| Phrase::new(&s)).collect()
+        let after = group
+            .moments
+            .iter()
+            .filter(|m| matches!(m.gives, MomentResult::Offset(_)))
+            .map(|m| self.moments(m));
+        self.measured(group)
+            .into_iter()
+            .map(|m| format!("${m}$"))
+            .chain(after)
+            .map(|s| Phrase::new(&s))
+            .collect()
     }
 
     /// Returns all sentences of a group, in drawing order.
     pub fn sentences(&self, group: &GroupForces) -> Vec<Phrase> {
         let mut out = self.before(group);
         for sides in self.equations(group) {
-            let unknown: Vec<String> = sides.iter().filter(|s| !s.known).map(|s| format!("${}$", self.symbol(s.term))).collect();
+            let unknown: Vec<String> = sides
+                .iter()
+                .filter(|s| !s.known)
+                .map(|s| format!("${}$", self.symbol(s.term)))
+                .collect();
             let unknown = unknown.join(tr(self.lang, ", ", "、"));
             let sentence = match self.lang {
-                Lang::En => format!("Equilibrium of forces: ${}$; the polygon gives {unknown}.", self.equation(&sides)),
-                Lang::Zh => format!("力平衡：${}$；由力多边形得 {unknown}。", self.equation(&sides)),
+                Lang::En => format!(
+                    "Equilibrium of forces: ${}$; the polygon gives {unknown}.",
+                    self.equation(&sides)
+                ),
+                Lang::Zh => {
+                    format!("力平衡：${}$；由力多边形得 {unknown}。", self.equation(&sides))
+                }
             };
             out.push(Phrase::new(&sentence));
         }
@@ -339,7 +398,11 @@ impl ForceWriter<'_> {
     pub fn text(&self) -> String {
         let mut out = String::new();
         let book = &self.scene.book;
-        let mu = format!("{} {}", hodograph_base::digits::shortest(book.value(Kind::Force, self.of.mu())), book.scale_name(Kind::Force));
+        let mu = format!(
+            "{} {}",
+            hodograph_base::digits::shortest(book.value(Kind::Force, self.of.mu())),
+            book.scale_name(Kind::Force)
+        );
         out += &format!("{}μ_F = {mu}\n", tr(self.lang, "force polygons: ", "力多边形："));
         for group in &self.of.groups {
             out += &format!("  {}\n", self.heading(group));
@@ -360,7 +423,8 @@ impl ForceWriter<'_> {
             let names: Vec<&str> = undrawn.links.iter().map(|l| self.scene.link_name(*l)).collect();
             out += &match self.lang {
                 Lang::En => {
-                    let (links, are) = if names.len() == 1 { ("Link", "is") } else { ("Links", "are") };
+                    let (links, are) =
+                        if names.len() == 1 { ("Link", "is") } else { ("Links", "are") };
                     format!("  {links} {} {are} not drawn: {}\n", names.join(", "), undrawn.why.en)
                 }
                 Lang::Zh => format!("  构件 {} 不作图：{}\n", names.join("、"), undrawn.why.zh),

@@ -15,7 +15,10 @@ use hodograph_board::plan::names::name_label;
 use hodograph_board::plan::text::point_label;
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_paper::paper::words::{Words, words};
-use hodograph_scene::{Angle, Book, DriverKind, GivenQuantity, Kind, Lang, LinkId, PointId, PointPlace, QuantityText, Scene};
+use hodograph_scene::{
+    Angle, Book, DriverKind, GivenQuantity, Kind, Lang, LinkId, PointId, PointPlace, QuantityText,
+    Scene,
+};
 
 /// Digits of a given number that the scene computes, as in `2*r`.
 const DIGITS: usize = 6;
@@ -62,28 +65,51 @@ impl GivenSentences<'_> {
     fn lengths(&self, wanted: impl Fn(PointId, PointId) -> bool) -> Vec<String> {
         let mut all = Vec::new();
         // The ends in the order of the scene, as in the equations.
-        let ends = |a: PointId, b: PointId| name_label(&format!("{}{}", self.name(a.min(b)), self.name(a.max(b))));
-        let written = self.scene.lengths.iter().filter(|l| ![l.a, l.b].iter().any(|p| self.is_of_cam(*p)));
-        let lengths: Vec<String> =
-            written.filter(|l| wanted(l.a, l.b)).map(|l| format!("$l_{{{}}} = {}$", ends(l.a, l.b), self.length(&l.value))).collect();
+        let ends = |a: PointId, b: PointId| {
+            name_label(&format!("{}{}", self.name(a.min(b)), self.name(a.max(b))))
+        };
+        let written =
+            self.scene.lengths.iter().filter(|l| ![l.a, l.b].iter().any(|p| self.is_of_cam(*p)));
+        let lengths: Vec<String> = written
+            .filter(|l| wanted(l.a, l.b))
+            .map(|l| format!("$l_{{{}}} = {}$", ends(l.a, l.b), self.length(&l.value)))
+            .collect();
         if !lengths.is_empty() {
-            all.push(format!("{}{}", self.tr("lengths: ", "长度："), lengths.join(self.words().comma)));
+            all.push(format!(
+                "{}{}",
+                self.tr("lengths: ", "长度："),
+                lengths.join(self.words().comma)
+            ));
         }
         all
     }
 
     fn others(&self) -> Vec<String> {
         let mut all = Vec::new();
-        let places: Vec<String> = (0..self.scene.points.len()).filter_map(|p| self.place(PointId(p))).collect();
+        let places: Vec<String> =
+            (0..self.scene.points.len()).filter_map(|p| self.place(PointId(p))).collect();
         if !places.is_empty() {
-            all.push(format!("{}{}", self.tr("points: ", "点："), places.join(self.tr("; ", "；"))));
+            all.push(format!(
+                "{}{}",
+                self.tr("points: ", "点："),
+                places.join(self.tr("; ", "；"))
+            ));
         }
         // Guides that belong to rolling pairs and cams are not in the file.
-        let guides = self.scene.guides.iter().enumerate().filter(|(g, guide)| guide.rolling.is_none() && !self.is_contact(*g));
+        let guides = self
+            .scene
+            .guides
+            .iter()
+            .enumerate()
+            .filter(|(g, guide)| guide.rolling.is_none() && !self.is_contact(*g));
         all.extend(guides.map(|(_, g)| self.guide(g)));
         all.extend(self.scene.rolling.iter().map(|pair| self.rolling(pair)));
         all.extend(self.scene.cams.iter().map(|c| self.cam(c)));
-        all.extend((0..self.scene.drivers.len()).filter(|d| !self.scene.is_led(*d)).map(|d| self.driver(d)));
+        all.extend(
+            (0..self.scene.drivers.len())
+                .filter(|d| !self.scene.is_led(*d))
+                .map(|d| self.driver(d)),
+        );
         all.extend(self.loads());
         all.push(match self.lang() {
             Lang::En => format!("link {} is fixed", self.link(self.scene.ground)),
@@ -116,26 +142,49 @@ impl GivenSentences<'_> {
                 format!("${symbol} = ({x},{between}{y})$")
             }
             PointPlace::InLink { base: (a, b), xy: [x, y] } => {
-                let line = format!("${}{}$", point_label(self.name(*a)), point_label(self.name(*b)));
+                let line =
+                    format!("${}{}$", point_label(self.name(*a)), point_label(self.name(*b)));
                 let (a, b) = (self.point(*a), self.point(*b));
                 let back = x.value < 0.0;
                 let along = match self.lang() {
-                    Lang::En => format!("${symbol}$ is ${}$ from {a} {} {b}", self.unsigned(x), if back { "away from" } else { "toward" }),
-                    Lang::Zh => format!("${symbol}$ 自 {a} 沿 {line} {} ${}$", if back { "的反方向" } else { "方向" }, self.unsigned(x)),
+                    Lang::En => format!(
+                        "${symbol}$ is ${}$ from {a} {} {b}",
+                        self.unsigned(x),
+                        if back { "away from" } else { "toward" }
+                    ),
+                    Lang::Zh => format!(
+                        "${symbol}$ 自 {a} 沿 {line} {} ${}$",
+                        if back { "的反方向" } else { "方向" },
+                        self.unsigned(x)
+                    ),
                 };
                 let left = y.value > 0.0;
                 match self.lang() {
                     _ if y.value == 0.0 => along,
-                    Lang::En => format!("{along} and ${}$ to the {}", self.unsigned(y), if left { "left" } else { "right" }),
-                    Lang::Zh => format!("{along}、向{} ${}$", if left { "左" } else { "右" }, self.unsigned(y)),
+                    Lang::En => format!(
+                        "{along} and ${}$ to the {}",
+                        self.unsigned(y),
+                        if left { "left" } else { "right" }
+                    ),
+                    Lang::Zh => format!(
+                        "{along}、向{} ${}$",
+                        if left { "左" } else { "右" },
+                        self.unsigned(y)
+                    ),
                 }
             }
             PointPlace::Polar { base: (a, b), length: l, angle: turn } => {
                 let (from, to) = (point_label(self.name(*a)), point_label(self.name(*b)));
                 let known = format!("${from}{symbol} = {}$", self.length(l));
                 match self.lang() {
-                    Lang::En => format!("{known}, turned by ${}$ from ${from}{to}$ (counter-clockwise plus)", self.angle(turn)),
-                    Lang::Zh => format!("{known}，由 ${from}{to}$ 转过 ${}$（逆时针为正）", self.angle(turn)),
+                    Lang::En => format!(
+                        "{known}, turned by ${}$ from ${from}{to}$ (counter-clockwise plus)",
+                        self.angle(turn)
+                    ),
+                    Lang::Zh => format!(
+                        "{known}，由 ${from}{to}$ 转过 ${}$（逆时针为正）",
+                        self.angle(turn)
+                    ),
                 }
             }
         })
@@ -167,12 +216,17 @@ impl GivenSentences<'_> {
                 if let Some(a) = given {
                     out += &format!("{comma}$\\varphi_{{{number}}} = {}$", self.angle(a));
                 }
-                let (symbol, second) = (format!("\\omega_{{{number}}}"), format!("\\alpha_{{{number}}}"));
+                let (symbol, second) =
+                    (format!("\\omega_{{{number}}}"), format!("\\alpha_{{{number}}}"));
                 return self.driven(out, d, [&symbol, &second], [Kind::Omega, Kind::Alpha], true);
             }
             DriverKind::Slide { guide, position } => {
                 let g = &self.scene.guides[guide.0];
-                let what = g.pin.map(|p| self.point(p)).or(g.slider.map(|s| self.link(s).to_owned())).unwrap_or_default();
+                let what = g
+                    .pin
+                    .map(|p| self.point(p))
+                    .or(g.slider.map(|s| self.link(s).to_owned()))
+                    .unwrap_or_default();
                 let mut out = match self.lang() {
                     Lang::En => format!("driver: {what} along its guide"),
                     Lang::Zh => format!("原动件：{what} 沿导路移动"),
@@ -205,7 +259,14 @@ impl GivenSentences<'_> {
     }
 
     /// Appends the rate of a driver and its acceleration.
-    fn driven(&self, mut out: String, d: usize, symbols: [&str; 2], kinds: [Kind; 2], turns: bool) -> String {
+    fn driven(
+        &self,
+        mut out: String,
+        d: usize,
+        symbols: [&str; 2],
+        kinds: [Kind; 2],
+        turns: bool,
+    ) -> String {
         let driver = &self.scene.drivers[d];
         if !driver.rate_told {
             return out;
@@ -213,7 +274,9 @@ impl GivenSentences<'_> {
         let comma = self.tr(", ", "，");
         let told = |symbol: &str, given: &GivenQuantity, kind: Kind| {
             // The sense of rotation is given in words.
-            let shown = |number: String| if turns { number.trim_start_matches('−').to_owned() } else { number };
+            let shown = |number: String| {
+                if turns { number.trim_start_matches('−').to_owned() } else { number }
+            };
             let amount = match self.scene.told(kind, &given.text, given.value) {
                 QuantityText::AsWritten(number, unit) => unit.label(&shown(as_written(&number))),
                 QuantityText::Computed(value, unit) => unit.label(&shown(inked(value))),
@@ -249,7 +312,9 @@ impl GivenSentences<'_> {
     /// Returns an angle as it is given; an angle written in degrees is reduced by full turns.
     pub fn angle(&self, given: &GivenQuantity<Angle>) -> String {
         match self.scene.told(Kind::Angle, &given.text, given.value.radians()) {
-            QuantityText::AsWritten(number, unit) if !unit.is_degree() => unit.label(&as_written(&number)),
+            QuantityText::AsWritten(number, unit) if !unit.is_degree() => {
+                unit.label(&as_written(&number))
+            }
             QuantityText::Computed(value, unit) if !unit.is_degree() => unit.label(&inked(value)),
             QuantityText::AsWritten(..) | QuantityText::Computed(..) | QuantityText::Usual => {
                 format!("{}\\degree", inked(given.value.degrees()))
@@ -260,7 +325,11 @@ impl GivenSentences<'_> {
 
 /// Returns a number in the label language in its shortest form, limited to [`DIGITS`] if computed.
 fn inked(value: f64) -> String {
-    if shortest(value).len() > DIGITS + 2 { number(value, DIGITS) } else { scale(value).replace('-', "−") }
+    if shortest(value).len() > DIGITS + 2 {
+        number(value, DIGITS)
+    } else {
+        scale(value).replace('-', "−")
+    }
 }
 
 /// Returns a number in the label language with the digits with which it is written.

@@ -13,14 +13,18 @@ const JOINER: &str = "&#x2060;";
 /// Returns a sentence as HTML, with its formulas written by `formula`.
 pub fn sentence_with(phrase: &Phrase, mut formula: impl FnMut(&str) -> String) -> String {
     let pieces = phrase.pieces();
-    let is_formula = |k: Option<usize>| k.and_then(|k| pieces.get(k)).is_some_and(|p| matches!(p, PhrasePiece::Formula(_)));
+    let is_formula = |k: Option<usize>| {
+        k.and_then(|k| pieces.get(k)).is_some_and(|p| matches!(p, PhrasePiece::Formula(_)))
+    };
     let mut out = String::new();
     for (k, piece) in pieces.iter().enumerate() {
         match piece {
             PhrasePiece::Formula(source) => out.push_str(&formula(source)),
             PhrasePiece::Words(words) => {
-                let closes =
-                    words.starts_with([',', '.', ';', ':', '?', '!', ')', ']', '”', '’', '，', '。', '、', '；', '：', '）', '》', '」']);
+                let closes = words.starts_with([
+                    ',', '.', ';', ':', '?', '!', ')', ']', '”', '’', '，', '。', '、', '；', '：',
+                    '）', '》', '」',
+                ]);
                 let opens = words.ends_with(['(', '[', '“', '‘', '（', '《', '「']);
                 out.extend((closes && is_formula(k.checked_sub(1))).then_some(JOINER));
                 out.push_str(&escaped(words));

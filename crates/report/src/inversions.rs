@@ -46,7 +46,12 @@ pub fn heading(i: &Inversion, lang: Lang) -> String {
 
 /// Returns the type and the fully rotating links.
 pub fn words(i: &Inversion, lang: Lang) -> String {
-    let mut parts: Vec<String> = i.limits.grashof.iter().map(|(kind, _)| limits::grashof_words(*kind, lang).to_owned()).collect();
+    let mut parts: Vec<String> = i
+        .limits
+        .grashof
+        .iter()
+        .map(|(kind, _)| limits::grashof_words(*kind, lang).to_owned())
+        .collect();
     parts.extend(slider_crank(i, lang).map(str::to_owned));
     let turning = turning(i);
     parts.push(match (lang, turning.len()) {
@@ -75,17 +80,25 @@ fn slider_crank(i: &Inversion, lang: Lang) -> Option<&'static str> {
 /// Returns the links on the ground that rotate fully.
 fn turning(i: &Inversion) -> Vec<String> {
     let scene = &i.scene;
-    let driver = scene.drivers[0].kind.turned().filter(|_| i.limits.range.full()).map(|(link, _)| link);
+    let driver =
+        scene.drivers[0].kind.turned().filter(|_| i.limits.range.full()).map(|(link, _)| link);
     // An output without extremes rotates fully if its driver does.
-    let outputs = i.limits.swings.iter().filter(|s| driver.is_some() && s.extremes.is_empty()).filter_map(|s| match s.output {
-        DrivenOutput::Turning(l) => Some(l),
-        DrivenOutput::Sliding(_) => None,
-    });
+    let outputs =
+        i.limits.swings.iter().filter(|s| driver.is_some() && s.extremes.is_empty()).filter_map(
+            |s| match s.output {
+                DrivenOutput::Turning(l) => Some(l),
+                DrivenOutput::Sliding(_) => None,
+            },
+        );
     let on_ground = |l: &hodograph_scene::LinkId| {
         let own = &scene.links[scene.ground.0].points;
         scene.links[l.0].points.iter().any(|p| own.contains(p))
     };
-    driver.into_iter().chain(outputs.filter(on_ground)).map(|l| scene.link_name(l).to_owned()).collect()
+    driver
+        .into_iter()
+        .chain(outputs.filter(on_ground))
+        .map(|l| scene.link_name(l).to_owned())
+        .collect()
 }
 
 /// Returns the inversions as JSON, in SI, each with its scene.

@@ -42,7 +42,13 @@ pub fn text(scene: &Scene, driver: usize, limits: &MotionLimits, lang: Lang) -> 
         line(format!("  {}", w.event(e)));
     }
     if let Some((kind, [a, b, c, d])) = limits.grashof {
-        let sums = format!("{} {} {} {}", scene.length_words(a), scene.length_words(b), scene.length_words(c), scene.length_words(d));
+        let sums = format!(
+            "{} {} {} {}",
+            scene.length_words(a),
+            scene.length_words(b),
+            scene.length_words(c),
+            scene.length_words(d)
+        );
         let of = tr(lang, "driver, coupler, output, frame", "原动件、连杆、从动件、机架");
         let kind = grashof_words(kind, lang);
         line(match lang {
@@ -59,8 +65,17 @@ pub fn text(scene: &Scene, driver: usize, limits: &MotionLimits, lang: Lang) -> 
     if let Some(worst) = limits.transmission.iter().min_by(|a, b| a.angle.total_cmp(&b.angle)) {
         line(tr(lang, "smallest transmission angles γ:", "最小传动角 γ：").to_owned());
         for t in &limits.transmission {
-            let mark = if std::ptr::eq(t, worst) && limits.transmission.len() > 1 { tr(lang, "  (the worst)", "（最小）") } else { "" };
-            line(format!("  {} γ = {}{}{mark}", w.joint(&t.links, t.pin), angle(&scene.book, t.angle), w.at(t.driver)));
+            let mark = if std::ptr::eq(t, worst) && limits.transmission.len() > 1 {
+                tr(lang, "  (the worst)", "（最小）")
+            } else {
+                ""
+            };
+            line(format!(
+                "  {} γ = {}{}{mark}",
+                w.joint(&t.links, t.pin),
+                angle(&scene.book, t.angle),
+                w.at(t.driver)
+            ));
         }
     }
     out
@@ -136,19 +151,34 @@ impl<'a> LimitWords<'a> {
     fn at(&self, value: f64) -> String {
         match self.lang {
             Lang::En => format!(" at {} = {}", self.name, self.value(value)),
-            Lang::Zh => format!("（{} = {} 时）", self.coordinate_name(&self.name), self.value(value)),
+            Lang::Zh => {
+                format!("（{} = {} 时）", self.coordinate_name(&self.name), self.value(value))
+            }
         }
     }
 
     fn range(&self) -> String {
         let r = &self.limits.range;
         match &r.ends {
-            [None, None] if self.angular => format!("{} {}", self.coordinate_name(&self.name), tr(self.lang, "turns fully", "可整周转动")),
+            [None, None] if self.angular => format!(
+                "{} {}",
+                self.coordinate_name(&self.name),
+                tr(self.lang, "turns fully", "可整周转动")
+            ),
             [low, high] => {
                 let end = |e: &Option<Event>| {
-                    e.as_ref().map_or_else(|| tr(self.lang, "no limit found", "未见极限").to_owned(), |e| self.value(e.value))
+                    e.as_ref().map_or_else(
+                        || tr(self.lang, "no limit found", "未见极限").to_owned(),
+                        |e| self.value(e.value),
+                    )
                 };
-                format!("{} {} {} … {}", self.coordinate_name(&self.name), tr(self.lang, "goes", "的范围："), end(low), end(high))
+                format!(
+                    "{} {} {} … {}",
+                    self.coordinate_name(&self.name),
+                    tr(self.lang, "goes", "的范围："),
+                    end(low),
+                    end(high)
+                )
             }
         }
     }
@@ -160,7 +190,10 @@ impl<'a> LimitWords<'a> {
         let both = match (*turns, *seen) {
             (1, _) => return None,
             (0, _) => {
-                both!("the wheels never stand as before; extreme positions are those of one turn", "各轮不再回到原位；极限位置取自一转")
+                both!(
+                    "the wheels never stand as before; extreme positions are those of one turn",
+                    "各轮不再回到原位；极限位置取自一转"
+                )
             }
             (n, 1) => both!(
                 "the wheels stand as before after {n} turns; extreme positions are those of one",
@@ -174,7 +207,11 @@ impl<'a> LimitWords<'a> {
 
     fn joint(&self, links: &[LinkId], pin: Option<PointId>) -> String {
         let names: Vec<_> = links.iter().map(|l| self.scene.link_name(*l)).collect();
-        let word = if names.len() == 1 { tr(self.lang, "link", "构件") } else { tr(self.lang, "links", "构件") };
+        let word = if names.len() == 1 {
+            tr(self.lang, "link", "构件")
+        } else {
+            tr(self.lang, "links", "构件")
+        };
         let names = names.join(tr(self.lang, ", ", "、"));
         match (pin.map(|p| self.scene.point_name(p)), names.is_empty()) {
             (Some(p), true) => p.to_owned(),
@@ -188,7 +225,8 @@ impl<'a> LimitWords<'a> {
             EventKind::Limit => tr(self.lang, "limit", "极限位置"),
             EventKind::ChangePoint => tr(self.lang, "change point", "变点"),
         };
-        let line = || format!("{} {}", self.joint(&e.links, e.pin), tr(self.lang, "in line", "共线"));
+        let line =
+            || format!("{} {}", self.joint(&e.links, e.pin), tr(self.lang, "in line", "共线"));
         let why = e.toggle.as_ref().map_or_else(line, |t| t.words(self.scene, self.lang));
         format!("{what}{}{}{why}", self.at(e.value), tr(self.lang, ": ", "："))
     }
@@ -199,7 +237,10 @@ impl<'a> LimitWords<'a> {
             DrivenOutput::Sliding(g) => {
                 let guide = &self.scene.guides[g.0];
                 let point = guide.pin.map(|p| self.scene.point_name(p));
-                format!("s_{}", point.or(guide.slider.map(|l| self.scene.link_name(l))).unwrap_or_default())
+                format!(
+                    "s_{}",
+                    point.or(guide.slider.map(|l| self.scene.link_name(l))).unwrap_or_default()
+                )
             }
         }
     }
@@ -216,7 +257,14 @@ impl<'a> LimitWords<'a> {
         let Some(stroke) = s.stroke else {
             return match s.extremes.is_empty() {
                 true => format!("{name} {}", tr(lang, "has no extreme position", "无极限位置")),
-                false => format!("{name} {}", tr(lang, "has no stroke, as no limit of the driver was found", "无行程（未见原动件的极限）")),
+                false => format!(
+                    "{name} {}",
+                    tr(
+                        lang,
+                        "has no stroke, as no limit of the driver was found",
+                        "无行程（未见原动件的极限）"
+                    )
+                ),
             };
         };
         let word = match s.output {
@@ -225,19 +273,37 @@ impl<'a> LimitWords<'a> {
         };
         let ratio = s.time_ratio.map_or(String::new(), |k| {
             let theta = std::f64::consts::PI * (k - 1.0) / (k + 1.0);
-            format!("{} K = {} (θ = {})", tr(lang, ", time ratio", "，行程速度变化系数"), significant(k, 6), angle(&self.scene.book, theta))
+            format!(
+                "{} K = {} (θ = {})",
+                tr(lang, ", time ratio", "，行程速度变化系数"),
+                significant(k, 6),
+                angle(&self.scene.book, theta)
+            )
         });
         format!("{name} {word} {}{ratio}", self.size(s.output, stroke))
     }
 
     fn extreme(&self, s: &Swing, e: &OutputExtreme) -> String {
         let remark = match e.until {
-            _ if e.at_limit => tr(self.lang, "  (the driver goes no farther)", "（原动件到达极限）").to_owned(),
-            Some(until) => tr(self.lang, " to {}  (a dwell)", "，至 {}（停歇）").replace("{}", &self.value(until)),
+            _ if e.at_limit => {
+                tr(self.lang, "  (the driver goes no farther)", "（原动件到达极限）").to_owned()
+            }
+            Some(until) => tr(self.lang, " to {}  (a dwell)", "，至 {}（停歇）")
+                .replace("{}", &self.value(until)),
             None if s.extremes.iter().any(|e| e.at_limit) => String::new(),
-            None => tr(self.lang, "  (a dead centre if it is driven from there)", "（若以该构件为原动件，此处为死点）").to_owned(),
+            None => tr(
+                self.lang,
+                "  (a dead centre if it is driven from there)",
+                "（若以该构件为原动件，此处为死点）",
+            )
+            .to_owned(),
         };
-        format!("{} = {}{}{remark}", self.coordinate_name(&self.output(s.output)), self.size(s.output, e.output), self.at(e.driver))
+        format!(
+            "{} = {}{}{remark}",
+            self.coordinate_name(&self.output(s.output)),
+            self.size(s.output, e.output),
+            self.at(e.driver)
+        )
     }
 
     fn extreme_json(&self, e: &OutputExtreme) -> Json {
@@ -249,10 +315,16 @@ impl<'a> LimitWords<'a> {
 pub fn grashof_words(kind: Grashof, lang: Lang) -> &'static str {
     match kind {
         Grashof::CrankRocker => tr(lang, "crank-rocker", "曲柄摇杆机构"),
-        Grashof::RockerCrank => tr(lang, "rocker-crank (the rocker drives)", "摇杆曲柄机构（摇杆主动）"),
+        Grashof::RockerCrank => {
+            tr(lang, "rocker-crank (the rocker drives)", "摇杆曲柄机构（摇杆主动）")
+        }
         Grashof::DoubleCrank => tr(lang, "double crank (drag link)", "双曲柄机构"),
-        Grashof::DoubleRocker => tr(lang, "double rocker, the coupler turns fully", "双摇杆机构（连杆可整周转动）"),
-        Grashof::TripleRocker => tr(lang, "double rocker, no link turns fully", "双摇杆机构（不满足杆长条件）"),
+        Grashof::DoubleRocker => {
+            tr(lang, "double rocker, the coupler turns fully", "双摇杆机构（连杆可整周转动）")
+        }
+        Grashof::TripleRocker => {
+            tr(lang, "double rocker, no link turns fully", "双摇杆机构（不满足杆长条件）")
+        }
         Grashof::ChangePoint => tr(lang, "change-point mechanism", "变点机构"),
     }
 }

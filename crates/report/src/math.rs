@@ -67,7 +67,11 @@ trait Tongue {
         if !n.text.is_empty() || n.primes > 0 || !n.sub.is_empty() || !n.sup.is_empty() {
             let base = self.base(n);
             let (sub, sup) = (self.row(&n.sub), self.row(&n.sup));
-            out.push(if n.primes == 0 && sub.is_empty() && sup.is_empty() { base } else { self.scripts(base, n.primes, sub, sup) });
+            out.push(if n.primes == 0 && sub.is_empty() && sup.is_empty() {
+                base
+            } else {
+                self.scripts(base, n.primes, sub, sup)
+            });
         }
         if n.space_em > 0.0 {
             out.push(self.space(n.space_em));
@@ -83,7 +87,9 @@ trait Tongue {
             (Slant::Italic, ..) => self.letters(&n.text),
             (Slant::Bold, ..) => self.bold(&n.text),
             _ if n.text.chars().all(|c| c.is_ascii_digit() || c == '.') => self.number(&n.text),
-            (_, Some(c), None) if !c.is_alphanumeric() || n.slant == Slant::Symbol => self.sign(c, n.role),
+            (_, Some(c), None) if !c.is_alphanumeric() || n.slant == Slant::Symbol => {
+                self.sign(c, n.role)
+            }
             _ => self.words(&n.text),
         }
     }
@@ -91,7 +97,9 @@ trait Tongue {
     fn formula(&self, parts: &[Math]) -> String {
         let part = |m: &Math| match m {
             Math::Row(l) => self.row(l.row()),
-            Math::Fraction(over, under) => self.fraction(self.row(over.row()), self.row(under.row())),
+            Math::Fraction(over, under) => {
+                self.fraction(self.row(over.row()), self.row(under.row()))
+            }
             Math::Root(l) => self.root(self.row(l.row())),
         };
         self.join(parts.iter().map(part).collect())
@@ -148,10 +156,14 @@ impl Tongue for Mathml {
     fn sign(&self, c: char, role: Role) -> String {
         let c = escaped(&c.to_string());
         match role {
-            Role::Ordinary if matches!(c.as_str(), "(" | ")" | "[" | "]" | "|") => format!("<mo stretchy=\"false\">{c}</mo>"),
+            Role::Ordinary if matches!(c.as_str(), "(" | ")" | "[" | "]" | "|") => {
+                format!("<mo stretchy=\"false\">{c}</mo>")
+            }
             // A sign used as a symbol, as `?` or `⊥` before a line, has no space around it.
             Role::Ordinary => format!("<mo lspace=\"0\" rspace=\"0\">{c}</mo>"),
-            Role::Binary | Role::Relation | Role::Punctuation | Role::Function => format!("<mo>{c}</mo>"),
+            Role::Binary | Role::Relation | Role::Punctuation | Role::Function => {
+                format!("<mo>{c}</mo>")
+            }
         }
     }
     fn function(&self, name: &str) -> String {
@@ -257,7 +269,10 @@ fn named(c: char) -> Option<(&'static str, &'static str)> {
 
 impl Tongue for Tex {
     fn letters(&self, text: &str) -> String {
-        let each: Vec<String> = text.chars().map(|c| named(c).map_or_else(|| c.to_string(), |(tex, _)| tex.to_owned())).collect();
+        let each: Vec<String> = text
+            .chars()
+            .map(|c| named(c).map_or_else(|| c.to_string(), |(tex, _)| tex.to_owned()))
+            .collect();
         self.join(each)
     }
     fn bold(&self, text: &str) -> String {
@@ -307,7 +322,9 @@ impl Tongue for Tex {
         let mut out = String::new();
         for p in pieces {
             // A command ends at the first character that is not a letter.
-            let open = out.rfind('\\').is_some_and(|i| out.len() > i + 1 && out[i + 1..].chars().all(|c| c.is_ascii_alphabetic()));
+            let open = out.rfind('\\').is_some_and(|i| {
+                out.len() > i + 1 && out[i + 1..].chars().all(|c| c.is_ascii_alphabetic())
+            });
             if open && p.starts_with(|c: char| c.is_ascii_alphabetic()) {
                 out.push(' ');
             }
@@ -336,7 +353,10 @@ struct Typst;
 
 impl Tongue for Typst {
     fn letters(&self, text: &str) -> String {
-        let each: Vec<String> = text.chars().map(|c| named(c).map_or_else(|| c.to_string(), |(_, typst)| typst.to_owned())).collect();
+        let each: Vec<String> = text
+            .chars()
+            .map(|c| named(c).map_or_else(|| c.to_string(), |(_, typst)| typst.to_owned()))
+            .collect();
         each.join(" ")
     }
     fn bold(&self, text: &str) -> String {
@@ -425,7 +445,10 @@ mod tests {
         assert_eq!(typst(&l), r#"mu_(v) = 0.01" ""(m/s)/mm""#);
         assert_eq!(tex(&Label::math(r"b'_2")), "b'_{2}");
         let bold = Label::math(r"\bm{v}_{B}");
-        assert_eq!((tex(&bold).as_str(), typst(&bold).as_str()), (r"\boldsymbol{v}_{B}", "bold(v)_(B)"));
+        assert_eq!(
+            (tex(&bold).as_str(), typst(&bold).as_str()),
+            (r"\boldsymbol{v}_{B}", "bold(v)_(B)")
+        );
         assert!(mathml(&bold).contains("<mi style=\"font-weight:bold\">v</mi>"));
         assert_eq!(typst(&Label::math(r"\perp AB")), "perp A B");
         assert_eq!(tex(&Label::math(r"\perp AB")), r"\perp AB");
@@ -436,7 +459,10 @@ mod tests {
 
     #[test]
     fn fractions_and_roots() {
-        let f = [Math::Row(Label::math("\\omega_3 =")), Math::Fraction(Label::math("v_C"), Label::math("l_{CD}"))];
+        let f = [
+            Math::Row(Label::math("\\omega_3 =")),
+            Math::Fraction(Label::math("v_C"), Label::math("l_{CD}")),
+        ];
         assert_eq!(tex_display(&f), r"\omega_{3}=\frac{v_{C}}{l_{CD}}");
         assert_eq!(typst_display(&f), "omega_(3) = frac(v_(C), l_(C D))");
         assert!(mathml_display(&f).contains("<mfrac><mrow><msub><mpadded depth=\"0\"><mi>v</mi>"));

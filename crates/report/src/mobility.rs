@@ -4,8 +4,12 @@
 use super::plan::{dyad, grade, group_words};
 use hodograph_base::diag::{Both, both};
 use hodograph_board::plan::names::name_label;
-use hodograph_mechanism::mechanism::{Assur, Counts, ForDrivers, Local, MobilitySurvey, Opened, PairItem};
-use hodograph_mechanism::position::redundant::{Checked, RedundancyVerdict, RepeatReason, by_topology, look, opened_words};
+use hodograph_mechanism::mechanism::{
+    Assur, Counts, ForDrivers, Local, MobilitySurvey, Opened, PairItem,
+};
+use hodograph_mechanism::position::redundant::{
+    Checked, RedundancyVerdict, RepeatReason, by_topology, look, opened_words,
+};
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_scene::{GuideId, Lang, PointId, Rolling, Scene};
 use serde_json::{Value as Json, json};
@@ -32,7 +36,8 @@ const MOST_DRIVERS: usize = 4;
 /// Returns the number of equations that are certainly redundant, and of those that may be.
 fn repeated(survey: &MobilitySurvey, checked: &[Option<Checked>]) -> (usize, usize) {
     let of = |wanted: RedundantState| {
-        let all = survey.redundant().iter().zip(checked).filter(|(_, c)| known(c.as_ref()) == wanted);
+        let all =
+            survey.redundant().iter().zip(checked).filter(|(_, c)| known(c.as_ref()) == wanted);
         all.map(|(r, _)| r.equations).sum()
     };
     (of(RedundantState::Repeats), of(RedundantState::Open))
@@ -48,10 +53,17 @@ pub fn surveyed(scene: &Scene) -> (MobilitySurvey, Vec<Option<Checked>>) {
     if scene.drivers.is_empty() && survey.choices.is_empty() {
         // By count alone the mechanism has too few degrees of freedom: redundant pairs are found
         // only with all drivers present.
-        let more = (2..=MOST_DRIVERS).map(|drivers| (drivers, MobilitySurvey::driven_by(scene, drivers)));
-        let mut sure = more.filter(|(_, s)| !s.choices.is_empty()).map(|(drivers, s)| (drivers, checked(&s), s));
-        let moves = |verdicts: &[Option<Checked>]| verdicts.iter().all(|c| known(c.as_ref()) == RedundantState::Repeats);
-        if let Some((_, verdicts, s)) = sure.find(|(drivers, verdicts, s)| moves(verdicts) && freedom(s, verdicts) == *drivers as i64) {
+        let more =
+            (2..=MOST_DRIVERS).map(|drivers| (drivers, MobilitySurvey::driven_by(scene, drivers)));
+        let mut sure = more
+            .filter(|(_, s)| !s.choices.is_empty())
+            .map(|(drivers, s)| (drivers, checked(&s), s));
+        let moves = |verdicts: &[Option<Checked>]| {
+            verdicts.iter().all(|c| known(c.as_ref()) == RedundantState::Repeats)
+        };
+        if let Some((_, verdicts, s)) = sure.find(|(drivers, verdicts, s)| {
+            moves(verdicts) && freedom(s, verdicts) == *drivers as i64
+        }) {
             (survey, found) = (s, verdicts);
         }
     }
@@ -75,8 +87,14 @@ pub fn surveyed(scene: &Scene) -> (MobilitySurvey, Vec<Option<Checked>>) {
 /// Number of gear pairs with a centre distance that other pairs change.
 fn not_kept_apart(survey: &MobilitySurvey) -> usize {
     let Some(first) = survey.choices.first() else { return 0 };
-    let looked = |opened: &Opened| survey.choices.iter().find_map(|c| look(&c.scene, &c.mechanism, opened).ok());
-    first.mechanism.kept_apart(&first.scene).filter(|g| known(looked(&Opened::Guide(*g)).as_ref()) == RedundantState::Locks).count()
+    let looked = |opened: &Opened| {
+        survey.choices.iter().find_map(|c| look(&c.scene, &c.mechanism, opened).ok())
+    };
+    first
+        .mechanism
+        .kept_apart(&first.scene)
+        .filter(|g| known(looked(&Opened::Guide(*g)).as_ref()) == RedundantState::Locks)
+        .count()
 }
 
 /// Returns the check by the lengths of each pair that is redundant by topology; `None` if lengths
@@ -87,9 +105,15 @@ fn checked(survey: &MobilitySurvey) -> Vec<Option<Checked>> {
     // Independent of the drivers: if one choice of drivers does not determine the pose, another
     // may.
     let looked = |opened: &Opened| {
-        survey.choices.iter().find_map(|c| c.mechanism.is_opened(opened).then(|| look(&c.scene, &c.mechanism, opened).ok())?)
+        survey.choices.iter().find_map(|c| {
+            c.mechanism.is_opened(opened).then(|| look(&c.scene, &c.mechanism, opened).ok())?
+        })
     };
-    survey.redundant().iter().map(|r| looked(&r.opened).or_else(|| by_topology(scene, m, &r.opened))).collect()
+    survey
+        .redundant()
+        .iter()
+        .map(|r| looked(&r.opened).or_else(|| by_topology(scene, m, &r.opened)))
+        .collect()
 }
 
 /// Degree of freedom F, as far as it is known.
@@ -103,7 +127,9 @@ fn repeats_words(survey: &MobilitySurvey, i: usize, checked: Option<&Checked>) -
     let (scene, m) = (&first.scene, &first.mechanism);
     let (what, _) = opened_words(scene, &m.redundant[i].opened);
     match checked {
-        Some(c) if known(checked) == RedundantState::Repeats => both!("{}: {}", "{}：{}", what, c.reason.words(scene, c.positions)),
+        Some(c) if known(checked) == RedundantState::Repeats => {
+            both!("{}: {}", "{}：{}", what, c.reason.words(scene, c.positions))
+        }
         Some(Checked { reason: reason @ RepeatReason::Triangle(_), positions, .. }) => {
             both!("{} is none: {}", "{} 不是虚约束：{}", what, reason.words(scene, *positions))
         }
@@ -117,7 +143,11 @@ fn repeats_words(survey: &MobilitySurvey, i: usize, checked: Option<&Checked>) -
         }
         Some(c) => {
             let off = scene.length_words(c.off_m);
-            both!("{} is none: it locks the mechanism, off by {off}", "{} 不是虚约束：机构被卡死，偏差 {off}", what)
+            both!(
+                "{} is none: it locks the mechanism, off by {off}",
+                "{} 不是虚约束：机构被卡死，偏差 {off}",
+                what
+            )
         }
         None => both!("{} may be one: lengths decide", "{} 可能是虚约束：由尺寸决定", what),
     }
@@ -125,16 +155,27 @@ fn repeats_words(survey: &MobilitySurvey, i: usize, checked: Option<&Checked>) -
 
 fn local_words(l: &Local) -> Both {
     if l.bare {
-        return both!("pin {} turns in its slots without moving anything", "销 {} 在槽中的自转不影响其他构件", l.pin);
+        return both!(
+            "pin {} turns in its slots without moving anything",
+            "销 {} 在槽中的自转不影响其他构件",
+            l.pin
+        );
     }
-    both!("link {} turns about {} alone and moves nothing else", "构件 {} 绕 {} 的自转不影响其他构件", l.link, l.pin)
+    both!(
+        "link {} turns about {} alone and moves nothing else",
+        "构件 {} 绕 {} 的自转不影响其他构件",
+        l.link,
+        l.pin
+    )
 }
 
 /// Returns F = 3n − (2 p_l + p_h − p′) − F′ with its numbers.
 fn formula(c: &Counts, repeated: usize, local: usize) -> String {
     let Counts { moving, lower, higher } = *c;
     let f = c.freedom(repeated, local).to_string().replace('-', "−");
-    format!("F = 3n − (2p_l + p_h − p′) − F′ = 3·{moving} − (2·{lower} + {higher} − {repeated}) − {local} = {f}")
+    format!(
+        "F = 3n − (2p_l + p_h − p′) − F′ = 3·{moving} − (2·{lower} + {higher} − {repeated}) − {local} = {f}"
+    )
 }
 
 fn class_of(class: &'static str, lang: Lang) -> &'static str {
@@ -185,24 +226,39 @@ impl Counted {
 
     /// Returns the redundant pairs with their reasons.
     pub fn repeats(&self) -> Vec<Both> {
-        self.checked.iter().enumerate().map(|(i, c)| repeats_words(&self.survey, i, c.as_ref())).collect()
+        self.checked
+            .iter()
+            .enumerate()
+            .map(|(i, c)| repeats_words(&self.survey, i, c.as_ref()))
+            .collect()
     }
 
     /// Returns the counts without local degrees of freedom and virtual constraints, with higher
     /// pairs replaced by lower ones.
     pub fn substituted(&self) -> Counts {
-        self.survey.substituted(|i| self.checked.get(i).is_some_and(|c| known(c.as_ref()) != RedundantState::Locks))
+        self.survey.substituted(|i| {
+            self.checked.get(i).is_some_and(|c| known(c.as_ref()) != RedundantState::Locks)
+        })
     }
 }
 
 fn compound_words(name: &str, links: usize) -> Both {
-    both!("{name} joins {links} links: compound hinge, {} pairs", "{name} 处 {links} 个构件组成复合铰链，计 {} 个转动副", links - 1)
+    both!(
+        "{name} joins {links} links: compound hinge, {} pairs",
+        "{name} 处 {links} 个构件组成复合铰链，计 {} 个转动副",
+        links - 1
+    )
 }
 
 /// Returns the reasons for the count of lower pairs: pins of more than two links, and rolling
 /// without slipping.
-fn lower_words(scene: &Scene, compound: &[(PointId, usize)], point: impl Fn(&str) -> String) -> Vec<Both> {
-    let hinges = compound.iter().map(|(p, links)| compound_words(&point(scene.point_name(*p)), *links));
+fn lower_words(
+    scene: &Scene,
+    compound: &[(PointId, usize)],
+    point: impl Fn(&str) -> String,
+) -> Vec<Both> {
+    let hinges =
+        compound.iter().map(|(p, links)| compound_words(&point(scene.point_name(*p)), *links));
     let rolls = scene.rolling.iter().filter(|r| r.kind.is_lower()).map(|r| {
         let contact = point(scene.point_name(r.at[0]));
         both!(
@@ -216,10 +272,18 @@ fn lower_words(scene: &Scene, compound: &[(PointId, usize)], point: impl Fn(&str
 /// Returns the reason why a toothed pair counts as two: no other pair keeps the distance of its
 /// links.
 fn doubled(scene: &Scene, survey: &MobilitySurvey) -> Vec<Both> {
-    let holds = |g: GuideId| survey.choices.first().is_none_or(|c| c.mechanism.constraints.iter().any(|c| c.item() == PairItem::Guide(g)));
-    let (higher, slots) =
-        (|r: &&Rolling| !r.kind.is_lower(), scene.guides.iter().filter(|g| g.rolling.is_none() && g.slider.is_none()).count());
-    let twice: Vec<&Rolling> = scene.rolling.iter().filter(higher).filter(|r| r.guide().is_some_and(holds)).collect();
+    let holds = |g: GuideId| {
+        survey
+            .choices
+            .first()
+            .is_none_or(|c| c.mechanism.constraints.iter().any(|c| c.item() == PairItem::Guide(g)))
+    };
+    let (higher, slots) = (
+        |r: &&Rolling| !r.kind.is_lower(),
+        scene.guides.iter().filter(|g| g.rolling.is_none() && g.slider.is_none()).count(),
+    );
+    let twice: Vec<&Rolling> =
+        scene.rolling.iter().filter(higher).filter(|r| r.guide().is_some_and(holds)).collect();
     // Without drivers that move the mechanism, only a count in which all of them hold is
     // conclusive.
     let all = scene.rolling.iter().filter(higher).count() + slots + twice.len();
@@ -245,7 +309,12 @@ pub fn lower_set(scene: &Scene, compound: &[(PointId, usize)], lang: Lang) -> Ve
 }
 
 /// Returns the report as text.
-pub fn text(scene: &Scene, survey: &MobilitySurvey, checked: &[Option<Checked>], lang: Lang) -> String {
+pub fn text(
+    scene: &Scene,
+    survey: &MobilitySurvey,
+    checked: &[Option<Checked>],
+    lang: Lang,
+) -> String {
     let mut out = String::new();
     let mut line = |text: String| {
         out.push_str(&text);
@@ -259,7 +328,9 @@ pub fn text(scene: &Scene, survey: &MobilitySurvey, checked: &[Option<Checked>],
     let Counts { moving, lower, higher } = survey.counts;
     line(say(both!("moving links n = {moving}", "活动构件数 n = {moving}")));
     line(say(both!("lower pairs p_l = {lower}", "低副数 p_l = {lower}")));
-    lower_words(scene, &survey.compound, str::to_owned).into_iter().for_each(|why| line(format!("  {}", say(why))));
+    lower_words(scene, &survey.compound, str::to_owned)
+        .into_iter()
+        .for_each(|why| line(format!("  {}", say(why))));
     line(say(both!("higher pairs p_h = {higher}", "高副数 p_h = {higher}")));
     doubled(scene, survey).into_iter().for_each(|why| line(format!("  {}", say(why))));
     line(say(both!("local freedoms F′ = {}", "局部自由度 F′ = {}", survey.local.len())));
@@ -272,9 +343,14 @@ pub fn text(scene: &Scene, survey: &MobilitySurvey, checked: &[Option<Checked>],
     line(formula(&survey.counts, sure, survey.local.len()));
     if open > 0 {
         let f = survey.counts.freedom(sure + open, survey.local.len());
-        line(say(both!("F = {f} if what may repeat others does", "若可能的虚约束成立，则 F = {f}")));
+        line(say(both!(
+            "F = {f} if what may repeat others does",
+            "若可能的虚约束成立，则 F = {f}"
+        )));
     }
-    let s = survey.substituted(|i| checked.get(i).is_some_and(|c| known(c.as_ref()) != RedundantState::Locks));
+    let s = survey.substituted(|i| {
+        checked.get(i).is_some_and(|c| known(c.as_ref()) != RedundantState::Locks)
+    });
     if s != survey.counts {
         let f = s.freedom(0, 0);
         let (n, p) = (s.moving, s.lower);
@@ -285,13 +361,24 @@ pub fn text(scene: &Scene, survey: &MobilitySurvey, checked: &[Option<Checked>],
     }
     let locked = checked.iter().any(|c| known(c.as_ref()) == RedundantState::Locks);
     if locked || survey.choices.is_empty() {
-        line(tr(lang, "no choice of drivers on ground moves it as they say", "机架上没有能使其具有确定运动的原动件").into());
+        line(
+            tr(
+                lang,
+                "no choice of drivers on ground moves it as they say",
+                "机架上没有能使其具有确定运动的原动件",
+            )
+            .into(),
+        );
     }
     for choice in survey.choices.iter().filter(|_| !locked) {
         line(String::new());
         line(choice_words(choice, lang));
         for (i, g) in choice.from_the_far_end().iter().enumerate() {
-            line(format!("  {}. {}", i + 1, group_words(&choice.scene, &choice.mechanism, g, lang)));
+            line(format!(
+                "  {}. {}",
+                i + 1,
+                group_words(&choice.scene, &choice.mechanism, g, lang)
+            ));
         }
     }
     out
@@ -302,7 +389,9 @@ fn choice_words(choice: &ForDrivers, lang: Lang) -> String {
     let class = class(choice, lang);
     let given = if choice.given { tr(lang, " (given)", "（给定）") } else { "" };
     match lang {
-        Lang::En => format!("driven by {names}{given}: mechanism of class {class}; groups from the far end"),
+        Lang::En => {
+            format!("driven by {names}{given}: mechanism of class {class}; groups from the far end")
+        }
         Lang::Zh => format!("原动件 {names}{given}：{class}机构；由远离原动件处拆杆组"),
     }
 }
@@ -313,9 +402,16 @@ pub fn json(scene: &Scene, survey: &MobilitySurvey, checked: &[Option<Checked>])
     let counts = |c: &Counts| json!({"n": c.moving, "p_l": c.lower, "p_h": c.higher});
     let words = |b: Both| json!({"en": b.en, "zh": b.zh});
     let local = survey.local.len();
-    let compound: Vec<Json> =
-        survey.compound.iter().map(|(p, k)| json!({"point": scene.point_name(*p), "links": k, "pairs": k - 1})).collect();
-    let idle: Vec<Json> = survey.local.iter().map(|l| json!({"link": l.link, "pin": l.pin, "why": words(local_words(l))})).collect();
+    let compound: Vec<Json> = survey
+        .compound
+        .iter()
+        .map(|(p, k)| json!({"point": scene.point_name(*p), "links": k, "pairs": k - 1}))
+        .collect();
+    let idle: Vec<Json> = survey
+        .local
+        .iter()
+        .map(|l| json!({"link": l.link, "pin": l.pin, "why": words(local_words(l))}))
+        .collect();
     let repeats: Vec<Json> = survey
         .redundant()
         .iter()

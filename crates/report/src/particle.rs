@@ -11,7 +11,9 @@ use hodograph_base::number::decimal::{Certain, Enclosure};
 use hodograph_methods::particle::board::MotionDrawing;
 use hodograph_methods::particle::plate::PlateComponent;
 use hodograph_methods::particle::pursuit::PursuitEnd;
-use hodograph_methods::particle::{Mutual, ParticleMotionKind, ParticleProblem, ParticleQuantity, ParticleSolution, ParticleValue};
+use hodograph_methods::particle::{
+    Mutual, ParticleMotionKind, ParticleProblem, ParticleQuantity, ParticleSolution, ParticleValue,
+};
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_scene::{Book, DiagramKind, Kind as Quantity, Lang};
 use serde_json::{Value as Json, json};
@@ -25,9 +27,15 @@ pub fn kind(what: ParticleQuantity) -> Option<Quantity> {
         | ParticleQuantity::Place(_)
         | ParticleQuantity::Curvature(_)
         | ParticleQuantity::Between(_, Mutual::Distance) => Some(Quantity::Length),
-        ParticleQuantity::LineOmega(_) | ParticleQuantity::Between(_, Mutual::Turning) => Some(Quantity::Omega),
-        ParticleQuantity::Velocity(_) | ParticleQuantity::Between(_, Mutual::Velocity) => Some(Quantity::Velocity),
-        ParticleQuantity::Acceleration(_) | ParticleQuantity::Between(_, Mutual::Acceleration) => Some(Quantity::Acceleration),
+        ParticleQuantity::LineOmega(_) | ParticleQuantity::Between(_, Mutual::Turning) => {
+            Some(Quantity::Omega)
+        }
+        ParticleQuantity::Velocity(_) | ParticleQuantity::Between(_, Mutual::Velocity) => {
+            Some(Quantity::Velocity)
+        }
+        ParticleQuantity::Acceleration(_) | ParticleQuantity::Between(_, Mutual::Acceleration) => {
+            Some(Quantity::Acceleration)
+        }
         ParticleQuantity::Part(_, part) if part.is_velocity() => Some(Quantity::Velocity),
         ParticleQuantity::Part(..) => Some(Quantity::Acceleration),
     }
@@ -46,7 +54,9 @@ pub fn in_unit(book: &Book, what: ParticleQuantity, si: f64) -> f64 {
 /// Returns an enclosure in the unit of the answer.
 fn enclosed(book: &Book, what: ParticleQuantity, e: &Enclosure) -> Enclosure {
     let chosen = kind(what).filter(|k| book.chosen(*k).is_some());
-    chosen.and_then(|k| book.in_chosen(k, Ball::new(e.approx, e.radius)).enclosure()).unwrap_or_else(|| e.clone())
+    chosen
+        .and_then(|k| book.in_chosen(k, Ball::new(e.approx, e.radius)).enclosure())
+        .unwrap_or_else(|| e.clone())
 }
 
 /// Returns a number to at most `digits` digits, all of them certain; zero if it is negligible
@@ -64,9 +74,15 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Returns the largest answer of the same kind; values negligible relative to it are printed as
 /// zero.
-pub fn largest(problem: &ParticleProblem, solved: &ParticleSolution, what: ParticleQuantity) -> f64 {
+pub fn largest(
+    problem: &ParticleProblem,
+    solved: &ParticleSolution,
+    what: ParticleQuantity,
+) -> f64 {
     let of = |a: &hodograph_methods::particle::ParticleAnswer| match &a.value {
-        ParticleValue::Vector(_, size) if kind(problem.find[a.find].what) == kind(what) => size.approx,
+        ParticleValue::Vector(_, size) if kind(problem.find[a.find].what) == kind(what) => {
+            size.approx
+        }
         ParticleValue::Vector(..) | ParticleValue::Scalar(_) | ParticleValue::None(_) => 0.0,
     };
     solved.answers.iter().map(of).fold(0.0, f64::max)
@@ -74,15 +90,28 @@ pub fn largest(problem: &ParticleProblem, solved: &ParticleSolution, what: Parti
 
 /// Returns the value of an answer: components, and the magnitude; `size` is the largest value of
 /// its kind (SI).
-pub fn value(book: &Book, what: ParticleQuantity, value: &ParticleValue, size: f64, digits: usize, lang: Lang) -> String {
+pub fn value(
+    book: &Book,
+    what: ParticleQuantity,
+    value: &ParticleValue,
+    size: f64,
+    digits: usize,
+    lang: Lang,
+) -> String {
     let unit = unit(book, what);
-    let told = |e: &Enclosure, size: f64| number(&enclosed(book, what, e), in_unit(book, what, size), digits);
+    let told = |e: &Enclosure, size: f64| {
+        number(&enclosed(book, what, e), in_unit(book, what, size), digits)
+    };
     match value {
         ParticleValue::None(d) => format!("{} ({})", tr(lang, "none", "无"), lang.of(&d.message)),
         ParticleValue::Scalar(e) => format!("{} {unit}", told(e, e.approx.abs().max(size))),
         ParticleValue::Vector(parts, whole) => {
             let size = whole.approx.max(size);
-            let each: Vec<String> = parts.iter().zip(AXES).map(|(e, axis)| format!("{axis} {}", told(e, size))).collect();
+            let each: Vec<String> = parts
+                .iter()
+                .zip(AXES)
+                .map(|(e, axis)| format!("{axis} {}", told(e, size)))
+                .collect();
             if what.is_place() {
                 format!("({}) {unit}", each.join(", "))
             } else {
@@ -114,7 +143,11 @@ pub fn apart(answer: &ParticleValue, drawn: &[f64], largest: f64) -> Option<f64>
 
 /// Returns the drawn value of an answer; `None` if it is only calculated.
 pub fn drawn(all: &[MotionDrawing], what: ParticleQuantity) -> Option<&[f64]> {
-    all.iter().filter(|d| !d.calculated).flat_map(|d| &d.readings).find(|r| r.0 == what).map(|r| r.1.as_slice())
+    all.iter()
+        .filter(|d| !d.calculated)
+        .flat_map(|d| &d.readings)
+        .find(|r| r.0 == what)
+        .map(|r| r.1.as_slice())
 }
 
 /// Returns the report as text.
@@ -133,10 +166,13 @@ pub fn text(
         let find = &problem.find[answer.find];
         let size = largest(problem, solved, find.what);
         let told = value(&problem.book, find.what, &answer.value, size, digits, lang);
-        let beside = drawn(board, find.what).and_then(|d| apart(&answer.value, d, size)).map_or(String::new(), |off| {
-            let off = if off < 1e-14 { "0".to_owned() } else { format!("{off:.0e}") };
-            format!("   {} {off}", tr(lang, "drawing differs by", "作图相差"))
-        });
+        let beside = drawn(board, find.what).and_then(|d| apart(&answer.value, d, size)).map_or(
+            String::new(),
+            |off| {
+                let off = if off < 1e-14 { "0".to_owned() } else { format!("{off:.0e}") };
+                format!("   {} {off}", tr(lang, "drawing differs by", "作图相差"))
+            },
+        );
         out += &format!("{:wide$} = {told}{beside}\n", find.text);
     }
     if problem.motions.iter().any(|m| matches!(m.kind, ParticleMotionKind::Toward { .. })) {
@@ -144,7 +180,11 @@ pub fn text(
     }
     if let Some(notation) = steps {
         for d in board {
-            out += &format!("\n{}{}\n", head(d, lang), Phrase::new(&scales(&problem.book, d.mu)).plain());
+            out += &format!(
+                "\n{}{}\n",
+                head(d, lang),
+                Phrase::new(&scales(&problem.book, d.mu)).plain()
+            );
             for (k, s) in d.steps.iter().enumerate() {
                 out += &format!("{}. {}\n", k + 1, sentence(s, lang, notation).plain());
             }
@@ -168,7 +208,13 @@ pub fn scales(book: &Book, [l, v, a]: [f64; 3]) -> String {
 }
 
 /// Returns the report as JSON, in SI.
-pub fn json(problem: &ParticleProblem, solved: &ParticleSolution, board: &[MotionDrawing], digits: usize, notes: &[Diagnostic]) -> Json {
+pub fn json(
+    problem: &ParticleProblem,
+    solved: &ParticleSolution,
+    board: &[MotionDrawing],
+    digits: usize,
+    notes: &[Diagnostic],
+) -> Json {
     let told = |e: &Enclosure, size: f64| json!({"value": e.approx, "radius": e.radius, "text": number(e, size, digits)});
     let answers: Vec<Json> = solved
         .answers
@@ -223,7 +269,9 @@ pub fn sentence(of: &Both, lang: Lang, notation: &Notation) -> Phrase {
 
 /// Returns symbols of a board with the marks of a notation for tangential and Coriolis components.
 pub fn marked(symbols: &str, notation: &Notation) -> String {
-    symbols.replace("^t", &format!("^{{{}}}", notation.tangential)).replace("a_k", &format!("a_{{{}}}", notation.coriolis))
+    symbols
+        .replace("^t", &format!("^{{{}}}", notation.tangential))
+        .replace("a_k", &format!("a_{{{}}}", notation.coriolis))
 }
 
 /// Returns the symbol of a question in the label language.
@@ -270,7 +318,13 @@ fn part_symbol(part: PlateComponent) -> &'static str {
 }
 
 /// Returns the answers as sentences with formulas, one line each.
-pub fn lines(problem: &ParticleProblem, solved: &ParticleSolution, digits: usize, lang: Lang, notation: &Notation) -> Vec<Phrase> {
+pub fn lines(
+    problem: &ParticleProblem,
+    solved: &ParticleSolution,
+    digits: usize,
+    lang: Lang,
+    notation: &Notation,
+) -> Vec<Phrase> {
     let mut out: Vec<Phrase> = solved
         .answers
         .iter()
@@ -279,7 +333,14 @@ pub fn lines(problem: &ParticleProblem, solved: &ParticleSolution, digits: usize
             Phrase::new(&format!(
                 "${}$ = {}",
                 symbol(problem, what, notation),
-                inked_words(&value(&problem.book, what, &a.value, largest(problem, solved, what), digits, lang))
+                inked_words(&value(
+                    &problem.book,
+                    what,
+                    &a.value,
+                    largest(problem, solved, what),
+                    digits,
+                    lang
+                ))
             ))
         })
         .collect();

@@ -4,7 +4,10 @@ use crate::equation::mate;
 use crate::forces::ForceWriter;
 use hodograph_board::plan::names::name_label;
 use hodograph_board::plan::text::{EquationColumn, PlanWriter};
-use hodograph_board::plan::{Between, Effect, GroupSteps, Method, PlanStep, Rate, Reason, Special, SpecialLine, Term, TurningBody};
+use hodograph_board::plan::{
+    Between, Effect, GroupSteps, Method, PlanStep, Rate, Reason, Special, SpecialLine, Term,
+    TurningBody,
+};
 use hodograph_mechanism::mechanism::{Assur, ConstraintLine, Mechanism, moved_words};
 use hodograph_paper::paper::phrase::{Phrase, formula, tr};
 use hodograph_scene::{DiagramKind, Lang, PointId, Scene};
@@ -116,7 +119,13 @@ pub fn group_set(scene: &Scene, m: &Mechanism, g: &Assur, lang: Lang) -> Phrase 
     Phrase::new(&group(scene, m, g, lang, |name| format!("${}$", name_label(name))))
 }
 
-fn group(scene: &Scene, m: &Mechanism, g: &Assur, lang: Lang, point: impl Fn(&str) -> String) -> String {
+fn group(
+    scene: &Scene,
+    m: &Mechanism,
+    g: &Assur,
+    lang: Lang,
+    point: impl Fn(&str) -> String,
+) -> String {
     let links: Vec<&str> = g.links.iter().map(|l| scene.link_name(*l)).collect();
     let at: Vec<String> = g.inner().into_iter().map(|p| point(scene.point_name(p))).collect();
     let led = g.drivers(m).any(|d| scene.is_led(d));
@@ -135,7 +144,11 @@ fn group(scene: &Scene, m: &Mechanism, g: &Assur, lang: Lang, point: impl Fn(&st
             "higher group" => format!("class {class}"),
             kind => format!("class {class}, {kind}"),
         },
-        (Some(class), Lang::Zh) => format!("{}杆组{}", grade(class), dyad(g).map_or(String::new(), |kind| format!(" {kind}"))),
+        (Some(class), Lang::Zh) => format!(
+            "{}杆组{}",
+            grade(class),
+            dyad(g).map_or(String::new(), |kind| format!(" {kind}"))
+        ),
     };
     let comma = tr(lang, ", ", "、");
     let links = match links.len() {
@@ -171,7 +184,11 @@ pub(super) fn effect_words(scene: &Scene, m: &Mechanism, e: Effect, lang: Lang) 
         Effect::Coriolis(g) => {
             let guide = &scene.guides[g.0];
             let on = scene.link_name(guide.on);
-            let at = guide.pin.map(|p| scene.point_name(p)).or(guide.slider.map(|s| scene.link_name(s))).unwrap_or_default();
+            let at = guide
+                .pin
+                .map(|p| scene.point_name(p))
+                .or(guide.slider.map(|s| scene.link_name(s)))
+                .unwrap_or_default();
             match lang {
                 Lang::En => format!("Coriolis acceleration at {at} in the guide on link {on}"),
                 Lang::Zh => format!("{at} 相对构件 {on} 上导路的科氏加速度"),
@@ -181,9 +198,17 @@ pub(super) fn effect_words(scene: &Scene, m: &Mechanism, e: Effect, lang: Lang) 
             let names: Vec<_> = m.groups[g].links.iter().map(|l| scene.link_name(*l)).collect();
             if names.is_empty() {
                 let pins: Vec<_> = m.groups[g].pins.iter().map(|p| scene.point_name(*p)).collect();
-                return format!("{} {}", tr(lang, "joint", "运动副"), pins.join(tr(lang, ", ", "、")));
+                return format!(
+                    "{} {}",
+                    tr(lang, "joint", "运动副"),
+                    pins.join(tr(lang, ", ", "、"))
+                );
             }
-            format!("{} {}", tr(lang, if names.len() == 1 { "link" } else { "links" }, "构件"), names.join(tr(lang, ", ", "、")))
+            format!(
+                "{} {}",
+                tr(lang, if names.len() == 1 { "link" } else { "links" }, "构件"),
+                names.join(tr(lang, ", ", "、"))
+            )
         }
     }
 }
@@ -201,7 +226,12 @@ pub(super) fn reason_words(r: Reason, lang: Lang) -> &'static str {
     }
 }
 
-fn group_lines(w: &PlanWriter, on: DiagramKind, group: &GroupSteps, equation: &mut usize) -> Vec<String> {
+fn group_lines(
+    w: &PlanWriter,
+    on: DiagramKind,
+    group: &GroupSteps,
+    equation: &mut usize,
+) -> Vec<String> {
     let lang = w.lang;
     let mut out = Vec::new();
     if group.alternatives.len() > 1 {
@@ -229,23 +259,40 @@ fn group_lines(w: &PlanWriter, on: DiagramKind, group: &GroupSteps, equation: &m
 pub(super) fn between_words(w: &PlanWriter, on: DiagramKind, between: &Between) -> String {
     let (of, to) = between.ends();
     let (from, end) = (formula(&w.image(on, to)), formula(&w.image(on, of)));
-    let symbols = |terms: &[Term]| terms.iter().map(|t| formula(&w.symbol(on, t))).collect::<Vec<_>>().join(" + ");
+    let symbols = |terms: &[Term]| {
+        terms.iter().map(|t| formula(&w.symbol(on, t))).collect::<Vec<_>>().join(" + ")
+    };
     match (between, w.lang) {
         (Between::Join(t), Lang::En) => format!("{}: join {from} and {end}", symbols(&[*t])),
         (Between::Join(t), Lang::Zh) => format!("{}：连接 {from}、{end}", symbols(&[*t])),
         (Between::Perpendicular { normal, tangential }, lang) => {
-            let (parts, line) = ([*normal, *tangential].map(|t| symbols(&[t])), formula(&w.line(of, to)));
+            let (parts, line) =
+                ([*normal, *tangential].map(|t| symbols(&[t])), formula(&w.line(of, to)));
             match lang {
-                Lang::En => format!("{}, {}: perpendicular from {end} on the parallel to {line} through {from}", parts[0], parts[1]),
-                Lang::Zh => format!("{}、{}：自 {end} 向过 {from} 且平行于 {line} 的直线作垂线", parts[0], parts[1]),
+                Lang::En => format!(
+                    "{}, {}: perpendicular from {end} on the parallel to {line} through {from}",
+                    parts[0], parts[1]
+                ),
+                Lang::Zh => format!(
+                    "{}、{}：自 {end} 向过 {from} 且平行于 {line} 的直线作垂线",
+                    parts[0], parts[1]
+                ),
             }
         }
         (Between::LayOff { known, rest }, Lang::En) => {
-            let joined = if rest.is_empty() { String::new() } else { format!(", then join to {end}: {}", symbols(rest)) };
+            let joined = if rest.is_empty() {
+                String::new()
+            } else {
+                format!(", then join to {end}: {}", symbols(rest))
+            };
             format!("lay off {} from {from}{joined}", symbols(known))
         }
         (Between::LayOff { known, rest }, Lang::Zh) => {
-            let joined = if rest.is_empty() { String::new() } else { format!("，再连至 {end}：{}", symbols(rest)) };
+            let joined = if rest.is_empty() {
+                String::new()
+            } else {
+                format!("，再连至 {end}：{}", symbols(rest))
+            };
             format!("自 {from} 作 {}{joined}", symbols(known))
         }
     }
@@ -253,13 +300,22 @@ pub(super) fn between_words(w: &PlanWriter, on: DiagramKind, between: &Between) 
 
 /// Returns the determination of an angular velocity or acceleration; `None` for a link that does
 /// not rotate.
-pub(super) fn rate_words(w: &PlanWriter, on: DiagramKind, body: TurningBody, rate: Rate) -> Option<String> {
+pub(super) fn rate_words(
+    w: &PlanWriter,
+    on: DiagramKind,
+    body: TurningBody,
+    rate: Rate,
+) -> Option<String> {
     let symbol = formula(&w.turning(on, body));
     Some(match rate {
         Rate::Zero => return None,
-        Rate::Given { .. } => format!("{symbol}{}", tr(w.lang, ": given by the driver", "：由原动件给定")),
+        Rate::Given { .. } => {
+            format!("{symbol}{}", tr(w.lang, ": given by the driver", "：由原动件给定"))
+        }
         Rate::Same(l) => format!("{symbol} = {}", formula(&w.turning(on, TurningBody::Link(l)))),
-        Rate::Measured { of, to } => formula(&format!("{symbol} = {} / {}", w.measured(on, body, of, to), w.length(of, to))),
+        Rate::Measured { of, to } => {
+            formula(&format!("{symbol} = {} / {}", w.measured(on, body, of, to), w.length(of, to)))
+        }
     })
 }
 
@@ -267,16 +323,25 @@ pub(super) fn rate_words(w: &PlanWriter, on: DiagramKind, body: TurningBody, rat
 /// lines.
 fn special_words(w: &PlanWriter, special: &Special, name: &str) -> String {
     match (special.legs, w.lang) {
-        (Some((a, b)), Lang::En) => format!("{name}: crossing of the constraint lines of legs {} and {}", a + 1, b + 1),
-        (Some((a, b)), Lang::Zh) => format!("{name}：第 {} 与第 {} 条支链约束线的交点", a + 1, b + 1),
+        (Some((a, b)), Lang::En) => {
+            format!("{name}: crossing of the constraint lines of legs {} and {}", a + 1, b + 1)
+        }
+        (Some((a, b)), Lang::Zh) => {
+            format!("{name}：第 {} 与第 {} 条支链约束线的交点", a + 1, b + 1)
+        }
         (None, lang) => {
             let [a, b] = special.lines.each_ref().map(|line| line_words(w, line));
-            let (link, with) = (w.scene.link_name(special.link), special.with.map(|l| w.scene.link_name(l)));
+            let (link, with) =
+                (w.scene.link_name(special.link), special.with.map(|l| w.scene.link_name(l)));
             match (lang, with) {
                 (Lang::En, None) => format!("{name}: point of link {link} where {a} and {b} meet"),
                 (Lang::Zh, None) => format!("{name}：构件 {link} 上 {a} 与 {b} 的交点"),
-                (Lang::En, Some(with)) => format!("{name}: common point of links {link} and {with}, where {a} and {b} meet"),
-                (Lang::Zh, Some(with)) => format!("{name}：构件 {link} 与 {with} 的公共点，即 {a} 与 {b} 的交点"),
+                (Lang::En, Some(with)) => format!(
+                    "{name}: common point of links {link} and {with}, where {a} and {b} meet"
+                ),
+                (Lang::Zh, Some(with)) => {
+                    format!("{name}：构件 {link} 与 {with} 的公共点，即 {a} 与 {b} 的交点")
+                }
             }
         }
     }
@@ -286,7 +351,9 @@ fn special_words(w: &PlanWriter, special: &Special, name: &str) -> String {
 fn line_words(w: &PlanWriter, line: &SpecialLine) -> String {
     let name = |p: PointId| w.scene.point_name(p);
     match *line {
-        SpecialLine::Leg(ConstraintLine::Along { near, far }) => format!("{}{}", name(far), name(near)),
+        SpecialLine::Leg(ConstraintLine::Along { near, far }) => {
+            format!("{}{}", name(far), name(near))
+        }
         SpecialLine::Leg(ConstraintLine::Normal { pin, .. }) => match w.lang {
             Lang::En => format!("the normal to the guide at {}", name(pin)),
             Lang::Zh => format!("过 {} 的导路垂线", name(pin)),
@@ -295,11 +362,18 @@ fn line_words(w: &PlanWriter, line: &SpecialLine) -> String {
             Lang::En => format!("the tangent at {}", name(at)),
             Lang::Zh => format!("过 {} 的公切线", name(at)),
         },
-        SpecialLine::Through { pin, special } => format!("{}{}", formula(&w.spot(special)), name(pin)),
+        SpecialLine::Through { pin, special } => {
+            format!("{}{}", formula(&w.spot(special)), name(pin))
+        }
     }
 }
 
-fn step_lines(w: &PlanWriter, on: DiagramKind, step: &PlanStep, equation: &mut usize) -> Vec<String> {
+fn step_lines(
+    w: &PlanWriter,
+    on: DiagramKind,
+    step: &PlanStep,
+    equation: &mut usize,
+) -> Vec<String> {
     let lang = w.lang;
     match step {
         PlanStep::Equation { target, chains, method } => {
@@ -318,7 +392,8 @@ fn step_lines(w: &PlanWriter, on: DiagramKind, step: &PlanStep, equation: &mut u
             out
         }
         PlanStep::Image { link, target, from } => {
-            let images = format!("{}{}{}", w.image(on, from.0), w.image(on, from.1), w.image(on, *target));
+            let images =
+                format!("{}{}{}", w.image(on, from.0), w.image(on, from.1), w.image(on, *target));
             let points = format!("{}{}", w.line(from.0, from.1), w.spot(*target));
             vec![format!(
                 "{} — {} {}{}△{} {} △{}",
@@ -332,7 +407,8 @@ fn step_lines(w: &PlanWriter, on: DiagramKind, step: &PlanStep, equation: &mut u
             )]
         }
         PlanStep::Trials { target, images, mates } => {
-            let [a, b] = [images, mates].map(|pair| formula(&pair.map(|v| w.image(on, v)).concat()));
+            let [a, b] =
+                [images, mates].map(|pair| formula(&pair.map(|v| w.image(on, v)).concat()));
             let (vector, image) = (formula(&w.vector(on, *target)), formula(&w.image(on, *target)));
             vec![match lang {
                 Lang::En => format!("{vector} — two trials: {image} where {a} and {b} cross"),
@@ -355,7 +431,9 @@ pub(super) fn method_words(method: Method, lang: Lang) -> &'static str {
     match method {
         Method::Driven => tr(lang, "known", "已知"),
         Method::SameLink => tr(lang, "points of one link", "基点法"),
-        Method::Cylinder => tr(lang, "ends of a cylinder, on barrel and rod", "液压缸两端（缸筒与活塞杆上的点）"),
+        Method::Cylinder => {
+            tr(lang, "ends of a cylinder, on barrel and rod", "液压缸两端（缸筒与活塞杆上的点）")
+        }
         Method::Coincident => tr(lang, "coincident points", "重合点法"),
         Method::Strand => tr(lang, "ends of a strand, without slip", "带（链）段两端的点，不打滑"),
         Method::Special => tr(lang, "special point", "特殊点法"),
@@ -372,7 +450,11 @@ pub(super) fn table(lang: Lang, columns: &[EquationColumn]) -> Vec<String> {
         let cells = [formula(&c.symbol), formula(&c.magnitude), formula(&c.direction)];
         let wide = cells.iter().map(|x| x.width()).max().unwrap_or(0);
         for (i, (line, cell)) in lines.iter_mut().zip(&cells).enumerate() {
-            line.push_str(&format!(" {} {}", if i == 0 { pad(c.joint, 1) } else { " ".into() }, pad(cell, wide)));
+            line.push_str(&format!(
+                " {} {}",
+                if i == 0 { pad(c.joint, 1) } else { " ".into() },
+                pad(cell, wide)
+            ));
         }
     }
     lines

@@ -7,12 +7,14 @@
 
 use super::answers::diagnostic;
 use super::forces::ForceWriter;
-use super::plan::{between_words, effect_words, group_words, method_words, rate_words, reason_words};
+use super::plan::{
+    between_words, effect_words, group_words, method_words, rate_words, reason_words,
+};
 use hodograph_base::diag::Diagnostic;
 use hodograph_board::plan::text::{EquationColumn, PlanWriter, vertex_name};
 use hodograph_board::plan::{
-    Between, Effect, GroupSteps, Method, PlanStep, Rate, Reason, Term, TermChain, TermConnection, TermKind, TurningBody, VertexId,
-    VertexPlace,
+    Between, Effect, GroupSteps, Method, PlanStep, Rate, Reason, Term, TermChain, TermConnection,
+    TermKind, TurningBody, VertexId, VertexPlace,
 };
 use hodograph_mechanism::mechanism::{Assur, Demand, Level, Mechanism};
 use hodograph_paper::paper::phrase::formula;
@@ -23,7 +25,13 @@ use serde_json::{Value as Json, json};
 
 /// Returns the plan that `w` writes, and the work done for it; without `done` (a pose that cannot
 /// be solved) the plan alone.
-pub fn json(m: &Mechanism, demand: &Demand, w: &PlanWriter, done: Option<(&Worked, Work)>, notes: &[Diagnostic]) -> Json {
+pub fn json(
+    m: &Mechanism,
+    demand: &Demand,
+    w: &PlanWriter,
+    done: Option<(&Worked, Work)>,
+    notes: &[Diagnostic],
+) -> Json {
     let r = Reporter { w, scene: w.scene, m, demand, worked: done.map(|d| d.0) };
     let f = &m.mobility;
     let mut out = json!({
@@ -44,7 +52,9 @@ pub fn json(m: &Mechanism, demand: &Demand, w: &PlanWriter, done: Option<(&Worke
         before += r.equations(on);
     }
     let drawn = done.and_then(|(worked, _)| worked.equilibrium.as_ref());
-    out["forces"] = json!(drawn.map(|of| ForceWriter { scene: w.scene, notation: w.notation, lang: w.lang, of }.plan_json()));
+    out["forces"] = json!(drawn.map(|of| {
+        ForceWriter { scene: w.scene, notation: w.notation, lang: w.lang, of }.plan_json()
+    }));
     out["work"] = json!(done.map(|d| work(&d.1)));
     out["notes"] = json!(notes.iter().map(diagnostic).collect::<Vec<_>>());
     out
@@ -119,7 +129,10 @@ impl Reporter<'_> {
         let books = self.m.assur(self.scene);
         let numbered: Vec<&Assur> = books.iter().filter(|a| !a.is_carried()).collect();
         let group = |(i, g): (usize, &hodograph_mechanism::mechanism::Group)| {
-            let book = numbered.iter().enumerate().find(|(_, a)| a.steps.iter().any(|s| std::ptr::eq(*s, g)));
+            let book = numbered
+                .iter()
+                .enumerate()
+                .find(|(_, a)| a.steps.iter().any(|s| std::ptr::eq(*s, g)));
             let driver = |c: &usize| self.m.constraints[*c].form().driver();
             json!({
                 "number": book.map(|(n, _)| n + 1),
@@ -194,7 +207,8 @@ impl Reporter<'_> {
         for g in self.w.plan.steps(on) {
             let before = number;
             // An alternative replaces the first solution and uses its numbering.
-            let alternatives: Vec<Vec<Json>> = g.alternatives.iter().map(|steps| self.steps(on, steps, before)).collect();
+            let alternatives: Vec<Vec<Json>> =
+                g.alternatives.iter().map(|steps| self.steps(on, steps, before)).collect();
             number += g.alternatives.first().map_or(0, count);
             let further = self.steps(on, &g.further, number);
             number += count(&g.further);
@@ -217,13 +231,15 @@ impl Reporter<'_> {
             Between::Perpendicular { .. } => "perpendicular",
             Between::LayOff { .. } => "lay-off",
         };
-        let symbols: Vec<Json> = between.terms().iter().map(|t| both(&self.w.symbol(on, t))).collect();
+        let symbols: Vec<Json> =
+            between.terms().iter().map(|t| both(&self.w.symbol(on, t))).collect();
         json!({"kind": kind, "of": of.0, "to": to.0, "symbols": symbols, "text": between_words(self.w, on, between)})
     }
 
     fn rates(&self, on: DiagramKind, g: &GroupSteps) -> Vec<Json> {
         let rate = |(body, rate): &(TurningBody, Rate)| {
-            let mut out = json!({"symbol": both(&self.w.turning(on, *body)), "by": self.body(*body)});
+            let mut out =
+                json!({"symbol": both(&self.w.turning(on, *body)), "by": self.body(*body)});
             out["kind"] = json!(match rate {
                 Rate::Measured { .. } => "measured",
                 Rate::Given { .. } => "given",
@@ -233,7 +249,8 @@ impl Reporter<'_> {
             match rate {
                 Rate::Measured { of, to } => (out["of"], out["to"]) = (json!(of.0), json!(to.0)),
                 Rate::Given { driver, against } => {
-                    (out["driver"], out["against"]) = (json!(driver), json!(self.scene.link_name(*against)));
+                    (out["driver"], out["against"]) =
+                        (json!(driver), json!(self.scene.link_name(*against)));
                 }
                 Rate::Same(l) => out["as"] = json!(self.scene.link_name(*l)),
                 Rate::Zero => {}
@@ -283,10 +300,20 @@ impl Reporter<'_> {
         steps.iter().map(step).collect()
     }
 
-    fn equation(&self, on: DiagramKind, target: VertexId, chains: &[TermChain], method: Method, number: usize) -> Json {
+    fn equation(
+        &self,
+        on: DiagramKind,
+        target: VertexId,
+        chains: &[TermChain],
+        method: Method,
+        number: usize,
+    ) -> Json {
         let w = self.w;
         let columns = w.columns(on, target, chains);
-        let text: Vec<String> = columns.iter().map(|c| format!("{} {}", c.joint, formula(&c.symbol)).trim().to_string()).collect();
+        let text: Vec<String> = columns
+            .iter()
+            .map(|c| format!("{} {}", c.joint, formula(&c.symbol)).trim().to_string())
+            .collect();
         json!({
             "kind": "equation",
             "number": number,
@@ -325,7 +352,9 @@ impl Reporter<'_> {
         let (included, why) = match t.kind {
             _ if self.w.plan.vanishes(self.scene, on, &t) => (false, Reason::AtRest),
             TermKind::Coriolis => (true, Reason::GuideTurns),
-            TermKind::Tangential | TermKind::Slide | TermKind::Extension if t.known && on == DiagramKind::Acceleration => {
+            TermKind::Tangential | TermKind::Slide | TermKind::Extension
+                if t.known && on == DiagramKind::Acceleration =>
+            {
                 (true, Reason::Accelerated)
             }
             TermKind::Relative
@@ -346,7 +375,9 @@ impl Reporter<'_> {
             TermConnection::Guide { guide, driver } => json!({"guide": guide.0, "driver": driver}),
             TermConnection::Cylinder(d) => json!({"cylinder": d}),
             TermConnection::Contact(pair) => json!({"rolling": pair.0}),
-            TermConnection::Frame { body, about } => json!({"frame": body.map(|b| self.body(b)), "about": about.map(|p| p.0)}),
+            TermConnection::Frame { body, about } => {
+                json!({"frame": body.map(|b| self.body(b)), "about": about.map(|p| p.0)})
+            }
             TermConnection::Apart => Json::Null,
         }
     }
@@ -359,10 +390,18 @@ impl Reporter<'_> {
             return Vec::new();
         }
         let own: Vec<Term> = terms(chains).copied().collect();
-        let before = self.w.plan.steps(DiagramKind::Velocity).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further));
+        let before = self
+            .w
+            .plan
+            .steps(DiagramKind::Velocity)
+            .iter()
+            .flat_map(|g| g.alternatives.iter().flatten().chain(&g.further));
         let of_velocity = before.filter_map(|s| match s {
             PlanStep::Equation { target: t, chains, .. } if *t == target => Some(terms(chains)),
-            PlanStep::Equation { .. } | PlanStep::Image { .. } | PlanStep::Trials { .. } | PlanStep::Same { .. } => None,
+            PlanStep::Equation { .. }
+            | PlanStep::Image { .. }
+            | PlanStep::Trials { .. }
+            | PlanStep::Same { .. } => None,
         });
         let mut connections: Vec<(VertexId, VertexId, TermConnection)> = Vec::new();
         for t in own.iter().chain(of_velocity.flatten()) {
@@ -374,13 +413,19 @@ impl Reporter<'_> {
         for (of, to, by) in connections {
             let expected: &[(TermKind, Reason)] = match by {
                 TermConnection::Turning(_) => &[(TermKind::Tangential, Reason::ConstantRate)],
-                TermConnection::Guide { .. } => &[(TermKind::Coriolis, Reason::GuideDoesNotTurn), (TermKind::Slide, Reason::ConstantRate)],
+                TermConnection::Guide { .. } => &[
+                    (TermKind::Coriolis, Reason::GuideDoesNotTurn),
+                    (TermKind::Slide, Reason::ConstantRate),
+                ],
                 TermConnection::Cylinder(_) => &[(TermKind::Extension, Reason::ConstantRate)],
-                TermConnection::Contact(_) | TermConnection::Frame { .. } | TermConnection::Apart => &[],
+                TermConnection::Contact(_)
+                | TermConnection::Frame { .. }
+                | TermConnection::Apart => &[],
             };
             for &(kind, why) in expected {
                 if !own.iter().any(|t| (t.kind, t.of, t.to) == (kind, of, to)) {
-                    let term = json!({"kind": term_name(kind), "of": of.0, "to": to.0, "by": self.by(by)});
+                    let term =
+                        json!({"kind": term_name(kind), "of": of.0, "to": to.0, "by": self.by(by)});
                     out.push(self.with_reason(term, false, why));
                 }
             }

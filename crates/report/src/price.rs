@@ -12,18 +12,32 @@ use serde_json::{Value as Json, json};
 pub fn name(way: AnswerMethod, lang: Lang) -> String {
     let power = |x: f64| format!("{x:e}");
     match way {
-        AnswerMethod::Paper(mm) => format!("{} {mm} mm", tr(lang, "paper, pencil", "图纸，铅笔误差")),
+        AnswerMethod::Paper(mm) => {
+            format!("{} {mm} mm", tr(lang, "paper, pencil", "图纸，铅笔误差"))
+        }
         AnswerMethod::DrawingSingle => tr(lang, "drawing, f32", "图解 f32").into(),
         AnswerMethod::Drawing => tr(lang, "drawing, f64", "图解 f64").into(),
         AnswerMethod::ClosedSingle => tr(lang, "closed form, f32", "杆组法 f32").into(),
         AnswerMethod::Closed => tr(lang, "closed form, f64", "杆组法 f64").into(),
-        AnswerMethod::ClosedDouble => tr(lang, "closed form, double-double", "杆组法 双双精度").into(),
-        AnswerMethod::ClosedLong(bits) => format!("{} {bits} bit", tr(lang, "closed form,", "杆组法")),
-        AnswerMethod::Loops(t) => format!("{} {}", tr(lang, "loop equations, Newton to", "解析法，牛顿迭代至"), power(t)),
-        AnswerMethod::Differences(h) => format!("{} {}", tr(lang, "finite differences, step", "有限差分，步长"), power(h)),
+        AnswerMethod::ClosedDouble => {
+            tr(lang, "closed form, double-double", "杆组法 双双精度").into()
+        }
+        AnswerMethod::ClosedLong(bits) => {
+            format!("{} {bits} bit", tr(lang, "closed form,", "杆组法"))
+        }
+        AnswerMethod::Loops(t) => {
+            format!("{} {}", tr(lang, "loop equations, Newton to", "解析法，牛顿迭代至"), power(t))
+        }
+        AnswerMethod::Differences(h) => {
+            format!("{} {}", tr(lang, "finite differences, step", "有限差分，步长"), power(h))
+        }
         AnswerMethod::Certified(Rung::Double) => tr(lang, "certified, f64", "可靠界 f64").into(),
-        AnswerMethod::Certified(Rung::DoubleDouble) => tr(lang, "certified, double-double", "可靠界 双双精度").into(),
-        AnswerMethod::Certified(Rung::Long(bits)) => format!("{} {bits} bit", tr(lang, "certified,", "可靠界")),
+        AnswerMethod::Certified(Rung::DoubleDouble) => {
+            tr(lang, "certified, double-double", "可靠界 双双精度").into()
+        }
+        AnswerMethod::Certified(Rung::Long(bits)) => {
+            format!("{} {bits} bit", tr(lang, "certified,", "可靠界"))
+        }
     }
 }
 
@@ -52,11 +66,18 @@ fn table(rows: &[Vec<String>]) -> String {
 
 /// Returns the table of all ways of solution.
 pub fn text(scene: &Scene, ways: &[MethodMeasurement], lang: Lang) -> String {
-    let heading = [("way", "方法"), ("velocity", "速度误差"), ("acceleration", "加速度误差"), ("time", "用时")];
+    let heading = [
+        ("way", "方法"),
+        ("velocity", "速度误差"),
+        ("acceleration", "加速度误差"),
+        ("time", "用时"),
+    ];
     let mut rows = vec![heading.map(|(en, zh)| tr(lang, en, zh).to_string()).to_vec()];
     for m in ways {
         let both = |k: usize| match (m.errors[k], m.within_95[k]) {
-            (Some(_), Some(_)) => format!("{} ({})", error(m.errors[k], lang), error(m.within_95[k], lang)),
+            (Some(_), Some(_)) => {
+                format!("{} ({})", error(m.errors[k], lang), error(m.within_95[k], lang))
+            }
             _ => error(m.errors[k], lang),
         };
         rows.push(vec![name(m.way, lang), both(0), both(1), time(m.seconds)]);
@@ -67,7 +88,11 @@ pub fn text(scene: &Scene, ways: &[MethodMeasurement], lang: Lang) -> String {
         "worst relative error of the answers against 512-bit arithmetic; on paper the median of 400 drawings (95 %); certified: the bound; time: median of a whole solution from positions to answers",
         "误差为各结果相对 512 位运算的最大相对误差；图纸为 400 次作图的中位数（95%）；可靠界为所保证的误差上限；用时为由位置到结果的中位数",
     );
-    format!("{}{}\n{note}\n", if title.is_empty() { String::new() } else { format!("{title}\n") }, table(&rows).trim_end())
+    format!(
+        "{}{}\n{note}\n",
+        if title.is_empty() { String::new() } else { format!("{title}\n") },
+        table(&rows).trim_end()
+    )
 }
 
 /// Returns the table of a series of poses: errors of the accelerations (of the velocities if no

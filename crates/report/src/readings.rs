@@ -38,7 +38,14 @@ struct ReadingLine {
 }
 
 fn lines(r: &SolvedReading) -> Vec<ReadingLine> {
-    let printed = |text: &str| r.scene.attempts.iter().flat_map(|a| &a.printed).find(|(f, _)| f.text == text).map(|(_, v)| v.value);
+    let printed = |text: &str| {
+        r.scene
+            .attempts
+            .iter()
+            .flat_map(|a| &a.printed)
+            .find(|(f, _)| f.text == text)
+            .map(|(_, v)| v.value)
+    };
     let line = |find: &Find, by, value: AnswerValue| ReadingLine {
         find: find.clone(),
         by,
@@ -48,7 +55,11 @@ fn lines(r: &SolvedReading) -> Vec<ReadingLine> {
     let right = r.worked.results.iter().map(|o| line(&r.scene.find[o.find], None, o.value()));
     let wrong = r.attempts.iter().flat_map(|a| {
         let row = |row: &hodograph_methods::attempts::AttemptAnswer| {
-            Some(line(&r.scene.find[r.worked.results[row.result].find], Some(a.site.mistake().name()), row.wrong?))
+            Some(line(
+                &r.scene.find[r.worked.results[row.result].find],
+                Some(a.site.mistake().name()),
+                row.wrong?,
+            ))
         };
         a.rows.iter().filter_map(row).collect::<Vec<_>>()
     });
@@ -70,7 +81,11 @@ fn value_words(scene: &Scene, find: &Find, value: AnswerValue) -> String {
         AnswerValue::Scalar(s) => book.text(kind, &significant(book.value(kind, s), DIGITS)),
         AnswerValue::Vector(v) => {
             let size = book.text(kind, &significant(book.value(kind, v.norm()), DIGITS));
-            if v.norm() == 0.0 { size } else { format!("{size} ∠ {}°", significant(direction_degrees(v.angle()), DIGITS)) }
+            if v.norm() == 0.0 {
+                size
+            } else {
+                format!("{size} ∠ {}°", significant(direction_degrees(v.angle()), DIGITS))
+            }
         }
         AnswerValue::Point(p) => {
             let number = |c: f64| significant(book.value(kind, c), DIGITS);
@@ -87,7 +102,8 @@ pub fn text(all: &[SolvedReading], lang: Lang) -> String {
         (name, Lang::En) => format!("reading {name}"),
         (name, Lang::Zh) => format!("读法 {name}"),
     };
-    let mut rows: Vec<Vec<String>> = vec![std::iter::once(String::new()).chain(all.iter().map(name)).collect()];
+    let mut rows: Vec<Vec<String>> =
+        vec![std::iter::once(String::new()).chain(all.iter().map(name)).collect()];
     let each: Vec<Vec<ReadingLine>> = all.iter().map(lines).collect();
     let mut keys: Vec<(String, Option<&'static str>)> = Vec::new();
     for line in each.iter().flatten() {
@@ -104,24 +120,37 @@ pub fn text(all: &[SolvedReading], lang: Lang) -> String {
             let found = lines.iter().find(|l| l.find.text == find && l.by == by);
             let star = found.is_some_and(|l| l.gives == Some(true));
             starred |= star;
-            row.push(
-                found.map_or("–".to_owned(), |l| format!("{}{}", value_words(&r.scene, &l.find, l.value), if star { " *" } else { "" })),
-            );
+            row.push(found.map_or("–".to_owned(), |l| {
+                format!(
+                    "{}{}",
+                    value_words(&r.scene, &l.find, l.value),
+                    if star { " *" } else { "" }
+                )
+            }));
         }
         rows.push(row);
     }
     let many = rows[0].len();
-    let widths: Vec<usize> = (0..many).map(|k| rows.iter().map(|r| r[k].width()).max().unwrap_or(0)).collect();
-    let cell = |(k, text): (usize, &String)| format!("{text}{}", " ".repeat(widths[k].saturating_sub(text.width())));
-    let line = |row: &Vec<String>| format!("{}\n", row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ").trim_end());
+    let widths: Vec<usize> =
+        (0..many).map(|k| rows.iter().map(|r| r[k].width()).max().unwrap_or(0)).collect();
+    let cell = |(k, text): (usize, &String)| {
+        format!("{text}{}", " ".repeat(widths[k].saturating_sub(text.width())))
+    };
+    let line = |row: &Vec<String>| {
+        format!("{}\n", row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ").trim_end())
+    };
     let title = all.first().map_or("", |r| r.scene.title.get(lang));
     let mut out = if title.is_empty() { String::new() } else { format!("{title}\n") };
     out.extend(rows.iter().map(line));
-    out += match (starred, all.iter().any(|r| r.scene.attempts.iter().any(|a| !a.printed.is_empty()))) {
-        (true, _) => tr(lang, "* what was printed\n", "* 即原书所印数值\n"),
-        (false, true) => tr(lang, "no reading gives what was printed\n", "各种读法都得不到原书所印数值\n"),
-        (false, false) => "",
-    };
+    out +=
+        match (starred, all.iter().any(|r| r.scene.attempts.iter().any(|a| !a.printed.is_empty())))
+        {
+            (true, _) => tr(lang, "* what was printed\n", "* 即原书所印数值\n"),
+            (false, true) => {
+                tr(lang, "no reading gives what was printed\n", "各种读法都得不到原书所印数值\n")
+            }
+            (false, false) => "",
+        };
     out
 }
 

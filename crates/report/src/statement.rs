@@ -20,7 +20,9 @@ pub fn paragraphs(scene: &Scene, lang: Lang) -> Vec<Phrase> {
 /// in the file.
 pub fn faults(scene: &Scene) -> Faults {
     let mut faults = Faults::default();
-    let formulas = [Lang::En, Lang::Zh].into_iter().flat_map(|lang| scene.statement.as_ref().map(|s| s.get(lang)).unwrap_or_default());
+    let formulas = [Lang::En, Lang::Zh]
+        .into_iter()
+        .flat_map(|lang| scene.statement.as_ref().map(|s| s.get(lang)).unwrap_or_default());
     for run in formulas.flatten() {
         let Run::Formula(source, span) = run else { continue };
         for fault in Label::math(source.as_str()).faults() {

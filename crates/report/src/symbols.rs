@@ -16,7 +16,8 @@ pub fn symbols(sentence: &str) -> String {
         let apart = k == 0 || !all[k - 1].is_ascii_alphanumeric();
         match name(&all[k..]).filter(|_| apart) {
             Some((length, formula))
-                if !all.get(k + length).is_some_and(char::is_ascii_alphanumeric) && !article(&all[k..k + length], &all[k + length..]) =>
+                if !all.get(k + length).is_some_and(char::is_ascii_alphanumeric)
+                    && !article(&all[k..k + length], &all[k + length..]) =>
             {
                 out += &format!("${formula}$");
                 k += length;
@@ -32,12 +33,14 @@ pub fn symbols(sentence: &str) -> String {
 
 /// Returns true for the article at the start of a sentence: a word follows it.
 fn article(name: &[char], after: &[char]) -> bool {
-    name == ['A'] && matches!(after, [' ', c, d, ..] if c.is_ascii_lowercase() && d.is_ascii_lowercase()) && {
-        let word: String = after[1..].iter().take_while(|c| c.is_ascii_alphabetic()).collect();
-        // A point is followed by a verb or a conjunction, an article by one of these nouns of
-        // constructions.
-        ["line", "circle", "parallel", "perpendicular", "ray", "point"].contains(&word.as_str())
-    }
+    name == ['A']
+        && matches!(after, [' ', c, d, ..] if c.is_ascii_lowercase() && d.is_ascii_lowercase())
+        && {
+            let word: String = after[1..].iter().take_while(|c| c.is_ascii_alphabetic()).collect();
+            // A point is followed by a verb or a conjunction, an article by one of these nouns of
+            // constructions.
+            ["line", "circle", "parallel", "perpendicular", "ray", "point"].contains(&word.as_str())
+        }
 }
 
 /// Returns the name at the start of a text: its length and its formula.
@@ -49,7 +52,9 @@ fn name(text: &[char]) -> Option<(usize, String)> {
     if !(first.is_ascii_uppercase() || greek(first)) {
         return None;
     }
-    while let Some(c) = text.get(k).copied().filter(|c| c.is_ascii_uppercase() || k == 0 && greek(*c)) {
+    while let Some(c) =
+        text.get(k).copied().filter(|c| c.is_ascii_uppercase() || k == 0 && greek(*c))
+    {
         formula.push(c);
         k += 1;
         let digits: String = text[k..].iter().take_while(|c| c.is_ascii_digit()).collect();
@@ -72,7 +77,10 @@ mod tests {
 
     #[test]
     fn names_are_formulas_and_words_stay_words() {
-        assert_eq!(symbols("With AC1 as opening about A cut AC2 at F"), "With $AC_{1}$ as opening about $A$ cut $AC_{2}$ at $F$");
+        assert_eq!(
+            symbols("With AC1 as opening about A cut AC2 at F"),
+            "With $AC_{1}$ as opening about $A$ cut $AC_{2}$ at $F$"
+        );
         assert_eq!(symbols("ψ12 = 41.771°: B2'"), "$ψ_{12}$ = 41.771°: $B_{2}'$");
         assert_eq!(symbols("Burmester's points, P12P23"), "Burmester's points, $P_{12}P_{23}$");
         assert_eq!(symbols("以 A 为圆心、AC1 为半径"), "以 $A$ 为圆心、$AC_{1}$ 为半径");

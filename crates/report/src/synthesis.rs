@@ -20,12 +20,23 @@ use std::f64::consts::TAU;
 /// Returns the table of candidates.
 pub fn text(task: &Task, design: &Design, lang: Lang) -> String {
     let mut out = format!("{}\n", lang.of(&task.heading.title));
-    for line in design.numbers.iter().map(|n| format!("{} = {}", printed(&n.name), value(&task.book, n))).collect::<Vec<_>>().chunks(4) {
+    for line in design
+        .numbers
+        .iter()
+        .map(|n| format!("{} = {}", printed(&n.name), value(&task.book, n)))
+        .collect::<Vec<_>>()
+        .chunks(4)
+    {
         out += &format!("{}\n", line.join("   "));
     }
     for (k, c) in design.candidates.iter().enumerate() {
         out += &format!("\n{}. {}\n", k + 1, lang.of(&c.draft.which));
-        let numbers: Vec<String> = c.draft.numbers.iter().map(|n| format!("{} = {}", printed(&n.name), value(&task.book, n))).collect();
+        let numbers: Vec<String> = c
+            .draft
+            .numbers
+            .iter()
+            .map(|n| format!("{} = {}", printed(&n.name), value(&task.book, n)))
+            .collect();
         for line in numbers.chunks(6) {
             out += &format!("   {}\n", line.join("   "));
         }
@@ -70,7 +81,8 @@ fn printed(name: &str) -> String {
         return sign.to_owned();
     }
     // A word before an underscore: alpha_max.
-    let first = stem.split_once('_').map(|(word, rest)| said(word).map(|sign| format!("{sign}_{rest}")));
+    let first =
+        stem.split_once('_').map(|(word, rest)| said(word).map(|sign| format!("{sign}_{rest}")));
     let stem = said(stem).map(str::to_owned).or(first.flatten()).unwrap_or_else(|| stem.to_owned());
     format!("{stem}{joint}{index}")
 }
@@ -89,7 +101,8 @@ pub fn motion(c: &DesignCandidate, lang: Lang) -> String {
         .to_owned(),
     );
     if let Some((angle, at)) = j.transmission {
-        let (angle, at) = (significant(angle.to_degrees(), 5), significant(turn(at.to_degrees()), 5));
+        let (angle, at) =
+            (significant(angle.to_degrees(), 5), significant(turn(at.to_degrees()), 5));
         parts.push(match lang {
             Lang::En => format!("least γ = {angle}° at {at}°"),
             Lang::Zh => format!("原动件转至 {at}° 时传动角最小，γ = {angle}°"),
@@ -114,11 +127,15 @@ fn turn(degrees: f64) -> f64 {
 pub fn value(book: &Book, n: &DesignNumber) -> String {
     match n.kind {
         // Values with a unit requested by the file.
-        Some(kind @ (Kind::Length | Kind::Angle)) if book.chosen(kind).is_some() => {
-            book.text(kind, &significant(book.value(kind, if n.value.abs() < 1e-12 { 0.0 } else { n.value }), 6))
-        }
+        Some(kind @ (Kind::Length | Kind::Angle)) if book.chosen(kind).is_some() => book.text(
+            kind,
+            &significant(book.value(kind, if n.value.abs() < 1e-12 { 0.0 } else { n.value }), 6),
+        ),
         Some(Kind::Length) => metres_fine(n.value),
-        Some(Kind::Angle) => format!("{}°", significant(if n.value.abs() < 1e-12 { 0.0 } else { n.value.to_degrees() }, 6)),
+        Some(Kind::Angle) => format!(
+            "{}°",
+            significant(if n.value.abs() < 1e-12 { 0.0 } else { n.value.to_degrees() }, 6)
+        ),
         // A count has no decimals.
         None if n.value.fract() == 0.0 && n.value.abs() < 1e15 => format!("{}", n.value),
         Some(
@@ -137,7 +154,11 @@ pub fn value(book: &Book, n: &DesignNumber) -> String {
 }
 
 fn metres_fine(value_m: f64) -> String {
-    if value_m.abs() >= 10.0 { metres(value_m) } else { format!("{} mm", significant(value_m * 1e3, 6)) }
+    if value_m.abs() >= 10.0 {
+        metres(value_m)
+    } else {
+        format!("{} mm", significant(value_m * 1e3, 6))
+    }
 }
 
 /// Returns the chosen candidate, and the reason.
@@ -152,7 +173,11 @@ pub fn taken(design: &Design, lang: Lang) -> String {
             "no defect, a crank that turns fully, the best transmission angle among those",
             "无运动缺陷，原动件整周转动，且其中传动角最好",
         ),
-        (true, false, _) => tr(lang, "no defect, the best transmission angle among those", "无运动缺陷，且其中传动角最好"),
+        (true, false, _) => tr(
+            lang,
+            "no defect, the best transmission angle among those",
+            "无运动缺陷，且其中传动角最好",
+        ),
     };
     match lang {
         Lang::En => format!("Taken: 1 ({why})."),
@@ -164,11 +189,11 @@ pub fn taken(design: &Design, lang: Lang) -> String {
 /// paper, rad).
 pub fn construction(board: &SynthesisBoard) -> Json {
     let marks = |marks: &[(String, Point)]| -> Vec<Json> {
-        let told =
-            |(name, p): &(String, Point)| json!({"name": Label::math(name.as_str()).plain(), "x": p.x * board.mu_l, "y": p.y * board.mu_l});
+        let told = |(name, p): &(String, Point)| json!({"name": Label::math(name.as_str()).plain(), "x": p.x * board.mu_l, "y": p.y * board.mu_l});
         marks.iter().map(told).collect()
     };
-    let steps = board.steps.iter().map(|s| json!({"text": s.text.json(), "marks": marks(&s.marks)}));
+    let steps =
+        board.steps.iter().map(|s| json!({"text": s.text.json(), "marks": marks(&s.marks)}));
     let readings =
         board.readings.iter().map(|r| json!({"name": r.name, "measured": r.measured, "angle": r.angle, "value": board.value(r)}));
     json!({"mu_l": board.mu_l, "steps": steps.collect::<Vec<_>>(), "readings": readings.collect::<Vec<_>>()})
@@ -250,8 +275,11 @@ fn posed(scene: &Json, wanted: &WantedPosition) -> Option<LinkagePosition> {
     let mut scene = scene.clone();
     let object = scene.as_object_mut()?;
     object.shift_remove("side");
-    let rough: serde_json::Map<String, Json> =
-        wanted.places.iter().map(|(n, p)| (n.clone(), json!([format!("{} m", p.x), format!("{} m", p.y)]))).collect();
+    let rough: serde_json::Map<String, Json> = wanted
+        .places
+        .iter()
+        .map(|(n, p)| (n.clone(), json!([format!("{} m", p.x), format!("{} m", p.y)])))
+        .collect();
     object.insert("sketch".into(), Json::Object(rough));
     object.get_mut("driver")?["angle"] = json!(format!("{} rad", wanted.driver));
     let scene = scene::read(scene_text(&scene)).ok()?.value;
@@ -266,7 +294,8 @@ fn posed(scene: &Json, wanted: &WantedPosition) -> Option<LinkagePosition> {
 pub fn pose_of(scene: &Scene, at: &Configuration) -> LinkagePosition {
     let named = |p: &PointId| Some((scene.points[p.0].name.clone(), at.points[p.0]?));
     let of = |l: usize| (l, scene.links[l].points.iter().filter_map(named).collect::<Vec<_>>());
-    let on = |l: usize| scene.guides.iter().filter(move |g| g.on.0 == l).filter_map(|g| named(&g.pin?));
+    let on =
+        |l: usize| scene.guides.iter().filter(move |g| g.on.0 == l).filter_map(|g| named(&g.pin?));
     let links = (0..scene.links.len()).filter(|l| *l != scene.ground.0).map(|l| {
         let (l, mut points) = of(l);
         if points.len() < 2 {
@@ -275,13 +304,19 @@ pub fn pose_of(scene: &Scene, at: &Configuration) -> LinkagePosition {
         (l, points)
     });
     let block = |(g, path): (&Guide, &Option<Path>)| match path {
-        Some(Path::Line { direction, .. }) => {
-            Some(SliderBlock { at: at.points[g.pin?.0]?, direction: *direction, fixed: g.on == scene.ground })
-        }
+        Some(Path::Line { direction, .. }) => Some(SliderBlock {
+            at: at.points[g.pin?.0]?,
+            direction: *direction,
+            fixed: g.on == scene.ground,
+        }),
         Some(Path::Arc { .. }) | None => None,
     };
     let sliders = scene.guides.iter().zip(&at.guides).filter_map(block).collect();
-    LinkagePosition { links: links.filter(|l| l.1.len() > 1).collect(), fixed: of(scene.ground.0).1, sliders }
+    LinkagePosition {
+        links: links.filter(|l| l.1.len() > 1).collect(),
+        fixed: of(scene.ground.0).1,
+        sliders,
+    }
 }
 
 /// Returns the path of a point while the driver rotates, in pieces if the rotation is not complete;
@@ -289,14 +324,17 @@ pub fn pose_of(scene: &Scene, at: &Configuration) -> LinkagePosition {
 pub fn traced(candidate: &DesignCandidate, point: &str) -> Vec<Vec<Point>> {
     const STEPS: usize = 360;
     let path = || {
-        let scene = scene::read_asking(candidate.scene_text(), &format!("x_{point}, y_{point}")).ok()?.value;
+        let scene = scene::read_asking(candidate.scene_text(), &format!("x_{point}, y_{point}"))
+            .ok()?
+            .value;
         let mechanism = Mechanism::new(&scene).ok()?.value;
         let placed = PlacedScene::new(&scene, &mechanism).ok()?;
         let now = position_now(&scene, &placed.at, 0);
         let all = (0..=STEPS).map(|k| now + TAU * (k as f64 / STEPS as f64 - 0.5)).collect();
         let table = sweep::run(&placed, 0, &Stations::of_values(all, 1.0), Width::One).ok()?;
         let of = |axis: char| table.column(&format!("{axis}_{point}")).map(|c| c.values.clone());
-        let places: Vec<Point> = of('x')?.into_iter().zip(of('y')?).map(|(x, y)| Point::new(x, y)).collect();
+        let places: Vec<Point> =
+            of('x')?.into_iter().zip(of('y')?).map(|(x, y)| Point::new(x, y)).collect();
         // Positions that cannot be assembled divide the path.
         let mut pieces: Vec<Vec<Point>> = Vec::new();
         let mut last = f64::NEG_INFINITY;
@@ -320,9 +358,19 @@ pub fn steps(candidate: &DesignCandidate, board: &SynthesisBoard, lang: Lang) ->
     };
     for (k, step) in board.steps.iter().enumerate() {
         let at = |p: Point| {
-            [p.x, p.y].map(|x| significant(if (x * board.mu_l).abs() < 1e-12 { 0.0 } else { x * board.mu_l * 1e3 }, 6)).join(", ")
+            [p.x, p.y]
+                .map(|x| {
+                    significant(
+                        if (x * board.mu_l).abs() < 1e-12 { 0.0 } else { x * board.mu_l * 1e3 },
+                        6,
+                    )
+                })
+                .join(", ")
         };
-        let marks = step.marks.iter().map(|(name, p)| format!("{} ({})", Label::math(name.as_str()).plain(), at(*p)));
+        let marks = step
+            .marks
+            .iter()
+            .map(|(name, p)| format!("{} ({})", Label::math(name.as_str()).plain(), at(*p)));
         let marks = marks.collect::<Vec<_>>().join(tr(lang, ", ", "，"));
         let marks = match (marks.is_empty(), lang) {
             (true, _) => String::new(),
@@ -336,10 +384,16 @@ pub fn steps(candidate: &DesignCandidate, board: &SynthesisBoard, lang: Lang) ->
         // The error of a value of zero is relative to the size of the linkage.
         let scale = if formula != 0.0 { formula.abs() } else { candidate.judged.size_m };
         let off = significant((board.value(r) - formula.abs()).abs() / scale, 2);
-        let formula = if r.angle { format!("{}°", significant(formula.abs().to_degrees(), 6)) } else { metres_fine(formula) };
+        let formula = if r.angle {
+            format!("{}°", significant(formula.abs().to_degrees(), 6))
+        } else {
+            metres_fine(formula)
+        };
         let drawn = match r.angle {
             true => format!("{}°", significant(board.value(r).to_degrees(), 6)),
-            false => format!("{} mm · μ_l = {}", significant(r.measured, 4), metres_fine(board.value(r))),
+            false => {
+                format!("{} mm · μ_l = {}", significant(r.measured, 4), metres_fine(board.value(r)))
+            }
         };
         let name = printed(&r.name);
         out += &match lang {

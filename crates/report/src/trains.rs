@@ -48,13 +48,27 @@ pub fn number(x: f64, digits: usize) -> String {
 
 /// Returns Willis' table of a train: arm fixed and the first gear rotated by one, the same by x,
 /// all rotated by y, and the sum.
-pub fn table(scene: &Scene, train: &GearTrain, t: TrainSpeeds, lang: Lang, digits: usize) -> TrainTable {
+pub fn table(
+    scene: &Scene,
+    train: &GearTrain,
+    t: TrainSpeeds,
+    lang: Lang,
+    digits: usize,
+) -> TrainTable {
     let (arm, first) = (scene.link_name(train.arm), scene.link_name(train.gears[0].link));
     let rates: Vec<f64> = (0..train.gears.len()).map(|g| train.rate(g, t)).collect();
     let largest = rates.iter().fold(t.arm.abs().max(t.first.abs()), |m, r| m.max(r.abs()));
     // A rate within rounding of zero is zero.
-    let shown = |w: f64| number(scene.book.value(Kind::Omega, if w.abs() < 1e-12 * largest { 0.0 } else { w }), digits);
-    let head = std::iter::once(train.arm).chain(train.gears.iter().map(|g| g.link)).map(|l| omega(scene, l)).collect();
+    let shown = |w: f64| {
+        number(
+            scene.book.value(Kind::Omega, if w.abs() < 1e-12 * largest { 0.0 } else { w }),
+            digits,
+        )
+    };
+    let head = std::iter::once(train.arm)
+        .chain(train.gears.iter().map(|g| g.link))
+        .map(|l| omega(scene, l))
+        .collect();
     let row = |of_arm: String, of_gear: &dyn Fn(usize) -> String| -> Vec<String> {
         std::iter::once(of_arm).chain((0..train.gears.len()).map(of_gear)).collect()
     };
@@ -69,7 +83,10 @@ pub fn table(scene: &Scene, train: &GearTrain, t: TrainSpeeds, lang: Lang, digit
     if train.gears.iter().any(|g| g.ratio.formula().contains('/')) {
         rows.push((String::new(), row("0".into(), &|g| number(ratio(g).value, digits))));
     }
-    rows.push((tr(lang, "the same times $x$", "乘以 $x$").into(), row("0".into(), &|g| shown(ratio(g).value * t.first))));
+    rows.push((
+        tr(lang, "the same times $x$", "乘以 $x$").into(),
+        row("0".into(), &|g| shown(ratio(g).value * t.first)),
+    ));
     let unit = scene.book.name(Kind::Omega);
     let with_unit = |words: &str| format!("{words} / ({unit})");
     if train.arm == scene.ground {
@@ -79,7 +96,10 @@ pub fn table(scene: &Scene, train: &GearTrain, t: TrainSpeeds, lang: Lang, digit
         }
         return TrainTable { head, rows, results: results(scene, train, t, digits) };
     }
-    rows.push((tr(lang, "all turn by $y$ with the arm", "整体附加 $y$").into(), row(shown(t.arm), &|_| shown(t.arm))));
+    rows.push((
+        tr(lang, "all turn by $y$ with the arm", "整体附加 $y$").into(),
+        row(shown(t.arm), &|_| shown(t.arm)),
+    ));
     rows.push((with_unit(tr(lang, "sum", "合成")), row(shown(t.arm), &|g| shown(rates[g]))));
     TrainTable { head, rows, results: results(scene, train, t, digits) }
 }
@@ -92,22 +112,37 @@ fn results(scene: &Scene, train: &GearTrain, t: TrainSpeeds, digits: usize) -> V
     let fixed = arm == scene.ground;
     let seen = |l: LinkId| if fixed { w(l) } else { format!("({} − {})", w(l), w(arm)) };
     let others = || train.gears.iter().skip(1);
-    let Some(last) = others().rev().find(|g| g.centre == train.axis).or_else(|| others().last()) else { return Vec::new() };
-    let mut out =
-        vec![format!("{}/{} = {} = {}", seen(last.link), seen(first.link), last.ratio.formula(), number(last.ratio.value, digits))];
+    let Some(last) = others().rev().find(|g| g.centre == train.axis).or_else(|| others().last())
+    else {
+        return Vec::new();
+    };
+    let mut out = vec![format!(
+        "{}/{} = {} = {}",
+        seen(last.link),
+        seen(first.link),
+        last.ratio.formula(),
+        number(last.ratio.value, digits)
+    )];
     let held = train.gears.iter().find(|g| g.link == scene.ground && g.link != first.link);
     if let (Some(held), true) = (held, t.arm != 0.0) {
         // 0 = y + e x: ω₁/ω_h = 1 + x/y = 1 − 1/e.
         let back = held.ratio.inverse();
         let sign = if back.value < 0.0 { '+' } else { '−' };
-        out.push(format!("{}/{} = 1 {sign} {} = {}", w(first.link), w(arm), back.magnitude(), number(1.0 - back.value, digits)));
+        out.push(format!(
+            "{}/{} = 1 {sign} {} = {}",
+            w(first.link),
+            w(arm),
+            back.magnitude(),
+            number(1.0 - back.value, digits)
+        ));
     }
     out
 }
 
 /// Returns Willis' equation of each train and the resulting ratio, for programs.
 pub fn formulas(scene: &Scene, worked: &Worked) -> Vec<String> {
-    let of = |train: &GearTrain| turns(scene, worked, train).map(|t| results(scene, train, t, DIGITS));
+    let of =
+        |train: &GearTrain| turns(scene, worked, train).map(|t| results(scene, train, t, DIGITS));
     trains(scene).iter().filter_map(of).flatten().map(|r| formula(&r)).collect()
 }
 
@@ -121,7 +156,13 @@ pub fn text(scene: &Scene, worked: &Worked, lang: Lang) -> String {
     out
 }
 
-fn of_train(scene: &Scene, worked: &Worked, train: &GearTrain, t: TrainSpeeds, lang: Lang) -> String {
+fn of_train(
+    scene: &Scene,
+    worked: &Worked,
+    train: &GearTrain,
+    t: TrainSpeeds,
+    lang: Lang,
+) -> String {
     let arm = scene.link_name(train.arm);
     let strands = train.meshes.iter().all(|m| scene.rolling[m.0].contact().is_none());
     let en = if strands { "belt or chain drive" } else { "gear train" };
@@ -133,8 +174,11 @@ fn of_train(scene: &Scene, worked: &Worked, train: &GearTrain, t: TrainSpeeds, l
         (Lang::Zh, false) => format!("{zh}周转轮系，系杆 {arm}（列表法）："),
     }];
     let table = table(scene, train, t, lang, DIGITS);
-    let cells =
-        |words: &str, cells: &[String]| std::iter::once(Phrase::new(words).plain()).chain(cells.iter().map(|c| formula(c))).collect();
+    let cells = |words: &str, cells: &[String]| {
+        std::iter::once(Phrase::new(words).plain())
+            .chain(cells.iter().map(|c| formula(c)))
+            .collect()
+    };
     let mut rows: Vec<Vec<String>> = vec![cells("", &table.head)];
     rows.extend(table.rows.iter().map(|(words, row)| cells(words, row)));
     let width = |k: usize| rows.iter().map(|r| r[k].width()).max().unwrap_or(0);
@@ -164,10 +208,13 @@ fn of_train(scene: &Scene, worked: &Worked, train: &GearTrain, t: TrainSpeeds, l
 /// Returns the largest differences between the rates of drawing and analysis and those of the
 /// table, relative to the largest rate; `None` if no rate is drawn.
 fn apart(worked: &Worked, train: &GearTrain, t: TrainSpeeds) -> Option<[String; 2]> {
-    let members: Vec<(LinkId, f64)> =
-        std::iter::once((train.arm, t.arm)).chain(train.gears.iter().enumerate().map(|(k, g)| (g.link, train.rate(k, t)))).collect();
+    let members: Vec<(LinkId, f64)> = std::iter::once((train.arm, t.arm))
+        .chain(train.gears.iter().enumerate().map(|(k, g)| (g.link, train.rate(k, t))))
+        .collect();
     let largest = members.iter().map(|m| m.1.abs()).fold(0.0, f64::max);
-    let worst = |of: &dyn Fn(LinkId) -> Option<f64>| members.iter().filter_map(|(l, w)| Some((of(*l)? - w).abs())).reduce(f64::max);
+    let worst = |of: &dyn Fn(LinkId) -> Option<f64>| {
+        members.iter().filter_map(|(l, w)| Some((of(*l)? - w).abs())).reduce(f64::max)
+    };
     let drawn = worst(&|l| worked.construction.rate(DiagramKind::Velocity, TurningBody::Link(l)))?;
     let solved = worst(&|l| worked.solution.turning(Level::Velocity, l))?;
     (largest > 0.0).then(|| [drawn, solved].map(|d| significant(d / largest, 1)))
@@ -190,7 +237,14 @@ mod tests {
         let scene = read(PLANETARY).unwrap().value;
         let worked = work(&scene, Scope::Questions).unwrap().value;
         let en = text(&scene, &worked, Lang::En);
-        for part in ["arm 2", "−z_4/z_3", "ω_4/ω_2 = 1 + z_1/z_4 = 5.00000", "−20.0000", "33.3333", "polygon"] {
+        for part in [
+            "arm 2",
+            "−z_4/z_3",
+            "ω_4/ω_2 = 1 + z_1/z_4 = 5.00000",
+            "−20.0000",
+            "33.3333",
+            "polygon",
+        ] {
             assert!(en.contains(part), "{part} is not in\n{en}");
         }
         let zh = text(&scene, &worked, Lang::Zh);

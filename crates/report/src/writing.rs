@@ -33,7 +33,11 @@ impl PointForm {
     pub(super) fn indexed(self, letter: &str, index: &str) -> String {
         match self {
             PointForm::Plain => format!("{letter}_{index}"),
-            PointForm::Marked => format!("${}_{{{}}}$", if letter == "ω" { "\\omega" } else { letter }, name_label(index)),
+            PointForm::Marked => format!(
+                "${}_{{{}}}$",
+                if letter == "ω" { "\\omega" } else { letter },
+                name_label(index)
+            ),
         }
     }
 }

@@ -51,28 +51,44 @@ impl Scene {
     pub fn read_again(&self, place: &dyn Fn(&str) -> Option<[f64; 2]>) -> Result<Scene, Faults> {
         // The file gives the angle of a cam driven through wheels at the instant.
         let angle = |cam: &RawCam| {
-            let own = |c: &&Cam| self.link_name(c.cam) == cam.cam.text && self.link_name(c.follower) == cam.follower.text;
+            let own = |c: &&Cam| {
+                self.link_name(c.cam) == cam.cam.text
+                    && self.link_name(c.follower) == cam.follower.text
+            };
             let turning = self.cams.iter().find(own)?.disc.as_ref()?;
             let driver = self.drivers[turning.driver].kind.position()?;
             Some(turning.from + turning.way * driver.value())
         };
         let nowhere = |cam: &RawCam| cam.angle.is_some() && angle(cam).is_none();
         if self.source.as_ref().is_some_and(|Source(source)| source.0.cams.iter().any(nowhere)) {
-            let message = both!("how a cam behind wheels stands is told for one pose", "轮系带动的凸轮，其位置只对一个位置给定");
+            let message = both!(
+                "how a cam behind wheels stands is told for one pose",
+                "轮系带动的凸轮，其位置只对一个位置给定"
+            );
             return Err(Diagnostic::error("no-source", message).into());
         }
-        let fixed = |name: &str| self.links[self.ground.0].points.iter().any(|p| self.point_name(*p) == name);
+        let fixed = |name: &str| {
+            self.links[self.ground.0].points.iter().any(|p| self.point_name(*p) == name)
+        };
         self.reread(|raw| {
             for (own, driver) in raw.drivers.iter_mut().zip(&self.drivers) {
-                let [rate, acceleration] = if driver.kind.turns() { ["rad/s", "rad/s^2"] } else { ["m/s", "m/s^2"] };
+                let [rate, acceleration] =
+                    if driver.kind.turns() { ["rad/s", "rad/s^2"] } else { ["m/s", "m/s^2"] };
                 own.rate = Some(quantity(driver.rate.value, rate, driver.span));
-                own.acceleration = driver.acceleration.as_ref().map(|a| quantity(a.value, acceleration, driver.span));
+                own.acceleration = driver
+                    .acceleration
+                    .as_ref()
+                    .map(|a| quantity(a.value, acceleration, driver.span));
                 write_position(&mut own.kind, driver);
             }
             for cam in &mut raw.cams {
-                cam.angle = cam.angle.as_ref().and_then(|told| Some(quantity(angle(cam)?, "rad", told.span)));
+                cam.angle = cam
+                    .angle
+                    .as_ref()
+                    .and_then(|told| Some(quantity(angle(cam)?, "rad", told.span)));
             }
-            let at = |name: &str, span: Span| place(name).map(|at| at.map(|x| quantity(x, "m", span)));
+            let at =
+                |name: &str, span: Span| place(name).map(|at| at.map(|x| quantity(x, "m", span)));
             for (name, own) in raw.points.iter_mut().filter(|(name, _)| !fixed(&name.text)) {
                 if let (RawPlace::At(_), Some(xy)) = (&*own, at(&name.text, name.span)) {
                     *own = RawPlace::At(xy);
@@ -101,11 +117,17 @@ impl Scene {
     }
 
     fn reread(&self, change: impl FnOnce(&mut RawScene)) -> Result<Scene, Faults> {
-        let none = || Diagnostic::error("no-source", both!("the scene was not read from a file", "机构不是从文件读入的"));
+        let none = || {
+            Diagnostic::error(
+                "no-source",
+                both!("the scene was not read from a file", "机构不是从文件读入的"),
+            )
+        };
         let Source(source) = self.source.as_ref().ok_or_else(none)?;
         let (raw, text) = source.as_ref();
         let mut raw = raw.clone();
-        raw.find = Some(self.find.iter().map(|f| Word { text: f.text.clone(), span: f.span }).collect());
+        raw.find =
+            Some(self.find.iter().map(|f| Word { text: f.text.clone(), span: f.span }).collect());
         change(&mut raw);
         let mut faults = Faults::default();
         let scene = resolve::resolve(&raw, text, &mut faults);

@@ -73,7 +73,11 @@ impl BookUnit {
 
     /// Returns a number with the unit in the label language: `12.5 in/s^2`, `60\degree`.
     pub fn label(&self, number: &str) -> String {
-        if self.is_degree() { format!("{number}\\degree") } else { format!("{number} {}", self.label) }
+        if self.is_degree() {
+            format!("{number}\\degree")
+        } else {
+            format!("{number} {}", self.label)
+        }
     }
 
     /// Returns true for the degree, which follows its number without a space.
@@ -92,10 +96,15 @@ fn fitting(kind: Kind) -> Vec<String> {
         _ => "/s^2",
     };
     let base = Dim { time: 0, ..dim };
-    let named = |wanted: RequiredQuantity| UNITS.iter().filter(move |u| u.dim == wanted.dim()).map(|u| u.name);
-    let made = UNITS.iter().filter(|u| u.dim == base && u.name != "°").map(|u| format!("{}{per}", u.name));
-    let moments = named(RequiredQuantity::Force).flat_map(|force| named(RequiredQuantity::Length).map(move |arm| format!("{force}*{arm}")));
-    let moments = moments.filter(|text| kind == Kind::Moment && BookUnit::of_kind(text, kind).is_some());
+    let named = |wanted: RequiredQuantity| {
+        UNITS.iter().filter(move |u| u.dim == wanted.dim()).map(|u| u.name)
+    };
+    let made =
+        UNITS.iter().filter(|u| u.dim == base && u.name != "°").map(|u| format!("{}{per}", u.name));
+    let moments = named(RequiredQuantity::Force)
+        .flat_map(|force| named(RequiredQuantity::Length).map(move |arm| format!("{force}*{arm}")));
+    let moments =
+        moments.filter(|text| kind == Kind::Moment && BookUnit::of_kind(text, kind).is_some());
     made.chain(moments)
         .chain((kind == Kind::Power).then(|| "N*m/s".to_owned()))
         .chain(UNITS.iter().filter(|u| dim.time != 0 && u.dim == dim).map(|u| u.name.to_owned()))
@@ -117,8 +126,12 @@ impl UnitProduct {
         match &expr.kind {
             ExprKind::Unit(unit) => self.unit(unit, k),
             ExprKind::Number(one) => (one == "1").then_some(()),
-            ExprKind::Binary(Operator::Mul, a, b) => self.multiply(a, k).and_then(|()| self.multiply(b, k)),
-            ExprKind::Binary(Operator::Div, a, b) => self.multiply(a, k).and_then(|()| self.multiply(b, -k)),
+            ExprKind::Binary(Operator::Mul, a, b) => {
+                self.multiply(a, k).and_then(|()| self.multiply(b, k))
+            }
+            ExprKind::Binary(Operator::Div, a, b) => {
+                self.multiply(a, k).and_then(|()| self.multiply(b, -k))
+            }
             ExprKind::Binary(Operator::Pow, a, n) => self.multiply(a, k * exponent(n)?),
             ExprKind::Binary(Operator::Add | Operator::Sub, ..)
             | ExprKind::Pi
@@ -134,10 +147,15 @@ impl UnitProduct {
             return None;
         }
         for _ in 0..k.abs() {
-            let (up, down) = if k > 0 { (unit.numerator, unit.denominator) } else { (unit.denominator, unit.numerator) };
+            let (up, down) = if k > 0 {
+                (unit.numerator, unit.denominator)
+            } else {
+                (unit.denominator, unit.numerator)
+            };
             // A ratio of whole numbers that are not rounded.
             let (common, other) = (divisor(self.up, down), divisor(up, self.down));
-            (self.up, self.down) = (exact(self.up / common, up / other)?, exact(self.down / other, down / common)?);
+            (self.up, self.down) =
+                (exact(self.up / common, up / other)?, exact(self.down / other, down / common)?);
             let common = divisor(self.up, self.down);
             (self.up, self.down) = (self.up / common, self.down / common);
         }
@@ -158,7 +176,11 @@ fn exponent(expr: &Expr) -> Option<i32> {
     match &expr.kind {
         ExprKind::Number(text) => text.parse().ok().filter(|k: &i32| k.abs() <= 4),
         ExprKind::Neg(inner) => exponent(inner).map(|k| -k),
-        ExprKind::Pi | ExprKind::Unit(_) | ExprKind::Parameter(_) | ExprKind::Binary(..) | ExprKind::Call(..) => None,
+        ExprKind::Pi
+        | ExprKind::Unit(_)
+        | ExprKind::Parameter(_)
+        | ExprKind::Binary(..)
+        | ExprKind::Call(..) => None,
     }
 }
 
@@ -171,7 +193,11 @@ fn divisor(a: f64, b: f64) -> f64 {
 fn superscripts(word: &str) -> String {
     let mut out = String::new();
     for (k, part) in word.replace('*', "·").split('^').enumerate() {
-        let end = if k == 0 { 0 } else { part.find(|c: char| c != '-' && !c.is_ascii_digit()).unwrap_or(part.len()) };
+        let end = if k == 0 {
+            0
+        } else {
+            part.find(|c: char| c != '-' && !c.is_ascii_digit()).unwrap_or(part.len())
+        };
         out.extend(part[..end].chars().map(|c| match c {
             '-' => '⁻',
             c => "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(c as usize - '0' as usize).unwrap_or(c),
@@ -185,7 +211,11 @@ fn superscripts(word: &str) -> String {
 fn labelled(word: &str) -> String {
     let mut out = String::new();
     for (k, part) in word.replace('*', "·").split('^').enumerate() {
-        let end = if k == 0 { 0 } else { part.find(|c: char| c != '-' && !c.is_ascii_digit()).unwrap_or(part.len()) };
+        let end = if k == 0 {
+            0
+        } else {
+            part.find(|c: char| c != '-' && !c.is_ascii_digit()).unwrap_or(part.len())
+        };
         match end {
             0 => {}
             1 => out += &format!("^{}", &part[..1]),
@@ -269,9 +299,17 @@ impl Book {
             (None, Kind::Angle) => "\\degree",
             (None, Kind::Acceleration) => "m/s^2",
             (None, Kind::Alpha) => "rad/s^2",
-            (None, Kind::Length | Kind::Velocity | Kind::Omega | Kind::Force | Kind::Moment | Kind::Power | Kind::Time | Kind::Number) => {
-                kind.si()
-            }
+            (
+                None,
+                Kind::Length
+                | Kind::Velocity
+                | Kind::Omega
+                | Kind::Force
+                | Kind::Moment
+                | Kind::Power
+                | Kind::Time
+                | Kind::Number,
+            ) => kind.si(),
         }
     }
 
@@ -308,7 +346,11 @@ impl Book {
     /// for a degree or a millimetre, and equally fine, to a power of ten, for other units.
     pub fn parts(&self, kind: Kind, usual: f64) -> f64 {
         let (factor, plain) = (self.fine(kind).1, Book::default().fine(kind).1);
-        if factor == plain { usual } else { libm::exp10(libm::round(libm::log10(usual * plain / factor))).max(1.0) }
+        if factor == plain {
+            usual
+        } else {
+            libm::exp10(libm::round(libm::log10(usual * plain / factor))).max(1.0)
+        }
     }
 
     /// Returns one chosen unit in SI units, because scales are round in it; 1 without a chosen
@@ -338,7 +380,11 @@ fn upright(name: &str) -> String {
 }
 
 fn per_mm(name: &str) -> String {
-    if name.chars().all(char::is_alphabetic) { format!("{name}/mm") } else { format!("({name})/mm") }
+    if name.chars().all(char::is_alphabetic) {
+        format!("{name}/mm")
+    } else {
+        format!("({name})/mm")
+    }
 }
 
 #[cfg(test)]
@@ -363,23 +409,37 @@ mod tests {
             ("°", Kind::Angle, 1.0, 1.0, true, "°", "°"),
         ] {
             let u = unit(text, kind);
-            assert_eq!((u.up, u.down, u.degrees, &*u.name, &*u.label), (up, down, degrees, name, label), "{text}");
+            assert_eq!(
+                (u.up, u.down, u.degrees, &*u.name, &*u.label),
+                (up, down, degrees, name, label),
+                "{text}"
+            );
         }
     }
 
     #[test]
     fn what_is_no_unit_of_its_kind_is_told_those_that_are() {
-        for (text, kind) in
-            [("mm", Kind::Velocity), ("2*mm", Kind::Length), ("furlong", Kind::Length), ("1/s", Kind::Omega), ("", Kind::Angle)]
-        {
+        for (text, kind) in [
+            ("mm", Kind::Velocity),
+            ("2*mm", Kind::Length),
+            ("furlong", Kind::Length),
+            ("1/s", Kind::Omega),
+            ("", Kind::Angle),
+        ] {
             assert!(BookUnit::read(text, kind).is_err(), "{text}");
         }
         assert!(BookUnit::read(&format!("m{}", "/m*m".repeat(300)), Kind::Length).is_err());
         for kind in Kind::ALL {
             let fitting = BookUnit::read("?", kind).unwrap_err();
-            assert!(fitting.len() > 2 && fitting.iter().all(|text| BookUnit::read(text, kind).is_ok()), "{fitting:?}");
+            assert!(
+                fitting.len() > 2 && fitting.iter().all(|text| BookUnit::read(text, kind).is_ok()),
+                "{fitting:?}"
+            );
         }
-        assert_eq!(BookUnit::read("?", Kind::Omega).unwrap_err(), ["deg/s", "rad/s", "rev/s", "rpm", "r/min"]);
+        assert_eq!(
+            BookUnit::read("?", Kind::Omega).unwrap_err(),
+            ["deg/s", "rad/s", "rev/s", "rpm", "r/min"]
+        );
     }
 
     #[test]
@@ -388,20 +448,32 @@ mod tests {
         assert!((ball.approx() - 30.0).abs() <= ball.radius() && ball.radius() < 1e-12);
         assert_eq!(unit("ft", Kind::Length).of(0.3048), 1.0);
         let usual = Book::default();
-        assert_eq!((usual.value(Kind::Angle, std::f64::consts::TAU), usual.value(Kind::Length, 2.0)), (360.0, 2.0));
+        assert_eq!(
+            (usual.value(Kind::Angle, std::f64::consts::TAU), usual.value(Kind::Length, 2.0)),
+            (360.0, 2.0)
+        );
     }
 
     #[test]
     fn units_as_they_are_written() {
         let mut book = Book::default();
-        assert_eq!((book.upright(Kind::Alpha), book.scale_label(Kind::Acceleration)), ("\\text{rad/s}^2".into(), "(m/s^2)/mm".into()));
-        assert_eq!((book.scale_name(Kind::Length), book.fine(Kind::Length)), ("m/mm".into(), ("\\text{mm}".into(), 1e3)));
+        assert_eq!(
+            (book.upright(Kind::Alpha), book.scale_label(Kind::Acceleration)),
+            ("\\text{rad/s}^2".into(), "(m/s^2)/mm".into())
+        );
+        assert_eq!(
+            (book.scale_name(Kind::Length), book.fine(Kind::Length)),
+            ("m/mm".into(), ("\\text{mm}".into(), 1e3))
+        );
         assert_eq!([book.parts(Kind::Length, 100.0), book.parts(Kind::Angle, 10.0)], [100.0, 10.0]);
         book.set(Kind::Length, unit("km", Kind::Length));
         assert_eq!(book.parts(Kind::Length, 100.0), 1e8);
         book.set(Kind::Acceleration, unit("m*s^-2", Kind::Acceleration));
         book.set(Kind::Angle, unit("rad", Kind::Angle));
-        assert_eq!((book.upright(Kind::Acceleration), book.text(Kind::Angle, "1")), ("\\text{m·s}^{-2}".into(), "1 rad".into()));
+        assert_eq!(
+            (book.upright(Kind::Acceleration), book.text(Kind::Angle, "1")),
+            ("\\text{m·s}^{-2}".into(), "1 rad".into())
+        );
         assert_eq!(book.label(Kind::Omega, "3"), "3 rad/s");
     }
 }

@@ -44,25 +44,38 @@ pub(super) fn scene(root: &Node, extent: RequiredData, faults: &mut Faults) -> O
         raw.statement = localized(node, "\"statement\"", MAX_STATEMENT, faults);
     }
     for (key, node) in entries(f.get("parameters"), "\"parameters\"", faults) {
-        raw.parameters.extend(quantity(node, both!("parameter `{}`", "参数 `{}`", key.text), faults).map(|q| (key.clone(), q)));
+        raw.parameters.extend(
+            quantity(node, both!("parameter `{}`", "参数 `{}`", key.text), faults)
+                .map(|q| (key.clone(), q)),
+        );
     }
     if let Some(node) = f.get("time") {
         raw.is_timed = true;
         if let Some((name, _)) = raw.parameters.iter().find(|(name, _)| name.text == TIME) {
             let d = Diagnostic::error(
                 "given-twice",
-                both!("\"time\" and the parameter `t` both give the instant", "\"time\" 与参数 `t` 都给出时刻"),
+                both!(
+                    "\"time\" and the parameter `t` both give the instant",
+                    "\"time\" 与参数 `t` 都给出时刻"
+                ),
             );
-            faults
-                .push(d.at(name.span).help(both!("leave one of them out, or give the parameter another name", "请去掉其一，或将参数改名")));
+            faults.push(d.at(name.span).help(both!(
+                "leave one of them out, or give the parameter another name",
+                "请去掉其一，或将参数改名"
+            )));
         }
         raw.parameters.extend(motion::time(node, faults));
     }
     for (key, node) in entries(f.get("units"), "\"units\"", faults) {
-        raw.units.extend(word(node, both!("unit of `{}`", "`{}` 的单位", key.text), faults).map(|w| (key.clone(), w)));
+        raw.units.extend(
+            word(node, both!("unit of `{}`", "`{}` 的单位", key.text), faults)
+                .map(|w| (key.clone(), w)),
+        );
     }
     for (key, node) in entries(f.get("answers"), "\"answers\"", faults) {
-        raw.answers.extend(word(node, &format!("unit of `{}`", key.text), faults).map(|w| (key.clone(), w)));
+        raw.answers.extend(
+            word(node, &format!("unit of `{}`", key.text), faults).map(|w| (key.clone(), w)),
+        );
     }
     let before = faults.list.len();
     let links = f.need("links", "{\"1\": [\"A\", \"B\"], ...}", faults);
@@ -78,7 +91,10 @@ pub(super) fn scene(root: &Node, extent: RequiredData, faults: &mut Faults) -> O
         raw.points.extend(place(node, faults).map(|p| (key.clone(), p)));
     }
     for (key, node) in entries(f.get("lengths"), "\"lengths\"", faults) {
-        raw.lengths.extend(quantity(node, both!("length `{}`", "长度 `{}`", key.text), faults).map(|q| (key.clone(), q)));
+        raw.lengths.extend(
+            quantity(node, both!("length `{}`", "长度 `{}`", key.text), faults)
+                .map(|q| (key.clone(), q)),
+        );
     }
     for node in items(f.get("guides"), "\"guides\"", faults) {
         raw.guides.extend(guide(node, faults));
@@ -99,13 +115,25 @@ pub(super) fn scene(root: &Node, extent: RequiredData, faults: &mut Faults) -> O
     // Points that move by laws of time are drivers themselves.
     let drivers = match extent.is_at_rest() || f.get("motions").is_some() {
         true => f.get("driver"),
-        false => f.need("driver", "{\"link\": \"1\", \"angle\": \"60 deg\", \"omega\": \"10 rad/s\"}", faults),
+        false => f.need(
+            "driver",
+            "{\"link\": \"1\", \"angle\": \"60 deg\", \"omega\": \"10 rad/s\"}",
+            faults,
+        ),
     };
     match drivers {
-        Some(Node { kind: NodeKind::Array(list), span }) if list.is_empty() && !extent.is_at_rest() => {
+        Some(Node { kind: NodeKind::Array(list), span })
+            if list.is_empty() && !extent.is_at_rest() =>
+        {
             faults.push(
-                Diagnostic::error("empty", both!("\"driver\" is empty: nothing drives the mechanism", "\"driver\" 为空：没有原动件"))
-                    .at(*span),
+                Diagnostic::error(
+                    "empty",
+                    both!(
+                        "\"driver\" is empty: nothing drives the mechanism",
+                        "\"driver\" 为空：没有原动件"
+                    ),
+                )
+                .at(*span),
             );
         }
         Some(Node { kind: NodeKind::Array(_), .. }) => {
@@ -122,10 +150,16 @@ pub(super) fn scene(root: &Node, extent: RequiredData, faults: &mut Faults) -> O
     }
     loads::loads(&f, &mut raw, faults);
     for (key, node) in entries(f.get("sketch"), "\"sketch\"", faults) {
-        raw.sketch.extend(two_quantities(node, both!("sketch of `{}`", "`{}` 的草图位置", key.text), faults).map(|q| (key.clone(), q)));
+        raw.sketch.extend(
+            two_quantities(node, both!("sketch of `{}`", "`{}` 的草图位置", key.text), faults)
+                .map(|q| (key.clone(), q)),
+        );
     }
     for (key, node) in entries(f.get("side"), "\"side\"", faults) {
-        raw.sides.extend(word(node, both!("side of `{}`", "`{}` 的 side", key.text), faults).map(|w| (key.clone(), w)));
+        raw.sides.extend(
+            word(node, both!("side of `{}`", "`{}` 的 side", key.text), faults)
+                .map(|w| (key.clone(), w)),
+        );
     }
     raw.find = f.get("find").map(|n| words(Some(n), "\"find\"", faults));
     for node in items(f.get("composite"), "\"composite\"", faults) {
@@ -152,18 +186,32 @@ pub(super) fn scene(root: &Node, extent: RequiredData, faults: &mut Faults) -> O
 pub(super) fn front(root: &Node, faults: &mut Faults) -> RawScene {
     let mut raw = RawScene::default();
     let get = |key: &str| match &root.kind {
-        NodeKind::Object(members) => members.iter().find(|(k, _)| k.text == key).map(|(_, node)| node),
-        NodeKind::Text(_) | NodeKind::Number(_) | NodeKind::Bool(_) | NodeKind::Null | NodeKind::Array(_) => None,
+        NodeKind::Object(members) => {
+            members.iter().find(|(k, _)| k.text == key).map(|(_, node)| node)
+        }
+        NodeKind::Text(_)
+        | NodeKind::Number(_)
+        | NodeKind::Bool(_)
+        | NodeKind::Null
+        | NodeKind::Array(_) => None,
     };
     raw.title = get("title").and_then(|node| localized(node, "\"title\"", MAX_TITLE, faults));
     for (key, node) in entries(get("parameters"), "\"parameters\"", faults) {
-        raw.parameters.extend(quantity(node, both!("parameter `{}`", "参数 `{}`", key.text), faults).map(|q| (key.clone(), q)));
+        raw.parameters.extend(
+            quantity(node, both!("parameter `{}`", "参数 `{}`", key.text), faults)
+                .map(|q| (key.clone(), q)),
+        );
     }
     for (key, node) in entries(get("units"), "\"units\"", faults) {
-        raw.units.extend(word(node, both!("unit of `{}`", "`{}` 的单位", key.text), faults).map(|w| (key.clone(), w)));
+        raw.units.extend(
+            word(node, both!("unit of `{}`", "`{}` 的单位", key.text), faults)
+                .map(|w| (key.clone(), w)),
+        );
     }
     for (key, node) in entries(get("answers"), "\"answers\"", faults) {
-        raw.answers.extend(word(node, &format!("unit of `{}`", key.text), faults).map(|w| (key.clone(), w)));
+        raw.answers.extend(
+            word(node, &format!("unit of `{}`", key.text), faults).map(|w| (key.clone(), w)),
+        );
     }
     if let Some(node) = get("paper") {
         raw.paper = paper(node, faults);
@@ -174,7 +222,11 @@ pub(super) fn front(root: &Node, faults: &mut Faults) -> RawScene {
 }
 
 /// Returns the members of an optional object, up to the limit.
-fn entries<'a>(node: Option<&'a Node>, what: impl Into<FaultSubject>, faults: &mut Faults) -> &'a [(Word, Node)] {
+fn entries<'a>(
+    node: Option<&'a Node>,
+    what: impl Into<FaultSubject>,
+    faults: &mut Faults,
+) -> &'a [(Word, Node)] {
     let what = what.into();
     let limit = if what.is("\"links\"") { MAX_LINKS } else { MAX_ENTRIES };
     let members = node.and_then(|n| object(n, &what, faults)).unwrap_or_default();
@@ -182,7 +234,11 @@ fn entries<'a>(node: Option<&'a Node>, what: impl Into<FaultSubject>, faults: &m
 }
 
 /// Returns the items of an optional list, up to the limit.
-pub(super) fn items<'a>(node: Option<&'a Node>, what: impl Into<FaultSubject>, faults: &mut Faults) -> &'a [Node] {
+pub(super) fn items<'a>(
+    node: Option<&'a Node>,
+    what: impl Into<FaultSubject>,
+    faults: &mut Faults,
+) -> &'a [Node] {
     let what = what.into();
     let items = node.and_then(|n| list(n, &what, faults)).unwrap_or_default();
     within(items, MAX_ENTRIES, &what, faults, |n| n.span)
@@ -198,7 +254,12 @@ fn within<'a, T>(
     match all.get(limit) {
         None => all,
         Some(first) => {
-            let message = both!("{} has {} entries; at most {limit} are allowed", "{}有 {} 项，最多允许 {limit} 项", *what, all.len());
+            let message = both!(
+                "{} has {} entries; at most {limit} are allowed",
+                "{}有 {} 项，最多允许 {limit} 项",
+                *what,
+                all.len()
+            );
             faults.push(Diagnostic::error("too-many", message).at(span(first)));
             &all[..limit]
         }
@@ -209,8 +270,16 @@ fn within<'a, T>(
 fn flag(node: &Node, key: &str, faults: &mut Faults) -> Option<bool> {
     match node.kind {
         NodeKind::Bool(value) => Some(value),
-        NodeKind::Text(_) | NodeKind::Number(_) | NodeKind::Null | NodeKind::Array(_) | NodeKind::Object(_) => {
-            let message = both!("\"{key}\" is {}, not true or false", "\"{key}\" 是{}，应为 true 或 false", node.what());
+        NodeKind::Text(_)
+        | NodeKind::Number(_)
+        | NodeKind::Null
+        | NodeKind::Array(_)
+        | NodeKind::Object(_) => {
+            let message = both!(
+                "\"{key}\" is {}, not true or false",
+                "\"{key}\" 是{}，应为 true 或 false",
+                node.what()
+            );
             faults.push(Diagnostic::error("wrong-type", message).at(node.span));
             None
         }
@@ -219,10 +288,18 @@ fn flag(node: &Node, key: &str, faults: &mut Faults) -> Option<bool> {
 
 fn words(node: Option<&Node>, what: impl Into<FaultSubject>, faults: &mut Faults) -> Vec<Word> {
     let what = what.into();
-    items(node, &what, faults).iter().filter_map(|n| word(n, both!("an entry of {}", "{}的一项", what), faults)).collect()
+    items(node, &what, faults)
+        .iter()
+        .filter_map(|n| word(n, both!("an entry of {}", "{}的一项", what), faults))
+        .collect()
 }
 
-pub(super) fn localized(node: &Node, what: &'static str, most: usize, faults: &mut Faults) -> Option<RawLocalized> {
+pub(super) fn localized(
+    node: &Node,
+    what: &'static str,
+    most: usize,
+    faults: &mut Faults,
+) -> Option<RawLocalized> {
     let [en, zh] = fields::localized(node, what, most, faults)?;
     Some(RawLocalized { en, zh })
 }
@@ -236,22 +313,31 @@ fn place(node: &Node, faults: &mut Faults) -> Option<RawPlace> {
     if xy && polar {
         let d = Diagnostic::error(
             "two-places",
-            both!("the place is given in two ways, by x and y and by length and angle", "位置给了两次：既有 x、y，又有 length、angle"),
+            both!(
+                "the place is given in two ways, by x and y and by length and angle",
+                "位置给了两次：既有 x、y，又有 length、angle"
+            ),
         );
-        faults.push(
-            d.at(node.span)
-                .help(both!("keep \"x\" and \"y\", or \"length\" and \"angle\"", "请只保留 \"x\"、\"y\"，或只保留 \"length\"、\"angle\"")),
-        );
+        faults.push(d.at(node.span).help(both!(
+            "keep \"x\" and \"y\", or \"length\" and \"angle\"",
+            "请只保留 \"x\"、\"y\"，或只保留 \"length\"、\"angle\""
+        )));
         return None;
     }
     let example = "\"100 mm\"";
     if polar {
         let f = Fields::open(node, both!("a place", "位置"), keys::PLACE_POLAR, faults)?;
         let base = f
-            .need("base", both!("\"BC\", two points of the link", "\"BC\"（该构件上的两点）"), faults)
+            .need(
+                "base",
+                both!("\"BC\", two points of the link", "\"BC\"（该构件上的两点）"),
+                faults,
+            )
             .and_then(|n| word(n, "\"base\"", faults));
-        let length = f.need("length", example, faults).and_then(|n| quantity(n, "\"length\"", faults));
-        let angle = f.need("angle", "\"30 deg\"", faults).and_then(|n| quantity(n, "\"angle\"", faults));
+        let length =
+            f.need("length", example, faults).and_then(|n| quantity(n, "\"length\"", faults));
+        let angle =
+            f.need("angle", "\"30 deg\"", faults).and_then(|n| quantity(n, "\"angle\"", faults));
         return Some(RawPlace::Polar { base: base?, length: length?, angle: angle? });
     }
     let f = Fields::open(node, both!("a place", "位置"), keys::PLACE_XY, faults)?;
@@ -267,9 +353,11 @@ fn guide(node: &Node, faults: &mut Faults) -> Option<RawGuide> {
     let f = Fields::open(node, both!("a guide", "导路"), keys::GUIDE, faults)?;
     let before = faults.list.len();
     let mut name = |key: &str| f.get(key).and_then(|n| word(n, &format!("\"{key}\""), faults));
-    let (pin, slider, on, line, centre) = (name("pin"), name("slider"), name("on"), name("line"), name("centre"));
+    let (pin, slider, on, line, centre) =
+        (name("pin"), name("slider"), name("on"), name("line"), name("centre"));
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
-    let (angle, offset, radius, length) = (value("angle"), value("offset"), value("radius"), value("length"));
+    let (angle, offset, radius, length) =
+        (value("angle"), value("offset"), value("radius"), value("length"));
     let through = through(&f, faults);
     // A guide with an unreadable member is dropped, so that its remaining members are not judged
     // alone.
@@ -293,10 +381,14 @@ fn guide(node: &Node, faults: &mut Faults) -> Option<RawGuide> {
 /// Reads a point by its name or by coordinates.
 fn through(f: &Fields, faults: &mut Faults) -> Option<RawThrough> {
     f.get("through").and_then(|n| match &n.kind {
-        NodeKind::Array(_) => two_quantities(n, "\"through\"", faults).map(|xy| RawThrough::At(xy, n.span)),
-        NodeKind::Text(_) | NodeKind::Number(_) | NodeKind::Bool(_) | NodeKind::Null | NodeKind::Object(_) => {
-            word(n, "\"through\"", faults).map(RawThrough::Point)
+        NodeKind::Array(_) => {
+            two_quantities(n, "\"through\"", faults).map(|xy| RawThrough::At(xy, n.span))
         }
+        NodeKind::Text(_)
+        | NodeKind::Number(_)
+        | NodeKind::Bool(_)
+        | NodeKind::Null
+        | NodeKind::Object(_) => word(n, "\"through\"", faults).map(RawThrough::Point),
     })
 }
 
@@ -309,7 +401,14 @@ fn paper(node: &Node, faults: &mut Faults) -> RawPaper {
         _ => word(n, "\"size\"", faults).map(RawSize::Named),
     });
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
-    RawPaper { size, mu_l: value("mu_l"), mu_v: value("mu_v"), mu_a: value("mu_a"), mu_f: value("mu_F"), pencil: value("pencil") }
+    RawPaper {
+        size,
+        mu_l: value("mu_l"),
+        mu_v: value("mu_v"),
+        mu_a: value("mu_a"),
+        mu_f: value("mu_F"),
+        pencil: value("pencil"),
+    }
 }
 
 /// Returns the members of one section, undecoded; empty if there is no such object.
@@ -326,16 +425,31 @@ pub(super) fn language_of(root: &Node) -> Option<Lang> {
     let NodeKind::Object(members) = &root.kind else { return None };
     match &members.iter().find(|(key, _)| key.text == "language")?.1.kind {
         NodeKind::Text(name) => Lang::named(name),
-        NodeKind::Number(_) | NodeKind::Bool(_) | NodeKind::Null | NodeKind::Array(_) | NodeKind::Object(_) => None,
+        NodeKind::Number(_)
+        | NodeKind::Bool(_)
+        | NodeKind::Null
+        | NodeKind::Array(_)
+        | NodeKind::Object(_) => None,
     }
 }
 
 /// Reads a number or an expression in quotation marks.
-pub(super) fn quantity(node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<RawQuantity> {
+pub(super) fn quantity(
+    node: &Node,
+    what: impl Into<FaultSubject>,
+    faults: &mut Faults,
+) -> Option<RawQuantity> {
     let (text, bare) = match &node.kind {
         NodeKind::Number(text) => (text.clone(), true),
         NodeKind::Text(_) => (written(node, what, faults)?, false),
-        _ => return wrong(node, what, both!("a quantity such as \"100 mm\"", "量，如 \"100 mm\""), faults),
+        _ => {
+            return wrong(
+                node,
+                what,
+                both!("a quantity such as \"100 mm\"", "量，如 \"100 mm\""),
+                faults,
+            );
+        }
     };
     Some(RawQuantity { text, span: node.span, bare })
 }
@@ -346,13 +460,20 @@ fn written(node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> O
     let Err(d) = expr::bounded(&text) else { return Some(text) };
     let Span { start, end } = node.span;
     // Places count from after the quotation mark; a string with escapes has no such correspondence.
-    let inner = d.span.filter(|_| end - start == text.len() + 2).map(|s| Span::new(start + 1 + s.start, start + 1 + s.end));
+    let inner = d
+        .span
+        .filter(|_| end - start == text.len() + 2)
+        .map(|s| Span::new(start + 1 + s.start, start + 1 + s.end));
     faults.push(d.at(inner.unwrap_or(node.span)));
     None
 }
 
 /// Reads two quantities, such as coordinates.
-pub(super) fn two_quantities(node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<[RawQuantity; 2]> {
+pub(super) fn two_quantities(
+    node: &Node,
+    what: impl Into<FaultSubject>,
+    faults: &mut Faults,
+) -> Option<[RawQuantity; 2]> {
     let what = what.into();
     match list(node, &what, faults)? {
         [a, b] => {
@@ -360,9 +481,16 @@ pub(super) fn two_quantities(node: &Node, what: impl Into<FaultSubject>, faults:
             Some([a?, b?])
         }
         items => {
-            let d =
-                Diagnostic::error("wrong-count", both!("{} has two values, this has {}", "{}应有两个值，此处有 {} 个", what, items.len()))
-                    .at(node.span);
+            let d = Diagnostic::error(
+                "wrong-count",
+                both!(
+                    "{} has two values, this has {}",
+                    "{}应有两个值，此处有 {} 个",
+                    what,
+                    items.len()
+                ),
+            )
+            .at(node.span);
             faults.push(d.help(both!("write [x, y]", "请写作 [x, y]")));
             None
         }

@@ -103,7 +103,9 @@ impl DriverKind {
     pub fn position(&self) -> Option<Position<'_>> {
         match self {
             DriverKind::Turn { angle, .. } => angle.as_ref().map(Position::Angle),
-            DriverKind::Slide { position: x, .. } | DriverKind::Cylinder { length: x, .. } => x.as_ref().map(Position::Length),
+            DriverKind::Slide { position: x, .. } | DriverKind::Cylinder { length: x, .. } => {
+                x.as_ref().map(Position::Length)
+            }
         }
     }
 

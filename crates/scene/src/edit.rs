@@ -22,13 +22,21 @@ pub fn with_find(text: &str, find: &[&str]) -> Result<String, Faults> {
     let mut faults = Faults::default();
     let (source, root) = json::parse(text.as_bytes(), &mut faults)?;
     let NodeKind::Object(members) = &root.kind else {
-        return Err(Diagnostic::error("not-a-scene", both!("a scene is a JSON object", "机构文件是一个 JSON 对象")).at(root.span).into());
+        return Err(Diagnostic::error(
+            "not-a-scene",
+            both!("a scene is a JSON object", "机构文件是一个 JSON 对象"),
+        )
+        .at(root.span)
+        .into());
     };
     let list = serde_json::json!(find).to_string();
     let mut out = source.to_owned();
     match members.iter().find(|(key, _)| key.text == "find") {
         Some((_, node)) => out.replace_range(node.span.start..node.span.end, &list),
-        None => out.insert_str(root.span.start + 1, &format!("\"find\": {list}{}", if members.is_empty() { "" } else { ", " })),
+        None => out.insert_str(
+            root.span.start + 1,
+            &format!("\"find\": {list}{}", if members.is_empty() { "" } else { ", " }),
+        ),
     }
     Ok(out)
 }
@@ -105,7 +113,11 @@ impl ReadQuantity {
 
     /// Returns the angle, without whole turns if there are too many.
     fn less_turns(&self) -> DimensionedValue {
-        let rest = if self.is_resolved() { None } else { exact::less_turns(&[], &self.text, self.value.degrees) };
+        let rest = if self.is_resolved() {
+            None
+        } else {
+            exact::less_turns(&[], &self.text, self.value.degrees)
+        };
         rest.map_or(self.value, |(number, _)| DimensionedValue { number, ..self.value })
     }
 }
@@ -150,7 +162,16 @@ pub fn time(text: &str) -> Result<f64, Faults> {
 }
 
 fn wrong(text: &str, wanted: Both, value: DimensionedValue) -> Faults {
-    Diagnostic::error("dimension", both!("`{text}` is {}; {} is wanted", "`{text}` 是{}；此处需要{}", value.dim.describe(), wanted)).into()
+    Diagnostic::error(
+        "dimension",
+        both!(
+            "`{text}` is {}; {} is wanted",
+            "`{text}` 是{}；此处需要{}",
+            value.dim.describe(),
+            wanted
+        ),
+    )
+    .into()
 }
 
 /// Reads a quantity without parameters; a bare number gets the unit.
@@ -163,8 +184,13 @@ fn quantity(text: &str, unit: &str) -> Result<ReadQuantity, Faults> {
         NoValue::Fault(d) => d.into(),
         NoValue::Reported => Faults::default(),
     })?;
-    let unknown = DimensionedValue { number: Ball::new(value.number, f64::INFINITY), dim: value.dim, degrees: value.degrees };
-    let (value, ball) = exact::settled(&[], &text, value, evaluate(&parsed, &|_| None).unwrap_or(unknown));
+    let unknown = DimensionedValue {
+        number: Ball::new(value.number, f64::INFINITY),
+        dim: value.dim,
+        degrees: value.degrees,
+    };
+    let (value, ball) =
+        exact::settled(&[], &text, value, evaluate(&parsed, &|_| None).unwrap_or(unknown));
     let off = exact::distance(&value, ball);
     Ok(ReadQuantity { text, value, off })
 }

@@ -1,7 +1,10 @@
 //! A scene with its driver at another position: the same mechanism at another instant of its
 //! motion.
 
-use super::{Angle, GivenQuantity, GuideDirection, GuidePath, LinkId, NamedPoint, PointId, PointPlace, Position, PositionSlot, Scene};
+use super::{
+    Angle, GivenQuantity, GuideDirection, GuidePath, LinkId, NamedPoint, PointId, PointPlace,
+    Position, PositionSlot, Scene,
+};
 
 /// Returns the position of a driver: radians for a turning one, metres for a slider or a cylinder;
 /// `None` if coordinates give the pose.
@@ -22,12 +25,24 @@ pub fn with_driver_at(scene: &Scene, driver: usize, position: f64) -> Scene {
     let radius = position.abs() * f64::EPSILON;
     match scene.drivers[driver].kind.slot() {
         PositionSlot::Angle(Some(angle)) => {
-            *angle = GivenQuantity { value: Angle::Rad(position), radius, text: format!("({position:?}) rad"), span: angle.span };
+            *angle = GivenQuantity {
+                value: Angle::Rad(position),
+                radius,
+                text: format!("({position:?}) rad"),
+                span: angle.span,
+            };
         }
         PositionSlot::Coordinate(Some(x)) | PositionSlot::Distance(Some(x)) => {
-            *x = GivenQuantity { value: position, radius, text: format!("({position:?}) m"), span: x.span };
+            *x = GivenQuantity {
+                value: position,
+                radius,
+                text: format!("({position:?}) m"),
+                span: x.span,
+            };
         }
-        PositionSlot::Angle(None) | PositionSlot::Coordinate(None) | PositionSlot::Distance(None) => {}
+        PositionSlot::Angle(None)
+        | PositionSlot::Coordinate(None)
+        | PositionSlot::Distance(None) => {}
     }
     scene.set_followers(driver, Some(position));
     if let (Some((link, _)), Some(before)) = (scene.drivers[driver].kind.turned(), before) {
@@ -41,8 +56,11 @@ impl Scene {
     /// of a moving point determine one pose only.
     pub fn is_told_everywhere(&self) -> bool {
         let fixed = |p: PointId| self.links[self.ground.0].points.contains(&p);
-        let posed = |(p, point): (usize, &NamedPoint)| matches!(point.place, PointPlace::At(_)) && !fixed(PointId(p));
-        !self.points.iter().enumerate().any(posed) && self.drivers.iter().all(|d| d.kind.position().is_some())
+        let posed = |(p, point): (usize, &NamedPoint)| {
+            matches!(point.place, PointPlace::At(_)) && !fixed(PointId(p))
+        };
+        !self.points.iter().enumerate().any(posed)
+            && self.drivers.iter().all(|d| d.kind.position().is_some())
     }
 }
 
@@ -51,9 +69,17 @@ impl Scene {
 fn turn_guides(scene: &mut Scene, driven: LinkId, by: f64) {
     let turning = scene.turning_with(driven);
     for guide in scene.guides.iter_mut().filter(|g| turning[g.on.0]) {
-        let GuidePath::Line { direction: GuideDirection::Instant(angle), .. } = &mut guide.path else { continue };
+        let GuidePath::Line { direction: GuideDirection::Instant(angle), .. } = &mut guide.path
+        else {
+            continue;
+        };
         let turned = angle.value.radians() + by;
         let radius = angle.radius + (turned.abs() + by.abs()) * f64::EPSILON;
-        *angle = GivenQuantity { value: Angle::Rad(turned), radius, text: format!("({turned:?}) rad"), span: angle.span };
+        *angle = GivenQuantity {
+            value: Angle::Rad(turned),
+            radius,
+            text: format!("({turned:?}) rad"),
+            span: angle.span,
+        };
     }
 }

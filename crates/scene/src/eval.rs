@@ -75,9 +75,13 @@ pub enum NoValue {
 /// # Errors
 /// Dimensions that do not fit, functions outside their domain, values that are not finite or are
 /// out of range.
-pub fn evaluate<N: Real>(expr: &Expr, lookup: &dyn Fn(&str) -> Option<DimensionedValue<N>>) -> Result<DimensionedValue<N>, NoValue> {
+pub fn evaluate<N: Real>(
+    expr: &Expr,
+    lookup: &dyn Fn(&str) -> Option<DimensionedValue<N>>,
+) -> Result<DimensionedValue<N>, NoValue> {
     let of = |e: &Expr| evaluate(e, lookup);
-    let fault = |message: Both| NoValue::Fault(Diagnostic::error("expression", message).at(expr.span));
+    let fault =
+        |message: Both| NoValue::Fault(Diagnostic::error("expression", message).at(expr.span));
     let value = match &expr.kind {
         ExprKind::Number(text) => DimensionedValue::number(literal(text).map_err(fault)?),
         ExprKind::Pi => DimensionedValue::number(N::pi()),
@@ -88,17 +92,21 @@ pub fn evaluate<N: Real>(expr: &Expr, lookup: &dyn Fn(&str) -> Option<Dimensione
             DimensionedValue { number: -a.number, ..a }
         }
         // A number with its unit is rounded once: 250 mm is 250/1000, not 250 * 0.001.
-        ExprKind::Binary(Operator::Mul, a, b) if matches!(b.kind, ExprKind::Unit(_)) => match &b.kind {
-            ExprKind::Unit(unit) => in_unit(of(a)?, unit),
-            _ => multiply(of(a)?, of(b)?, 1),
-        },
+        ExprKind::Binary(Operator::Mul, a, b) if matches!(b.kind, ExprKind::Unit(_)) => {
+            match &b.kind {
+                ExprKind::Unit(unit) => in_unit(of(a)?, unit),
+                _ => multiply(of(a)?, of(b)?, 1),
+            }
+        }
         ExprKind::Binary(op, a, b) => {
             let (a, b) = (of(a)?, of(b)?);
             match op {
                 Operator::Add => add(a, b, false).map_err(fault)?,
                 Operator::Sub => add(a, b, true).map_err(fault)?,
                 Operator::Mul => multiply(a, b, 1),
-                Operator::Div if b.number.approx() == 0.0 => return Err(fault(both!("division by zero", "除数为零"))),
+                Operator::Div if b.number.approx() == 0.0 => {
+                    return Err(fault(both!("division by zero", "除数为零")));
+                }
                 Operator::Div => multiply(a, b, -1),
                 Operator::Pow => power(a, b).map_err(fault)?,
             }
@@ -109,7 +117,10 @@ pub fn evaluate<N: Real>(expr: &Expr, lookup: &dyn Fn(&str) -> Option<Dimensione
     // Quantities of kinematics have far smaller exponents than 20, and the arithmetic of exponents
     // remains small.
     if value.dim.exponents().iter().any(|k| k.abs() > 20) {
-        return Err(fault(both!("the powers of the units are beyond all measure", "单位的幂次过大")));
+        return Err(fault(both!(
+            "the powers of the units are beyond all measure",
+            "单位的幂次过大"
+        )));
     }
     if !size.is_finite() || size > HUGE || (size != 0.0 && size < 1.0 / HUGE) {
         return Err(fault(both!(
@@ -122,13 +133,18 @@ pub fn evaluate<N: Real>(expr: &Expr, lookup: &dyn Fn(&str) -> Option<Dimensione
 }
 
 fn literal<N: Real>(text: &str) -> Result<N, Both> {
-    let number: f64 = text.parse().map_err(|e| both!("`{text}` is not a number: {e}", "`{text}` 不是数：{e}"))?;
+    let number: f64 =
+        text.parse().map_err(|e| both!("`{text}` is not a number: {e}", "`{text}` 不是数：{e}"))?;
     let mantissa = text.split(['e', 'E']).next().unwrap_or_default();
     if number == 0.0 && mantissa.bytes().any(|b| (b'1'..=b'9').contains(&b)) {
         return Err(both!("`{text}` is too small for a number", "`{text}` 过小，无法表示"));
     }
     // Values that are too large are refused later, so their decimals need no conversion.
-    Ok(if number == 0.0 || number.abs() > HUGE { N::from_f64(number) } else { N::from_decimal(text) })
+    Ok(if number == 0.0 || number.abs() > HUGE {
+        N::from_f64(number)
+    } else {
+        N::from_decimal(text)
+    })
 }
 
 fn in_unit<N: Real>(a: DimensionedValue<N>, unit: &Unit) -> DimensionedValue<N> {
@@ -141,7 +157,11 @@ fn in_unit<N: Real>(a: DimensionedValue<N>, unit: &Unit) -> DimensionedValue<N> 
     DimensionedValue { number, dim: a.dim.times(unit.dim, 1), degrees: a.degrees || unit.degrees }
 }
 
-fn multiply<N: Real>(a: DimensionedValue<N>, b: DimensionedValue<N>, k: i32) -> DimensionedValue<N> {
+fn multiply<N: Real>(
+    a: DimensionedValue<N>,
+    b: DimensionedValue<N>,
+    k: i32,
+) -> DimensionedValue<N> {
     let dim = a.dim.times(b.dim, k);
     let (a, b, degrees) = match (a.degrees, b.degrees) {
         // The degrees of a ratio cancel exactly.
@@ -153,7 +173,11 @@ fn multiply<N: Real>(a: DimensionedValue<N>, b: DimensionedValue<N>, k: i32) -> 
     DimensionedValue { number: if k < 0 { a / b } else { a * b }, dim, degrees }
 }
 
-fn add<N: Real>(a: DimensionedValue<N>, b: DimensionedValue<N>, minus: bool) -> Result<DimensionedValue<N>, Both> {
+fn add<N: Real>(
+    a: DimensionedValue<N>,
+    b: DimensionedValue<N>,
+    minus: bool,
+) -> Result<DimensionedValue<N>, Both> {
     if a.dim != b.dim && !(a.dim.serves(b.dim) || b.dim.serves(a.dim)) {
         let (first, second) = if minus { (b.dim, a.dim) } else { (a.dim, b.dim) };
         let [first, second] = [first.describe(), second.describe()];
@@ -166,14 +190,22 @@ fn add<N: Real>(a: DimensionedValue<N>, b: DimensionedValue<N>, minus: bool) -> 
     // pure numbers.
     let plain = |d: Dim| if d.length == 0 && d.time != 0 { d.angle == 1 } else { d.angle == 0 };
     let dim = if plain(a.dim) { a.dim } else { b.dim };
-    let (a, b) = if a.degrees == b.degrees && a.dim == b.dim { (a, b) } else { (a.plain(), b.plain()) };
+    let (a, b) =
+        if a.degrees == b.degrees && a.dim == b.dim { (a, b) } else { (a.plain(), b.plain()) };
     let number = if minus { a.number - b.number } else { a.number + b.number };
     Ok(DimensionedValue { number, dim, degrees: a.degrees })
 }
 
-fn power<N: Real>(a: DimensionedValue<N>, b: DimensionedValue<N>) -> Result<DimensionedValue<N>, Both> {
+fn power<N: Real>(
+    a: DimensionedValue<N>,
+    b: DimensionedValue<N>,
+) -> Result<DimensionedValue<N>, Both> {
     if b.dim != Dim::NUMBER {
-        return Err(both!("an exponent is a pure number, this is {}", "指数应为纯数，此处为{}", b.dim.describe()));
+        return Err(both!(
+            "an exponent is a pure number, this is {}",
+            "指数应为纯数，此处为{}",
+            b.dim.describe()
+        ));
     }
     let exponent = b.number.approx();
     let whole = libm::rint(exponent);
@@ -194,7 +226,11 @@ fn power<N: Real>(a: DimensionedValue<N>, b: DimensionedValue<N>) -> Result<Dime
         return Ok(a);
     }
     let a = a.plain();
-    Ok(DimensionedValue { number: a.number.pow(N::from_f64(whole)), dim: Dim::NUMBER.times(a.dim, k), degrees: false })
+    Ok(DimensionedValue {
+        number: a.number.pow(N::from_f64(whole)),
+        dim: Dim::NUMBER.times(a.dim, k),
+        degrees: false,
+    })
 }
 
 fn call<N: Real>(f: Function, a: DimensionedValue<N>) -> Result<DimensionedValue<N>, Both> {
@@ -205,15 +241,24 @@ fn call<N: Real>(f: Function, a: DimensionedValue<N>) -> Result<DimensionedValue
             "{name} wants an angle, this is a pure number: write `deg` or `rad` after it",
             "{name} 需要角度，此处为纯数：请在后面写 `deg` 或 `rad`"
         )),
-        false => Err(both!("{name} wants {}, this is {}", "{name} 需要{}，此处为{}", dim.describe(), a.dim.describe())),
+        false => Err(both!(
+            "{name} wants {}, this is {}",
+            "{name} 需要{}，此处为{}",
+            dim.describe(),
+            a.dim.describe()
+        )),
     };
     let inverse = |name: &str, known: fn(f64) -> Angle, g: &dyn Fn(N) -> DimensionedValue<N>| {
         wants(Dim::NUMBER, name)?;
         let x = a.number.approx();
         match known(x) {
-            Angle::Rad(r) if r.is_nan() => Err(both!("{name} has no value at {x}", "{name} 在 {x} 处无值")),
+            Angle::Rad(r) if r.is_nan() => {
+                Err(both!("{name} has no value at {x}", "{name} 在 {x} 处无值"))
+            }
             // The angle in degrees is exact only if the number equals its `f64`.
-            Angle::Deg(d) if a.number == N::from_f64(x) => Ok(DimensionedValue::deg(N::from_f64(d))),
+            Angle::Deg(d) if a.number == N::from_f64(x) => {
+                Ok(DimensionedValue::deg(N::from_f64(d)))
+            }
             _ => Ok(g(a.number)),
         }
     };
@@ -224,13 +269,26 @@ fn call<N: Real>(f: Function, a: DimensionedValue<N>) -> Result<DimensionedValue
         Function::Abs => DimensionedValue { number: a.number.magnitude(), ..a },
         Function::Sqrt => {
             if a.number.approx() < 0.0 {
-                return Err(both!("sqrt of the negative value {}", "对负值 {} 开平方", a.number.approx()));
+                return Err(both!(
+                    "sqrt of the negative value {}",
+                    "对负值 {} 开平方",
+                    a.number.approx()
+                ));
             }
             let d = a.dim;
             if d.exponents().iter().any(|k| k % 2 != 0) {
-                return Err(both!("sqrt of {}: its unit is no square", "对{}开平方：其单位不是平方", d.describe()));
+                return Err(both!(
+                    "sqrt of {}: its unit is no square",
+                    "对{}开平方：其单位不是平方",
+                    d.describe()
+                ));
             }
-            let dim = Dim { length: d.length / 2, time: d.time / 2, angle: d.angle / 2, mass: d.mass / 2 };
+            let dim = Dim {
+                length: d.length / 2,
+                time: d.time / 2,
+                angle: d.angle / 2,
+                mass: d.mass / 2,
+            };
             DimensionedValue { number: a.si().sqrt(), dim, degrees: false }
         }
         Function::Sin => {
@@ -252,10 +310,19 @@ fn call<N: Real>(f: Function, a: DimensionedValue<N>) -> Result<DimensionedValue
         Function::Ln | Function::Log10 => {
             wants(Dim::NUMBER, f.name())?;
             if a.number.approx() <= 0.0 {
-                return Err(both!("{} has no value at {}", "{} 在 {} 处无值", f.name(), a.number.approx()));
+                return Err(both!(
+                    "{} has no value at {}",
+                    "{} 在 {} 处无值",
+                    f.name(),
+                    a.number.approx()
+                ));
             }
             let ln = a.number.ln();
-            DimensionedValue::number(if f == Function::Ln { ln } else { ln / N::from_f64(10.0).ln() })
+            DimensionedValue::number(if f == Function::Ln {
+                ln
+            } else {
+                ln / N::from_f64(10.0).ln()
+            })
         }
         Function::Exp => {
             wants(Dim::NUMBER, "exp")?;
@@ -347,11 +414,19 @@ mod tests {
     #[test]
     fn minutes_and_seconds_of_arc() {
         let degrees = |text: &str| {
-            let value: DimensionedValue<f64> = evaluate(&parse(text, &["a"]).unwrap_or_else(|d| panic!("{text}: {d}")), &|_| None).unwrap();
+            let value: DimensionedValue<f64> =
+                evaluate(&parse(text, &["a"]).unwrap_or_else(|d| panic!("{text}: {d}")), &|_| None)
+                    .unwrap();
             assert!(value.degrees && value.dim == Dim::ANGLE, "{text}");
             value.number
         };
-        for text in ["20°30'", "20 deg 30'", "20° 30′", "20deg 30’", "20°29'60\"".replace("60", "59.9999999999999").as_str()] {
+        for text in [
+            "20°30'",
+            "20 deg 30'",
+            "20° 30′",
+            "20deg 30’",
+            "20°29'60\"".replace("60", "59.9999999999999").as_str(),
+        ] {
             assert!((degrees(text) - 20.5).abs() < 1e-12, "{text}");
         }
         for text in ["20°30′15″", "20 deg 30' 15''", "20°30'15\"", "20 ° 30 ′ 15 ″"] {
@@ -361,7 +436,8 @@ mod tests {
         assert_eq!(degrees("90° - 14°2'"), 90.0 - (14.0 + 2.0 / 60.0));
         assert_eq!(degrees("2*14°15′"), 28.5);
         assert_eq!(degrees("5°12″"), 5.0 + 12.0 / 3600.0);
-        for text in ["30'", "20°60'", "20°30'75″", "20°30", "20°30″15′", "20 rad 30'", "(20°)30'"] {
+        for text in ["30'", "20°60'", "20°30'75″", "20°30", "20°30″15′", "20 rad 30'", "(20°)30'"]
+        {
             assert!(parse(text, &[]).is_err(), "{text}");
         }
     }
@@ -386,7 +462,9 @@ mod tests {
 
     #[test]
     fn number_literals_keep_their_text() {
-        let Expr { kind: ExprKind::Binary(Operator::Mul, number, unit), span } = parse(" 0.10000000000000000001 mm", &[]).unwrap() else {
+        let Expr { kind: ExprKind::Binary(Operator::Mul, number, unit), span } =
+            parse(" 0.10000000000000000001 mm", &[]).unwrap()
+        else {
             panic!("no product")
         };
         assert_eq!(number.kind, ExprKind::Number("0.10000000000000000001".to_owned()));
@@ -399,7 +477,10 @@ mod tests {
         for (text, said) in [
             ("", "`` ends too early"),
             ("2*", "`2*` ends too early"),
-            ("100,5 mm", "`100,5 mm` has a comma in a number (write the decimal point: \"100.5 mm\")"),
+            (
+                "100,5 mm",
+                "`100,5 mm` has a comma in a number (write the decimal point: \"100.5 mm\")",
+            ),
             ("2 $ 3", "`2 $ 3` cannot be read from `$ 3` on"),
             ("2 r", "`r` is not a unit (for a product write `*r`)"),
             ("(2) pi", "`pi` is not a unit (for a product write `*pi`)"),
@@ -407,7 +488,10 @@ mod tests {
             ("R", "`R` is neither a parameter nor a unit (did you mean `r`?)"),
             ("sine(phi)", "`sine` is not a function (did you mean `sin`?)"),
             ("r(2)", "`r` is not a function (for a product write `r*(...)`)"),
-            ("sin", "`sin` is neither a parameter nor a unit (`sin` is a function: write `sin(...)`)"),
+            (
+                "sin",
+                "`sin` is neither a parameter nor a unit (`sin` is a function: write `sin(...)`)",
+            ),
             ("1/0", "division by zero"),
             ("r + phi", "a length cannot be added to an angle"),
             ("1 m/s/r + 1 (m/s)/s", "a quantity in 1/s cannot be added to an acceleration"),
@@ -433,11 +517,21 @@ mod tests {
             let e = value(text).expect_err(text);
             assert!(e.starts_with(said), "{text}: {e}");
         }
-        assert!(value(&"(".repeat(65)).unwrap_err().starts_with("parentheses are nested more than 64 deep"));
+        assert!(
+            value(&"(".repeat(65))
+                .unwrap_err()
+                .starts_with("parentheses are nested more than 64 deep")
+        );
         let said = |text: &str| bounded(text).unwrap_err().message.en;
         assert!(said(&"(".repeat(25)).starts_with("parentheses are nested more than 24 deep"));
-        assert!(said(&"1+".repeat(201)).starts_with("an expression has at most 400 bytes, this has 402"));
-        assert_eq!(value(&format!("{}1", "1+".repeat(400))).unwrap_err(), "an expression has more than 400 levels");
+        assert!(
+            said(&"1+".repeat(201))
+                .starts_with("an expression has at most 400 bytes, this has 402")
+        );
+        assert_eq!(
+            value(&format!("{}1", "1+".repeat(400))).unwrap_err(),
+            "an expression has more than 400 levels"
+        );
         // The deepest trees within the limits.
         assert_eq!(value(&format!("{}1", "1+".repeat(199))).unwrap().number, 200.0);
         assert_eq!(value(&format!("{}1", "-".repeat(399))).unwrap().number, -1.0);

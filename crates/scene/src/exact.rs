@@ -36,12 +36,20 @@ pub(super) fn settled(
     }
     let longer = BITS.into_iter().find_map(|bits| {
         within(bits, || {
-            let read = Inputs::<Ball<Big>>::of_texts(texts).read(text).filter(|v| v.dim == value.dim)?;
+            let read =
+                Inputs::<Ball<Big>>::of_texts(texts).read(text).filter(|v| v.dim == value.dim)?;
             rounded(in_unit_of(read, value.degrees))
         })
     });
     let Some((number, radius)) = longer else { return (value, ball) };
-    (DimensionedValue { number, ..value }, DimensionedValue { number: Ball::new(number, radius), dim: value.dim, degrees: value.degrees })
+    (
+        DimensionedValue { number, ..value },
+        DimensionedValue {
+            number: Ball::new(number, radius),
+            dim: value.dim,
+            degrees: value.degrees,
+        },
+    )
 }
 
 /// Returns a bound on the distance of a value from the true number in a ball.
@@ -65,7 +73,8 @@ pub(super) fn less_turns(texts: &[(&str, &str)], text: &str, degrees: bool) -> O
     BITS.into_iter().find_map(|bits| {
         within(bits, || {
             let mut rest = in_unit_of(Inputs::<Ball<Big>>::of_texts(texts).read(text)?, degrees);
-            let turn: Ball<Big> = if degrees { Ball::from_f64(360.0) } else { Ball::pi() + Ball::pi() };
+            let turn: Ball<Big> =
+                if degrees { Ball::from_f64(360.0) } else { Ball::pi() + Ball::pi() };
             // Each pass subtracts the remaining turns as far as an `f64` resolves them.
             for _ in 0..8 {
                 let turns = libm::trunc(rest.approx() / turn.approx());
@@ -154,7 +163,8 @@ impl<'a, N: Real> Inputs<'a, N> {
     /// Returns a quantity in SI units. Without a text it is the double-precision value with its
     /// bound; if the text has no value in this number type, the result is undecided.
     pub fn number(&self, given: &GivenQuantity) -> N {
-        let untold = || given.text.is_empty().then(|| N::from_f64(given.value).widened(given.radius));
+        let untold =
+            || given.text.is_empty().then(|| N::from_f64(given.value).widened(given.radius));
         N::from_bounded(given.value, given.radius)
             .or_else(untold)
             .or_else(|| self.read(&given.text).map(DimensionedValue::si))
@@ -166,8 +176,12 @@ impl<'a, N: Real> Inputs<'a, N> {
         let nothing = N::from_f64(f64::NAN);
         let untold = |x: f64| given.text.is_empty().then(|| N::from_f64(x).widened(given.radius));
         match given.value {
-            Angle::Deg(d) => N::from_bounded(d, given.radius).or_else(|| untold(d)).map(Real::sin_cos_degrees),
-            Angle::Rad(r) => N::from_bounded(r, given.radius).or_else(|| untold(r)).map(Real::sin_cos),
+            Angle::Deg(d) => {
+                N::from_bounded(d, given.radius).or_else(|| untold(d)).map(Real::sin_cos_degrees)
+            }
+            Angle::Rad(r) => {
+                N::from_bounded(r, given.radius).or_else(|| untold(r)).map(Real::sin_cos)
+            }
         }
         .or_else(|| self.read(&given.text).map(DimensionedValue::sin_cos))
         .unwrap_or((nothing, nothing))
@@ -175,8 +189,10 @@ impl<'a, N: Real> Inputs<'a, N> {
 
     /// Returns an angle in degrees.
     pub fn degrees(&self, given: &GivenQuantity<Angle>) -> N {
-        let known =
-            |x: f64| N::from_bounded(x, given.radius).or_else(|| given.text.is_empty().then(|| N::from_f64(x).widened(given.radius)));
+        let known = |x: f64| {
+            N::from_bounded(x, given.radius)
+                .or_else(|| given.text.is_empty().then(|| N::from_f64(x).widened(given.radius)))
+        };
         let in_degrees = |radians: N| radians * N::from_f64(180.0) / N::pi();
         match given.value {
             Angle::Deg(d) => known(d),
@@ -225,7 +241,8 @@ impl<'a, N: Real> Inputs<'a, N> {
         let names: Vec<&str> = self.parameters.iter().map(|p| p.0).collect();
         let expr = expr::parse(text, &names).ok()?;
         // If a name is declared twice, the last one counts, as in the reader.
-        let lookup = |name: &str| self.parameters.iter().rev().find(|p| p.0 == name).and_then(|p| p.1);
+        let lookup =
+            |name: &str| self.parameters.iter().rev().find(|p| p.0 == name).and_then(|p| p.1);
         evaluate(&expr, &lookup).ok()
     }
 }
@@ -247,24 +264,39 @@ mod tests {
             let text = templates::get(name).unwrap();
             let scene = read(text).unwrap_or_else(|f| panic!("{name}: {f}")).value;
             within(300, || {
-                let (exact, double) = (Inputs::<Ball<Big>>::of(&scene), Inputs::<Ball<Dd>>::of(&scene));
+                let (exact, double) =
+                    (Inputs::<Ball<Big>>::of(&scene), Inputs::<Ball<Dd>>::of(&scene));
                 let mut check = |given: &GivenQuantity| {
                     let (x, d) = (exact.number(given), double.number(given));
                     let off = (x - Real::from_f64(given.value)).approx().abs();
                     // The centre of curvature of a law needs some fifty operations, with a few
                     // differences of nearly equal numbers.
-                    let [plain, exact] = if given.text.contains("cam1_k") { [1e-12, 1e-25] } else { [1e-14, 0.0] };
-                    assert!(off <= given.radius && given.radius <= plain * given.value.abs(), "{name}: {given:?} is off by {off:e}");
-                    assert!(d.enclosure().unwrap().meets(&x.enclosure().unwrap()), "{name}: {given:?}");
+                    let [plain, exact] =
+                        if given.text.contains("cam1_k") { [1e-12, 1e-25] } else { [1e-14, 0.0] };
+                    assert!(
+                        off <= given.radius && given.radius <= plain * given.value.abs(),
+                        "{name}: {given:?} is off by {off:e}"
+                    );
+                    assert!(
+                        d.enclosure().unwrap().meets(&x.enclosure().unwrap()),
+                        "{name}: {given:?}"
+                    );
                     // The law of a cam and a cosine need a dozen operations each; other written
                     // expressions need two or three.
-                    let kept = if given.text.contains("cam1_") || given.text.contains("cos(") || given.text.contains("sin(") {
+                    let kept = if given.text.contains("cam1_")
+                        || given.text.contains("cos(")
+                        || given.text.contains("sin(")
+                    {
                         2e-28
                     } else {
                         1e-29
                     };
                     let kept = exact.max(kept);
-                    assert!(d.radius() <= kept * given.value.abs(), "{name}: {given:?} has a radius of {:e}", d.radius());
+                    assert!(
+                        d.radius() <= kept * given.value.abs(),
+                        "{name}: {given:?} has a radius of {:e}",
+                        d.radius()
+                    );
                     checked += 1;
                 };
                 scene.lengths.iter().for_each(|l| check(&l.value));
@@ -283,8 +315,20 @@ mod tests {
     /// is small, and every precision encloses the true value.
     #[test]
     fn absurd_expressions_are_read_as_they_are_written() {
-        let lost = ["1e20 mm + 5 mm - 1e20 mm", "(1e60 - 1e60 + 3)/7*1 m", "sin(1e22 deg + 30 deg)*1 m", "cos(1e25 rad)*1 m"];
-        let plain = ["(1.0000000001^1e10)*1 m", "2^0.5*1e-60 km", "sqrt(2)^60.5*1 mm", "atan(1e-40)*1 m", "(9.99^-60)*1 in", "x*1e-70*1 m"];
+        let lost = [
+            "1e20 mm + 5 mm - 1e20 mm",
+            "(1e60 - 1e60 + 3)/7*1 m",
+            "sin(1e22 deg + 30 deg)*1 m",
+            "cos(1e25 rad)*1 m",
+        ];
+        let plain = [
+            "(1.0000000001^1e10)*1 m",
+            "2^0.5*1e-60 km",
+            "sqrt(2)^60.5*1 mm",
+            "atan(1e-40)*1 m",
+            "(9.99^-60)*1 in",
+            "x*1e-70*1 m",
+        ];
         let more = [
             "(1 + 1e-70 - 1)*1e70*1 m",
             "0.1 m*3 - 0.3 m + 1e-30 m",
@@ -301,7 +345,8 @@ mod tests {
             // wrong number.
             let Ok(scene) = read(&scene) else { continue };
             let (_, given) = &scene.value.parameters[1];
-            let truth = within(3000, || Inputs::<Ball<Big>>::of(&scene.value).number(given).enclosure());
+            let truth =
+                within(3000, || Inputs::<Ball<Big>>::of(&scene.value).number(given).enclosure());
             let Some(truth) = truth else { panic!("{text} has no value in 3000 bits") };
             let off = (truth.approx - given.value).abs();
             assert!(off <= given.radius + truth.radius, "{text}: {given:?}, it is {truth:?}");
@@ -313,7 +358,10 @@ mod tests {
                 within(768, || Inputs::<Ball<Big>>::of(&scene.value).number(given).enclosure()),
             ];
             for (rung, seen) in seen.into_iter().enumerate() {
-                assert!(seen.as_ref().is_none_or(|s| s.meets(&truth)), "{text}, rung {rung}: {seen:?}, it is {truth:?}");
+                assert!(
+                    seen.as_ref().is_none_or(|s| s.meets(&truth)),
+                    "{text}, rung {rung}: {seen:?}, it is {truth:?}"
+                );
             }
         }
     }

@@ -128,7 +128,8 @@ const FUNCTIONS: [(&str, Function); 11] = [
 /// Units whose names a parameter may have: `h` is the usual letter of a height, and no quantity of
 /// a mechanism is given per hour; `g`, `N` and `W` are those of gravity, a normal force and a
 /// weight. Directly after a number they are units.
-const HIDEABLE: [&str; 15] = ["h", "min", "in", "ft", "kg", "g", "lb", "slug", "blob", "N", "kN", "kgf", "lbf", "W", "kW"];
+const HIDEABLE: [&str; 15] =
+    ["h", "min", "in", "ft", "kg", "g", "lb", "slug", "blob", "N", "kN", "kgf", "lbf", "W", "kW"];
 
 /// Returns true if a name has a meaning in every expression (a unit, a function, pi) and cannot
 /// name a parameter.
@@ -169,8 +170,11 @@ fn within(text: &str, length: usize, parentheses: usize) -> Result<(), Diagnosti
             _ => {}
         }
         if depth > parentheses {
-            return Err(fault(both!("parentheses are nested more than {parentheses} deep", "括号嵌套超过 {parentheses} 层"))
-                .at(Span::new(i, i + 1)));
+            return Err(fault(both!(
+                "parentheses are nested more than {parentheses} deep",
+                "括号嵌套超过 {parentheses} 层"
+            ))
+            .at(Span::new(i, i + 1)));
         }
     }
     Ok(())
@@ -219,6 +223,9 @@ pub(super) fn unit_in_divisor(text: &str, expr: &Expr) -> Option<String> {
     let ExprKind::Binary(Operator::Mul, value, unit) = &divisor.kind else { return None };
     let (left, between) = (text.get(..value.span.end)?, text.get(value.span.end..unit.span.start)?);
     // A divisor in parentheses is intended.
-    let meant = left.get(..value.span.start)?.trim_end().ends_with('(') || !between.trim().is_empty();
-    (!meant).then(|| format!("({}) {}", left.trim(), text.get(unit.span.start..).unwrap_or_default().trim()))
+    let meant =
+        left.get(..value.span.start)?.trim_end().ends_with('(') || !between.trim().is_empty();
+    (!meant).then(|| {
+        format!("({}) {}", left.trim(), text.get(unit.span.start..).unwrap_or_default().trim())
+    })
 }

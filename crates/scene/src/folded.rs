@@ -28,7 +28,12 @@ impl<N: Real> Folded<N> {
             let value = valued(expr, &|wanted| find(&parameters, wanted))?;
             parameters.push((name, value));
         }
-        let mut folded = Folded { text: law.text.clone(), expr: law.expr.clone(), known: Vec::new(), turn: None };
+        let mut folded = Folded {
+            text: law.text.clone(),
+            expr: law.expr.clone(),
+            known: Vec::new(),
+            turn: None,
+        };
         folded.expr = folded.fold(&law.expr, &parameters)?;
         if let [(_, value)] = folded.known[..]
             && matches!(folded.expr.kind, ExprKind::Parameter(ref name) if name != TIME)
@@ -39,16 +44,26 @@ impl<N: Real> Folded<N> {
         Ok(folded)
     }
 
-    fn fold(&mut self, expr: &Expr, parameters: &[(&str, DimensionedValue<N>)]) -> Result<Expr, Diagnostic> {
+    fn fold(
+        &mut self,
+        expr: &Expr,
+        parameters: &[(&str, DimensionedValue<N>)],
+    ) -> Result<Expr, Diagnostic> {
         if !mentions(expr, TIME) {
-            let DimensionedValue { number, dim, degrees } = valued(expr, &|wanted| find(parameters, wanted))?;
+            let DimensionedValue { number, dim, degrees } =
+                valued(expr, &|wanted| find(parameters, wanted))?;
             let name = self.known.len().to_string();
-            self.known.push((name.clone(), DimensionedValue { number: Jet::constant(number), dim, degrees }));
+            self.known.push((
+                name.clone(),
+                DimensionedValue { number: Jet::constant(number), dim, degrees },
+            ));
             return Ok(Expr { kind: ExprKind::Parameter(name), span: expr.span });
         }
         let mut part = |e: &Expr| self.fold(e, parameters).map(Box::new);
         let kind = match &expr.kind {
-            ExprKind::Number(_) | ExprKind::Pi | ExprKind::Unit(_) | ExprKind::Parameter(_) => expr.kind.clone(),
+            ExprKind::Number(_) | ExprKind::Pi | ExprKind::Unit(_) | ExprKind::Parameter(_) => {
+                expr.kind.clone()
+            }
             ExprKind::Neg(a) => ExprKind::Neg(part(a)?),
             ExprKind::Call(f, a) => ExprKind::Call(*f, part(a)?),
             // A unit after its number is not a separate factor: number and unit are rounded
@@ -67,13 +82,20 @@ impl<N: Real> Folded<N> {
     /// A time at which the law has no value or no derivative.
     pub fn at(&self, t: N) -> Result<DimensionedValue<Jet<N>>, Diagnostic> {
         let time = DimensionedValue { number: Jet::variable(t), dim: Dim::TIME, degrees: false };
-        let value = valued(&self.expr, &|wanted| if wanted == TIME { Some(time) } else { find(&self.known, wanted) })?;
+        let value = valued(&self.expr, &|wanted| {
+            if wanted == TIME { Some(time) } else { find(&self.known, wanted) }
+        })?;
         // A value that the number type cannot decide is undecided as a whole; a longer number type
         // may decide it.
         if value.number.is_decided() || !value.number.0[0].is_decided() {
             return Ok(value);
         }
-        let message: Both = both!("`{}` has no derivative at t = {} s", "`{}` 在 t = {} s 处不可导", self.text, t.approx());
+        let message: Both = both!(
+            "`{}` has no derivative at t = {} s",
+            "`{}` 在 t = {} s 处不可导",
+            self.text,
+            t.approx()
+        );
         Err(Diagnostic::error("law", message))
     }
 
@@ -90,10 +112,15 @@ fn find<S: AsRef<str>, V: Copy>(known: &[(S, V)], wanted: &str) -> Option<V> {
     known.iter().find(|(name, _)| name.as_ref() == wanted).map(|(_, value)| *value)
 }
 
-fn valued<N: Real>(expr: &Expr, lookup: &dyn Fn(&str) -> Option<DimensionedValue<N>>) -> Result<DimensionedValue<N>, Diagnostic> {
+fn valued<N: Real>(
+    expr: &Expr,
+    lookup: &dyn Fn(&str) -> Option<DimensionedValue<N>>,
+) -> Result<DimensionedValue<N>, Diagnostic> {
     evaluate(expr, lookup).map_err(|e| match e {
         NoValue::Fault(d) => d,
-        NoValue::Reported => Diagnostic::error("expression", both!("a parameter has no value", "参数无值")),
+        NoValue::Reported => {
+            Diagnostic::error("expression", both!("a parameter has no value", "参数无值"))
+        }
     })
 }
 
@@ -107,23 +134,38 @@ mod tests {
     #[test]
     fn what_stays_is_evaluated_once() {
         let names = ["r", "w", TIME];
-        for text in
-            ["r*sin(w*t + 30 deg) + 5 mm*sqrt(4)", "(2 + 3)*r", "-t", "0.1*(t/(1 s))^2*(1 m)", "60 deg", "exp(-0.5*t/(1 s))*r*cos(90 deg)"]
-        {
-            let parameters = vec![("r".to_owned(), parse("200 mm/2", &[]).unwrap()), ("w".to_owned(), parse("2 rad/s", &[]).unwrap())];
+        for text in [
+            "r*sin(w*t + 30 deg) + 5 mm*sqrt(4)",
+            "(2 + 3)*r",
+            "-t",
+            "0.1*(t/(1 s))^2*(1 m)",
+            "60 deg",
+            "exp(-0.5*t/(1 s))*r*cos(90 deg)",
+        ] {
+            let parameters = vec![
+                ("r".to_owned(), parse("200 mm/2", &[]).unwrap()),
+                ("w".to_owned(), parse("2 rad/s", &[]).unwrap()),
+            ];
             let expr = parse(text, &names).unwrap();
             let law = Law::new(text.to_owned(), expr.clone(), parameters.clone());
             let folded = law.folded::<f64>().unwrap();
             assert!(is_folded(&folded.expr), "{text}: {:?}", folded.expr);
             for t in [0.0, 0.3, 7.0] {
                 let lookup = |name: &str| match name {
-                    TIME => Some(DimensionedValue { number: Jet::variable(t), dim: Dim::TIME, degrees: false }),
+                    TIME => Some(DimensionedValue {
+                        number: Jet::variable(t),
+                        dim: Dim::TIME,
+                        degrees: false,
+                    }),
                     _ => evaluate(&parameters.iter().find(|p| p.0 == name)?.1, &|_| None).ok(),
                 };
                 let (one, other) = (folded.at(t).unwrap(), evaluate(&expr, &lookup).unwrap());
                 assert_eq!((one.dim, one.degrees), (other.dim, other.degrees), "{text}");
                 for k in 0..3 {
-                    assert!((one.number.0[k] - other.number.0[k]).abs() <= 1e-15, "{text}: {one:?} {other:?}");
+                    assert!(
+                        (one.number.0[k] - other.number.0[k]).abs() <= 1e-15,
+                        "{text}: {one:?} {other:?}"
+                    );
                 }
             }
         }
@@ -134,7 +176,9 @@ mod tests {
             ExprKind::Parameter(_) | ExprKind::Unit(_) => true,
             ExprKind::Number(_) | ExprKind::Pi => false,
             ExprKind::Neg(u) | ExprKind::Call(_, u) => mentions(u, TIME) && is_folded(u),
-            ExprKind::Binary(_, a, b) => (mentions(a, TIME) || mentions(b, TIME)) && is_folded(a) && is_folded(b),
+            ExprKind::Binary(_, a, b) => {
+                (mentions(a, TIME) || mentions(b, TIME)) && is_folded(a) && is_folded(b)
+            }
         }
     }
 }

@@ -21,7 +21,8 @@ use hodograph_base::json::fields::FaultSubject;
 use hodograph_base::number::{Jet, Real};
 
 /// The keys of a front.
-pub const KEYS: [&str; 7] = ["title", "parameters", "units", "answers", "paper", "language", "notation"];
+pub const KEYS: [&str; 7] =
+    ["title", "parameters", "units", "answers", "paper", "language", "notation"];
 
 /// The front of a file as written.
 pub struct RawFront(RawScene);
@@ -52,56 +53,104 @@ impl<'a> Front<'a> {
     pub fn new(raw: &'a RawFront, source: &'a str, faults: &mut Faults) -> Front<'a> {
         let raw = &raw.0;
         let (values, _) = Values::new(source, &raw.units, &raw.parameters, faults);
-        let resolve::SceneHeader { title, language, paper, book } = resolve::front(raw, &values, faults);
+        let resolve::SceneHeader { title, language, paper, book } =
+            resolve::front(raw, &values, faults);
         Front { raw, values, title, language, paper, book }
     }
 
     /// Returns a quantity in SI units.
-    pub fn si(&self, node: &Node, wanted: RequiredQuantity, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<f64> {
+    pub fn si(
+        &self,
+        node: &Node,
+        wanted: RequiredQuantity,
+        what: impl Into<FaultSubject>,
+        faults: &mut Faults,
+    ) -> Option<f64> {
         let quantity = decode::quantity(node, what, faults)?;
         Some(self.values.si(&quantity, wanted, faults)?.value)
     }
 
     /// Returns an angle in radians, rounded once from the written form.
-    pub fn angle(&self, node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<f64> {
+    pub fn angle(
+        &self,
+        node: &Node,
+        what: impl Into<FaultSubject>,
+        faults: &mut Faults,
+    ) -> Option<f64> {
         let quantity = decode::quantity(node, what, faults)?;
         Some(self.values.angle(&quantity, faults)?.value.radians())
     }
 
     /// Returns a number without a dimension.
-    pub fn number(&self, node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<f64> {
+    pub fn number(
+        &self,
+        node: &Node,
+        what: impl Into<FaultSubject>,
+        faults: &mut Faults,
+    ) -> Option<f64> {
         let quantity: RawQuantity = decode::quantity(node, what, faults)?;
         self.values.pure_number(&quantity, faults)
     }
 
     /// Returns a number without a dimension, or an angle: its number as written, and for an angle
     /// true if it is in degrees.
-    pub fn number_or_angle(&self, node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<(f64, Option<bool>)> {
+    pub fn number_or_angle(
+        &self,
+        node: &Node,
+        what: impl Into<FaultSubject>,
+        faults: &mut Faults,
+    ) -> Option<(f64, Option<bool>)> {
         let quantity: RawQuantity = decode::quantity(node, what, faults)?;
         self.values.number_or_angle(&quantity, faults)
     }
 
     /// Returns a function of a variable, such as `ln(x)`.
-    pub fn curve(&self, node: &Node, variable: &str, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<Curve> {
+    pub fn curve(
+        &self,
+        node: &Node,
+        variable: &str,
+        what: impl Into<FaultSubject>,
+        faults: &mut Faults,
+    ) -> Option<Curve> {
         let quantity = decode::quantity(node, what, faults)?;
         self.values.curve(&quantity, variable).map_err(|d| faults.push(d)).ok()
     }
 
     /// Returns a law of time: an expression in `t` and the parameters, whose value at the instant
     /// `t` (s) is of the wanted kind.
-    pub fn law(&self, node: &Node, wanted: RequiredQuantity, t: f64, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<Law> {
+    pub fn law(
+        &self,
+        node: &Node,
+        wanted: RequiredQuantity,
+        t: f64,
+        what: impl Into<FaultSubject>,
+        faults: &mut Faults,
+    ) -> Option<Law> {
         let quantity = decode::quantity(node, what, faults)?;
-        self.values.law(&quantity, wanted, t).map_err(|d| d.into_iter().for_each(|d| faults.push(d))).ok()
+        self.values
+            .law(&quantity, wanted, t)
+            .map_err(|d| d.into_iter().for_each(|d| faults.push(d)))
+            .ok()
     }
 
     /// Returns a time: a law that does not depend on itself.
-    pub fn time(&self, node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<Law> {
+    pub fn time(
+        &self,
+        node: &Node,
+        what: impl Into<FaultSubject>,
+        faults: &mut Faults,
+    ) -> Option<Law> {
         let quantity = decode::quantity(node, what, faults)?;
         self.values.time(&quantity).map_err(|d| d.into_iter().for_each(|d| faults.push(d))).ok()
     }
 
     /// Returns a text, or one in each language.
-    pub fn localized(&self, node: &Node, what: &'static str, faults: &mut Faults) -> Option<Localized> {
+    pub fn localized(
+        &self,
+        node: &Node,
+        what: &'static str,
+        faults: &mut Faults,
+    ) -> Option<Localized> {
         resolve::localized(&decode::localized(node, what, decode::MAX_STATEMENT, faults))
     }
 
@@ -152,11 +201,17 @@ impl Curve {
         match evaluate(&self.expr, &lookup) {
             Ok(value) if value.dim == Dim::NUMBER => Ok(value.number),
             Ok(value) => {
-                let message = both!("a function of numbers is wanted, this is {}", "此处需要数值函数，现为{}", value.dim.describe());
+                let message = both!(
+                    "a function of numbers is wanted, this is {}",
+                    "此处需要数值函数，现为{}",
+                    value.dim.describe()
+                );
                 Err(Diagnostic::error("dimension", message))
             }
             Err(NoValue::Fault(d)) => Err(Diagnostic { span: None, ..d }),
-            Err(NoValue::Reported) => Err(Diagnostic::error("expression", both!("the function has no value", "函数无值"))),
+            Err(NoValue::Reported) => {
+                Err(Diagnostic::error("expression", both!("the function has no value", "函数无值")))
+            }
         }
     }
 }
@@ -181,7 +236,9 @@ impl Law {
     pub(super) fn new(text: String, expr: Expr, mut parameters: Vec<(String, Expr)>) -> Law {
         for k in (0..parameters.len()).rev() {
             let name = &parameters[k].0;
-            if !mentions(&expr, name) && !parameters[k + 1..].iter().any(|(_, later)| mentions(later, name)) {
+            if !mentions(&expr, name)
+                && !parameters[k + 1..].iter().any(|(_, later)| mentions(later, name))
+            {
                 parameters.remove(k);
             }
         }
@@ -247,9 +304,19 @@ mod tests {
     #[test]
     fn a_law_keeps_the_parameters_that_it_uses() {
         let names = ["a", "b", "c", "d"];
-        let parameters = ["1 m", "2*a", "3 m", "4*c"].iter().zip(names).map(|(text, name)| (name.to_owned(), parse(text, &names).unwrap()));
-        let law = Law::new("b*t/(1 s)".to_owned(), parse("b*t/(1 s)", &["b", TIME]).unwrap(), parameters.collect());
-        assert_eq!(law.parameters.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(), ["a", "b"]);
+        let parameters = ["1 m", "2*a", "3 m", "4*c"]
+            .iter()
+            .zip(names)
+            .map(|(text, name)| (name.to_owned(), parse(text, &names).unwrap()));
+        let law = Law::new(
+            "b*t/(1 s)".to_owned(),
+            parse("b*t/(1 s)", &["b", TIME]).unwrap(),
+            parameters.collect(),
+        );
+        assert_eq!(
+            law.parameters.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(),
+            ["a", "b"]
+        );
         assert_eq!(law.at(3.0).unwrap().number.0[0], 6.0);
     }
 }

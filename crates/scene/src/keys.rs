@@ -39,7 +39,8 @@ pub(super) const SCENE: &[&str] = &[
 ];
 pub(super) const PLACE_XY: &[&str] = &["base", "x", "y"];
 pub(super) const PLACE_POLAR: &[&str] = &["base", "length", "angle"];
-pub(super) const GUIDE: &[&str] = &["pin", "slider", "on", "line", "through", "angle", "offset", "centre", "radius", "length"];
+pub(super) const GUIDE: &[&str] =
+    &["pin", "slider", "on", "line", "through", "angle", "offset", "centre", "radius", "length"];
 pub(super) const GEAR: &[&str] = &[
     "links",
     "centres",
@@ -58,19 +59,35 @@ pub(super) const GEAR: &[&str] = &[
     "addendum",
     "clearance",
 ];
-pub(super) const ROLLING: &[&str] =
-    &["wheel", "centre", "radius", "on", "line", "through", "angle", "track", "track_radius", "inside", "at", "phase"];
-pub(super) const BELT: &[&str] = &["pulleys", "centres", "radii", "crossed", "reversed", "at", "phase"];
-pub(super) const CHAIN: &[&str] = &["sprockets", "centres", "teeth", "pitch", "reversed", "at", "phase"];
+pub(super) const ROLLING: &[&str] = &[
+    "wheel",
+    "centre",
+    "radius",
+    "on",
+    "line",
+    "through",
+    "angle",
+    "track",
+    "track_radius",
+    "inside",
+    "at",
+    "phase",
+];
+pub(super) const BELT: &[&str] =
+    &["pulleys", "centres", "radii", "crossed", "reversed", "at", "phase"];
+pub(super) const CHAIN: &[&str] =
+    &["sprockets", "centres", "teeth", "pitch", "reversed", "at", "phase"];
 pub(super) const ROPE: &[&str] = &["drum", "centre", "radius", "load", "line", "angle", "at"];
-pub(super) const TURN: &[&str] = &["link", "against", "line", "against_line", "angle", "omega", "alpha"];
+pub(super) const TURN: &[&str] =
+    &["link", "against", "line", "against_line", "angle", "omega", "alpha"];
 pub(super) const SLIDE: &[&str] = &["slide", "position", "velocity", "acceleration"];
 pub(super) const CYLINDER: &[&str] = &["cylinder", "length", "rate", "acceleration", "links"];
 pub(super) const MOTION: &[&str] = &["point", "on", "line", "centre", "radius", "angle", "s"];
 pub(super) const COMPOSITE: &[&str] = &["point", "on", "frame"];
 pub(super) const ATTEMPT: &[&str] = &["mistake", "pair", "link", "printed", "why"];
 pub(super) const PAPER: &[&str] = &["size", "mu_l", "mu_v", "mu_a", "mu_F", "pencil"];
-pub(super) const CAM: &[&str] = &["cam", "follower", "edge", "roller", "arc", "face", "profile", "at", "angle"];
+pub(super) const CAM: &[&str] =
+    &["cam", "follower", "edge", "roller", "arc", "face", "profile", "at", "angle"];
 pub(super) const ROLLER: &[&str] = &["pin", "radius", "link"];
 pub(super) const ARC: &[&str] = &["pin", "radius"];
 pub(super) const FACE: &[&str] = &["through", "line", "angle", "offset", "cam"];
@@ -78,7 +95,8 @@ pub(super) const CAM_PART: &[&str] = &["centre", "radius", "corner"];
 pub(super) const CAM_LAW: &[&str] = &["base", "start", "turns", "law"];
 pub(super) const CAM_STAGE: &[&str] = &["rise", "dwell", "return", "over", "law"];
 pub(super) const MASS: &[&str] = &["m", "weight", "J", "k", "at"];
-pub(super) const FORCE: &[&str] = &["on", "at", "F", "M", "angle", "line", "against", "over", "diagram"];
+pub(super) const FORCE: &[&str] =
+    &["on", "at", "F", "M", "angle", "line", "against", "over", "diagram"];
 pub(super) const OVER: &[&str] = &["slide", "toward", "stroke", "turn", "angles"];
 pub(super) const DIAGRAM: &[&str] = &["slide", "toward", "turn", "period", "points"];
 pub(super) const SPRING: &[&str] = &["from", "to", "k", "free"];

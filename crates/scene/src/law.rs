@@ -33,7 +33,11 @@ pub(super) fn derivative(e: &Expr) -> Result<Option<String>, NoDerivative> {
                 Operator::Add => joined(da, "+", db),
                 Operator::Sub => joined(da, "-", db),
                 Operator::Mul => joined(da.map(|d| times(&d, &b)), "+", db.map(|d| times(&d, &a))),
-                Operator::Div => joined(da.map(|d| format!("{d}/{b}")), "-", db.map(|d| format!("{a}*{d}/({b}*{b})"))),
+                Operator::Div => joined(
+                    da.map(|d| format!("{d}/{b}")),
+                    "-",
+                    db.map(|d| format!("{a}*{d}/({b}*{b})")),
+                ),
                 Operator::Pow => match (da, db) {
                     (_, Some(_)) => return Err(NoDerivative::Exponent),
                     (Some(d), None) if b == "2" => Some(times(&d, &format!("(2*{a})"))),
@@ -86,7 +90,8 @@ fn text(e: &Expr) -> String {
         ExprKind::Parameter(name) => name.clone(),
         ExprKind::Neg(u) => format!("(-{})", text(u)),
         ExprKind::Binary(op, a, b) => {
-            if let (Operator::Mul, ExprKind::Number(n), ExprKind::Unit(u)) = (op, &a.kind, &b.kind) {
+            if let (Operator::Mul, ExprKind::Number(n), ExprKind::Unit(u)) = (op, &a.kind, &b.kind)
+            {
                 return format!("({n} {})", u.name);
             }
             let sign = match op {

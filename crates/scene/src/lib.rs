@@ -58,7 +58,9 @@ pub use hodograph_base::kind::{ByKind, Kind};
 pub use hodograph_base::lang::Lang;
 pub use model::*;
 pub use quantity::{Asked, Axis};
-pub use rolling::{Contours, Flanks, Normal, Relation, Rolling, RollingId, RollingKind, Sizes, Touch};
+pub use rolling::{
+    Contours, Flanks, Normal, Relation, Rolling, RollingId, RollingKind, Sizes, Touch,
+};
 pub use swept::Swept;
 pub use write::write;
 pub use written::QuantityText;
@@ -78,7 +80,8 @@ use raw::RequiredData;
 /// ```
 pub fn pencil(text: &str) -> Result<f64, Faults> {
     let mut faults = Faults::default();
-    let quantity = raw::RawQuantity { text: text.to_owned(), span: Span::new(0, text.len()), bare: true };
+    let quantity =
+        raw::RawQuantity { text: text.to_owned(), span: Span::new(0, text.len()), bare: true };
     let read = resolve::pencil(&quantity, text, &mut faults);
     read.filter(|_| !faults.has_errors()).ok_or(faults)
 }
@@ -95,7 +98,8 @@ pub fn pencil(text: &str) -> Result<f64, Faults> {
 /// ```
 pub fn width(text: &str) -> Result<f64, Faults> {
     let mut faults = Faults::default();
-    let quantity = raw::RawQuantity { text: text.to_owned(), span: Span::new(0, text.len()), bare: true };
+    let quantity =
+        raw::RawQuantity { text: text.to_owned(), span: Span::new(0, text.len()), bare: true };
     let read = resolve::width(&quantity, text, &mut faults);
     read.filter(|_| !faults.has_errors()).ok_or(faults)
 }
@@ -216,9 +220,13 @@ pub fn read_at_any_rate(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Fault
     let told = read_as(source.as_ref(), None, RequiredData::Motion);
     let Err(faults) = told else { return told };
     // Friction depends on the senses of the velocities.
-    let asks_no_rate =
-        |f: &Find| matches!(f.what.kind(), Kind::Length | Kind::Angle | Kind::Time | Kind::Number) && !matches!(f.what, Asked::Force(_));
-    let free = read_as(source.as_ref(), None, RequiredData::AnyRate).ok().filter(|read| read.value.find.iter().all(asks_no_rate));
+    let asks_no_rate = |f: &Find| {
+        matches!(f.what.kind(), Kind::Length | Kind::Angle | Kind::Time | Kind::Number)
+            && !matches!(f.what, Asked::Force(_))
+    };
+    let free = read_as(source.as_ref(), None, RequiredData::AnyRate)
+        .ok()
+        .filter(|read| read.value.find.iter().all(asks_no_rate));
     let mut read = free.ok_or(faults)?;
     let message = both!(
         "no rate is given, and nothing asked depends on it: one unit of it is taken",
@@ -232,7 +240,11 @@ fn read_with(source: &[u8], questions: Option<&str>) -> Result<Warned<Scene>, Fa
     read_as(source, questions, RequiredData::Motion)
 }
 
-fn read_as(source: &[u8], questions: Option<&str>, extent: RequiredData) -> Result<Warned<Scene>, Faults> {
+fn read_as(
+    source: &[u8],
+    questions: Option<&str>,
+    extent: RequiredData,
+) -> Result<Warned<Scene>, Faults> {
     let mut faults = Faults::default();
     let (text, root) = json::parse(source, &mut faults)?;
     let raw = decode::scene(&root, extent, &mut faults).map(|raw| match questions {
@@ -244,7 +256,9 @@ fn read_as(source: &[u8], questions: Option<&str>, extent: RequiredData) -> Resu
         Some(value) if !faults.has_errors() => Ok(Warned { value, notes: faults.list }),
         _ => {
             // Errors come first; within each severity the order is that of the file.
-            faults.list.sort_by_key(|d| (d.severity != Severity::Error, d.span.map_or(0, |s| s.start)));
+            faults
+                .list
+                .sort_by_key(|d| (d.severity != Severity::Error, d.span.map_or(0, |s| s.start)));
             Err(faults)
         }
     }
@@ -257,7 +271,10 @@ fn asked(questions: &str, faults: &mut Faults) -> Vec<json::Word> {
     let mut start = ASKED;
     for part in questions.split(',') {
         let from = start + part.len() - part.trim_start().len();
-        let word = json::Word { text: part.trim().to_owned(), span: Span::new(from, from + part.trim().len()) };
+        let word = json::Word {
+            text: part.trim().to_owned(),
+            span: Span::new(from, from + part.trim().len()),
+        };
         faults.list.extend(json::unprintable(&word));
         match words.last_mut() {
             _ if word.text.is_empty() => {}

@@ -252,13 +252,16 @@ impl Scene {
         let slider = own.slider.or_else(|| self.carriers(own.pin?).next())?;
         let runs = self.guides.iter().filter(|g| g.on == slider).find_map(|g| g.pin);
         let rolls = self.rolling.iter().find(|r| r.links.contains(&slider)).map(|r| r.at[0]);
-        let point = own.pin.or_else(|| self.links[slider.0].points.first().copied()).or(runs).or(rolls)?;
+        let point =
+            own.pin.or_else(|| self.links[slider.0].points.first().copied()).or(runs).or(rolls)?;
         Some((slider, point))
     }
 
     /// True if links have inertia forces: there are masses, and a driver moves.
     pub fn has_inertia(&self) -> bool {
-        let moves = |d: &super::model::Driver| d.rate.value != 0.0 || d.acceleration.as_ref().is_some_and(|a| a.value != 0.0);
+        let moves = |d: &super::model::Driver| {
+            d.rate.value != 0.0 || d.acceleration.as_ref().is_some_and(|a| a.value != 0.0)
+        };
         !self.loads.masses.is_empty() && self.drivers.iter().any(moves)
     }
 }

@@ -54,13 +54,23 @@ impl Mistake {
     /// Returns its name in headings.
     pub fn title(self, lang: Lang) -> &'static str {
         let [en, zh] = match self {
-            Mistake::ContactPoint => ["Momentary contact point taken as a permanent coincident point", "把瞬时接触点当作始终不变的重合点"],
+            Mistake::ContactPoint => [
+                "Momentary contact point taken as a permanent coincident point",
+                "把瞬时接触点当作始终不变的重合点",
+            ],
             Mistake::NoCoriolis => ["Coriolis acceleration left out", "漏掉科氏加速度"],
-            Mistake::CoriolisWrongOmega => ["Coriolis acceleration with the wrong angular velocity", "科氏加速度用错角速度"],
-            Mistake::RollingPointAZero => ["Contact point of a rolling wheel taken without acceleration", "认为纯滚动接触点加速度为零"],
+            Mistake::CoriolisWrongOmega => {
+                ["Coriolis acceleration with the wrong angular velocity", "科氏加速度用错角速度"]
+            }
+            Mistake::RollingPointAZero => [
+                "Contact point of a rolling wheel taken without acceleration",
+                "认为纯滚动接触点加速度为零",
+            ],
             Mistake::ImageAcrossLinks => ["Image across two links", "跨构件使用影像"],
             Mistake::NoNormal => ["Normal acceleration left out", "漏掉法向加速度"],
-            Mistake::AccelerationByCentre => ["Acceleration by the instantaneous centre of velocity", "用速度瞬心求加速度"],
+            Mistake::AccelerationByCentre => {
+                ["Acceleration by the instantaneous centre of velocity", "用速度瞬心求加速度"]
+            }
         };
         match lang {
             Lang::En => en,

@@ -15,7 +15,8 @@ use hodograph_base::kind::{ByKind, Kind};
 
 pub use super::cams::{Cam, Follows, Pieces, TurningCam};
 pub use super::loads::{
-    Abscissa, Applied, Balance, Friction, LoadCourse, LoadSize, LoadStation, LoadTravel, Loads, Mass, Rub, Spring, StrokeEnds,
+    Abscissa, Applied, Balance, Friction, LoadCourse, LoadSize, LoadStation, LoadTravel, Loads,
+    Mass, Rub, Spring, StrokeEnds,
 };
 pub use super::mistake::Mistake;
 pub use hodograph_base::lang::Lang;
@@ -447,6 +448,10 @@ impl Scene {
 
     /// Returns the links that carry a point, in order.
     pub fn carriers(&self, p: PointId) -> impl Iterator<Item = LinkId> + '_ {
-        self.links.iter().enumerate().filter(move |(_, l)| l.points.contains(&p)).map(|(i, _)| LinkId(i))
+        self.links
+            .iter()
+            .enumerate()
+            .filter(move |(_, l)| l.points.contains(&p))
+            .map(|(i, _)| LinkId(i))
     }
 }

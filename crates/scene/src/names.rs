@@ -44,11 +44,17 @@ pub(super) fn check(name: &Word, what: Named) -> Option<Diagnostic> {
     let (message, help) = match what {
         Named::Link => (
             both!("`{text}` cannot name a link", "`{text}` 不能作构件名"),
-            both!("up to {MAX_NAME} letters, digits, ' or _", "至多 {MAX_NAME} 个字母、数字、' 或 _"),
+            both!(
+                "up to {MAX_NAME} letters, digits, ' or _",
+                "至多 {MAX_NAME} 个字母、数字、' 或 _"
+            ),
         ),
         Named::Point => (
             both!("`{text}` cannot name a point", "`{text}` 不能作点名"),
-            both!("a letter first, up to {MAX_NAME} letters, digits, ' or _", "以字母开头，至多 {MAX_NAME} 个字母、数字、' 或 _"),
+            both!(
+                "a letter first, up to {MAX_NAME} letters, digits, ' or _",
+                "以字母开头，至多 {MAX_NAME} 个字母、数字、' 或 _"
+            ),
         ),
     };
     Some(Diagnostic::error("name", message).at(name.span).help(help))
@@ -78,7 +84,8 @@ fn halves(text: &str) -> Option<(&str, &str)> {
 impl<'a> Names<'a> {
     /// Returns the names of these points and links.
     pub fn new(points: &'a [NamedPoint], links: &'a [Link]) -> Self {
-        let by_point = points.iter().enumerate().map(|(i, p)| (p.name.as_str(), PointId(i))).collect();
+        let by_point =
+            points.iter().enumerate().map(|(i, p)| (p.name.as_str(), PointId(i))).collect();
         let by_link = links.iter().enumerate().map(|(i, l)| (l.name.as_str(), LinkId(i))).collect();
         Names { points, links, by_point, by_link }
     }
@@ -104,8 +111,18 @@ impl<'a> Names<'a> {
     /// Returns the link `text`, which is a part of `word`.
     pub fn link_in(&self, text: &str, word: &Word) -> Result<LinkId, Diagnostic> {
         self.find_link(text).ok_or_else(|| {
-            let d = Diagnostic::error("unknown-link", both!("there is no link `{text}`", "没有构件 `{text}`")).at(word.span);
-            let near = || suggest(text, self.links.iter().map(|l| l.name.as_str()), both!("the links are", "构件有"));
+            let d = Diagnostic::error(
+                "unknown-link",
+                both!("there is no link `{text}`", "没有构件 `{text}`"),
+            )
+            .at(word.span);
+            let near = || {
+                suggest(
+                    text,
+                    self.links.iter().map(|l| l.name.as_str()),
+                    both!("the links are", "构件有"),
+                )
+            };
             d.help(self.meant_link(text).unwrap_or_else(near))
         })
     }
@@ -116,21 +133,36 @@ impl<'a> Names<'a> {
         let halves = || text.char_indices().skip(1).map(|(i, _)| text.split_at(i));
         let carrier = |(a, b): (&str, &str)| {
             let (p, q) = (self.find_point(a)?, self.find_point(b)?);
-            let mut on = self.links.iter().filter(|l| l.points.contains(&p) && l.points.contains(&q));
+            let mut on =
+                self.links.iter().filter(|l| l.points.contains(&p) && l.points.contains(&q));
             let name = &on.next().filter(|_| on.next().is_none())?.name;
-            Some(both!("{a} and {b} are on link `{name}`: write `{name}`", "{a} 和 {b} 在构件 `{name}` 上：请写 `{name}`"))
+            Some(both!(
+                "{a} and {b} are on link `{name}`: write `{name}`",
+                "{a} 和 {b} 在构件 `{name}` 上：请写 `{name}`"
+            ))
         };
         let relative = |(a, b): (&str, &str)| {
-            (self.find_link(a)? != self.find_link(b)?)
-                .then(|| both!("for link `{a}` relative to link `{b}` write `{a}/{b}`", "构件 `{a}` 相对于构件 `{b}` 请写 `{a}/{b}`"))
+            (self.find_link(a)? != self.find_link(b)?).then(|| {
+                both!(
+                    "for link `{a}` relative to link `{b}` write `{a}/{b}`",
+                    "构件 `{a}` 相对于构件 `{b}` 请写 `{a}/{b}`"
+                )
+            })
         };
         halves().find_map(carrier).or_else(|| halves().find_map(relative))
     }
 
     fn no_point(&self, text: &str, word: &Word) -> Diagnostic {
-        let d =
-            Diagnostic::error("unknown-point", both!("there is no point `{text}` on any link", "各构件上都没有点 `{text}`")).at(word.span);
-        d.help(suggest(text, self.points.iter().map(|p| p.name.as_str()), both!("the points are", "点有")))
+        let d = Diagnostic::error(
+            "unknown-point",
+            both!("there is no point `{text}` on any link", "各构件上都没有点 `{text}`"),
+        )
+        .at(word.span);
+        d.help(suggest(
+            text,
+            self.points.iter().map(|p| p.name.as_str()),
+            both!("the points are", "点有"),
+        ))
     }
 
     /// Returns two different points, as in `AB` or `O2,B`.
@@ -145,21 +177,35 @@ impl<'a> Names<'a> {
             let find = |t: &str| self.find_point(t).ok_or_else(|| self.no_point(t, word));
             (find(a)?, find(b)?)
         } else {
-            let both = |i: usize| Some((self.find_point(&text[..i])?, self.find_point(&text[i..])?));
+            let both =
+                |i: usize| Some((self.find_point(&text[..i])?, self.find_point(&text[i..])?));
             let found: Vec<_> = text.char_indices().skip(1).filter_map(|(i, _)| both(i)).collect();
             match found.as_slice() {
                 [one] => *one,
                 [] => return Err(self.no_pair(text, word)),
                 many => {
-                    let readings = many.iter().map(|(a, b)| format!("\"{},{}\"", self.points[a.0].name, self.points[b.0].name));
-                    let d = Diagnostic::error("ambiguous", both!("`{text}` can be read in {} ways", "`{text}` 有 {} 种读法", many.len()))
-                        .at(word.span);
+                    let readings = many.iter().map(|(a, b)| {
+                        format!("\"{},{}\"", self.points[a.0].name, self.points[b.0].name)
+                    });
+                    let d = Diagnostic::error(
+                        "ambiguous",
+                        both!(
+                            "`{text}` can be read in {} ways",
+                            "`{text}` 有 {} 种读法",
+                            many.len()
+                        ),
+                    )
+                    .at(word.span);
                     return Err(d.help(written(&readings.collect::<Vec<_>>())));
                 }
             }
         };
         if a == b {
-            let d = Diagnostic::error("same-point", both!("`{text}` names the same point twice", "`{text}` 两次写了同一点")).at(word.span);
+            let d = Diagnostic::error(
+                "same-point",
+                both!("`{text}` names the same point twice", "`{text}` 两次写了同一点"),
+            )
+            .at(word.span);
             return Err(d.help(both!("two different points are wanted", "需要两个不同的点")));
         }
         Ok((a, b))
@@ -167,17 +213,28 @@ impl<'a> Names<'a> {
 
     fn no_pair(&self, text: &str, word: &Word) -> Diagnostic {
         // The longest declared name at the beginning leaves the unknown part.
-        let known = self.points.iter().filter(|p| text.starts_with(&p.name)).max_by_key(|p| p.name.len());
+        let known =
+            self.points.iter().filter(|p| text.starts_with(&p.name)).max_by_key(|p| p.name.len());
         match known {
             Some(p) if p.name.len() < text.len() => {
                 let rest = &text[p.name.len()..];
-                let d = Diagnostic::error("unknown-point", both!("in `{text}` there is no point `{rest}`", "`{text}` 中没有点 `{rest}`"))
-                    .at(word.span);
-                d.help(suggest(rest, self.points.iter().map(|p| p.name.as_str()), both!("the points are", "点有")))
+                let d = Diagnostic::error(
+                    "unknown-point",
+                    both!("in `{text}` there is no point `{rest}`", "`{text}` 中没有点 `{rest}`"),
+                )
+                .at(word.span);
+                d.help(suggest(
+                    rest,
+                    self.points.iter().map(|p| p.name.as_str()),
+                    both!("the points are", "点有"),
+                ))
             }
             _ => {
-                let d = Diagnostic::error("unknown-point", both!("`{text}` does not name two points", "`{text}` 不是两个点的名称"))
-                    .at(word.span);
+                let d = Diagnostic::error(
+                    "unknown-point",
+                    both!("`{text}` does not name two points", "`{text}` 不是两个点的名称"),
+                )
+                .at(word.span);
                 let names: Vec<_> = self.points.iter().map(|p| p.name.as_str()).collect();
                 d.help(both!(
                     "write two of the points one after the other or with a comma; the points are {}",
@@ -193,13 +250,21 @@ impl<'a> Names<'a> {
     ///
     /// A name that is declared as a whole has priority: with a point `O2`, `O2` is that point and
     /// not the point of link 2 at O.
-    pub fn on_links(&self, text: &str, word: &Word) -> Result<(OnLink, Option<OnLink>), Diagnostic> {
+    pub fn on_links(
+        &self,
+        text: &str,
+        word: &Word,
+    ) -> Result<(OnLink, Option<OnLink>), Diagnostic> {
         within_run(text, word)?;
         let mut readings: Vec<(usize, (OnLink, Option<OnLink>))> = Vec::new();
         let weight = |p: &OnLink| usize::from(p.link.is_some());
         if let Some((a, b)) = halves(text) {
             for a in self.singles(a) {
-                readings.extend(self.singles(b).into_iter().map(|b| (2 + weight(&a) + weight(&b), (a, Some(b)))));
+                readings.extend(
+                    self.singles(b)
+                        .into_iter()
+                        .map(|b| (2 + weight(&a) + weight(&b), (a, Some(b)))),
+                );
             }
             // A comma also separates a point from its link, if the joined names would be another
             // name.
@@ -210,7 +275,11 @@ impl<'a> Names<'a> {
             readings.extend(self.singles(text).into_iter().map(|a| (weight(&a), (a, None))));
             for (i, _) in text.char_indices().skip(1) {
                 for a in self.singles(&text[..i]) {
-                    readings.extend(self.singles(&text[i..]).into_iter().map(|b| (2 + weight(&a) + weight(&b), (a, Some(b)))));
+                    readings.extend(
+                        self.singles(&text[i..])
+                            .into_iter()
+                            .map(|b| (2 + weight(&a) + weight(&b), (a, Some(b)))),
+                    );
                 }
             }
         }
@@ -221,8 +290,11 @@ impl<'a> Names<'a> {
         match best.as_slice() {
             [one] => Ok(*one),
             many => {
-                let d = Diagnostic::error("ambiguous", both!("`{text}` can be read in {} ways", "`{text}` 有 {} 种读法", many.len()))
-                    .at(word.span);
+                let d = Diagnostic::error(
+                    "ambiguous",
+                    both!("`{text}` can be read in {} ways", "`{text}` 有 {} 种读法", many.len()),
+                )
+                .at(word.span);
                 Err(d.help(written(&many.iter().map(|r| self.print(r)).collect::<Vec<_>>())))
             }
         }
@@ -230,7 +302,12 @@ impl<'a> Names<'a> {
 
     /// Returns a moving point, and the frame from which it is observed: a link, else a point. Both
     /// are parts of `word`.
-    pub fn seen_from(&self, point: &str, frame: &str, word: &Word) -> Result<(OnLink, Frame), Diagnostic> {
+    pub fn seen_from(
+        &self,
+        point: &str,
+        frame: &str,
+        word: &Word,
+    ) -> Result<(OnLink, Frame), Diagnostic> {
         Ok((self.one_on_link(point, word)?, self.frame(frame, word)?))
     }
 
@@ -239,8 +316,15 @@ impl<'a> Names<'a> {
         Ok(match self.find_link(frame) {
             Some(link) => Frame::Link(link),
             None if self.singles(frame).is_empty() => {
-                let message = both!("the frame `{frame}` is neither a link nor a point", "动系 `{frame}` 既不是构件也不是点");
-                let all = self.links.iter().map(|l| l.name.as_str()).chain(self.points.iter().map(|p| p.name.as_str()));
+                let message = both!(
+                    "the frame `{frame}` is neither a link nor a point",
+                    "动系 `{frame}` 既不是构件也不是点"
+                );
+                let all = self
+                    .links
+                    .iter()
+                    .map(|l| l.name.as_str())
+                    .chain(self.points.iter().map(|p| p.name.as_str()));
                 let d = Diagnostic::error("unknown-frame", message).at(word.span);
                 return Err(d.help(suggest(frame, all, both!("there are", "有"))));
             }
@@ -253,7 +337,10 @@ impl<'a> Names<'a> {
         match self.on_links(text, word)? {
             (one, None) => Ok(one),
             (_, Some(_)) => {
-                let message = both!("`{text}` names two points; here is place for one", "`{text}` 写了两个点；此处只能写一个点");
+                let message = both!(
+                    "`{text}` names two points; here is place for one",
+                    "`{text}` 写了两个点；此处只能写一个点"
+                );
                 Err(Diagnostic::error("unknown-point", message).at(word.span))
             }
         }
@@ -262,9 +349,12 @@ impl<'a> Names<'a> {
     /// Returns all readings of a text as one point, with or without a link; several if names
     /// overlap.
     fn singles(&self, text: &str) -> Vec<OnLink> {
-        let mut out: Vec<_> = self.find_point(text).map(|point| OnLink { point, link: None }).into_iter().collect();
+        let mut out: Vec<_> =
+            self.find_point(text).map(|point| OnLink { point, link: None }).into_iter().collect();
         for (i, _) in text.char_indices().skip(1) {
-            if let (Some(point), Some(link)) = (self.find_point(&text[..i]), self.find_link(&text[i..])) {
+            if let (Some(point), Some(link)) =
+                (self.find_point(&text[..i]), self.find_link(&text[i..]))
+            {
                 out.push(OnLink { point, link: Some(link) });
             }
         }
@@ -273,24 +363,35 @@ impl<'a> Names<'a> {
 
     /// Returns true if a text names a link and cannot be read as a point.
     pub fn is_link_only(&self, text: &str) -> bool {
-        self.find_link(text).is_some() && self.find_point(text).is_none() && self.singles(text).is_empty()
+        self.find_link(text).is_some()
+            && self.find_point(text).is_none()
+            && self.singles(text).is_empty()
     }
 
     /// Returns the notation for the point of a link in a question: `B3`, or `O2,3` if `O23` has
     /// another reading.
     pub fn run(&self, point: &str, link: &str) -> String {
         let run = format!("{point}{link}");
-        let plain = matches!(self.singles(&run).as_slice(), [one] if one.link.is_some()) && self.point_pairs(&run) == 0;
+        let plain = matches!(self.singles(&run).as_slice(), [one] if one.link.is_some())
+            && self.point_pairs(&run) == 0;
         if plain { run } else { format!("{point},{link}") }
     }
 
     fn point_pairs(&self, text: &str) -> usize {
-        let pair = |i: usize| self.find_point(&text[..i]).is_some() && self.find_point(&text[i..]).is_some();
+        let pair = |i: usize| {
+            self.find_point(&text[..i]).is_some() && self.find_point(&text[i..]).is_some()
+        };
         text.char_indices().skip(1).filter(|(i, _)| pair(*i)).count()
     }
 
     fn print(&self, (a, b): &(OnLink, Option<OnLink>)) -> String {
-        let one = |p: &OnLink| format!("{}{}", self.points[p.point.0].name, p.link.map_or("", |l| self.links[l.0].name.as_str()));
+        let one = |p: &OnLink| {
+            format!(
+                "{}{}",
+                self.points[p.point.0].name,
+                p.link.map_or("", |l| self.links[l.0].name.as_str())
+            )
+        };
         match b {
             Some(b) => format!("\"{},{}\"", one(a), one(b)),
             None => format!("\"{}\"", one(a)),
@@ -298,14 +399,26 @@ impl<'a> Names<'a> {
     }
 
     fn no_on_link(&self, text: &str, word: &Word) -> Diagnostic {
-        let known = self.points.iter().filter(|p| text.starts_with(&p.name)).max_by_key(|p| p.name.len());
+        let known =
+            self.points.iter().filter(|p| text.starts_with(&p.name)).max_by_key(|p| p.name.len());
         if let Some(p) = known
             && p.name.len() < text.len()
         {
             let rest = &text[p.name.len()..];
-            let message = both!("in `{text}`, `{rest}` is neither a link nor a point", "`{text}` 中的 `{rest}` 既不是构件也不是点");
-            let all = self.links.iter().map(|l| l.name.as_str()).chain(self.points.iter().map(|p| p.name.as_str()));
-            return Diagnostic::error("unknown-point", message).at(word.span).help(suggest(rest, all, both!("there are", "有")));
+            let message = both!(
+                "in `{text}`, `{rest}` is neither a link nor a point",
+                "`{text}` 中的 `{rest}` 既不是构件也不是点"
+            );
+            let all = self
+                .links
+                .iter()
+                .map(|l| l.name.as_str())
+                .chain(self.points.iter().map(|p| p.name.as_str()));
+            return Diagnostic::error("unknown-point", message).at(word.span).help(suggest(
+                rest,
+                all,
+                both!("there are", "有"),
+            ));
         }
         self.no_point(text, word)
     }

@@ -12,16 +12,19 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 pub(super) fn by_dependence(parameters: &[(Word, RawQuantity)]) -> (Vec<usize>, Vec<Diagnostic>) {
     let names: Vec<&str> = parameters.iter().map(|(name, _)| name.text.as_str()).collect();
     // If two parameters have the same name, which is a fault of its own, the first one counts.
-    let index: HashMap<&str, usize> = names.iter().enumerate().rev().map(|(i, name)| (*name, i)).collect();
+    let index: HashMap<&str, usize> =
+        names.iter().enumerate().rev().map(|(i, name)| (*name, i)).collect();
     let mut lacks: Vec<HashSet<usize>> = Vec::with_capacity(parameters.len());
     let mut wanted_by: Vec<Vec<usize>> = vec![Vec::new(); parameters.len()];
     for (i, (_, quantity)) in parameters.iter().enumerate() {
-        let named = expr::parse(&quantity.text, &names).map(|e| e.parameters().iter().filter_map(|n| index.get(n).copied()).collect());
+        let named = expr::parse(&quantity.text, &names)
+            .map(|e| e.parameters().iter().filter_map(|n| index.get(n).copied()).collect());
         let named: HashSet<usize> = named.unwrap_or_default();
         named.iter().for_each(|k| wanted_by[*k].push(i));
         lacks.push(named);
     }
-    let mut ready: BTreeSet<usize> = (0..parameters.len()).filter(|i| lacks[*i].is_empty()).collect();
+    let mut ready: BTreeSet<usize> =
+        (0..parameters.len()).filter(|i| lacks[*i].is_empty()).collect();
     let mut order = Vec::with_capacity(parameters.len());
     while let Some(i) = ready.pop_first() {
         order.push(i);
@@ -40,8 +43,12 @@ pub(super) fn by_dependence(parameters: &[(Word, RawQuantity)]) -> (Vec<usize>, 
         let mut others: Vec<usize> = lacks[i].iter().copied().collect();
         others.sort_unstable();
         let others: Vec<&str> = others.into_iter().map(|k| names[k]).collect();
-        let message =
-            both!("parameter `{}` rests on itself, by way of {}", "参数 `{}` 经由 {} 又取决于自身", name.text, Both::names(&others));
+        let message = both!(
+            "parameter `{}` rests on itself, by way of {}",
+            "参数 `{}` 经由 {} 又取决于自身",
+            name.text,
+            Both::names(&others)
+        );
         let d = Diagnostic::error("circular-parameter", message).at(quantity.span);
         circular.push(d.help(both!("give one of them as a number", "请把其中一个写成数值")));
     }

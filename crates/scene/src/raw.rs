@@ -157,9 +157,22 @@ pub(super) struct RawDriver {
 
 #[derive(Clone, Debug)]
 pub(super) enum RawDriverKind {
-    Turn { link: Word, against: Option<Word>, line: Option<Word>, against_line: Option<Word>, angle: Option<RawQuantity> },
-    Slide { slide: Word, position: Option<RawQuantity> },
-    Cylinder { ends: Word, length: Option<RawQuantity>, links: Vec<Word> },
+    Turn {
+        link: Word,
+        against: Option<Word>,
+        line: Option<Word>,
+        against_line: Option<Word>,
+        angle: Option<RawQuantity>,
+    },
+    Slide {
+        slide: Word,
+        position: Option<RawQuantity>,
+    },
+    Cylinder {
+        ends: Word,
+        length: Option<RawQuantity>,
+        links: Vec<Word>,
+    },
 }
 
 #[derive(Clone, Debug)]
@@ -321,7 +334,10 @@ impl RequiredData {
     pub fn rate(self) -> f64 {
         match self {
             RequiredData::Rest => 0.0,
-            RequiredData::Pairs | RequiredData::Pose | RequiredData::AnyRate | RequiredData::Motion => 1.0,
+            RequiredData::Pairs
+            | RequiredData::Pose
+            | RequiredData::AnyRate
+            | RequiredData::Motion => 1.0,
         }
     }
 }

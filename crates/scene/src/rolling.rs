@@ -186,7 +186,9 @@ impl RollingKind {
     pub fn is_lower(self) -> bool {
         match self {
             RollingKind::Wheel => true,
-            RollingKind::Gears | RollingKind::Belt | RollingKind::Chain | RollingKind::Rope => false,
+            RollingKind::Gears | RollingKind::Belt | RollingKind::Chain | RollingKind::Rope => {
+                false
+            }
         }
     }
 
@@ -219,7 +221,9 @@ impl RollingKind {
     pub fn meshes(self) -> bool {
         match self {
             RollingKind::Gears => true,
-            RollingKind::Wheel | RollingKind::Belt | RollingKind::Chain | RollingKind::Rope => false,
+            RollingKind::Wheel | RollingKind::Belt | RollingKind::Chain | RollingKind::Rope => {
+                false
+            }
         }
     }
 }
@@ -228,7 +232,9 @@ impl Contours {
     /// Returns the radii that the scene gives (m), for variation.
     pub fn radii_mut(&mut self) -> Vec<&mut GivenQuantity> {
         match self {
-            Contours::Circles { sizes: Sizes::Radii(radii), .. } | Contours::Belt { radii, .. } => radii.iter_mut().collect(),
+            Contours::Circles { sizes: Sizes::Radii(radii), .. } | Contours::Belt { radii, .. } => {
+                radii.iter_mut().collect()
+            }
             Contours::Circles { sizes: Sizes::Teeth(_), .. } => Vec::new(),
             Contours::Track { radius, .. } => vec![radius],
         }
@@ -239,7 +245,9 @@ impl Rolling {
     /// Returns the linear relation of the pair.
     pub fn relation(&self) -> Relation {
         match self.contours {
-            Contours::Circles { centres, .. } | Contours::Belt { centres, .. } => Relation::Turnings(centres),
+            Contours::Circles { centres, .. } | Contours::Belt { centres, .. } => {
+                Relation::Turnings(centres)
+            }
             Contours::Track { centre, guide, .. } => Relation::Slide { centre, guide },
         }
     }
@@ -300,7 +308,8 @@ impl Rolling {
     /// Returns the radii of the two circles (m), if the scene gives both.
     pub fn radii(&self) -> Option<[&GivenQuantity; 2]> {
         match &self.contours {
-            Contours::Circles { sizes: Sizes::Radii([a, b]), .. } | Contours::Belt { radii: [a, b], .. } => Some([a, b]),
+            Contours::Circles { sizes: Sizes::Radii([a, b]), .. }
+            | Contours::Belt { radii: [a, b], .. } => Some([a, b]),
             Contours::Circles { sizes: Sizes::Teeth(_), .. } | Contours::Track { .. } => None,
         }
     }
@@ -328,22 +337,32 @@ impl Rolling {
     /// wheel the radius (m).
     pub fn sizes<N: Real>(&self, inputs: &Inputs<N>) -> [N; 2] {
         let [a, b] = match &self.contours {
-            Contours::Circles { sizes: Sizes::Radii([a, b]), .. } => [inputs.number(a), inputs.number(b)],
-            Contours::Circles { sizes: Sizes::Teeth(teeth), .. } => teeth.map(|z| N::from_f64(f64::from(z))),
+            Contours::Circles { sizes: Sizes::Radii([a, b]), .. } => {
+                [inputs.number(a), inputs.number(b)]
+            }
+            Contours::Circles { sizes: Sizes::Teeth(teeth), .. } => {
+                teeth.map(|z| N::from_f64(f64::from(z)))
+            }
             Contours::Track { radius, .. } => [N::from_f64(0.0), inputs.number(radius)],
             Contours::Belt { radii: [a, b], .. } => [inputs.number(a), inputs.number(b)],
         };
         match self.contours {
             Contours::Circles { hollow: Some(0), .. } => [-a, b],
-            Contours::Circles { hollow: Some(_), .. } | Contours::Belt { crossed: false, .. } => [a, -b],
-            Contours::Circles { hollow: None, .. } | Contours::Track { .. } | Contours::Belt { crossed: true, .. } => [a, b],
+            Contours::Circles { hollow: Some(_), .. } | Contours::Belt { crossed: false, .. } => {
+                [a, -b]
+            }
+            Contours::Circles { hollow: None, .. }
+            | Contours::Track { .. }
+            | Contours::Belt { crossed: true, .. } => [a, b],
         }
     }
 
     /// Returns the centres of the two contours; a straight one has none.
     pub fn centres(&self) -> [Option<PointId>; 2] {
         match self.contours {
-            Contours::Circles { centres: [a, b], .. } | Contours::Belt { centres: [a, b], .. } => [Some(a), Some(b)],
+            Contours::Circles { centres: [a, b], .. } | Contours::Belt { centres: [a, b], .. } => {
+                [Some(a), Some(b)]
+            }
             Contours::Track { centre, .. } => [None, Some(centre)],
         }
     }

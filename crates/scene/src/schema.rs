@@ -24,8 +24,12 @@ mod tests {
     fn every_template_fits_the_schema() {
         let validator = validator();
         for template in templates::list() {
-            let scene: Value = serde_json::from_str(templates::get(template.name).unwrap()).unwrap();
-            let faults: Vec<String> = validator.iter_errors(&scene).map(|e| format!("{}: {e}", e.instance_path())).collect();
+            let scene: Value =
+                serde_json::from_str(templates::get(template.name).unwrap()).unwrap();
+            let faults: Vec<String> = validator
+                .iter_errors(&scene)
+                .map(|e| format!("{}: {e}", e.instance_path()))
+                .collect();
             assert!(faults.is_empty(), "{}: {faults:#?}", template.name);
         }
     }
@@ -34,10 +38,14 @@ mod tests {
     #[test]
     fn every_quantity_fits_the_schema() {
         let validator = validator();
-        let mut scene: Value = serde_json::from_str(templates::get("crank-rocker").unwrap()).unwrap();
+        let mut scene: Value =
+            serde_json::from_str(templates::get("crank-rocker").unwrap()).unwrap();
         for entry in crate::quantity::symbols() {
             scene["find"] = serde_json::json!([entry.example]);
-            let faults: Vec<String> = validator.iter_errors(&scene).map(|e| format!("{}: {e}", e.instance_path())).collect();
+            let faults: Vec<String> = validator
+                .iter_errors(&scene)
+                .map(|e| format!("{}: {e}", e.instance_path()))
+                .collect();
             assert!(faults.is_empty(), "{}: {faults:#?}", entry.example);
         }
     }
@@ -64,7 +72,8 @@ mod tests {
     fn schema_and_decoder_know_the_same_keys() {
         let schema: Value = serde_json::from_str(schema()).unwrap();
         let units = RequiredQuantity::TABLE.map(|(key, _)| key);
-        let printed: Vec<&str> = Kind::ALL.into_iter().filter_map(|kind| RequiredQuantity::of(kind).key()).collect();
+        let printed: Vec<&str> =
+            Kind::ALL.into_iter().filter_map(|kind| RequiredQuantity::of(kind).key()).collect();
         for (place, known) in [
             ("", keys::SCENE),
             ("/$defs/text/oneOf/1", &["en", "zh"]),
@@ -92,8 +101,10 @@ mod tests {
             ("/properties/units", &units),
             ("/properties/answers", &printed),
         ] {
-            let object = schema.pointer(place).unwrap_or_else(|| panic!("no {place} in the schema"));
-            let written: BTreeSet<&str> = object["properties"].as_object().unwrap().keys().map(String::as_str).collect();
+            let object =
+                schema.pointer(place).unwrap_or_else(|| panic!("no {place} in the schema"));
+            let written: BTreeSet<&str> =
+                object["properties"].as_object().unwrap().keys().map(String::as_str).collect();
             assert_eq!(written, known.iter().copied().collect(), "{place}");
             assert_eq!(object["additionalProperties"], Value::Bool(false), "{place}");
             for (key, property) in object["properties"].as_object().unwrap() {

@@ -29,9 +29,19 @@ impl Swept {
     /// `driver2`; or `t`, unless the scene has a parameter of that name that is not the instant of
     /// its laws.
     pub fn named(scene: &Scene, name: &str) -> Option<Swept> {
-        let driver = |d: usize| name == scene.driver_name(d).0 || name == format!("driver{}", d + 1) || d == 0 && name == "driver";
-        let is_time = || name == TIME && (scene.has_laws_of_time() || scene.parameters.iter().all(|(own, _)| own != TIME));
-        (0..scene.drivers.len()).find(|d| driver(*d)).map(Swept::Driver).or_else(|| is_time().then_some(Swept::Time))
+        let driver = |d: usize| {
+            name == scene.driver_name(d).0
+                || name == format!("driver{}", d + 1)
+                || d == 0 && name == "driver"
+        };
+        let is_time = || {
+            name == TIME
+                && (scene.has_laws_of_time() || scene.parameters.iter().all(|(own, _)| own != TIME))
+        };
+        (0..scene.drivers.len())
+            .find(|d| driver(*d))
+            .map(Swept::Driver)
+            .or_else(|| is_time().then_some(Swept::Time))
     }
 
     /// Returns the name of the variable, and its kind: an angle, a length, a time.
@@ -52,7 +62,10 @@ impl Swept {
         match self {
             Swept::Driver(d) => d,
             Swept::Time => {
-                let moves = |d: &usize| !scene.is_led(*d) && (scene.drivers[*d].law.is_some() || scene.drivers[*d].rate.value != 0.0);
+                let moves = |d: &usize| {
+                    !scene.is_led(*d)
+                        && (scene.drivers[*d].law.is_some() || scene.drivers[*d].rate.value != 0.0)
+                };
                 (0..scene.drivers.len()).find(moves).unwrap_or(0)
             }
         }
@@ -80,14 +93,25 @@ mod tests {
     #[test]
     fn t_is_the_time_unless_it_is_something_else() {
         let law = read(templates::get("plate-by-law").unwrap()).unwrap().value;
-        assert_eq!((Swept::usual(&law), Swept::named(&law, "t"), law.instant()), (Swept::Time, Some(Swept::Time), 1.0));
+        assert_eq!(
+            (Swept::usual(&law), Swept::named(&law, "t"), law.instant()),
+            (Swept::Time, Some(Swept::Time), 1.0)
+        );
         assert_eq!(Swept::named(&law, "phi_2"), Some(Swept::Driver(0)));
         let text = templates::get("five-bar").unwrap();
         let plain = read(text).unwrap().value;
-        assert_eq!((Swept::usual(&plain), Swept::named(&plain, "t"), plain.instant()), (Swept::Driver(0), Some(Swept::Time), 0.0));
-        assert_eq!((Swept::named(&plain, "driver2"), Swept::named(&plain, "l_AB")), (Some(Swept::Driver(1)), None));
+        assert_eq!(
+            (Swept::usual(&plain), Swept::named(&plain, "t"), plain.instant()),
+            (Swept::Driver(0), Some(Swept::Time), 0.0)
+        );
+        assert_eq!(
+            (Swept::named(&plain, "driver2"), Swept::named(&plain, "l_AB")),
+            (Some(Swept::Driver(1)), None)
+        );
         // For example a thickness.
-        let own = read(text.replacen(r#""l_AB": "120 mm""#, r#""t": "120 mm", "l_AB": "t""#, 1)).unwrap().value;
+        let own = read(text.replacen(r#""l_AB": "120 mm""#, r#""t": "120 mm", "l_AB": "t""#, 1))
+            .unwrap()
+            .value;
         assert_eq!((Swept::named(&own, "t"), own.instant()), (None, 0.0));
     }
 }

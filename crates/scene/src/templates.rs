@@ -30,7 +30,11 @@ pub fn list() -> Vec<SceneTemplate> {
                 Ok(scene) => scene.value.title,
                 Err(_) => Localized::default(),
             };
-            let parameters = parameters(text, &mut faults).into_iter().filter(|p| p.unit.is_none()).map(|p| (p.name, p.old.text)).collect();
+            let parameters = parameters(text, &mut faults)
+                .into_iter()
+                .filter(|p| p.unit.is_none())
+                .map(|p| (p.name, p.old.text))
+                .collect();
             SceneTemplate { name, title, parameters }
         })
         .collect()
@@ -42,7 +46,10 @@ pub fn list() -> Vec<SceneTemplate> {
 /// An unknown name; the diagnostic suggests the nearest one.
 pub fn get(name: &str) -> Result<&'static str, Diagnostic> {
     SCENES.iter().find(|(n, _)| *n == name).map(|(_, text)| *text).ok_or_else(|| {
-        let d = Diagnostic::error("unknown-template", both!("there is no template `{name}`", "没有模板 `{name}`"));
+        let d = Diagnostic::error(
+            "unknown-template",
+            both!("there is no template `{name}`", "没有模板 `{name}`"),
+        );
         d.help(suggest(name, SCENES.iter().map(|(n, _)| *n), both!("the templates are", "模板有")))
     })
 }
@@ -68,21 +75,32 @@ pub fn instantiate(name: &str, values: &[(&str, &str)]) -> Result<String, Faults
 
 /// Returns the text of a scene with other values for some of its parameters; `whose` begins a
 /// sentence about it.
-pub(super) fn with_parameters(text: &str, values: &[(&str, &str)], whose: Both) -> Result<String, Faults> {
+pub(super) fn with_parameters(
+    text: &str,
+    values: &[(&str, &str)],
+    whose: Both,
+) -> Result<String, Faults> {
     let mut faults = Faults::default();
     let known = parameters(text, &mut faults);
     let names: Vec<&str> = known.iter().map(|p| p.name.as_str()).collect();
     let mut edits: Vec<(Span, String)> = Vec::new();
     for (parameter, value) in values {
         let Some(i) = names.iter().position(|n| n == parameter) else {
-            let d = Diagnostic::error("unknown-parameter", both!("{} has no parameter `{parameter}`", "{}没有参数 `{parameter}`", whose));
+            let d = Diagnostic::error(
+                "unknown-parameter",
+                both!("{} has no parameter `{parameter}`", "{}没有参数 `{parameter}`", whose),
+            );
             faults.push(if names.is_empty() {
                 d.help(both!(
                     "name values that are to be set: \"parameters\": {{\"{parameter}\": ...}}",
                     "要改的数值须先命名：\"parameters\": {{\"{parameter}\": ...}}"
                 ))
             } else {
-                d.help(suggest(parameter, names.iter().copied(), both!("the parameters are", "参数有")))
+                d.help(suggest(
+                    parameter,
+                    names.iter().copied(),
+                    both!("the parameters are", "参数有"),
+                ))
             });
             continue;
         };
@@ -119,22 +137,38 @@ pub(super) fn with_parameters(text: &str, values: &[(&str, &str)], whose: Both) 
 }
 
 /// Returns the new value; a bare number gets the unit of the old one.
-pub fn replacement(parameter: &str, old: &str, new: &str, earlier: &[&str]) -> Result<String, Diagnostic> {
+pub fn replacement(
+    parameter: &str,
+    old: &str,
+    new: &str,
+    earlier: &[&str],
+) -> Result<String, Diagnostic> {
     replacement_in(parameter, old, new, earlier, (parameter == TIME).then_some("s"))
 }
 
 /// Returns the new value; `usual` is the unit of a bare number if the old value has none.
-fn replacement_in(parameter: &str, old: &str, new: &str, earlier: &[&str], usual: Option<&str>) -> Result<String, Diagnostic> {
+fn replacement_in(
+    parameter: &str,
+    old: &str,
+    new: &str,
+    earlier: &[&str],
+    usual: Option<&str>,
+) -> Result<String, Diagnostic> {
     let new = new.trim();
     let is_number = |t: &str| expr::parse(t, &[]).is_ok_and(|e| expr::is_bare(&e));
     expr::parse(new, earlier)?;
     if !is_number(new) || is_number(old) {
         return Ok(new.to_owned());
     }
-    let unit_at = old.find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+'))).unwrap_or(old.len());
+    let unit_at = old
+        .find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+')))
+        .unwrap_or(old.len());
     let (number, unit) = (&old[..unit_at], old[unit_at..].trim());
     let candidate = format!("{new} {unit}");
-    if is_number(number) && expr::parse(&candidate, earlier).is_ok() && new.bytes().all(|b| b.is_ascii_digit() || b".-+eE".contains(&b)) {
+    if is_number(number)
+        && expr::parse(&candidate, earlier).is_ok()
+        && new.bytes().all(|b| b.is_ascii_digit() || b".-+eE".contains(&b))
+    {
         return Ok(candidate);
     }
     if let Some(unit) = usual {
@@ -142,9 +176,15 @@ fn replacement_in(parameter: &str, old: &str, new: &str, earlier: &[&str], usual
     }
     let d = Diagnostic::error(
         "no-unit",
-        both!("`{new}` has no unit, and `{old}` does not tell which one is meant", "`{new}` 没有单位，从 `{old}` 也看不出单位"),
+        both!(
+            "`{new}` has no unit, and `{old}` does not tell which one is meant",
+            "`{new}` 没有单位，从 `{old}` 也看不出单位"
+        ),
     );
-    Err(d.help(both!("write {parameter}=\"{new} mm\", or whichever unit it has", "请写 {parameter}=\"{new} mm\"，或所需的单位")))
+    Err(d.help(both!(
+        "write {parameter}=\"{new} mm\", or whichever unit it has",
+        "请写 {parameter}=\"{new} mm\"，或所需的单位"
+    )))
 }
 
 /// A parameter that can be set.
@@ -163,13 +203,19 @@ fn parameters(text: &str, faults: &mut Faults) -> Vec<Parameter> {
         return Vec::new();
     };
     let spanned = |node: &Node| match &node.kind {
-        NodeKind::Text(text) | NodeKind::Number(text) => Some(Word { text: text.clone(), span: node.span }),
+        NodeKind::Text(text) | NodeKind::Number(text) => {
+            Some(Word { text: text.clone(), span: node.span })
+        }
         _ => None,
     };
-    let of = |(key, node): &(Word, Node)| Some(Parameter { name: key.text.clone(), old: spanned(node)?, unit: None });
-    let mut all: Vec<Parameter> = decode::members_of(&root, "parameters").iter().filter_map(of).collect();
+    let of = |(key, node): &(Word, Node)| {
+        Some(Parameter { name: key.text.clone(), old: spanned(node)?, unit: None })
+    };
+    let mut all: Vec<Parameter> =
+        decode::members_of(&root, "parameters").iter().filter_map(of).collect();
     if let NodeKind::Object(members) = &root.kind
-        && let Some(old) = members.iter().find(|(key, _)| key.text == "time").and_then(|(_, node)| spanned(node))
+        && let Some(old) =
+            members.iter().find(|(key, _)| key.text == "time").and_then(|(_, node)| spanned(node))
         && all.iter().all(|p| p.name != TIME)
     {
         all.push(Parameter { name: TIME.into(), old, unit: Some("s") });
@@ -211,7 +257,9 @@ mod tests {
         assert!(with("2*t1").unwrap().contains(r#""time": "2*t1""#));
         assert!(with("1 min").unwrap().contains(r#""time": "1 min""#));
         // Without laws there is no instant.
-        let faults = super::super::edit::with_parameters(get("crank-rocker").unwrap(), &[(TIME, "1 s")]).unwrap_err();
+        let faults =
+            super::super::edit::with_parameters(get("crank-rocker").unwrap(), &[(TIME, "1 s")])
+                .unwrap_err();
         assert_eq!(faults.list[0].code, "unknown-parameter");
     }
 
@@ -219,7 +267,11 @@ mod tests {
     fn values_are_replaced_in_place() {
         let text = get("crank-rocker").unwrap();
         assert_eq!(instantiate("crank-rocker", &[]).unwrap(), text);
-        let new = instantiate("crank-rocker", &[("l_BC", "2.5*l_AB"), ("phi_1", "-30"), ("l_AB", "0.08 m")]).unwrap();
+        let new = instantiate(
+            "crank-rocker",
+            &[("l_BC", "2.5*l_AB"), ("phi_1", "-30"), ("l_AB", "0.08 m")],
+        )
+        .unwrap();
         let expected = text
             .replace("\"l_BC\": \"250 mm\"", "\"l_BC\": \"2.5*l_AB\"")
             .replace("\"phi_1\": \"60 deg\"", "\"phi_1\": \"-30 deg\"")
@@ -231,9 +283,17 @@ mod tests {
 
     #[test]
     fn faults_of_values_come_together() {
-        let faults =
-            instantiate("crank-rocker", &[("l_ab", "80"), ("phi_1", "30 degs"), ("l_AB", "l_BC"), ("omega_1", "1"), ("omega_1", "2")])
-                .unwrap_err();
+        let faults = instantiate(
+            "crank-rocker",
+            &[
+                ("l_ab", "80"),
+                ("phi_1", "30 degs"),
+                ("l_AB", "l_BC"),
+                ("omega_1", "1"),
+                ("omega_1", "2"),
+            ],
+        )
+        .unwrap_err();
         assert_eq!(
             faults.to_string(),
             "template `crank-rocker` has no parameter `l_ab` (did you mean `l_AB`?)\n\
@@ -241,6 +301,9 @@ mod tests {
              parameter `l_AB`: `l_BC` is neither a parameter nor a unit (the units are m, cm, mm, km, in, ft, deg, °, rad, rev, s, min, h, kg, g, lb, slug, blob, N, kN, kgf, lbf, W, kW, rpm, r/min (\"parameters\" of the scene name values))\n\
              parameter `omega_1` is set twice, the second time to `2 rad/s`"
         );
-        assert_eq!(get("crank-rokcer").unwrap_err().to_string(), "there is no template `crank-rokcer` (did you mean `crank-rocker`?)");
+        assert_eq!(
+            get("crank-rokcer").unwrap_err().to_string(),
+            "there is no template `crank-rokcer` (did you mean `crank-rocker`?)"
+        );
     }
 }

@@ -30,10 +30,17 @@ fn with(section: &str, value: &str) -> String {
     let sections = [
         ("links", r#"{"1": ["A", "B"], "2": ["B", "C", "E"], "3": ["C", "D"], "4": ["A", "D"]}"#),
         ("ground", r#""4""#),
-        ("lengths", r#"{"AB": "100 mm", "BC": "250 mm", "CD": "200 mm", "AD": "300 mm", "BE": "150 mm", "CE": "140 mm"}"#),
+        (
+            "lengths",
+            r#"{"AB": "100 mm", "BC": "250 mm", "CD": "200 mm", "AD": "300 mm", "BE": "150 mm", "CE": "140 mm"}"#,
+        ),
         ("driver", r#"{"link": "1", "angle": "60 deg", "omega": "10 rad/s"}"#),
     ];
-    let mut parts: Vec<String> = sections.iter().filter(|(k, _)| *k != section).map(|(k, v)| format!("\"{k}\": {v}")).collect();
+    let mut parts: Vec<String> = sections
+        .iter()
+        .filter(|(k, _)| *k != section)
+        .map(|(k, v)| format!("\"{k}\": {v}"))
+        .collect();
     if !value.is_empty() {
         parts.push(format!("\"{section}\": {value}"));
     }
@@ -47,7 +54,9 @@ fn faults(source: &str) -> String {
         Err(faults) => faults.list,
     };
     let place = |d: &hodograph_base::diag::Diagnostic| {
-        d.span.map_or("", |s| source.get(s.start..s.end).expect("a span between characters")).to_owned()
+        d.span
+            .map_or("", |s| source.get(s.start..s.end).expect("a span between characters"))
+            .to_owned()
     };
     for d in &list {
         assert_eq!(d.english_in_chinese(), None, "{d:?}");
@@ -67,7 +76,14 @@ fn the_first_example() {
     assert_eq!((x.value, y.value, x.text.as_str()), (0.3, 0.0, "300 mm"));
     let PointPlace::At([x, y]) = &scene.points[0].place else { panic!("{:?}", scene.points[0]) };
     assert_eq!((x.value, y.value), (0.0, 0.0));
-    let DriverKind::Turn { link: LinkId(0), against: LinkId(3), line: None, angle: Some(angle), .. } = &scene.drivers[0].kind else {
+    let DriverKind::Turn {
+        link: LinkId(0),
+        against: LinkId(3),
+        line: None,
+        angle: Some(angle),
+        ..
+    } = &scene.drivers[0].kind
+    else {
         panic!("{:?}", scene.drivers)
     };
     assert_eq!(angle.value, Angle::Deg(60.0));
@@ -79,7 +95,9 @@ fn the_first_example() {
 #[test]
 fn guides_of_all_kinds() {
     let line = |scene: &Scene, i: usize| match &scene.guides[i].path {
-        GuidePath::Line { through, direction, offset } => (through.clone(), direction.clone(), offset.as_ref().map(|o| o.value)),
+        GuidePath::Line { through, direction, offset } => {
+            (through.clone(), direction.clone(), offset.as_ref().map(|o| o.value))
+        }
         arc => panic!("{arc:?}"),
     };
     // A slider-crank: the ground 4 has one pivot, the slider's number is 3.
@@ -89,7 +107,9 @@ fn guides_of_all_kinds() {
             "driver": {{"link": "1", "angle": "45 deg", "omega": "30 rpm"}}}}"#
         )
     };
-    let scene = good(&crank(r#"{"pin": "C", "slider": "3", "on": "4", "through": "A", "angle": "0 deg", "offset": "10 mm"}"#));
+    let scene = good(&crank(
+        r#"{"pin": "C", "slider": "3", "on": "4", "through": "A", "angle": "0 deg", "offset": "10 mm"}"#,
+    ));
     assert_eq!(scene.links[3].name, "3");
     assert_eq!(scene.links[3].points, [PointId(2)]);
     let (through, GuideDirection::Instant(angle), Some(0.01)) = line(&scene, 0) else { panic!() };
@@ -98,7 +118,10 @@ fn guides_of_all_kinds() {
     // No "on": the ground; no "through": the pin.
     let scene = good(&crank(r#"{"pin": "C", "slider": "3", "angle": "pi/2*1 rad"}"#));
     let (through, GuideDirection::Instant(angle), None) = line(&scene, 0) else { panic!() };
-    assert_eq!((scene.guides[0].on, through, angle.value), (LinkId(2), Through::Pin, Angle::Rad(std::f64::consts::FRAC_PI_2)));
+    assert_eq!(
+        (scene.guides[0].on, through, angle.value),
+        (LinkId(2), Through::Pin, Angle::Rad(std::f64::consts::FRAC_PI_2))
+    );
     let scene = good(&crank(r#"{"pin": "C", "through": ["1 cm", 0], "angle": 0}"#));
     assert_eq!(scene.guides[0].slider, None);
     assert!(matches!(line(&scene, 0).0, Through::At([x, y]) if x.value == 0.01 && y.value == 0.0));
@@ -110,12 +133,26 @@ fn guides_of_all_kinds() {
             "guides": [{guide}], "driver": {{"link": "1", "angle": "45 deg", "omega": "10 rad/s"}}}}"#
         )
     };
-    let scene = good(&lever(r#""3": ["O2", "D"]"#, r#"{"pin": "B", "slider": "2", "on": "3", "line": "O2D"}"#));
-    assert_eq!(line(&scene, 0), (Through::Point(PointId(2)), GuideDirection::Along(PointId(2), PointId(3), None), None));
-    let scene = good(&lever(r#""3": ["O2"]"#, r#"{"pin": "B", "slider": "2", "on": "3", "through": "O2"}"#));
+    let scene = good(&lever(
+        r#""3": ["O2", "D"]"#,
+        r#"{"pin": "B", "slider": "2", "on": "3", "line": "O2D"}"#,
+    ));
+    assert_eq!(
+        line(&scene, 0),
+        (Through::Point(PointId(2)), GuideDirection::Along(PointId(2), PointId(3), None), None)
+    );
+    let scene = good(&lever(
+        r#""3": ["O2"]"#,
+        r#"{"pin": "B", "slider": "2", "on": "3", "through": "O2"}"#,
+    ));
     assert_eq!(line(&scene, 0), (Through::Point(PointId(2)), GuideDirection::Own, None));
-    let scene = good(&lever(r#""3": ["O2", "K"]"#, r#"{"pin": "B", "on": "3", "centre": "K", "radius": "50 mm"}"#));
-    assert!(matches!(&scene.guides[0].path, GuidePath::Arc { centre: PointId(3), radius: Some(r) } if r.value == 0.05));
+    let scene = good(&lever(
+        r#""3": ["O2", "K"]"#,
+        r#"{"pin": "B", "on": "3", "centre": "K", "radius": "50 mm"}"#,
+    ));
+    assert!(
+        matches!(&scene.guides[0].path, GuidePath::Arc { centre: PointId(3), radius: Some(r) } if r.value == 0.05)
+    );
 
     // A Scotch yoke: the yoke slides without turning on a ground with the pivot as its only point.
     let scene = good(
@@ -125,7 +162,10 @@ fn guides_of_all_kinds() {
     );
     assert_eq!(scene.links[3].points, []);
     assert_eq!(scene.guides[1].pin, None);
-    assert_eq!(written(&scene.find[0].what), ("v", Of::Point(OnLink { point: PointId(1), link: Some(LinkId(3)) })));
+    assert_eq!(
+        written(&scene.find[0].what),
+        ("v", Of::Point(OnLink { point: PointId(1), link: Some(LinkId(3)) }))
+    );
 }
 
 #[test]
@@ -140,10 +180,17 @@ fn drivers_of_all_kinds() {
     );
     assert!(matches!(
         scene.drivers[0].kind,
-        DriverKind::Turn { link: LinkId(1), against: LinkId(0), line: Some((PointId(2), PointId(1))), .. }
+        DriverKind::Turn {
+            link: LinkId(1),
+            against: LinkId(0),
+            line: Some((PointId(2), PointId(1))),
+            ..
+        }
     ));
     assert_eq!(scene.drivers[0].acceleration.as_ref().unwrap().value, -2.0);
-    assert!(matches!(&scene.drivers[1].kind, DriverKind::Slide { guide: GuideId(0), position: Some(p) } if p.value == 0.12));
+    assert!(
+        matches!(&scene.drivers[1].kind, DriverKind::Slide { guide: GuideId(0), position: Some(p) } if p.value == 0.12)
+    );
     let DriverKind::Cylinder { links, .. } = &scene.drivers[2].kind else { panic!() };
     let names: Vec<_> = links.iter().map(|l| scene.link_name(*l)).collect();
     assert_eq!(names, ["5", "6"]);
@@ -156,7 +203,10 @@ fn all_that_can_be_asked() {
         "find",
         r#"["v_E", "v_B3", "a_C,B", "an_CB", "at_CB", "vr_B3B2", "ar_B3B2", "ak_B3,B2", "omega_3/2", "alpha_3", "x_E", "phi_2", "l_AC", "v_B3B2"]"#,
     ));
-    let on = |point: usize, link: Option<usize>| OnLink { point: PointId(point), link: link.map(LinkId) };
+    let on = |point: usize, link: Option<usize>| OnLink {
+        point: PointId(point),
+        link: link.map(LinkId),
+    };
     let (b3, b2) = (on(1, Some(2)), on(1, Some(1)));
     let asked: Vec<_> = scene.find.iter().map(|f| written(&f.what)).collect();
     assert_eq!(
@@ -188,10 +238,21 @@ fn bare_numbers_take_their_unit_from_the_table() {
             .replace("\"100 mm\"", "100")
             .replace("\"250 mm\"", "\"k*100\"")
     ));
-    assert_eq!((scene.lengths[0].value.value, scene.lengths[0].value.text.as_str()), (0.1, "100 mm"));
-    assert_eq!((scene.lengths[1].value.value, scene.lengths[1].value.text.as_str()), (0.25, "(k*100) (mm)"));
-    assert_eq!((scene.drivers[0].rate.value, scene.drivers[0].rate.text.as_str()), (-radians(1800.0), "-300 rpm"));
-    assert!(matches!(&scene.drivers[0].kind, DriverKind::Turn { angle: Some(a), .. } if a.value == Angle::Deg(60.0)));
+    assert_eq!(
+        (scene.lengths[0].value.value, scene.lengths[0].value.text.as_str()),
+        (0.1, "100 mm")
+    );
+    assert_eq!(
+        (scene.lengths[1].value.value, scene.lengths[1].value.text.as_str()),
+        (0.25, "(k*100) (mm)")
+    );
+    assert_eq!(
+        (scene.drivers[0].rate.value, scene.drivers[0].rate.text.as_str()),
+        (-radians(1800.0), "-300 rpm")
+    );
+    assert!(
+        matches!(&scene.drivers[0].kind, DriverKind::Turn { angle: Some(a), .. } if a.value == Angle::Deg(60.0))
+    );
 }
 
 #[test]
@@ -203,7 +264,9 @@ fn places_sides_and_paper() {
         "driver": {"link": "1", "omega": "10 rad/s"}, "language": "zh", "notation": "cn",
         "paper": {"size": "A4 landscape", "mu_l": "0.002 m/mm", "mu_v": "0.05 (m/s)/mm", "mu_a": "1 (m/s^2)/mm", "pencil": "0.2 mm"}}"#,
     );
-    assert!(matches!(&scene.points[3].place, PointPlace::InLink { base: (PointId(1), PointId(2)), xy } if xy[1].value == -0.02));
+    assert!(
+        matches!(&scene.points[3].place, PointPlace::InLink { base: (PointId(1), PointId(2)), xy } if xy[1].value == -0.02)
+    );
     assert!(
         matches!(&scene.points[4].place, PointPlace::Polar { base: (PointId(2), PointId(1)), angle, .. } if angle.value == Angle::Deg(30.0))
     );
@@ -213,7 +276,9 @@ fn places_sides_and_paper() {
         scene.paper,
         Paper {
             size_mm: Some([297.0, 210.0]),
-            scales: [(Kind::Length, 0.002), (Kind::Velocity, 0.05), (Kind::Acceleration, 1.0)].into_iter().collect(),
+            scales: [(Kind::Length, 0.002), (Kind::Velocity, 0.05), (Kind::Acceleration, 1.0)]
+                .into_iter()
+                .collect(),
             pencil_mm: Some(0.2),
             round_in: ByKind::default(),
         }
@@ -354,8 +419,12 @@ fn what_is_said_about_bad_scenes() {
         ("balance", with("balance", r#"{"at": "B"}"#)),
         ("reactions", with("find", r#"["F_13", "F_B", "h_12", "M_b3", "F_b", "FI_4"]"#)),
     ];
-    let said: String =
-        cases.iter().chain(&rolling::bad()).chain(&cams::bad()).map(|(name, source)| format!("{name}:\n{}", faults(source))).collect();
+    let said: String = cases
+        .iter()
+        .chain(&rolling::bad())
+        .chain(&cams::bad())
+        .map(|(name, source)| format!("{name}:\n{}", faults(source)))
+        .collect();
     // A golden text: review the difference, then write the printed text into the file.
     let expected = include_str!("bad_scenes.txt");
     assert!(said == expected, "crates/scene/src/bad_scenes.txt should now read:\n<<<\n{said}>>>");
@@ -365,11 +434,22 @@ fn what_is_said_about_bad_scenes() {
 fn input_beyond_the_limits() {
     let said = |source: &[u8]| read(source).unwrap_err().to_string();
     assert_eq!(said(b"{\"a\": \"\xff\"}"), "byte 7 is not UTF-8 text (save the file as UTF-8)");
-    assert_eq!(said(&vec![b' '; 2_000_001]), "the file has more than 2000000 bytes; none that is written by hand is so long");
-    assert_eq!(said(&vec![b'['; 1_000_000]), "brackets are nested more than 32 deep; four levels are all that is needed");
+    assert_eq!(
+        said(&vec![b' '; 2_000_001]),
+        "the file has more than 2000000 bytes; none that is written by hand is so long"
+    );
+    assert_eq!(
+        said(&vec![b'['; 1_000_000]),
+        "brackets are nested more than 32 deep; four levels are all that is needed"
+    );
     let many: Vec<String> = (0..501).map(|i| format!("\"{i}\": [\"A\", \"B{i}\"]")).collect();
     let source = with("links", &format!("{{{}}}", many.join(",")));
-    assert!(faults(&source).starts_with("[\"500\"] \"links\" has 501 entries; at most 500 are allowed\n"), "{}", faults(&source));
+    assert!(
+        faults(&source)
+            .starts_with("[\"500\"] \"links\" has 501 entries; at most 500 are allowed\n"),
+        "{}",
+        faults(&source)
+    );
     let points: Vec<String> = (0..2100).map(|i| format!("\"P{i}\"")).collect();
     let source = with("links", &format!("{{\"1\": [{}], \"4\": [\"A\"]}}", points.join(",")));
     assert!(faults(&source).contains("there are more than 2000 points\n"), "{}", faults(&source));

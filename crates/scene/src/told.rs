@@ -21,7 +21,10 @@ impl Scene {
     pub fn contact_words(&self, g: GuideId) -> Option<Both> {
         if let Some(cam) = self.cams.iter().find(|c| c.contact == Some(g)) {
             let [cam, follower] = [cam.cam, cam.follower].map(|l| self.link_name(l));
-            return Some(both!("the contact of cam {cam} and follower {follower}", "凸轮 {cam} 与从动件 {follower} 的接触"));
+            return Some(both!(
+                "the contact of cam {cam} and follower {follower}",
+                "凸轮 {cam} 与从动件 {follower} 的接触"
+            ));
         }
         let rolling = &self.rolling[self.guides[g.0].rolling?.0];
         let [a, b] = rolling.links.map(|l| self.link_name(l));
@@ -31,20 +34,33 @@ impl Scene {
     /// Returns the name of a guide, or of the contact that it replaces: `the guide on link 3`.
     pub fn guide_words(&self, g: GuideId) -> Both {
         let on = self.link_name(self.guides[g.0].on);
-        self.contact_words(g).unwrap_or_else(|| both!("the guide on link {on}", "构件 {on} 上的导路"))
+        self.contact_words(g)
+            .unwrap_or_else(|| both!("the guide on link {on}", "构件 {on} 上的导路"))
     }
 
     /// Returns the name of a driver's position, and its kind: an angle or a length.
     pub fn driver_name(&self, driver: usize) -> (String, Kind) {
         let point = |p: PointId| self.point_name(p);
         match &self.drivers[driver].kind {
-            DriverKind::Turn { link, against, .. } if *against == self.ground => (format!("phi_{}", self.link_name(*link)), Kind::Angle),
-            DriverKind::Turn { link, against, .. } => (format!("phi_{}/{}", self.link_name(*link), self.link_name(*against)), Kind::Angle),
+            DriverKind::Turn { link, against, .. } if *against == self.ground => {
+                (format!("phi_{}", self.link_name(*link)), Kind::Angle)
+            }
+            DriverKind::Turn { link, against, .. } => {
+                (format!("phi_{}/{}", self.link_name(*link), self.link_name(*against)), Kind::Angle)
+            }
             DriverKind::Slide { guide, .. } => {
                 let g = &self.guides[guide.0];
-                (format!("s_{}", g.pin.map_or_else(|| g.slider.map_or("", |s| self.link_name(s)), point)), Kind::Length)
+                (
+                    format!(
+                        "s_{}",
+                        g.pin.map_or_else(|| g.slider.map_or("", |s| self.link_name(s)), point)
+                    ),
+                    Kind::Length,
+                )
             }
-            DriverKind::Cylinder { a, b, .. } => (format!("l_{}{}", point(*a), point(*b)), Kind::Length),
+            DriverKind::Cylinder { a, b, .. } => {
+                (format!("l_{}{}", point(*a), point(*b)), Kind::Length)
+            }
         }
     }
 

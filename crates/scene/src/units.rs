@@ -67,17 +67,20 @@ impl Dim {
     pub const fn serves(self, wanted: Dim) -> bool {
         // (m/s)/m, 1/s and rad/s are angular velocities; a scale in 1/s is not.
         let turning = wanted.angle != 0 && wanted.time != 0;
-        let same = self.length == wanted.length && self.time == wanted.time && self.mass == wanted.mass;
+        let same =
+            self.length == wanted.length && self.time == wanted.time && self.mass == wanted.mass;
         same && (self.angle == wanted.angle || self.length != 0 || turning)
     }
 
     /// Returns it in words: `a length`, `an angle`, `a quantity in m^2/s`.
     pub fn describe(self) -> Both {
         match (self.length, self.time, self.angle) {
-            _ if self.mass != 0 => match RequiredQuantity::OF_MASS.into_iter().find(|w| w.dim() == self) {
-                Some(wanted) => wanted.describe(),
-                None => both!("a quantity in {}", "以 {} 为单位的量", self.units()),
-            },
+            _ if self.mass != 0 => {
+                match RequiredQuantity::OF_MASS.into_iter().find(|w| w.dim() == self) {
+                    Some(wanted) => wanted.describe(),
+                    None => both!("a quantity in {}", "以 {} 为单位的量", self.units()),
+                }
+            }
             (0, 0, 0) => both!("a pure number", "纯数"),
             (1, 0, 0) => both!("a length", "长度"),
             (2, 0, 0) => both!("an area", "面积"),
@@ -94,7 +97,9 @@ impl Dim {
     fn units(self) -> String {
         let part = |sign: i8| {
             let mut out = Vec::new();
-            for (name, k) in [("kg", self.mass), ("m", self.length), ("rad", self.angle), ("s", self.time)] {
+            for (name, k) in
+                [("kg", self.mass), ("m", self.length), ("rad", self.angle), ("s", self.time)]
+            {
                 match k * sign {
                     1 => out.push(name.to_owned()),
                     k if k > 1 => out.push(format!("{name}^{k}")),
@@ -309,7 +314,9 @@ impl RequiredQuantity {
             RequiredQuantity::Number => both!("a number", "数"),
             RequiredQuantity::ScaleOfLengths => both!("a scale of lengths", "长度比例尺"),
             RequiredQuantity::ScaleOfVelocities => both!("a scale of velocities", "速度比例尺"),
-            RequiredQuantity::ScaleOfAccelerations => both!("a scale of accelerations", "加速度比例尺"),
+            RequiredQuantity::ScaleOfAccelerations => {
+                both!("a scale of accelerations", "加速度比例尺")
+            }
             RequiredQuantity::Force => both!("a force", "力"),
             RequiredQuantity::Moment => both!("a moment", "力矩"),
             RequiredQuantity::Power => both!("a power", "功率"),
@@ -326,12 +333,16 @@ impl RequiredQuantity {
         let wanted = self.dim();
         let lacking = [("m", wanted.length - dim.length), ("rad", wanted.angle - dim.angle)];
         let seconds = dim.time - wanted.time;
-        if seconds < 1 || !mentions(expr, front::TIME) || lacking.iter().any(|(_, n)| !(0..=1).contains(n)) {
+        if seconds < 1
+            || !mentions(expr, front::TIME)
+            || lacking.iter().any(|(_, n)| !(0..=1).contains(n))
+        {
             return both!("write it in {}", "请以 {} 为单位", self.usual_unit());
         }
         let below = if seconds == 1 { "s".to_owned() } else { format!("s^{seconds}") };
         let above = lacking.iter().find(|(_, n)| *n == 1);
-        let factor = above.map_or(format!("1/(1 {below})"), |(unit, _)| format!("1 {unit}/{below}"));
+        let factor =
+            above.map_or(format!("1/(1 {below})"), |(unit, _)| format!("1 {unit}/{below}"));
         both!("t counts in seconds: multiply by {factor}", "t 以秒计：请乘以 {factor}")
     }
 

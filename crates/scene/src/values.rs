@@ -79,12 +79,23 @@ impl<'a> Values<'a> {
                 }
             };
             if !expr::is_name(&name.text) {
-                let d = Diagnostic::error("name", both!("`{}` cannot name a parameter", "`{}` 不能作参数名", name.text)).at(name.span);
-                faults.push(d.help(both!("a name is a letter followed by letters, digits or _", "名称以字母开头，后接字母、数字或 _")));
+                let d = Diagnostic::error(
+                    "name",
+                    both!("`{}` cannot name a parameter", "`{}` 不能作参数名", name.text),
+                )
+                .at(name.span);
+                faults.push(d.help(both!(
+                    "a name is a letter followed by letters, digits or _",
+                    "名称以字母开头，后接字母、数字或 _"
+                )));
             } else if expr::is_reserved(&name.text) {
                 let d = Diagnostic::error(
                     "name",
-                    both!("`{}` is a unit or a function and cannot name a parameter", "`{}` 是单位或函数，不能作参数名", name.text),
+                    both!(
+                        "`{}` is a unit or a function and cannot name a parameter",
+                        "`{}` 是单位或函数，不能作参数名",
+                        name.text
+                    ),
                 )
                 .at(name.span);
                 faults.push(d.help(both!("call it `{}0`", "可改称 `{}0`", name.text)));
@@ -110,10 +121,22 @@ impl<'a> Values<'a> {
     }
 
     fn unit(&mut self, key: &Word, unit: &Word, faults: &mut Faults) {
-        let Some((name, wanted)) = RequiredQuantity::TABLE.iter().find(|(k, _)| *k == key.text) else {
-            let d = Diagnostic::error("unknown-key", both!("`{}` is not a quantity of \"units\"", "`{}` 不是 \"units\" 中的量", key.text))
-                .at(key.span);
-            faults.push(d.help(suggest(&key.text, RequiredQuantity::TABLE.iter().map(|(k, _)| *k), both!("the quantities are", "量有"))));
+        let Some((name, wanted)) = RequiredQuantity::TABLE.iter().find(|(k, _)| *k == key.text)
+        else {
+            let d = Diagnostic::error(
+                "unknown-key",
+                both!(
+                    "`{}` is not a quantity of \"units\"",
+                    "`{}` 不是 \"units\" 中的量",
+                    key.text
+                ),
+            )
+            .at(key.span);
+            faults.push(d.help(suggest(
+                &key.text,
+                RequiredQuantity::TABLE.iter().map(|(k, _)| *k),
+                both!("the quantities are", "量有"),
+            )));
             return;
         };
         let quantity = RawQuantity { text: unit.text.clone(), span: unit.span, bare: false };
@@ -122,8 +145,16 @@ impl<'a> Values<'a> {
                 self.units.insert(name, unit.text.clone());
             }
             Ok(_) => {
-                let d = Diagnostic::error("unit", both!("`{}` is not a unit of {}", "`{}` 不是{}的单位", unit.text, wanted.describe()))
-                    .at(unit.span);
+                let d = Diagnostic::error(
+                    "unit",
+                    both!(
+                        "`{}` is not a unit of {}",
+                        "`{}` 不是{}的单位",
+                        unit.text,
+                        wanted.describe()
+                    ),
+                )
+                .at(unit.span);
                 faults.push(d.help(both!("write \"{}\"", "请写 \"{}\"", wanted.usual_unit())));
             }
             Err(fault) => faults.list.extend(fault),
@@ -137,7 +168,11 @@ impl<'a> Values<'a> {
             .iter()
             .filter(|(name, _)| !used.contains(&name.text))
             .map(|(name, _)| {
-                Diagnostic::warning("unused-parameter", both!("parameter `{}` is not used", "参数 `{}` 没有用到", name.text)).at(name.span)
+                Diagnostic::warning(
+                    "unused-parameter",
+                    both!("parameter `{}` is not used", "参数 `{}` 没有用到", name.text),
+                )
+                .at(name.span)
             })
             .collect()
     }
@@ -156,25 +191,40 @@ impl<'a> Values<'a> {
 
     /// Returns a function of one variable, over the parameters: the text is read immediately, the
     /// values are computed later.
-    pub fn curve(&self, quantity: &RawQuantity, variable: &str) -> Result<super::front::Curve, Diagnostic> {
+    pub fn curve(
+        &self,
+        quantity: &RawQuantity,
+        variable: &str,
+    ) -> Result<super::front::Curve, Diagnostic> {
         let mut names = self.names.clone();
         names.push(variable);
         let expr = expr::parse(&quantity.text, &names).map_err(|d| self.locate(quantity, d))?;
-        let known = |name: &&str| Some(((*name).to_owned(), self.known.get(*name).copied().flatten()?.value));
+        let known = |name: &&str| {
+            Some(((*name).to_owned(), self.known.get(*name).copied().flatten()?.value))
+        };
         let used = |name: &&str| quantity.text.contains(*name);
-        self.used.borrow_mut().extend(self.names.iter().filter(|n| used(n)).map(|n| (*n).to_owned()));
+        self.used
+            .borrow_mut()
+            .extend(self.names.iter().filter(|n| used(n)).map(|n| (*n).to_owned()));
         let parameters = self.names.iter().filter(|n| **n != variable).filter_map(known).collect();
         Ok(super::front::Curve { expr, variable: variable.to_owned(), angle: None, parameters })
     }
 
     /// Returns a law of time; its dimension is checked where it is needed. Without the time in it,
     /// a bare number has the unit of the table.
-    pub fn law(&self, quantity: &RawQuantity, wanted: RequiredQuantity, t: f64) -> Result<Law, Vec<Diagnostic>> {
+    pub fn law(
+        &self,
+        quantity: &RawQuantity,
+        wanted: RequiredQuantity,
+        t: f64,
+    ) -> Result<Law, Vec<Diagnostic>> {
         let located = |d: Diagnostic| vec![self.locate(quantity, d)];
         let law = self.unchecked_law(&quantity.text, quantity).map_err(located)?;
         if !law.depends_on_time() {
             let mut faults = Faults::default();
-            let Some((text, ..)) = self.value(quantity, wanted, &mut faults) else { return Err(faults.list) };
+            let Some((text, ..)) = self.value(quantity, wanted, &mut faults) else {
+                return Err(faults.list);
+            };
             return self.unchecked_law(&text, quantity).map_err(located);
         }
         let value = law.at(t).map_err(located)?;
@@ -182,7 +232,12 @@ impl<'a> Values<'a> {
             return Ok(law);
         }
         let text = &quantity.text;
-        let message = both!("{} is wanted here, `{text}` is {}", "此处需要{}，`{text}` 是{}", wanted.describe(), value.dim.describe());
+        let message = both!(
+            "{} is wanted here, `{text}` is {}",
+            "此处需要{}，`{text}` 是{}",
+            wanted.describe(),
+            value.dim.describe()
+        );
         let d = Diagnostic::error("dimension", message).help(wanted.missing(value.dim, &law.expr));
         Err(vec![d.at(quantity.span)])
     }
@@ -196,8 +251,14 @@ impl<'a> Values<'a> {
         if value.dim == Dim::TIME && !law.depends_on_time() || zero {
             return Ok(law);
         }
-        let message = both!("a time is wanted here, `{}` is {}", "此处需要时间，`{}` 是{}", quantity.text, value.dim.describe());
-        let d = Diagnostic::error("dimension", message).help(both!("write it in s", "请以 s 为单位"));
+        let message = both!(
+            "a time is wanted here, `{}` is {}",
+            "此处需要时间，`{}` 是{}",
+            quantity.text,
+            value.dim.describe()
+        );
+        let d =
+            Diagnostic::error("dimension", message).help(both!("write it in s", "请以 s 为单位"));
         Err(vec![d.at(quantity.span)])
     }
 
@@ -208,12 +269,20 @@ impl<'a> Values<'a> {
         }
         let expr = expr::parse(text, &names)?;
         let used = |name: &&str| quantity.text.contains(*name);
-        self.used.borrow_mut().extend(self.names.iter().filter(|n| used(n)).map(|n| (*n).to_owned()));
+        self.used
+            .borrow_mut()
+            .extend(self.names.iter().filter(|n| used(n)).map(|n| (*n).to_owned()));
         let known = |(k, (name, text)): (usize, &(&str, &str))| {
             let earlier: Vec<&str> = self.texts[..k].iter().map(|(n, _)| *n).collect();
             Some(((*name).to_owned(), expr::parse(text, &earlier).ok()?))
         };
-        let parameters = self.texts.iter().enumerate().filter(|(_, (n, _))| *n != front::TIME).filter_map(known).collect();
+        let parameters = self
+            .texts
+            .iter()
+            .enumerate()
+            .filter(|(_, (n, _))| *n != front::TIME)
+            .filter_map(known)
+            .collect();
         Ok(Law::new(text.to_owned(), expr, parameters))
     }
 
@@ -233,18 +302,36 @@ impl<'a> Values<'a> {
     }
 
     /// Returns a quantity in SI units.
-    pub fn si(&self, quantity: &RawQuantity, wanted: RequiredQuantity, faults: &mut Faults) -> Option<GivenQuantity> {
+    pub fn si(
+        &self,
+        quantity: &RawQuantity,
+        wanted: RequiredQuantity,
+        faults: &mut Faults,
+    ) -> Option<GivenQuantity> {
         let (text, value, ball) = self.value(quantity, wanted, faults)?;
-        Some(GivenQuantity { value: value.si(), radius: distance(value.si(), ball.si()), text, span: quantity.span })
+        Some(GivenQuantity {
+            value: value.si(),
+            radius: distance(value.si(), ball.si()),
+            text,
+            span: quantity.span,
+        })
     }
 
     /// Returns a length that must be greater than zero.
-    pub fn positive_length(&self, quantity: &RawQuantity, what: Both, faults: &mut Faults) -> Option<GivenQuantity> {
+    pub fn positive_length(
+        &self,
+        quantity: &RawQuantity,
+        what: Both,
+        faults: &mut Faults,
+    ) -> Option<GivenQuantity> {
         let given = self.si(quantity, RequiredQuantity::Length, faults)?;
         if given.value > 0.0 {
             return Some(given);
         }
-        let d = Diagnostic::error("not-positive", both!("{} is {}; it must be greater than zero", "{}为 {}，应大于零", what, given.text));
+        let d = Diagnostic::error(
+            "not-positive",
+            both!("{} is {}; it must be greater than zero", "{}为 {}，应大于零", what, given.text),
+        );
         faults.push(d.at(quantity.span));
         None
     }
@@ -255,8 +342,16 @@ impl<'a> Values<'a> {
             Ok((_, value, _)) if value.dim == Dim::NUMBER => return Some(value.number),
             Ok((_, value, _)) => {
                 let text = &quantity.text;
-                let message = both!("a number is wanted here, `{text}` is {}", "此处需要数值，`{text}` 是{}", value.dim.describe());
-                Some(Diagnostic::error("dimension", message).at(quantity.span).help(both!("write it without a unit", "请不带单位")))
+                let message = both!(
+                    "a number is wanted here, `{text}` is {}",
+                    "此处需要数值，`{text}` 是{}",
+                    value.dim.describe()
+                );
+                Some(
+                    Diagnostic::error("dimension", message)
+                        .at(quantity.span)
+                        .help(both!("write it without a unit", "请不带单位")),
+                )
             }
             Err(fault) => fault,
         };
@@ -266,15 +361,25 @@ impl<'a> Values<'a> {
 
     /// Returns a number without a dimension, or an angle: its number as written, and for an angle
     /// true if it is in degrees.
-    pub fn number_or_angle(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<(f64, Option<bool>)> {
+    pub fn number_or_angle(
+        &self,
+        quantity: &RawQuantity,
+        faults: &mut Faults,
+    ) -> Option<(f64, Option<bool>)> {
         match self.evaluate(quantity) {
-            Ok((_, value, _)) if value.dim == Dim::ANGLE => Some((value.number, Some(value.degrees))),
+            Ok((_, value, _)) if value.dim == Dim::ANGLE => {
+                Some((value.number, Some(value.degrees)))
+            }
             Ok(_) | Err(_) => Some((self.pure_number(quantity, faults)?, None)),
         }
     }
 
     /// Returns an angle, in degrees if it is written in degrees.
-    pub fn angle(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<GivenQuantity<Angle>> {
+    pub fn angle(
+        &self,
+        quantity: &RawQuantity,
+        faults: &mut Faults,
+    ) -> Option<GivenQuantity<Angle>> {
         let mut angle = self.angle_in_full(quantity, faults)?;
         let degrees = matches!(angle.value, Angle::Deg(_));
         // `f64` no longer resolves the place within the turn of an angle of so many turns: whole
@@ -282,17 +387,26 @@ impl<'a> Values<'a> {
         if !exact::is_resolved(angle.value, angle.radius)
             && let Some((number, radius)) = exact::less_turns(&self.texts, &angle.text, degrees)
         {
-            (angle.value, angle.radius) = (if degrees { Angle::Deg(number) } else { Angle::Rad(number) }, radius);
+            (angle.value, angle.radius) =
+                (if degrees { Angle::Deg(number) } else { Angle::Rad(number) }, radius);
         }
         Some(angle)
     }
 
     /// Returns an angle with all its turns.
-    pub fn angle_in_full(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<GivenQuantity<Angle>> {
+    pub fn angle_in_full(
+        &self,
+        quantity: &RawQuantity,
+        faults: &mut Faults,
+    ) -> Option<GivenQuantity<Angle>> {
         let (text, value, ball) = self.value(quantity, RequiredQuantity::Angle, faults)?;
         // In the unit of the value: an angle that is only known to be close to a whole number of
         // degrees is in radians.
-        let degrees = if ball.degrees { ball.number } else { ball.number * Ball::from_f64(180.0) / Ball::pi() };
+        let degrees = if ball.degrees {
+            ball.number
+        } else {
+            ball.number * Ball::from_f64(180.0) / Ball::pi()
+        };
         let number = if value.degrees { degrees } else { ball.si() };
         let radius = distance(value.number, number);
         Some(GivenQuantity { value: value.angle(), radius, text, span: quantity.span })
@@ -308,7 +422,11 @@ impl<'a> Values<'a> {
     }
 
     /// Returns two coordinates in metres.
-    pub fn two_lengths(&self, xy: &[RawQuantity; 2], faults: &mut Faults) -> Option<[GivenQuantity; 2]> {
+    pub fn two_lengths(
+        &self,
+        xy: &[RawQuantity; 2],
+        faults: &mut Faults,
+    ) -> Option<[GivenQuantity; 2]> {
         let x = self.si(&xy[0], RequiredQuantity::Length, faults);
         let y = self.si(&xy[1], RequiredQuantity::Length, faults);
         Some([x?, y?])
@@ -316,8 +434,15 @@ impl<'a> Values<'a> {
 
     /// Returns the value with checked dimension, and its full text (a bare number gets the unit of
     /// the table).
-    fn value(&self, quantity: &RawQuantity, wanted: RequiredQuantity, faults: &mut Faults) -> Option<EvaluatedText> {
-        let result = self.evaluate(quantity).and_then(|(expr, value, ball)| self.fit(quantity, &expr, (value, ball), wanted).map_err(Some));
+    fn value(
+        &self,
+        quantity: &RawQuantity,
+        wanted: RequiredQuantity,
+        faults: &mut Faults,
+    ) -> Option<EvaluatedText> {
+        let result = self.evaluate(quantity).and_then(|(expr, value, ball)| {
+            self.fit(quantity, &expr, (value, ball), wanted).map_err(Some)
+        });
         match result {
             Ok(found) => Some(found),
             Err(fault) => {
@@ -337,12 +462,18 @@ impl<'a> Values<'a> {
         let text = &quantity.text;
         // A scale such as m/mm has no dimension, yet a bare number in its place has no defined
         // unit.
-        let is_number = if wanted.key().is_none() { expr::is_bare(expr) } else { value.dim == Dim::NUMBER };
+        let is_number =
+            if wanted.key().is_none() { expr::is_bare(expr) } else { value.dim == Dim::NUMBER };
         if !is_number {
             if value.dim.serves(wanted.dim()) {
                 return Ok((text.clone(), value, ball));
             }
-            let message = both!("{} is wanted here, `{text}` is {}", "此处需要{}，`{text}` 是{}", wanted.describe(), value.dim.describe());
+            let message = both!(
+                "{} is wanted here, `{text}` is {}",
+                "此处需要{}，`{text}` 是{}",
+                wanted.describe(),
+                value.dim.describe()
+            );
             let d = Diagnostic::error("dimension", message).at(quantity.span);
             return Err(match expr::unit_in_divisor(text, expr) {
                 Some(meant) => d.help(both!(
@@ -353,11 +484,16 @@ impl<'a> Values<'a> {
             });
         }
         if value.number == 0.0 {
-            let zero = DimensionedValue { number: 0.0, dim: wanted.dim(), degrees: wanted == RequiredQuantity::Angle };
+            let zero = DimensionedValue {
+                number: 0.0,
+                dim: wanted.dim(),
+                degrees: wanted == RequiredQuantity::Angle,
+            };
             // An expression may be zero by rounding only.
             return Ok((text.clone(), zero, DimensionedValue { degrees: zero.degrees, ..ball }));
         }
-        let simple = text.strip_prefix('-').unwrap_or(text).bytes().all(|b| b.is_ascii_digit() || b == b'.');
+        let simple =
+            text.strip_prefix('-').unwrap_or(text).bytes().all(|b| b.is_ascii_digit() || b == b'.');
         let with_unit = |unit: &str| match (simple, unit.bytes().all(|b| b.is_ascii_alphabetic())) {
             (true, true) => format!("{text} {unit}"),
             (true, false) => format!("{text} ({unit})"),
@@ -366,11 +502,16 @@ impl<'a> Values<'a> {
         let Some(unit) = wanted.key().and_then(|k| self.units.get(k)) else {
             let d = Diagnostic::error(
                 "no-unit",
-                both!("{} is wanted here, `{text}` has no unit", "此处需要{}，`{text}` 没有单位", wanted.describe()),
+                both!(
+                    "{} is wanted here, `{text}` has no unit",
+                    "此处需要{}，`{text}` 没有单位",
+                    wanted.describe()
+                ),
             )
             .at(quantity.span);
             let usual = wanted.usual_unit();
-            let proposal = if simple { format!("{text} {usual}") } else { format!("({text}) * 1 {usual}") };
+            let proposal =
+                if simple { format!("{text} {usual}") } else { format!("({text}) * 1 {usual}") };
             return Err(match wanted.key() {
                 Some(key) => d.help(both!(
                     "write \"{proposal}\", or give \"units\": {{\"{key}\": \"{usual}\"}} for all bare numbers",
@@ -384,10 +525,10 @@ impl<'a> Values<'a> {
         match self.evaluate(&full) {
             Ok((_, value, ball)) => Ok((text, value, ball)),
             // Number and unit have been read separately; together they can only be too large.
-            Err(fault) => {
-                Err(fault
-                    .unwrap_or_else(|| Diagnostic::error("expression", both!("`{text}` has no value", "`{text}` 无值")).at(quantity.span)))
-            }
+            Err(fault) => Err(fault.unwrap_or_else(|| {
+                Diagnostic::error("expression", both!("`{text}` has no value", "`{text}` 无值"))
+                    .at(quantity.span)
+            })),
         }
     }
 
@@ -395,7 +536,8 @@ impl<'a> Values<'a> {
     /// written expression. The fault is `None` if it is that of a parameter, which has been
     /// reported there.
     fn evaluate(&self, quantity: &RawQuantity) -> Result<Evaluated, Option<Diagnostic>> {
-        let expr = expr::parse(&quantity.text, &self.names).map_err(|d| Some(self.locate(quantity, d)))?;
+        let expr =
+            expr::parse(&quantity.text, &self.names).map_err(|d| Some(self.locate(quantity, d)))?;
         let lookup = |name: &str| {
             self.used.borrow_mut().insert(name.to_owned());
             self.known.get(name).copied().flatten().map(|k| k.value)
@@ -415,7 +557,11 @@ impl<'a> Values<'a> {
     /// domain by rounding.
     fn ball(&self, expr: &Expr, value: DimensionedValue) -> DimensionedValue<Ball<f64>> {
         let lookup = |name: &str| self.known.get(name).copied().flatten().map(|k| k.ball);
-        let unknown = DimensionedValue { number: Ball::new(value.number, f64::INFINITY), dim: value.dim, degrees: value.degrees };
+        let unknown = DimensionedValue {
+            number: Ball::new(value.number, f64::INFINITY),
+            dim: value.dim,
+            degrees: value.degrees,
+        };
         evaluate(expr, &lookup).unwrap_or(unknown)
     }
 
@@ -424,9 +570,12 @@ impl<'a> Values<'a> {
         let Span { start, end } = quantity.span;
         // For a string with escapes, places in the text do not correspond to places in the file;
         // then the whole value is the place.
-        let in_step = !quantity.bare && self.source.get(start + 1..end.saturating_sub(1)) == Some(quantity.text.as_str());
+        let in_step = !quantity.bare
+            && self.source.get(start + 1..end.saturating_sub(1)) == Some(quantity.text.as_str());
         match d.span {
-            Some(inner) if in_step => d.at(Span::new(start + 1 + inner.start, start + 1 + inner.end)),
+            Some(inner) if in_step => {
+                d.at(Span::new(start + 1 + inner.start, start + 1 + inner.end))
+            }
             _ => d.at(quantity.span),
         }
     }

@@ -51,10 +51,14 @@ fn laid_out(value: &Value, indent: usize, before: usize, out: &mut String) {
 fn in_line(value: &Value) -> String {
     match value {
         Value::Object(members) => {
-            let entries = members.iter().map(|(k, v)| format!("{}: {}", Value::String(k.clone()), in_line(v)));
+            let entries = members
+                .iter()
+                .map(|(k, v)| format!("{}: {}", Value::String(k.clone()), in_line(v)));
             format!("{{{}}}", entries.collect::<Vec<_>>().join(", "))
         }
-        Value::Array(list) => format!("[{}]", list.iter().map(in_line).collect::<Vec<_>>().join(", ")),
+        Value::Array(list) => {
+            format!("[{}]", list.iter().map(in_line).collect::<Vec<_>>().join(", "))
+        }
         Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => value.to_string(),
     }
 }

@@ -26,7 +26,9 @@ impl Scene {
     pub fn told(&self, kind: Kind, text: &str, si: f64) -> QuantityText {
         let written = as_written(&self.parameters, kind, text, si);
         match (self.book.chosen(kind), written) {
-            (Some(chosen), QuantityText::AsWritten(number, unit)) if unit == *chosen => QuantityText::AsWritten(number, unit),
+            (Some(chosen), QuantityText::AsWritten(number, unit)) if unit == *chosen => {
+                QuantityText::AsWritten(number, unit)
+            }
             (Some(_), QuantityText::Usual) if si == 0.0 => QuantityText::Usual,
             (Some(chosen), _) => QuantityText::Computed(chosen.of(si), chosen.clone()),
             (None, written) => written,
@@ -36,11 +38,17 @@ impl Scene {
 
 /// Returns the form of a quantity in a scene with these parameters, independent of the units of
 /// answers.
-pub(super) fn as_written(parameters: &[(String, GivenQuantity)], kind: Kind, text: &str, si: f64) -> QuantityText {
+pub(super) fn as_written(
+    parameters: &[(String, GivenQuantity)],
+    kind: Kind,
+    text: &str,
+    si: f64,
+) -> QuantityText {
     if let Some((number, unit)) = literal(text, kind) {
         return QuantityText::AsWritten(number, unit);
     }
-    unit_in(parameters, text, kind).map_or(QuantityText::Usual, |unit| QuantityText::Computed(unit.of(si), unit))
+    unit_in(parameters, text, kind)
+        .map_or(QuantityText::Usual, |unit| QuantityText::Computed(unit.of(si), unit))
 }
 
 /// Returns the unit of a text that may contain these parameters.
@@ -62,7 +70,9 @@ fn unit_of(parameters: &[(String, GivenQuantity)], expr: &Expr, kind: Kind) -> O
             unit_in(&parameters[..at], &parameters[at].1.text, kind)
         }
         ExprKind::Neg(a) | ExprKind::Call(_, a) => unit_of(parameters, a, kind),
-        ExprKind::Binary(_, a, b) => unit_of(parameters, a, kind).or_else(|| unit_of(parameters, b, kind)),
+        ExprKind::Binary(_, a, b) => {
+            unit_of(parameters, a, kind).or_else(|| unit_of(parameters, b, kind))
+        }
     }
 }
 
@@ -110,14 +120,22 @@ mod tests {
             (Kind::Angle, "phi", 0.5, QuantityText::Computed(0.5, unit("rad", Kind::Angle))),
         ] {
             match (plain.told(kind, text, si), told) {
-                (QuantityText::Computed(a, u), QuantityText::Computed(b, w)) => assert!((a - b).abs() < 1e-12 && u == w, "{text}: {a} {b}"),
+                (QuantityText::Computed(a, u), QuantityText::Computed(b, w)) => {
+                    assert!((a - b).abs() < 1e-12 && u == w, "{text}: {a} {b}")
+                }
                 (told, expected) => assert_eq!(told, expected, "{text}"),
             }
         }
         let cm = unit("cm", Kind::Length);
-        assert_eq!(book.told(Kind::Length, "4.50 in", 0.25), QuantityText::Computed(25.0, cm.clone()));
+        assert_eq!(
+            book.told(Kind::Length, "4.50 in", 0.25),
+            QuantityText::Computed(25.0, cm.clone())
+        );
         assert_eq!(book.told(Kind::Length, "30 cm", 0.3), QuantityText::AsWritten("30".into(), cm));
-        assert_eq!(book.told(Kind::Omega, "300 rpm", 2.0), QuantityText::Computed(2.0, unit("rad/s", Kind::Omega)));
+        assert_eq!(
+            book.told(Kind::Omega, "300 rpm", 2.0),
+            QuantityText::Computed(2.0, unit("rad/s", Kind::Omega))
+        );
         assert_eq!(book.told(Kind::Length, "0", 0.0), QuantityText::Usual);
     }
 }

@@ -64,7 +64,8 @@ pub(super) fn evolve<const N: usize>(
             let best = (0..count).min_by(|&p, &q| all[p].1.total_cmp(&all[q].1)).unwrap_or(0);
             let [p, q, r] = [0; 3].map(|_| random.below(count));
             let keep = random.below(N);
-            let (scale, toward) = (random.between(0.4, 0.9), if random.unit() < 0.3 { 0.5 } else { 0.0 });
+            let (scale, toward) =
+                (random.between(0.4, 0.9), if random.unit() < 0.3 { 0.5 } else { 0.0 });
             let mut genes = all[i].0;
             for (k, gene) in genes.iter_mut().enumerate() {
                 if k == keep || random.unit() < 0.85 {

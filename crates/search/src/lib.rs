@@ -108,7 +108,13 @@ pub struct Search {
 impl CouplerLinkage {
     fn of(genes: &[f64; 10]) -> CouplerLinkage {
         let [ax, ay, a, b, c, d, phi, u, v, side] = *genes;
-        CouplerLinkage { a: Point::new(ax, ay), lengths: [a, b, c, d], phi, e: Vec2::new(u, v), left: side > 0.0 }
+        CouplerLinkage {
+            a: Point::new(ax, ay),
+            lengths: [a, b, c, d],
+            phi,
+            e: Vec2::new(u, v),
+            left: side > 0.0,
+        }
     }
 
     /// Returns the follower pivot.
@@ -217,7 +223,10 @@ pub fn remarks(fit: &Fit, points: &[Point]) -> Vec<Diagnostic> {
             "杆长已达轨迹尺寸的 {} 倍的上限：这些点宜用曲柄滑块机构，或近似在一段圆弧上",
             LARGEST
         );
-        let help = both!("spread the points over more of the path, or give more of them", "请把各点分布到更长的轨迹上，或给出更多的点");
+        let help = both!(
+            "spread the points over more of the path, or give more of them",
+            "请把各点分布到更长的轨迹上，或给出更多的点"
+        );
         Diagnostic::warning("pivot-far", message).help(help)
     };
     let at_border = || {
@@ -225,7 +234,10 @@ pub fn remarks(fit: &Fit, points: &[Point]) -> Vec<Diagnostic> {
             "the best crank-rocker is all but a change point: shortest and longest link together are as long as the others",
             "最优的曲柄摇杆机构几乎处于变点：最短与最长杆之和等于另两杆之和"
         );
-        let help = both!("give more places, or take another of the candidates", "请给出更多的点，或取其他方案");
+        let help = both!(
+            "give more places, or take another of the candidates",
+            "请给出更多的点，或取其他方案"
+        );
         Diagnostic::warning("change-point", message).help(help)
     };
     let [a, b, c, d] = linkage.lengths;
@@ -242,7 +254,11 @@ fn selected_places<T: Copy>(all: &[T]) -> Vec<T> {
 
 impl Search {
     /// Refines the results for some of the places for all of them.
-    fn of_all(self, same: &dyn Fn(&Fit, &Fit) -> bool, refined: impl Fn(&Fit, &mut u64) -> Option<Fit>) -> Search {
+    fn of_all(
+        self,
+        same: &dyn Fn(&Fit, &Fit) -> bool,
+        refined: impl Fn(&Fit, &mut u64) -> Option<Fit>,
+    ) -> Search {
         let mut out = Search { fits: Vec::new(), ..self };
         for fit in self.fits.iter().filter_map(|fit| refined(fit, &mut out.evaluations)) {
             if !out.fits.iter().any(|f| same(f, &fit)) {
@@ -261,14 +277,20 @@ fn stream(seed: u64, run: usize) -> u64 {
 
 /// Runs until the best optimum has been found often enough, or the places are met. Of optima that
 /// are the `same` one is returned.
-fn until_sure(size: f64, same: &(dyn Fn(&Fit, &Fit) -> bool + Sync), one: impl Fn(usize) -> (Vec<Fit>, u64) + Sync + Send) -> Search {
+fn until_sure(
+    size: f64,
+    same: &(dyn Fn(&Fit, &Fit) -> bool + Sync),
+    one: impl Fn(usize) -> (Vec<Fit>, u64) + Sync + Send,
+) -> Search {
     let mut out = Search::default();
     let mut hits = 0;
     let waves = (0..RUNS).step_by(WAVE).map(|from| from..(from + WAVE).min(RUNS));
     // A wave runs at once and is evaluated in order: runs after the end do not count, for any
     // number of threads.
     let here = here();
-    let all = waves.flat_map(|wave| wave.into_par_iter().map(|run| here.enter(|| one(run))).collect::<Vec<_>>());
+    let all = waves.flat_map(|wave| {
+        wave.into_par_iter().map(|run| here.enter(|| one(run))).collect::<Vec<_>>()
+    });
     for (run, (fits, evaluations)) in all.enumerate() {
         out.runs = run + 1;
         out.evaluations += evaluations;
@@ -281,9 +303,12 @@ fn until_sure(size: f64, same: &(dyn Fn(&Fit, &Fit) -> bool + Sync), one: impl F
             }
         }
         out.fits.sort_by(|a, b| a.rms.total_cmp(&b.rms));
-        let better = best.is_some_and(|b| out.fits.first().is_some_and(|f| f.rms < b - 1e-9 * size));
+        let better =
+            best.is_some_and(|b| out.fits.first().is_some_and(|f| f.rms < b - 1e-9 * size));
         hits = if better || best.is_none() { 1 } else { hits + usize::from(again_here) };
-        if run + 1 >= LEAST && hits >= HITS || out.fits.first().is_some_and(|f| f.rms < 1e-10 * size) {
+        if run + 1 >= LEAST && hits >= HITS
+            || out.fits.first().is_some_and(|f| f.rms < 1e-10 * size)
+        {
             break;
         }
     }
@@ -294,10 +319,17 @@ fn until_sure(size: f64, same: &(dyn Fn(&Fit, &Fit) -> bool + Sync), one: impl F
 /// Makes one run; returns its optima and the number of positions evaluated.
 fn alone(points: &[Point], middle: Point, size: f64, seed: u64) -> (Vec<Fit>, u64) {
     let mut evaluations = 0;
-    let apart = |o: &[f64; 10], p: &[f64; 10]| (0..9).any(|k| (o[k] - p[k]).abs() > 0.05 * size) || (o[9] > 0.0) != (p[9] > 0.0);
+    let apart = |o: &[f64; 10], p: &[f64; 10]| {
+        (0..9).any(|k| (o[k] - p[k]).abs() > 0.05 * size) || (o[9] > 0.0) != (p[9] > 0.0)
+    };
     let population = Population { count: POPULATION, generations: GENERATIONS, apart: &apart };
     let mut random = RandomStream::new(seed);
-    let ranked = evolve(&population, |r| born(middle, size, r), |genes| cost(genes, points, size, &mut evaluations), &mut random);
+    let ranked = evolve(
+        &population,
+        |r| born(middle, size, r),
+        |genes| cost(genes, points, size, &mut evaluations),
+        &mut random,
+    );
     let fits = ranked.iter().filter_map(|genes| {
         let linkage = CouplerLinkage::of(genes);
         let cranks = nearest(&linkage, points, &mut evaluations)?;
@@ -310,7 +342,10 @@ fn alone(points: &[Point], middle: Point, size: f64, seed: u64) -> (Vec<Fit>, u6
 /// Returns the middle and the size of the places.
 pub fn extent(points: &[Point]) -> (Point, f64) {
     let of = |f: fn(&Point) -> f64| {
-        let (low, high) = points.iter().map(f).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+        let (low, high) = points
+            .iter()
+            .map(f)
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
         ((low + high) / 2.0, high - low)
     };
     let ((x, w), (y, h)) = (of(|p| p.x), of(|p| p.y));
@@ -348,7 +383,10 @@ fn cost(genes: &[f64; 10], points: &[Point], size: f64, evaluations: &mut u64) -
     if curve.len() < SAMPLES {
         return 1e6;
     }
-    points.iter().map(|p| curve.iter().map(|e| (*e - *p).norm2()).fold(f64::INFINITY, f64::min)).sum::<f64>()
+    points
+        .iter()
+        .map(|p| curve.iter().map(|e| (*e - *p).norm2()).fold(f64::INFINITY, f64::min))
+        .sum::<f64>()
         / (points.len() as f64 * size * size)
 }
 
@@ -363,21 +401,34 @@ fn nearest(linkage: &CouplerLinkage, points: &[Point], evaluations: &mut u64) ->
     let angle = |k: usize| TAU * k as f64 / FINE as f64;
     let curve: Option<Vec<Point>> = (0..FINE).map(|k| Some(linkage.place(angle(k))?.e)).collect();
     let curve = curve?;
-    let near = |p: &Point| (0..FINE).min_by(|&i, &j| (curve[i] - *p).norm2().total_cmp(&(curve[j] - *p).norm2())).map(angle);
+    let near = |p: &Point| {
+        (0..FINE)
+            .min_by(|&i, &j| (curve[i] - *p).norm2().total_cmp(&(curve[j] - *p).norm2()))
+            .map(angle)
+    };
     points.iter().map(near).collect()
 }
 
 /// Refines a linkage by Gauss–Newton with Levenberg's damping; `None` if it leads away from
 /// crank-rockers.
-fn refine(mut linkage: CouplerLinkage, mut cranks: Vec<f64>, points: &[Point], size: f64, evaluations: &mut u64) -> Option<Fit> {
-    let sum = |l: &CouplerLinkage, t: &[f64]| points.iter().zip(t).map(|(p, t)| Some((l.place(*t)?.e - *p).norm2())).sum::<Option<f64>>();
+fn refine(
+    mut linkage: CouplerLinkage,
+    mut cranks: Vec<f64>,
+    points: &[Point],
+    size: f64,
+    evaluations: &mut u64,
+) -> Option<Fit> {
+    let sum = |l: &CouplerLinkage, t: &[f64]| {
+        points.iter().zip(t).map(|(p, t)| Some((l.place(*t)?.e - *p).norm2())).sum::<Option<f64>>()
+    };
     let mut best = sum(&linkage, &cranks)?;
     let mut damping = 1e-3;
     let mut still = 0;
     for _ in 0..400 {
         let mut normal = SMatrix::<f64, 9, 9>::zeros();
         let mut right = SVector::<f64, 9>::zeros();
-        let rows: Option<Vec<(Point, [Vec2; 10])>> = cranks.iter().map(|t| linkage.slopes(*t)).collect();
+        let rows: Option<Vec<(Point, [Vec2; 10])>> =
+            cranks.iter().map(|t| linkage.slopes(*t)).collect();
         let rows = rows?;
         *evaluations += rows.len() as u64;
         for ((e, slopes), p) in rows.iter().zip(points) {
@@ -407,7 +458,9 @@ fn refine(mut linkage: CouplerLinkage, mut cranks: Vec<f64>, points: &[Point], s
                 })
                 .collect();
             *evaluations += points.len() as u64;
-            if let Some(there) = sum(&next, &turned).filter(|s| *s <= best && next.fault() == 0.0 && next.small(size)) {
+            if let Some(there) = sum(&next, &turned)
+                .filter(|s| *s <= best && next.fault() == 0.0 && next.small(size))
+            {
                 let gain = best - there;
                 still = if gain <= 1e-13 * best { still + 1 } else { 0 };
                 (linkage, cranks, best, taken) = (next, turned, there, true);

@@ -26,13 +26,21 @@ pub fn search(points: &[Point], turns: &[f64], seed: u64) -> Search {
     let (_, size) = extent(points);
     let same = |a: &Fit, b: &Fit| {
         (a.rms - b.rms).abs() <= 1e-9 * size.max(b.rms)
-            && a.linkage.lengths.iter().zip(b.linkage.lengths).all(|(p, q)| (p - q).abs() <= 1e-6 * size)
+            && a.linkage
+                .lengths
+                .iter()
+                .zip(b.linkage.lengths)
+                .all(|(p, q)| (p - q).abs() <= 1e-6 * size)
     };
     let (some, at) = (selected_places(points), selected_places(turns));
-    let mut found = until_sure(size, &same, |run| TimedRun { points: &some, turns: &at, size }.alone(stream(seed, run)));
+    let mut found = until_sure(size, &same, |run| {
+        TimedRun { points: &some, turns: &at, size }.alone(stream(seed, run))
+    });
     if some.len() < points.len() {
         let all = TimedRun { points, turns, size };
-        found = found.of_all(&same, |fit, evaluations| all.refine((fit.linkage, *fit.cranks.first()?), evaluations));
+        found = found.of_all(&same, |fit, evaluations| {
+            all.refine((fit.linkage, *fit.cranks.first()?), evaluations)
+        });
     }
     // Of the optima at the bound only one is kept.
     let mut grown = 0;
@@ -43,7 +51,12 @@ pub fn search(points: &[Point], turns: &[f64], seed: u64) -> Search {
     // Along a flat valley steps end before its bottom: an optimum next to a better one is the same.
     let near = |a: &Fit, b: &Fit| {
         let longest = a.linkage.lengths.into_iter().fold(0.0, f64::max);
-        b.rms <= 1.01 * a.rms && a.linkage.lengths.iter().zip(b.linkage.lengths).all(|(p, q)| (p - q).abs() <= 0.05 * longest)
+        b.rms <= 1.01 * a.rms
+            && a.linkage
+                .lengths
+                .iter()
+                .zip(b.linkage.lengths)
+                .all(|(p, q)| (p - q).abs() <= 0.05 * longest)
     };
     let mut bottoms: Vec<Fit> = Vec::new();
     for fit in found.fits {
@@ -80,7 +93,11 @@ fn twin(fit: &Fit) -> Option<Fit> {
         e: lambda.divide_by(stretch) * (-c * by),
         left: !l.left,
     };
-    Some(Fit { linkage, cranks: fit.cranks.iter().map(|t| t + stretch.angle()).collect(), rms: fit.rms })
+    Some(Fit {
+        linkage,
+        cranks: fit.cranks.iter().map(|t| t + stretch.angle()).collect(),
+        rms: fit.rms,
+    })
 }
 
 struct TimedRun<'a> {
@@ -93,11 +110,17 @@ impl TimedRun<'_> {
     /// Makes one run; returns its optima and the number of positions evaluated.
     fn alone(&self, seed: u64) -> (Vec<Fit>, u64) {
         let mut evaluations = 0;
-        let apart = |o: &[f64; 5], p: &[f64; 5]| (0..4).any(|k| (o[k] - p[k]).abs() > 0.05) || (o[4] > 0.0) != (p[4] > 0.0);
+        let apart = |o: &[f64; 5], p: &[f64; 5]| {
+            (0..4).any(|k| (o[k] - p[k]).abs() > 0.05) || (o[4] > 0.0) != (p[4] > 0.0)
+        };
         let population = Population { count: POPULATION, generations: GENERATIONS, apart: &apart };
         let mut random = RandomStream::new(seed);
-        let ranked = evolve(&population, born, |genes| self.cost(genes, &mut evaluations), &mut random);
-        let fits = ranked.iter().filter_map(|genes| self.refine(self.projected(genes)?.0, &mut evaluations)).collect();
+        let ranked =
+            evolve(&population, born, |genes| self.cost(genes, &mut evaluations), &mut random);
+        let fits = ranked
+            .iter()
+            .filter_map(|genes| self.refine(self.projected(genes)?.0, &mut evaluations))
+            .collect();
         (fits, evaluations)
     }
 
@@ -107,7 +130,8 @@ impl TimedRun<'_> {
             return 1e6 * (1.0 + fault);
         }
         *evaluations += self.points.len() as u64;
-        self.projected(genes).map_or(1e6, |(_, sum)| sum / (self.points.len() as f64 * self.size * self.size))
+        self.projected(genes)
+            .map_or(1e6, |(_, sum)| sum / (self.points.len() as f64 * self.size * self.size))
     }
 
     /// The best linkage of a shape and first angle, and its sum of squares: linear least squares in
@@ -125,7 +149,10 @@ impl TimedRun<'_> {
             })
             .collect();
         let rows = rows?;
-        let mean = rows.iter().fold([Vec2::ZERO; 3], |m, r| [0, 1, 2].map(|i| m[i] + r[i])).map(|v| v * (1.0 / rows.len() as f64));
+        let mean = rows
+            .iter()
+            .fold([Vec2::ZERO; 3], |m, r| [0, 1, 2].map(|i| m[i] + r[i]))
+            .map(|v| v * (1.0 / rows.len() as f64));
         // The product conj(u) v, an entry of the normal equations.
         let inner = |u: Vec2, v: Vec2| Vec2::new(u.dot(v), u.cross(v));
         let [mut pp, mut qq] = [0.0; 2];
@@ -143,14 +170,25 @@ impl TimedRun<'_> {
         }
         let z1 = (pe * qq - qe.rotate_by(pq)) * (1.0 / det);
         let z2 = (qe * pp - pe.rotate_by(Vec2::new(pq.x, -pq.y))) * (1.0 / det);
-        let sum = rows.iter().map(|r| (r[2] - mean[2] - (r[0] - mean[0]).rotate_by(z1) - (r[1] - mean[1]).rotate_by(z2)).norm2()).sum();
+        let sum = rows
+            .iter()
+            .map(|r| {
+                (r[2] - mean[2] - (r[0] - mean[0]).rotate_by(z1) - (r[1] - mean[1]).rotate_by(z2))
+                    .norm2()
+            })
+            .sum();
         let scale = z1.norm();
         // In the coupler's own frame E is at Z₂ less the rotation of the frame, which is that of
         // Z₁.
         let way = z1.unit()?;
         let a = Point::ORIGIN + mean[2] - mean[0].rotate_by(z1) - mean[1].rotate_by(z2);
-        let linkage =
-            CouplerLinkage { a, lengths: shape.lengths.map(|l| l * scale), phi: way.angle(), e: z2.divide_by(way), left: shape.left };
+        let linkage = CouplerLinkage {
+            a,
+            lengths: shape.lengths.map(|l| l * scale),
+            phi: way.angle(),
+            e: z2.divide_by(way),
+            left: shape.left,
+        };
         linkage.small(self.size).then(|| ((linkage, start + way.angle()), sum))
     }
 
@@ -160,12 +198,20 @@ impl TimedRun<'_> {
     }
 
     fn sum(&self, l: &CouplerLinkage, start: f64) -> Option<f64> {
-        self.cranks(start).iter().zip(self.points).map(|(t, p)| Some((l.place(*t)?.e - *p).norm2())).sum()
+        self.cranks(start)
+            .iter()
+            .zip(self.points)
+            .map(|(t, p)| Some((l.place(*t)?.e - *p).norm2()))
+            .sum()
     }
 
     /// Refines all ten unknowns by Gauss–Newton with Levenberg's damping; `None` if it creeps along
     /// a valley without converging.
-    fn refine(&self, (mut linkage, mut start): (CouplerLinkage, f64), evaluations: &mut u64) -> Option<Fit> {
+    fn refine(
+        &self,
+        (mut linkage, mut start): (CouplerLinkage, f64),
+        evaluations: &mut u64,
+    ) -> Option<Fit> {
         let mut best = self.sum(&linkage, start)?;
         let mut damping = 1e-3;
         let mut still = 0;
@@ -191,9 +237,13 @@ impl TimedRun<'_> {
                     damping = (damping * 10.0).max(1e-15);
                     continue;
                 };
-                let (next, turned) = (linkage.moved(&step.fixed_rows::<9>(0).into()), start + step[9]);
+                let (next, turned) =
+                    (linkage.moved(&step.fixed_rows::<9>(0).into()), start + step[9]);
                 *evaluations += self.points.len() as u64;
-                if let Some(there) = self.sum(&next, turned).filter(|s| *s <= best && next.fault() == 0.0 && next.small(self.size)) {
+                if let Some(there) = self
+                    .sum(&next, turned)
+                    .filter(|s| *s <= best && next.fault() == 0.0 && next.small(self.size))
+                {
                     still = if best - there <= 1e-13 * best { still + 1 } else { 0 };
                     (linkage, start, best, taken) = (next, turned, there, true);
                     damping = (damping * 0.1).max(1e-15);
@@ -202,7 +252,11 @@ impl TimedRun<'_> {
                 damping *= 10.0;
             }
             if !taken || still >= 3 {
-                return Some(Fit { linkage, cranks: self.cranks(start), rms: (best / self.points.len() as f64).sqrt() });
+                return Some(Fit {
+                    linkage,
+                    cranks: self.cranks(start),
+                    rms: (best / self.points.len() as f64).sqrt(),
+                });
             }
         }
         None
@@ -220,7 +274,13 @@ fn born(random: &mut RandomStream) -> [f64; 5] {
 /// logarithms of the other lengths, the crank's first angle, and the assembly.
 fn shape(genes: &[f64; 5]) -> CouplerLinkage {
     let [b, c, d, _, side] = *genes;
-    CouplerLinkage { a: Point::ORIGIN, lengths: [1.0, libm::exp(b), libm::exp(c), libm::exp(d)], phi: 0.0, e: Vec2::ZERO, left: side > 0.0 }
+    CouplerLinkage {
+        a: Point::ORIGIN,
+        lengths: [1.0, libm::exp(b), libm::exp(c), libm::exp(d)],
+        phi: 0.0,
+        e: Vec2::ZERO,
+        left: side > 0.0,
+    }
 }
 
 #[cfg(test)]
@@ -230,16 +290,28 @@ mod tests {
     #[test]
     fn the_twin_meets_the_same_places_at_the_same_turns() {
         for left in [true, false] {
-            let linkage =
-                CouplerLinkage { a: Point::new(0.01, -0.02), lengths: [0.03, 0.08, 0.07, 0.09], phi: 0.3, e: Vec2::new(0.05, 0.04), left };
+            let linkage = CouplerLinkage {
+                a: Point::new(0.01, -0.02),
+                lengths: [0.03, 0.08, 0.07, 0.09],
+                phi: 0.3,
+                e: Vec2::new(0.05, 0.04),
+                left,
+            };
             let cranks: Vec<f64> = (0..12).map(|k| 0.5 * f64::from(k)).collect();
             let other = twin(&Fit { linkage, cranks: cranks.clone(), rms: 0.0 }).unwrap();
             for (one, two) in cranks.iter().zip(&other.cranks) {
-                let far = linkage.place(*one).unwrap().e.distance(other.linkage.place(*two).unwrap().e);
+                let far =
+                    linkage.place(*one).unwrap().e.distance(other.linkage.place(*two).unwrap().e);
                 assert!(far < 1e-15, "{far}");
             }
         }
-        let at_c = CouplerLinkage { a: Point::ORIGIN, lengths: [0.03, 0.08, 0.07, 0.09], phi: 0.0, e: Vec2::new(0.08, 0.0), left: true };
+        let at_c = CouplerLinkage {
+            a: Point::ORIGIN,
+            lengths: [0.03, 0.08, 0.07, 0.09],
+            phi: 0.0,
+            e: Vec2::new(0.08, 0.0),
+            left: true,
+        };
         assert_eq!(twin(&Fit { linkage: at_c, cranks: vec![0.0], rms: 0.0 }), None);
     }
 }

@@ -69,7 +69,9 @@ impl Batch<'_> {
     /// The number of mechanisms.
     pub fn mechanisms(&self) -> u64 {
         match self.choice {
-            ParameterChoice::Grid => self.values.iter().map(|v| v.len() as u64).fold(1, u64::saturating_mul),
+            ParameterChoice::Grid => {
+                self.values.iter().map(|v| v.len() as u64).fold(1, u64::saturating_mul)
+            }
             ParameterChoice::Random { count, .. } => count,
         }
     }
@@ -79,10 +81,16 @@ impl Batch<'_> {
         self.stations.as_ref().map_or(1, Stations::len)
     }
 
-    /// Name and unit of each column: the mechanism's number, its parameters, the driver's position, the answers.
+    /// Name and unit of each column: the mechanism's number, its parameters, the driver's position,
+    /// the answers.
     pub fn columns(&self) -> Vec<(String, &'static str)> {
         let mut out = vec![("mechanism".to_owned(), "")];
-        out.extend(self.variation.names().zip(&self.values).map(|(n, v)| (n.to_owned(), v.first().map_or("", |v| self.variation.unit(v)))));
+        out.extend(
+            self.variation
+                .names()
+                .zip(&self.values)
+                .map(|(n, v)| (n.to_owned(), v.first().map_or("", |v| self.variation.unit(v)))),
+        );
         out.push(self.scene.driver_column(self.driver));
         for f in &self.scene.find {
             out.extend(compile::ask::names(f));
@@ -109,7 +117,9 @@ impl Batch<'_> {
                 out
             }
             ParameterChoice::Random { seed, .. } => {
-                let mut rng = Pcg64Mcg::seed_from_u64(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(number));
+                let mut rng = Pcg64Mcg::seed_from_u64(
+                    seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(number),
+                );
                 let between = |v: &Vec<DimensionedValue>, rng: &mut Pcg64Mcg| {
                     let (a, b) = (v[0], v[v.len() - 1]);
                     // 53 random bits give evenly spread multiples of 2^-53.
@@ -138,27 +148,42 @@ impl Batch<'_> {
         let mut columns = used.columns;
         columns.resize_with(width, Vec::new);
         columns.iter_mut().for_each(|c| c.resize((to - from) as usize * positions, 0.0));
-        let mut parts: Vec<Vec<&mut [f64]>> = (from..to).map(|_| Vec::with_capacity(width)).collect();
+        let mut parts: Vec<Vec<&mut [f64]>> =
+            (from..to).map(|_| Vec::with_capacity(width)).collect();
         for column in &mut columns {
             parts.iter_mut().zip(column.chunks_mut(positions)).for_each(|(part, c)| part.push(c));
         }
         let demand = Demand::of(self.scene, self.mechanism);
         let here = here();
-        let one = |scene: &mut Scene, i: usize, part| here.enter(|| self.one(scene, &demand, from + i as u64, part));
+        let one = |scene: &mut Scene, i: usize, part| {
+            here.enter(|| self.one(scene, &demand, from + i as u64, part))
+        };
         let missing: Option<Vec<Vec<usize>>> = parts
             .into_par_iter()
             .enumerate()
-            .map_init(|| self.scene.clone(), |scene, (i, part)| (!stop()).then(|| one(scene, i, part)))
+            .map_init(
+                || self.scene.clone(),
+                |scene, (i, part)| (!stop()).then(|| one(scene, i, part)),
+            )
             .collect();
         let missing = missing?;
-        let gaps: Vec<usize> =
-            (0..).step_by(positions).zip(&missing).flat_map(|(first, rows)| rows.iter().map(move |k| first + k)).collect();
+        let gaps: Vec<usize> = (0..)
+            .step_by(positions)
+            .zip(&missing)
+            .flat_map(|(first, rows)| rows.iter().map(move |k| first + k))
+            .collect();
         columns.par_iter_mut().for_each(|c| close(c, &gaps));
         Some(Block { columns, missing: gaps.len() as u64 })
     }
 
     /// Fills the columns of a mechanism; returns the rows that are missing.
-    fn one(&self, scene: &mut Scene, demand: &Demand, number: u64, mut columns: Vec<&mut [f64]>) -> Vec<usize> {
+    fn one(
+        &self,
+        scene: &mut Scene,
+        demand: &Demand,
+        number: u64,
+        mut columns: Vec<&mut [f64]>,
+    ) -> Vec<usize> {
         let parameters = self.parameters(number);
         let lead = std::iter::once(number as f64).chain(parameters.iter().map(|p| p.si()));
         columns.iter_mut().zip(lead).for_each(|(column, value)| column.fill(value));
@@ -173,20 +198,45 @@ impl Batch<'_> {
     }
 
     /// The driver's positions and the answers of a mechanism; returns the rows that are missing.
-    fn rows(&self, scene: &Scene, (mechanism, demand): (&Mechanism, &Demand), mut columns: Vec<&mut [f64]>) -> Result<Vec<usize>, Faults> {
+    fn rows(
+        &self,
+        scene: &Scene,
+        (mechanism, demand): (&Mechanism, &Demand),
+        mut columns: Vec<&mut [f64]>,
+    ) -> Result<Vec<usize>, Faults> {
         let (at, moved) = self.place(scene, mechanism, demand)?;
         let scene = moved.as_ref().unwrap_or(scene);
-        let placed = PlacedScene { scene, mechanism, demand: demand.clone(), at, ends: TravelEnds::default() };
+        let placed = PlacedScene {
+            scene,
+            mechanism,
+            demand: demand.clone(),
+            at,
+            ends: TravelEnds::default(),
+        };
         let per_value = angle_per_value(scene, &placed.at, self.driver);
-        let here = || Stations::of_values(vec![super::station::driver_positions(scene, &placed.at)[self.driver]], per_value);
+        let here = || {
+            Stations::of_values(
+                vec![super::station::driver_positions(scene, &placed.at)[self.driver]],
+                per_value,
+            )
+        };
         let stations = self.stations.as_ref().map_or_else(|| Cow::Owned(here()), Cow::Borrowed);
         let general = General::new(&placed, self.driver);
         let answers = columns.split_off(1);
         columns[0].copy_from_slice(&stations.values);
         let rows = match compile(scene, mechanism, &placed.at, Some(self.driver), &scene.find) {
             Ok(program) => {
-                let (mut rows, _) = run_on_branches(&program, &placed, self.driver, &stations, Width::Widest, answers);
-                rows.complete(&general, &stations, &never, &|row| beside(&program, &placed, self.driver, stations.values[row]));
+                let (mut rows, _) = run_on_branches(
+                    &program,
+                    &placed,
+                    self.driver,
+                    &stations,
+                    Width::Widest,
+                    answers,
+                );
+                rows.complete(&general, &stations, &never, &|row| {
+                    beside(&program, &placed, self.driver, stations.values[row])
+                });
                 rows
             }
             Err(why) => without_program(&general, &stations, &why).0.copied_to(answers),
@@ -197,9 +247,16 @@ impl Batch<'_> {
     /// The configuration at the instant. If the mechanism cannot be assembled there, the driver is
     /// moved to the first of a dozen evenly chosen stations where it can be, and the changed scene
     /// is returned too.
-    fn place(&self, scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> Result<(Configuration, Option<Scene>), Faults> {
+    fn place(
+        &self,
+        scene: &Scene,
+        mechanism: &Mechanism,
+        demand: &Demand,
+    ) -> Result<(Configuration, Option<Scene>), Faults> {
         let first = position::configure(scene, mechanism, demand);
-        let (Err(why), Some(stations)) = (&first, &self.stations) else { return first.map(|p| (p.value, None)) };
+        let (Err(why), Some(stations)) = (&first, &self.stations) else {
+            return first.map(|p| (p.value, None));
+        };
         // A dozen stations over the range: a mechanism that closes only in a smaller part of it is
         // of no use.
         let step = stations.len().div_ceil(12).max(1);

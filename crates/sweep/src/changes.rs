@@ -55,7 +55,8 @@ impl Changes {
         let after_last = |Recurrence { first, after }: Recurrence| {
             let [one, last] = [self.events.get(first)?, self.events.last()?].map(|e| e.value);
             let sense = (last - one).signum();
-            // Changes repeat with the period: the next one follows the last by the distance found one period earlier.
+            // Changes repeat with the period: the next one follows the last by the distance found
+            // one period earlier.
             let next = self.events.get(first + 1)?.value + sense * after;
             Some(sense * (until - next) >= 0.0)
         };
@@ -71,7 +72,10 @@ impl Changes {
         let comes_again = |(first, (event, behind)): (usize, (&Event, &Vec<bool>))| {
             let way = (last.value - event.value).abs();
             let turns = libm::rint(way / period);
-            let same = event.joint == last.joint && behind == after && turns >= 1.0 && (way - turns * period).abs() < SAME;
+            let same = event.joint == last.joint
+                && behind == after
+                && turns >= 1.0
+                && (way - turns * period).abs() < SAME;
             same.then_some(Recurrence { first, after: turns * period })
         };
         self.again = earlier.rev().find_map(comes_again);
@@ -95,7 +99,11 @@ impl Probe<'_> {
         // The search goes on half a step behind a change point; there are no more change points
         // than steps.
         loop {
-            let to = if turning && (until - from).abs() > self.span() { from + self.span().copysign(until - from) } else { until };
+            let to = if turning && (until - from).abs() > self.span() {
+                from + self.span().copysign(until - from)
+            } else {
+                until
+            };
             let xs = self.samples(from, to);
             let step = xs[1] - xs[0];
             match self.first_event(&xs) {
@@ -109,7 +117,9 @@ impl Probe<'_> {
                     self.program.flip(change.joint.unwrap_or(0));
                     changes.events.push(change);
                     signs.push(self.program.signs());
-                    if (until - from) * step <= 0.0 || period.is_some_and(|period| turning && changes.close(period, &signs)) {
+                    if (until - from) * step <= 0.0
+                        || period.is_some_and(|period| turning && changes.close(period, &signs))
+                    {
                         return (None, changes);
                     }
                 }
@@ -141,7 +151,9 @@ mod tests {
 
     fn with<T>(phi: &str, see: impl FnOnce(&PlacedScene) -> T) -> T {
         let text = templates::instantiate("parallelogram", &[("phi_1", phi)]).unwrap();
-        let scene = read(edit::with_find(&text, &["x_C", "y_C", "v_C", "a_E", "omega_3"]).unwrap()).unwrap().value;
+        let scene = read(edit::with_find(&text, &["x_C", "y_C", "v_C", "a_E", "omega_3"]).unwrap())
+            .unwrap()
+            .value;
         let m = Mechanism::new(&scene).unwrap().value;
         see(&PlacedScene::new(&scene, &m).unwrap())
     }
@@ -156,14 +168,20 @@ mod tests {
     fn further_turns_are_the_first_one_again() {
         let first = with("60 deg", |placed| turn(placed, 0.0));
         assert_eq!(first.rows(), 37);
-        for (phi, turns) in
-            [("60 deg", 1.0), ("60 deg", -3.0), ("60 deg", 5000.0), ("60 deg", -10_000.0), ("10000100 deg", 0.0), ("-99999 deg", 12.0)]
-        {
+        for (phi, turns) in [
+            ("60 deg", 1.0),
+            ("60 deg", -3.0),
+            ("60 deg", 5000.0),
+            ("60 deg", -10_000.0),
+            ("10000100 deg", 0.0),
+            ("-99999 deg", 12.0),
+        ] {
             let far = with(phi, |placed| turn(placed, turns));
             assert_eq!(far.rows(), 37, "{phi}, {turns} turns on: {:?}", far.notes);
             for (a, b) in first.columns.iter().zip(&far.columns).skip(1) {
                 let size = a.values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
-                let off = a.values.iter().zip(&b.values).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                let off =
+                    a.values.iter().zip(&b.values).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                 assert!(off <= 1e-9 * size, "{phi}, {turns} turns on: {} is off by {off}", a.name);
             }
             assert!(far.notes.len() < 12, "{:?}", far.notes);
@@ -175,13 +193,18 @@ mod tests {
     #[test]
     fn a_million_turns_are_searched_as_soon_as_a_few() {
         with("60 deg", |placed| {
-            let program = compile(placed.scene, placed.mechanism, &placed.at, Some(0), &placed.scene.find).unwrap();
+            let program =
+                compile(placed.scene, placed.mechanism, &placed.at, Some(0), &placed.scene.find)
+                    .unwrap();
             for sense in [1.0, -1.0] {
                 let now = 60f64.to_radians();
-                let (end, changes) = Probe::of(program.clone(), placed, 0).walk(now + sense * 1e6 * TAU);
+                let (end, changes) =
+                    Probe::of(program.clone(), placed, 0).walk(now + sense * 1e6 * TAU);
                 assert!(end.is_none() && changes.events.len() <= 4, "{changes:?}");
                 // Two change points a turn, each leading into the other's stretch.
-                let at = |turns: f64, deg: f64| changes.stretch(now + sense * (turns * TAU + f64::to_radians(deg)), sense);
+                let at = |turns: f64, deg: f64| {
+                    changes.stretch(now + sense * (turns * TAU + f64::to_radians(deg)), sense)
+                };
                 let kinds = |turns: f64| [at(turns, 90.0), at(turns, 200.0), at(turns, 330.0)];
                 assert_eq!(kinds(7.0), kinds(999_999.0), "{changes:?}");
                 assert!(kinds(7.0)[1] != kinds(7.0)[2], "{changes:?}");

@@ -39,12 +39,22 @@ type NearbyRow<'a> = &'a (dyn Fn(usize) -> Option<Vec<f64>> + Sync);
 impl<C: DerefMut<Target = [f64]>> SweepRows<C> {
     /// Hands the open rows to the general solver. Where it finds several ways on, the one nearest
     /// to the numbers of `near` is taken. Stops early and returns `false` if `stop` asks for it.
-    pub fn complete(&mut self, general: &General, stations: &Stations, stop: StopSignal, near: NearbyRow) -> bool {
+    pub fn complete(
+        &mut self,
+        general: &General,
+        stations: &Stations,
+        stop: StopSignal,
+        near: NearbyRow,
+    ) -> bool {
         let open = std::mem::take(&mut self.open);
         let laid = Stood::beyond_change_points(general, stations, &open);
-        let solve = |i: usize, at: Option<&Configuration>| general.ways(stations, i, at).map(|ways| pick_way(ways, || near(i)));
+        let solve = |i: usize, at: Option<&Configuration>| {
+            general.ways(stations, i, at).map(|ways| pick_way(ways, || near(i)))
+        };
         let here = here();
-        let one = |(&i, at): (&usize, &Option<Configuration>)| (!stop()).then(|| here.enter(|| solve(i, at.as_ref())));
+        let one = |(&i, at): (&usize, &Option<Configuration>)| {
+            (!stop()).then(|| here.enter(|| solve(i, at.as_ref())))
+        };
         let solved: Option<Vec<_>> = open.par_iter().zip(&laid).map(one).collect();
         let Some(solved) = solved else { return false };
         for (i, row) in open.into_iter().zip(solved) {
@@ -101,8 +111,13 @@ impl SweepRows {
         let mut gaps = Gaps::of(placed.scene);
         gaps.see_all(&self, 0);
         notes.extend(gaps.notes(&words));
-        let heads = std::iter::once(placed.scene.driver_column(driver)).chain(placed.scene.find.iter().flat_map(compile::ask::names));
-        let columns = heads.zip(self.there(values)).map(|((name, unit), values)| Column { name, unit, values });
+        let heads = std::iter::once(placed.scene.driver_column(driver))
+            .chain(placed.scene.find.iter().flat_map(compile::ask::names));
+        let columns = heads.zip(self.there(values)).map(|((name, unit), values)| Column {
+            name,
+            unit,
+            values,
+        });
         Table { columns: columns.collect(), notes }
     }
 }
@@ -113,7 +128,12 @@ fn pick_way(mut ways: Vec<Vec<f64>>, near: impl Fn() -> Option<Vec<f64>>) -> Vec
     if ways.len() > 1
         && let Some(near) = near()
     {
-        let off = |row: &Vec<f64>| row.iter().zip(&near).map(|(a, b)| (a - b).abs() / (a.abs() + b.abs() + f64::MIN_POSITIVE)).sum::<f64>();
+        let off = |row: &Vec<f64>| {
+            row.iter()
+                .zip(&near)
+                .map(|(a, b)| (a - b).abs() / (a.abs() + b.abs() + f64::MIN_POSITIVE))
+                .sum::<f64>()
+        };
         ways.sort_by(|a, b| off(a).total_cmp(&off(b)));
     }
     ways.swap_remove(0)
@@ -145,22 +165,50 @@ pub(super) fn run_parts(
 }
 
 /// Runs a program over all stations.
-pub(super) fn run_program(program: &SweepProgram, placed: &PlacedScene, driver: usize, stations: &Stations, width: Width) -> SweepRows {
+pub(super) fn run_program(
+    program: &SweepProgram,
+    placed: &PlacedScene,
+    driver: usize,
+    stations: &Stations,
+    width: Width,
+) -> SweepRows {
     run_with(program, states(program, placed, driver, stations).as_ref(), stations, width)
 }
 
 /// The states of a program's followed links, if it has any.
-fn states(program: &SweepProgram, placed: &PlacedScene, driver: usize, stations: &Stations) -> Option<States> {
+fn states(
+    program: &SweepProgram,
+    placed: &PlacedScene,
+    driver: usize,
+    stations: &Stations,
+) -> Option<States> {
     (!program.tracks.is_empty()).then(|| compiled::follow(program, placed, driver, stations))
 }
 
 /// Runs a program over all stations, with the given states of its followed links.
-pub(super) fn run_with(program: &SweepProgram, states: Option<&States>, stations: &Stations, width: Width) -> SweepRows {
-    fill(program, program.fused(), states, stations, width, sized(Vec::new(), program, stations), |_, _| {})
+pub(super) fn run_with(
+    program: &SweepProgram,
+    states: Option<&States>,
+    stations: &Stations,
+    width: Width,
+) -> SweepRows {
+    fill(
+        program,
+        program.fused(),
+        states,
+        stations,
+        width,
+        sized(Vec::new(), program, stations),
+        |_, _| {},
+    )
 }
 
 /// Columns for a program's answers at all stations, in the memory of `used`.
-pub(super) fn sized(used: Vec<Vec<f64>>, program: &SweepProgram, stations: &Stations) -> Vec<Vec<f64>> {
+pub(super) fn sized(
+    used: Vec<Vec<f64>>,
+    program: &SweepProgram,
+    stations: &Stations,
+) -> Vec<Vec<f64>> {
     let mut columns = used;
     columns.resize_with(program.columns.len(), Vec::new);
     columns.iter_mut().for_each(|c| c.resize(stations.len(), 0.0));
@@ -182,9 +230,14 @@ pub(super) fn run_on_branches<C: DerefMut<Target = [f64]>>(
     columns: Vec<C>,
 ) -> (SweepRows<C>, Vec<Diagnostic>) {
     if program.tracks.is_empty() && program.suspects().next().is_none() {
-        return (fill(program, program.fused(), None, stations, width, columns, |_, _| {}), Vec::new());
+        return (
+            fill(program, program.fused(), None, stations, width, columns, |_, _| {}),
+            Vec::new(),
+        );
     }
-    let watch = stations.len() <= WATCHED && program.tracks.is_empty() && dense(program, placed, driver, stations);
+    let watch = stations.len() <= WATCHED
+        && program.tracks.is_empty()
+        && dense(program, placed, driver, stations);
     let ran = if watch {
         let (rows, near) = run_watched(program, stations, width, columns);
         if !near {
@@ -222,7 +275,9 @@ fn run_watched<C: DerefMut<Target = [f64]>>(
     let fused = program.fused_watched();
     let watched: Vec<Reg> = program.suspects().filter_map(|c| fused.place(c)).collect();
     let seen = |buffer: &Buffer, n: usize| {
-        let clear = |reg: &Reg| buffer.numbers(*reg, n).iter().fold(true, |clear, c| clear & (*c > SUSPECT));
+        let clear = |reg: &Reg| {
+            buffer.numbers(*reg, n).iter().fold(true, |clear, c| clear & (*c > SUSPECT))
+        };
         if !watched.iter().all(clear) {
             near.store(true, Ordering::Relaxed);
         }
@@ -270,7 +325,8 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
     let alone = n * fused.registers < ALONE || rayon::current_num_threads() == 1;
     // The parts of the columns that one thread fills at a time.
     let stretch = if alone { n.max(1) } else { STRETCH * together };
-    let mut parts: Vec<Vec<&mut [f64]>> = (0..n.div_ceil(stretch)).map(|_| Vec::with_capacity(columns.len())).collect();
+    let mut parts: Vec<Vec<&mut [f64]>> =
+        (0..n.div_ceil(stretch)).map(|_| Vec::with_capacity(columns.len())).collect();
     for column in &mut columns {
         parts.iter_mut().zip(column.chunks_mut(stretch)).for_each(|(part, c)| part.push(c));
     }
@@ -286,7 +342,9 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
         fused.run(buffer, width);
     };
     // The lost rows of a stretch, each with `true` if the loss is certain.
-    let one_stretch = |buffer: &mut Buffer, (number, part): (usize, &mut Vec<&mut [f64]>)| -> Vec<(usize, bool)> {
+    let one_stretch = |buffer: &mut Buffer,
+                       (number, part): (usize, &mut Vec<&mut [f64]>)|
+     -> Vec<(usize, bool)> {
         let mut lost = Vec::new();
         let (first, end) = (number * stretch, n.min((number + 1) * stretch));
         for from in (first..end).step_by(together) {
@@ -294,7 +352,13 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
             let rows = from..end.min(from + together);
             let here = rows.start - first..rows.end - first;
             let answers = if whole && rows.len() == CHUNK {
-                fused.run_there(buffer, (stations, rows.start), &straight, places(part, &here), width);
+                fused.run_there(
+                    buffer,
+                    (stations, rows.start),
+                    &straight,
+                    places(part, &here),
+                    width,
+                );
                 &straight
             } else {
                 run(fused, buffer, &rows);
@@ -311,18 +375,27 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
             let mut looked = closures.buffer();
             run(closures, &mut looked, &rows);
             let gone = |row: &usize| part.iter().any(|numbers| !numbers[*row - first].is_finite());
-            lost.extend(rows.clone().filter(gone).map(|row| (row, closures.misses(program, &looked, row - rows.start))));
+            lost.extend(
+                rows.clone()
+                    .filter(gone)
+                    .map(|row| (row, closures.misses(program, &looked, row - rows.start))),
+            );
         }
         lost
     };
     let lost: Vec<Vec<(usize, bool)>> = if alone {
         let mut buffer = fused.buffer_in(REGISTERS.take());
-        let lost = parts.iter_mut().enumerate().map(|part| one_stretch(&mut buffer, part)).collect();
+        let lost =
+            parts.iter_mut().enumerate().map(|part| one_stretch(&mut buffer, part)).collect();
         REGISTERS.set(buffer);
         lost
     } else {
         let here = here();
-        parts.par_iter_mut().enumerate().map_init(|| fused.buffer(), |buffer, part| here.enter(|| one_stretch(buffer, part))).collect()
+        parts
+            .par_iter_mut()
+            .enumerate()
+            .map_init(|| fused.buffer(), |buffer, part| here.enter(|| one_stretch(buffer, part)))
+            .collect()
     };
     let mut open = Vec::new();
     for (row, sure) in lost.into_iter().flatten() {
@@ -336,7 +409,10 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
 }
 
 /// The given rows of a part's columns.
-fn places<'a>(part: &'a mut [&mut [f64]], rows: &Range<usize>) -> impl Iterator<Item = &'a mut [f64]> {
+fn places<'a>(
+    part: &'a mut [&mut [f64]],
+    rows: &Range<usize>,
+) -> impl Iterator<Item = &'a mut [f64]> {
     part.iter_mut().map(|numbers| &mut numbers[rows.clone()])
 }
 
@@ -356,7 +432,8 @@ mod tests {
             let m = Mechanism::new(&scene).unwrap().value;
             let placed = PlacedScene::new(&scene, &m).unwrap();
             let stations = Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 10_000);
-            let program = super::super::compile(&scene, &m, &placed.at, Some(0), &scene.find).unwrap();
+            let program =
+                super::super::compile(&scene, &m, &placed.at, Some(0), &scene.find).unwrap();
             let rows = run_program(&program, &placed, 0, &stations, Width::Widest);
             assert!(
                 rows.missing.len() > 1000 && rows.open.len() < 10,

@@ -100,13 +100,18 @@ impl Closure<6> for Circles {
     fn margin<N: Lane>(&self, [ax, ay, r, bx, by, s]: [N; 6]) -> Margin<N> {
         let d2 = (Vec2::new(bx, by) - Vec2::new(ax, ay)).norm2();
         let (sum, difference) = (r + s, r - s);
-        Margin { outer: sum * sum - d2, inner: d2 - difference * difference, terms: d2 + r * r + s * s, full: r * r * s * s * 4.0 }
+        Margin {
+            outer: sum * sum - d2,
+            inner: d2 - difference * difference,
+            terms: d2 + r * r + s * s,
+            full: r * r * s * s * 4.0,
+        }
     }
 }
 
 /// # Source
-/// m = ((r+s)² − d²)(d² − (r−s)²), the squared quadruple area after Heron; C = A + f d + h d⊥ with f = (d² + r² − s²)/2d²,
-/// h = ±√m/2d².
+/// m = ((r+s)² − d²)(d² − (r−s)²), the squared quadruple area after Heron; C = A + f d + h d⊥ with
+/// f = (d² + r² − s²)/2d², h = ±√m/2d².
 impl Kernel<6, 3> for Circles {
     #[inline(always)]
     fn inputs(&self) -> [Reg; 6] {
@@ -146,7 +151,12 @@ impl Closure<7> for CircleLine {
     #[inline(always)]
     fn margin<N: Lane>(&self, [ax, ay, r, qx, qy, tx, ty]: [N; 7]) -> Margin<N> {
         let h = Vec2::new(tx, ty).cross(Vec2::new(qx - ax, qy - ay));
-        Margin { outer: (r - h) * (r + h), inner: r.constant(1.0), terms: r * r + h * h, full: r * r }
+        Margin {
+            outer: (r - h) * (r + h),
+            inner: r.constant(1.0),
+            terms: r * r + h * h,
+            full: r * r,
+        }
     }
 }
 

@@ -72,7 +72,10 @@ fn nodes(a: f64, b: f64) -> [(f64, f64); 8] {
 
 /// The angle up to which a condition holds, between one at which it does and one at which it does
 /// not.
-fn halved([mut low, mut high]: [f64; 2], holds: impl Fn(f64) -> Result<bool, Faults>) -> Result<f64, Faults> {
+fn halved(
+    [mut low, mut high]: [f64; 2],
+    holds: impl Fn(f64) -> Result<bool, Faults>,
+) -> Result<f64, Faults> {
     while high - low > NARROW {
         let middle = 0.5 * (low + high);
         if middle <= low || middle >= high {
@@ -103,7 +106,11 @@ impl BalancingMoment<'_> {
         };
         let solution = analytic::solve(&scene, p.mechanism, &at, &p.demand)?;
         let none = || {
-            let message = both!("the balancing moment has no value at {}°", "{}° 处平衡力矩无值", angle.to_degrees());
+            let message = both!(
+                "the balancing moment has no value at {}°",
+                "{}° 处平衡力矩无值",
+                angle.to_degrees()
+            );
             Diagnostic::error("no-moment", message)
         };
         let forces = solution.forces().ok_or_else(none)?;
@@ -119,8 +126,10 @@ impl BalancingMoment<'_> {
     fn parts(&self, start: f64, period: f64, count: usize) -> Result<Vec<[f64; 2]>, Faults> {
         let edge = |k: usize| start + period * k as f64 / count as f64;
         let mut edges: Vec<f64> = (0..=count).map(edge).collect();
-        let places: Vec<f64> = (0..count).flat_map(|k| nodes(edge(k), edge(k + 1)).map(|n| n.0)).collect();
-        let kinds = places.iter().map(|x| Ok(self.at(*x)?.1)).collect::<Result<Vec<_>, Faults>>()?;
+        let places: Vec<f64> =
+            (0..count).flat_map(|k| nodes(edge(k), edge(k + 1)).map(|n| n.0)).collect();
+        let kinds =
+            places.iter().map(|x| Ok(self.at(*x)?.1)).collect::<Result<Vec<_>, Faults>>()?;
         for k in 0..places.len() {
             // The first place follows the last.
             let next = (k + 1) % places.len();
@@ -151,7 +160,8 @@ pub fn energy(placed: &PlacedScene, driver: usize) -> Result<Option<Energy>, Fau
     if !scene.drivers[driver].kind.turns() || !all.range.full() || all.turns == 0 {
         return Ok(None);
     }
-    let moment = BalancingMoment { placed, driver, per_value: angle_per_value(scene, &placed.at, driver) };
+    let moment =
+        BalancingMoment { placed, driver, per_value: angle_per_value(scene, &placed.at, driver) };
     let (start, period) = (position_now(scene, &placed.at, driver), TAU * all.seen as f64);
     let count = PANELS * all.seen as usize;
     let parts = moment.parts(start, period, count)?;
@@ -176,6 +186,8 @@ pub fn energy(placed: &PlacedScene, driver: usize) -> Result<Option<Energy>, Fau
         so_far += mean * (b - a) - work;
     }
     let by = |a: &&(f64, f64), b: &&(f64, f64)| a.1.total_cmp(&b.1);
-    let (Some(low), Some(high)) = (surplus.iter().min_by(by), surplus.iter().max_by(by)) else { return Ok(None) };
+    let (Some(low), Some(high)) = (surplus.iter().min_by(by), surplus.iter().max_by(by)) else {
+        return Ok(None);
+    };
     Ok(Some(Energy { period, mean, slowest: low.0, fastest: high.0, surplus: high.1 - low.1 }))
 }

@@ -19,7 +19,9 @@ use hodograph_base::cam::CamMotion;
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_mechanism::mechanism::{Core, Demand, Leg, Mechanism};
 use hodograph_scene::cams::TurningCam;
-use hodograph_scene::{Angle, GivenQuantity, GuideId, GuidePath, LinkId, PointId, PointPlace, PositionSlot, Scene};
+use hodograph_scene::{
+    Angle, GivenQuantity, GuideId, GuidePath, LinkId, PointId, PointPlace, PositionSlot, Scene,
+};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -150,7 +152,12 @@ pub fn limits(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Mot
     let transmission = joints
         // A lever has a transmission angle of 90° everywhere.
         .filter(|(_, (at, angle))| at.is_finite() && *angle < SQUARE)
-        .map(|(j, (at, angle))| GroupTransmission { links: j.links.clone(), pin: j.pin, angle, driver: at })
+        .map(|(j, (at, angle))| GroupTransmission {
+            links: j.links.clone(),
+            pin: j.pin,
+            angle,
+            driver: at,
+        })
         .collect();
     let grashof = grashof(&placed, driver);
     Ok(MotionLimits { range, swings, transmission, grashof, turns, seen })
@@ -176,7 +183,11 @@ pub(super) fn turns_seen(turns: u64) -> u64 {
 fn at_unit_speed(scene: &Scene, driver: usize) -> Result<Scene, Faults> {
     let mut scene = scene.clone();
     let Some(d) = scene.drivers.get_mut(driver) else {
-        return Err(Diagnostic::error("no-driver", both!("the scene has no driver {}", "机构文件没有第 {} 个原动件", driver + 1)).into());
+        return Err(Diagnostic::error(
+            "no-driver",
+            both!("the scene has no driver {}", "机构文件没有第 {} 个原动件", driver + 1),
+        )
+        .into());
     };
     (d.rate.value, d.acceleration) = (1.0, None);
     for (_, d) in scene.drivers.iter_mut().enumerate().filter(|(i, _)| *i != driver) {
@@ -201,20 +212,27 @@ fn posed(scene: Scene, mechanism: &Mechanism, driver: usize) -> Scene {
     });
     let reach = lengths.chain(coordinates).sum::<f64>();
     let span = scene.drivers[driver].span;
-    let given = |value: f64| GivenQuantity { value, radius: 0.0, text: format!("{value:?} m"), span };
+    let given =
+        |value: f64| GivenQuantity { value, radius: 0.0, text: format!("{value:?} m"), span };
     let at = |part: f64| {
         let mut scene = scene.clone();
         match scene.drivers[driver].kind.slot() {
             PositionSlot::Angle(angle) => {
                 let degrees = 360.0 * part;
-                *angle = Some(GivenQuantity { value: Angle::Deg(degrees), radius: 0.0, text: format!("{degrees:?} deg"), span });
+                *angle = Some(GivenQuantity {
+                    value: Angle::Deg(degrees),
+                    radius: 0.0,
+                    text: format!("{degrees:?} deg"),
+                    span,
+                });
             }
             PositionSlot::Coordinate(position) => *position = Some(given(reach * part)),
             PositionSlot::Distance(length) => *length = Some(given(reach * part.abs())),
         }
         scene
     };
-    let parts = (1..=STARTS).flat_map(|k| [1.0, -1.0].map(|sign| sign * k as f64 / STARTS as f64 * 0.5));
+    let parts =
+        (1..=STARTS).flat_map(|k| [1.0, -1.0].map(|sign| sign * k as f64 / STARTS as f64 * 0.5));
     parts.map(at).find(|s| placed(s, mechanism).is_ok()).unwrap_or(scene)
 }
 
@@ -223,7 +241,11 @@ const STARTS: usize = 36;
 
 /// Places the whole scene, all groups included.
 fn placed<'a>(scene: &'a Scene, mechanism: &'a Mechanism) -> Result<PlacedScene<'a>, Faults> {
-    let none = Demand { groups: vec![None; mechanism.groups.len()], level: Default::default(), needs: Vec::new() };
+    let none = Demand {
+        groups: vec![None; mechanism.groups.len()],
+        level: Default::default(),
+        needs: Vec::new(),
+    };
     let demand = none.with_all_positions();
     let at = hodograph_mechanism::position::configure(scene, mechanism, &demand)?.value;
     Ok(PlacedScene { scene, mechanism, demand, at, ends: TravelEnds::default() })
@@ -231,7 +253,11 @@ fn placed<'a>(scene: &'a Scene, mechanism: &'a Mechanism) -> Result<PlacedScene<
 
 /// Returns the limits without a compiled program, for comparison.
 #[cfg(test)]
-pub(super) fn limits_walked(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<MotionLimits, Faults> {
+pub(super) fn limits_walked(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    driver: usize,
+) -> Result<MotionLimits, Faults> {
     let scene = &at_unit_speed(scene, driver)?;
     let placed = placed(scene, mechanism)?;
     Ok(walked(&placed, driver, &outputs_of(scene, mechanism, driver)))
@@ -240,33 +266,57 @@ pub(super) fn limits_walked(scene: &Scene, mechanism: &Mechanism, driver: usize)
 /// The limits of a mechanism that is followed, without transmission angles and change points.
 fn walked(placed: &PlacedScene, driver: usize, found: &[DrivenOutput]) -> MotionLimits {
     let now = position_now(placed.scene, &placed.at, driver);
-    let follower = PoseFollower::new(placed.scene, placed.mechanism, &placed.demand, &placed.at, driver);
+    let follower =
+        PoseFollower::new(placed.scene, placed.mechanism, &placed.demand, &placed.at, driver);
     let walk = TravelWalk::new(placed, driver, &follower, now);
     let (range, [low, high]) = (walk.range(), walk.span());
     let samples = SAMPLES * walk.turns() as usize;
-    let stations = Stations::slid(low, high, samples, angle_per_value(placed.scene, &placed.at, driver));
+    let stations =
+        Stations::slid(low, high, samples, angle_per_value(placed.scene, &placed.at, driver));
     let joints = joints(placed.scene, driver);
     let swing_of = |output: &DrivenOutput| {
-        let samples: Vec<Option<[f64; 3]>> = stations.values.iter().map(|x| walk.at(*x, *output)).collect();
-        let column = |level: usize| -> Vec<f64> { samples.iter().map(|s| s.map_or(f64::NAN, |s| s[level])).collect() };
+        let samples: Vec<Option<[f64; 3]>> =
+            stations.values.iter().map(|x| walk.at(*x, *output)).collect();
+        let column = |level: usize| -> Vec<f64> {
+            samples.iter().map(|s| s.map_or(f64::NAN, |s| s[level])).collect()
+        };
         let lost = samples.iter().enumerate().filter(|(_, s)| s.is_none());
         let missing: BTreeMap<usize, Faults> = lost.map(|(i, _)| (i, Faults::default())).collect();
         let extent = placed.at.extent();
-        let course = DriverSamples { stations: &stations, range: &range, extent, period: walk.period(), joints: &joints };
+        let course = DriverSamples {
+            stations: &stations,
+            range: &range,
+            extent,
+            period: walk.period(),
+            joints: &joints,
+        };
         swing(*output, [&column(0), &column(1)], &missing, &course, &|x| walk.at(x, *output))
     };
     let swings = found.iter().map(swing_of).collect();
     let (turns, seen) = if range.full() { (walk.returns(), walk.turns()) } else { (1, 1) };
-    MotionLimits { range, swings, transmission: Vec::new(), grashof: grashof(placed, driver), turns, seen }
+    MotionLimits {
+        range,
+        swings,
+        transmission: Vec::new(),
+        grashof: grashof(placed, driver),
+        turns,
+        seen,
+    }
 }
 
 fn outputs_of(scene: &Scene, m: &Mechanism, driver: usize) -> Vec<DrivenOutput> {
     let ground = &scene.links[scene.ground.0].points;
-    let driven = |l: LinkId| scene.drivers.iter().any(|d| d.kind.turned() == Some((l, scene.ground)));
+    let driven =
+        |l: LinkId| scene.drivers.iter().any(|d| d.kind.turned() == Some((l, scene.ground)));
     let mut out = Vec::new();
     for l in (0..scene.links.len()).map(LinkId) {
         let pivoted = scene.links[l.0].points.iter().any(|p| ground.contains(p));
-        if l != scene.ground && pivoted && !driven(l) && !m.is_passive(l) && m.group_of_link[l.0].is_some() {
+        if l != scene.ground
+            && pivoted
+            && !driven(l)
+            && !m.is_passive(l)
+            && m.group_of_link[l.0].is_some()
+        {
             out.push(DrivenOutput::Turning(l));
         }
     }
@@ -288,7 +338,10 @@ fn joints(scene: &Scene, driver: usize) -> Vec<[f64; 2]> {
             CamMotion::Law { program, .. } => program.joints(),
             CamMotion::Profile(_) => t.disc.stretches().into_iter().map(|(phi, _)| phi).collect(),
         };
-        angles.into_iter().map(|phi| [(t.disc.sense * phi + t.start - t.from) / t.way, TAU / t.way.abs()]).collect()
+        angles
+            .into_iter()
+            .map(|phi| [(t.disc.sense * phi + t.start - t.from) / t.way, TAU / t.way.abs()])
+            .collect()
     };
     turned.flat_map(of).collect()
 }
@@ -309,22 +362,39 @@ fn swings(
     let per_value = angle_per_value(placed.scene, &placed.at, driver);
     let (parts, stations) = {
         let turns = if program.angular { ((high - low) / TAU - 1e-9).ceil().max(1.0) } else { 1.0 };
-        let stations = Stations::slid(low, high, (SAMPLES as f64 * turns * program.finer()) as usize, per_value);
+        let stations = Stations::slid(
+            low,
+            high,
+            (SAMPLES as f64 * turns * program.finer()) as usize,
+            per_value,
+        );
         (super::branches(program.clone(), placed, driver, &stations).0, stations)
     };
     let rows = run_parts(&parts, placed, driver, &stations, Width::Widest);
     let at = |x: f64, output: usize| -> Option<[f64; 3]> {
         let one = Stations::of_values(vec![x], per_value);
         // The branch is that of the nearest sample.
-        let nearest = (0..stations.len()).min_by(|&a, &b| (stations.values[a] - x).abs().total_cmp(&(stations.values[b] - x).abs()))?;
+        let nearest = (0..stations.len()).min_by(|&a, &b| {
+            (stations.values[a] - x).abs().total_cmp(&(stations.values[b] - x).abs())
+        })?;
         let part = parts.iter().find(|(_, rows)| rows.contains(&nearest))?;
         let rows = run_program(&part.0, placed, driver, &one, Width::One);
         rows.missing.is_empty().then(|| [0, 1, 2].map(|l| column(&rows, output, l)[0]))
     };
     let extent = placed.at.extent();
-    let course = DriverSamples { stations: &stations, range, extent, period, joints: &joints(placed.scene, driver) };
+    let course = DriverSamples {
+        stations: &stations,
+        range,
+        extent,
+        period,
+        joints: &joints(placed.scene, driver),
+    };
     let of = |k: usize| [column(&rows, k, 0), column(&rows, k, 1)];
-    found.iter().enumerate().map(|(k, output)| swing(*output, of(k), &rows.missing, &course, &|x| at(x, k))).collect()
+    found
+        .iter()
+        .enumerate()
+        .map(|(k, output)| swing(*output, of(k), &rows.missing, &course, &|x| at(x, k)))
+        .collect()
 }
 
 /// The type of a four-bar: a crank on ground, a bar from it, and a bar from ground that meet in one
@@ -352,7 +422,9 @@ fn grashof(placed: &PlacedScene, driver: usize) -> Option<(Grashof, [f64; 4])> {
         _ => return None,
     };
     let pivot = *scene.links[crank.0].points.iter().find(|p| on_ground(**p))?;
-    let length = |l: LinkId, a: PointId, b: PointId| Some(placed.at.shapes.local(l, a)?.distance(placed.at.shapes.local(l, b)?));
+    let length = |l: LinkId, a: PointId, b: PointId| {
+        Some(placed.at.shapes.local(l, a)?.distance(placed.at.shapes.local(l, b)?))
+    };
     let lengths = [
         length(crank, pivot, coupler.1)?,
         length(coupler.0, coupler.1, pin)?,
@@ -374,7 +446,8 @@ pub fn grashof_of(lengths: [f64; 4]) -> Grashof {
     } else if excess > 0.0 {
         Grashof::TripleRocker
     } else {
-        [Grashof::CrankRocker, Grashof::DoubleRocker, Grashof::RockerCrank, Grashof::DoubleCrank][shortest]
+        [Grashof::CrankRocker, Grashof::DoubleRocker, Grashof::RockerCrank, Grashof::DoubleCrank]
+            [shortest]
     }
 }
 

@@ -44,12 +44,17 @@ impl<'a> General<'a> {
 
     /// The scene with its driver at a station.
     pub fn scene_at(&self, stations: &Stations, row: usize) -> Scene {
-        with_driver_at(self.placed.scene, self.driver, stations.place(row, self.placed.scene, self.driver))
+        with_driver_at(
+            self.placed.scene,
+            self.driver,
+            stations.place(row, self.placed.scene, self.driver),
+        )
     }
 
     /// True if closed forms solve every station, with the closures of the instant.
     pub fn is_closed_everywhere(&self) -> bool {
-        self.placed.scene.is_told_everywhere() && !DrivenMechanism::new(self.placed, self.driver).counts_turns()
+        self.placed.scene.is_told_everywhere()
+            && !DrivenMechanism::new(self.placed, self.driver).counts_turns()
     }
 
     /// True if a cam's contact is valid at the instant only, with no driver to replace it; then
@@ -67,12 +72,17 @@ impl<'a> General<'a> {
         unfollowed(&scene)?;
         if self.is_read_again() {
             let there = Afresh::of(&scene, &|_| None)?;
-            return Ok(vec![scene.find.iter().map(|f| there.answer(f)).collect::<Result<Vec<_>, _>>()?.concat()]);
+            return Ok(vec![
+                scene.find.iter().map(|f| there.answer(f)).collect::<Result<Vec<_>, _>>()?.concat(),
+            ]);
         }
         // Closed forms do not give the turn of wheels, nor the pose near one that is given by
         // coordinates.
         if self.is_closed_everywhere() {
-            let told = self.answers(&scene, &position::recompute::<f64>(&scene, p.mechanism, &p.demand, &p.at)?);
+            let told = self.answers(
+                &scene,
+                &position::recompute::<f64>(&scene, p.mechanism, &p.demand, &p.at)?,
+            );
             // A group without closed forms is only refined from the instant, which leads to no
             // position far from it.
             if !told.as_ref().is_err_and(stated::is_unproven) {
@@ -84,8 +94,16 @@ impl<'a> General<'a> {
 
     /// Solves one row with the configuration `at`, or else by the position solver; one row for each
     /// way on.
-    pub fn ways(&self, stations: &Stations, row: usize, at: Option<&Configuration>) -> Result<Vec<Vec<f64>>, Faults> {
-        at.map_or_else(|| self.solve(stations, row), |at| self.answers(&self.scene_at(stations, row), at))
+    pub fn ways(
+        &self,
+        stations: &Stations,
+        row: usize,
+        at: Option<&Configuration>,
+    ) -> Result<Vec<Vec<f64>>, Faults> {
+        at.map_or_else(
+            || self.solve(stations, row),
+            |at| self.answers(&self.scene_at(stations, row), at),
+        )
     }
 
     /// Returns the row of a pose, one for each way on.
@@ -100,20 +118,31 @@ impl<'a> General<'a> {
         std::iter::once(&solution).chain(others).map(|s| self.row(scene, at, s)).collect()
     }
 
-    fn row(&self, scene: &Scene, at: &Configuration, solution: &Solution) -> Result<Vec<f64>, Faults> {
+    fn row(
+        &self,
+        scene: &Scene,
+        at: &Configuration,
+        solution: &Solution,
+    ) -> Result<Vec<f64>, Faults> {
         let mut row = Vec::new();
         let mut afresh = None;
         // A driver replaces the contact of a cam; the scene knows only the piece of the instant.
         let led = scene.source.is_some() && (0..scene.drivers.len()).any(|d| scene.is_led(d));
         for f in &scene.find {
-            let known = if led && f.what.infinite(scene).is_some() { None } else { numbers(scene, at, solution, f) };
+            let known = if led && f.what.infinite(scene).is_some() {
+                None
+            } else {
+                numbers(scene, at, solution, f)
+            };
             match known {
                 Some(numbers) => row.extend(numbers?),
                 // Answers that depend on that contact.
                 None if led => {
                     let there = match afresh.take() {
                         Some(there) => there,
-                        None => Afresh::of(scene, &|name| at.named(scene, name).map(|p| [p.x, p.y]))?,
+                        None => {
+                            Afresh::of(scene, &|name| at.named(scene, name).map(|p| [p.x, p.y]))?
+                        }
                     };
                     row.extend(there.answer(f)?);
                     afresh = Some(there);
@@ -126,11 +155,17 @@ impl<'a> General<'a> {
 }
 
 fn not_defined(scene: &Scene, f: &Find) -> Diagnostic {
-    Diagnostic::error("not-defined", both!("{}: {}", "{}：{}", f.text, f.what.no_value(scene))).at(f.span)
+    Diagnostic::error("not-defined", both!("{}: {}", "{}：{}", f.text, f.what.no_value(scene)))
+        .at(f.span)
 }
 
 /// The columns of an answer, infinite where it is; `None` where it has no value.
-fn numbers(scene: &Scene, at: &Configuration, solution: &Solution, find: &Find) -> Option<Result<Vec<f64>, Faults>> {
+fn numbers(
+    scene: &Scene,
+    at: &Configuration,
+    solution: &Solution,
+    find: &Find,
+) -> Option<Result<Vec<f64>, Faults>> {
     match find.what.infinite(scene) {
         Some(_) => Some(Ok(vec![f64::INFINITY])),
         None => solution.answer(scene, at, &find.what).map(|value| finite(value.columns())),
@@ -140,7 +175,10 @@ fn numbers(scene: &Scene, at: &Configuration, solution: &Solution, find: &Find) 
 fn finite(row: Vec<f64>) -> Result<Vec<f64>, Faults> {
     match row.iter().all(|v| v.is_finite()) {
         true => Ok(row),
-        false => Err(Diagnostic::error("overflow", both!("a number is out of range", "数值超出范围")).into()),
+        false => {
+            Err(Diagnostic::error("overflow", both!("a number is out of range", "数值超出范围"))
+                .into())
+        }
     }
 }
 
@@ -164,7 +202,8 @@ impl Afresh {
 
     fn answer(&self, find: &Find) -> Result<Vec<f64>, Faults> {
         let own = self.scene.find.iter().find(|f| f.text == find.text).unwrap_or(find);
-        numbers(&self.scene, &self.at, &self.solution, own).unwrap_or_else(|| Err(not_defined(&self.scene, own).into()))
+        numbers(&self.scene, &self.at, &self.solution, own)
+            .unwrap_or_else(|| Err(not_defined(&self.scene, own).into()))
     }
 }
 
@@ -172,8 +211,10 @@ impl Afresh {
 fn unfollowed(scene: &Scene) -> Result<(), Faults> {
     let Some(cam) = scene.lost_follower() else { return Ok(()) };
     let (cam, follower) = (scene.link_name(cam.cam), scene.link_name(cam.follower));
-    let message =
-        both!("the follower `{follower}` cannot be moved so far on cam `{cam}`", "从动件 `{follower}` 在凸轮 `{cam}` 上不能运动到此处");
+    let message = both!(
+        "the follower `{follower}` cannot be moved so far on cam `{cam}`",
+        "从动件 `{follower}` 在凸轮 `{cam}` 上不能运动到此处"
+    );
     Err(Diagnostic::error("limit", message).into())
 }
 
@@ -181,7 +222,11 @@ fn unfollowed(scene: &Scene) -> Result<(), Faults> {
 pub(super) fn driver_words(scene: &Scene, driver: usize, value: f64) -> String {
     let (name, kind) = scene.driver_name(driver);
     let turning = kind == Kind::Angle;
-    let words = if turning { scene.book.text(kind, &significant(scene.book.value(kind, value), 6)) } else { scene.length_words(value) };
+    let words = if turning {
+        scene.book.text(kind, &significant(scene.book.value(kind, value), 6))
+    } else {
+        scene.length_words(value)
+    };
     format!("{name} = {words}")
 }
 
@@ -196,7 +241,8 @@ pub(super) fn links_words(scene: &Scene, links: &[LinkId]) -> Both {
 
 /// The note of a change point.
 pub(super) fn change_note(scene: &Scene, driver: usize, change: &Event) -> Diagnostic {
-    let (links, at) = (links_words(scene, &change.links), driver_words(scene, driver, change.value));
+    let (links, at) =
+        (links_words(scene, &change.links), driver_words(scene, driver, change.value));
     Diagnostic::note(
         "change-point",
         both!(
@@ -224,7 +270,9 @@ pub(super) fn limit_note(scene: &Scene, driver: usize, limit: &Event) -> Diagnos
     let at = driver_words(scene, driver, limit.value);
     let what = limit.toggle.as_ref().map_or_else(
         || {
-            let pin = limit.pin.map_or(Both::default(), |p| both!(" at {}", "在 {} 处", scene.point_name(p)));
+            let pin = limit
+                .pin
+                .map_or(Both::default(), |p| both!(" at {}", "在 {} 处", scene.point_name(p)));
             let links = links_words(scene, &limit.links);
             match limit.links.len() {
                 // A slot at the end of its reach.
@@ -234,7 +282,10 @@ pub(super) fn limit_note(scene: &Scene, driver: usize, limit: &Event) -> Diagnos
         },
         |t| Both { en: t.words(scene, Lang::En), zh: t.words(scene, Lang::Zh) },
     );
-    Diagnostic::note("limit", both!("the driver goes no farther than {at}: there {}", "原动件最远到 {at}：{}", what))
+    Diagnostic::note(
+        "limit",
+        both!("the driver goes no farther than {at}: there {}", "原动件最远到 {at}：{}", what),
+    )
 }
 
 /// A run of missing rows, and the reason why the first of them is missing.
@@ -250,7 +301,10 @@ pub(super) fn runs(missing: &BTreeMap<usize, Faults>, first: usize) -> Vec<RowGa
         let row = first + i;
         match gaps.last_mut().filter(|g| g.rows.end == row) {
             Some(gap) => gap.rows.end = row + 1,
-            None => gaps.push(RowGap { rows: row..row + 1, why: why.list.first().map_or(Both::default(), |d| d.message.clone()) }),
+            None => gaps.push(RowGap {
+                rows: row..row + 1,
+                why: why.list.first().map_or(Both::default(), |d| d.message.clone()),
+            }),
         }
     }
     gaps
@@ -271,12 +325,22 @@ pub(super) fn gap_notes(words: &dyn Fn(usize) -> String, gaps: &[RowGap]) -> Vec
             1 => both!("1 row is", "1 行"),
             n => both!("{n} rows are", "{n} 行"),
         };
-        Diagnostic::warning("no-position", both!("{} missing {}: {}", "{1}缺少 {0}：{2}", count, range_words(words, rows), why))
+        Diagnostic::warning(
+            "no-position",
+            both!("{} missing {}: {}", "{1}缺少 {0}：{2}", count, range_words(words, rows), why),
+        )
     };
     gaps.iter().map(note).collect()
 }
 
 /// The note of a run of rows in which an answer is infinite.
-pub(super) fn infinite_note(words: &dyn Fn(usize) -> String, name: &str, rows: &Range<usize>) -> Diagnostic {
-    Diagnostic::note("infinite", both!("{name} is infinite {}", "{name} 在 {}为无穷大", range_words(words, rows)))
+pub(super) fn infinite_note(
+    words: &dyn Fn(usize) -> String,
+    name: &str,
+    rows: &Range<usize>,
+) -> Diagnostic {
+    Diagnostic::note(
+        "infinite",
+        both!("{name} is infinite {}", "{name} 在 {}为无穷大", range_words(words, rows)),
+    )
 }

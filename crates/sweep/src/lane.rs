@@ -14,7 +14,9 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 const WHOLE: f64 = 6_755_399_441_055_744.0;
 
 /// A number of a sweep: one or several positions.
-pub trait Lane: Ring + Div<Output = Self> + Mul<f64, Output = Self> + Add<f64, Output = Self> {
+pub trait Lane:
+    Ring + Div<Output = Self> + Mul<f64, Output = Self> + Add<f64, Output = Self>
+{
     /// Returns a constant as a number of this type.
     fn constant(self, x: f64) -> Self;
 
@@ -277,12 +279,19 @@ impl Lane for Dual {
     }
 
     fn root_unless_touching(self, least: Dual, slack: Dual) -> Dual {
-        Lane::sqrt(if least.value <= slack.value * 0.25 && least.value >= -slack.value { Dual::fixed(0.0) } else { self })
+        Lane::sqrt(if least.value <= slack.value * 0.25 && least.value >= -slack.value {
+            Dual::fixed(0.0)
+        } else {
+            self
+        })
     }
 
     fn atan2(self, x: Dual) -> Dual {
         let r2 = x.value * x.value + self.value * self.value;
-        Dual { value: libm::atan2(self.value, x.value), slope: (x.value * self.slope - self.value * x.slope) / r2 }
+        Dual {
+            value: libm::atan2(self.value, x.value),
+            slope: (x.value * self.slope - self.value * x.slope) / r2,
+        }
     }
 }
 
@@ -293,7 +302,20 @@ mod tests {
     #[test]
     fn four_lanes_are_four_numbers() {
         let Some(simd) = Width::Widest.four() else { return };
-        let xs = [f64::NAN, -1e-20, -1.0, 2.0, 0.0, -0.0, 3e-17, 5e-324, f64::INFINITY, -3e-16, 1e300, 0.1];
+        let xs = [
+            f64::NAN,
+            -1e-20,
+            -1.0,
+            2.0,
+            0.0,
+            -0.0,
+            3e-17,
+            5e-324,
+            f64::INFINITY,
+            -3e-16,
+            1e300,
+            0.1,
+        ];
         for w in xs.windows(4) {
             let x: [f64; 4] = w.try_into().unwrap();
             let y = [1e-15, 1e-16, 0.7, -3.0];
@@ -315,7 +337,11 @@ mod tests {
                 let lanes = <[f64; 4]>::from(lanes);
                 for i in 0..4 {
                     let expected = one(x[i], y[i]);
-                    assert!(lanes[i].to_bits() == expected.to_bits() || lanes[i].is_nan() && expected.is_nan(), "{x:?} {y:?} {i}");
+                    assert!(
+                        lanes[i].to_bits() == expected.to_bits()
+                            || lanes[i].is_nan() && expected.is_nan(),
+                        "{x:?} {y:?} {i}"
+                    );
                 }
             }
         }

@@ -112,7 +112,8 @@ impl Kernel<6, 5> for Lift {
         let root = ((t + 1.0) * (-t + 1.0)).sqrt();
         // The root in two forms; neither subtracts nearly equal numbers.
         let rest = h + across * e + a * (e * e);
-        let (num, den) = (along.past(0.0, along + root, rest + rest), along.past(0.0, a + a, along - root));
+        let (num, den) =
+            (along.past(0.0, along + root, rest + rest), along.past(0.0, a + a, along - root));
         let q = num / den;
         [q * self.out + self.origin, q, gx, gy, root]
     }
@@ -189,7 +190,11 @@ impl Kernel<5, 3> for Faced {
         let s = s * self.way;
         let (kx, ky) = (kx * c - ky * s, kx * s + ky * c);
         let (along, across) = (kx * d.x + ky * d.y, ky * d.x + kx * -d.y);
-        [(along + rho) * out + self.origin, -across * (out * w), along * -(out * (w * w)) + across * -(out * acceleration)]
+        [
+            (along + rho) * out + self.origin,
+            -across * (out * w),
+            along * -(out * (w * w)) + across * -(out * acceleration),
+        ]
     }
 }
 

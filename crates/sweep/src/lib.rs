@@ -112,7 +112,10 @@ impl TravelEnds {
     /// Returns the reason why a driver cannot travel so far (rad or m), if it is known.
     fn of(&self, driver: usize, way: f64) -> Option<Faults> {
         let known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        known.get(&(driver, way < 0.0)).filter(|(end, _)| way.abs() > *end).map(|(_, why)| why.clone())
+        known
+            .get(&(driver, way < 0.0))
+            .filter(|(end, _)| way.abs() > *end)
+            .map(|(_, why)| why.clone())
     }
 
     /// Records that a driver can be followed as far as `way`, and no farther in this direction.
@@ -126,7 +129,8 @@ impl<'a> PlacedScene<'a> {
     /// Places a scene for its own questions.
     ///
     /// # Errors
-    /// Those of [`position::configure`], and of [`position::redundant::check`] for a pair that locks the mechanism.
+    /// Those of [`position::configure`], and of [`position::redundant::check`] for a pair that
+    /// locks the mechanism.
     pub fn new(scene: &'a Scene, mechanism: &'a Mechanism) -> Result<PlacedScene<'a>, Faults> {
         position::redundant::check(scene, mechanism)?;
         let demand = Demand::of(scene, mechanism);
@@ -143,7 +147,12 @@ impl<'a> PlacedScene<'a> {
 ///
 /// # Errors
 /// A driver that the scene does not have; a sampled position that is not the scene's.
-pub fn run(placed: &PlacedScene, driver: usize, stations: &Stations, width: Width) -> Result<Table, Faults> {
+pub fn run(
+    placed: &PlacedScene,
+    driver: usize,
+    stations: &Stations,
+    width: Width,
+) -> Result<Table, Faults> {
     let sweep = Sweep::new(placed, driver)?;
     sampled::proved(placed, driver, stations.len(), |i| stations.values[i])?;
     Ok(sweep.run(stations, width, Table::default()))
@@ -172,9 +181,11 @@ impl<'a> Sweep<'a> {
     pub fn new(placed: &'a PlacedScene<'a>, driver: usize) -> Result<Sweep<'a>, Faults> {
         let scene = placed.scene;
         if driver >= scene.drivers.len() {
-            return Err(
-                Diagnostic::error("no-driver", both!("the scene has no driver {}", "机构文件没有第 {} 个原动件", driver + 1)).into()
-            );
+            return Err(Diagnostic::error(
+                "no-driver",
+                both!("the scene has no driver {}", "机构文件没有第 {} 个原动件", driver + 1),
+            )
+            .into());
         }
         let program = compiled(placed, driver);
         Ok(Sweep { placed, driver, program })
@@ -191,9 +202,12 @@ impl<'a> Sweep<'a> {
         let rows = match program {
             Ok(program) => {
                 let columns = sized(stock, program, stations);
-                let (mut rows, changes) = run_on_branches(program, placed, *driver, stations, width, columns);
+                let (mut rows, changes) =
+                    run_on_branches(program, placed, *driver, stations, width, columns);
                 notes.extend(changes);
-                rows.complete(&general, stations, &never, &|row| beside(program, placed, *driver, stations.values[row]));
+                rows.complete(&general, stations, &never, &|row| {
+                    beside(program, placed, *driver, stations.values[row])
+                });
                 rows.explain(&general, stations);
                 if !rows.missing.is_empty() {
                     notes.extend(ends(program, placed, *driver, stations));
@@ -226,7 +240,9 @@ enum FallbackMethod {
 impl FallbackMethod {
     fn of(placed: &PlacedScene, driver: usize) -> FallbackMethod {
         let laws = placed.scene.has_laws(driver);
-        if General::new(placed, driver).is_read_again() || laws && General::new(placed, driver).is_closed_everywhere() {
+        if General::new(placed, driver).is_read_again()
+            || laws && General::new(placed, driver).is_closed_everywhere()
+        {
             return FallbackMethod::Each;
         }
         match Stood::of(placed, driver) {
@@ -238,7 +254,11 @@ impl FallbackMethod {
 }
 
 /// All rows of questions that have no program, for the given reason, and the notes on them.
-fn without_program(general: &General, stations: &Stations, why: &Diagnostic) -> (chunks::SweepRows, Vec<Diagnostic>) {
+fn without_program(
+    general: &General,
+    stations: &Stations,
+    why: &Diagnostic,
+) -> (chunks::SweepRows, Vec<Diagnostic>) {
     let (placed, driver) = (general.placed(), general.driver());
     let mut notes = vec![why.clone()];
     let rows = match FallbackMethod::of(placed, driver) {
@@ -283,7 +303,8 @@ fn compiled(placed: &PlacedScene, driver: usize) -> Result<SweepProgram, Diagnos
     if General::new(placed, driver).is_read_again()
         && let Some(cam) = placed.scene.kept_cams().next()
     {
-        let (cam, follower) = (placed.scene.link_name(cam.cam), placed.scene.link_name(cam.follower));
+        let (cam, follower) =
+            (placed.scene.link_name(cam.cam), placed.scene.link_name(cam.follower));
         let message = both!(
             "the contact of cam {} with {} has no compiled form: each position is solved by itself",
             "凸轮 {} 与 {} 的接触不能预编译，逐位置求解（较慢）",
@@ -299,7 +320,8 @@ fn compiled(placed: &PlacedScene, driver: usize) -> Result<SweepProgram, Diagnos
 fn each(general: &General, stations: &Stations) -> chunks::SweepRows {
     let width = general.scene().find.iter().flat_map(compile::ask::names).count();
     let columns = vec![vec![f64::NAN; stations.len()]; width];
-    let mut rows = chunks::SweepRows { columns, open: (0..stations.len()).collect(), ..Default::default() };
+    let mut rows =
+        chunks::SweepRows { columns, open: (0..stations.len()).collect(), ..Default::default() };
     rows.complete(general, stations, &never, &|_| None);
     rows.explain(general, stations);
     rows
@@ -309,7 +331,10 @@ fn each(general: &General, stations: &Stations) -> chunks::SweepRows {
 /// side, each on its own side of a change point.
 fn beside(program: &SweepProgram, placed: &PlacedScene, driver: usize, x: f64) -> Option<Vec<f64>> {
     let off = 1e-3 * limit::reach(placed, driver);
-    let sides = Stations::of_values(vec![x - off, x + off], station::angle_per_value(placed.scene, &placed.at, driver));
+    let sides = Stations::of_values(
+        vec![x - off, x + off],
+        station::angle_per_value(placed.scene, &placed.at, driver),
+    );
     let (parts, _) = branches(program.clone(), placed, driver, &sides);
     let rows = run_parts(&parts, placed, driver, &sides, Width::One);
     let mean: Vec<f64> = rows.columns.iter().map(|c| 0.5 * (c[0] + c[1])).collect();
@@ -326,10 +351,20 @@ fn span(placed: &PlacedScene, driver: usize, stations: &Stations) -> (f64, [f64;
 }
 
 /// One note for each limit of the driver within the span of the stations.
-fn ends(program: &SweepProgram, placed: &PlacedScene, driver: usize, stations: &Stations) -> Vec<Diagnostic> {
+fn ends(
+    program: &SweepProgram,
+    placed: &PlacedScene,
+    driver: usize,
+    stations: &Stations,
+) -> Vec<Diagnostic> {
     let (now, span) = span(placed, driver, stations);
-    let end = |until: f64| (until != now).then(|| Probe::of(program.clone(), placed, driver).walk(until).0).flatten();
-    span.into_iter().filter_map(end).map(|e| general::limit_note(placed.scene, driver, &e)).collect()
+    let end = |until: f64| {
+        (until != now).then(|| Probe::of(program.clone(), placed, driver).walk(until).0).flatten()
+    };
+    span.into_iter()
+        .filter_map(end)
+        .map(|e| general::limit_note(placed.scene, driver, &e))
+        .collect()
 }
 
 /// The program of each stretch between change points, with its stations, and one note for each
@@ -347,7 +382,12 @@ fn branches(
 }
 
 /// One note for each change point of the driver's travel, and one if they recur on further turns.
-fn change_notes(placed: &PlacedScene, driver: usize, changes: &[Changes; 2], span: [f64; 2]) -> Vec<Diagnostic> {
+fn change_notes(
+    placed: &PlacedScene,
+    driver: usize,
+    changes: &[Changes; 2],
+    span: [f64; 2],
+) -> Vec<Diagnostic> {
     let mut notes = Vec::new();
     for (changes, until) in changes.iter().zip(span) {
         let (met, more) = changes.met(until);
@@ -358,7 +398,13 @@ fn change_notes(placed: &PlacedScene, driver: usize, changes: &[Changes; 2], spa
 }
 
 /// The change points of the driver's travel from its position in the scene, downward and upward.
-fn change_points(program: &SweepProgram, placed: &PlacedScene, driver: usize, now: f64, span: [f64; 2]) -> [Changes; 2] {
+fn change_points(
+    program: &SweepProgram,
+    placed: &PlacedScene,
+    driver: usize,
+    now: f64,
+    span: [f64; 2],
+) -> [Changes; 2] {
     let mut changes = [Changes::default(), Changes::default()];
     if program.tracks.is_empty() && program.suspects().next().is_some() {
         // Both directions share one compiled program.
@@ -371,16 +417,26 @@ fn change_points(program: &SweepProgram, placed: &PlacedScene, driver: usize, no
 }
 
 /// The program of each stretch between change points, with its stations.
-fn stretches(program: SweepProgram, now: f64, changes: &[Changes; 2], stations: &Stations) -> Vec<(SweepProgram, Vec<usize>)> {
+fn stretches(
+    program: SweepProgram,
+    now: f64,
+    changes: &[Changes; 2],
+    stations: &Stations,
+) -> Vec<(SweepProgram, Vec<usize>)> {
     let all: Vec<usize> = (0..stations.len()).collect();
     if changes.iter().all(|c| c.events.is_empty()) {
         return vec![(program, all)];
     }
     let [down, up] = changes;
-    let mut rows: [Vec<Vec<usize>>; 2] = [vec![Vec::new(); down.stretches()], vec![Vec::new(); up.stretches()]];
+    let mut rows: [Vec<Vec<usize>>; 2] =
+        [vec![Vec::new(); down.stretches()], vec![Vec::new(); up.stretches()]];
     for i in all {
         let value = stations.values[i];
-        if value < now { rows[0][down.stretch(value, -1.0)].push(i) } else { rows[1][up.stretch(value, 1.0)].push(i) }
+        if value < now {
+            rows[0][down.stretch(value, -1.0)].push(i)
+        } else {
+            rows[1][up.stretch(value, 1.0)].push(i)
+        }
     }
     let mut parts: Vec<(SweepProgram, Vec<usize>)> = Vec::new();
     for (changes, rows) in changes.iter().zip(rows) {

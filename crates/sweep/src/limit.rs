@@ -103,12 +103,18 @@ pub(super) const SUSPECT: f64 = 0.1;
 /// True if these stations, with crossings of more than [`SUSPECT`] at each, leave no gap in which a
 /// limit or a change point goes unnoticed: they are no farther apart than the samples of a search,
 /// and their span includes the driver's position in the scene.
-pub(super) fn dense(program: &SweepProgram, placed: &PlacedScene, driver: usize, stations: &Stations) -> bool {
+pub(super) fn dense(
+    program: &SweepProgram,
+    placed: &PlacedScene,
+    driver: usize,
+    stations: &Stations,
+) -> bool {
     let step = reach(placed, driver) / (STEPS as f64 * program.finer());
     let now = position_now(placed.scene, &placed.at, driver);
     let ends = stations.values.first().zip(stations.values.last());
     // The fold tests all of them, without a branch at each.
-    let close = || stations.values.windows(2).fold(true, |close, w| close & ((w[1] - w[0]).abs() <= step));
+    let close =
+        || stations.values.windows(2).fold(true, |close, w| close & ((w[1] - w[0]).abs() <= step));
     ends.is_some_and(|(a, b)| (now - a) * (now - b) <= 0.0) && close()
 }
 
@@ -189,7 +195,9 @@ impl<'a> Probe<'a> {
         let way = until - from;
         let near = FAR * self.reach();
         let equal = |way: f64| {
-            let steps = (way.abs() / self.reach() * STEPS as f64 * self.program.finer()).ceil().clamp(1.0, 2e7) as usize;
+            let steps = (way.abs() / self.reach() * STEPS as f64 * self.program.finer())
+                .ceil()
+                .clamp(1.0, 2e7) as usize;
             let step = way / steps as f64;
             (0..=steps + 1).map(move |i| from + step * i as f64)
         };
@@ -252,7 +260,11 @@ impl<'a> Probe<'a> {
                 if i > 0 && c[j][i - 1] > TOUCHING && here < -TOUCHING && meaning(i) {
                     return Some(self.event(j, EventKind::Limit, self.root(j, xs[i - 1], xs[i])));
                 }
-                let lowest = i > 0 && i + 1 < xs.len() && here < SUSPECT && here < c[j][i - 1] && here <= c[j][i + 1];
+                let lowest = i > 0
+                    && i + 1 < xs.len()
+                    && here < SUSPECT
+                    && here < c[j][i - 1]
+                    && here <= c[j][i + 1];
                 if lowest && meaning(i + 1) {
                     let (at, least) = self.least(j, xs[i - 1], xs[i + 1]);
                     if least.abs() <= TOUCHING {
@@ -304,7 +316,8 @@ impl<'a> Probe<'a> {
         let at = |x: f64| self.crossing(joint, x);
         let (mut a, mut b) = ((a, at(a).slope), (b, at(b).slope));
         // Slopes of one sign: the smallest value is at an end.
-        let mut best = if a.1 * (b.0 - a.0) > 0.0 { (a.0, at(a.0).value) } else { (b.0, at(b.0).value) };
+        let mut best =
+            if a.1 * (b.0 - a.0) > 0.0 { (a.0, at(a.0).value) } else { (b.0, at(b.0).value) };
         if a.1 * b.1 >= 0.0 {
             return best;
         }
@@ -330,21 +343,42 @@ impl<'a> Probe<'a> {
     fn fold(&self, stuck: &FollowedState, until: f64) -> Event {
         let dets = self.program.determinants(stuck);
         // The group with the smallest determinant, relative to its own size, is the one that folds.
-        let track = dets.iter().enumerate().min_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map_or(0, |t| t.0);
+        let track = dets
+            .iter()
+            .enumerate()
+            .min_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
+            .map_or(0, |t| t.0);
         // A joint that closes before the group may be at its limit instead.
         let step = (until - stuck.value).signum() * 1e-6 * self.reach();
         let (cos, sin, per_value) = self.turn(stuck.value + step);
         let mut beyond = self.program.inputs(stuck.value + step, cos, sin, per_value);
         self.program.derive_steps(0..self.program.tracks[track].step, &mut beyond);
-        for (j, joint) in self.program.joints.iter().enumerate().filter(|(_, j)| j.step < self.program.tracks[track].step) {
+        for (j, joint) in self
+            .program
+            .joints
+            .iter()
+            .enumerate()
+            .filter(|(_, j)| j.step < self.program.tracks[track].step)
+        {
             if beyond[joint.crossing.0 as usize].value < 0.0 {
-                return self.event(j, EventKind::Limit, self.root(j, stuck.value, stuck.value + step));
+                return self.event(
+                    j,
+                    EventKind::Limit,
+                    self.root(j, stuck.value, stuck.value + step),
+                );
             }
         }
         let value = self.program.fold(track, stuck, &|x| self.turn(x)).unwrap_or(stuck.value);
         let group = &self.placed.mechanism.groups[self.program.tracks[track].group];
         let toggle = Toggle::of(group, || self.program.parallel(track, stuck, &|x| self.turn(x)));
-        Event { value, kind: EventKind::Limit, links: group.links.clone(), pin: None, joint: None, toggle }
+        Event {
+            value,
+            kind: EventKind::Limit,
+            links: group.links.clone(),
+            pin: None,
+            joint: None,
+            toggle,
+        }
     }
 
     /// Returns the smallest transmission angle of each joint over a range (rad, at most 90°) and
@@ -355,7 +389,8 @@ impl<'a> Probe<'a> {
         }
         let turns = if self.program.angular { ((high - low) / TAU).max(1.0) } else { 1.0 };
         let steps = (STEPS as f64 * turns * self.program.finer() - 1e-6).ceil() as usize;
-        let xs: Vec<f64> = (0..=steps).map(|i| low + (high - low) * (i as f64 / steps as f64)).collect();
+        let xs: Vec<f64> =
+            (0..=steps).map(|i| low + (high - low) * (i as f64 / steps as f64)).collect();
         let angle = |sin2: f64| libm::asin(sin2.clamp(0.0, 1.0).sqrt());
         let worst = |(j, c): (usize, &Vec<f64>)| {
             let i = (0..c.len()).filter(|&i| c[i] >= 0.0).min_by(|&a, &b| c[a].total_cmp(&c[b]))?;
@@ -363,7 +398,11 @@ impl<'a> Probe<'a> {
             let (at, least) = if least < c[i] { (at, least) } else { (xs[i], c[i]) };
             Some((at, angle(least)))
         };
-        self.sampled(&xs).iter().enumerate().map(|w| worst(w).unwrap_or((f64::NAN, f64::NAN))).collect()
+        self.sampled(&xs)
+            .iter()
+            .enumerate()
+            .map(|w| worst(w).unwrap_or((f64::NAN, f64::NAN)))
+            .collect()
     }
 }
 
@@ -449,7 +488,10 @@ mod tests {
                 for far in [1e3, 1e13, 1e80] {
                     let there = end(probe.now + sign * far);
                     match (&near, &there) {
-                        (Some(a), Some(b)) => assert!((a.value - b.value).abs() <= 1e-12 * a.value.abs(), "{name}: {a:?}, {b:?}"),
+                        (Some(a), Some(b)) => assert!(
+                            (a.value - b.value).abs() <= 1e-12 * a.value.abs(),
+                            "{name}: {a:?}, {b:?}"
+                        ),
                         (None, None) => {}
                         _ => panic!("{name} to {far:e}: {near:?}, {there:?}"),
                     }

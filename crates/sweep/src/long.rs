@@ -11,8 +11,8 @@ use super::program::SweepProgram;
 use super::sampled::proved;
 use super::stood::Stood;
 use super::{
-    FallbackMethod, PlacedScene, StationSteps, Stations, Width, beside, change_notes, change_points, compile, compiled, each, ends, span,
-    stretches,
+    FallbackMethod, PlacedScene, StationSteps, Stations, Width, beside, change_notes,
+    change_points, compile, compiled, each, ends, span, stretches,
 };
 use hodograph_base::diag::{Diagnostic, Faults};
 use std::ops::Range;
@@ -55,7 +55,11 @@ impl<'a> LongSweep<'a> {
     ///
     /// # Errors
     /// A sampled position that is not the scene's.
-    pub fn new(placed: &'a PlacedScene<'a>, driver: usize, steps: StationSteps) -> Result<LongSweep<'a>, Faults> {
+    pub fn new(
+        placed: &'a PlacedScene<'a>,
+        driver: usize,
+        steps: StationSteps,
+    ) -> Result<LongSweep<'a>, Faults> {
         proved(placed, driver, steps.steps + 1, |i| steps.value(i))?;
         let [first, last] = [0, steps.steps].map(|i| steps.value(i));
         let (descending, count) = (last < first, steps.steps + 1);
@@ -68,7 +72,10 @@ impl<'a> LongSweep<'a> {
                     let changes = change_points(&program, placed, driver, now, bounds);
                     RowMethod::Free { program: Box::new(program), reach, now, changes }
                 } else {
-                    RowMethod::Compiled { course: Box::new(Compiled::course(program, placed, driver, count, &values)), reach }
+                    RowMethod::Compiled {
+                        course: Box::new(Compiled::course(program, placed, driver, count, &values)),
+                        reach,
+                    }
                 }
             }
             Err(why) => match FallbackMethod::of(placed, driver) {
@@ -79,16 +86,31 @@ impl<'a> LongSweep<'a> {
                     let changes = change_points(&stood.program, placed, driver, now, bounds);
                     RowMethod::Stood { stood, reach, now, changes, why }
                 }
-                FallbackMethod::Whole => {
-                    RowMethod::Whole { course: Box::new(DrivenMechanism::course(placed, driver, count, &values)), why }
-                }
+                FallbackMethod::Whole => RowMethod::Whole {
+                    course: Box::new(DrivenMechanism::course(placed, driver, count, &values)),
+                    why,
+                },
             },
         };
-        Ok(LongSweep { placed, driver, steps, descending, way, general: General::new(placed, driver), gaps: Gaps::of(placed.scene) })
+        Ok(LongSweep {
+            placed,
+            driver,
+            steps,
+            descending,
+            way,
+            general: General::new(placed, driver),
+            gaps: Gaps::of(placed.scene),
+        })
     }
 
-    fn rows(&mut self, rows: Range<usize>, stations: &Stations, stop: StopSignal) -> Option<SweepRows> {
-        let (placed, driver, steps, general) = (self.placed, self.driver, &self.steps, &self.general);
+    fn rows(
+        &mut self,
+        rows: Range<usize>,
+        stations: &Stations,
+        stop: StopSignal,
+    ) -> Option<SweepRows> {
+        let (placed, driver, steps, general) =
+            (self.placed, self.driver, &self.steps, &self.general);
         let (descending, count) = (self.descending, steps.steps + 1);
         let values = |position| steps.value(flipped(position, descending, count));
         let part = if descending { count - rows.end..count - rows.start } else { rows.clone() };
@@ -108,9 +130,13 @@ impl<'a> LongSweep<'a> {
                 let parts = stretches(stood.program.clone(), *now, changes, stations);
                 return stood.rows(&parts, general, stations, stop);
             }
-            RowMethod::Whole { course, .. } => return whole::rows(course, general, part, stations, &values, &row, stop),
+            RowMethod::Whole { course, .. } => {
+                return whole::rows(course, general, part, stations, &values, &row, stop);
+            }
         };
-        if !numbers.complete(general, stations, stop, &|row| beside(program, placed, driver, stations.values[row])) {
+        if !numbers.complete(general, stations, stop, &|row| {
+            beside(program, placed, driver, stations.values[row])
+        }) {
             return None;
         }
         numbers.explain(general, stations);
@@ -126,7 +152,9 @@ fn flipped(i: usize, descending: bool, count: usize) -> usize {
 impl SweepPieces for LongSweep<'_> {
     fn columns(&self) -> Vec<(String, &'static str)> {
         let scene = self.placed.scene;
-        std::iter::once(scene.driver_column(self.driver)).chain(scene.find.iter().flat_map(compile::ask::names)).collect()
+        std::iter::once(scene.driver_column(self.driver))
+            .chain(scene.find.iter().flat_map(compile::ask::names))
+            .collect()
     }
 
     fn count(&self) -> usize {
@@ -137,7 +165,10 @@ impl SweepPieces for LongSweep<'_> {
         match self.way {
             RowMethod::Free { .. } => 1 << 16,
             // As many positions as are repeated from one state.
-            RowMethod::Compiled { .. } | RowMethod::Whole { .. } | RowMethod::Each | RowMethod::Stood { .. } => STRIDE,
+            RowMethod::Compiled { .. }
+            | RowMethod::Whole { .. }
+            | RowMethod::Each
+            | RowMethod::Stood { .. } => STRIDE,
         }
     }
 
@@ -151,24 +182,40 @@ impl SweepPieces for LongSweep<'_> {
     fn notes(&self) -> Vec<Diagnostic> {
         let scene = self.placed.scene;
         let lost = !self.gaps.is_empty();
-        let limits = |program: &SweepProgram, reach| if lost { ends(program, self.placed, self.driver, reach) } else { Vec::new() };
+        let limits = |program: &SweepProgram, reach| {
+            if lost { ends(program, self.placed, self.driver, reach) } else { Vec::new() }
+        };
         let mut notes = match &self.way {
             RowMethod::Free { program, reach, changes, .. } => {
-                let mut notes = change_notes(self.placed, self.driver, changes, span(self.placed, self.driver, reach).1);
+                let mut notes = change_notes(
+                    self.placed,
+                    self.driver,
+                    changes,
+                    span(self.placed, self.driver, reach).1,
+                );
                 notes.extend(limits(program, reach));
                 notes
             }
             RowMethod::Each => Vec::new(),
             RowMethod::Stood { stood, reach, changes, why, .. } => {
                 let mut notes = vec![why.clone()];
-                notes.extend(change_notes(self.placed, self.driver, changes, span(self.placed, self.driver, reach).1));
+                notes.extend(change_notes(
+                    self.placed,
+                    self.driver,
+                    changes,
+                    span(self.placed, self.driver, reach).1,
+                ));
                 notes.extend(limits(&stood.program, reach));
                 notes
             }
             RowMethod::Compiled { course, reach } => limits(course.follow().program(), reach),
-            RowMethod::Whole { course, why } => std::iter::once(why.clone()).chain(whole::ends(course)).collect(),
+            RowMethod::Whole { course, why } => {
+                std::iter::once(why.clone()).chain(whole::ends(course)).collect()
+            }
         };
-        notes.extend(self.gaps.notes(&|k| general::driver_words(scene, self.driver, self.steps.value(k))));
+        notes.extend(
+            self.gaps.notes(&|k| general::driver_words(scene, self.driver, self.steps.value(k))),
+        );
         notes
     }
 }

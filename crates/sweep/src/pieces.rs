@@ -39,7 +39,11 @@ pub trait SweepPieces: Send {
 
 /// Collects all rows in memory.
 pub fn gather(pieces: &mut dyn SweepPieces) -> Table {
-    let mut columns: Vec<Column> = pieces.columns().into_iter().map(|(name, unit)| Column { name, unit, values: Vec::new() }).collect();
+    let mut columns: Vec<Column> = pieces
+        .columns()
+        .into_iter()
+        .map(|(name, unit)| Column { name, unit, values: Vec::new() })
+        .collect();
     let (count, step) = (pieces.count(), pieces.at_once());
     for from in (0..count).step_by(step) {
         let piece = pieces.piece(from..count.min(from + step), &never).unwrap_or_default();
@@ -65,9 +69,15 @@ impl Gaps {
     /// Starts without gaps for a sweep of this scene. Answers with a meaning have a number in every
     /// position, so that only the others are watched.
     pub fn of(scene: &Scene) -> Gaps {
-        let columns = scene.find.iter().flat_map(|f| ask::names(f).into_iter().map(move |(name, _)| (f, name))).enumerate();
+        let columns = scene
+            .find
+            .iter()
+            .flat_map(|f| ask::names(f).into_iter().map(move |(name, _)| (f, name)))
+            .enumerate();
         let bounded = |f: &Find| f.what.meaning(scene).is_some();
-        let infinite = columns.filter(|(_, (f, _))| !bounded(f)).map(|(column, (_, name))| Infinite { column, name, runs: Vec::new() });
+        let infinite = columns
+            .filter(|(_, (f, _))| !bounded(f))
+            .map(|(column, (_, name))| Infinite { column, name, runs: Vec::new() });
         Gaps { missing: Vec::new(), infinite: infinite.collect() }
     }
 
@@ -85,7 +95,9 @@ impl Gaps {
     pub fn see_all(&mut self, rows: &SweepRows, first: usize) {
         self.add(&rows.missing, first);
         let count = if self.infinite.is_empty() { 0 } else { rows.columns[0].len() };
-        (0..count).filter(|i| !rows.missing.contains_key(i)).for_each(|i| self.see(first + i, |column| rows.columns[column][i]));
+        (0..count)
+            .filter(|i| !rows.missing.contains_key(i))
+            .for_each(|i| self.see(first + i, |column| rows.columns[column][i]));
     }
 
     /// Records the missing rows of a piece; `first` is the number of its first row.
@@ -105,7 +117,10 @@ impl Gaps {
 
     /// One note for each run; `words` names a row by its swept value.
     pub fn notes(&self, words: &dyn Fn(usize) -> String) -> Vec<Diagnostic> {
-        let infinite = self.infinite.iter().flat_map(|of| of.runs.iter().map(|run| infinite_note(words, &of.name, run)));
+        let infinite = self
+            .infinite
+            .iter()
+            .flat_map(|of| of.runs.iter().map(|run| infinite_note(words, &of.name, run)));
         gap_notes(words, &self.missing).into_iter().chain(infinite).collect()
     }
 }

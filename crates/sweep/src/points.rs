@@ -39,7 +39,8 @@ pub struct PointMoment {
     pub place: f64,
     /// The configuration.
     pub configuration: Configuration,
-    /// Velocity (m/s) and acceleration (m/s²) of each point; `None` where they are unbounded or have no value.
+    /// Velocity (m/s) and acceleration (m/s²) of each point; `None` where they are unbounded or
+    /// have no value.
     pub vectors: Vec<[Option<Vec2>; 2]>,
 }
 
@@ -83,22 +84,37 @@ pub fn alone(scene: &Scene, swept: Swept) -> Scene {
 pub fn bounded(mut sizes: Vec<f64>, own: f64, unlimited: bool) -> Option<f64> {
     sizes.sort_by(f64::total_cmp);
     let largest = *sizes.last()?;
-    Some(if unlimited { largest } else { largest.min((OFF_PAPER * sizes[sizes.len() / 2]).max(own)) })
+    Some(if unlimited {
+        largest
+    } else {
+        largest.min((OFF_PAPER * sizes[sizes.len() / 2]).max(own))
+    })
 }
 
 /// Returns `count` poses at equal steps of the driver, in the sense of its motion: from the scene's
 /// own through a full turn, or from one end of the travel to the other.
 pub fn at_equal_steps(follower: &PoseFollower, sweep: &PoseSweep, count: usize) -> Vec<TravelPose> {
-    let (Some(first), Some(last)) = (sweep.poses.first(), sweep.poses.last()) else { return Vec::new() };
+    let (Some(first), Some(last)) = (sweep.poses.first(), sweep.poses.last()) else {
+        return Vec::new();
+    };
     let turn = sweep.period();
     let (from, step) = match (sweep.full, count) {
         (true, n) => (0.0, turn / n.max(1) as f64),
         (false, 1) => (0.0, 0.0),
         (false, n) => (first.travel, (last.travel - first.travel) / (n.max(2) - 1) as f64),
     };
-    let near = |travel: f64| sweep.poses.iter().min_by(|a, b| (a.travel - travel).abs().total_cmp(&(b.travel - travel).abs()));
+    let near = |travel: f64| {
+        sweep
+            .poses
+            .iter()
+            .min_by(|a, b| (a.travel - travel).abs().total_cmp(&(b.travel - travel).abs()))
+    };
     let pose = |k: usize| {
-        let travel = if !sweep.full && count > 1 && k + 1 == count { last.travel } else { from + step * k as f64 };
+        let travel = if !sweep.full && count > 1 && k + 1 == count {
+            last.travel
+        } else {
+            from + step * k as f64
+        };
         let near = near(travel)?;
         // A pose of the sweep within rounding is that pose: at a limit there is no pose beyond it.
         if (near.travel - travel).abs() <= 1e-9 * (last.travel - first.travel) {
@@ -145,7 +161,15 @@ pub fn motion(
     let follower = PoseFollower::new(&scene, mechanism, demand, at, swept);
     let sweep = follower.sweep(STEPS);
     let now = station::now(&scene, at, swept);
-    let tracer = Tracer { scene, mechanism, demand: wanted, follower: &follower, now, points, unlimited: sweep.is_unlimited() };
+    let tracer = Tracer {
+        scene,
+        mechanism,
+        demand: wanted,
+        follower: &follower,
+        now,
+        points,
+        unlimited: sweep.is_unlimited(),
+    };
     let limits = [0, sweep.poses.len() - 1].map(|k| sweep.is_limit(k));
     let mut moments: Vec<PointMoment> = sweep.poses.iter().map(|p| tracer.moment(p)).collect();
     if sweep.full
@@ -185,20 +209,33 @@ impl Tracer<'_> {
             AnswerValue::Vector(v) => v.is_finite().then_some(v),
             AnswerValue::Scalar(_) | AnswerValue::Point(_) => None,
         };
-        let vectors = self.points.iter().map(|p| questions(&scene, *p).each_ref().map(vector)).collect();
-        PointMoment { travel: pose.travel, place: self.now + pose.travel, configuration: at.clone(), vectors }
+        let vectors =
+            self.points.iter().map(|p| questions(&scene, *p).each_ref().map(vector)).collect();
+        PointMoment {
+            travel: pose.travel,
+            place: self.now + pose.travel,
+            configuration: at.clone(),
+            vectors,
+        }
     }
 
     /// Adds poses where a curve is farther from its chord than print can show; returns `true` if
     /// there were any.
     fn refine(&self, moments: &mut Vec<PointMoment>) -> bool {
-        let most =
-            |of: &dyn Fn(&PointMoment) -> Option<f64>| bounded(moments.iter().filter_map(of).collect(), 0.0, self.unlimited).unwrap_or(0.0);
+        let most = |of: &dyn Fn(&PointMoment) -> Option<f64>| {
+            bounded(moments.iter().filter_map(of).collect(), 0.0, self.unlimited).unwrap_or(0.0)
+        };
         let sizes: Vec<[f64; 3]> = (0..self.points.len())
             .map(|k| {
                 let level = |l: usize| most(&|m: &PointMoment| m.vectors[k][l].map(Vec2::norm));
                 let first = moments.first().and_then(|m| m.configuration.points[self.points[k].0]);
-                [most(&|m: &PointMoment| Some(m.configuration.points[self.points[k].0]?.distance(first?))), level(0), level(1)]
+                [
+                    most(&|m: &PointMoment| {
+                        Some(m.configuration.points[self.points[k].0]?.distance(first?))
+                    }),
+                    level(0),
+                    level(1),
+                ]
             })
             .collect();
         let old = std::mem::take(moments);
@@ -220,13 +257,18 @@ impl Tracer<'_> {
             let place = m.configuration.points[self.points[k].0].map(|p| p.to_vec2());
             [place, m.vectors[k][0], m.vectors[k][1]]
         };
-        let shown = |v: Option<Vec2>, level: usize, most: f64| v.filter(|v| level == 0 || v.norm() <= most * (1.0 + BEND));
+        let shown = |v: Option<Vec2>, level: usize, most: f64| {
+            v.filter(|v| level == 0 || v.norm() <= most * (1.0 + BEND))
+        };
         let apart = (0..sizes.len()).any(|k| {
-            (0..3).any(|l| match (shown(parts(a, k)[l], l, sizes[k][l]), shown(parts(b, k)[l], l, sizes[k][l])) {
-                (Some(p), Some(q)) => (p - q).norm() > 16.0 * BEND * sizes[k][l],
-                (None, None) => false,
-                // The curve leaves the paper between the two.
-                _ => true,
+            (0..3).any(|l| {
+                match (shown(parts(a, k)[l], l, sizes[k][l]), shown(parts(b, k)[l], l, sizes[k][l]))
+                {
+                    (Some(p), Some(q)) => (p - q).norm() > 16.0 * BEND * sizes[k][l],
+                    (None, None) => false,
+                    // The curve leaves the paper between the two.
+                    _ => true,
+                }
             })
         });
         if !apart {

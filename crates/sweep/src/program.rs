@@ -4,15 +4,27 @@
 //! list itself, one position at a time and in numbers with derivatives; over many positions it runs
 //! in the form that [`super::fuse`] makes of it.
 
-use super::carry::{Arm, ArmSwing, ArmTurning, Image, PointAlong, Product, SwingRate, TurningRate, Twist};
-use super::closure::{CircleLine, CircleLineCrossing, Circles, CirclesCrossing, Closure, LeverCrossing, Lines, Margin, SlotLever};
+use super::carry::{
+    Arm, ArmSwing, ArmTurning, Image, PointAlong, Product, SwingRate, TurningRate, Twist,
+};
+use super::closure::{
+    CircleLine, CircleLineCrossing, Circles, CirclesCrossing, Closure, LeverCrossing, Lines,
+    Margin, SlotLever,
+};
 use super::follow::triad::LinkTrack;
 use super::fuse::Fused;
 use super::kernel::{Kernel, Reg, RegPair};
 use super::lane::{Dual, Lane};
-use super::led::{ByAngle, CamPhase, Faced, Higher, Lift, LiftRate, Parabola, Rock, RockRate, Stretch, Wave};
-use super::reading::{ComponentAlong, Coriolis, Dot, Quotient, RateRatio, VectorDirection, VectorLength, WeightedSum};
-use super::rows::{Bars, BarsRate, Cross, Distance, DistanceRate, Guided, GuidedRate, Reduced, ReducedRate, SlotRate, Three, TurnOf};
+use super::led::{
+    ByAngle, CamPhase, Faced, Higher, Lift, LiftRate, Parabola, Rock, RockRate, Stretch, Wave,
+};
+use super::reading::{
+    ComponentAlong, Coriolis, Dot, Quotient, RateRatio, VectorDirection, VectorLength, WeightedSum,
+};
+use super::rows::{
+    Bars, BarsRate, Cross, Distance, DistanceRate, Guided, GuidedRate, Reduced, ReducedRate,
+    SlotRate, Three, TurnOf,
+};
 use super::run::{KernelRunner, operations};
 use super::turns::{Against, CosineSine, Geared, Quarters, WayAcceleration, WayRate};
 use super::work::{Forward, Massive, ProductSum, Ramp, Repeated, SpringPower};
@@ -230,7 +242,10 @@ impl SweepProgram {
 
     /// The margin of a joint; `read` reads a register.
     pub fn margin<N: Lane>(&self, joint: &Joint, read: &impl Fn(Reg) -> N) -> Option<Margin<N>> {
-        fn of<N: Lane, const IN: usize, const OUT: usize, K: Kernel<IN, OUT> + Closure<IN>>(k: &K, read: &impl Fn(Reg) -> N) -> Margin<N> {
+        fn of<N: Lane, const IN: usize, const OUT: usize, K: Kernel<IN, OUT> + Closure<IN>>(
+            k: &K,
+            read: &impl Fn(Reg) -> N,
+        ) -> Margin<N> {
             k.margin(k.inputs().map(read))
         }
         match &self.steps[Level::Position as usize][joint.step].op {

@@ -160,7 +160,8 @@ fn compiled_rates_are_differences() {
         ("rack and pinion", "B"),
         ("wheel that drives itself", "M"),
     ];
-    let mut asked: Vec<(&str, String, String)> = pairs.iter().map(|(n, a, b)| (*n, (*a).to_owned(), (*b).to_owned())).collect();
+    let mut asked: Vec<(&str, String, String)> =
+        pairs.iter().map(|(n, a, b)| (*n, (*a).to_owned(), (*b).to_owned())).collect();
     for (n, p) in points {
         asked.push((n, format!("v_{p}"), format!("a_{p}")));
         asked.push((n, format!("x_{p}"), format!("v_{p}")));
@@ -173,12 +174,28 @@ fn compiled_rates_are_differences() {
             let omega = placed.scene.drivers[0].rate.value;
             for part in [0.07, 0.31, 0.83] {
                 let (x, h) = (now + part * reach, 1e-4);
-                let table = run(placed, 0, &Stations::of_values(vec![x - h, x, x + h], 1.0), Width::One).unwrap();
-                let (a, b) =
-                    (&table.columns[1].values, &table.columns.iter().find(|c| c.name.split('.').next() == Some(&rate)).unwrap().values);
+                let table =
+                    run(placed, 0, &Stations::of_values(vec![x - h, x, x + h], 1.0), Width::One)
+                        .unwrap();
+                let (a, b) = (
+                    &table.columns[1].values,
+                    &table
+                        .columns
+                        .iter()
+                        .find(|c| c.name.split('.').next() == Some(&rate))
+                        .unwrap()
+                        .values,
+                );
                 let turn = a[2] - a[0];
-                let slope = (turn - TAU * libm::rint(turn / TAU) * f64::from(of.starts_with("phi"))) * omega / (2.0 * h);
-                assert!((slope - b[1]).abs() < 1e-5 * (1.0 + b[1].abs()), "{name}: {of} changes by {slope}, {rate} = {}", b[1]);
+                let slope = (turn
+                    - TAU * libm::rint(turn / TAU) * f64::from(of.starts_with("phi")))
+                    * omega
+                    / (2.0 * h);
+                assert!(
+                    (slope - b[1]).abs() < 1e-5 * (1.0 + b[1].abs()),
+                    "{name}: {of} changes by {slope}, {rate} = {}",
+                    b[1]
+                );
             }
         });
     }
@@ -208,9 +225,14 @@ fn random_trains_are_what_newton_finds() {
                 12 + below(40),
                 12 + below(40)
             ));
-            find.extend([format!("\"v_C{k}\""), format!("\"a_C{k}\""), format!("\"omega_{link}\"")]);
+            find.extend([
+                format!("\"v_C{k}\""),
+                format!("\"a_C{k}\""),
+                format!("\"omega_{link}\""),
+            ]);
         }
-        let (base, driven) = if planets { ("\"P0\"".to_owned(), ", \"99\": [") } else { (ground.join(","), "") };
+        let (base, driven) =
+            if planets { ("\"P0\"".to_owned(), ", \"99\": [") } else { (ground.join(","), "") };
         // On an arm as the driver, about a fixed first wheel.
         let arm = if planets { format!("{driven}{}]", ground.join(",")) } else { String::new() };
         let drivers = if planets {
@@ -239,8 +261,13 @@ fn ten_thousand_turns_lose_nothing() {
     with(FAST, |placed| {
         for turn in [0i64, 1, 9_999, -10_000] {
             let from = 360 * turn;
-            let table =
-                run(placed, 0, &Stations::turned(Angle::Deg(from as f64), Angle::Deg((from + 360) as f64), 120), Width::Widest).unwrap();
+            let table = run(
+                placed,
+                0,
+                &Stations::turned(Angle::Deg(from as f64), Angle::Deg((from + 360) as f64), 120),
+                Width::Widest,
+            )
+            .unwrap();
             let phi = &table.columns[1].values;
             for (i, phi) in phi.iter().enumerate() {
                 // −21/40 of the travel, and the half turn by which the pair's phase begins: the
@@ -271,7 +298,9 @@ fn limits_are_found_beyond_one_turn() {
     let ends: Vec<f64> = found.range.ends.iter().flatten().map(|e| e.value.to_degrees()).collect();
     // The position at which |BD| = BC + CD, with OQ turned by φ/4 and QB by −φ/2.
     assert!(
-        ends.len() == 2 && (ends[0] + 659.536_744_354_043_7).abs() < 1e-9 && (ends[1] - 241.225_814_241_048_6).abs() < 1e-9,
+        ends.len() == 2
+            && (ends[0] + 659.536_744_354_043_7).abs() < 1e-9
+            && (ends[1] - 241.225_814_241_048_6).abs() < 1e-9,
         "{ends:?}"
     );
     let scene = read(FAST).unwrap().value;

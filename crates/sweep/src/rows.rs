@@ -57,7 +57,10 @@ pub struct DistanceRate {
 impl Kernel<9, 1> for DistanceRate {
     #[inline(always)]
     fn inputs(&self) -> [Reg; 9] {
-        [self.n.x, self.n.y, self.vp.x, self.vp.y, self.vf.x, self.vf.y, self.af.x, self.af.y, self.l]
+        [
+            self.n.x, self.n.y, self.vp.x, self.vp.y, self.vf.x, self.vf.y, self.af.x, self.af.y,
+            self.l,
+        ]
     }
 
     #[inline(always)]
@@ -121,7 +124,10 @@ impl Kernel<12, 1> for GuidedRate {
     #[inline(always)]
     fn inputs(&self) -> [Reg; 12] {
         let s = self;
-        [s.n.x, s.n.y, s.r.x, s.r.y, s.vp.x, s.vp.y, s.vo.x, s.vo.y, s.ao.x, s.ao.y, s.omega, s.alpha]
+        [
+            s.n.x, s.n.y, s.r.x, s.r.y, s.vp.x, s.vp.y, s.vo.x, s.vo.y, s.ao.x, s.ao.y, s.omega,
+            s.alpha,
+        ]
     }
 
     #[inline(always)]
@@ -287,10 +293,12 @@ impl Kernel<15, 3> for Three {
         [a[0], a[1], a[2], a[3], a[4], b[0], b[1], b[2], b[3], b[4], c[0], c[1], c[2], c[3], c[4]]
     }
 
-    /// Cramer's rule on (n, τ) with τ = n·(r turned by 90°), the moment of the row about the link's own point.
+    /// Cramer's rule on (n, τ) with τ = n·(r turned by 90°), the moment of the row about the link's
+    /// own point.
     #[inline(always)]
     fn eval<N: Lane>(&self, x: [N; 15]) -> [N; 3] {
-        let row = |i: usize| (Vec2::new(x[i], x[i + 1]), x[i + 1] * x[i + 2] - x[i] * x[i + 3], x[i + 4]);
+        let row =
+            |i: usize| (Vec2::new(x[i], x[i + 1]), x[i + 1] * x[i + 2] - x[i] * x[i + 3], x[i + 4]);
         let ((na, ta, ca), (nb, tb, cb), (nc, tc, cc)) = (row(0), row(5), row(10));
         let (bc, ca_, ab) = (nb.cross(nc), nc.cross(na), na.cross(nb));
         let det = ta * bc + tb * ca_ + tc * ab;
@@ -357,13 +365,16 @@ impl Kernel<17, 2> for BarsRate {
     fn inputs(&self) -> [Reg; 17] {
         let (s, b) = (self, &self.bars);
         [
-            b.c.x, b.c.y, b.a.x, b.a.y, b.b.x, b.b.y, b.va.x, b.va.y, b.vb.x, b.vb.y, s.vc.x, s.vc.y, s.aa.x, s.aa.y, s.ab.x, s.ab.y,
-            s.inverse,
+            b.c.x, b.c.y, b.a.x, b.a.y, b.b.x, b.b.y, b.va.x, b.va.y, b.vb.x, b.vb.y, s.vc.x,
+            s.vc.y, s.aa.x, s.aa.y, s.ab.x, s.ab.y, s.inverse,
         ]
     }
 
     #[inline(always)]
-    fn eval<N: Lane>(&self, [cx, cy, ax, ay, bx, by, vax, vay, vbx, vby, vx, vy, aax, aay, abx, aby, inverse]: [N; 17]) -> [N; 2] {
+    fn eval<N: Lane>(
+        &self,
+        [cx, cy, ax, ay, bx, by, vax, vay, vbx, vby, vx, vy, aax, aay, abx, aby, inverse]: [N; 17],
+    ) -> [N; 2] {
         let (ux, uy, wx, wy) = (cx - ax, cy - ay, cx - bx, cy - by);
         let (rx, ry, sx, sy) = (vx - vax, vy - vay, vx - vbx, vy - vby);
         let p = (ux * aax + uy * aay - (rx * rx + ry * ry)) * inverse;

@@ -162,7 +162,12 @@ impl Buffer {
     /// Copies the numbers of answers to their places, which all have one length. Returns true only
     /// if all of them are finite: a sum with an infinite number or NaN is not finite either, so no
     /// number needs a test of its own.
-    pub(super) fn hand_out<'a>(&self, answers: &[AnswerRoute], places: impl Iterator<Item = &'a mut [f64]>, width: Width) -> bool {
+    pub(super) fn hand_out<'a>(
+        &self,
+        answers: &[AnswerRoute],
+        places: impl Iterator<Item = &'a mut [f64]>,
+        width: Width,
+    ) -> bool {
         if let Some(simd) = width.four() {
             return simd.vectorize(
                 #[inline(always)]
@@ -176,14 +181,19 @@ impl Buffer {
                             AnswerRoute::There(_) => {
                                 for place in many {
                                     for k in 0..4 {
-                                        sums[k] += f64x4::from_slice(simd, &place[4 * k..4 * k + 4]);
+                                        sums[k] +=
+                                            f64x4::from_slice(simd, &place[4 * k..4 * k + 4]);
                                     }
                                 }
                             }
                             AnswerRoute::In(reg) => {
                                 let column = &self.columns[reg.0 as usize].0;
-                                few.copy_from_slice(&column.as_flattened()[16 * many.len()..][..few.len()]);
-                                for (place, numbers) in many.iter_mut().zip(column.as_chunks::<4>().0) {
+                                few.copy_from_slice(
+                                    &column.as_flattened()[16 * many.len()..][..few.len()],
+                                );
+                                for (place, numbers) in
+                                    many.iter_mut().zip(column.as_chunks::<4>().0)
+                                {
                                     for k in 0..4 {
                                         let four = f64x4::simd_from(simd, numbers[k]);
                                         four.store_slice(&mut place[4 * k..4 * k + 4]);
@@ -256,7 +266,9 @@ impl Fused {
     /// Runs a chunk with filled inputs.
     pub fn run(&self, buffer: &mut Buffer, width: Width) {
         let quads = buffer.quads;
-        let Some((inputs, own)) = buffer.columns.split_first_chunk_mut::<{ INPUTS.len() }>() else { return };
+        let Some((inputs, own)) = buffer.columns.split_first_chunk_mut::<{ INPUTS.len() }>() else {
+            return;
+        };
         let inputs = inputs.each_ref().map(|c| &c.0);
         let Some(own) = own.get_mut(..self.registers - INPUTS.len()) else { return };
         let slots = own.iter_mut().map(|c| &mut c.0).collect();
@@ -264,8 +276,8 @@ impl Fused {
     }
 
     /// Runs the chunk of [`CHUNK`] stations from `first` on, without filling anything in.
-    /// Operations put the answers of the form [`AnswerRoute::There`] directly in their places while they
-    /// compute: copying them afterwards takes a fifth of the time more.
+    /// Operations put the answers of the form [`AnswerRoute::There`] directly in their places while
+    /// they compute: copying them afterwards takes a fifth of the time more.
     pub(super) fn run_there<'a>(
         &'a self,
         buffer: &'a mut Buffer,
@@ -277,7 +289,9 @@ impl Fused {
         buffer.quads = QUADS;
         let block = |values: &'a [f64]| values[first..].as_chunks().0.first_chunk();
         let inputs = (block(&stations.values), block(&stations.cosines), block(&stations.sines));
-        let ((Some(values), Some(cosines), Some(sines)), Some(own)) = (inputs, buffer.columns.get_mut(INPUTS.len()..self.registers)) else {
+        let ((Some(values), Some(cosines), Some(sines)), Some(own)) =
+            (inputs, buffer.columns.get_mut(INPUTS.len()..self.registers))
+        else {
             return;
         };
         let mut slots: Vec<&mut ChunkNumbers> = own.iter_mut().map(|c| &mut c.0).collect();
@@ -288,7 +302,10 @@ impl Fused {
                 slots[reg.0 as usize - INPUTS.len()] = place;
             }
         }
-        self.run_in(Memory { inputs: [values, cosines, sines], slots, quads: QUADS, wires: &[] }, width);
+        self.run_in(
+            Memory { inputs: [values, cosines, sines], slots, quads: QUADS, wires: &[] },
+            width,
+        );
     }
 
     /// The answers in these registers; with `straight`, operations put those that they can directly
@@ -297,7 +314,9 @@ impl Fused {
         let constant = |reg: Reg| self.constants.iter().any(|(r, _)| *r == reg);
         let twice = |reg: Reg| found.iter().filter(|r| **r == Some(reg)).count() > 1;
         let of = |reg: &Option<Reg>| match *reg {
-            Some(reg) if straight && !INPUTS.contains(&reg) && !constant(reg) && !twice(reg) => AnswerRoute::There(reg),
+            Some(reg) if straight && !INPUTS.contains(&reg) && !constant(reg) && !twice(reg) => {
+                AnswerRoute::There(reg)
+            }
             Some(reg) => AnswerRoute::In(reg),
             None => AnswerRoute::Nowhere,
         };
@@ -334,7 +353,13 @@ impl Fused {
     }
 
     /// The margin of a joint at a row.
-    pub(super) fn margin(&self, program: &SweepProgram, joint: &Joint, buffer: &Buffer, row: usize) -> Option<super::closure::Margin<f64>> {
+    pub(super) fn margin(
+        &self,
+        program: &SweepProgram,
+        joint: &Joint,
+        buffer: &Buffer,
+        row: usize,
+    ) -> Option<super::closure::Margin<f64>> {
         program.margin(joint, &|reg| self.number(buffer, reg, row))
     }
 }
@@ -360,11 +385,15 @@ struct Memory<'a> {
 }
 
 /// The inputs and results of an operation.
-type OperationColumns<'a, const IN: usize, const OUT: usize> = ([&'a ChunkNumbers; IN], [&'a mut ChunkNumbers; OUT]);
+type OperationColumns<'a, const IN: usize, const OUT: usize> =
+    ([&'a ChunkNumbers; IN], [&'a mut ChunkNumbers; OUT]);
 
 impl Memory<'_> {
     #[inline(always)]
-    fn columns<const IN: usize, const OUT: usize>(&mut self, out: Reg) -> Option<OperationColumns<'_, IN, OUT>> {
+    fn columns<const IN: usize, const OUT: usize>(
+        &mut self,
+        out: Reg,
+    ) -> Option<OperationColumns<'_, IN, OUT>> {
         let (known, new) = self.slots.split_at_mut(out.0 as usize - INPUTS.len());
         let wires = self.wires.first_chunk::<IN>()?;
         let mut x = [self.inputs[0]; IN];

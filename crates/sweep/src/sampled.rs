@@ -25,7 +25,12 @@ const FOLLOWED: usize = 73;
 ///
 /// # Errors
 /// `position-unproven`, one for each statement that is broken.
-pub fn proved(placed: &PlacedScene, driver: usize, count: usize, value: impl Fn(usize) -> f64) -> Result<(), Faults> {
+pub fn proved(
+    placed: &PlacedScene,
+    driver: usize,
+    count: usize,
+    value: impl Fn(usize) -> f64,
+) -> Result<(), Faults> {
     let general = General::new(placed, driver);
     if count == 0 || general.is_read_again() {
         return Ok(());
@@ -34,12 +39,24 @@ pub fn proved(placed: &PlacedScene, driver: usize, count: usize, value: impl Fn(
     let through = count.min(if stood.program.tracks.is_empty() { SAMPLES } else { FOLLOWED });
     let among = |k: usize, few: usize, many: usize| k * (many - 1) / (few - 1).max(1);
     let chosen = (0..through).map(|k| value(among(k, through, count)));
-    let stations = Stations::of_values(chosen.collect(), super::station::angle_per_value(placed.scene, &placed.at, driver));
-    let judge =
-        |i: usize, at: &Configuration| stated::proved(&general.scene_at(&stations, i), placed.mechanism, at, Moment::Later(&placed.at));
+    let stations = Stations::of_values(
+        chosen.collect(),
+        super::station::angle_per_value(placed.scene, &placed.at, driver),
+    );
+    let judge = |i: usize, at: &Configuration| {
+        stated::proved(
+            &general.scene_at(&stations, i),
+            placed.mechanism,
+            at,
+            Moment::Later(&placed.at),
+        )
+    };
     let (parts, _) = branches(stood.program.clone(), placed, driver, &stations);
     let rows = run_parts(&parts, placed, driver, &stations, Width::One);
     let samples = SAMPLES.min(through);
-    let there = (0..samples).map(|k| among(k, samples, through)).filter(|i| !rows.missing.contains_key(i));
-    there.filter_map(|i| Some((i, stood.laid(placed, &rows.columns, i)?))).try_for_each(|(i, at)| judge(i, &at))
+    let there =
+        (0..samples).map(|k| among(k, samples, through)).filter(|i| !rows.missing.contains_key(i));
+    there
+        .filter_map(|i| Some((i, stood.laid(placed, &rows.columns, i)?)))
+        .try_for_each(|(i, at)| judge(i, &at))
 }

@@ -29,7 +29,8 @@ impl Stations {
 
     /// Returns given values; `angle = value·per_value` gives cosine and sine.
     pub fn of_values(values: Vec<f64>, per_value: f64) -> Stations {
-        let (sines, cosines) = values.iter().map(|v| (libm::sin(v * per_value), libm::cos(v * per_value))).unzip();
+        let (sines, cosines) =
+            values.iter().map(|v| (libm::sin(v * per_value), libm::cos(v * per_value))).unzip();
         Stations { values, cosines, sines }
     }
 
@@ -49,7 +50,9 @@ impl Stations {
     /// every turn.
     pub(super) fn place(&self, i: usize, scene: &Scene, driver: usize) -> f64 {
         // With wheels between them, a turn of the driver is not a turn of a cam.
-        let turned = scene.drivers[driver].kind.turns() && scene.rolling.is_empty() && self.values[i].abs() > TAU;
+        let turned = scene.drivers[driver].kind.turns()
+            && scene.rolling.is_empty()
+            && self.values[i].abs() > TAU;
         if turned { libm::atan2(self.sines[i], self.cosines[i]) } else { self.values[i] }
     }
 
@@ -199,10 +202,16 @@ pub(super) fn driver_positions(scene: &Scene, at: &Configuration) -> Vec<f64> {
                 None => at.link_direction(scene, l).or(at.poses[l.0].map(|p| p.axis)),
             };
             let seen = || {
-                let ((link, against), [line, against_line]) = (driver.kind.turned()?, driver.kind.lines());
+                let ((link, against), [line, against_line]) =
+                    (driver.kind.turned()?, driver.kind.lines());
                 Some(of(link, line)?.divide_by(of(against, against_line)?).angle())
             };
-            driver.kind.position().map(hodograph_scene::Position::value).or_else(seen).unwrap_or(measured)
+            driver
+                .kind
+                .position()
+                .map(hodograph_scene::Position::value)
+                .or_else(seen)
+                .unwrap_or(measured)
         })
         .collect()
 }

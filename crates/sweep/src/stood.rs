@@ -37,8 +37,10 @@ impl Stood {
     /// Compiles as [`Stood::of`] does, but includes groups that are followed.
     pub fn even_followed(placed: &PlacedScene, driver: usize) -> Option<Stood> {
         let (scene, m, at) = (placed.scene, placed.mechanism, &placed.at);
-        let points: Vec<PointId> =
-            (0..scene.points.len()).map(PointId).filter(|p| at.points[p.0].is_some() && m.pins.contains(p)).collect();
+        let points: Vec<PointId> = (0..scene.points.len())
+            .map(PointId)
+            .filter(|p| at.points[p.0].is_some() && m.pins.contains(p))
+            .collect();
         let moves = |l: &LinkId| at.poses[l.0].is_some() && *l != scene.ground && !m.is_passive(*l);
         let links: Vec<LinkId> = (0..scene.links.len()).map(LinkId).filter(moves).collect();
         let program = compile::places(scene, m, at, driver, &points, &links).ok()?;
@@ -57,14 +59,18 @@ impl Stood {
         let placed = general.placed();
         let there = run_parts(parts, placed, general.driver(), stations, Width::Widest);
         let solve = |i: usize| -> Result<Vec<f64>, Faults> {
-            let mut ways = general.ways(stations, i, self.laid(placed, &there.columns, i).as_ref())?;
+            let mut ways =
+                general.ways(stations, i, self.laid(placed, &there.columns, i).as_ref())?;
             Ok(ways.swap_remove(0))
         };
         let here = here();
         let row = |i: usize| (!stop()).then(|| here.enter(|| solve(i)));
         let made: Option<Vec<_>> = (0..stations.len()).into_par_iter().map(row).collect();
         let width = general.scene().find.iter().flat_map(ask::names).count();
-        let mut rows = SweepRows { columns: vec![vec![f64::NAN; stations.len()]; width], ..Default::default() };
+        let mut rows = SweepRows {
+            columns: vec![vec![f64::NAN; stations.len()]; width],
+            ..Default::default()
+        };
         for (i, row) in made?.into_iter().enumerate() {
             match row {
                 Ok(row) => rows.columns.iter_mut().zip(row).for_each(|(c, v)| c[i] = v),
@@ -77,10 +83,18 @@ impl Stood {
     /// Configurations at stations where a joint may have a change point on the way, beyond which
     /// the closures of the instant do not hold; `None` where they hold, and where the program has
     /// no value.
-    pub fn beyond_change_points(general: &General, stations: &Stations, rows: &[usize]) -> Vec<Option<Configuration>> {
+    pub fn beyond_change_points(
+        general: &General,
+        stations: &Stations,
+        rows: &[usize],
+    ) -> Vec<Option<Configuration>> {
         let (placed, driver) = (general.placed(), general.driver());
         let asked = !rows.is_empty() && general.is_closed_everywhere() && !general.is_read_again();
-        let stood = if asked { Stood::of(placed, driver).filter(|s| s.program.suspects().next().is_some()) } else { None };
+        let stood = if asked {
+            Stood::of(placed, driver).filter(|s| s.program.suspects().next().is_some())
+        } else {
+            None
+        };
         let Some(stood) = stood else { return vec![None; rows.len()] };
         let there = stations.pick(rows);
         let (parts, _) = branches(stood.program.clone(), placed, driver, &there);
@@ -89,15 +103,25 @@ impl Stood {
     }
 
     /// The configuration of a row; `None` where the program has no value.
-    pub fn laid(&self, placed: &PlacedScene, columns: &[Vec<f64>], row: usize) -> Option<Configuration> {
-        let pair = |k: usize| Some(Vec2::new(columns.get(2 * k)?[row], columns.get(2 * k + 1)?[row])).filter(|v| v.is_finite());
-        let (mut poses, mut points) = (vec![None; placed.scene.links.len()], vec![None; placed.scene.points.len()]);
+    pub fn laid(
+        &self,
+        placed: &PlacedScene,
+        columns: &[Vec<f64>],
+        row: usize,
+    ) -> Option<Configuration> {
+        let pair = |k: usize| {
+            Some(Vec2::new(columns.get(2 * k)?[row], columns.get(2 * k + 1)?[row]))
+                .filter(|v| v.is_finite())
+        };
+        let (mut poses, mut points) =
+            (vec![None; placed.scene.links.len()], vec![None; placed.scene.points.len()]);
         for (k, p) in self.points.iter().enumerate() {
             points[p.0] = Some(pair(k)?.to_point());
         }
         for (k, l) in self.links.iter().enumerate() {
             let first = self.points.len() + 2 * k;
-            poses[l.0] = Some(Pose { origin: Point::ORIGIN + pair(first)?, axis: pair(first + 1)?.unit()? });
+            poses[l.0] =
+                Some(Pose { origin: Point::ORIGIN + pair(first)?, axis: pair(first + 1)?.unit()? });
         }
         Some(position::laid(placed.scene, placed.mechanism, &placed.at, poses, points))
     }

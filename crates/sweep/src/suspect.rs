@@ -39,11 +39,17 @@ impl SweepProgram {
                 Some(ways.map(|d| Circles::margin(k, [0.0, 0.0, r, d, 0.0, s]).crossing()))
             }
             Op::CircleLine(k) => {
-                let (pin, r, q, t) = (self.pin(k.a)?, self.fixed(k.r)?, self.place(k.q)?, self.place(k.t)?);
+                let (pin, r, q, t) =
+                    (self.pin(k.a)?, self.fixed(k.r)?, self.place(k.q)?, self.place(k.t)?);
                 let off = t.cross(q - pin.centre);
-                Some([off - pin.radius, off + pin.radius].map(|h| k.margin([0.0, 0.0, r, 0.0, h, 1.0, 0.0]).crossing()))
+                Some(
+                    [off - pin.radius, off + pin.radius]
+                        .map(|h| k.margin([0.0, 0.0, r, 0.0, h, 1.0, 0.0]).crossing()),
+                )
             }
-            Op::SlotLever(k) => Some(self.ways(k.b, k.a)?.map(|d| k.margin([0.0, 0.0, d, 0.0]).crossing())),
+            Op::SlotLever(k) => {
+                Some(self.ways(k.b, k.a)?.map(|d| k.margin([0.0, 0.0, d, 0.0]).crossing()))
+            }
             _ => None,
         }
     }
@@ -61,7 +67,10 @@ impl SweepProgram {
         let Op::Twist(arm) = self.maker(image.d)? else { return None };
         let length = |k: [f64; 2]| Vec2::new(k[0], k[1]).norm();
         let turns = arm.d == RegPair { x: COS, y: SIN };
-        turns.then_some(Pin { centre: self.place(image.o)?, radius: length(image.k) * length(arm.k) })
+        turns.then_some(Pin {
+            centre: self.place(image.o)?,
+            radius: length(image.k) * length(arm.k),
+        })
     }
 
     /// The operation that fills a pair of positions.
@@ -95,15 +104,21 @@ mod tests {
     /// no change point, and where the search finds one the joint is suspect.
     #[test]
     fn what_is_not_suspect_has_no_change_point() {
-        let lengths =
-            |name: &'static str, of: &'static str, all: &[f64]| all.iter().map(|l| (name, vec![(of, l.to_string())])).collect::<Vec<_>>();
+        let lengths = |name: &'static str, of: &'static str, all: &[f64]| {
+            all.iter().map(|l| (name, vec![(of, l.to_string())])).collect::<Vec<_>>()
+        };
         let mut scenes = lengths("slider-crank", "l_AB", &[20.0, 60.0, 279.0, 280.0]);
         scenes.extend(lengths("whitworth", "l_AB", &[50.0, 60.0, 110.0]));
         // Four-bars: crank-rockers, drag links, rockers, and those with links that can be in line.
         for ab in [60, 90, 100, 140, 250] {
             for bc in [150, 240, 250, 300] {
                 for cd in [100, 200, 260] {
-                    scenes.push(("crank-rocker", [("l_AB", ab), ("l_BC", bc), ("l_CD", cd)].map(|(n, l)| (n, l.to_string())).to_vec()));
+                    scenes.push((
+                        "crank-rocker",
+                        [("l_AB", ab), ("l_BC", bc), ("l_CD", cd)]
+                            .map(|(n, l)| (n, l.to_string()))
+                            .to_vec(),
+                    ));
                 }
             }
         }
@@ -128,6 +143,9 @@ mod tests {
                 (false, true) => panic!("{name} {set:?} has a change point that nothing suspected"),
             }
         }
-        assert!(free > 30 && changing > 2 && suspect < free / 2, "{free} free, {suspect} suspect, {changing} changing");
+        assert!(
+            free > 30 && changing > 2 && suspect < free / 2,
+            "{free} free, {suspect} suspect, {changing} changing"
+        );
     }
 }

@@ -45,7 +45,10 @@ impl DriverSamples<'_> {
 
     /// A position of the driver, or the cam's junction less than a step from it.
     fn at_joint(&self, x: f64) -> f64 {
-        let near = self.joints.iter().map(|[joint, period]| joint + libm::rint((x - joint) / period) * period);
+        let near = self
+            .joints
+            .iter()
+            .map(|[joint, period]| joint + libm::rint((x - joint) / period) * period);
         let nearest = near.min_by(|a, b| (a - x).abs().total_cmp(&(b - x).abs()));
         nearest.filter(|joint| (joint - x).abs() < self.step()).unwrap_or(x)
     }
@@ -60,7 +63,11 @@ pub(super) fn swing(
     course: &DriverSamples,
     at: &dyn Fn(f64) -> Option<[f64; 3]>,
 ) -> Swing {
-    let far = if matches!(output, DrivenOutput::Sliding(_)) && course.extent > 0.0 { FAR * course.extent } else { f64::INFINITY };
+    let far = if matches!(output, DrivenOutput::Sliding(_)) && course.extent > 0.0 {
+        FAR * course.extent
+    } else {
+        f64::INFINITY
+    };
     let there = |i: usize| !missing.contains_key(&i) && s[i].abs() <= far && v[i].is_finite();
     // Angles are made continuous.
     let mut position = s.to_vec();
@@ -82,11 +89,14 @@ pub(super) fn swing(
     let (x, period) = (&course.stations.values, course.period);
     // Next to a limit a rate grows beyond all bounds: the typical rate of the output follows from
     // its positions.
-    let gone = |i: usize| if there(i) && there(i - 1) { (position[i] - position[i - 1]).abs() } else { 0.0 };
+    let gone = |i: usize| {
+        if there(i) && there(i - 1) { (position[i] - position[i - 1]).abs() } else { 0.0 }
+    };
     let rounding = ROUNDING * (1..x.len()).map(gone).fold(0.0, f64::max) / course.step();
     // Samples with a rate; one that meets a zero is passed over. After a full turn the first
     // recurs.
-    let mut moving: Vec<(f64, usize)> = (0..x.len()).filter(|&i| there(i) && v[i].abs() > rounding).map(|i| (x[i], i)).collect();
+    let mut moving: Vec<(f64, usize)> =
+        (0..x.len()).filter(|&i| there(i) && v[i].abs() > rounding).map(|i| (x[i], i)).collect();
     if let (Some(period), Some(&(first, i))) = (period, moving.first()) {
         moving.push((first + period, i));
     }
@@ -97,16 +107,24 @@ pub(super) fn swing(
         let joined = k < i || (i..=k).all(there);
         if joined && (v[i] > 0.0) != (v[k] > 0.0) {
             let driver = zero(a, b, v[i], at);
-            let [driver, until] = dwell([a, driver, b], rounding, course, at).unwrap_or([driver; 2]);
+            let [driver, until] =
+                dwell([a, driver, b], rounding, course, at).unwrap_or([driver; 2]);
             let Some([here, ..]) = at(driver) else { continue };
-            extremes.push(OutputExtreme { driver, until: (until > driver).then_some(until), output: near(here, i), at_limit: false });
+            extremes.push(OutputExtreme {
+                driver,
+                until: (until > driver).then_some(until),
+                output: near(here, i),
+                at_limit: false,
+            });
         }
     }
     once(&mut extremes, ONE * course.step(), period);
     let known: Vec<usize> = (0..x.len()).filter(|&i| there(i)).collect();
     let time_ratio = match (&extremes[..], period) {
         ([a, b], Some(TAU)) => {
-            let stroke = |from: &OutputExtreme, to: &OutputExtreme| (to.driver - from.until.unwrap_or(from.driver)).rem_euclid(TAU);
+            let stroke = |from: &OutputExtreme, to: &OutputExtreme| {
+                (to.driver - from.until.unwrap_or(from.driver)).rem_euclid(TAU)
+            };
             let [out, back] = [stroke(a, b), stroke(b, a)];
             Some(out.max(back) / out.min(back))
         }
@@ -115,12 +133,20 @@ pub(super) fn swing(
     let range = course.range;
     if !range.full() {
         let way = range.bounds()[1] - range.bounds()[0];
-        for ((event, end), inward) in range.ends.iter().zip([known.first(), known.last()]).zip([way, -way]) {
+        for ((event, end), inward) in
+            range.ends.iter().zip([known.first(), known.last()]).zip([way, -way])
+        {
             if let (Some(event), Some(&i)) = (event, end) {
-                let there = at_limit(event.value, inward, &|x| Some(near(at(x)?[0], i))).unwrap_or(position[i]);
+                let there = at_limit(event.value, inward, &|x| Some(near(at(x)?[0], i)))
+                    .unwrap_or(position[i]);
                 // Where a rate grows beyond all bounds, rounding gives it either sign.
                 extremes.retain(|e| (e.driver - event.value).abs() > ONE * course.step());
-                extremes.push(OutputExtreme { driver: event.value, until: None, output: there, at_limit: true });
+                extremes.push(OutputExtreme {
+                    driver: event.value,
+                    until: None,
+                    output: there,
+                    at_limit: true,
+                });
             }
         }
     }
@@ -132,15 +158,28 @@ pub(super) fn swing(
     let most = extremes.iter().map(|e| e.output).fold(f64::NEG_INFINITY, f64::max);
     // A range that is known on one side only, or on none, has no stroke; nor has one with more
     // missing rows than those at its ends.
-    let whole = (period.is_some() || range.ends.iter().all(Option::is_some)) && known.len() + 4 >= x.len();
+    let whole =
+        (period.is_some() || range.ends.iter().all(Option::is_some)) && known.len() + 4 >= x.len();
     // A position beyond the extremes belongs to a motion through infinity.
-    let held = known.iter().all(|&i| (least - ONE * (most - least)..=most + ONE * (most - least)).contains(&position[i]));
-    Swing { output, stroke: (whole && held && most >= least).then_some(most - least), extremes, time_ratio }
+    let held = known.iter().all(|&i| {
+        (least - ONE * (most - least)..=most + ONE * (most - least)).contains(&position[i])
+    });
+    Swing {
+        output,
+        stroke: (whole && held && most >= least).then_some(most - least),
+        extremes,
+        time_ratio,
+    }
 }
 
 /// The stretch about a zero of the rate on which the output dwells, if it does. The argument is a
 /// position before the zero, the zero, and a position after it.
-fn dwell([a, zero, b]: [f64; 3], rounding: f64, course: &DriverSamples, at: &dyn Fn(f64) -> Option<[f64; 3]>) -> Option<[f64; 2]> {
+fn dwell(
+    [a, zero, b]: [f64; 3],
+    rounding: f64,
+    course: &DriverSamples,
+    at: &dyn Fn(f64) -> Option<[f64; 3]>,
+) -> Option<[f64; 2]> {
     let still = |x: f64| at(x).is_some_and(|[_, v, _]| v.abs() <= rounding);
     let beside = ONE * course.step();
     if !still(zero - beside) && !still(zero + beside) {
@@ -189,7 +228,8 @@ fn at_limit(limit: f64, inward: f64, at: &dyn Fn(f64) -> Option<f64>) -> Option<
     // With six places within this part of the whole range, the polynomial's error is 1e-14 of the
     // travel.
     const NEAR: f64 = 1e-4;
-    const PLACES: [(f64, f64); 6] = [(1.0, 6.0), (2.0, -15.0), (3.0, 20.0), (4.0, -15.0), (5.0, 6.0), (6.0, -1.0)];
+    const PLACES: [(f64, f64); 6] =
+        [(1.0, 6.0), (2.0, -15.0), (3.0, 20.0), (4.0, -15.0), (5.0, 6.0), (6.0, -1.0)];
     let place = |root: f64| at(limit + inward * NEAR * root * root / 36.0);
     PLACES.iter().map(|(root, weight)| Some(weight * place(*root)?)).sum()
 }
@@ -226,7 +266,12 @@ mod tests {
     #[test]
     fn an_extreme_is_listed_once() {
         let left = |places: &[f64]| {
-            let extreme = |driver: &f64| OutputExtreme { driver: *driver, until: None, output: 0.0, at_limit: false };
+            let extreme = |driver: &f64| OutputExtreme {
+                driver: *driver,
+                until: None,
+                output: 0.0,
+                at_limit: false,
+            };
             let mut all: Vec<OutputExtreme> = places.iter().map(extreme).collect();
             once(&mut all, 1e-5, Some(TAU));
             all.iter().map(|e| e.driver).collect::<Vec<_>>()

@@ -1,8 +1,8 @@
 //! Answers through time: all drivers move, each by its law or at its rate.
 //!
-//! The mechanism is followed from its instant to both ends once ([`PoseFollower`]). Each row is found
-//! from the nearest pose on that path, and answered by the loop equations. The mechanism never
-//! jumps to another assembly, and no row depends on the position of others.
+//! The mechanism is followed from its instant to both ends once ([`PoseFollower`]). Each row is
+//! found from the nearest pose on that path, and answered by the loop equations. The mechanism
+//! never jumps to another assembly, and no row depends on the position of others.
 
 use super::follow::whole::event;
 use super::follow::{PoseFollower, PoseSweep, TravelPose};
@@ -40,9 +40,18 @@ impl<'a> TimedSweep<'a> {
     ///
     /// # Errors
     /// `range`: more turns of the drivers than are followed.
-    pub fn new(placed: &'a PlacedScene<'a>, [from, to]: [Option<f64>; 2]) -> Result<(TimedSweep<'a>, [f64; 2]), Faults> {
+    pub fn new(
+        placed: &'a PlacedScene<'a>,
+        [from, to]: [Option<f64>; 2],
+    ) -> Result<(TimedSweep<'a>, [f64; 2]), Faults> {
         let now = placed.scene.instant();
-        let follower = PoseFollower::new(placed.scene, placed.mechanism, &placed.demand, &placed.at, Swept::Time);
+        let follower = PoseFollower::new(
+            placed.scene,
+            placed.mechanism,
+            &placed.demand,
+            &placed.at,
+            Swept::Time,
+        );
         let [before, after] = follower.reach();
         let [from, to] = [from.unwrap_or(now - before), to.unwrap_or(now + after)];
         let reach = [now - from.min(to), from.max(to) - now].map(|way| way.max(0.0));
@@ -52,7 +61,9 @@ impl<'a> TimedSweep<'a> {
                 "从 {from} s 到 {to} s，原动件转过 {} 转以上",
                 MOST_STEPS / 36
             );
-            return Err(Diagnostic::error("range", message).help(both!("take a shorter time", "请缩短时间")).into());
+            return Err(Diagnostic::error("range", message)
+                .help(both!("take a shorter time", "请缩短时间"))
+                .into());
         }
         let sweep = follower.through(reach, STEPS);
         Ok((TimedSweep { placed, follower, sweep, now }, [from, to]))
@@ -60,8 +71,13 @@ impl<'a> TimedSweep<'a> {
 
     /// Returns equal steps from one time (s) to another.
     pub fn steps(&'a self, [from, to]: [f64; 2], steps: usize) -> TimedRows<'a> {
-        let at = |i: usize| if i == steps { to } else { from + (to - from) * (i as f64 / steps as f64) };
-        TimedRows { timed: self, times: (0..=steps).map(at).collect(), gaps: Gaps::of(self.placed.scene) }
+        let at =
+            |i: usize| if i == steps { to } else { from + (to - from) * (i as f64 / steps as f64) };
+        TimedRows {
+            timed: self,
+            times: (0..=steps).map(at).collect(),
+            gaps: Gaps::of(self.placed.scene),
+        }
     }
 
     /// Returns the answers at given times (s).
@@ -71,16 +87,30 @@ impl<'a> TimedSweep<'a> {
 
     /// The reason why the motion ends at a travel, the last one reached.
     fn stopped(&self, travel: f64) -> Faults {
-        let (scene, mechanism, at) = (self.placed.scene, self.placed.mechanism, significant(self.now + travel, 6));
+        let (scene, mechanism, at) =
+            (self.placed.scene, self.placed.mechanism, significant(self.now + travel, 6));
         let pose = self.sweep.poses.iter().find(|p| p.travel == travel);
-        let message = match pose.map(|pose| (self.sweep.far(pose), event(mechanism, travel, &pose.configuration).toggle)) {
-            Some((true, _)) => both!("beyond t = {at} s a joint leaves the paper", "t = {at} s 以后有运动副超出图纸"),
+        let message = match pose.map(|pose| {
+            (self.sweep.far(pose), event(mechanism, travel, &pose.configuration).toggle)
+        }) {
+            Some((true, _)) => both!(
+                "beyond t = {at} s a joint leaves the paper",
+                "t = {at} s 以后有运动副超出图纸"
+            ),
             Some((false, Some(toggle))) => {
-                let held = Both { en: toggle.words(scene, Lang::En), zh: toggle.words(scene, Lang::Zh) };
-                both!("the drivers go no farther than t = {at} s: there {}", "原动件最远到 t = {at} s：{}", held)
+                let held =
+                    Both { en: toggle.words(scene, Lang::En), zh: toggle.words(scene, Lang::Zh) };
+                both!(
+                    "the drivers go no farther than t = {at} s: there {}",
+                    "原动件最远到 t = {at} s：{}",
+                    held
+                )
             }
             Some((false, None)) | None => {
-                both!("the mechanism cannot be followed beyond t = {at} s", "机构的运动在 t = {at} s 以后无法跟踪")
+                both!(
+                    "the mechanism cannot be followed beyond t = {at} s",
+                    "机构的运动在 t = {at} s 以后无法跟踪"
+                )
             }
         };
         Diagnostic::error("limit", message).into()
@@ -92,12 +122,15 @@ impl<'a> TimedSweep<'a> {
         let near = self.sweep.poses.iter().min_by(|a, b| far(a).total_cmp(&far(b)));
         let beyond = |limit: f64| self.stopped(limit);
         let [low, high] = self.sweep.limits;
-        if let Some(limit) = low.filter(|low| travel < *low).or(high.filter(|high| travel > *high)) {
+        if let Some(limit) = low.filter(|low| travel < *low).or(high.filter(|high| travel > *high))
+        {
             return Err(beyond(limit));
         }
         let at = match near {
             Some(near) if near.travel == travel => near.configuration.clone(),
-            Some(near) => self.follower.at(&near.configuration, travel).ok_or_else(|| beyond(near.travel))?,
+            Some(near) => {
+                self.follower.at(&near.configuration, travel).ok_or_else(|| beyond(near.travel))?
+            }
             None => return Err(beyond(0.0)),
         };
         let there = self.follower.scene_at(self.placed.scene, travel);
@@ -139,7 +172,10 @@ impl SweepPieces for TimedRows<'_> {
             match row {
                 Ok(row) => {
                     self.gaps.see(first + i, |column| row[column]);
-                    columns.iter_mut().zip(std::iter::once(self.times[first + i]).chain(row)).for_each(|(c, v)| c.push(v));
+                    columns
+                        .iter_mut()
+                        .zip(std::iter::once(self.times[first + i]).chain(row))
+                        .for_each(|(c, v)| c.push(v));
                 }
                 Err(why) => drop(missing.insert(i, why)),
             }
@@ -172,12 +208,21 @@ mod tests {
             assert_eq!((table.rows(), table.notes.len()), (5, 0), "{name}");
             for row in 1..5 {
                 let t = table.columns[0].values[row];
-                let there = read(templates::instantiate(name, &[("t", &format!("{t} s"))]).unwrap()).unwrap().value;
+                let there =
+                    read(templates::instantiate(name, &[("t", &format!("{t} s"))]).unwrap())
+                        .unwrap()
+                        .value;
                 let placed = PlacedScene::new(&there, &mechanism).unwrap();
-                let meant = General::new(&placed, 0).answers(&there, &placed.at).unwrap().swap_remove(0);
+                let meant =
+                    General::new(&placed, 0).answers(&there, &placed.at).unwrap().swap_remove(0);
                 for (column, meant) in table.columns[1..].iter().zip(meant) {
                     let off = (column.values[row] - meant).abs();
-                    assert!(off < 1e-12, "{name}, {} at t = {t} s: {} against {meant}", column.name, column.values[row]);
+                    assert!(
+                        off < 1e-12,
+                        "{name}, {} at t = {t} s: {} against {meant}",
+                        column.name,
+                        column.values[row]
+                    );
                 }
             }
         }
@@ -188,7 +233,11 @@ mod tests {
     #[test]
     fn several_drivers_go_on_together() {
         let mut scene = read(templates::get("five-bar").unwrap()).unwrap().value;
-        scene.find = hodograph_scene::read_asking(templates::get("five-bar").unwrap(), "x_C,y_C,v_C").unwrap().value.find;
+        scene.find =
+            hodograph_scene::read_asking(templates::get("five-bar").unwrap(), "x_C,y_C,v_C")
+                .unwrap()
+                .value
+                .find;
         let mechanism = Mechanism::new(&scene).unwrap().value;
         let placed = PlacedScene::new(&scene, &mechanism).unwrap();
         let h = 1e-6;
@@ -210,16 +259,21 @@ mod tests {
         let mut compared = 0;
         for t in templates::list() {
             let mut scene = read(templates::get(t.name).unwrap()).unwrap().value.over_a_turn();
-            if scene.own_drivers() != 1 || scene.has_laws_of_time() || scene.drivers[0].rate.value == 0.0 {
+            if scene.own_drivers() != 1
+                || scene.has_laws_of_time()
+                || scene.drivers[0].rate.value == 0.0
+            {
                 continue;
             }
             scene.drivers[0].acceleration = None;
             let mechanism = Mechanism::new(&scene).unwrap().value;
             let placed = PlacedScene::new(&scene, &mechanism).unwrap();
-            let (timed, [_, whole]) = TimedSweep::new(&placed, [None, None]).unwrap_or_else(|f| panic!("{}: {f}", t.name));
+            let (timed, [_, whole]) = TimedSweep::new(&placed, [None, None])
+                .unwrap_or_else(|f| panic!("{}: {f}", t.name));
             let times: Vec<f64> = (0..=7).map(|k| 0.97 * whole * f64::from(k) / 7.0).collect();
             let now = crate::station::position_now(&scene, &placed.at, 0);
-            let values = times.iter().map(|time| now + scene.drivers[0].rate.value * time).collect();
+            let values =
+                times.iter().map(|time| now + scene.drivers[0].rate.value * time).collect();
             let (told, meant) = (timed.table(times), crate::of_values(&placed, 0, values).unwrap());
             // A crank can be assembled beyond a limit, but time does not lead there.
             assert!(
@@ -230,14 +284,25 @@ mod tests {
                 meant.notes
             );
             let place = |k: usize| now + scene.drivers[0].rate.value * told.columns[0].values[k];
-            assert!((0..told.rows()).all(|k| (meant.columns[0].values[k] - place(k)).abs() < 1e-9), "{}", t.name);
+            assert!(
+                (0..told.rows()).all(|k| (meant.columns[0].values[k] - place(k)).abs() < 1e-9),
+                "{}",
+                t.name
+            );
             for (a, b) in told.columns[1..].iter().zip(&meant.columns[1..]) {
-                let alike = meant.columns[1..].iter().filter(|c| c.unit == b.unit).flat_map(|c| &c.values);
+                let alike =
+                    meant.columns[1..].iter().filter(|c| c.unit == b.unit).flat_map(|c| &c.values);
                 // Where all answers of a kind vanish, only rounding of the driver's own size
                 // remains.
-                let most = alike.fold(0.1 * scene.drivers[0].rate.value.powi(2), |m: f64, v| m.max(v.abs()));
+                let most = alike
+                    .fold(0.1 * scene.drivers[0].rate.value.powi(2), |m: f64, v| m.max(v.abs()));
                 for (k, (a, v)) in a.values.iter().zip(&b.values).enumerate() {
-                    assert!((a - v).abs() <= 1e-7 * most, "{}, {} in row {k}: {a} against {v}", t.name, b.name);
+                    assert!(
+                        (a - v).abs() <= 1e-7 * most,
+                        "{}, {} in row {k}: {a} against {v}",
+                        t.name,
+                        b.name
+                    );
                     compared += 1;
                 }
             }

@@ -44,7 +44,10 @@ impl AngleRatio {
         let mut rest = value.abs();
         while rest.is_finite() && rest < 1e9 {
             let whole = libm::floor(rest) as i64;
-            let next = (whole.saturating_mul(b.0).saturating_add(a.0), whole.saturating_mul(b.1).saturating_add(a.1));
+            let next = (
+                whole.saturating_mul(b.0).saturating_add(a.0),
+                whole.saturating_mul(b.1).saturating_add(a.1),
+            );
             if next.1 > MOST_DENOMINATOR {
                 break;
             }
@@ -58,20 +61,25 @@ impl AngleRatio {
     }
 
     pub fn plus(self, o: AngleRatio) -> AngleRatio {
-        let exact = self
-            .exact
-            .zip(o.exact)
-            .and_then(|((a, b), (c, d))| fraction(a.checked_mul(d)?.checked_add(c.checked_mul(b)?)?, b.checked_mul(d)?));
+        let exact = self.exact.zip(o.exact).and_then(|((a, b), (c, d))| {
+            fraction(a.checked_mul(d)?.checked_add(c.checked_mul(b)?)?, b.checked_mul(d)?)
+        });
         AngleRatio::with(exact, self.value + o.value)
     }
 
     pub fn times(self, o: AngleRatio) -> AngleRatio {
-        let exact = self.exact.zip(o.exact).and_then(|((a, b), (c, d))| fraction(a.checked_mul(c)?, b.checked_mul(d)?));
+        let exact = self
+            .exact
+            .zip(o.exact)
+            .and_then(|((a, b), (c, d))| fraction(a.checked_mul(c)?, b.checked_mul(d)?));
         AngleRatio::with(exact, self.value * o.value)
     }
 
     fn over(self, o: AngleRatio) -> AngleRatio {
-        let exact = self.exact.zip(o.exact).and_then(|((a, b), (c, d))| fraction(a.checked_mul(d)?, b.checked_mul(c)?));
+        let exact = self
+            .exact
+            .zip(o.exact)
+            .and_then(|((a, b), (c, d))| fraction(a.checked_mul(d)?, b.checked_mul(c)?));
         AngleRatio::with(exact, self.value / o.value)
     }
 
@@ -154,8 +162,11 @@ impl AngleTrain {
         }
         train.links[scene.ground.0] = Some(Vec::new());
         for (g, group) in m.groups.iter().enumerate() {
-            let equations: Vec<TrainEquation> =
-                group.constraints.iter().filter_map(|&c| train.equation(scene, m, at, g, m.constraints[c].form())).collect();
+            let equations: Vec<TrainEquation> = group
+                .constraints
+                .iter()
+                .filter_map(|&c| train.equation(scene, m, at, g, m.constraints[c].form()))
+                .collect();
             for (link, found) in group.links.iter().zip(solved(equations, group.links.len())) {
                 train.links[link.0] = found;
             }
@@ -176,13 +187,23 @@ impl AngleTrain {
     /// Returns the turns of a driver after which the angles of all links recur; 0 if they never do.
     /// Links outside a train recur with every turn.
     pub fn turns(&self) -> u64 {
-        let all = self.links.iter().flatten().flatten().filter(|(s, _)| !matches!(s, AngleSource::Way(_)));
+        let all = self
+            .links
+            .iter()
+            .flatten()
+            .flatten()
+            .filter(|(s, _)| !matches!(s, AngleSource::Way(_)));
         all.map(|(_, ratio)| ratio.exact.map_or(0, |(_, q)| q as u64)).fold(1, together)
     }
 
     /// Returns the greatest ratio of a wheel's angular velocity to that of its source; at least 1.
     pub fn fastest(&self) -> f64 {
-        let all = self.links.iter().flatten().flatten().filter(|(s, _)| !matches!(s, AngleSource::Way(_)));
+        let all = self
+            .links
+            .iter()
+            .flatten()
+            .flatten()
+            .filter(|(s, _)| !matches!(s, AngleSource::Way(_)));
         all.map(|(_, ratio)| ratio.value.abs()).fold(1.0, f64::max)
     }
 
@@ -193,14 +214,27 @@ impl AngleTrain {
         }
     }
 
-    fn equation(&self, scene: &Scene, m: &Mechanism, at: &Configuration, g: usize, form: PairForm) -> Option<TrainEquation> {
-        let mut e = TrainEquation { factors: vec![AngleRatio::of(0, 1); m.groups[g].links.len()], sum: Vec::new() };
+    fn equation(
+        &self,
+        scene: &Scene,
+        m: &Mechanism,
+        at: &Configuration,
+        g: usize,
+        form: PairForm,
+    ) -> Option<TrainEquation> {
+        let mut e = TrainEquation {
+            factors: vec![AngleRatio::of(0, 1); m.groups[g].links.len()],
+            sum: Vec::new(),
+        };
         match form {
             PairForm::Angles { of, against, driver } => {
                 e.add(self.seen(m, g, of), AngleRatio::ONE);
                 e.add(self.seen(m, g, against), AngleRatio::of(-1, 1));
                 if let Some(d) = driver {
-                    e.add(TrainAngle::Known(vec![(AngleSource::Driver(d), AngleRatio::of(-1, 1))]), AngleRatio::ONE);
+                    e.add(
+                        TrainAngle::Known(vec![(AngleSource::Driver(d), AngleRatio::of(-1, 1))]),
+                        AngleRatio::ONE,
+                    );
                 }
             }
             PairForm::Related { pair: r, links: [a, b] } => {
@@ -209,10 +243,18 @@ impl AngleTrain {
                 match pair.relation() {
                     Relation::Turnings(centres) => {
                         let k = match pair.teeth() {
-                            Some([za, zb]) => AngleRatio::of(i64::from(za) * if ra * rb < 0.0 { -1 } else { 1 }, i64::from(zb)),
+                            Some([za, zb]) => AngleRatio::of(
+                                i64::from(za) * if ra * rb < 0.0 { -1 } else { 1 },
+                                i64::from(zb),
+                            ),
                             None => AngleRatio::near(ra / rb),
                         };
-                        e.circles(self.seen(m, g, a), self.seen(m, g, b), self.line(scene, m, g, centres)?, k);
+                        e.circles(
+                            self.seen(m, g, a),
+                            self.seen(m, g, b),
+                            self.line(scene, m, g, centres)?,
+                            k,
+                        );
                     }
                     Relation::Slide { centre, .. } => {
                         let placed = |p: PointId| m.group_of_pin[p.0] != Some(g);
@@ -223,25 +265,47 @@ impl AngleTrain {
                         }
                         e.add(self.seen(m, g, b), AngleRatio::ONE);
                         e.add(self.seen(m, g, a), AngleRatio::of(-1, 1));
-                        e.add(TrainAngle::Known(vec![(AngleSource::Way(r), AngleRatio { value: 1.0 / rb, exact: None })]), AngleRatio::ONE);
+                        e.add(
+                            TrainAngle::Known(vec![(
+                                AngleSource::Way(r),
+                                AngleRatio { value: 1.0 / rb, exact: None },
+                            )]),
+                            AngleRatio::ONE,
+                        );
                     }
                 }
             }
-            PairForm::Meet { .. } | PairForm::OnPath { .. } | PairForm::AlongPath { .. } | PairForm::Distance { .. } => return None,
+            PairForm::Meet { .. }
+            | PairForm::OnPath { .. }
+            | PairForm::AlongPath { .. }
+            | PairForm::Distance { .. } => return None,
         }
         Some(e)
     }
 
     /// The line of two centres: that of a link which carries both, else of two known points.
-    fn line(&self, scene: &Scene, m: &Mechanism, g: usize, [a, b]: [PointId; 2]) -> Option<TrainAngle> {
-        let both = |l: &LinkId| scene.links[l.0].points.contains(&a) && scene.links[l.0].points.contains(&b) && !m.is_passive(*l);
+    fn line(
+        &self,
+        scene: &Scene,
+        m: &Mechanism,
+        g: usize,
+        [a, b]: [PointId; 2],
+    ) -> Option<TrainAngle> {
+        let both = |l: &LinkId| {
+            scene.links[l.0].points.contains(&a)
+                && scene.links[l.0].points.contains(&b)
+                && !m.is_passive(*l)
+        };
         let carriers = || (0..scene.links.len()).map(LinkId).filter(both);
         let mine = |l: &LinkId| m.groups[g].links.contains(l);
-        if let Some(l) = carriers().find(|l| self.of_link(*l).is_some()).or_else(|| carriers().find(mine)) {
+        if let Some(l) =
+            carriers().find(|l| self.of_link(*l).is_some()).or_else(|| carriers().find(mine))
+        {
             return Some(self.seen(m, g, l));
         }
         let known = |p: PointId| m.group_of_pin[p.0] != Some(g);
-        (known(a) && known(b)).then(|| TrainAngle::Known(vec![(AngleSource::Line(a, b), AngleRatio::ONE)]))
+        (known(a) && known(b))
+            .then(|| TrainAngle::Known(vec![(AngleSource::Line(a, b), AngleRatio::ONE)]))
     }
 }
 
@@ -291,7 +355,9 @@ fn solved(mut equations: Vec<TrainEquation>, unknowns: usize) -> Vec<Option<Comb
             let size = |i: usize| equations[i].factors[column].value.abs();
             size(a).total_cmp(&size(b))
         });
-        let Some(pivot) = best.filter(|&i| !equations[i].factors[column].is_zero()) else { continue };
+        let Some(pivot) = best.filter(|&i| !equations[i].factors[column].is_zero()) else {
+            continue;
+        };
         equations.swap(done, pivot);
         let factor = AngleRatio::ONE.over(equations[done].factors[column]);
         let row = {
@@ -309,6 +375,11 @@ fn solved(mut equations: Vec<TrainEquation>, unknowns: usize) -> Vec<Option<Comb
         *of = Some(done);
         done += 1;
     }
-    let alone = |row: usize, column: usize| equations[row].factors.iter().enumerate().all(|(i, f)| i == column || f.is_zero());
-    of.iter().enumerate().map(|(column, row)| row.filter(|r| alone(*r, column)).map(|r| equations[r].sum.clone())).collect()
+    let alone = |row: usize, column: usize| {
+        equations[row].factors.iter().enumerate().all(|(i, f)| i == column || f.is_zero())
+    };
+    of.iter()
+        .enumerate()
+        .map(|(column, row)| row.filter(|r| alone(*r, column)).map(|r| equations[r].sum.clone()))
+        .collect()
 }

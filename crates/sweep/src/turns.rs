@@ -25,12 +25,15 @@ fn rotor<N: Lane>(j: N, x: N) -> [N; 2] {
     let (cj, sj) = (-size + 1.0, m * (-size + 2.0));
     let z = x * x;
     let r = z
-        * (z * (z * (z * 1.589_690_995_211_55e-10 + -2.505_076_025_340_686_3e-8) + 2.755_731_370_707_006_8e-6) + -1.984_126_982_985_795e-4)
+        * (z * (z * (z * 1.589_690_995_211_55e-10 + -2.505_076_025_340_686_3e-8)
+            + 2.755_731_370_707_006_8e-6)
+            + -1.984_126_982_985_795e-4)
         + 8.333_333_333_322_49e-3;
     let s = x + z * x * (z * r + -1.666_666_666_666_663_2e-1);
     let r = z
         * (z * (z
-            * (z * (z * (z * -1.135_964_755_778_819_5e-11 + 2.087_572_321_298_175e-9) + -2.755_731_435_139_066_3e-7)
+            * (z * (z * (z * -1.135_964_755_778_819_5e-11 + 2.087_572_321_298_175e-9)
+                + -2.755_731_435_139_066_3e-7)
                 + 2.480_158_728_947_673e-5)
             + -1.388_888_888_887_411e-3)
             + 4.166_666_666_666_66e-2);
@@ -196,7 +199,8 @@ impl Kernel<10, 1> for WayAcceleration {
     #[inline(always)]
     fn eval<N: Lane>(&self, [ux, uy, rx, ry, vx, vy, w, ax, ay, e]: [N; 10]) -> [N; 1] {
         let (u, r) = (Vec2::new(ux, uy), Vec2::new(rx, ry));
-        [u.dot(Vec2::new(ax, ay)) + w * u.cross(Vec2::new(vx, vy)) * 2.0 + e * u.cross(r) - w * w * u.dot(r)]
+        [u.dot(Vec2::new(ax, ay)) + w * u.cross(Vec2::new(vx, vy)) * 2.0 + e * u.cross(r)
+            - w * w * u.dot(r)]
     }
 }
 
@@ -216,7 +220,8 @@ mod tests {
         };
         let reg = Reg(0);
         for (p, q) in [(21i64, 40i64), (-7, 3), (1, 1), (101, 97), (-997, 1009), (1, 12), (44, 7)] {
-            let geared = Geared { quarters: RegPair { x: reg, y: reg }, start, p: p as f64, q: q as f64 };
+            let geared =
+                Geared { quarters: RegPair { x: reg, y: reg }, start, p: p as f64, q: q as f64 };
             let mut worst: f64 = 0.0;
             for turn in [0i64, 1, 9_999, 10_000, -10_000, 100_000] {
                 for part in (-720..=720).step_by(7) {

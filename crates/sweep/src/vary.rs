@@ -18,7 +18,10 @@ use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_scene::eval::{DimensionedValue, NoValue, evaluate};
 use hodograph_scene::expr::{self, Expr, ExprKind};
 use hodograph_scene::units::{Dim, RequiredQuantity};
-use hodograph_scene::{Angle, GivenQuantity, GuideDirection, GuidePath, Kind, PointPlace, PositionSlot, Scene, Through, templates};
+use hodograph_scene::{
+    Angle, GivenQuantity, GuideDirection, GuidePath, Kind, PointPlace, PositionSlot, Scene,
+    Through, templates,
+};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -36,8 +39,12 @@ fn slots(scene: &mut Scene) -> Vec<SceneQuantity<'_>> {
     for p in &mut scene.points {
         match &mut p.place {
             PointPlace::Unknown => {}
-            PointPlace::At(xy) | PointPlace::InLink { xy, .. } => out.extend(xy.iter_mut().map(|x| SceneQuantity::Number(x, false))),
-            PointPlace::Polar { length, angle, .. } => out.extend([SceneQuantity::Number(length, true), SceneQuantity::Angle(angle)]),
+            PointPlace::At(xy) | PointPlace::InLink { xy, .. } => {
+                out.extend(xy.iter_mut().map(|x| SceneQuantity::Number(x, false)))
+            }
+            PointPlace::Polar { length, angle, .. } => {
+                out.extend([SceneQuantity::Number(length, true), SceneQuantity::Angle(angle)])
+            }
         }
     }
     for g in &mut scene.guides {
@@ -47,14 +54,18 @@ fn slots(scene: &mut Scene) -> Vec<SceneQuantity<'_>> {
                     out.extend(xy.iter_mut().map(|x| SceneQuantity::Number(x, false)));
                 }
                 match direction {
-                    GuideDirection::Instant(angle) | GuideDirection::Slid(angle) | GuideDirection::Along(_, _, Some(angle)) => {
+                    GuideDirection::Instant(angle)
+                    | GuideDirection::Slid(angle)
+                    | GuideDirection::Along(_, _, Some(angle)) => {
                         out.push(SceneQuantity::Angle(angle))
                     }
                     GuideDirection::Along(_, _, None) | GuideDirection::Own => {}
                 }
                 out.extend(offset.iter_mut().map(|x| SceneQuantity::Number(x, false)));
             }
-            GuidePath::Arc { radius, .. } => out.extend(radius.iter_mut().map(|x| SceneQuantity::Number(x, true))),
+            GuidePath::Arc { radius, .. } => {
+                out.extend(radius.iter_mut().map(|x| SceneQuantity::Number(x, true)))
+            }
         }
     }
     out.extend(scene.lengths.iter_mut().map(|l| SceneQuantity::Number(&mut l.value, true)));
@@ -65,8 +76,12 @@ fn slots(scene: &mut Scene) -> Vec<SceneQuantity<'_>> {
     for d in &mut scene.drivers {
         match d.kind.slot() {
             PositionSlot::Angle(angle) => out.extend(angle.iter_mut().map(SceneQuantity::Angle)),
-            PositionSlot::Coordinate(position) => out.extend(position.iter_mut().map(|x| SceneQuantity::Number(x, false))),
-            PositionSlot::Distance(length) => out.extend(length.iter_mut().map(|x| SceneQuantity::Number(x, true))),
+            PositionSlot::Coordinate(position) => {
+                out.extend(position.iter_mut().map(|x| SceneQuantity::Number(x, false)))
+            }
+            PositionSlot::Distance(length) => {
+                out.extend(length.iter_mut().map(|x| SceneQuantity::Number(x, true)))
+            }
         }
         out.push(SceneQuantity::Number(&mut d.rate, false));
         out.extend(d.acceleration.iter_mut().map(|x| SceneQuantity::Number(x, false)));
@@ -122,14 +137,20 @@ impl Variation {
         for name in names {
             match known.iter().position(|k| k == name) {
                 Some(i) if !varied.contains(&i) => varied.push(i),
-                Some(_) => {
-                    faults.push(Diagnostic::error("given-twice", both!("parameter `{name}` is varied twice", "参数 `{name}` 变化了两次")))
-                }
+                Some(_) => faults.push(Diagnostic::error(
+                    "given-twice",
+                    both!("parameter `{name}` is varied twice", "参数 `{name}` 变化了两次"),
+                )),
                 None => {
-                    let d =
-                        Diagnostic::error("unknown-parameter", both!("the scene has no parameter `{name}`", "机构文件没有参数 `{name}`"));
+                    let d = Diagnostic::error(
+                        "unknown-parameter",
+                        both!("the scene has no parameter `{name}`", "机构文件没有参数 `{name}`"),
+                    );
                     faults.push(d.help(match known[..] {
-                        [] => both!("give the lengths to be varied names in \"parameters\"", "请在 \"parameters\" 中给要变化的长度命名"),
+                        [] => both!(
+                            "give the lengths to be varied names in \"parameters\"",
+                            "请在 \"parameters\" 中给要变化的长度命名"
+                        ),
                         _ => both!("its parameters are {}", "其参数有 {}", Both::names(&known)),
                     }));
                 }
@@ -161,9 +182,11 @@ impl Variation {
             }
         }
         let moves: Vec<bool> = known.iter().map(|name| moving.contains(name)).collect();
-        let mut variation = Variation { parameters, varied, fixed: Vec::new(), dependent, again: None };
+        let mut variation =
+            Variation { parameters, varied, fixed: Vec::new(), dependent, again: None };
         let usual = variation.values(&[])?;
-        variation.fixed = usual.into_iter().zip(moves).map(|(value, moves)| (!moves).then_some(value)).collect();
+        variation.fixed =
+            usual.into_iter().zip(moves).map(|(value, moves)| (!moves).then_some(value)).collect();
         Ok(variation)
     }
 
@@ -175,8 +198,15 @@ impl Variation {
     /// The unit of a varied parameter's SI value, for a column's head.
     pub fn unit(&self, value: &DimensionedValue) -> &'static str {
         // An arc over time is a velocity.
-        let dim = if value.dim.length == 1 && value.dim.time < 0 { Dim { angle: 0, ..value.dim } } else { value.dim };
-        Kind::ALL.into_iter().find(|kind| RequiredQuantity::of(*kind).dim() == dim).map_or("", Kind::si)
+        let dim = if value.dim.length == 1 && value.dim.time < 0 {
+            Dim { angle: 0, ..value.dim }
+        } else {
+            value.dim
+        };
+        Kind::ALL
+            .into_iter()
+            .find(|kind| RequiredQuantity::of(*kind).dim() == dim)
+            .map_or("", Kind::si)
     }
 
     /// Reads a value of a parameter from a command line: a bare number takes the unit that the
@@ -186,15 +216,22 @@ impl Variation {
     /// A text that is no quantity of the parameter's kind.
     pub fn value(&self, scene: &Scene, name: &str, text: &str) -> Result<DimensionedValue, Faults> {
         let known: Vec<&str> = self.parameters.iter().map(|p| p.0.as_str()).collect();
-        let i =
-            known.iter().position(|k| *k == name).ok_or_else(|| Diagnostic::error("unknown-parameter", both!("`{name}`", "`{name}`")))?;
+        let i = known
+            .iter()
+            .position(|k| *k == name)
+            .ok_or_else(|| Diagnostic::error("unknown-parameter", both!("`{name}`", "`{name}`")))?;
         let written = templates::replacement(name, &scene.parameters[i].1.text, text, &[])?;
         let value = self.evaluate(&expr::parse(&written, &[])?, &[])?;
         let usual = self.evaluate(&self.parameters[i].1, &self.values(&[])?)?;
         if value.dim != usual.dim {
             return Err(Diagnostic::error(
                 "dimension",
-                both!("`{text}` is {}; `{name}` is {}", "`{text}` 是{}；`{name}` 是{}", value.dim.describe(), usual.dim.describe()),
+                both!(
+                    "`{text}` is {}; `{name}` is {}",
+                    "`{text}` 是{}；`{name}` 是{}",
+                    value.dim.describe(),
+                    usual.dim.describe()
+                ),
             )
             .into());
         }
@@ -205,28 +242,56 @@ impl Variation {
     ///
     /// # Errors
     /// Those of [`Variation::value`].
-    pub fn span(&self, scene: &Scene, name: &str, from: &str, to: &str, steps: usize) -> Result<ParameterSpan, Faults> {
+    pub fn span(
+        &self,
+        scene: &Scene,
+        name: &str,
+        from: &str,
+        to: &str,
+        steps: usize,
+    ) -> Result<ParameterSpan, Faults> {
         let (a, b) = (self.value(scene, name, from)?, self.value(scene, name, to)?);
         // Degrees stay degrees only if both ends are degrees.
         let degrees = a.degrees && b.degrees;
         let number = |v: DimensionedValue| if degrees { v.number } else { v.si() };
-        Ok(ParameterSpan { first: DimensionedValue { number: number(a), dim: a.dim, degrees }, last: number(b), steps })
+        Ok(ParameterSpan {
+            first: DimensionedValue { number: number(a), dim: a.dim, degrees },
+            last: number(b),
+            steps,
+        })
     }
 
     /// Returns all values of [`Variation::span`].
     ///
     /// # Errors
     /// Those of [`Variation::value`].
-    pub fn range(&self, scene: &Scene, name: &str, from: &str, to: &str, steps: usize) -> Result<Vec<DimensionedValue>, Faults> {
+    pub fn range(
+        &self,
+        scene: &Scene,
+        name: &str,
+        from: &str,
+        to: &str,
+        steps: usize,
+    ) -> Result<Vec<DimensionedValue>, Faults> {
         let span = self.span(scene, name, from, to, steps)?;
         Ok((0..=steps).map(|i| span.value(i)).collect())
     }
 
-    fn evaluate(&self, expr: &Expr, values: &[DimensionedValue]) -> Result<DimensionedValue, Faults> {
-        let lookup = |name: &str| self.parameters[..values.len()].iter().rposition(|p| p.0 == name).map(|i| values[i]);
+    fn evaluate(
+        &self,
+        expr: &Expr,
+        values: &[DimensionedValue],
+    ) -> Result<DimensionedValue, Faults> {
+        let lookup = |name: &str| {
+            self.parameters[..values.len()].iter().rposition(|p| p.0 == name).map(|i| values[i])
+        };
         evaluate(expr, &lookup).map_err(|e| match e {
             NoValue::Fault(d) => Diagnostic { span: None, ..d }.into(),
-            NoValue::Reported => Diagnostic::error("unknown-parameter", both!("a parameter has no value", "有参数没有值")).into(),
+            NoValue::Reported => Diagnostic::error(
+                "unknown-parameter",
+                both!("a parameter has no value", "有参数没有值"),
+            )
+            .into(),
         })
     }
 
@@ -235,7 +300,8 @@ impl Variation {
     fn values(&self, varied: &[DimensionedValue]) -> Result<Vec<DimensionedValue>, Faults> {
         let mut values = Vec::with_capacity(self.parameters.len());
         for (i, (_, expr)) in self.parameters.iter().enumerate() {
-            let given = || self.varied.iter().position(|v| *v == i).and_then(|k| varied.get(k)).copied();
+            let given =
+                || self.varied.iter().position(|v| *v == i).and_then(|k| varied.get(k)).copied();
             let value = match self.fixed.get(i).copied().flatten().or_else(given) {
                 Some(value) => value,
                 None => self.evaluate(expr, &values)?,
@@ -275,14 +341,18 @@ impl Variation {
                 SceneQuantity::Number(given, positive) => {
                     let si = value.si();
                     if *positive && si <= 0.0 {
-                        return Err(Diagnostic::error("not-positive", both!("`{}` becomes {}", "`{}` 变为 {}", given.text, shortest(si)))
-                            .at(given.span)
-                            .into());
+                        return Err(Diagnostic::error(
+                            "not-positive",
+                            both!("`{}` becomes {}", "`{}` 变为 {}", given.text, shortest(si)),
+                        )
+                        .at(given.span)
+                        .into());
                     }
                     (given.value, given.radius) = (si, si.abs() * f64::EPSILON);
                 }
                 SceneQuantity::Angle(given) => {
-                    (given.value, given.radius) = (value.angle(), value.number.abs() * f64::EPSILON);
+                    (given.value, given.radius) =
+                        (value.angle(), value.number.abs() * f64::EPSILON);
                 }
             }
         }
@@ -316,7 +386,9 @@ impl ParameterSpan {
         let number = match i {
             0 => self.first.number,
             i if i == self.steps => self.last,
-            i => self.first.number + (self.last - self.first.number) * (i as f64 / self.steps as f64),
+            i => {
+                self.first.number + (self.last - self.first.number) * (i as f64 / self.steps as f64)
+            }
         };
         DimensionedValue { number, ..self.first }
     }
@@ -335,12 +407,20 @@ pub struct Varied<'a> {
 
 impl<'a> Varied<'a> {
     /// Starts the sweep of a variation of one parameter.
-    pub fn new(scene: &'a Scene, mechanism: &'a Mechanism, variation: &'a Variation, span: ParameterSpan) -> Varied<'a> {
+    pub fn new(
+        scene: &'a Scene,
+        mechanism: &'a Mechanism,
+        variation: &'a Variation,
+        span: ParameterSpan,
+    ) -> Varied<'a> {
         Varied { scene, mechanism, variation, span, gaps: Gaps::of(scene) }
     }
 
     fn name(&self) -> (String, &'static str) {
-        (self.variation.names().next().unwrap_or_default().to_owned(), self.variation.unit(&self.span.first))
+        (
+            self.variation.names().next().unwrap_or_default().to_owned(),
+            self.variation.unit(&self.span.first),
+        )
     }
 }
 
@@ -350,7 +430,9 @@ const AT_ONCE: usize = 4096;
 
 impl SweepPieces for Varied<'_> {
     fn columns(&self) -> Vec<(String, &'static str)> {
-        std::iter::once(self.name()).chain(self.scene.find.iter().flat_map(super::compile::ask::names)).collect()
+        std::iter::once(self.name())
+            .chain(self.scene.find.iter().flat_map(super::compile::ask::names))
+            .collect()
     }
 
     fn count(&self) -> usize {
@@ -369,13 +451,21 @@ impl SweepPieces for Varied<'_> {
             let topology = self.variation.topology(scene)?;
             let placed = PlacedScene::new(scene, topology.as_ref().unwrap_or(self.mechanism))?;
             let now = position_now(scene, &placed.at, 0);
-            let stations = Stations::of_values(vec![now], super::station::angle_per_value(scene, &placed.at, 0));
+            let stations = Stations::of_values(
+                vec![now],
+                super::station::angle_per_value(scene, &placed.at, 0),
+            );
             let row = one_row(&placed, &stations)?;
             Ok(std::iter::once(value.si()).chain(row.columns.iter().map(|c| c[0])).collect())
         };
         let here = here();
-        let made: Option<Vec<Result<Vec<f64>, Faults>>> =
-            rows.into_par_iter().map_init(|| self.scene.clone(), |scene, i| (!stop()).then(|| here.enter(|| one(scene, i)))).collect();
+        let made: Option<Vec<Result<Vec<f64>, Faults>>> = rows
+            .into_par_iter()
+            .map_init(
+                || self.scene.clone(),
+                |scene, i| (!stop()).then(|| here.enter(|| one(scene, i))),
+            )
+            .collect();
         let made = made?;
         let mut columns = vec![Vec::with_capacity(made.len()); width];
         let mut missing = BTreeMap::new();
@@ -402,7 +492,13 @@ impl SweepPieces for Varied<'_> {
 /// The answers at one station, by the program where there is one.
 fn one_row(placed: &PlacedScene, stations: &Stations) -> Result<SweepRows, Faults> {
     let general = General::new(placed, 0);
-    let mut rows = match super::compile(placed.scene, placed.mechanism, &placed.at, Some(0), &placed.scene.find) {
+    let mut rows = match super::compile(
+        placed.scene,
+        placed.mechanism,
+        &placed.at,
+        Some(0),
+        &placed.scene.find,
+    ) {
         Ok(program) => {
             let mut rows = run_program(&program, placed, 0, stations, Width::Widest);
             rows.complete(&general, stations, &never, &|_| None);

@@ -1,4 +1,5 @@
-//! Extremes of a column between the stations of a sweep, by repeated grid refinement around the best station.
+//! Extremes of a column between the stations of a sweep, by repeated grid refinement around the
+//! best station.
 
 use super::Table;
 
@@ -11,7 +12,12 @@ const LOOKS: usize = 5;
 /// Returns the highest or lowest value of a column (by name) between two values of the swept
 /// quantity, as (position, value); `table` sweeps given values. `None` if nothing can be assembled
 /// or the column does not exist.
-pub fn extreme(table: &dyn Fn(Vec<f64>) -> Option<Table>, column: &str, range: [f64; 2], highest: bool) -> Option<(f64, f64)> {
+pub fn extreme(
+    table: &dyn Fn(Vec<f64>) -> Option<Table>,
+    column: &str,
+    range: [f64; 2],
+    highest: bool,
+) -> Option<(f64, f64)> {
     let [mut from, mut to] = range;
     let mut best: Option<(f64, f64)> = None;
     for _ in 0..LOOKS {
@@ -45,7 +51,9 @@ mod tests {
         let table = |values| of_values(&placed, 0, values);
         // Between these two stations, at 180 degrees, the crank is in line: the piston's speed is
         // zero there.
-        let (at, v) = extreme(&table, "v_C", [170.0_f64.to_radians(), 190.0_f64.to_radians()], false).unwrap();
+        let (at, v) =
+            extreme(&table, "v_C", [170.0_f64.to_radians(), 190.0_f64.to_radians()], false)
+                .unwrap();
         assert!((at.to_degrees() - 180.0).abs() < 1e-4 && v < 1e-5, "{} {v}", at.to_degrees());
         assert_eq!(extreme(&table, "v_X", [0.0, 1.0], true), None);
     }

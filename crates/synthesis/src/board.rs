@@ -1,8 +1,8 @@
 //! The drawing board of synthesis: constructions with ruler and compasses, in millimetres of paper.
 //!
-//! A [`SynthesisBoard`] does not use the formulas: it lays off the givens to the scale μ_l, draws lines and
-//! circles, marks their crossings and measures. Its only arithmetic is that of crossings, so that
-//! its agreement with the closed formula is evidence. Given angles are laid off with the
+//! A [`SynthesisBoard`] does not use the formulas: it lays off the givens to the scale μ_l, draws
+//! lines and circles, marks their crossings and measures. Its only arithmetic is that of crossings,
+//! so that its agreement with the closed formula is evidence. Given angles are laid off with the
 //! protractor; halves, bisectors and circles through points are drawn.
 
 use super::candidate::Draft;
@@ -108,7 +108,8 @@ impl PaperLine {
 
     /// The intersections with a circle, in the direction of the line.
     pub fn cross_circle(&self, centre: Point, radius_mm: f64) -> Option<[Point; 2]> {
-        fourbar::cross_circle(self.at, self.along, centre, radius_mm).map(|both| both.map(|s| self.place(s)))
+        fourbar::cross_circle(self.at, self.along, centre, radius_mm)
+            .map(|both| both.map(|s| self.place(s)))
     }
 
     /// The perpendicular through a place.
@@ -183,7 +184,11 @@ impl SynthesisBoard {
 
     /// Begins a step.
     pub fn step(&mut self, text: Both) -> &mut SynthesisBoard {
-        self.steps.push(BoardStep { text: text.sentence(), strokes: Vec::new(), marks: Vec::new() });
+        self.steps.push(BoardStep {
+            text: text.sentence(),
+            strokes: Vec::new(),
+            marks: Vec::new(),
+        });
         self
     }
 
@@ -209,7 +214,10 @@ impl SynthesisBoard {
 
     /// Strikes a short arc about a centre at a place.
     pub fn arc(&mut self, centre: Point, at: Point) -> &mut SynthesisBoard {
-        self.last().strokes.push((PaperStroke::Arc(centre, centre.distance(at), (at - centre).angle()), Weight::Thin));
+        self.last().strokes.push((
+            PaperStroke::Arc(centre, centre.distance(at), (at - centre).angle()),
+            Weight::Thin,
+        ));
         self
     }
 
@@ -225,7 +233,11 @@ impl SynthesisBoard {
 
     /// Reads the length between two places.
     pub fn read(&mut self, name: &str, p: Point, q: Point) -> &mut SynthesisBoard {
-        self.readings.push(PaperReading { name: name.to_owned(), measured: self.marked(p).distance(self.marked(q)), angle: false });
+        self.readings.push(PaperReading {
+            name: name.to_owned(),
+            measured: self.marked(p).distance(self.marked(q)),
+            angle: false,
+        });
         self
     }
 
@@ -272,11 +284,18 @@ impl SynthesisBoard {
     /// The circle over a chord with an inscribed angle θ (rad): its centre and radius. From either
     /// end the centre appears at 90° − θ from the chord; if `left`, it is left of the chord seen
     /// from the first end.
-    pub fn inscribed(&mut self, p: Point, q: Point, angle: f64, left: bool) -> Option<(Point, f64)> {
+    pub fn inscribed(
+        &mut self,
+        p: Point,
+        q: Point,
+        angle: f64,
+        left: bool,
+    ) -> Option<(Point, f64)> {
         let side = if left { 1.0 } else { -1.0 };
         let lean = side * (std::f64::consts::FRAC_PI_2 - angle);
         let chord = q - p;
-        let (one, other) = (PaperLine::ray(p, chord.angle() + lean), PaperLine::ray(q, (p - q).angle() - lean));
+        let (one, other) =
+            (PaperLine::ray(p, chord.angle() + lean), PaperLine::ray(q, (p - q).angle() - lean));
         let centre = self.marked(one.cross(&other)?);
         self.line(p, centre, Weight::Thin).line(q, centre, Weight::Thin);
         let radius = centre.distance(p);
@@ -298,7 +317,11 @@ impl SynthesisBoard {
                 }
             }
             // A place in line with the two points: the circles touch.
-            None => to[0] + (to[1] - to[0]) * ((at - from[0]).dot(from[1] - from[0]) / (from[1] - from[0]).norm2()),
+            None => {
+                to[0]
+                    + (to[1] - to[0])
+                        * ((at - from[0]).dot(from[1] - from[0]) / (from[1] - from[0]).norm2())
+            }
         };
         let found = self.marked(found);
         self.arc(to[0], found).arc(to[1], found);
@@ -344,7 +367,13 @@ impl SynthesisBoard {
     /// are nearest to the design's numbers.
     pub fn meant(&mut self, draft: &Draft, ways: &[&ConstructionVariant]) -> Option<()> {
         let off = |board: &SynthesisBoard| {
-            let of = |r: &PaperReading| draft.numbers.iter().find(|n| n.name == r.name).map(|n| (board.value(r) - n.value.abs()).abs());
+            let of = |r: &PaperReading| {
+                draft
+                    .numbers
+                    .iter()
+                    .find(|n| n.name == r.name)
+                    .map(|n| (board.value(r) - n.value.abs()).abs())
+            };
             board.readings.iter().filter_map(of).fold(0.0, f64::max)
         };
         let drawn = ways.iter().filter_map(|way| {

@@ -13,7 +13,11 @@ const DRAWINGS: u64 = 200;
 /// Returns the tolerances of a board's readings in their order (m or rad), which contain 95 of 100
 /// drawings with this pencil. `None` where too many drawings fail, because circles that just meet
 /// miss one another.
-pub fn tolerances(task: &Task, candidate: &DesignCandidate, board: &SynthesisBoard) -> Vec<Option<f64>> {
+pub fn tolerances(
+    task: &Task,
+    candidate: &DesignCandidate,
+    board: &SynthesisBoard,
+) -> Vec<Option<f64>> {
     let pencil_mm = pencil_mm(task);
     let drawn = |seed: u64| {
         let mut hand = SynthesisBoard::by_hand(board.mu_l, Blunt::new(pencil_mm, seed));
@@ -55,7 +59,8 @@ mod tests {
                 if task.wish.construct(&candidate.draft, &mut hand).is_none() {
                     continue;
                 }
-                let mut marks: Vec<&str> = hand.steps.iter().flat_map(|s| &s.marks).map(|m| m.0.as_str()).collect();
+                let mut marks: Vec<&str> =
+                    hand.steps.iter().flat_map(|s| &s.marks).map(|m| m.0.as_str()).collect();
                 let exact = board.steps.iter().flat_map(|s| &s.marks).count();
                 assert_eq!(marks.len(), exact, "{}: {marks:?}", kind.name);
                 marks.sort_unstable();
@@ -90,7 +95,9 @@ mod tests {
     fn tolerances_grow_with_the_pencil() {
         for kind in KINDS {
             let text = templates::get(kind.name).unwrap();
-            let with = |pencil: &str| text.replacen('{', &format!("{{\"paper\": {{\"pencil\": \"{pencil}\"}},"), 1);
+            let with = |pencil: &str| {
+                text.replacen('{', &format!("{{\"paper\": {{\"pencil\": \"{pencil}\"}},"), 1)
+            };
             let of = |pencil: &str| {
                 let task = read(with(pencil)).unwrap().value;
                 let design = solve(&task).unwrap();
@@ -104,7 +111,12 @@ mod tests {
                 let (fine, blunt) = (fine.unwrap(), blunt.unwrap());
                 // An angle that is laid off and read with the protractor is exact.
                 assert!(fine > 0.0 || reading.angle, "{}: {}", kind.name, reading.name);
-                assert!(fine == 0.0 || (1.05..2.5).contains(&(blunt / fine)), "{} {}: {fine} {blunt}", kind.name, reading.name);
+                assert!(
+                    fine == 0.0 || (1.05..2.5).contains(&(blunt / fine)),
+                    "{} {}: {fine} {blunt}",
+                    kind.name,
+                    reading.name
+                );
             }
         }
     }

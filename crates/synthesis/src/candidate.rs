@@ -111,7 +111,12 @@ pub struct Draft {
 impl Draft {
     /// Returns a design that meets its requirements exactly, in any order, without demands on the
     /// whole motion.
-    pub fn new(which: Both, scene: Json, numbers: Vec<DesignNumber>, wanted: Vec<WantedPosition>) -> Draft {
+    pub fn new(
+        which: Both,
+        scene: Json,
+        numbers: Vec<DesignNumber>,
+        wanted: Vec<WantedPosition>,
+    ) -> Draft {
         Draft {
             which,
             scene,
@@ -174,7 +179,9 @@ pub fn letters(name: &str) -> (String, &str) {
 /// The symbol of a number in the label language: a length by its ends, the others by their letters.
 pub fn symbol(name: &str) -> String {
     match letters(name) {
-        (word, "") if word.len() > 1 && word.bytes().all(|b| b.is_ascii_uppercase()) => format!("l_{{{word}}}"),
+        (word, "") if word.len() > 1 && word.bytes().all(|b| b.is_ascii_uppercase()) => {
+            format!("l_{{{word}}}")
+        }
         (word, "") => word,
         (word, index) => format!("{word}_{{{index}}}"),
     }
@@ -183,16 +190,20 @@ pub fn symbol(name: &str) -> String {
 /// A scene as a file: one key a line.
 pub fn scene_text(scene: &Json) -> String {
     let Json::Object(members) = scene else { return format!("{scene}\n") };
-    let lines: Vec<String> = members.iter().map(|(k, v)| format!("  {}: {}", json!(k), spaced(v))).collect();
+    let lines: Vec<String> =
+        members.iter().map(|(k, v)| format!("  {}: {}", json!(k), spaced(v))).collect();
     format!("{{\n{}\n}}\n", lines.join(",\n"))
 }
 
 /// A JSON value in one line, with spaces after separators.
 fn spaced(value: &Json) -> String {
     match value {
-        Json::Array(items) => format!("[{}]", items.iter().map(spaced).collect::<Vec<_>>().join(", ")),
+        Json::Array(items) => {
+            format!("[{}]", items.iter().map(spaced).collect::<Vec<_>>().join(", "))
+        }
         Json::Object(members) => {
-            let all: Vec<String> = members.iter().map(|(k, v)| format!("{}: {}", json!(k), spaced(v))).collect();
+            let all: Vec<String> =
+                members.iter().map(|(k, v)| format!("{}: {}", json!(k), spaced(v))).collect();
             format!("{{{}}}", all.join(", "))
         }
         Json::String(_) | Json::Number(_) | Json::Bool(_) | Json::Null => value.to_string(),

@@ -7,7 +7,8 @@
 //! are similar to BCE.
 //!
 //! # Source
-//! S. Roberts, *On three-bar motion in plane space*, Proc. London Math. Soc. 7 (1875); P. L. Chebyshev, 1878.
+//! S. Roberts, *On three-bar motion in plane space*, Proc. London Math. Soc. 7 (1875); P. L.
+//! Chebyshev, 1878.
 
 mod explained;
 
@@ -26,7 +27,10 @@ use std::f64::consts::TAU;
 /// Cognates as a kind of task.
 pub const KIND: KindOfTask = KindOfTask {
     name: "cognates",
-    what: ["the two other four-bars with the same coupler curve", "同源机构：连杆曲线相同的另外两个四杆机构"],
+    what: [
+        "the two other four-bars with the same coupler curve",
+        "同源机构：连杆曲线相同的另外两个四杆机构",
+    ],
     keys: &["scene", "point"],
     read,
 };
@@ -78,14 +82,21 @@ impl Cognates {
                 && a.distance(d) > NONE * self.given.size();
             whole.then(|| FourBar { a, b, c, d, e: Some((self.e - b).divide_by(axis)) })
         };
-        [with(self.given.a, self.left[0], self.left[1], self.f), with(self.f, self.right[1], self.right[0], self.given.d)]
+        [
+            with(self.given.a, self.left[0], self.left[1], self.f),
+            with(self.f, self.right[1], self.right[0], self.given.d),
+        ]
     }
 
     /// The cognates of a scene that is a four-bar with this coupler point.
     ///
     /// # Errors
     /// `not-a-four-bar`, with the required structure and that of the scene.
-    pub fn of_scene(scene: &Scene, at: &Configuration, point: Option<PointId>) -> Result<Cognates, Diagnostic> {
+    pub fn of_scene(
+        scene: &Scene,
+        at: &Configuration,
+        point: Option<PointId>,
+    ) -> Result<Cognates, Diagnostic> {
         let (given, e) = four_bar(scene, at, point)?;
         let e_at = at.points[e.0].ok_or_else(|| none(scene))?;
         Cognates::of(given, e_at).ok_or_else(|| none(scene))
@@ -107,19 +118,31 @@ fn none(scene: &Scene) -> Diagnostic {
 }
 
 /// The four-bar of a scene, driver first, and its coupler point.
-fn four_bar(scene: &Scene, at: &Configuration, point: Option<PointId>) -> Result<(FourBar, PointId), Diagnostic> {
+fn four_bar(
+    scene: &Scene,
+    at: &Configuration,
+    point: Option<PointId>,
+) -> Result<(FourBar, PointId), Diagnostic> {
     let found = || {
         if scene.links.len() != 4 || !scene.guides.is_empty() || !scene.rolling.is_empty() {
             return None;
         }
         let points = |l: usize| &scene.links[l].points;
         let ground = scene.ground.0;
-        let floating = (0..4).find(|l| *l != ground && !points(*l).iter().any(|p| points(ground).contains(p)))?;
+        let floating = (0..4)
+            .find(|l| *l != ground && !points(*l).iter().any(|p| points(ground).contains(p)))?;
         let mut cranks: Vec<usize> = (0..4).filter(|l| *l != ground && *l != floating).collect();
-        let driven = |l: usize| scene.drivers.iter().any(|d| d.kind.turned().is_some_and(|(link, _)| link == LinkId(l)));
+        let driven = |l: usize| {
+            scene.drivers.iter().any(|d| d.kind.turned().is_some_and(|(link, _)| link == LinkId(l)))
+        };
         cranks.sort_by_key(|l| !driven(*l));
         let common = |k: usize, l: usize| points(k).iter().copied().find(|p| points(l).contains(p));
-        let pins = [common(cranks[0], ground)?, common(cranks[0], floating)?, common(floating, cranks[1])?, common(cranks[1], ground)?];
+        let pins = [
+            common(cranks[0], ground)?,
+            common(cranks[0], floating)?,
+            common(floating, cranks[1])?,
+            common(cranks[1], ground)?,
+        ];
         let free = |p: &PointId| points(floating).contains(p) && !pins.contains(p);
         let e = match point {
             Some(p) => Some(p).filter(free)?,
@@ -131,10 +154,18 @@ fn four_bar(scene: &Scene, at: &Configuration, point: Option<PointId>) -> Result
         Some((FourBar { a, b, c, d, e: Some(local) }, e))
     };
     found().ok_or_else(|| match point {
-        Some(p) if scene.links.len() == 4 && scene.guides.is_empty() && scene.carriers(p).count() > 1 => {
+        Some(p)
+            if scene.links.len() == 4
+                && scene.guides.is_empty()
+                && scene.carriers(p).count() > 1 =>
+        {
             let name = scene.point_name(p);
-            let message = both!("`{name}` is a pin, not a free point of the coupler", "`{name}` 是转动副，不是连杆上的自由点");
-            Diagnostic::error("not-a-four-bar", message).help(both!("name a point that lies on the coupler alone", "请写只在连杆上的点"))
+            let message = both!(
+                "`{name}` is a pin, not a free point of the coupler",
+                "`{name}` 是转动副，不是连杆上的自由点"
+            );
+            Diagnostic::error("not-a-four-bar", message)
+                .help(both!("name a point that lies on the coupler alone", "请写只在连杆上的点"))
         }
         Some(_) | None => none(scene),
     })
@@ -176,7 +207,10 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
             return form.refuse(
                 node,
                 "scene",
-                both!("the name of a template or scene file, or a scene", "模板名、机构文件名或机构文件本身"),
+                both!(
+                    "the name of a template or scene file, or a scene",
+                    "模板名、机构文件名或机构文件本身"
+                ),
             );
         }
     };
@@ -198,14 +232,19 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
         }
     };
     let point = match form.word("point") {
-        Some(word) => match (0..scene.points.len()).map(PointId).find(|p| scene.point_name(*p) == word.text) {
-            Some(p) => Some(p),
-            None => {
-                let d = Diagnostic::error("unknown-point", both!("the scene has no point `{}`", "机构文件没有点 `{}`", word.text));
-                form.fault(d.at(word.span));
-                return None;
+        Some(word) => {
+            match (0..scene.points.len()).map(PointId).find(|p| scene.point_name(*p) == word.text) {
+                Some(p) => Some(p),
+                None => {
+                    let d = Diagnostic::error(
+                        "unknown-point",
+                        both!("the scene has no point `{}`", "机构文件没有点 `{}`", word.text),
+                    );
+                    form.fault(d.at(word.span));
+                    return None;
+                }
             }
-        },
+        }
         None => None,
     };
     match Cognates::of_scene(&scene, &at, point) {
@@ -213,9 +252,14 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
             let name = if scene.title.en.is_empty() && scene.title.zh.is_empty() {
                 both!("Cognates of a four-bar", "四杆机构的同源机构")
             } else {
-                both!("Cognates of: {}", "同源机构：{}", Both { en: scene.title.en.clone(), zh: scene.title.zh.clone() })
+                both!(
+                    "Cognates of: {}",
+                    "同源机构：{}",
+                    Both { en: scene.title.en.clone(), zh: scene.title.zh.clone() }
+                )
             };
-            let rate = scene.drivers.iter().find(|d| d.kind.turns()).map_or(USUAL_OMEGA, |d| d.rate.value);
+            let rate =
+                scene.drivers.iter().find(|d| d.kind.turns()).map_or(USUAL_OMEGA, |d| d.rate.value);
             Some(Box::new(CognatesTask { cognates, name, rate }))
         }
         Err(d) => {
@@ -242,9 +286,10 @@ impl CognatesTask {
         let positions = self.positions();
         let first = positions.first().map_or(Vec2::new(1.0, 0.0), link);
         let crank = linkage.b - linkage.a;
-        let wanted = positions
-            .iter()
-            .map(|p| WantedPosition { driver: crank.rotate_by(link(p).divide_by(first)).angle(), places: vec![("E".into(), p.2)] });
+        let wanted = positions.iter().map(|p| WantedPosition {
+            driver: crank.rotate_by(link(p).divide_by(first)).angle(),
+            places: vec![("E".into(), p.2)],
+        });
         let mut numbers = named_lengths(linkage.lengths());
         numbers.push(DesignNumber::length(
             "BE",
@@ -272,11 +317,18 @@ impl Wish for CognatesTask {
     fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
         let c = &self.cognates;
         let mut notes = Vec::new();
-        let mut drafts = vec![self.draft(both!("the given linkage", "给定的机构"), &c.given, heading, |p| p.0)];
+        let mut drafts =
+            vec![self.draft(both!("the given linkage", "给定的机构"), &c.given, heading, |p| p.0)];
         let [left, right] = c.four_bars();
         let names = [
-            both!("left cognate AA1P1F (its AB turns as the given BC)", "左同源机构 AA1P1F（其 AB 与原 BC 转角相同）"),
-            both!("right cognate FP2D1D (its AB turns as the given AB)", "右同源机构 FP2D1D（其 AB 与原 AB 转角相同）"),
+            both!(
+                "left cognate AA1P1F (its AB turns as the given BC)",
+                "左同源机构 AA1P1F（其 AB 与原 BC 转角相同）"
+            ),
+            both!(
+                "right cognate FP2D1D (its AB turns as the given AB)",
+                "右同源机构 FP2D1D（其 AB 与原 AB 转角相同）"
+            ),
         ];
         let links: [TurnsAs; 2] = [|p| p.1, |p| p.0];
         for ((linkage, name), link) in [left, right].into_iter().zip(names).zip(links) {
@@ -293,14 +345,25 @@ impl Wish for CognatesTask {
             }
         }
         let place = |name: &str, what: Both, p: Point| {
-            [DesignNumber::length(&format!("{name}_x"), what.clone(), p.x), DesignNumber::length(&format!("{name}_y"), what, p.y)]
+            [
+                DesignNumber::length(&format!("{name}_x"), what.clone(), p.x),
+                DesignNumber::length(&format!("{name}_y"), what, p.y),
+            ]
         };
         let numbers = [
             place("F", both!("third pivot", "第三个固定铰链"), c.f),
             place("A1", both!("parallelogram A B E A1", "平行四边形 A B E A1"), c.left[0]),
-            place("P1", both!("triangle A1EP1, similar to BCE", "三角形 A1EP1，与 BCE 相似"), c.left[1]),
+            place(
+                "P1",
+                both!("triangle A1EP1, similar to BCE", "三角形 A1EP1，与 BCE 相似"),
+                c.left[1],
+            ),
             place("D1", both!("parallelogram D C E D1", "平行四边形 D C E D1"), c.right[0]),
-            place("P2", both!("triangle ED1P2, similar to BCE", "三角形 ED1P2，与 BCE 相似"), c.right[1]),
+            place(
+                "P2",
+                both!("triangle ED1P2, similar to BCE", "三角形 ED1P2，与 BCE 相似"),
+                c.right[1],
+            ),
         ];
         Ok(TaskResult { drafts, numbers: numbers.into_iter().flatten().collect(), notes })
     }
@@ -324,7 +387,10 @@ impl CognatesTask {
     fn drawn(&self, board: &mut SynthesisBoard, k: usize) -> Option<()> {
         let FourBar { a, b, c, d, .. } = self.cognates.given;
         let [a, b, c, d, e] = [a, b, c, d, self.cognates.e].map(|p| board.at(p));
-        board.step(both!("Draw the given linkage ABCD with its coupler point E", "作给定机构 ABCD 及连杆点 E"));
+        board.step(both!(
+            "Draw the given linkage ABCD with its coupler point E",
+            "作给定机构 ABCD 及连杆点 E"
+        ));
         for (p, q) in [(a, b), (b, c), (c, d), (b, e), (c, e)] {
             board.line(p, q, Weight::Given);
         }
@@ -348,7 +414,10 @@ impl CognatesTask {
         let p2 = similar(board, [d1, e], [c, b, e])?;
         let f = similar(board, [a, d], [b, c, e])?;
         board.mark("P_1", p1).mark("P_2", p2).mark("F", f);
-        board.step(both!("The linkages AA1P1F and FP2D1D carry E too", "机构 AA1P1F 与 FP2D1D 的 E 点轨迹相同"));
+        board.step(both!(
+            "The linkages AA1P1F and FP2D1D carry E too",
+            "机构 AA1P1F 与 FP2D1D 的 E 点轨迹相同"
+        ));
         for [p, q, r, s] in [[a, a1, p1, f], [f, p2, d1, d]] {
             board.line(p, q, Weight::Result).line(q, r, Weight::Result).line(r, s, Weight::Result);
         }
@@ -374,7 +443,9 @@ fn similar(board: &mut SynthesisBoard, base: [Point; 2], to: [Point; 3]) -> Opti
         one.cross(&other)?
     } else {
         let along = (v - u).unit()?;
-        one.at + (q - p) * (along.dot(w - u) / u.distance(v)) + (q - p).perp() * (along.cross(w - u) / u.distance(v))
+        one.at
+            + (q - p) * (along.dot(w - u) / u.distance(v))
+            + (q - p).perp() * (along.cross(w - u) / u.distance(v))
     };
     board.line(p, corner, Weight::Thin).line(q, corner, Weight::Thin);
     Some(corner)

@@ -28,7 +28,11 @@ pub(crate) struct TaskForm<'a> {
 
 impl<'a> TaskForm<'a> {
     /// Returns an object with checked keys.
-    pub fn new(fields: Fields<'a>, front: &'a Front<'a>, faults: &'a RefCell<Faults>) -> TaskForm<'a> {
+    pub fn new(
+        fields: Fields<'a>,
+        front: &'a Front<'a>,
+        faults: &'a RefCell<Faults>,
+    ) -> TaskForm<'a> {
         TaskForm { fields, front, faults, taken: RefCell::default() }
     }
 
@@ -48,8 +52,13 @@ impl<'a> TaskForm<'a> {
     pub fn idle(&self, keys: &[&'static str]) -> Vec<Diagnostic> {
         let idle = keys.iter().filter(|k| self.has(k) && !self.taken.borrow().contains(**k));
         let told = |key: &&str| {
-            let message = both!("`{key}` says nothing here: nothing in this task depends on it", "`{key}` 在此不起作用：本题与它无关");
-            Diagnostic::warning("unused-key", message).at(self.span(key)).help(both!("leave it out", "请去掉它"))
+            let message = both!(
+                "`{key}` says nothing here: nothing in this task depends on it",
+                "`{key}` 在此不起作用：本题与它无关"
+            );
+            Diagnostic::warning("unused-key", message)
+                .at(self.span(key))
+                .help(both!("leave it out", "请去掉它"))
         };
         idle.map(told).collect()
     }
@@ -77,7 +86,12 @@ impl<'a> TaskForm<'a> {
 
     /// A length (m), from any value.
     pub fn length_of(&self, node: &Node, key: &str) -> Option<f64> {
-        self.front.si(node, RequiredQuantity::Length, &format!("\"{key}\""), &mut self.faults.borrow_mut())
+        self.front.si(
+            node,
+            RequiredQuantity::Length,
+            &format!("\"{key}\""),
+            &mut self.faults.borrow_mut(),
+        )
     }
 
     /// A length (m) that must be greater than zero.
@@ -86,7 +100,10 @@ impl<'a> TaskForm<'a> {
         if value > 0.0 {
             return Some(value);
         }
-        let d = Diagnostic::error("not-positive", both!("\"{key}\" must be greater than zero", "\"{key}\" 应大于零"));
+        let d = Diagnostic::error(
+            "not-positive",
+            both!("\"{key}\" must be greater than zero", "\"{key}\" 应大于零"),
+        );
         self.fault(d.at(self.span(key)));
         None
     }
@@ -125,17 +142,31 @@ impl<'a> TaskForm<'a> {
     /// A dimensionless number or an angle: the value as written, and for an angle whether it is in
     /// degrees.
     pub fn number_or_angle(&self, key: &str) -> Option<(f64, Option<bool>)> {
-        self.front.number_or_angle(self.node(key)?, &format!("\"{key}\""), &mut self.faults.borrow_mut())
+        self.front.number_or_angle(
+            self.node(key)?,
+            &format!("\"{key}\""),
+            &mut self.faults.borrow_mut(),
+        )
     }
 
     /// A function of a variable.
     pub fn curve(&self, key: &str, variable: &str) -> Option<Curve> {
-        self.front.curve(self.node(key)?, variable, &format!("\"{key}\""), &mut self.faults.borrow_mut())
+        self.front.curve(
+            self.node(key)?,
+            variable,
+            &format!("\"{key}\""),
+            &mut self.faults.borrow_mut(),
+        )
     }
 
     /// An angular velocity (rad/s).
     pub fn omega(&self, key: &str) -> Option<f64> {
-        self.front.si(self.node(key)?, RequiredQuantity::Omega, &format!("\"{key}\""), &mut self.faults.borrow_mut())
+        self.front.si(
+            self.node(key)?,
+            RequiredQuantity::Omega,
+            &format!("\"{key}\""),
+            &mut self.faults.borrow_mut(),
+        )
     }
 
     /// An integer within bounds.
@@ -166,12 +197,25 @@ impl<'a> TaskForm<'a> {
     }
 
     /// One of several words, from any value.
-    pub fn choice_of(&self, node: &Node, key: &str, known: &[&'static str]) -> Option<&'static str> {
+    pub fn choice_of(
+        &self,
+        node: &Node,
+        key: &str,
+        known: &[&'static str],
+    ) -> Option<&'static str> {
         let found = word(node, &format!("\"{key}\""), &mut self.faults.borrow_mut())?;
         let one = known.iter().find(|k| **k == found.text).copied();
         if one.is_none() {
-            let d = Diagnostic::error("unknown-word", both!("there is no {key} `{}`", "\"{key}\" 没有 `{}`", found.text)).at(found.span);
-            self.fault(d.help(suggest(&found.text, known.iter().copied(), both!("known are", "可用的有"))));
+            let d = Diagnostic::error(
+                "unknown-word",
+                both!("there is no {key} `{}`", "\"{key}\" 没有 `{}`", found.text),
+            )
+            .at(found.span);
+            self.fault(d.help(suggest(
+                &found.text,
+                known.iter().copied(),
+                both!("known are", "可用的有"),
+            )));
         }
         one
     }
@@ -189,14 +233,22 @@ impl<'a> TaskForm<'a> {
     }
 
     /// A list of exactly `N` values.
-    pub fn several<const N: usize>(&self, node: &'a Node, key: &str, example: &str) -> Option<[&'a Node; N]> {
+    pub fn several<const N: usize>(
+        &self,
+        node: &'a Node,
+        key: &str,
+        example: &str,
+    ) -> Option<[&'a Node; N]> {
         let items = list(node, &format!("\"{key}\""), &mut self.faults.borrow_mut())?;
         let all: Vec<&Node> = items.iter().collect();
         let found = all.len();
         all.try_into().ok().or_else(|| {
             let d = Diagnostic::error(
                 "wrong-count",
-                both!("\"{key}\" has {N} values here, this has {found}", "\"{key}\" 此处应有 {N} 个值，现有 {found} 个"),
+                both!(
+                    "\"{key}\" has {N} values here, this has {found}",
+                    "\"{key}\" 此处应有 {N} 个值，现有 {found} 个"
+                ),
             );
             self.fault(d.at(node.span).help(both!("write {example}", "请写 {example}")));
             None
@@ -213,7 +265,10 @@ impl<'a> TaskForm<'a> {
         let count = items.len();
         let d = Diagnostic::error(
             "wrong-count",
-            both!("\"{key}\" has {count} entries; {least} to {MOST} are wanted", "\"{key}\" 有 {count} 项，应为 {least} 到 {MOST} 项"),
+            both!(
+                "\"{key}\" has {count} entries; {least} to {MOST} are wanted",
+                "\"{key}\" 有 {count} 项，应为 {least} 到 {MOST} 项"
+            ),
         );
         self.fault(d.at(node.span));
         None
@@ -221,7 +276,8 @@ impl<'a> TaskForm<'a> {
 
     /// The places of a required list (m).
     pub fn points(&self, key: &str, example: &str, least: usize) -> Option<Vec<Point>> {
-        let found: Vec<Option<Point>> = self.items(key, example, least)?.iter().map(|n| self.point_of(n, key)).collect();
+        let found: Vec<Option<Point>> =
+            self.items(key, example, least)?.iter().map(|n| self.point_of(n, key)).collect();
         found.into_iter().collect()
     }
 
@@ -232,7 +288,8 @@ impl<'a> TaskForm<'a> {
 
     /// Any value as an object, whose keys must be among these.
     pub fn object(&self, node: &'a Node, key: &str, keys: &[&str]) -> Option<TaskForm<'a>> {
-        let fields = Fields::open(node, &format!("\"{key}\""), keys, &mut self.faults.borrow_mut())?;
+        let fields =
+            Fields::open(node, &format!("\"{key}\""), keys, &mut self.faults.borrow_mut())?;
         Some(TaskForm::new(fields, self.front, self.faults))
     }
 
@@ -243,7 +300,12 @@ impl<'a> TaskForm<'a> {
     }
 
     /// Refuses a value of the wrong type.
-    pub fn refuse<T>(&self, node: &Node, key: &str, wanted: hodograph_base::diag::Both) -> Option<T> {
+    pub fn refuse<T>(
+        &self,
+        node: &Node,
+        key: &str,
+        wanted: hodograph_base::diag::Both,
+    ) -> Option<T> {
         wrong(node, &format!("\"{key}\""), wanted, &mut self.faults.borrow_mut())
     }
 }

@@ -40,7 +40,12 @@ pub struct Heading {
 impl FourBar {
     /// Lengths AB, BC, CD, AD (m).
     pub fn lengths(&self) -> [f64; 4] {
-        [self.a.distance(self.b), self.b.distance(self.c), self.c.distance(self.d), self.a.distance(self.d)]
+        [
+            self.a.distance(self.b),
+            self.b.distance(self.c),
+            self.c.distance(self.d),
+            self.a.distance(self.d),
+        ]
     }
 
     /// The sum of the least and greatest length minus that of the other two: negative where the
@@ -84,13 +89,20 @@ impl FourBar {
         }
         let left = (self.d - self.b).cross(self.c - self.b) > 0.0;
         let mut scene = headed(heading);
-        scene.insert("links".into(), json!({"1": ["A", "B"], "2": coupler, "3": ["D", "C"], "4": ["A", "D"]}));
+        scene.insert(
+            "links".into(),
+            json!({"1": ["A", "B"], "2": coupler, "3": ["D", "C"], "4": ["A", "D"]}),
+        );
         scene.insert("ground".into(), json!("4"));
         scene.insert("points".into(), Json::Object(points));
         scene.insert("lengths".into(), json!({"AB": mm(ab), "BC": mm(bc), "CD": mm(cd)}));
         scene.insert("driver".into(), json!({"link": "1", "angle": deg((self.b - self.a).angle()), "omega": omega(heading.omega)}));
         scene.insert("side".into(), json!({"C": if left { "left of BD" } else { "right of BD" }}));
-        let find = if self.e.is_some() { json!(["v_E", "a_E", "omega_3", "alpha_3"]) } else { json!(["omega_2", "omega_3", "alpha_3"]) };
+        let find = if self.e.is_some() {
+            json!(["v_E", "a_E", "omega_3", "alpha_3"])
+        } else {
+            json!(["omega_2", "omega_3", "alpha_3"])
+        };
         scene.insert("find".into(), find);
         Json::Object(scene)
     }
@@ -104,7 +116,8 @@ pub fn headed(heading: &Heading) -> Map<String, Json> {
         scene.insert("language".into(), json!(language));
     }
     if !heading.answers.is_empty() {
-        let units: Map<String, Json> = heading.answers.iter().map(|(key, unit)| (key.clone(), json!(unit))).collect();
+        let units: Map<String, Json> =
+            heading.answers.iter().map(|(key, unit)| (key.clone(), json!(unit))).collect();
         scene.insert("answers".into(), Json::Object(units));
     }
     scene

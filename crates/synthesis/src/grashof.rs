@@ -1,9 +1,9 @@
 //! Ranges of one length of a four-bar for each of Grashof's types, the three others constant.
 //!
 //! Let p ≤ q ≤ r be the others. The linkage closes for r − p − q < x < p + q + r. Its type changes
-//! where the shortest and the longest together equal the two others, x = p + q − r, p + r − q or q
-//! + r − p (change points), and where x becomes the shortest, x = p. Between two such places the
-//! type is constant, so that a single length between them determines it.
+//! where the shortest and the longest together equal the two others (x = p + q − r, x = p + r − q or
+//! x = q + r − p, the change points), and where x becomes the shortest, x = p. Between two such
+//! places the type is constant, so that a single length between them determines it.
 
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::digits::metres;
@@ -24,7 +24,12 @@ pub enum FourBarLength {
 
 impl FourBarLength {
     /// All lengths, in the order of the lengths of a four-bar.
-    pub const ALL: [FourBarLength; 4] = [FourBarLength::Driver, FourBarLength::Coupler, FourBarLength::Output, FourBarLength::Frame];
+    pub const ALL: [FourBarLength; 4] = [
+        FourBarLength::Driver,
+        FourBarLength::Coupler,
+        FourBarLength::Output,
+        FourBarLength::Frame,
+    ];
 }
 
 /// A range of a length in which the linkage has one type; at its ends the type changes, or the
@@ -59,7 +64,11 @@ pub fn ranges(lengths: [f64; 4], which: FourBarLength) -> Result<Vec<Range>, Dia
     let k = which as usize;
     let mut others: Vec<f64> = (0..4).filter(|i| *i != k).map(|i| lengths[i]).collect();
     if let Some(bad) = others.iter().find(|l| !(**l > 0.0 && l.is_finite())) {
-        let message = both!("a length of {} is none: all are greater than zero", "长度 {} 无效：各杆长应大于零", metres(*bad));
+        let message = both!(
+            "a length of {} is none: all are greater than zero",
+            "长度 {} 无效：各杆长应大于零",
+            metres(*bad)
+        );
         return Err(Diagnostic::error("not-positive", message));
     }
     others.sort_by(f64::total_cmp);
@@ -68,7 +77,8 @@ pub fn ranges(lengths: [f64; 4], which: FourBarLength) -> Result<Vec<Range>, Dia
     let changes = [p + q - r, p + r - q, q + r - p];
     // Sums that differ by rounding are equal.
     let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * high;
-    let mut places: Vec<f64> = changes.into_iter().chain([p, low, high]).filter(|x| *x >= low && *x <= high).collect();
+    let mut places: Vec<f64> =
+        changes.into_iter().chain([p, low, high]).filter(|x| *x >= low && *x <= high).collect();
     places.sort_by(f64::total_cmp);
     places.dedup_by(|a, b| near(*a, *b));
     let mut out: Vec<Range> = Vec::new();
@@ -79,7 +89,9 @@ pub fn ranges(lengths: [f64; 4], which: FourBarLength) -> Result<Vec<Range>, Dia
         let change_point = to < high && changes.iter().any(|c| near(*c, to));
         match out.last_mut() {
             // The type is the same, and no change point separates the ranges.
-            Some(last) if last.kind == kind && !last.change_point => (last.to, last.change_point) = (to, change_point),
+            Some(last) if last.kind == kind && !last.change_point => {
+                (last.to, last.change_point) = (to, change_point)
+            }
             _ => out.push(Range { kind, from: w[0], to, change_point }),
         }
     }
@@ -96,7 +108,9 @@ mod tests {
     fn every_length_has_the_type_of_its_range() {
         let mut seed = 7u64;
         let mut unit = move || {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            seed = seed
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             (seed >> 11) as f64 / (1u64 << 53) as f64
         };
         for _ in 0..300 {
@@ -133,7 +147,10 @@ mod tests {
 
     #[test]
     fn a_length_that_is_none_is_refused() {
-        assert_eq!(ranges([0.1, 0.2, -0.1, 0.2], FourBarLength::Driver).unwrap_err().code, "not-positive");
+        assert_eq!(
+            ranges([0.1, 0.2, -0.1, 0.2], FourBarLength::Driver).unwrap_err().code,
+            "not-positive"
+        );
         assert!(ranges([-0.1, 0.2, 0.1, 0.2], FourBarLength::Driver).is_ok());
     }
 }

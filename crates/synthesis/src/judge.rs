@@ -63,7 +63,11 @@ pub fn judge(draft: Draft, gamma: f64) -> Result<DesignCandidate, Faults> {
     let scene = scene::read(&text)?.value;
     let mechanism = Mechanism::new(&scene)?.value;
     let limits = limits(&scene, &mechanism, 0)?;
-    let mut judged = Judged { rotates: limits.range.full(), grashof: limits.grashof.map(|g| g.0), ..Judged::default() };
+    let mut judged = Judged {
+        rotates: limits.range.full(),
+        grashof: limits.grashof.map(|g| g.0),
+        ..Judged::default()
+    };
     let output = limits.swings.iter().rev().find(|s| s.stroke.is_some());
     judged.time_ratio = output.and_then(|s| s.time_ratio);
     judged.stroke = output.and_then(|s| s.stroke);
@@ -73,15 +77,19 @@ pub fn judge(draft: Draft, gamma: f64) -> Result<DesignCandidate, Faults> {
     if draft.ordered {
         // A position on another circuit is still met at its own angle once the linkage is
         // reassembled.
-        let at = |i: usize, angle: f64| drivers.iter().find(|d| d.0 == i).map_or_else(|| walk.nearest(angle), |d| d.1);
-        let all: Vec<(usize, f64)> = draft.wanted.iter().enumerate().map(|(i, w)| (i, at(i, w.driver))).collect();
+        let at = |i: usize, angle: f64| {
+            drivers.iter().find(|d| d.0 == i).map_or_else(|| walk.nearest(angle), |d| d.1)
+        };
+        let all: Vec<(usize, f64)> =
+            draft.wanted.iter().enumerate().map(|(i, w)| (i, at(i, w.driver))).collect();
         judged.defects.extend(order::defect(&all, judged.rotates));
     }
     // A function prescribes the driver's angles, not its places alone.
     if !draft.course.is_empty() && !judged.rotates && judged.defects.is_empty() {
         judged.defects.extend(turned_otherwise(&draft, &drivers));
     }
-    judged.transmission = if judged.rotates { least(&limits) } else { walk.transmission(&drivers, least(&limits)) };
+    judged.transmission =
+        if judged.rotates { least(&limits) } else { walk.transmission(&drivers, least(&limits)) };
     if let Some((angle, _)) = judged.transmission.filter(|(angle, _)| *angle < gamma - 1e-9) {
         let message = both!(
             "the transmission angle falls to {}°; {}° is wanted",
@@ -99,13 +107,19 @@ pub fn judge(draft: Draft, gamma: f64) -> Result<DesignCandidate, Faults> {
 fn demands(draft: &Draft, judged: &mut Judged) {
     for demand in &draft.demands {
         let missed = match *demand {
-            Demand::FullTurn => (!judged.rotates).then(|| both!("the driver does not turn fully", "原动件不能整周转动")),
-            Demand::TimeRatio(k) => off(judged.time_ratio, k)
-                .then(|| told(judged.time_ratio, &both!("time ratio", "行程速度变化系数"), k, |v| significant(v, 6))),
-            Demand::Stroke(h) => off(judged.stroke, h).then(|| told(judged.stroke, &both!("stroke", "行程"), h, metres)),
+            Demand::FullTurn => (!judged.rotates)
+                .then(|| both!("the driver does not turn fully", "原动件不能整周转动")),
+            Demand::TimeRatio(k) => off(judged.time_ratio, k).then(|| {
+                told(judged.time_ratio, &both!("time ratio", "行程速度变化系数"), k, |v| {
+                    significant(v, 6)
+                })
+            }),
+            Demand::Stroke(h) => off(judged.stroke, h)
+                .then(|| told(judged.stroke, &both!("stroke", "行程"), h, metres)),
             Demand::Swing(psi) => {
                 let degrees = |v: f64| format!("{}°", significant(v.to_degrees(), 6));
-                off(judged.stroke, psi).then(|| told(judged.stroke, &both!("swing", "摆角"), psi, degrees))
+                off(judged.stroke, psi)
+                    .then(|| told(judged.stroke, &both!("swing", "摆角"), psi, degrees))
             }
         };
         if let Some(message) = missed {
@@ -123,7 +137,13 @@ fn off(real: Option<f64>, wanted: f64) -> bool {
 
 fn told(real: Option<f64>, what: &Both, wanted: f64, written: impl Fn(f64) -> String) -> Both {
     let real = real.map_or("—".to_owned(), &written);
-    both!("the whole motion has the {} {} instead of {}", "整个运动的{}为 {}，而不是 {}", what, real, written(wanted))
+    both!(
+        "the whole motion has the {} {} instead of {}",
+        "整个运动的{}为 {}，而不是 {}",
+        what,
+        real,
+        written(wanted)
+    )
 }
 
 fn least(limits: &MotionLimits) -> Option<(f64, f64)> {
@@ -141,7 +161,9 @@ fn positions(draft: &Draft, walk: &Walk, judged: &mut Judged) -> Vec<(usize, f64
                 judged.off_m = judged.off_m.max(off_m);
                 reached.push((i, driver));
             }
-            None => others[usize::from(walk.other_circuit(&draft.scene, draft.wanted.first(), wanted))].push(i),
+            None => others
+                [usize::from(walk.other_circuit(&draft.scene, draft.wanted.first(), wanted))]
+            .push(i),
         }
     }
     let [branch, circuit] = others;
@@ -187,7 +209,11 @@ fn listed(all: &[usize]) -> Both {
 fn turned_otherwise(draft: &Draft, drivers: &[(usize, f64)]) -> Option<Diagnostic> {
     let start = drivers.iter().find(|d| d.0 == 0)?.1;
     let turn = |i: usize| draft.wanted[i].driver - draft.wanted[0].driver;
-    let other: Vec<usize> = drivers.iter().filter(|(i, at)| (at - start - turn(*i)).abs() > REACHED).map(|d| d.0).collect();
+    let other: Vec<usize> = drivers
+        .iter()
+        .filter(|(i, at)| (at - start - turn(*i)).abs() > REACHED)
+        .map(|d| d.0)
+        .collect();
     let message = both!(
         "the driver does not turn fully: it comes to position {} by another turn than the wanted one",
         "原动件不能整周转动：到达位置 {} 的转角与要求不符",
@@ -211,7 +237,11 @@ impl Walk {
     fn new(scene: &Json, limits: &MotionLimits) -> Result<Walk, Faults> {
         let text = scene_text(scene);
         let plain = scene::read(&text)?.value;
-        let all: Vec<String> = plain.points.iter().flat_map(|p| [format!("x_{}", p.name), format!("y_{}", p.name)]).collect();
+        let all: Vec<String> = plain
+            .points
+            .iter()
+            .flat_map(|p| [format!("x_{}", p.name), format!("y_{}", p.name)])
+            .collect();
         let scene = scene::read_asking(&text, &all.join(", "))?.value;
         let mechanism = Mechanism::new(&scene)?.value;
         let size_m = PlacedScene::new(&scene, &mechanism)?.at.extent();
@@ -221,12 +251,17 @@ impl Walk {
 
     fn table(&self, drivers: Vec<f64>) -> Option<Table> {
         let placed = PlacedScene::new(&self.scene, &self.mechanism).ok()?;
-        Some(Sweep::new(&placed, 0).ok()?.run(&Stations::of_values(drivers, 1.0), Width::One, Table::default()))
+        Some(Sweep::new(&placed, 0).ok()?.run(
+            &Stations::of_values(drivers, 1.0),
+            Width::One,
+            Table::default(),
+        ))
     }
 
     /// The angle, changed by full turns, nearest to the driver's position in the scene.
     fn nearest(&self, angle: f64) -> f64 {
-        let now = PlacedScene::new(&self.scene, &self.mechanism).map_or(angle, |p| position_now(&self.scene, &p.at, 0));
+        let now = PlacedScene::new(&self.scene, &self.mechanism)
+            .map_or(angle, |p| position_now(&self.scene, &p.at, 0));
         angle - TAU * libm::rint((angle - now) / TAU)
     }
 
@@ -239,14 +274,19 @@ impl Walk {
         }
         let [low, high] = self.range;
         let inside = |x: &f64| (low - REACHED..=high + REACHED).contains(x);
-        [near, near + TAU, near - TAU].into_iter().filter(inside).map(|x| x.max(low).min(high)).collect()
+        [near, near + TAU, near - TAU]
+            .into_iter()
+            .filter(inside)
+            .map(|x| x.max(low).min(high))
+            .collect()
     }
 
     /// The driver's position at which all places are as wanted, and the largest distance left (m).
     fn reach(&self, wanted: &WantedPosition) -> Option<(f64, f64)> {
         let off = |driver: &f64| {
             let table = self.table(vec![*driver])?;
-            let far = wanted.places.iter().map(|(name, at)| Some(found(&table, name, 0)?.distance(*at)));
+            let far =
+                wanted.places.iter().map(|(name, at)| Some(found(&table, name, 0)?.distance(*at)));
             far.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::max)
         };
         let all = self.drivers(wanted.driver).into_iter().filter_map(|d| Some((d, off(&d)?)));
@@ -255,7 +295,12 @@ impl Walk {
 
     /// True if no motion joins a position with the first one: neither driving the follower nor the
     /// coupler leads there, and the circuits of a Grashof chain differ.
-    fn other_circuit(&self, scene: &Json, first: Option<&WantedPosition>, wanted: &WantedPosition) -> bool {
+    fn other_circuit(
+        &self,
+        scene: &Json,
+        first: Option<&WantedPosition>,
+        wanted: &WantedPosition,
+    ) -> bool {
         let Some((_, [a, b, c, d])) = self.grashof else { return false };
         let mut sorted = [a, b, c, d];
         sorted.sort_by(f64::total_cmp);
@@ -263,9 +308,17 @@ impl Walk {
         if sorted[0] + sorted[3] > sorted[1] + sorted[2] {
             return false;
         }
-        let joined = ["3", "2"].iter().any(|link| first.is_some_and(|first| driven_by(scene, link, first, wanted)));
+        let joined = ["3", "2"]
+            .iter()
+            .any(|link| first.is_some_and(|first| driven_by(scene, link, first, wanted)));
         let side = |w: &WantedPosition| {
-            let at = |name: &str| w.places.iter().find(|(n, _)| n == name).map(|(_, p)| *p).or_else(|| self.fixed(name));
+            let at = |name: &str| {
+                w.places
+                    .iter()
+                    .find(|(n, _)| n == name)
+                    .map(|(_, p)| *p)
+                    .or_else(|| self.fixed(name))
+            };
             let [pa, pb, pc, pd] = ["A", "B", "C", "D"].map(at);
             invariant([pa?, pb?, pc?, pd?], [a, b, c, d])
         };
@@ -273,23 +326,34 @@ impl Walk {
     }
 
     fn fixed(&self, name: &str) -> Option<Point> {
-        found(&self.table(vec![self.drivers(0.0).first().copied().unwrap_or(self.range[0])])?, name, 0)
+        found(
+            &self.table(vec![self.drivers(0.0).first().copied().unwrap_or(self.range[0])])?,
+            name,
+            0,
+        )
     }
 
     /// The least transmission angle of a four-bar between the wanted positions; `of_all` is the
     /// exact one of the whole range, which applies if it is between them.
-    fn transmission(&self, drivers: &[(usize, f64)], of_all: Option<(f64, f64)>) -> Option<(f64, f64)> {
+    fn transmission(
+        &self,
+        drivers: &[(usize, f64)],
+        of_all: Option<(f64, f64)>,
+    ) -> Option<(f64, f64)> {
         const STEPS: usize = 360;
         const NEAR: f64 = 1e-9;
         let low = drivers.iter().map(|d| d.1).fold(f64::INFINITY, f64::min);
         let high = drivers.iter().map(|d| d.1).fold(f64::NEG_INFINITY, f64::max);
         self.grashof?;
         // A wanted position that is a limit misses it by the rounding of the lengths.
-        let between = |(_, at): &(f64, f64)| (low - NEAR * (high - low)..=high + NEAR * (high - low)).contains(at);
+        let between = |(_, at): &(f64, f64)| {
+            (low - NEAR * (high - low)..=high + NEAR * (high - low)).contains(at)
+        };
         if let Some(least) = of_all.filter(between) {
             return Some(least);
         }
-        let table = self.table((0..=STEPS).map(|i| low + (high - low) * i as f64 / STEPS as f64).collect())?;
+        let table = self
+            .table((0..=STEPS).map(|i| low + (high - low) * i as f64 / STEPS as f64).collect())?;
         let angle = |row: usize| {
             let at = |name| found(&table, name, row);
             let (u, v) = (at("B")? - at("C")?, at("D")? - at("C")?);
@@ -317,21 +381,36 @@ fn invariant([a, b, c, d]: [Point; 4], [ab, bc, cd, ad]: [f64; 4]) -> Option<boo
 fn driven_by(scene: &Json, link: &str, from: &WantedPosition, to: &WantedPosition) -> bool {
     let reached = || -> Option<bool> {
         let mut scene = scene.clone();
-        let at = |w: &WantedPosition, name: &str| w.places.iter().find(|(n, _)| n == name).map(|(_, p)| *p);
+        let at = |w: &WantedPosition, name: &str| {
+            w.places.iter().find(|(n, _)| n == name).map(|(_, p)| *p)
+        };
         let object = scene.as_object_mut()?;
-        let ends = object.get("links")?.get(link)?.as_array()?.iter().filter_map(Json::as_str).map(str::to_owned).collect::<Vec<_>>();
+        let ends = object
+            .get("links")?
+            .get(link)?
+            .as_array()?
+            .iter()
+            .filter_map(Json::as_str)
+            .map(str::to_owned)
+            .collect::<Vec<_>>();
         let fixed = |name: &str| {
             let at = object.get("points")?.get(name)?.as_array()?;
             let of = |i: usize| at.get(i)?.as_str()?.strip_suffix(" mm")?.parse::<f64>().ok();
             Some(Point::new(of(0)? * 1e-3, of(1)? * 1e-3))
         };
         let [p, q] = [ends.first()?, ends.get(1)?];
-        let angle = |w: &WantedPosition| Some((at(w, q).or_else(|| fixed(q))? - at(w, p).or_else(|| fixed(p))?).angle());
+        let angle = |w: &WantedPosition| {
+            Some((at(w, q).or_else(|| fixed(q))? - at(w, p).or_else(|| fixed(p))?).angle())
+        };
         let (now, then) = (angle(from)?, angle(to)?);
         object.shift_remove("side");
-        object.insert("driver".into(), json!({"link": link, "angle": format!("{now} rad"), "omega": "1 rad/s"}));
+        object.insert(
+            "driver".into(),
+            json!({"link": link, "angle": format!("{now} rad"), "omega": "1 rad/s"}),
+        );
         let sketch = |name: &str| at(from, name).map(|p| json!([p.x * 1e3, p.y * 1e3]));
-        let rough: serde_json::Map<String, Json> = ["B", "C"].iter().filter_map(|n| Some(((*n).to_owned(), sketch(n)?))).collect();
+        let rough: serde_json::Map<String, Json> =
+            ["B", "C"].iter().filter_map(|n| Some(((*n).to_owned(), sketch(n)?))).collect();
         object.insert("sketch".into(), Json::Object(rough));
         let text = scene_text(&scene);
         let read = scene::read(&text).ok()?.value;
@@ -355,8 +434,16 @@ pub fn accuracy(candidate: &DesignCandidate) -> Both {
         return if candidate.draft.course.is_empty() {
             both!("what was wanted is met exactly (size {size})", "精确满足要求（机构尺寸 {size}）")
         } else {
-            both!("the precision points are met exactly (size {size})", "在各结点处精确满足（机构尺寸 {size}）")
+            both!(
+                "the precision points are met exactly (size {size})",
+                "在各结点处精确满足（机构尺寸 {size}）"
+            )
         };
     }
-    both!("greatest deviation {} (size {})", "最大偏差 {}（机构尺寸 {}）", metres(judged.off_m), metres(judged.size_m))
+    both!(
+        "greatest deviation {} (size {})",
+        "最大偏差 {}（机构尺寸 {}）",
+        metres(judged.off_m),
+        metres(judged.size_m)
+    )
 }

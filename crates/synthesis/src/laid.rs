@@ -20,7 +20,11 @@ const TOUCH_MM: f64 = 1e-6;
 /// The indices of the positions to draw: all, or [`SHOWN`] evenly distributed ones including the
 /// first and the last.
 pub fn shown(count: usize) -> Vec<usize> {
-    if count <= SHOWN { (0..count).collect() } else { (0..SHOWN).map(|k| k * (count - 1) / (SHOWN - 1)).collect() }
+    if count <= SHOWN {
+        (0..count).collect()
+    } else {
+        (0..SHOWN).map(|k| k * (count - 1) / (SHOWN - 1)).collect()
+    }
 }
 
 /// A letter with position numbers: `E1, E2, E3`.
@@ -59,7 +63,12 @@ pub struct Pins {
 
 impl LaidFourBar {
     /// Lays off the pivots and the lengths of a design (m).
-    pub fn off(board: &SynthesisBoard, draft: &Draft, [a, d]: [Point; 2], e: Option<Vec2>) -> LaidFourBar {
+    pub fn off(
+        board: &SynthesisBoard,
+        draft: &Draft,
+        [a, d]: [Point; 2],
+        e: Option<Vec2>,
+    ) -> LaidFourBar {
         let opening = |name: &str| board.mm(of(draft, name));
         LaidFourBar {
             a: board.at(a),
@@ -97,14 +106,18 @@ impl LaidFourBar {
     fn touching(&self, b: Point) -> Option<Point> {
         let line = PaperLine::through(self.d, b)?;
         let apart = self.d.distance(b);
-        let miss = (apart - self.coupler - self.follower).max((self.coupler - self.follower).abs() - apart);
+        let miss = (apart - self.coupler - self.follower)
+            .max((self.coupler - self.follower).abs() - apart);
         let beyond = apart < self.coupler && self.follower < self.coupler;
         (miss < TOUCH_MM).then(|| line.place(if beyond { -self.follower } else { self.follower }))
     }
 
     /// Draws the links of a position.
     pub fn draw(&self, board: &mut SynthesisBoard, pins: &Pins, weight: Weight) {
-        board.line(self.a, pins.b, weight).line(pins.b, pins.c, weight).line(pins.c, self.d, weight);
+        board
+            .line(self.a, pins.b, weight)
+            .line(pins.b, pins.c, weight)
+            .line(pins.c, self.d, weight);
         if self.e.is_some() {
             board.line(pins.b, pins.e, weight).line(pins.e, pins.c, weight);
         }

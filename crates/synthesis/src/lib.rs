@@ -118,8 +118,15 @@ pub struct KindOfTask {
 }
 
 /// All kinds.
-pub const KINDS: &[&KindOfTask] =
-    &[&function::KIND, &time_ratio::KIND, &limits::KIND, &body::KIND, &path::KIND, &cognates::KIND, &straight_line::KIND];
+pub const KINDS: &[&KindOfTask] = &[
+    &function::KIND,
+    &time_ratio::KIND,
+    &limits::KIND,
+    &body::KIND,
+    &path::KIND,
+    &cognates::KIND,
+    &straight_line::KIND,
+];
 
 /// The keys common to all tasks.
 const COMMON: [&str; 3] = ["synthesis", "omega", "transmission"];
@@ -198,7 +205,12 @@ pub fn read(source: impl AsRef<[u8]>) -> Result<Warned<Task>, Faults> {
 fn of_kind(root: &Node, text: &str, faults: &RefCell<Faults>) -> Option<Task> {
     let kind = kind_of(root, &mut faults.borrow_mut())?;
     let keys: Vec<&str> = front::KEYS.iter().chain(&COMMON).chain(kind.keys).copied().collect();
-    let fields = Fields::open(root, both!("a synthesis file of this kind", "此类综合文件"), &keys, &mut faults.borrow_mut())?;
+    let fields = Fields::open(
+        root,
+        both!("a synthesis file of this kind", "此类综合文件"),
+        &keys,
+        &mut faults.borrow_mut(),
+    )?;
     let raw = RawFront::decode(root, &mut faults.borrow_mut());
     let front = Front::new(&raw, text, &mut faults.borrow_mut());
     let form = TaskForm::new(fields, &front, faults);
@@ -210,34 +222,62 @@ fn of_kind(root: &Node, text: &str, faults: &RefCell<Faults>) -> Option<Task> {
     let omega = omega.unwrap_or_else(|| wish.rate());
     let idle = form.idle(kind.keys);
     faults.borrow_mut().list.extend(idle);
-    let title = front.title.as_ref().map_or_else(|| wish.title(), |t| Both { en: t.en.clone(), zh: t.zh.clone() });
+    let title = front
+        .title
+        .as_ref()
+        .map_or_else(|| wish.title(), |t| Both { en: t.en.clone(), zh: t.zh.clone() });
     let language = front.language.map(|l| if l == Lang::Zh { "zh" } else { "en" });
     let heading = Heading { title, language, omega, answers: front.answers() };
-    Some(Task { kind: kind.name, heading, language: front.language, paper: front.paper, book: front.book, transmission, wish })
+    Some(Task {
+        kind: kind.name,
+        heading,
+        language: front.language,
+        paper: front.paper,
+        book: front.book,
+        transmission,
+        wish,
+    })
 }
 
 /// The kind that the file names; reports a missing or unknown name.
 fn kind_of(root: &Node, faults: &mut Faults) -> Option<&'static KindOfTask> {
     let NodeKind::Object(members) = &root.kind else {
-        faults.push(Diagnostic::error("not-a-task", both!("a synthesis file is a JSON object", "综合文件是一个 JSON 对象")).at(root.span));
+        faults.push(
+            Diagnostic::error(
+                "not-a-task",
+                both!("a synthesis file is a JSON object", "综合文件是一个 JSON 对象"),
+            )
+            .at(root.span),
+        );
         return None;
     };
     let Some((_, node)) = members.iter().find(|(k, _)| k.text == "synthesis") else {
         let d = Diagnostic::error(
             "not-a-task",
-            both!("this is no synthesis file: it has no key `synthesis`", "这不是综合文件：没有键 `synthesis`"),
+            both!(
+                "this is no synthesis file: it has no key `synthesis`",
+                "这不是综合文件：没有键 `synthesis`"
+            ),
         );
-        faults.push(
-            d.help(both!("a scene goes to `hodograph solve` or `hodograph draw`", "机构文件请用 `hodograph solve` 或 `hodograph draw`")),
-        );
+        faults.push(d.help(both!(
+            "a scene goes to `hodograph solve` or `hodograph draw`",
+            "机构文件请用 `hodograph solve` 或 `hodograph draw`"
+        )));
         return None;
     };
     let name = json::fields::word(node, "\"synthesis\"", faults)?;
     let found = KINDS.iter().find(|k| k.name == name.text).copied();
     if found.is_none() {
-        let d =
-            Diagnostic::error("unknown-kind", both!("there is no kind of synthesis `{}`", "没有综合类型 `{}`", name.text)).at(name.span);
-        faults.push(d.help(suggest(&name.text, KINDS.iter().map(|k| k.name), both!("the kinds are", "类型有"))));
+        let d = Diagnostic::error(
+            "unknown-kind",
+            both!("there is no kind of synthesis `{}`", "没有综合类型 `{}`", name.text),
+        )
+        .at(name.span);
+        faults.push(d.help(suggest(
+            &name.text,
+            KINDS.iter().map(|k| k.name),
+            both!("the kinds are", "类型有"),
+        )));
     }
     found
 }
@@ -269,7 +309,11 @@ pub fn solve(task: &Task) -> Result<Design, Faults> {
 ///
 /// # Errors
 /// Drawing and formula disagree, which is an error of this program.
-pub fn construct(task: &Task, candidate: &DesignCandidate, mu_l: f64) -> Result<Option<SynthesisBoard>, Faults> {
+pub fn construct(
+    task: &Task,
+    candidate: &DesignCandidate,
+    mu_l: f64,
+) -> Result<Option<SynthesisBoard>, Faults> {
     let mut board = SynthesisBoard::new(mu_l);
     let drawn = task.wish.construct(&candidate.draft, &mut board);
     if drawn.is_none() || board.steps.is_empty() {
@@ -278,7 +322,10 @@ pub fn construct(task: &Task, candidate: &DesignCandidate, mu_l: f64) -> Result<
     for reading in &board.readings {
         let Some(number) = candidate.number(&reading.name) else { continue };
         let off = (board.value(reading) - number.abs()).abs();
-        if off > AGREEMENT * number.abs().max(if reading.angle { 1.0 } else { candidate.judged.size_m }) {
+        if off
+            > AGREEMENT
+                * number.abs().max(if reading.angle { 1.0 } else { candidate.judged.size_m })
+        {
             let message = both!(
                 "{} is {} on the drawing and {} by the formula",
                 "{} 作图得 {}，公式得 {}",

@@ -29,7 +29,10 @@ pub const KIND: KindOfTask = KindOfTask {
         "linkages by the limit positions of their output: crank-rocker, slider-crank, press",
         "按输出构件极限位置设计：曲柄摇杆、曲柄滑块、压床",
     ],
-    keys: &["linkage", "rocker", "frame", "angles", "places", "x1", "x2", "y", "stroke", "CE/CD", "EF/DE"],
+    keys: &[
+        "linkage", "rocker", "frame", "angles", "places", "x1", "x2", "y", "stroke", "CE/CD",
+        "EF/DE",
+    ],
     read,
 };
 
@@ -49,7 +52,8 @@ struct Press {
 type LimitsReader = fn(&TaskForm) -> Option<Box<dyn Wish>>;
 
 /// The linkages, each with its reader.
-const LINKAGES: [(&str, LimitsReader); 3] = [("crank-rocker", two_places::rocker), ("slider-crank", two_places::slider), ("press", press)];
+const LINKAGES: [(&str, LimitsReader); 3] =
+    [("crank-rocker", two_places::rocker), ("slider-crank", two_places::slider), ("press", press)];
 
 fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
     form.need("linkage", "\"crank-rocker\"")?;
@@ -61,14 +65,21 @@ fn press(form: &TaskForm) -> Option<Box<dyn Wish>> {
     let length = |key: &str| form.need(key, "\"50 mm\"").and_then(|n| form.length_of(n, key));
     let (x1, x2, y) = (length("x1"), length("x2"), length("y"));
     let stroke = form.need_size("stroke", "\"150 mm\"");
-    let angles = form.need("angles", "[\"60 deg\", \"120 deg\"]").and_then(|n| form.several::<2>(n, "angles", "[\"60 deg\", \"120 deg\"]"));
-    let angles = angles.and_then(|[p, q]| form.angle_of(p, "angles").zip(form.angle_of(q, "angles")));
+    let angles = form
+        .need("angles", "[\"60 deg\", \"120 deg\"]")
+        .and_then(|n| form.several::<2>(n, "angles", "[\"60 deg\", \"120 deg\"]"));
+    let angles =
+        angles.and_then(|[p, q]| form.angle_of(p, "angles").zip(form.angle_of(q, "angles")));
     let ratio = |key: &str| {
         let value = form.number_of(form.need(key, "\"1/2\"")?, key)?;
         let positive = value > 0.0;
         if !positive {
             form.fault(
-                Diagnostic::error("not-positive", both!("\"{key}\" must be greater than zero", "\"{key}\" 应大于零")).at(form.span(key)),
+                Diagnostic::error(
+                    "not-positive",
+                    both!("\"{key}\" must be greater than zero", "\"{key}\" 应大于零"),
+                )
+                .at(form.span(key)),
             );
         }
         positive.then_some(value)
@@ -76,8 +87,10 @@ fn press(form: &TaskForm) -> Option<Box<dyn Wish>> {
     let (ce_cd, ef_de) = (ratio("CE/CD"), ratio("EF/DE"));
     if let Some((p, q)) = angles.filter(|(p, q)| !(0.0 <= *p && p < q && *q <= PI)) {
         let [p, q] = [p, q].map(|a| significant(a.to_degrees(), 4));
-        let message =
-            both!("the limits {p}° and {q}° are not two angles of 0° to 180° in order", "极限角 {p}°、{q}° 应在 0° 到 180° 之间且前小后大");
+        let message = both!(
+            "the limits {p}° and {q}° are not two angles of 0° to 180° in order",
+            "极限角 {p}°、{q}° 应在 0° 到 180° 之间且前小后大"
+        );
         let help = both!(
             "they count clockwise from the upward vertical: write the upper limit first, such as [\"60 deg\", \"120 deg\"]",
             "角度自竖直向上顺时针计：先写上极限，例如 [\"60 deg\", \"120 deg\"]"
@@ -86,7 +99,14 @@ fn press(form: &TaskForm) -> Option<Box<dyn Wish>> {
         return None;
     }
     let (p, q) = angles?;
-    Some(Box::new(Press { a: Point::new(x1?, -y?), x2: x2?, angles: [p, q], stroke: stroke?, ce_cd: ce_cd?, ef_de: ef_de? }))
+    Some(Box::new(Press {
+        a: Point::new(x1?, -y?),
+        x2: x2?,
+        angles: [p, q],
+        stroke: stroke?,
+        ce_cd: ce_cd?,
+        ef_de: ef_de?,
+    }))
 }
 
 /// The unit vector at an angle from the upward vertical, clockwise.
@@ -133,20 +153,30 @@ impl Press {
         let cd = de / (1.0 + self.ce_cd);
         let c = self.angles.map(|a| (from_vertical(a) * cd).to_point());
         let far = c.map(|c| self.a.distance(c));
-        let (ab, bc, ad) = ((far[0] - far[1]).abs() / 2.0, (far[0] + far[1]) / 2.0, self.a.to_vec2().norm());
+        let (ab, bc, ad) =
+            ((far[0] - far[1]).abs() / 2.0, (far[0] + far[1]) / 2.0, self.a.to_vec2().norm());
         let longest = bc.max(cd).max(ad);
         let sides = c.map(|c| self.a.to_vec2().cross(c.to_vec2()));
-        ab > 1e-6 * bc && ab < bc.min(cd).min(ad) && 2.0 * (ab + longest) < ab + bc + cd + ad && sides[0] * sides[1] > 0.0
+        ab > 1e-6 * bc
+            && ab < bc.min(cd).min(ad)
+            && 2.0 * (ab + longest) < ab + bc + cd + ad
+            && sides[0] * sides[1] > 0.0
     }
 
     /// Warnings for a crank that does not turn fully and a ram that reverses between the limits.
     fn warned(&self) -> Vec<Diagnostic> {
         let crank = || {
-            let message = both!("the crank does not turn through with A in this place", "A 在此位置时曲柄不能整周转动");
+            let message = both!(
+                "the crank does not turn through with A in this place",
+                "A 在此位置时曲柄不能整周转动"
+            );
             Diagnostic::warning("not-a-crank", message).help(self.nearest())
         };
         let ram = || {
-            let message = both!("the ram turns back between the limits: EF lies down too far", "滑块在两极限位置之间反向：EF 倾斜过大");
+            let message = both!(
+                "the ram turns back between the limits: EF lies down too far",
+                "滑块在两极限位置之间反向：EF 倾斜过大"
+            );
             Diagnostic::warning("not-one-way", message).help(self.nearest_line())
         };
         let crank = (!self.turns()).then(crank);
@@ -171,11 +201,19 @@ impl Press {
     /// The nearest line of the ram on which it does not reverse and the crank turns fully.
     fn nearest_line(&self) -> Both {
         let with = |x2: f64| Press { x2: x2 * 1e-3, ..self.clone() };
-        match number(self.x2 * 1e3, self.stroke * 1e3, |mm| with(mm).turns() && with(mm).one_way()) {
+        match number(self.x2 * 1e3, self.stroke * 1e3, |mm| with(mm).turns() && with(mm).one_way())
+        {
             Some(mm) => {
-                both!("\"x2\": \"{} mm\" does; so may a greater \"EF/DE\"", "\"x2\": \"{} mm\" 时可以；也可增大 \"EF/DE\"", told(mm))
+                both!(
+                    "\"x2\": \"{} mm\" does; so may a greater \"EF/DE\"",
+                    "\"x2\": \"{} mm\" 时可以；也可增大 \"EF/DE\"",
+                    told(mm)
+                )
             }
-            None => both!("take \"x2\" nearer to E, or a greater \"EF/DE\"", "请使 \"x2\" 更接近 E，或增大 \"EF/DE\""),
+            None => both!(
+                "take \"x2\" nearer to E, or a greater \"EF/DE\"",
+                "请使 \"x2\" 更接近 E，或增大 \"EF/DE\""
+            ),
         }
     }
 
@@ -186,21 +224,41 @@ impl Press {
         let x1 = number(self.a.x * 1e3, scale, |mm| with(Point::new(mm * 1e-3, self.a.y)));
         let y = number(-self.a.y * 1e3, scale, |mm| with(Point::new(self.a.x, -mm * 1e-3)));
         let off = |v: Option<f64>, from: f64| v.map_or(f64::INFINITY, |v| (v - from).abs());
-        let (key, value) = if off(x1, self.a.x * 1e3) <= off(y, -self.a.y * 1e3) { ("x1", x1) } else { ("y", y) };
+        let (key, value) =
+            if off(x1, self.a.x * 1e3) <= off(y, -self.a.y * 1e3) { ("x1", x1) } else { ("y", y) };
         match value {
-            Some(mm) => both!("\"{key}\": \"{} mm\" gives a crank that turns through", "\"{key}\": \"{} mm\" 时曲柄能整周转动", told(mm)),
+            Some(mm) => both!(
+                "\"{key}\": \"{} mm\" gives a crank that turns through",
+                "\"{key}\": \"{} mm\" 时曲柄能整周转动",
+                told(mm)
+            ),
             None => both!("take \"angles\" that are nearer to one another", "请使两极限角更接近"),
         }
     }
 
-    fn scene(&self, [ab, bc, cd, de]: [f64; 4], driver: f64, rough: &[(&str, Point)], heading: &Heading) -> Json {
+    fn scene(
+        &self,
+        [ab, bc, cd, de]: [f64; 4],
+        driver: f64,
+        rough: &[(&str, Point)],
+        heading: &Heading,
+    ) -> Json {
         let mut scene = headed(heading);
         scene.insert("links".into(), json!({"1": ["A", "B"], "2": ["B", "C"], "3": ["D", "C", "E"], "4": ["E", "F"], "6": ["A", "D"]}));
         scene.insert("ground".into(), json!("6"));
-        scene.insert("points".into(), json!({"A": place(self.a), "D": [0, 0], "E": {"base": "DC", "x": mm(de), "y": 0}}));
-        scene.insert("lengths".into(), json!({"AB": mm(ab), "BC": mm(bc), "CD": mm(cd), "EF": mm(de * self.ef_de)}));
+        scene.insert(
+            "points".into(),
+            json!({"A": place(self.a), "D": [0, 0], "E": {"base": "DC", "x": mm(de), "y": 0}}),
+        );
+        scene.insert(
+            "lengths".into(),
+            json!({"AB": mm(ab), "BC": mm(bc), "CD": mm(cd), "EF": mm(de * self.ef_de)}),
+        );
         scene.insert("guides".into(), json!([{"pin": "F", "slider": "5", "on": "6", "through": [mm(self.x2), 0], "angle": "90 deg"}]));
-        scene.insert("driver".into(), json!({"link": "1", "angle": deg(driver), "omega": omega(heading.omega)}));
+        scene.insert(
+            "driver".into(),
+            json!({"link": "1", "angle": deg(driver), "omega": omega(heading.omega)}),
+        );
         scene.insert("sketch".into(), super::time_ratio::sketch(rough));
         scene.insert("find".into(), json!(["v_F", "a_F", "omega_3"]));
         Json::Object(scene)
@@ -214,7 +272,10 @@ impl Wish for Press {
 
     fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
         let Some(de) = self.de() else {
-            let message = both!("the link EF does not reach the ram's line in one of the limits", "在某一极限位置上 EF 不能到达滑块导路");
+            let message = both!(
+                "the link EF does not reach the ram's line in one of the limits",
+                "在某一极限位置上 EF 不能到达滑块导路"
+            );
             let help = self.nearest_line();
             return Err(Diagnostic::error("no-real-solution", message).help(help).into());
         };
@@ -223,14 +284,21 @@ impl Wish for Press {
         let far = c.map(|c| self.a.distance(c));
         let (ab, bc) = ((far[0] - far[1]).abs() / 2.0, (far[0] + far[1]) / 2.0);
         if ab <= 1e-9 * bc {
-            let message = both!("AC1 and AC2 are equal: the crank would have no length", "AC1 与 AC2 相等：曲柄长为零");
+            let message = both!(
+                "AC1 and AC2 are equal: the crank would have no length",
+                "AC1 与 AC2 相等：曲柄长为零"
+            );
             return Err(Diagnostic::error("no-real-solution", message).help(self.nearest()).into());
         }
         let wanted: Vec<WantedPosition> = (0..2)
             .filter_map(|i| {
                 let sense = if far[i] > far[1 - i] { 1.0 } else { -1.0 };
                 let crank = (c[i] - self.a) * (sense / far[i]);
-                let places = vec![("B".into(), self.a + crank * ab), ("C".into(), c[i]), ("F".into(), self.f(de, self.angles[i])?)];
+                let places = vec![
+                    ("B".into(), self.a + crank * ab),
+                    ("C".into(), c[i]),
+                    ("F".into(), self.f(de, self.angles[i])?),
+                ];
                 Some(WantedPosition { driver: crank.angle(), places })
             })
             .collect();
@@ -243,7 +311,11 @@ impl Wish for Press {
             DesignNumber::length("CD", both!("rocker to the coupler", "摇杆上至连杆"), cd),
             DesignNumber::length("DE", both!("rocker", "摇杆"), de),
             DesignNumber::length("EF", both!("link to the ram", "连接滑块的连杆"), de * self.ef_de),
-            DesignNumber::angle("theta", both!("crank angle between the limit positions", "极位夹角"), theta),
+            DesignNumber::angle(
+                "theta",
+                both!("crank angle between the limit positions", "极位夹角"),
+                theta,
+            ),
             DesignNumber::ratio("K", both!("time ratio", "行程速度变化系数"), k),
         ];
         let rough = [("C", c[0]), ("F", wanted.first().map_or(Point::ORIGIN, |w| w.places[2].1))];
@@ -251,7 +323,10 @@ impl Wish for Press {
         let scene = self.scene([ab, bc, cd, de], driver, &rough, heading);
         let demands = vec![Demand::FullTurn, Demand::TimeRatio(k), Demand::Stroke(self.stroke)];
         let notes = self.warned();
-        let draft = Draft { demands, ..Draft::new(both!("the only solution", "唯一解"), scene, numbers, wanted) };
+        let draft = Draft {
+            demands,
+            ..Draft::new(both!("the only solution", "唯一解"), scene, numbers, wanted)
+        };
         Ok(TaskResult { drafts: vec![draft], notes, ..TaskResult::default() })
     }
 
@@ -272,14 +347,31 @@ impl Wish for Press {
             board.line(half.at, e, Weight::Thin).read("DE", d, e);
             d.distance(e)
         } else {
-            board.step(both!("Draw the rocker's limits from D and lay off DE", "由 D 作摇杆两极限方向，量取 DE"));
+            board.step(both!(
+                "Draw the rocker's limits from D and lay off DE",
+                "由 D 作摇杆两极限方向，量取 DE"
+            ));
             board.mm(draft.numbers.iter().find(|n| n.name == "DE")?.value)
         };
         let [e1, e2] = [p, q].map(|angle| lay(angle).place(de));
-        board.line(d, e1, Weight::Given).line(d, e2, Weight::Given).mark("D", d).mark("E_1", e1).mark("E_2", e2);
+        board
+            .line(d, e1, Weight::Given)
+            .line(d, e2, Weight::Given)
+            .mark("D", d)
+            .mark("E_1", e1)
+            .mark("E_2", e2);
         let [c1, c2] = [e1, e2].map(|e| d + (e - d) * (1.0 / (1.0 + self.ce_cd)));
-        board.step(both!("Divide DE by the given ratio: C1 and C2; mark A", "按给定比例分 DE 得 C1、C2；标出 A"));
-        board.line(a, c1, Weight::Thin).line(a, c2, Weight::Thin).mark("C_1", c1).mark("C_2", c2).mark("A", a).read("CD", d, c1);
+        board.step(both!(
+            "Divide DE by the given ratio: C1 and C2; mark A",
+            "按给定比例分 DE 得 C1、C2；标出 A"
+        ));
+        board
+            .line(a, c1, Weight::Thin)
+            .line(a, c2, Weight::Thin)
+            .mark("C_1", c1)
+            .mark("C_2", c2)
+            .mark("A", a)
+            .read("CD", d, c1);
         // The letter F names the ram.
         board.halve_at(a, [c1, c2], "K")
     }

@@ -38,7 +38,10 @@ fn by_steps(given: f64, scale: f64, growth: f64, works: &dyn Fn(f64) -> bool) ->
         }
         None
     };
-    [-1.0, 1.0].into_iter().filter_map(toward).min_by(|a, b| (a - given).abs().total_cmp(&(b - given).abs()))
+    [-1.0, 1.0]
+        .into_iter()
+        .filter_map(toward)
+        .min_by(|a, b| (a - given).abs().total_cmp(&(b - given).abs()))
 }
 
 fn border(mut fails: f64, mut good: f64, works: &dyn Fn(f64) -> bool) -> f64 {
@@ -47,7 +50,8 @@ fn border(mut fails: f64, mut good: f64, works: &dyn Fn(f64) -> bool) -> f64 {
         if works(middle) { good = middle } else { fails = middle }
     }
     // Rounded towards the working side; a few units further where rounding alone does not suffice.
-    let unit = libm::pow(10.0, libm::floor(libm::log10(good.abs().max(1e-12))) + 1.0 - f64::from(DIGITS));
+    let unit =
+        libm::pow(10.0, libm::floor(libm::log10(good.abs().max(1e-12))) + 1.0 - f64::from(DIGITS));
     let away = if good > fails { 1.0 } else { -1.0 };
     let round = if good > fails { libm::ceil(good / unit) } else { libm::floor(good / unit) };
     (0..8).map(|k| (round + away * f64::from(k)) * unit).find(|v| works(*v)).unwrap_or(good)
@@ -56,7 +60,11 @@ fn border(mut fails: f64, mut good: f64, works: &dyn Fn(f64) -> bool) -> f64 {
 /// Returns a number with all of its digits, without trailing zeros.
 pub fn told(value: f64) -> String {
     let text = significant(value, 12);
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
 }
 
 #[cfg(test)]

@@ -9,7 +9,9 @@ use std::f64::consts::TAU;
 pub fn defect(drivers: &[(usize, f64)], rotates: bool) -> Option<Diagnostic> {
     let steps: Vec<f64> = drivers.windows(2).map(|w| w[1].1 - w[0].1).collect();
     let forward = |sense: f64| match rotates {
-        true => steps.iter().map(|s| (sense * s).rem_euclid(TAU)).sum::<f64>() < TAU * (1.0 + 1e-12),
+        true => {
+            steps.iter().map(|s| (sense * s).rem_euclid(TAU)).sum::<f64>() < TAU * (1.0 + 1e-12)
+        }
         false => steps.iter().all(|s| sense * s >= 0.0),
     };
     if forward(1.0) || forward(-1.0) {
@@ -22,6 +24,10 @@ pub fn defect(drivers: &[(usize, f64)], rotates: bool) -> Option<Diagnostic> {
     }
     met.sort_by(|a, b| a.1.total_cmp(&b.1));
     let order = met.iter().map(|(i, _)| (i + 1).to_string()).collect::<Vec<_>>();
-    let message = both!("the driver meets the positions in the order {}", "原动件经过各位置的次序为 {}", Both::names(&order));
+    let message = both!(
+        "the driver meets the positions in the order {}",
+        "原动件经过各位置的次序为 {}",
+        Both::names(&order)
+    );
     Some(Diagnostic::warning("defect-order", message))
 }

@@ -86,7 +86,8 @@ impl Poly {
             return vec![-c[0] / top];
         }
         let bound = 1.0 + c.iter().map(|x| (*x / top).approx().abs()).fold(0.0, f64::max);
-        let slope = Poly(c.iter().enumerate().skip(1).map(|(k, x)| *x * Dd::from_f64(k as f64)).collect());
+        let slope =
+            Poly(c.iter().enumerate().skip(1).map(|(k, x)| *x * Dd::from_f64(k as f64)).collect());
         let mut ends = vec![Dd::from_f64(-bound)];
         ends.extend(slope.real_roots());
         ends.push(Dd::from_f64(bound));
@@ -135,11 +136,15 @@ mod tests {
     #[test]
     fn all_real_roots_are_found() {
         for roots in [vec![-3.0, 0.5, 2.0, 1e3], vec![1.0, 1.001, 1.002], vec![-1e-3, 1e4]] {
-            let product =
-                roots.iter().fold(Poly(vec![Dd::from_f64(2.0)]), |p, r| p.times(&Poly::line(Dd::from_f64(-*r), Dd::from_f64(1.0))));
+            let product = roots.iter().fold(Poly(vec![Dd::from_f64(2.0)]), |p, r| {
+                p.times(&Poly::line(Dd::from_f64(-*r), Dd::from_f64(1.0)))
+            });
             let found: Vec<f64> = product.real_roots().into_iter().map(Real::approx).collect();
             assert_eq!(found.len(), roots.len(), "{roots:?}: {found:?}");
-            found.iter().zip(&roots).for_each(|(f, r)| assert!((f - r).abs() <= 1e-14 * r.abs(), "{f} {r}"));
+            found
+                .iter()
+                .zip(&roots)
+                .for_each(|(f, r)| assert!((f - r).abs() <= 1e-14 * r.abs(), "{f} {r}"));
         }
         let none = Poly([1.0, 0.0, 1.0].map(Dd::from_f64).to_vec());
         assert_eq!(none.real_roots(), []);

@@ -92,7 +92,9 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
     let most = match linkage {
         Linkage::Watt => 27.0_f64.to_radians(),
         Linkage::Peaucellier => 57.5_f64.to_radians(),
-        Linkage::Chebyshev | Linkage::Roberts | Linkage::Hoeken | Linkage::ScottRussell => 89.0_f64.to_radians(),
+        Linkage::Chebyshev | Linkage::Roberts | Linkage::Hoeken | Linkage::ScottRussell => {
+            89.0_f64.to_radians()
+        }
     };
     let taken = swings && swing > 0.0 && swing <= most + ROUNDING;
     if form.has("swing") && !taken {
@@ -103,7 +105,10 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
                 significant(2.0 * most.to_degrees(), 3)
             )
         } else {
-            both!("this linkage has its own range; it takes no \"swing\"", "该机构的转角范围是固定的，不能写 \"swing\"")
+            both!(
+                "this linkage has its own range; it takes no \"swing\"",
+                "该机构的转角范围是固定的，不能写 \"swing\""
+            )
         };
         form.fault(Diagnostic::error("out-of-range", message).at(form.span("swing")));
         return None;
@@ -129,7 +134,11 @@ fn ratios(form: &TaskForm, linkage: Linkage) -> Option<[f64; 2]> {
     } else {
         both!("\"ratios\" are of Hoeken's linkage alone", "\"ratios\" 只用于霍肯机构")
     };
-    let help = if linkage == Linkage::Hoeken { nearest_ratios([frame, rod]) } else { both!("leave it out", "请去掉它") };
+    let help = if linkage == Linkage::Hoeken {
+        nearest_ratios([frame, rod])
+    } else {
+        both!("leave it out", "请去掉它")
+    };
     form.fault(Diagnostic::error("out-of-range", message).at(form.span("ratios")).help(help));
     None
 }
@@ -170,12 +179,16 @@ impl StraightLineTask {
     fn unit_length(&self) -> f64 {
         let s = self.swing;
         match self.linkage {
-            Linkage::Watt => watt(1.0).e_at(s).zip(watt(1.0).e_at(-s)).map_or(f64::NAN, |(p, q)| p.y - q.y),
+            Linkage::Watt => {
+                watt(1.0).e_at(s).zip(watt(1.0).e_at(-s)).map_or(f64::NAN, |(p, q)| p.y - q.y)
+            }
             Linkage::Chebyshev => 4.0,
             Linkage::Roberts => 2.0,
             Linkage::Hoeken => {
                 let l = hoeken(1.0, self.ratios);
-                l.e_at(FRAC_PI_2).zip(l.e_at(3.0 * FRAC_PI_2)).map_or(f64::NAN, |(p, q)| (p.x - q.x).abs())
+                l.e_at(FRAC_PI_2)
+                    .zip(l.e_at(3.0 * FRAC_PI_2))
+                    .map_or(f64::NAN, |(p, q)| (p.x - q.x).abs())
             }
             Linkage::ScottRussell => 4.0 * libm::sin(s),
             Linkage::Peaucellier => 2.0 * inversor(1.0, s).map_or(f64::NAN, |p| p[3].y),
@@ -185,15 +198,22 @@ impl StraightLineTask {
     fn made(&self, k: f64, heading: &Heading) -> Option<ScaledLinkage> {
         let s = self.swing;
         let four = |l: FourBar, range: [f64; 2], along: char, middle: f64| {
-            let wanted =
-                [middle, range[0], range[1]].map(|at| Some(WantedPosition { driver: at, places: vec![("E".into(), l.e_at(at)?)] }));
+            let wanted = [middle, range[0], range[1]].map(|at| {
+                Some(WantedPosition { driver: at, places: vec![("E".into(), l.e_at(at)?)] })
+            });
             let mut numbers = super::fourbar::named_lengths(l.lengths());
             numbers.push(DesignNumber::length(
                 "BE",
                 both!("to the point that runs straight", "到作直线运动的点"),
                 l.e.map_or(0.0, Vec2::norm),
             ));
-            Some(ScaledLinkage { scene: l.scene(heading), range, along, wanted: wanted.into_iter().flatten().collect(), numbers })
+            Some(ScaledLinkage {
+                scene: l.scene(heading),
+                range,
+                along,
+                wanted: wanted.into_iter().flatten().collect(),
+                numbers,
+            })
         };
         match self.linkage {
             Linkage::Watt => four(watt(k), [-s, s], 'y', 0.0),
@@ -212,9 +232,14 @@ impl StraightLineTask {
             }
             Linkage::ScottRussell => {
                 let place_of = |at: f64| Point::new(0.0, 2.0 * k * libm::sin(at));
-                let wanted = [0.3 * s, -s, s].map(|at| WantedPosition { driver: at, places: vec![("E".into(), place_of(at))] });
-                let numbers =
-                    vec![DesignNumber::length("AB", both!("crank", "曲柄"), k), DesignNumber::length("CE", both!("rod", "连杆"), 2.0 * k)];
+                let wanted = [0.3 * s, -s, s].map(|at| WantedPosition {
+                    driver: at,
+                    places: vec![("E".into(), place_of(at))],
+                });
+                let numbers = vec![
+                    DesignNumber::length("AB", both!("crank", "曲柄"), k),
+                    DesignNumber::length("CE", both!("rod", "连杆"), 2.0 * k),
+                ];
                 Some(ScaledLinkage {
                     scene: scott_russell(k, 0.3 * s, heading),
                     range: [-s, s],
@@ -224,10 +249,18 @@ impl StraightLineTask {
                 })
             }
             Linkage::Peaucellier => {
-                let wanted =
-                    [0.5 * s, -s, s].map(|at| Some(WantedPosition { driver: at, places: vec![("E".into(), inversor(k, at)?[3])] }));
+                let wanted = [0.5 * s, -s, s].map(|at| {
+                    Some(WantedPosition {
+                        driver: at,
+                        places: vec![("E".into(), inversor(k, at)?[3])],
+                    })
+                });
                 let numbers = vec![
-                    DesignNumber::length("KC", both!("crank, and its distance from O", "曲柄，及其到 O 的距离"), 2.0 * k),
+                    DesignNumber::length(
+                        "KC",
+                        both!("crank, and its distance from O", "曲柄，及其到 O 的距离"),
+                        2.0 * k,
+                    ),
                     DesignNumber::length("OX", both!("long arms", "长杆"), 6.0 * k),
                     DesignNumber::length("CX", both!("sides of the rhombus", "菱形的边"), 2.5 * k),
                 ];
@@ -246,13 +279,25 @@ impl StraightLineTask {
 /// Watt's linkage in its middle position: rods level, coupler upright.
 fn watt(k: f64) -> FourBar {
     let at = |x: f64, y: f64| Point::new(k * x, k * y);
-    FourBar { a: at(0.0, 0.0), b: at(5.0, 0.0), c: at(5.0, -2.0), d: at(10.0, -2.0), e: Some(Vec2::new(k, 0.0)) }
+    FourBar {
+        a: at(0.0, 0.0),
+        b: at(5.0, 0.0),
+        c: at(5.0, -2.0),
+        d: at(10.0, -2.0),
+        e: Some(Vec2::new(k, 0.0)),
+    }
 }
 
 /// Chebyshev's linkage in its middle position: rods crossed, coupler level.
 fn chebyshev(k: f64) -> FourBar {
     let at = |x: f64, y: f64| Point::new(k * x, k * y);
-    FourBar { a: at(0.0, 0.0), b: at(3.0, 4.0), c: at(1.0, 4.0), d: at(4.0, 0.0), e: Some(Vec2::new(k, 0.0)) }
+    FourBar {
+        a: at(0.0, 0.0),
+        b: at(3.0, 4.0),
+        c: at(1.0, 4.0),
+        d: at(4.0, 0.0),
+        e: Some(Vec2::new(k, 0.0)),
+    }
 }
 
 /// Rods, and the equal sides of the coupler's triangle, of Roberts' linkage over its coupler.
@@ -262,7 +307,13 @@ const ROBERTS: f64 = 1.2;
 fn roberts(k: f64) -> FourBar {
     let at = |x: f64, y: f64| Point::new(k * x, k * y);
     let high = (ROBERTS * ROBERTS - 0.25).sqrt();
-    FourBar { a: at(0.0, 0.0), b: at(0.5, high), c: at(1.5, high), d: at(2.0, 0.0), e: Some(Vec2::new(0.5 * k, -high * k)) }
+    FourBar {
+        a: at(0.0, 0.0),
+        b: at(0.5, high),
+        c: at(1.5, high),
+        d: at(2.0, 0.0),
+        e: Some(Vec2::new(0.5 * k, -high * k)),
+    }
 }
 
 /// Hoeken's linkage with its crank pointing away from the rocker's pivot: the middle of the
@@ -296,10 +347,19 @@ fn scott_russell(k: f64, angle: f64, heading: &Heading) -> Json {
     let mut scene = headed(heading);
     scene.insert("links".into(), json!({"1": ["A", "B"], "2": ["C", "B", "E"], "4": ["A"]}));
     scene.insert("ground".into(), json!("4"));
-    scene.insert("points".into(), json!({"A": [0, 0], "E": {"base": "CB", "x": mm(2.0 * k), "y": 0}}));
+    scene.insert(
+        "points".into(),
+        json!({"A": [0, 0], "E": {"base": "CB", "x": mm(2.0 * k), "y": 0}}),
+    );
     scene.insert("lengths".into(), json!({"AB": mm(k), "BC": mm(k)}));
-    scene.insert("guides".into(), json!([{"pin": "C", "slider": "3", "on": "4", "through": "A", "angle": "0 deg"}]));
-    scene.insert("driver".into(), json!({"link": "1", "angle": deg(angle), "omega": omega(heading.omega)}));
+    scene.insert(
+        "guides".into(),
+        json!([{"pin": "C", "slider": "3", "on": "4", "through": "A", "angle": "0 deg"}]),
+    );
+    scene.insert(
+        "driver".into(),
+        json!({"link": "1", "angle": deg(angle), "omega": omega(heading.omega)}),
+    );
     scene.insert("sketch".into(), json!({"C": place(Point::new(2.0 * k * libm::cos(angle), 0.0))}));
     scene.insert("find".into(), json!(["v_E", "a_E", "v_C"]));
     Json::Object(scene)
@@ -314,28 +374,51 @@ fn peaucellier(k: f64, angle: f64, heading: &Heading) -> Option<Json> {
     scene.insert("points".into(), json!({"O": [0, 0], "K": [mm(2.0 * k), 0]}));
     let (long, short) = (mm(6.0 * k), mm(2.5 * k));
     scene.insert("lengths".into(), json!({"KC": mm(2.0 * k), "OX": long, "OY": long, "CX": short, "CY": short, "EX": short, "EY": short}));
-    scene.insert("driver".into(), json!({"link": "1", "angle": deg(angle), "omega": omega(heading.omega)}));
-    scene.insert("sketch".into(), json!({"C": place(c), "X": place(x), "Y": place(y), "E": place(e)}));
+    scene.insert(
+        "driver".into(),
+        json!({"link": "1", "angle": deg(angle), "omega": omega(heading.omega)}),
+    );
+    scene.insert(
+        "sketch".into(),
+        json!({"C": place(c), "X": place(x), "Y": place(y), "E": place(e)}),
+    );
     scene.insert("find".into(), json!(["v_E", "a_E"]));
     Some(Json::Object(scene))
 }
 
 impl Wish for StraightLineTask {
     fn title(&self) -> Both {
-        both!("{}'s straight-line linkage, {} long", "{}直线机构，直线段长 {}", self.name(), metres(self.length))
+        both!(
+            "{}'s straight-line linkage, {} long",
+            "{}直线机构，直线段长 {}",
+            self.name(),
+            metres(self.length)
+        )
     }
 
     fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
         let scale = self.length / self.unit_length();
-        let none = || Diagnostic::error("no-real-solution", both!("the linkage does not reach over this swing", "在此摆角内机构不能装配"));
+        let none = || {
+            Diagnostic::error(
+                "no-real-solution",
+                both!("the linkage does not reach over this swing", "在此摆角内机构不能装配"),
+            )
+        };
         let Some(made) = self.made(scale, heading).filter(|_| scale.is_finite()) else {
             return Err(none().help(both!("take a smaller \"swing\"", "请减小 \"swing\"")).into());
         };
         let measured = measure(&made, self.length)?;
         let mut numbers = made.numbers;
         numbers.extend(measured.numbers());
-        let which = if measured.deviation == 0.0 { both!("exact", "精确直线") } else { both!("nearly straight", "近似直线") };
-        let draft = Draft { error: measured.deviation, ..Draft::new(which, made.scene, numbers, made.wanted) };
+        let which = if measured.deviation == 0.0 {
+            both!("exact", "精确直线")
+        } else {
+            both!("nearly straight", "近似直线")
+        };
+        let draft = Draft {
+            error: measured.deviation,
+            ..Draft::new(which, made.scene, numbers, made.wanted)
+        };
         Ok(TaskResult { drafts: vec![draft], numbers: Vec::new(), notes: Vec::new() })
     }
 
@@ -375,21 +458,53 @@ impl MeasuredStretch {
         let [(low_at, low), (high_at, high)] = self.extremes;
         let mut out = vec![
             DesignNumber::length("length", both!("length along the line", "直线段长"), self.length),
-            DesignNumber::length("deviation", both!("from the least to the greatest deviation", "最大与最小偏离之差"), self.deviation),
-            DesignNumber::ratio("relative", both!("deviation over length", "偏差与长度之比"), self.deviation / self.length),
+            DesignNumber::length(
+                "deviation",
+                both!("from the least to the greatest deviation", "最大与最小偏离之差"),
+                self.deviation,
+            ),
+            DesignNumber::ratio(
+                "relative",
+                both!("deviation over length", "偏差与长度之比"),
+                self.deviation / self.length,
+            ),
         ];
         // A straight line has no least and no greatest place.
         if self.deviation > 0.0 {
             out.extend([
-                DesignNumber::length("least", both!("least coordinate across the line", "横向坐标最小值"), low),
-                DesignNumber::angle("at_least", both!("the driver there", "此处原动件的位置"), low_at),
-                DesignNumber::length("greatest", both!("greatest coordinate across the line", "横向坐标最大值"), high),
-                DesignNumber::angle("at_greatest", both!("the driver there", "此处原动件的位置"), high_at),
+                DesignNumber::length(
+                    "least",
+                    both!("least coordinate across the line", "横向坐标最小值"),
+                    low,
+                ),
+                DesignNumber::angle(
+                    "at_least",
+                    both!("the driver there", "此处原动件的位置"),
+                    low_at,
+                ),
+                DesignNumber::length(
+                    "greatest",
+                    both!("greatest coordinate across the line", "横向坐标最大值"),
+                    high,
+                ),
+                DesignNumber::angle(
+                    "at_greatest",
+                    both!("the driver there", "此处原动件的位置"),
+                    high_at,
+                ),
             ]);
         }
         out.extend([
-            DesignNumber::angle("from", both!("the driver where the line begins", "直线段起点的原动件位置"), self.range[0]),
-            DesignNumber::angle("to", both!("the driver where it ends", "直线段终点的原动件位置"), self.range[1]),
+            DesignNumber::angle(
+                "from",
+                both!("the driver where the line begins", "直线段起点的原动件位置"),
+                self.range[0],
+            ),
+            DesignNumber::angle(
+                "to",
+                both!("the driver where it ends", "直线段终点的原动件位置"),
+                self.range[1],
+            ),
         ]);
         out
     }
@@ -401,23 +516,41 @@ fn measure(made: &ScaledLinkage, wanted: f64) -> Result<MeasuredStretch, Faults>
     let mechanism = Mechanism::new(&scene)?.value;
     let placed = PlacedScene::new(&scene, &mechanism)?;
     let [from, to] = made.range;
-    let values: Vec<f64> = (0..=STEPS).map(|i| from + (to - from) * i as f64 / STEPS as f64).collect();
+    let values: Vec<f64> =
+        (0..=STEPS).map(|i| from + (to - from) * i as f64 / STEPS as f64).collect();
     let table = run(&placed, 0, &Stations::of_values(values.clone(), 1.0), Width::One)?;
     let at = &table.columns[0].values;
     let swept_at = |values| of_values(&placed, 0, values);
     let extreme = |axis: char, highest: bool| -> Option<(f64, f64)> {
         let name = format!("{axis}_E");
         let column = &table.column(&name)?.values;
-        let better = |a: &usize, b: &usize| if highest { column[*a].total_cmp(&column[*b]) } else { column[*b].total_cmp(&column[*a]) };
+        let better = |a: &usize, b: &usize| {
+            if highest {
+                column[*a].total_cmp(&column[*b])
+            } else {
+                column[*b].total_cmp(&column[*a])
+            }
+        };
         let k = (0..column.len()).max_by(better)?;
         let around = [at[k.saturating_sub(1)], at[(k + 1).min(at.len() - 1)]];
         let beats = |v: f64| if highest { v > column[k] } else { v < column[k] };
-        zoom::extreme(&swept_at, &name, around, highest).filter(|(_, v)| beats(*v)).or(Some((at[k], column[k])))
+        zoom::extreme(&swept_at, &name, around, highest)
+            .filter(|(_, v)| beats(*v))
+            .or(Some((at[k], column[k])))
     };
     let across = if made.along == 'x' { 'y' } else { 'x' };
-    let four = [extreme(made.along, false), extreme(made.along, true), extreme(across, false), extreme(across, true)];
+    let four = [
+        extreme(made.along, false),
+        extreme(made.along, true),
+        extreme(across, false),
+        extreme(across, true),
+    ];
     let [Some(a), Some(b), Some(low), Some(high)] = four else {
-        return Err(Diagnostic::error("no-motion", both!("the linkage does not move through its range", "机构不能在该范围内运动")).into());
+        return Err(Diagnostic::error(
+            "no-motion",
+            both!("the linkage does not move through its range", "机构不能在该范围内运动"),
+        )
+        .into());
     };
     let (length, deviation) = (b.1 - a.1, high.1 - low.1);
     let deviation = if deviation <= EXACT * length { 0.0 } else { deviation };

@@ -32,7 +32,9 @@ mod tests {
     #[test]
     fn every_kind_has_a_template_that_is_solved_without_defect_and_drawn() {
         for kind in KINDS {
-            let text = get(kind.name).unwrap_or_else(|| panic!("add templates/synthesis/{}.json to the list", kind.name));
+            let text = get(kind.name).unwrap_or_else(|| {
+                panic!("add templates/synthesis/{}.json to the list", kind.name)
+            });
             let task = read(text).unwrap_or_else(|f| panic!("{}: {f}", kind.name));
             assert_eq!(task.notes, [], "{}", kind.name);
             let design = solve(&task.value).unwrap_or_else(|f| panic!("{}: {f}", kind.name));
@@ -42,8 +44,13 @@ mod tests {
             if kind.name == "straight-line" {
                 continue;
             }
-            let board = construct(&task.value, best, 1e-3).unwrap_or_else(|f| panic!("{}: {f}", kind.name));
-            assert!(board.is_some_and(|b| b.steps.len() > 1 && !b.readings.is_empty()), "{}", kind.name);
+            let board =
+                construct(&task.value, best, 1e-3).unwrap_or_else(|f| panic!("{}: {f}", kind.name));
+            assert!(
+                board.is_some_and(|b| b.steps.len() > 1 && !b.readings.is_empty()),
+                "{}",
+                kind.name
+            );
         }
     }
 }

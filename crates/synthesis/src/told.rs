@@ -44,7 +44,10 @@ impl Proof {
     /// The proof with its quantities in the units of a file.
     #[must_use]
     pub fn written(&self, book: &Book) -> Proof {
-        Proof { what: both_written(&self.what, book), formulas: self.formulas.iter().map(|f| written(f, book)).collect() }
+        Proof {
+            what: both_written(&self.what, book),
+            formulas: self.formulas.iter().map(|f| written(f, book)).collect(),
+        }
     }
 }
 
@@ -53,7 +56,12 @@ impl Statement {
     #[must_use]
     pub fn written(&self, book: &Book) -> Statement {
         let all = |list: &[Both]| list.iter().map(|b| both_written(b, book)).collect();
-        Statement { task: both_written(&self.task, book), given: all(&self.given), wanted: all(&self.wanted), open_steps: self.open_steps }
+        Statement {
+            task: both_written(&self.task, book),
+            given: all(&self.given),
+            wanted: all(&self.wanted),
+            open_steps: self.open_steps,
+        }
     }
 }
 
@@ -154,7 +162,10 @@ pub fn four_bar_wanted() -> Both {
 /// The time ratio and the angle that follows from it.
 pub fn angle_of_limits(k: f64, theta: f64) -> Proof {
     Proof::new(
-        both!("The crank angle between the limit positions follows from the time ratio:", "由行程速度变化系数求极位夹角："),
+        both!(
+            "The crank angle between the limit positions follows from the time ratio:",
+            "由行程速度变化系数求极位夹角："
+        ),
         [format!(
             "\\theta = 180\\degree \\times \\frac{{K − 1}}{{K + 1}} = 180\\degree \\times \\frac{{{0} − 1}}{{{0} + 1}} = {1}",
             number(k),
@@ -186,12 +197,25 @@ pub fn centre_of_three(what: Both, places: [Point; 3], sought: &str, found: Poin
     let mm = |v: f64| v * 1e3;
     let equation = |p: Point, q: Point| {
         let (u, v) = (mm(q.x - p.x), mm(q.y - p.y));
-        let right = (mm(q.x) * mm(q.x) + mm(q.y) * mm(q.y) - mm(p.x) * mm(p.x) - mm(p.y) * mm(p.y)) / 2.0;
+        let right =
+            (mm(q.x) * mm(q.x) + mm(q.y) * mm(q.y) - mm(p.x) * mm(p.x) - mm(p.y) * mm(p.y)) / 2.0;
         let sign = if v < 0.0 { "−" } else { "+" };
-        format!("{}\\,x_{{{sought}}} {sign} {}\\,y_{{{sought}}} = {}", number(u), number(v.abs()), number(right))
+        format!(
+            "{}\\,x_{{{sought}}} {sign} {}\\,y_{{{sought}}} = {}",
+            number(u),
+            number(v.abs()),
+            number(right)
+        )
     };
     Proof::new(
         what,
-        [format!("{} ,\\quad {}", equation(places[0], places[1]), equation(places[0], places[2])), format!("{sought} = {}", place(found))],
+        [
+            format!(
+                "{} ,\\quad {}",
+                equation(places[0], places[1]),
+                equation(places[0], places[2])
+            ),
+            format!("{sought} = {}", place(found)),
+        ],
     )
 }

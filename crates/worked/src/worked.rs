@@ -21,7 +21,10 @@ pub use posed::{work_motion, work_pose};
 use self::pose::{DecidedPose, PoseInput, groups_of};
 use self::sizes::PoseSizes;
 use crate::accuracy::Rung;
-use crate::accuracy::{Agreement, BadAngle, DraftedConstruction, Drafting, bad_angles, compare, drafting, regular, settled};
+use crate::accuracy::{
+    Agreement, BadAngle, DraftedConstruction, Drafting, bad_angles, compare, drafting, regular,
+    settled,
+};
 use hodograph_analytic::{RefusedPart, Solution};
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_board::construct::{self, FindAnswer, PlanDrawing};
@@ -129,8 +132,8 @@ pub struct Outcome {
     /// The reference size (SI) of the answer: the largest vector or rate of its kind, for positions
     /// the mechanism's size.
     pub scale: f64,
-    /// The answer on the other motion through each change point of the pose (see [`hodograph_analytic::Singularity::other`]); empty
-    /// for positions and in every other pose.
+    /// The answer on the other motion through each change point of the pose (see
+    /// [`hodograph_analytic::Singularity::other`]); empty for positions and in every other pose.
     pub others: Vec<AnswerValue>,
     /// The value (SI) up to which the answer cannot be distinguished from zero.
     pub noise: f64,
@@ -188,7 +191,8 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     notes.extend(placed.notes);
     let configuration = settled(scene, &mechanism, &demand, placed.value);
     stated::proved(scene, &mechanism, &configuration, Moment::Instant)?;
-    let Warned { value: mut worked, notes: more } = stages(scene, mechanism, demand, configuration, true)?;
+    let Warned { value: mut worked, notes: more } =
+        stages(scene, mechanism, demand, configuration, true)?;
     notes.extend(more);
     let drawn = worked.drawn(scene);
     let bad_angles = bad_angles(&drawn, pencil_mm(scene));
@@ -196,9 +200,14 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     worked.bad_angles = bad_angles;
     // Links that repeat others only approximately make two mechanisms of one: the drawing and the
     // loop equations use different pairs of it.
-    let nearly = redundant.iter().filter(|r| r.verdict == RedundancyVerdict::Almost).map(|r| r.off_m).fold(0.0, f64::max);
+    let nearly = redundant
+        .iter()
+        .filter(|r| r.verdict == RedundancyVerdict::Almost)
+        .map(|r| r.off_m)
+        .fold(0.0, f64::max);
     let blur = NEARLY * nearly / worked.configuration.extent().max(f64::MIN_POSITIVE);
-    for a in worked.results.iter_mut().filter_map(|r| r.agreement.as_mut()).filter(|_| nearly > 0.0) {
+    for a in worked.results.iter_mut().filter_map(|r| r.agreement.as_mut()).filter(|_| nearly > 0.0)
+    {
         *a = a.no_better_than(blur);
     }
     worked.redundant = redundant;
@@ -211,7 +220,12 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
 ///
 /// # Errors
 /// The faults of the first stage that has any.
-pub fn work_placed(scene: &Scene, mechanism: Mechanism, demand: Demand, configuration: Configuration) -> Result<Warned<Worked>, Faults> {
+pub fn work_placed(
+    scene: &Scene,
+    mechanism: Mechanism,
+    demand: Demand,
+    configuration: Configuration,
+) -> Result<Warned<Worked>, Faults> {
     stages(scene, mechanism, demand, configuration, false)
 }
 
@@ -234,15 +248,30 @@ fn stages(
     measured: bool,
 ) -> Result<Warned<Worked>, Faults> {
     let given = PoseInput { scene, mechanism: &mechanism, demand: &demand };
-    let DecidedPose { configuration, solution, singular, written, near, drawing, drawings, mut notes } =
-        pose::pose(given, configuration, measured)?;
+    let DecidedPose {
+        configuration,
+        solution,
+        singular,
+        written,
+        near,
+        drawing,
+        drawings,
+        mut notes,
+    } = pose::pose(given, configuration, measured)?;
     let magnified = |level| drawing.magnified(level);
     let (plan, construction) = (&drawing.plan, &drawing.construction);
     notes.extend(solution.notes.iter().cloned());
     notes.extend(higher::notes(scene, &mechanism, plan));
     let equilibrium = demand.wants_forces().then(|| {
         let motion = construct::source(scene, &mechanism, plan, construction);
-        Equilibrium::of(scene, &mechanism, &configuration, &motion, construction.diagram.mu, FORCES_MM)
+        Equilibrium::of(
+            scene,
+            &mechanism,
+            &configuration,
+            &motion,
+            construction.diagram.mu,
+            FORCES_MM,
+        )
     });
     let equilibrium = equilibrium.flatten();
     if demand.wants_forces() {
@@ -272,11 +301,19 @@ fn stages(
             Some(written) => written.values[i],
             None => solution.answer(scene, &configuration, &find.what).or_else(|| beside(find)),
         };
-        let Some(computed) = computed.filter(|c| !far::is_nowhere(&find.what, c, sizes.extent)) else {
+        let Some(computed) = computed.filter(|c| !far::is_nowhere(&find.what, c, sizes.extent))
+        else {
             let asked = Demand::of_questions(scene, &mechanism, [find]);
-            let rests_on = |r: &&RefusedPart| groups_of(scene, &mechanism, (&r.links, &r.pins)).iter().any(|g| asked.groups[*g].is_some());
+            let rests_on = |r: &&RefusedPart| {
+                groups_of(scene, &mechanism, (&r.links, &r.pins))
+                    .iter()
+                    .any(|g| asked.groups[*g].is_some())
+            };
             if let Some(refused) = solution.refused.iter().find(rests_on) {
-                unanswered.push(Unanswered { find: i, why: NoAnswer::NoMotion(Box::new(refused.clone())) });
+                unanswered.push(Unanswered {
+                    find: i,
+                    why: NoAnswer::NoMotion(Box::new(refused.clone())),
+                });
                 continue;
             }
             if let Some(centre) = far::far(scene, &solution, &configuration, i) {
@@ -285,10 +322,14 @@ fn stages(
             }
             let undefined = || {
                 NoAnswer::NoValue(
-                    remarks::unbalanced(scene, &mechanism, &configuration, &demand, find).unwrap_or_else(|| find.what.no_value(scene)),
+                    remarks::unbalanced(scene, &mechanism, &configuration, &demand, find)
+                        .unwrap_or_else(|| find.what.no_value(scene)),
                 )
             };
-            unanswered.push(Unanswered { find: i, why: find.what.infinite(scene).map_or_else(undefined, NoAnswer::Infinite) });
+            unanswered.push(Unanswered {
+                find: i,
+                why: find.what.infinite(scene).map_or_else(undefined, NoAnswer::Infinite),
+            });
             continue;
         };
         let level = find.what.level();
@@ -303,7 +344,12 @@ fn stages(
                 let crossings = equilibrium.as_ref().map_or(1.0, Equilibrium::magnified);
                 // A reaction is the result of several polygons, each of which depends on those
                 // before.
-                Some(compare(d.value, computed, POLYGONS * scale, magnified(demand.level).max(crossings)))
+                Some(compare(
+                    d.value,
+                    computed,
+                    POLYGONS * scale,
+                    magnified(demand.level).max(crossings),
+                ))
             }
             (_, Level::Position) | (None, _) => None,
             (Some(d), _) => {
@@ -312,14 +358,18 @@ fn stages(
                     Some(near) => near.promised(i, agreement),
                     // Solved as the singular pose next to it, the pose is known to the root of its
                     // rounding.
-                    None if !(solution.singular.is_empty() && solution.refused.is_empty()) => agreement.no_better_than(f64::EPSILON.sqrt()),
+                    None if !(solution.singular.is_empty() && solution.refused.is_empty()) => {
+                        agreement.no_better_than(f64::EPSILON.sqrt())
+                    }
                     None => agreement.no_better_than(solution.near.first().map_or(0.0, |n| n.loss)),
                 })
             }
         };
         let noise_of = |of: &Solution, value: &AnswerValue| match value {
             AnswerValue::Point(_) => blur * sizes.extent,
-            AnswerValue::Vector(_) | AnswerValue::Scalar(_) => blur * of.largest(level, matches!(value, AnswerValue::Scalar(_))),
+            AnswerValue::Vector(_) | AnswerValue::Scalar(_) => {
+                blur * of.largest(level, matches!(value, AnswerValue::Scalar(_)))
+            }
         };
         let noise = match (level, agreement) {
             _ if size.is_some() => blur * scale,
@@ -329,14 +379,31 @@ fn stages(
             (_, None) => noise_of(&solution, &computed),
         };
         let mut others = Vec::new();
-        for other in solution.singular.iter().filter_map(|s| s.other.as_deref()).filter(|_| level > Level::Position) {
+        for other in solution
+            .singular
+            .iter()
+            .filter_map(|s| s.other.as_deref())
+            .filter(|_| level > Level::Position)
+        {
             let value = other.answer(scene, &configuration, &find.what);
             others.extend(value.map(|v| v.above(noise_of(other, &v))));
         }
-        let longer = written.as_ref().filter(|_| drawn.is_none() && level > Level::Position).map(|r| r.rung);
-        let by_next_order = !solution.singular.is_empty() && drawn.is_none() && level > Level::Position;
+        let longer =
+            written.as_ref().filter(|_| drawn.is_none() && level > Level::Position).map(|r| r.rung);
+        let by_next_order =
+            !solution.singular.is_empty() && drawn.is_none() && level > Level::Position;
         let next_order = by_next_order.then(|| (-libm::log10(blur)).floor().max(1.0) as usize);
-        results.push(Outcome { find: i, drawn, computed, agreement, scale, others, noise, next_order, longer });
+        results.push(Outcome {
+            find: i,
+            drawn,
+            computed,
+            agreement,
+            scale,
+            others,
+            noise,
+            next_order,
+            longer,
+        });
     }
 
     let worked = Worked {

@@ -7,8 +7,10 @@ use golden_images::figures;
 use hodograph::render::diff::{Options, Picture, compare, picture};
 
 /// The accepted figures.
-const GOLDEN: [(&str, &str); 2] =
-    [("mechanism", include_str!("../golden/mechanism.svg")), ("velocity", include_str!("../golden/velocity.svg"))];
+const GOLDEN: [(&str, &str); 2] = [
+    ("mechanism", include_str!("../golden/mechanism.svg")),
+    ("velocity", include_str!("../golden/velocity.svg")),
+];
 
 #[test]
 fn figures_are_as_accepted() {
@@ -16,7 +18,8 @@ fn figures_are_as_accepted() {
     for ((name, now), (golden, accepted)) in figures().unwrap().into_iter().zip(GOLDEN) {
         assert_eq!(name, golden);
         if std::env::var_os("ACCEPT").is_some() {
-            let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden").join(format!("{name}.svg"));
+            let path =
+                Path::new(env!("CARGO_MANIFEST_DIR")).join("golden").join(format!("{name}.svg"));
             std::fs::write(&path, &now).unwrap();
             differ.push(format!("{}: accepted", path.display()));
             continue;

@@ -6,14 +6,17 @@ use crate::cli::values::MotionFormat;
 /// The motion from pose to pose.
 #[derive(ClapArgs, Debug)]
 pub struct TravelArgs {
-    /// The motion: a driver by its name (`phi_1`, `s_B`, `l_BC`, `driver2`), the others at rest; or `t`, the time: all drivers, each by its
-    /// law or at its rate (default: the time where the scene has laws of it, else the first driver)
+    /// The motion: a driver by its name (`phi_1`, `s_B`, `l_BC`, `driver2`), the others at rest; or
+    /// `t`, the time: all drivers, each by its law or at its rate (default: the time where the
+    /// scene has laws of it, else the first driver)
     #[arg(long, value_name = "NAME")]
     pub over: Option<String>,
 }
 
 #[derive(ClapArgs, Debug)]
-#[command(after_help = "The numbers of the curves as a table: hodograph sweep SCENE --find x_E,y_E,v_E,a_E -o curves.csv")]
+#[command(
+    after_help = "The numbers of the curves as a table: hodograph sweep SCENE --find x_E,y_E,v_E,a_E -o curves.csv"
+)]
 pub struct PathArgs {
     #[command(flatten)]
     pub common: CommonArgs,
@@ -23,27 +26,33 @@ pub struct PathArgs {
     /// The mechanism in so many positions at equal steps of the driver, one over another
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=72))]
     pub poses: u16,
-    /// Number of positions at equal steps of the driver, numbered alike on paths and hodographs (default: those of --poses, else 12)
+    /// Number of positions at equal steps of the driver, numbered alike on paths and hodographs
+    /// (default: those of --poses, else 12)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=72))]
     pub marks: Option<u16>,
     #[command(flatten)]
     pub moves: TravelArgs,
     #[command(flatten)]
     pub look: LookArgs,
-    /// The file, ending in .svg, .png or .pdf, or `-` for standard output (default: named after the scene)
+    /// The file, ending in .svg, .png or .pdf, or `-` for standard output (default: named after the
+    /// scene)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
-    /// Formats where -o has no such ending, such as svg,pdf; each ending is added where there are several (default: svg)
+    /// Formats where -o has no such ending, such as svg,pdf; each ending is added where there are
+    /// several (default: svg)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
     pub format: Vec<FigureFormat>,
 }
 
 #[derive(ClapArgs, Debug)]
-#[command(after_help = "A film from the frames: ffmpeg -framerate 12 -i turn-%03d.png -pix_fmt yuv420p turn.mp4")]
+#[command(
+    after_help = "A film from the frames: ffmpeg -framerate 12 -i turn-%03d.png -pix_fmt yuv420p turn.mp4"
+)]
 pub struct AnimateArgs {
     #[command(flatten)]
     pub common: CommonArgs,
-    /// Positions at equal steps of the driver, through a full turn, or from one end of its travel to the other and back
+    /// Positions at equal steps of the driver, through a full turn, or from one end of its travel
+    /// to the other and back
     #[arg(long, value_name = "N", default_value_t = 72, value_parser = clap::value_parser!(u16).range(2..=360))]
     pub frames: u16,
     /// Duration of one period, in seconds
@@ -56,11 +65,12 @@ pub struct AnimateArgs {
     /// Resolution of GIF and PNG in dots per inch; both sides have an even number of pixels
     #[arg(long, default_value_t = 96.0, value_parser = dpi)]
     pub dpi: f64,
-    /// The file, ending in .gif, .svg (it moves by itself in browsers) or .png (one for each frame: turn-001.png, …), or `-` for standard
-    /// output
+    /// The file, ending in .gif, .svg (it moves by itself in browsers) or .png (one for each frame:
+    /// turn-001.png, …), or `-` for standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: String,
-    /// Formats where -o has no such ending, such as gif,svg; each ending is added where there are several (default of `-o -`: svg)
+    /// Formats where -o has no such ending, such as gif,svg; each ending is added where there are
+    /// several (default of `-o -`: svg)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
     pub format: Vec<MotionFormat>,
 }

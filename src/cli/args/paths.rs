@@ -4,7 +4,9 @@ use super::CommonArgs;
 use clap::Args as ClapArgs;
 
 #[derive(ClapArgs, Debug)]
-#[command(after_help = "The figures: hodograph draw SCENE --figure curvature,centrodes -o out/; in find: rho_E O_E J_2 d_2 K_2 u_2 p_2")]
+#[command(
+    after_help = "The figures: hodograph draw SCENE --figure curvature,centrodes -o out/; in find: rho_E O_E J_2 d_2 K_2 u_2 p_2"
+)]
 pub struct CurvatureArgs {
     #[command(flatten)]
     pub common: CommonArgs,
@@ -20,7 +22,8 @@ pub struct CurvatureArgs {
     /// The construction with the ruler, step by step
     #[arg(long)]
     pub steps: bool,
-    /// The tolerance of each place and length when drawn by hand, with a pencil error such as 0.1mm (default: the scene's, else 0.1 mm)
+    /// The tolerance of each place and length when drawn by hand, with a pencil error such as 0.1mm
+    /// (default: the scene's, else 0.1 mm)
     #[arg(long, value_name = "LENGTH", num_args = 0..=1, default_missing_value = "", value_parser = crate::cli::values::length)]
     pub drafting: Option<String>,
     /// Print JSON, in SI
@@ -32,11 +35,14 @@ pub struct CurvatureArgs {
 }
 
 #[derive(ClapArgs, Debug)]
-#[command(after_help = "Side by side as a figure: hodograph draw SCENE --figure inversions -o inversions.svg")]
+#[command(
+    after_help = "Side by side as a figure: hodograph draw SCENE --figure inversions -o inversions.svg"
+)]
 pub struct InversionsArgs {
     #[command(flatten)]
     pub common: CommonArgs,
-    /// Write the scene of each inversion into this folder, or that of --pick to this file ending in .json or to `-`, standard output
+    /// Write the scene of each inversion into this folder, or that of --pick to this file ending in
+    /// .json or to `-`, standard output
     #[arg(short, long, value_name = "PATH")]
     pub output: Option<String>,
     /// The inversion with this link as ground alone; without -o its scene is printed

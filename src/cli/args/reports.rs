@@ -3,11 +3,14 @@
 use super::{ClapArgs, CommonArgs};
 
 #[derive(ClapArgs, Debug)]
-#[command(after_help = "The figure with the circle diagram: hodograph draw SCENE --figure centres -o centres.svg")]
+#[command(
+    after_help = "The figure with the circle diagram: hodograph draw SCENE --figure centres -o centres.svg"
+)]
 pub struct CentresArgs {
     #[command(flatten)]
     pub common: CommonArgs,
-    /// The tolerance of each place when drawn by hand, with a pencil error such as 0.1mm (default: the scene's, else 0.1 mm)
+    /// The tolerance of each place when drawn by hand, with a pencil error such as 0.1mm (default:
+    /// the scene's, else 0.1 mm)
     #[arg(long, value_name = "LENGTH", num_args = 0..=1, default_missing_value = "", value_parser = crate::cli::values::length)]
     pub drafting: Option<String>,
     /// Print JSON, in SI
@@ -16,7 +19,9 @@ pub struct CentresArgs {
 }
 
 #[derive(ClapArgs, Debug)]
-#[command(after_help = "The figure with the parallelograms: hodograph draw SCENE --figure composite -o composite.svg")]
+#[command(
+    after_help = "The figure with the parallelograms: hodograph draw SCENE --figure composite -o composite.svg"
+)]
 pub struct CompositeArgs {
     #[command(flatten)]
     pub common: CommonArgs,
@@ -26,7 +31,9 @@ pub struct CompositeArgs {
 }
 
 #[derive(ClapArgs, Debug)]
-#[command(after_help = "Each wrong solution drawn over the right one: hodograph draw SCENE --figure attempts -o attempts.svg")]
+#[command(
+    after_help = "Each wrong solution drawn over the right one: hodograph draw SCENE --figure attempts -o attempts.svg"
+)]
 pub struct AttemptsArgs {
     #[command(flatten)]
     pub common: CommonArgs,
@@ -51,13 +58,16 @@ pub struct ReadingsArgs {
 pub struct LimitsArgs {
     #[command(flatten)]
     pub common: CommonArgs,
-    /// The driver that moves, by its name (`phi_1`, `s_B`, `l_BC`, `driver2`); the others are at rest
+    /// The driver that moves, by its name (`phi_1`, `s_B`, `l_BC`, `driver2`); the others are at
+    /// rest
     #[arg(long, value_name = "NAME")]
     pub over: Option<String>,
-    /// For a four-bar: the ranges of each length, the three others held, for each of Grashof's types
+    /// For a four-bar: the ranges of each length, the three others held, for each of Grashof's
+    /// types
     #[arg(long, conflicts_with = "flywheel")]
     pub ranges: bool,
-    /// With the scene's loads: the flywheel on the driver's shaft for this coefficient of speed fluctuation, such as 1/30
+    /// With the scene's loads: the flywheel on the driver's shaft for this coefficient of speed
+    /// fluctuation, such as 1/30
     #[arg(long, value_name = "DELTA")]
     pub flywheel: Option<String>,
     /// Print JSON, in SI

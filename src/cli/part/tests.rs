@@ -23,7 +23,8 @@ fn format() -> Csv {
 /// The pieces from `done` on, one mechanism each.
 fn go_on(part: &mut PartialTable, until: usize) {
     for k in part.done as usize..until {
-        let columns: [Vec<f64>; 2] = [0, 1].map(|c| (0..ROWS).map(|r| (k * 100 + r * 10 + c) as f64 / 7.0).collect());
+        let columns: [Vec<f64>; 2] =
+            [0, 1].map(|c| (0..ROWS).map(|r| (k * 100 + r * 10 + c) as f64 / 7.0).collect());
         let piece = format().piece_in(&[&columns[0], &columns[1]], TablePiece::default()).unwrap();
         part.add(&piece, k as u64 + 1, 1).unwrap();
     }
@@ -55,10 +56,15 @@ fn spoil(bytes: &mut Vec<u8>, state: &mut u64) {
         }
         _ => {
             // Replaces one line by another.
-            let lines: Vec<Vec<u8>> = bytes.split_inclusive(|b| *b == b'\n').map(<[u8]>::to_vec).collect();
+            let lines: Vec<Vec<u8>> =
+                bytes.split_inclusive(|b| *b == b'\n').map(<[u8]>::to_vec).collect();
             if !lines.is_empty() {
                 let (a, b) = (below(lines.len()), below(lines.len()));
-                *bytes = lines.iter().enumerate().flat_map(|(k, l)| if k == a { lines[b].clone() } else { l.clone() }).collect();
+                *bytes = lines
+                    .iter()
+                    .enumerate()
+                    .flat_map(|(k, l)| if k == a { lines[b].clone() } else { l.clone() })
+                    .collect();
             }
         }
     }
@@ -74,14 +80,18 @@ fn fuzz_journals() {
     drop(part);
     let left = [std::fs::read(&path).unwrap(), std::fs::read(&journal).unwrap()];
     let mut part = open(&out).unwrap();
-    assert_eq!((part.done, part.changed, part.rows), (PIECES as u64 - 2, 0, ((PIECES - 2) * ROWS) as u64));
+    assert_eq!(
+        (part.done, part.changed, part.rows),
+        (PIECES as u64 - 2, 0, ((PIECES - 2) * ROWS) as u64)
+    );
     go_on(&mut part, PIECES);
     part.finish(&format(), &[]).unwrap();
     drop(part);
     let whole = std::fs::read(&out).unwrap();
 
     let number = |key: &str| std::env::var(key).ok().and_then(|v| v.parse::<u64>().ok());
-    let (seconds, seed) = (number("HODOGRAPH_FUZZ_SECONDS"), number("HODOGRAPH_FUZZ_SEED").unwrap_or(1));
+    let (seconds, seed) =
+        (number("HODOGRAPH_FUZZ_SECONDS"), number("HODOGRAPH_FUZZ_SEED").unwrap_or(1));
     let most = 300 * number("HODOGRAPH_FUZZ_TIMES").unwrap_or(1);
     let begin = Instant::now();
     let (mut tried, mut refused, mut kept) = (0u64, 0, 0);
@@ -99,15 +109,25 @@ fn fuzz_journals() {
                 kept += part.done;
                 go_on(&mut part, PIECES);
                 part.finish(&format(), &[]).unwrap();
-                assert_eq!((part.rows, part.missing), ((PIECES * ROWS) as u64, PIECES as u64), "input {tried}");
+                assert_eq!(
+                    (part.rows, part.missing),
+                    ((PIECES * ROWS) as u64, PIECES as u64),
+                    "input {tried}"
+                );
                 drop(part);
-                assert!(std::fs::read(&out).unwrap() == whole, "seed {seed}, input {tried}: another table came out");
+                assert!(
+                    std::fs::read(&out).unwrap() == whole,
+                    "seed {seed}, input {tried}: another table came out"
+                );
                 assert!(!path.exists() && !journal.exists(), "input {tried}");
             }
             Err(words) => {
                 refused += 1;
                 assert!(words.contains("in the way"), "input {tried}: {words}");
-                assert!(std::fs::read(&path).unwrap() == bytes[0], "input {tried}: a file that is not ours was changed");
+                assert!(
+                    std::fs::read(&path).unwrap() == bytes[0],
+                    "input {tried}: a file that is not ours was changed"
+                );
             }
         }
         tried += 1;

@@ -4,7 +4,9 @@
 
 use super::super::display::built;
 use super::super::{DocumentTable, TableKind};
-use super::{BOTTOM_MM, Chunk, FOOT_MM, FULL_MM, PAPER_MM, PageSetter, SIDE_MM, TEXT_MM, TOP_MM, line};
+use super::{
+    BOTTOM_MM, Chunk, FOOT_MM, FULL_MM, PAPER_MM, PageSetter, SIDE_MM, TEXT_MM, TOP_MM, line,
+};
 use crate::geom::{Point, Vec2};
 use crate::paper::extent::{bounds, translate};
 use crate::paper::grid::{self, Cell, Row};
@@ -56,13 +58,26 @@ impl PageSetter {
         let size = HEADINGS_MM[level.min(HEADINGS_MM.len() - 1)];
         let air = HEADING_AIR_EM[level.min(HEADING_AIR_EM.len() - 1)] * self.air();
         let width = self.width();
-        for (k, label) in wrapped(&Phrase::new(&words.replace('$', "")), width, size, &self.fonts).into_iter().enumerate() {
+        for (k, label) in wrapped(&Phrase::new(&words.replace('$', "")), width, size, &self.fonts)
+            .into_iter()
+            .enumerate()
+        {
             let title = if k == 0 { words.to_owned() } else { label.plain() };
-            let (anchor, x) = if level == 0 { (Anchor::Middle, width / 2.0) } else { (Anchor::Start, 0.0) };
+            let (anchor, x) =
+                if level == 0 { (Anchor::Middle, width / 2.0) } else { (Anchor::Start, 0.0) };
             let height_mm = size * 1.35;
             let item = line(&label, Point::new(x, -size), size, anchor);
-            let kind = if k == 0 { Kind::Heading { level: level as u16 + 1, title } } else { Kind::Paragraph };
-            self.waiting.push(Chunk { kind, items: vec![item], height_mm, air_mm: if k == 0 { air } else { 0.0 } });
+            let kind = if k == 0 {
+                Kind::Heading { level: level as u16 + 1, title }
+            } else {
+                Kind::Paragraph
+            };
+            self.waiting.push(Chunk {
+                kind,
+                items: vec![item],
+                height_mm,
+                air_mm: if k == 0 { air } else { 0.0 },
+            });
         }
     }
 
@@ -98,28 +113,51 @@ impl PageSetter {
         let (width, step) = (self.width(), self.setting.line_em * TEXT_MM);
         let rows = members.len().div_ceil(2);
         let labels: Vec<Label> = members.iter().map(|m| m.label().in_fonts(&self.fonts)).collect();
-        let wide = |some: &[Label]| INDENT_MM + some.iter().map(|l| text::set(l).width_em * TEXT_MM).fold(0.0, f64::max);
+        let wide = |some: &[Label]| {
+            INDENT_MM + some.iter().map(|l| text::set(l).width_em * TEXT_MM).fold(0.0, f64::max)
+        };
         let [first, second] = [wide(&labels[..rows]), wide(&labels[rows..])];
-        let column = if first.max(second) <= width / 2.0 { width / 2.0 } else { first + VALUES_GAP_MM };
+        let column =
+            if first.max(second) <= width / 2.0 { width / 2.0 } else { first + VALUES_GAP_MM };
         if labels.len() < COLUMNS_MIN || column + second > width {
             return false;
         }
         let mut items = Vec::new();
         let members = (0..labels.len()).flat_map(|k| [k; 2]).collect();
         for (k, label) in labels.iter().enumerate() {
-            let at = Point::new((k / rows) as f64 * column + INDENT_MM, -((k % rows) as f64) * step - TEXT_MM * 1.1);
-            items.push(line(&Label::text("–").in_fonts(&self.fonts), at - Vec2::new(1.8, 0.0), TEXT_MM, Anchor::End));
+            let at = Point::new(
+                (k / rows) as f64 * column + INDENT_MM,
+                -((k % rows) as f64) * step - TEXT_MM * 1.1,
+            );
+            items.push(line(
+                &Label::text("–").in_fonts(&self.fonts),
+                at - Vec2::new(1.8, 0.0),
+                TEXT_MM,
+                Anchor::End,
+            ));
             items.push(line(label, at, TEXT_MM, Anchor::Start));
         }
         let air_mm = BLOCK_AIR_EM / 2.0 * self.air();
-        self.put(Chunk { kind: Kind::List { numbered: false, members }, items, height_mm: rows as f64 * step, air_mm });
+        self.put(Chunk {
+            kind: Kind::List { numbered: false, members },
+            items,
+            height_mm: rows as f64 * step,
+            air_mm,
+        });
         true
     }
 
     /// Lines of text or of a list's member; `member` is its index from 0 and true for a numbered
     /// list. The first two and the last two lines stay together. Lines that wait stay with the next
     /// block.
-    fn lines(&mut self, phrase: &Phrase, indent: f64, member: Option<(usize, bool)>, air_mm: f64, wait: bool) {
+    fn lines(
+        &mut self,
+        phrase: &Phrase,
+        indent: f64,
+        member: Option<(usize, bool)>,
+        air_mm: f64,
+        wait: bool,
+    ) {
         let labels = wrapped(phrase, self.width() - indent, TEXT_MM, &self.fonts);
         let count = labels.len();
         let step = self.setting.line_em * TEXT_MM;
@@ -129,7 +167,12 @@ impl PageSetter {
             let y = -(rows as f64) * step - TEXT_MM * 1.1;
             if let (0, Some((place, numbered))) = (k, member) {
                 let mark = if numbered { format!("{}.", place + 1) } else { "–".to_owned() };
-                group.push(line(&Label::text(mark).in_fonts(&self.fonts), Point::new(indent - 1.8, y), TEXT_MM, Anchor::End));
+                group.push(line(
+                    &Label::text(mark).in_fonts(&self.fonts),
+                    Point::new(indent - 1.8, y),
+                    TEXT_MM,
+                    Anchor::End,
+                ));
             }
             group.push(line(label, Point::new(indent, y), TEXT_MM, Anchor::Start));
             rows += 1;
@@ -137,7 +180,8 @@ impl PageSetter {
             if !held {
                 let air_mm = if first { air_mm } else { 0.0 };
                 let items = std::mem::take(&mut group);
-                let list = |(place, numbered)| Kind::List { numbered, members: vec![place; items.len()] };
+                let list =
+                    |(place, numbered)| Kind::List { numbered, members: vec![place; items.len()] };
                 let kind = member.map_or(Kind::Paragraph, list);
                 let chunk = Chunk { kind, items, height_mm: rows as f64 * step, air_mm };
                 if wait && k + 1 == count {
@@ -170,7 +214,12 @@ impl PageSetter {
         }
         let gap = if table.kind == TableKind::Equation { EQUATION_GAP_MM } else { VALUES_GAP_MM };
         let set = |scale: f64| {
-            let rows: Vec<Row> = table.rows.iter().enumerate().map(|(r, row)| self.cells(table.kind, r, row, TEXT_MM * scale)).collect();
+            let rows: Vec<Row> = table
+                .rows
+                .iter()
+                .enumerate()
+                .map(|(r, row)| self.cells(table.kind, r, row, TEXT_MM * scale))
+                .collect();
             grid::set(&rows, gap * scale)
         };
         let mut items = set(1.0);
@@ -184,14 +233,23 @@ impl PageSetter {
         if table.kind == TableKind::Values {
             let y = -step * 1.15;
             let to = bounds(&items).map_or(0.0, |b| b.max.x);
-            let shape = Shape::Line { from: Point::new(0.0, y), to: Point::new(to, y), stroke: LineStroke::new(0.2) };
+            let shape = Shape::Line {
+                from: Point::new(0.0, y),
+                to: Point::new(to, y),
+                stroke: LineStroke::new(0.2),
+            };
             items.push(FigureItem::new("rule", shape));
         } else if wide * scale < room - INDENT_MM {
             translate(&mut items, Vec2::new(INDENT_MM, 0.0));
         }
         let height_mm = table.rows.len() as f64 * step + 0.5 * step;
         let right = bounds(&items).map_or(0.0, |b| b.max.x);
-        self.put(Chunk { kind: structure(table), items, height_mm, air_mm: BLOCK_AIR_EM * self.air() });
+        self.put(Chunk {
+            kind: structure(table),
+            items,
+            height_mm,
+            air_mm: BLOCK_AIR_EM * self.air(),
+        });
         let middle = self.y + height_mm - (table.rows.len() + 1) as f64 / 2.0 * step;
         self.table = (table.kind == TableKind::Equation).then_some([room, right, middle]);
     }
@@ -204,7 +262,10 @@ impl PageSetter {
         // The head, and the space around the table, take the height of two rows.
         let fit = ((self.room() - above - BLOCK_AIR_EM * self.air()) / step) as usize;
         let (fit, all) = (fit.saturating_sub(1), table.rows.len());
-        let enough = table.kind == TableKind::Values && fit > ROWS_MIN && fit + ROWS_MIN <= all && all <= ROWS_MAX;
+        let enough = table.kind == TableKind::Values
+            && fit > ROWS_MIN
+            && fit + ROWS_MIN <= all
+            && all <= ROWS_MAX;
         (enough && !self.fresh()).then_some(fit)
     }
 
@@ -216,12 +277,21 @@ impl PageSetter {
                 TableKind::Equation | TableKind::Values => Anchor::Start,
             };
             let label = phrase.label().in_fonts(&self.fonts);
-            (!phrase.pieces().is_empty()).then(|| Cell { label, size_mm, anchor, class: "cell".into(), id: String::new() })
+            (!phrase.pieces().is_empty()).then(|| Cell {
+                label,
+                size_mm,
+                anchor,
+                class: "cell".into(),
+                id: String::new(),
+            })
         };
         // The second row keeps a distance from the rule below the head.
         let air = if kind == TableKind::Values && r == 1 { 1.2 } else { 1.0 };
         let height = if r == 0 { 0.9 } else { air };
-        Row { cells: row.iter().enumerate().map(cell).collect(), height_mm: height * self.setting.line_em * size_mm }
+        Row {
+            cells: row.iter().enumerate().map(cell).collect(),
+            height_mm: height * self.setting.line_em * size_mm,
+        }
     }
 
     /// A formula: beside its table where that fits, else on a line of its own.
@@ -240,16 +310,37 @@ impl PageSetter {
         }
         translate(&mut items, Vec2::new(INDENT_MM * 2.0, -built.above));
         let height_mm = built.above + built.below + BLOCK_AIR_EM / 2.0 * TEXT_MM;
-        self.put(Chunk { kind: Kind::Formula(words), items, height_mm, air_mm: BLOCK_AIR_EM * self.air() });
+        self.put(Chunk {
+            kind: Kind::Formula(words),
+            items,
+            height_mm,
+            air_mm: BLOCK_AIR_EM * self.air(),
+        });
     }
 
     pub(super) fn figure(&mut self, figure: &Figure) {
         let mut items = figure.items.clone();
         // A white background is not drawn.
         if figure.paper != Colour::WHITE {
-            let corners = [(0.0, 0.0), (figure.width_mm, 0.0), (figure.width_mm, figure.height_mm), (0.0, figure.height_mm)];
+            let corners = [
+                (0.0, 0.0),
+                (figure.width_mm, 0.0),
+                (figure.width_mm, figure.height_mm),
+                (0.0, figure.height_mm),
+            ];
             let points = corners.map(|(x, y)| Point::new(x, y)).to_vec();
-            items.insert(0, FigureItem::new("paper", Shape::Polyline { points, closed: true, stroke: None, fill: Some(figure.paper) }));
+            items.insert(
+                0,
+                FigureItem::new(
+                    "paper",
+                    Shape::Polyline {
+                        points,
+                        closed: true,
+                        stroke: None,
+                        fill: Some(figure.paper),
+                    },
+                ),
+            );
         }
         let Some(ink) = bounds(&items) else { return };
         let (wide, high) = (ink.width_mm(), ink.height_mm());
@@ -258,13 +349,23 @@ impl PageSetter {
             // The page number is below the drawing.
             translate(&mut items, Vec2::new(0.0, FOOT_MM));
             let parts = vec![Part { kind, items }];
-            self.large.push(Page { width_mm: figure.width_mm, height_mm: figure.height_mm + FOOT_MM, parts });
+            self.large.push(Page {
+                width_mm: figure.width_mm,
+                height_mm: figure.height_mm + FOOT_MM,
+                parts,
+            });
             return;
         }
         let air_mm = BLOCK_AIR_EM * 1.5 * self.air();
         self.clear();
-        if wide <= self.setting.beside_part * FULL_MM && self.waiting.is_empty() && air_mm + high <= self.room() {
-            translate(&mut items, Vec2::new(SIDE_MM + FULL_MM - ink.max.x, self.y - air_mm - ink.max.y));
+        if wide <= self.setting.beside_part * FULL_MM
+            && self.waiting.is_empty()
+            && air_mm + high <= self.room()
+        {
+            translate(
+                &mut items,
+                Vec2::new(SIDE_MM + FULL_MM - ink.max.x, self.y - air_mm - ink.max.y),
+            );
             self.parts.push(Part { kind, items });
             self.beside = Some([wide, self.y - air_mm - high]);
             return;
@@ -293,9 +394,15 @@ fn structure(table: &DocumentTable) -> Kind {
             Kind::Formula(table.rows.iter().map(row).collect::<Vec<_>>().join("; "))
         }
         TableKind::Values => {
-            let written =
-                |row: &Vec<Phrase>| row.iter().enumerate().filter(|(_, p)| !p.pieces().is_empty()).map(|(c, _)| c).collect::<Vec<_>>();
-            let places = |(r, row): (usize, &Vec<Phrase>)| written(row).into_iter().map(move |c| [r, c]);
+            let written = |row: &Vec<Phrase>| {
+                row.iter()
+                    .enumerate()
+                    .filter(|(_, p)| !p.pieces().is_empty())
+                    .map(|(c, _)| c)
+                    .collect::<Vec<_>>()
+            };
+            let places =
+                |(r, row): (usize, &Vec<Phrase>)| written(row).into_iter().map(move |c| [r, c]);
             Kind::Table(table.rows.iter().enumerate().flat_map(places).collect())
         }
     }

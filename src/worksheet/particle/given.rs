@@ -5,7 +5,9 @@ use crate::notation::Notation;
 use crate::paper::phrase::Phrase;
 use crate::particle::law::{PathLaw, PlateRotation};
 use crate::particle::plate::PlateComponent;
-use crate::particle::{Mutual, ParticleMotion, ParticleMotionKind, ParticleProblem, ParticleQuantity, Plate};
+use crate::particle::{
+    Mutual, ParticleMotion, ParticleMotionKind, ParticleProblem, ParticleQuantity, Plate,
+};
 use crate::report::given::law::printed;
 use crate::report::particle::symbol;
 use crate::scene::Lang;
@@ -13,7 +15,11 @@ use crate::scene::front::Law;
 
 /// An expression in print; a single parameter is replaced by its value.
 fn printed_law(problem: &ParticleProblem, law: &Law) -> String {
-    let value = problem.parameters.iter().find(|(name, _)| name == law.text.trim()).map(|(_, value)| value.as_str());
+    let value = problem
+        .parameters
+        .iter()
+        .find(|(name, _)| name == law.text.trim())
+        .map(|(_, value)| value.as_str());
     printed(value.unwrap_or(&law.text))
 }
 
@@ -21,7 +27,11 @@ fn printed_law(problem: &ParticleProblem, law: &Law) -> String {
 pub fn given(problem: &ParticleProblem, lang: Lang) -> Vec<Phrase> {
     let mut out: Vec<Both> = Vec::new();
     if !problem.parameters.is_empty() {
-        let all: Vec<String> = problem.parameters.iter().map(|(name, value)| format!("{} = {}", printed(name), printed(value))).collect();
+        let all: Vec<String> = problem
+            .parameters
+            .iter()
+            .map(|(name, value)| format!("{} = {}", printed(name), printed(value)))
+            .collect();
         out.push(Both { en: all.join(", "), zh: all.join("，") });
     }
     out.extend(problem.plates.iter().map(|p| plate(problem, p)));
@@ -33,13 +43,20 @@ pub fn given(problem: &ParticleProblem, lang: Lang) -> Vec<Phrase> {
 fn plate(problem: &ParticleProblem, p: &Plate) -> Both {
     let axis = p.axis.letter();
     let place = match &p.offset {
-        Some(offset) => both!("lies {} beside the axis {}", "与 {1} 轴相距 {0}", printed_law(problem, offset), axis),
+        Some(offset) => both!(
+            "lies {} beside the axis {}",
+            "与 {1} 轴相距 {0}",
+            printed_law(problem, offset),
+            axis
+        ),
         None => both!("contains the axis {axis}", "过 {axis} 轴"),
     };
     let turning = match &p.turning {
         PlateRotation::Law(law) => both!("φ = {}", "φ = {}", printed_law(problem, law)),
         PlateRotation::Now { angle, omega, alpha } => {
-            let alpha = alpha.as_ref().map_or_else(Both::default, |a| both!(", α = {0}", "，α = {0}", printed_law(problem, a)));
+            let alpha = alpha.as_ref().map_or_else(Both::default, |a| {
+                both!(", α = {0}", "，α = {0}", printed_law(problem, a))
+            });
             both!(
                 "at the instant φ = {}, ω = {}{}",
                 "该时刻 φ = {}，ω = {}{}",
@@ -61,7 +78,9 @@ fn plate(problem: &ParticleProblem, p: &Plate) -> Both {
 }
 
 fn motion(problem: &ParticleProblem, m: &ParticleMotion) -> Both {
-    let at = |place: &[Law; 2]| format!("({}, {})", printed_law(problem, &place[0]), printed_law(problem, &place[1]));
+    let at = |place: &[Law; 2]| {
+        format!("({}, {})", printed_law(problem, &place[0]), printed_law(problem, &place[1]))
+    };
     let point = &m.point;
     match &m.kind {
         ParticleMotionKind::Toward { from, target, speed } => both!(
@@ -71,19 +90,41 @@ fn motion(problem: &ParticleProblem, m: &ParticleMotion) -> Both {
             problem.motions[*target].point,
             printed_law(problem, speed)
         ),
-        ParticleMotionKind::Fixed(PathLaw::Free(place)) if place.iter().all(|law| !law.depends_on_time()) => {
+        ParticleMotionKind::Fixed(PathLaw::Free(place))
+            if place.iter().all(|law| !law.depends_on_time()) =>
+        {
             both!("${point}$ is at rest at {}", "${point}$ 静止于 {}", at(place))
         }
-        ParticleMotionKind::Fixed(way) => path(problem, point, &both!("moves", "运动："), way, &both!("from the axis x", "与 x 轴夹角")),
+        ParticleMotionKind::Fixed(way) => path(
+            problem,
+            point,
+            &both!("moves", "运动："),
+            way,
+            &both!("from the axis x", "与 x 轴夹角"),
+        ),
         ParticleMotionKind::OnPlate(k, way) => {
             let link = &problem.plates[*k].link;
-            path(problem, point, &both!("moves on plate {link}", "在平板 {link} 上运动："), way, &both!("from the axis", "与转轴夹角"))
+            path(
+                problem,
+                point,
+                &both!("moves on plate {link}", "在平板 {link} 上运动："),
+                way,
+                &both!("from the axis", "与转轴夹角"),
+            )
         }
     }
 }
 
-fn path(problem: &ParticleProblem, point: &str, moves: &Both, way: &PathLaw, measured: &Both) -> Both {
-    let at = |place: &[Law; 2]| format!("({}, {})", printed_law(problem, &place[0]), printed_law(problem, &place[1]));
+fn path(
+    problem: &ParticleProblem,
+    point: &str,
+    moves: &Both,
+    way: &PathLaw,
+    measured: &Both,
+) -> Both {
+    let at = |place: &[Law; 2]| {
+        format!("({}, {})", printed_law(problem, &place[0]), printed_law(problem, &place[1]))
+    };
     match way {
         PathLaw::Line { from, angle, s, .. } => both!(
             "${point}$ {} along a line from {} at {} {}, s = {}",
@@ -112,7 +153,13 @@ fn path(problem: &ParticleProblem, point: &str, moves: &Both, way: &PathLaw, mea
             printed_law(problem, phi)
         ),
         PathLaw::Free([x, y]) => {
-            both!("${point}$ {} by x = {}, y = {}", "${point}$ {}x = {}，y = {}", moves, printed_law(problem, x), printed_law(problem, y))
+            both!(
+                "${point}$ {} by x = {}, y = {}",
+                "${point}$ {}x = {}，y = {}",
+                moves,
+                printed_law(problem, x),
+                printed_law(problem, y)
+            )
         }
     }
 }
@@ -120,8 +167,13 @@ fn path(problem: &ParticleProblem, point: &str, moves: &Both, way: &PathLaw, mea
 /// The wanted quantities: symbols with words.
 pub fn wanted(problem: &ParticleProblem, lang: Lang, notation: &Notation) -> Vec<Phrase> {
     let colon = if lang == Lang::Zh { "：" } else { ": " };
-    let line =
-        |what: ParticleQuantity| Phrase::new(&format!("${}${colon}{}", symbol(problem, what, notation), lang.of(&asked(problem, what))));
+    let line = |what: ParticleQuantity| {
+        Phrase::new(&format!(
+            "${}${colon}{}",
+            symbol(problem, what, notation),
+            lang.of(&asked(problem, what))
+        ))
+    };
     problem.find.iter().map(|f| line(f.what)).collect()
 }
 
@@ -134,20 +186,36 @@ fn asked(problem: &ParticleProblem, what: ParticleQuantity) -> Both {
     match what {
         ParticleQuantity::MeetingTime(_) => both!("time of meeting", "相遇的时间"),
         ParticleQuantity::MeetingPlace(_) => both!("place of meeting", "相遇的地点"),
-        ParticleQuantity::Distance(k) => both!("length of the line ${}$", "连线 ${}$ 的长度", pair(k)),
-        ParticleQuantity::LineOmega(k) => both!("angular velocity of the line ${}$", "连线 ${}$ 的角速度", pair(k)),
+        ParticleQuantity::Distance(k) => {
+            both!("length of the line ${}$", "连线 ${}$ 的长度", pair(k))
+        }
+        ParticleQuantity::LineOmega(k) => {
+            both!("angular velocity of the line ${}$", "连线 ${}$ 的角速度", pair(k))
+        }
         ParticleQuantity::Place(k) => both!("place of ${}$", "${}$ 的位置", point(k)),
         ParticleQuantity::Velocity(k) => both!("velocity of ${}$", "${}$ 的速度", point(k)),
-        ParticleQuantity::Acceleration(k) => both!("acceleration of ${}$", "${}$ 的加速度", point(k)),
-        ParticleQuantity::Curvature(k) => both!("radius of curvature of the path of ${}$", "${}$ 的轨迹的曲率半径", point(k)),
-        ParticleQuantity::Part(k, part) => both!("{} of ${}$", "${1}$ 的{0}", named(part), point(k)),
+        ParticleQuantity::Acceleration(k) => {
+            both!("acceleration of ${}$", "${}$ 的加速度", point(k))
+        }
+        ParticleQuantity::Curvature(k) => {
+            both!("radius of curvature of the path of ${}$", "${}$ 的轨迹的曲率半径", point(k))
+        }
+        ParticleQuantity::Part(k, part) => {
+            both!("{} of ${}$", "${1}$ 的{0}", named(part), point(k))
+        }
         ParticleQuantity::Between([a, b], m) => {
             let (a, b) = (point(a), point(b));
             match m {
                 Mutual::Distance => both!("distance of ${a}$ and ${b}$", "${a}$ 与 ${b}$ 的距离"),
-                Mutual::Turning => both!("angular velocity of the line ${a}{b}$", "连线 ${a}{b}$ 的角速度"),
-                Mutual::Velocity => both!("velocity of ${a}$ relative to ${b}$", "${a}$ 相对 ${b}$ 的速度"),
-                Mutual::Acceleration => both!("acceleration of ${a}$ relative to ${b}$", "${a}$ 相对 ${b}$ 的加速度"),
+                Mutual::Turning => {
+                    both!("angular velocity of the line ${a}{b}$", "连线 ${a}{b}$ 的角速度")
+                }
+                Mutual::Velocity => {
+                    both!("velocity of ${a}$ relative to ${b}$", "${a}$ 相对 ${b}$ 的速度")
+                }
+                Mutual::Acceleration => {
+                    both!("acceleration of ${a}$ relative to ${b}$", "${a}$ 相对 ${b}$ 的加速度")
+                }
             }
         }
     }
@@ -159,10 +227,14 @@ fn named(part: PlateComponent) -> Both {
         PlateComponent::RelativeVelocity => both!("relative velocity", "相对速度"),
         PlateComponent::Transport => both!("transport acceleration", "牵连加速度"),
         PlateComponent::TransportNormal => both!("normal transport acceleration", "法向牵连加速度"),
-        PlateComponent::TransportTangential => both!("tangential transport acceleration", "切向牵连加速度"),
+        PlateComponent::TransportTangential => {
+            both!("tangential transport acceleration", "切向牵连加速度")
+        }
         PlateComponent::Relative => both!("relative acceleration", "相对加速度"),
         PlateComponent::RelativeNormal => both!("normal relative acceleration", "法向相对加速度"),
-        PlateComponent::RelativeTangential => both!("tangential relative acceleration", "切向相对加速度"),
+        PlateComponent::RelativeTangential => {
+            both!("tangential relative acceleration", "切向相对加速度")
+        }
         PlateComponent::Coriolis => both!("Coriolis acceleration", "科氏加速度"),
     }
 }

@@ -14,7 +14,9 @@ pub enum Piece {
 impl Piece {
     fn at(&self, u: f64) -> Vec2 {
         match *self {
-            Piece::Arc { centre, radius, from, to } => centre + Vec2::from_angle(from + (to - from) * u) * radius,
+            Piece::Arc { centre, radius, from, to } => {
+                centre + Vec2::from_angle(from + (to - from) * u) * radius
+            }
             Piece::Line { from, to } => from + (to - from) * u,
         }
     }
@@ -82,7 +84,9 @@ pub fn held(pieces: &[Piece], (origin, turn): (Vec2, f64), end: End, way: Way) -
         if end == End::Round(0.0) {
             // An edge: where the profile crosses its path.
             let off = |u: f64| match way {
-                Way::Along { through, direction } => (place(piece, u) - through).dot(direction.perp()),
+                Way::Along { through, direction } => {
+                    (place(piece, u) - through).dot(direction.perp())
+                }
                 Way::About { pivot, arm } => (place(piece, u) - pivot).norm() - arm,
             };
             for u in crossings(off) {
@@ -95,9 +99,16 @@ pub fn held(pieces: &[Piece], (origin, turn): (Vec2, f64), end: End, way: Way) -
             }
             continue;
         }
-        let value = |u: f64| Some(out(place(piece, u))).filter(|q| q.is_finite()).unwrap_or(f64::NEG_INFINITY);
-        let k = (0..=SAMPLES).max_by(|a, b| value(*a as f64 / SAMPLES as f64).total_cmp(&value(*b as f64 / SAMPLES as f64))).unwrap();
-        let (mut low, mut high) = ((k.max(1) - 1) as f64 / SAMPLES as f64, (k + 1).min(SAMPLES) as f64 / SAMPLES as f64);
+        let value = |u: f64| {
+            Some(out(place(piece, u))).filter(|q| q.is_finite()).unwrap_or(f64::NEG_INFINITY)
+        };
+        let k = (0..=SAMPLES)
+            .max_by(|a, b| {
+                value(*a as f64 / SAMPLES as f64).total_cmp(&value(*b as f64 / SAMPLES as f64))
+            })
+            .unwrap();
+        let (mut low, mut high) =
+            ((k.max(1) - 1) as f64 / SAMPLES as f64, (k + 1).min(SAMPLES) as f64 / SAMPLES as f64);
         for _ in 0..90 {
             let (a, b) = (low + 0.382 * (high - low), low + 0.618 * (high - low));
             if value(a) < value(b) { low = a } else { high = b }

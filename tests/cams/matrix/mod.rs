@@ -43,7 +43,11 @@ fn follower(s: &Setting, t: f64) -> Follower {
 /// Value, first and second derivative, from five places.
 fn differences(f: impl Fn(f64) -> f64) -> [f64; 3] {
     let [a, b, c, d, e] = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| f(k * H));
-    [c, (a - 8.0 * b + 8.0 * d - e) / (12.0 * H), (-a + 16.0 * b - 30.0 * c + 16.0 * d - e) / (12.0 * H * H)]
+    [
+        c,
+        (a - 8.0 * b + 8.0 * d - e) / (12.0 * H),
+        (-a + 16.0 * b - 30.0 * c + 16.0 * d - e) / (12.0 * H * H),
+    ]
 }
 
 fn numbers(v: AnswerValue) -> [f64; 2] {
@@ -60,8 +64,16 @@ fn faults(s: &Setting) -> Vec<String> {
     // Next to a joint, differences reach across it.
     let spread = [-2.0, 2.0].map(|k| follower(s, k * H).held.contact);
     let (p, swings) = (s.point_name(), s.swings);
-    let mut find =
-        vec![format!("v_{p}"), format!("a_{p}"), "x_E".into(), "y_E".into(), "v_E2".into(), "v_E3".into(), "a_E3".into(), "vr_E3E2".into()];
+    let mut find = vec![
+        format!("v_{p}"),
+        format!("a_{p}"),
+        "x_E".into(),
+        "y_E".into(),
+        "v_E2".into(),
+        "v_E3".into(),
+        "a_E3".into(),
+        "vr_E3E2".into(),
+    ];
     if s.seat == Seat::Still {
         find.retain(|f| !f.contains("E2"));
     }
@@ -71,7 +83,8 @@ fn faults(s: &Setting) -> Vec<String> {
     if swings {
         find.extend(["omega_3".into(), "alpha_3".into()]);
     }
-    let text = s.text(&find.iter().map(|f| format!("\"{f}\"")).collect::<Vec<_>>().join(", "), &now);
+    let text =
+        s.text(&find.iter().map(|f| format!("\"{f}\"")).collect::<Vec<_>>().join(", "), &now);
     let scene = match scene::read(&text) {
         Ok(scene) => scene.value,
         Err(f) => return vec![format!("refused: {f}\n{text}")],
@@ -145,7 +158,8 @@ fn faults(s: &Setting) -> Vec<String> {
 fn near_a_joint(s: &Setting) -> bool {
     let jerk = |t: f64| {
         let f = |k: f64| follower(s, t + k * H);
-        let second = |g: &dyn Fn(&Follower) -> f64| (g(&f(-1.0)) - 2.0 * g(&f(0.0)) + g(&f(1.0))) / (H * H);
+        let second =
+            |g: &dyn Fn(&Follower) -> f64| (g(&f(-1.0)) - 2.0 * g(&f(0.0)) + g(&f(1.0))) / (H * H);
         [second(&|f| f.point.x), second(&|f| f.point.y)]
     };
     let at: Vec<[f64; 2]> = [-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0].map(|k| jerk(k * H)).into();
@@ -160,7 +174,9 @@ fn every_follower_under_every_cam_on_every_link() {
         for profile in Profile::ALL {
             for swings in [false, true] {
                 for end in [End::Round(0.0), End::Round(9e-3), End::Round(25e-3), End::Flat] {
-                    if end == End::Flat && profile == Profile::Tangent || profile == Profile::Law && !seat.has_one_carrier() {
+                    if end == End::Flat && profile == Profile::Tangent
+                        || profile == Profile::Law && !seat.has_one_carrier()
+                    {
                         continue;
                     }
                     for by_lengths in [false, true] {
@@ -172,7 +188,14 @@ fn every_follower_under_every_cam_on_every_link() {
                         let mut faulty = Vec::new();
                         let mut here = 0;
                         for k in 0..9 {
-                            let s = Setting { seat, profile, swings, end, angle: 0.21 + 0.7 * f64::from(k), by_lengths };
+                            let s = Setting {
+                                seat,
+                                profile,
+                                swings,
+                                end,
+                                angle: 0.21 + 0.7 * f64::from(k),
+                                by_lengths,
+                            };
                             if near_a_joint(&s) || !follower(&s, 0.0).held.at.is_finite() {
                                 continue;
                             }
@@ -191,7 +214,10 @@ fn every_follower_under_every_cam_on_every_link() {
                             }
                         }
                         poses += here;
-                        assert!(here >= 1, "{seat:?} {profile:?} {swings} {end:?}: only {here} poses are clear of joints");
+                        assert!(
+                            here >= 1,
+                            "{seat:?} {profile:?} {swings} {end:?}: only {here} poses are clear of joints"
+                        );
                         tried += 1;
                         passed += usize::from(faulty.is_empty());
                         all.extend(faulty.into_iter().take(1));

@@ -23,7 +23,8 @@ pub enum Seat {
 }
 
 impl Seat {
-    pub const ALL: [Seat; 6] = [Seat::Ground, Seat::Arm, Seat::Still, Seat::CamOnArm, Seat::FollowerOnArm, Seat::TwoArms];
+    pub const ALL: [Seat; 6] =
+        [Seat::Ground, Seat::Arm, Seat::Still, Seat::CamOnArm, Seat::FollowerOnArm, Seat::TwoArms];
 
     pub fn has_one_carrier(self) -> bool {
         matches!(self, Seat::Ground | Seat::Arm | Seat::Still)
@@ -88,8 +89,12 @@ impl Frame {
 impl Setting {
     fn frame_of_cam(&self, t: f64) -> Frame {
         match self.seat {
-            Seat::Ground | Seat::Still | Seat::FollowerOnArm => Frame { origin: Vec2::ZERO, angle: 0.0 },
-            Seat::Arm | Seat::CamOnArm | Seat::TwoArms => Frame { origin: G, angle: turned(ARM, t) },
+            Seat::Ground | Seat::Still | Seat::FollowerOnArm => {
+                Frame { origin: Vec2::ZERO, angle: 0.0 }
+            }
+            Seat::Arm | Seat::CamOnArm | Seat::TwoArms => {
+                Frame { origin: G, angle: turned(ARM, t) }
+            }
         }
     }
 
@@ -138,7 +143,11 @@ impl Setting {
     /// The velocity of the cam's point at a place of the plane.
     pub fn cam_velocity(&self, at: Vec2) -> Vec2 {
         let (o, _) = self.cam(0.0);
-        let w4 = if matches!(self.seat, Seat::Arm | Seat::CamOnArm | Seat::TwoArms) { ARM[1] } else { 0.0 };
+        let w4 = if matches!(self.seat, Seat::Arm | Seat::CamOnArm | Seat::TwoArms) {
+            ARM[1]
+        } else {
+            0.0
+        };
         let w2 = if self.seat == Seat::Still { 0.0 } else { w4 + CAM[0] };
         let origin = self.frame_of_cam(0.0).origin;
         (o - origin).perp() * w4 + (at - o).perp() * w2
@@ -168,7 +177,9 @@ impl Setting {
         use std::f64::consts::TAU;
         let q = Vec2::new(0.035, 0.0);
         match self.profile {
-            Profile::Circle => vec![Piece::Arc { centre: Vec2::new(0.012, 0.0), radius: 0.03, from: 0.0, to: TAU }],
+            Profile::Circle => {
+                vec![Piece::Arc { centre: Vec2::new(0.012, 0.0), radius: 0.03, from: 0.0, to: TAU }]
+            }
             Profile::Tangent => {
                 let lean = ((0.030_f64 - 0.014) / 0.035).acos();
                 let n = [Vec2::from_angle(lean), Vec2::from_angle(-lean)];
@@ -193,7 +204,12 @@ impl Setting {
                 vec![
                     low,
                     high,
-                    Piece::Arc { centre: Vec2::ZERO, radius: 0.030, from: above[0], to: below[0] + TAU },
+                    Piece::Arc {
+                        centre: Vec2::ZERO,
+                        radius: 0.030,
+                        from: above[0],
+                        to: below[0] + TAU,
+                    },
                     Piece::Arc { centre: q, radius: 0.004, from: below[1], to: above[1] },
                 ]
             }
@@ -204,7 +220,10 @@ impl Setting {
     /// The follower moved by a law, in its carrier; the contact by differences of the relative
     /// motion.
     pub fn by_law(&self, t: f64) -> Held {
-        let lift = |phi: f64| Law.lift(phi.rem_euclid(std::f64::consts::TAU)) * if self.swings { 17.0_f64.to_radians() } else { 0.018 };
+        let lift = |phi: f64| {
+            Law.lift(phi.rem_euclid(std::f64::consts::TAU))
+                * if self.swings { 17.0_f64.to_radians() } else { 0.018 }
+        };
         let o = self.pivot_of_cam();
         let seat = self.seat_of_follower();
         let end = match self.end {
@@ -217,7 +236,9 @@ impl Setting {
             if self.swings {
                 let d = (seat - o).norm();
                 let rest = match end {
-                    Some(r) => ((d * d + REACH * REACH - (base + r).powi(2)) / (2.0 * d * REACH)).acos(),
+                    Some(r) => {
+                        ((d * d + REACH * REACH - (base + r).powi(2)) / (2.0 * d * REACH)).acos()
+                    }
                     None => (base / d).asin(),
                 };
                 let psi = (o - seat).angle() - rest - lift(phi);
@@ -238,7 +259,8 @@ impl Setting {
         let contact = match end {
             Some(r) => {
                 // Perpendicular to the path of the end in the cam, inward.
-                let way = in_cam(phi + step, at(phi + step).1) - in_cam(phi - step, at(phi - step).1);
+                let way =
+                    in_cam(phi + step, at(phi + step).1) - in_cam(phi - step, at(phi - step).1);
                 let n = way.unit().unwrap().perp();
                 let b = in_cam(phi, end_at);
                 b - n * r * n.dot(b).signum()
@@ -267,7 +289,8 @@ impl Setting {
 
     /// The scene in the pose at the instant.
     pub fn text(&self, find: &str, now: &Follower) -> String {
-        let posed = !self.seat.has_one_carrier() && self.profile != Profile::Circle && !self.by_lengths;
+        let posed =
+            !self.seat.has_one_carrier() && self.profile != Profile::Circle && !self.by_lengths;
         let (p, t) = (self.point_name(), if self.swings { "P" } else { "T" });
         let (cam, of_cam, of_follower) = match self.seat {
             Seat::Ground => ("2", "1", "1"),
@@ -282,7 +305,10 @@ impl Setting {
         let mut lengths: Vec<String> = Vec::new();
         let place = |name: &str, v: Vec2| format!("\"{name}\": [\"{:?} m\", \"{:?} m\"]", v.x, v.y);
         let local = |name: &str, base: &str, v: Vec2| {
-            format!("\"{name}\": {{\"base\": \"{base}\", \"x\": \"{:?} m\", \"y\": \"{:?} m\"}}", v.x, v.y)
+            format!(
+                "\"{name}\": {{\"base\": \"{base}\", \"x\": \"{:?} m\", \"y\": \"{:?} m\"}}",
+                v.x, v.y
+            )
         };
         // Arms.
         for (link, pivot, at, tip, arm) in [("4", "G", G, "H", ARM), ("5", "K", K, "L", OTHER)] {
@@ -328,7 +354,11 @@ impl Setting {
             _ => local(name, base(of_follower), self.seat_of_follower()),
         });
         // The cam.
-        let centre = if self.profile == Profile::Circle { Vec2::new(0.012, 0.0) } else { Vec2::new(0.035, 0.0) };
+        let centre = if self.profile == Profile::Circle {
+            Vec2::new(0.012, 0.0)
+        } else {
+            Vec2::new(0.035, 0.0)
+        };
         if self.seat == Seat::Still {
             links[0].1.push("Q");
             points.push(place("Q", centre));
@@ -354,7 +384,9 @@ impl Setting {
         }
         let guide = match of_follower {
             _ if self.swings => String::new(),
-            "1" => format!(r#""guides": [{{"pin": "B", "slider": "3", "on": "1", "through": "T", "angle": "{RISE:?} rad"}}],"#),
+            "1" => format!(
+                r#""guides": [{{"pin": "B", "slider": "3", "on": "1", "through": "T", "angle": "{RISE:?} rad"}}],"#
+            ),
             link => format!(
                 r#""guides": [{{"pin": "B", "slider": "3", "on": "{link}", "through": "T", "line": "{}", "angle": "{RISE:?} rad"}}],"#,
                 base(link)
@@ -362,10 +394,14 @@ impl Setting {
         };
         let end = match (self.end, self.swings) {
             (End::Round(0.0), _) => r#""edge": "B""#.to_owned(),
-            (End::Round(r), _) if r < 0.02 => format!(r#""roller": {{"pin": "B", "radius": "{r:?} m"}}"#),
+            (End::Round(r), _) if r < 0.02 => {
+                format!(r#""roller": {{"pin": "B", "radius": "{r:?} m"}}"#)
+            }
             (End::Round(r), _) => format!(r#""arc": {{"pin": "B", "radius": "{r:?} m"}}"#),
             (End::Flat, false) => r#""face": {}"#.to_owned(),
-            (End::Flat, true) => r#""face": {"through": "P", "line": "PW", "cam": "left"}"#.to_owned(),
+            (End::Flat, true) => {
+                r#""face": {"through": "P", "line": "PW", "cam": "left"}"#.to_owned()
+            }
         };
         let profile = match self.profile {
             Profile::Circle => r#"{"centre": "Q", "radius": "30 mm"}"#.to_owned(),
@@ -383,8 +419,11 @@ impl Setting {
             ),
         };
         let driver = |link: &str, against: &str, [angle, w, a]: [f64; 3]| {
-            let angle = if posed { String::new() } else { format!(r#""angle": "{angle:?} rad", "#) };
-            format!(r#"{{"link": "{link}", "against": "{against}", {angle}"omega": "{w:?} rad/s", "alpha": "{a:?} rad/s^2"}}"#)
+            let angle =
+                if posed { String::new() } else { format!(r#""angle": "{angle:?} rad", "#) };
+            format!(
+                r#"{{"link": "{link}", "against": "{against}", {angle}"omega": "{w:?} rad/s", "alpha": "{a:?} rad/s^2"}}"#
+            )
         };
         let cam_driver = [self.angle, CAM[0], CAM[1]];
         let mut drivers = Vec::new();
@@ -399,9 +438,16 @@ impl Setting {
                 }
             }
         }
-        let quoted = |names: &[&str]| names.iter().map(|n| format!("\"{n}\"")).collect::<Vec<_>>().join(", ");
-        let links: Vec<String> = links.iter().map(|(l, p)| format!("\"{l}\": [{}]", quoted(p))).collect();
-        let side = if self.swings && !posed && self.end != End::Flat { r#""side": {"B": "right of PO"},"# } else { "" };
+        let quoted = |names: &[&str]| {
+            names.iter().map(|n| format!("\"{n}\"")).collect::<Vec<_>>().join(", ")
+        };
+        let links: Vec<String> =
+            links.iter().map(|(l, p)| format!("\"{l}\": [{}]", quoted(p))).collect();
+        let side = if self.swings && !posed && self.end != End::Flat {
+            r#""side": {"B": "right of PO"},"#
+        } else {
+            ""
+        };
         let sketch = if self.swings && !posed && !self.by_lengths {
             format!(r#""sketch": {{"{p}": ["{:?} m", "{:?} m"]}},"#, now.point.x, now.point.y)
         } else {

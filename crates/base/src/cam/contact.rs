@@ -22,16 +22,30 @@ impl<N: Real> Disc<N> {
     /// contact there or not.
     pub(super) fn ends(&self, segment: &ProfileSegment<N>) -> Vec<N> {
         let turns: Vec<N> = match (segment, self.touch) {
-            (ProfileSegment::Arc { normals: [from, to], .. }, _) if (*to - *from).approx().abs() >= std::f64::consts::TAU => Vec::new(),
+            (ProfileSegment::Arc { normals: [from, to], .. }, _)
+                if (*to - *from).approx().abs() >= std::f64::consts::TAU =>
+            {
+                Vec::new()
+            }
             (ProfileSegment::Arc { centre, radius, normals }, FollowerTip::Point { radius: r }) => {
-                normals.iter().flat_map(|n| self.turns_to(*centre + Vec2::from_angle(*n) * (*radius + r))).collect()
+                normals
+                    .iter()
+                    .flat_map(|n| self.turns_to(*centre + Vec2::from_angle(*n) * (*radius + r)))
+                    .collect()
             }
             (ProfileSegment::Line { normal, distance, ends }, FollowerTip::Point { radius: r }) => {
                 let n = Vec2::from_angle(*normal);
-                ends.iter().flat_map(|t| self.turns_to(n * (*distance + r) + n.perp() * *t)).collect()
+                ends.iter()
+                    .flat_map(|t| self.turns_to(n * (*distance + r) + n.perp() * *t))
+                    .collect()
             }
             (ProfileSegment::Arc { centre, radius, normals }, FollowerTip::Flat { lever }) => {
-                normals.iter().flat_map(|n| self.turns_facing(*n, Vec2::from_angle(*n).dot(*centre) + *radius - lever)).collect()
+                normals
+                    .iter()
+                    .flat_map(|n| {
+                        self.turns_facing(*n, Vec2::from_angle(*n).dot(*centre) + *radius - lever)
+                    })
+                    .collect()
             }
             (ProfileSegment::Line { .. }, FollowerTip::Flat { .. }) => Vec::new(),
         };
@@ -91,7 +105,12 @@ impl Disc {
     /// Returns the angles at which the contact changes from one piece of the profile to another,
     /// from 0 on.
     pub(super) fn changes(&self, segments: &[ProfileSegment]) -> Vec<f64> {
-        let mut ends: Vec<f64> = segments.iter().flat_map(|s| self.ends(s)).filter(|phi| phi.is_finite()).map(in_turn).collect();
+        let mut ends: Vec<f64> = segments
+            .iter()
+            .flat_map(|s| self.ends(s))
+            .filter(|phi| phi.is_finite())
+            .map(in_turn)
+            .collect();
         ends.push(0.0);
         ends.sort_by(f64::total_cmp);
         ends.dedup_by(|a, b| (*a - *b).abs() < ONE_JOINT);

@@ -44,9 +44,13 @@ impl<N: Real> Follower<N> {
     /// of the guide.
     pub fn point(&self, q: CamJet<N>) -> Plane<N> {
         match *self {
-            Follower::Translating { direction, offset } => Plane::constant(direction.perp() * -offset) + Plane::constant(direction) * q,
+            Follower::Translating { direction, offset } => {
+                Plane::constant(direction.perp() * -offset) + Plane::constant(direction) * q
+            }
             Follower::Oscillating { pivot, arm, sense } => {
-                let u = Plane::direction(q.signed(sense) + CamJet::constant(Follower::centre_line(pivot)));
+                let u = Plane::direction(
+                    q.signed(sense) + CamJet::constant(Follower::centre_line(pivot)),
+                );
                 Plane::constant(pivot) + u * CamJet::constant(arm)
             }
         }
@@ -58,7 +62,9 @@ impl<N: Real> Follower<N> {
         match *self {
             Follower::Translating { direction, .. } => Plane::constant(direction),
             Follower::Oscillating { pivot, sense, .. } => {
-                Plane::direction(q.signed(sense) + CamJet::constant(Follower::centre_line(pivot))).perp().signed(sense)
+                Plane::direction(q.signed(sense) + CamJet::constant(Follower::centre_line(pivot)))
+                    .perp()
+                    .signed(sense)
             }
         }
     }
@@ -74,7 +80,10 @@ impl<N: Real> Follower<N> {
     /// Returns the coordinate at which the follower's point has a given distance from K; a negative
     /// distance means that K lies beyond it.
     pub(super) fn at_distance(&self, k: Plane<N>, distance: N) -> CamJet<N> {
-        let (square, way) = (CamJet::constant(distance * distance), if distance.approx() < 0.0 { -1.0 } else { 1.0 });
+        let (square, way) = (
+            CamJet::constant(distance * distance),
+            if distance.approx() < 0.0 { -1.0 } else { 1.0 },
+        );
         match *self {
             Follower::Translating { direction, offset } => {
                 let d = Plane::constant(direction);
@@ -85,7 +94,8 @@ impl<N: Real> Follower<N> {
                 let pk = k - Plane::constant(pivot);
                 let apart = pk.dot(pk);
                 let twice = N::from_f64(2.0) * arm;
-                let cosine = (apart + CamJet::constant(arm * arm) - square) * (apart.sqrt() * twice).recip();
+                let cosine =
+                    (apart + CamJet::constant(arm * arm) - square) * (apart.sqrt() * twice).recip();
                 let at = pk.angle() + cosine.arc_cosine().signed(sense * way);
                 Follower::from_centre_line(at, pivot, sense)
             }
@@ -96,7 +106,9 @@ impl<N: Real> Follower<N> {
     /// distance from K.
     pub(super) fn faced(&self, k: Plane<N>, distance: N, lever: N) -> CamJet<N> {
         match *self {
-            Follower::Translating { direction, .. } => k.dot(Plane::constant(direction)) + CamJet::constant(distance),
+            Follower::Translating { direction, .. } => {
+                k.dot(Plane::constant(direction)) + CamJet::constant(distance)
+            }
             Follower::Oscillating { pivot, sense, .. } => {
                 let pk = k - Plane::constant(pivot);
                 let sine = CamJet::constant(lever - distance) * pk.dot(pk).sqrt().recip();
@@ -111,7 +123,8 @@ impl<N: Real> Follower<N> {
         let n = Plane::direction(normal);
         match *self {
             Follower::Translating { direction, offset } => {
-                let (d, aside) = (Plane::constant(direction), Plane::constant(direction.perp() * -offset));
+                let (d, aside) =
+                    (Plane::constant(direction), Plane::constant(direction.perp() * -offset));
                 let slope = d.dot(n);
                 if slope.value().approx() <= 0.0 {
                     return CamJet::constant(N::from_f64(f64::NAN));
@@ -119,7 +132,8 @@ impl<N: Real> Follower<N> {
                 (CamJet::constant(distance) - aside.dot(n)) * slope.recip()
             }
             Follower::Oscillating { pivot, arm, sense } => {
-                let cosine = (CamJet::constant(distance) - Plane::constant(pivot).dot(n)) * (N::from_f64(1.0) / arm);
+                let cosine = (CamJet::constant(distance) - Plane::constant(pivot).dot(n))
+                    * (N::from_f64(1.0) / arm);
                 Follower::from_centre_line(normal - cosine.arc_cosine().signed(sense), pivot, sense)
             }
         }
@@ -136,7 +150,8 @@ impl<N: Real> Follower<N> {
 /// The end of the follower that touches the cam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FollowerTip<N = f64> {
-    /// A round end about the follower's point: a roller 滚子, an arc (mushroom), or with radius 0 a knife edge 尖顶.
+    /// A round end about the follower's point: a roller 滚子, an arc (mushroom), or with radius 0 a
+    /// knife edge 尖顶.
     Point {
         /// Radius (m).
         radius: N,
@@ -267,10 +282,11 @@ impl<N: Real> Disc<N> {
             (CamMotion::Law { base, program }, Branch::Stage(stage, piece)) => {
                 program.lift_in((stage, piece), phi)? + CamJet::constant(self.rest(*base))
             }
-            (CamMotion::Profile(segments), Branch::Piece(piece)) => {
-                segments.get(piece)?.coordinate(&self.follower, &self.touch, CamJet::variable(phi).signed(self.sense))
-            }
-            (CamMotion::Law { .. }, Branch::Piece(_)) | (CamMotion::Profile(_), Branch::Stage(..)) => return None,
+            (CamMotion::Profile(segments), Branch::Piece(piece)) => segments
+                .get(piece)?
+                .coordinate(&self.follower, &self.touch, CamJet::variable(phi).signed(self.sense)),
+            (CamMotion::Law { .. }, Branch::Piece(_))
+            | (CamMotion::Profile(_), Branch::Stage(..)) => return None,
         };
         q.0.iter().all(|x| x.is_decided()).then_some(q)
     }
@@ -278,7 +294,9 @@ impl<N: Real> Disc<N> {
     /// Returns the state at one angle, by the formula of a branch.
     pub fn station_on(&self, branch: Branch, phi: N) -> Option<CamStation<N>> {
         let station = self.station_of(self.coordinate_on(branch, phi)?, phi);
-        let (CamMotion::Profile(segments), Branch::Piece(piece)) = (&self.motion, branch) else { return Some(station) };
+        let (CamMotion::Profile(segments), Branch::Piece(piece)) = (&self.motion, branch) else {
+            return Some(station);
+        };
         // The curvature of a given profile is known and is not recomputed from the motion.
         let (rho, rho_slope) = (segments.get(piece)?.radius(), N::from_f64(0.0));
         let rho_pitch = match self.touch {
@@ -290,10 +308,11 @@ impl<N: Real> Disc<N> {
 
     fn station_of(&self, q: CamJet<N>, phi: N) -> CamStation<N> {
         let back = CamJet::variable(phi).signed(-self.sense);
-        let ContactGeometry { pitch, contact, normal, turning, rho, rho_pitch, rho_slope } = match self.touch {
-            FollowerTip::Point { radius } => self.round_end(q, back, radius),
-            FollowerTip::Flat { lever } => self.flat_end(q, back, lever),
-        };
+        let ContactGeometry { pitch, contact, normal, turning, rho, rho_pitch, rho_slope } =
+            match self.touch {
+                FollowerTip::Point { radius } => self.round_end(q, back, radius),
+                FollowerTip::Flat { lever } => self.flat_end(q, back, lever),
+            };
         let standing = CamJet::constant(back.value());
         let out = Plane::constant(self.follower.outward(q.value())).turned(standing).order(0);
         let against = |way: Vec2<N>| self.signed(way.cross(normal).atan2(way.dot(normal)));
@@ -313,7 +332,18 @@ impl<N: Real> Disc<N> {
             (FollowerTip::Point { .. }, _) => against(out),
         };
         let pressure_slope = self.signed(turning - self.normal_rate(q).value());
-        CamStation { phi, q, pitch, contact, normal, rho, rho_pitch, rho_slope, pressure, pressure_slope }
+        CamStation {
+            phi,
+            q,
+            pitch,
+            contact,
+            normal,
+            rho,
+            rho_pitch,
+            rho_slope,
+            pressure,
+            pressure_slope,
+        }
     }
 
     /// Computes the contact of a round end.
@@ -332,9 +362,18 @@ impl<N: Real> Disc<N> {
         let rho_pitch = square * speed / bend.value();
         // The pitch curve of a straight flank is straight too: its infinite radius is kept.
         let rho = if rho_pitch.is_decided() { rho_pitch - radius } else { rho_pitch };
-        let rho_slope = (N::from_f64(3.0) * speed * along.dot(across) - rho_pitch * bend.0[1]) / bend.value();
+        let rho_slope =
+            (N::from_f64(3.0) * speed * along.dot(across) - rho_pitch * bend.0[1]) / bend.value();
         let pitch = b.order(0);
-        ContactGeometry { pitch, contact: pitch - normal * radius, normal, turning: turn.value() / square, rho, rho_pitch, rho_slope }
+        ContactGeometry {
+            pitch,
+            contact: pitch - normal * radius,
+            normal,
+            turning: turn.value() / square,
+            rho,
+            rho_pitch,
+            rho_slope,
+        }
     }
 
     /// Computes the contact of a flat face.
@@ -344,7 +383,9 @@ impl<N: Real> Disc<N> {
         // direction of its normal in the cam.
         let distance = match self.follower {
             Follower::Translating { .. } => q,
-            Follower::Oscillating { pivot, .. } => m.dot(Plane::constant(pivot)) + CamJet::constant(lever),
+            Follower::Oscillating { pivot, .. } => {
+                m.dot(Plane::constant(pivot)) + CamJet::constant(lever)
+            }
         };
         let normal = m.turned(back);
         let rate = self.normal_rate(q);
@@ -354,10 +395,20 @@ impl<N: Real> Disc<N> {
         let contact = n * distance.value() + n.perp() * slope.value();
         let foot = match self.follower {
             Follower::Translating { .. } => self.follower.point(q).turned(back).order(0),
-            Follower::Oscillating { pivot, .. } => Plane::constant(pivot).turned(back).order(0) + n * lever,
+            Follower::Oscillating { pivot, .. } => {
+                Plane::constant(pivot).turned(back).order(0) + n * lever
+            }
         };
         let (rho, rho_slope) = (rho.0[0], rho.0[1]);
-        ContactGeometry { pitch: foot, contact, normal: n, turning: rate.value(), rho, rho_pitch: rho, rho_slope }
+        ContactGeometry {
+            pitch: foot,
+            contact,
+            normal: n,
+            turning: rate.value(),
+            rho,
+            rho_pitch: rho,
+            rho_slope,
+        }
     }
 
     /// Returns the rate at which a direction of the follower, the normal of its flat face, turns in
@@ -382,7 +433,8 @@ impl Disc {
         };
         // If the follower leaves its cam here, nothing is touched beside the pose on that side, but
         // a piece is touched in the pose.
-        self.farthest(segments, self.sense * beside).or_else(|| self.farthest(segments, self.sense * phi))
+        self.farthest(segments, self.sense * beside)
+            .or_else(|| self.farthest(segments, self.sense * phi))
     }
 
     /// Returns the piece that holds the follower farthest out when the cam is turned by `turn`
@@ -391,7 +443,10 @@ impl Disc {
         let mut best: Option<(usize, f64)> = None;
         for (i, segment) in segments.iter().enumerate() {
             let q = segment.coordinate(&self.follower, &self.touch, CamJet::constant(turn)).value();
-            if q.is_finite() && segment.holds(&self.follower, &self.touch, turn, q) && best.is_none_or(|b| q > b.1) {
+            if q.is_finite()
+                && segment.holds(&self.follower, &self.touch, turn, q)
+                && best.is_none_or(|b| q > b.1)
+            {
                 best = Some((i, q));
             }
         }
@@ -401,7 +456,9 @@ impl Disc {
     /// Returns the formula that applies at an angle; `None` if nothing is touched.
     pub fn branch(&self, phi: f64, side: PieceSide) -> Option<Branch> {
         match &self.motion {
-            CamMotion::Law { program, .. } => program.branch(phi, side).map(|(stage, piece)| Branch::Stage(stage, piece)),
+            CamMotion::Law { program, .. } => {
+                program.branch(phi, side).map(|(stage, piece)| Branch::Stage(stage, piece))
+            }
             CamMotion::Profile(_) => self.touched(phi, side).map(Branch::Piece),
         }
     }
@@ -413,7 +470,9 @@ impl Disc {
                 let q = program.lift(phi, side) + CamJet::constant(self.rest(*base));
                 q.0.iter().all(|x| x.is_finite()).then_some(q)
             }
-            CamMotion::Profile(_) => self.coordinate_on(Branch::Piece(self.touched(phi, side)?), phi),
+            CamMotion::Profile(_) => {
+                self.coordinate_on(Branch::Piece(self.touched(phi, side)?), phi)
+            }
         }
     }
 

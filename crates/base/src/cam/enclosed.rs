@@ -4,7 +4,10 @@
 use super::exact::{is_at, root};
 use super::survey::{least_base, sharpest};
 use super::turn::{DividedTurn, Peak};
-use super::{Branch, CamMotion, CamStation, Disc, ExactCam, Follower, FollowerTip, PieceSide, ProfileSegment, round};
+use super::{
+    Branch, CamMotion, CamStation, Disc, ExactCam, Follower, FollowerTip, PieceSide,
+    ProfileSegment, round,
+};
 use crate::number::Real;
 
 /// An extreme of a turn.
@@ -43,15 +46,25 @@ impl<N: Real> ExactCam<'_, N> {
             CamExtreme::Pressure(k) => {
                 let peak = survey.steepest[k]?;
                 // The rate is zero where a phase of the follower begins or ends.
-                let ends = survey.phases.iter().flat_map(|p| [p.from, p.to]).any(|end| is_at(end, peak.phi));
-                let slope: &dyn Fn(&CamStation<N>) -> N = if ends { &|s| s.q.0[1] } else { &|s| s.pressure_slope };
+                let ends = survey
+                    .phases
+                    .iter()
+                    .flat_map(|p| [p.from, p.to])
+                    .any(|end| is_at(end, peak.phi));
+                let slope: &dyn Fn(&CamStation<N>) -> N =
+                    if ends { &|s| s.q.0[1] } else { &|s| s.pressure_slope };
                 self.peak(peak, slope, &|s| s.pressure)
             }
             CamExtreme::Radius => self.peak(survey.sharpest?, &|s| s.rho_slope, &|s| s.rho_pitch),
         }
     }
 
-    fn peak(&self, peak: Peak, slope: &dyn Fn(&CamStation<N>) -> N, value: &dyn Fn(&CamStation<N>) -> N) -> Option<[N; 2]> {
+    fn peak(
+        &self,
+        peak: Peak,
+        slope: &dyn Fn(&CamStation<N>) -> N,
+        value: &dyn Fn(&CamStation<N>) -> N,
+    ) -> Option<[N; 2]> {
         let place = self.located(peak.phi, peak.side, slope)?;
         let station = self.disc.station_on(self.double.branch(peak.phi, peak.side)?, place)?;
         Some([place, value(&station)])
@@ -61,14 +74,23 @@ impl<N: Real> ExactCam<'_, N> {
     pub fn jump(&self, index: usize) -> Option<[N; 3]> {
         let jump = self.survey().jumps.get(index)?;
         let place = self.joint(jump.phi)?;
-        let on = |side: PieceSide| Some(self.disc.coordinate_on(self.double.branch(jump.phi, side)?, place)?.0[jump.shock.order()]);
+        let on = |side: PieceSide| {
+            Some(
+                self.disc.coordinate_on(self.double.branch(jump.phi, side)?, place)?.0
+                    [jump.shock.order()],
+            )
+        };
         Some([place, on(PieceSide::Before)?, on(PieceSide::After)?])
     }
 
     /// Returns the angle of the first contact with a hollow that is too narrow for the follower's
     /// end, and the radius of the hollow (negative).
     pub fn hollow(&self) -> Option<[N; 2]> {
-        let (CamMotion::Profile(segments), FollowerTip::Point { radius }) = (&self.disc.motion, self.disc.touch) else { return None };
+        let (CamMotion::Profile(segments), FollowerTip::Point { radius }) =
+            (&self.disc.motion, self.disc.touch)
+        else {
+            return None;
+        };
         let narrow = |rho: &N| rho.approx() < 0.0 && -rho.approx() <= radius.approx();
         let rho = segments.iter().map(ProfileSegment::radius).find(narrow)?;
         Some([self.located(self.survey().hollow?.0, PieceSide::After, &|s| s.rho_slope)?, rho])
@@ -81,9 +103,9 @@ impl<N: Real> ExactCam<'_, N> {
             CamMotion::Law { base, .. } => return Some(*base),
             CamMotion::Profile(segments) => segments,
         };
-        let near = round(self.double, SAMPLES)
-            .into_iter()
-            .filter_map(|(phi, side)| self.double.station(phi, side).map(|s| (s.contact.norm(), phi, side)));
+        let near = round(self.double, SAMPLES).into_iter().filter_map(|(phi, side)| {
+            self.double.station(phi, side).map(|s| (s.contact.norm(), phi, side))
+        });
         let (least, phi, side) = near.min_by(|a, b| a.0.total_cmp(&b.0))?;
         let Branch::Piece(piece) = self.double.branch(phi, side)? else { return None };
         // On the normal through the axis, or at an end of the piece.
@@ -93,10 +115,17 @@ impl<N: Real> ExactCam<'_, N> {
         };
         let (sum, difference) = (distance + radius, distance - radius);
         let all = [sum, -sum, difference, -difference].into_iter().filter(|x| x.approx() > 0.0);
-        let is = |x: &N| x.approx() <= least * (1.0 + 1e-12) && x.approx() >= least * (1.0 - BETWEEN_SAMPLES);
+        let is = |x: &N| {
+            x.approx() <= least * (1.0 + 1e-12) && x.approx() >= least * (1.0 - BETWEEN_SAMPLES)
+        };
         all.into_iter().find(is).or_else(|| {
             let branch = self.double.branch(phi, side)?;
-            Some(self.disc.station_on(branch, self.located(phi, side, &|s| s.q.0[1])?)?.contact.norm())
+            Some(
+                self.disc
+                    .station_on(branch, self.located(phi, side, &|s| s.q.0[1])?)?
+                    .contact
+                    .norm(),
+            )
         })
     }
 
@@ -123,8 +152,12 @@ impl<N: Real> ExactCam<'_, N> {
         let zero = N::from_f64(0.0);
         let (radius, reach) = match (self.disc.touch, self.disc.follower) {
             (FollowerTip::Flat { .. }, _) => (zero, None),
-            (FollowerTip::Point { radius }, Follower::Translating { offset, .. }) => (radius, Some(offset)),
-            (FollowerTip::Point { radius }, Follower::Oscillating { pivot, arm, .. }) => (radius, Some(pivot.norm() - arm)),
+            (FollowerTip::Point { radius }, Follower::Translating { offset, .. }) => {
+                (radius, Some(offset))
+            }
+            (FollowerTip::Point { radius }, Follower::Oscillating { pivot, arm, .. }) => {
+                (radius, Some(pivot.norm() - arm))
+            }
         };
         let reach = reach.map(|r| r.magnitude() - radius);
         if let Some(reach) = reach.filter(|r| (r.approx() - near).abs() <= BESIDE * near) {
@@ -134,8 +167,13 @@ impl<N: Real> ExactCam<'_, N> {
         let peak = sharpest(&double, &DividedTurn::of(&double))?;
         root(near, BESIDE * near, &|base| {
             let disc = with_base(&self.disc, base)?;
-            let place = ExactCam { disc: disc.clone(), ..*self }.located(peak.phi, peak.side, &|s| s.rho_slope)?;
-            Some(disc.station_on(self.double.branch(peak.phi, peak.side)?, place)?.rho_pitch - radius)
+            let place =
+                ExactCam { disc: disc.clone(), ..*self }
+                    .located(peak.phi, peak.side, &|s| s.rho_slope)?;
+            Some(
+                disc.station_on(self.double.branch(peak.phi, peak.side)?, place)?.rho_pitch
+                    - radius,
+            )
         })
     }
 }

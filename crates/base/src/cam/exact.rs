@@ -9,7 +9,10 @@
 
 use super::survey::FollowerPhase;
 use super::turn::Peak;
-use super::{Branch, CamMotion, CamStation, CamSurvey, Disc, FollowerTip, PieceSide, Surveyed, in_half_turns, whole_turns};
+use super::{
+    Branch, CamMotion, CamStation, CamSurvey, Disc, FollowerTip, PieceSide, Surveyed,
+    in_half_turns, whole_turns,
+};
 use crate::number::Real;
 use std::f64::consts::TAU;
 
@@ -49,7 +52,9 @@ impl<'a, N: Real> ExactCam<'a, N> {
     /// Returns the lift: the follower's coordinate less its value on the base circle.
     pub fn lift(&self, (near, side): (f64, PieceSide), phi: N) -> Option<N> {
         match (&self.disc.motion, self.double.branch(near, side)?) {
-            (CamMotion::Law { program, .. }, Branch::Stage(stage, piece)) => program.lift_in((stage, piece), phi).map(|s| s.value()),
+            (CamMotion::Law { program, .. }, Branch::Stage(stage, piece)) => {
+                program.lift_in((stage, piece), phi).map(|s| s.value())
+            }
             (_, branch) => Some(self.disc.coordinate_on(branch, phi)?.value() - self.end(0)?),
         }
     }
@@ -75,7 +80,8 @@ impl<'a, N: Real> ExactCam<'a, N> {
         // Double precision may take the ends of a phase in the wrong order if the profile hardly
         // lifts the follower.
         let of = |p: &FollowerPhase| {
-            Some(reversal(p.to, PieceSide::Before)? - reversal(p.from, PieceSide::After)?).filter(|a| a.approx() >= 0.0)
+            Some(reversal(p.to, PieceSide::Before)? - reversal(p.from, PieceSide::After)?)
+                .filter(|a| a.approx() >= 0.0)
         };
         self.survey().phases_of(way, out).try_fold(N::from_f64(0.0), |sum, p| Some(sum + of(p)?))
     }
@@ -96,7 +102,12 @@ impl<'a, N: Real> ExactCam<'a, N> {
 
     /// Returns the exact angle of a result of double precision: a joint, or the zero of a
     /// derivative.
-    pub(super) fn located(&self, phi: f64, side: PieceSide, slope: &dyn Fn(&CamStation<N>) -> N) -> Option<N> {
+    pub(super) fn located(
+        &self,
+        phi: f64,
+        side: PieceSide,
+        slope: &dyn Fn(&CamStation<N>) -> N,
+    ) -> Option<N> {
         if self.survey().corners.iter().any(|c| is_at(*c, phi)) {
             return self.joint(phi);
         }
@@ -114,14 +125,20 @@ impl<'a, N: Real> ExactCam<'a, N> {
     pub(super) fn joint(&self, phi: f64) -> Option<N> {
         let ends: Vec<N> = match &self.disc.motion {
             CamMotion::Law { program, .. } => program.corners(),
-            CamMotion::Profile(segments) => segments.iter().flat_map(|s| self.disc.ends(s)).collect(),
+            CamMotion::Profile(segments) => {
+                segments.iter().flat_map(|s| self.disc.ends(s)).collect()
+            }
         };
         let off = |x: &N| in_half_turns(x.approx() - phi).abs();
-        let end = ends.into_iter().filter(|x| x.is_decided() && off(x) <= THE_SAME).min_by(|a, b| off(a).total_cmp(&off(b)));
+        let end = ends
+            .into_iter()
+            .filter(|x| x.is_decided() && off(x) <= THE_SAME)
+            .min_by(|a, b| off(a).total_cmp(&off(b)));
         if let Some(x) = end {
             return Some(x - whole_turns(libm::rint((x.approx() - phi) / TAU)));
         }
-        let [before, after] = [PieceSide::Before, PieceSide::After].map(|side| self.double.branch(phi, side));
+        let [before, after] =
+            [PieceSide::Before, PieceSide::After].map(|side| self.double.branch(phi, side));
         let (before, after) = (before?, after?);
         let of = |branch: Branch, x: N| self.disc.coordinate_on(branch, x).map(|q| q.value());
         root(phi, STEP, &|x| Some(of(before, x)? - of(after, x)?))
@@ -173,7 +190,10 @@ pub(super) fn root<N: Real>(near: f64, step: f64, f: &dyn Fn(N) -> Option<N>) ->
     while r <= step {
         let [low, high] = [-r, r].map(|r| f(b + N::from_f64(r)));
         let (low, high) = (low?, high?);
-        if is_surely_nonzero(low) && is_surely_nonzero(high) && low.approx().signum() != high.approx().signum() {
+        if is_surely_nonzero(low)
+            && is_surely_nonzero(high)
+            && low.approx().signum() != high.approx().signum()
+        {
             return Some(b.widened(r));
         }
         r *= 4.0;

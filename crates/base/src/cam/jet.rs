@@ -31,7 +31,12 @@ impl<N: Real> CamJet<N> {
     fn of(self, g: [N; 4]) -> Self {
         let [_, a, b, c] = self.0;
         let three = N::from_f64(3.0);
-        CamJet([g[0], g[1] * a, g[2] * a * a + g[1] * b, g[3] * a * a * a + three * g[2] * a * b + g[1] * c])
+        CamJet([
+            g[0],
+            g[1] * a,
+            g[2] * a * a + g[1] * b,
+            g[3] * a * a * a + three * g[2] * a * b + g[1] * c,
+        ])
     }
 
     /// Returns the square root; undecided if it does not exist.
@@ -113,7 +118,12 @@ impl<N: Real> Mul for CamJet<N> {
     fn mul(self, other: Self) -> Self {
         let ([a, a1, a2, a3], [b, b1, b2, b3]) = (self.0, other.0);
         let [two, three] = [2.0, 3.0].map(N::from_f64);
-        CamJet([a * b, a1 * b + a * b1, a2 * b + two * a1 * b1 + a * b2, a3 * b + three * (a2 * b1 + a1 * b2) + a * b3])
+        CamJet([
+            a * b,
+            a1 * b + a * b1,
+            a2 * b + two * a1 * b1 + a * b2,
+            a3 * b + three * (a2 * b1 + a1 * b2) + a * b3,
+        ])
     }
 }
 
@@ -218,7 +228,11 @@ mod tests {
         let [low, here, high] = [x - h, x, x + h].map(|x| f(CamJet::variable(x)));
         for k in 0..3 {
             let slope = (high.0[k] - low.0[k]) / (2.0 * h);
-            assert!((slope - here.0[k + 1]).abs() < 1e-7 * (1.0 + slope.abs()), "{k}: {slope} {}", here.0[k + 1]);
+            assert!(
+                (slope - here.0[k + 1]).abs() < 1e-7 * (1.0 + slope.abs()),
+                "{k}: {slope} {}",
+                here.0[k + 1]
+            );
         }
     }
 

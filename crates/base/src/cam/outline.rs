@@ -51,7 +51,12 @@ impl<N: Real> ProfileSegment<N> {
 
     /// Returns the follower's coordinate (see [`super::Disc`]) in contact with this piece, with the
     /// cam turned by `turn`; undecided if no contact is possible.
-    pub fn coordinate(&self, follower: &Follower<N>, touch: &FollowerTip<N>, turn: CamJet<N>) -> CamJet<N> {
+    pub fn coordinate(
+        &self,
+        follower: &Follower<N>,
+        touch: &FollowerTip<N>,
+        turn: CamJet<N>,
+    ) -> CamJet<N> {
         let nothing = || CamJet::constant(N::from_f64(f64::NAN));
         match (self, *touch) {
             (ProfileSegment::Arc { centre, radius, .. }, FollowerTip::Point { radius: r }) => {
@@ -75,7 +80,13 @@ impl<N: Real> ProfileSegment<N> {
 
 impl ProfileSegment {
     /// Returns true if the follower at this coordinate touches within the piece.
-    pub fn holds(&self, follower: &Follower, touch: &FollowerTip, turn: f64, coordinate: f64) -> bool {
+    pub fn holds(
+        &self,
+        follower: &Follower,
+        touch: &FollowerTip,
+        turn: f64,
+        coordinate: f64,
+    ) -> bool {
         let back = CamJet::constant(-turn);
         let q = CamJet::constant(coordinate);
         match *touch {
@@ -150,7 +161,9 @@ impl ProfileSegment {
         match self {
             ProfileSegment::Arc { normals: [from, to], .. } => {
                 let (low, high) = (from.min(*to), from.max(*to));
-                high - low >= TAU - ON || in_half_turns(direction - 0.5 * (low + high)).abs() <= 0.5 * (high - low) + ON
+                high - low >= TAU - ON
+                    || in_half_turns(direction - 0.5 * (low + high)).abs()
+                        <= 0.5 * (high - low) + ON
             }
             ProfileSegment::Line { .. } => false,
         }
@@ -162,7 +175,9 @@ impl ProfileSegment {
         match *self {
             ProfileSegment::Arc { centre, radius, normals: [from, to] } => {
                 let count = libm::ceil((to - from).abs() / most).max(1.0) as usize;
-                let at = |k: usize| centre + Vec2::from_angle(from + (to - from) * k as f64 / count as f64) * radius;
+                let at = |k: usize| {
+                    centre + Vec2::from_angle(from + (to - from) * k as f64 / count as f64) * radius
+                };
                 (0..=count).map(at).collect()
             }
             ProfileSegment::Line { normal, distance, ends } => {
@@ -204,7 +219,11 @@ pub enum Broken {
 pub fn segments<N: Real>(parts: &[ProfilePart<N>]) -> Result<Vec<ProfileSegment<N>>, Broken> {
     let n = parts.len();
     if let [ProfilePart::Circle(centre, radius)] = parts {
-        return Ok(vec![ProfileSegment::Arc { centre: *centre, radius: *radius, normals: [N::from_f64(0.0), whole_turns(1.0)] }]);
+        return Ok(vec![ProfileSegment::Arc {
+            centre: *centre,
+            radius: *radius,
+            normals: [N::from_f64(0.0), whole_turns(1.0)],
+        }]);
     }
     let circle = |i: usize| match parts[i % n] {
         ProfilePart::Circle(c, r) => Some((c, r)),
@@ -227,7 +246,8 @@ pub fn segments<N: Real>(parts: &[ProfilePart<N>]) -> Result<Vec<ProfileSegment<
             }
             ProfilePart::Tangent | ProfilePart::Flank(_) => {
                 let before = (i + n - 1) % n;
-                let ((a, ra), (b, rb)) = circle(before).zip(circle(next)).ok_or(Broken::NoNeighbour(i))?;
+                let ((a, ra), (b, rb)) =
+                    circle(before).zip(circle(next)).ok_or(Broken::NoNeighbour(i))?;
                 let (segment, from, to) = match parts[i] {
                     ProfilePart::Flank(radius) => flank(a, ra, b, rb, radius),
                     ProfilePart::Tangent | ProfilePart::Circle(..) => tangent(a, ra, b, rb),
@@ -241,7 +261,11 @@ pub fn segments<N: Real>(parts: &[ProfilePart<N>]) -> Result<Vec<ProfileSegment<
         ProfilePart::Circle(centre, radius) => {
             let [from, to] = ends[i];
             // Counter-clockwise, less than a turn.
-            Some(ProfileSegment::Arc { centre, radius, normals: [from, from + counter_clockwise(to - from)] })
+            Some(ProfileSegment::Arc {
+                centre,
+                radius,
+                normals: [from, from + counter_clockwise(to - from)],
+            })
         }
         ProfilePart::Tangent | ProfilePart::Flank(_) => made[i],
     };
@@ -265,12 +289,26 @@ fn tangent<N: Real>(a: Vec2<N>, ra: N, b: Vec2<N>, rb: N) -> Option<(ProfileSegm
     let normal = way.angle() - CamJet::constant(cosine).arc_cosine().value();
     let n = Vec2::from_angle(normal);
     let along = n.perp();
-    Some((ProfileSegment::Line { normal, distance: a.dot(n) + ra, ends: [a.dot(along), b.dot(along)] }, normal, normal))
+    Some((
+        ProfileSegment::Line {
+            normal,
+            distance: a.dot(n) + ra,
+            ends: [a.dot(along), b.dot(along)],
+        },
+        normal,
+        normal,
+    ))
 }
 
 /// Returns an arc of a radius that touches two circles on the right of the direction from one
 /// centre to the other.
-fn flank<N: Real>(a: Vec2<N>, ra: N, b: Vec2<N>, rb: N, radius: N) -> Option<(ProfileSegment<N>, N, N)> {
+fn flank<N: Real>(
+    a: Vec2<N>,
+    ra: N,
+    b: Vec2<N>,
+    rb: N,
+    radius: N,
+) -> Option<(ProfileSegment<N>, N, N)> {
     let way = b - a;
     let (d, la, lb) = (way.norm(), radius - ra, radius - rb);
     let foot = (d * d + la * la - lb * lb) / (N::from_f64(2.0) * d);
@@ -289,7 +327,11 @@ fn flank<N: Real>(a: Vec2<N>, ra: N, b: Vec2<N>, rb: N, radius: N) -> Option<(Pr
         return None;
     }
     let (from, to) = (normal(a), normal(b));
-    Some((ProfileSegment::Arc { centre, radius, normals: [from, from + in_half_turns(to - from)] }, from, to))
+    Some((
+        ProfileSegment::Arc { centre, radius, normals: [from, from + in_half_turns(to - from)] },
+        from,
+        to,
+    ))
 }
 
 /// Returns the directions of the normals of two circles at their intersection on the right of the
@@ -305,6 +347,7 @@ fn crossing<N: Real>(a: Vec2<N>, ra: N, b: Vec2<N>, rb: N) -> Option<[N; 2]> {
     }
     let u = way * (N::from_f64(1.0) / d);
     let at = a + u * foot - u.perp() * square.sqrt_or_zero();
-    let direction = |of: Vec2<N>, r: N| if r.approx() > 0.0 { (at - of).angle() } else { way.angle() };
+    let direction =
+        |of: Vec2<N>, r: N| if r.approx() > 0.0 { (at - of).angle() } else { way.angle() };
     Some([direction(a, ra), direction(b, rb)])
 }

@@ -101,7 +101,13 @@ impl<N: Real> StageProgram<N> {
         for (stage, start) in self.stages.iter().zip(self.joints()) {
             out.push(start);
             let pieces = stage.law().map_or(&[][..], MotionLaw::pieces);
-            out.extend(pieces.iter().map(|p| p.end).filter(|e| *e < 1.0).map(|e| start + N::from_f64(e) * stage.over));
+            out.extend(
+                pieces
+                    .iter()
+                    .map(|p| p.end)
+                    .filter(|e| *e < 1.0)
+                    .map(|e| start + N::from_f64(e) * stage.over),
+            );
         }
         out
     }
@@ -119,7 +125,9 @@ impl<N: Real> StageProgram<N> {
     /// not count. The piece of a dwell is 0.
     pub fn lift_in(&self, (stage, piece): (usize, usize), phi: N) -> Option<CamJet<N>> {
         let before = self.stages.get(..stage)?;
-        let [start, lift] = before.iter().fold([N::from_f64(0.0); 2], |[at, lift], s| [at + s.over, lift + s.gain()]);
+        let [start, lift] = before
+            .iter()
+            .fold([N::from_f64(0.0); 2], |[at, lift], s| [at + s.over, lift + s.gain()]);
         let stage = &self.stages[stage];
         let Some(law) = stage.law() else { return Some(CamJet::constant(lift)) };
         let from_start = phi - start;
@@ -148,8 +156,14 @@ impl StageProgram {
     /// Returns, for each stage, true if the last motion before it goes out: a dwell after a rise is
     /// the outer dwell.
     pub fn outer(&self) -> Vec<bool> {
-        let behind =
-            |k: usize| self.stages[..k].iter().rev().chain(self.stages[k..].iter().rev()).map(Stage::gain).find(|gain| *gain != 0.0);
+        let behind = |k: usize| {
+            self.stages[..k]
+                .iter()
+                .rev()
+                .chain(self.stages[k..].iter().rev())
+                .map(Stage::gain)
+                .find(|gain| *gain != 0.0)
+        };
         (0..self.stages.len()).map(|k| behind(k).is_some_and(|gain| gain > 0.0)).collect()
     }
 
@@ -179,7 +193,8 @@ impl StageProgram {
         let Some(law) = stage.law() else { return CamJet::constant(lift) };
         let x = stage.part(start, phi, side);
         // Rounding may miss a joint inside a law: an x close to the joint is set to it.
-        let near = law.pieces().iter().map(|p| p.end).find(|e| (e - x).abs() * stage.over < ONE_PLACE);
+        let near =
+            law.pieces().iter().map(|p| p.end).find(|e| (e - x).abs() * stage.over < ONE_PLACE);
         stage.lifted(CamJet(law.at(near.unwrap_or(x), side)), lift)
     }
 
@@ -189,7 +204,8 @@ impl StageProgram {
         let stage = &self.stages[i];
         let Some(law) = stage.law() else { return Some((i, 0)) };
         let x = stage.part(start, phi, side);
-        let near = law.pieces().iter().map(|p| p.end).find(|e| (e - x).abs() * stage.over < ONE_PLACE);
+        let near =
+            law.pieces().iter().map(|p| p.end).find(|e| (e - x).abs() * stage.over < ONE_PLACE);
         Some((i, law.place(near.unwrap_or(x), side == PieceSide::Before)))
     }
 }
@@ -254,12 +270,17 @@ mod tests {
         let s = |phi: f64| p.lift(deg(phi), PieceSide::After).0;
         // Case cam-law-offset-roller at 70°, 5 rad/s, 3 rad/s².
         let [s70, d, dd, _] = s(70.0);
-        for (got, exact) in [(s70, 13.258_216_097_585_6), (5.0 * d, 89.096_150_084_203_0), (25.0 * dd + 3.0 * d, -304.640_931_906_243)] {
+        for (got, exact) in [
+            (s70, 13.258_216_097_585_6),
+            (5.0 * d, 89.096_150_084_203_0),
+            (25.0 * dd + 3.0 * d, -304.640_931_906_243),
+        ] {
             assert!((got - exact).abs() < 1e-11 * exact.abs(), "{got} {exact}");
         }
         assert_eq!((s(150.0)[0], s(350.0)[0], s(-10.0)[0]), (20.0, 0.0, 0.0));
         assert!((s(240.0)[0] - 10.0).abs() < 1e-12 && s(240.0)[1] < 0.0);
-        let [before, after] = [PieceSide::Before, PieceSide::After].map(|side| p.lift(deg(180.0), side).0[2]);
+        let [before, after] =
+            [PieceSide::Before, PieceSide::After].map(|side| p.lift(deg(180.0), side).0[2]);
         assert!(before == 0.0 && after < -20.0, "{before} {after}");
         assert_eq!((p.corners().len(), p.stroke()), (4, 20.0));
         assert_eq!(p.outer(), [false, true, true, false]);

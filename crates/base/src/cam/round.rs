@@ -9,11 +9,17 @@ pub fn round(disc: &Disc, steps: usize) -> Vec<(f64, PieceSide)> {
     let corners = disc.corners();
     // A step that coincides with a joint within rounding is the joint.
     let apart = |phi: f64| corners.iter().all(|c| (c - phi).abs() > 1e-7);
-    let even =
-        (0..steps).map(|k| tau * k as f64 / steps as f64).filter(|phi| *phi == 0.0 || apart(*phi)).map(|phi| (phi, PieceSide::After));
-    let joints = corners.iter().flat_map(|phi| [(*phi, PieceSide::Before), (*phi, PieceSide::After)]);
-    let mut all: Vec<(f64, PieceSide)> = even.chain(joints).chain([(tau, PieceSide::Before)]).collect();
-    all.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1 == PieceSide::After).cmp(&(b.1 == PieceSide::After))));
+    let even = (0..steps)
+        .map(|k| tau * k as f64 / steps as f64)
+        .filter(|phi| *phi == 0.0 || apart(*phi))
+        .map(|phi| (phi, PieceSide::After));
+    let joints =
+        corners.iter().flat_map(|phi| [(*phi, PieceSide::Before), (*phi, PieceSide::After)]);
+    let mut all: Vec<(f64, PieceSide)> =
+        even.chain(joints).chain([(tau, PieceSide::Before)]).collect();
+    all.sort_by(|a, b| {
+        a.0.total_cmp(&b.0).then((a.1 == PieceSide::After).cmp(&(b.1 == PieceSide::After)))
+    });
     all.dedup_by(|a, b| a.1 == b.1 && (a.0 - b.0).abs() < 1e-9);
     // The turn begins after its start and ends before it.
     let outside = |(phi, side): &(f64, PieceSide)| match side {
@@ -32,9 +38,11 @@ impl Disc {
                 let most = std::f64::consts::TAU / steps as f64;
                 segments.iter().flat_map(|s| s.points(most)).collect()
             }
-            CamMotion::Law { .. } => {
-                round(self, steps).into_iter().filter_map(|(phi, side)| self.station(phi, side)).map(|s| s.contact).collect()
-            }
+            CamMotion::Law { .. } => round(self, steps)
+                .into_iter()
+                .filter_map(|(phi, side)| self.station(phi, side))
+                .map(|s| s.contact)
+                .collect(),
         }
     }
 
@@ -44,7 +52,8 @@ impl Disc {
         match &self.motion {
             CamMotion::Law { base, .. } => *base,
             CamMotion::Profile(_) => {
-                let near = round(self, 720).into_iter().filter_map(|(phi, side)| self.station(phi, side));
+                let near =
+                    round(self, 720).into_iter().filter_map(|(phi, side)| self.station(phi, side));
                 near.map(|s| s.contact.norm()).fold(f64::INFINITY, f64::min)
             }
         }

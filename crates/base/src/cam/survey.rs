@@ -130,14 +130,18 @@ impl CamSurvey {
         let turn = DividedTurn::of(disc);
         let lift = |phi: f64, side: PieceSide| disc.coordinate(phi, side);
         let samples: Vec<(f64, PieceSide)> = turn.spans.iter().flat_map(|s| sampled(*s)).collect();
-        let known: Vec<CamStation> = samples.iter().filter_map(|(phi, side)| disc.station(*phi, *side)).collect();
-        if let Some((phi, _)) = samples.iter().find(|(phi, side)| disc.station(*phi, *side).is_none()) {
+        let known: Vec<CamStation> =
+            samples.iter().filter_map(|(phi, side)| disc.station(*phi, *side)).collect();
+        if let Some((phi, _)) =
+            samples.iter().find(|(phi, side)| disc.station(*phi, *side).is_none())
+        {
             faults.push(Fault::NoContact { phi: *phi });
         }
         let most = |k: usize| known.iter().fold(0.0f64, |m, s| m.max(s.q.0[k].abs()));
         let (v_most, a_most) = (most(1), most(2));
         let peak = |k: usize, sign: f64| {
-            let found = turn.best(|phi, side| lift(phi, side).map(|q| [sign * q.0[k], sign * q.0[k + 1]]))?;
+            let found =
+                turn.best(|phi, side| lift(phi, side).map(|q| [sign * q.0[k], sign * q.0[k + 1]]))?;
             Some(Peak { value: sign * found.value, ..found })
         };
         let fastest = [1, 2].map(|k| [-1.0, 1.0].map(|sign| peak(k, sign)));
@@ -152,11 +156,14 @@ impl CamSurvey {
         let phases = phases(disc, &known, &turn.spans, v_most);
         let steepest = [1, -1].map(|way| match disc.touch {
             FollowerTip::Flat { .. } => None,
-            FollowerTip::Point { .. } => greatest_pressure(disc, &turn, phases.iter().filter(|p| p.way == way)),
+            FollowerTip::Point { .. } => {
+                greatest_pressure(disc, &turn, phases.iter().filter(|p| p.way == way))
+            }
         });
         let sharpest = sharpest(disc, &turn);
         let of_hollow = |s: CamStation| Some([s.rho_pitch, s.rho_slope]).filter(|r| r[0] < 0.0);
-        let hollow = turn.best(|phi, side| disc.station(phi, side).and_then(of_hollow)).map(Peak::extreme);
+        let hollow =
+            turn.best(|phi, side| disc.station(phi, side).and_then(of_hollow)).map(Peak::extreme);
         let mut survey = CamSurvey {
             rest,
             stroke: high - rest,
@@ -183,12 +190,23 @@ impl CamSurvey {
     pub fn lift(&self, disc: &Disc, phi: f64, side: PieceSide) -> Option<[f64; 4]> {
         let mut q = disc.coordinate(phi, side)?.0;
         let (lift, rounding) = match &disc.motion {
-            CamMotion::Law { program, .. } => (program.lift(phi, side).value(), ROUNDING * self.stroke),
-            CamMotion::Profile(_) => (q[0] - self.rest, ROUNDING * self.rest.abs().max(self.stroke)),
+            CamMotion::Law { program, .. } => {
+                (program.lift(phi, side).value(), ROUNDING * self.stroke)
+            }
+            CamMotion::Profile(_) => {
+                (q[0] - self.rest, ROUNDING * self.rest.abs().max(self.stroke))
+            }
         };
         q[0] = lift;
-        let most = [rounding, ROUNDING * self.greatest(&self.velocity), ROUNDING * self.greatest(&self.acceleration)];
-        q.iter_mut().zip(most).filter(|(x, rounding)| x.abs() <= *rounding).for_each(|(x, _)| *x = 0.0);
+        let most = [
+            rounding,
+            ROUNDING * self.greatest(&self.velocity),
+            ROUNDING * self.greatest(&self.acceleration),
+        ];
+        q.iter_mut()
+            .zip(most)
+            .filter(|(x, rounding)| x.abs() <= *rounding)
+            .for_each(|(x, _)| *x = 0.0);
         Some(q)
     }
 
@@ -212,7 +230,10 @@ impl CamSurvey {
             }
             FollowerTip::Point { radius } => {
                 if let CamMotion::Profile(segments) = &disc.motion
-                    && let Some(rho) = segments.iter().map(super::ProfileSegment::radius).find(|rho| *rho < 0.0 && -rho <= radius)
+                    && let Some(rho) = segments
+                        .iter()
+                        .map(super::ProfileSegment::radius)
+                        .find(|rho| *rho < 0.0 && -rho <= radius)
                 {
                     let phi = self.hollow.map_or(0.0, |h| h.0);
                     self.faults.push(Fault::RollerTooLarge { phi, rho });
@@ -220,7 +241,8 @@ impl CamSurvey {
             }
             FollowerTip::Flat { .. } => {}
         }
-        // 孙桓: [α] = 30° for a translating follower, 45° for an oscillating one, 70° to 80° on the return.
+        // 孙桓: [α] = 30° for a translating follower, 45° for an oscillating one, 70° to 80° on the
+        // return.
         let out = match disc.follower {
             super::Follower::Translating { .. } => 30.0f64,
             super::Follower::Oscillating { .. } => 45.0,
@@ -246,10 +268,20 @@ impl CamSurvey {
 
 /// Returns the pressure angle of the greatest magnitude in some phases; the start and the end of a
 /// phase belong to it.
-fn greatest_pressure<'p>(disc: &Disc, turn: &DividedTurn, phases: impl Iterator<Item = &'p FollowerPhase>) -> Option<Peak> {
+fn greatest_pressure<'p>(
+    disc: &Disc,
+    turn: &DividedTurn,
+    phases: impl Iterator<Item = &'p FollowerPhase>,
+) -> Option<Peak> {
     let cut = |p: &FollowerPhase| {
         let within = |c: &f64| *c > p.from + 1e-10 && *c < p.to - 1e-10;
-        let mut at: Vec<f64> = turn.corners.iter().flat_map(|c| [*c, c + TAU]).filter(within).chain([p.from, p.to]).collect();
+        let mut at: Vec<f64> = turn
+            .corners
+            .iter()
+            .flat_map(|c| [*c, c + TAU])
+            .filter(within)
+            .chain([p.from, p.to])
+            .collect();
         at.sort_by(f64::total_cmp);
         at.windows(2).map(|w| [w[0], w[1]]).collect::<Vec<_>>()
     };
@@ -265,7 +297,9 @@ fn greatest_pressure<'p>(disc: &Disc, turn: &DividedTurn, phases: impl Iterator<
 /// profile for a flat face.
 pub(super) fn sharpest(disc: &Disc, turn: &DividedTurn) -> Option<Peak> {
     let of = |s: CamStation| match disc.touch {
-        FollowerTip::Point { .. } => Some([-s.rho_pitch, -s.rho_slope]).filter(|r| r[0].is_finite() && r[0] < 0.0),
+        FollowerTip::Point { .. } => {
+            Some([-s.rho_pitch, -s.rho_slope]).filter(|r| r[0].is_finite() && r[0] < 0.0)
+        }
         FollowerTip::Flat { .. } => Some([-s.rho_pitch, -s.rho_slope]).filter(|r| r[0].is_finite()),
     };
     let found = turn.best(|phi, side| disc.station(phi, side).and_then(of))?;
@@ -277,7 +311,10 @@ pub(super) fn sharpest(disc: &Disc, turn: &DividedTurn) -> Option<Peak> {
 /// undercut.
 pub fn least_base(disc: &Disc) -> Option<f64> {
     let CamMotion::Law { base, program } = &disc.motion else { return None };
-    let with = |base: f64| Disc { motion: CamMotion::Law { base, program: program.clone() }, ..disc.clone() };
+    let with = |base: f64| Disc {
+        motion: CamMotion::Law { base, program: program.clone() },
+        ..disc.clone()
+    };
     let good = |base: f64| {
         let disc = with(base);
         let least = match disc.touch {
@@ -328,9 +365,15 @@ fn jumps(disc: &Disc, corners: &[f64], most: [f64; 2]) -> Vec<Jump> {
 }
 
 /// Returns rises, dwells and returns, in order from the first rise.
-fn phases(disc: &Disc, known: &[CamStation], spans: &[[f64; 2]], v_most: f64) -> Vec<FollowerPhase> {
+fn phases(
+    disc: &Disc,
+    known: &[CamStation],
+    spans: &[[f64; 2]],
+    v_most: f64,
+) -> Vec<FollowerPhase> {
     let mut out: Vec<FollowerPhase> = Vec::new();
-    let way = |s: &CamStation| if s.q.0[1].abs() <= JUMP * v_most { 0 } else { s.q.0[1].signum() as i8 };
+    let way =
+        |s: &CamStation| if s.q.0[1].abs() <= JUMP * v_most { 0 } else { s.q.0[1].signum() as i8 };
     for window in known.windows(2) {
         let [a, b] = window else { continue };
         if b.phi <= a.phi {
@@ -339,14 +382,21 @@ fn phases(disc: &Disc, known: &[CamStation], spans: &[[f64; 2]], v_most: f64) ->
         // The middle of the step determines the direction: at its ends the follower may rest for an
         // instant.
         let rate = 0.5 * (b.q.value() - a.q.value()) / (b.phi - a.phi);
-        let here = if rate.abs() <= 0.1 * JUMP * v_most && way(a) == 0 && way(b) == 0 { 0 } else { rate.signum() as i8 };
+        let here = if rate.abs() <= 0.1 * JUMP * v_most && way(a) == 0 && way(b) == 0 {
+            0
+        } else {
+            rate.signum() as i8
+        };
         match out.last_mut() {
             Some(last) if last.way == here => last.to = b.phi,
             _ => out.push(FollowerPhase { way: here, from: a.phi, to: b.phi, out: false }),
         }
     }
     // A phase across the start of the turn.
-    if out.len() > 1 && out[0].way == out[out.len() - 1].way && (spans[0][0] + TAU - out[out.len() - 1].to).abs() < 1e-9 {
+    if out.len() > 1
+        && out[0].way == out[out.len() - 1].way
+        && (spans[0][0] + TAU - out[out.len() - 1].to).abs() < 1e-9
+    {
         let last = out.pop().unwrap_or(out[0]);
         out[0].from = last.from - TAU;
     }
@@ -376,10 +426,13 @@ fn phases(disc: &Disc, known: &[CamStation], spans: &[[f64; 2]], v_most: f64) ->
 
 /// Returns the zero of the velocity next to an angle, between the surrounding samples.
 fn turning(disc: &Disc, known: &[CamStation], near: f64) -> f64 {
-    let around = known.windows(2).filter(|w| w[1].phi > w[0].phi && w[0].q.0[1] * w[1].q.0[1] <= 0.0);
+    let around =
+        known.windows(2).filter(|w| w[1].phi > w[0].phi && w[0].q.0[1] * w[1].q.0[1] <= 0.0);
     let closest = around.min_by(|a, b| (a[0].phi - near).abs().total_cmp(&(b[0].phi - near).abs()));
     closest.map_or(near, |w| {
         let sign = if w[0].q.0[1] > 0.0 || w[1].q.0[1] < 0.0 { 1.0 } else { -1.0 };
-        zero([w[0].phi, w[1].phi], |phi| disc.coordinate(phi, PieceSide::After).map(|q| sign * q.0[1]))
+        zero([w[0].phi, w[1].phi], |phi| {
+            disc.coordinate(phi, PieceSide::After).map(|q| sign * q.0[1])
+        })
     })
 }

@@ -14,7 +14,9 @@ fn near(got: f64, exact: f64, what: &str) {
 }
 
 fn program(stages: &[(StageMotion, f64)]) -> StageProgram {
-    StageProgram { stages: stages.iter().map(|(way, over)| Stage { way: *way, over: deg(*over) }).collect() }
+    StageProgram {
+        stages: stages.iter().map(|(way, over)| Stage { way: *way, over: deg(*over) }).collect(),
+    }
 }
 
 fn upward(offset: f64) -> Follower {
@@ -48,18 +50,33 @@ fn offset_roller_by_a_law() {
     let start = disc.station(0.0, PieceSide::After).unwrap();
     near(start.pressure.abs().to_degrees(), 14.477_512_185_929_9, "pressure at the start");
     let (phi, most) = survey.pressure[0].unwrap();
-    assert_eq!((phi, most), (0.0, start.pressure), "the greatest of the rise, because of the offset");
+    assert_eq!(
+        (phi, most),
+        (0.0, start.pressure),
+        "the greatest of the rise, because of the offset"
+    );
     near(survey.least_rho.unwrap().1, 37.257_387_229_340_7, "least convex radius");
     assert!((survey.least_rho.unwrap().0.to_degrees() - 83.217_655_123_592_9).abs() < 1e-3);
     near(survey.stroke, 20.0, "stroke");
-    let angles = [(1, false), (0, true), (-1, false), (0, false)].map(|(way, out)| survey.angle(way, out).to_degrees());
-    assert!(angles.iter().zip([120.0, 60.0, 120.0, 60.0]).all(|(a, b)| (a - b).abs() < 1e-9), "{angles:?}");
-    assert!(survey.jumps.iter().all(|j| j.shock == Shock::Soft) && survey.jumps.len() == 2, "{:?}", survey.jumps);
+    let angles = [(1, false), (0, true), (-1, false), (0, false)]
+        .map(|(way, out)| survey.angle(way, out).to_degrees());
+    assert!(
+        angles.iter().zip([120.0, 60.0, 120.0, 60.0]).all(|(a, b)| (a - b).abs() < 1e-9),
+        "{angles:?}"
+    );
+    assert!(
+        survey.jumps.iter().all(|j| j.shock == Shock::Soft) && survey.jumps.len() == 2,
+        "{:?}",
+        survey.jumps
+    );
 }
 
 #[test]
 fn oscillating_roller_by_a_law_in_both_senses() {
-    let stages = [(StageMotion::Rise(deg(25.0), MotionLaw::ModifiedSine), 110.0), (StageMotion::Dwell, 250.0)];
+    let stages = [
+        (StageMotion::Rise(deg(25.0), MotionLaw::ModifiedSine), 110.0),
+        (StageMotion::Dwell, 250.0),
+    ];
     let pivot = Vec2::new(100.0, 0.0);
     // The arm is above the line of centres: it is to the right, as seen from the pivot toward the
     // cam.
@@ -69,7 +86,12 @@ fn oscillating_roller_by_a_law_in_both_senses() {
         (1.0, 29.315_303_483_730_4, 56.066_852_543_308_6, 48.066_852_543_308_6),
         (-1.0, 20.240_193_766_388_1, 59.277_613_252_833_0, 51.277_613_252_833_0),
     ] {
-        let disc = Disc { follower, touch: FollowerTip::Point { radius: 8.0 }, motion: motion.clone(), sense };
+        let disc = Disc {
+            follower,
+            touch: FollowerTip::Point { radius: 8.0 },
+            motion: motion.clone(),
+            sense,
+        };
         let s = disc.station(deg(60.0), PieceSide::After).unwrap();
         near(disc.rest(40.0).to_degrees(), 28.236_770_917_176_4, "psi0");
         near((s.q.value() - disc.rest(40.0)).to_degrees(), 14.490_504_756_657_3, "psi");
@@ -82,7 +104,8 @@ fn oscillating_roller_by_a_law_in_both_senses() {
 
 #[test]
 fn oscillating_flat_face_by_a_law() {
-    let stages = [(StageMotion::Rise(deg(15.0), MotionLaw::Harmonic), 120.0), (StageMotion::Dwell, 240.0)];
+    let stages =
+        [(StageMotion::Rise(deg(15.0), MotionLaw::Harmonic), 120.0), (StageMotion::Dwell, 240.0)];
     let follower = Follower::Oscillating { pivot: Vec2::new(90.0, 0.0), arm: 0.0, sense: -1.0 };
     let motion = CamMotion::Law { base: 30.0, program: program(&stages) };
     let disc = Disc { follower, touch: FollowerTip::Flat { lever: -8.0 }, motion, sense: 1.0 };
@@ -99,25 +122,46 @@ fn oscillating_flat_face_by_a_law() {
 
 #[test]
 fn undercut_is_found_with_the_base_circle_that_avoids_it() {
-    let stages = [(StageMotion::Rise(20.0, MotionLaw::Harmonic), 50.0), (StageMotion::Dwell, 310.0)];
-    let motion =
-        |base: f64, over: f64| CamMotion::Law { base, program: program(&[(stages[0].0, over), (StageMotion::Dwell, 360.0 - over)]) };
-    let roller = Disc { follower: upward(0.0), touch: FollowerTip::Point { radius: 25.0 }, motion: motion(15.0, 50.0), sense: 1.0 };
+    let stages =
+        [(StageMotion::Rise(20.0, MotionLaw::Harmonic), 50.0), (StageMotion::Dwell, 310.0)];
+    let motion = |base: f64, over: f64| CamMotion::Law {
+        base,
+        program: program(&[(stages[0].0, over), (StageMotion::Dwell, 360.0 - over)]),
+    };
+    let roller = Disc {
+        follower: upward(0.0),
+        touch: FollowerTip::Point { radius: 25.0 },
+        motion: motion(15.0, 50.0),
+        sense: 1.0,
+    };
     let survey = CamSurvey::of(&roller);
-    let Some(Fault::Undercut { phi, rho, least_base: Some(base) }) = survey.faults.iter().find(|f| matches!(f, Fault::Undercut { .. }))
+    let Some(Fault::Undercut { phi, rho, least_base: Some(base) }) =
+        survey.faults.iter().find(|f| matches!(f, Fault::Undercut { .. }))
     else {
         panic!("{:?}", survey.faults)
     };
     near(*rho, 18.987_341_772_151_9, "rho_min");
     near(*rho - 25.0, -6.012_658_227_848_1, "rho of the profile");
     near(phi.to_degrees(), 50.0, "its place");
-    let better = CamSurvey::of(&Disc { motion: motion(base * (1.0 + 1e-9), 50.0), ..roller.clone() });
-    assert!(!better.faults.iter().any(|f| matches!(f, Fault::Undercut { .. })), "{base}: {:?}", better.faults);
+    let better =
+        CamSurvey::of(&Disc { motion: motion(base * (1.0 + 1e-9), 50.0), ..roller.clone() });
+    assert!(
+        !better.faults.iter().any(|f| matches!(f, Fault::Undercut { .. })),
+        "{base}: {:?}",
+        better.faults
+    );
     let worse = CamSurvey::of(&Disc { motion: motion(base * (1.0 - 1e-6), 50.0), ..roller });
     assert!(worse.faults.iter().any(|f| matches!(f, Fault::Undercut { .. })));
-    let flat = Disc { follower: upward(0.0), touch: FollowerTip::Flat { lever: 0.0 }, motion: motion(20.0, 60.0), sense: 1.0 };
+    let flat = Disc {
+        follower: upward(0.0),
+        touch: FollowerTip::Flat { lever: 0.0 },
+        motion: motion(20.0, 60.0),
+        sense: 1.0,
+    };
     let survey = CamSurvey::of(&flat);
-    let Some(Fault::Undercut { rho, least_base: Some(base), .. }) = survey.faults.first() else { panic!("{:?}", survey.faults) };
+    let Some(Fault::Undercut { rho, least_base: Some(base), .. }) = survey.faults.first() else {
+        panic!("{:?}", survey.faults)
+    };
     near(*rho, -50.0, "rho of the face");
     near(*base, 70.0, "least base circle");
 }
@@ -127,7 +171,12 @@ fn tangent_cam() -> Disc {
     let (r1, lift, c) = (30.0, 17.5, libm::cos(deg(75.0)));
     let r2 = (r1 - (r1 + lift) * c) / (1.0 - c);
     let q = Vec2::new(r1 + lift - r2, 0.0);
-    let parts = [ProfilePart::Circle(Vec2::ZERO, r1), ProfilePart::Tangent, ProfilePart::Circle(q, r2), ProfilePart::Tangent];
+    let parts = [
+        ProfilePart::Circle(Vec2::ZERO, r1),
+        ProfilePart::Tangent,
+        ProfilePart::Circle(q, r2),
+        ProfilePart::Tangent,
+    ];
     let motion = CamMotion::Profile(segments(&parts).unwrap());
     Disc { follower: upward(0.0), touch: FollowerTip::Point { radius: 17.5 }, motion, sense: 1.0 }
 }
@@ -145,7 +194,11 @@ fn tangent_cam_with_both_accelerations_at_its_joints() {
     near(a(end, PieceSide::Before), 303.925_890_252_233, "end of the flank");
     near(a(end, PieceSide::After), -57.560_898_874_488_1, "start of the nose");
     near(a(top, PieceSide::After), -146.386_701_193_958, "apex");
-    near(1e-3 * w * disc.coordinate(end, PieceSide::After).unwrap().0[1], 1.589_584_399_949_42, "velocity");
+    near(
+        1e-3 * w * disc.coordinate(end, PieceSide::After).unwrap().0[1],
+        1.589_584_399_949_42,
+        "velocity",
+    );
     let survey = CamSurvey::of(&disc);
     near(survey.stroke, 17.5, "stroke");
     assert_eq!(survey.jumps.len(), 4, "{:?}", survey.jumps);
@@ -164,7 +217,8 @@ fn circular_arc_cam_with_a_flat_face() {
         ProfilePart::Flank(flank),
     ];
     let motion = CamMotion::Profile(segments(&parts).unwrap());
-    let disc = Disc { follower: upward(0.0), touch: FollowerTip::Flat { lever: 0.0 }, motion, sense: 1.0 };
+    let disc =
+        Disc { follower: upward(0.0), touch: FollowerTip::Flat { lever: 0.0 }, motion, sense: 1.0 };
     let w = 600.0 * std::f64::consts::TAU / 60.0;
     let a = |phi: f64, side: PieceSide| 1e-3 * w * w * disc.coordinate(phi, side).unwrap().0[2];
     let (start, top) = (deg(15.0), deg(90.0));
@@ -182,9 +236,16 @@ fn circular_arc_cam_with_a_flat_face() {
 #[test]
 fn a_face_beside_its_pivot_has_a_pressure_angle() {
     let parts = [ProfilePart::Circle(Vec2::new(12.0, 0.0), 30.0)];
-    for (lever, sense, cam) in [(8.0, 1.0, 1.0), (-6.0, 1.0, -1.0), (8.0, -1.0, 1.0), (0.0, 1.0, 1.0)] {
+    for (lever, sense, cam) in
+        [(8.0, 1.0, 1.0), (-6.0, 1.0, -1.0), (8.0, -1.0, 1.0), (0.0, 1.0, 1.0)]
+    {
         let follower = Follower::Oscillating { pivot: Vec2::new(90.0, 5.0), arm: 0.0, sense };
-        let disc = Disc { follower, touch: FollowerTip::Flat { lever }, motion: CamMotion::Profile(segments(&parts).unwrap()), sense: cam };
+        let disc = Disc {
+            follower,
+            touch: FollowerTip::Flat { lever },
+            motion: CamMotion::Profile(segments(&parts).unwrap()),
+            sense: cam,
+        };
         for k in 0..12 {
             let s = disc.station(deg(30.0 * k as f64 + 4.0), PieceSide::After).unwrap();
             // From the foot of the pivot on the face to the contact, and from the pivot to the
@@ -204,7 +265,8 @@ fn inversion_finds_the_profile_from_which_the_motion_was_made() {
     let h = 1e-5;
     for k in 0..360 {
         let phi = deg(k as f64 + 0.37);
-        let [low, here, high] = [phi - h, phi, phi + h].map(|p| disc.station(p, PieceSide::After).unwrap());
+        let [low, here, high] =
+            [phi - h, phi, phi + h].map(|p| disc.station(p, PieceSide::After).unwrap());
         let rho = parts[disc.touched(phi, PieceSide::After).unwrap()].radius();
         assert_eq!(here.rho, rho, "{k}");
         let turned = low.normal.cross(high.normal) / (high.contact - low.contact).norm();
@@ -221,8 +283,12 @@ fn longer_numbers_find_the_same_places() {
         let number = |x: f64| N::from_f64(x);
         let v = |v: Vec2| Vec2::new(number(v.x), number(v.y));
         let follower = match disc.follower {
-            Follower::Translating { direction, offset } => Follower::Translating { direction: v(direction), offset: number(offset) },
-            Follower::Oscillating { pivot, arm, sense } => Follower::Oscillating { pivot: v(pivot), arm: number(arm), sense },
+            Follower::Translating { direction, offset } => {
+                Follower::Translating { direction: v(direction), offset: number(offset) }
+            }
+            Follower::Oscillating { pivot, arm, sense } => {
+                Follower::Oscillating { pivot: v(pivot), arm: number(arm), sense }
+            }
         };
         let touch = match disc.touch {
             FollowerTip::Point { radius } => FollowerTip::Point { radius: number(radius) },
@@ -238,23 +304,32 @@ fn longer_numbers_find_the_same_places() {
                     },
                     over: number(s.over),
                 };
-                CamMotion::Law { base: number(*base), program: StageProgram { stages: program.stages.iter().map(stage).collect() } }
+                CamMotion::Law {
+                    base: number(*base),
+                    program: StageProgram { stages: program.stages.iter().map(stage).collect() },
+                }
             }
             CamMotion::Profile(segments) => {
                 let segment = |s: &ProfileSegment| match *s {
-                    ProfileSegment::Arc { centre, radius, normals } => {
-                        ProfileSegment::Arc { centre: v(centre), radius: number(radius), normals: normals.map(number) }
-                    }
-                    ProfileSegment::Line { normal, distance, ends } => {
-                        ProfileSegment::Line { normal: number(normal), distance: number(distance), ends: ends.map(number) }
-                    }
+                    ProfileSegment::Arc { centre, radius, normals } => ProfileSegment::Arc {
+                        centre: v(centre),
+                        radius: number(radius),
+                        normals: normals.map(number),
+                    },
+                    ProfileSegment::Line { normal, distance, ends } => ProfileSegment::Line {
+                        normal: number(normal),
+                        distance: number(distance),
+                        ends: ends.map(number),
+                    },
                 };
                 CamMotion::Profile(segments.iter().map(segment).collect())
             }
         };
-        let exact = ExactCam::new(disc, survey, Disc { follower, touch, motion, sense: disc.sense });
+        let exact =
+            ExactCam::new(disc, survey, Disc { follower, touch, motion, sense: disc.sense });
         let at = |phi: f64| (phi, PieceSide::After);
-        let mut out = vec![exact.stroke(), exact.angle(1, false), exact.angle(0, false), exact.least_rho()];
+        let mut out =
+            vec![exact.stroke(), exact.angle(1, false), exact.angle(0, false), exact.least_rho()];
         for phi in [0.3, 1.1, 2.9, 4.7] {
             out.push(exact.lift(at(phi), number(phi)));
             out.push(exact.station(at(phi), number(phi)).map(|s| s.pressure));
@@ -265,19 +340,39 @@ fn longer_numbers_find_the_same_places() {
         let survey = Surveyed::default();
         let plain = asked::<f64>(&disc, &survey);
         within(400, || {
-            let truth: Vec<_> = asked::<Ball<Big>>(&disc, &survey).into_iter().map(|x| x.and_then(Certain::enclosure)).collect();
+            let truth: Vec<_> = asked::<Ball<Big>>(&disc, &survey)
+                .into_iter()
+                .map(|x| x.and_then(Certain::enclosure))
+                .collect();
             let seen = |all: Vec<Option<crate::number::decimal::Enclosure>>, most: f64| {
                 for (k, (seen, truth)) in all.iter().zip(&truth).enumerate() {
-                    let (Some(seen), Some(truth)) = (seen, truth) else { panic!("{k}: {seen:?} {truth:?}") };
+                    let (Some(seen), Some(truth)) = (seen, truth) else {
+                        panic!("{k}: {seen:?} {truth:?}")
+                    };
                     assert!(seen.meets(truth), "{k}: {seen:?} {truth:?}");
                     assert!(seen.radius <= most * truth.approx.abs().max(1.0), "{k}: {seen:?}");
                 }
             };
-            seen(asked::<Ball<f64>>(&disc, &survey).into_iter().map(|x| x.and_then(Certain::enclosure)).collect(), 1e-9);
-            seen(asked::<Ball<Dd>>(&disc, &survey).into_iter().map(|x| x.and_then(Certain::enclosure)).collect(), 1e-24);
+            seen(
+                asked::<Ball<f64>>(&disc, &survey)
+                    .into_iter()
+                    .map(|x| x.and_then(Certain::enclosure))
+                    .collect(),
+                1e-9,
+            );
+            seen(
+                asked::<Ball<Dd>>(&disc, &survey)
+                    .into_iter()
+                    .map(|x| x.and_then(Certain::enclosure))
+                    .collect(),
+                1e-24,
+            );
             for (k, (plain, truth)) in plain.iter().zip(&truth).enumerate() {
                 let (plain, truth) = (plain.unwrap(), truth.as_ref().unwrap().approx);
-                assert!((plain - truth).abs() <= 1e-11 * truth.abs().max(1.0), "{k}: {plain} {truth}");
+                assert!(
+                    (plain - truth).abs() <= 1e-11 * truth.abs().max(1.0),
+                    "{k}: {plain} {truth}"
+                );
             }
         });
     }
@@ -291,7 +386,8 @@ fn profiles_are_envelopes() {
     let disc = offset_roller();
     for k in 0..72 {
         let phi = deg(5.0 * k as f64 + 1.3);
-        let [low, here, high] = [phi - h, phi, phi + h].map(|p| disc.station(p, PieceSide::After).unwrap());
+        let [low, here, high] =
+            [phi - h, phi, phi + h].map(|p| disc.station(p, PieceSide::After).unwrap());
         let along = high.contact - low.contact;
         assert!((here.contact - here.pitch).norm() - 10.0 < 1e-12);
         // The tangent of the profile is square to the normal, and the curvature is the change of
@@ -305,7 +401,12 @@ fn profiles_are_envelopes() {
 #[test]
 fn hollow_flanks_take_a_roller_that_is_small_enough() {
     let q = Vec2::new(45.0, 0.0);
-    let parts = [ProfilePart::Circle(Vec2::ZERO, 30.0), ProfilePart::Flank(-60.0), ProfilePart::Circle(q, 12.0), ProfilePart::Flank(-60.0)];
+    let parts = [
+        ProfilePart::Circle(Vec2::ZERO, 30.0),
+        ProfilePart::Flank(-60.0),
+        ProfilePart::Circle(q, 12.0),
+        ProfilePart::Flank(-60.0),
+    ];
     let with = |radius: f64| Disc {
         follower: upward(0.0),
         touch: FollowerTip::Point { radius },
@@ -313,16 +414,26 @@ fn hollow_flanks_take_a_roller_that_is_small_enough() {
         sense: 1.0,
     };
     let survey = CamSurvey::of(&with(10.0));
-    assert!(!survey.faults.iter().any(|f| matches!(f, Fault::RollerTooLarge { .. } | Fault::NoContact { .. })), "{:?}", survey.faults);
+    assert!(
+        !survey
+            .faults
+            .iter()
+            .any(|f| matches!(f, Fault::RollerTooLarge { .. } | Fault::NoContact { .. })),
+        "{:?}",
+        survey.faults
+    );
     near(survey.stroke, 27.0, "stroke");
-    assert!(CamSurvey::of(&with(61.0)).faults.iter().any(|f| matches!(f, Fault::RollerTooLarge { .. })));
+    assert!(
+        CamSurvey::of(&with(61.0)).faults.iter().any(|f| matches!(f, Fault::RollerTooLarge { .. }))
+    );
 }
 
 #[test]
 fn an_eccentric_disc_moves_a_face_harmonically() {
     let parts = [ProfilePart::Circle(Vec2::new(12.0, 0.0), 30.0)];
     let motion = CamMotion::Profile(segments(&parts).unwrap());
-    let disc = Disc { follower: upward(0.0), touch: FollowerTip::Flat { lever: 0.0 }, motion, sense: 1.0 };
+    let disc =
+        Disc { follower: upward(0.0), touch: FollowerTip::Flat { lever: 0.0 }, motion, sense: 1.0 };
     for k in 0..24 {
         let phi = deg(15.0 * k as f64);
         let q = disc.coordinate(phi, PieceSide::After).unwrap();

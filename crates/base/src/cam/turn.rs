@@ -49,7 +49,8 @@ impl DividedTurn {
         let mut at = if corners.is_empty() { vec![0.0] } else { corners.clone() };
         at.dedup_by(|a, b| (*a - *b).abs() < 1e-10);
         let ends: Vec<f64> = at.iter().skip(1).copied().chain([at[0] + TAU]).collect();
-        let spans = at.into_iter().zip(ends).map(|(a, b)| [a, b]).filter(|[a, b]| b - a > 1e-10).collect();
+        let spans =
+            at.into_iter().zip(ends).map(|(a, b)| [a, b]).filter(|[a, b]| b - a > 1e-10).collect();
         DividedTurn { corners, spans }
     }
 
@@ -68,8 +69,10 @@ impl DividedTurn {
         let round = self.corners.is_empty();
         for &[from, to] in &self.spans {
             let beyond = round.then(|| (to + (to - from) / SAMPLES as f64, PieceSide::After));
-            let samples: Vec<(f64, PieceSide, Option<[f64; 2]>)> =
-                sampled([from, to]).chain(beyond).map(|(phi, side)| (phi, side, f(phi, side))).collect();
+            let samples: Vec<(f64, PieceSide, Option<[f64; 2]>)> = sampled([from, to])
+                .chain(beyond)
+                .map(|(phi, side)| (phi, side, f(phi, side)))
+                .collect();
             for (k, &(phi, side, here)) in samples.iter().enumerate() {
                 let Some([value, slope]) = here else { continue };
                 let end = k == 0 || k + 1 == samples.len();
@@ -86,7 +89,13 @@ impl DividedTurn {
                 }
             }
         }
-        most.or_else(|| f(0.0, PieceSide::After).map(|[value, _]| Peak { phi: 0.0, side: PieceSide::After, value }))
+        most.or_else(|| {
+            f(0.0, PieceSide::After).map(|[value, _]| Peak {
+                phi: 0.0,
+                side: PieceSide::After,
+                value,
+            })
+        })
     }
 }
 

@@ -3,7 +3,8 @@
 use super::{Both, Diagnostic, Faults, Severity};
 use serde_json::{Value, json};
 
-/// The version of the document that [`document`] makes; `hodograph schema --diagnostics` describes it.
+/// The version of the document that [`document`] makes; `hodograph schema --diagnostics` describes
+/// it.
 pub const SCHEMA: &str = "hodograph/errors/1";
 
 /// Returns the document of a run: its version and all diagnostics, as created by [`Faults::json`].
@@ -77,7 +78,8 @@ mod tests {
 
     #[test]
     fn a_diagnostic_has_both_languages_and_its_place() {
-        let d = Diagnostic::warning("unused-parameter", both!("not used", "没有用到")).at(Span::new(6, 9));
+        let d = Diagnostic::warning("unused-parameter", both!("not used", "没有用到"))
+            .at(Span::new(6, 9));
         let told = d.json("a.json", "{\n 构: 1 }");
         assert_eq!(
             told,
@@ -95,8 +97,12 @@ mod tests {
         fn told(e: &dyn std::error::Error) -> String {
             e.to_string()
         }
-        let d = Diagnostic::error("x", both!("no driver", "没有原动件")).help(both!("add one", "请加上"));
+        let d = Diagnostic::error("x", both!("no driver", "没有原动件"))
+            .help(both!("add one", "请加上"));
         assert_eq!(told(&d), "no driver (add one)");
-        assert_eq!(told(&Faults { list: vec![d.clone(), d] }), "no driver (add one)\nno driver (add one)");
+        assert_eq!(
+            told(&Faults { list: vec![d.clone(), d] }),
+            "no driver (add one)\nno driver (add one)"
+        );
     }
 }

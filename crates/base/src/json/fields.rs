@@ -67,13 +67,26 @@ pub struct Fields<'a> {
 impl<'a> Fields<'a> {
     /// Opens an object; every key that is not in `keys` is a fault. `None` (with a fault) if the
     /// node is no object.
-    pub fn open(node: &'a Node, what: impl Into<FaultSubject>, keys: &[&str], faults: &mut Faults) -> Option<Self> {
+    pub fn open(
+        node: &'a Node,
+        what: impl Into<FaultSubject>,
+        keys: &[&str],
+        faults: &mut Faults,
+    ) -> Option<Self> {
         let what = what.into().0;
         let members = object(node, what.clone(), faults)?;
         for (key, _) in members {
             if !keys.contains(&key.text.as_str()) {
-                let d = Diagnostic::error("unknown-key", both!("`{}` is not a key of {}", "`{}` 不是{}的键", key.text, what)).at(key.span);
-                faults.push(d.help(suggest(&key.text, keys.iter().copied(), both!("the keys are", "可用的键有"))));
+                let d = Diagnostic::error(
+                    "unknown-key",
+                    both!("`{}` is not a key of {}", "`{}` 不是{}的键", key.text, what),
+                )
+                .at(key.span);
+                faults.push(d.help(suggest(
+                    &key.text,
+                    keys.iter().copied(),
+                    both!("the keys are", "可用的键有"),
+                )));
             }
         }
         Some(Fields { what, span: node.span, members })
@@ -85,14 +98,26 @@ impl<'a> Fields<'a> {
     }
 
     /// Returns the value of a required key.
-    pub fn need(&self, key: &str, example: impl Into<FaultSubject>, faults: &mut Faults) -> Option<&'a Node> {
+    pub fn need(
+        &self,
+        key: &str,
+        example: impl Into<FaultSubject>,
+        faults: &mut Faults,
+    ) -> Option<&'a Node> {
         let found = self.get(key);
         if found.is_none() {
-            let d = Diagnostic::error("missing-key", both!("{} has no `{key}`", "{}缺少 `{key}`", self.what));
+            let d = Diagnostic::error(
+                "missing-key",
+                both!("{} has no `{key}`", "{}缺少 `{key}`", self.what),
+            );
             // An object longer than a line is quoted by its opening brace alone: the whole would
             // fill the page.
             let long = self.span.end - self.span.start > LINE;
-            let d = if long { d.at(Span::new(self.span.start, self.span.start + 1)) } else { d.at(self.span) };
+            let d = if long {
+                d.at(Span::new(self.span.start, self.span.start + 1))
+            } else {
+                d.at(self.span)
+            };
             let example = example.into();
             faults.push(d.help(both!("add \"{key}\": {}", "请加上 \"{key}\"：{}", example)));
         }
@@ -106,7 +131,11 @@ impl<'a> Fields<'a> {
 }
 
 /// Returns the members of any object, in order.
-pub fn object<'a>(node: &'a Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<&'a [(Word, Node)]> {
+pub fn object<'a>(
+    node: &'a Node,
+    what: impl Into<FaultSubject>,
+    faults: &mut Faults,
+) -> Option<&'a [(Word, Node)]> {
     match &node.kind {
         NodeKind::Object(members) => Some(members),
         _ => wrong(node, what, both!("an object", "对象 {{...}}"), faults),
@@ -114,7 +143,11 @@ pub fn object<'a>(node: &'a Node, what: impl Into<FaultSubject>, faults: &mut Fa
 }
 
 /// Returns the items of a list.
-pub fn list<'a>(node: &'a Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<&'a [Node]> {
+pub fn list<'a>(
+    node: &'a Node,
+    what: impl Into<FaultSubject>,
+    faults: &mut Faults,
+) -> Option<&'a [Node]> {
     match &node.kind {
         NodeKind::Array(items) => Some(items),
         _ => wrong(node, what, both!("a list", "列表 [...]"), faults),
@@ -126,7 +159,9 @@ pub fn word(node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> 
     match &node.kind {
         NodeKind::Text(text) if text.trim().is_empty() => {
             let what = what.into();
-            faults.push(Diagnostic::error("empty", both!("{} is empty", "{}为空", what)).at(node.span));
+            faults.push(
+                Diagnostic::error("empty", both!("{} is empty", "{}为空", what)).at(node.span),
+            );
             None
         }
         NodeKind::Text(text) => Some(Word { text: text.clone(), span: node.span }),
@@ -135,12 +170,22 @@ pub fn word(node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> 
 }
 
 /// Reports a value that has another type than expected.
-pub fn wrong<T>(node: &Node, what: impl Into<FaultSubject>, wanted: Both, faults: &mut Faults) -> Option<T> {
+pub fn wrong<T>(
+    node: &Node,
+    what: impl Into<FaultSubject>,
+    wanted: Both,
+    faults: &mut Faults,
+) -> Option<T> {
     let what = what.into();
-    let d =
-        Diagnostic::error("wrong-type", both!("{} must be {}, this is {}", "{}应为{}，此处为{}", what, wanted, node.what())).at(node.span);
+    let d = Diagnostic::error(
+        "wrong-type",
+        both!("{} must be {}, this is {}", "{}应为{}，此处为{}", what, wanted, node.what()),
+    )
+    .at(node.span);
     faults.push(match &node.kind {
-        NodeKind::Number(n) if wanted.en == "a text" => d.help(both!("write \"{n}\"", "请写作 \"{n}\"")),
+        NodeKind::Number(n) if wanted.en == "a text" => {
+            d.help(both!("write \"{n}\"", "请写作 \"{n}\""))
+        }
         _ => d,
     });
     None
@@ -148,7 +193,11 @@ pub fn wrong<T>(node: &Node, what: impl Into<FaultSubject>, wanted: Both, faults
 
 /// Returns the nearest of the known names for a help line: `did you mean ...?`, or all of them if
 /// none is near.
-pub fn suggest<'a>(got: &str, known: impl Iterator<Item = &'a str> + Clone, otherwise: Both) -> Both {
+pub fn suggest<'a>(
+    got: &str,
+    known: impl Iterator<Item = &'a str> + Clone,
+    otherwise: Both,
+) -> Both {
     nearest(got, known.clone()).unwrap_or_else(|| {
         // All names: the expected name may be the last.
         let known: Vec<&str> = known.collect();
@@ -171,17 +220,24 @@ pub fn nearest<'a>(got: &str, known: impl Iterator<Item = &'a str>) -> Option<Bo
         false if one_slip(k) => 0.95,
         false => strsim::jaro_winkler(got, k),
     };
-    let near = known
-        .map(|k| (score(k), k))
-        .filter(|(score, _)| *score >= 0.7)
-        .fold(None, |best: Option<(f64, &str)>, (score, k)| if best.is_some_and(|b| b.0 >= score) { best } else { Some((score, k)) });
+    let near = known.map(|k| (score(k), k)).filter(|(score, _)| *score >= 0.7).fold(
+        None,
+        |best: Option<(f64, &str)>, (score, k)| {
+            if best.is_some_and(|b| b.0 >= score) { best } else { Some((score, k)) }
+        },
+    );
     near.map(|(_, name)| both!("did you mean `{name}`?", "是否想写 `{name}`？"))
 }
 
 /// Returns a text of at most `most` characters that serves for both languages, or one text for
 /// each: `{"en": ..., "zh": ...}`. The result is English and Chinese, `None` for a missing
 /// language.
-pub fn localized(node: &Node, what: &'static str, most: usize, faults: &mut Faults) -> Option<[Option<Word>; 2]> {
+pub fn localized(
+    node: &Node,
+    what: &'static str,
+    most: usize,
+    faults: &mut Faults,
+) -> Option<[Option<Word>; 2]> {
     if let NodeKind::Object(_) = node.kind {
         let f = Fields::open(node, what, &["en", "zh"], faults)?;
         let mut text = |key: &str| {
@@ -194,7 +250,10 @@ pub fn localized(node: &Node, what: &'static str, most: usize, faults: &mut Faul
             faults.push(
                 Diagnostic::error("empty", both!("{what} says nothing", "{what} 没有内容"))
                     .at(node.span)
-                    .help(both!("give \"en\", \"zh\" or both", "请给出 \"en\" 或 \"zh\"，或两者都给出")),
+                    .help(both!(
+                        "give \"en\", \"zh\" or both",
+                        "请给出 \"en\" 或 \"zh\"，或两者都给出"
+                    )),
             );
         }
         return Some(texts);
@@ -210,7 +269,10 @@ fn no_longer(word: Word, what: &str, most: usize, faults: &mut Faults) -> Option
         faults.push(
             Diagnostic::error(
                 "too-long",
-                both!("{what} has {count} characters; at most {most} are allowed", "{what} 有 {count} 个字符，最多允许 {most} 个"),
+                both!(
+                    "{what} has {count} characters; at most {most} are allowed",
+                    "{what} 有 {count} 个字符，最多允许 {most} 个"
+                ),
             )
             .at(word.span),
         );

@@ -79,9 +79,14 @@ impl Node {
             NodeKind::Number(literal) => literal.clone(),
             NodeKind::Bool(value) => value.to_string(),
             NodeKind::Null => "null".to_owned(),
-            NodeKind::Array(items) => format!("[{}]", items.iter().map(Node::text).collect::<Vec<_>>().join(", ")),
+            NodeKind::Array(items) => {
+                format!("[{}]", items.iter().map(Node::text).collect::<Vec<_>>().join(", "))
+            }
             NodeKind::Object(members) => {
-                let all: Vec<String> = members.iter().map(|(key, value)| format!("{}: {}", quoted(&key.text), value.text())).collect();
+                let all: Vec<String> = members
+                    .iter()
+                    .map(|(key, value)| format!("{}: {}", quoted(&key.text), value.text()))
+                    .collect();
                 format!("{{{}}}", all.join(", "))
             }
         }
@@ -102,26 +107,37 @@ pub fn parse<'a>(bytes: &'a [u8], faults: &mut Faults) -> Result<(&'a str, Node)
     }
     let source = std::str::from_utf8(bytes).map_err(|e| {
         let at = e.valid_up_to();
-        Diagnostic::error("not-utf8", both!("byte {at} is not UTF-8 text", "第 {at} 字节不是 UTF-8 文字"))
-            .at(Span::new(at, at + e.error_len().unwrap_or(1)))
-            .help(both!("save the file as UTF-8", "请把文件存为 UTF-8 编码"))
+        Diagnostic::error(
+            "not-utf8",
+            both!("byte {at} is not UTF-8 text", "第 {at} 字节不是 UTF-8 文字"),
+        )
+        .at(Span::new(at, at + e.error_len().unwrap_or(1)))
+        .help(both!("save the file as UTF-8", "请把文件存为 UTF-8 编码"))
     })?;
     check_depth(bytes)?;
     // Some editors begin UTF-8 files with a byte order mark; the parser does not accept it, and the
     // spans must count it.
     let base = if source.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
-    let parsed = parse_to_ast(&source[base..], &CollectOptions::default(), &strict()).map_err(|e| {
-        let range = e.range();
-        let d = Diagnostic::error("json", both!("not valid JSON: {}", "JSON 格式有误：{}", sentence(e.kind())));
-        let d = d.at(Span::new(base + range.start, base + range.end));
-        match advice(e.kind()) {
-            Some(help) => d.help(help),
-            None => d,
-        }
-    })?;
+    let parsed =
+        parse_to_ast(&source[base..], &CollectOptions::default(), &strict()).map_err(|e| {
+            let range = e.range();
+            let d = Diagnostic::error(
+                "json",
+                both!("not valid JSON: {}", "JSON 格式有误：{}", sentence(e.kind())),
+            );
+            let d = d.at(Span::new(base + range.start, base + range.end));
+            match advice(e.kind()) {
+                Some(help) => d.help(help),
+                None => d,
+            }
+        })?;
     let Some(value) = parsed.value else {
-        return Err(Diagnostic::error("json", both!("the file is empty", "文件是空的"))
-            .help(both!("what is read here is one JSON object: {{ ... }}", "此处应为一个 JSON 对象：{{ ... }}")));
+        return Err(Diagnostic::error("json", both!("the file is empty", "文件是空的")).help(
+            both!(
+                "what is read here is one JSON object: {{ ... }}",
+                "此处应为一个 JSON 对象：{{ ... }}"
+            ),
+        ));
     };
     let node = convert(value, base, source, faults);
     Ok((source, node))
@@ -185,9 +201,14 @@ fn sentence(kind: &ParseErrorKind) -> Both {
 
 fn advice(kind: &ParseErrorKind) -> Option<Both> {
     Some(match kind {
-        ParseErrorKind::TrailingCommasNotAllowed => both!("take the last comma away", "请删去最后的逗号"),
+        ParseErrorKind::TrailingCommasNotAllowed => {
+            both!("take the last comma away", "请删去最后的逗号")
+        }
         ParseErrorKind::CommentsNotAllowed => {
-            both!("JSON has no comments; a remark can stand in \"statement\"", "JSON 没有注释；说明可写在 \"statement\" 中")
+            both!(
+                "JSON has no comments; a remark can stand in \"statement\"",
+                "JSON 没有注释；说明可写在 \"statement\" 中"
+            )
         }
         ParseErrorKind::SingleQuotedStringsNotAllowed => both!("write \"...\"", "请写作 \"...\""),
         ParseErrorKind::ExpectedComma => both!("put a comma before this", "请在前面加逗号"),
@@ -245,7 +266,11 @@ fn convert(value: ast::Value<'_>, base: usize, source: &str, faults: &mut Faults
                 faults.push(
                     Diagnostic::error(
                         "json",
-                        both!("not valid JSON: `{}` is not a JSON number", "JSON 格式有误：`{}` 不是 JSON 的数", n.value),
+                        both!(
+                            "not valid JSON: `{}` is not a JSON number",
+                            "JSON 格式有误：`{}` 不是 JSON 的数",
+                            n.value
+                        ),
                     )
                     .at(span),
                 );
@@ -276,7 +301,9 @@ fn convert(value: ast::Value<'_>, base: usize, source: &str, faults: &mut Faults
                 } else {
                     let message = both!("`{}` stands here twice", "`{}` 在此出现两次", key.text);
                     faults.push(
-                        Diagnostic::error("duplicate-key", message).at(key.span).help(both!("keep one of the two", "请保留其中一个")),
+                        Diagnostic::error("duplicate-key", message)
+                            .at(key.span)
+                            .help(both!("keep one of the two", "请保留其中一个")),
                     );
                 }
             }
@@ -291,8 +318,15 @@ fn check_string(word: &Word, source: &str, faults: &mut Faults) {
     let raw = source.get(word.span.start..word.span.end).unwrap_or_default();
     if let Some(i) = raw.bytes().position(|b| b < 0x20) {
         let at = Span::new(word.span.start + i, word.span.start + i + 1);
-        let message = both!("not valid JSON: a line break or control character inside a text", "JSON 格式有误：文字中有换行或控制字符");
-        faults.push(Diagnostic::error("json", message).at(at).help(both!("write \\n for a line break", "换行请写 \\n")));
+        let message = both!(
+            "not valid JSON: a line break or control character inside a text",
+            "JSON 格式有误：文字中有换行或控制字符"
+        );
+        faults.push(
+            Diagnostic::error("json", message)
+                .at(at)
+                .help(both!("write \\n for a line break", "换行请写 \\n")),
+        );
     } else if let Some(d) = unprintable(word) {
         let place = unprintable_char(&word.text).and_then(|c| written(c, raw));
         let start = word.span.start;
@@ -307,16 +341,29 @@ fn check_string(word: &Word, source: &str, faults: &mut Faults) {
 /// as U+FFFE (ill-formed in XML).
 pub fn unprintable(word: &Word) -> Option<Diagnostic> {
     let c = unprintable_char(&word.text)?;
-    let kind = if c.is_control() { both!("a control character", "控制字符") } else { both!("which is no character", "不是字符") };
+    let kind = if c.is_control() {
+        both!("a control character", "控制字符")
+    } else {
+        both!("which is no character", "不是字符")
+    };
     let d = Diagnostic::error(
         "text",
-        both!("this text holds U+{1:04X}, {0}: no figure can show it", "文字中有 U+{1:04X}（{0}），图上无法表示", kind, u32::from(c)),
+        both!(
+            "this text holds U+{1:04X}, {0}: no figure can show it",
+            "文字中有 U+{1:04X}（{0}），图上无法表示",
+            kind,
+            u32::from(c)
+        ),
     );
-    Some(d.at(word.span).help(both!("take it out; a line break is written \\n", "请删去；换行写作 \\n")))
+    Some(
+        d.at(word.span)
+            .help(both!("take it out; a line break is written \\n", "请删去；换行写作 \\n")),
+    )
 }
 
 fn unprintable_char(text: &str) -> Option<char> {
-    let free = |c: char| (0xfdd0..=0xfdef).contains(&u32::from(c)) || u32::from(c) & 0xfffe == 0xfffe;
+    let free =
+        |c: char| (0xfdd0..=0xfdef).contains(&u32::from(c)) || u32::from(c) & 0xfffe == 0xfffe;
     text.chars().find(|c| c.is_control() && !matches!(c, '\n' | '\t') || free(*c))
 }
 
@@ -328,13 +375,21 @@ fn written(c: char, raw: &str) -> Option<Span> {
         '\r' => "\\r",
         _ => "",
     };
-    let long: String = c.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("\\u{unit:04x}")).collect();
-    let places = [(raw.find(c), c.len_utf8()), (raw.to_ascii_lowercase().find(&long), long.len()), (raw.find(short), short.len())];
-    places.into_iter().find_map(|(at, length)| at.filter(|_| length > 0).map(|at| Span::new(at, at + length)))
+    let long: String =
+        c.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("\\u{unit:04x}")).collect();
+    let places = [
+        (raw.find(c), c.len_utf8()),
+        (raw.to_ascii_lowercase().find(&long), long.len()),
+        (raw.find(short), short.len()),
+    ];
+    places
+        .into_iter()
+        .find_map(|(at, length)| at.filter(|_| length > 0).map(|at| Span::new(at, at + length)))
 }
 
 fn is_json_number(text: &str) -> bool {
     let digits = text.strip_prefix('-').unwrap_or(text);
-    let leading_zero = digits.len() > 1 && digits.starts_with('0') && digits.as_bytes()[1].is_ascii_digit();
+    let leading_zero =
+        digits.len() > 1 && digits.starts_with('0') && digits.as_bytes()[1].is_ascii_digit();
     digits.starts_with(|c: char| c.is_ascii_digit()) && !leading_zero && text.parse::<f64>().is_ok()
 }

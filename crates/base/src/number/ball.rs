@@ -182,7 +182,11 @@ impl<M: Middle> Div for Ball<M> {
         if self.is_nil() && room > 0.0 && o.is_decided() {
             return Ball::exact(mid);
         }
-        if room > 0.0 && propagated.is_finite() { Self::rounded(mid, propagated) } else { Self::undecided() }
+        if room > 0.0 && propagated.is_finite() {
+            Self::rounded(mid, propagated)
+        } else {
+            Self::undecided()
+        }
     }
 }
 
@@ -202,7 +206,14 @@ impl<M: Middle> Real for Ball<M> {
             Some(_) => {
                 let mid = M::from_decimal(text);
                 let whole = text.len() <= 15 && text.bytes().all(|b| b.is_ascii_digit());
-                Ball { mid, radius: if whole { 0.0 } else { mid.approx().abs() * M::unit() * INFLATE + TINY } }
+                Ball {
+                    mid,
+                    radius: if whole {
+                        0.0
+                    } else {
+                        mid.approx().abs() * M::unit() * INFLATE + TINY
+                    },
+                }
             }
             None => super::decimal::by_digits(text),
         }
@@ -281,7 +292,13 @@ impl<M: Middle> Real for Ball<M> {
         if self.radius == 0.0 && self.mid.is_multiple_of(90.0) {
             return (Ball::exact(s), Ball::exact(c));
         }
-        let known = |x: M| if self.radius == 0.0 && self.mid.is_multiple_of(30.0) && x.approx().abs() == 0.5 { 0.0 } else { 1.0 };
+        let known = |x: M| {
+            if self.radius == 0.0 && self.mid.is_multiple_of(30.0) && x.approx().abs() == 0.5 {
+                0.0
+            } else {
+                1.0
+            }
+        };
         let propagated = self.radius * 0.017_453_292_519_943_3;
         let of = |x: M| {
             let ball = Self::elementary(x, propagated);
@@ -291,7 +308,8 @@ impl<M: Middle> Real for Ball<M> {
     }
 
     fn atan2(self, x: Self) -> Self {
-        let room = libm::hypot(self.mid.approx(), x.mid.approx()) * (1.0 - 1e-14) - (self.radius + x.radius);
+        let room = libm::hypot(self.mid.approx(), x.mid.approx()) * (1.0 - 1e-14)
+            - (self.radius + x.radius);
         if room.is_nan() || room <= 0.0 {
             return Self::undecided();
         }
@@ -352,12 +370,24 @@ mod tests {
     fn zeros_stay_exact() {
         let nil = Ball::<f64>::exact(0.0);
         let some = Ball::new(3.0, 1e-9);
-        let zeros = [nil * some, some * nil, nil / some, nil.sqrt(), nil.hypot(nil), nil + nil, nil - nil, -nil];
+        let zeros = [
+            nil * some,
+            some * nil,
+            nil / some,
+            nil.sqrt(),
+            nil.hypot(nil),
+            nil + nil,
+            nil - nil,
+            -nil,
+        ];
         assert!(zeros.iter().all(|z| z.is_nil()), "{zeros:?}");
         assert_eq!((some + nil, nil - some), (some, -some));
         let tiny = Ball::exact(1e-200);
         assert!((tiny * tiny).contains_zero() && !(tiny * tiny).is_nil());
-        assert!(!(nil * Ball::new(1.0, f64::INFINITY)).is_nil() && !(nil / Ball::new(0.0, 1.0)).is_decided());
+        assert!(
+            !(nil * Ball::new(1.0, f64::INFINITY)).is_nil()
+                && !(nil / Ball::new(0.0, 1.0)).is_decided()
+        );
     }
 
     /// Every operation on random numbers, some of them nearly equal, encloses the result of 300-bit
@@ -405,11 +435,22 @@ mod tests {
             let b = if i % 2 == 0 { random() } else { -a * (1.0 + 1e-13 * random()) };
             within(300, || {
                 let truth = enclosures::<Ball<Big>>(a, b);
-                for (kind, seen) in [("f64", enclosures::<Ball<f64>>(a, b)), ("double-double", enclosures::<Ball<Dd>>(a, b))] {
+                for (kind, seen) in [
+                    ("f64", enclosures::<Ball<f64>>(a, b)),
+                    ("double-double", enclosures::<Ball<Dd>>(a, b)),
+                ] {
                     for (k, (s, t)) in seen.iter().zip(&truth).enumerate() {
-                        let (Some(s), Some(t)) = (s, t) else { panic!("{kind}: operation {k} on {a:e}, {b:e} is undecided") };
-                        assert!(s.meets(t), "{kind}: operation {k} on {a:e}, {b:e}: {s:?} does not contain {t:?}");
-                        assert!(s.radius <= 1e-12 * (1.0 + s.approx.abs()), "{kind}: operation {k} on {a:e}, {b:e} is wide: {s:?}");
+                        let (Some(s), Some(t)) = (s, t) else {
+                            panic!("{kind}: operation {k} on {a:e}, {b:e} is undecided")
+                        };
+                        assert!(
+                            s.meets(t),
+                            "{kind}: operation {k} on {a:e}, {b:e}: {s:?} does not contain {t:?}"
+                        );
+                        assert!(
+                            s.radius <= 1e-12 * (1.0 + s.approx.abs()),
+                            "{kind}: operation {k} on {a:e}, {b:e} is wide: {s:?}"
+                        );
                     }
                 }
             });

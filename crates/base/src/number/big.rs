@@ -90,16 +90,25 @@ impl Big {
     }
 
     fn unary(self, f: impl FnOnce(&BigFloat, usize) -> Option<BigFloat>) -> Big {
-        REGION.with_borrow_mut(|r| match r.numbers.get(self.0 as usize).and_then(|x| f(x, r.bits)) {
-            Some(y) => push(r, y),
-            None => UNDECIDED,
+        REGION.with_borrow_mut(|r| {
+            match r.numbers.get(self.0 as usize).and_then(|x| f(x, r.bits)) {
+                Some(y) => push(r, y),
+                None => UNDECIDED,
+            }
         })
     }
 
-    fn binary(self, o: Big, f: impl FnOnce(&BigFloat, &BigFloat, &Context<HalfEven>) -> Option<BigFloat>) -> Big {
+    fn binary(
+        self,
+        o: Big,
+        f: impl FnOnce(&BigFloat, &BigFloat, &Context<HalfEven>) -> Option<BigFloat>,
+    ) -> Big {
         spend();
         REGION.with_borrow_mut(|r| {
-            let (Some(a), Some(b)) = (r.numbers.get(self.0 as usize), r.numbers.get(o.0 as usize)) else { return UNDECIDED };
+            let (Some(a), Some(b)) = (r.numbers.get(self.0 as usize), r.numbers.get(o.0 as usize))
+            else {
+                return UNDECIDED;
+            };
             match f(a, b, &Context::new(r.bits)) {
                 Some(y) => push(r, y),
                 None => UNDECIDED,
@@ -252,12 +261,17 @@ impl Real for Big {
     }
 
     fn pow(self, exponent: Big) -> Big {
-        super::whole_power(self, exponent)
-            .unwrap_or_else(|| self.binary(exponent, |x, y, _| (x.sign() == dashu_base::Sign::Positive && !is_zero(x)).then(|| x.powf(y))))
+        super::whole_power(self, exponent).unwrap_or_else(|| {
+            self.binary(exponent, |x, y, _| {
+                (x.sign() == dashu_base::Sign::Positive && !is_zero(x)).then(|| x.powf(y))
+            })
+        })
     }
 
     fn ln(self) -> Big {
-        self.binary(self, |x, _, _| (x.sign() == dashu_base::Sign::Positive && !is_zero(x)).then(|| x.ln()))
+        self.binary(self, |x, _, _| {
+            (x.sign() == dashu_base::Sign::Positive && !is_zero(x)).then(|| x.ln())
+        })
     }
 
     fn exp(self) -> Big {

@@ -3,8 +3,9 @@
 //! No fused multiply-add: products are split, so that every machine gives the same bits.
 //!
 //! # Source
-//! M. Joldes, J.-M. Muller, V. Popescu, *Tight and rigorous error bounds for basic building blocks of double-word
-//! arithmetic*, ACM TOMS 44 (2017): algorithms 6, 11, 18; T. J. Dekker, Numer. Math. 18 (1971) for the split product.
+//! M. Joldes, J.-M. Muller, V. Popescu, *Tight and rigorous error bounds for basic building blocks
+//! of double-word arithmetic*, ACM TOMS 44 (2017): algorithms 6, 11, 18; T. J. Dekker, Numer. Math.
+//! 18 (1971) for the split product.
 
 use super::Real;
 use std::ops::{Add, Div, Mul, Neg, Sub};

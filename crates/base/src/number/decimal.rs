@@ -93,7 +93,11 @@ impl Certain for Ball<f64> {
         if !self.is_decided() {
             return None;
         }
-        let ends = if r == 0.0 { IntervalEnds::Double(m, m) } else { IntervalEnds::Double((m - r).next_down(), (m + r).next_up()) };
+        let ends = if r == 0.0 {
+            IntervalEnds::Double(m, m)
+        } else {
+            IntervalEnds::Double((m - r).next_down(), (m + r).next_up())
+        };
         Some(Enclosure { ends, approx: m, radius: r })
     }
 }
@@ -107,7 +111,11 @@ impl Certain for Ball<Dd> {
 
 impl Certain for Ball<Big> {
     fn enclosure(self) -> Option<Enclosure> {
-        long_enclosure(self.middle().long()?.with_precision(ALL_BITS).value(), self.approx(), self.radius())
+        long_enclosure(
+            self.middle().long()?.with_precision(ALL_BITS).value(),
+            self.approx(),
+            self.radius(),
+        )
     }
 }
 
@@ -155,8 +163,12 @@ impl Enclosure {
     pub fn rounded(&self, digits: usize) -> Option<String> {
         let digits = digits.max(1);
         let (a, b) = match &self.ends {
-            IntervalEnds::Double(a, b) => (format!("{:.*e}", digits - 1, a), format!("{:.*e}", digits - 1, b)),
-            IntervalEnds::Long(ends, exponent) => (scientific(&ends[0], *exponent, digits), scientific(&ends[1], *exponent, digits)),
+            IntervalEnds::Double(a, b) => {
+                (format!("{:.*e}", digits - 1, a), format!("{:.*e}", digits - 1, b))
+            }
+            IntervalEnds::Long(ends, exponent) => {
+                (scientific(&ends[0], *exponent, digits), scientific(&ends[1], *exponent, digits))
+            }
         };
         (a == b).then_some(a)
     }
@@ -165,7 +177,9 @@ impl Enclosure {
     pub fn holds(&self, digits: usize) -> bool {
         let [a, b] = match self.ends {
             IntervalEnds::Double(a, b) => [a, b],
-            IntervalEnds::Long(..) => [(self.approx - self.radius).next_down(), (self.approx + self.radius).next_up()],
+            IntervalEnds::Long(..) => {
+                [(self.approx - self.radius).next_down(), (self.approx + self.radius).next_up()]
+            }
         };
         plainly_alike(a, b, digits.max(1)) || self.rounded(digits).is_some()
     }
@@ -207,8 +221,10 @@ impl Enclosure {
 }
 
 /// Powers of ten that `f64` holds exactly.
-const TENS: [f64; 23] =
-    [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22];
+const TENS: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
+    1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
+];
 
 /// Returns true if no rounding boundary is near an interval, by a few operations instead of writing
 /// both ends: `true` is sure, `false` decides nothing.
@@ -238,7 +254,10 @@ fn scientific(n: &IBig, exponent: i32, digits: usize) -> String {
     let mut exponent = exponent + all.len() as i32 - 1;
     let mut kept = format!("{:0<digits$}", &all[..all.len().min(digits)]);
     if let Some(rest) = all.get(digits..) {
-        let (half, beyond) = (rest.as_bytes().first().copied().unwrap_or(b'0'), rest.bytes().skip(1).any(|b| b != b'0'));
+        let (half, beyond) = (
+            rest.as_bytes().first().copied().unwrap_or(b'0'),
+            rest.bytes().skip(1).any(|b| b != b'0'),
+        );
         let odd = kept.as_bytes()[digits - 1] % 2 == 1;
         if half > b'5' || (half == b'5' && (beyond || odd)) {
             let next = kept.parse::<UBig>().unwrap_or(UBig::ZERO) + UBig::ONE;
@@ -279,7 +298,8 @@ mod tests {
                 (number(-2.0).atan2(number(-3.0)), "-2.5535900500422256872170323026544"),
                 (N::from_decimal("0.1"), "1.00000000000000000000000000000"),
             ] {
-                let got = digits(x, most).unwrap_or_else(|| panic!("{text} is not certain to {most} digits: {x:?}"));
+                let got = digits(x, most)
+                    .unwrap_or_else(|| panic!("{text} is not certain to {most} digits: {x:?}"));
                 let (mantissa, _) = got.split_once('e').unwrap();
                 let negative = usize::from(text.starts_with('-'));
                 // The last digit is rounded.
@@ -302,7 +322,12 @@ mod tests {
         assert!(Ball::new(1.0, f64::INFINITY).enclosure().is_none());
         let e = Ball::new(1e-20, 1e-19).enclosure().unwrap();
         assert!(e.contains_zero() && e.meets(&Ball::new(-9e-20, 1e-21).enclosure().unwrap()));
-        within(100, || assert_eq!(digits(Ball::new(Big::from_f64(99.996), 1e-9), 4).as_deref(), Some("1.000e2")));
+        within(100, || {
+            assert_eq!(
+                digits(Ball::new(Big::from_f64(99.996), 1e-9), 4).as_deref(),
+                Some("1.000e2")
+            )
+        });
     }
 
     #[test]

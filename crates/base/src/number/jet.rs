@@ -165,7 +165,11 @@ impl<N: Real> Real for Jet<N> {
             if e.approx() == 0.0 { one } else { x.pow(e) }
         };
         let first = if k.approx() == 0.0 { N::from_f64(0.0) } else { k * power(1.0) };
-        let second = if k.approx() == 0.0 || k.approx() == 1.0 { N::from_f64(0.0) } else { k * (k - one) * power(2.0) };
+        let second = if k.approx() == 0.0 || k.approx() == 1.0 {
+            N::from_f64(0.0)
+        } else {
+            k * (k - one) * power(2.0)
+        };
         self.of([power(0.0), first, second])
     }
 
@@ -219,8 +223,12 @@ mod tests {
             assert!((f1 - first).abs() < 1e-12 * (1.0 + first.abs()), "{k}: {f1} {first}");
             assert!((f2 - second).abs() < 1e-11 * (1.0 + second.abs()), "{k}: {f2} {second}");
         }
-        let (root, power) = (Jet::variable(0.7_f64).sqrt(), Jet::variable(0.7_f64).pow(Jet::from_f64(0.5)));
-        assert!(root.0.iter().zip(power.0).all(|(a, b)| (a - b).abs() < 1e-14), "{root:?} {power:?}");
+        let (root, power) =
+            (Jet::variable(0.7_f64).sqrt(), Jet::variable(0.7_f64).pow(Jet::from_f64(0.5)));
+        assert!(
+            root.0.iter().zip(power.0).all(|(a, b)| (a - b).abs() < 1e-14),
+            "{root:?} {power:?}"
+        );
         let (x, both) = (Jet::variable(0.7_f64), Jet::variable(0.7_f64).pow(Jet::variable(0.7)));
         assert_eq!(both, (x.ln() * x).exp());
         let square = Jet::<Ball<f64>>::variable(Ball::from_f64(0.0)).pow(Jet::from_f64(2.0));

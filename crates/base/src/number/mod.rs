@@ -26,9 +26,15 @@ use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A type with addition and multiplication: all that vectors need of their components.
-pub trait Ring: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> {}
+pub trait Ring:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
+{
+}
 
-impl<T: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>> Ring for T {}
+impl<T: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>>
+    Ring for T
+{
+}
 
 /// A number for the formulas of positions and motions.
 ///
@@ -144,7 +150,11 @@ fn quarter_turns<N: Real>(quarters: f64, s: N, c: N) -> (N, N) {
 /// exponents.
 fn whole_power<N: Real>(base: N, exponent: N) -> Option<N> {
     let e = exponent.approx();
-    if libm::rint(e) != e || e.abs() > 64.0 || exponent.radius() != 0.0 || exponent != N::from_f64(e) {
+    if libm::rint(e) != e
+        || e.abs() > 64.0
+        || exponent.radius() != 0.0
+        || exponent != N::from_f64(e)
+    {
         return None;
     }
     let mut power = N::from_f64(1.0);

@@ -27,7 +27,10 @@ fn rungs(text: &str, degrees: bool) -> Vec<(String, [Option<Enclosure>; 2])> {
         let x: N = number(text);
         enclosures(if degrees { x.sin_cos_degrees() } else { x.sin_cos() })
     }
-    let mut all = vec![("f64".to_string(), of::<Ball<f64>>(text, degrees)), ("double-double".to_string(), of::<Ball<Dd>>(text, degrees))];
+    let mut all = vec![
+        ("f64".to_string(), of::<Ball<f64>>(text, degrees)),
+        ("double-double".to_string(), of::<Ball<Dd>>(text, degrees)),
+    ];
     for bits in [192, 384, 768] {
         all.push((format!("{bits} bit"), within(bits, || of::<Ball<Big>>(text, degrees))));
     }
@@ -46,7 +49,9 @@ impl Random {
 
     fn decimal(&mut self, whole: u64, broken: u64) -> String {
         let sign = if self.next().is_multiple_of(2) { "-" } else { "" };
-        let mut digits = |n: u64| (0..n).map(|_| char::from(b'0' + (self.next() % 10) as u8)).collect::<String>();
+        let mut digits = |n: u64| {
+            (0..n).map(|_| char::from(b'0' + (self.next() % 10) as u8)).collect::<String>()
+        };
         let first = format!("{sign}1{}", digits(whole));
         if broken == 0 { first } else { format!("{first}.{}", digits(broken)) }
     }
@@ -58,7 +63,10 @@ fn check(text: &str, degrees: bool, truth: &[Option<Enclosure>; 2]) {
             let truth = truth.as_ref().expect("the reference has a value");
             // An undecided result is no failure; an enclosure without the true value is.
             if let Some(seen) = seen {
-                assert!(seen.meets(truth), "{rung}: the {what} of {text} is said to be {seen:?}, it is {truth:?}");
+                assert!(
+                    seen.meets(truth),
+                    "{rung}: the {what} of {text} is said to be {seen:?}, it is {truth:?}"
+                );
             }
         }
     }
@@ -68,18 +76,26 @@ fn check(text: &str, degrees: bool, truth: &[Option<Enclosure>; 2]) {
 fn degrees_are_reduced_as_they_are_written() {
     assert_eq!(less_turns("108000000000002550"), "30.0");
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
-    let mut texts: Vec<String> = vec!["108000000000002550".into(), format!("36{}30", "0".repeat(60)), format!("-36{}45.0", "0".repeat(30))];
+    let mut texts: Vec<String> = vec![
+        "108000000000002550".into(),
+        format!("36{}30", "0".repeat(60)),
+        format!("-36{}45.0", "0".repeat(30)),
+    ];
     for whole in 0..80 {
         for broken in [0, 1, 9, 40] {
             texts.push(random.decimal(whole, broken));
         }
     }
     for text in texts {
-        let truth = within(1200, || enclosures(number::<Ball<Big>>(&less_turns(&text)).sin_cos_degrees()));
+        let truth =
+            within(1200, || enclosures(number::<Ball<Big>>(&less_turns(&text)).sin_cos_degrees()));
         check(&text, true, &truth);
         // The longest numbers hold all its digits.
         let longest = rungs(&text, true).pop().unwrap().1;
-        assert!(longest.iter().all(|e| e.as_ref().is_some_and(|e| e.radius < 1e-60)), "{text}: {longest:?}");
+        assert!(
+            longest.iter().all(|e| e.as_ref().is_some_and(|e| e.radius < 1e-60)),
+            "{text}: {longest:?}"
+        );
     }
 }
 

@@ -4,9 +4,13 @@
 use super::acts::{Acts, BodyRate, GivenNumber};
 use super::{Edge, PolygonMark};
 use crate::construction::{
-    Base, Because, Construction, DiagramId, Direction, Key, Line, LineId, MarkId, Name, Number, NumberId, Op, Vector, VectorId,
+    Base, Because, Construction, DiagramId, Direction, Key, Line, LineId, MarkId, Name, Number,
+    NumberId, Op, Vector, VectorId,
 };
-use crate::plan::{Between, Plan, PlanStep, Rate, Term, TermChain, TermConnection, TermKind, TurningBody, VertexId, VertexPlace};
+use crate::plan::{
+    Between, Plan, PlanStep, Rate, Term, TermChain, TermConnection, TermKind, TurningBody,
+    VertexId, VertexPlace,
+};
 use hodograph_base::budget::spend;
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_scene::{DiagramKind, GuideId, PointId, Scene};
@@ -33,7 +37,12 @@ pub(super) fn vertex_key(v: VertexId) -> Key {
 }
 
 impl<'a> ActWriter<'a> {
-    pub(super) fn new(scene: &'a Scene, m: &'a Mechanism, plan: &'a Plan, chosen: &'a [usize]) -> Self {
+    pub(super) fn new(
+        scene: &'a Scene,
+        m: &'a Mechanism,
+        plan: &'a Plan,
+        chosen: &'a [usize],
+    ) -> Self {
         let construction = Construction::with_room(scene.points.len() + plan.vertices.len());
         ActWriter { scene, m, plan, chosen, done: Acts { construction, ..Acts::default() } }
     }
@@ -80,10 +89,13 @@ impl<'a> ActWriter<'a> {
         let plan = self.plan;
         // Vectors between images, and rates measured on such images, wait for the images of later
         // groups.
-        let (mut open, mut unread): (Vec<&Between>, Vec<(TurningBody, Rate)>) = (Vec::new(), Vec::new());
+        let (mut open, mut unread): (Vec<&Between>, Vec<(TurningBody, Rate)>) =
+            (Vec::new(), Vec::new());
         for steps in plan.steps(kind) {
             // Given rates serve the points of the group; measured rates follow from them.
-            for (body, rate) in steps.rates.iter().filter(|(_, r)| !matches!(r, Rate::Measured { .. })) {
+            for (body, rate) in
+                steps.rates.iter().filter(|(_, r)| !matches!(r, Rate::Measured { .. }))
+            {
                 self.turning(on, *body, *rate);
             }
             let alternative = steps.drawn(self.chosen[steps.group]);
@@ -106,7 +118,12 @@ impl<'a> ActWriter<'a> {
         self.done.construction.step(on, None, ops);
     }
 
-    pub(super) fn act_of(&mut self, on: DiagramId, (of, to): (VertexId, VertexId), ops: impl IntoIterator<Item = Op>) {
+    pub(super) fn act_of(
+        &mut self,
+        on: DiagramId,
+        (of, to): (VertexId, VertexId),
+        ops: impl IntoIterator<Item = Op>,
+    ) {
         self.done.construction.step(on, Some([of, to].map(vertex_key)), ops);
     }
 
@@ -149,10 +166,17 @@ impl<'a> ActWriter<'a> {
     }
 
     fn knows_length(&self, body: TurningBody, of: VertexId, to: VertexId) -> bool {
-        let (VertexPlace::Point(p), VertexPlace::Point(q)) = (self.plan.vertex(of).spot, self.plan.vertex(to).spot) else { return false };
+        let (VertexPlace::Point(p), VertexPlace::Point(q)) =
+            (self.plan.vertex(of).spot, self.plan.vertex(to).spot)
+        else {
+            return false;
+        };
         match body {
             TurningBody::Link(l) => [p, q].iter().all(|x| self.scene.links[l.0].points.contains(x)),
-            TurningBody::Cylinder(d) => self.scene.drivers[d].kind.ends().is_some_and(|[a, b]| (a, b) == (p, q) || (b, a) == (p, q)),
+            TurningBody::Cylinder(d) => self.scene.drivers[d]
+                .kind
+                .ends()
+                .is_some_and(|[a, b]| (a, b) == (p, q) || (b, a) == (p, q)),
         }
     }
 
@@ -184,10 +208,23 @@ impl<'a> ActWriter<'a> {
         self.mark(on, if taken { Name::Again(key) } else { Name::End(key) })
     }
 
-    pub(super) fn vector(&mut self, terms: &[Term], from: MarkId, to: MarkId, known: bool, between: bool) -> VectorId {
+    pub(super) fn vector(
+        &mut self,
+        terms: &[Term],
+        from: MarkId,
+        to: MarkId,
+        known: bool,
+        between: bool,
+    ) -> VectorId {
         let [start, end] = [from, to].map(|id| (self.done.mark(id), id));
         let on = self.done.construction.marks[to.index()].on;
-        self.done.edges[on.index()].push(Edge { terms: terms.to_vec(), from: start, to: end, known, between });
+        self.done.edges[on.index()].push(Edge {
+            terms: terms.to_vec(),
+            from: start,
+            to: end,
+            known,
+            between,
+        });
         let terms = terms.iter().map(|t| self.done.term(*t)).collect();
         self.done.construction.vector(Vector { terms, from, to })
     }
@@ -215,7 +252,13 @@ impl<'a> ActWriter<'a> {
                 let [a, b] = [images, mates].map(|pair| {
                     let [from, to] = pair.map(|v| self.image(on, v));
                     let along = Direction::of(Base::Marks(from, to));
-                    self.done.construction.line(Line { on, through: from, along, moved: false, carries: Vec::new() })
+                    self.done.construction.line(Line {
+                        on,
+                        through: from,
+                        along,
+                        moved: false,
+                        carries: Vec::new(),
+                    })
                 });
                 let to = self.found(on, *target);
                 self.act(on, [Op::Rule(a), Op::Rule(b), Op::Meet { lines: [a, b], to }]);
@@ -227,7 +270,14 @@ impl<'a> ActWriter<'a> {
         }
     }
 
-    fn falls_on(&mut self, on: DiagramId, target: VertexId, mark: MarkId, because: Because, ends: Option<(VertexId, VertexId)>) {
+    fn falls_on(
+        &mut self,
+        on: DiagramId,
+        target: VertexId,
+        mark: MarkId,
+        because: Because,
+        ends: Option<(VertexId, VertexId)>,
+    ) {
         let to = self.found(on, target);
         let ends = ends.map(|(a, b)| [a, b].map(vertex_key));
         self.done.construction.step(on, ends, [Op::Same { mark, to, because }]);
@@ -247,7 +297,13 @@ impl<'a> ActWriter<'a> {
                 Some(term) => {
                     let along = self.direction(term).unit();
                     let carries = chain.unknown.iter().map(|t| self.done.term(*t)).collect();
-                    let line = self.done.construction.line(Line { on, through: at, along, moved: true, carries });
+                    let line = self.done.construction.line(Line {
+                        on,
+                        through: at,
+                        along,
+                        moved: true,
+                        carries,
+                    });
                     self.act_of(on, (term.of, term.to), [Op::Rule(line)]);
                     lines.push((at, line, chain));
                 }
@@ -257,7 +313,8 @@ impl<'a> ActWriter<'a> {
         match lines[..] {
             [(from_a, a, one), (from_b, b, other)] => {
                 let to = self.found(on, target);
-                let vectors = [(from_a, one), (from_b, other)].map(|(from, chain)| self.vector(&chain.unknown, from, to, false, false));
+                let vectors = [(from_a, one), (from_b, other)]
+                    .map(|(from, chain)| self.vector(&chain.unknown, from, to, false, false));
                 let [u, w] = vectors.map(Op::Show);
                 self.act(on, [Op::Meet { lines: [a, b], to }, u, w]);
             }
@@ -275,7 +332,13 @@ impl<'a> ActWriter<'a> {
     }
 
     /// Records that terms along one line are 0.
-    pub(super) fn omit(&mut self, on: DiagramId, terms: &[Term], at: MarkId, target: Option<VertexId>) {
+    pub(super) fn omit(
+        &mut self,
+        on: DiagramId,
+        terms: &[Term],
+        at: MarkId,
+        target: Option<VertexId>,
+    ) {
         let terms = terms.iter().map(|t| self.done.term(*t)).collect();
         let to = target.map(|v| self.found(on, v));
         self.act(on, [Op::Omit { terms, at, to }]);
@@ -283,7 +346,14 @@ impl<'a> ActWriter<'a> {
 
     /// Lays off known terms one after another; the last ends in the image of `target`, if one is
     /// given.
-    pub(super) fn lay_off(&mut self, on: DiagramId, from: MarkId, known: &[Term], target: Option<VertexId>, between: bool) -> MarkId {
+    pub(super) fn lay_off(
+        &mut self,
+        on: DiagramId,
+        from: MarkId,
+        known: &[Term],
+        target: Option<VertexId>,
+        between: bool,
+    ) -> MarkId {
         let mut at = from;
         let last_drawn = known.iter().rposition(|t| !self.vanishes(on, t));
         for (i, term) in known.iter().enumerate() {
@@ -317,11 +387,19 @@ impl<'a> ActWriter<'a> {
     /// Returns the direction of an unknown term.
     fn direction(&self, term: &Term) -> Direction {
         match term.by {
-            TermConnection::Turning(_) if term.kind == TermKind::Gap => Direction::of(self.arm(term.of, term.to)),
-            TermConnection::Turning(_) | TermConnection::Cylinder(_) => Direction::across(self.arm(term.of, term.to)),
-            TermConnection::Guide { guide, .. } => Direction::of(self.guide_tangent(guide, term.of)),
+            TermConnection::Turning(_) if term.kind == TermKind::Gap => {
+                Direction::of(self.arm(term.of, term.to))
+            }
+            TermConnection::Turning(_) | TermConnection::Cylinder(_) => {
+                Direction::across(self.arm(term.of, term.to))
+            }
+            TermConnection::Guide { guide, .. } => {
+                Direction::of(self.guide_tangent(guide, term.of))
+            }
             TermConnection::Contact(pair) => self.contact_normal(pair),
-            TermConnection::Frame { .. } | TermConnection::Apart => unreachable!("no equation has an unknown term that no pair holds"),
+            TermConnection::Frame { .. } | TermConnection::Apart => {
+                unreachable!("no equation has an unknown term that no pair holds")
+            }
         }
     }
 

@@ -23,7 +23,13 @@ pub struct Condition {
 }
 
 /// Returns the conditions of all opened links with both pins' images on the paper.
-pub fn conditions(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper: &PlanDrawing) -> Vec<Condition> {
+pub fn conditions(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    plan: &Plan,
+    paper: &PlanDrawing,
+) -> Vec<Condition> {
     let mut out = Vec::new();
     for (index, redundant) in m.redundant.iter().enumerate() {
         let hodograph_mechanism::mechanism::Opened::Link(l) = redundant.opened else { continue };
@@ -36,13 +42,24 @@ pub fn conditions(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan,
     out
 }
 
-fn off_mm(scene: &Scene, at: &Configuration, plan: &Plan, paper: &PlanDrawing, (a, b): (PointId, PointId), on: DiagramKind) -> Option<f64> {
+fn off_mm(
+    scene: &Scene,
+    at: &Configuration,
+    plan: &Plan,
+    paper: &PlanDrawing,
+    (a, b): (PointId, PointId),
+    on: DiagramKind,
+) -> Option<f64> {
     let line = at.points[b.0]? - at.points[a.0]?;
     let along = line.unit()?;
     let apart = |polygon: &Polygon| {
         let image = |p: PointId| {
             let fixed = scene.links[scene.ground.0].points.contains(&p);
-            if fixed { Some(Point::ORIGIN) } else { polygon.images[plan.find_vertex(scene, p, None)?.0] }
+            if fixed {
+                Some(Point::ORIGIN)
+            } else {
+                polygon.images[plan.find_vertex(scene, p, None)?.0]
+            }
         };
         Some(image(b)? - image(a)?)
     };

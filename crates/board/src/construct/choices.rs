@@ -21,7 +21,13 @@ pub(super) const SPECIAL_LEGS: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
 ///
 /// # Errors
 /// A triad with parallel legs.
-pub(super) fn alternatives(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, mu: f64) -> Result<Vec<usize>, Faults> {
+pub(super) fn alternatives(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    plan: &Plan,
+    mu: f64,
+) -> Result<Vec<usize>, Faults> {
     let mut chosen = vec![0; m.groups.len()];
     for steps in plan.steps(DiagramKind::Velocity).iter().filter(|s| s.alternatives.len() > 1) {
         chosen[steps.group] = best_alternative(scene, m, at, plan, mu, steps.group)?;
@@ -29,21 +35,32 @@ pub(super) fn alternatives(scene: &Scene, m: &Mechanism, at: &Configuration, pla
     Ok(chosen)
 }
 
-fn best_alternative(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, mu: f64, group: usize) -> Result<usize, Faults> {
+fn best_alternative(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    plan: &Plan,
+    mu: f64,
+    group: usize,
+) -> Result<usize, Faults> {
     let Core::Link { legs, link } = &m.groups[group].core else { return Ok(0) };
     let mut board = ActWriter::new(scene, m, plan, &[]);
     let on = board.set_out_joints();
-    let lines: Vec<Option<LineId>> = legs.iter().map(|l| l.line().map(|line| board.constraint_line(on, line))).collect();
+    let lines: Vec<Option<LineId>> =
+        legs.iter().map(|l| l.line().map(|line| board.constraint_line(on, line))).collect();
     let scales = Layout { mu, scales: ByKind::default() }.all();
     let posed = PosedInputs::new(scene, at, &board.done.givens);
     let drawn = construction::draw(&board.done.construction, &posed, &scales, &mut Exact).ok();
     let line = |leg: usize| lines[leg].and_then(|id| drawn.as_ref()?.lines[id.index()]);
     let nears: Vec<Point> = (0..legs.len()).filter_map(line).map(|(p, _)| p).collect();
-    let centre = nears.iter().fold(Vec2::ZERO, |s, p| s + p.to_vec2()) * (1.0 / nears.len().max(1) as f64);
+    let centre =
+        nears.iter().fold(Vec2::ZERO, |s, p| s + p.to_vec2()) * (1.0 / nears.len().max(1) as f64);
     let size = nears.iter().map(|p| (p.to_vec2() - centre).norm()).fold(0.0, f64::max);
     let score = |(a, b): (usize, usize)| -> f64 {
         match line(a).zip(line(b)).map(|((p, u), (q, w))| cross_lines(p, u, q, w)) {
-            Some(c) if c.at.is_finite() => c.sine.abs() / (1.0 + (c.at.to_vec2() - centre).norm() / size),
+            Some(c) if c.at.is_finite() => {
+                c.sine.abs() / (1.0 + (c.at.to_vec2() - centre).norm() / size)
+            }
             _ => 0.0,
         }
     };
@@ -54,7 +71,11 @@ fn best_alternative(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Pla
     }
     Err(Diagnostic::error(
         "dead-centre",
-        both!("the three legs of link {} are parallel: it is at a dead centre", "构件 {} 的三条支链平行：处于死点", scene.link_name(*link)),
+        both!(
+            "the three legs of link {} are parallel: it is at a dead centre",
+            "构件 {} 的三条支链平行：处于死点",
+            scene.link_name(*link)
+        ),
     )
     .at(scene.links[link.0].span)
     .into())
@@ -64,7 +85,9 @@ fn best_alternative(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Pla
 pub(super) fn trial_scale(scene: &Scene, at: &Configuration, on: DiagramKind) -> f64 {
     let rate = scene.drivers.iter().map(|d| d.rate.value.abs()).fold(0.0, f64::max);
     let size = at.extent().max(f64::MIN_POSITIVE);
-    let v = scene.drivers.iter().fold(0.0f64, |v, d| v.max(if d.kind.turns() { d.rate.value.abs() * size } else { d.rate.value.abs() }));
+    let v = scene.drivers.iter().fold(0.0f64, |v, d| {
+        v.max(if d.kind.turns() { d.rate.value.abs() * size } else { d.rate.value.abs() })
+    });
     let s = match on {
         DiagramKind::Acceleration => v * (v / size).max(rate),
         DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Force => v,

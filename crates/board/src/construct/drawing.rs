@@ -7,8 +7,13 @@ use super::layout::Layout;
 use super::pencil::Pencil;
 use super::refusal::{overflow, refusal};
 use super::scale;
-use super::{Action, Crossed, Diagram, Edge, PlanDrawing, Polygon, PolygonMark, RateMeasured, RateReading};
-use crate::construction::{self, Because, DiagramId, DrawnPlaces, Line, LineId, MarkId, Met, Name, Number, Op, Step, VectorId};
+use super::{
+    Action, Crossed, Diagram, Edge, PlanDrawing, Polygon, PolygonMark, RateMeasured, RateReading,
+};
+use crate::construction::{
+    self, Because, DiagramId, DrawnPlaces, Line, LineId, MarkId, Met, Name, Number, Op, Step,
+    VectorId,
+};
 use crate::plan::{Plan, VertexId};
 use hodograph_base::diag::Faults;
 use hodograph_base::geom::{Point, Vec2};
@@ -40,7 +45,8 @@ impl Acts {
 
 /// Returns the drawing if all its numbers are finite and decided.
 fn told<N: Real>(done: PlanDrawing<N>) -> Result<PlanDrawing<N>, Faults> {
-    let finite = |p: &Polygon<N>| p.images.iter().flatten().all(|q| q.is_finite()) && p.mu.is_finite();
+    let finite =
+        |p: &Polygon<N>| p.images.iter().flatten().all(|q| q.is_finite()) && p.mu.is_finite();
     if done.diagrams.iter().all(finite) && done.rates.iter().all(|r| r.value.is_decided()) {
         return Ok(done);
     }
@@ -57,7 +63,8 @@ pub(super) fn fall<N: Real, P: Pencil<N>>(
     pencil: &mut P,
 ) -> Result<DrawnPlaces<N>, Faults> {
     let posed = PosedInputs::new(scene, at, &acts.givens);
-    Ok(construction::draw(&acts.construction, &posed, &layout.all(), pencil).map_err(|stop| refusal(acts, scene, plan, &stop))?)
+    Ok(construction::draw(&acts.construction, &posed, &layout.all(), pencil)
+        .map_err(|stop| refusal(acts, scene, plan, &stop))?)
 }
 
 /// Returns the drawing, even if its numbers are not decided, and the place of every mark of the
@@ -71,7 +78,8 @@ fn evaluate<N: Real, P: Pencil<N>>(
     pencil: &mut P,
 ) -> Result<(PlanDrawing<N>, DrawnPlaces<N>), Faults> {
     let drawn = fall(acts, scene, at, plan, layout, pencil)?;
-    let drawing = ActsView { acts, plan, drawn: &drawn, scales: &layout.all() }.drawing(origin(scene, at));
+    let drawing =
+        ActsView { acts, plan, drawn: &drawn, scales: &layout.all() }.drawing(origin(scene, at));
     Ok((drawing, drawn))
 }
 
@@ -86,7 +94,8 @@ impl<N: Real> ActsView<'_, N> {
     fn drawing(&self, origin: Point<N>) -> PlanDrawing<N> {
         let (construction, plane) = (&self.acts.construction, DiagramKind::Plane);
         let place = |mark: &Option<MarkId>| mark.and_then(|m| self.drawn.marks[m.index()]);
-        let spots = self.acts.images.first().map_or(Vec::new(), |spots| spots.iter().map(place).collect());
+        let spots =
+            self.acts.images.first().map_or(Vec::new(), |spots| spots.iter().map(place).collect());
         let mu = self.scales.get(plane.kind()).unwrap_or(1.0);
         let mut out = PlanDrawing {
             diagram: Diagram { mu, origin, spots, crossed: self.crossed() },
@@ -95,7 +104,8 @@ impl<N: Real> ActsView<'_, N> {
             magnification: ByKind::default(),
             acts: Arc::clone(self.acts),
         };
-        for (index, on) in construction.diagrams.iter().enumerate().filter(|(_, on)| **on != plane) {
+        for (index, on) in construction.diagrams.iter().enumerate().filter(|(_, on)| **on != plane)
+        {
             let Some(mu) = self.scales.get(on.kind()) else { continue };
             let mut polygon = Polygon {
                 on: *on,
@@ -104,12 +114,21 @@ impl<N: Real> ActsView<'_, N> {
                 edges: Vec::new(),
                 actions: Vec::new(),
             };
-            let at = |(mark, id): (PolygonMark, MarkId)| Some((mark, self.drawn.marks[id.index()]?));
+            let at =
+                |(mark, id): (PolygonMark, MarkId)| Some((mark, self.drawn.marks[id.index()]?));
             let edge = |e: &Edge<MarkId>| {
-                Some(Edge { terms: e.terms.clone(), from: at(e.from)?, to: at(e.to)?, known: e.known, between: e.between })
+                Some(Edge {
+                    terms: e.terms.clone(),
+                    from: at(e.from)?,
+                    to: at(e.to)?,
+                    known: e.known,
+                    between: e.between,
+                })
             };
             polygon.edges = self.acts.edges[index].iter().filter_map(edge).collect();
-            for (k, step) in construction.steps.iter().enumerate().filter(|(_, s)| s.on.index() == index) {
+            for (k, step) in
+                construction.steps.iter().enumerate().filter(|(_, s)| s.on.index() == index)
+            {
                 let action = self.action(k, step, &mut out.rates);
                 polygon.actions.extend(action);
             }
@@ -135,12 +154,21 @@ impl<N: Real> ActsView<'_, N> {
     /// Returns the special points that the alternatives of the groups use.
     fn crossed(&self) -> Vec<Crossed<N>> {
         let used = |met: &&Met<N>| {
-            let Name::Image(v) = self.acts.construction.marks[met.to.index()].name else { return false };
+            let Name::Image(v) = self.acts.construction.marks[met.to.index()].name else {
+                return false;
+            };
             let Some(special) = self.plan.special(VertexId(v.index())) else { return false };
-            let alternative = special.legs.and_then(|legs| SPECIAL_LEGS.iter().position(|l| *l == legs));
-            self.on(met.to) == DiagramKind::Plane && alternative.is_none_or(|k| self.acts.chosen[special.group] == k)
+            let alternative =
+                special.legs.and_then(|legs| SPECIAL_LEGS.iter().position(|l| *l == legs));
+            self.on(met.to) == DiagramKind::Plane
+                && alternative.is_none_or(|k| self.acts.chosen[special.group] == k)
         };
-        self.drawn.met.iter().filter(used).map(|met| Crossed { target: self.vertex(met.to), sine: met.sine }).collect()
+        self.drawn
+            .met
+            .iter()
+            .filter(used)
+            .map(|met| Crossed { target: self.vertex(met.to), sine: met.sine })
+            .collect()
     }
 
     fn on(&self, mark: MarkId) -> DiagramKind {
@@ -151,7 +179,9 @@ impl<N: Real> ActsView<'_, N> {
     fn vertex(&self, mark: MarkId) -> VertexId {
         match self.acts.mark(mark) {
             PolygonMark::Image(v) => v,
-            PolygonMark::Pole | PolygonMark::Part(_) | PolygonMark::Again(_) => unreachable!("what is found is the image of a vertex"),
+            PolygonMark::Pole | PolygonMark::Part(_) | PolygonMark::Again(_) => {
+                unreachable!("what is found is the image of a vertex")
+            }
         }
     }
 
@@ -169,7 +199,12 @@ impl<N: Real> ActsView<'_, N> {
     }
 
     /// Returns a step as an action of the plan; `None` for a step that is not described.
-    fn action(&self, index: usize, step: &Step, rates: &mut Vec<RateReading<N>>) -> Option<Action<N>> {
+    fn action(
+        &self,
+        index: usize,
+        step: &Step,
+        rates: &mut Vec<RateReading<N>>,
+    ) -> Option<Action<N>> {
         let construction = &self.acts.construction;
         let ends = step.ends.map(|[a, b]| (VertexId(a.index()), VertexId(b.index())));
         Some(match construction.ops(step) {
@@ -184,33 +219,60 @@ impl<N: Real> ActsView<'_, N> {
                 }
             }
             [Op::Meet { to, .. }, Op::Show(a), Op::Show(b)] => {
-                let met = &self.drawn.met[self.drawn.met.binary_search_by_key(&index, |m| m.step).ok()?];
-                Action::Cross { target: self.vertex(*to), edges: vec![self.edge(step.on, *a), self.edge(step.on, *b)], sine: met.sine }
+                let met = &self.drawn.met
+                    [self.drawn.met.binary_search_by_key(&index, |m| m.step).ok()?];
+                Action::Cross {
+                    target: self.vertex(*to),
+                    edges: vec![self.edge(step.on, *a), self.edge(step.on, *b)],
+                    sine: met.sine,
+                }
             }
             [Op::Rule(a), Op::Rule(b), Op::Meet { to, .. }] => {
-                let met = &self.drawn.met[self.drawn.met.binary_search_by_key(&index, |m| m.step).ok()?];
-                let ends = [*a, *b].map(|line| (self.place(construction.lines[line.index()].through), self.line(line)));
+                let met = &self.drawn.met
+                    [self.drawn.met.binary_search_by_key(&index, |m| m.step).ok()?];
+                let ends = [*a, *b].map(|line| {
+                    (self.place(construction.lines[line.index()].through), self.line(line))
+                });
                 Action::Trials { target: self.vertex(*to), lines: ends, sine: met.sine }
             }
-            [Op::Rule(line), Op::Foot { .. }, Op::Show(a), Op::Show(b)] => {
-                Action::Perpendicular { edges: [*a, *b].map(|v| self.edge(step.on, v)), direction: self.line(*line) }
-            }
+            [Op::Rule(line), Op::Foot { .. }, Op::Show(a), Op::Show(b)] => Action::Perpendicular {
+                edges: [*a, *b].map(|v| self.edge(step.on, v)),
+                direction: self.line(*line),
+            },
             [Op::Image { to, .. }] => Action::Copy { target: self.vertex(*to), from: ends? },
             [Op::Same { to, because: Because::Reached, .. }] => Action::Reach(self.vertex(*to)),
-            [Op::Same { to, because: Because::Translates, .. }] => Action::Same { target: self.vertex(*to), from: ends?.0 },
-            [Op::Omit { terms, at, to }] => {
-                Action::Nothing { terms: self.acts.terms(terms), at: self.place(*at), target: to.map(|to| self.vertex(to)) }
+            [Op::Same { to, because: Because::Translates, .. }] => {
+                Action::Same { target: self.vertex(*to), from: ends?.0 }
             }
+            [Op::Omit { terms, at, to }] => Action::Nothing {
+                terms: self.acts.terms(terms),
+                at: self.place(*at),
+                target: to.map(|to| self.vertex(to)),
+            },
             [Op::Show(vector)] => Action::Join(self.edge(step.on, *vector)),
             _ => {
-                let turning = &self.acts.turnings[self.acts.turnings.binary_search_by_key(&index, |t| t.step).ok()?];
+                let turning = &self.acts.turnings
+                    [self.acts.turnings.binary_search_by_key(&index, |t| t.step).ok()?];
                 let number = |id| self.drawn.number(id);
                 let measured = turning.measured.and_then(|([across, arm], line)| {
-                    let Number::Across { from, to, .. } = construction.numbers[across.index()] else { return None };
+                    let Number::Across { from, to, .. } = construction.numbers[across.index()]
+                    else {
+                        return None;
+                    };
                     let marks = [from, to].map(|mark| (self.acts.mark(mark), self.place(mark)));
-                    Some(RateMeasured { length: number(across)?.magnitude(), arm: number(arm)?, line, marks })
+                    Some(RateMeasured {
+                        length: number(across)?.magnitude(),
+                        arm: number(arm)?,
+                        line,
+                        marks,
+                    })
                 });
-                rates.push(RateReading { on: turning.on, body: turning.body, value: number(turning.number)?, measured });
+                rates.push(RateReading {
+                    on: turning.on,
+                    body: turning.body,
+                    value: number(turning.number)?,
+                    measured,
+                });
                 Action::Rate(rates.len() - 1)
             }
         })
@@ -244,7 +306,9 @@ pub fn by_hand<N: Real, P: Pencil<N>>(
         }
         // The angle of a link without two joints follows from its guide.
         for (guide, turn) in scene.guides.iter().zip(&drawn.turns) {
-            for l in [Some(guide.on), guide.slider].into_iter().flatten().filter(|l| *l != scene.ground) {
+            for l in
+                [Some(guide.on), guide.slider].into_iter().flatten().filter(|l| *l != scene.ground)
+            {
                 if let (Some(pose), Some(turn)) = (at.poses[l.0], turn)
                     && scene.links[l.0].points.len() < 2
                 {

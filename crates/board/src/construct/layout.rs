@@ -23,7 +23,10 @@ pub struct Layout {
 impl Layout {
     /// Returns the layout of a finished drawing.
     pub fn of(done: &PlanDrawing) -> Layout {
-        Layout { mu: done.diagram.mu, scales: done.diagrams.iter().map(|p| (p.on.kind(), p.mu)).collect() }
+        Layout {
+            mu: done.diagram.mu,
+            scales: done.diagrams.iter().map(|p| (p.on.kind(), p.mu)).collect(),
+        }
     }
 
     /// Returns the layout with all drawings `factor` times as large.
@@ -44,7 +47,13 @@ impl Layout {
 /// # Errors
 /// Two unknown directions that are parallel, at a dead centre (the diagnostic names the links and
 /// the joint); numbers too large to draw.
-pub fn construct(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, boxes: &Boxes) -> Result<PlanDrawing, Faults> {
+pub fn construct(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    plan: &Plan,
+    boxes: &Boxes,
+) -> Result<PlanDrawing, Faults> {
     let mu = scale::fitted(&scene.paper, Kind::Length, scale::size(scene, at), boxes.diagram);
     let chosen = choices::alternatives(scene, m, at, plan, mu)?;
     let acts = Acts::of(scene, m, plan, &chosen);
@@ -64,15 +73,27 @@ fn trial<P: Pencil>(
     pencil: &mut P,
 ) -> Result<Layout, Faults> {
     let polygons = DiagramKind::POLYGONS.into_iter().filter(|on| on.level() <= plan.level);
-    let large = Layout { mu, scales: polygons.map(|on| (on.kind(), choices::trial_scale(scene, at, on))).collect() };
+    let large = Layout {
+        mu,
+        scales: polygons.map(|on| (on.kind(), choices::trial_scale(scene, at, on))).collect(),
+    };
     let drawn = drawing::fall(acts, scene, at, plan, &large, pencil)?;
     let fit = |(on, scale): (Kind, f64), diagram: usize| {
-        let marks = acts.construction.marks.iter().zip(&drawn.marks).filter(|(m, _)| m.on.index() == diagram).filter_map(|(_, at)| *at);
+        let marks = acts
+            .construction
+            .marks
+            .iter()
+            .zip(&drawn.marks)
+            .filter(|(m, _)| m.on.index() == diagram)
+            .filter_map(|(_, at)| *at);
         let extent = scale::extent(marks).map(|mm| mm * scale);
         (on, scale::fitted(&scene.paper, on, extent, boxes.polygon))
     };
     let kinds = acts.construction.diagrams.iter().map(|on| on.kind()).enumerate();
-    Ok(Layout { mu, scales: kinds.filter_map(|(k, on)| Some(fit((on, large.scales.get(on)?), k))).collect() })
+    Ok(Layout {
+        mu,
+        scales: kinds.filter_map(|(k, on)| Some(fit((on, large.scales.get(on)?), k))).collect(),
+    })
 }
 #[cfg(test)]
 mod tests {
@@ -108,11 +129,22 @@ mod tests {
             let Ok(at) = configure(&scene, &m, &demand) else { continue };
             let plan = plan::plan(&scene, &m, &demand);
             let (mut before, mut then) = (Counting::default(), Counting::default());
-            let (mu, boxes) =
-                (scale::fitted(&scene.paper, Kind::Length, scale::size(&scene, &at.value), [130.0; 2]), Boxes::of(&scene.paper, &plan));
-            let Ok(chosen) = choices::alternatives(&scene, &m, &at.value, &plan, mu) else { continue };
+            let (mu, boxes) = (
+                scale::fitted(
+                    &scene.paper,
+                    Kind::Length,
+                    scale::size(&scene, &at.value),
+                    [130.0; 2],
+                ),
+                Boxes::of(&scene.paper, &plan),
+            );
+            let Ok(chosen) = choices::alternatives(&scene, &m, &at.value, &plan, mu) else {
+                continue;
+            };
             let acts = Acts::of(&scene, &m, &plan, &chosen);
-            let Ok(layout) = trial(&scene, &at.value, &plan, &acts, mu, &boxes, &mut before) else { continue };
+            let Ok(layout) = trial(&scene, &at.value, &plan, &acts, mu, &boxes, &mut before) else {
+                continue;
+            };
             let done = acts.draw(&scene, &at.value, &plan, &layout, &mut then).unwrap();
             assert_eq!(Layout::of(&done), layout, "{}", template.name);
             assert_eq!(before.0, then.0, "{}", template.name);

@@ -207,7 +207,11 @@ impl<N> Action<N> {
             | Action::Copy { target, .. }
             | Action::Same { target, .. } => Some(*target),
             Action::Nothing { target, .. } => *target,
-            Action::LayOff(_) | Action::Line { .. } | Action::Join(_) | Action::Perpendicular { .. } | Action::Rate(_) => None,
+            Action::LayOff(_)
+            | Action::Line { .. }
+            | Action::Join(_)
+            | Action::Perpendicular { .. }
+            | Action::Rate(_) => None,
         }
     }
 }
@@ -247,7 +251,9 @@ impl<N: Copy> Polygon<N> {
 
 /// Returns the mark, with its place, at the end of a term that is drawn from another mark.
 fn end_of<P: Copy>(edges: &[Edge<P>], from: &PolygonMark, term: &Term) -> Option<(PolygonMark, P)> {
-    let drawn = |e: &&Edge<P>| e.from.0 == *from && matches!(&e.terms[..], [t] if t.is_same(term) == Some(false));
+    let drawn = |e: &&Edge<P>| {
+        e.from.0 == *from && matches!(&e.terms[..], [t] if t.is_same(term) == Some(false))
+    };
     edges.iter().find(drawn).map(|e| e.to)
 }
 
@@ -255,15 +261,20 @@ fn end_of<P: Copy>(edges: &[Edge<P>], from: &PolygonMark, term: &Term) -> Option
 fn edge_of<P: Copy>(edges: &[Edge<P>], terms: &[Term]) -> Option<VectorMarks<P>> {
     let shows = |e: &Edge<P>, t: &Term| if let [u] = &e.terms[..] { u.is_same(t) } else { None };
     // Terms that vanish have no edge: only the others count.
-    let drawn: Vec<&Term> = terms.iter().filter(|t| edges.iter().any(|e| shows(e, t).is_some())).collect();
+    let drawn: Vec<&Term> =
+        terms.iter().filter(|t| edges.iter().any(|e| shows(e, t).is_some())).collect();
     let (head, rest) = drawn.split_first()?;
     let row = |reversed: bool| {
         let is = |e: &&Edge<P>, t: &Term| shows(e, t) == Some(reversed);
-        let after = |before: &Edge<P>, t: &Term| edges.iter().find(|e| is(e, t) && e.from.0 == before.to.0);
-        let whole = |first| Some((first, rest.iter().try_fold(first, |before, t| after(before, t))?));
+        let after =
+            |before: &Edge<P>, t: &Term| edges.iter().find(|e| is(e, t) && e.from.0 == before.to.0);
+        let whole =
+            |first| Some((first, rest.iter().try_fold(first, |before, t| after(before, t))?));
         edges.iter().filter(|e| is(e, head)).find_map(whole)
     };
-    let marks = |(first, last): (&Edge<P>, &Edge<P>), reversed| if reversed { [last.to, first.from] } else { [first.from, last.to] };
+    let marks = |(first, last): (&Edge<P>, &Edge<P>), reversed| {
+        if reversed { [last.to, first.from] } else { [first.from, last.to] }
+    };
     [false, true].into_iter().find_map(|reversed| Some((marks(row(reversed)?, reversed), reversed)))
 }
 
@@ -308,7 +319,11 @@ impl Polygon {
 
     /// Returns the width and height of the drawing including the pole, in SI.
     pub fn extent(&self) -> [f64; 2] {
-        let marks = self.edges.iter().flat_map(|e| [e.from.1, e.to.1]).chain(self.images.iter().flatten().copied());
+        let marks = self
+            .edges
+            .iter()
+            .flat_map(|e| [e.from.1, e.to.1])
+            .chain(self.images.iter().flatten().copied());
         scale::extent(marks.chain([Point::ORIGIN])).map(|mm| mm * self.mu)
     }
 }
@@ -360,7 +375,11 @@ impl PlanDrawing {
     /// Returns the scale of the mechanism or of a polygon (SI per mm); `None` if there is no such
     /// polygon.
     pub fn scale(&self, on: DiagramKind) -> Option<f64> {
-        if on == DiagramKind::Plane { Some(self.diagram.mu) } else { self.polygon(on).map(|p| p.mu) }
+        if on == DiagramKind::Plane {
+            Some(self.diagram.mu)
+        } else {
+            self.polygon(on).map(|p| p.mu)
+        }
     }
 
     /// True for a polygon that is a single point, because nothing moves: it has a pole, and no
@@ -393,7 +412,11 @@ impl<N: Real> PlanDrawing<N> {
                 .actions
                 .iter()
                 .filter_map(|a| {
-                    let (Action::Cross { target, sine, .. } | Action::Trials { target, sine, .. }) = *a else { return None };
+                    let (Action::Cross { target, sine, .. } | Action::Trials { target, sine, .. }) =
+                        *a
+                    else {
+                        return None;
+                    };
                     Some(Crossed { target, sine })
                 })
                 .collect(),

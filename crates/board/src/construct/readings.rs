@@ -87,7 +87,9 @@ impl<N: Real> OnPaper<'_, N> {
     /// Returns the image of a point, the pole for a fixed one; `None` if it is not drawn.
     fn image(&self, on: DiagramKind, p: &OnLink) -> Option<Point<N>> {
         let ground = self.scene.ground;
-        if p.link.map_or_else(|| self.scene.links[ground.0].points.contains(&p.point), |l| l == ground) {
+        if p.link
+            .map_or_else(|| self.scene.links[ground.0].points.contains(&p.point), |l| l == ground)
+        {
             return Some(Point::origin());
         }
         self.paper.polygon(on)?.images[self.plan.find_vertex(self.scene, p.point, p.link)?.0]
@@ -103,14 +105,27 @@ impl<N: Real> OnPaper<'_, N> {
         let polygon = self.paper.polygon(what.diagram())?;
         match asking(self.scene, self.m, self.plan, what)? {
             Asking::Vector { of, reversed } => {
-                let (pole, tip) = ((PolygonMark::Pole, Point::origin()), (polygon.mark(self.plan, of), polygon.images[of.0]?));
+                let (pole, tip) = (
+                    (PolygonMark::Pole, Point::origin()),
+                    (polygon.mark(self.plan, of), polygon.images[of.0]?),
+                );
                 let marks = if reversed { [tip, pole] } else { [pole, tip] };
-                Some(FoundVector { marks, shown: DrawnVector { vector: ShownAs::Image(of), reversed } })
+                Some(FoundVector {
+                    marks,
+                    shown: DrawnVector { vector: ShownAs::Image(of), reversed },
+                })
             }
             Asking::Terms(terms) => {
                 let (marks, reversed) = polygon.edge_of(&terms)?;
-                let drawn = |t: &Term| if reversed { Term { of: t.to, to: t.of, ..*t } } else { *t };
-                Some(FoundVector { marks, shown: DrawnVector { vector: ShownAs::Edges(terms.iter().map(drawn).collect()), reversed } })
+                let drawn =
+                    |t: &Term| if reversed { Term { of: t.to, to: t.of, ..*t } } else { *t };
+                Some(FoundVector {
+                    marks,
+                    shown: DrawnVector {
+                        vector: ShownAs::Edges(terms.iter().map(drawn).collect()),
+                        reversed,
+                    },
+                })
             }
         }
     }
@@ -126,7 +141,12 @@ impl<N: Real> OnPaper<'_, N> {
 
 /// Returns the vectors and rates of a drawing as a source for formulas: accelerations for inertia,
 /// velocities for resistances.
-pub fn source<'a, N: Real>(scene: &'a Scene, m: &'a Mechanism, plan: &'a Plan, paper: &'a PlanDrawing<N>) -> impl MotionSource<N> + 'a {
+pub fn source<'a, N: Real>(
+    scene: &'a Scene,
+    m: &'a Mechanism,
+    plan: &'a Plan,
+    paper: &'a PlanDrawing<N>,
+) -> impl MotionSource<N> + 'a {
     OnPaper { scene, m, plan, paper }
 }
 
@@ -149,8 +169,17 @@ impl<N: Real> MotionSource<N> for OnPaper<'_, N> {
 
 /// Returns the points at the ends of a line, if the arm is their distance (a special point is not a
 /// point of the scene, and some arms begin in a centre of curvature).
-fn points_of(at: &Configuration, plan: &Plan, (of, to): (VertexId, VertexId), arm: f64) -> Option<(PointId, PointId)> {
-    let (VertexPlace::Point(a), VertexPlace::Point(b)) = (plan.vertex(of).spot, plan.vertex(to).spot) else { return None };
+fn points_of(
+    at: &Configuration,
+    plan: &Plan,
+    (of, to): (VertexId, VertexId),
+    arm: f64,
+) -> Option<(PointId, PointId)> {
+    let (VertexPlace::Point(a), VertexPlace::Point(b)) =
+        (plan.vertex(of).spot, plan.vertex(to).spot)
+    else {
+        return None;
+    };
     let off = at.points[a.0]?.distance(at.points[b.0]?) - arm;
     // The two distances agree to rounding, or are different altogether.
     (off.abs() < 1e-9 * arm).then_some((a, b))
@@ -167,7 +196,13 @@ fn vanishes(m: &Mechanism, what: &Asked, scene: &Scene) -> bool {
 
 /// Returns the answers from the drawing board; `None` for vectors that are not drawn
 /// ([`Plan::undrawable`]).
-pub fn read(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper: &PlanDrawing) -> Vec<Option<FindAnswer>> {
+pub fn read(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    plan: &Plan,
+    paper: &PlanDrawing,
+) -> Vec<Option<FindAnswer>> {
     let source = OnPaper { scene, m, plan, paper };
     scene.find.iter().enumerate().map(|(find, f)| source.answer(at, find, &f.what)).collect()
 }
@@ -179,33 +214,63 @@ impl OnPaper<'_, f64> {
         // A combination of two quantities is drawn if both are.
         if let Asked::Combined(c) = what {
             let [a, b] = c.operands.map(|q| self.answer(at, find, &q.asked()));
-            return Some(FindAnswer { find, value: combine(c.operation, a?.value, b?.value)?, measured: None });
+            return Some(FindAnswer {
+                find,
+                value: combine(c.operation, a?.value, b?.value)?,
+                measured: None,
+            });
         }
         if on == DiagramKind::Plane {
             return Some(FindAnswer { find, value: place(self.scene, at, what)?, measured: None });
         }
         match what.meaning(self.scene) {
             Some(Meaning::Turning(l, None)) => {
-                let reading = self.paper.rates.iter().find(|r| r.on == on && r.body == body_of(self.scene, self.m, l));
+                let reading = self
+                    .paper
+                    .rates
+                    .iter()
+                    .find(|r| r.on == on && r.body == body_of(self.scene, self.m, l));
                 let measured = reading.zip(self.paper.polygon(on)).and_then(|(r, p)| {
                     let m = r.measured?;
                     let arm_of = points_of(at, self.plan, m.line, m.arm);
-                    Some(MeasuredDistance { length_mm: m.length, mu: p.mu, arm_m: Some(m.arm), arm_of, marks: m.marks, shown: None })
+                    Some(MeasuredDistance {
+                        length_mm: m.length,
+                        mu: p.mu,
+                        arm_m: Some(m.arm),
+                        arm_of,
+                        marks: m.marks,
+                        shown: None,
+                    })
                 });
-                return Some(FindAnswer { find, value: AnswerValue::Scalar(self.turning(on, l)?), measured });
+                return Some(FindAnswer {
+                    find,
+                    value: AnswerValue::Scalar(self.turning(on, l)?),
+                    measured,
+                });
             }
             Some(Meaning::Turning(l, Some(against))) => {
                 let value = self.turning(on, l)? - self.turning(on, against)?;
-                return Some(FindAnswer { find, value: AnswerValue::Scalar(value), measured: None });
+                return Some(FindAnswer {
+                    find,
+                    value: AnswerValue::Scalar(value),
+                    measured: None,
+                });
             }
             Some(Meaning::Ratio(links, arm)) => {
                 let of = |l| self.turning(on, l);
                 let arm = arm.map_or(Some(0.0), of)?;
                 let value = (of(links[0])? - arm) / (of(links[1])? - arm);
-                return value.is_finite().then_some(FindAnswer { find, value: AnswerValue::Scalar(value), measured: None });
+                return value.is_finite().then_some(FindAnswer {
+                    find,
+                    value: AnswerValue::Scalar(value),
+                    measured: None,
+                });
             }
             Some(Meaning::Vector(_) | Meaning::Relative(..)) => {}
-            Some(Meaning::Seen(..)) if asking(self.scene, self.m, self.plan, what).is_none() && !vanishes(self.m, what, self.scene) => {
+            Some(Meaning::Seen(..))
+                if asking(self.scene, self.m, self.plan, what).is_none()
+                    && !vanishes(self.m, what, self.scene) =>
+            {
                 return self.dropped(at, find, what);
             }
             Some(Meaning::Seen(..)) => {}
@@ -218,8 +283,19 @@ impl OnPaper<'_, f64> {
         Some(match (self.find(what), self.paper.polygon(on)) {
             (Some(FoundVector { marks, shown }), Some(p)) => {
                 let drawn = marks[1].1 - marks[0].1;
-                let measured = MeasuredDistance { length_mm: drawn.norm(), mu: p.mu, arm_m: None, arm_of: None, marks, shown: Some(shown) };
-                FindAnswer { find, value: AnswerValue::Vector(drawn * p.mu), measured: Some(measured) }
+                let measured = MeasuredDistance {
+                    length_mm: drawn.norm(),
+                    mu: p.mu,
+                    arm_m: None,
+                    arm_of: None,
+                    marks,
+                    shown: Some(shown),
+                };
+                FindAnswer {
+                    find,
+                    value: AnswerValue::Vector(drawn * p.mu),
+                    measured: Some(measured),
+                }
             }
             // Both images exist, without an edge between them: this part vanishes.
             _ => FindAnswer { find, value: AnswerValue::Vector(Vec2::ZERO), measured: None },
@@ -237,7 +313,11 @@ impl OnPaper<'_, f64> {
         if !matches!(c.part, CompositePart::RelativeNormal | CompositePart::RelativeTangential) {
             return None;
         }
-        let [whole, v_r, v_e] = [of(CompositePart::Relative)?, of(CompositePart::RelativeVelocity)?, of(CompositePart::TransportVelocity)?];
+        let [whole, v_r, v_e] = [
+            of(CompositePart::Relative)?,
+            of(CompositePart::RelativeVelocity)?,
+            of(CompositePart::TransportVelocity)?,
+        ];
         let way = v_r.unit().filter(|_| v_r.norm() > SHORT * v_e.norm())?;
         let along = way * way.dot(whole);
         let value = if c.part == CompositePart::RelativeTangential { along } else { whole - along };
@@ -265,19 +345,29 @@ pub fn read_by_hand<P: Pencil>(
         }
         let on = find.what.diagram();
         Some(match (answer?.value, paper.polygon(on)) {
-            (AnswerValue::Vector(v), Some(p)) => AnswerValue::Vector(pencil.read(on, v * (1.0 / p.mu)) * p.mu),
+            (AnswerValue::Vector(v), Some(p)) => {
+                AnswerValue::Vector(pencil.read(on, v * (1.0 / p.mu)) * p.mu)
+            }
             // Rates were read when they were first needed; the difference of two rates is
             // calculated.
-            (value @ (AnswerValue::Scalar(_) | AnswerValue::Point(_)), Some(_)) | (value @ AnswerValue::Vector(_), None) => value,
-            (AnswerValue::Point(p), None) => AnswerValue::Point((pencil.read(on, p.to_vec2() * (1.0 / mu)) * mu).to_point()),
+            (value @ (AnswerValue::Scalar(_) | AnswerValue::Point(_)), Some(_))
+            | (value @ AnswerValue::Vector(_), None) => value,
+            (AnswerValue::Point(p), None) => {
+                AnswerValue::Point((pencil.read(on, p.to_vec2() * (1.0 / mu)) * mu).to_point())
+            }
             (AnswerValue::Scalar(s), None) => AnswerValue::Scalar(match find.what.of() {
                 Of::Link(l) if find.what.kind() == Kind::Angle => {
-                    let apart = shown.link_direction(scene, l).map_or(shown.extent(), Vec2::norm) / mu;
+                    let apart =
+                        shown.link_direction(scene, l).map_or(shown.extent(), Vec2::norm) / mu;
                     pencil.ruler(on, Vec2::from_angle(s), apart).angle()
                 }
-                Of::Point(_) | Of::Points(..) | Of::Link(_) | Of::Links(..) | Of::Line(..) | Of::Seen(..) | Of::Mechanism => {
-                    pencil.read(on, Vec2::new(s / mu, 0.0)).x * mu
-                }
+                Of::Point(_)
+                | Of::Points(..)
+                | Of::Link(_)
+                | Of::Links(..)
+                | Of::Line(..)
+                | Of::Seen(..)
+                | Of::Mechanism => pencil.read(on, Vec2::new(s / mu, 0.0)).x * mu,
             }),
         })
     };

@@ -10,25 +10,34 @@ use hodograph_scene::{DiagramKind, Scene};
 
 /// Returns the diagnostic for numbers that cannot be drawn.
 pub(super) fn overflow() -> Diagnostic {
-    Diagnostic::error("overflow", both!("the numbers are too large or too small to be drawn", "数值过大或过小，无法作图"))
+    Diagnostic::error(
+        "overflow",
+        both!("the numbers are too large or too small to be drawn", "数值过大或过小，无法作图"),
+    )
 }
 
 /// Returns the diagnostic for a construction that stops.
 pub(super) fn refusal(acts: &Acts, scene: &Scene, plan: &Plan, stop: &Stop) -> Diagnostic {
     let construction = &acts.construction;
     let step = &construction.steps[stop.step];
-    let found = |mark: MarkId| if let PolygonMark::Image(v) = acts.mark(mark) { Some(v) } else { None };
+    let found =
+        |mark: MarkId| if let PolygonMark::Image(v) = acts.mark(mark) { Some(v) } else { None };
     let missing = if let Why::Missing(mark) = stop.why { found(mark) } else { None };
     match (stop.why, missing, step.ends) {
         (Why::Parallel(lines, to), ..) => {
             let open = lines.map(|l| acts.terms(&construction.lines[l.index()].carries));
-            found(to).map_or_else(overflow, |target| dead_centre(scene, plan, construction.diagrams[step.on.index()], target, &open))
+            found(to).map_or_else(overflow, |target| {
+                dead_centre(scene, plan, construction.diagrams[step.on.index()], target, &open)
+            })
         }
         (_, Some(v), _) => {
             let name = vertex_name(scene, plan, v);
             Diagnostic::error(
                 "dead-centre",
-                both!("the lines that cross in {name} are parallel in this pose", "在该位置，应交于 {name} 的两直线平行"),
+                both!(
+                    "the lines that cross in {name} are parallel in this pose",
+                    "在该位置，应交于 {name} 的两直线平行"
+                ),
             )
             .help(both!("choose another pose", "请改变位置"))
         }
@@ -36,7 +45,10 @@ pub(super) fn refusal(acts: &Acts, scene: &Scene, plan: &Plan, stop: &Stop) -> D
             let [a, b] = ends.map(|k| vertex_name(scene, plan, VertexId(k.index())));
             Diagnostic::error(
                 "coincident-points",
-                both!("{a} and {b} coincide in this pose: their line has no direction", "{a} 与 {b} 在该位置重合，连线没有方向"),
+                both!(
+                    "{a} and {b} coincide in this pose: their line has no direction",
+                    "{a} 与 {b} 在该位置重合，连线没有方向"
+                ),
             )
             .help(both!("choose another pose, or other lengths", "请改变位置或长度"))
         }
@@ -45,10 +57,21 @@ pub(super) fn refusal(acts: &Acts, scene: &Scene, plan: &Plan, stop: &Stop) -> D
 }
 
 /// Returns the diagnostic for two parallel lines, each the direction of some terms.
-fn dead_centre(scene: &Scene, plan: &Plan, on: DiagramKind, target: VertexId, open: &[Vec<Term>; 2]) -> Diagnostic {
-    let words: Vec<Both> = open.iter().filter_map(|terms| terms.first()).map(|t| held_by(scene, plan, t)).collect();
+fn dead_centre(
+    scene: &Scene,
+    plan: &Plan,
+    on: DiagramKind,
+    target: VertexId,
+    open: &[Vec<Term>; 2],
+) -> Diagnostic {
+    let words: Vec<Both> =
+        open.iter().filter_map(|terms| terms.first()).map(|t| held_by(scene, plan, t)).collect();
     let at = vertex_name(scene, plan, target);
-    let lie = if open.iter().flatten().all(|t| matches!(t.by, TermConnection::Turning(_) | TermConnection::Cylinder(_))) {
+    let lie = if open
+        .iter()
+        .flatten()
+        .all(|t| matches!(t.by, TermConnection::Turning(_) | TermConnection::Cylinder(_)))
+    {
         both!("lie in line", "共线")
     } else {
         both!("leave the same direction open", "所余方向相同")

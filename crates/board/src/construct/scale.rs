@@ -46,7 +46,9 @@ impl Boxes {
         let usual = Boxes::default();
         let last = DiagramKind::of(plan.level).max(DiagramKind::Velocity);
         let vectors = plan.steps(last).iter().flat_map(|g| g.steps(0)).map(|s| match s {
-            PlanStep::Equation { chains, .. } => chains.iter().map(|c| c.known.len() + c.unknown.len()).sum(),
+            PlanStep::Equation { chains, .. } => {
+                chains.iter().map(|c| c.known.len() + c.unknown.len()).sum()
+            }
             PlanStep::Image { .. } | PlanStep::Trials { .. } | PlanStep::Same { .. } => 1_usize,
         });
         // Names need area, which grows with the square of the side.
@@ -64,9 +66,13 @@ pub const DWARFS: f64 = 2.0;
 pub fn size(scene: &Scene, at: &Configuration) -> [f64; 2] {
     let joints = at.points.iter().flatten().copied();
     let profiles = scene.cams.iter().flat_map(|c| profile(c, at));
-    let (rings, wheels): (Vec<_>, Vec<_>) = scene.rolling.iter().flat_map(|pair| circles(pair, at)).partition(|c| c.2);
-    let corners = |(centre, r, _): &(Point, f64, bool)| [*centre + Vec2::new(*r, *r), *centre - Vec2::new(*r, *r)];
-    let mut places: Vec<Point> = joints.chain(profiles).chain(wheels.iter().flat_map(corners)).collect();
+    let (rings, wheels): (Vec<_>, Vec<_>) =
+        scene.rolling.iter().flat_map(|pair| circles(pair, at)).partition(|c| c.2);
+    let corners = |(centre, r, _): &(Point, f64, bool)| {
+        [*centre + Vec2::new(*r, *r), *centre - Vec2::new(*r, *r)]
+    };
+    let mut places: Vec<Point> =
+        joints.chain(profiles).chain(wheels.iter().flat_map(corners)).collect();
     let [w, h] = extent(places.iter().copied());
     places.extend(rings.iter().filter(|(_, r, _)| 2.0 * r <= DWARFS * w.max(h)).flat_map(corners));
     extent(places.into_iter())
@@ -86,7 +92,9 @@ fn profile(c: &Cam, at: &Configuration) -> Vec<Point> {
     const STEPS: usize = 36;
     let (centre, points): (_, Vec<Vec2>) = match (&c.circle, &c.disc) {
         (Some((centre, radius)), _) => {
-            let round = |k: usize| Vec2::from_angle(std::f64::consts::TAU * k as f64 / STEPS as f64) * *radius;
+            let round = |k: usize| {
+                Vec2::from_angle(std::f64::consts::TAU * k as f64 / STEPS as f64) * *radius
+            };
             (*centre, (0..STEPS).map(round).collect())
         }
         (None, Some(t)) => {
@@ -153,7 +161,9 @@ pub fn finer(unit: f64, mu: f64, factor: f64) -> f64 {
         return mu;
     }
     let exponent = libm::floor(libm::log10(need)) as i32;
-    let series = [exponent + 1, exponent, exponent - 1].into_iter().flat_map(|e| [5.0, 2.5, 2.0, 1.0].map(|step| decimal(step, e)));
+    let series = [exponent + 1, exponent, exponent - 1]
+        .into_iter()
+        .flat_map(|e| [5.0, 2.5, 2.0, 1.0].map(|step| decimal(step, e)));
     // The rounding tolerance of `choose`, in the opposite direction.
     series.into_iter().find(|then| *then <= need * (1.0 + 1e-9)).unwrap_or(need) * unit
 }
@@ -191,7 +201,10 @@ mod tests {
         }
         assert_eq!(finer(1.0, 0.03, 1.0), 0.025);
         assert_eq!(finer(1.0, 1.0, 1e3), 0.001);
-        assert_eq!([finer(0.5, 0.1, 2.0), coarser(0.5, 0.1, 2.0), choose_in(0.5, [0.3, 0.1], [1.0, 1.0])], [0.05, 0.25, 0.5]);
+        assert_eq!(
+            [finer(0.5, 0.1, 2.0), coarser(0.5, 0.1, 2.0), choose_in(0.5, [0.3, 0.1], [1.0, 1.0])],
+            [0.05, 0.25, 0.5]
+        );
     }
 
     /// A ring gear gets space in the figure up to twice the size of everything else, in any unit.
@@ -208,13 +221,20 @@ mod tests {
                     r * unit,
                     ring * unit
                 );
-                let scene = hodograph_scene::read(&text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
+                let scene =
+                    hodograph_scene::read(&text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
                 let m = Mechanism::new(&scene).unwrap().value;
-                let at = configure(&scene, &m, &Demand::of(&scene, &m).with_all_positions()).unwrap().value;
+                let at = configure(&scene, &m, &Demand::of(&scene, &m).with_all_positions())
+                    .unwrap()
+                    .value;
                 let [w, h] = size(&scene, &at).map(|x| x / unit);
                 let wide = |c: f64| (c + r) - (c - r).min(0.0);
-                let expected = if has_room { [2.0 * ring, 2.0 * ring] } else { [wide(0.6), wide(0.8)] };
-                assert!((w - expected[0]).abs() < 1e-9 && (h - expected[1]).abs() < 1e-9, "{r} of {unit} m: {w} by {h}\n{text}");
+                let expected =
+                    if has_room { [2.0 * ring, 2.0 * ring] } else { [wide(0.6), wide(0.8)] };
+                assert!(
+                    (w - expected[0]).abs() < 1e-9 && (h - expected[1]).abs() < 1e-9,
+                    "{r} of {unit} m: {w} by {h}\n{text}"
+                );
             }
         }
     }

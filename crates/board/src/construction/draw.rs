@@ -2,7 +2,9 @@
 
 use super::pencil::Pencil;
 use super::scale;
-use super::{Base, Construction, DiagramId, Direction, Key, Line, LineId, MarkId, Name, NumberId, Op, Step};
+use super::{
+    Base, Construction, DiagramId, Direction, Key, Line, LineId, MarkId, Name, NumberId, Op, Step,
+};
 use hodograph_base::budget::spend;
 use hodograph_base::diagram::DiagramKind;
 use hodograph_base::geom::{Point, Vec2, cross_lines};
@@ -75,7 +77,8 @@ pub struct DrawnPlaces<N = f64> {
     pub lines: Vec<Option<(Point<N>, Vec2<N>)>>,
     /// The crossings, in the order of drawing.
     pub met: Vec<Met<N>>,
-    /// For each path drawn, its rotation from the true direction as (cos, sin); empty with the exact pencil.
+    /// For each path drawn, its rotation from the true direction as (cos, sin); empty with the
+    /// exact pencil.
     pub turns: Vec<Option<Vec2<N>>>,
     pub(super) numbers: Vec<Option<Value<N>>>,
 }
@@ -96,7 +99,8 @@ pub enum Why {
     Parallel([LineId; 2], MarkId),
     /// Two places coincide, so that their line has no direction.
     Coincide,
-    /// A mark of the mechanism that is needed has no place: the lines that cross in it are parallel.
+    /// A mark of the mechanism that is needed has no place: the lines that cross in it are
+    /// parallel.
     Missing(MarkId),
 }
 
@@ -114,7 +118,8 @@ pub fn draw<N: Real, P: Pencil<N>>(
     pencil: &mut P,
 ) -> Result<DrawnPlaces<N>, Stop> {
     let scale = |kind: &DiagramKind| scales.get(kind.kind());
-    let mu: Vec<Option<N>> = construction.diagrams.iter().map(|k| scale(k).map(scale::number)).collect();
+    let mu: Vec<Option<N>> =
+        construction.diagrams.iter().map(|k| scale(k).map(scale::number)).collect();
     let plane = construction.diagram(DiagramKind::Plane).and_then(|d| mu[d.index()]);
     let drawn = DrawnPlaces {
         marks: vec![None; construction.marks.len()],
@@ -125,7 +130,16 @@ pub fn draw<N: Real, P: Pencil<N>>(
     };
     let mu_l = plane.unwrap_or(N::from_f64(1.0));
     let mm_l = scale(&DiagramKind::Plane).unwrap_or(1.0);
-    let mut board = Board { construction, givens, pencil, drawn, mu, mu_l, per_m: N::from_f64(1.0) / mu_l, mm_l };
+    let mut board = Board {
+        construction,
+        givens,
+        pencil,
+        drawn,
+        mu,
+        mu_l,
+        per_m: N::from_f64(1.0) / mu_l,
+        mm_l,
+    };
     for (index, step) in construction.steps.iter().enumerate() {
         spend();
         if board.mu[step.on.index()].is_some() {
@@ -144,7 +158,8 @@ impl<N: Real> DrawnPlaces<N> {
         }
     }
 
-    /// The value of a number, in SI; a part measured across an arm in mm. `None` for what is not measured, or is no scalar.
+    /// The value of a number, in SI; a part measured across an arm in mm. `None` for what is not
+    /// measured, or is no scalar.
     pub fn number(&self, id: NumberId) -> Option<N> {
         match self.numbers[id.index()]? {
             Value::Scalar(x) => Some(x),
@@ -189,7 +204,10 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
                 Op::Rule(line) => self.rule(*line)?,
                 Op::Meet { lines, to } => self.meet(index, *lines, *to)?,
                 Op::Foot { from, on, to } => {
-                    let (from, Some((q, u))) = (self.place(*from)?, self.drawn.lines[on.index()]) else { return Err(Why::Coincide) };
+                    let (from, Some((q, u))) = (self.place(*from)?, self.drawn.lines[on.index()])
+                    else {
+                        return Err(Why::Coincide);
+                    };
                     self.mark(*to, q + u * u.dot(from - q));
                 }
                 Op::Image { of: [a, b, c], onto, to } => {
@@ -258,7 +276,8 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
             self.drawn.turns.resize(path.index() + 1, None);
         }
         let apart = self.reach_mm(path);
-        self.drawn.turns[path.index()] = Some(self.pencil.ruler(DiagramKind::Plane, Vec2::unit_x(), apart));
+        self.drawn.turns[path.index()] =
+            Some(self.pencil.ruler(DiagramKind::Plane, Vec2::unit_x(), apart));
     }
 
     fn reach_mm(&self, path: Key) -> f64 {
@@ -278,7 +297,8 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
         Ok((self.place(to)? - self.place(from)?) * self.mu_l)
     }
 
-    /// Returns the vector from one mark to another in metres, with the given length where it is known.
+    /// Returns the vector from one mark to another in metres, with the given length where it is
+    /// known.
     fn arm_of(&self, from: MarkId, to: MarkId, known: bool) -> Result<Vec2<N>, Why> {
         let drawn = self.arm(from, to)?;
         if P::EXACT || !known {
@@ -319,7 +339,9 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
             }
             Base::Inward(key, at) => match path(key)? {
                 Track::Line(_) => return Err(Why::Coincide),
-                Track::Arc { centre, radius } => self.turned(key, (centre - given(at)?) * (N::from_f64(1.0) / radius)),
+                Track::Arc { centre, radius } => {
+                    self.turned(key, (centre - given(at)?) * (N::from_f64(1.0) / radius))
+                }
             },
             Base::Measured(id) => self.vector(id)?,
             Base::Given(key) => self.givens.vector(key).ok_or(Why::Coincide)?,
@@ -344,7 +366,9 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
             _ if P::EXACT => 0.0,
             Base::Marks(..) => self.base(base)?.approx().norm(),
             Base::Arm { .. } => self.base(base)?.approx().norm() / self.mm_l,
-            Base::Tangent(path, _) | Base::Normal(path, _) | Base::Inward(path, _) => self.reach_mm(*path),
+            Base::Tangent(path, _) | Base::Normal(path, _) | Base::Inward(path, _) => {
+                self.reach_mm(*path)
+            }
             Base::Part(..) | Base::Places(..) => self.base(base)?.approx().norm() / self.mm_l,
             Base::Measured(_) | Base::Given(_) => return Err(Why::Coincide),
         })
@@ -353,7 +377,9 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
     fn rule(&mut self, id: LineId) -> Result<(), Why> {
         let Line { through, along, moved, .. } = &self.construction.lines[id.index()];
         let (through, kind) = (*through, self.on(*through));
-        let laid = self.place(through).and_then(|at| Ok((at, self.direction(along)?, self.apart(&along.base)?)));
+        let laid = self
+            .place(through)
+            .and_then(|at| Ok((at, self.direction(along)?, self.apart(&along.base)?)));
         let (at, v, apart) = match laid {
             Ok(laid) => laid,
             // A place of the mechanism is missing if a place that it depends on is.
@@ -375,7 +401,9 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
     fn rounding(&self, line: LineId) -> Result<f64, Why> {
         let base = &self.construction.lines[line.index()].along.base;
         Ok(match *base {
-            Base::Arm { from, to, .. } => self.givens.extent() / self.arm(from, to)?.approx().norm(),
+            Base::Arm { from, to, .. } => {
+                self.givens.extent() / self.arm(from, to)?.approx().norm()
+            }
             Base::Marks(..)
             | Base::Part(..)
             | Base::Places(..)
@@ -389,13 +417,18 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
 
     fn meet(&mut self, step: usize, lines: [LineId; 2], to: MarkId) -> Result<(), Why> {
         let plane = self.on(to) == DiagramKind::Plane;
-        let (Some((p, u)), Some((q, w))) = (self.drawn.lines[lines[0].index()], self.drawn.lines[lines[1].index()]) else {
+        let (Some((p, u)), Some((q, w))) =
+            (self.drawn.lines[lines[0].index()], self.drawn.lines[lines[1].index()])
+        else {
             return if plane { Ok(()) } else { Err(Why::Parallel(lines, to)) };
         };
         let c = cross_lines(p, u, q, w);
-        let rounding = if plane { 1.0 } else { 1.0 + self.rounding(lines[0])? + self.rounding(lines[1])? };
+        let rounding =
+            if plane { 1.0 } else { 1.0 + self.rounding(lines[0])? + self.rounding(lines[1])? };
         // Numbers with error bounds are undecided where the lines may be parallel.
-        let parallel = !plane && !N::knows_its_error() && c.sine.approx().abs() <= PARALLEL_UNITS * f64::EPSILON * rounding;
+        let parallel = !plane
+            && !N::knows_its_error()
+            && c.sine.approx().abs() <= PARALLEL_UNITS * f64::EPSILON * rounding;
         if parallel || !c.at.is_finite() {
             return if plane { Ok(()) } else { Err(Why::Parallel(lines, to)) };
         }

@@ -66,7 +66,10 @@ impl<N: Real, G: Givens<N>, P: Pencil<N>> Board<'_, N, G, P> {
         Ok(match self.construction.numbers[id.index()] {
             Number::Given(key) => self.givens.number(key),
             Number::Plain(x) => N::from_f64(f64::from(x)),
-            Number::Vector(..) | Number::Across { .. } | Number::Along(..) | Number::Moment { .. } => return Err(Why::Coincide),
+            Number::Vector(..)
+            | Number::Across { .. }
+            | Number::Along(..)
+            | Number::Moment { .. } => return Err(Why::Coincide),
             Number::Length(base) => self.base(&base)?.norm(),
             Number::Square(base) => self.base(&base)?.norm2(),
             Number::Radius(path) => match self.givens.path(path) {

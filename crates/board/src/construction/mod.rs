@@ -2,9 +2,9 @@
 //!
 //! A [`Construction`] is the list of all acts, as plain data: no coordinates, no scales, no digits,
 //! no words. [`draw()`] evaluates it for given places and numbers ([`Givens`]), scales and a
-//! [`pencil`], and returns the places of all marks and lines ([`DrawnPlaces`]). Choosing scales, proving
-//! digits and simulating a blunt pencil are evaluations of one construction, in poses, kinds of
-//! number and pencils of their own.
+//! [`pencil`], and returns the places of all marks and lines ([`DrawnPlaces`]). Choosing scales,
+//! proving digits and simulating a blunt pencil are evaluations of one construction, in poses,
+//! kinds of number and pencils of their own.
 //!
 //! The language is independent of plans and scenes: the givens, and the meaning of a mark or a
 //! vector, are identified by a [`Key`] of the construction's author.
@@ -79,7 +79,8 @@ macro_rules! ids {
 }
 
 ids! {
-    /// A number by which the author of a construction identifies a place, a given number, a path, a vertex or a term.
+    /// A number by which the author of a construction identifies a place, a given number, a path, a
+    /// vertex or a term.
     Key
     /// Index into [`Construction::diagrams`].
     DiagramId
@@ -95,7 +96,8 @@ ids! {
 
 /// A construction: its acts in the order in which they are carried out.
 ///
-/// Ids refer to entries of its lists, and an operand of a number comes before it. [`draw()`] panics for ids that refer to nothing.
+/// Ids refer to entries of its lists, and an operand of a number comes before it. [`draw()`] panics
+/// for ids that refer to nothing.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Construction {
     /// The diagrams, in the order of drawing.
@@ -137,7 +139,8 @@ pub enum Name {
     End(Key),
     /// The end of a term that is drawn once more.
     Again(Key),
-    /// A vertex of a force polygon, by its number in the order of the equation. The first is the origin.
+    /// A vertex of a force polygon, by its number in the order of the equation. The first is the
+    /// origin.
     Vertex(u32),
 }
 
@@ -150,7 +153,8 @@ pub struct Line {
     pub through: MarkId,
     /// Its direction.
     pub along: Direction,
-    /// True for a line drawn parallel through the mark with set squares, which adds an error of its own.
+    /// True for a line drawn parallel through the mark with set squares, which adds an error of its
+    /// own.
     pub moved: bool,
     /// The terms whose direction it is.
     pub carries: Vec<Key>,
@@ -207,7 +211,8 @@ pub enum Base {
         from: MarkId,
         /// To here.
         to: MarkId,
-        /// True if its length is the given distance of the two joints; otherwise it is measured on the drawing.
+        /// True if its length is the given distance of the two joints; otherwise it is measured on
+        /// the drawing.
         known: bool,
     },
     /// A part of the distance of two marks of the mechanism, in metres.
@@ -297,7 +302,8 @@ pub enum Op {
     },
     /// Draws a line of known direction through a mark.
     Rule(LineId),
-    /// Marks the crossing of two lines. On the mechanism parallel lines leave no mark; in a polygon the construction stops.
+    /// Marks the crossing of two lines. On the mechanism parallel lines leave no mark; in a polygon
+    /// the construction stops.
     Meet {
         /// The lines.
         lines: [LineId; 2],
@@ -425,7 +431,12 @@ impl Construction {
     ///
     /// # Panics
     /// Beyond 2³² acts.
-    pub fn step(&mut self, on: DiagramId, ends: Option<[Key; 2]>, ops: impl IntoIterator<Item = Op>) {
+    pub fn step(
+        &mut self,
+        on: DiagramId,
+        ends: Option<[Key; 2]>,
+        ops: impl IntoIterator<Item = Op>,
+    ) {
         let start = self.ops.len();
         self.ops.extend(ops);
         let count = |n: usize| u32::try_from(n).expect("a construction has fewer acts than 2³²");

@@ -131,12 +131,19 @@ pub struct Hand {
 impl Default for Hand {
     /// Returns the exact hand.
     fn default() -> Hand {
-        Hand { per_mm: 1.0, pencil: RefCell::default(), laid: RefCell::default(), ruled: RefCell::default(), decisions: RefCell::default() }
+        Hand {
+            per_mm: 1.0,
+            pencil: RefCell::default(),
+            laid: RefCell::default(),
+            ruled: RefCell::default(),
+            decisions: RefCell::default(),
+        }
     }
 }
 
 impl Hand {
-    /// Returns a hand with a pencil; the places of the drawing have `per_mm` units per millimetre of paper.
+    /// Returns a hand with a pencil; the places of the drawing have `per_mm` units per millimetre
+    /// of paper.
     pub fn with(pencil: Blunt, per_mm: f64) -> Hand {
         Hand { per_mm, pencil: RefCell::new(Some(pencil)), ..Hand::default() }
     }
@@ -167,7 +174,9 @@ impl Hand {
     /// Returns the mark for an intended place.
     pub fn mark(&self, at: Point) -> Point {
         match self.pencil.borrow_mut().as_mut() {
-            Some(pencil) => at + pencil.mark(DiagramKind::Plane, Point::ORIGIN).to_vec2() * self.per_mm,
+            Some(pencil) => {
+                at + pencil.mark(DiagramKind::Plane, Point::ORIGIN).to_vec2() * self.per_mm
+            }
             None => at,
         }
     }
@@ -192,7 +201,11 @@ impl Hand {
         if let Some((_, ruled)) = self.ruled.borrow().iter().find(|(known, _)| *known == u) {
             return *ruled;
         }
-        let ruled = self.pencil.borrow_mut().as_mut().map_or(u, |p| p.ruler(DiagramKind::Plane, u, apart / self.per_mm));
+        let ruled = self
+            .pencil
+            .borrow_mut()
+            .as_mut()
+            .map_or(u, |p| p.ruler(DiagramKind::Plane, u, apart / self.per_mm));
         self.ruled.borrow_mut().push((u, ruled));
         ruled
     }
@@ -217,8 +230,11 @@ mod tests {
     #[test]
     fn nineteen_of_twenty_marks_fall_within_the_error() {
         let mut pencil = Blunt::new(0.1, 7);
-        let marks: Vec<Vec2> =
-            (0..20_000).map(|_| pencil.mark(DiagramKind::Velocity, Point::new(3.0, 4.0)) - Point::new(3.0, 4.0)).collect();
+        let marks: Vec<Vec2> = (0..20_000)
+            .map(|_| {
+                pencil.mark(DiagramKind::Velocity, Point::new(3.0, 4.0)) - Point::new(3.0, 4.0)
+            })
+            .collect();
         let within = marks.iter().filter(|m| m.norm() <= 0.1).count() as f64 / marks.len() as f64;
         // Three standard deviations of a share of 0.95 in 20 000: 0.005.
         assert!((within - WITHIN).abs() < 0.005, "{within}");
@@ -233,14 +249,22 @@ mod tests {
         assert_ne!(draw(1), draw(2));
         // A recorded value, so that a change of the generator or of its use shows.
         let at = draw(1);
-        assert_eq!((format!("{:.9}", at.x), format!("{:.9}", at.y)), ("0.073749692".into(), "0.086409678".into()));
+        assert_eq!(
+            (format!("{:.9}", at.x), format!("{:.9}", at.y)),
+            ("0.073749692".into(), "0.086409678".into())
+        );
     }
 
     #[test]
     fn a_ruler_between_far_marks_lies_truer() {
         let turn = |apart: f64| -> f64 {
             let mut pencil = Blunt::new(0.1, 3);
-            (0..500).map(|_| pencil.ruler(DiagramKind::Velocity, Vec2::new(1.0, 0.0), apart).angle().powi(2)).sum::<f64>().sqrt()
+            (0..500)
+                .map(|_| {
+                    pencil.ruler(DiagramKind::Velocity, Vec2::new(1.0, 0.0), apart).angle().powi(2)
+                })
+                .sum::<f64>()
+                .sqrt()
         };
         assert!((turn(10.0) / turn(100.0) - 10.0).abs() < 0.1);
     }

@@ -7,7 +7,9 @@ use hodograph_base::number::Real;
 /// it.
 pub fn number<N: Real>(mu: f64) -> N {
     let error = if N::knows_its_error() { mu.abs() * f64::EPSILON } else { 0.0 };
-    N::from_bounded(mu, error).filter(|_| error == 0.0 || is_nearest_to_its_decimal(mu)).unwrap_or_else(|| N::from_decimal(&shortest(mu)))
+    N::from_bounded(mu, error)
+        .filter(|_| error == 0.0 || is_nearest_to_its_decimal(mu))
+        .unwrap_or_else(|| N::from_decimal(&shortest(mu)))
 }
 
 /// True if a scale is the nearest double to a decimal of few digits, tested without writing it: n
@@ -34,9 +36,15 @@ mod tests {
     fn a_scale_is_the_decimal_that_is_printed() {
         for mu in [0.005, 0.02, 2.5e-6, 1.0, 50.0, 1e9, 0.0123] {
             assert!(is_nearest_to_its_decimal(mu), "{mu}");
-            let (quick, told): (Ball<f64>, Ball<Dd>) = (number(mu), Real::from_decimal(&shortest(mu)));
-            assert!((told - Ball::exact(Dd::from_f64(quick.approx()))).approx().abs() <= quick.radius(), "{mu}");
+            let (quick, told): (Ball<f64>, Ball<Dd>) =
+                (number(mu), Real::from_decimal(&shortest(mu)));
+            assert!(
+                (told - Ball::exact(Dd::from_f64(quick.approx()))).approx().abs() <= quick.radius(),
+                "{mu}"
+            );
         }
-        assert!(![0.1 + 0.2, 1.0 / 3.0, 1e-30, f64::NAN].into_iter().any(is_nearest_to_its_decimal));
+        assert!(
+            ![0.1 + 0.2, 1.0 / 3.0, 1e-30, f64::NAN].into_iter().any(is_nearest_to_its_decimal)
+        );
     }
 }

@@ -48,14 +48,24 @@ impl Scribe<'_> {
             }
         };
         if let Some(by) = by.filter(|by| *by != self.scene.ground) {
-            let term = ForceTerm::Reaction { of: Party::Link(on), on: by, part: ReactionComponent::Whole };
-            self.acting[by.0].push(ActingForce { term, force: Some((Base::Measured(back), at)), couple: None });
+            let term =
+                ForceTerm::Reaction { of: Party::Link(on), on: by, part: ReactionComponent::Whole };
+            self.acting[by.0].push(ActingForce {
+                term,
+                force: Some((Base::Measured(back), at)),
+                couple: None,
+            });
         }
     }
 
     /// Resolves the force on a pin that a driver moves along a slot: the driver pushes along it,
     /// the slot presses square to it.
-    fn along_slot(&mut self, p: &mut Polygon, (guide, driver): (GuideId, usize), [from, to]: [MarkId; 2]) {
+    fn along_slot(
+        &mut self,
+        p: &mut Polygon,
+        (guide, driver): (GuideId, usize),
+        [from, to]: [MarkId; 2],
+    ) {
         let Some((along, at)) = self.push_along(guide) else { return };
         let Some(runner) = self.scene.carriers(at).next() else { return };
         let lines = [self.line(p, from, Direction::of(along)), self.line(p, to, square_to(along))];
@@ -63,10 +73,28 @@ impl Scribe<'_> {
         let slot = self.scene.guides[guide.0].on;
         self.diagonal(
             p,
-            (ForceTerm::Reaction { of: Party::Driver(driver), on: runner, part: ReactionComponent::Whole }, at),
+            (
+                ForceTerm::Reaction {
+                    of: Party::Driver(driver),
+                    on: runner,
+                    part: ReactionComponent::Whole,
+                },
+                at,
+            ),
             [from, corner],
         );
-        self.diagonal(p, (ForceTerm::Reaction { of: Party::Link(slot), on: runner, part: ReactionComponent::Whole }, at), [corner, to]);
+        self.diagonal(
+            p,
+            (
+                ForceTerm::Reaction {
+                    of: Party::Link(slot),
+                    on: runner,
+                    part: ReactionComponent::Whole,
+                },
+                at,
+            ),
+            [corner, to],
+        );
         let pressed = self.measured(p, corner, to);
         self.answers.guides.push((guide, pressed, None));
         let size = self.number(&mut p.ops, Number::Along(from, corner, Direction::of(along)));
@@ -77,21 +105,41 @@ impl Scribe<'_> {
     /// Adds the force of a curved guide on its slider; its line of action passes through the centre
     /// of the arc.
     fn on_arc(&mut self, p: &mut Polygon, hinge: Hinge, force: NumberId) {
-        let Some((guide, place)) = hinge.arc().and_then(|guide| Some((guide, self.reference(guide)?))) else { return };
-        let moment = Number::Moment { force: Base::Measured(force), at: self.mark(hinge.at), about: self.mark(place) };
+        let Some((guide, place)) =
+            hinge.arc().and_then(|guide| Some((guide, self.reference(guide)?)))
+        else {
+            return;
+        };
+        let moment = Number::Moment {
+            force: Base::Measured(force),
+            at: self.mark(hinge.at),
+            about: self.mark(place),
+        };
         let couple = self.number(&mut p.ops, moment);
         self.answers.guides.push((guide, force, Some(couple)));
     }
 
     /// Adds the force of an inner hinge on both links.
-    pub fn inner_pin(&mut self, p: &mut Polygon, hinge: Hinge, links: [LinkId; 2], [m1, x, m2]: [MarkId; 3]) {
+    pub fn inner_pin(
+        &mut self,
+        p: &mut Polygon,
+        hinge: Hinge,
+        links: [LinkId; 2],
+        [m1, x, m2]: [MarkId; 3],
+    ) {
         for (sides, ends) in [(links, [m1, x]), ([links[1], links[0]], [x, m2])] {
             self.inner_side(p, hinge, sides, ends);
         }
     }
 
     /// Adds the force of an inner hinge on the first of two links.
-    pub fn inner_side(&mut self, p: &mut Polygon, hinge: Hinge, [link, other]: [LinkId; 2], ends: [MarkId; 2]) {
+    pub fn inner_side(
+        &mut self,
+        p: &mut Polygon,
+        hinge: Hinge,
+        [link, other]: [LinkId; 2],
+        ends: [MarkId; 2],
+    ) {
         let id = self.measured(p, ends[0], ends[1]);
         let at = hinge.at;
         let of = match hinge.kind {
@@ -114,32 +162,67 @@ impl Scribe<'_> {
                 Party::Pin(at)
             }
         };
-        self.diagonal(p, (ForceTerm::Reaction { of, on: link, part: ReactionComponent::Whole }, at), ends);
+        self.diagonal(
+            p,
+            (ForceTerm::Reaction { of, on: link, part: ReactionComponent::Whole }, at),
+            ends,
+        );
     }
 
     /// Adds the force and couple of a guide on a link of the group to the answers, and to the loads
     /// of the other link.
-    pub fn guided(&mut self, p: &mut Polygon, slide: OuterJoint, ends: [MarkId; 2], couple: NumberId) {
+    pub fn guided(
+        &mut self,
+        p: &mut Polygon,
+        slide: OuterJoint,
+        ends: [MarkId; 2],
+        couple: NumberId,
+    ) {
         let OuterJoint::Slide { guide, on, by, at } = slide else { return };
         let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
         let opposite = self.number(&mut p.ops, Number::Negative(couple));
         let of_slider = self.scene.guides[guide.0].slider == Some(on);
-        self.answers.guides.push(if of_slider { (guide, own, Some(couple)) } else { (guide, back, Some(opposite)) });
+        self.answers.guides.push(if of_slider {
+            (guide, own, Some(couple))
+        } else {
+            (guide, back, Some(opposite))
+        });
         if by != self.scene.ground {
-            let term = ForceTerm::Reaction { of: Party::Link(on), on: by, part: ReactionComponent::Whole };
-            self.acting[by.0].push(ActingForce { term, force: Some((Base::Measured(back), at)), couple: Some(opposite) });
+            let term =
+                ForceTerm::Reaction { of: Party::Link(on), on: by, part: ReactionComponent::Whole };
+            self.acting[by.0].push(ActingForce {
+                term,
+                force: Some((Base::Measured(back), at)),
+                couple: Some(opposite),
+            });
         }
     }
 
     /// Adds the force of a slot on a link of the group, or of a pin on the link's slot.
-    pub fn slotted(&mut self, p: &mut Polygon, guide: GuideId, on: LinkId, by: Party, at: PointId, ends: [MarkId; 2]) {
+    pub fn slotted(
+        &mut self,
+        p: &mut Polygon,
+        guide: GuideId,
+        on: LinkId,
+        by: Party,
+        at: PointId,
+        ends: [MarkId; 2],
+    ) {
         let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
         let runner = if self.scene.guides[guide.0].on == on { back } else { own };
         self.answers.guides.push((guide, runner, None));
         match by {
             Party::Link(by) if by != self.scene.ground => {
-                let term = ForceTerm::Reaction { of: Party::Link(on), on: by, part: ReactionComponent::Whole };
-                self.acting[by.0].push(ActingForce { term, force: Some((Base::Measured(back), at)), couple: None });
+                let term = ForceTerm::Reaction {
+                    of: Party::Link(on),
+                    on: by,
+                    part: ReactionComponent::Whole,
+                };
+                self.acting[by.0].push(ActingForce {
+                    term,
+                    force: Some((Base::Measured(back), at)),
+                    couple: None,
+                });
             }
             Party::Pin(at) => self.at_pin[at.0].push(OnPin { of: Party::Link(on), force: back }),
             Party::Link(_) | Party::Cylinder(_) | Party::Driver(_) => {}
@@ -162,17 +245,38 @@ impl Scribe<'_> {
     }
 
     /// Adds the force of a rolling pair on a link of the group, and its opposite on the other link.
-    pub fn meshed(&mut self, p: &mut Polygon, rolling: RollingId, [on, by]: [LinkId; 2], at: PointId, ends: [MarkId; 2]) {
+    pub fn meshed(
+        &mut self,
+        p: &mut Polygon,
+        rolling: RollingId,
+        [on, by]: [LinkId; 2],
+        at: PointId,
+        ends: [MarkId; 2],
+    ) {
         let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
-        self.answers.rolling.push((rolling, if self.scene.rolling[rolling.0].links[1] == on { own } else { back }));
+        self.answers
+            .rolling
+            .push((rolling, if self.scene.rolling[rolling.0].links[1] == on { own } else { back }));
         if by != self.scene.ground {
-            let term = ForceTerm::Reaction { of: Party::Link(on), on: by, part: ReactionComponent::Whole };
-            self.acting[by.0].push(ActingForce { term, force: Some((Base::Measured(back), at)), couple: None });
+            let term =
+                ForceTerm::Reaction { of: Party::Link(on), on: by, part: ReactionComponent::Whole };
+            self.acting[by.0].push(ActingForce {
+                term,
+                force: Some((Base::Measured(back), at)),
+                couple: None,
+            });
         }
     }
 
     /// Adds the force of a cylinder on a link, and its opposite at the far pin.
-    pub fn pushed(&mut self, p: &mut Polygon, driver: usize, on: LinkId, [at, far]: [PointId; 2], ends: [MarkId; 2]) {
+    pub fn pushed(
+        &mut self,
+        p: &mut Polygon,
+        driver: usize,
+        on: LinkId,
+        [at, far]: [PointId; 2],
+        ends: [MarkId; 2],
+    ) {
         let (own, back) = (self.measured(p, ends[0], ends[1]), self.measured(p, ends[1], ends[0]));
         let kind = &self.scene.drivers[driver].kind;
         let parts = kind.parts().to_vec();
@@ -195,17 +299,32 @@ impl Scribe<'_> {
 
     /// Adds the force of a driver along its guide on a link, and its opposite on the link that
     /// holds it.
-    pub fn pushed_along(&mut self, p: &mut Polygon, (driver, guide): (usize, GuideId), [on, by]: [LinkId; 2], ends: [MarkId; 2]) {
+    pub fn pushed_along(
+        &mut self,
+        p: &mut Polygon,
+        (driver, guide): (usize, GuideId),
+        [on, by]: [LinkId; 2],
+        ends: [MarkId; 2],
+    ) {
         // The force is positive on the sliding part, in the sense of the guide.
-        let [from, to] = if self.scene.guides[guide.0].on == on { [ends[1], ends[0]] } else { ends };
+        let [from, to] =
+            if self.scene.guides[guide.0].on == on { [ends[1], ends[0]] } else { ends };
         let Some((along, at)) = self.push_along(guide) else { return };
         let size = self.number(&mut p.ops, Number::Along(from, to, Direction::of(along)));
         self.answers.drivers.push((driver, size));
         p.drivers.push((driver, size));
         if by != self.scene.ground {
             let back = self.measured(p, ends[1], ends[0]);
-            let term = ForceTerm::Reaction { of: Party::Driver(driver), on: by, part: ReactionComponent::Whole };
-            self.acting[by.0].push(ActingForce { term, force: Some((Base::Measured(back), at)), couple: None });
+            let term = ForceTerm::Reaction {
+                of: Party::Driver(driver),
+                on: by,
+                part: ReactionComponent::Whole,
+            };
+            self.acting[by.0].push(ActingForce {
+                term,
+                force: Some((Base::Measured(back), at)),
+                couple: None,
+            });
         }
     }
 
@@ -214,7 +333,11 @@ impl Scribe<'_> {
     pub fn turned(&mut self, p: &mut Polygon, against: LinkId, of: LinkId, moment: NumberId) {
         if against != self.scene.ground {
             let opposite = self.number(&mut p.ops, Number::Negative(moment));
-            let term = ForceTerm::Reaction { of: Party::Link(of), on: against, part: ReactionComponent::Whole };
+            let term = ForceTerm::Reaction {
+                of: Party::Link(of),
+                on: against,
+                part: ReactionComponent::Whole,
+            };
             self.acting[against.0].push(ActingForce { term, force: None, couple: Some(opposite) });
         }
     }
@@ -225,14 +348,22 @@ impl Scribe<'_> {
         if let OuterJoint::Mesh { rolling, on, by, .. } = *outer
             && self.m.path_of(self.scene, rolling).is_some()
         {
-            return Some(ForceTerm::Reaction { of: Party::Link(by), on, part: ReactionComponent::Tangential });
+            return Some(ForceTerm::Reaction {
+                of: Party::Link(by),
+                on,
+                part: ReactionComponent::Tangential,
+            });
         }
         if let OuterJoint::Slot { guide, on, .. } = *outer
             && let Some(rolling) = self.scene.guides[guide.0].rolling
         {
             let [track, wheel] = self.scene.rolling[rolling.0].links;
             let (of, on) = if on == track { (wheel, track) } else { (track, wheel) };
-            return Some(ForceTerm::Reaction { of: Party::Link(of), on, part: ReactionComponent::Normal });
+            return Some(ForceTerm::Reaction {
+                of: Party::Link(of),
+                on,
+                part: ReactionComponent::Normal,
+            });
         }
         reaction(outer, ReactionComponent::Whole)
     }
@@ -244,7 +375,9 @@ pub(super) fn reaction(outer: &OuterJoint, part: ReactionComponent) -> Option<Fo
         OuterJoint::Pin { on, by, .. } | OuterJoint::Slot { on, by, .. } => (by, on),
         OuterJoint::Slide { on, by, .. } | OuterJoint::Mesh { on, by, .. } => (Party::Link(by), on),
         OuterJoint::Cylinder { driver, on, .. } => (Party::Cylinder(driver), on),
-        OuterJoint::Balance { driver, on, .. } | OuterJoint::Push { driver, on, .. } => (Party::Driver(driver), on),
+        OuterJoint::Balance { driver, on, .. } | OuterJoint::Push { driver, on, .. } => {
+            (Party::Driver(driver), on)
+        }
         OuterJoint::Turn { .. } => return None,
     };
     Some(ForceTerm::Reaction { of, on, part })

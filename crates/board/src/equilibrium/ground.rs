@@ -19,7 +19,8 @@ impl ForceTotals {
     /// Returns the sums of a drawing; `None` if a reaction of the ground is not drawn.
     pub fn of(scene: &Scene, at: &Configuration, of: &Equilibrium) -> Option<ForceTotals> {
         let forces = &of.forces;
-        let balance = unit_balance(scene, at).map_or(Some(Vec2::ZERO), |unit| Some(unit.wrench.force * forces.balance?))?;
+        let balance = unit_balance(scene, at)
+            .map_or(Some(Vec2::ZERO), |unit| Some(unit.wrench.force * forces.balance?))?;
         // Friction is a part of a reaction.
         let given = of.loads.iter().filter(|l| !matches!(l.cause, Cause::Friction(_)));
         let loads = given.fold(balance, |sum, load| sum + load.wrench.force);
@@ -33,14 +34,21 @@ impl ForceTotals {
                 None => {}
             }
         }
-        for (g, guide) in scene.guides.iter().enumerate().filter(|(g, guide)| guide.rolling.is_none() && at.guides[*g].is_some()) {
+        for (g, guide) in scene
+            .guides
+            .iter()
+            .enumerate()
+            .filter(|(g, guide)| guide.rolling.is_none() && at.guides[*g].is_some())
+        {
             let Some(sign) = side_of_ground(scene, GuideId(g), on_ground) else { continue };
             let runs = guide.slider.is_none_or(|s| s == scene.ground || at.poses[s.0].is_some());
             if runs {
                 ground += forces.guides.iter().find(|(own, _)| own.0 == g)?.1.force * sign;
             }
         }
-        for (r, pair) in scene.rolling.iter().enumerate().filter(|(_, pair)| pair.links.contains(&scene.ground)) {
+        for (r, pair) in
+            scene.rolling.iter().enumerate().filter(|(_, pair)| pair.links.contains(&scene.ground))
+        {
             if pair.links.iter().all(|l| at.poses[l.0].is_some()) {
                 let force = forces.rolling.iter().find(|(own, _)| own.0 == r)?.1;
                 ground += if pair.links[0] == scene.ground { force } else { -force };
@@ -50,9 +58,12 @@ impl ForceTotals {
             if let (Some(guide), Some(size)) = (driver.kind.guide(), forces.drivers.get(d)) {
                 let along = match at.guides[guide.0]? {
                     Path::Line { direction, .. } => direction,
-                    Path::Arc { centre, .. } => (at.points[scene.guides[guide.0].pin?.0]? - centre).perp().unit()?,
+                    Path::Arc { centre, .. } => {
+                        (at.points[scene.guides[guide.0].pin?.0]? - centre).perp().unit()?
+                    }
                 };
-                ground += side_of_ground(scene, guide, on_ground).map_or(Vec2::ZERO, |sign| along * (sign * size));
+                ground += side_of_ground(scene, guide, on_ground)
+                    .map_or(Vec2::ZERO, |sign| along * (sign * size));
             }
             // A cylinder pushes its second end away from its first.
             let Some([a, b]) = driver.kind.ends() else { continue };
@@ -69,7 +80,11 @@ impl ForceTotals {
 
 /// Returns the sign of the ground's force at a guide: +1 along the force on the runner, −1 against
 /// it; `None` for a guide between moving links.
-fn side_of_ground(scene: &Scene, guide: GuideId, on_ground: impl Fn(&PointId) -> bool) -> Option<f64> {
+fn side_of_ground(
+    scene: &Scene,
+    guide: GuideId,
+    on_ground: impl Fn(&PointId) -> bool,
+) -> Option<f64> {
     let g = &scene.guides[guide.0];
     if g.on == scene.ground {
         return Some(1.0);

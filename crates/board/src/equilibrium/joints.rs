@@ -189,28 +189,45 @@ impl Joints {
             let name = scene.guides[g.0].slider.map_or("", |s| scene.link_name(s));
             both!("slider {name}", "滑块 {name}")
         };
-        let hinged = |hinge: Hinge| hinge.arc().map_or_else(|| both!("pin {}", "销 {}", point(hinge.at)), slider);
+        let hinged = |hinge: Hinge| {
+            hinge.arc().map_or_else(|| both!("pin {}", "销 {}", point(hinge.at)), slider)
+        };
         let outer = self.outer.iter().map(|o| match *o {
             OuterJoint::Pin { hinge, .. } => hinged(hinge),
             OuterJoint::Slide { guide, .. } => slider(guide),
             OuterJoint::Slot { at, .. } => both!("pin {} in a slot", "槽中的销 {}", point(at)),
             OuterJoint::Mesh { at, .. } => both!("contact {}", "接触点 {}", point(at)),
-            OuterJoint::Cylinder { at, .. } => both!("cylinder at {}", "销 {} 处的液压缸", point(at)),
-            OuterJoint::Balance { at, .. } => both!("balancing force at {}", "作用于 {} 的平衡力", point(at)),
-            OuterJoint::Turn { driver, .. } | OuterJoint::Push { driver, .. } => both!("driver {}", "驱动 {}", driver + 1),
+            OuterJoint::Cylinder { at, .. } => {
+                both!("cylinder at {}", "销 {} 处的液压缸", point(at))
+            }
+            OuterJoint::Balance { at, .. } => {
+                both!("balancing force at {}", "作用于 {} 的平衡力", point(at))
+            }
+            OuterJoint::Turn { driver, .. } | OuterJoint::Push { driver, .. } => {
+                both!("driver {}", "驱动 {}", driver + 1)
+            }
         });
         let inner = self.inner.iter().map(|pair| match *pair {
             DyadJoint::Pin(hinge) => hinged(hinge),
             DyadJoint::Slide { guide, .. } => slider(guide),
         });
         let all = Both::listed(&outer.chain(inner).collect::<Vec<_>>());
-        both!("there is no method for {} links with {}", "没有适用于 {} 个构件、{}的作图方法", links.len(), all)
+        both!(
+            "there is no method for {} links with {}",
+            "没有适用于 {} 个构件、{}的作图方法",
+            links.len(),
+            all
+        )
     }
 }
 
 /// Returns the reference point for the line of action of a guide's force: the pin that runs there,
 /// otherwise the slider's first placed joint.
-pub(super) fn reference(scene: &Scene, g: GuideId, placed: impl Fn(PointId) -> bool) -> Option<PointId> {
+pub(super) fn reference(
+    scene: &Scene,
+    g: GuideId,
+    placed: impl Fn(PointId) -> bool,
+) -> Option<PointId> {
     let guide = &scene.guides[g.0];
     guide.pin.filter(|p| placed(*p)).or_else(|| met_at(scene, guide.slider?).find(|p| placed(*p)))
 }
@@ -240,7 +257,13 @@ pub(super) fn party(scene: &Scene, hinge: Hinge, on: LinkId) -> Party {
 ///
 /// # Errors
 /// A joint for which there is no method.
-pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[LinkId], open: &[bool]) -> Result<Joints, Both> {
+pub(super) fn joints(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    links: &[LinkId],
+    open: &[bool],
+) -> Result<Joints, Both> {
     let (mut outer, mut inner) = (Vec::new(), Vec::new());
     let mine = |l: LinkId| links.contains(&l);
     let upstream = |l: LinkId| open[l.0] && !mine(l);
@@ -252,28 +275,45 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
             continue;
         }
         let runs = |g: &usize| scene.guides[*g].pin == Some(p) && scene.guides[*g].slider.is_none();
-        let slots: Vec<usize> = (0..scene.guides.len()).filter(|g| runs(g) && m.guide_holds(&scene.guides[*g], GuideId(*g))).collect();
+        let slots: Vec<usize> = (0..scene.guides.len())
+            .filter(|g| runs(g) && m.guide_holds(&scene.guides[*g], GuideId(*g)))
+            .collect();
         let rods: Vec<usize> = (0..scene.drivers.len())
             .filter(|d| ends_of(*d).is_some_and(|ends| ends.contains(&p)))
             .filter(|d| !cylinder(*d).iter().any(|l| mine(*l)))
             // A cylinder that moves a link in equilibrium is a load of its pin.
-            .filter(|d| ends_of(*d).into_iter().flatten().any(|q| q != p && scene.carriers(q).any(|l| mine(l) || upstream(l))))
+            .filter(|d| {
+                ends_of(*d)
+                    .into_iter()
+                    .flatten()
+                    .any(|q| q != p && scene.carriers(q).any(|l| mine(l) || upstream(l)))
+            })
             .collect();
         let rod_links: Vec<LinkId> = rods.iter().flat_map(|d| cylinder(*d)).copied().collect();
-        let held: Vec<LinkId> = scene.carriers(p).filter(|l| upstream(*l) && !rod_links.contains(l)).collect();
+        let held: Vec<LinkId> =
+            scene.carriers(p).filter(|l| upstream(*l) && !rod_links.contains(l)).collect();
         let pin = Hinge::from(p);
         match (&slots[..], &rods[..], &here[..]) {
             // A cylinder on the pin of a link that still holds the group belongs to the group of
             // that link.
             ([], _, [..]) if !held.is_empty() => {
-                outer.extend(here.iter().map(|on| OuterJoint::Pin { hinge: pin, on: *on, by: party(scene, pin, *on) }));
+                outer.extend(here.iter().map(|on| OuterJoint::Pin {
+                    hinge: pin,
+                    on: *on,
+                    by: party(scene, pin, *on),
+                }));
             }
             ([], [], [_]) => {}
             ([], [], [_, _]) => inner.push(DyadJoint::Pin(pin)),
             // A cylinder belongs to the group that it moves.
             ([], [d], [on]) if held.is_empty() => {
                 let [a, b] = scene.drivers[*d].kind.ends().unwrap_or([p, p]);
-                outer.push(OuterJoint::Cylinder { driver: *d, at: p, far: if a == p { b } else { a }, on: *on });
+                outer.push(OuterJoint::Cylinder {
+                    driver: *d,
+                    at: p,
+                    far: if a == p { b } else { a },
+                    on: *on,
+                });
             }
             // The slot holds the pin together with the last of its links.
             ([g], [], [on]) if !held.is_empty() && !mine(scene.guides[*g].on) => {
@@ -282,9 +322,13 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
             ([g], [], [on]) if held.is_empty() => {
                 let (guide, by) = (GuideId(*g), scene.guides[*g].on);
                 match driven(scene, guide) {
-                    Some(hinge) if upstream(by) => outer.push(OuterJoint::Pin { hinge, on: *on, by: Party::Pin(p) }),
+                    Some(hinge) if upstream(by) => {
+                        outer.push(OuterJoint::Pin { hinge, on: *on, by: Party::Pin(p) })
+                    }
                     Some(hinge) if mine(by) => inner.push(DyadJoint::Pin(hinge)),
-                    None if upstream(by) => outer.push(OuterJoint::Slot { guide, at: p, on: *on, by: Party::Link(by) }),
+                    None if upstream(by) => {
+                        outer.push(OuterJoint::Slot { guide, at: p, on: *on, by: Party::Link(by) })
+                    }
                     None if mine(by) => {
                         let (pin, slot) = (scene.point_name(p), scene.link_name(by));
                         return Err(both!(
@@ -306,19 +350,34 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
         match guide.slider {
             Some(slider) => {
                 let arc = match guide.path {
-                    GuidePath::Arc { centre, .. } => Some(Hinge { at: centre, kind: HingeKind::Arc(id) }),
+                    GuidePath::Arc { centre, .. } => {
+                        Some(Hinge { at: centre, kind: HingeKind::Arc(id) })
+                    }
                     GuidePath::Line { .. } => None,
                 };
                 match (mine(slider), mine(guide.on)) {
-                    (true, true) => inner.push(arc.map_or(DyadJoint::Slide { guide: id, slider, on: guide.on }, DyadJoint::Pin)),
+                    (true, true) => inner.push(arc.map_or(
+                        DyadJoint::Slide { guide: id, slider, on: guide.on },
+                        DyadJoint::Pin,
+                    )),
                     (true, false) | (false, true) => {
-                        let (on, by) = if mine(slider) { (slider, guide.on) } else { (guide.on, slider) };
+                        let (on, by) =
+                            if mine(slider) { (slider, guide.on) } else { (guide.on, slider) };
                         if upstream(by) {
-                            let at = reference(scene, id, |p| at.points[p.0].is_some()).ok_or_else(|| {
-                                both!("the slider {} meets nothing at a point", "滑块 {} 上没有任何连接点", scene.link_name(slider))
-                            })?;
+                            let at = reference(scene, id, |p| at.points[p.0].is_some())
+                                .ok_or_else(|| {
+                                    both!(
+                                        "the slider {} meets nothing at a point",
+                                        "滑块 {} 上没有任何连接点",
+                                        scene.link_name(slider)
+                                    )
+                                })?;
                             let slide = OuterJoint::Slide { guide: id, on, by, at };
-                            outer.push(arc.map_or(slide, |hinge| OuterJoint::Pin { hinge, on, by: Party::Link(by) }));
+                            outer.push(arc.map_or(slide, |hinge| OuterJoint::Pin {
+                                hinge,
+                                on,
+                                by: Party::Link(by),
+                            }));
                         }
                     }
                     (false, false) => {}
@@ -334,19 +393,23 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
                     }
                     return Err(too_many(scene, p));
                 }
-                let pushed = scene.drivers.iter().any(|d| d.kind.ends().is_some_and(|ends| ends.contains(&p)));
-                let slots = scene.guides.iter().filter(|g| g.pin == Some(p) && g.slider.is_none()).count();
+                let pushed = scene
+                    .drivers
+                    .iter()
+                    .any(|d| d.kind.ends().is_some_and(|ends| ends.contains(&p)));
+                let slots =
+                    scene.guides.iter().filter(|g| g.pin == Some(p) && g.slider.is_none()).count();
                 if pushed && slots > 1 {
                     return Err(too_many(scene, p));
                 }
                 if let Some(by) = scene.carriers(p).find(|l| upstream(*l)) {
                     let by = if parties(scene, p) == 2 { Party::Link(by) } else { Party::Pin(p) };
                     let on = guide.on;
-                    outer.push(hinge.map_or(OuterJoint::Slot { guide: id, at: p, on, by }, |hinge| OuterJoint::Pin {
-                        hinge,
-                        on,
-                        by: Party::Pin(p),
-                    }));
+                    outer.push(
+                        hinge.map_or(OuterJoint::Slot { guide: id, at: p, on, by }, |hinge| {
+                            OuterJoint::Pin { hinge, on, by: Party::Pin(p) }
+                        }),
+                    );
                 }
             }
         }
@@ -357,7 +420,10 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
         let (on, by) = match (mine(a), mine(b)) {
             (true, true) => {
                 let [a, b] = [a, b].map(|l| scene.link_name(l));
-                return Err(both!("its links {a} and {b} roll on each other", "组内构件 {a} 与 {b} 相互滚动"));
+                return Err(both!(
+                    "its links {a} and {b} roll on each other",
+                    "组内构件 {a} 与 {b} 相互滚动"
+                ));
             }
             (true, false) if upstream(b) => (a, b),
             (false, true) if upstream(a) => (b, a),
@@ -365,17 +431,27 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
         };
         let place = pair.at[0];
         if !matches!(pair.touch(), Touch::Point(_)) || at.points[place.0].is_none() {
-            return Err(both!("the pull of belts, chains and ropes is not drawn", "带、链、绳的拉力不作图"));
+            return Err(both!(
+                "the pull of belts, chains and ropes is not drawn",
+                "带、链、绳的拉力不作图"
+            ));
         }
         outer.push(OuterJoint::Mesh { rolling, at: place, on, by });
     }
     for (d, driver) in scene.drivers.iter().enumerate() {
         if let Some((link, against)) = driver.kind.turned() {
             if mine(link) {
-                outer.push(balance(scene, d, link)?.unwrap_or(OuterJoint::Turn { driver: d, on: link, against }));
+                outer.push(balance(scene, d, link)?.unwrap_or(OuterJoint::Turn {
+                    driver: d,
+                    on: link,
+                    against,
+                }));
             } else if mine(against) && open[link.0] {
                 let [of, on] = [against, link].map(|l| scene.link_name(l));
-                return Err(both!("a driver on its link {of} turns link {on}", "其构件 {of} 上的驱动使构件 {on} 转动"));
+                return Err(both!(
+                    "a driver on its link {of} turns link {on}",
+                    "其构件 {of} 上的驱动使构件 {on} 转动"
+                ));
             }
         }
         if let Some(guide) = driver.kind.guide().filter(|g| driven(scene, *g).is_none()) {
@@ -383,7 +459,12 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
             let runner = g.slider.or_else(|| scene.carriers(g.pin?).next());
             for (on, by) in runner.into_iter().flat_map(|runner| [(runner, g.on), (g.on, runner)]) {
                 if mine(on) && upstream(by) {
-                    outer.push(balance(scene, d, on)?.unwrap_or(OuterJoint::Push { driver: d, guide, on, by }));
+                    outer.push(balance(scene, d, on)?.unwrap_or(OuterJoint::Push {
+                        driver: d,
+                        guide,
+                        on,
+                        by,
+                    }));
                 }
             }
         }
@@ -393,7 +474,11 @@ pub(super) fn joints(scene: &Scene, m: &Mechanism, at: &Configuration, links: &[
 
 /// Returns the reason for which a pin has no construction.
 pub(super) fn too_many(scene: &Scene, pin: PointId) -> Both {
-    both!("pin {} joins too many for a construction", "销 {} 连接的构件过多，无法作图", scene.point_name(pin))
+    both!(
+        "pin {} joins too many for a construction",
+        "销 {} 连接的构件过多，无法作图",
+        scene.point_name(pin)
+    )
 }
 
 /// Returns the pin that a driver moves along a slot.
@@ -411,7 +496,10 @@ fn driven(scene: &Scene, guide: GuideId) -> Option<Hinge> {
 fn balance(scene: &Scene, driver: usize, on: LinkId) -> Result<Option<OuterJoint>, Both> {
     let Some(balance) = &scene.loads.balance else { return Ok(None) };
     if balance.link != on {
-        return Err(both!("the balance does not act on the link of the driver", "平衡力（力矩）不作用在原动件上"));
+        return Err(both!(
+            "the balance does not act on the link of the driver",
+            "平衡力（力矩）不作用在原动件上"
+        ));
     }
     Ok(balance.force.as_ref().map(|(at, _)| OuterJoint::Balance { driver, at: *at, on }))
 }

@@ -66,7 +66,9 @@ struct LegEnds {
 impl Leg {
     fn link(&self) -> Option<LinkId> {
         match self.kind {
-            LegSupport::Bar { link, .. } | LegSupport::Block { link, .. } | LegSupport::Sleeve { link, .. } => Some(link),
+            LegSupport::Bar { link, .. }
+            | LegSupport::Block { link, .. }
+            | LegSupport::Sleeve { link, .. } => Some(link),
             LegSupport::Touch => None,
         }
     }
@@ -88,7 +90,11 @@ impl Leg {
 impl LoadedLeg {
     /// Returns the force along the line of action.
     fn axial(&self, scribe: &Scribe) -> Option<ForceTerm> {
-        if self.across.is_some() { reaction(&self.leg.outer, ReactionComponent::Normal) } else { scribe.pressing(&self.leg.outer) }
+        if self.across.is_some() {
+            reaction(&self.leg.outer, ReactionComponent::Normal)
+        } else {
+            scribe.pressing(&self.leg.outer)
+        }
     }
 }
 
@@ -97,17 +103,28 @@ impl Scribe<'_> {
     ///
     /// # Errors
     /// A group of another kind.
-    pub(super) fn on_three_legs(&mut self, links: &[LinkId], joints: &Joints, at: &Configuration) -> Result<(), Both> {
-        let (core, legs) = self.legs(links, joints, at).ok_or_else(|| joints.no_method(self.scene, links))?;
+    pub(super) fn on_three_legs(
+        &mut self,
+        links: &[LinkId],
+        joints: &Joints,
+        at: &Configuration,
+    ) -> Result<(), Both> {
+        let (core, legs) =
+            self.legs(links, joints, at).ok_or_else(|| joints.no_method(self.scene, links))?;
         for leg in &legs {
-            if matches!(leg.outer, OuterJoint::Slot { .. } | OuterJoint::Cylinder { .. }) && parties(self.scene, leg.at) > 2 {
+            if matches!(leg.outer, OuterJoint::Slot { .. } | OuterJoint::Cylinder { .. })
+                && parties(self.scene, leg.at) > 2
+            {
                 return Err(too_many(self.scene, leg.at));
             }
             if let LegSupport::Sleeve { link, .. } = leg.kind
                 && self.all_on(link, &[leg.far()]).iter().any(|a| a.force.is_some())
             {
                 let name = self.scene.link_name(link);
-                return Err(both!("the sliding block {name} has loads of its own", "滑块 {name} 本身受载"));
+                return Err(both!(
+                    "the sliding block {name} has loads of its own",
+                    "滑块 {name} 本身受载"
+                ));
             }
         }
         let sine = |[i, j, _]: &[usize; 3]| {
@@ -115,21 +132,35 @@ impl Scribe<'_> {
             unit(*i).zip(unit(*j)).map_or(0.0, |(a, b)| a.cross(b).abs())
         };
         let orders = [[0, 1, 2], [0, 2, 1], [1, 2, 0]];
-        let [i, j, k] = orders.into_iter().max_by(|a, b| sine(a).total_cmp(&sine(b))).unwrap_or([0, 1, 2]);
+        let [i, j, k] =
+            orders.into_iter().max_by(|a, b| sine(a).total_cmp(&sine(b))).unwrap_or([0, 1, 2]);
         self.three_legs(links, core, [legs[i], legs[j], legs[k]]);
         Ok(())
     }
 
     /// Returns the link that three legs hold, and the legs.
-    fn legs(&self, links: &[LinkId], joints: &Joints, at: &Configuration) -> Option<(LinkId, [Leg; 3])> {
+    fn legs(
+        &self,
+        links: &[LinkId],
+        joints: &Joints,
+        at: &Configuration,
+    ) -> Option<(LinkId, [Leg; 3])> {
         let has = |pair: &DyadJoint, l: LinkId| match *pair {
             DyadJoint::Pin(hinge) => turns_on(self.scene, l, hinge),
             DyadJoint::Slide { slider, on, .. } => slider == l || on == l,
         };
         let inner = |l: LinkId| joints.inner.iter().filter(move |p| has(p, l));
         let outer = |l: LinkId| joints.outer.iter().filter(move |o| carries(o) == Some(l));
-        let touches = |o: &OuterJoint| matches!(o, OuterJoint::Slot { .. } | OuterJoint::Mesh { .. } | OuterJoint::Cylinder { .. });
-        let core = links.iter().copied().find(|l| inner(*l).count() + outer(*l).count() == 3 && outer(*l).all(touches))?;
+        let touches = |o: &OuterJoint| {
+            matches!(
+                o,
+                OuterJoint::Slot { .. } | OuterJoint::Mesh { .. } | OuterJoint::Cylinder { .. }
+            )
+        };
+        let core = links
+            .iter()
+            .copied()
+            .find(|l| inner(*l).count() + outer(*l).count() == 3 && outer(*l).all(touches))?;
         let place = |p: PointId| at.points[p.0];
         let square = |guide: GuideId, p: PointId| {
             let along = match at.guides[guide.0] {
@@ -147,12 +178,18 @@ impl Scribe<'_> {
         for pair in inner(core) {
             let link = links.iter().copied().find(|l| *l != core && has(pair, *l))?;
             let (mut held, mut joined) = (outer(link), inner(link));
-            let (Some(held), None, Some(_), None) = (held.next(), held.next(), joined.next(), joined.next()) else { return None };
+            let (Some(held), None, Some(_), None) =
+                (held.next(), held.next(), joined.next(), joined.next())
+            else {
+                return None;
+            };
             let (kind, at, (line, along)) = match (*pair, *held) {
                 (DyadJoint::Pin(near), OuterJoint::Pin { hinge, .. }) => {
                     (LegSupport::Bar { link, near }, hinge.at, between(near.at, hinge.at))
                 }
-                (DyadJoint::Pin(near), OuterJoint::Slide { at, guide, .. }) if Some(at) == near.pin() => {
+                (DyadJoint::Pin(near), OuterJoint::Slide { at, guide, .. })
+                    if Some(at) == near.pin() =>
+                {
                     (LegSupport::Block { link, near }, at, square(guide, at))
                 }
                 (DyadJoint::Slide { guide, .. }, OuterJoint::Pin { hinge, .. }) => {
@@ -165,9 +202,10 @@ impl Scribe<'_> {
         for touch in outer(core) {
             let (at, (line, along)) = match *touch {
                 OuterJoint::Slot { guide, at, .. } => (at, square(guide, at)),
-                OuterJoint::Mesh { rolling, at: place, .. } => {
-                    (place, (self.line_of_action(rolling), at.normal(self.scene, rolling).map(Vec2::perp)))
-                }
+                OuterJoint::Mesh { rolling, at: place, .. } => (
+                    place,
+                    (self.line_of_action(rolling), at.normal(self.scene, rolling).map(Vec2::perp)),
+                ),
                 OuterJoint::Cylinder { at, far, .. } => (at, between(far, at)),
                 OuterJoint::Pin { .. }
                 | OuterJoint::Slide { .. }
@@ -215,7 +253,10 @@ impl Scribe<'_> {
         let second = p.last;
         self.square(&mut p, two);
         let end = p.last;
-        let lines = [self.line(&mut p, start, Direction::of(one.leg.line)), self.line(&mut p, end, Direction::of(two.leg.line))];
+        let lines = [
+            self.line(&mut p, start, Direction::of(one.leg.line)),
+            self.line(&mut p, end, Direction::of(two.leg.line)),
+        ];
         let x = self.meet(&mut p, lines);
         for (leg, ends, is_first) in [(one, [x, start], true), (two, [end, x], false)] {
             if let Some(term) = leg.axial(self) {
@@ -225,7 +266,14 @@ impl Scribe<'_> {
         let ends = [
             (one, LegEnds { whole: [x, first], inner: [inner_one, x], opposite: [x, third] }),
             (two, LegEnds { whole: [second, x], inner: [x, inner_two], opposite: [before_two, x] }),
-            (three, LegEnds { whole: [third, reacted], inner: [inner_three, third], opposite: [third, after_three] }),
+            (
+                three,
+                LegEnds {
+                    whole: [third, reacted],
+                    inner: [inner_three, third],
+                    opposite: [third, after_three],
+                },
+            ),
         ];
         for (leg, ends) in ends {
             self.leg_answers(&mut p, core, leg, ends);
@@ -234,13 +282,28 @@ impl Scribe<'_> {
     }
 
     /// Returns a leg with its loads, and the force square to its bar.
-    fn loaded(&mut self, ops: &mut Vec<Op>, found: &mut Vec<super::Moments>, leg: Leg, core: LinkId) -> LoadedLeg {
+    fn loaded(
+        &mut self,
+        ops: &mut Vec<Op>,
+        found: &mut Vec<super::Moments>,
+        leg: Leg,
+        core: LinkId,
+    ) -> LoadedLeg {
         let held: Vec<Hinge> = leg.near().into_iter().chain([leg.far()]).collect();
         let loads = leg.link().map_or_else(Vec::new, |link| self.all_on(link, &held));
-        let on_pin = leg.near().and_then(Hinge::pin).map_or_else(Vec::new, |near| self.pin_loads(near, core));
+        let on_pin = leg
+            .near()
+            .and_then(Hinge::pin)
+            .map_or_else(Vec::new, |near| self.pin_loads(near, core));
         let across = match (leg.kind, reaction(&leg.outer, ReactionComponent::Tangential)) {
             (LegSupport::Bar { link, near }, Some(term)) if !loads.is_empty() => {
-                let of = self.moments(ops, &[link], &loads, About::Point(near.at), MomentResult::Force(term, leg.at));
+                let of = self.moments(
+                    ops,
+                    &[link],
+                    &loads,
+                    About::Point(near.at),
+                    MomentResult::Force(term, leg.at),
+                );
                 self.across(ops, found, of, leg.line).map(|value| (term, value, leg.line))
             }
             _ => None,
@@ -259,8 +322,13 @@ impl Scribe<'_> {
     ) -> NumberId {
         let [one, two, three] = legs;
         let lines = [one, two].map(|l| {
-            let line =
-                Line { on: self.plane, through: self.mark(l.leg.at), along: Direction::of(l.leg.line), moved: false, carries: Vec::new() };
+            let line = Line {
+                on: self.plane,
+                through: self.mark(l.leg.at),
+                along: Direction::of(l.leg.line),
+                moved: false,
+                carries: Vec::new(),
+            };
             let line = self.c.line(line);
             ops.push(Op::Rule(line));
             line
@@ -273,27 +341,35 @@ impl Scribe<'_> {
         let mut all = own.to_vec();
         for l in legs {
             let at_pin = |a: &ActingForce| match l.leg.kind {
-                LegSupport::Block { near, .. } => ActingForce { force: a.force.map(|(force, _)| (force, near.at)), couple: None, ..*a },
+                LegSupport::Block { near, .. } => ActingForce {
+                    force: a.force.map(|(force, _)| (force, near.at)),
+                    couple: None,
+                    ..*a
+                },
                 LegSupport::Bar { .. } | LegSupport::Sleeve { .. } | LegSupport::Touch => *a,
             };
             all.extend(l.loads.iter().map(at_pin));
             all.extend(&l.on_pin);
         }
-        let (Some(a), Some(b), Some(given)) = (one.axial(self), two.axial(self), three.axial(self)) else {
+        let (Some(a), Some(b), Some(given)) = (one.axial(self), two.axial(self), three.axial(self))
+        else {
             return self.one;
         };
         let about = About::Crossing { at: crossing, of: [a, b] };
-        let mut moments = self.moments(ops, links, &all, about, MomentResult::Force(given, three.leg.at));
+        let mut moments =
+            self.moments(ops, links, &all, about, MomentResult::Force(given, three.leg.at));
         for l in legs {
             if let Some((term, value, bar)) = l.across {
                 // The arm of a unit force square to the bar is the component of the connecting
                 // vector along the bar.
-                let arm = self.number(ops, Number::Along(crossing, self.mark(l.leg.at), Direction::of(bar)));
+                let arm = self
+                    .number(ops, Number::Along(crossing, self.mark(l.leg.at), Direction::of(bar)));
                 moments.of.push((term, l.leg.at, self.number(ops, Number::Product(value, arm))));
             }
         }
         let turning = self.balancing(ops, &moments);
-        moments.value = self.by_arm(ops, turning, three.leg.line, self.mark(three.leg.at), crossing);
+        moments.value =
+            self.by_arm(ops, turning, three.leg.line, self.mark(three.leg.at), crossing);
         let size = moments.value;
         found.push(moments);
         size
@@ -309,7 +385,9 @@ impl Scribe<'_> {
     /// Adds the reactions of a leg to the answers, and to the loads of the parts on its other side.
     fn leg_answers(&mut self, p: &mut Polygon, core: LinkId, l: &LoadedLeg, ends: LegEnds) {
         let leg = &l.leg;
-        if let (true, Some(term)) = (l.across.is_some(), reaction(&leg.outer, ReactionComponent::Whole)) {
+        if let (true, Some(term)) =
+            (l.across.is_some(), reaction(&leg.outer, ReactionComponent::Whole))
+        {
             self.diagonal(p, (term, leg.at), ends.whole);
         }
         if let (Some(near), Some(link)) = (leg.near(), leg.link()) {
@@ -320,8 +398,16 @@ impl Scribe<'_> {
             LegSupport::Bar { link, .. } => self.pinned(p, leg.far(), link, ends.whole),
             LegSupport::Block { link, near } => {
                 let force = self.measured(p, ends.inner[0], ends.inner[1]);
-                let term = ForceTerm::Reaction { of: Party::Link(core), on: link, part: ReactionComponent::Whole };
-                let inside = ActingForce { term, force: Some((Base::Measured(force), near.at)), couple: None };
+                let term = ForceTerm::Reaction {
+                    of: Party::Link(core),
+                    on: link,
+                    part: ReactionComponent::Whole,
+                };
+                let inside = ActingForce {
+                    term,
+                    force: Some((Base::Measured(force), near.at)),
+                    couple: None,
+                };
                 let all: Vec<ActingForce> = l.loads.iter().copied().chain([inside]).collect();
                 self.offset(p, leg.outer, &all, ends.whole);
             }
@@ -329,7 +415,18 @@ impl Scribe<'_> {
                 let place = self.reference(guide).unwrap_or(leg.at);
                 let [from, to] = ends.whole;
                 for (on, other, ends) in [(link, core, [to, from]), (core, link, [from, to])] {
-                    self.diagonal(p, (ForceTerm::Reaction { of: Party::Link(other), on, part: ReactionComponent::Whole }, place), ends);
+                    self.diagonal(
+                        p,
+                        (
+                            ForceTerm::Reaction {
+                                of: Party::Link(other),
+                                on,
+                                part: ReactionComponent::Whole,
+                            },
+                            place,
+                        ),
+                        ends,
+                    );
                 }
                 self.pinned(p, leg.far(), link, ends.whole);
                 self.inner_guide(p, guide, link, (leg.at, place), &l.loads, [to, from]);

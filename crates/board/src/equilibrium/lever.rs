@@ -48,18 +48,33 @@ impl Lever {
     /// `mu`. Further points of a link follow by images.
     ///
     /// `None` if the polygon does not give the velocity of a load.
-    pub fn of(scene: &Scene, at: &Configuration, of: &Equilibrium, motion: &impl MotionSource<f64>, mu: f64) -> Option<Lever> {
+    pub fn of(
+        scene: &Scene,
+        at: &Configuration,
+        of: &Equilibrium,
+        motion: &impl MotionSource<f64>,
+        mu: f64,
+    ) -> Option<Lever> {
         let (mut forces, mut couples) = (Vec::new(), Vec::new());
         for (k, load) in of.loads.iter().enumerate() {
             if load.wrench.couple != 0.0 {
-                couples.push((k, load.wrench.couple * motion.turning(Level::Velocity, load.link)? / mu));
+                couples.push((
+                    k,
+                    load.wrench.couple * motion.turning(Level::Velocity, load.link)? / mu,
+                ));
             }
             if let (Some(point), Some(along)) = (load.at, load.wrench.force.unit()) {
                 let v = velocity(scene, at, motion, point, load.link)? * (1.0 / mu);
                 // Turned clockwise: v × F about the pole then equals F·v.
                 let end = -v.perp();
                 let arm = end.cross(along);
-                forces.push(LeverForce { load: k, point, at: end.to_point(), arm_mm: arm.abs(), moment: arm * load.wrench.force.norm() });
+                forces.push(LeverForce {
+                    load: k,
+                    point,
+                    at: end.to_point(),
+                    arm_mm: arm.abs(),
+                    moment: arm * load.wrench.force.norm(),
+                });
             }
         }
         let moment = forces.iter().map(|f| f.moment).chain(couples.iter().map(|(_, m)| *m)).sum();
@@ -75,12 +90,19 @@ impl Lever {
 }
 
 /// Returns the velocity of a point of a link: as read, or by the image of two other points.
-fn velocity(scene: &Scene, at: &Configuration, motion: &impl MotionSource<f64>, p: PointId, link: LinkId) -> Option<Vec2> {
+fn velocity(
+    scene: &Scene,
+    at: &Configuration,
+    motion: &impl MotionSource<f64>,
+    p: PointId,
+    link: LinkId,
+) -> Option<Vec2> {
     let read = |p: PointId| motion.vector(Level::Velocity, p, Some(link));
     if let Some(v) = read(p) {
         return Some(v);
     }
-    let known: Vec<(PointId, Vec2)> = scene.links[link.0].points.iter().filter_map(|q| Some((*q, read(*q)?))).collect();
+    let known: Vec<(PointId, Vec2)> =
+        scene.links[link.0].points.iter().filter_map(|q| Some((*q, read(*q)?))).collect();
     let place = |q: PointId| at.points[q.0];
     let &(a, v_a) = known.first()?;
     let arm = place(p)? - place(a)?;
@@ -91,7 +113,9 @@ fn velocity(scene: &Scene, at: &Configuration, motion: &impl MotionSource<f64>, 
     });
     match second {
         // The triangle of the three points, turned and at another scale.
-        Some((base, image, size)) => Some(v_a + image * (base.dot(arm) / size) + image.perp() * (base.cross(arm) / size)),
+        Some((base, image, size)) => {
+            Some(v_a + image * (base.dot(arm) / size) + image.perp() * (base.cross(arm) / size))
+        }
         None => Some(v_a + arm.perp() * motion.turning(Level::Velocity, link)?),
     }
 }

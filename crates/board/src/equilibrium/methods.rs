@@ -24,12 +24,21 @@ impl Scribe<'_> {
     ///
     /// # Errors
     /// A kind without a method.
-    pub(super) fn group(&mut self, links: &[LinkId], joints: &Joints, at: &Configuration) -> Result<(), Both> {
+    pub(super) fn group(
+        &mut self,
+        links: &[LinkId],
+        joints: &Joints,
+        at: &Configuration,
+    ) -> Result<(), Both> {
         match (links, &joints.inner[..], &joints.outer[..]) {
             ([a, b], [DyadJoint::Pin(c)], [x, y]) => {
-                let on = |link: LinkId| [x, y].into_iter().copied().find(|o| carries(o) == Some(link));
-                let (Some(first), Some(second)) = (on(*a), on(*b)) else { return Err(joints.no_method(self.scene, links)) };
-                let bears = |o: &OuterJoint| matches!(o, OuterJoint::Pin { .. } | OuterJoint::Slide { .. });
+                let on =
+                    |link: LinkId| [x, y].into_iter().copied().find(|o| carries(o) == Some(link));
+                let (Some(first), Some(second)) = (on(*a), on(*b)) else {
+                    return Err(joints.no_method(self.scene, links));
+                };
+                let bears =
+                    |o: &OuterJoint| matches!(o, OuterJoint::Pin { .. } | OuterJoint::Slide { .. });
                 if !bears(&first) || !bears(&second) {
                     return Err(joints.no_method(self.scene, links));
                 }
@@ -38,7 +47,8 @@ impl Scribe<'_> {
             }
             (
                 [_, _, _],
-                [DyadJoint::Pin(c), DyadJoint::Slide { guide, slider, on }] | [DyadJoint::Slide { guide, slider, on }, DyadJoint::Pin(c)],
+                [DyadJoint::Pin(c), DyadJoint::Slide { guide, slider, on }]
+                | [DyadJoint::Slide { guide, slider, on }, DyadJoint::Pin(c)],
                 [x, y],
             ) => match self.ram(links, *c, (*guide, *slider, *on), [*x, *y]) {
                 Some((ram, moved, outer)) => {
@@ -48,17 +58,27 @@ impl Scribe<'_> {
                 None => self.on_three_legs(links, joints, at),
             },
             ([_, _], [DyadJoint::Slide { guide, slider, on }], [x, y]) => {
-                let of = |link: LinkId| [x, y].into_iter().copied().find(|o| carries(o) == Some(link));
+                let of =
+                    |link: LinkId| [x, y].into_iter().copied().find(|o| carries(o) == Some(link));
                 match (of(*slider), of(*on)) {
-                    (Some(OuterJoint::Pin { hinge, .. }), Some(OuterJoint::Pin { hinge: pivot, .. })) => {
+                    (
+                        Some(OuterJoint::Pin { hinge, .. }),
+                        Some(OuterJoint::Pin { hinge: pivot, .. }),
+                    ) => {
                         self.sliding([*slider, *on], *guide, [hinge, pivot]);
                         Ok(())
                     }
-                    (Some(pin @ OuterJoint::Pin { .. }), Some(slide @ OuterJoint::Slide { .. })) => {
+                    (
+                        Some(pin @ OuterJoint::Pin { .. }),
+                        Some(slide @ OuterJoint::Slide { .. }),
+                    ) => {
                         self.twice_sliding([*slider, *on], *guide, [pin, slide]);
                         Ok(())
                     }
-                    (Some(slide @ OuterJoint::Slide { .. }), Some(pin @ OuterJoint::Pin { .. })) => {
+                    (
+                        Some(slide @ OuterJoint::Slide { .. }),
+                        Some(pin @ OuterJoint::Pin { .. }),
+                    ) => {
                         self.twice_sliding([*on, *slider], *guide, [pin, slide]);
                         Ok(())
                     }
@@ -79,7 +99,9 @@ impl Scribe<'_> {
                     | OuterJoint::Push { .. }),
                 )
                 | (
-                    touch @ (OuterJoint::Slot { .. } | OuterJoint::Mesh { .. } | OuterJoint::Cylinder { .. }),
+                    touch @ (OuterJoint::Slot { .. }
+                    | OuterJoint::Mesh { .. }
+                    | OuterJoint::Cylinder { .. }),
                     pin @ OuterJoint::Pin { .. },
                 ) => {
                     self.on_a_pivot(*link, pin, touch);
@@ -94,7 +116,9 @@ impl Scribe<'_> {
                     | OuterJoint::Push { .. }),
                 )
                 | (
-                    touch @ (OuterJoint::Slot { .. } | OuterJoint::Mesh { .. } | OuterJoint::Cylinder { .. }),
+                    touch @ (OuterJoint::Slot { .. }
+                    | OuterJoint::Mesh { .. }
+                    | OuterJoint::Cylinder { .. }),
                     slide @ OuterJoint::Slide { .. },
                 ) => {
                     self.in_a_guide(*link, slide, touch);
@@ -103,7 +127,9 @@ impl Scribe<'_> {
                 _ => Err(joints.no_method(self.scene, links)),
             },
             ([_, _, _, _], [_, _, _, _], [_, _]) => self.on_two_bars(links, joints, at),
-            (_, inner, outer) if outer.len() > 2 && inner.len() == 2 * outer.len() => self.on_a_ring(links, joints),
+            (_, inner, outer) if outer.len() > 2 && inner.len() == 2 * outer.len() => {
+                self.on_a_ring(links, joints)
+            }
             _ => self.on_three_legs(links, joints, at),
         }
     }
@@ -128,14 +154,19 @@ impl Scribe<'_> {
         inner: Hinge,
         outer: [OuterJoint; 2],
     ) -> (Polygon, Vec<ActingForce>, [MarkId; 3]) {
-        let held = |o: &OuterJoint| if let OuterJoint::Pin { hinge, .. } = *o { vec![hinge, inner] } else { vec![inner] };
+        let held = |o: &OuterJoint| {
+            if let OuterJoint::Pin { hinge, .. } = *o { vec![hinge, inner] } else { vec![inner] }
+        };
         let links = bodies.map(|body| body[body.len() - 1]);
         // In the polygon, the forces on the link with the inner pin are adjacent to the pin's
         // force.
         let pinned = [0, 1].map(|k| self.all_on(links[k], &held(&outer[k])));
         let others = [0, 1].map(|k| {
             let others = &bodies[k][..bodies[k].len() - 1];
-            others.iter().flat_map(|l| self.all_on(*l, &held(&outer[k]))).collect::<Vec<ActingForce>>()
+            others
+                .iter()
+                .flat_map(|l| self.all_on(*l, &held(&outer[k])))
+                .collect::<Vec<ActingForce>>()
         });
         let acting = [[&others[0][..], &pinned[0]].concat(), [&pinned[1][..], &others[1]].concat()];
         let mut ops = Vec::new();
@@ -147,7 +178,13 @@ impl Scribe<'_> {
                 return None;
             }
             let term = reaction(&outer[k], ReactionComponent::Tangential)?;
-            let of = self.moments(&mut ops, bodies[k], &acting[k], About::Point(inner.at), MomentResult::Force(term, at));
+            let of = self.moments(
+                &mut ops,
+                bodies[k],
+                &acting[k],
+                About::Point(inner.at),
+                MomentResult::Force(term, at),
+            );
             let bar = Base::Arm { from: self.mark(inner.at), to: self.mark(at), known: false };
             Some(((term, at), self.across(&mut ops, &mut moments, of, bar)?, bar))
         });
@@ -173,7 +210,11 @@ impl Scribe<'_> {
         }
         let end = p.last;
         let along = |s: &Self, o: &OuterJoint| match *o {
-            OuterJoint::Pin { hinge, .. } => Direction::of(Base::Arm { from: s.mark(inner.at), to: s.mark(hinge.at), known: false }),
+            OuterJoint::Pin { hinge, .. } => Direction::of(Base::Arm {
+                from: s.mark(inner.at),
+                to: s.mark(hinge.at),
+                known: false,
+            }),
             OuterJoint::Slide { guide, .. } => normal(guide),
             OuterJoint::Slot { .. }
             | OuterJoint::Mesh { .. }
@@ -183,7 +224,8 @@ impl Scribe<'_> {
             | OuterJoint::Push { .. } => Direction::of(Base::Given(Key(0))),
         };
         let directions = [along(self, &outer[0]), along(self, &outer[1])];
-        let lines = [self.line(&mut p, start, directions[0]), self.line(&mut p, end, directions[1])];
+        let lines =
+            [self.line(&mut p, start, directions[0]), self.line(&mut p, end, directions[1])];
         let x = self.meet(&mut p, lines);
         for (k, ends, whole) in [(0, [x, start], [x, first]), (1, [end, x], [second, x])] {
             let split = parts[k].is_some();
@@ -226,9 +268,16 @@ impl Scribe<'_> {
 
     /// Finds the couple of an outer guide about its point from all other forces on its link, and
     /// adds it to the answers and to the loads of the other link.
-    pub(super) fn offset(&mut self, p: &mut Polygon, slide: OuterJoint, acting: &[ActingForce], ends: [MarkId; 2]) {
+    pub(super) fn offset(
+        &mut self,
+        p: &mut Polygon,
+        slide: OuterJoint,
+        acting: &[ActingForce],
+        ends: [MarkId; 2],
+    ) {
         let OuterJoint::Slide { guide, on, at, .. } = slide else { return };
-        let mut moments = self.moments(&mut p.ops, &[on], acting, About::Point(at), MomentResult::Offset(guide));
+        let mut moments =
+            self.moments(&mut p.ops, &[on], acting, About::Point(at), MomentResult::Offset(guide));
         let couple = self.balancing(&mut p.ops, &moments);
         moments.value = couple;
         p.moments.push(moments);
@@ -250,18 +299,37 @@ impl Scribe<'_> {
         let mut all: Vec<ActingForce> = acting.concat();
         if loaded != start {
             // No other force acts on the slider along the guide.
-            let loads = self.number(&mut p.ops, Number::Along(start, loaded, Direction::of(tangent(guide))));
+            let loads = self
+                .number(&mut p.ops, Number::Along(start, loaded, Direction::of(tangent(guide))));
             let along = self.number(&mut p.ops, Number::Negative(loads));
-            self.laid(&mut p, (part(ReactionComponent::Tangential), at), Direction::of(tangent(guide)).unit(), along);
+            self.laid(
+                &mut p,
+                (part(ReactionComponent::Tangential), at),
+                Direction::of(tangent(guide)).unit(),
+                along,
+            );
             let last = p.last;
             let force = self.measured(&mut p, loaded, last);
-            all.push(ActingForce { term: part(ReactionComponent::Tangential), force: Some((Base::Measured(force), at)), couple: None });
+            all.push(ActingForce {
+                term: part(ReactionComponent::Tangential),
+                force: Some((Base::Measured(force), at)),
+                couple: None,
+            });
         }
         let whole = loaded != start;
         let term = part(if whole { ReactionComponent::Normal } else { ReactionComponent::Whole });
-        let mut moments = self.moments(&mut p.ops, &links, &all, About::Point(pivot), MomentResult::Force(term, at));
+        let mut moments = self.moments(
+            &mut p.ops,
+            &links,
+            &all,
+            About::Point(pivot),
+            MomentResult::Force(term, at),
+        );
         let turning = self.balancing(&mut p.ops, &moments);
-        let arm = self.number(&mut p.ops, Number::Along(self.mark(pivot), self.mark(at), Direction::of(tangent(guide))));
+        let arm = self.number(
+            &mut p.ops,
+            Number::Along(self.mark(pivot), self.mark(at), Direction::of(tangent(guide))),
+        );
         let across = self.number(&mut p.ops, Number::Quotient(turning, arm));
         moments.value = across;
         p.moments.push(moments);
@@ -270,12 +338,28 @@ impl Scribe<'_> {
         self.lay_all(&mut p, &acting[1]);
         let end = p.last;
         let by = super::joints::party(self.scene, hinges[1], lever);
-        self.side(&mut p, (ForceTerm::Reaction { of: by, on: lever, part: ReactionComponent::Whole }, pivot), [end, start], false);
+        self.side(
+            &mut p,
+            (ForceTerm::Reaction { of: by, on: lever, part: ReactionComponent::Whole }, pivot),
+            [end, start],
+            false,
+        );
         if whole {
             self.diagonal(&mut p, (part(ReactionComponent::Whole), at), [loaded, held]);
         }
         for (on, other, ends) in [(slider, lever, [held, start]), (lever, slider, [start, held])] {
-            self.diagonal(&mut p, (ForceTerm::Reaction { of: Party::Link(other), on, part: ReactionComponent::Whole }, place), ends);
+            self.diagonal(
+                &mut p,
+                (
+                    ForceTerm::Reaction {
+                        of: Party::Link(other),
+                        on,
+                        part: ReactionComponent::Whole,
+                    },
+                    place,
+                ),
+                ends,
+            );
         }
         self.pinned(&mut p, hinges[0], slider, [loaded, held]);
         self.pinned(&mut p, hinges[1], lever, [end, start]);
@@ -306,7 +390,8 @@ impl Scribe<'_> {
             couple: None,
         };
         let all: Vec<ActingForce> = acting.iter().copied().chain([own]).collect();
-        let mut moments = self.moments(&mut p.ops, &[on], &all, About::Point(pin), MomentResult::Offset(guide));
+        let mut moments =
+            self.moments(&mut p.ops, &[on], &all, About::Point(pin), MomentResult::Offset(guide));
         let couple = self.balancing(&mut p.ops, &moments);
         moments.value = couple;
         p.moments.push(moments);
@@ -325,7 +410,11 @@ impl Scribe<'_> {
     /// Writes RPP: the first link is pinned and slides on the second, which slides in an outer
     /// guide.
     fn twice_sliding(&mut self, links: [LinkId; 2], guide: GuideId, outer: [OuterJoint; 2]) {
-        let (OuterJoint::Pin { hinge, .. }, OuterJoint::Slide { guide: outside, at: counted, .. }) = (outer[0], outer[1]) else { return };
+        let (OuterJoint::Pin { hinge, .. }, OuterJoint::Slide { guide: outside, at: counted, .. }) =
+            (outer[0], outer[1])
+        else {
+            return;
+        };
         let ([pinned, sliding], at) = (links, hinge.at);
         let place = self.reference(guide).unwrap_or(at);
         let acting = [self.all_on(pinned, &[hinge]), self.all_on(sliding, &[])];
@@ -333,11 +422,19 @@ impl Scribe<'_> {
         let start = p.last;
         self.lay_all(&mut p, &acting[1]);
         let end = p.last;
-        let lines = [self.line(&mut p, start, normal(guide)), self.line(&mut p, end, normal(outside))];
+        let lines =
+            [self.line(&mut p, start, normal(guide)), self.line(&mut p, end, normal(outside))];
         let x = self.meet(&mut p, lines);
         self.side(
             &mut p,
-            (ForceTerm::Reaction { of: Party::Link(pinned), on: sliding, part: ReactionComponent::Whole }, place),
+            (
+                ForceTerm::Reaction {
+                    of: Party::Link(pinned),
+                    on: sliding,
+                    part: ReactionComponent::Whole,
+                },
+                place,
+            ),
             [x, start],
             true,
         );
@@ -346,7 +443,11 @@ impl Scribe<'_> {
         }
         // The pinned link: its loads from the crossing on, then the closing side.
         p.last = x;
-        let inner = ForceTerm::Reaction { of: Party::Link(sliding), on: pinned, part: ReactionComponent::Whole };
+        let inner = ForceTerm::Reaction {
+            of: Party::Link(sliding),
+            on: pinned,
+            part: ReactionComponent::Whole,
+        };
         self.diagonal(&mut p, (inner, place), [start, x]);
         self.lay_all(&mut p, &acting[0]);
         let close = p.last;
@@ -358,7 +459,11 @@ impl Scribe<'_> {
         let back = self.number(&mut p.ops, Number::Negative(couple));
         let force = self.measured(&mut p, x, start);
         let inside = ActingForce {
-            term: ForceTerm::Reaction { of: Party::Link(pinned), on: sliding, part: ReactionComponent::Whole },
+            term: ForceTerm::Reaction {
+                of: Party::Link(pinned),
+                on: sliding,
+                part: ReactionComponent::Whole,
+            },
             force: Some((Base::Measured(force), place)),
             couple: Some(back),
         };

@@ -41,7 +41,10 @@ use hodograph_base::diag::Both;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::kind::{ByKind, Kind};
 use hodograph_mechanism::answer::MotionSource;
-use hodograph_mechanism::force::{Cause, Load, Rubbing, completed, is_determined, loads, rubbing, settled, unit_balance, with_friction};
+use hodograph_mechanism::force::{
+    Cause, Load, Rubbing, completed, is_determined, loads, rubbing, settled, unit_balance,
+    with_friction,
+};
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::quantity::{Forces, Wrench, parties};
@@ -244,7 +247,8 @@ impl Equilibrium {
             // Teeth press on one flank or the other; the load that a group puts on its teeth does
             // not depend on the previous groups.
             for _ in 0..=scene.rolling.len() {
-                let givens = LoadedPose { scene, at, loads: &loads, senses: &senses, extent: at.extent() };
+                let givens =
+                    LoadedPose { scene, at, loads: &loads, senses: &senses, extent: at.extent() };
                 let drawn = draw(&written.construction, &givens, &trial_scales, &mut Exact).ok()?;
                 let forces = read(scene, m, at, &loads, &written.answers, &drawn)?;
                 let pressed = senses_of(scene, at, &forces);
@@ -260,12 +264,15 @@ impl Equilibrium {
         }
         let smooth = tried(given.clone())?;
         let (rubbing, _) = rubbing(scene, at, motion)?;
-        let (power, ForceTrial { loads, written, senses, drawn: trial, .. }) = if rubbing.is_empty() {
+        let (power, ForceTrial { loads, written, senses, drawn: trial, .. }) = if rubbing.is_empty()
+        {
             ((!scene.loads.friction.is_empty()).then_some(smooth.forces.power), smooth)
         } else {
             // Iteration: friction from the reactions of one polygon, then the next polygon with
             // this friction, until both agree.
-            let under = |friction: &[Load]| tried(given.iter().chain(friction).copied().collect()).ok_or(());
+            let under = |friction: &[Load]| {
+                tried(given.iter().chain(friction).copied().collect()).ok_or(())
+            };
             let read = |t: &ForceTrial| (t.forces.pins.clone(), t.forces.guides.clone());
             (Some(smooth.forces.power), settled(scene, &rubbing, under, read).ok()??)
         };
@@ -279,13 +286,29 @@ impl Equilibrium {
             return None;
         }
         let forces = read(scene, m, at, &loads, &written.answers, &drawn)?;
-        let forces = Forces { guides: with_friction(forces.guides.clone(), &rubbing), smooth: power, ..forces };
+        let forces = Forces {
+            guides: with_friction(forces.guides.clone(), &rubbing),
+            smooth: power,
+            ..forces
+        };
         let scribe::ForceConstruction { construction, groups, undrawn, places, answers } = written;
-        Some(Equilibrium { loads, construction, groups, undrawn, scales, drawn, forces, places, answers, senses, rubbing })
+        Some(Equilibrium {
+            loads,
+            construction,
+            groups,
+            undrawn,
+            scales,
+            drawn,
+            forces,
+            places,
+            answers,
+            senses,
+            rubbing,
+        })
     }
 
-    /// Draws the forces once more with a pencil, under the loads of a motion that was read from polygons drawn
-    /// with it. Friction keeps its forces.
+    /// Draws the forces once more with a pencil, under the loads of a motion that was read from
+    /// polygons drawn with it. Friction keeps its forces.
     ///
     /// `None` if a load is unknown, or if the pencil made two lines parallel.
     pub fn by_hand<P: Pencil>(
@@ -302,10 +325,15 @@ impl Equilibrium {
             .iter()
             .map(|l| if matches!(l.cause, Cause::Friction(_)) { Some(*l) } else { given.next() })
             .collect::<Option<_>>()?;
-        let givens = LoadedPose { scene, at, loads: &loads, senses: &self.senses, extent: at.extent() };
+        let givens =
+            LoadedPose { scene, at, loads: &loads, senses: &self.senses, extent: at.extent() };
         let drawn = draw(&self.construction, &givens, &self.scales, pencil).ok()?;
         let forces = read(scene, m, at, &loads, &self.answers, &drawn)?;
-        Some(Forces { guides: with_friction(forces.guides.clone(), &self.rubbing), smooth: self.forces.smooth, ..forces })
+        Some(Forces {
+            guides: with_friction(forces.guides.clone(), &self.rubbing),
+            smooth: self.forces.smooth,
+            ..forces
+        })
     }
 
     /// Returns width and height of the largest polygon (mm).
@@ -354,7 +382,10 @@ impl Equilibrium {
 
     /// Returns the vertices of a group's polygon, relative to the first (N).
     pub fn vertices<'a>(&'a self, group: &'a GroupForces) -> impl Iterator<Item = Point> + 'a {
-        group.vertices.iter().filter_map(|v| Some((self.drawn.marks[v.index()]?.to_vec2() * self.mu()).to_point()))
+        group
+            .vertices
+            .iter()
+            .filter_map(|v| Some((self.drawn.marks[v.index()]?.to_vec2() * self.mu()).to_point()))
     }
 
     /// Returns the group of some links.
@@ -364,12 +395,21 @@ impl Equilibrium {
 
     /// Returns the largest factor by which a crossing magnifies rounding errors.
     pub fn magnified(&self) -> f64 {
-        self.drawn.met.iter().map(|met| met.rounding / (met.sine.abs() * met.sine.abs())).fold(1.0, f64::max)
+        self.drawn
+            .met
+            .iter()
+            .map(|met| met.rounding / (met.sine.abs() * met.sine.abs()))
+            .fold(1.0, f64::max)
     }
 }
 
 impl MotionSource<f64> for Equilibrium {
-    fn vector(&self, _: hodograph_mechanism::mechanism::Level, _: PointId, _: Option<LinkId>) -> Option<Vec2> {
+    fn vector(
+        &self,
+        _: hodograph_mechanism::mechanism::Level,
+        _: PointId,
+        _: Option<LinkId>,
+    ) -> Option<Vec2> {
         None
     }
 
@@ -393,7 +433,10 @@ struct ForceTrial {
 
 /// Returns width and height of the largest polygon.
 fn largest(groups: &[GroupForces], drawn: &DrawnPlaces) -> [f64; 2] {
-    groups.iter().map(|g| extent_of(g, drawn)).fold([0.0, 0.0], |[w, h], [x, y]| [f64::max(w, x), f64::max(h, y)])
+    groups
+        .iter()
+        .map(|g| extent_of(g, drawn))
+        .fold([0.0, 0.0], |[w, h], [x, y]| [f64::max(w, x), f64::max(h, y)])
 }
 
 /// Returns width and height of a polygon.
@@ -402,15 +445,29 @@ fn extent_of(group: &GroupForces, drawn: &DrawnPlaces) -> [f64; 2] {
 }
 
 /// Returns the forces that the drawing gives. Reactions of groups that are not drawn are missing.
-fn read(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load], answers: &Answers, drawn: &DrawnPlaces) -> Option<Forces> {
+fn read(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    loads: &[Load],
+    answers: &Answers,
+    drawn: &DrawnPlaces,
+) -> Option<Forces> {
     let vector = |n: &NumberId| drawn.vector(*n);
-    let mut pins: Vec<(PointId, LinkId, Vec2)> = answers.pins.iter().filter_map(|(p, l, n)| Some((*p, *l, vector(n)?))).collect();
+    let mut pins: Vec<(PointId, LinkId, Vec2)> =
+        answers.pins.iter().filter_map(|(p, l, n)| Some((*p, *l, vector(n)?))).collect();
     // The last link on a pin of several links bears the forces of the others on the pin.
-    for p in (0..scene.points.len()).map(PointId).filter(|p| parties(scene, *p) > 2 && parties(scene, *p) == scene.carriers(*p).count()) {
-        let force = |l: LinkId| pins.iter().find(|(at, on, _)| (*at, *on) == (p, l)).map(|(.., force)| *force);
+    for p in (0..scene.points.len())
+        .map(PointId)
+        .filter(|p| parties(scene, *p) > 2 && parties(scene, *p) == scene.carriers(*p).count())
+    {
+        let force = |l: LinkId| {
+            pins.iter().find(|(at, on, _)| (*at, *on) == (p, l)).map(|(.., force)| *force)
+        };
         let missing: Vec<LinkId> = scene.carriers(p).filter(|l| force(*l).is_none()).collect();
         if let [last] = missing[..] {
-            let sum = scene.carriers(p).filter_map(force).fold(Vec2::ZERO, |sum, force| sum - force);
+            let sum =
+                scene.carriers(p).filter_map(force).fold(Vec2::ZERO, |sum, force| sum - force);
             pins.push((p, last, sum));
         }
     }
@@ -428,7 +485,8 @@ fn read(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load], answer
         Some(guide) => guides.iter().find(|(own, _)| *own == guide).map(|(_, w)| w.force),
         None => Some(Vec2::ZERO),
     };
-    let pressed: Vec<(RollingId, Vec2)> = answers.rolling.iter().filter_map(|(r, n)| Some((*r, vector(n)?))).collect();
+    let pressed: Vec<(RollingId, Vec2)> =
+        answers.rolling.iter().filter_map(|(r, n)| Some((*r, vector(n)?))).collect();
     let rolling = pressed.iter().filter_map(|(r, force)| Some((*r, *force + held(*r)?))).collect();
     let mut drivers = Vec::new();
     for d in 0..scene.drivers.len() {
@@ -441,11 +499,23 @@ fn read(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load], answer
     let balance = answers.balance.and_then(|n| drawn.number(n));
     let mut loads = loads.to_vec();
     if let Some((unit, size)) = unit_balance(scene, at).zip(balance) {
-        loads.push(Load { wrench: Wrench { force: unit.wrench.force * size, couple: unit.wrench.couple * size }, ..unit });
+        loads.push(Load {
+            wrench: Wrench { force: unit.wrench.force * size, couple: unit.wrench.couple * size },
+            ..unit
+        });
         // With a balancing force the drivers exert no force.
         drivers.fill(0.0);
     }
-    let reactions = Forces { determinate: is_determined(scene, m), pins, guides, rolling, drivers, power, balance, ..Forces::none() };
+    let reactions = Forces {
+        determinate: is_determined(scene, m),
+        pins,
+        guides,
+        rolling,
+        drivers,
+        power,
+        balance,
+        ..Forces::none()
+    };
     Some(completed(scene, at, &loads, reactions))
 }
 

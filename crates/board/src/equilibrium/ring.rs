@@ -75,7 +75,11 @@ impl RingLink {
 
     /// Returns the part of these forces along the line: the whole force if a guide presses.
     fn axial(&self) -> ReactionComponent {
-        if matches!(self.far, FarJoint::Pin(_)) { ReactionComponent::Normal } else { ReactionComponent::Whole }
+        if matches!(self.far, FarJoint::Pin(_)) {
+            ReactionComponent::Normal
+        } else {
+            ReactionComponent::Whole
+        }
     }
 }
 
@@ -96,8 +100,11 @@ impl Scribe<'_> {
         let count = ring.len();
         let before = |i: usize| (i + count - 1) % count;
         let bars: Vec<RingBar> = ring.iter().map(|core| self.bar(&mut ops, core)).collect();
-        let known: Vec<RingMoments> =
-            (0..count).map(|i| self.known(&mut ops, [&ring[before(i)], &ring[i]], [&bars[before(i)], &bars[i]])).collect();
+        let known: Vec<RingMoments> = (0..count)
+            .map(|i| {
+                self.known(&mut ops, [&ring[before(i)], &ring[i]], [&bars[before(i)], &bars[i]])
+            })
+            .collect();
         let handy = libm::exp10(libm::floor(libm::log10(self.largest.clamp(1.0, 1e9))));
         let tried = [0, handy as i32].map(|amount| self.number(&mut ops, Number::Plain(amount)));
         let left = tried.map(|amount| self.remainder(&mut ops, &known, amount));
@@ -108,7 +115,8 @@ impl Scribe<'_> {
         let gives = MomentResult::Trial { force: ring[0].on_next(ring[0].axial()), tried, left };
         let about = About::Point(ring[0].pivot.at);
         let all: Vec<LinkId> = ring.iter().map(|core| core.link).collect();
-        let trial = Moments { links: all, about, of: Vec::new(), couples: Vec::new(), gives, value: first };
+        let trial =
+            Moments { links: all, about, of: Vec::new(), couples: Vec::new(), gives, value: first };
         // The force of each bar on the next link, along the bar.
         let mut pushes = vec![first; count];
         let mut moments: Vec<Vec<Moments>> = bars.iter().map(|bar| bar.moments.clone()).collect();
@@ -124,8 +132,16 @@ impl Scribe<'_> {
         }
         self.on_plane(ops);
         for i in (1..count).chain([0]) {
-            let sides = [(&ring[before(i)], &bars[before(i)], pushes[before(i)]), (&ring[i], &bars[i], pushes[i])];
-            self.link_and_bar(sides, &known[i].loads, std::mem::take(&mut moments[i]), if count == 2 { "IV" } else { "VI" });
+            let sides = [
+                (&ring[before(i)], &bars[before(i)], pushes[before(i)]),
+                (&ring[i], &bars[i], pushes[i]),
+            ];
+            self.link_and_bar(
+                sides,
+                &known[i].loads,
+                std::mem::take(&mut moments[i]),
+                if count == 2 { "IV" } else { "VI" },
+            );
         }
         Ok(())
     }
@@ -135,29 +151,54 @@ impl Scribe<'_> {
         let pivots: Vec<(LinkId, OuterJoint, Hinge)> = joints
             .outer
             .iter()
-            .map(|o| if let OuterJoint::Pin { on, hinge, .. } = *o { Some((on, *o, hinge)) } else { None })
+            .map(|o| {
+                if let OuterJoint::Pin { on, hinge, .. } = *o {
+                    Some((on, *o, hinge))
+                } else {
+                    None
+                }
+            })
             .collect::<Option<_>>()?;
         let count = pivots.len();
         (count > 1 && links.len() == 2 * count && joints.inner.len() == 2 * count).then_some(())?;
         let is_core = |l: LinkId| pivots.iter().any(|(on, ..)| *on == l);
         let mut bars: Vec<LinkId> = links.iter().copied().filter(|l| !is_core(*l)).collect();
         let joins = |pair: &DyadJoint, a: LinkId, b: LinkId| match *pair {
-            DyadJoint::Pin(hinge) => hinge == hinge.at.into() && turns_on(self.scene, a, hinge) && turns_on(self.scene, b, hinge),
+            DyadJoint::Pin(hinge) => {
+                hinge == hinge.at.into()
+                    && turns_on(self.scene, a, hinge)
+                    && turns_on(self.scene, b, hinge)
+            }
             DyadJoint::Slide { slider, on, .. } => (slider, on) == (a, b),
         };
         let mut out: Vec<RingLink> = Vec::new();
         let mut at = pivots[0];
         for _ in 0..count {
-            let near = |bar: LinkId| joints.inner.iter().find(|pair| matches!(pair, DyadJoint::Pin(_)) && joins(pair, bar, at.0));
+            let near = |bar: LinkId| {
+                joints
+                    .inner
+                    .iter()
+                    .find(|pair| matches!(pair, DyadJoint::Pin(_)) && joins(pair, bar, at.0))
+            };
             let bar = bars.remove(bars.iter().position(|bar| near(*bar).is_some())?);
             let Some(DyadJoint::Pin(hinge)) = near(bar) else { return None };
-            let far = |(on, ..): &&(LinkId, OuterJoint, Hinge)| *on != at.0 && joints.inner.iter().any(|pair| joins(pair, bar, *on));
+            let far = |(on, ..): &&(LinkId, OuterJoint, Hinge)| {
+                *on != at.0 && joints.inner.iter().any(|pair| joins(pair, bar, *on))
+            };
             let next = *pivots.iter().find(far)?;
             let far = match joints.inner.iter().find(|pair| joins(pair, bar, next.0))? {
                 DyadJoint::Pin(hinge) => FarJoint::Pin(hinge.at),
                 DyadJoint::Slide { guide, .. } => FarJoint::Slide(*guide),
             };
-            out.push(RingLink { link: at.0, outer: at.1, pivot: at.2, bar, near: *hinge, far, next: next.0 });
+            out.push(RingLink {
+                link: at.0,
+                outer: at.1,
+                pivot: at.2,
+                bar,
+                near: *hinge,
+                far,
+                next: next.0,
+            });
             at = next;
         }
         (at.0 == pivots[0].0 && bars.is_empty()).then_some(out)
@@ -166,7 +207,9 @@ impl Scribe<'_> {
     /// Returns the line of a bar, from the link to the next one; for a block, square to its guide.
     fn line_of_bar(&self, core: &RingLink) -> Base {
         match core.far {
-            FarJoint::Pin(p) => Base::Arm { from: self.mark(core.near.at), to: self.mark(p), known: false },
+            FarJoint::Pin(p) => {
+                Base::Arm { from: self.mark(core.near.at), to: self.mark(p), known: false }
+            }
             FarJoint::Slide(guide) => Base::Normal(Key::of(guide.0), self.mark(core.near.at)),
         }
     }
@@ -186,7 +229,12 @@ impl Scribe<'_> {
         RingBar { loads, across, couple, moments }
     }
 
-    fn known(&mut self, ops: &mut Vec<Op>, [before, core]: [&RingLink; 2], bars: [&RingBar; 2]) -> RingMoments {
+    fn known(
+        &mut self,
+        ops: &mut Vec<Op>,
+        [before, core]: [&RingLink; 2],
+        bars: [&RingBar; 2],
+    ) -> RingMoments {
         let (pivot, about) = (self.mark(core.pivot.at), About::Point(core.pivot.at));
         let loads = self.all_on(core.link, &[core.pivot, core.near, before.touch().into()]);
         let gives = MomentResult::Force(core.on_bar(core.axial()), core.touch());
@@ -194,7 +242,9 @@ impl Scribe<'_> {
         let mut moments = self.moments(ops, &[core.link, core.bar], &all, about, gives);
         // The previous bar presses on the link, opposite to the force on the bar.
         for (on, bar, reversed) in [(before, bars[0], true), (core, bars[1], false)] {
-            let mut signed = |s: &mut Self, value| if reversed { s.number(ops, Number::Negative(value)) } else { value };
+            let mut signed = |s: &mut Self, value| {
+                if reversed { s.number(ops, Number::Negative(value)) } else { value }
+            };
             let term = |part| if reversed { on.on_next(part) } else { on.on_bar(part) };
             if let Some(couple) = bar.couple {
                 moments.couples.push((term(ReactionComponent::Whole), signed(self, couple)));
@@ -203,14 +253,28 @@ impl Scribe<'_> {
                 // The arm of a unit force square to the bar is the component of the connecting
                 // vector along the bar.
                 let value = signed(self, value);
-                let arm = self.number(ops, Number::Along(pivot, self.mark(on.touch()), Direction::of(self.line_of_bar(on))));
-                moments.of.push((term(ReactionComponent::Tangential), on.touch(), self.number(ops, Number::Product(value, arm))));
+                let arm = self.number(
+                    ops,
+                    Number::Along(
+                        pivot,
+                        self.mark(on.touch()),
+                        Direction::of(self.line_of_bar(on)),
+                    ),
+                );
+                moments.of.push((
+                    term(ReactionComponent::Tangential),
+                    on.touch(),
+                    self.number(ops, Number::Product(value, arm)),
+                ));
             }
         }
         let turning = self.balancing(ops, &moments);
         let arms = [before, core].map(|on| {
             let line = self.line_of_bar(on);
-            let unit = self.number(ops, Number::Moment { force: line, at: self.mark(on.touch()), about: pivot });
+            let unit = self.number(
+                ops,
+                Number::Moment { force: line, at: self.mark(on.touch()), about: pivot },
+            );
             let length = self.c.number(Number::Length(line));
             self.number(ops, Number::Quotient(unit, length))
         });
@@ -219,7 +283,12 @@ impl Scribe<'_> {
 
     /// Returns the force of the next link along a link's bar from the push of the previous bar on
     /// the link, and the moment of that push.
-    fn passed_on(&mut self, ops: &mut Vec<Op>, known: &RingMoments, push: NumberId) -> (NumberId, NumberId) {
+    fn passed_on(
+        &mut self,
+        ops: &mut Vec<Op>,
+        known: &RingMoments,
+        push: NumberId,
+    ) -> (NumberId, NumberId) {
         let turned = self.number(ops, Number::Product(push, known.arms[0]));
         let back = self.number(ops, Number::Negative(turned));
         let sum = self.number(ops, Number::Sum(known.turning, back));
@@ -228,7 +297,12 @@ impl Scribe<'_> {
 
     /// Returns the remaining moment on the first link of the ring, if its bar pushes the next link
     /// with a given force.
-    fn remainder(&mut self, ops: &mut Vec<Op>, known: &[RingMoments], amount: NumberId) -> NumberId {
+    fn remainder(
+        &mut self,
+        ops: &mut Vec<Op>,
+        known: &[RingMoments],
+        amount: NumberId,
+    ) -> NumberId {
         let mut push = amount;
         for k in &known[1..] {
             let (along, _) = self.passed_on(ops, k, push);
@@ -261,7 +335,12 @@ impl Scribe<'_> {
         self.laid(&mut p, (before.on_next(before.axial()), before.touch()), line, push);
         if let Some(value) = bar_before.across {
             let back = self.number(&mut p.ops, Number::Negative(value));
-            self.laid(&mut p, (before.on_next(ReactionComponent::Tangential), before.touch()), square_to(self.line_of_bar(before)), back);
+            self.laid(
+                &mut p,
+                (before.on_next(ReactionComponent::Tangential), before.touch()),
+                square_to(self.line_of_bar(before)),
+                back,
+            );
         }
         let middle = p.last;
         self.lay_all(&mut p, &bar.loads);
@@ -270,7 +349,12 @@ impl Scribe<'_> {
         let line = Direction::of(self.line_of_bar(core)).unit();
         self.laid(&mut p, (core.on_bar(core.axial()), core.touch()), line, along);
         if let Some(value) = bar.across {
-            self.laid(&mut p, (core.on_bar(ReactionComponent::Tangential), core.touch()), square_to(self.line_of_bar(core)), value);
+            self.laid(
+                &mut p,
+                (core.on_bar(ReactionComponent::Tangential), core.touch()),
+                square_to(self.line_of_bar(core)),
+                value,
+            );
         }
         let end = p.last;
         if let Some(term) = reaction(&core.outer, ReactionComponent::Whole) {
@@ -278,14 +362,27 @@ impl Scribe<'_> {
         }
         self.pinned(&mut p, core.pivot, core.link, [end, start]);
         if matches!(before.far, FarJoint::Pin(_)) {
-            self.diagonal(&mut p, (before.on_next(ReactionComponent::Whole), before.touch()), [pushed, middle]);
+            self.diagonal(
+                &mut p,
+                (before.on_next(ReactionComponent::Whole), before.touch()),
+                [pushed, middle],
+            );
         }
         self.inner_pin(&mut p, core.near, [core.bar, core.link], [end, middle, end]);
         match core.far {
-            FarJoint::Pin(pin) => self.inner_pin(&mut p, pin.into(), [core.bar, core.next], [held, end, held]),
+            FarJoint::Pin(pin) => {
+                self.inner_pin(&mut p, pin.into(), [core.bar, core.next], [held, end, held])
+            }
             FarJoint::Slide(guide) => {
                 let place = self.reference(guide).unwrap_or(core.near.at);
-                self.inner_guide(&mut p, guide, core.bar, (core.near.at, place), &bar.loads, [held, end]);
+                self.inner_guide(
+                    &mut p,
+                    guide,
+                    core.bar,
+                    (core.near.at, place),
+                    &bar.loads,
+                    [held, end],
+                );
             }
         }
         self.finish(p, &[core.link, core.bar], kind);

@@ -1,9 +1,13 @@
 //! Writes the construction: the forces on each link, and the acts of polygons and moments.
 
 use super::joints::{Hinge, joints, reference};
-use super::{About, Answers, ForceEdge, ForceTerm, GroupForces, MomentResult, Moments, Party, ReactionComponent, Undrawn};
+use super::{
+    About, Answers, ForceEdge, ForceTerm, GroupForces, MomentResult, Moments, Party,
+    ReactionComponent, Undrawn,
+};
 use crate::construction::{
-    Base, Construction, DiagramId, Direction, Key, Line, LineId, MarkId, Name, Number, NumberId, Op, Vector, VectorId,
+    Base, Construction, DiagramId, Direction, Key, Line, LineId, MarkId, Name, Number, NumberId,
+    Op, Vector, VectorId,
 };
 use hodograph_base::diag::both;
 use hodograph_base::diagram::DiagramKind;
@@ -58,10 +62,17 @@ pub(super) struct Scribe<'a> {
 }
 
 /// Writes the forces of all groups.
-pub(super) fn written(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &[Load]) -> ForceConstruction {
+pub(super) fn written(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    loads: &[Load],
+) -> ForceConstruction {
     let mut c = Construction::default();
     let plane = c.begin(DiagramKind::Plane);
-    let mark = |p: usize, c: &mut Construction| at.points[p].map(|_| c.mark(plane, Name::Point(Key::of(p))));
+    let mark = |p: usize, c: &mut Construction| {
+        at.points[p].map(|_| c.mark(plane, Name::Point(Key::of(p))))
+    };
     let places: Vec<Option<MarkId>> = (0..scene.points.len()).map(|p| mark(p, &mut c)).collect();
     c.step(plane, None, places.iter().flatten().map(|mark| Op::Set(*mark)));
     let one = c.number(Number::Plain(1));
@@ -70,7 +81,10 @@ pub(super) fn written(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &
     let couples = loads.iter().map(|l| l.wrench.couple.abs()).fold(0.0, f64::max);
     for (k, load) in loads.iter().enumerate() {
         // A load of zero is left out.
-        let force = load.at.filter(|_| load.wrench.force.norm() > ROUNDING * largest).map(|p| (Base::Given(Key::of(k)), p));
+        let force = load
+            .at
+            .filter(|_| load.wrench.force.norm() > ROUNDING * largest)
+            .map(|p| (Base::Given(Key::of(k)), p));
         let turns = load.wrench.couple.abs() > ROUNDING * couples.max(largest * at.extent());
         let couple = turns.then(|| c.number(Number::Given(Key::of(k))));
         if force.is_some() || couple.is_some() {
@@ -81,15 +95,30 @@ pub(super) fn written(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &
     let at_pin = vec![Vec::new(); scene.points.len()];
     let balance = Key::of(loads.len());
     let largest = largest.max(couples / at.extent());
-    let mut scribe =
-        Scribe { scene, m, c, places, acting, at_pin, answers, groups: Vec::new(), one, plane, balance, crossings: 0, largest };
+    let mut scribe = Scribe {
+        scene,
+        m,
+        c,
+        places,
+        acting,
+        at_pin,
+        answers,
+        groups: Vec::new(),
+        one,
+        plane,
+        balance,
+        crossings: 0,
+        largest,
+    };
     // Links that no question needs have no loads and press on nothing.
-    let mut open: Vec<bool> = (0..scene.links.len()).map(|l| at.poses[l].is_some() || l == scene.ground.0).collect();
+    let mut open: Vec<bool> =
+        (0..scene.links.len()).map(|l| at.poses[l].is_some() || l == scene.ground.0).collect();
     let mut broken = vec![false; scene.links.len()];
     let mut undrawn = Vec::new();
     for group in m.assur(scene).iter().rev() {
         let rod = |l: &LinkId| scene.drivers.iter().any(|d| d.kind.parts().contains(l));
-        let (rods, links): (Vec<LinkId>, Vec<LinkId>) = group.links.iter().copied().filter(|l| at.poses[l.0].is_some()).partition(rod);
+        let (rods, links): (Vec<LinkId>, Vec<LinkId>) =
+            group.links.iter().copied().filter(|l| at.poses[l.0].is_some()).partition(rod);
         if links.is_empty() {
             continue;
         }
@@ -103,7 +132,8 @@ pub(super) fn written(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &
         };
         links.iter().chain(&rods).for_each(|l| open[l.0] = false);
         if let Err(why) = result {
-            for l in (0..scene.links.len()).map(LinkId).filter(|l| open[l.0] && *l != scene.ground) {
+            for l in (0..scene.links.len()).map(LinkId).filter(|l| open[l.0] && *l != scene.ground)
+            {
                 broken[l.0] |= links.iter().chain(&rods).any(|own| touches(scene, *own, l));
             }
             undrawn.push(Undrawn { links, why });
@@ -117,7 +147,9 @@ pub(super) fn written(scene: &Scene, m: &Mechanism, at: &Configuration, loads: &
 fn touches(scene: &Scene, a: LinkId, b: LinkId) -> bool {
     let pins = scene.links[a.0].points.iter().any(|p| scene.links[b.0].points.contains(p));
     let on = |l: LinkId, g: &hodograph_scene::Guide| {
-        g.on == l || g.slider == Some(l) || g.pin.is_some_and(|p| scene.links[l.0].points.contains(&p))
+        g.on == l
+            || g.slider == Some(l)
+            || g.pin.is_some_and(|p| scene.links[l.0].points.contains(&p))
     };
     let guides = scene.guides.iter().any(|g| on(a, g) && on(b, g));
     // A pin on no link presses on the slots in which it runs.
@@ -127,9 +159,16 @@ fn touches(scene: &Scene, a: LinkId, b: LinkId) -> bool {
         let carries = |l: LinkId| ends.iter().any(|p| scene.links[l.0].points.contains(p));
         carries(a) && carries(b)
     });
-    let turned =
-        scene.drivers.iter().any(|d| d.kind.turned().is_some_and(|(l, against)| [l, against].contains(&a) && [l, against].contains(&b)));
-    pins || guides || between_slots || rods || turned || scene.rolling.iter().any(|r| r.links.contains(&a) && r.links.contains(&b))
+    let turned = scene.drivers.iter().any(|d| {
+        d.kind
+            .turned()
+            .is_some_and(|(l, against)| [l, against].contains(&a) && [l, against].contains(&b))
+    });
+    pins || guides
+        || between_slots
+        || rods
+        || turned
+        || scene.rolling.iter().any(|r| r.links.contains(&a) && r.links.contains(&b))
 }
 
 /// A polygon under construction.
@@ -184,7 +223,13 @@ impl Scribe<'_> {
     }
 
     /// Lays off a part of a force: its direction, a unit vector, times its magnitude.
-    pub fn laid(&mut self, p: &mut Polygon, (term, at): (ForceTerm, PointId), along: Direction, times: NumberId) {
+    pub fn laid(
+        &mut self,
+        p: &mut Polygon,
+        (term, at): (ForceTerm, PointId),
+        along: Direction,
+        times: NumberId,
+    ) {
         let to = self.vertex(p);
         let vector = self.c.vector(Vector { terms: Vec::new(), from: p.last, to });
         p.ops.push(Op::Lay { vector, along, times });
@@ -203,7 +248,8 @@ impl Scribe<'_> {
 
     /// Draws a line through a vertex.
     pub fn line(&mut self, p: &mut Polygon, through: MarkId, along: Direction) -> LineId {
-        let line = self.c.line(Line { on: p.diagram, through, along, moved: false, carries: Vec::new() });
+        let line =
+            self.c.line(Line { on: p.diagram, through, along, moved: false, carries: Vec::new() });
         p.ops.push(Op::Rule(line));
         line
     }
@@ -223,7 +269,13 @@ impl Scribe<'_> {
     }
 
     /// Adds an unknown side of the polygon, at its place in the equation: first or last.
-    pub fn side(&mut self, p: &mut Polygon, (term, at): (ForceTerm, PointId), [from, to]: [MarkId; 2], first: bool) {
+    pub fn side(
+        &mut self,
+        p: &mut Polygon,
+        (term, at): (ForceTerm, PointId),
+        [from, to]: [MarkId; 2],
+        first: bool,
+    ) {
         let vector = self.show(p, from, to);
         let side = ForceEdge { term, at, vector, known: false };
         if first {
@@ -234,7 +286,12 @@ impl Scribe<'_> {
     }
 
     /// Adds a reaction that is a diagonal.
-    pub fn diagonal(&mut self, p: &mut Polygon, (term, at): (ForceTerm, PointId), [from, to]: [MarkId; 2]) {
+    pub fn diagonal(
+        &mut self,
+        p: &mut Polygon,
+        (term, at): (ForceTerm, PointId),
+        [from, to]: [MarkId; 2],
+    ) {
         let vector = self.show(p, from, to);
         p.diagonals.push(ForceEdge { term, at, vector, known: false });
     }
@@ -254,8 +311,22 @@ impl Scribe<'_> {
     }
 
     /// Returns the moments of the forces on links about a point.
-    pub fn moments(&mut self, ops: &mut Vec<Op>, links: &[LinkId], acting: &[ActingForce], about: About, gives: MomentResult) -> Moments {
-        let mut out = Moments { links: links.to_vec(), about, of: Vec::new(), couples: Vec::new(), gives, value: self.one };
+    pub fn moments(
+        &mut self,
+        ops: &mut Vec<Op>,
+        links: &[LinkId],
+        acting: &[ActingForce],
+        about: About,
+        gives: MomentResult,
+    ) -> Moments {
+        let mut out = Moments {
+            links: links.to_vec(),
+            about,
+            of: Vec::new(),
+            couples: Vec::new(),
+            gives,
+            value: self.one,
+        };
         for a in acting {
             if let Some((force, at)) = a.force.filter(|(_, at)| About::Point(*at) != about) {
                 let centre = match about {
@@ -273,14 +344,24 @@ impl Scribe<'_> {
 
     /// Returns the sum of moments, with the sign reversed; zero if there are none.
     pub fn balancing(&mut self, ops: &mut Vec<Op>, moments: &Moments) -> NumberId {
-        let all: Vec<NumberId> = moments.of.iter().map(|m| m.2).chain(moments.couples.iter().map(|c| c.1)).collect();
-        let sum = all.into_iter().reduce(|a, b| self.c.number(Number::Sum(a, b))).unwrap_or_else(|| self.c.number(Number::Plain(0)));
+        let all: Vec<NumberId> =
+            moments.of.iter().map(|m| m.2).chain(moments.couples.iter().map(|c| c.1)).collect();
+        let sum = all
+            .into_iter()
+            .reduce(|a, b| self.c.number(Number::Sum(a, b)))
+            .unwrap_or_else(|| self.c.number(Number::Plain(0)));
         self.number(ops, Number::Negative(sum))
     }
 
     /// Returns the magnitude of a force square to a bar, at its end, that balances moments about
     /// its beginning; `None` if there are no moments.
-    pub fn across(&mut self, ops: &mut Vec<Op>, found: &mut Vec<Moments>, mut of: Moments, bar: Base) -> Option<NumberId> {
+    pub fn across(
+        &mut self,
+        ops: &mut Vec<Op>,
+        found: &mut Vec<Moments>,
+        mut of: Moments,
+        bar: Base,
+    ) -> Option<NumberId> {
         if of.of.is_empty() && of.couples.is_empty() {
             return None;
         }
@@ -325,7 +406,16 @@ impl Scribe<'_> {
     pub fn finish(&mut self, p: Polygon, links: &[LinkId], kind: &'static str) {
         let Polygon { diagram, vertices, sides, diagonals, moments, drivers, ops, .. } = p;
         self.c.step(diagram, None, ops);
-        self.groups.push(GroupForces { links: links.to_vec(), kind, diagram, vertices, sides, diagonals, moments, drivers });
+        self.groups.push(GroupForces {
+            links: links.to_vec(),
+            kind,
+            diagram,
+            vertices,
+            sides,
+            diagonals,
+            moments,
+            drivers,
+        });
     }
 }
 

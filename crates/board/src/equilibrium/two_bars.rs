@@ -47,12 +47,25 @@ impl Scribe<'_> {
     ///
     /// # Errors
     /// A group of another kind; a further group at one of their pins.
-    pub(super) fn on_two_bars(&mut self, links: &[LinkId], joints: &Joints, at: &Configuration) -> Result<(), Both> {
+    pub(super) fn on_two_bars(
+        &mut self,
+        links: &[LinkId],
+        joints: &Joints,
+        at: &Configuration,
+    ) -> Result<(), Both> {
         let Some(group) = self.joined(links, joints) else { return self.on_a_ring(links, joints) };
-        if let Some(pin) =
-            group.bars.iter().flat_map(|b| b.pins).filter_map(Hinge::pin).find(|p| !self.pin_loads(*p, group.links[0]).is_empty())
+        if let Some(pin) = group
+            .bars
+            .iter()
+            .flat_map(|b| b.pins)
+            .filter_map(Hinge::pin)
+            .find(|p| !self.pin_loads(*p, group.links[0]).is_empty())
         {
-            return Err(both!("a further group presses on pin {}", "销 {} 上还作用着另一杆组", self.scene.point_name(pin)));
+            return Err(both!(
+                "a further group presses on pin {}",
+                "销 {} 上还作用着另一杆组",
+                self.scene.point_name(pin)
+            ));
         }
         let along = group.bars.map(|b| {
             let [p, q] = b.pins.map(|p| at.points[p.at.0]);
@@ -68,31 +81,51 @@ impl Scribe<'_> {
     }
 
     fn joined(&self, links: &[LinkId], joints: &Joints) -> Option<TwoBarGroup> {
-        let [first @ OuterJoint::Pin { on: a, hinge: p, .. }, second @ OuterJoint::Pin { on: b, hinge: q, .. }] = joints.outer[..] else {
+        let [
+            first @ OuterJoint::Pin { on: a, hinge: p, .. },
+            second @ OuterJoint::Pin { on: b, hinge: q, .. },
+        ] = joints.outer[..]
+        else {
             return None;
         };
         let has = |l: LinkId, hinge: &Hinge| turns_on(self.scene, l, *hinge);
-        let inner: Vec<Hinge> =
-            joints.inner.iter().map(|pair| if let DyadJoint::Pin(p) = pair { Some(*p) } else { None }).collect::<Option<_>>()?;
+        let inner: Vec<Hinge> = joints
+            .inner
+            .iter()
+            .map(|pair| if let DyadJoint::Pin(p) = pair { Some(*p) } else { None })
+            .collect::<Option<_>>()?;
         let bars: Vec<PinnedBar> = links
             .iter()
             .filter(|l| **l != a && **l != b)
             .map(|&link| {
-                let on = |core: LinkId| inner.iter().copied().find(|p| has(link, p) && has(core, p));
+                let on =
+                    |core: LinkId| inner.iter().copied().find(|p| has(link, p) && has(core, p));
                 Some(PinnedBar { link, pins: [on(a)?, on(b)?] })
             })
             .collect::<Option<_>>()?;
         (a != b && inner.len() == 4).then_some(())?;
-        Some(TwoBarGroup { links: [a, b], outer: [first, second], pivots: [p, q], bars: bars.try_into().ok()? })
+        Some(TwoBarGroup {
+            links: [a, b],
+            outer: [first, second],
+            pivots: [p, q],
+            bars: bars.try_into().ok()?,
+        })
     }
 
     fn two_bars(&mut self, links: &[LinkId], group: &TwoBarGroup) {
         let (mut ops, mut found) = (Vec::new(), Vec::new());
-        let [one, two] = group.bars.map(|bar| self.loaded_bar(&mut ops, &mut found, bar, group.links));
+        let [one, two] =
+            group.bars.map(|bar| self.loaded_bar(&mut ops, &mut found, bar, group.links));
         let lines = [&one, &two].map(|l| {
             let [from, to] = l.bar.pins.map(|p| self.mark(p.at));
             let along = Direction::of(Base::Arm { from, to, known: false });
-            let line = self.c.line(Line { on: self.plane, through: from, along, moved: false, carries: Vec::new() });
+            let line = self.c.line(Line {
+                on: self.plane,
+                through: from,
+                along,
+                moved: false,
+                carries: Vec::new(),
+            });
             ops.push(Op::Rule(line));
             line
         });
@@ -100,12 +133,18 @@ impl Scribe<'_> {
         self.crossings += 1;
         ops.push(Op::Meet { lines, to: crossing });
         let own = [0, 1].map(|k| self.all_on(group.links[k], &[group.pivots[k]]));
-        let square = [0, 1].map(|k| self.square_to_arm(&mut ops, &mut found, (group, k), &own[k], [&one, &two], crossing));
+        let square = [0, 1].map(|k| {
+            self.square_to_arm(&mut ops, &mut found, (group, k), &own[k], [&one, &two], crossing)
+        });
         self.on_plane(ops);
         let mut p = self.polygon();
         p.moments = found;
         let start = p.last;
-        let arms = group.pivots.map(|pivot| Base::Arm { from: crossing, to: self.mark(pivot.at), known: false });
+        let arms = group.pivots.map(|pivot| Base::Arm {
+            from: crossing,
+            to: self.mark(pivot.at),
+            known: false,
+        });
         self.part(&mut p, group, 0, arms[0], square[0]);
         let first = p.last;
         self.lay_all(&mut p, &own[0]);
@@ -117,15 +156,24 @@ impl Scribe<'_> {
         let second = p.last;
         self.part(&mut p, group, 1, arms[1], square[1]);
         let end = p.last;
-        let lines = [self.line(&mut p, start, Direction::of(arms[0])), self.line(&mut p, end, Direction::of(arms[1]))];
+        let lines = [
+            self.line(&mut p, start, Direction::of(arms[0])),
+            self.line(&mut p, end, Direction::of(arms[1])),
+        ];
         let x = self.meet(&mut p, lines);
         for (k, ends, whole) in [(0, [x, start], [x, first]), (1, [end, x], [second, x])] {
             let (outer, pivot) = (&group.outer[k], group.pivots[k]);
-            let part = if square[k].is_some() { ReactionComponent::Normal } else { ReactionComponent::Whole };
+            let part = if square[k].is_some() {
+                ReactionComponent::Normal
+            } else {
+                ReactionComponent::Whole
+            };
             if let Some(term) = reaction(outer, part) {
                 self.side(&mut p, (term, pivot.at), ends, k == 0);
             }
-            if let (true, Some(term)) = (square[k].is_some(), reaction(outer, ReactionComponent::Whole)) {
+            if let (true, Some(term)) =
+                (square[k].is_some(), reaction(outer, ReactionComponent::Whole))
+            {
                 self.diagonal(&mut p, (term, pivot.at), whole);
             }
             self.pinned(&mut p, pivot, group.links[k], whole);
@@ -150,7 +198,11 @@ impl Scribe<'_> {
 
     /// Returns the arm to one pin of the bar from the other.
     fn along(&self, l: &LoadedBar, k: usize) -> Base {
-        Base::Arm { from: self.mark(l.bar.pins[1 - k].at), to: self.mark(l.bar.pins[k].at), known: false }
+        Base::Arm {
+            from: self.mark(l.bar.pins[1 - k].at),
+            to: self.mark(l.bar.pins[k].at),
+            known: false,
+        }
     }
 
     /// Returns the force of a link on a bar, or of the bar on the link, square to the bar.
@@ -160,7 +212,13 @@ impl Scribe<'_> {
     }
 
     /// Returns a bar with its loads; the forces square to it follow by moments about its pins.
-    fn loaded_bar(&mut self, ops: &mut Vec<Op>, found: &mut Vec<Moments>, bar: PinnedBar, links: [LinkId; 2]) -> LoadedBar {
+    fn loaded_bar(
+        &mut self,
+        ops: &mut Vec<Op>,
+        found: &mut Vec<Moments>,
+        bar: PinnedBar,
+        links: [LinkId; 2],
+    ) -> LoadedBar {
         let loads = self.all_on(bar.link, &bar.pins);
         let mut l = LoadedBar { bar, loads, across: [None, None] };
         for k in [0, 1] {
@@ -184,42 +242,88 @@ impl Scribe<'_> {
         crossing: MarkId,
     ) -> Option<NumberId> {
         let (link, pivot) = (group.links[k], group.pivots[k]);
-        let axial = bars.map(|l| ForceTerm::Reaction { of: Party::Link(l.bar.link), on: link, part: ReactionComponent::Normal });
-        let gives = MomentResult::Force(reaction(&group.outer[k], ReactionComponent::Tangential)?, pivot.at);
-        let mut moments = self.moments(ops, &[link], own, About::Crossing { at: crossing, of: axial }, gives);
+        let axial = bars.map(|l| ForceTerm::Reaction {
+            of: Party::Link(l.bar.link),
+            on: link,
+            part: ReactionComponent::Normal,
+        });
+        let gives = MomentResult::Force(
+            reaction(&group.outer[k], ReactionComponent::Tangential)?,
+            pivot.at,
+        );
+        let mut moments =
+            self.moments(ops, &[link], own, About::Crossing { at: crossing, of: axial }, gives);
         for l in bars {
             let (Some(value), pin) = (l.across[k], l.bar.pins[k]) else { continue };
             // The arm of a unit force square to the bar is the component of the connecting vector
             // along the bar; the bar presses in the opposite sense.
-            let arm = self.number(ops, Number::Along(crossing, self.mark(pin.at), Direction::of(self.along(l, k))));
+            let arm = self.number(
+                ops,
+                Number::Along(crossing, self.mark(pin.at), Direction::of(self.along(l, k))),
+            );
             let turned = self.number(ops, Number::Product(value, arm));
-            moments.of.push((Self::square_term(l, link, false), pin.at, self.number(ops, Number::Negative(turned))));
+            moments.of.push((
+                Self::square_term(l, link, false),
+                pin.at,
+                self.number(ops, Number::Negative(turned)),
+            ));
         }
-        self.across(ops, found, moments, Base::Arm { from: crossing, to: self.mark(pivot.at), known: false })
+        self.across(
+            ops,
+            found,
+            moments,
+            Base::Arm { from: crossing, to: self.mark(pivot.at), known: false },
+        )
     }
 
     /// Lays off the part of an outer reaction square to its arm.
-    fn part(&mut self, p: &mut Polygon, group: &TwoBarGroup, k: usize, arm: Base, value: Option<NumberId>) {
-        if let (Some(value), Some(term)) = (value, reaction(&group.outer[k], ReactionComponent::Tangential)) {
+    fn part(
+        &mut self,
+        p: &mut Polygon,
+        group: &TwoBarGroup,
+        k: usize,
+        arm: Base,
+        value: Option<NumberId>,
+    ) {
+        if let (Some(value), Some(term)) =
+            (value, reaction(&group.outer[k], ReactionComponent::Tangential))
+        {
             self.laid(p, (term, group.pivots[k].at), square_to(arm), value);
         }
     }
 
     /// Returns the end of the force between a bar and the first link square to the bar, on the bar
     /// or on the link, laid off from a vertex.
-    fn shifted(&mut self, p: &mut Polygon, from: MarkId, l: &LoadedBar, (link, on_bar): (LinkId, bool)) -> MarkId {
+    fn shifted(
+        &mut self,
+        p: &mut Polygon,
+        from: MarkId,
+        l: &LoadedBar,
+        (link, on_bar): (LinkId, bool),
+    ) -> MarkId {
         let Some(value) = l.across[0] else { return from };
         let times = if on_bar { value } else { self.number(&mut p.ops, Number::Negative(value)) };
         let (last, sides) = (p.last, p.sides.len());
         p.last = from;
-        self.laid(p, (Self::square_term(l, link, on_bar), l.bar.pins[0].at), square_to(self.along(l, 0)), times);
+        self.laid(
+            p,
+            (Self::square_term(l, link, on_bar), l.bar.pins[0].at),
+            square_to(self.along(l, 0)),
+            times,
+        );
         p.diagonals.extend(p.sides.split_off(sides));
         std::mem::replace(&mut p.last, last)
     }
 
     /// Adds the forces at both pins of a bar: the force of the first link on it runs between the
     /// first two vertices, its loads from the second to the third.
-    fn bar_sides(&mut self, p: &mut Polygon, bar: &PinnedBar, links: [LinkId; 2], [a, b, c]: [MarkId; 3]) {
+    fn bar_sides(
+        &mut self,
+        p: &mut Polygon,
+        bar: &PinnedBar,
+        links: [LinkId; 2],
+        [a, b, c]: [MarkId; 3],
+    ) {
         for (k, [from, to]) in [(0, [a, b]), (1, [c, a])] {
             self.inner_side(p, bar.pins[k], [bar.link, links[k]], [from, to]);
             self.inner_side(p, bar.pins[k], [links[k], bar.link], [to, from]);

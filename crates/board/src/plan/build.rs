@@ -4,8 +4,8 @@
 use super::between::body_of;
 use super::names::small_letters;
 use super::{
-    GroupSteps, Method, Plan, PlanStage, PlanStep, Rate, Rest, Special, TermChain, TurningBody, Vertex, VertexId, VertexPlace, VertexTrial,
-    canonical, effects,
+    GroupSteps, Method, Plan, PlanStage, PlanStep, Rate, Rest, Special, TermChain, TurningBody,
+    Vertex, VertexId, VertexPlace, VertexTrial, canonical, effects,
 };
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism, Need, Opened};
 use hodograph_scene::{Guide, GuideId, LinkId, PointId, Scene};
@@ -106,13 +106,15 @@ impl PlanBuilder<'_> {
     /// Attempts to write steps; if the attempt fails, everything that it wrote is discarded.
     pub(super) fn attempt<T>(&mut self, write: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
         let (vertices, specials) = (self.vertices.len(), self.specials.len());
-        let (stages, known, sources, pending) = (self.stages.clone(), self.known.clone(), self.sources.clone(), self.pending.clone());
+        let (stages, known, sources, pending) =
+            (self.stages.clone(), self.known.clone(), self.sources.clone(), self.pending.clone());
         let written = write(self);
         if written.is_none() {
             self.vertices.truncate(vertices);
             self.specials.truncate(specials);
             self.interned.retain(|_, v| v.0 < vertices);
-            (self.stages, self.known, self.sources, self.pending) = (stages, known, sources, pending);
+            (self.stages, self.known, self.sources, self.pending) =
+                (stages, known, sources, pending);
         }
         written
     }
@@ -149,12 +151,18 @@ impl PlanBuilder<'_> {
     /// Returns the number of a pin: a pin has one if a moving link has a separate point at the same
     /// place.
     fn number_of_pin(&self, p: PointId) -> Option<LinkId> {
-        let runs = |(i, g): &(usize, &Guide)| g.pin == Some(p) && g.on != self.scene.ground && self.m.guide_holds(g, GuideId(*i));
-        let guides: Vec<_> = self.scene.guides.iter().enumerate().filter(runs).map(|(_, g)| g).collect();
+        let runs = |(i, g): &(usize, &Guide)| {
+            g.pin == Some(p) && g.on != self.scene.ground && self.m.guide_holds(g, GuideId(*i))
+        };
+        let guides: Vec<_> =
+            self.scene.guides.iter().enumerate().filter(runs).map(|(_, g)| g).collect();
         if guides.is_empty() {
             return None;
         }
-        guides.iter().find_map(|g| g.slider).or_else(|| self.scene.carriers(p).find(|l| !self.m.is_passive(*l)))
+        guides
+            .iter()
+            .find_map(|g| g.slider)
+            .or_else(|| self.scene.carriers(p).find(|l| !self.m.is_passive(*l)))
     }
 
     /// Returns the vertex of a special point, the same at both levels.
@@ -194,9 +202,16 @@ impl PlanBuilder<'_> {
     /// Returns the first two known points of a link at a level: the link's own points first, then
     /// coincident ones. No construction needs more.
     fn known_on(&self, level: Level, l: LinkId) -> Vec<VertexId> {
-        let own = self.scene.links[l.0].points.iter().filter(|p| !self.m.is_opened(&Opened::Pin(**p, l)));
-        let carried = own.filter_map(|p| self.interned.get(&(VertexPlace::Point(*p), None)).copied());
-        let coincident = self.vertices.iter().enumerate().filter(|(_, v)| v.on == Some(l) && v.trial.is_none()).map(|(i, _)| VertexId(i));
+        let own =
+            self.scene.links[l.0].points.iter().filter(|p| !self.m.is_opened(&Opened::Pin(**p, l)));
+        let carried =
+            own.filter_map(|p| self.interned.get(&(VertexPlace::Point(*p), None)).copied());
+        let coincident = self
+            .vertices
+            .iter()
+            .enumerate()
+            .filter(|(_, v)| v.on == Some(l) && v.trial.is_none())
+            .map(|(i, _)| VertexId(i));
         carried.chain(coincident).filter(|v| self.is_known(level, *v)).take(2).collect()
     }
 
@@ -208,7 +223,8 @@ impl PlanBuilder<'_> {
         }
         match self.sources[1].iter().chain(&self.sources[0]).find(|(b, _)| *b == body) {
             Some((_, Rate::Given { driver, against })) => {
-                self.scene.drivers[*driver].acceleration.is_none() && self.alpha_is_zero(TurningBody::Link(*against))
+                self.scene.drivers[*driver].acceleration.is_none()
+                    && self.alpha_is_zero(TurningBody::Link(*against))
             }
             Some((_, Rate::Same(other))) => self.alpha_is_zero(TurningBody::Link(*other)),
             _ => false,
@@ -232,7 +248,9 @@ impl PlanBuilder<'_> {
         };
         let Some(rate) = source else { return };
         match rate {
-            Rate::Given { against, .. } if against != self.scene.ground => self.need_rate_at(level, TurningBody::Link(against)),
+            Rate::Given { against, .. } if against != self.scene.ground => {
+                self.need_rate_at(level, TurningBody::Link(against))
+            }
             Rate::Same(other) => self.need_rate_at(level, TurningBody::Link(other)),
             Rate::Measured { .. } | Rate::Given { .. } | Rate::Zero => {}
         }
@@ -240,12 +258,17 @@ impl PlanBuilder<'_> {
             // A passive link has no group: its angular quantity is read after those of its pins and
             // of the link that carries it.
             TurningBody::Link(l) if self.m.passive[l.0].is_some() => {
-                let nodes = hodograph_mechanism::mechanism::nodes_of(self.scene, self.m, Need::Turning(l));
+                let nodes =
+                    hodograph_mechanism::mechanism::nodes_of(self.scene, self.m, Need::Turning(l));
                 nodes.into_iter().filter_map(|n| self.m.group_of(n)).max()
             }
             TurningBody::Link(l) => self.m.group_of_link[l.0],
             TurningBody::Cylinder(d) => {
-                let [a, b] = self.scene.drivers[d].kind.ends().map(|ends| ends.map(|p| self.m.group_of_pin[p.0])).unwrap_or_default();
+                let [a, b] = self.scene.drivers[d]
+                    .kind
+                    .ends()
+                    .map(|ends| ends.map(|p| self.m.group_of_pin[p.0]))
+                    .unwrap_or_default();
                 a.max(b)
             }
         };
@@ -266,7 +289,9 @@ impl PlanBuilder<'_> {
     /// True if a body's angular quantity follows from what is known so far.
     fn turning_is_known(&self, level: Level, body: TurningBody) -> bool {
         match self.sources[slot(level)].iter().find(|(b, _)| *b == body) {
-            Some((_, Rate::Measured { of, to })) => self.is_known(level, *of) && self.is_known(level, *to),
+            Some((_, Rate::Measured { of, to })) => {
+                self.is_known(level, *of) && self.is_known(level, *to)
+            }
             Some(_) => true,
             None => matches!(body, TurningBody::Link(l) if self.m.never_turns[l.0]),
         }
@@ -311,10 +336,13 @@ impl PlanBuilder<'_> {
             }
         }
         let known = self.known_on(level, link);
-        let spots_differ = |a: VertexId, b: VertexId| self.vertices[a.0].spot != self.vertices[b.0].spot;
+        let spots_differ =
+            |a: VertexId, b: VertexId| self.vertices[a.0].spot != self.vertices[b.0].spot;
         let step = match known[..] {
             [] => return,
-            [a, ..] if self.m.never_turns[link.0] || !spots_differ(a, v) => PlanStep::Same { link, target: v, from: a },
+            [a, ..] if self.m.never_turns[link.0] || !spots_differ(a, v) => {
+                PlanStep::Same { link, target: v, from: a }
+            }
             [a, b, ..] => PlanStep::Image { link, target: v, from: (a, b) },
             [a] => {
                 let body = self.body(link);

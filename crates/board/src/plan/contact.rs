@@ -12,8 +12,12 @@ impl PlanWriter<'_> {
         let pair = &self.scene.rolling[pair.0];
         let p = |q: hodograph_scene::PointId| point_label(self.scene.point_name(q));
         match pair.touch() {
-            Touch::Point(Normal::Centres([a, b])) => format!("\\parallel {}{}", p(a.min(b)), p(a.max(b))),
-            Touch::Point(Normal::Square { guide, .. }) => format!("\\perp {}", self.guide_line(guide)),
+            Touch::Point(Normal::Centres([a, b])) => {
+                format!("\\parallel {}{}", p(a.min(b)), p(a.max(b)))
+            }
+            Touch::Point(Normal::Square { guide, .. }) => {
+                format!("\\perp {}", self.guide_line(guide))
+            }
             Touch::Strand { .. } => format!("\\perp {}{}", p(pair.at[0]), p(pair.at[1])),
         }
     }
@@ -29,7 +33,9 @@ impl PlanWriter<'_> {
             Touch::Point(Normal::Square { .. }) => Some(0),
             Touch::Strand { .. } => None,
         };
-        let centre = |k: usize| rolling.centres()[k].map(|p| point_label(self.scene.point_name(p))).unwrap_or_default();
+        let centre = |k: usize| {
+            rolling.centres()[k].map(|p| point_label(self.scene.point_name(p))).unwrap_or_default()
+        };
         match hollow == Some(own) {
             true => format!("{} \\to {}", centre(1 - own), self.spot(t.of)),
             false => format!("{} \\to {}", self.spot(t.of), centre(own)),

@@ -5,9 +5,16 @@ use hodograph_mechanism::mechanism::{Demand, Level, Mechanism};
 use hodograph_scene::{DiagramKind, GuideId, Scene};
 
 /// Returns the effects considered, each with true if it counts, and the reason.
-pub(super) fn considered(scene: &Scene, m: &Mechanism, demand: &Demand, plan: &Plan) -> Vec<(Effect, bool, Reason)> {
+pub(super) fn considered(
+    scene: &Scene,
+    m: &Mechanism,
+    demand: &Demand,
+    plan: &Plan,
+) -> Vec<(Effect, bool, Reason)> {
     let mut out = Vec::new();
-    for (effect, level) in [(Effect::Velocities, Level::Velocity), (Effect::Accelerations, Level::Acceleration)] {
+    for (effect, level) in
+        [(Effect::Velocities, Level::Velocity), (Effect::Accelerations, Level::Acceleration)]
+    {
         let on = demand.level >= level;
         out.push((effect, on, if on { Reason::Asked } else { Reason::NotAsked }));
     }
@@ -18,14 +25,23 @@ pub(super) fn considered(scene: &Scene, m: &Mechanism, demand: &Demand, plan: &P
     if demand.level >= Level::Acceleration {
         for (i, driver) in scene.drivers.iter().enumerate() {
             let on = driver.acceleration.is_some();
-            out.push((Effect::DriverAcceleration(i), on, if on { Reason::Accelerated } else { Reason::ConstantRate }));
+            out.push((
+                Effect::DriverAcceleration(i),
+                on,
+                if on { Reason::Accelerated } else { Reason::ConstantRate },
+            ));
         }
         for (i, g) in scene.guides.iter().enumerate() {
             let id = GuideId(i);
-            let steps = || plan.steps(DiagramKind::Acceleration).iter().flat_map(|s| s.alternatives.iter().flatten().chain(&s.further));
+            let steps = || {
+                plan.steps(DiagramKind::Acceleration)
+                    .iter()
+                    .flat_map(|s| s.alternatives.iter().flatten().chain(&s.further))
+            };
             let moves = |s: &PlanStep| {
                 s.chains().iter().flat_map(|c| &c.known).any(|t| {
-                    let here = matches!(t.by, TermConnection::Guide { guide, .. } if guide == id) && t.kind == TermKind::Coriolis;
+                    let here = matches!(t.by, TermConnection::Guide { guide, .. } if guide == id)
+                        && t.kind == TermKind::Coriolis;
                     here && !plan.vanishes(scene, DiagramKind::Acceleration, t)
                 })
             };

@@ -58,7 +58,8 @@ impl PlanBuilder<'_> {
             // A known link carries the pin.
             return self.ensure(level, target);
         }
-        let chains: Vec<TermChain> = holds.iter().map(|h| self.chain(level, None, h, None)).collect();
+        let chains: Vec<TermChain> =
+            holds.iter().map(|h| self.chain(level, None, h, None)).collect();
         let method = self.method_of_pin(&holds);
         self.equation(level, target, chains, method);
         for hold in &holds {
@@ -70,7 +71,11 @@ impl PlanBuilder<'_> {
     fn method_of_pin(&self, holds: &[Hold]) -> Method {
         let method = |hold: &Hold| match *hold {
             Hold::Guide { driver: Some(_), .. } => Method::Driven,
-            Hold::Guide { guide, driver: None, .. } if self.scene.guides[guide.0].on == self.scene.ground => Method::SameLink,
+            Hold::Guide { guide, driver: None, .. }
+                if self.scene.guides[guide.0].on == self.scene.ground =>
+            {
+                Method::SameLink
+            }
             Hold::Distance { strut: Strut::Bar(_), .. } => Method::SameLink,
             Hold::Distance { strut: Strut::Cylinder(_), .. } => Method::Cylinder,
             Hold::Distance { strut: Strut::Ram { .. }, .. }
@@ -80,15 +85,26 @@ impl PlanBuilder<'_> {
             | Hold::Rolls { .. } => Method::Coincident,
         };
         let methods: Vec<Method> = holds.iter().map(method).collect();
-        let told = [Method::Driven, Method::Coincident, Method::Cylinder].into_iter().find(|m| methods.contains(m));
+        let told = [Method::Driven, Method::Coincident, Method::Cylinder]
+            .into_iter()
+            .find(|m| methods.contains(m));
         told.unwrap_or(Method::SameLink)
     }
 
-    pub(super) fn equation(&mut self, level: Level, target: VertexId, chains: Vec<TermChain>, method: Method) {
+    pub(super) fn equation(
+        &mut self,
+        level: Level,
+        target: VertexId,
+        chains: Vec<TermChain>,
+        method: Method,
+    ) {
         // The chain that starts in the pole comes first: its terms are on the left of the equals
         // sign.
         let mut chains = chains;
-        if chains.len() == 2 && !self.vertices[chains[0].start.0].fixed && self.vertices[chains[1].start.0].fixed {
+        if chains.len() == 2
+            && !self.vertices[chains[0].start.0].fixed
+            && self.vertices[chains[1].start.0].fixed
+        {
             chains.swap(0, 1);
         }
         if !self.is_known(level, target) {
@@ -113,11 +129,22 @@ impl PlanBuilder<'_> {
             // From the runner: the sliding is given.
             let runner = self.pin(near);
             let (terms, _) = self.sliding(level, guide, of, runner, Some(driver));
-            self.equation(level, of, vec![TermChain { start: runner, known: terms, unknown: vec![] }], Method::Coincident);
+            self.equation(
+                level,
+                of,
+                vec![TermChain { start: runner, known: terms, unknown: vec![] }],
+                Method::Coincident,
+            );
         }
     }
 
-    fn group_of_link(&mut self, level: Level, g: usize, link: LinkId, legs: &[Leg]) -> Vec<Vec<PlanStep>> {
+    fn group_of_link(
+        &mut self,
+        level: Level,
+        g: usize,
+        link: LinkId,
+        legs: &[Leg],
+    ) -> Vec<Vec<PlanStep>> {
         let body = TurningBody::Link(link);
         let CoreLoci { pivot, angle, holds, .. } = CoreLoci::of(legs);
         if let Some((of, driver)) = angle {
@@ -137,8 +164,17 @@ impl PlanBuilder<'_> {
                     let target = self.near(link, hold).expect("a slot gives a coincident point");
                     let (known, unknown) = self.turning(level, body, target, pivot, false);
                     let chain = self.chain(level, Some(link), hold, None);
-                    let method = if let Hold::Rolls { pair, .. } = *hold { self.touching(pair) } else { Method::Coincident };
-                    self.equation(level, target, vec![TermChain { start: pivot, known, unknown }, chain], method);
+                    let method = if let Hold::Rolls { pair, .. } = *hold {
+                        self.touching(pair)
+                    } else {
+                        Method::Coincident
+                    };
+                    self.equation(
+                        level,
+                        target,
+                        vec![TermChain { start: pivot, known, unknown }, chain],
+                        method,
+                    );
                     target
                 });
                 self.source(level, body, Rate::Measured { of: target, to: pivot });
@@ -148,8 +184,13 @@ impl PlanBuilder<'_> {
                 let chain = self.chain(level, Some(link), hold, Some(at));
                 self.equation(level, at, vec![chain], Method::Driven);
             }
-            (None, Some(_), [a, b]) if [a, b].into_iter().any(|h| self.rolled(level, link, h).is_some()) => {
-                let target = [a, b].into_iter().find_map(|h| self.near(link, h)).expect("a contact is a point of the link");
+            (None, Some(_), [a, b])
+                if [a, b].into_iter().any(|h| self.rolled(level, link, h).is_some()) =>
+            {
+                let target = [a, b]
+                    .into_iter()
+                    .find_map(|h| self.near(link, h))
+                    .expect("a contact is a point of the link");
                 for hold in [a, b] {
                     // Adds the points on known links: the accelerations need the sliding there.
                     let _ = self.chain(level, Some(link), hold, Some(target));
@@ -184,7 +225,9 @@ impl PlanBuilder<'_> {
                 }
             }
             (None, None, [_, _, _]) => match in_contact(self.scene, &holds) {
-                Some((pair, other, third)) => self.pinned_at_contact(level, link, (pair, other), &holds[third]),
+                Some((pair, other, third)) => {
+                    self.pinned_at_contact(level, link, (pair, other), &holds[third])
+                }
                 None => return self.triad(level, g, link, &holds),
             },
             _ => {}
@@ -206,12 +249,25 @@ impl PlanBuilder<'_> {
     }
 
     /// Finds the point of a link at its contact with a known one, with all terms of the difference.
-    fn at_contact(&mut self, level: Level, link: LinkId, (pair, other): (RollingId, LinkId)) -> VertexId {
+    fn at_contact(
+        &mut self,
+        level: Level,
+        link: LinkId,
+        (pair, other): (RollingId, LinkId),
+    ) -> VertexId {
         let rolling = &self.scene.rolling[pair.0];
-        let (own, from) = (self.coincident(rolling.at_of(link), link), self.coincident(rolling.at_of(other), other));
+        let (own, from) = (
+            self.coincident(rolling.at_of(link), link),
+            self.coincident(rolling.at_of(other), other),
+        );
         self.ensure(level, from);
         let known = self.roll(level, pair, own, from);
-        self.equation(level, own, vec![TermChain { start: from, known, unknown: Vec::new() }], self.touching(pair));
+        self.equation(
+            level,
+            own,
+            vec![TermChain { start: from, known, unknown: Vec::new() }],
+            self.touching(pair),
+        );
         own
     }
 
@@ -226,19 +282,36 @@ impl PlanBuilder<'_> {
     /// Finds the velocities of a link on three legs that rolls on a known link: its point at the
     /// contact is known, and a second point follows from another contact or from a leg with a line
     /// that does not run through the first. Returns true if they are found in this way.
-    fn by_contacts(&mut self, level: Level, link: LinkId, holds: &[Hold], nears: &[VertexId]) -> bool {
+    fn by_contacts(
+        &mut self,
+        level: Level,
+        link: LinkId,
+        holds: &[Hold],
+        nears: &[VertexId],
+    ) -> bool {
         let scene = self.scene;
         let touches = |h: &Hold| matches!(*h, Hold::Rolls { pair, .. } if scene.rolling[pair.0].contact().is_some());
-        let Some(first) = holds.iter().position(touches).filter(|_| level == Level::Velocity) else { return false };
+        let Some(first) = holds.iter().position(touches).filter(|_| level == Level::Velocity)
+        else {
+            return false;
+        };
         let others = || (0..holds.len()).filter(|n| *n != first);
         let apart = |n: &usize| contact_on_bar(scene, &holds[first], &holds[*n]).is_none();
-        let Some(second) = others().find(|n| touches(&holds[*n])).or_else(|| others().find(apart)) else { return false };
+        let Some(second) = others().find(|n| touches(&holds[*n])).or_else(|| others().find(apart))
+        else {
+            return false;
+        };
         let (own, near) = (nears[first], nears[second]);
         self.rolled(level, link, &holds[first]);
         if self.rolled(level, link, &holds[second]).is_none() {
             let (known, unknown) = self.turning(level, TurningBody::Link(link), near, own, false);
             let chain = self.chain(level, Some(link), &holds[second], None);
-            self.equation(level, near, vec![TermChain { start: own, known, unknown }, chain], Method::SameLink);
+            self.equation(
+                level,
+                near,
+                vec![TermChain { start: own, known, unknown }, chain],
+                Method::SameLink,
+            );
         }
         for n in others().filter(|n| *n != second) {
             if !self.is_known(level, nears[n]) {
@@ -251,13 +324,24 @@ impl PlanBuilder<'_> {
 
     /// Writes a link that touches a known link and rolls on it: at the contact both have the same
     /// velocity, and the difference of their accelerations is known, like at a pin.
-    fn pinned_at_contact(&mut self, level: Level, link: LinkId, (pair, other): (RollingId, LinkId), third: &Hold) {
+    fn pinned_at_contact(
+        &mut self,
+        level: Level,
+        link: LinkId,
+        (pair, other): (RollingId, LinkId),
+        third: &Hold,
+    ) {
         let own = self.at_contact(level, link, (pair, other));
         let near = self.near(link, third).expect("a leg of a triad has a point on the core");
         if self.rolled(level, link, third).is_none() {
             let (known, unknown) = self.turning(level, TurningBody::Link(link), near, own, false);
             let chain = self.chain(level, Some(link), third, None);
-            self.equation(level, near, vec![TermChain { start: own, known, unknown }, chain], Method::SameLink);
+            self.equation(
+                level,
+                near,
+                vec![TermChain { start: own, known, unknown }, chain],
+                Method::SameLink,
+            );
         }
         self.source(level, TurningBody::Link(link), Rate::Measured { of: near, to: own });
         self.sources_of(level, third);
@@ -275,9 +359,18 @@ impl PlanBuilder<'_> {
 
     /// Returns the alternatives of a link on three legs: by the special point of each pair of legs
     /// in turn.
-    fn triad(&mut self, level: Level, g: usize, link: LinkId, holds: &[Hold]) -> Vec<Vec<PlanStep>> {
+    fn triad(
+        &mut self,
+        level: Level,
+        g: usize,
+        link: LinkId,
+        holds: &[Hold],
+    ) -> Vec<Vec<PlanStep>> {
         let body = TurningBody::Link(link);
-        let nears: Vec<VertexId> = holds.iter().map(|h| self.near(link, h).expect("a leg of a triad has a point on the core")).collect();
+        let nears: Vec<VertexId> = holds
+            .iter()
+            .map(|h| self.near(link, h).expect("a leg of a triad has a point on the core"))
+            .collect();
         let mut alternatives = Vec::new();
         let before = self.known[slot(level)].clone();
         // The chains' requests for known links are written once, before every alternative.
@@ -296,8 +389,18 @@ impl PlanBuilder<'_> {
             let s = match contact_on_bar(self.scene, &holds[i], &holds[j]) {
                 Some(n) => nears[[i, j][n]],
                 None => {
-                    let line = |n: usize| SpecialLine::Leg(holds[n].line().expect("a leg of a triad holds along a line"));
-                    self.special(Special { group: g, link, with: None, lines: [line(i), line(j)], legs: Some((i, j)) })
+                    let line = |n: usize| {
+                        SpecialLine::Leg(
+                            holds[n].line().expect("a leg of a triad holds along a line"),
+                        )
+                    };
+                    self.special(Special {
+                        group: g,
+                        link,
+                        with: None,
+                        lines: [line(i), line(j)],
+                        legs: Some((i, j)),
+                    })
                 }
             };
             let mut chains = Vec::new();
@@ -311,10 +414,19 @@ impl PlanBuilder<'_> {
             self.equation(level, s, chains, Method::Special);
             let (known, unknown) = self.turning(level, body, nears[k], s, false);
             let third = self.chain(level, Some(link), &holds[k], None);
-            self.equation(level, nears[k], vec![TermChain { start: s, known, unknown }, third], Method::SameLink);
+            self.equation(
+                level,
+                nears[k],
+                vec![TermChain { start: s, known, unknown }, third],
+                Method::SameLink,
+            );
             for n in [i, j] {
                 if !self.is_known(level, nears[n]) {
-                    self.pending.push(PlanStep::Image { link, target: nears[n], from: (s, nears[k]) });
+                    self.pending.push(PlanStep::Image {
+                        link,
+                        target: nears[n],
+                        from: (s, nears[k]),
+                    });
                     self.learn(level, nears[n]);
                 }
             }
@@ -333,7 +445,10 @@ impl PlanBuilder<'_> {
         }
         // Two slots over one pin have the same near point: the angular quantity is measured between
         // two different points.
-        let of = nears.iter().copied().find(|v| self.vertices[v.0].spot != self.vertices[nears[0].0].spot);
+        let of = nears
+            .iter()
+            .copied()
+            .find(|v| self.vertices[v.0].spot != self.vertices[nears[0].0].spot);
         self.source(level, body, Rate::Measured { of: of.unwrap_or(nears[1]), to: nears[0] });
         alternatives
     }
@@ -342,10 +457,17 @@ impl PlanBuilder<'_> {
 /// Returns the pair by which a link both touches a known link and rolls on it, the known link, and
 /// the index of the remaining leg.
 fn in_contact(scene: &Scene, holds: &[Hold]) -> Option<(RollingId, LinkId, usize)> {
-    let (pair, other) = holds.iter().find_map(|h| if let Hold::Rolls { pair, other, .. } = *h { Some((pair, other)) } else { None })?;
+    let (pair, other) = holds.iter().find_map(|h| {
+        if let Hold::Rolls { pair, other, .. } = *h { Some((pair, other)) } else { None }
+    })?;
     let touches = |h: &Hold| match *h {
-        Hold::Guide { guide, driver: None, .. } | Hold::Slot { guide, .. } => scene.rolling[pair.0].guide() == Some(guide),
-        Hold::Guide { driver: Some(_), .. } | Hold::Distance { .. } | Hold::Glide { .. } | Hold::Rolls { .. } => false,
+        Hold::Guide { guide, driver: None, .. } | Hold::Slot { guide, .. } => {
+            scene.rolling[pair.0].guide() == Some(guide)
+        }
+        Hold::Guide { driver: Some(_), .. }
+        | Hold::Distance { .. }
+        | Hold::Glide { .. }
+        | Hold::Rolls { .. } => false,
     };
     let rolls = |h: &Hold| matches!(*h, Hold::Rolls { pair: p, .. } if p == pair);
     let third = holds.iter().position(|h| !touches(h) && !rolls(h))?;
@@ -360,7 +482,9 @@ fn contact_on_bar(scene: &Scene, a: &Hold, b: &Hold) -> Option<usize> {
         (bar, Hold::Rolls { pair, .. }) => (pair, bar, 1),
         _ => return None,
     };
-    let (Hold::Distance { near, far, strut: Strut::Bar(_) }, [Some(p), Some(q)]) = (bar, scene.rolling[pair.0].centres()) else {
+    let (Hold::Distance { near, far, strut: Strut::Bar(_) }, [Some(p), Some(q)]) =
+        (bar, scene.rolling[pair.0].centres())
+    else {
         return None;
     };
     scene.rolling[pair.0].contact()?;

@@ -83,14 +83,20 @@ impl PlanWriter<'_> {
         }
         let of_guide = matches!(part, TermPart::SlidingNormal | TermPart::SlidingTangential);
         match t.by {
-            TermConnection::Frame { body: Some(TurningBody::Link(l)), .. } if part != TermPart::Whole => {
+            TermConnection::Frame { body: Some(TurningBody::Link(l)), .. }
+                if part != TermPart::Whole =>
+            {
                 format!("{head}/{}", self.scene.link_name(l))
             }
-            TermConnection::Frame { .. } if part != TermPart::Whole => format!("{head}/{}", self.vertex(t.to)),
-            TermConnection::Guide { .. } if of_guide => match self.plan.vertex(t.to).link(self.scene) {
-                Some(l) => format!("{head}/{}", self.scene.link_name(l)),
-                None => format!("{head}/{}", self.vertex(t.to)),
-            },
+            TermConnection::Frame { .. } if part != TermPart::Whole => {
+                format!("{head}/{}", self.vertex(t.to))
+            }
+            TermConnection::Guide { .. } if of_guide => {
+                match self.plan.vertex(t.to).link(self.scene) {
+                    Some(l) => format!("{head}/{}", self.scene.link_name(l)),
+                    None => format!("{head}/{}", self.vertex(t.to)),
+                }
+            }
             TermConnection::Turning(_)
             | TermConnection::Guide { .. }
             | TermConnection::Cylinder(_)
@@ -114,11 +120,18 @@ impl PlanWriter<'_> {
         let along_arc = match t.by {
             TermConnection::Guide { guide, .. } => self.is_arc(guide),
             TermConnection::Frame { about, .. } => about.is_some(),
-            TermConnection::Turning(_) | TermConnection::Cylinder(_) | TermConnection::Contact(_) | TermConnection::Apart => false,
+            TermConnection::Turning(_)
+            | TermConnection::Cylinder(_)
+            | TermConnection::Contact(_)
+            | TermConnection::Apart => false,
         };
         let fixed_guide = self.is_absolute(on, t) && matches!(t.by, TermConnection::Guide { .. });
         match t.kind {
-            TermKind::Relative if matches!(t.by, TermConnection::Turning(TurningBody::Cylinder(_))) => TermPart::Tangential,
+            TermKind::Relative
+                if matches!(t.by, TermConnection::Turning(TurningBody::Cylinder(_))) =>
+            {
+                TermPart::Tangential
+            }
             TermKind::Relative | TermKind::Gap => TermPart::Whole,
             TermKind::Normal => TermPart::Normal,
             TermKind::Tangential => TermPart::Tangential,
@@ -139,13 +152,17 @@ impl PlanWriter<'_> {
     fn runs_on(&self, of: &str, to: &str, t: &Term) -> bool {
         let numbered = |v: VertexId| self.plan.vertex(v).number.is_some();
         if [of, to].iter().any(|n| n.contains(','))
-            || [t.of, t.to].iter().any(|v| matches!(self.plan.vertex(*v).spot, VertexPlace::Special(_)))
+            || [t.of, t.to]
+                .iter()
+                .any(|v| matches!(self.plan.vertex(*v).spot, VertexPlace::Special(_)))
         {
             return false;
         }
         let run = format!("{of}{to}");
         let weight = usize::from(numbered(t.of)) + usize::from(numbered(t.to));
-        let pair = |at: usize| Some(is_vertex(self.scene, &run[..at])? + is_vertex(self.scene, &run[at..])?);
+        let pair = |at: usize| {
+            Some(is_vertex(self.scene, &run[..at])? + is_vertex(self.scene, &run[at..])?)
+        };
         let others = run.char_indices().map(|(at, _)| at).filter(|at| *at != 0 && *at != of.len());
         is_vertex(self.scene, &run).is_none() && !others.filter_map(pair).any(|w| w <= weight)
     }

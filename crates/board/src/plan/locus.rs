@@ -88,7 +88,13 @@ impl PlanBuilder<'_> {
     }
 
     /// Returns the chain that a hold gives for its near point (for a gliding link: for `at`).
-    pub(super) fn chain(&mut self, level: Level, core: Option<LinkId>, hold: &Hold, at: Option<VertexId>) -> TermChain {
+    pub(super) fn chain(
+        &mut self,
+        level: Level,
+        core: Option<LinkId>,
+        hold: &Hold,
+        at: Option<VertexId>,
+    ) -> TermChain {
         match *hold {
             Hold::Distance { near, far, strut } => self.strut(level, near, far, strut),
             Hold::Guide { pin, guide, driver } => self.on_guide(level, pin, guide, driver),
@@ -100,35 +106,69 @@ impl PlanBuilder<'_> {
             }
             Hold::Rolls { pair, other, at } => {
                 let link = core.expect("a contact belongs to the core link");
-                let (of, to) = (self.coincident(at, link), self.coincident(self.scene.rolling[pair.0].at_of(other), other));
+                let (of, to) = (
+                    self.coincident(at, link),
+                    self.coincident(self.scene.rolling[pair.0].at_of(other), other),
+                );
                 self.ensure(level, to);
-                let apart = Term { kind: TermKind::Roll, of, to, by: TermConnection::Contact(pair), known: false };
-                TermChain { start: to, known: self.along_strand(level, pair, of, to), unknown: vec![apart] }
+                let apart = Term {
+                    kind: TermKind::Roll,
+                    of,
+                    to,
+                    by: TermConnection::Contact(pair),
+                    known: false,
+                };
+                TermChain {
+                    start: to,
+                    known: self.along_strand(level, pair, of, to),
+                    unknown: vec![apart],
+                }
             }
-            Hold::Glide { guide, other, driver } => self.glide(level, guide, other, driver, at.expect("a gliding link needs a point")),
+            Hold::Glide { guide, other, driver } => {
+                self.glide(level, guide, other, driver, at.expect("a gliding link needs a point"))
+            }
         }
     }
 
     /// Returns the difference of the two ends of a strand along it: nothing for velocities; for
     /// accelerations the normal part due to the rotation of the arm with the strand. The difference
     /// across the strand is unknown, as for two points at a contact.
-    fn along_strand(&mut self, level: Level, pair: RollingId, of: VertexId, to: VertexId) -> Vec<Term> {
+    fn along_strand(
+        &mut self,
+        level: Level,
+        pair: RollingId,
+        of: VertexId,
+        to: VertexId,
+    ) -> Vec<Term> {
         match (self.scene.rolling[pair.0].touch(), level) {
             (Touch::Strand { arm, .. }, Level::Acceleration) if !self.m.never_turns[arm.0] => {
                 let body = TurningBody::Link(arm);
                 self.need_rate(body);
-                vec![Term { kind: TermKind::Normal, of, to, by: TermConnection::Turning(body), known: true }]
+                vec![Term {
+                    kind: TermKind::Normal,
+                    of,
+                    to,
+                    by: TermConnection::Turning(body),
+                    known: true,
+                }]
             }
             (Touch::Strand { .. } | Touch::Point(_), _) => Vec::new(),
         }
     }
 
     /// Returns the chain of `near` from the far end of a bar, a cylinder or a ram.
-    pub(super) fn strut(&mut self, level: Level, near: PointId, far: PointId, strut: Strut) -> TermChain {
+    pub(super) fn strut(
+        &mut self,
+        level: Level,
+        near: PointId,
+        far: PointId,
+        strut: Strut,
+    ) -> TermChain {
         match strut {
             Strut::Bar(link) => {
                 let (near, far) = (self.pin(near), self.pin(far));
-                let (known, unknown) = self.turning(level, TurningBody::Link(link), near, far, false);
+                let (known, unknown) =
+                    self.turning(level, TurningBody::Link(link), near, far, false);
                 TermChain { start: far, known, unknown }
             }
             Strut::Cylinder(driver) => {
@@ -137,16 +177,30 @@ impl PlanBuilder<'_> {
                 let (mut known, unknown) = self.turning(level, body, near, far, false);
                 let by = TermConnection::Cylinder(driver);
                 if level == Level::Acceleration {
-                    known.push(Term { kind: TermKind::Coriolis, of: near, to: far, by, known: true });
+                    known.push(Term {
+                        kind: TermKind::Coriolis,
+                        of: near,
+                        to: far,
+                        by,
+                        known: true,
+                    });
                 }
                 if level == Level::Velocity || self.scene.drivers[driver].acceleration.is_some() {
-                    known.push(Term { kind: TermKind::Extension, of: near, to: far, by, known: true });
+                    known.push(Term {
+                        kind: TermKind::Extension,
+                        of: near,
+                        to: far,
+                        by,
+                        known: true,
+                    });
                 }
                 TermChain { start: far, known, unknown }
             }
             Strut::Ram { link, guide, driver } => {
-                let (carried, runner, far) = (self.coincident(near, link), self.pin(near), self.pin(far));
-                let (mut known, unknown) = self.turning(level, TurningBody::Link(link), carried, far, false);
+                let (carried, runner, far) =
+                    (self.coincident(near, link), self.pin(near), self.pin(far));
+                let (mut known, unknown) =
+                    self.turning(level, TurningBody::Link(link), carried, far, false);
                 let (slide, _) = self.sliding(level, guide, runner, carried, Some(driver));
                 known.extend(slide);
                 TermChain { start: far, known, unknown }
@@ -154,7 +208,13 @@ impl PlanBuilder<'_> {
         }
     }
 
-    fn on_guide(&mut self, level: Level, pin: PointId, guide: GuideId, driver: Option<usize>) -> TermChain {
+    fn on_guide(
+        &mut self,
+        level: Level,
+        pin: PointId,
+        guide: GuideId,
+        driver: Option<usize>,
+    ) -> TermChain {
         let of = self.pin(pin);
         let to = self.coincident(pin, self.scene.guides[guide.0].on);
         self.ensure(level, to);
@@ -162,7 +222,14 @@ impl PlanBuilder<'_> {
         TermChain { start: to, known, unknown }
     }
 
-    fn glide(&mut self, level: Level, guide: GuideId, other: LinkId, driver: Option<usize>, at: VertexId) -> TermChain {
+    fn glide(
+        &mut self,
+        level: Level,
+        guide: GuideId,
+        other: LinkId,
+        driver: Option<usize>,
+        at: VertexId,
+    ) -> TermChain {
         let to = self.on_link(at, other);
         self.ensure(level, to);
         let (known, unknown) = self.sliding(level, guide, at, to, driver);
@@ -171,14 +238,28 @@ impl PlanBuilder<'_> {
 
     /// Extends a chain for `near` to the special point `s` of the same link: the unknown parts are
     /// along one line.
-    pub(super) fn extend_to_special(&mut self, level: Level, chain: &mut TermChain, link: LinkId, s: VertexId, near: VertexId) {
+    pub(super) fn extend_to_special(
+        &mut self,
+        level: Level,
+        chain: &mut TermChain,
+        link: LinkId,
+        s: VertexId,
+        near: VertexId,
+    ) {
         let (known, unknown) = self.turning(level, TurningBody::Link(link), s, near, false);
         chain.known.extend(known);
         chain.unknown.extend(unknown);
     }
 
     /// Extends a chain to another point of a link with known angular quantity.
-    pub(super) fn shift(&mut self, level: Level, chain: &mut TermChain, link: LinkId, to_point: VertexId, near: VertexId) {
+    pub(super) fn shift(
+        &mut self,
+        level: Level,
+        chain: &mut TermChain,
+        link: LinkId,
+        to_point: VertexId,
+        near: VertexId,
+    ) {
         if to_point == near || self.m.never_turns[link.0] {
             return;
         }

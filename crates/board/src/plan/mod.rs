@@ -229,7 +229,9 @@ impl Between {
     pub fn ends(&self) -> (VertexId, VertexId) {
         let t = match self {
             Between::Join(t) | Between::Perpendicular { normal: t, .. } => t,
-            Between::LayOff { known, rest } => known.iter().chain(rest).next().expect("something is laid off or joined"),
+            Between::LayOff { known, rest } => {
+                known.iter().chain(rest).next().expect("something is laid off or joined")
+            }
         };
         (t.of, t.to)
     }
@@ -368,7 +370,12 @@ impl Plan {
 
     /// True if a group is drawn by two trials.
     pub fn is_tried(&self, g: usize) -> bool {
-        let steps = self.stages.iter().flat_map(|s| &s.groups).filter(|s| s.group == g).flat_map(|s| s.steps(0));
+        let steps = self
+            .stages
+            .iter()
+            .flat_map(|s| &s.groups)
+            .filter(|s| s.group == g)
+            .flat_map(|s| s.steps(0));
         steps.into_iter().any(|s| matches!(s, PlanStep::Trials { .. }))
     }
 
@@ -405,7 +412,10 @@ impl Plan {
     pub fn introduced(&self, step: &PlanStep) -> Option<&Special> {
         match step {
             PlanStep::Equation { target, method: Method::Special, .. } => self.special(*target),
-            PlanStep::Equation { .. } | PlanStep::Image { .. } | PlanStep::Trials { .. } | PlanStep::Same { .. } => None,
+            PlanStep::Equation { .. }
+            | PlanStep::Image { .. }
+            | PlanStep::Trials { .. }
+            | PlanStep::Same { .. } => None,
         }
     }
 
@@ -413,7 +423,8 @@ impl Plan {
     /// alternatives included.
     pub fn terms(&self, on: DiagramKind) -> impl Iterator<Item = Term> + '_ {
         self.steps(on).iter().flat_map(|g| {
-            let chains = g.alternatives.iter().flatten().chain(&g.further).flat_map(PlanStep::chains);
+            let chains =
+                g.alternatives.iter().flatten().chain(&g.further).flat_map(PlanStep::chains);
             let of_chains = chains.flat_map(|c| c.known.iter().chain(&c.unknown)).copied();
             of_chains.chain(g.between.iter().flat_map(Between::terms))
         })

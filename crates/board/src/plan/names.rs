@@ -42,7 +42,12 @@ pub fn point_label(name: &str) -> String {
 
 /// Returns the image of a point in a polygon: `B` → `b`, `O2` → `o_{2}`, the point of link 3 at B →
 /// `b_{3}`, each with `prime`.
-pub(super) fn image_label(letters: &[String], point: PointId, link: Option<&str>, prime: &str) -> String {
+pub(super) fn image_label(
+    letters: &[String],
+    point: PointId,
+    link: Option<&str>,
+    prime: &str,
+) -> String {
     image_of(&letters[point.0], link, prime)
 }
 
@@ -54,7 +59,12 @@ pub(super) fn small_letters(scene: &Scene) -> Vec<String> {
     for name in &lower {
         *of.entry(name).or_default() += 1;
     }
-    scene.points.iter().zip(&lower).map(|(p, l)| if of[l.as_str()] > 1 { p.name.clone() } else { l.clone() }).collect()
+    scene
+        .points
+        .iter()
+        .zip(&lower)
+        .map(|(p, l)| if of[l.as_str()] > 1 { p.name.clone() } else { l.clone() })
+        .collect()
 }
 
 /// Returns the image label of a name that is already in the case of images.
@@ -72,14 +82,17 @@ pub(super) fn image_of(name: &str, link: Option<&str>, prime: &str) -> String {
 pub(super) fn numbered(scene: &Scene, name: String, link: Option<&str>) -> String {
     let Some(link) = link else { return name };
     let run = format!("{name}{link}");
-    let unclear = name.ends_with(|c: char| c.is_ascii_digit()) || scene.points.iter().any(|p| p.name == run);
+    let unclear =
+        name.ends_with(|c: char| c.is_ascii_digit()) || scene.points.iter().any(|p| p.name == run);
     if unclear { format!("{name},{link}") } else { run }
 }
 
 /// Returns the letter of points constructed on the mechanism: S, or the next one that no point of
 /// the scene has, in either case and with or without a number.
 pub fn crossing_letter(scene: &Scene) -> &'static str {
-    let taken = |letter: &str| scene.points.iter().any(|p| Parts::of(&p.name).head.eq_ignore_ascii_case(letter));
+    let taken = |letter: &str| {
+        scene.points.iter().any(|p| Parts::of(&p.name).head.eq_ignore_ascii_case(letter))
+    };
     ["S", "T", "U", "W", "Z"].into_iter().find(|l| !taken(l)).unwrap_or("S")
 }
 
@@ -96,7 +109,9 @@ pub(super) fn of_trial(label: &str, run: u8) -> String {
 /// Returns the letter of the mates of trial polygons: X, or the next one that no point of the scene
 /// has.
 pub fn mate_letter(scene: &Scene) -> &'static str {
-    let taken = |letter: &str| scene.points.iter().any(|p| Parts::of(&p.name).head.eq_ignore_ascii_case(letter));
+    let taken = |letter: &str| {
+        scene.points.iter().any(|p| Parts::of(&p.name).head.eq_ignore_ascii_case(letter))
+    };
     ["X", "Y", "Z", "W", "U"].into_iter().find(|l| !taken(l)).unwrap_or("X")
 }
 
@@ -115,7 +130,10 @@ pub fn special_name(scene: &Scene, plan: &Plan, special: usize) -> String {
     named.dedup();
     match named[..] {
         [] | [_] => letter.to_owned(),
-        _ => format!("{letter}{}", named.iter().position(|k| *k == key(special)).map_or(0, |k| k + 1)),
+        _ => format!(
+            "{letter}{}",
+            named.iter().position(|k| *k == key(special)).map_or(0, |k| k + 1)
+        ),
     }
 }
 
@@ -133,7 +151,9 @@ pub(super) fn pole_letter(scene: &Scene, plan: &Plan, usual: &str) -> String {
 pub(super) fn is_image(scene: &Scene, plan: &Plan, letter: &str) -> bool {
     let bears = |s: VertexPlace| match s {
         VertexPlace::Point(p) => Parts::of(scene.point_name(p)).head.eq_ignore_ascii_case(letter),
-        VertexPlace::Special(k) => Parts::of(&special_name(scene, plan, k)).head.eq_ignore_ascii_case(letter),
+        VertexPlace::Special(k) => {
+            Parts::of(&special_name(scene, plan, k)).head.eq_ignore_ascii_case(letter)
+        }
     };
     plan.vertices.iter().any(|v| !v.fixed && bears(v.spot))
 }
@@ -180,7 +200,11 @@ mod tests {
             ("Ω3", "Ω_{3}", "Ω3"),
             ("滑块2", "滑块_{2}", "滑块2"),
         ] {
-            assert_eq!((point_label(name).as_str(), name_label(name).as_str()), (alone, among), "{name}");
+            assert_eq!(
+                (point_label(name).as_str(), name_label(name).as_str()),
+                (alone, among),
+                "{name}"
+            );
         }
     }
 }

@@ -13,7 +13,10 @@
 //! auxiliary points.
 
 use super::build::PlanBuilder;
-use super::{Method, PlanStep, Rate, Special, SpecialLine, Term, TermChain, TermConnection, TermKind, TurningBody, VertexId, VertexPlace};
+use super::{
+    Method, PlanStep, Rate, Special, SpecialLine, Term, TermChain, TermConnection, TermKind,
+    TurningBody, VertexId, VertexPlace,
+};
 use hodograph_mechanism::mechanism::{Hold, Level, PairForm, Runner, Strut};
 use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
 
@@ -92,7 +95,9 @@ impl HoldLine {
     fn from(&self) -> Option<VertexId> {
         match *self {
             HoldLine::Leg(_) => None,
-            HoldLine::Neighbour { special, .. } | HoldLine::Contact { special, .. } => Some(special),
+            HoldLine::Neighbour { special, .. } | HoldLine::Contact { special, .. } => {
+                Some(special)
+            }
         }
     }
 }
@@ -100,7 +105,12 @@ impl HoldLine {
 impl PlanBuilder<'_> {
     /// Returns the steps of a group without a core; `None` if special points do not reduce its
     /// links.
-    pub(super) fn reduced(&mut self, level: Level, g: usize, members: &[Member]) -> Option<Vec<PlanStep>> {
+    pub(super) fn reduced(
+        &mut self,
+        level: Level,
+        g: usize,
+        members: &[Member],
+    ) -> Option<Vec<PlanStep>> {
         let mut states = self.states(members);
         if !self.open_all(level, g, members, &mut states) {
             return None;
@@ -113,14 +123,25 @@ impl PlanBuilder<'_> {
     pub(super) fn states(&mut self, members: &[Member]) -> Vec<MemberState> {
         members
             .iter()
-            .map(|m| MemberState { known: m.pivots.iter().map(|pin| self.pin(*pin)).collect(), ..MemberState::default() })
+            .map(|m| MemberState {
+                known: m.pivots.iter().map(|pin| self.pin(*pin)).collect(),
+                ..MemberState::default()
+            })
             .collect()
     }
 
     /// Opens one link after another; returns true if all are known in the end.
-    pub(super) fn open_all(&mut self, level: Level, g: usize, members: &[Member], states: &mut [MemberState]) -> bool {
+    pub(super) fn open_all(
+        &mut self,
+        level: Level,
+        g: usize,
+        members: &[Member],
+        states: &mut [MemberState],
+    ) -> bool {
         while !states.iter().all(|s| s.done) {
-            if !(0..members.len()).any(|i| !states[i].done && self.advance(level, g, members, states, i)) {
+            if !(0..members.len())
+                .any(|i| !states[i].done && self.advance(level, g, members, states, i))
+            {
                 return false;
             }
         }
@@ -135,47 +156,83 @@ impl PlanBuilder<'_> {
     }
 
     /// Finds a further point of a member, or all of it; returns true if there was one to find.
-    fn advance(&mut self, level: Level, g: usize, members: &[Member], states: &mut [MemberState], i: usize) -> bool {
+    fn advance(
+        &mut self,
+        level: Level,
+        g: usize,
+        members: &[Member],
+        states: &mut [MemberState],
+        i: usize,
+    ) -> bool {
         let member = &members[i];
         if let [a, b, ..] = states[i].known[..] {
             self.finish(level, members, states, i, [a, b]);
             return true;
         }
         let lines = self.lines(members, states, i);
-        let ends: Vec<[Option<VertexId>; 2]> = lines.iter().map(|l| [l.from(), Some(self.near_of(member.link, l))]).collect();
+        let ends: Vec<[Option<VertexId>; 2]> =
+            lines.iter().map(|l| [l.from(), Some(self.near_of(member.link, l))]).collect();
         match states[i].known[..] {
             [start] => {
                 // With one known point and one line, a second point follows.
                 let through = |k: &usize| !self.in_line(&[&ends[*k][..], &[Some(start)]].concat());
-                let Some(line) = (0..lines.len()).find(through).map(|k| &lines[k]) else { return false };
+                let Some(line) = (0..lines.len()).find(through).map(|k| &lines[k]) else {
+                    return false;
+                };
                 let near = self.near_of(member.link, line);
-                let rolls = if let HoldLine::Leg(hold) = line { self.rolled(level, member.link, hold) } else { None };
+                let rolls = if let HoldLine::Leg(hold) = line {
+                    self.rolled(level, member.link, hold)
+                } else {
+                    None
+                };
                 // The points on known links are found in any case: the accelerations need the
                 // sliding there.
                 let second = self.chain_of(level, member.link, line);
                 if rolls.is_none() {
-                    let (known, unknown) = self.turning(level, TurningBody::Link(member.link), near, start, false);
-                    self.equation(level, near, vec![TermChain { start, known, unknown }, second], Method::SameLink);
+                    let (known, unknown) =
+                        self.turning(level, TurningBody::Link(member.link), near, start, false);
+                    self.equation(
+                        level,
+                        near,
+                        vec![TermChain { start, known, unknown }, second],
+                        Method::SameLink,
+                    );
                 }
                 self.known_at(states, members, near, i);
                 self.across(level, members, states, near);
                 true
             }
             [] => {
-                let pairs = (0..lines.len()).flat_map(|k| (k + 1..lines.len()).map(move |l| (k, l)));
-                let crossing = pairs.into_iter().find(|&(k, l)| !self.in_line(&[ends[k], ends[l]].concat()));
+                let pairs =
+                    (0..lines.len()).flat_map(|k| (k + 1..lines.len()).map(move |l| (k, l)));
+                let crossing =
+                    pairs.into_iter().find(|&(k, l)| !self.in_line(&[ends[k], ends[l]].concat()));
                 let Some((k, l)) = crossing else { return false };
                 let (a, b) = (&lines[k], &lines[l]);
                 // The tangent at a contact and the line of its centres cross in the contact.
                 let contact = [(k, l), (l, k)].into_iter().find(|&(k, l)| {
                     let tangent = matches!(lines[k], HoldLine::Leg(Hold::Rolls { .. }));
-                    tangent && ends[l][0].is_some() && self.in_line(&[ends[k][1], ends[l][0], ends[l][1]])
+                    tangent
+                        && ends[l][0].is_some()
+                        && self.in_line(&[ends[k][1], ends[l][0], ends[l][1]])
                 });
                 let lines_of = [a, b].map(|line| special_line(self.scene, line));
-                let special = Special { group: g, link: member.link, with: None, lines: lines_of, legs: None };
-                let s = contact.and_then(|(k, _)| ends[k][1]).unwrap_or_else(|| self.special(special));
-                let rolls = contact
-                    .and_then(|(k, _)| if let HoldLine::Leg(hold) = lines[k] { self.rolled(level, member.link, &hold) } else { None });
+                let special = Special {
+                    group: g,
+                    link: member.link,
+                    with: None,
+                    lines: lines_of,
+                    legs: None,
+                };
+                let s =
+                    contact.and_then(|(k, _)| ends[k][1]).unwrap_or_else(|| self.special(special));
+                let rolls = contact.and_then(|(k, _)| {
+                    if let HoldLine::Leg(hold) = lines[k] {
+                        self.rolled(level, member.link, &hold)
+                    } else {
+                        None
+                    }
+                });
                 let mut chains = Vec::new();
                 for line in [a, b] {
                     let near = self.near_of(member.link, line);
@@ -197,11 +254,21 @@ impl PlanBuilder<'_> {
     }
 
     /// Finds all pins of a member with two known points, by images.
-    fn finish(&mut self, level: Level, members: &[Member], states: &mut [MemberState], i: usize, [a, b]: [VertexId; 2]) {
+    fn finish(
+        &mut self,
+        level: Level,
+        members: &[Member],
+        states: &mut [MemberState],
+        i: usize,
+        [a, b]: [VertexId; 2],
+    ) {
         let member = &members[i];
         self.source(level, TurningBody::Link(member.link), Rate::Measured { of: b, to: a });
         let pins = self.scene.links[member.link.0].points.iter().copied();
-        for pin in pins.filter(|p| member.shared.contains(p) || member.legs().any(|h| h.near() == Some(*p))).collect::<Vec<_>>() {
+        for pin in pins
+            .filter(|p| member.shared.contains(p) || member.legs().any(|h| h.near() == Some(*p)))
+            .collect::<Vec<_>>()
+        {
             let v = self.pin(pin);
             if !self.is_known(level, v) {
                 self.pending.push(PlanStep::Image { link: member.link, target: v, from: (a, b) });
@@ -213,15 +280,24 @@ impl PlanBuilder<'_> {
             if let Some(near) = self.near(member.link, hold)
                 && !self.is_known(level, near)
             {
-                self.pending.push(PlanStep::Image { link: member.link, target: near, from: (a, b) });
+                self.pending.push(PlanStep::Image {
+                    link: member.link,
+                    target: near,
+                    from: (a, b),
+                });
                 self.learn(level, near);
             }
         }
         states[i].done = true;
         for &pair in &member.rolls {
-            let contact = self.coincident(self.scene.rolling[pair.0].at_of(member.link), member.link);
+            let contact =
+                self.coincident(self.scene.rolling[pair.0].at_of(member.link), member.link);
             if !self.is_known(level, contact) {
-                self.pending.push(PlanStep::Image { link: member.link, target: contact, from: (a, b) });
+                self.pending.push(PlanStep::Image {
+                    link: member.link,
+                    target: contact,
+                    from: (a, b),
+                });
                 self.learn(level, contact);
             }
             self.across(level, members, states, contact);
@@ -229,17 +305,31 @@ impl PlanBuilder<'_> {
     }
 
     /// Finds the point of contact on one member from the known point of contact on the other.
-    fn across(&mut self, level: Level, members: &[Member], states: &mut [MemberState], found: VertexId) {
+    fn across(
+        &mut self,
+        level: Level,
+        members: &[Member],
+        states: &mut [MemberState],
+        found: VertexId,
+    ) {
         for member in members {
             for &pair in &member.rolls {
                 let rolling = &self.scene.rolling[pair.0];
                 let Some(other) = rolling.other(member.link) else { continue };
-                let (own, from) = (self.coincident(rolling.at_of(member.link), member.link), self.coincident(rolling.at_of(other), other));
+                let (own, from) = (
+                    self.coincident(rolling.at_of(member.link), member.link),
+                    self.coincident(rolling.at_of(other), other),
+                );
                 if from != found || self.is_known(level, own) {
                     continue;
                 }
                 let known = self.roll(level, pair, own, from);
-                self.equation(level, own, vec![TermChain { start: from, known, unknown: Vec::new() }], Method::Coincident);
+                self.equation(
+                    level,
+                    own,
+                    vec![TermChain { start: from, known, unknown: Vec::new() }],
+                    Method::Coincident,
+                );
                 if let Some(k) = members.iter().position(|m| m.link == member.link) {
                     self.known_at(states, members, own, k);
                 }
@@ -249,7 +339,13 @@ impl PlanBuilder<'_> {
 
     /// Returns the difference between the points of two links at a contact: nothing for the
     /// velocity, Ω²δ for the acceleration.
-    pub(super) fn roll(&mut self, level: Level, pair: RollingId, of: VertexId, to: VertexId) -> Vec<Term> {
+    pub(super) fn roll(
+        &mut self,
+        level: Level,
+        pair: RollingId,
+        of: VertexId,
+        to: VertexId,
+    ) -> Vec<Term> {
         if level == Level::Velocity {
             return Vec::new();
         }
@@ -277,7 +373,13 @@ impl PlanBuilder<'_> {
     }
 
     /// Marks a known pin as known on all members that carry it.
-    pub(super) fn known_at(&mut self, states: &mut [MemberState], members: &[Member], v: VertexId, found_on: usize) {
+    pub(super) fn known_at(
+        &mut self,
+        states: &mut [MemberState],
+        members: &[Member],
+        v: VertexId,
+        found_on: usize,
+    ) {
         for (k, (member, state)) in members.iter().zip(states.iter_mut()).enumerate() {
             let shares = member.shared.iter().any(|p| self.pin(*p) == v);
             if (shares || k == found_on) && !state.done && !state.known.contains(&v) {
@@ -288,10 +390,15 @@ impl PlanBuilder<'_> {
 
     /// Returns the lines along which known parts hold a member.
     fn lines(&mut self, members: &[Member], states: &[MemberState], i: usize) -> Vec<HoldLine> {
-        let inner = members[i].inner.iter().filter(|(other, _)| states[*other].done).map(|(_, hold)| hold);
+        let inner =
+            members[i].inner.iter().filter(|(other, _)| states[*other].done).map(|(_, hold)| hold);
         let own = members[i].holds.iter().chain(inner).map(|h| HoldLine::Leg(*h));
         let through = members[i].shared.iter().flat_map(|&pin| {
-            let others = members.iter().zip(states).enumerate().filter(move |(k, (m, _))| *k != i && m.shared.contains(&pin));
+            let others = members
+                .iter()
+                .zip(states)
+                .enumerate()
+                .filter(move |(k, (m, _))| *k != i && m.shared.contains(&pin));
             // The line back to the source of a neighbour's point gives nothing new.
             others.filter_map(move |(_, (m, s))| match s.known[..] {
                 [special] => {
@@ -302,7 +409,11 @@ impl PlanBuilder<'_> {
             })
         });
         let over = members[i].rolls.iter().flat_map(|&pair| {
-            let others = members.iter().zip(states).enumerate().filter(move |(k, (m, _))| *k != i && m.rolls.contains(&pair));
+            let others = members
+                .iter()
+                .zip(states)
+                .enumerate()
+                .filter(move |(k, (m, _))| *k != i && m.rolls.contains(&pair));
             others.filter_map(move |(_, (m, s))| match s.known[..] {
                 [special] => {
                     let line = HoldLine::Contact { pair, special, link: m.link };
@@ -319,9 +430,13 @@ impl PlanBuilder<'_> {
     /// Returns the point of a member on a line.
     fn near_of(&mut self, link: LinkId, line: &HoldLine) -> VertexId {
         match line {
-            HoldLine::Leg(hold) => self.near(link, hold).expect("a leg with a line has a point on the link"),
+            HoldLine::Leg(hold) => {
+                self.near(link, hold).expect("a leg with a line has a point on the link")
+            }
             HoldLine::Neighbour { pin, .. } => self.pin(*pin),
-            HoldLine::Contact { pair, .. } => self.coincident(self.scene.rolling[pair.0].at_of(link), link),
+            HoldLine::Contact { pair, .. } => {
+                self.coincident(self.scene.rolling[pair.0].at_of(link), link)
+            }
         }
     }
 
@@ -330,13 +445,18 @@ impl PlanBuilder<'_> {
             HoldLine::Leg(hold) => self.chain(level, Some(link), &hold, None),
             HoldLine::Neighbour { pin, special, link } => {
                 let near = self.pin(pin);
-                let (known, unknown) = self.turning(level, TurningBody::Link(link), near, special, false);
+                let (known, unknown) =
+                    self.turning(level, TurningBody::Link(link), near, special, false);
                 TermChain { start: special, known, unknown }
             }
             HoldLine::Contact { pair, special, link: other } => {
                 let rolling = &self.scene.rolling[pair.0];
-                let (own, near) = (self.coincident(rolling.at_of(link), link), self.coincident(rolling.at_of(other), other));
-                let (mut known, unknown) = self.turning(level, TurningBody::Link(other), near, special, false);
+                let (own, near) = (
+                    self.coincident(rolling.at_of(link), link),
+                    self.coincident(rolling.at_of(other), other),
+                );
+                let (mut known, unknown) =
+                    self.turning(level, TurningBody::Link(other), near, special, false);
                 known.extend(self.roll(level, pair, own, near));
                 TermChain { start: special, known, unknown }
             }
@@ -347,27 +467,44 @@ impl PlanBuilder<'_> {
 fn special_line(scene: &Scene, line: &HoldLine) -> SpecialLine {
     match line {
         HoldLine::Leg(hold) => SpecialLine::Leg(hold.line().expect("members are held along lines")),
-        HoldLine::Neighbour { pin, special, .. } => SpecialLine::Through { pin: *pin, special: *special },
-        HoldLine::Contact { pair, special, link } => SpecialLine::Through { pin: scene.rolling[pair.0].at_of(*link), special: *special },
+        HoldLine::Neighbour { pin, special, .. } => {
+            SpecialLine::Through { pin: *pin, special: *special }
+        }
+        HoldLine::Contact { pair, special, link } => {
+            SpecialLine::Through { pin: scene.rolling[pair.0].at_of(*link), special: *special }
+        }
     }
 }
 
 /// Returns the members of a group with their constraints; `None` if the group has a pair that is
 /// neither a bar, guide, slot, cylinder or contact between a member and a known body, nor a pin,
 /// slot or contact between members.
-pub(super) fn members(scene: &Scene, m: &hodograph_mechanism::mechanism::Mechanism, g: usize) -> Option<Vec<Member>> {
+pub(super) fn members(
+    scene: &Scene,
+    m: &hodograph_mechanism::mechanism::Mechanism,
+    g: usize,
+) -> Option<Vec<Member>> {
     let group = &m.groups[g];
     let forms: Vec<PairForm> = group.constraints.iter().map(|&c| m.constraints[c].form()).collect();
     let on = |l: LinkId| -> Vec<PointId> {
-        forms.iter().filter_map(PairForm::meets).filter(|(_, link)| *link == l).map(|(pin, _)| pin).collect()
+        forms
+            .iter()
+            .filter_map(PairForm::meets)
+            .filter(|(_, link)| *link == l)
+            .map(|(pin, _)| pin)
+            .collect()
     };
     let inner = |p: &PointId| group.pins.contains(p);
     // A bar from a known pin without other constraints is a leg of the link at its other end.
     let alone = |l: LinkId| {
         !forms.iter().any(|form| match form {
-            PairForm::OnPath { runner: Runner::Pin(_), .. } | PairForm::Related { .. } => form.joins(l),
+            PairForm::OnPath { runner: Runner::Pin(_), .. } | PairForm::Related { .. } => {
+                form.joins(l)
+            }
             PairForm::Meet { .. } | PairForm::Distance { .. } => false,
-            PairForm::Angles { .. } | PairForm::OnPath { runner: Runner::Link(_), .. } | PairForm::AlongPath { .. } => true,
+            PairForm::Angles { .. }
+            | PairForm::OnPath { runner: Runner::Link(_), .. }
+            | PairForm::AlongPath { .. } => true,
         })
     };
     let bar = |l: LinkId| match on(l)[..] {
@@ -375,12 +512,23 @@ pub(super) fn members(scene: &Scene, m: &hodograph_mechanism::mechanism::Mechani
         [a, b] if alone(l) && inner(&b) && !inner(&a) => Some((l, b, a)),
         _ => None,
     };
-    let bars: Vec<(LinkId, PointId, PointId)> = group.links.iter().filter_map(|l| bar(*l)).collect();
-    let cores: Vec<LinkId> = group.links.iter().copied().filter(|l| !bars.iter().any(|b| b.0 == *l)).collect();
-    let holder = |p: PointId| -> Vec<LinkId> { cores.iter().copied().filter(|l| on(*l).contains(&p)).collect() };
+    let bars: Vec<(LinkId, PointId, PointId)> =
+        group.links.iter().filter_map(|l| bar(*l)).collect();
+    let cores: Vec<LinkId> =
+        group.links.iter().copied().filter(|l| !bars.iter().any(|b| b.0 == *l)).collect();
+    let holder = |p: PointId| -> Vec<LinkId> {
+        cores.iter().copied().filter(|l| on(*l).contains(&p)).collect()
+    };
     let mut members: Vec<Member> = cores
         .iter()
-        .map(|l| Member { link: *l, shared: Vec::new(), holds: Vec::new(), pivots: Vec::new(), rolls: Vec::new(), inner: Vec::new() })
+        .map(|l| Member {
+            link: *l,
+            shared: Vec::new(),
+            holds: Vec::new(),
+            pivots: Vec::new(),
+            rolls: Vec::new(),
+            inner: Vec::new(),
+        })
         .collect();
     let between_members = |r: RollingId| scene.rolling[r.0].links.iter().all(|l| cores.contains(l));
     let mut add = |l: LinkId, hold: Hold| -> Option<()> {
@@ -400,7 +548,8 @@ pub(super) fn members(scene: &Scene, m: &hodograph_mechanism::mechanism::Mechani
         match *form {
             PairForm::Meet { .. } => {}
             // The rolling pair already records a contact between members.
-            PairForm::OnPath { guide, .. } if scene.guides[guide.0].rolling.is_some_and(between_members) => {}
+            PairForm::OnPath { guide, .. }
+                if scene.guides[guide.0].rolling.is_some_and(between_members) => {}
             PairForm::OnPath { runner: Runner::Pin(pin), guide, on } => {
                 if let Some(&carrier) = holder(pin).first()
                     && inner(&pin)
@@ -419,7 +568,10 @@ pub(super) fn members(scene: &Scene, m: &hodograph_mechanism::mechanism::Mechani
                 let pins = [from, to];
                 let own = ends(pins.map(|p| inner(&p)))?;
                 let (near, far) = (pins[own], pins[1 - own]);
-                add(*holder(near).first()?, Hold::Distance { near, far, strut: Strut::Cylinder(driver) })?;
+                add(
+                    *holder(near).first()?,
+                    Hold::Distance { near, far, strut: Strut::Cylinder(driver) },
+                )?;
             }
             PairForm::Related { pair, links } if links.iter().all(|l| group.links.contains(l)) => {
                 // For a strand between two unknown links, neither end determines the other: the
@@ -429,9 +581,18 @@ pub(super) fn members(scene: &Scene, m: &hodograph_mechanism::mechanism::Mechani
             }
             PairForm::Related { pair, links } => {
                 let own = ends(links.map(|l| group.links.contains(&l)))?;
-                add(links[own], Hold::Rolls { pair, other: links[1 - own], at: scene.rolling[pair.0].at_of(links[own]) })?;
+                add(
+                    links[own],
+                    Hold::Rolls {
+                        pair,
+                        other: links[1 - own],
+                        at: scene.rolling[pair.0].at_of(links[own]),
+                    },
+                )?;
             }
-            PairForm::Angles { .. } | PairForm::OnPath { runner: Runner::Link(_), .. } | PairForm::AlongPath { .. } => return None,
+            PairForm::Angles { .. }
+            | PairForm::OnPath { runner: Runner::Link(_), .. }
+            | PairForm::AlongPath { .. } => return None,
         }
     }
     let at = |l: LinkId| cores.iter().position(|core| *core == l);
@@ -441,7 +602,12 @@ pub(super) fn members(scene: &Scene, m: &hodograph_mechanism::mechanism::Mechani
         members[on].inner.push((carrier, Hold::Slot { pin, guide }));
     }
     for member in &mut members {
-        member.rolls.extend(contacts.iter().filter(|(_, links)| links.contains(&member.link)).map(|(pair, _)| *pair));
+        member.rolls.extend(
+            contacts
+                .iter()
+                .filter(|(_, links)| links.contains(&member.link))
+                .map(|(pair, _)| *pair),
+        );
         for p in on(member.link) {
             if !inner(&p) {
                 member.pivots.push(p);

@@ -44,7 +44,12 @@ impl Rest {
 
 /// Spreads rest from link to link over drivers at rest and over sliders that keep their direction.
 fn spread(scene: &Scene, drivers: &[bool], links: &mut [bool]) -> bool {
-    let turns = scene.drivers.iter().zip(drivers).filter(|(_, held)| **held).filter_map(|(d, _)| d.kind.turned());
+    let turns = scene
+        .drivers
+        .iter()
+        .zip(drivers)
+        .filter(|(_, held)| **held)
+        .filter_map(|(d, _)| d.kind.turned());
     let sliders = scene.guides.iter().filter_map(|g| match g.path {
         GuidePath::Line { .. } => g.slider.map(|s| (s, g.on)),
         GuidePath::Arc { .. } => None,
@@ -63,7 +68,8 @@ impl Plan {
     pub fn vanishes(&self, scene: &Scene, on: DiagramKind, t: &Term) -> bool {
         let rest = &self.rest;
         if rest.is_all() {
-            return on == DiagramKind::Velocity || matches!(t.kind, TermKind::Normal | TermKind::SlideNormal | TermKind::Coriolis);
+            return on == DiagramKind::Velocity
+                || matches!(t.kind, TermKind::Normal | TermKind::SlideNormal | TermKind::Coriolis);
         }
         // An unknown term may turn out to be zero in the drawing, but is not known to vanish.
         if !t.known {
@@ -75,10 +81,13 @@ impl Plan {
             (TermKind::Coriolis, TermConnection::Guide { guide, driver }) => {
                 rest.links[scene.guides[guide.0].on.0] || driver.is_some_and(|d| rest.drivers[d])
             }
-            (TermKind::SlideNormal, TermConnection::Guide { driver, .. }) => driver.is_some_and(|d| rest.drivers[d]),
+            (TermKind::SlideNormal, TermConnection::Guide { driver, .. }) => {
+                driver.is_some_and(|d| rest.drivers[d])
+            }
             (TermKind::Coriolis, TermConnection::Cylinder(d)) => rest.drivers[d],
             (TermKind::Coriolis, TermConnection::Frame { body, .. }) => body.is_none_or(still),
-            (TermKind::Slide, TermConnection::Guide { driver: Some(d), .. }) | (TermKind::Extension, TermConnection::Cylinder(d)) => {
+            (TermKind::Slide, TermConnection::Guide { driver: Some(d), .. })
+            | (TermKind::Extension, TermConnection::Cylinder(d)) => {
                 on == DiagramKind::Velocity && rest.drivers[d]
             }
             _ => false,

@@ -60,7 +60,10 @@ impl Plan {
         if tried.trial.is_none() {
             return v;
         }
-        self.vertices.iter().position(|own| own.trial.is_none() && own.is_at(tried)).map_or(v, VertexId)
+        self.vertices
+            .iter()
+            .position(|own| own.trial.is_none() && own.is_at(tried))
+            .map_or(v, VertexId)
     }
 
     /// Returns the link with the angular velocity that the Coriolis acceleration at a guide uses:

@@ -5,8 +5,14 @@
 //! textbook.
 
 pub use super::names::point_label;
-use super::names::{image_label, image_of, is_image, mate_letter, name_label, numbered, of_trial, pole_letter, special_name};
-use super::{Method, Plan, PlanStep, Term, TermChain, TermConnection, TermKind, TurningBody, VertexId, VertexPlace, VertexTrial};
+use super::names::{
+    image_label, image_of, is_image, mate_letter, name_label, numbered, of_trial, pole_letter,
+    special_name,
+};
+use super::{
+    Method, Plan, PlanStep, Term, TermChain, TermConnection, TermKind, TurningBody, VertexId,
+    VertexPlace, VertexTrial,
+};
 use hodograph_base::diag::{Both, both};
 use hodograph_base::notation::Notation;
 use hodograph_scene::{DiagramKind, GuideId, GuidePath, Lang, PointId, Scene};
@@ -43,7 +49,9 @@ pub struct EquationColumn {
 pub fn vertex_name(scene: &Scene, plan: &Plan, v: VertexId) -> String {
     let vertex = plan.vertex(v);
     let name = match (vertex.spot, vertex.trial) {
-        (_, Some(VertexTrial { run, mate: true })) => return format!("{}({run})", mate_letter(scene)),
+        (_, Some(VertexTrial { run, mate: true })) => {
+            return format!("{}({run})", mate_letter(scene));
+        }
         (VertexPlace::Point(p), _) => scene.point_name(p).to_owned(),
         (VertexPlace::Special(k), _) => special_name(scene, plan, k),
     };
@@ -66,9 +74,17 @@ pub fn line_name(scene: &Scene, plan: &Plan, a: VertexId, b: VertexId) -> String
 pub fn held_by(scene: &Scene, plan: &Plan, t: &Term) -> Both {
     let line = || line_name(scene, plan, t.to, t.of);
     match t.by {
-        TermConnection::Turning(TurningBody::Link(l)) => both!("link {} ({})", "构件 {}（{}）", scene.link_name(l), line()),
-        TermConnection::Turning(TurningBody::Cylinder(_)) | TermConnection::Cylinder(_) => both!("cylinder {}", "液压缸 {}", line()),
-        TermConnection::Guide { guide, .. } => both!("the guide on link {}", "构件 {} 上的导路", scene.link_name(scene.guides[guide.0].on)),
+        TermConnection::Turning(TurningBody::Link(l)) => {
+            both!("link {} ({})", "构件 {}（{}）", scene.link_name(l), line())
+        }
+        TermConnection::Turning(TurningBody::Cylinder(_)) | TermConnection::Cylinder(_) => {
+            both!("cylinder {}", "液压缸 {}", line())
+        }
+        TermConnection::Guide { guide, .. } => both!(
+            "the guide on link {}",
+            "构件 {} 上的导路",
+            scene.link_name(scene.guides[guide.0].on)
+        ),
         TermConnection::Contact(pair) => {
             let [a, b] = scene.rolling[pair.0].links.map(|l| scene.link_name(l));
             both!("the contact of links {a} and {b}", "构件 {a} 与 {b} 的接触")
@@ -124,11 +140,17 @@ impl PlanWriter<'_> {
     /// well.
     pub(super) fn is_absolute(&self, on: DiagramKind, t: &Term) -> bool {
         let whole = |t: &Term| match t.by {
-            TermConnection::Cylinder(_) | TermConnection::Turning(TurningBody::Cylinder(_)) => false,
+            TermConnection::Cylinder(_) | TermConnection::Turning(TurningBody::Cylinder(_)) => {
+                false
+            }
             // Over a fixed point of a turning guide, sliding is the whole velocity, but with the
             // Coriolis term only a part of the acceleration.
-            TermConnection::Guide { guide, .. } => on == DiagramKind::Velocity || self.plan.still[self.scene.guides[guide.0].on.0],
-            TermConnection::Turning(TurningBody::Link(_)) | TermConnection::Contact(_) | TermConnection::Apart => true,
+            TermConnection::Guide { guide, .. } => {
+                on == DiagramKind::Velocity || self.plan.still[self.scene.guides[guide.0].on.0]
+            }
+            TermConnection::Turning(TurningBody::Link(_))
+            | TermConnection::Contact(_)
+            | TermConnection::Apart => true,
             TermConnection::Frame { .. } => false,
         };
         let absolute = |t: &Term| self.plan.vertex(t.to).fixed && whole(t);
@@ -138,22 +160,36 @@ impl PlanWriter<'_> {
     }
 
     fn subscript(&self, on: DiagramKind, t: &Term) -> String {
-        if self.is_absolute(on, t) { self.name(t.of) } else { format!("{}{}", self.name(t.of), self.name(t.to)) }
+        if self.is_absolute(on, t) {
+            self.name(t.of)
+        } else {
+            format!("{}{}", self.name(t.of), self.name(t.to))
+        }
     }
 
     /// Returns the sliding velocity in a Coriolis or normal part of sliding.
     fn sliding(&self, t: &Term) -> String {
         let [of, to] = [t.of, t.to].map(|v| self.plan.untried(v));
         if let TermConnection::Frame { .. } = t.by {
-            return self.symbol(DiagramKind::Velocity, &Term { kind: TermKind::Relative, by: TermConnection::Apart, of, to, ..*t });
+            return self.symbol(
+                DiagramKind::Velocity,
+                &Term { kind: TermKind::Relative, by: TermConnection::Apart, of, to, ..*t },
+            );
         }
         self.symbol(DiagramKind::Velocity, &Term { kind: TermKind::Slide, of, to, ..*t })
     }
 
     /// Returns the vector from which the angular quantity of a body is measured: `v_{CB}`,
     /// `a^t_{CB}`.
-    pub fn measured(&self, on: DiagramKind, body: TurningBody, of: VertexId, to: VertexId) -> String {
-        let kind = if on == DiagramKind::Acceleration { TermKind::Tangential } else { TermKind::Relative };
+    pub fn measured(
+        &self,
+        on: DiagramKind,
+        body: TurningBody,
+        of: VertexId,
+        to: VertexId,
+    ) -> String {
+        let kind =
+            if on == DiagramKind::Acceleration { TermKind::Tangential } else { TermKind::Relative };
         self.symbol(on, &Term { kind, of, to, by: TermConnection::Turning(body), known: false })
     }
 
@@ -165,7 +201,8 @@ impl PlanWriter<'_> {
             (VertexPlace::Point(p), _) => self.plan.letters[p.0].clone(),
             (VertexPlace::Special(k), _) => special_name(self.scene, self.plan, k).to_lowercase(),
         };
-        let name = name_label(&numbered(self.scene, name, vertex.number.map(|n| self.scene.link_name(n))));
+        let name =
+            name_label(&numbered(self.scene, name, vertex.number.map(|n| self.scene.link_name(n))));
         vertex.trial.map_or(name.clone(), |t| format!("{name}({})", t.run))
     }
 
@@ -173,7 +210,9 @@ impl PlanWriter<'_> {
         let fixed_guide = self.is_absolute(on, t);
         match (t.kind, t.by) {
             // The part square to the line; the whole vector also has the part along it.
-            (TermKind::Relative, TermConnection::Turning(TurningBody::Cylinder(_))) => self.notation.tangential.clone(),
+            (TermKind::Relative, TermConnection::Turning(TurningBody::Cylinder(_))) => {
+                self.notation.tangential.clone()
+            }
             (TermKind::Relative, _) => String::new(),
             (TermKind::Normal, _) => "n".into(),
             (TermKind::Tangential, _) => self.notation.tangential.clone(),
@@ -181,13 +220,21 @@ impl PlanWriter<'_> {
             (TermKind::Extension, _) => self.notation.sliding.clone(),
             // On a fixed straight guide, sliding is the whole motion of the point.
             (TermKind::Slide, TermConnection::Guide { guide, .. }) if fixed_guide => {
-                if on == DiagramKind::Acceleration && self.is_arc(guide) { self.notation.tangential.clone() } else { String::new() }
+                if on == DiagramKind::Acceleration && self.is_arc(guide) {
+                    self.notation.tangential.clone()
+                } else {
+                    String::new()
+                }
             }
             (TermKind::SlideNormal, _) if fixed_guide => "n".into(),
-            (TermKind::Slide, TermConnection::Guide { guide, .. }) if on == DiagramKind::Acceleration && self.is_arc(guide) => {
+            (TermKind::Slide, TermConnection::Guide { guide, .. })
+                if on == DiagramKind::Acceleration && self.is_arc(guide) =>
+            {
                 format!("{}\\,{}", self.notation.sliding, self.notation.tangential)
             }
-            (TermKind::Slide, TermConnection::Frame { about: Some(_), .. }) if on == DiagramKind::Acceleration => {
+            (TermKind::Slide, TermConnection::Frame { about: Some(_), .. })
+                if on == DiagramKind::Acceleration =>
+            {
                 format!("{}\\,{}", self.notation.sliding, self.notation.tangential)
             }
             (TermKind::Slide, _) => self.notation.sliding.clone(),
@@ -225,9 +272,13 @@ impl PlanWriter<'_> {
         }
         let link = vertex.number.map(|l| self.scene.link_name(l));
         let label = match (vertex.spot, vertex.trial) {
-            (_, Some(VertexTrial { mate: true, .. })) => image_of(&mate_letter(self.scene).to_lowercase(), None, on.prime()),
+            (_, Some(VertexTrial { mate: true, .. })) => {
+                image_of(&mate_letter(self.scene).to_lowercase(), None, on.prime())
+            }
             (VertexPlace::Point(p), _) => image_label(&self.plan.letters, p, link, on.prime()),
-            (VertexPlace::Special(k), _) => image_of(&special_name(self.scene, self.plan, k).to_lowercase(), link, on.prime()),
+            (VertexPlace::Special(k), _) => {
+                image_of(&special_name(self.scene, self.plan, k).to_lowercase(), link, on.prime())
+            }
         };
         vertex.trial.map_or(label.clone(), |t| of_trial(&label, t.run))
     }
@@ -244,12 +295,16 @@ impl PlanWriter<'_> {
         let (letter, other) = self.part_letters(t.kind);
         // Two parts of one point, such as aⁿ_C and aⁿ_CB, are distinguished by the reference point
         // of the second.
-        let shared = self.plan.terms(on).any(|u| self.part_letters(u.kind).0 == letter && u.of == t.of && u.to != t.to);
+        let shared = self
+            .plan
+            .terms(on)
+            .any(|u| self.part_letters(u.kind).0 == letter && u.of == t.of && u.to != t.to);
         let to = if shared && !self.is_absolute(on, t) { self.small(t.to) } else { String::new() };
         // Two slots of a link over one pin give two parts of the same name; the second has an
         // additional prime.
         let twin = |u: &Term| self.part_letters(u.kind).0 == letter && (u.of, u.to) == (t.of, t.to);
-        let before = self.plan.terms(on).filter(twin).take_while(|u| u.is_same(t).is_none()).count();
+        let before =
+            self.plan.terms(on).filter(twin).take_while(|u| u.is_same(t).is_none()).count();
         let letter = if is_image(self.scene, self.plan, letter) { other } else { letter };
         format!("{letter}{}{}_{{{}{to}}}", on.prime(), "'".repeat(before), self.small(t.of))
     }
@@ -260,7 +315,11 @@ impl PlanWriter<'_> {
             TermKind::Normal | TermKind::SlideNormal => ("n", &n.normal_end),
             TermKind::Coriolis => ("k", &n.coriolis_end),
             TermKind::Tangential => ("t", &n.tangential_end),
-            TermKind::Relative | TermKind::Slide | TermKind::Extension | TermKind::Roll | TermKind::Gap => ("r", &n.sliding_end),
+            TermKind::Relative
+            | TermKind::Slide
+            | TermKind::Extension
+            | TermKind::Roll
+            | TermKind::Gap => ("r", &n.sliding_end),
         }
     }
 
@@ -273,8 +332,13 @@ impl PlanWriter<'_> {
             TurningBody::Cylinder(d) => {
                 let kind = &self.scene.drivers[d].kind;
                 match (kind.parts(), kind.ends()) {
-                    ([part, ..], _) => format!("{letter}_{{{}}}", name_label(self.scene.link_name(*part))),
-                    ([], Some(ends)) => format!("{letter}_{{{}}}", ends.map(|p| name_label(self.scene.point_name(p))).concat()),
+                    ([part, ..], _) => {
+                        format!("{letter}_{{{}}}", name_label(self.scene.link_name(*part)))
+                    }
+                    ([], Some(ends)) => format!(
+                        "{letter}_{{{}}}",
+                        ends.map(|p| name_label(self.scene.point_name(p))).concat()
+                    ),
                     ([], None) => letter.into(),
                 }
             }
@@ -284,31 +348,51 @@ impl PlanWriter<'_> {
     /// Returns the direction of a term: `\perp BC`, `\parallel BC`, `C \to D`.
     pub fn direction(&self, t: &Term) -> String {
         match (t.kind, t.by) {
-            (TermKind::Relative | TermKind::Tangential, _) => format!("\\perp {}", self.line(t.of, t.to)),
+            (TermKind::Relative | TermKind::Tangential, _) => {
+                format!("\\perp {}", self.line(t.of, t.to))
+            }
             (TermKind::Normal, _) => format!("{} \\to {}", self.spot(t.of), self.spot(t.to)),
-            (TermKind::Extension | TermKind::Gap, _) => format!("\\parallel {}", self.line(t.to, t.of)),
+            (TermKind::Extension | TermKind::Gap, _) => {
+                format!("\\parallel {}", self.line(t.to, t.of))
+            }
             (TermKind::Coriolis, TermConnection::Guide { guide, .. }) if !self.is_arc(guide) => {
                 format!("\\perp {}", self.guide_line(guide))
             }
-            (TermKind::Coriolis, TermConnection::Guide { guide, .. }) => format!("\\parallel {}", self.guide_line(guide)),
+            (TermKind::Coriolis, TermConnection::Guide { guide, .. }) => {
+                format!("\\parallel {}", self.guide_line(guide))
+            }
             (TermKind::Coriolis, TermConnection::Frame { .. }) => {
                 format!(
                     "\\perp {}",
-                    self.symbol(DiagramKind::Velocity, &Term { kind: TermKind::Relative, by: TermConnection::Apart, ..*t })
+                    self.symbol(
+                        DiagramKind::Velocity,
+                        &Term { kind: TermKind::Relative, by: TermConnection::Apart, ..*t }
+                    )
                 )
             }
             (TermKind::Coriolis, _) => format!("\\perp {}", self.line(t.to, t.of)),
-            (TermKind::Slide, TermConnection::Guide { guide, .. }) if self.is_arc(guide) => format!("\\perp {}", self.guide_line(guide)),
-            (TermKind::Slide, TermConnection::Guide { guide, .. }) => format!("\\parallel {}", self.guide_line(guide)),
+            (TermKind::Slide, TermConnection::Guide { guide, .. }) if self.is_arc(guide) => {
+                format!("\\perp {}", self.guide_line(guide))
+            }
+            (TermKind::Slide, TermConnection::Guide { guide, .. }) => {
+                format!("\\parallel {}", self.guide_line(guide))
+            }
             (TermKind::SlideNormal, TermConnection::Guide { guide, .. }) => {
-                let (GuidePath::Arc { centre, .. }, Some(pin)) = (&self.scene.guides[guide.0].path, self.scene.guides[guide.0].pin) else {
+                let (GuidePath::Arc { centre, .. }, Some(pin)) =
+                    (&self.scene.guides[guide.0].path, self.scene.guides[guide.0].pin)
+                else {
                     return String::new();
                 };
-                let (k, p) = (point_label(self.scene.point_name(*centre)), point_label(self.scene.point_name(pin)));
+                let (k, p) = (
+                    point_label(self.scene.point_name(*centre)),
+                    point_label(self.scene.point_name(pin)),
+                );
                 let carried = self.plan.vertex(t.of).on == Some(self.scene.guides[guide.0].on);
                 if carried { format!("{k} \\to {p}") } else { format!("{p} \\to {k}") }
             }
-            (TermKind::Roll, TermConnection::Contact(pair)) if t.known => self.toward_centre(pair, t),
+            (TermKind::Roll, TermConnection::Contact(pair)) if t.known => {
+                self.toward_centre(pair, t)
+            }
             (TermKind::Roll, TermConnection::Contact(pair)) => self.normal_line(pair),
             (TermKind::SlideNormal, TermConnection::Frame { about: Some(k), .. }) => {
                 format!("{} \\to {}", self.spot(t.of), point_label(self.scene.point_name(k)))
@@ -316,7 +400,9 @@ impl PlanWriter<'_> {
             (TermKind::Slide, TermConnection::Frame { about: Some(k), .. }) => {
                 format!("\\perp {}{}", self.spot(t.of), point_label(self.scene.point_name(k)))
             }
-            (TermKind::Slide, TermConnection::Frame { about: None, .. }) => self.notation.unknown.clone(),
+            (TermKind::Slide, TermConnection::Frame { about: None, .. }) => {
+                self.notation.unknown.clone()
+            }
             (TermKind::Slide | TermKind::SlideNormal | TermKind::Roll, _) => String::new(),
         }
     }
@@ -336,23 +422,34 @@ impl PlanWriter<'_> {
         }
         let squared = |s: String| s.replacen('_', "^2_", 1);
         match (t.kind, t.by) {
-            (TermKind::Relative, TermConnection::Turning(b)) => format!("{} {}", self.turning(DiagramKind::Velocity, b), length()),
-            (TermKind::Normal, TermConnection::Turning(b)) => format!("{} {}", squared(self.turning(DiagramKind::Velocity, b)), length()),
-            (TermKind::Tangential, TermConnection::Turning(b)) => format!("{} {}", self.turning(DiagramKind::Acceleration, b), length()),
+            (TermKind::Relative, TermConnection::Turning(b)) => {
+                format!("{} {}", self.turning(DiagramKind::Velocity, b), length())
+            }
+            (TermKind::Normal, TermConnection::Turning(b)) => {
+                format!("{} {}", squared(self.turning(DiagramKind::Velocity, b)), length())
+            }
+            (TermKind::Tangential, TermConnection::Turning(b)) => {
+                format!("{} {}", self.turning(DiagramKind::Acceleration, b), length())
+            }
             (TermKind::Coriolis, TermConnection::Guide { guide, .. }) => {
-                let omega = self.turning(DiagramKind::Velocity, TurningBody::Link(self.plan.coriolis_link(self.scene, guide)));
+                let omega = self.turning(
+                    DiagramKind::Velocity,
+                    TurningBody::Link(self.plan.coriolis_link(self.scene, guide)),
+                );
                 format!("2{omega} {}", self.sliding(t))
             }
             (TermKind::Coriolis, TermConnection::Frame { body: Some(body), .. }) => {
                 format!("2{} {}", self.turning(DiagramKind::Velocity, body), self.sliding(t))
             }
             (TermKind::Coriolis, TermConnection::Cylinder(d)) => {
-                let v = self.symbol(DiagramKind::Velocity, &Term { kind: TermKind::Extension, ..*t });
+                let v =
+                    self.symbol(DiagramKind::Velocity, &Term { kind: TermKind::Extension, ..*t });
                 format!("2{} {v}", self.turning(DiagramKind::Velocity, TurningBody::Cylinder(d)))
             }
             (TermKind::SlideNormal, _) => {
                 let v = self.sliding(t);
-                let squared = if v.contains('^') { format!("({v})^2") } else { v.replacen('_', "^2_", 1) };
+                let squared =
+                    if v.contains('^') { format!("({v})^2") } else { v.replacen('_', "^2_", 1) };
                 format!("{squared}/\\rho")
             }
             (TermKind::Roll, TermConnection::Contact(pair)) => self.of_contact(pair),
@@ -363,9 +460,11 @@ impl PlanWriter<'_> {
     /// Returns the assumed rate of a trial polygon, `ω_{2(2)}`, if a known term depends on it.
     fn chosen_rate(&self, on: DiagramKind, t: &Term) -> Option<String> {
         match (t.kind, t.by, self.plan.vertex(t.of).trial) {
-            (TermKind::Relative | TermKind::Tangential, TermConnection::Turning(body), Some(trial)) if t.known => {
-                Some(of_trial(&self.turning(on, body), trial.run))
-            }
+            (
+                TermKind::Relative | TermKind::Tangential,
+                TermConnection::Turning(body),
+                Some(trial),
+            ) if t.known => Some(of_trial(&self.turning(on, body), trial.run)),
             _ => None,
         }
     }
@@ -376,15 +475,21 @@ impl PlanWriter<'_> {
         let (own, run) = (self.plan.vertex(v), self.plan.vertex(v).trial?.run);
         let steps = || self.plan.steps(on).iter().flat_map(|g| g.steps(0));
         let begins = |step: &PlanStep| match step {
-            PlanStep::Equation { target, chains, method: Method::Trial } if chains.len() == 1 => Some((*target, chains[0].known.clone())),
-            PlanStep::Equation { .. } | PlanStep::Image { .. } | PlanStep::Trials { .. } | PlanStep::Same { .. } => None,
+            PlanStep::Equation { target, chains, method: Method::Trial } if chains.len() == 1 => {
+                Some((*target, chains[0].known.clone()))
+            }
+            PlanStep::Equation { .. }
+            | PlanStep::Image { .. }
+            | PlanStep::Trials { .. }
+            | PlanStep::Same { .. } => None,
         };
         steps().filter_map(begins).find(|(target, _)| *target == v)?;
-        let here = |(target, known): (VertexId, Vec<Term>)| if self.plan.vertex(target).is_at(own) { known.last().copied() } else { None };
-        let body = steps()
-            .filter_map(begins)
-            .filter_map(here)
-            .find_map(|t| if let TermConnection::Turning(body) = t.by { Some(body) } else { None })?;
+        let here = |(target, known): (VertexId, Vec<Term>)| {
+            if self.plan.vertex(target).is_at(own) { known.last().copied() } else { None }
+        };
+        let body = steps().filter_map(begins).filter_map(here).find_map(|t| {
+            if let TermConnection::Turning(body) = t.by { Some(body) } else { None }
+        })?;
         let rate = of_trial(&self.turning(on, body), run);
         Some(if run == 1 { format!("{rate} = 0") } else { rate })
     }
@@ -393,16 +498,23 @@ impl PlanWriter<'_> {
     pub fn mate(&self, step: &PlanStep) -> Option<[String; 2]> {
         let target = step.target();
         self.plan.vertex(target).trial.filter(|trial| trial.mate && trial.run == 1)?;
-        let gap = step.chains().iter().flat_map(|c| &c.unknown).find(|t| t.kind == TermKind::Gap)?;
+        let gap =
+            step.chains().iter().flat_map(|c| &c.unknown).find(|t| t.kind == TermKind::Gap)?;
         Some([self.spot(target), self.line(gap.to, gap.of)])
     }
 
     /// Returns the columns of an equation with its loci: the chain that starts at a fixed point (or
     /// the point itself) on the left, then the other chains, each after an equals sign.
-    pub fn columns(&self, on: DiagramKind, target: VertexId, chains: &[TermChain]) -> Vec<EquationColumn> {
+    pub fn columns(
+        &self,
+        on: DiagramKind,
+        target: VertexId,
+        chains: &[TermChain],
+    ) -> Vec<EquationColumn> {
         let mut out: Vec<EquationColumn> = Vec::new();
         // A single chain has no unknowns.
-        let absolute_left = !self.plan.vertex(chains[0].start).fixed || chains.len() == 1 && chains[0].known.len() > 1;
+        let absolute_left = !self.plan.vertex(chains[0].start).fixed
+            || chains.len() == 1 && chains[0].known.len() > 1;
         if absolute_left {
             out.push(EquationColumn {
                 joint: "",
@@ -427,7 +539,13 @@ impl PlanWriter<'_> {
             };
             if !self.plan.vertex(chain.start).fixed {
                 let (direction, magnitude) = self.known_vector(on, chain.start);
-                out.push(EquationColumn { joint: joint(), symbol: self.summand(on, chain.start), direction, magnitude, term: None });
+                out.push(EquationColumn {
+                    joint: joint(),
+                    symbol: self.summand(on, chain.start),
+                    direction,
+                    magnitude,
+                    term: None,
+                });
             }
             for t in chain.known.iter().chain(&chain.unknown) {
                 out.push(EquationColumn {
@@ -451,8 +569,13 @@ impl PlanWriter<'_> {
     /// "known".
     fn known_vector(&self, on: DiagramKind, v: VertexId) -> (String, String) {
         let defining = self.plan.steps(on).iter().flat_map(|g| g.steps(0)).find_map(|s| match s {
-            PlanStep::Equation { target, chains, .. } if *target == v && chains.len() == 1 => Some(&chains[0]),
-            PlanStep::Equation { .. } | PlanStep::Image { .. } | PlanStep::Trials { .. } | PlanStep::Same { .. } => None,
+            PlanStep::Equation { target, chains, .. } if *target == v && chains.len() == 1 => {
+                Some(&chains[0])
+            }
+            PlanStep::Equation { .. }
+            | PlanStep::Image { .. }
+            | PlanStep::Trials { .. }
+            | PlanStep::Same { .. } => None,
         });
         if let Some(c) = defining
             && self.plan.vertex(c.start).fixed

@@ -12,7 +12,9 @@
 
 use super::build::{PlanBuilder, slot};
 use super::reduce::Member;
-use super::{Method, PlanStep, Term, TermChain, TermConnection, TermKind, TurningBody, VertexId, VertexTrial};
+use super::{
+    Method, PlanStep, Term, TermChain, TermConnection, TermKind, TurningBody, VertexId, VertexTrial,
+};
 use hodograph_mechanism::mechanism::Level;
 use hodograph_scene::PointId;
 use std::collections::HashSet;
@@ -29,19 +31,32 @@ pub(super) struct TrialChoice {
 
 impl PlanBuilder<'_> {
     /// Returns the steps of a group by two trials; `None` if the assumed rate does not open it.
-    pub(super) fn by_trials(&mut self, level: Level, g: usize, members: &[Member], choice: &TrialChoice) -> Option<Vec<PlanStep>> {
+    pub(super) fn by_trials(
+        &mut self,
+        level: Level,
+        g: usize,
+        members: &[Member],
+        choice: &TrialChoice,
+    ) -> Option<Vec<PlanStep>> {
         let mut steps = Vec::new();
         let [near, far] = choice.pins.map(|p| self.pin(p));
         let mut found: [[VertexId; 2]; 2] = [[far; 2]; 2];
         for run in [1, 2] {
-            let (known, sources) = (self.known[slot(level)].clone(), self.sources[slot(level)].clone());
+            let (known, sources) =
+                (self.known[slot(level)].clone(), self.sources[slot(level)].clone());
             if !self.one_trial(level, g, members, choice, run) {
                 return None;
             }
             let mate = self.tried(far, VertexTrial { run, mate: true });
             let bar = TurningBody::Link(members[choice.left_out].link);
             let (normal, across) = self.turning(level, bar, mate, near, false);
-            let gap = Term { kind: TermKind::Gap, of: mate, to: near, by: TermConnection::Turning(bar), known: false };
+            let gap = Term {
+                kind: TermKind::Gap,
+                of: mate,
+                to: near,
+                by: TermConnection::Turning(bar),
+                known: false,
+            };
             let chains = vec![
                 TermChain { start: near, known: normal, unknown: across },
                 TermChain { start: far, known: Vec::new(), unknown: vec![gap] },
@@ -73,14 +88,27 @@ impl PlanBuilder<'_> {
     }
 
     /// Finds all links but the removed bar from an assumed rate; returns true if all are known.
-    fn one_trial(&mut self, level: Level, g: usize, members: &[Member], choice: &TrialChoice, run: u8) -> bool {
+    fn one_trial(
+        &mut self,
+        level: Level,
+        g: usize,
+        members: &[Member],
+        choice: &TrialChoice,
+        run: u8,
+    ) -> bool {
         let [pivot, moved] = [choice.pivot, choice.moved].map(|p| self.pin(p));
         let link = members[choice.tried].link;
-        let (mut known, unknown) = self.turning(level, TurningBody::Link(link), moved, pivot, false);
+        let (mut known, unknown) =
+            self.turning(level, TurningBody::Link(link), moved, pivot, false);
         if run == 2 {
             known.extend(unknown.into_iter().map(|t| Term { known: true, ..t }));
         }
-        self.equation(level, moved, vec![TermChain { start: pivot, known, unknown: Vec::new() }], Method::Trial);
+        self.equation(
+            level,
+            moved,
+            vec![TermChain { start: pivot, known, unknown: Vec::new() }],
+            Method::Trial,
+        );
         let mut states = self.states(members);
         // A bar marked as done gets no known pins, so that it holds nothing.
         states[choice.left_out].done = true;
@@ -90,7 +118,12 @@ impl PlanBuilder<'_> {
 
     /// Splits steps into those that depend on the rate, with the vertices of a trial, and those
     /// that do not.
-    fn renamed(&mut self, steps: Vec<PlanStep>, moved: VertexId, run: u8) -> (Vec<PlanStep>, Vec<PlanStep>) {
+    fn renamed(
+        &mut self,
+        steps: Vec<PlanStep>,
+        moved: VertexId,
+        run: u8,
+    ) -> (Vec<PlanStep>, Vec<PlanStep>) {
         let mut depend: HashSet<VertexId> = HashSet::from([moved]);
         let (mut own, mut kept) = (Vec::new(), Vec::new());
         for step in steps {
@@ -103,7 +136,13 @@ impl PlanBuilder<'_> {
             if !tried {
                 depend.insert(target);
             }
-            let mut name = |v: VertexId| if depend.contains(&v) { self.tried(v, VertexTrial { run, mate: false }) } else { v };
+            let mut name = |v: VertexId| {
+                if depend.contains(&v) {
+                    self.tried(v, VertexTrial { run, mate: false })
+                } else {
+                    v
+                }
+            };
             own.push(step.with_vertices(&mut name));
         }
         (own, kept)
@@ -126,11 +165,17 @@ impl PlanStep {
                 let chains = chains.collect();
                 PlanStep::Equation { target: name(target), chains, method: Method::Trial }
             }
-            PlanStep::Image { link, target, from: (a, b) } => PlanStep::Image { link, target: name(target), from: (name(a), name(b)) },
-            PlanStep::Trials { target, images, mates } => {
-                PlanStep::Trials { target: name(target), images: images.map(&mut *name), mates: mates.map(&mut *name) }
+            PlanStep::Image { link, target, from: (a, b) } => {
+                PlanStep::Image { link, target: name(target), from: (name(a), name(b)) }
             }
-            PlanStep::Same { link, target, from } => PlanStep::Same { link, target: name(target), from: name(from) },
+            PlanStep::Trials { target, images, mates } => PlanStep::Trials {
+                target: name(target),
+                images: images.map(&mut *name),
+                mates: mates.map(&mut *name),
+            },
+            PlanStep::Same { link, target, from } => {
+                PlanStep::Same { link, target: name(target), from: name(from) }
+            }
         }
     }
 }
@@ -143,13 +188,17 @@ const LINKS: usize = 400;
 /// Returns the choices: links with one known point for the assumed rate, and bars between two links
 /// that can be removed, with either pin as the wanted one.
 pub(super) fn choices(members: &[Member]) -> Vec<TrialChoice> {
-    let tried: Vec<(usize, &Member)> = members.iter().enumerate().filter(|(_, m)| m.is_hinged()).collect();
-    let bars = members.iter().enumerate().filter(|(_, m)| m.is_pinned_only() && m.pivots.is_empty());
-    let bars = bars.filter_map(|(k, m)| if let [a, b] = m.shared[..] { Some((k, [a, b])) } else { None });
+    let tried: Vec<(usize, &Member)> =
+        members.iter().enumerate().filter(|(_, m)| m.is_hinged()).collect();
+    let bars =
+        members.iter().enumerate().filter(|(_, m)| m.is_pinned_only() && m.pivots.is_empty());
+    let bars =
+        bars.filter_map(|(k, m)| if let [a, b] = m.shared[..] { Some((k, [a, b])) } else { None });
     let ends = bars.flat_map(|(k, [a, b])| [(k, [a, b]), (k, [b, a])]);
     let choices = ends.flat_map(|(left_out, pins)| {
         tried.iter().filter_map(move |&(tried, member)| {
-            let moved = *member.shared.iter().find(|p| !pins.contains(p)).or(member.shared.first())?;
+            let moved =
+                *member.shared.iter().find(|p| !pins.contains(p)).or(member.shared.first())?;
             Some(TrialChoice { tried, pivot: member.pivots[0], moved, left_out, pins })
         })
     });

@@ -7,7 +7,9 @@ use hodograph_base::digits::{inked, shortest};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale::choose_in;
 use hodograph_paper::paper::extent::Rect;
-use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, FigureItem, LineStroke, PLACED, Shape};
+use hodograph_paper::paper::item::{
+    Anchor, Colour, Dash, Figure, FigureItem, LineStroke, PLACED, Shape,
+};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::place::{Bar, LabelRequest, Obstacles, place};
@@ -50,28 +52,40 @@ struct InversionDrawing<'a> {
 pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     let disc = &report.turning.disc;
     let reach = reach(disc);
-    let unit = report.scene.book.chosen(Kind::Length).map_or(1.0, hodograph_scene::book::BookUnit::size);
+    let unit =
+        report.scene.book.chosen(Kind::Length).map_or(1.0, hodograph_scene::book::BookUnit::size);
     let mu = choose_in(unit, [2.0 * reach; 2], [SIZE_MM; 2]);
-    let mut d = InversionDrawing { report, style, scale: 1.0 / mu, items: Vec::new(), wanted: Vec::new() };
+    let mut d =
+        InversionDrawing { report, style, scale: 1.0 / mu, items: Vec::new(), wanted: Vec::new() };
     d.circles();
     d.curves();
     d.stations();
     d.turning();
-    let half = hodograph_paper::paper::extent::bounds(&d.items).map_or(SIZE_MM / 2.0, |b| b.max.y.max(-b.min.y).max(b.max.x).max(-b.min.x))
+    let half = hodograph_paper::paper::extent::bounds(&d.items)
+        .map_or(SIZE_MM / 2.0, |b| b.max.y.max(-b.min.y).max(b.max.x).max(-b.min.x))
         + MARGIN_MM;
     let bounds = Rect::new(Point::new(-half, -half), Point::new(half, half));
     let placed = place(&d.wanted, &Obstacles::of(&d.items), bounds);
     for (k, (request, at)) in d.wanted.iter().zip(&placed).enumerate() {
-        d.items.extend(at.items(request, PLACED, style.thin).into_iter().map(|i| i.with_id(format!("cam-label-{k}"))));
+        d.items.extend(
+            at.items(request, PLACED, style.thin)
+                .into_iter()
+                .map(|i| i.with_id(format!("cam-label-{k}"))),
+        );
     }
     let mut items = d.items;
     let title = heading(report.scene, tr(lang, "profile by inversion", "反转法绘制凸轮廓线"), lang);
     let (scale, caption) = (scale_text(report, mu), legend(disc, lang));
     // For a small drawing the text defines the width of the paper.
-    let wide = |text: &str, size_mm: f64| text::set(&Label::text(text).in_fonts(&style.fonts)).width_em * size_mm + 2.0 * MARGIN_MM;
+    let wide = |text: &str, size_mm: f64| {
+        text::set(&Label::text(text).in_fonts(&style.fonts)).width_em * size_mm + 2.0 * MARGIN_MM
+    };
     let words_mm = wide(&title, style.caption_mm * 4.0 / 3.0).max(wide(&caption, style.small_mm));
     let (width_mm, height_mm) = ((2.0 * half).max(words_mm), 2.0 * half + ABOVE_MM + BELOW_MM);
-    hodograph_paper::paper::extent::translate(&mut items, Vec2::new(width_mm / 2.0, half + BELOW_MM));
+    hodograph_paper::paper::extent::translate(
+        &mut items,
+        Vec2::new(width_mm / 2.0, half + BELOW_MM),
+    );
     let middle = width_mm / 2.0;
     items.push(words_at(
         "title",
@@ -81,13 +95,35 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
         Anchor::Middle,
         style,
     ));
-    items.push(words_at("caption", Point::new(middle, 14.0), Label::text(caption.as_str()), style.small_mm, Anchor::Middle, style));
-    items.push(words_at("mu_l", Point::new(middle, 7.0), Label::math(scale), style.small_mm, Anchor::Middle, style));
+    items.push(words_at(
+        "caption",
+        Point::new(middle, 14.0),
+        Label::text(caption.as_str()),
+        style.small_mm,
+        Anchor::Middle,
+        style,
+    ));
+    items.push(words_at(
+        "mu_l",
+        Point::new(middle, 7.0),
+        Label::math(scale),
+        style.small_mm,
+        Anchor::Middle,
+        style,
+    ));
     let desc = match lang {
         Lang::En => format!("{}. {caption}.", hodograph_report::cam::kind(report.cam, disc, lang)),
         Lang::Zh => format!("{}。{caption}。", hodograph_report::cam::kind(report.cam, disc, lang)),
     };
-    let mut figure = Figure { width_mm, height_mm, title, desc, lang: words(lang).tag.into(), paper: Colour::WHITE, items };
+    let mut figure = Figure {
+        width_mm,
+        height_mm,
+        title,
+        desc,
+        lang: words(lang).tag.into(),
+        paper: Colour::WHITE,
+        items,
+    };
     style.palette.paint(&mut figure);
     figure
 }
@@ -108,11 +144,17 @@ fn legend(disc: &Disc, lang: Lang) -> String {
     dashed.extend(prime_m(disc).map(|_| tr(lang, "prime circle", "理论廓线基圆")));
     dashed.extend(swinging.then(|| tr(lang, "circle of the pivots", "从动件转动中心所在圆")));
     let (thick, between) = (
-        if rolling { tr(lang, "thick: profile", "粗线为实际廓线") } else { tr(lang, "thick: profile", "粗线为廓线") },
+        if rolling {
+            tr(lang, "thick: profile", "粗线为实际廓线")
+        } else {
+            tr(lang, "thick: profile", "粗线为廓线")
+        },
         tr(lang, "; ", "，"),
     );
     let mut parts = vec![thick.to_owned()];
-    parts.extend(rolling.then(|| tr(lang, "chain line: pitch curve", "点画线为理论廓线").to_owned()));
+    parts.extend(
+        rolling.then(|| tr(lang, "chain line: pitch curve", "点画线为理论廓线").to_owned()),
+    );
     let thin = match (offset, lang) {
         (true, Lang::En) => "thin: stations of the follower, base and offset circles",
         (true, Lang::Zh) => "细线为从动件各位置及基圆、偏距圆",
@@ -121,19 +163,25 @@ fn legend(disc: &Disc, lang: Lang) -> String {
     };
     parts.push(thin.to_owned());
     if !dashed.is_empty() {
-        parts.push(format!("{}{}", tr(lang, "dashed: ", "虚线为"), dashed.join(tr(lang, ", ", "、"))));
+        parts.push(format!(
+            "{}{}",
+            tr(lang, "dashed: ", "虚线为"),
+            dashed.join(tr(lang, ", ", "、"))
+        ));
     }
     parts.join(between)
 }
 
 /// The largest distance from the cam's centre to anything drawn (m).
 fn reach(disc: &Disc) -> f64 {
-    let stations = round(disc, STEPS / 4).into_iter().filter_map(|(phi, side)| disc.station(phi, side));
+    let stations =
+        round(disc, STEPS / 4).into_iter().filter_map(|(phi, side)| disc.station(phi, side));
     let end = match disc.touch {
         FollowerTip::Point { radius } => radius,
         FollowerTip::Flat { .. } => 0.0,
     };
-    let far = stations.map(|s| s.pitch.norm().max(s.contact.norm()) + end).fold(disc.base(), f64::max);
+    let far =
+        stations.map(|s| s.pitch.norm().max(s.contact.norm()) + end).fold(disc.base(), f64::max);
     match disc.follower {
         Follower::Translating { .. } => far * 1.06,
         Follower::Oscillating { pivot, .. } => far.max(pivot.norm() * 1.06),
@@ -166,7 +214,16 @@ impl InversionDrawing<'_> {
         let radius_mm = radius * self.scale;
         // A circle smaller than a dot is not drawn.
         if radius_mm > 0.5 {
-            self.draw(class, Shape::Circle { centre: Point::ORIGIN, radius_mm, stroke: Some(stroke), fill: None }, None);
+            self.draw(
+                class,
+                Shape::Circle {
+                    centre: Point::ORIGIN,
+                    radius_mm,
+                    stroke: Some(stroke),
+                    fill: None,
+                },
+                None,
+            );
         }
     }
 
@@ -182,14 +239,23 @@ impl InversionDrawing<'_> {
         let link = Some(self.report.cam.cam.0);
         let points: Vec<Point> = disc.outline(STEPS).into_iter().map(|p| self.at(p)).collect();
         let stroke = self.style.link;
-        self.draw("profile", Shape::Polyline { points, closed: true, stroke: Some(stroke), fill: None }, link);
+        self.draw(
+            "profile",
+            Shape::Polyline { points, closed: true, stroke: Some(stroke), fill: None },
+            link,
+        );
         if let FollowerTip::Point { radius } = disc.touch
             && radius > 0.0
         {
-            let all = round(&disc, STEPS).into_iter().filter_map(|(phi, side)| disc.station(phi, side));
+            let all =
+                round(&disc, STEPS).into_iter().filter_map(|(phi, side)| disc.station(phi, side));
             let points: Vec<Point> = all.map(|s| self.at(s.pitch)).collect();
             let stroke = self.style.thin.dashed(Dash::DashDot);
-            self.draw("pitch", Shape::Polyline { points, closed: true, stroke: Some(stroke), fill: None }, None);
+            self.draw(
+                "pitch",
+                Shape::Polyline { points, closed: true, stroke: Some(stroke), fill: None },
+                None,
+            );
         }
     }
 
@@ -220,7 +286,12 @@ impl InversionDrawing<'_> {
             Follower::Translating { .. } => {}
             Follower::Oscillating { pivot, .. } => self.circle("pivots", pivot.norm(), dashed),
         }
-        let dot = Shape::Circle { centre: Point::ORIGIN, radius_mm: self.style.dot_radius_mm, stroke: None, fill: Some(Colour::BLACK) };
+        let dot = Shape::Circle {
+            centre: Point::ORIGIN,
+            radius_mm: self.style.dot_radius_mm,
+            stroke: None,
+            fill: Some(Colour::BLACK),
+        };
         self.draw("centre", dot, None);
         let name = self.report.scene.point_name(self.report.turning.pivot).to_owned();
         self.label(&name, Point::ORIGIN, 1.2, Vec2::new(-1.0, 1.0));
@@ -246,10 +317,20 @@ impl InversionDrawing<'_> {
         if let FollowerTip::Point { radius } = disc.touch
             && radius > 0.0
         {
-            let shape = Shape::Circle { centre: pitch, radius_mm: radius * self.scale, stroke: Some(stroke), fill: None };
+            let shape = Shape::Circle {
+                centre: pitch,
+                radius_mm: radius * self.scale,
+                stroke: Some(stroke),
+                fill: None,
+            };
             self.draw("roller", shape, link);
         }
-        let dot = |centre| Shape::Circle { centre, radius_mm: 0.6, stroke: None, fill: Some(Colour::BLACK) };
+        let dot = |centre| Shape::Circle {
+            centre,
+            radius_mm: 0.6,
+            stroke: None,
+            fill: Some(Colour::BLACK),
+        };
         match disc.follower {
             Follower::Translating { direction, offset } => {
                 let d = direction.rotate_by(back);
@@ -265,16 +346,26 @@ impl InversionDrawing<'_> {
                     FollowerTip::Point { .. } => (p, pitch),
                     FollowerTip::Flat { .. } => (pitch, contact + (contact - pitch) * 0.15),
                 };
-                if from != p && (from - p).norm() > 0.5 && matches!(disc.touch, FollowerTip::Flat { .. }) {
+                if from != p
+                    && (from - p).norm() > 0.5
+                    && matches!(disc.touch, FollowerTip::Flat { .. })
+                {
                     self.draw("lever", Shape::Line { from: p, to: from, stroke }, link);
                 }
                 self.draw("station", Shape::Line { from, to, stroke }, link);
-                let pin = Shape::Circle { centre: p, radius_mm: 1.0, stroke: Some(stroke), fill: Some(Colour::WHITE) };
+                let pin = Shape::Circle {
+                    centre: p,
+                    radius_mm: 1.0,
+                    stroke: Some(stroke),
+                    fill: Some(Colour::WHITE),
+                };
                 self.draw("pivot", pin, None);
                 self.label(&name, p, 1.2, p.to_vec2());
             }
         }
-        if let (FollowerTip::Flat { .. }, Follower::Translating { .. }) = (disc.touch, disc.follower) {
+        if let (FollowerTip::Flat { .. }, Follower::Translating { .. }) =
+            (disc.touch, disc.follower)
+        {
             let half = (s.contact - s.pitch).norm() * self.scale + 6.0;
             let along = s.normal.perp() * half;
             self.draw("face", Shape::Line { from: pitch - along, to: pitch + along, stroke }, link);
@@ -303,13 +394,35 @@ impl InversionDrawing<'_> {
         let (stroke, head) = (self.style.thin, self.style.thin_head);
         let to_rad = from_rad + sense * 0.28;
         let angles = [from_rad.min(to_rad), from_rad.max(to_rad)];
-        let there = |p: &Point| (angles[0] - ARROW_AIR..angles[1] + ARROW_AIR).contains(&p.to_vec2().angle());
-        let along = |bar: &Bar| (0..=SAMPLES).map(|k| bar.from + (bar.to - bar.from) * (k as f64 / SAMPLES as f64)).collect::<Vec<_>>();
+        let there = |p: &Point| {
+            (angles[0] - ARROW_AIR..angles[1] + ARROW_AIR).contains(&p.to_vec2().angle())
+        };
+        let along = |bar: &Bar| {
+            (0..=SAMPLES)
+                .map(|k| bar.from + (bar.to - bar.from) * (k as f64 / SAMPLES as f64))
+                .collect::<Vec<_>>()
+        };
         let drawn = Obstacles::of(&self.items).bars;
-        let reach_mm = drawn.iter().flat_map(along).filter(there).map(|p| p.to_vec2().norm()).fold(0.0, f64::max);
+        let reach_mm = drawn
+            .iter()
+            .flat_map(along)
+            .filter(there)
+            .map(|p| p.to_vec2().norm())
+            .fold(0.0, f64::max);
         let radius_mm = reach_mm + ARROW_MM;
-        self.draw("sense", Shape::ArcArrow { centre: Point::ORIGIN, radius_mm, from_rad, to_rad, stroke, head }, None);
+        self.draw(
+            "sense",
+            Shape::ArcArrow { centre: Point::ORIGIN, radius_mm, from_rad, to_rad, stroke, head },
+            None,
+        );
         let label = Label::math("−ω").in_fonts(&self.style.fonts);
-        self.wanted.push(LabelRequest::along_arc(label, self.style.small_mm, Point::ORIGIN, radius_mm, angles, 0.3));
+        self.wanted.push(LabelRequest::along_arc(
+            label,
+            self.style.small_mm,
+            Point::ORIGIN,
+            radius_mm,
+            angles,
+            0.3,
+        ));
     }
 }

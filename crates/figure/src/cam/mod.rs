@@ -21,6 +21,22 @@ fn heading(scene: &Scene, otherwise: &str, lang: Lang) -> String {
 }
 
 /// Text at a given point.
-fn words_at(class: &str, at: Point, label: Label, size_mm: f64, anchor: Anchor, style: &Style) -> FigureItem {
-    FigureItem::new(class, Shape::Label { at, label: label.in_fonts(&style.fonts), size_mm, anchor, colour: Colour::BLACK })
+fn words_at(
+    class: &str,
+    at: Point,
+    label: Label,
+    size_mm: f64,
+    anchor: Anchor,
+    style: &Style,
+) -> FigureItem {
+    FigureItem::new(
+        class,
+        Shape::Label {
+            at,
+            label: label.in_fonts(&style.fonts),
+            size_mm,
+            anchor,
+            colour: Colour::BLACK,
+        },
+    )
 }

@@ -43,7 +43,11 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     let height_mm = ABOVE_MM + 3.0 * PLOT_MM[1] + 2.0 * BETWEEN_MM + BELOW_MM;
     let title = heading(report.scene, tr(lang, "motion of the follower", "从动件运动线图"), lang);
     // A long title widens the paper.
-    let title_mm = text::set(&Label::text(title.as_str()).in_fonts(&style.fonts)).width_em * style.caption_mm * 4.0 / 3.0 + 2.0 * RIGHT_MM;
+    let title_mm = text::set(&Label::text(title.as_str()).in_fonts(&style.fonts)).width_em
+        * style.caption_mm
+        * 4.0
+        / 3.0
+        + 2.0 * RIGHT_MM;
     let width_mm = (LEFT_MM + PLOT_MM[0] + RIGHT_MM).max(title_mm);
     let left = LEFT_MM + (width_mm - LEFT_MM - PLOT_MM[0] - RIGHT_MM) / 2.0;
     let mut items = vec![words_at(
@@ -58,8 +62,14 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     let mut said = Vec::new();
     for (k, kept) in panels(report).iter().enumerate() {
         let top = height_mm - ABOVE_MM - k as f64 * (PLOT_MM[1] + BETWEEN_MM);
-        let frame = Rect::new(Point::new(left, top - PLOT_MM[1]), Point::new(left + PLOT_MM[0], top));
-        let mut plot = Plot::new(format!("cam-{}", kept.symbol), style, frame, [x.clone(), axis(report, kept)]);
+        let frame =
+            Rect::new(Point::new(left, top - PLOT_MM[1]), Point::new(left + PLOT_MM[0], top));
+        let mut plot = Plot::new(
+            format!("cam-{}", kept.symbol),
+            style,
+            frame,
+            [x.clone(), axis(report, kept)],
+        );
         let below = (k == 2).then(|| Label::math(over("\\varphi", "\\degree")));
         plot.axes(below, Label::math(over(kept.symbol, &kept.unit)));
         if k == 0 {
@@ -68,14 +78,28 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
         line(&mut plot, report, kept);
         shocks(&mut plot, report, kept, lang, &mut said);
         extremes(&mut plot, report, kept, &mut said);
-        let bounds = Rect::new(frame.min - Vec2::new(0.0, 1.0), frame.max + Vec2::new(0.0, BETWEEN_MM / 2.0));
+        let bounds = Rect::new(
+            frame.min - Vec2::new(0.0, 1.0),
+            frame.max + Vec2::new(0.0, BETWEEN_MM / 2.0),
+        );
         items.extend(plot.finish(bounds));
     }
     let desc = match lang {
-        Lang::En => format!("Displacement, velocity and acceleration of the follower over a turn of the cam. {}.", said.join("; ")),
+        Lang::En => format!(
+            "Displacement, velocity and acceleration of the follower over a turn of the cam. {}.",
+            said.join("; ")
+        ),
         Lang::Zh => format!("凸轮转一周时从动件的位移、速度和加速度。{}。", said.join("；")),
     };
-    let mut figure = Figure { width_mm, height_mm, title, desc, lang: words(lang).tag.into(), paper: Colour::WHITE, items };
+    let mut figure = Figure {
+        width_mm,
+        height_mm,
+        title,
+        desc,
+        lang: words(lang).tag.into(),
+        paper: Colour::WHITE,
+        items,
+    };
     style.palette.paint(&mut figure);
     figure
 }
@@ -97,7 +121,8 @@ fn panels(report: &Report) -> [DerivativePlot; 3] {
             }
         }
     };
-    let kinds = if swings { [Kind::Omega, Kind::Alpha] } else { [Kind::Velocity, Kind::Acceleration] };
+    let kinds =
+        if swings { [Kind::Omega, Kind::Alpha] } else { [Kind::Velocity, Kind::Acceleration] };
     let [v, a] = kinds.map(one);
     let kept = |order, symbol, (unit, factor)| DerivativePlot { order, symbol, unit, factor };
     if omega == 0.0 {
@@ -106,7 +131,11 @@ fn panels(report: &Report) -> [DerivativePlot; 3] {
         return [kept(0, "s", lift), kept(1, "s′", ds), kept(2, "s″", dds)];
     }
     let names = if swings { ["ψ", "ω", "α"] } else { ["s", "v", "a"] };
-    [kept(0, names[0], lift), kept(1, names[1], (v.0, v.1 * omega)), kept(2, names[2], (a.0, a.1 * omega * omega))]
+    [
+        kept(0, names[0], lift),
+        kept(1, names[1], (v.0, v.1 * omega)),
+        kept(2, names[2], (a.0, a.1 * omega * omega)),
+    ]
 }
 
 impl DerivativePlot {
@@ -118,7 +147,11 @@ impl DerivativePlot {
 
 fn axis(report: &Report, kept: &DerivativePlot) -> PlotAxis {
     let samples = round(&report.turning.disc, STEPS);
-    let mut values: Vec<f64> = samples.into_iter().filter_map(|(phi, side)| kept.at(report, phi, side)).chain([0.0]).collect();
+    let mut values: Vec<f64> = samples
+        .into_iter()
+        .filter_map(|(phi, side)| kept.at(report, phi, side))
+        .chain([0.0])
+        .collect();
     let most = values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
     // Values within rounding error are zero.
     values.iter_mut().filter(|v| v.abs() < 1e-12 * most).for_each(|v| *v = 0.0);
@@ -128,14 +161,23 @@ fn axis(report: &Report, kept: &DerivativePlot) -> PlotAxis {
 /// Draws the line, broken at jumps.
 fn line(plot: &mut Plot, report: &Report, kept: &DerivativePlot) {
     let mut run: Vec<Point> = Vec::new();
-    let jumps: Vec<f64> = report.survey.jumps.iter().filter(|j| order(j.shock) == kept.order).map(|j| in_turn(j.phi)).collect();
+    let jumps: Vec<f64> = report
+        .survey
+        .jumps
+        .iter()
+        .filter(|j| order(j.shock) == kept.order)
+        .map(|j| in_turn(j.phi))
+        .collect();
     let mut runs = Vec::new();
     for (phi, side) in round(&report.turning.disc, STEPS) {
         let Some(value) = kept.at(report, phi, side) else {
             runs.push(std::mem::take(&mut run));
             continue;
         };
-        let jumps_here = jumps.iter().any(|j| (in_turn(phi) - j).abs() < 1e-9 || (in_turn(phi) - j).abs() > std::f64::consts::TAU - 1e-9);
+        let jumps_here = jumps.iter().any(|j| {
+            (in_turn(phi) - j).abs() < 1e-9
+                || (in_turn(phi) - j).abs() > std::f64::consts::TAU - 1e-9
+        });
         if jumps_here && side == PieceSide::After && !run.is_empty() {
             let last = run[run.len() - 1];
             runs.push(std::mem::take(&mut run));
@@ -148,13 +190,23 @@ fn line(plot: &mut Plot, report: &Report, kept: &DerivativePlot) {
     }
     runs.push(run);
     // A jump at the start of the turn is drawn at both ends.
-    let ends = [(0.0, PieceSide::After), (std::f64::consts::TAU, PieceSide::Before)].map(|(phi, side)| kept.at(report, phi, side));
+    let ends = [(0.0, PieceSide::After), (std::f64::consts::TAU, PieceSide::Before)]
+        .map(|(phi, side)| kept.at(report, phi, side));
     if let ([Some(first), Some(last)], true) = (ends, jumps.iter().any(|j| *j < 1e-9)) {
-        plot.line("jump", plot.at(0.0, first), plot.at(0.0, last), plot.style.thin.dashed(Dash::Dashed));
+        plot.line(
+            "jump",
+            plot.at(0.0, first),
+            plot.at(0.0, last),
+            plot.style.thin.dashed(Dash::Dashed),
+        );
     }
     let stroke = plot.style.vector;
     for points in runs.into_iter().filter(|r| r.len() > 1) {
-        plot.draw("curve", Shape::Polyline { points, closed: false, stroke: Some(stroke), fill: None }, Some(report.cam.follower.0));
+        plot.draw(
+            "curve",
+            Shape::Polyline { points, closed: false, stroke: Some(stroke), fill: None },
+            Some(report.cam.follower.0),
+        );
     }
 }
 
@@ -168,7 +220,13 @@ fn order(shock: Shock) -> usize {
 
 /// Marks the shocks in the plot of the acceleration: a soft shock at the middle of its jump, a
 /// rigid one (infinite acceleration) by an arrow from the zero line.
-fn shocks(plot: &mut Plot, report: &Report, kept: &DerivativePlot, lang: Lang, said: &mut Vec<String>) {
+fn shocks(
+    plot: &mut Plot,
+    report: &Report,
+    kept: &DerivativePlot,
+    lang: Lang,
+    said: &mut Vec<String>,
+) {
     if kept.order != 2 {
         return;
     }
@@ -183,16 +241,42 @@ fn shocks(plot: &mut Plot, report: &Report, kept: &DerivativePlot, lang: Lang, s
             Shock::Rigid => {
                 let up = j.sides[1] > j.sides[0];
                 let zero = plot.at(phi, 0.0);
-                let end = Point::new(zero.x, if up { plot.frame.max.y - 1.0 } else { plot.frame.min.y + 1.0 });
-                plot.draw("shock", Shape::Arrow { from: zero, to: end, stroke: style.thin, head: style.thin_head }, None);
-                (end, if up { tr(lang, "rigid: +∞", "刚性：+∞") } else { tr(lang, "rigid: −∞", "刚性：−∞") })
+                let end = Point::new(
+                    zero.x,
+                    if up { plot.frame.max.y - 1.0 } else { plot.frame.min.y + 1.0 },
+                );
+                plot.draw(
+                    "shock",
+                    Shape::Arrow { from: zero, to: end, stroke: style.thin, head: style.thin_head },
+                    None,
+                );
+                (
+                    end,
+                    if up {
+                        tr(lang, "rigid: +∞", "刚性：+∞")
+                    } else {
+                        tr(lang, "rigid: −∞", "刚性：−∞")
+                    },
+                )
             }
         };
         said.push(format!("{text} {}°", number(phi, DIGITS)));
-        let dot =
-            Shape::Circle { centre: at, radius_mm: 1.3 * style.dot_radius_mm, stroke: Some(style.outline), fill: Some(Colour::WHITE) };
+        let dot = Shape::Circle {
+            centre: at,
+            radius_mm: 1.3 * style.dot_radius_mm,
+            stroke: Some(style.outline),
+            fill: Some(Colour::WHITE),
+        };
         plot.draw("shock", dot, None);
-        plot.label(LabelRequest::at_point(Label::text(text), style.small_mm, at, 1.6 * style.dot_radius_mm), None);
+        plot.label(
+            LabelRequest::at_point(
+                Label::text(text),
+                style.small_mm,
+                at,
+                1.6 * style.dot_radius_mm,
+            ),
+            None,
+        );
     }
 }
 
@@ -210,7 +294,8 @@ fn extremes(plot: &mut Plot, report: &Report, kept: &DerivativePlot, said: &mut 
         1 => s.velocity.to_vec(),
         _ => s.acceleration.to_vec(),
     };
-    let mut marks: Vec<(f64, f64)> = found.into_iter().map(|(phi, v)| (phi.to_degrees(), v * kept.factor)).collect();
+    let mut marks: Vec<(f64, f64)> =
+        found.into_iter().map(|(phi, v)| (phi.to_degrees(), v * kept.factor)).collect();
     if kept.order == 0 {
         // The stroke, marked at the end of the rise.
         let top = s.phases.iter().find(|p| p.way == 1).map_or(0.0, |p| p.to);
@@ -219,11 +304,28 @@ fn extremes(plot: &mut Plot, report: &Report, kept: &DerivativePlot, said: &mut 
     marks.dedup();
     for (phi, value) in marks {
         let at = plot.at(phi, value);
-        said.push(format!("{} = {} ({}°)", kept.symbol, number(value, DIGITS), number(phi, DIGITS)));
-        let dot = Shape::Circle { centre: at, radius_mm: style.dot_radius_mm, stroke: None, fill: Some(Colour::BLACK) };
+        said.push(format!(
+            "{} = {} ({}°)",
+            kept.symbol,
+            number(value, DIGITS),
+            number(phi, DIGITS)
+        ));
+        let dot = Shape::Circle {
+            centre: at,
+            radius_mm: style.dot_radius_mm,
+            stroke: None,
+            fill: Some(Colour::BLACK),
+        };
         plot.draw("extreme", dot, None);
-        let text = if kept.order == 0 { format!("h = {}", number(value, DIGITS)) } else { number(value, DIGITS) };
-        plot.label(LabelRequest::at_point(Label::math(text), style.small_mm, at, style.dot_radius_mm), None);
+        let text = if kept.order == 0 {
+            format!("h = {}", number(value, DIGITS))
+        } else {
+            number(value, DIGITS)
+        };
+        plot.label(
+            LabelRequest::at_point(Label::math(text), style.small_mm, at, style.dot_radius_mm),
+            None,
+        );
     }
 }
 
@@ -249,13 +351,19 @@ fn stages(plot: &mut Plot, report: &Report, lang: Lang) {
         // A stage across the start of the turn has its text at its longer piece.
         let turn = std::f64::consts::TAU;
         let (from, to) = (p.from, p.to);
-        let pieces = if to > turn + 1e-9 { vec![(from, turn), (0.0, to - turn)] } else { vec![(from, to)] };
+        let pieces =
+            if to > turn + 1e-9 { vec![(from, turn), (0.0, to - turn)] } else { vec![(from, to)] };
         let longest = pieces.iter().copied().max_by(|a, b| (a.1 - a.0).total_cmp(&(b.1 - b.0)));
         for &(from, to) in &pieces {
             let [a, b] = [from, to].map(|phi| Point::new(plot.at(phi.to_degrees(), 0.0).x, y));
             plot.line("stage", a, b, style.thin);
             for end in [a, b] {
-                plot.line("stage", end - Vec2::new(0.0, 1.5), end + Vec2::new(0.0, 1.5), style.thin);
+                plot.line(
+                    "stage",
+                    end - Vec2::new(0.0, 1.5),
+                    end + Vec2::new(0.0, 1.5),
+                    style.thin,
+                );
             }
             if longest == Some((from, to)) {
                 let degrees = shortest((p.to - p.from).to_degrees());
@@ -264,7 +372,13 @@ fn stages(plot: &mut Plot, report: &Report, lang: Lang) {
                 let middle = Point::new(0.5 * (a.x + b.x), y + 1.6);
                 let formula = hodograph_paper::paper::text::set(&text).width_em * style.small_mm;
                 if wide > formula + 14.0 {
-                    plot.words("stage", middle, text.then(Label::text(format!("  {words}"))), style.small_mm, Anchor::Middle);
+                    plot.words(
+                        "stage",
+                        middle,
+                        text.then(Label::text(format!("  {words}"))),
+                        style.small_mm,
+                        Anchor::Middle,
+                    );
                 } else if wide > formula + 2.0 {
                     plot.words("stage", middle, text, style.small_mm, Anchor::Middle);
                 } else if wide > 6.0 {

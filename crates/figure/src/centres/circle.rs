@@ -1,5 +1,5 @@
-//! The circle diagram (瞬心多边形): links as points on a circle, a chord for each centre. Chords of
-//! the pairs are solid; those of the other centres are dashed and numbered in the order in which the
+//! The circle diagram (瞬心多边形): links as points on a circle, a chord for each centre. Chords of the
+//! pairs are solid; those of the other centres are dashed and numbered in the order in which the
 //! centres are found. A list beside the circle gives the lines that find them.
 
 use crate::list::FigureInput;
@@ -48,13 +48,21 @@ fn drawn(w: &FigureInput, found: &Centres, stepped: bool) -> DrawingPart {
     let mut items = diagram.items;
     let right = diagram.bounds.max.x + GAP_MM;
     items.extend(list(w, found, Point::new(right, diagram.bounds.max.y), stepped));
-    DrawingPart { placements: diagram.placements, left_out: diagram.left_out, ..DrawingPart::of(items) }
+    DrawingPart {
+        placements: diagram.placements,
+        left_out: diagram.left_out,
+        ..DrawingPart::of(items)
+    }
 }
 
 /// The centres that are not of a pair, numbered from 1, each with its index in the order of
 /// finding.
 fn numbered(found: &Centres) -> impl Iterator<Item = (usize, (usize, &Centre))> {
-    let later = found.list.iter().enumerate().filter(|(_, c)| !matches!(c.step.how, CentreMethod::Primary(_)));
+    let later = found
+        .list
+        .iter()
+        .enumerate()
+        .filter(|(_, c)| !matches!(c.step.how, CentreMethod::Primary(_)));
     later.enumerate().map(|(k, (place, c))| (place, (k + 1, c)))
 }
 
@@ -66,7 +74,12 @@ fn class(word: &str, stepped: bool, place: usize) -> String {
 /// A number in a disc.
 fn badge(style: &Style, at: Point, k: usize) -> Vec<FigureItem> {
     let size_mm = style.small_mm * NUMBER_PART;
-    let disc = Shape::Circle { centre: at, radius_mm: radius_of_badge(style), stroke: Some(style.thin), fill: Some(Colour::WHITE) };
+    let disc = Shape::Circle {
+        centre: at,
+        radius_mm: radius_of_badge(style),
+        stroke: Some(style.thin),
+        fill: Some(Colour::WHITE),
+    };
     // Digits are about two thirds of their em tall.
     let label = Label::math(k.to_string()).in_fonts(&style.fonts);
     let at = Point::new(at.x, at.y - size_mm / 3.0);
@@ -92,7 +105,8 @@ fn stations(chords: &[(Point, Point)], numbered: &[usize], disc_mm: f64) -> Vec<
     for k in numbered {
         let (a, b) = chords[*k];
         let worth = |p: Point| {
-            let others = chords.iter().enumerate().filter(|(l, _)| l != k).map(|(_, c)| distance(p, *c));
+            let others =
+                chords.iter().enumerate().filter(|(l, _)| l != k).map(|(_, c)| distance(p, *c));
             let numbers = placed.iter().map(|q| (p.distance(*q) - disc_mm) / 1.5);
             // A distance of one and a half discs from all others is enough.
             others.chain(numbers).fold(1.5 * disc_mm, f64::min)
@@ -116,8 +130,12 @@ fn chords(w: &FigureInput, found: &Centres, stepped: bool) -> DrawingPart {
         on_circle(Point::ORIGIN, radius, FRAC_PI_2 - TAU * k as f64 / n)
     };
     let mut d = Drawing::new("circle", style.clone());
-    let outline =
-        Shape::Circle { centre: Point::ORIGIN, radius_mm: radius, stroke: Some(style.thin.coloured(Colour::grey(170))), fill: None };
+    let outline = Shape::Circle {
+        centre: Point::ORIGIN,
+        radius_mm: radius,
+        stroke: Some(style.thin.coloured(Colour::grey(170))),
+        fill: None,
+    };
     d.frame("circle", "circle", outline);
     let chord = |c: &Centre| (at(c.step.pair.i), at(c.step.pair.j));
     for (place, c) in found.list.iter().enumerate() {
@@ -127,12 +145,24 @@ fn chords(w: &FigureInput, found: &Centres, stepped: bool) -> DrawingPart {
             CentreMethod::Lines(_) => ("chord found", style.thin.dashed(Dash::Dashed)),
             CentreMethod::Velocities => ("chord velocities", style.thin.dashed(Dash::DashDot)),
         };
-        d.shape(&format!("chord-{}", c.step.pair.name(w.scene)), &class(word, stepped, place), Shape::Line { from, to, stroke });
+        d.shape(
+            &format!("chord-{}", c.step.pair.name(w.scene)),
+            &class(word, stepped, place),
+            Shape::Line { from, to, stroke },
+        );
     }
     let chords: Vec<(Point, Point)> = found.list.iter().map(chord).collect();
-    let later: Vec<usize> = (0..chords.len()).filter(|k| !matches!(found.list[*k].step.how, CentreMethod::Primary(_))).collect();
-    for ((k, at), place) in stations(&chords, &later, radius_of_badge(style)).into_iter().enumerate().zip(&later) {
-        d.draw(&format!("order-{}", k + 1), class("", stepped, *place).trim(), badge(style, at, k + 1));
+    let later: Vec<usize> = (0..chords.len())
+        .filter(|k| !matches!(found.list[*k].step.how, CentreMethod::Primary(_)))
+        .collect();
+    for ((k, at), place) in
+        stations(&chords, &later, radius_of_badge(style)).into_iter().enumerate().zip(&later)
+    {
+        d.draw(
+            &format!("order-{}", k + 1),
+            class("", stepped, *place).trim(),
+            badge(style, at, k + 1),
+        );
     }
     for l in links {
         let place = at(*l);
@@ -140,7 +170,14 @@ fn chords(w: &FigureInput, found: &Centres, stepped: bool) -> DrawingPart {
         d.draw(&format!("node-{name}"), "node", sym::dot(style, place));
         let text = name_label(name);
         let outward: Vec2 = place - Point::ORIGIN;
-        d.label_at(&format!("node-{name}"), "node", &text, place, style.dot_radius_mm, Some(outward));
+        d.label_at(
+            &format!("node-{name}"),
+            "node",
+            &text,
+            place,
+            style.dot_radius_mm,
+            Some(outward),
+        );
     }
     d.finish()
 }
@@ -162,11 +199,16 @@ fn list(w: &FigureInput, found: &Centres, corner: Point, stepped: bool) -> Vec<F
         }
         let row = (k - 1) % per_column.max(1);
         let by = if c.step.how == CentreMethod::Velocities { ": " } else { " = " };
-        let text = Label::math(symbol(w.scene, c.step.pair)).then(Label::text(by)).then(words.found_by(c).label());
+        let text = Label::math(symbol(w.scene, c.step.pair))
+            .then(Label::text(by))
+            .then(words.found_by(c).label());
         let base = Point::new(left, corner.y - line * (row as f64 + 1.0));
         let disc = radius_of_badge(style);
         let mut number = badge(style, base + Vec2::new(disc, style.small_mm * 0.25), k);
-        number.iter_mut().enumerate().for_each(|(part, item)| item.id = format!("circle-list-{k}-number-{part}"));
+        number
+            .iter_mut()
+            .enumerate()
+            .for_each(|(part, item)| item.id = format!("circle-list-{k}-number-{part}"));
         if stepped {
             tag(&mut number, &format!("step-{place}"));
         }
@@ -178,7 +220,10 @@ fn list(w: &FigureInput, found: &Centres, corner: Point, stepped: bool) -> Vec<F
             anchor: Anchor::Start,
             colour: Colour::BLACK,
         };
-        items.push(FigureItem::new(class("circle list", stepped, place), shape).with_id(format!("circle-list-{k}")));
+        items.push(
+            FigureItem::new(class("circle list", stepped, place), shape)
+                .with_id(format!("circle-list-{k}")),
+        );
     }
     items
 }

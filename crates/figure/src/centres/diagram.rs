@@ -45,7 +45,13 @@ pub fn stepped(w: &FigureInput, found: &Centres, reach_mm: f64) -> DrawingPart {
     drawn(w, found, &CentrePlate::default(), reach_mm, true)
 }
 
-fn drawn(w: &FigureInput, found: &Centres, plate: &CentrePlate, reach_mm: f64, stepped: bool) -> DrawingPart {
+fn drawn(
+    w: &FigureInput,
+    found: &Centres,
+    plate: &CentrePlate,
+    reach_mm: f64,
+    stepped: bool,
+) -> DrawingPart {
     let (style, scene) = (&w.options.style, w.scene);
     let diagram = &w.worked.construction.diagram;
     let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu)).to_point();
@@ -53,7 +59,15 @@ fn drawn(w: &FigureInput, found: &Centres, plate: &CentrePlate, reach_mm: f64, s
     let lines = d.bounds();
     let window = window(found, plate, (lines, reach_mm), &to_paper);
     let paper = CentrePaper { found, to_paper: &to_paper, window };
-    let mut over = CentreOverlay { w, found, paper: &paper, d: &mut d, plate, stepped, labelled: vec![false; found.list.len()] };
+    let mut over = CentreOverlay {
+        w,
+        found,
+        paper: &paper,
+        d: &mut d,
+        plate,
+        stepped,
+        labelled: vec![false; found.list.len()],
+    };
     over.lines();
     over.normals();
     over.spots();
@@ -62,9 +76,15 @@ fn drawn(w: &FigureInput, found: &Centres, plate: &CentrePlate, reach_mm: f64, s
 }
 
 /// The part of the paper that is used: the mechanism, and all centres near it.
-fn window(found: &Centres, plate: &CentrePlate, (lines, reach_mm): (Rect, f64), to_paper: &dyn Fn(Point) -> Point) -> Rect {
+fn window(
+    found: &Centres,
+    plate: &CentrePlate,
+    (lines, reach_mm): (Rect, f64),
+    to_paper: &dyn Fn(Point) -> Point,
+) -> Rect {
     let reach = lines.grown(reach_mm);
-    let shown = found.list.iter().enumerate().filter(|(k, _)| plate.shows(found, *k)).map(|(_, c)| c);
+    let shown =
+        found.list.iter().enumerate().filter(|(k, _)| plate.shows(found, *k)).map(|(_, c)| c);
     let near = shown.filter_map(|c| Some(to_paper(c.place?.point()?))).filter(|p| holds(reach, *p));
     near.fold(lines, |all, p| all.union(Rect::new(p, p))).grown(EDGE_MM)
 }
@@ -92,12 +112,18 @@ impl CentreOverlay<'_, '_> {
         let rays = self.paper.rays(self.plate);
         let thin = self.w.options.style.thin.coloured(LINES);
         let mut owners = Vec::new();
-        let classes: Vec<String> =
-            rays.iter().map(|ray| self.class(if ray.normal { "centre normal" } else { "centre line" }, ray.by)).collect();
+        let classes: Vec<String> = rays
+            .iter()
+            .map(|ray| self.class(if ray.normal { "centre normal" } else { "centre line" }, ray.by))
+            .collect();
         self.d.behind(|d| {
             for (ray, class) in rays.iter().zip(&classes) {
                 let stroke = if ray.normal { thin.dashed(Dash::DashDot) } else { thin };
-                owners.push(d.shape("kennedy", class, Shape::Line { from: ray.from, to: ray.to, stroke }));
+                owners.push(d.shape(
+                    "kennedy",
+                    class,
+                    Shape::Line { from: ray.from, to: ray.to, stroke },
+                ));
             }
         });
         for (ray, owner) in rays.iter().zip(owners) {
@@ -111,8 +137,13 @@ impl CentreOverlay<'_, '_> {
         let style = &self.w.options.style;
         let thin = style.thin.coloured(LINES).dashed(Dash::DashDot);
         for (k, c) in self.found.list.iter().enumerate().filter(|(k, _)| self.plate.finds(*k)) {
-            let (normal, velocity) = (self.class("centre normal", k), self.class("centre velocity", k));
-            let (Some(two), Some(CentreSpot::On(centre))) = (self.found.normals(c), self.paper.spot(c)) else { continue };
+            let (normal, velocity) =
+                (self.class("centre normal", k), self.class("centre velocity", k));
+            let (Some(two), Some(CentreSpot::On(centre))) =
+                (self.found.normals(c), self.paper.spot(c))
+            else {
+                continue;
+            };
             let longest = two.iter().map(|n| n.velocity.norm()).fold(0.0, f64::max);
             for n in two {
                 let at = (self.paper.to_paper)(n.at);
@@ -123,13 +154,25 @@ impl CentreOverlay<'_, '_> {
                         Shape::Line { from: at, to: centre, stroke: thin },
                     );
                 });
-                let (tip, name) = (at + n.velocity * (VELOCITY_MM / longest), name_label(self.w.scene.point_name(n.point)));
+                let (tip, name) = (
+                    at + n.velocity * (VELOCITY_MM / longest),
+                    name_label(self.w.scene.point_name(n.point)),
+                );
                 let stroke = style.vector;
                 let arrow = Shape::Arrow { from: at, to: tip, stroke, head: style.head };
                 let (point, mu) = (self.w.scene.point_name(n.point), longest / VELOCITY_MM);
-                let (key, shown) = (format!("vel-abs-{point}"), ShownQuantity::vector(format!("v_{point}"), at, tip, mu));
+                let (key, shown) = (
+                    format!("vel-abs-{point}"),
+                    ShownQuantity::vector(format!("v_{point}"), at, tip, mu),
+                );
                 let owner = self.d.vector(&key, &velocity, arrow, shown);
-                let request = LabelRequest::along(Label::math(format!("v_{{{name}}}")), style.small_mm, at, tip, stroke.width_mm / 2.0);
+                let request = LabelRequest::along(
+                    Label::math(format!("v_{{{name}}}")),
+                    style.small_mm,
+                    at,
+                    tip,
+                    stroke.width_mm / 2.0,
+                );
                 self.d.label(&key, &velocity, request.owned(owner));
             }
         }
@@ -148,7 +191,13 @@ impl CentreOverlay<'_, '_> {
 
     /// Draws the arrowhead at the edge, with the name of its centre and the step that draws it.
     /// With an `owner` the line is already drawn; without one the arrow has its own shaft.
-    fn arrow(&mut self, (k, step): (usize, usize), measured: Option<usize>, [base, to]: [Point; 2], owner: u32) {
+    fn arrow(
+        &mut self,
+        (k, step): (usize, usize),
+        measured: Option<usize>,
+        [base, to]: [Point; 2],
+        owner: u32,
+    ) {
         let class = self.class("centre far", step);
         let style = &self.w.options.style;
         let c = &self.found.list[k];
@@ -157,7 +206,11 @@ impl CentreOverlay<'_, '_> {
         let along = (to - base).unit().unwrap_or(Vec2::ZERO);
         // A shaft over the line would make the line darker.
         let from = if owner > 0 { to - along * style.thin_head.length_mm * 1.5 } else { base };
-        self.d.shape(&format!("to-{name}"), &class, Shape::Arrow { from, to, stroke, head: style.thin_head });
+        self.d.shape(
+            &format!("to-{name}"),
+            &class,
+            Shape::Arrow { from, to, stroke, head: style.thin_head },
+        );
         let again = std::mem::replace(&mut self.labelled[k], true);
         let label = self.far_label(c, measured.filter(|_| !again));
         let request = LabelRequest::along(label, style.small_mm, base, to, stroke.width_mm / 2.0);
@@ -168,7 +221,8 @@ impl CentreOverlay<'_, '_> {
     /// has the infinity sign.
     fn far_label(&self, c: &Centre, measured: Option<usize>) -> Label {
         let symbol = symbol(self.w.scene, c.step.pair);
-        let from = measured.and_then(|k| Some((&self.found.list[k], self.found.list[k].place?.point()?)));
+        let from =
+            measured.and_then(|k| Some((&self.found.list[k], self.found.list[k].place?.point()?)));
         match (c.place, from) {
             (Some(CentrePlace::Infinity(_)), _) => Label::math(format!("{symbol}^{{\\infty}}")),
             (Some(CentrePlace::At(p)), Some((other, from))) => {
@@ -190,7 +244,11 @@ impl CentreOverlay<'_, '_> {
         let style = &self.w.options.style;
         let mut places: Vec<(Point, Vec<usize>)> = Vec::new();
         for (k, c) in self.found.list.iter().enumerate() {
-            let Some(CentreSpot::On(at)) = self.paper.spot(c).filter(|_| self.plate.shows(self.found, k)) else { continue };
+            let Some(CentreSpot::On(at)) =
+                self.paper.spot(c).filter(|_| self.plate.shows(self.found, k))
+            else {
+                continue;
+            };
             match places.iter_mut().find(|(p, _)| p.distance(at) < SAME_MM) {
                 Some((_, members)) => members.push(k),
                 None => places.push((at, vec![k])),
@@ -198,9 +256,12 @@ impl CentreOverlay<'_, '_> {
         }
         for (at, members) in places {
             let of = |k: &usize| &self.found.list[*k];
-            let joint = members.iter().any(|k| matches!(of(k).step.how, CentreMethod::Primary(Primary::Pin(_))));
+            let joint = members
+                .iter()
+                .any(|k| matches!(of(k).step.how, CentreMethod::Primary(Primary::Pin(_))));
             let measured = members.iter().any(|k| of(k).step.how == CentreMethod::Velocities);
-            let names: Vec<String> = members.iter().map(|k| symbol(self.w.scene, of(k).step.pair)).collect();
+            let names: Vec<String> =
+                members.iter().map(|k| symbol(self.w.scene, of(k).step.pair)).collect();
             let name = of(&members[0]).step.pair.name(self.w.scene);
             let clear = if joint { style.pin_radius_mm } else { style.dot_radius_mm };
             let first = members[0];
@@ -211,17 +272,28 @@ impl CentreOverlay<'_, '_> {
                 if new {
                     self.d.draw(&name, &class, sym::dot(style, at));
                 } else {
-                    let dot = Shape::Circle { centre: at, radius_mm: style.dot_radius_mm, stroke: None, fill: Some(LINES) };
+                    let dot = Shape::Circle {
+                        centre: at,
+                        radius_mm: style.dot_radius_mm,
+                        stroke: None,
+                        fill: Some(LINES),
+                    };
                     self.d.shape(&name, "centre known", dot);
                 }
             }
             if measured {
                 // A ring marks a centre that no lines find.
-                let ring = Shape::Circle { centre: at, radius_mm: 2.0 * style.dot_radius_mm, stroke: Some(style.thin), fill: None };
+                let ring = Shape::Circle {
+                    centre: at,
+                    radius_mm: 2.0 * style.dot_radius_mm,
+                    stroke: Some(style.thin),
+                    fill: None,
+                };
                 self.d.shape(&format!("{name}-ring"), &class, ring);
             }
             let clear = if measured { 2.0 * style.dot_radius_mm } else { clear };
-            let request = LabelRequest::at_point(Label::math(names.join(", ")), style.small_mm, at, clear);
+            let request =
+                LabelRequest::at_point(Label::math(names.join(", ")), style.small_mm, at, clear);
             self.d.label(&name, &class, request);
             members.iter().for_each(|k| self.labelled[*k] = true);
         }
@@ -236,7 +308,10 @@ impl CentreOverlay<'_, '_> {
                 continue;
             }
             let Some(spot) = self.paper.spot(c) else { continue };
-            let at = self.anchor(c).filter(|p| holds(self.paper.window, *p)).unwrap_or(self.paper.window.centre());
+            let at = self
+                .anchor(c)
+                .filter(|p| holds(self.paper.window, *p))
+                .unwrap_or(self.paper.window.centre());
             let (from, to) = match spot {
                 CentreSpot::Infinite(u) => {
                     let up = if u.y >= 0.0 { u } else { -u };
@@ -262,18 +337,25 @@ impl CentreOverlay<'_, '_> {
     fn anchor(&self, c: &Centre) -> Option<Point> {
         let configuration = &self.found.worked.configuration;
         let at = match c.step.how {
-            CentreMethod::Primary(Primary::Slide(g)) => match (self.w.scene.guides[g.0].pin, configuration.guides[g.0]?) {
-                (Some(pin), _) => configuration.points[pin.0]?,
-                (None, Path::Line { through, .. }) => through,
-                (None, Path::Arc { centre, .. }) => centre,
-            },
+            CentreMethod::Primary(Primary::Slide(g)) => {
+                match (self.w.scene.guides[g.0].pin, configuration.guides[g.0]?) {
+                    (Some(pin), _) => configuration.points[pin.0]?,
+                    (None, Path::Line { through, .. }) => through,
+                    (None, Path::Arc { centre, .. }) => centre,
+                }
+            }
             CentreMethod::Primary(Primary::Cylinder(d)) => {
-                let [a, b] = self.w.scene.drivers[d].kind.ends()?.map(|p| configuration.points[p.0]);
+                let [a, b] =
+                    self.w.scene.drivers[d].kind.ends()?.map(|p| configuration.points[p.0]);
                 a? + (b? - a?) * 0.5
             }
             CentreMethod::Primary(Primary::Pin(p)) => configuration.points[p.0]?,
-            CentreMethod::Primary(Primary::Strand(r)) => configuration.points[self.w.scene.rolling[r.0].round()?[0].0]?,
-            CentreMethod::Primary(Primary::Contact(r)) => configuration.points[self.w.scene.rolling[r.0].at[0].0]?,
+            CentreMethod::Primary(Primary::Strand(r)) => {
+                configuration.points[self.w.scene.rolling[r.0].round()?[0].0]?
+            }
+            CentreMethod::Primary(Primary::Contact(r)) => {
+                configuration.points[self.w.scene.rolling[r.0].at[0].0]?
+            }
             CentreMethod::Lines(_) | CentreMethod::Velocities => return None,
         };
         Some((self.paper.to_paper)(at))

@@ -29,15 +29,22 @@ const MOST: usize = 12;
 const PER_PLATE: usize = 5;
 
 /// All centres with the circle diagram.
-pub const ENTRY: FigureEntry =
-    FigureEntry { name: "centres", about: ["The instantaneous centres, with the circle diagram", "速度瞬心及瞬心多边形"], draw };
+pub const ENTRY: FigureEntry = FigureEntry {
+    name: "centres",
+    about: ["The instantaneous centres, with the circle diagram", "速度瞬心及瞬心多边形"],
+    draw,
+};
 
 fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     let Warned { value: found, notes } = centres(w.scene)?;
     // The notes about the pose already appear with the scene's own questions.
     let notes = notes.into_iter().filter(|d| d.code.starts_with("centre-")).collect();
     let plates = plates(&found);
-    let pages = if plates.len() > 1 { parted(w, &found, plates) } else { page(ENTRY.name, Some(figure(w, &found)))?.value };
+    let pages = if plates.len() > 1 {
+        parted(w, &found, plates)
+    } else {
+        page(ENTRY.name, Some(figure(w, &found)))?.value
+    };
     Ok(Warned { value: pages, notes })
 }
 
@@ -50,19 +57,29 @@ pub fn stepped(w: &FigureInput, found: &Centres, reach_mm: f64) -> [DrawingPart;
 /// The centres that are found by lines, in their order, with only as many per drawing as keep its
 /// lines distinct.
 fn plates(found: &Centres) -> Vec<CentrePlate> {
-    let by_lines = |how: &CentreMethod| matches!(how, CentreMethod::Lines(_) | CentreMethod::Velocities);
+    let by_lines =
+        |how: &CentreMethod| matches!(how, CentreMethod::Lines(_) | CentreMethod::Velocities);
     // The list is in the order of finding.
-    let order: Vec<usize> = (0..found.list.len()).filter(|k| by_lines(&found.list[*k].step.how)).collect();
+    let order: Vec<usize> =
+        (0..found.list.len()).filter(|k| by_lines(&found.list[*k].step.how)).collect();
     if order.len() <= MOST {
         return vec![CentrePlate::default()];
     }
     let count = order.len().div_ceil(PER_PLATE);
-    order.chunks(order.len().div_ceil(count)).map(|c| CentrePlate { found: Some(c.to_vec()) }).collect()
+    order
+        .chunks(order.len().div_ceil(count))
+        .map(|c| CentrePlate { found: Some(c.to_vec()) })
+        .collect()
 }
 
 /// A page for each plate, and one for the circle diagram with the order of finding.
 fn parted(w: &FigureInput, found: &Centres, plates: Vec<CentrePlate>) -> Pages {
-    let maker = SheetDrafter { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
+    let maker = SheetDrafter {
+        scene: w.scene,
+        worked: w.worked,
+        options: w.options,
+        certified: Vec::new(),
+    };
     let words = maker.words();
     let (_, mu) = maker.caption(DiagramKind::Plane);
     let mut pages = Pages::new();
@@ -70,12 +87,20 @@ fn parted(w: &FigureInput, found: &Centres, plates: Vec<CentrePlate>) -> Pages {
     for (k, plate) in plates.iter().enumerate() {
         let last = first + plate.found.as_ref().map_or(0, Vec::len) - 1;
         let caption = format!("{} {first} – {last}", words.centres);
-        let part = maker.titled(diagram::part(w, found, plate), Label::text(caption), &mu, "centres");
-        pages.push((format!("{}-{}", ENTRY.name, k + 1), described(maker.alone(part), w, found, words.centres)));
+        let part =
+            maker.titled(diagram::part(w, found, plate), Label::text(caption), &mu, "centres");
+        pages.push((
+            format!("{}-{}", ENTRY.name, k + 1),
+            described(maker.alone(part), w, found, words.centres),
+        ));
         first = last + 1;
     }
-    let circle = maker.titled(circle::part(w, found), Label::text(words.circle_diagram), "", "circle");
-    pages.push((format!("{}-{}", ENTRY.name, plates.len() + 1), described(maker.alone(circle), w, found, words.circle_diagram)));
+    let circle =
+        maker.titled(circle::part(w, found), Label::text(words.circle_diagram), "", "circle");
+    pages.push((
+        format!("{}-{}", ENTRY.name, plates.len() + 1),
+        described(maker.alone(circle), w, found, words.circle_diagram),
+    ));
     pages
 }
 
@@ -86,14 +111,31 @@ fn described(mut figure: Figure, w: &FigureInput, found: &Centres, title: &str) 
 
 /// The figure: both drawings side by side, or one below the other.
 fn figure(w: &FigureInput, found: &Centres) -> Figure {
-    let maker = SheetDrafter { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
+    let maker = SheetDrafter {
+        scene: w.scene,
+        worked: w.worked,
+        options: w.options,
+        certified: Vec::new(),
+    };
     let words = maker.words();
     let (_, mu) = maker.caption(DiagramKind::Plane);
-    let first =
-        maker.titled(diagram::part(w, found, &CentrePlate::default()), Label::text(format!("(a) {}", words.centres)), &mu, "centres");
-    let second = maker.titled(circle::part(w, found), Label::text(format!("(b) {}", words.circle_diagram)), "", "circle");
+    let first = maker.titled(
+        diagram::part(w, found, &CentrePlate::default()),
+        Label::text(format!("(a) {}", words.centres)),
+        &mu,
+        "centres",
+    );
+    let second = maker.titled(
+        circle::part(w, found),
+        Label::text(format!("(b) {}", words.circle_diagram)),
+        "",
+        "circle",
+    );
     let mut parts = [first, second];
-    let trees = [Tree::row(vec![Tree::Leaf(0), Tree::Leaf(1)]), Tree::column(vec![Tree::Leaf(0), Tree::Leaf(1)])];
+    let trees = [
+        Tree::row(vec![Tree::Leaf(0), Tree::Leaf(1)]),
+        Tree::column(vec![Tree::Leaf(0), Tree::Leaf(1)]),
+    ];
     // The arrangement that fills a page best, portrait or landscape.
     let fits = |[w, h]: [f64; 2]| {
         let [a, b] = AIM_MM.map(|mm| mm - 2.0 * MARGIN_MM);
@@ -101,7 +143,12 @@ fn figure(w: &FigureInput, found: &Centres) -> Figure {
     };
     let [row, column] = trees.each_ref().map(|t| fits(t.size(&parts)));
     trees[usize::from(column > row)].put(&mut parts, Point::ORIGIN);
-    described(maker.alone(DrawingPart::of(parts.into_iter().flat_map(|p| p.items).collect())), w, found, words.centres)
+    described(
+        maker.alone(DrawingPart::of(parts.into_iter().flat_map(|p| p.items).collect())),
+        w,
+        found,
+        words.centres,
+    )
 }
 
 /// The name of a centre in the label language: `P_{24}`.

@@ -49,7 +49,9 @@ impl CentrePlate {
             Some(Origin::Crossing(lines)) => {
                 let pair = found.list[*f].step.pair;
                 let through = |line: &CentreLocus| match line {
-                    CentreLocus::Through(link) => [pair.i, pair.j].iter().any(|l| found.closure.pair(*l, *link) == own),
+                    CentreLocus::Through(link) => {
+                        [pair.i, pair.j].iter().any(|l| found.closure.pair(*l, *link) == own)
+                    }
                     CentreLocus::Normal(_) | CentreLocus::Infinity => false,
                 };
                 lines.iter().any(through)
@@ -129,7 +131,9 @@ impl CentrePaper<'_> {
     /// A line of a centre, with the centres on it.
     fn drawn(&self, k: usize, c: &Centre, line: CentreLocus) -> Option<DrawnRay> {
         let pair = c.step.pair;
-        let index = |a, b| self.found.list.iter().position(|o| o.step.pair == self.found.closure.pair(a, b));
+        let index = |a, b| {
+            self.found.list.iter().position(|o| o.step.pair == self.found.closure.pair(a, b))
+        };
         match line {
             CentreLocus::Through(link) => {
                 let members = vec![index(pair.i, link)?, index(link, pair.j)?, k];
@@ -150,11 +154,23 @@ impl CentrePaper<'_> {
                     let middle = self.window.centre();
                     p.distance(middle).total_cmp(&q.distance(middle))
                 })?;
-                Some(DrawnRay { through: nearest, along: direction.unit()?, members, normal: false, by: k })
+                Some(DrawnRay {
+                    through: nearest,
+                    along: direction.unit()?,
+                    members,
+                    normal: false,
+                    by: k,
+                })
             }
             CentreLocus::Normal(g) => {
                 let [pin, along] = self.normal(g)?;
-                Some(DrawnRay { through: pin.to_point(), along, members: vec![k], normal: true, by: k })
+                Some(DrawnRay {
+                    through: pin.to_point(),
+                    along,
+                    members: vec![k],
+                    normal: true,
+                    by: k,
+                })
             }
             CentreLocus::Infinity => None,
         }
@@ -175,12 +191,15 @@ impl CentrePaper<'_> {
     fn ray(&self, line: &DrawnRay) -> Option<CentreRay> {
         let [low, high] = clipped(self.window, line.through, line.along)?;
         let position = |p: Point| (p - line.through).dot(line.along);
-        let (mut first, mut last) = if line.normal { (0.0, 0.0) } else { (f64::INFINITY, f64::NEG_INFINITY) };
+        let (mut first, mut last) =
+            if line.normal { (0.0, 0.0) } else { (f64::INFINITY, f64::NEG_INFINITY) };
         let mut ends: [Option<usize>; 2] = [None, None];
         let mut infinite = None;
         for k in &line.members {
             match self.spot(&self.found.list[*k])? {
-                CentreSpot::On(p) => (first, last) = (first.min(position(p)), last.max(position(p))),
+                CentreSpot::On(p) => {
+                    (first, last) = (first.min(position(p)), last.max(position(p)))
+                }
                 CentreSpot::Off(p) => ends[usize::from(position(p) > 0.0)] = Some(*k),
                 CentreSpot::Infinite(_) => infinite = Some(*k),
             }
@@ -197,12 +216,29 @@ impl CentrePaper<'_> {
             if ends[1].is_some() { high } else { (last + BEYOND_MM).min(high) },
         );
         let at = |t: f64| line.through + line.along * t;
-        let measured = line.members.iter().copied().filter(|k| matches!(self.spot(&self.found.list[*k]), Some(CentreSpot::On(_)))).min();
-        let arrow = |(k, tip, last): (Option<usize>, f64, f64)| Some(RayArrow { tip: at(tip), last: at(last), to: k?, from: measured });
+        let measured = line
+            .members
+            .iter()
+            .copied()
+            .filter(|k| matches!(self.spot(&self.found.list[*k]), Some(CentreSpot::On(_))))
+            .min();
+        let arrow = |(k, tip, last): (Option<usize>, f64, f64)| {
+            Some(RayArrow { tip: at(tip), last: at(last), to: k?, from: measured })
+        };
         // A line without a centre on the paper runs from edge to edge.
-        let (before, behind) = if measured.is_some() || line.normal { (first, last) } else { (to, from) };
-        let arrows = [(ends[0], from, before), (ends[1], to, behind)].into_iter().filter_map(arrow).collect();
-        (to > from).then(|| CentreRay { from: at(from), to: at(to), normal: line.normal, by: line.by, arrows })
+        let (before, behind) =
+            if measured.is_some() || line.normal { (first, last) } else { (to, from) };
+        let arrows = [(ends[0], from, before), (ends[1], to, behind)]
+            .into_iter()
+            .filter_map(arrow)
+            .collect();
+        (to > from).then(|| CentreRay {
+            from: at(from),
+            to: at(to),
+            normal: line.normal,
+            by: line.by,
+            arrows,
+        })
     }
 }
 
@@ -221,7 +257,9 @@ impl DrawnRay {
     /// True if both lines coincide on the paper.
     fn is(&self, other: &DrawnRay, window: Rect) -> bool {
         let Some([low, high]) = clipped(window, other.through, other.along) else { return false };
-        [low, high].iter().all(|t| self.along.cross(other.through + other.along * *t - self.through).abs() < SAME_MM)
+        [low, high].iter().all(|t| {
+            self.along.cross(other.through + other.along * *t - self.through).abs() < SAME_MM
+        })
     }
 }
 
@@ -234,7 +272,10 @@ pub fn holds(window: Rect, p: Point) -> bool {
 /// the line misses the paper.
 pub fn clipped(window: Rect, through: Point, along: Vec2) -> Option<[f64; 2]> {
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-    for (at, step, min, max) in [(through.x, along.x, window.min.x, window.max.x), (through.y, along.y, window.min.y, window.max.y)] {
+    for (at, step, min, max) in [
+        (through.x, along.x, window.min.x, window.max.x),
+        (through.y, along.y, window.min.y, window.max.y),
+    ] {
         if step == 0.0 {
             if !(min..=max).contains(&at) {
                 return None;

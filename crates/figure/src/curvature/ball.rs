@@ -38,11 +38,14 @@ impl CurvatureOverlay<'_, '_> {
             for side in [on_tangent, on_normal] {
                 self.segment("ball-rectangle", [side, corner], Dash::Dashed);
             }
-            let name = self.words.below(self.words.corner(), known.why.moving().unwrap_or(PointId(0)));
+            let name =
+                self.words.below(self.words.corner(), known.why.moving().unwrap_or(PointId(0)));
             self.spot(&name, corner);
         }
         let [g, h] = ball.corners.map(|p| self.at(p));
-        let [crossing, foot, at, j, pole] = [ball.crossing, ball.on_tangent, ball.at, rays.inflection, rays.pole].map(|p| self.at(p));
+        let [crossing, foot, at, j, pole] =
+            [ball.crossing, ball.on_tangent, ball.at, rays.inflection, rays.pole]
+                .map(|p| self.at(p));
         self.chain("ball-line", &[g, h, crossing]);
         self.chain("ball-parallel", &[j, crossing]);
         self.segment("ball-foot", [crossing, foot], Dash::Dashed);
@@ -59,7 +62,11 @@ impl CurvatureOverlay<'_, '_> {
         let way = on_tangent - pole;
         let drawn = self.half_tangent();
         if way.norm() > drawn {
-            self.segment("ball-tangent", [pole + way * (drawn / way.norm()), on_tangent], Dash::DashDot);
+            self.segment(
+                "ball-tangent",
+                [pole + way * (drawn / way.norm()), on_tangent],
+                Dash::DashDot,
+            );
         }
     }
 

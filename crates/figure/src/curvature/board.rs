@@ -69,7 +69,13 @@ impl<'a> CurvatureBoard<'a> {
 
     /// Draws a line between two points behind the mechanism; returns its owner for labels (0 if
     /// `ends` is `None`).
-    pub fn line(&mut self, name: &str, class: &str, ends: Option<[Point; 2]>, stroke: LineStroke) -> u32 {
+    pub fn line(
+        &mut self,
+        name: &str,
+        class: &str,
+        ends: Option<[Point; 2]>,
+        stroke: LineStroke,
+    ) -> u32 {
         let Some([from, to]) = ends else { return 0 };
         let mut owner = 0;
         self.d.behind(|d| owner = d.shape(name, class, Shape::Line { from, to, stroke }));
@@ -78,7 +84,14 @@ impl<'a> CurvatureBoard<'a> {
 
     /// Draws a circle as far as the paper holds it; returns a chord in the middle of its longest
     /// arc.
-    pub fn circle(&mut self, name: &str, class: &str, centre: Point, radius_mm: f64, stroke: LineStroke) -> Option<(Point, Point)> {
+    pub fn circle(
+        &mut self,
+        name: &str,
+        class: &str,
+        centre: Point,
+        radius_mm: f64,
+        stroke: LineStroke,
+    ) -> Option<(Point, Point)> {
         let mut longest: Option<(Point, Point)> = None;
         let arcs = arcs(self.window, centre, radius_mm);
         if arcs.is_empty() {
@@ -87,7 +100,9 @@ impl<'a> CurvatureBoard<'a> {
         let style = arcs.iter().map(|[from, to]| to - from).fold(0.0, f64::max);
         for [from, to] in &arcs {
             let n = (((to - from) * radius_mm / CHORD_MM).ceil() as usize).clamp(8, CHORDS);
-            let at = |k: usize| centre + Vec2::from_angle(from + (to - from) * k as f64 / n as f64) * radius_mm;
+            let at = |k: usize| {
+                centre + Vec2::from_angle(from + (to - from) * k as f64 / n as f64) * radius_mm
+            };
             let whole = to - from >= TAU;
             if to - from == style {
                 longest = Some((at(n / 2), at(n / 2 + 1)));
@@ -95,7 +110,12 @@ impl<'a> CurvatureBoard<'a> {
             let shape = if whole {
                 Shape::Circle { centre, radius_mm, stroke: Some(stroke), fill: None }
             } else {
-                Shape::Polyline { points: (0..=n).map(at).collect(), closed: false, stroke: Some(stroke), fill: None }
+                Shape::Polyline {
+                    points: (0..=n).map(at).collect(),
+                    closed: false,
+                    stroke: Some(stroke),
+                    fill: None,
+                }
             };
             self.d.behind(|d| {
                 d.shape(name, class, shape);
@@ -128,21 +148,44 @@ impl<'a> CurvatureBoard<'a> {
                 self.d.draw(&name, "curvature spot", sym::dot(self.style, at));
             }
             let clear = if joint { self.style.pin_radius_mm } else { self.style.dot_radius_mm };
-            let label = members.into_iter().map(|s| s.label).reduce(|all, one| all.then(Label::text(", ")).then(one));
+            let label = members
+                .into_iter()
+                .map(|s| s.label)
+                .reduce(|all, one| all.then(Label::text(", ")).then(one));
             let Some(label) = label else { continue };
-            self.d.label(&name, "curvature spot", LabelRequest::at_point(label, self.style.small_mm, at, clear));
+            self.d.label(
+                &name,
+                "curvature spot",
+                LabelRequest::at_point(label, self.style.small_mm, at, clear),
+            );
         }
     }
 
     /// Draws the end of a line towards a place off the paper, with its name.
-    pub fn arrow(&mut self, name: &str, label: Label, from: Point, toward: Vec2, stroke: LineStroke) {
+    pub fn arrow(
+        &mut self,
+        name: &str,
+        label: Label,
+        from: Point,
+        toward: Vec2,
+        stroke: LineStroke,
+    ) {
         let Some(u) = toward.unit() else { return };
         let Some([_, high]) = clipped(self.window, from, u) else { return };
         let tip = from + u * high;
         let base = tip - u * ARROW_MM.min(high.max(0.0));
         let back = tip - u * (self.style.thin_head.length_mm * 1.5);
-        let owner = self.d.shape(name, "curvature far", Shape::Arrow { from: back, to: tip, stroke, head: self.style.thin_head });
-        self.d.label(name, "curvature far", LabelRequest::along(label, self.style.small_mm, base, tip, stroke.width_mm / 2.0).owned(owner));
+        let owner = self.d.shape(
+            name,
+            "curvature far",
+            Shape::Arrow { from: back, to: tip, stroke, head: self.style.thin_head },
+        );
+        self.d.label(
+            name,
+            "curvature far",
+            LabelRequest::along(label, self.style.small_mm, base, tip, stroke.width_mm / 2.0)
+                .owned(owner),
+        );
     }
 }
 
@@ -165,9 +208,15 @@ fn arcs(window: Rect, centre: Point, radius: f64) -> Vec<[f64; 2]> {
     }
     angles.sort_by(f64::total_cmp);
     let inside = |angle: f64| holds(window, centre + Vec2::from_angle(angle) * radius);
-    let Some(first) = angles.first().copied() else { return if inside(0.0) { vec![[0.0, TAU]] } else { Vec::new() } };
+    let Some(first) = angles.first().copied() else {
+        return if inside(0.0) { vec![[0.0, TAU]] } else { Vec::new() };
+    };
     angles.push(first + TAU);
-    angles.windows(2).map(|w| [w[0], w[1]]).filter(|[a, b]| b > a && inside(0.5 * (a + b))).collect()
+    angles
+        .windows(2)
+        .map(|w| [w[0], w[1]])
+        .filter(|[a, b]| b > a && inside(0.5 * (a + b)))
+        .collect()
 }
 
 #[cfg(test)]

@@ -53,17 +53,27 @@ const GAP_MM: f64 = 9.0;
 
 /// Draws the figure of one link.
 pub fn figure(w: &FigureInput, found: &LinkCurvatures, of: &OfLink) -> Figure {
-    let maker = SheetDrafter { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
+    let maker = SheetDrafter {
+        scene: w.scene,
+        worked: w.worked,
+        options: w.options,
+        certified: Vec::new(),
+    };
     let words = CurvatureWords { found, lang: w.options.lang };
     let (_, mu) = maker.caption(DiagramKind::Plane);
-    let caption = Label::text(format!("{} – ", maker.words().curvature)).then(words.heading_set(of).label());
+    let caption =
+        Label::text(format!("{} – ", maker.words().curvature)).then(words.heading_set(of).label());
     let mut drawing = maker.titled(part(w, &words, of), caption, &mu, "curvature");
     let mut below = text(w, &words, of);
     drawing.stand_at(Point::ORIGIN);
-    below.stand_at(Point::new((drawing.bounds.width_mm() - below.bounds.width_mm()).max(0.0) / 2.0, drawing.bounds.min.y - GAP_MM));
+    below.stand_at(Point::new(
+        (drawing.bounds.width_mm() - below.bounds.width_mm()).max(0.0) / 2.0,
+        drawing.bounds.min.y - GAP_MM,
+    ));
     let shift = (below.bounds.width_mm() - drawing.bounds.width_mm()).max(0.0) / 2.0;
     drawing.translate(Vec2::new(shift, 0.0));
-    let mut figure = maker.alone(DrawingPart::of(drawing.items.into_iter().chain(below.items).collect()));
+    let mut figure =
+        maker.alone(DrawingPart::of(drawing.items.into_iter().chain(below.items).collect()));
     let told = words.values(of).iter().map(|r| r.join(" ")).collect::<Vec<_>>();
     figure.desc = format!("{}. {}", words.heading(of), told.join("; "));
     figure
@@ -73,19 +83,32 @@ pub fn figure(w: &FigureInput, found: &LinkCurvatures, of: &OfLink) -> Figure {
 fn text(w: &FigureInput, words: &CurvatureWords, of: &OfLink) -> DrawingPart {
     let style = &w.options.style;
     let mut lines: Vec<Label> = Vec::new();
-    let mut add = |phrase: &Phrase| lines.extend(wrapped(phrase, TEXT_MM, style.small_mm, &style.fonts));
+    let mut add =
+        |phrase: &Phrase| lines.extend(wrapped(phrase, TEXT_MM, style.small_mm, &style.fonts));
     words.remarks(of).iter().for_each(&mut add);
     if of.pole().is_some() && of.drawn().is_none() {
         add(&words.calculated());
     }
     for (k, step) in words.steps(of).iter().enumerate() {
-        add(&Phrase::of_pieces(Phrase::new(&format!("{}. ", k + 1)).pieces().iter().chain(step.pieces()).cloned().collect()));
+        add(&Phrase::of_pieces(
+            Phrase::new(&format!("{}. ", k + 1))
+                .pieces()
+                .iter()
+                .chain(step.pieces())
+                .cloned()
+                .collect(),
+        ));
     }
     words.told(of).iter().for_each(&mut add);
     words.legend(of).iter().for_each(&mut add);
     let row = |(k, label): (usize, Label)| {
-        let cell =
-            Cell { label, size_mm: style.small_mm, anchor: Anchor::Start, class: "remark".into(), id: format!("curvature-line-{}", k + 1) };
+        let cell = Cell {
+            label,
+            size_mm: style.small_mm,
+            anchor: Anchor::Start,
+            class: "remark".into(),
+            id: format!("curvature-line-{}", k + 1),
+        };
         Row { cells: vec![Some(cell)], height_mm: ROW_MM }
     };
     DrawingPart::of(grid::set(&lines.into_iter().enumerate().map(row).collect::<Vec<_>>(), 0.0))
@@ -101,14 +124,24 @@ fn part(w: &FigureInput, words: &CurvatureWords, of: &OfLink) -> DrawingPart {
     }
     let lines = d.bounds();
     let reach = lines.grown(REACH_MM);
-    let within = |p: &Point| (reach.min.x..=reach.max.x).contains(&p.x) && (reach.min.y..=reach.max.y).contains(&p.y);
-    let to_ball: Vec<Point> = if let Ruler::Rays(rays) = &of.drawing { ball::places(rays) } else { Vec::new() };
+    let within = |p: &Point| {
+        (reach.min.x..=reach.max.x).contains(&p.x) && (reach.min.y..=reach.max.y).contains(&p.y)
+    };
+    let to_ball: Vec<Point> =
+        if let Ruler::Rays(rays) = &of.drawing { ball::places(rays) } else { Vec::new() };
     let to_ball: Vec<Point> = to_ball.into_iter().map(to_paper).collect();
     let to_ball = if to_ball.iter().all(within) { to_ball } else { Vec::new() };
     let near = places(of).into_iter().map(to_paper).filter(within).chain(to_ball);
     let window = near.fold(lines, |all, p| all.union(Rect::new(p, p))).grown(EDGE_MM);
     let board = CurvatureBoard::new(&w.options.style, d, window);
-    let mut over = CurvatureOverlay { w, words, of, to_paper: &to_paper, board, thin: w.options.style.thin.coloured(LINES) };
+    let mut over = CurvatureOverlay {
+        w,
+        words,
+        of,
+        to_paper: &to_paper,
+        board,
+        thin: w.options.style.thin.coloured(LINES),
+    };
     over.everything();
     over.board.d.finish()
 }
@@ -122,13 +155,27 @@ fn only_named_what_is_used(w: &FigureInput, of: &OfLink, d: &mut Drawing) {
         Ruler::Parallel(known) | Ruler::OneLine(known) => known.to_vec(),
         Ruler::Rolling(_) | Ruler::Hinge(_) | Ruler::NoRays => Vec::new(),
     };
-    let places: Vec<Point> = rays.iter().flat_map(|k| [k.moving, k.fixed]).filter_map(PlanePoint::at).collect();
-    let placed = |p: PointId| w.worked.configuration.points[p.0].is_some_and(|at| places.iter().any(|q| q.distance(at) < SAME_M));
+    let places: Vec<Point> =
+        rays.iter().flat_map(|k| [k.moving, k.fixed]).filter_map(PlanePoint::at).collect();
+    let placed = |p: PointId| {
+        w.worked.configuration.points[p.0]
+            .is_some_and(|at| places.iter().any(|q| q.distance(at) < SAME_M))
+    };
     let on_link = |p: &PointId| scene.links[of.link.0].points.contains(p);
-    let points: Vec<PointId> = (0..scene.points.len()).map(PointId).filter(|p| on_link(p) || placed(*p)).collect();
-    let holds = |l: &Link| l.points.iter().any(|p| on_link(p) && points.contains(p)) && l.points.iter().any(|p| placed(*p) && !on_link(p));
+    let points: Vec<PointId> =
+        (0..scene.points.len()).map(PointId).filter(|p| on_link(p) || placed(*p)).collect();
+    let holds = |l: &Link| {
+        l.points.iter().any(|p| on_link(p) && points.contains(p))
+            && l.points.iter().any(|p| placed(*p) && !on_link(p))
+    };
     let named = |k: usize, l: &Link| k == of.link.0 || k == scene.ground.0 || holds(l);
-    let links: Vec<String> = scene.links.iter().enumerate().filter(|(k, l)| named(*k, l)).map(|(_, l)| l.name.clone()).collect();
+    let links: Vec<String> = scene
+        .links
+        .iter()
+        .enumerate()
+        .filter(|(k, l)| named(*k, l))
+        .map(|(_, l)| l.name.clone())
+        .collect();
     let letters: Vec<&str> = points.iter().map(|p| scene.point_name(*p)).collect();
     d.only_named(|name| match name.strip_prefix("number-") {
         Some(link) => links.iter().any(|l| l == link),
@@ -148,7 +195,11 @@ fn places(of: &OfLink) -> Vec<Point> {
         out.extend([pole.pole, pole.inflection_pole(), pole.acceleration_pole]);
         out.extend(pole.ball);
     }
-    out.extend(of.points.iter().filter_map(|p| if let Bend::About(centre, _) = p.shown() { Some(centre) } else { None }));
+    out.extend(
+        of.points.iter().filter_map(|p| {
+            if let Bend::About(centre, _) = p.shown() { Some(centre) } else { None }
+        }),
+    );
     out
 }
 
@@ -191,7 +242,13 @@ impl CurvatureOverlay<'_, '_> {
 
     fn is_joint(&self, at: Point) -> bool {
         let points = &self.w.worked.configuration.points;
-        self.w.worked.mechanism.pins.iter().filter_map(|p| points[p.0]).any(|p| self.at(p).distance(at) < 0.1)
+        self.w
+            .worked
+            .mechanism
+            .pins
+            .iter()
+            .filter_map(|p| points[p.0])
+            .any(|p| self.at(p).distance(at) < 0.1)
     }
 
     pub(super) fn spot(&mut self, label: &str, at: Point) {
@@ -222,12 +279,21 @@ impl CurvatureOverlay<'_, '_> {
         for k in [0, 1] {
             let known = &rays.known[k];
             let straight = self.at(rays.straight[k]);
-            let on: Vec<Point> =
-                [known.moving, known.fixed].into_iter().filter_map(PlanePoint::at).map(|p| self.at(p)).chain([pole, straight]).collect();
+            let on: Vec<Point> = [known.moving, known.fixed]
+                .into_iter()
+                .filter_map(PlanePoint::at)
+                .map(|p| self.at(p))
+                .chain([pole, straight])
+                .collect();
             self.chain("ray", &on);
             if !stands {
                 let cut = self.board.cut(straight, j);
-                self.board.line("perpendicular", "curvature line", cut, self.thin.dashed(Dash::DashDot));
+                self.board.line(
+                    "perpendicular",
+                    "curvature line",
+                    cut,
+                    self.thin.dashed(Dash::DashDot),
+                );
                 if rays.how[k] != RayMethod::Given {
                     self.spot(&self.words.straight(known), straight);
                 }
@@ -244,7 +310,12 @@ impl CurvatureOverlay<'_, '_> {
         if let PlanePoint::At(q) = q {
             let q = self.at(q);
             for pair in [[b.moving, c.moving], [b.fixed, c.fixed]] {
-                let on: Vec<Point> = pair.into_iter().filter_map(PlanePoint::at).map(|p| self.at(p)).chain([q]).collect();
+                let on: Vec<Point> = pair
+                    .into_iter()
+                    .filter_map(PlanePoint::at)
+                    .map(|p| self.at(p))
+                    .chain([q])
+                    .collect();
                 self.chain("collineation", &on);
             }
             self.spot(self.words.on_axis(), q);
@@ -252,9 +323,21 @@ impl CurvatureOverlay<'_, '_> {
         let helpers: Vec<Point> = rays
             .how
             .iter()
-            .filter_map(|h| if let RayMethod::Collineation(PlanePoint::At(q)) = h { Some(self.at(*q)) } else { None })
+            .filter_map(|h| {
+                if let RayMethod::Collineation(PlanePoint::At(q)) = h {
+                    Some(self.at(*q))
+                } else {
+                    None
+                }
+            })
             .collect();
-        let axis: Vec<Point> = q.at().map(|q| self.at(q)).into_iter().chain(helpers.iter().copied()).chain([pole]).collect();
+        let axis: Vec<Point> = q
+            .at()
+            .map(|q| self.at(q))
+            .into_iter()
+            .chain(helpers.iter().copied())
+            .chain([pole])
+            .collect();
         self.chain("axis", &axis);
         for k in [0, 1] {
             let RayMethod::Collineation(helper) = rays.how[k] else { continue };
@@ -292,36 +375,63 @@ impl CurvatureOverlay<'_, '_> {
         }
         let normal = pole.normal * (1.0 / mu);
         let circle = LineStroke { width_mm: style.outline.width_mm, ..style.outline };
-        let arc = self.board.circle("inflection-circle", "curvature inflection", at + normal * 0.5, normal.norm() / 2.0, circle);
+        let arc = self.board.circle(
+            "inflection-circle",
+            "curvature inflection",
+            at + normal * 0.5,
+            normal.norm() / 2.0,
+            circle,
+        );
         if let Some((from, to)) = arc {
             let label = Label::math(self.words.letter("w", self.of));
             self.board.d.label(
                 "inflection-circle",
                 "curvature",
-                LabelRequest::along(label, style.small_mm, from, to, circle.width_mm).optional(true),
+                LabelRequest::along(label, style.small_mm, from, to, circle.width_mm)
+                    .optional(true),
             );
         }
         if let Some(d) = pole.bresse {
             let d = d * (1.0 / mu);
-            let arc = self.board.circle("bresse-circle", "curvature bresse", at + d * 0.5, d.norm() / 2.0, self.thin.dashed(Dash::Dashed));
+            let arc = self.board.circle(
+                "bresse-circle",
+                "curvature bresse",
+                at + d * 0.5,
+                d.norm() / 2.0,
+                self.thin.dashed(Dash::Dashed),
+            );
             if let Some((from, to)) = arc {
                 let label = Label::math(self.words.letter("b", self.of));
-                self.board.d.label("bresse-circle", "curvature", LabelRequest::along(label, style.small_mm, from, to, 0.2).optional(true));
+                self.board.d.label(
+                    "bresse-circle",
+                    "curvature",
+                    LabelRequest::along(label, style.small_mm, from, to, 0.2).optional(true),
+                );
             }
         }
         let normal_line = self.board.cut(at, j);
         self.board.line("normal", "curvature line", normal_line, self.thin);
         self.tangent(at, normal, pole.pole_velocity);
-        for (letter, place) in [("J", Some(j)), ("K", Some(self.at(pole.acceleration_pole))), ("U", pole.ball.map(|p| self.at(p)))] {
+        for (letter, place) in [
+            ("J", Some(j)),
+            ("K", Some(self.at(pole.acceleration_pole))),
+            ("U", pole.ball.map(|p| self.at(p))),
+        ] {
             let Some(place) = place else { continue };
             let symbol = self.words.letter(letter, self.of);
             if self.board.holds(place) {
                 self.spot(&symbol, place);
             } else if self.board.holds(at) {
-                let label = self.distance(&self.words.pole(self.of), &symbol, place.distance(at) * mu);
+                let label =
+                    self.distance(&self.words.pole(self.of), &symbol, place.distance(at) * mu);
                 let along = self.board.cut(at, place);
                 if letter != "J" {
-                    self.board.line(letter, "curvature line", along, self.thin.dashed(Dash::Dotted));
+                    self.board.line(
+                        letter,
+                        "curvature line",
+                        along,
+                        self.thin.dashed(Dash::Dotted),
+                    );
                 }
                 self.board.arrow(&Label::math(&symbol).plain(), label, at, place - at, self.thin);
             }
@@ -330,7 +440,8 @@ impl CurvatureOverlay<'_, '_> {
 
     /// Half of the length of the tangent (mm); the pole is in its middle.
     pub(super) fn half_tangent(&self) -> f64 {
-        let diameter_mm = self.of.shown().map_or(0.0, |pole| pole.diameter()) / self.w.worked.construction.diagram.mu;
+        let diameter_mm = self.of.shown().map_or(0.0, |pole| pole.diameter())
+            / self.w.worked.construction.diagram.mu;
         TANGENT_MM.min(diameter_mm.max(2.0 * SENSE_MM))
     }
 
@@ -340,10 +451,25 @@ impl CurvatureOverlay<'_, '_> {
         let (Some(t), true) = (normal.perp().unit(), self.board.holds(at)) else { return };
         let half = self.half_tangent();
         let cut = self.board.cut(at - t * half, at + t * half);
-        let owner = self.board.line("tangent", "curvature tangent", cut, style.outline.dashed(Dash::DashDot));
+        let owner = self.board.line(
+            "tangent",
+            "curvature tangent",
+            cut,
+            style.outline.dashed(Dash::DashDot),
+        );
         if let Some([from, to]) = cut {
-            let far = if from.distance(at) > to.distance(at) { (from, from + (at - from) * 0.3) } else { (to, to + (at - to) * 0.3) };
-            let label = LabelRequest::along(Label::math("t"), style.label_mm, far.0, far.1, style.outline.width_mm / 2.0);
+            let far = if from.distance(at) > to.distance(at) {
+                (from, from + (at - from) * 0.3)
+            } else {
+                (to, to + (at - to) * 0.3)
+            };
+            let label = LabelRequest::along(
+                Label::math("t"),
+                style.label_mm,
+                far.0,
+                far.1,
+                style.outline.width_mm / 2.0,
+            );
             self.board.d.label("tangent", "curvature", label.owned(owner));
         }
         let Some(sense) = u.unit() else { return };
@@ -354,7 +480,8 @@ impl CurvatureOverlay<'_, '_> {
         self.board.d.label(
             "pole-velocity",
             "curvature",
-            LabelRequest::along(label, style.small_mm, at, to, style.vector.width_mm / 2.0).owned(owner),
+            LabelRequest::along(label, style.small_mm, at, to, style.vector.width_mm / 2.0)
+                .owned(owner),
         );
     }
 
@@ -364,7 +491,11 @@ impl CurvatureOverlay<'_, '_> {
         let (p, j) = (self.at(pole.pole), self.at(pole.inflection_pole()));
         let given = |point: PointId| match &self.of.drawing {
             Ruler::Rays(r) => r.known.iter().any(|k| k.why.moving() == Some(point)),
-            Ruler::Rolling(_) | Ruler::Hinge(_) | Ruler::Parallel(_) | Ruler::OneLine(_) | Ruler::NoRays => false,
+            Ruler::Rolling(_)
+            | Ruler::Hinge(_)
+            | Ruler::Parallel(_)
+            | Ruler::OneLine(_)
+            | Ruler::NoRays => false,
         };
         let asked: Vec<_> = self.of.points.iter().filter(|q| !given(q.point)).cloned().collect();
         for q in asked {
@@ -382,11 +513,23 @@ impl CurvatureOverlay<'_, '_> {
             {
                 let h = self.at(h);
                 // Only if the paper holds it: a distant auxiliary point explains nothing.
-                if self.board.holds(h) && h.distance(p) > 1.0 && matches!(self.of.drawing, Ruler::Rays(_) | Ruler::Rolling(_)) {
+                if self.board.holds(h)
+                    && h.distance(p) > 1.0
+                    && matches!(self.of.drawing, Ruler::Rays(_) | Ruler::Rolling(_))
+                {
                     self.chain("helper", &[p, h]);
                     let to_j = self.board.cut(e, j);
-                    let toward = if (h - e).dot(j - e) >= 0.0 && h.distance(e) > j.distance(e) { self.board.cut(e, h) } else { to_j };
-                    self.board.line("helper", "curvature line", toward, self.thin.dashed(Dash::Dashed));
+                    let toward = if (h - e).dot(j - e) >= 0.0 && h.distance(e) > j.distance(e) {
+                        self.board.cut(e, h)
+                    } else {
+                        to_j
+                    };
+                    self.board.line(
+                        "helper",
+                        "curvature line",
+                        toward,
+                        self.thin.dashed(Dash::Dashed),
+                    );
                     self.chain("helper", &[e, h]);
                     self.chain("helper", &[h, centre]);
                     self.spot(self.words.helper(), h);
@@ -415,7 +558,12 @@ impl CurvatureOverlay<'_, '_> {
     /// Draws an arrow to a pole off the paper: from the first point, with the distance, or else
     /// from the middle of the paper.
     fn far(&mut self, symbol: &str, at: Point) {
-        let own = self.of.points.first().map(|q| (self.named(q.point), self.at(q.at))).filter(|(_, p)| self.board.holds(*p));
+        let own = self
+            .of
+            .points
+            .first()
+            .map(|q| (self.named(q.point), self.at(q.at)))
+            .filter(|(_, p)| self.board.holds(*p));
         let mu = self.w.worked.construction.diagram.mu;
         let (from, label) = match own {
             Some((name, from)) => (from, self.distance(&name, symbol, at.distance(from) * mu)),

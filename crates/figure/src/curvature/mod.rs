@@ -18,13 +18,19 @@ use super::list::{FigureEntry, FigureInput, Pages};
 /// Pole, inflection circle, centres of curvature.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "curvature",
-    about: ["Inflection circle and centres of curvature, with construction", "拐点圆和轨迹的曲率中心及其作图"],
+    about: [
+        "Inflection circle and centres of curvature, with construction",
+        "拐点圆和轨迹的曲率中心及其作图",
+    ],
     draw,
 };
 /// The paths of the pole.
 pub const CENTRODES: FigureEntry = FigureEntry {
     name: "centrodes",
-    about: ["The paths of the pole in the fixed and the moving plane", "瞬心线（定瞬心线和动瞬心线）"],
+    about: [
+        "The paths of the pole in the fixed and the moving plane",
+        "瞬心线（定瞬心线和动瞬心线）",
+    ],
     draw: paths,
 };
 
@@ -35,7 +41,9 @@ const MOST: usize = 6;
 /// The links to draw: those with the selected points, or else all couplers.
 fn links(w: &FigureInput) -> Vec<LinkId> {
     let points = &w.extras.points;
-    let carries = |l: &LinkId| points.is_empty() || points.iter().any(|p| w.scene.links[l.0].points.contains(p));
+    let carries = |l: &LinkId| {
+        points.is_empty() || points.iter().any(|p| w.scene.links[l.0].points.contains(p))
+    };
     couplers(w.scene).into_iter().filter(carries).take(MOST).collect()
 }
 
@@ -45,17 +53,20 @@ fn named(w: &FigureInput, name: &str, all: usize, link: LinkId) -> String {
 }
 
 fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
-    let asked = CurvatureRequest { links: links(w), against: None, points: w.extras.points.clone() };
+    let asked =
+        CurvatureRequest { links: links(w), against: None, points: w.extras.points.clone() };
     let Warned { value: found, notes } = curvature(w.scene, &asked)?;
     let notes = notes.into_iter().filter(|d| d.code == "no-curvature").collect();
     let all = found.list.len();
     let page = |of| construction::figure(w, &found, of);
-    let pages = found.list.iter().map(|of| (named(w, ENTRY.name, all, of.link), page(of))).collect();
+    let pages =
+        found.list.iter().map(|of| (named(w, ENTRY.name, all, of.link), page(of))).collect();
     Ok(Warned { value: pages, notes })
 }
 
 fn paths(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
-    let asked = CurvatureRequest { links: links(w), against: None, points: w.extras.points.clone() };
+    let asked =
+        CurvatureRequest { links: links(w), against: None, points: w.extras.points.clone() };
     let Warned { value: found, .. } = curvature(w.scene, &asked)?;
     let all = found.list.len();
     let mut pages = Vec::new();
@@ -75,7 +86,8 @@ mod tests {
     use hodograph_scene::{Lang, read, templates};
     use hodograph_worked::worked::{Scope, work};
 
-    /// A mark that is moved on the drawing is moved on the figure: nothing is taken from the analysis.
+    /// A mark that is moved on the drawing is moved on the figure: nothing is taken from the
+    /// analysis.
     #[test]
     fn the_figure_shows_the_drawing() {
         let scene = read(templates::get("slider-crank").unwrap()).unwrap().value;
@@ -85,12 +97,19 @@ mod tests {
         let asked = CurvatureRequest { links: links(&w), ..CurvatureRequest::default() };
         let mut found = curvature(&scene, &asked).unwrap().value;
         let circle = |found: &hodograph_methods::curvature::LinkCurvatures| {
-            let markup = svg::write(&construction::figure(&w, found, &found.list[0])).unwrap().value;
-            markup.lines().filter(|l| l.contains("curvature inflection")).map(str::to_owned).collect::<Vec<_>>()
+            let markup =
+                svg::write(&construction::figure(&w, found, &found.list[0])).unwrap().value;
+            markup
+                .lines()
+                .filter(|l| l.contains("curvature inflection"))
+                .map(str::to_owned)
+                .collect::<Vec<_>>()
         };
         let before = circle(&found);
         assert!(!before.is_empty());
-        let CurvatureDrawing::Rays(rays) = &mut found.list[0].drawing else { panic!("a crank and a guide are two rays") };
+        let CurvatureDrawing::Rays(rays) = &mut found.list[0].drawing else {
+            panic!("a crank and a guide are two rays")
+        };
         rays.inflection = rays.pole + (rays.inflection - rays.pole) * 0.5;
         let after = circle(&found);
         assert!(!after.is_empty());

@@ -42,7 +42,9 @@ impl Panel {
         if let [one] = &self.curves[..] {
             return one.symbol.clone();
         }
-        let letter = |c: &DiagramCurve| c.symbol.trim_matches('|').split(['_', '^']).next().unwrap_or_default().to_owned();
+        let letter = |c: &DiagramCurve| {
+            c.symbol.trim_matches('|').split(['_', '^']).next().unwrap_or_default().to_owned()
+        };
         let mut letters: Vec<String> = Vec::new();
         for found in self.curves.iter().map(letter) {
             if !letters.contains(&found) {
@@ -71,7 +73,12 @@ impl CurveDiagram {
     }
 
     /// Returns the answers of a sweep of one driver: see [`CurveDiagram::swept`].
-    pub fn of(placed: &PlacedScene, driver: usize, table: &Table, notation: &Notation) -> CurveDiagram {
+    pub fn of(
+        placed: &PlacedScene,
+        driver: usize,
+        table: &Table,
+        notation: &Notation,
+    ) -> CurveDiagram {
         let swept_at = |values| of_values(placed, driver, values);
         CurveDiagram::swept(placed.scene, Swept::Driver(driver), table, &swept_at, notation)
     }
@@ -118,21 +125,34 @@ impl CurveDiagram {
                 let shown = if turning { unwound(&shown, TAU * times) } else { shown };
                 let mut extremes = Vec::new();
                 for highest in [true, false] {
-                    let by = |a: &usize, b: &usize| if highest { shown[*a].total_cmp(&shown[*b]) } else { shown[*b].total_cmp(&shown[*a]) };
+                    let by = |a: &usize, b: &usize| {
+                        if highest {
+                            shown[*a].total_cmp(&shown[*b])
+                        } else {
+                            shown[*b].total_cmp(&shown[*a])
+                        }
+                    };
                     let Some(k) = (0..shown.len()).max_by(by) else { continue };
                     let around = [si[k.saturating_sub(1)], si[(k + 1).min(si.len() - 1)]];
                     // The extreme of an angle is sought on the turn of the line, not across its
                     // jump.
-                    let found = zoom::extreme(swept_at, name, around, highest).filter(|(_, v)| !turning || (v - values[k]).abs() < 1.0);
+                    let found = zoom::extreme(swept_at, name, around, highest)
+                        .filter(|(_, v)| !turning || (v - values[k]).abs() < 1.0);
                     let (at, value) = found.unwrap_or((si[k], values[k]));
                     let value = if value.abs() < ZERO * most { 0.0 } else { value };
                     extremes.push((at * factor, shown[k] + (value - values[k]) * times));
                 }
                 // A constant curve has one value.
-                if extremes.len() == 2 && extremes[0].1 - extremes[1].1 <= ZERO * most * times.abs() {
+                if extremes.len() == 2 && extremes[0].1 - extremes[1].1 <= ZERO * most * times.abs()
+                {
                     extremes.pop();
                 }
-                let curve = DiagramCurve { symbol: named, values: shown, extremes, link: link(scene, &find.what) };
+                let curve = DiagramCurve {
+                    symbol: named,
+                    values: shown,
+                    extremes,
+                    link: link(scene, &find.what),
+                };
                 match panels.iter_mut().find(|(o, _)| *o == order) {
                     Some((_, panel)) => panel.curves.push(curve),
                     None => panels.push((order, Panel { unit: unit.clone(), curves: vec![curve] })),
@@ -140,7 +160,11 @@ impl CurveDiagram {
             }
         }
         panels.sort_by_key(|p| p.0);
-        CurveDiagram { driver: [named, driver_unit], places, panels: panels.into_iter().map(|p| p.1).collect() }
+        CurveDiagram {
+            driver: [named, driver_unit],
+            places,
+            panels: panels.into_iter().map(|p| p.1).collect(),
+        }
     }
 }
 

@@ -49,21 +49,39 @@ const ON_A4: usize = 3;
 /// Draws a diagram as one figure, all panels one above the other.
 pub fn figure(scene: &Scene, diagram: &CurveDiagram, style: &Style, lang: Lang) -> Figure {
     let n = diagram.panels.len().max(1) as f64;
-    let size_mm = [LEFT_MM + PLOT_MM[0] + RIGHT_MM, ABOVE_MM + n * PLOT_MM[1] + (n - 1.0) * BETWEEN_MM + BELOW_MM];
+    let size_mm = [
+        LEFT_MM + PLOT_MM[0] + RIGHT_MM,
+        ABOVE_MM + n * PLOT_MM[1] + (n - 1.0) * BETWEEN_MM + BELOW_MM,
+    ];
     page(scene, diagram, &diagram.panels, size_mm, style, lang)
 }
 
 /// Draws a diagram as pages of A4, three panels on each.
 pub fn pages(scene: &Scene, diagram: &CurveDiagram, style: &Style, lang: Lang) -> Vec<Figure> {
-    diagram.panels.chunks(ON_A4).map(|panels| page(scene, diagram, panels, A4_MM, style, lang)).collect()
+    diagram
+        .panels
+        .chunks(ON_A4)
+        .map(|panels| page(scene, diagram, panels, A4_MM, style, lang))
+        .collect()
 }
 
 /// Draws some panels of a diagram one above the other, below a title.
-fn page(scene: &Scene, diagram: &CurveDiagram, panels: &[Panel], [width_mm, height_mm]: [f64; 2], style: &Style, lang: Lang) -> Figure {
+fn page(
+    scene: &Scene,
+    diagram: &CurveDiagram,
+    panels: &[Panel],
+    [width_mm, height_mm]: [f64; 2],
+    style: &Style,
+    lang: Lang,
+) -> Figure {
     let left_mm = LEFT_MM + (width_mm - LEFT_MM - PLOT_MM[0] - RIGHT_MM) / 2.0;
     let x = PlotAxis::of(&diagram.places, diagram.driver[1] == DEGREE, 12);
     let title = scene.title.get(lang);
-    let heading = if title.is_empty() { tr(lang, "Motion", "运动线图").to_owned() } else { title.to_owned() };
+    let heading = if title.is_empty() {
+        tr(lang, "Motion", "运动线图").to_owned()
+    } else {
+        title.to_owned()
+    };
     let mut items = Vec::new();
     let title = Shape::Label {
         at: Point::new(width_mm / 2.0, height_mm - 10.0),
@@ -76,9 +94,17 @@ fn page(scene: &Scene, diagram: &CurveDiagram, panels: &[Panel], [width_mm, heig
     let mut said = Vec::new();
     for (k, panel) in panels.iter().enumerate() {
         let top = height_mm - ABOVE_MM - k as f64 * (PLOT_MM[1] + BETWEEN_MM);
-        let frame = Rect::new(Point::new(left_mm, top - PLOT_MM[1]), Point::new(left_mm + PLOT_MM[0], top));
-        let mut values: Vec<f64> = panel.curves.iter().flat_map(|c| c.values.iter().copied()).filter(|v| v.is_finite()).collect();
-        let (lo, hi) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| (lo.min(*v), hi.max(*v)));
+        let frame =
+            Rect::new(Point::new(left_mm, top - PLOT_MM[1]), Point::new(left_mm + PLOT_MM[0], top));
+        let mut values: Vec<f64> = panel
+            .curves
+            .iter()
+            .flat_map(|c| c.values.iter().copied())
+            .filter(|v| v.is_finite())
+            .collect();
+        let (lo, hi) = values
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| (lo.min(*v), hi.max(*v)));
         // Zero is included if it is near: it shows the changes of sign. A distant zero would
         // flatten the lines.
         if lo.max(-hi) < ZERO_NEAR * (hi - lo) {
@@ -88,15 +114,31 @@ fn page(scene: &Scene, diagram: &CurveDiagram, panels: &[Panel], [width_mm, heig
         let mut plot = Plot::new(format!("panel-{k}"), style, frame, [x.clone(), y]);
         let last = k + 1 == panels.len();
         let [driver, unit] = &diagram.driver;
-        plot.axes(last.then(|| Label::math(over(driver, unit))), Label::math(over(&panel.quantity(), &panel.unit)));
+        plot.axes(
+            last.then(|| Label::math(over(driver, unit))),
+            Label::math(over(&panel.quantity(), &panel.unit)),
+        );
         curves(&mut plot, panel, diagram, &mut said);
-        items.extend(plot.finish(Rect::new(frame.min - Vec2::new(0.0, 1.0), frame.max + Vec2::new(RIGHT_MM, BETWEEN_MM / 2.0))));
+        items.extend(plot.finish(Rect::new(
+            frame.min - Vec2::new(0.0, 1.0),
+            frame.max + Vec2::new(RIGHT_MM, BETWEEN_MM / 2.0),
+        )));
     }
     let desc = match lang {
-        Lang::En => format!("Diagrams against {}. {}.", formula(&diagram.driver[0]), said.join("; ")),
+        Lang::En => {
+            format!("Diagrams against {}. {}.", formula(&diagram.driver[0]), said.join("; "))
+        }
         Lang::Zh => format!("随 {} 变化的线图。{}。", formula(&diagram.driver[0]), said.join("；")),
     };
-    let mut figure = Figure { width_mm, height_mm, title: heading, desc, lang: words(lang).tag.into(), paper: Colour::WHITE, items };
+    let mut figure = Figure {
+        width_mm,
+        height_mm,
+        title: heading,
+        desc,
+        lang: words(lang).tag.into(),
+        paper: Colour::WHITE,
+        items,
+    };
     style.palette.paint(&mut figure);
     figure
 }
@@ -111,7 +153,12 @@ fn curves(plot: &mut Plot, panel: &Panel, diagram: &CurveDiagram, said: &mut Vec
         // Lines beyond the available dash patterns are thin.
         let line = if k < DASHES.len() { style.vector } else { style.thin };
         let stroke = line.dashed(DASHES[k % DASHES.len()]);
-        let known: Vec<(f64, f64)> = places.iter().copied().zip(curve.values.iter().copied()).filter(|(_, v)| v.is_finite()).collect();
+        let known: Vec<(f64, f64)> = places
+            .iter()
+            .copied()
+            .zip(curve.values.iter().copied())
+            .filter(|(_, v)| v.is_finite())
+            .collect();
         let apart = |w: &(f64, f64), v: &(f64, f64)| v.0 - w.0 <= 1.5 * usual;
         for run in known.chunk_by(apart).filter(|r| r.len() > 1) {
             let points: Vec<Point> = run.iter().map(|(x, y)| plot.at(*x, *y)).collect();
@@ -122,25 +169,51 @@ fn curves(plot: &mut Plot, panel: &Panel, diagram: &CurveDiagram, said: &mut Vec
             .extremes
             .iter()
             .map(|(x, y)| {
-                format!("{} = {}\\,{} ({}\\,{})", curve.symbol, number(*y, DIGITS), panel.unit, number(*x, DIGITS), diagram.driver[1])
+                format!(
+                    "{} = {}\\,{} ({}\\,{})",
+                    curve.symbol,
+                    number(*y, DIGITS),
+                    panel.unit,
+                    number(*x, DIGITS),
+                    diagram.driver[1]
+                )
             })
             .collect();
         said.extend(texts.iter().map(|t| Label::math(t.as_str()).plain()));
         for &(x, y) in &curve.extremes {
             let at = plot.at(x, y);
-            let (value, near) = (number(y, DIGITS), |(p, text): &(Point, String)| p.distance(at) < SAME_MM && *text == number(y, DIGITS));
+            let (value, near) = (number(y, DIGITS), |(p, text): &(Point, String)| {
+                p.distance(at) < SAME_MM && *text == number(y, DIGITS)
+            });
             if marked.iter().any(near) {
                 continue;
             }
             marked.push((at, value.clone()));
-            let dot = Shape::Circle { centre: at, radius_mm: style.dot_radius_mm, stroke: None, fill: Some(Colour::BLACK) };
+            let dot = Shape::Circle {
+                centre: at,
+                radius_mm: style.dot_radius_mm,
+                stroke: None,
+                fill: Some(Colour::BLACK),
+            };
             plot.draw("extreme", dot, curve.link);
             let label = Label::math(value);
             let request = LabelRequest::at_point(label, style.small_mm, at, style.dot_radius_mm);
             plot.label(request, curve.link);
         }
         // The name is beside the line's highest lobe, where it is read first.
-        let Some(&(x, y)) = known.get(known.len() / 5 + (k * known.len() / 7) % known.len().max(1) / 2) else { continue };
-        plot.label(LabelRequest::at_point(Label::math(curve.symbol.as_str()), style.label_mm, plot.at(x, y), 0.4), curve.link);
+        let Some(&(x, y)) =
+            known.get(known.len() / 5 + (k * known.len() / 7) % known.len().max(1) / 2)
+        else {
+            continue;
+        };
+        plot.label(
+            LabelRequest::at_point(
+                Label::math(curve.symbol.as_str()),
+                style.label_mm,
+                plot.at(x, y),
+                0.4,
+            ),
+            curve.link,
+        );
     }
 }

@@ -31,12 +31,20 @@ const POSITIONS: usize = 12;
 const IN_ROW: usize = 2;
 
 /// Draws the polar diagrams of all vectors of a sweep; `None` if it has no vectors.
-pub fn polar(scene: &Scene, swept: Swept, table: &Table, style: &Style, notation: &Notation, lang: Lang) -> Option<Figure> {
+pub fn polar(
+    scene: &Scene,
+    swept: Swept,
+    table: &Table,
+    style: &Style,
+    notation: &Notation,
+    lang: Lang,
+) -> Option<Figure> {
     let places = &table.columns.first()?.values;
     let last = places.len().checked_sub(1)?;
     // Positions at equal steps without the last row, which repeats the first in a sweep over a full
     // turn.
-    let marked: Vec<usize> = (0..POSITIONS.min(last)).map(|k| k * last / POSITIONS.min(last)).collect();
+    let marked: Vec<usize> =
+        (0..POSITIONS.min(last)).map(|k| k * last / POSITIONS.min(last)).collect();
     let usual = places.windows(2).map(|w| (w[1] - w[0]).abs()).fold(f64::INFINITY, f64::min);
     let mut drawings = Vec::new();
     for find in &scene.find {
@@ -52,12 +60,27 @@ pub fn polar(scene: &Scene, swept: Swept, table: &Table, style: &Style, notation
             }
             curve.push(vector(k));
         }
-        let Some(most) = bounded(curve.iter().flatten().map(|v| v.norm()).collect(), 0.0, on == DiagramKind::Force) else { continue };
+        let Some(most) = bounded(
+            curve.iter().flatten().map(|v| v.norm()).collect(),
+            0.0,
+            on == DiagramKind::Force,
+        ) else {
+            continue;
+        };
         let (shown, _) = runs(&curve, false, most);
         let ends = shown.iter().flatten().map(|v| v.to_point()).chain([Point::ORIGIN]);
         let mu = scale::fitted(&scene.paper, on.kind(), scale::extent(ends), BOX_MM);
-        let pole = if on == DiagramKind::Force { "O".to_owned() } else { format!("{}{}", notation.pole, on.prime()) };
-        let link = find.what.points(scene).first().and_then(|p| p.link.or(scene.mover(p.point))).map(|l| l.0);
+        let pole = if on == DiagramKind::Force {
+            "O".to_owned()
+        } else {
+            format!("{}{}", notation.pole, on.prime())
+        };
+        let link = find
+            .what
+            .points(scene)
+            .first()
+            .and_then(|p| p.link.or(scene.mover(p.point)))
+            .map(|l| l.0);
         let marks: Vec<Option<Vec2>> = marked.iter().map(|k| vector(*k)).collect();
         let h = Hodograph {
             on,
@@ -76,21 +99,37 @@ pub fn polar(scene: &Scene, swept: Swept, table: &Table, style: &Style, notation
             Lang::Zh => format!("${}$ 的矢端曲线图", symbol(find, notation)),
         };
         let caption = Phrase::new(&caption).label();
-        drawings.push(titled(style, hodograph(style, &h), caption, &scale_formula(&scene.book, on, mu), &question_id(&find.text)));
+        drawings.push(titled(
+            style,
+            hodograph(style, &h),
+            caption,
+            &scale_formula(&scene.book, on, mu),
+            &question_id(&find.text),
+        ));
     }
     if drawings.is_empty() {
         return None;
     }
-    let said = positions(scene, swept, &marked.iter().map(|k| places[*k]).collect::<Vec<_>>(), lang);
+    let said =
+        positions(scene, swept, &marked.iter().map(|k| places[*k]).collect::<Vec<_>>(), lang);
     let line = |id: &str, label: Label, size_mm: f64| {
         let label = label.in_fonts(&style.fonts);
-        let shape = Shape::Label { at: Point::ORIGIN, label, size_mm, anchor: Anchor::Start, colour: Colour::BLACK };
+        let shape = Shape::Label {
+            at: Point::ORIGIN,
+            label,
+            size_mm,
+            anchor: Anchor::Start,
+            colour: Colour::BLACK,
+        };
         DrawingPart::of(vec![FigureItem::new(id, shape).with_id(id)])
     };
     let heading = scene.title.get(lang);
     let count = drawings.len();
     let rows = (0..count).collect::<Vec<_>>();
-    let mut tree: Vec<Tree> = rows.chunks(IN_ROW).map(|row| Tree::row(row.iter().map(|k| Tree::Leaf(*k)).collect())).collect();
+    let mut tree: Vec<Tree> = rows
+        .chunks(IN_ROW)
+        .map(|row| Tree::row(row.iter().map(|k| Tree::Leaf(*k)).collect()))
+        .collect();
     tree.push(Tree::Leaf(count));
     drawings.push(line("positions", Phrase::new(&said).label(), style.small_mm));
     if !heading.is_empty() {
@@ -98,11 +137,22 @@ pub fn polar(scene: &Scene, swept: Swept, table: &Table, style: &Style, notation
         drawings.push(line("title", Label::text(heading), style.caption_mm * 4.0 / 3.0));
     }
     let mut all = put_together(Tree::column(tree), drawings);
-    let [width_mm, height_mm] = [all.bounds.width_mm() + 2.0 * MARGIN_MM, all.bounds.height_mm() + 2.0 * MARGIN_MM];
+    let [width_mm, height_mm] =
+        [all.bounds.width_mm() + 2.0 * MARGIN_MM, all.bounds.height_mm() + 2.0 * MARGIN_MM];
     all.stand_at(Point::new(MARGIN_MM, height_mm - MARGIN_MM));
-    let title = if heading.is_empty() { tr(lang, "Polar diagrams", "矢端曲线图") } else { heading }.to_owned();
+    let title =
+        if heading.is_empty() { tr(lang, "Polar diagrams", "矢端曲线图") } else { heading }
+            .to_owned();
     let desc = Phrase::new(&said).plain();
-    let mut figure = Figure { width_mm, height_mm, title, desc, lang: words(lang).tag.into(), paper: Colour::WHITE, items: all.items };
+    let mut figure = Figure {
+        width_mm,
+        height_mm,
+        title,
+        desc,
+        lang: words(lang).tag.into(),
+        paper: Colour::WHITE,
+        items: all.items,
+    };
     style.palette.paint(&mut figure);
     Some(figure)
 }
@@ -113,7 +163,13 @@ fn positions(scene: &Scene, swept: Swept, places: &[f64], lang: Lang) -> String 
     let (unit, factor) = scene.book.fine(kind);
     let parts = scene.book.parts(kind, 100.0);
     let degree = unit == DEGREE;
-    let number = |x: &f64| format!("{}{}", inked(&shortest((x * factor * parts).round() / parts)), if degree { DEGREE } else { "" });
+    let number = |x: &f64| {
+        format!(
+            "{}{}",
+            inked(&shortest((x * factor * parts).round() / parts)),
+            if degree { DEGREE } else { "" }
+        )
+    };
     let list: Vec<String> = places.iter().map(|x| format!("${}$", number(x))).collect();
     let unit = if degree { String::new() } else { format!(" ${unit}$") };
     let list = list.join(tr(lang, ", ", "、"));

@@ -5,7 +5,10 @@ use super::ForcePage;
 use crate::mechanism::{self, special::REACH};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construction::{MarkId, Op};
-use hodograph_board::equilibrium::{About, Act, ForceEdge, ForceTerm, GroupForces, MomentResult, Moments, ReactionComponent as Which};
+use hodograph_board::equilibrium::{
+    About, Act, ForceEdge, ForceTerm, GroupForces, MomentResult, Moments,
+    ReactionComponent as Which,
+};
 use hodograph_mechanism::force::Cause;
 use hodograph_paper::paper::drawing::Drawing;
 use hodograph_paper::paper::item::{Colour, Dash, FigureItem, Shape};
@@ -32,13 +35,30 @@ impl ForcePage<'_> {
     pub(super) fn apart(&self, group: &GroupForces) -> Drawing {
         let maker = self.maker;
         let style = Style { link: self.style().link.coloured(LINKS), ..self.style().clone() };
-        let mut d = mechanism::links(&style, maker.scene, maker.worked, &maker.options.notation, &group.links);
-        let largest = group.sides.iter().filter_map(|s| self.of.force(s.vector)).map(Vec2::norm).fold(0.0, f64::max);
-        let before: Vec<(usize, &Moments)> =
-            group.moments.iter().enumerate().filter(|(_, m)| !matches!(m.gives, MomentResult::Offset(_))).collect();
+        let mut d = mechanism::links(
+            &style,
+            maker.scene,
+            maker.worked,
+            &maker.options.notation,
+            &group.links,
+        );
+        let largest = group
+            .sides
+            .iter()
+            .filter_map(|s| self.of.force(s.vector))
+            .map(Vec2::norm)
+            .fold(0.0, f64::max);
+        let before: Vec<(usize, &Moments)> = group
+            .moments
+            .iter()
+            .enumerate()
+            .filter(|(_, m)| !matches!(m.gives, MomentResult::Offset(_)))
+            .collect();
         for (k, (index, moments)) in before.iter().enumerate() {
             // A force has one arm in the drawing, with the first moment equation that contains it.
-            let has_arm = |term: ForceTerm| before[..k].iter().any(|(_, m)| m.of.iter().any(|(own, ..)| *own == term));
+            let has_arm = |term: ForceTerm| {
+                before[..k].iter().any(|(_, m)| m.of.iter().any(|(own, ..)| *own == term))
+            };
             let step = self.step(group, |act| *act == Act::Moments(*index));
             self.arms(&mut d, moments, has_arm, &step);
         }
@@ -46,12 +66,20 @@ impl ForcePage<'_> {
         let own = |s: &&ForceEdge| match s.term {
             ForceTerm::Load(k) => group.links.contains(&self.of.loads[k].link),
             // The path of a wheel presses on the link that carries the wheel's centre.
-            ForceTerm::Reaction { of, .. } => !matches!(of, hodograph_board::equilibrium::Party::Link(l) if group.links.contains(&l)),
+            ForceTerm::Reaction { of, .. } => {
+                !matches!(of, hodograph_board::equilibrium::Party::Link(l) if group.links.contains(&l))
+            }
         };
         for side in group.sides.iter().filter(own) {
             self.side(&mut d, side, largest, &self.known_at(group, side));
         }
-        for (k, load) in self.of.loads.iter().enumerate().filter(|(_, l)| group.links.contains(&l.link) && l.wrench.couple != 0.0) {
+        for (k, load) in self
+            .of
+            .loads
+            .iter()
+            .enumerate()
+            .filter(|(_, l)| group.links.contains(&l.link) && l.wrench.couple != 0.0)
+        {
             if let Cause::Friction(friction) = load.cause {
                 self.friction(&mut d, group, (k, friction));
                 continue;
@@ -63,11 +91,13 @@ impl ForcePage<'_> {
             if let MomentResult::Driver(driver) = m.gives {
                 let value = self.of.drawn.number(m.value).unwrap_or(0.0);
                 let rubs = |f: &Friction| matches!(f.at, Rub::Pin { point, .. } if About::Point(point) == m.about);
-                let radius_mm = COUPLE_MM + if maker.scene.loads.friction.iter().any(rubs) { 3.0 } else { 0.0 };
+                let radius_mm =
+                    COUPLE_MM + if maker.scene.loads.friction.iter().any(rubs) { 3.0 } else { 0.0 };
                 if let About::Point(about) = m.about {
                     let symbol = self.w.balance(driver);
                     let id = symbol.replace(['{', '}'], "").replace('_', "-");
-                    let class = format!("couple{}", self.step(group, |act| *act == Act::Moments(index)));
+                    let class =
+                        format!("couple{}", self.step(group, |act| *act == Act::Moments(index)));
                     self.bent(&mut d, (&id, &class), &symbol, (about, radius_mm), value);
                 }
             }
@@ -100,13 +130,19 @@ impl ForcePage<'_> {
         let at = self.place(side.at)?;
         let at_point = Some((at, 0.0));
         let scene = self.maker.scene;
-        let ForceTerm::Reaction { of: hodograph_board::equilibrium::Party::Link(by), on, .. } = side.term else { return at_point };
+        let ForceTerm::Reaction { of: hodograph_board::equilibrium::Party::Link(by), on, .. } =
+            side.term
+        else {
+            return at_point;
+        };
         let joins = |g: &Guide| {
             let straight = matches!(g.path, GuidePath::Line { .. });
             straight && g.slider.is_some_and(|s| [s, g.on] == [on, by] || [s, g.on] == [by, on])
         };
         let Some(guide) = scene.guides.iter().position(joins) else { return at_point };
-        let Some((_, w)) = self.of.forces.guides.iter().find(|(g, _)| g.0 == guide) else { return at_point };
+        let Some((_, w)) = self.of.forces.guides.iter().find(|(g, _)| g.0 == guide) else {
+            return at_point;
+        };
         let Some(n) = w.force.unit() else { return at_point };
         // r with r × F = M, along the guide.
         let offset = n.perp() * -(w.couple / w.force.norm());
@@ -116,20 +152,36 @@ impl ForcePage<'_> {
     }
 
     fn side(&self, d: &mut Drawing, side: &ForceEdge, largest: f64, step: &str) {
-        let (Some((at, couple)), Some(force)) = (self.on_line(side), self.of.force(side.vector)) else { return };
+        let (Some((at, couple)), Some(force)) = (self.on_line(side), self.of.force(side.vector))
+        else {
+            return;
+        };
         if force.norm() <= NO_FORCE * largest {
             return;
         }
         if couple != 0.0 {
             let symbol = self.w.symbol(side.term).replacen('F', "M", 1);
-            self.bent(d, (&format!("of-{}", self.key(side.term)), &format!("couple{step}")), &symbol, (side.at, COUPLE_MM), couple);
+            self.bent(
+                d,
+                (&format!("of-{}", self.key(side.term)), &format!("couple{step}")),
+                &symbol,
+                (side.at, COUPLE_MM),
+                couple,
+            );
         }
         self.force(d, (side.term, &format!("force{step}")), at, force, largest);
     }
 
     /// Draws a force at a point, as an arrow with a length that grows with its part of the largest
     /// force.
-    pub(super) fn force(&self, d: &mut Drawing, (term, class): (ForceTerm, &str), at: Point, force: Vec2, largest: f64) {
+    pub(super) fn force(
+        &self,
+        d: &mut Drawing,
+        (term, class): (ForceTerm, &str),
+        at: Point,
+        force: Vec2,
+        largest: f64,
+    ) {
         let style = self.style();
         let (size, Some(u)) = (force.norm(), force.unit()) else { return };
         if size <= NO_FORCE * largest {
@@ -140,21 +192,34 @@ impl ForcePage<'_> {
         let arrow = |from: Point, to: Point| Shape::Arrow { from, to, stroke, head: style.head };
         // The arrow ends at its point (pushing), or starts there (pulling) if it then covers less
         // of the drawing.
-        let (pressing, pulling) = ([at - u * (length + 1.0), at - u], [at + u, at + u * (length + 1.0)]);
+        let (pressing, pulling) =
+            ([at - u * (length + 1.0), at - u], [at + u, at + u * (length + 1.0)]);
         let met = |ends: [Point; 2]| d.met_by(&[FigureItem::new("", arrow(ends[0], ends[1]))], 1.0);
         let presses = met(pressing) <= met(pulling);
         let [from, to] = if presses { pressing } else { pulling };
         let class = &if presses { class.to_owned() } else { format!("{class} pulling") };
         let key = self.key(term);
         let owner = d.shape(&format!("force-{key}"), class, arrow(from, to));
-        let request = LabelRequest::along(Label::math(self.w.symbol(term)), style.label_mm, from, to, stroke.width_mm / 2.0);
+        let request = LabelRequest::along(
+            Label::math(self.w.symbol(term)),
+            style.label_mm,
+            from,
+            to,
+            stroke.width_mm / 2.0,
+        );
         d.label(&format!("force-{key}"), class, request.owned(owner));
     }
 
     pub(super) fn couple(&self, d: &mut Drawing, load: usize, at: Option<PointId>, value: f64) {
         let symbol = self.w.couple_of(load);
         if let Some(at) = at {
-            self.bent(d, (&format!("of-{}", self.key(ForceTerm::Load(load))), "couple"), &symbol, (at, COUPLE_MM), value);
+            self.bent(
+                d,
+                (&format!("of-{}", self.key(ForceTerm::Load(load))), "couple"),
+                &symbol,
+                (at, COUPLE_MM),
+                value,
+            );
         }
     }
 
@@ -163,12 +228,17 @@ impl ForcePage<'_> {
         let scene = self.maker.scene;
         let Rub::Pin { point, circle, .. } = &scene.loads.friction[friction].at else { return };
         let Some(centre) = self.place(*point) else { return };
-        let links: Vec<LinkId> = scene.carriers(*point).filter(|l| group.links.contains(l)).collect();
+        let links: Vec<LinkId> =
+            scene.carriers(*point).filter(|l| group.links.contains(l)).collect();
         let name = self.maker.scene.point_name(*point);
         if links.first() == Some(&self.of.loads[load].link) {
             let radius_mm = circle.value / self.maker.worked.construction.diagram.mu;
             let stroke = self.style().thin.dashed(Dash::Dashed);
-            d.shape(&format!("friction-{name}"), "friction", Shape::Circle { centre, radius_mm, stroke: Some(stroke), fill: None });
+            d.shape(
+                &format!("friction-{name}"),
+                "friction",
+                Shape::Circle { centre, radius_mm, stroke: Some(stroke), fill: None },
+            );
         }
         if links.len() == 1 {
             self.couple(d, load, Some(*point), self.of.loads[load].wrench.couple);
@@ -176,12 +246,23 @@ impl ForcePage<'_> {
     }
 
     /// Draws a bent arrow about a point, counter-clockwise for a positive value.
-    fn bent(&self, d: &mut Drawing, (key, class): (&str, &str), symbol: &str, (about, radius_mm): (PointId, f64), value: f64) {
+    fn bent(
+        &self,
+        d: &mut Drawing,
+        (key, class): (&str, &str),
+        symbol: &str,
+        (about, radius_mm): (PointId, f64),
+        value: f64,
+    ) {
         let style = self.style();
         let Some(centre) = self.place(about).filter(|_| value != 0.0) else { return };
         let [from_rad, to_rad] = if value > 0.0 { [-0.6, 2.4] } else { [3.74, 0.74] };
-        let stroke = hodograph_paper::paper::item::LineStroke { width_mm: style.vector.width_mm * 0.8, ..style.vector };
-        let shape = Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke, head: style.head };
+        let stroke = hodograph_paper::paper::item::LineStroke {
+            width_mm: style.vector.width_mm * 0.8,
+            ..style.vector
+        };
+        let shape =
+            Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke, head: style.head };
         let owner = d.shape(&format!("couple-{key}"), class, shape);
         let tip = centre + Vec2::from_angle(0.5 * (from_rad + to_rad)) * radius_mm;
         let request = LabelRequest::at_point(Label::math(symbol), style.label_mm, tip, 0.6);
@@ -189,7 +270,13 @@ impl ForcePage<'_> {
     }
 
     /// Draws the intersection of two lines of action and the lines; `None` if it is too far away.
-    fn crossing(&self, d: &mut Drawing, moments: &Moments, at: MarkId, step: &str) -> Option<Point> {
+    fn crossing(
+        &self,
+        d: &mut Drawing,
+        moments: &Moments,
+        at: MarkId,
+        step: &str,
+    ) -> Option<Point> {
         let style = self.style();
         let centre = self.of.drawn.marks[at.index()]?;
         let c = &self.of.construction;
@@ -198,7 +285,13 @@ impl ForcePage<'_> {
             _ => None,
         })?;
         let scene = self.maker.scene;
-        let placed = || moments.links.iter().flat_map(|l| &scene.links[l.0].points).filter_map(|p| self.place(*p));
+        let placed = || {
+            moments
+                .links
+                .iter()
+                .flat_map(|l| &scene.links[l.0].points)
+                .filter_map(|p| self.place(*p))
+        };
         let size = placed().flat_map(|p| placed().map(move |q| p.distance(q))).fold(0.0, f64::max);
         if placed().all(|p| p.distance(centre) > REACH * size) {
             return None;
@@ -213,13 +306,24 @@ impl ForcePage<'_> {
         }
         d.draw("crossing", &format!("special point{step}"), symbols::dot(style, centre));
         let letter = self.w.crossing(at);
-        let request = LabelRequest::at_point(Label::math(&letter), style.label_mm, centre, style.dot_radius_mm);
+        let request = LabelRequest::at_point(
+            Label::math(&letter),
+            style.label_mm,
+            centre,
+            style.dot_radius_mm,
+        );
         d.label("crossing", &format!("special letter{step}"), request);
         Some(centre)
     }
 
     /// Draws lines of action with their arms about a point.
-    fn arms(&self, d: &mut Drawing, moments: &Moments, has_arm: impl Fn(ForceTerm) -> bool, step: &str) {
+    fn arms(
+        &self,
+        d: &mut Drawing,
+        moments: &Moments,
+        has_arm: impl Fn(ForceTerm) -> bool,
+        step: &str,
+    ) {
         let style = self.style();
         let about = match moments.about {
             About::Point(p) => self.place(p),
@@ -227,10 +331,15 @@ impl ForcePage<'_> {
         };
         let Some(about) = about else { return };
         for (k, (term, at, _)) in moments.of.iter().enumerate() {
-            if matches!(term, ForceTerm::Reaction { part: Which::Tangential, .. }) || has_arm(*term) {
+            if matches!(term, ForceTerm::Reaction { part: Which::Tangential, .. }) || has_arm(*term)
+            {
                 continue;
             }
-            let (Some(at), Some(arm), Some(u)) = (self.place(*at), self.w.arm(moments, k), self.w.direction(*term)) else { continue };
+            let (Some(at), Some(arm), Some(u)) =
+                (self.place(*at), self.w.arm(moments, k), self.w.direction(*term))
+            else {
+                continue;
+            };
             let foot = at + u * u.dot(about - at);
             if about.distance(foot) < SHORTEST_ARM_MM || arm <= 0.0 {
                 continue;
@@ -238,11 +347,22 @@ impl ForcePage<'_> {
             let line = style.thin.dashed(Dash::DashDot);
             let key = self.key(*term);
             let past = (foot - at).unit().map_or(foot, |v| foot + v * 3.0);
-            d.shape(&format!("action-{key}"), &format!("action{step}"), Shape::Line { from: at, to: past, stroke: line });
-            let shape = Shape::Arrow { from: about, to: foot, stroke: style.thin, head: style.thin_head };
+            d.shape(
+                &format!("action-{key}"),
+                &format!("action{step}"),
+                Shape::Line { from: at, to: past, stroke: line },
+            );
+            let shape =
+                Shape::Arrow { from: about, to: foot, stroke: style.thin, head: style.thin_head };
             let owner = d.shape(&format!("arm-{key}"), &format!("arm{step}"), shape);
             let name = self.w.arm_name(*term);
-            let request = LabelRequest::along(Label::math(name), style.small_mm, about, foot, style.thin.width_mm);
+            let request = LabelRequest::along(
+                Label::math(name),
+                style.small_mm,
+                about,
+                foot,
+                style.thin.width_mm,
+            );
             d.label(&format!("arm-{key}"), &format!("arm{step}"), request.owned(owner));
         }
     }

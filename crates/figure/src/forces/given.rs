@@ -16,14 +16,17 @@ impl ForcePage<'_> {
     pub(super) fn given_loads(&self, d: &mut Drawing) {
         let is_given = |cause: Cause| matches!(cause, Cause::Weight | Cause::Applied(_));
         let size = |k: usize| self.of.loads[k].wrench.force.norm();
-        let mut given: Vec<usize> = (0..self.of.loads.len()).filter(|k| is_given(self.of.loads[*k].cause)).collect();
+        let mut given: Vec<usize> =
+            (0..self.of.loads.len()).filter(|k| is_given(self.of.loads[*k].cause)).collect();
         // The smaller of two forces on one line is placed after the larger one.
         given.sort_by(|a, b| size(*b).total_cmp(&size(*a)));
         let largest = given.first().map_or(0.0, |k| size(*k));
         for k in given {
             let load = &self.of.loads[k];
             match load.at.and_then(|p| self.place(p)) {
-                Some(at) => self.force(d, (ForceTerm::Load(k), "force"), at, load.wrench.force, largest),
+                Some(at) => {
+                    self.force(d, (ForceTerm::Load(k), "force"), at, load.wrench.force, largest)
+                }
                 None => self.couple(d, k, self.centre(load.link), load.wrench.couple),
             }
         }
@@ -37,7 +40,11 @@ impl ForcePage<'_> {
     fn centre(&self, link: LinkId) -> Option<PointId> {
         let scene = self.maker.scene;
         let points = &scene.links[link.0].points;
-        points.iter().find(|p| scene.links[scene.ground.0].points.contains(p)).or(points.first()).copied()
+        points
+            .iter()
+            .find(|p| scene.links[scene.ground.0].points.contains(p))
+            .or(points.first())
+            .copied()
     }
 
     /// Draws a spring between its ends, and the ground that holds it.
@@ -49,7 +56,11 @@ impl ForcePage<'_> {
         for ((_, link), at, out) in [(spring.ends[0], from, -along), (spring.ends[1], to, along)] {
             if link == self.maker.scene.ground {
                 let half = out.perp() * (GROUND_MM / 2.0);
-                d.draw(&format!("{id}-ground"), "", symbols::ground_line(style, at + half, at + -half));
+                d.draw(
+                    &format!("{id}-ground"),
+                    "",
+                    symbols::ground_line(style, at + half, at + -half),
+                );
             }
         }
     }

@@ -38,10 +38,18 @@ pub fn lever(scene: &Scene, worked: &Worked, options: &SheetOptions) -> Option<F
     let maker = SheetDrafter { scene, worked, options, certified: Vec::new() };
     let page = ForcePage::of(&maker, of);
     let scale = scale_formula(&scene.book, DiagramKind::Velocity, lever.mu);
-    let caption = tr(options.lang, "Zhukovsky's lever: velocities turned clockwise by 90°", "茹可夫斯基杠杆：速度多边形顺时针转过 90°");
-    let drawing = maker.titled(page.on_lever(&lever), Phrase::new(caption).label(), &scale, "lever");
+    let caption = tr(
+        options.lang,
+        "Zhukovsky's lever: velocities turned clockwise by 90°",
+        "茹可夫斯基杠杆：速度多边形顺时针转过 90°",
+    );
+    let drawing =
+        maker.titled(page.on_lever(&lever), Phrase::new(caption).label(), &scale, "lever");
     let words = page.text(&page.w.lever(&lever, &page.pole()), "moments", TEXT_MM);
-    Some(maker.alone(put_together(Tree::column(vec![Tree::Leaf(0), Tree::Leaf(1)]), vec![drawing, words])))
+    Some(maker.alone(put_together(
+        Tree::column(vec![Tree::Leaf(0), Tree::Leaf(1)]),
+        vec![drawing, words],
+    )))
 }
 
 impl ForcePage<'_> {
@@ -55,26 +63,46 @@ impl ForcePage<'_> {
         let pole = Point::ORIGIN;
         let mut ends: Vec<(PointId, Point)> = Vec::new();
         for force in &lever.forces {
-            let new = ends.iter().all(|(p, at)| *p != force.point || at.distance(force.at) > style.dot_radius_mm);
+            let new = ends
+                .iter()
+                .all(|(p, at)| *p != force.point || at.distance(force.at) > style.dot_radius_mm);
             if new && force.at.distance(pole) > style.dot_radius_mm {
                 ends.push((force.point, force.at));
             }
         }
         for (p, at) in &ends {
-            d.shape(&format!("end-{}", self.maker.scene.point_name(*p)), "image", Shape::Line { from: pole, to: *at, stroke: style.thin });
+            d.shape(
+                &format!("end-{}", self.maker.scene.point_name(*p)),
+                "image",
+                Shape::Line { from: pole, to: *at, stroke: style.thin },
+            );
         }
-        let largest = lever.forces.iter().map(|f| self.of.loads[f.load].wrench.force.norm()).fold(0.0, f64::max);
+        let largest = lever
+            .forces
+            .iter()
+            .map(|f| self.of.loads[f.load].wrench.force.norm())
+            .fold(0.0, f64::max);
         for f in &lever.forces {
             let (term, force) = (ForceTerm::Load(f.load), self.of.loads[f.load].wrench.force);
             self.force(&mut d, (term, "force"), f.at, force, largest);
             let Some(u) = force.unit().filter(|_| f.arm_mm >= SHORTEST_ARM_MM) else { continue };
             let foot = f.at + u * u.dot(pole - f.at);
             let key = self.key(term);
-            let action = Shape::Line { from: f.at, to: foot, stroke: style.thin.dashed(Dash::DashDot) };
+            let action =
+                Shape::Line { from: f.at, to: foot, stroke: style.thin.dashed(Dash::DashDot) };
             d.shape(&format!("action-{key}"), "action", action);
-            let owner =
-                d.shape(&format!("arm-{key}"), "arm", Shape::Arrow { from: pole, to: foot, stroke: style.thin, head: style.thin_head });
-            let request = LabelRequest::along(Label::math(self.w.arm_name(term)), style.small_mm, pole, foot, style.thin.width_mm);
+            let owner = d.shape(
+                &format!("arm-{key}"),
+                "arm",
+                Shape::Arrow { from: pole, to: foot, stroke: style.thin, head: style.thin_head },
+            );
+            let request = LabelRequest::along(
+                Label::math(self.w.arm_name(term)),
+                style.small_mm,
+                pole,
+                foot,
+                style.thin.width_mm,
+            );
             d.label(&format!("arm-{key}"), "arm", request.owned(owner));
         }
         d.draw("pole", "pole", symbols::dot(style, pole));
@@ -82,7 +110,14 @@ impl ForcePage<'_> {
         for (p, at) in ends {
             let name = self.maker.scene.point_name(p);
             d.draw(&format!("image-{name}"), "image", symbols::dot(style, at));
-            d.label_at(&format!("image-{name}"), "image", &self.maker.writer().letter(p), at, style.dot_radius_mm, None);
+            d.label_at(
+                &format!("image-{name}"),
+                "image",
+                &self.maker.writer().letter(p),
+                at,
+                style.dot_radius_mm,
+                None,
+            );
         }
         d.finish()
     }

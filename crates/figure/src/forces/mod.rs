@@ -39,7 +39,8 @@ const TABLE_AIR_MM: f64 = 0.1;
 /// Draws the forces of all groups on one page; `None` if no forces are drawn.
 pub fn forces(scene: &Scene, worked: &Worked, options: &SheetOptions) -> Option<Figure> {
     let of = worked.equilibrium.as_ref().filter(|of| !of.groups.is_empty())?;
-    let maker = SheetDrafter { scene, worked, options, certified: certify(scene, worked, options.digits) };
+    let maker =
+        SheetDrafter { scene, worked, options, certified: certify(scene, worked, options.digits) };
     let page = ForcePage::of(&maker, of);
     Some(maker.alone(page.all()))
 }
@@ -59,7 +60,9 @@ pub fn group(scene: &Scene, worked: &Worked, options: &SheetOptions, k: usize) -
 pub(crate) fn pieces(maker: &SheetDrafter, width_mm: Option<f64>) -> Vec<[DrawingPart; 3]> {
     let Some(of) = &maker.worked.equilibrium else { return Vec::new() };
     let page = ForcePage::of(maker, of);
-    let parts = |group| [page.links_apart(group), page.force_polygon(group), page.words(group, BESIDE_MM, width_mm)];
+    let parts = |group| {
+        [page.links_apart(group), page.force_polygon(group), page.words(group, BESIDE_MM, width_mm)]
+    };
     of.groups.iter().enumerate().map(|(k, group)| parts(group).map(|part| named(part, k))).collect()
 }
 
@@ -98,24 +101,45 @@ pub fn given_loads(scene: &Scene, worked: &Worked, options: &SheetOptions, d: &m
 
 /// Draws a group's links in position with the forces on them, before labels are placed; `None` if
 /// the pose does not draw the group.
-pub fn free_bodies(scene: &Scene, worked: &Worked, options: &SheetOptions, links: &[LinkId]) -> Option<Drawing> {
+pub fn free_bodies(
+    scene: &Scene,
+    worked: &Worked,
+    options: &SheetOptions,
+    links: &[LinkId],
+) -> Option<Drawing> {
     on_page(scene, worked, options, |page| Some(page.apart(page.of.group_of(links)?)))
 }
 
 /// Draws the force polygon of a group, before labels are placed; `None` if the pose does not draw
 /// the group.
-pub fn polygon(scene: &Scene, worked: &Worked, options: &SheetOptions, links: &[LinkId]) -> Option<Drawing> {
+pub fn polygon(
+    scene: &Scene,
+    worked: &Worked,
+    options: &SheetOptions,
+    links: &[LinkId],
+) -> Option<Drawing> {
     on_page(scene, worked, options, |page| Some(page.polygon(page.of.group_of(links)?)))
 }
 
-fn on_page<T>(scene: &Scene, worked: &Worked, options: &SheetOptions, made: impl FnOnce(&ForcePage) -> Option<T>) -> Option<T> {
+fn on_page<T>(
+    scene: &Scene,
+    worked: &Worked,
+    options: &SheetOptions,
+    made: impl FnOnce(&ForcePage) -> Option<T>,
+) -> Option<T> {
     let of = worked.equilibrium.as_ref()?;
     made(&ForcePage::of(&SheetDrafter { scene, worked, options, certified: Vec::new() }, of))
 }
 
 /// Returns the width (mm) of the widest drawing of a group's separated links.
 pub(crate) fn widest_mm(scene: &Scene, worked: &Worked, options: &SheetOptions) -> f64 {
-    let widths = |page: &ForcePage| page.of.groups.iter().map(|group| page.links_apart(group).bounds.width_mm()).fold(0.0, f64::max);
+    let widths = |page: &ForcePage| {
+        page.of
+            .groups
+            .iter()
+            .map(|group| page.links_apart(group).bounds.width_mm())
+            .fold(0.0, f64::max)
+    };
     on_page(scene, worked, options, |page| Some(widths(page))).unwrap_or(0.0)
 }
 
@@ -141,13 +165,17 @@ impl<'a> ForcePage<'a> {
     }
 
     fn all(&self) -> DrawingPart {
-        let parts: Vec<DrawingPart> = self.of.groups.iter().enumerate().map(|(k, group)| self.row(k, group)).collect();
+        let parts: Vec<DrawingPart> =
+            self.of.groups.iter().enumerate().map(|(k, group)| self.row(k, group)).collect();
         put_together(Tree::text_column((0..parts.len()).map(Tree::Leaf).collect()), parts)
     }
 
     /// A group: its separated links beside its polygon, the text below.
     fn row(&self, k: usize, group: &GroupForces) -> DrawingPart {
-        let parts = vec![beside(self.links_apart(group), self.force_polygon(group)), self.words(group, TEXT_MM, None)];
+        let parts = vec![
+            beside(self.links_apart(group), self.force_polygon(group)),
+            self.words(group, TEXT_MM, None),
+        ];
         named(put_together(Tree::text_column((0..parts.len()).map(Tree::Leaf).collect()), parts), k)
     }
 
@@ -155,18 +183,36 @@ impl<'a> ForcePage<'a> {
     /// natural width or broken to the available width.
     fn words(&self, group: &GroupForces, width_mm: f64, room_mm: Option<f64>) -> DrawingPart {
         let room_mm = room_mm.unwrap_or(f64::INFINITY);
-        let tables = self.w.equations(group).iter().enumerate().flat_map(|(k, sides)| self.table(sides, k, room_mm)).collect::<Vec<_>>();
+        let tables = self
+            .w
+            .equations(group)
+            .iter()
+            .enumerate()
+            .flat_map(|(k, sides)| self.table(sides, k, room_mm))
+            .collect::<Vec<_>>();
         let text = |sentences: &[Phrase], name| self.text(sentences, name, width_mm.min(room_mm));
-        let (before, after) = (text(&self.w.before(group), "moments"), text(&self.w.after(group), "results"));
-        let parts: Vec<DrawingPart> = std::iter::once(before).chain(tables).chain([after]).filter(|p| !p.items.is_empty()).collect();
+        let (before, after) =
+            (text(&self.w.before(group), "moments"), text(&self.w.after(group), "results"));
+        let parts: Vec<DrawingPart> = std::iter::once(before)
+            .chain(tables)
+            .chain([after])
+            .filter(|p| !p.items.is_empty())
+            .collect();
         let lines = (0..parts.len()).flat_map(|k| [Tree::Leaf(k), Tree::Air(TABLE_AIR_MM)]);
-        put_together(Tree::text_column(lines.take((2 * parts.len()).saturating_sub(1)).collect()), parts)
+        put_together(
+            Tree::text_column(lines.take((2 * parts.len()).saturating_sub(1)).collect()),
+            parts,
+        )
     }
 
     /// The separated links of a group, with their caption.
     fn links_apart(&self, group: &GroupForces) -> DrawingPart {
         let words = self.w.heading(group);
-        let scale = scale_formula(&self.maker.scene.book, DiagramKind::Plane, self.maker.worked.construction.diagram.mu);
+        let scale = scale_formula(
+            &self.maker.scene.book,
+            DiagramKind::Plane,
+            self.maker.worked.construction.diagram.mu,
+        );
         self.maker.titled(self.apart(group).finish(), Phrase::new(&words).label(), &scale, "apart")
     }
 
@@ -174,7 +220,12 @@ impl<'a> ForcePage<'a> {
     fn force_polygon(&self, group: &GroupForces) -> DrawingPart {
         let scale = scale_formula(&self.maker.scene.book, DiagramKind::Force, self.of.mu());
         let caption = DiagramKind::Force.caption(self.maker.options.lang);
-        self.maker.titled(self.polygon(group).finish(), Phrase::new(caption).label(), &scale, "polygon")
+        self.maker.titled(
+            self.polygon(group).finish(),
+            Phrase::new(caption).label(),
+            &scale,
+            "polygon",
+        )
     }
 
     /// An equation of forces over its table of magnitudes and directions, in as few tables as fit
@@ -183,10 +234,13 @@ impl<'a> ForcePage<'a> {
         let columns = self.w.columns(sides);
         let tables = |pieces: usize| -> Vec<DrawingPart> {
             let length = columns.len().div_ceil(pieces);
-            let ranges = (0..columns.len()).step_by(length.max(1)).map(|start| start..columns.len().min(start + length));
+            let ranges = (0..columns.len())
+                .step_by(length.max(1))
+                .map(|start| start..columns.len().min(start + length));
             ranges.map(|range| self.table_of(&columns, range, k)).collect()
         };
-        let fits = |parts: &[DrawingPart]| parts.iter().all(|part| part.bounds.width_mm() <= width_mm);
+        let fits =
+            |parts: &[DrawingPart]| parts.iter().all(|part| part.bounds.width_mm() <= width_mm);
         (1..=columns.len()).map(tables).find(|parts| fits(parts)).unwrap_or_else(|| tables(1))
     }
 
@@ -198,8 +252,9 @@ impl<'a> ForcePage<'a> {
             put_together(Tree::text_column((0..tables.len()).map(Tree::Leaf).collect()), tables)
         };
         let parts: Vec<DrawingPart> = (0..equations.len()).map(part).collect();
-        let with =
-            |found: &dyn Fn(&ForceEdge) -> bool| equations.iter().position(|sides| sides.iter().any(found)).map(|k| parts[k].clone());
+        let with = |found: &dyn Fn(&ForceEdge) -> bool| {
+            equations.iter().position(|sides| sides.iter().any(found)).map(|k| parts[k].clone())
+        };
         let ends_in = |side: &ForceEdge, mark| {
             let v = &self.of.construction.vectors[side.vector.index()];
             !side.known && [v.from, v.to].contains(&mark)
@@ -226,9 +281,17 @@ impl<'a> ForcePage<'a> {
             })
         };
         let line = |head: &str, of: &dyn Fn(usize) -> String, name: &str| Row {
-            cells: std::iter::once(if first { cell(Label::text(head), format!("{name}-{}", k + 1)) } else { None })
-                .chain(range.clone().map(|c| cell(Label::math(of(c)), format!("{name}-{}-{}", k + 1, c + 1))))
-                .collect(),
+            cells: std::iter::once(if first {
+                cell(Label::text(head), format!("{name}-{}", k + 1))
+            } else {
+                None
+            })
+            .chain(
+                range
+                    .clone()
+                    .map(|c| cell(Label::math(of(c)), format!("{name}-{}-{}", k + 1, c + 1))),
+            )
+            .collect(),
             height_mm: style.small_mm * 1.9,
         };
         let symbols = |c: usize| match c {
@@ -236,7 +299,8 @@ impl<'a> ForcePage<'a> {
             c => format!("{} +", columns[c].symbol),
         };
         let (known, unknown) = (&options.notation.known, &options.notation.unknown);
-        let magnitude = |c: usize| if columns[c].magnitude { known.clone() } else { unknown.clone() };
+        let magnitude =
+            |c: usize| if columns[c].magnitude { known.clone() } else { unknown.clone() };
         let rows = [
             line("", &symbols, "equation"),
             line(words.magnitude, &magnitude, "magnitude"),
@@ -248,7 +312,8 @@ impl<'a> ForcePage<'a> {
     /// Sets sentences one below the other.
     fn text(&self, sentences: &[Phrase], name: &str, width_mm: f64) -> DrawingPart {
         let style = self.style();
-        let lines = sentences.iter().flat_map(|s| wrapped(s, width_mm, style.small_mm, &style.fonts));
+        let lines =
+            sentences.iter().flat_map(|s| wrapped(s, width_mm, style.small_mm, &style.fonts));
         let row = |(k, label): (usize, Label)| Row {
             cells: vec![Some(Cell {
                 label: label.in_fonts(&style.fonts),
@@ -270,7 +335,11 @@ impl<'a> ForcePage<'a> {
             ForceTerm::Load(k) => match self.of.loads[k].cause {
                 Cause::Weight => thin,
                 Cause::Inertia => thin.dashed(Dash::Dashed),
-                Cause::Applied(_) | Cause::Spring(_) | Cause::Balance | Cause::Teeth(_) | Cause::Friction(_) => vector,
+                Cause::Applied(_)
+                | Cause::Spring(_)
+                | Cause::Balance
+                | Cause::Teeth(_)
+                | Cause::Friction(_) => vector,
             },
             ForceTerm::Reaction { .. } => vector,
         }

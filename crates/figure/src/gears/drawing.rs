@@ -64,18 +64,26 @@ impl DrawnGears<'_> {
         let [down, up] = if whole {
             [side(lowest), side(highest)]
         } else {
-            let near = centres.iter().filter(|y| shown(**y)).fold(NEAR_MODULES * m, |far, y| far.max(y.abs()));
+            let near = centres
+                .iter()
+                .filter(|y| shown(**y))
+                .fold(NEAR_MODULES * m, |far, y| far.max(y.abs()));
             [near, if pair.mate == Mate::Gear { near } else { 3.0 * m }]
         };
         let rounds = &pair.gears[..centres.len()];
         let half_width = |g: &Gear| g.tip.max(g.root) * libm::sin(sector(g).min(FRAC_PI_2));
         let width = 2.0 * rounds.iter().map(half_width).fold(0.0, f64::max);
-        let mu = choose_in(maker.scene.book.size(Kind::Length), [width, down + up + 2.0 * m], ROOM_MM);
+        let mu =
+            choose_in(maker.scene.book.size(Kind::Length), [width, down + up + 2.0 * m], ROOM_MM);
         let k = 1.0 / mu;
         let reach = (down + up) / 2.0 * k;
         let mut d = Drawing::new("gears", style.clone());
         let (from, to) = (Point::new(0.0, -down * k), Point::new(0.0, up * k));
-        d.shape("centres", "line", Shape::Line { from, to, stroke: style.thin.dashed(Dash::DashDot) });
+        d.shape(
+            "centres",
+            "line",
+            Shape::Line { from, to, stroke: style.thin.dashed(Dash::DashDot) },
+        );
         for (i, (g, y)) in rounds.iter().zip(&centres).enumerate() {
             let centre = Point::new(0.0, y * k);
             // Direction of the pitch point from the centre.
@@ -87,22 +95,35 @@ impl DrawnGears<'_> {
             let first = toward + g.half_tooth(&pair.basic, g.pitch);
             let most = TEETH.min((g.teeth as i32 - 1) / 2);
             let points = (-most..=most)
-                .flat_map(|n| g.tooth(&pair.basic, first + pitch_angle * f64::from(n), FLANK_POINTS))
+                .flat_map(|n| {
+                    g.tooth(&pair.basic, first + pitch_angle * f64::from(n), FLANK_POINTS)
+                })
                 .map(|p| centre + p.to_vec2() * k)
                 .collect();
             self.teeth(&mut d, i, points);
             if shown(*y) {
-                let name = self.rolling.centres()[self.order[i]].map_or("O", |p| maker.scene.point_name(p));
+                let name = self.rolling.centres()[self.order[i]]
+                    .map_or("O", |p| maker.scene.point_name(p));
                 d.draw(&format!("centre-{name}"), "point", sym::dot(style, centre));
-                d.label_at(name, "point", &point_label(name), centre, style.dot_radius_mm, Some(Vec2::new(1.0, 0.0)));
+                d.label_at(
+                    name,
+                    "point",
+                    &point_label(name),
+                    centre,
+                    style.dot_radius_mm,
+                    Some(Vec2::new(1.0, 0.0)),
+                );
             }
         }
         if pair.mate == Mate::Rack {
             self.rack(&mut d, k);
         }
         self.action(&mut d, reach, k);
-        let mu_words =
-            format!("\\mu_l = {} {}", scale(maker.scene.book.value(Kind::Length, mu)), maker.scene.book.scale_label(Kind::Length));
+        let mu_words = format!(
+            "\\mu_l = {} {}",
+            scale(maker.scene.book.value(Kind::Length, mu)),
+            maker.scene.book.scale_label(Kind::Length)
+        );
         let (lang, a, b) = (maker.options.lang, self.name(0), self.name(1));
         let names = match (pair.mate, lang) {
             (Mate::Gear, Lang::En) => format!("Gears {a} and {b}"),
@@ -123,14 +144,19 @@ impl DrawnGears<'_> {
     fn teeth(&self, d: &mut Drawing, i: usize, points: Vec<Point>) {
         d.of_link(Some(self.rolling.links[self.order[i]].0));
         let stroke = Some(self.maker.options.style.outline);
-        d.shape(&format!("teeth-{}", self.name(i)), "teeth", Shape::Polyline { points, closed: false, stroke, fill: None });
+        d.shape(
+            &format!("teeth-{}", self.name(i)),
+            "teeth",
+            Shape::Polyline { points, closed: false, stroke, fill: None },
+        );
         d.of_link(None);
     }
 
     /// Draws the teeth of a rack with pitch line, tip line and root line, each named at its end.
     fn rack(&self, d: &mut Drawing, k: f64) {
         let style = &self.maker.options.style;
-        let points = self.pair.rack_teeth(TEETH).into_iter().map(|p| (p.to_vec2() * k).to_point()).collect();
+        let points =
+            self.pair.rack_teeth(TEETH).into_iter().map(|p| (p.to_vec2() * k).to_point()).collect();
         self.teeth(d, 1, points);
         let [tip, root] = self.pair.rack();
         let half = PI * self.pair.basic.module * (f64::from(TEETH) + 0.8) * k;
@@ -145,12 +171,22 @@ impl DrawnGears<'_> {
             let owner = d.shape(&format!("line-{name}"), "line", Shape::Line { from, to, stroke });
             let end = if side > 0.0 { to } else { from };
             let request = LabelRequest::at_point(Label::text(words), style.small_mm, end, 0.8);
-            d.label(&format!("line-{name}"), "line", request.owned(owner).towards(Vec2::new(side, 0.0)));
+            d.label(
+                &format!("line-{name}"),
+                "line",
+                request.owned(owner).towards(Vec2::new(side, 0.0)),
+            );
         }
     }
 
     /// Draws the circles of a gear as arcs about the line of centres, each named at its end.
-    fn circles(&self, d: &mut Drawing, (i, centre, toward): (usize, Point, f64), reach: f64, k: f64) {
+    fn circles(
+        &self,
+        d: &mut Drawing,
+        (i, centre, toward): (usize, Point, f64),
+        reach: f64,
+        k: f64,
+    ) {
         let style = &self.maker.options.style;
         let g = &self.pair.gears[i];
         // As far as the teeth extend, and past N if N is in the drawing.
@@ -168,11 +204,20 @@ impl DrawnGears<'_> {
             let (from_rad, to_rad) = (toward - half, toward + half);
             let text = format!("{letter}{}}}", name_label(self.name(i)));
             let id = format!("circle-{name}-{}", self.name(i));
-            let owner = d.shape(&id, "circle", Shape::Arc { centre, radius_mm: radius * k, from_rad, to_rad, stroke });
+            let owner = d.shape(
+                &id,
+                "circle",
+                Shape::Arc { centre, radius_mm: radius * k, from_rad, to_rad, stroke },
+            );
             let along = Vec2::from_angle(toward + side * half);
             let end = centre + along * (radius * k);
-            let out = if side > 0.0 { Vec2::from_angle(toward + FRAC_PI_2) } else { Vec2::from_angle(toward - FRAC_PI_2) };
-            let request = LabelRequest::at_point(Label::math(text.clone()), style.small_mm, end, 0.3);
+            let out = if side > 0.0 {
+                Vec2::from_angle(toward + FRAC_PI_2)
+            } else {
+                Vec2::from_angle(toward - FRAC_PI_2)
+            };
+            let request =
+                LabelRequest::at_point(Label::math(text.clone()), style.small_mm, end, 0.3);
             d.label(&id, "circle", request.owned(owner).towards(out));
         }
     }
@@ -188,7 +233,15 @@ impl DrawnGears<'_> {
         let cut = |t: f64| t.max(-FAR * reach / k).min(FAR * reach / k);
         let (first, last) = (n1.min(n2), n1.max(b1).max(n2));
         let last = if last.is_finite() { last } else { b1 * 1.6 };
-        d.shape("action", "line", Shape::Line { from: at(cut(first * 1.12)), to: at(cut(last * 1.12)), stroke: style.thin });
+        d.shape(
+            "action",
+            "line",
+            Shape::Line {
+                from: at(cut(first * 1.12)),
+                to: at(cut(last * 1.12)),
+                stroke: style.thin,
+            },
+        );
         let active = Shape::Line { from: at(b2), to: at(b1), stroke: style.outline };
         d.shape("action-active", "line", active);
         let side = along.perp();
@@ -205,20 +258,37 @@ impl DrawnGears<'_> {
         for n in -3..=3 {
             let t = f64::from(n) * p_b;
             if t >= b2 && t <= b1 {
-                let circle = Shape::Circle { centre: at(t), radius_mm: 1.2, stroke: Some(style.outline), fill: None };
+                let circle = Shape::Circle {
+                    centre: at(t),
+                    radius_mm: 1.2,
+                    stroke: Some(style.outline),
+                    fill: None,
+                };
                 d.shape("contact", "contact", circle);
             }
         }
         let name = self.maker.scene.point_name(self.rolling.at[0]).to_owned();
-        d.label_at(&name, "point", &point_label(&name), Point::ORIGIN, 1.6, Some(Vec2::new(-1.0, 0.6)));
+        d.label_at(
+            &name,
+            "point",
+            &point_label(&name),
+            Point::ORIGIN,
+            1.6,
+            Some(Vec2::new(-1.0, 0.6)),
+        );
         // The operating pressure angle, between the common tangent and the line of action.
         let radius = (0.75 * reach).min(26.0);
         d.shape(
             "tangent",
             "line",
-            Shape::Line { from: Point::new(-radius * 1.3, 0.0), to: Point::new(radius * 1.3, 0.0), stroke: style.thin },
+            Shape::Line {
+                from: Point::new(-radius * 1.3, 0.0),
+                to: Point::new(radius * 1.3, 0.0),
+                stroke: style.thin,
+            },
         );
-        let owner = d.draw("angle", "angle", sym::angle(style, Point::ORIGIN, radius, 0.0, pair.operating));
+        let owner =
+            d.draw("angle", "angle", sym::angle(style, Point::ORIGIN, radius, 0.0, pair.operating));
         let angle = LabelRequest::along_arc(
             Label::math("\\alpha'"),
             style.label_mm,

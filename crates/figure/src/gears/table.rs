@@ -21,7 +21,9 @@ impl DrawnGears<'_> {
     fn length(&self, m: f64) -> String {
         let (book, digits) = (&self.maker.scene.book, self.maker.options.digits + 1);
         match book.chosen(Kind::Length) {
-            Some(_) => book.label(Kind::Length, &inked(&significant(book.value(Kind::Length, m), digits))),
+            Some(_) => {
+                book.label(Kind::Length, &inked(&significant(book.value(Kind::Length, m), digits)))
+            }
             None => format!("{} mm", inked(&significant(m * 1e3, digits))),
         }
     }
@@ -50,7 +52,8 @@ impl DrawnGears<'_> {
         };
         // A rack has no sizes of a gear.
         let rounds = if pair.mate == Mate::Rack { 1 } else { 2 };
-        let of = |f: &dyn Fn(&Gear) -> String| pair.gears.iter().take(rounds).map(f).collect::<Vec<_>>();
+        let of =
+            |f: &dyn Fn(&Gear) -> String| pair.gears.iter().take(rounds).map(f).collect::<Vec<_>>();
         // A ring is not cut by a rack.
         let least = |g: &Gear| {
             let ring = pair.mate == Mate::Ring && *g == pair.gears[1];
@@ -81,25 +84,49 @@ impl DrawnGears<'_> {
                     "a",
                     self.length(standard(basic, pair.mate, pair.gears.map(|g| g.teeth))),
                 ),
-                (tr(lang, "operating centre distance", "实际中心距"), "a'", self.length(pair.distance)),
+                (
+                    tr(lang, "operating centre distance", "实际中心距"),
+                    "a'",
+                    self.length(pair.distance),
+                ),
             ]
         };
         let shift = || number(pair.mate.shift(pair.gears.map(|g| g.shift)));
         match pair.mate {
             Mate::Gear => {
                 common.extend(centres());
-                common.push((tr(lang, "sum of profile shifts", "变位系数和"), "x_{\\Sigma}", shift()));
+                common.push((
+                    tr(lang, "sum of profile shifts", "变位系数和"),
+                    "x_{\\Sigma}",
+                    shift(),
+                ));
             }
             Mate::Ring => {
                 common.extend(centres());
-                common.push((tr(lang, "difference of profile shifts", "变位系数差"), "x_{}-x_{}", shift()));
+                common.push((
+                    tr(lang, "difference of profile shifts", "变位系数差"),
+                    "x_{}-x_{}",
+                    shift(),
+                ));
             }
             Mate::Rack => {
                 let [tip, root] = pair.rack();
                 common.extend([
-                    (tr(lang, "pitch line to the gear's axis", "节线至轮心距离"), "r'", self.length(pair.distance)),
-                    (tr(lang, "pitch line to the tip line", "节线至齿条齿顶线"), "h_a", self.length(tip)),
-                    (tr(lang, "pitch line to the root line", "节线至齿条齿根线"), "h_f", self.length(root)),
+                    (
+                        tr(lang, "pitch line to the gear's axis", "节线至轮心距离"),
+                        "r'",
+                        self.length(pair.distance),
+                    ),
+                    (
+                        tr(lang, "pitch line to the tip line", "节线至齿条齿顶线"),
+                        "h_a",
+                        self.length(tip),
+                    ),
+                    (
+                        tr(lang, "pitch line to the root line", "节线至齿条齿根线"),
+                        "h_f",
+                        self.length(root),
+                    ),
                 ]);
             }
         }
@@ -108,21 +135,34 @@ impl DrawnGears<'_> {
             (tr(lang, "base pitch", "基圆齿距"), "p_b", self.length(pair.base_pitch())),
             (tr(lang, "contact ratio", "重合度"), "\\varepsilon", number(pair.contact_ratio())),
         ]);
-        let mut head = vec![tr(lang, "gear", "齿轮").to_owned(), String::new(), self.name(0).to_owned()];
+        let mut head =
+            vec![tr(lang, "gear", "齿轮").to_owned(), String::new(), self.name(0).to_owned()];
         if rounds == 2 {
             head.push(self.name(1).to_owned());
         }
-        let cells = head.iter().enumerate().map(|(k, h)| if h.is_empty() { None } else { text(h, format!("gears-head-{k}")) }).collect();
+        let cells = head
+            .iter()
+            .enumerate()
+            .map(|(k, h)| if h.is_empty() { None } else { text(h, format!("gears-head-{k}")) })
+            .collect();
         let mut rows = vec![Row { cells, height_mm: ROW_MM }];
         for (r, (words, letter, values)) in each.iter().enumerate() {
-            let mut cells = vec![text(words, format!("gears-word-{r}")), math(letter, format!("gears-symbol-{r}"))];
-            cells.extend(values.iter().enumerate().map(|(k, v)| math(v, format!("gears-value-{r}-{k}"))));
+            let mut cells = vec![
+                text(words, format!("gears-word-{r}")),
+                math(letter, format!("gears-symbol-{r}")),
+            ];
+            cells.extend(
+                values.iter().enumerate().map(|(k, v)| math(v, format!("gears-value-{r}-{k}"))),
+            );
             rows.push(Row { cells, height_mm: ROW_MM });
         }
         for (r, (words, letter, value)) in common.iter().enumerate() {
             let letter = letter
                 .replace("B_{}B_{}", &format!("{}{}", self.symbol("B", 1), self.symbol("B", 0)))
-                .replace("x_{}-x_{}", &format!("{} - {}", self.symbol("x", 1), self.symbol("x", 0)));
+                .replace(
+                    "x_{}-x_{}",
+                    &format!("{} - {}", self.symbol("x", 1), self.symbol("x", 0)),
+                );
             let mut row = Row {
                 cells: vec![
                     text(words, format!("gears-pair-{r}")),

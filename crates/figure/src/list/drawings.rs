@@ -7,8 +7,11 @@ use hodograph_scene::DiagramKind;
 use super::{FigureEntry, FigureInput, Pages, page};
 
 /// The mechanism.
-pub const MECHANISM: FigureEntry =
-    FigureEntry { name: "mechanism", about: ["The kinematic diagram", "机构运动简图"], draw: mechanism };
+pub const MECHANISM: FigureEntry = FigureEntry {
+    name: "mechanism",
+    about: ["The kinematic diagram", "机构运动简图"],
+    draw: mechanism,
+};
 /// The velocity polygon.
 pub const VELOCITY: FigureEntry = FigureEntry {
     name: "velocity",
@@ -19,7 +22,9 @@ pub const VELOCITY: FigureEntry = FigureEntry {
 pub const ACCELERATION: FigureEntry = FigureEntry {
     name: "acceleration",
     about: ["The acceleration polygon", "加速度多边形"],
-    draw: |w| page(ACCELERATION.name, drawing(w.scene, w.worked, w.options, DiagramKind::Acceleration)),
+    draw: |w| {
+        page(ACCELERATION.name, drawing(w.scene, w.worked, w.options, DiagramKind::Acceleration))
+    },
 };
 
 fn mechanism(w: &FigureInput) -> Result<Warned<Pages>, Faults> {

@@ -8,10 +8,14 @@ use hodograph_worked::certified::certify;
 use super::{FigureEntry, FigureInput, Pages};
 
 /// Gear pairs: flanks, circles, line of action, table.
-pub const ENTRY: FigureEntry =
-    FigureEntry {
-        name: "gears", about: ["Gear pairs with teeth, line of action and contact ratio", "齿轮副：齿廓、啮合线和重合度"], draw
-    };
+pub const ENTRY: FigureEntry = FigureEntry {
+    name: "gears",
+    about: [
+        "Gear pairs with teeth, line of action and contact ratio",
+        "齿轮副：齿廓、啮合线和重合度",
+    ],
+    draw,
+};
 
 fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     let certified = certify(w.scene, w.worked, w.options.digits);

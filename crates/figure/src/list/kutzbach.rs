@@ -8,14 +8,18 @@ use hodograph_worked::certified::certify;
 use super::{FigureEntry, FigureInput, Pages};
 
 /// Gear trains: velocities over the line of centres, angular velocities, and the table.
-pub const ENTRY: FigureEntry =
-    FigureEntry {
-        name: "kutzbach", about: ["Gear trains: Kutzbach's plan and Willis' table", "轮系：线速度图、转速图和列表法"], draw
-    };
+pub const ENTRY: FigureEntry = FigureEntry {
+    name: "kutzbach",
+    about: ["Gear trains: Kutzbach's plan and Willis' table", "轮系：线速度图、转速图和列表法"],
+    draw,
+};
 
 fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     let certified = certify(w.scene, w.worked, w.options.digits);
     let maker = SheetDrafter { scene: w.scene, worked: w.worked, options: w.options, certified };
-    let pages = plans(&maker).into_iter().map(|(name, figure)| (format!("{}{name}", ENTRY.name), figure)).collect();
+    let pages = plans(&maker)
+        .into_iter()
+        .map(|(name, figure)| (format!("{}{name}", ENTRY.name), figure))
+        .collect();
     Ok(Warned { value: pages, notes: Vec::new() })
 }

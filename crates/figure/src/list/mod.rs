@@ -112,7 +112,8 @@ impl Extras {
 
     /// Returns the additions as lines over and behind the mechanism.
     pub fn overlay(&self, scene: &Scene, worked: &Worked) -> Overlay {
-        let overlay = Overlay { vectors: self.vectors, dimensions: self.dimensions, ..Overlay::default() };
+        let overlay =
+            Overlay { vectors: self.vectors, dimensions: self.dimensions, ..Overlay::default() };
         if self.poses > 0 || !self.points.is_empty() {
             return overlay.with_motion(scene, worked, self.poses, &self.points);
         }
@@ -122,7 +123,10 @@ impl Extras {
 
 /// Returns one page, or none.
 pub(super) fn page(name: &str, figure: Option<Figure>) -> Result<Warned<Pages>, Faults> {
-    Ok(Warned { value: figure.into_iter().map(|f| (name.to_owned(), f)).collect(), notes: Vec::new() })
+    Ok(Warned {
+        value: figure.into_iter().map(|f| (name.to_owned(), f)).collect(),
+        notes: Vec::new(),
+    })
 }
 
 #[cfg(test)]
@@ -132,7 +136,11 @@ mod tests {
     #[test]
     fn names_are_unique_and_told_in_both_languages() {
         for (k, entry) in LIST.iter().enumerate() {
-            assert!(LIST[..k].iter().all(|e| e.name != entry.name), "{} is there twice", entry.name);
+            assert!(
+                LIST[..k].iter().all(|e| e.name != entry.name),
+                "{} is there twice",
+                entry.name
+            );
             assert!(named(entry.name).is_some_and(|e| e.name == entry.name));
             assert!(entry.about[0].is_ascii() && !entry.about[1].is_ascii(), "{:?}", entry.about);
         }

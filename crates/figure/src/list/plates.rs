@@ -19,7 +19,10 @@ use super::{FigureEntry, FigureInput, Pages};
 /// The plates.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "plates",
-    about: ["The polygons split by group, with the equations of each", "按杆组分开的速度和加速度多边形及其方程"],
+    about: [
+        "The polygons split by group, with the equations of each",
+        "按杆组分开的速度和加速度多边形及其方程",
+    ],
     draw,
 };
 
@@ -33,13 +36,22 @@ fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
         let Some(polygon) = w.worked.construction.polygon(on) else { continue };
         for plate in plates(&w.options.style, &writer, &w.worked.mechanism, polygon) {
             let m = &w.worked.mechanism;
-            let group = m.assur_of(w.scene, plate.groups[0]).map(|g| group_set(w.scene, m, &g, lang).label());
-            let words = Phrase::new(&format!("{}{}", maker.name(Captioned::Drawing(on)), tr(lang, ", ", "，"))).label();
+            let group = m
+                .assur_of(w.scene, plate.groups[0])
+                .map(|g| group_set(w.scene, m, &g, lang).label());
+            let words = Phrase::new(&format!(
+                "{}{}",
+                maker.name(Captioned::Drawing(on)),
+                tr(lang, ", ", "，")
+            ))
+            .label();
             let words = group.into_iter().fold(words, Label::then);
             let mu = scale_formula(&w.scene.book, on, plate.mu);
             let drawn = maker.titled(plate.part, words, &mu, on.prefix());
             let mut parts: Vec<DrawingPart> = vec![drawn];
-            parts.extend(maker.tables(&writer, &numbers).parts_of(on, |g| plate.groups.contains(&g)));
+            parts.extend(
+                maker.tables(&writer, &numbers).parts_of(on, |g| plate.groups.contains(&g)),
+            );
             let written: Vec<Tree> = (1..parts.len()).map(Tree::Leaf).collect();
             let tree = Tree::row(vec![Tree::Leaf(0), Tree::text_column(written)]);
             let kind = on.word();

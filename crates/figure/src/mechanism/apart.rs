@@ -34,20 +34,37 @@ pub enum MechanismPiece<'a> {
 }
 
 /// Returns the parts in solving order, before their labels are placed.
-pub fn apart<'a>(style: &Style, scene: &Scene, worked: &'a Worked, notation: &Notation) -> Vec<(MechanismPiece<'a>, Drawing)> {
+pub fn apart<'a>(
+    style: &Style,
+    scene: &Scene,
+    worked: &'a Worked,
+    notation: &Notation,
+) -> Vec<(MechanismPiece<'a>, Drawing)> {
     let course = SeriesFeatures::of_one(style, scene, worked, notation);
     let m = &worked.mechanism;
     let draw = |only: Only| {
         let mut draft = MechanismDraft::new(style, scene, worked, notation, &course);
-        draft.forms.iter_mut().zip(&only.links).filter(|(_, shown)| !**shown).for_each(|(form, _)| *form = None::<LinkForm>);
+        draft
+            .forms
+            .iter_mut()
+            .zip(&only.links)
+            .filter(|(_, shown)| !**shown)
+            .for_each(|(form, _)| *form = None::<LinkForm>);
         draft.only = Some(only);
         draft.pieces_of_it();
         draft.d
     };
-    let nothing = || Only { links: vec![false; scene.links.len()], drivers: vec![false; scene.drivers.len()], pins: Vec::new() };
+    let nothing = || Only {
+        links: vec![false; scene.links.len()],
+        drivers: vec![false; scene.drivers.len()],
+        pins: Vec::new(),
+    };
     let mut driven = nothing();
     let groups = m.assur(scene);
-    groups.iter().filter(|g| g.class().is_none() && !g.is_carried()).for_each(|g| driven.add(scene, worked, g));
+    groups
+        .iter()
+        .filter(|g| g.class().is_none() && !g.is_carried())
+        .for_each(|g| driven.add(scene, worked, g));
     let mut parts = Vec::new();
     // Cylinders drive within their groups.
     if driven.drivers.contains(&true) {
@@ -70,11 +87,22 @@ pub fn apart<'a>(style: &Style, scene: &Scene, worked: &'a Worked, notation: &No
 }
 
 /// Draws some links with their joints, before their labels are placed.
-pub fn links(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, links: &[LinkId]) -> Drawing {
+pub fn links(
+    style: &Style,
+    scene: &Scene,
+    worked: &Worked,
+    notation: &Notation,
+    links: &[LinkId],
+) -> Drawing {
     let course = SeriesFeatures::of_one(style, scene, worked, notation);
     let shown: Vec<bool> = (0..scene.links.len()).map(|l| links.contains(&LinkId(l))).collect();
     let mut draft = MechanismDraft::new(style, scene, worked, notation, &course);
-    draft.forms.iter_mut().zip(&shown).filter(|(_, shown)| !**shown).for_each(|(form, _)| *form = None::<LinkForm>);
+    draft
+        .forms
+        .iter_mut()
+        .zip(&shown)
+        .filter(|(_, shown)| !**shown)
+        .for_each(|(form, _)| *form = None::<LinkForm>);
     // Forces of a curved guide pass through its centre.
     let centre = |g: &Guide| match g.path {
         GuidePath::Arc { centre, .. } => g.slider.filter(|s| shown[s.0]).map(|_| centre),
@@ -95,7 +123,8 @@ impl Only {
         for (l, passive) in m.passive.iter().enumerate() {
             let Some(Passive::Block(guide)) = passive else { continue };
             let guide = &scene.guides[guide.0];
-            self.links[l] |= g.links.contains(&guide.on) || guide.pin.is_some_and(|p| pins.contains(&p));
+            self.links[l] |=
+                g.links.contains(&guide.on) || guide.pin.is_some_and(|p| pins.contains(&p));
         }
         self.pins.extend(pins);
         for d in g.drivers(m) {
@@ -119,7 +148,8 @@ impl MechanismDraft<'_> {
     /// True if a point belongs to a moving link that is shown, or is a pin of the part.
     pub(super) fn shows_point(&self, p: PointId) -> bool {
         let Some(only) = &self.only else { return true };
-        only.pins.contains(&p) || self.scene.carriers(p).any(|l| l != self.scene.ground && only.links[l.0])
+        only.pins.contains(&p)
+            || self.scene.carriers(p).any(|l| l != self.scene.ground && only.links[l.0])
     }
 
     /// True if the runner of a guide is shown.

@@ -13,7 +13,10 @@ use hodograph_paper::paper::item::{Dash, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::{LabelRequest, Reads};
 use hodograph_paper::paper::symbols as sym;
-use hodograph_scene::{Asked, Cam, DiagramKind, Follows, GuideDirection, GuideId, GuidePath, LinkId, Pieces, PointId, TurningCam};
+use hodograph_scene::{
+    Asked, Cam, DiagramKind, Follows, GuideDirection, GuideId, GuidePath, LinkId, Pieces, PointId,
+    TurningCam,
+};
 
 use super::MechanismDraft;
 use super::letters::NumberPlace;
@@ -49,20 +52,27 @@ impl MechanismDraft<'_> {
     pub(super) fn is_profile(&self, l: LinkId) -> bool {
         let faced = |c: &Cam| c.follower == l && matches!(c.follows, Follows::Face(_));
         let named = self.scene.cams.iter().any(|c| c.cam == l || faced(c));
-        let joint = |p: &PointId| self.is_pin(*p) && !self.on_ground(*p) && !self.represents_contact(*p);
+        let joint =
+            |p: &PointId| self.is_pin(*p) && !self.on_ground(*p) && !self.represents_contact(*p);
         named && !self.scene.links[l.0].points.iter().any(joint)
     }
 
     /// True if a point is a pin only because it runs in the guide that represents a contact.
     fn represents_contact(&self, p: PointId) -> bool {
-        self.scene.cams.iter().any(|c| c.contact.is_some_and(|g| self.scene.guides[g.0].pin == Some(p)) && self.on_cam(c, p))
+        self.scene.cams.iter().any(|c| {
+            c.contact.is_some_and(|g| self.scene.guides[g.0].pin == Some(p)) && self.on_cam(c, p)
+        })
     }
 
     /// True if a flat face is named by a line through this point: tables write ∥CF.
     pub(super) fn on_face(&self, p: PointId) -> bool {
         let along = |g: GuideId| match self.scene.guides[g.0].path {
             GuidePath::Line { direction: GuideDirection::Along(a, b, _), .. } => a == p || b == p,
-            GuidePath::Line { direction: GuideDirection::Own | GuideDirection::Instant(_) | GuideDirection::Slid(_), .. }
+            GuidePath::Line {
+                direction:
+                    GuideDirection::Own | GuideDirection::Instant(_) | GuideDirection::Slid(_),
+                ..
+            }
             | GuidePath::Arc { .. } => false,
         };
         let faced = |c: &Cam| match c.follows {
@@ -79,8 +89,13 @@ impl MechanismDraft<'_> {
     /// Offset of the block and the guide of a cam's follower from the follower's end.
     pub(super) fn raised(&self, g: GuideId, tangent: Vec2) -> Vec2 {
         let guide = &self.scene.guides[g.0];
-        let of = |c: &&Cam| guide.slider == Some(c.follower) && guide.pin == Some(c.follows.point());
-        self.scene.cams.iter().find(of).map_or(Vec2::ZERO, |c| tangent * (ROD_MM + self.mm(c.follows.radius().unwrap_or(0.0))))
+        let of =
+            |c: &&Cam| guide.slider == Some(c.follower) && guide.pin == Some(c.follows.point());
+        self.scene
+            .cams
+            .iter()
+            .find(of)
+            .map_or(Vec2::ZERO, |c| tangent * (ROD_MM + self.mm(c.follows.radius().unwrap_or(0.0))))
     }
 
     /// For a knife edge that is at no joint: the direction in which the follower extends from it.
@@ -89,7 +104,9 @@ impl MechanismDraft<'_> {
         if self.scene.carriers(p).any(|l| l != c.follower) {
             return None;
         }
-        let slides = |g: &usize| self.scene.guides[*g].slider == Some(c.follower) && self.scene.guides[*g].pin == Some(p);
+        let slides = |g: &usize| {
+            self.scene.guides[*g].slider == Some(c.follower) && self.scene.guides[*g].pin == Some(p)
+        };
         if let Some(g) = (0..self.scene.guides.len()).find(slides) {
             let Some(Path::Line { direction, .. }) = self.guide(GuideId(g)) else { return None };
             return Some(direction);
@@ -153,9 +170,10 @@ impl MechanismDraft<'_> {
         }
         let pieces = c.posed.as_ref()?;
         match pieces.segments[pieces.touched] {
-            ProfileSegment::Arc { centre, radius, .. } => {
-                self.of_pieces(pieces).filter(|_| self.mm(radius.abs()) < FAR_MM).map(|at| at(centre))
-            }
+            ProfileSegment::Arc { centre, radius, .. } => self
+                .of_pieces(pieces)
+                .filter(|_| self.mm(radius.abs()) < FAR_MM)
+                .map(|at| at(centre)),
             ProfileSegment::Line { .. } => None,
         }
     }
@@ -177,8 +195,11 @@ impl MechanismDraft<'_> {
     /// these would be read as theirs. Distances that are large enough count as equal; the first
     /// piece wins.
     fn freest(&self, pieces: impl Iterator<Item = [Point; 2]>) -> [Point; 2] {
-        let joints = (0..self.scene.points.len()).map(PointId).filter_map(|p| Some((p, self.point(p)?)));
-        let busy: Vec<Point> = joints.flat_map(|(p, at)| [at, at + self.support_side(p) * self.style.pivot_height_mm]).collect();
+        let joints =
+            (0..self.scene.points.len()).map(PointId).filter_map(|p| Some((p, self.point(p)?)));
+        let busy: Vec<Point> = joints
+            .flat_map(|(p, at)| [at, at + self.support_side(p) * self.style.pivot_height_mm])
+            .collect();
         let free = |[a, b]: &[Point; 2]| {
             let middle = *a + (*b - *a) * 0.5;
             busy.iter().map(|p| p.distance(middle)).fold(FAR_ENOUGH_MM, f64::min)
@@ -193,24 +214,51 @@ impl MechanismDraft<'_> {
         let (owner, [from, to]) = if let Some((k, radius)) = c.circle {
             let Some(centre) = self.point(k) else { return self.d.of_link(None) };
             let radius_mm = self.mm(radius);
-            let owner = self.d.shape(&id, "cam", Shape::Arc { centre, radius_mm, from_rad: 0.0, to_rad: TAU, stroke });
+            let owner = self.d.shape(
+                &id,
+                "cam",
+                Shape::Arc { centre, radius_mm, from_rad: 0.0, to_rad: TAU, stroke },
+            );
             let piece = |k: usize| {
-                [k as f64, k as f64 + 1.5].map(|a| centre + Vec2::from_angle(NUMBER_FROM_RAD + a * TAU / PLACES as f64) * radius_mm)
+                [k as f64, k as f64 + 1.5].map(|a| {
+                    centre + Vec2::from_angle(NUMBER_FROM_RAD + a * TAU / PLACES as f64) * radius_mm
+                })
             };
             (owner, self.freest((0..PLACES).map(piece)))
         } else {
-            let of_disc = || Some(c.disc.as_ref()?.disc.outline(STEPS).into_iter().map(self.of_cam(c)?).collect());
+            let of_disc = || {
+                Some(
+                    c.disc.as_ref()?.disc.outline(STEPS).into_iter().map(self.of_cam(c)?).collect(),
+                )
+            };
             let of_pieces = || {
                 let pieces = c.posed.as_ref()?;
-                Some(pieces.segments.iter().flat_map(|s| s.points(TAU / STEPS as f64)).map(self.of_pieces(pieces)?).collect())
+                Some(
+                    pieces
+                        .segments
+                        .iter()
+                        .flat_map(|s| s.points(TAU / STEPS as f64))
+                        .map(self.of_pieces(pieces)?)
+                        .collect(),
+                )
             };
             let points: Vec<Point> = of_disc().or_else(of_pieces).unwrap_or_default();
             let n = points.len();
             if n == 0 {
                 return self.d.of_link(None);
             }
-            let ends = self.freest((0..PLACES).map(|k| [points[k * n / PLACES], points[(k * n / PLACES + n / 12) % n]]));
-            (self.d.shape(&id, "cam", Shape::Polyline { points, closed: true, stroke: Some(stroke), fill: None }), ends)
+            let ends = self.freest(
+                (0..PLACES)
+                    .map(|k| [points[k * n / PLACES], points[(k * n / PLACES + n / 12) % n]]),
+            );
+            (
+                self.d.shape(
+                    &id,
+                    "cam",
+                    Shape::Polyline { points, closed: true, stroke: Some(stroke), fill: None },
+                ),
+                ends,
+            )
         };
         self.d.of_link(None);
         if self.forms[c.cam.0].is_none() && self.number_at[c.cam.0].is_none() {
@@ -227,12 +275,27 @@ impl MechanismDraft<'_> {
             Follows::Edge(_) => {}
             Follows::Roller(p, radius) => {
                 if let Some(centre) = self.point(p) {
-                    let circle = Shape::Arc { centre, radius_mm: self.mm(radius), from_rad: 0.0, to_rad: TAU, stroke };
+                    let circle = Shape::Arc {
+                        centre,
+                        radius_mm: self.mm(radius),
+                        from_rad: 0.0,
+                        to_rad: TAU,
+                        stroke,
+                    };
                     self.d.shape(&id, "roller", circle);
                     if let Some(name) = &c.roller {
                         let label = Label::math(name_label(name));
-                        let request = LabelRequest::at_point(label, self.style.label_mm, centre, self.mm(radius));
-                        self.d.label(&format!("number-{name}"), "number", request.read_as(Reads::Number));
+                        let request = LabelRequest::at_point(
+                            label,
+                            self.style.label_mm,
+                            centre,
+                            self.mm(radius),
+                        );
+                        self.d.label(
+                            &format!("number-{name}"),
+                            "number",
+                            request.read_as(Reads::Number),
+                        );
                     }
                     self.spin(c, centre, self.mm(radius));
                 }
@@ -240,7 +303,13 @@ impl MechanismDraft<'_> {
             Follows::Arc(p, radius) => {
                 if let (Some(centre), Some((contact, _))) = (self.point(p), self.contact(c)) {
                     let middle = (contact - centre).angle();
-                    let arc = Shape::Arc { centre, radius_mm: self.mm(radius), from_rad: middle - 0.6, to_rad: middle + 0.6, stroke };
+                    let arc = Shape::Arc {
+                        centre,
+                        radius_mm: self.mm(radius),
+                        from_rad: middle - 0.6,
+                        to_rad: middle + 0.6,
+                        stroke,
+                    };
                     self.d.shape(&id, "round-end", arc);
                 }
             }
@@ -254,9 +323,17 @@ impl MechanismDraft<'_> {
         if self.worked.construction.polygon(DiagramKind::Velocity).is_none() {
             return;
         }
-        let asked =
-            |find: usize| self.scene.find.get(find).is_some_and(|f| matches!(f.what, Asked::RollerSpin(q) if q.follower == c.follower));
-        let Some(AnswerValue::Scalar(rate)) = self.worked.results.iter().find(|r| asked(r.find)).map(|r| r.computed) else { return };
+        let asked = |find: usize| {
+            self.scene
+                .find
+                .get(find)
+                .is_some_and(|f| matches!(f.what, Asked::RollerSpin(q) if q.follower == c.follower))
+        };
+        let Some(AnswerValue::Scalar(rate)) =
+            self.worked.results.iter().find(|r| asked(r.find)).map(|r| r.computed)
+        else {
+            return;
+        };
         if rate == 0.0 {
             return;
         }
@@ -264,33 +341,56 @@ impl MechanismDraft<'_> {
         let free = self.contact(c).map_or(FRAC_PI_2, |(contact, _)| (centre - contact).angle());
         let (low, high) = (free - SPIN_RAD, free + SPIN_RAD);
         let [from, to] = if rate > 0.0 { [low, high] } else { [high, low] };
-        let (id, radius) = (format!("spin-{}", self.scene.link_name(c.follower)), radius_mm + SPIN_OFF_MM);
-        let owner = self.d.draw(&id, "rotation", sym::rotation(self.style, centre, radius, from, to));
+        let (id, radius) =
+            (format!("spin-{}", self.scene.link_name(c.follower)), radius_mm + SPIN_OFF_MM);
+        let owner =
+            self.d.draw(&id, "rotation", sym::rotation(self.style, centre, radius, from, to));
         let symbol = match &c.roller {
             Some(own) => format!("\\omega_{{{}}}", name_label(own)),
             None => format!("\\omega^s_{{{}}}", name_label(self.scene.link_name(c.follower))),
         };
         let clear = self.style.vector.width_mm / 2.0;
-        let request = LabelRequest::along_arc(Label::math(symbol), self.style.label_mm, centre, radius, [from, to], clear);
+        let request = LabelRequest::along_arc(
+            Label::math(symbol),
+            self.style.label_mm,
+            centre,
+            radius,
+            [from, to],
+            clear,
+        );
         self.d.label(&id, "rotation", request.owned(owner));
     }
 
     /// Draws a flat face from the foot of its point to beyond the contact, and the arm that holds
     /// it.
     fn face(&mut self, c: &Cam, p: PointId, id: &str) {
-        let (Some(through), Some(touch)) = (self.point(p), self.worked.configuration.touch(self.scene, c)) else { return };
+        let (Some(through), Some(touch)) =
+            (self.point(p), self.worked.configuration.touch(self.scene, c))
+        else {
+            return;
+        };
         let (contact, n) = (self.paper(touch.at), touch.normal);
         let foot = through - n * (through - contact).dot(n);
         let along = contact - foot;
         let u = along.unit().unwrap_or(n.perp());
         let slides = self.scene.guides.iter().any(|g| g.slider == Some(c.follower));
         // Points that name the face are on it, or on the arm that it makes with them.
-        let named = self.scene.links[c.follower.0].points.iter().filter(|p| self.on_face(**p)).filter_map(|p| self.point(*p));
-        let farthest = named.filter(|p| (*p - foot).dot(n).abs() < super::SAME_MM).map(|p| (p - foot).dot(u)).fold(0.0, f64::max);
+        let named = self.scene.links[c.follower.0]
+            .points
+            .iter()
+            .filter(|p| self.on_face(**p))
+            .filter_map(|p| self.point(*p));
+        let farthest = named
+            .filter(|p| (*p - foot).dot(n).abs() < super::SAME_MM)
+            .map(|p| (p - foot).dot(u))
+            .fold(0.0, f64::max);
         let reach = (along.norm() + BEYOND_MM).max(farthest);
         let apart = (foot - through).norm() > super::SAME_MM;
         // A second face of a sliding follower is held by a frame round the cam.
-        let yoke = c.touched_radius().filter(|_| apart && slides).map(|r| u * (along.norm() + self.mm(r) + BEYOND_MM));
+        let yoke = c
+            .touched_radius()
+            .filter(|_| apart && slides)
+            .map(|r| u * (along.norm() + self.mm(r) + BEYOND_MM));
         let [from, to] = match yoke {
             Some(half) => [foot - half, foot + half],
             None => [if slides { foot - u * reach } else { foot }, foot + u * reach],
@@ -299,7 +399,9 @@ impl MechanismDraft<'_> {
         let items = c.contact.map_or(items.clone(), |g| self.as_opened(Opened::Guide(g), items));
         let owner = self.d.draw(id, "", items);
         if let Some(half) = yoke {
-            for [from, to] in [[from, through - half], [through - half, through + half], [through + half, to]] {
+            for [from, to] in
+                [[from, through - half], [through - half, through + half], [through + half, to]]
+            {
                 self.d.draw(id, "", sym::link(self.style, &[from, to]));
             }
         }
@@ -322,7 +424,9 @@ impl MechanismDraft<'_> {
             let stroke = self.style.thin.dashed(Dash::DashDot);
             let end = match c.follows {
                 Follows::Face(_) => contact,
-                Follows::Edge(p) | Follows::Roller(p, _) | Follows::Arc(p, _) => self.point(p).unwrap_or(contact),
+                Follows::Edge(p) | Follows::Roller(p, _) | Follows::Arc(p, _) => {
+                    self.point(p).unwrap_or(contact)
+                }
             };
             let mut line = |from: Point, to: Point| {
                 if from.distance(to) > super::SAME_MM {
@@ -333,7 +437,8 @@ impl MechanismDraft<'_> {
                 Some(k) => line(k, end),
                 None => line(contact, end),
             }
-            let pivot = self.scene.links[c.cam.0].points.iter().copied().find(|p| self.on_ground(*p));
+            let pivot =
+                self.scene.links[c.cam.0].points.iter().copied().find(|p| self.on_ground(*p));
             if let (Some(k), Some(pivot)) = (k, pivot.and_then(|p| self.point(p))) {
                 self.d.shape(&id, "equivalent", Shape::Line { from: pivot, to: k, stroke });
                 if k.distance(pivot) > super::SAME_MM {
@@ -344,7 +449,14 @@ impl MechanismDraft<'_> {
             self.d.draw(&format!("contact-{i}"), "contact", dot);
             if let Some(name) = &self.scene.cams[i].at {
                 let name = hodograph_board::plan::names::point_label(name);
-                self.d.label_at(&format!("contact-{i}-letter"), "letter", &name, contact, self.style.dot_radius_mm, None);
+                self.d.label_at(
+                    &format!("contact-{i}-letter"),
+                    "letter",
+                    &name,
+                    contact,
+                    self.style.dot_radius_mm,
+                    None,
+                );
             }
         }
     }

@@ -47,7 +47,13 @@ pub struct Composed {
 }
 
 /// Draws the mechanism with the vectors.
-pub fn composed(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, what: &Composed) -> DrawingPart {
+pub fn composed(
+    style: &Style,
+    scene: &Scene,
+    worked: &Worked,
+    notation: &Notation,
+    what: &Composed,
+) -> DrawingPart {
     let alone = SeriesFeatures::default();
     // A vector along a bar would be invisible on a dark bar.
     let style = &Style { link: style.link.coloured(BARS), ..style.clone() };
@@ -66,18 +72,40 @@ impl MechanismDraft<'_> {
             for (start, along) in [(a.mm, b.mm), (b.mm, a.mm)] {
                 let (start, end) = (from + start, from + start + along);
                 // Parallel vectors would be covered by the closing line.
-                if along.norm() > SHORTEST_MM && a.mm.cross(b.mm).abs() > SHORTEST_MM * a.mm.norm().max(b.mm.norm()) {
-                    self.d.shape("parallelogram", "closing", Shape::Line { from: start, to: end, stroke });
+                if along.norm() > SHORTEST_MM
+                    && a.mm.cross(b.mm).abs() > SHORTEST_MM * a.mm.norm().max(b.mm.norm())
+                {
+                    self.d.shape(
+                        "parallelogram",
+                        "closing",
+                        Shape::Line { from: start, to: end, stroke },
+                    );
                 }
             }
         }
         for v in what.vectors.iter().filter(|v| v.mm.norm() > SHORTEST_MM) {
             let to = from + v.mm;
-            let stroke = if v.absolute { style.vector } else { LineStroke { width_mm: style.vector.width_mm * 0.7, ..style.vector } };
-            let (name, class) = (format!("vector-{}", v.key), if v.absolute { "absolute" } else { "part" });
-            let owner = self.d.vector(&name, class, Shape::Arrow { from, to, stroke, head: style.head }, v.shown.clone());
+            let stroke = if v.absolute {
+                style.vector
+            } else {
+                LineStroke { width_mm: style.vector.width_mm * 0.7, ..style.vector }
+            };
+            let (name, class) =
+                (format!("vector-{}", v.key), if v.absolute { "absolute" } else { "part" });
+            let owner = self.d.vector(
+                &name,
+                class,
+                Shape::Arrow { from, to, stroke, head: style.head },
+                v.shown.clone(),
+            );
             // Near its tip, where the vectors of one point are farthest apart.
-            let request = LabelRequest::along(Label::math(&v.symbol), style.label_mm, from + v.mm * 0.5, to, stroke.width_mm / 2.0);
+            let request = LabelRequest::along(
+                Label::math(&v.symbol),
+                style.label_mm,
+                from + v.mm * 0.5,
+                to,
+                stroke.width_mm / 2.0,
+            );
             self.d.label(&name, class, request.owned(owner));
         }
     }

@@ -17,7 +17,9 @@ use hodograph_paper::paper::item::{COARSE, Colour, FigureItem, PLACED, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::{InkRaster, Obstacles, is_coarse};
 use hodograph_paper::paper::symbols as sym;
-use hodograph_scene::{GivenQuantity, GuidePath, Kind, PointId, PointPlace, QuantityText, Scene, Through};
+use hodograph_scene::{
+    GivenQuantity, GuidePath, Kind, PointId, PointPlace, QuantityText, Scene, Through,
+};
 
 use super::{MechanismDraft, form};
 
@@ -81,7 +83,8 @@ struct Bodies {
 
 impl Bodies {
     fn cover(&self, p: Point) -> bool {
-        self.areas.iter().any(|a| form::inside(p, a)) || self.discs.iter().any(|(c, r)| c.distance(p) < *r)
+        self.areas.iter().any(|a| form::inside(p, a))
+            || self.discs.iter().any(|(c, r)| c.distance(p) < *r)
     }
 }
 
@@ -98,7 +101,10 @@ impl ObstacleSearch {
         if !is_coarse(dimensions) {
             return ObstacleSearch::Each(bodies);
         }
-        let mut raster = InkRaster::of(d.obstacles(), d.bounds().grown(FIRST_MM + NEXT_MM * f64::from(LEVELS) + BORDER_MM));
+        let mut raster = InkRaster::of(
+            d.obstacles(),
+            d.bounds().grown(FIRST_MM + NEXT_MM * f64::from(LEVELS) + BORDER_MM),
+        );
         bodies.areas.iter().for_each(|a| raster.add_area(a));
         bodies.discs.iter().for_each(|(c, r)| raster.add_disc(*c, *r));
         ObstacleSearch::Cells(raster)
@@ -108,7 +114,8 @@ impl ObstacleSearch {
     fn crossed(&mut self, d: &Drawing, (p, q): (Point, Point), lines: &[FigureItem]) -> f64 {
         match self {
             ObstacleSearch::Each(bodies) => {
-                let crossed = CROSSED_COST * d.met_by(&lines[2..], AIR_MM) as f64 + d.met_by(&lines[..2], 0.1) as f64;
+                let crossed = CROSSED_COST * d.met_by(&lines[2..], AIR_MM) as f64
+                    + d.met_by(&lines[..2], 0.1) as f64;
                 let over = (1..8).any(|k| bodies.cover(p + (q - p) * (f64::from(k) / 8.0)));
                 crossed + if over { OVER_COST } else { 0.0 }
             }
@@ -129,12 +136,16 @@ impl ObstacleSearch {
         let part = |p: Point, q: Point, t: f64| p + (q - p) * t;
         match self {
             ObstacleSearch::Each(bodies) => {
-                let column = |i: i32| (part(a, b, f64::from(i) / 4.0), part(e, c, f64::from(i) / 4.0));
-                let mut grid = (0..=4).flat_map(|i| [0.0, 0.5, 1.0].map(|j| part(column(i).0, column(i).1, j)));
-                !grid.any(|p| bodies.cover(p)) && d.met(&Obstacles::of_turned([a, b, c, e]), AIR_MM) == 0
+                let column =
+                    |i: i32| (part(a, b, f64::from(i) / 4.0), part(e, c, f64::from(i) / 4.0));
+                let mut grid = (0..=4)
+                    .flat_map(|i| [0.0, 0.5, 1.0].map(|j| part(column(i).0, column(i).1, j)));
+                !grid.any(|p| bodies.cover(p))
+                    && d.met(&Obstacles::of_turned([a, b, c, e]), AIR_MM) == 0
             }
             ObstacleSearch::Cells(raster) => {
-                let [along, up] = [(a, b), (a, e)].map(|(p, q)| (q - p).unit().unwrap_or(Vec2::ZERO) * AIR_MM);
+                let [along, up] =
+                    [(a, b), (a, e)].map(|(p, q)| (q - p).unit().unwrap_or(Vec2::ZERO) * AIR_MM);
                 raster.is_free([a - along - up, b + along - up, c + along + up, e - along + up])
             }
         }
@@ -164,9 +175,16 @@ impl MechanismDraft<'_> {
     }
 
     fn draw_dimensions(&mut self, wanted: Vec<DimensionRequest>, ways: &mut ObstacleSearch) {
-        let places: Vec<Point> = (0..self.scene.points.len()).filter_map(|p| self.point(PointId(p))).collect();
-        let middle = places.iter().fold(Point::ORIGIN, |m, p| m + p.to_vec2() * (1.0 / places.len().max(1) as f64));
-        let class = if matches!(ways, ObstacleSearch::Cells(_)) { format!("dimension {COARSE} {PLACED}") } else { "dimension".to_owned() };
+        let places: Vec<Point> =
+            (0..self.scene.points.len()).filter_map(|p| self.point(PointId(p))).collect();
+        let middle = places
+            .iter()
+            .fold(Point::ORIGIN, |m, p| m + p.to_vec2() * (1.0 / places.len().max(1) as f64));
+        let class = if matches!(ways, ObstacleSearch::Cells(_)) {
+            format!("dimension {COARSE} {PLACED}")
+        } else {
+            "dimension".to_owned()
+        };
         for (a, b, name, text) in wanted {
             let label = Label::math(text).in_fonts(&self.style.fonts);
             let Some(placed) = self.place_dimension(a, b, &label, middle, ways) else { continue };
@@ -180,10 +198,16 @@ impl MechanismDraft<'_> {
     fn lengths(&self) -> Vec<DimensionRequest> {
         // The longest come last, because they are farthest out.
         let mut wanted: Vec<DimensionRequest> = Vec::new();
-        let of_cam = |p: PointId| self.scene.cams.iter().any(|c| c.span == self.scene.points[p.0].span);
+        let of_cam =
+            |p: PointId| self.scene.cams.iter().any(|c| c.span == self.scene.points[p.0].span);
         for length in self.scene.lengths.iter().filter(|l| !of_cam(l.a) && !of_cam(l.b)) {
             let (Some(a), Some(b)) = (self.point(length.a), self.point(length.b)) else { continue };
-            wanted.push((a, b, name_of(self.scene, length.a, length.b), self.dimension(&length.value)));
+            wanted.push((
+                a,
+                b,
+                name_of(self.scene, length.a, length.b),
+                self.dimension(&length.value),
+            ));
         }
         for p in (0..self.scene.points.len()).map(PointId) {
             let Some(at) = self.point(p) else { continue };
@@ -222,15 +246,20 @@ impl MechanismDraft<'_> {
     /// offset.
     fn offsets(&self) -> Vec<DimensionRequest> {
         let mut out = Vec::new();
-        for (g, guide) in self.scene.guides.iter().enumerate().filter(|(_, g)| g.rolling.is_none()) {
-            let GuidePath::Line { through, offset: Some(offset), .. } = &guide.path else { continue };
+        for (g, guide) in self.scene.guides.iter().enumerate().filter(|(_, g)| g.rolling.is_none())
+        {
+            let GuidePath::Line { through, offset: Some(offset), .. } = &guide.path else {
+                continue;
+            };
             let from = match through {
                 Through::Point(p) => self.point(*p),
                 Through::At([x, y]) => Some(self.paper(Point::new(x.value, y.value))),
                 Through::Pin => None,
             };
-            let (Some(from), Some(hodograph_mechanism::position::Path::Line { through, direction })) =
-                (from, self.guide(hodograph_scene::GuideId(g)))
+            let (
+                Some(from),
+                Some(hodograph_mechanism::position::Path::Line { through, direction }),
+            ) = (from, self.guide(hodograph_scene::GuideId(g)))
             else {
                 continue;
             };
@@ -245,14 +274,21 @@ impl MechanismDraft<'_> {
 
     /// Plates, wheels and cams.
     fn bodies(&self) -> Bodies {
-        let areas = self.forms.iter().flatten().filter(|f| !f.plate.is_empty()).map(|f| f.plate.clone()).collect();
+        let areas = self
+            .forms
+            .iter()
+            .flatten()
+            .filter(|f| !f.plate.is_empty())
+            .map(|f| f.plate.clone())
+            .collect();
         let mut discs = Vec::new();
         for pair in &self.scene.rolling {
             let round = |i: usize| {
                 let centre = self.point(pair.centres()[i]?)?;
                 Some((centre, centre.distance(self.point(pair.at[i])?)))
             };
-            discs.extend([0, 1].into_iter().filter(|i| pair.hollow() != Some(*i)).filter_map(round));
+            discs
+                .extend([0, 1].into_iter().filter(|i| pair.hollow() != Some(*i)).filter_map(round));
         }
         for c in &self.scene.cams {
             if let Some((centre, radius)) = c.circle
@@ -264,7 +300,14 @@ impl MechanismDraft<'_> {
         Bodies { areas, discs }
     }
 
-    fn place_dimension(&self, a: Point, b: Point, label: &Label, middle: Point, ways: &mut ObstacleSearch) -> Option<PlacedDimension> {
+    fn place_dimension(
+        &self,
+        a: Point,
+        b: Point,
+        label: &Label,
+        middle: Point,
+        ways: &mut ObstacleSearch,
+    ) -> Option<PlacedDimension> {
         let along = (b - a).unit()?;
         let level = turned_corners(Point::ORIGIN, 0.0, label, self.style.small_mm)?;
         let inside = along.cross(middle - a).signum();
@@ -273,15 +316,22 @@ impl MechanismDraft<'_> {
             for side in [-inside, inside] {
                 let side = if side == 0.0 { 1.0 } else { side };
                 let offset = side * (FIRST_MM + NEXT_MM * f64::from(step));
-                let base = FAR_COST * f64::from(step) + if side == inside { INSIDE_COST } else { 0.0 };
+                let base =
+                    FAR_COST * f64::from(step) + if side == inside { INSIDE_COST } else { 0.0 };
                 let ends = sym::dimension_line(a, b, offset);
                 let mut crossed = None;
                 for spot in self.spots(ends, &level) {
-                    let dearer = |best: &Option<(f64, f64, NumberSpot)>, cost: f64| best.as_ref().is_some_and(|(least, ..)| *least <= cost);
-                    if dearer(&best, base + spot.cost) || !ways.is_free(&self.d, turned(&level, &spot)) {
+                    let dearer = |best: &Option<(f64, f64, NumberSpot)>, cost: f64| {
+                        best.as_ref().is_some_and(|(least, ..)| *least <= cost)
+                    };
+                    if dearer(&best, base + spot.cost)
+                        || !ways.is_free(&self.d, turned(&level, &spot))
+                    {
                         continue;
                     }
-                    let crossed = *crossed.get_or_insert_with(|| ways.crossed(&self.d, ends, &sym::dimension(self.style, a, b, offset)));
+                    let crossed = *crossed.get_or_insert_with(|| {
+                        ways.crossed(&self.d, ends, &sym::dimension(self.style, a, b, offset))
+                    });
                     let cost = base + crossed + spot.cost;
                     if !dearer(&best, cost) {
                         best = Some((cost, offset, spot));
@@ -291,7 +341,9 @@ impl MechanismDraft<'_> {
         }
         let (_, offset, spot) = best?;
         let mut lines = sym::dimension(self.style, a, b, offset);
-        let beyond = |[from, to]: [Point; 2]| FigureItem::new("dimension", Shape::Line { from, to, stroke: self.style.thin });
+        let beyond = |[from, to]: [Point; 2]| {
+            FigureItem::new("dimension", Shape::Line { from, to, stroke: self.style.thin })
+        };
         lines.extend(spot.beyond.map(beyond));
         let shape = Shape::Turned {
             at: spot.at,
@@ -318,16 +370,27 @@ impl MechanismDraft<'_> {
         let up = Vec2::from_angle(angle_rad).perp();
         let [c0, c1, ..] = level;
         let (wide, below) = (c1.x - c0.x, -c0.y);
-        let spot = |at: Point, cost: f64, beyond| NumberSpot { at: at + up * (GAP_MM + below.max(0.0)), angle_rad, cost, beyond };
+        let spot = |at: Point, cost: f64, beyond| NumberSpot {
+            at: at + up * (GAP_MM + below.max(0.0)),
+            angle_rad,
+            cost,
+            beyond,
+        };
         let heads = 2.0 * self.style.thin_head.length_mm;
         let mut out = Vec::new();
         for (k, part) in STATIONS.into_iter().enumerate() {
-            if part.min(1.0 - part) * length >= wide / 2.0 + if k == 0 { 0.0 } else { heads / 2.0 } && length >= wide + 1.0 {
+            if part.min(1.0 - part) * length >= wide / 2.0 + if k == 0 { 0.0 } else { heads / 2.0 }
+                && length >= wide + 1.0
+            {
                 out.push(spot(p + along * (part * length), ASIDE_COST * k as f64, None));
             }
         }
         for (end, out_of) in [(q, along), (p, -along)] {
-            out.push(spot(end + out_of * (wide / 2.0 + 1.2), BEYOND_COST, Some([end, end + out_of * (wide + 2.0)])));
+            out.push(spot(
+                end + out_of * (wide / 2.0 + 1.2),
+                BEYOND_COST,
+                Some([end, end + out_of * (wide + 2.0)]),
+            ));
         }
         out
     }
@@ -337,9 +400,15 @@ impl MechanismDraft<'_> {
     fn dimension(&self, given: &GivenQuantity) -> String {
         let number = |value: f64| inked(&shortest((value * 1e3).round() / 1e3));
         match self.scene.told(Kind::Length, &given.text, given.value) {
-            QuantityText::AsWritten(number, unit) if unit.name() != "mm" => unit.label(&inked(&number)),
-            QuantityText::Computed(value, unit) if unit.name() != "mm" => unit.label(&number(value)),
-            QuantityText::AsWritten(..) | QuantityText::Computed(..) | QuantityText::Usual => shortest((given.value * 1e6).round() / 1e3),
+            QuantityText::AsWritten(number, unit) if unit.name() != "mm" => {
+                unit.label(&inked(&number))
+            }
+            QuantityText::Computed(value, unit) if unit.name() != "mm" => {
+                unit.label(&number(value))
+            }
+            QuantityText::AsWritten(..) | QuantityText::Computed(..) | QuantityText::Usual => {
+                shortest((given.value * 1e6).round() / 1e3)
+            }
         }
     }
 }
@@ -355,8 +424,15 @@ mod tests {
     /// A crank-rocker with `n` points on its coupler, each with two coordinates.
     fn scene_of(n: usize) -> Scene {
         let names: Vec<String> = (0..n).map(|k| format!("\"P{k}\"")).collect();
-        let place = |k: usize| format!(r#"{{"base": "BC", "x": "{} mm", "y": "{} mm"}}"#, 5 + 240 * k / n, 20 + (37 * k) % 61);
-        let points: Vec<String> = names.iter().enumerate().map(|(k, name)| format!("{name}: {}", place(k))).collect();
+        let place = |k: usize| {
+            format!(
+                r#"{{"base": "BC", "x": "{} mm", "y": "{} mm"}}"#,
+                5 + 240 * k / n,
+                20 + (37 * k) % 61
+            )
+        };
+        let points: Vec<String> =
+            names.iter().enumerate().map(|(k, name)| format!("{name}: {}", place(k))).collect();
         let text = format!(
             r#"{{"links": {{"1": ["A", "B"], "2": ["B", "C", {}], "3": ["C", "D"], "4": ["A", "D"]}}, "ground": "4", "points": {{{}}}, "side": {{"C": "left of BD"}},
             "lengths": {{"AB": "100 mm", "BC": "250 mm", "CD": "200 mm", "AD": "300 mm"}}, "driver": {{"link": "1", "angle": "60 deg", "omega": "10 rad/s"}},
@@ -371,8 +447,11 @@ mod tests {
     /// they are placed coarsely.
     #[test]
     fn work_grows_with_the_number_of_dimensions() {
-        let (style, notation, course) =
-            (Style::default(), Notation::of_language(hodograph_scene::Lang::En), super::super::SeriesFeatures::default());
+        let (style, notation, course) = (
+            Style::default(),
+            Notation::of_language(hodograph_scene::Lang::En),
+            super::super::SeriesFeatures::default(),
+        );
         let mut last: Option<f64> = None;
         for n in [60, 120, 240, 480] {
             let scene = scene_of(n);
@@ -382,12 +461,25 @@ mod tests {
             let wanted = draft.lengths();
             let count = wanted.len() as f64;
             let mut ways = ObstacleSearch::new(&draft.d, draft.bodies(), wanted.len());
-            let before = if let ObstacleSearch::Cells(raster) = &ways { raster.touched() } else { panic!("{n} are few") };
+            let before = if let ObstacleSearch::Cells(raster) = &ways {
+                raster.touched()
+            } else {
+                panic!("{n} are few")
+            };
             draft.draw_dimensions(wanted, &mut ways);
             let ObstacleSearch::Cells(raster) = &ways else { panic!("{n} are few") };
             let each = (raster.touched() - before) as f64 / count;
-            assert!(last.is_none_or(|last| each < 1.2 * last), "{n} points: {each} cells for each dimension, {last:?} before");
-            let coarse = draft.d.finish().items.iter().filter(|i| i.class.contains("dimension coarse label")).count();
+            assert!(
+                last.is_none_or(|last| each < 1.2 * last),
+                "{n} points: {each} cells for each dimension, {last:?} before"
+            );
+            let coarse = draft
+                .d
+                .finish()
+                .items
+                .iter()
+                .filter(|i| i.class.contains("dimension coarse label"))
+                .count();
             assert!(coarse > 3, "{n} points: {coarse}");
             last = Some(each);
         }

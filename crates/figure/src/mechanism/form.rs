@@ -28,7 +28,8 @@ pub(super) struct LinkForm {
 impl LinkForm {
     /// Returns all straight lines of the form, including the edges of plates.
     pub fn segments(&self) -> Vec<(Point, Point)> {
-        let mut all: Vec<(Point, Point)> = self.bars.iter().chain(&self.guide_bars).copied().collect();
+        let mut all: Vec<(Point, Point)> =
+            self.bars.iter().chain(&self.guide_bars).copied().collect();
         for k in 0..self.plate.len() {
             all.push((self.plate[k], self.plate[(k + 1) % self.plate.len()]));
         }
@@ -76,9 +77,16 @@ impl MechanismDraft<'_> {
     /// The form of a link; `None` for the ground, for blocks and cylinder parts, and for links
     /// without a position.
     pub(super) fn form(&self, l: LinkId) -> Option<LinkForm> {
-        let (rods, blocks): (Vec<_>, Vec<_>) = self.swings().into_iter().filter(|s| s.rod == l || s.block == l).partition(|s| s.rod == l);
+        let (rods, blocks): (Vec<_>, Vec<_>) = self
+            .swings()
+            .into_iter()
+            .filter(|s| s.rod == l || s.block == l)
+            .partition(|s| s.rod == l);
         if !rods.is_empty() {
-            return Some(LinkForm { bars: rods.into_iter().map(|s| s.ends).collect(), ..LinkForm::default() });
+            return Some(LinkForm {
+                bars: rods.into_iter().map(|s| s.ends).collect(),
+                ..LinkForm::default()
+            });
         }
         if !blocks.is_empty() {
             return None;
@@ -92,14 +100,21 @@ impl MechanismDraft<'_> {
             return None;
         }
         let drawn = |g: &GuideId| self.scene.guides[g.0].rolling.is_none() && !self.is_contact(*g);
-        let own_guides: Vec<GuideId> =
-            (0..self.scene.guides.len()).map(GuideId).filter(|g| self.scene.guides[g.0].on == l && drawn(g)).collect();
+        let own_guides: Vec<GuideId> = (0..self.scene.guides.len())
+            .map(GuideId)
+            .filter(|g| self.scene.guides[g.0].on == l && drawn(g))
+            .collect();
         // The centre of a slot is not part of the body, unless something is pinned there.
         let centre_only = |p| {
             !self.is_pin(p)
                 && own_guides.iter().any(|g| matches!(self.scene.guides[g.0].path, GuidePath::Arc { centre, .. } if centre == p))
         };
-        let points: Vec<Point> = link.points.iter().filter(|p| !centre_only(**p)).filter_map(|p| self.point(*p)).collect();
+        let points: Vec<Point> = link
+            .points
+            .iter()
+            .filter(|p| !centre_only(**p))
+            .filter_map(|p| self.point(*p))
+            .collect();
         let mut form = LinkForm::default();
         if points.len() >= 3 && !in_line(&points) {
             let corners = hull(&points);
@@ -110,18 +125,27 @@ impl MechanismDraft<'_> {
         }
         for g in own_guides {
             match self.guide(g) {
-                Some(Path::Line { direction, .. }) => self.straight(&mut form, g, direction, &points),
-                Some(Path::Arc { centre, radius }) => self.arc(&mut form, g, centre, radius, &points),
+                Some(Path::Line { direction, .. }) => {
+                    self.straight(&mut form, g, direction, &points)
+                }
+                Some(Path::Arc { centre, radius }) => {
+                    self.arc(&mut form, g, centre, radius, &points)
+                }
                 None => {}
             }
         }
         if form.plate.is_empty() && points.len() >= 2 {
             let (a, b) = ends(&points);
-            let covered = |(p, q): &(Point, Point)| on_segment(a, *p, *q, IN_LINE_MM) && on_segment(b, *p, *q, IN_LINE_MM);
-            let held = |p: &Point| form.bars.iter().any(|(a, b)| on_segment(*p, *a, *b, IN_LINE_MM));
+            let covered = |(p, q): &(Point, Point)| {
+                on_segment(a, *p, *q, IN_LINE_MM) && on_segment(b, *p, *q, IN_LINE_MM)
+            };
+            let held =
+                |p: &Point| form.bars.iter().any(|(a, b)| on_segment(*p, *a, *b, IN_LINE_MM));
             // The arm of an offset guide, or of a slot, holds one of the points; the bar to the
             // others starts there.
-            if !form.guide_bars.iter().any(covered) && (form.bars.is_empty() || !points.iter().all(held)) {
+            if !form.guide_bars.iter().any(covered)
+                && (form.bars.is_empty() || !points.iter().all(held))
+            {
                 form.bars.push((a, b));
             }
         }
@@ -132,7 +156,8 @@ impl MechanismDraft<'_> {
 
     /// The middle of an arm that carries wheels round a point: a plate would hide their contacts.
     fn spider(&self, l: LinkId, points: &[Point], corners: &[Point]) -> Option<Point> {
-        let mut within = points.iter().filter(|p| corners.iter().all(|c| c.distance(**p) > super::SAME_MM));
+        let mut within =
+            points.iter().filter(|p| corners.iter().all(|c| c.distance(**p) > super::SAME_MM));
         let (middle, None) = (within.next()?, within.next()) else { return None };
         let axes: Vec<Point> = self
             .scene
@@ -153,7 +178,8 @@ impl MechanismDraft<'_> {
         let Some((at, _)) = self.runner(g) else { return };
         let along = |p: Point| (p - at).dot(u);
         let off = |p: Point| (p - at).cross(u).abs();
-        let mut on_line: Vec<Point> = points.iter().copied().filter(|p| off(*p) < IN_LINE_MM).collect();
+        let mut on_line: Vec<Point> =
+            points.iter().copied().filter(|p| off(*p) < IN_LINE_MM).collect();
         let foot = |p: Point| at + u * along(p);
         if on_line.is_empty()
             && let Some(near) = points.iter().copied().min_by(|p, q| off(*p).total_cmp(&off(*q)))
@@ -163,22 +189,36 @@ impl MechanismDraft<'_> {
             form.corners.push((foot(near), near, at));
             on_line.push(foot(near));
         }
-        let reach = |sign: f64, own: f64| on_line.iter().map(|p| along(*p) * sign).fold(own, f64::max) * sign;
+        let reach = |sign: f64, own: f64| {
+            on_line.iter().map(|p| along(*p) * sign).fold(own, f64::max) * sign
+        };
         if guide.slider.is_some() {
             let [back, on] = self.travel(g);
-            let own = |sign: f64| self.style.block_length_mm / 2.0 + BEYOND_BLOCK_MM + if sign > 0.0 { on } else { -back };
+            let own = |sign: f64| {
+                self.style.block_length_mm / 2.0
+                    + BEYOND_BLOCK_MM
+                    + if sign > 0.0 { on } else { -back }
+            };
             // A known end of the lever is its end; otherwise the bar continues past the block.
             let far = |sign: f64| {
-                let ends_there = on_line.iter().any(|p| along(*p) * sign > self.style.block_length_mm / 2.0);
+                let ends_there =
+                    on_line.iter().any(|p| along(*p) * sign > self.style.block_length_mm / 2.0);
                 if ends_there { reach(sign, 0.0) } else { reach(sign, own(sign)) }
             };
             form.guide_bars.push((at + u * far(-1.0), at + u * far(1.0)));
         } else {
             let free = |sign: f64| {
-                let joint = on_line.iter().map(|p| along(*p) * sign).filter(|t| *t > SLOT_TO_JOINT_MM).fold(f64::INFINITY, f64::min);
+                let joint = on_line
+                    .iter()
+                    .map(|p| along(*p) * sign)
+                    .filter(|t| *t > SLOT_TO_JOINT_MM)
+                    .fold(f64::INFINITY, f64::min);
                 let [back, on] = self.travel(g);
                 let goes = if sign > 0.0 { on } else { -back };
-                (SLOT_HALF_MM + goes).min(joint - SLOT_TO_JOINT_MM).max(self.style.pin_radius_mm + goes) * sign
+                (SLOT_HALF_MM + goes)
+                    .min(joint - SLOT_TO_JOINT_MM)
+                    .max(self.style.pin_radius_mm + goes)
+                    * sign
             };
             let (lo, hi) = (free(-1.0), free(1.0));
             form.slots.push((at + u * lo, at + u * hi));
@@ -186,8 +226,10 @@ impl MechanismDraft<'_> {
         }
         // Points of the link off the guide: the corner where their bar meets it.
         if form.plate.is_empty()
-            && let (Some(off_line), Some(corner)) =
-                (points.iter().copied().find(|p| off(*p) >= IN_LINE_MM), points.iter().copied().find(|p| off(*p) < IN_LINE_MM))
+            && let (Some(off_line), Some(corner)) = (
+                points.iter().copied().find(|p| off(*p) >= IN_LINE_MM),
+                points.iter().copied().find(|p| off(*p) < IN_LINE_MM),
+            )
             && corner.distance(at) > IN_LINE_MM
         {
             form.corners.push((corner, off_line, at));
@@ -206,7 +248,9 @@ impl MechanismDraft<'_> {
         let pairs = points.iter().flat_map(|p| ends.map(|e| (*p, e)));
         if let Some((p, e)) = pairs.min_by(|x, y| x.0.distance(x.1).total_cmp(&y.0.distance(y.1))) {
             // The arm ends at the slot's wall: inside the slot it would look like a second pin.
-            let wall = (p - e).unit().map_or(e, |u| e + u * (self.style.slot_width_mm / 2.0).min(p.distance(e)));
+            let wall = (p - e)
+                .unit()
+                .map_or(e, |u| e + u * (self.style.slot_width_mm / 2.0).min(p.distance(e)));
             form.bars.push((p, wall));
         }
     }
@@ -261,7 +305,8 @@ mod tests {
     #[test]
     fn hull_of_a_square_with_a_point_inside() {
         let p = |x: f64, y: f64| Point::new(x, y);
-        let corners = hull(&[p(0.0, 0.0), p(4.0, 4.0), p(2.0, 1.0), p(4.0, 0.0), p(0.0, 4.0), p(2.0, 0.0)]);
+        let corners =
+            hull(&[p(0.0, 0.0), p(4.0, 4.0), p(2.0, 1.0), p(4.0, 0.0), p(0.0, 4.0), p(2.0, 0.0)]);
         assert_eq!(corners, [p(0.0, 0.0), p(4.0, 0.0), p(4.0, 4.0), p(0.0, 4.0)]);
     }
 

@@ -43,31 +43,57 @@ impl MechanismDraft<'_> {
             }
             let half = self.style.link.width_mm / 2.0;
             // Nearly as far as the corners: along a side the number is a little off.
-            let block = 0.9 * libm::hypot(self.style.block_width_mm, self.style.block_length_mm) / 2.0;
+            let block =
+                0.9 * libm::hypot(self.style.block_width_mm, self.style.block_length_mm) / 2.0;
             match self.number_at[l] {
-                Some(NumberPlace::Along(a, b, owner)) => self.number(&id, &name, (a, b), half, owner),
-                Some(NumberPlace::Around(at, side)) => {
-                    let request = LabelRequest::at_point(Label::math(name_label(&name)), self.style.label_mm, at, block);
-                    self.d.label(&id, "number", LabelRequest { prefer: side, reads: Reads::Number, ..request });
+                Some(NumberPlace::Along(a, b, owner)) => {
+                    self.number(&id, &name, (a, b), half, owner)
                 }
-                Some(NumberPlace::Wide(a, b, wide, owner)) => self.number(&id, &name, (a, b), wide + half, owner),
+                Some(NumberPlace::Around(at, side)) => {
+                    let request = LabelRequest::at_point(
+                        Label::math(name_label(&name)),
+                        self.style.label_mm,
+                        at,
+                        block,
+                    );
+                    self.d.label(
+                        &id,
+                        "number",
+                        LabelRequest { prefer: side, reads: Reads::Number, ..request },
+                    );
+                }
+                Some(NumberPlace::Wide(a, b, wide, owner)) => {
+                    self.number(&id, &name, (a, b), wide + half, owner)
+                }
                 None => {
                     let Some(form) = &self.forms[l] else { continue };
                     if form.plate.is_empty() {
                         let length = |s: &(Point, Point)| s.0.distance(s.1);
-                        let longest = self.pieces(l).into_iter().max_by(|a, b| length(a).total_cmp(&length(b)));
+                        let longest = self
+                            .pieces(l)
+                            .into_iter()
+                            .max_by(|a, b| length(a).total_cmp(&length(b)));
                         if let Some(s) = longest {
                             // The link's own lines may be near, unlike those of any other link.
                             self.number(&id, &name, s, half, 0);
                         }
                     } else {
                         let n = form.plate.len() as f64;
-                        let middle = form.plate.iter().fold(Point::ORIGIN, |m, p| m + p.to_vec2() * (1.0 / n));
+                        let middle = form
+                            .plate
+                            .iter()
+                            .fold(Point::ORIGIN, |m, p| m + p.to_vec2() * (1.0 / n));
                         // In the middle, or nearer to a corner.
-                        let places = form.plate.iter().map(|corner| middle + (*corner - middle) * NEAR_CORNER);
+                        let places = form
+                            .plate
+                            .iter()
+                            .map(|corner| middle + (*corner - middle) * NEAR_CORNER);
                         let label = Label::math(name_label(&name));
-                        let request = |at: Point| LabelRequest::at_point(label.clone(), self.style.label_mm, at, 0.0);
-                        let requests: Vec<LabelRequest> = std::iter::once(middle).chain(places).map(request).collect();
+                        let request = |at: Point| {
+                            LabelRequest::at_point(label.clone(), self.style.label_mm, at, 0.0)
+                        };
+                        let requests: Vec<LabelRequest> =
+                            std::iter::once(middle).chain(places).map(request).collect();
                         self.label_with_space(&id, requests);
                     }
                 }
@@ -77,21 +103,32 @@ impl MechanismDraft<'_> {
     }
 
     fn number(&mut self, id: &str, name: &str, ends: (Point, Point), clear_mm: f64, owner: u32) {
-        let request = LabelRequest::along(Label::math(name_label(name)), self.style.label_mm, ends.0, ends.1, clear_mm);
+        let request = LabelRequest::along(
+            Label::math(name_label(name)),
+            self.style.label_mm,
+            ends.0,
+            ends.1,
+            clear_mm,
+        );
         self.d.label(id, "number", request.owned(owner).read_as(Reads::Number));
     }
 
     /// The bars of a link between its neighbouring points.
     fn pieces(&self, l: usize) -> Vec<(Point, Point)> {
         let Some(form) = &self.forms[l] else { return Vec::new() };
-        let points: Vec<Point> = self.scene.links[l].points.iter().filter_map(|p| self.point(*p)).collect();
+        let points: Vec<Point> =
+            self.scene.links[l].points.iter().filter_map(|p| self.point(*p)).collect();
         let runners = (0..self.scene.guides.len())
             .filter(|g| self.scene.guides[*g].on.0 == l)
             .filter_map(|g| self.runner(hodograph_scene::GuideId(g)));
         let stops: Vec<Point> = points.into_iter().chain(runners.map(|(at, _)| at)).collect();
         let mut out = Vec::new();
         for (a, b) in form.segments() {
-            let mut on: Vec<Point> = stops.iter().copied().filter(|p| super::form::on_segment(*p, a, b, super::SAME_MM)).collect();
+            let mut on: Vec<Point> = stops
+                .iter()
+                .copied()
+                .filter(|p| super::form::on_segment(*p, a, b, super::SAME_MM))
+                .collect();
             on.extend([a, b]);
             on.sort_by(|p, q| a.distance(*p).total_cmp(&a.distance(*q)));
             out.extend(on.windows(2).map(|w| (w[0], w[1])));
@@ -100,27 +137,48 @@ impl MechanismDraft<'_> {
     }
 
     fn ground_number(&mut self, id: &str, name: &str) {
-        let all: Vec<Point> = (0..self.scene.points.len()).filter_map(|p| self.point(PointId(p))).collect();
-        let alone = |p: Point| all.iter().map(|q| p.distance(*q)).filter(|d| *d > super::SAME_MM).fold(f64::INFINITY, f64::min);
-        let driven = |p: Point| self.turned_at.iter().any(|(centre, _)| centre.distance(p) < super::SAME_MM);
+        let all: Vec<Point> =
+            (0..self.scene.points.len()).filter_map(|p| self.point(PointId(p))).collect();
+        let alone = |p: Point| {
+            all.iter()
+                .map(|q| p.distance(*q))
+                .filter(|d| *d > super::SAME_MM)
+                .fold(f64::INFINITY, f64::min)
+        };
+        let driven =
+            |p: Point| self.turned_at.iter().any(|(centre, _)| centre.distance(p) < super::SAME_MM);
         // A support without arrows, the one with the most space around it; the first among equals.
         let pivots = (0..self.scene.points.len()).map(PointId).filter(|p| self.is_fixed_pivot(*p));
-        let mut places: Vec<(Point, Vec2)> = pivots.filter_map(|p| Some((self.point(p)?, self.support_side(p)))).collect();
-        places.sort_by(|(a, _), (b, _)| driven(*a).cmp(&driven(*b)).then(alone(*b).total_cmp(&alone(*a))));
-        let beside: Vec<(Point, Vec2)> = places.into_iter().flat_map(|(at, down)| self.beside_hatching(at, down)).collect();
+        let mut places: Vec<(Point, Vec2)> =
+            pivots.filter_map(|p| Some((self.point(p)?, self.support_side(p)))).collect();
+        places.sort_by(|(a, _), (b, _)| {
+            driven(*a).cmp(&driven(*b)).then(alone(*b).total_cmp(&alone(*a)))
+        });
+        let beside: Vec<(Point, Vec2)> =
+            places.into_iter().flat_map(|(at, down)| self.beside_hatching(at, down)).collect();
         // The hatching identifies the ground: if there is no clear place, the number is left out.
         let number = |end: Point, clear_mm: f64, out: Vec2| {
-            LabelRequest::at_point(Label::math(name_label(name)), self.style.label_mm, end, clear_mm).towards(out).optional(true)
+            LabelRequest::at_point(
+                Label::math(name_label(name)),
+                self.style.label_mm,
+                end,
+                clear_mm,
+            )
+            .towards(out)
+            .optional(true)
         };
         let request = |(end, out): (Point, Vec2)| number(end, self.style.hatch_depth_mm / 2.0, out);
         if !beside.is_empty() {
             self.label_with_space(id, beside.into_iter().map(request).collect());
         } else {
-            let guide = (0..self.scene.guides.len()).filter(|g| self.scene.guides[*g].on == self.scene.ground);
+            let guide = (0..self.scene.guides.len())
+                .filter(|g| self.scene.guides[*g].on == self.scene.ground);
             let at = guide.filter_map(|g| self.runner(hodograph_scene::GuideId(g))).next();
             if let Some((at, u)) = at {
                 let below = if u.perp().y <= 0.0 { u.perp() } else { -u.perp() };
-                let end = at + u * 13.0 + below * (self.style.block_width_mm / 2.0 + self.style.hatch_depth_mm / 2.0);
+                let end = at
+                    + u * 13.0
+                    + below * (self.style.block_width_mm / 2.0 + self.style.hatch_depth_mm / 2.0);
                 self.d.label(id, "number", number(end, 1.0, u));
             }
         }
@@ -139,10 +197,18 @@ impl MechanismDraft<'_> {
     /// velocity would be read as a factor.
     fn beside_hatching(&self, at: Point, down: Vec2) -> [(Point, Vec2); 3] {
         let foot = at + down * (self.style.pivot_height_mm + self.style.hatch_depth_mm / 2.0);
-        let end = |side: f64| (foot + down.perp() * (side * self.style.ground_half_mm), down.perp() * side);
-        let free = |p: Point| self.turned_at.iter().map(|(_, arrow)| p.distance(*arrow)).fold(f64::INFINITY, f64::min);
+        let end = |side: f64| {
+            (foot + down.perp() * (side * self.style.ground_half_mm), down.perp() * side)
+        };
+        let free = |p: Point| {
+            self.turned_at.iter().map(|(_, arrow)| p.distance(*arrow)).fold(f64::INFINITY, f64::min)
+        };
         let [right, left] = [end(1.0), end(-1.0)];
-        if free(left.0) > free(right.0) + NO_NEARER_MM { [left, right, (foot, down)] } else { [right, left, (foot, down)] }
+        if free(left.0) > free(right.0) + NO_NEARER_MM {
+            [left, right, (foot, down)]
+        } else {
+            [right, left, (foot, down)]
+        }
     }
 
     /// Places the letters of points, away from the links that meet there.

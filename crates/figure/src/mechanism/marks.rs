@@ -77,7 +77,8 @@ impl MechanismDraft<'_> {
                 DriverKind::Turn { link, against, .. } => {
                     let Some(centre) = self.shared(link, against) else { continue };
                     // A second driver at the same joint has its arrows around those of the first.
-                    let before = centres.iter().filter(|c| c.distance(centre) < super::SAME_MM).count();
+                    let before =
+                        centres.iter().filter(|c| c.distance(centre) < super::SAME_MM).count();
                     centres.push(centre);
                     self.turning(driver, centre, before as f64 * NEXT_MM);
                 }
@@ -90,22 +91,36 @@ impl MechanismDraft<'_> {
     /// Given angles with arcs around a point: start angle and sweep.
     pub(super) fn given_angles(&self, p: PointId) -> Vec<(f64, f64)> {
         let at_point = |d: &Driver| match d.kind {
-            DriverKind::Turn { link, against, line, angle: Some(ref angle), .. } if against == self.scene.ground => {
-                let vertex = line.map(|l| l.0).or_else(|| self.scene.links[link.0].points.first().copied());
+            DriverKind::Turn { link, against, line, angle: Some(ref angle), .. }
+                if against == self.scene.ground =>
+            {
+                let vertex =
+                    line.map(|l| l.0).or_else(|| self.scene.links[link.0].points.first().copied());
                 (vertex == Some(p)).then(|| (0.0, angle.value.radians() % TAU))
             }
-            DriverKind::Turn { .. } | DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
+            DriverKind::Turn { .. } | DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => {
+                None
+            }
         };
-        self.scene.drivers.iter().filter_map(at_point).filter(|(_, sweep)| sweep.abs() > ANGLE_LEAST_RAD).collect()
+        self.scene
+            .drivers
+            .iter()
+            .filter_map(at_point)
+            .filter(|(_, sweep)| sweep.abs() > ANGLE_LEAST_RAD)
+            .collect()
     }
 
     fn turning(&mut self, driver: &Driver, centre: Point, wider_mm: f64) {
-        let DriverKind::Turn { link, against, line, against_line, ref angle } = driver.kind else { return };
+        let DriverKind::Turn { link, against, line, against_line, ref angle } = driver.kind else {
+            return;
+        };
         let first_two = |l: LinkId| match self.scene.links[l.0].points[..] {
             [a, b, ..] => Some((a, b)),
             _ => None,
         };
-        let ends = line.or_else(|| first_two(link)).and_then(|(a, b)| Some((self.point(a)?, self.point(b)?)));
+        let ends = line
+            .or_else(|| first_two(link))
+            .and_then(|(a, b)| Some((self.point(a)?, self.point(b)?)));
         let ends = ends.or_else(|| self.lever(link)).or_else(|| self.turned_block(link));
         // The arrow of a wheel without a line of its own is outside its rim.
         let wheel = self.free_side(link).filter(|_| ends.is_none());
@@ -124,34 +139,61 @@ impl MechanismDraft<'_> {
             side = sweep.signum();
             let radius = (ANGLE_PART * crank).clamp(ANGLE_MM[0], ANGLE_MM[1]);
             // A small angle has a larger radius, so that its arc has space for a head.
-            let radius = radius.max((ANGLE_ARC_MM / sweep.abs()).min(SMALL_ANGLE_PART * crank).min(SMALL_ANGLE_MM)) + wider_mm;
+            let radius = radius.max(
+                (ANGLE_ARC_MM / sweep.abs()).min(SMALL_ANGLE_PART * crank).min(SMALL_ANGLE_MM),
+            ) + wider_mm;
             // Round a support's hatching, not through it, if the link is long enough.
             let round = self.hatching_mm() + HATCHING_AIR_MM;
-            let held = self.scene.links[link.0].points.iter().find(|p| self.is_fixed_pivot(**p) && self.point(**p) == Some(at));
+            let held = self.scene.links[link.0]
+                .points
+                .iter()
+                .find(|p| self.is_fixed_pivot(**p) && self.point(**p) == Some(at));
             let passes = |p: &PointId| form::sweeps(0.0, sweep, self.support_side(*p).angle());
-            let radius = if grounded && round < crank && held.is_some_and(passes) { radius.max(round) } else { radius };
+            let radius = if grounded && round < crank && held.is_some_and(passes) {
+                radius.max(round)
+            } else {
+                radius
+            };
             let reference = match against_line.or_else(|| first_two(against)) {
                 Some((a, b)) if !grounded || against_line.is_some() => {
                     self.point(a).zip(self.point(b)).map_or(0.0, |(a, b)| (b - a).angle())
                 }
                 _ => 0.0,
             };
-            let radius = self.radius_off_hatching(at, (radius, crank), [reference, reference + sweep]);
+            let radius =
+                self.radius_off_hatching(at, (radius, crank), [reference, reference + sweep]);
             let mut arc = sym::angle(self.style, at, radius, reference, reference + sweep);
             // A cam that is not a circle has no line of its own there.
             let own = Vec2::from_angle(reference + sweep);
             let round = self.scene.cams.iter().any(|c| c.cam == link && c.circle.is_some());
             if own.cross(u).abs() > OWN_LINE || self.is_profile(link) && !round {
-                let (from, to) = (at + own * self.style.pin_radius_mm, at + own * (radius * 4.0 / 3.0));
-                arc.insert(0, FigureItem::new("angle own", Shape::Line { from, to, stroke: self.style.thin }));
+                let (from, to) =
+                    (at + own * self.style.pin_radius_mm, at + own * (radius * 4.0 / 3.0));
+                arc.insert(
+                    0,
+                    FigureItem::new("angle own", Shape::Line { from, to, stroke: self.style.thin }),
+                );
             }
             let id = format!("angle-{}", index.replace('/', "-"));
-            let owner = self.d.draw(&id, "driver", self.behind_hatching(arc, at, radius, [reference, reference + sweep]));
+            let owner = self.d.draw(
+                &id,
+                "driver",
+                self.behind_hatching(arc, at, radius, [reference, reference + sweep]),
+            );
             let mut symbol = format!("\\varphi_{{{}}}", name_label(&index));
             if let Some(given) = angle.as_ref().filter(|_| self.dimensioned) {
-                symbol += &format!(" = {}", GivenSentences { scene: self.scene, lang: Lang::default() }.angle(given));
+                symbol += &format!(
+                    " = {}",
+                    GivenSentences { scene: self.scene, lang: Lang::default() }.angle(given)
+                );
             }
-            self.arc_label(Called { id: &id, symbol: &symbol, class: "angle" }, at, radius, [reference, reference + sweep], owner);
+            self.arc_label(
+                Called { id: &id, symbol: &symbol, class: "angle" },
+                at,
+                radius,
+                [reference, reference + sweep],
+                owner,
+            );
         }
         let radius = match wheel {
             Some((_, _, rim)) => rim + RIM_OFF_MM,
@@ -159,11 +201,17 @@ impl MechanismDraft<'_> {
         };
         let outward = if at.distance(centre) <= to.distance(centre) { u } else { -u };
         let angles = match wheel {
-            Some((_, _, rim)) => [-1.0, 1.0].map(|a| outward.angle() + a * (RIM_ARROW_MM / rim).min(1.0)),
+            Some((_, _, rim)) => {
+                [-1.0, 1.0].map(|a| outward.angle() + a * (RIM_ARROW_MM / rim).min(1.0))
+            }
             None => ROTATION_RAD.map(|a| outward.angle() + side * a),
         };
         self.d.of_link(Some(link.0));
-        self.rotations(driver, &index, TurnArrows { centre, radius, angles, mirror: outward.angle() });
+        self.rotations(
+            driver,
+            &index,
+            TurnArrows { centre, radius, angles, mirror: outward.angle() },
+        );
         self.d.of_link(None);
     }
 
@@ -172,14 +220,17 @@ impl MechanismDraft<'_> {
         let length = radius * (to - from).abs();
         let head = HEAD_MM / length;
         let on = |t: f64| on_circle(at, radius, from + (to - from) * t);
-        seen((length / ARC_STEP_MM).ceil() as usize, |t| t < 1.0 - head && self.d.obstacles().is_barred(on(t), HATCHING_AIR_MM))
+        seen((length / ARC_STEP_MM).ceil() as usize, |t| {
+            t < 1.0 - head && self.d.obstacles().is_barred(on(t), HATCHING_AIR_MM)
+        })
     }
 
     /// The radius nearest to this one at which the least part of a given angle's arc is in
     /// hatching.
     fn radius_off_hatching(&self, at: Point, (radius, crank): (f64, f64), angles: [f64; 2]) -> f64 {
         let most = radius.max((SMALL_ANGLE_PART * crank).min(SMALL_ANGLE_MM)) + FARTHER_MM;
-        let head = |r: f64| self.d.obstacles().is_barred(on_circle(at, r, angles[1]), HEAD_MM / 2.0);
+        let head =
+            |r: f64| self.d.obstacles().is_barred(on_circle(at, r, angles[1]), HEAD_MM / 2.0);
         let hidden = |r: f64| {
             let seen: f64 = self.seen_parts(at, r, angles).iter().map(|[from, to]| to - from).sum();
             1.0 - seen + if head(r) { 1.0 } else { 0.0 }
@@ -187,20 +238,41 @@ impl MechanismDraft<'_> {
         let steps = ((most - ANGLE_MM[0]) / RADIUS_STEP_MM).floor().max(0.0) as usize;
         let others = (0..=steps).map(|k| ANGLE_MM[0] + k as f64 * RADIUS_STEP_MM);
         let cost = |r: f64| HIDDEN_COST * hidden(r) + (r - radius).abs();
-        if hidden(radius) == 0.0 { radius } else { others.fold(radius, |best, r| if cost(r) < cost(best) { r } else { best }) }
+        if hidden(radius) == 0.0 {
+            radius
+        } else {
+            others.fold(radius, |best, r| if cost(r) < cost(best) { r } else { best })
+        }
     }
 
     /// An angle's items, with its arc broken where hatching hides it.
-    fn behind_hatching(&self, mut items: Vec<FigureItem>, at: Point, radius: f64, [from, to]: [f64; 2]) -> Vec<FigureItem> {
+    fn behind_hatching(
+        &self,
+        mut items: Vec<FigureItem>,
+        at: Point,
+        radius: f64,
+        [from, to]: [f64; 2],
+    ) -> Vec<FigureItem> {
         let parts = self.seen_parts(at, radius, [from, to]);
         let angle = |t: f64| from + (to - from) * t;
-        if let (Some((last, before)), Some(FigureItem { shape: Shape::ArcArrow { from_rad, stroke, .. }, class, .. })) =
-            (parts.split_last(), items.last_mut())
+        if let (
+            Some((last, before)),
+            Some(FigureItem { shape: Shape::ArcArrow { from_rad, stroke, .. }, class, .. }),
+        ) = (parts.split_last(), items.last_mut())
         {
             *from_rad = angle(last[0]);
             let (stroke, class) = (*stroke, class.clone());
             items.extend(before.iter().map(|[a, b]| {
-                FigureItem::new(class.clone(), Shape::Arc { centre: at, radius_mm: radius, from_rad: angle(*a), to_rad: angle(*b), stroke })
+                FigureItem::new(
+                    class.clone(),
+                    Shape::Arc {
+                        centre: at,
+                        radius_mm: radius,
+                        from_rad: angle(*a),
+                        to_rad: angle(*b),
+                        stroke,
+                    },
+                )
             }));
         }
         items
@@ -209,39 +281,77 @@ impl MechanismDraft<'_> {
     /// Distance from a fixed pivot to the farthest corner of its support's hatching.
     fn hatching_mm(&self) -> f64 {
         let style = self.style;
-        libm::hypot(style.ground_half_mm + style.hatch_depth_mm, style.pivot_height_mm + style.hatch_depth_mm)
+        libm::hypot(
+            style.ground_half_mm + style.hatch_depth_mm,
+            style.pivot_height_mm + style.hatch_depth_mm,
+        )
     }
 
     /// For a link that consists of its pivot and a slot through it: the pivot, and a point of the
     /// slot.
     fn lever(&self, l: LinkId) -> Option<(Point, Point)> {
         let [pivot] = self.scene.links[l.0].points[..] else { return None };
-        let slot = |g: &GuideId| self.scene.guides[g.0].on == l && self.scene.guides[g.0].rolling.is_none();
+        let slot = |g: &GuideId| {
+            self.scene.guides[g.0].on == l && self.scene.guides[g.0].rolling.is_none()
+        };
         let g = (0..self.scene.guides.len()).map(GuideId).find(slot)?;
         let (from, (runner, along)) = (self.point(pivot)?, self.runner(g)?);
-        (from.distance(runner) > super::SAME_MM && (runner - from).cross(along).abs() < super::SAME_MM).then_some((from, runner))
+        (from.distance(runner) > super::SAME_MM
+            && (runner - from).cross(along).abs() < super::SAME_MM)
+            .then_some((from, runner))
     }
 
     /// For a block that turns about its joint: the joint, and an end of the block.
     fn turned_block(&self, l: LinkId) -> Option<(Point, Point)> {
         let [joint] = self.scene.links[l.0].points[..] else { return None };
-        let own = |g: &GuideId| self.scene.guides[g.0].slider == Some(l) && self.scene.guides[g.0].pin == Some(joint);
-        let (at, along) = (0..self.scene.guides.len()).map(GuideId).find(own).and_then(|g| self.runner(g))?;
+        let own = |g: &GuideId| {
+            self.scene.guides[g.0].slider == Some(l) && self.scene.guides[g.0].pin == Some(joint)
+        };
+        let (at, along) =
+            (0..self.scene.guides.len()).map(GuideId).find(own).and_then(|g| self.runner(g))?;
         Some((at, at + along * self.style.block_length_mm))
     }
 
-    pub(super) fn arc_label(&mut self, called: Called, centre: Point, radius: f64, angles: [f64; 2], owner: u32) {
+    pub(super) fn arc_label(
+        &mut self,
+        called: Called,
+        centre: Point,
+        radius: f64,
+        angles: [f64; 2],
+        owner: u32,
+    ) {
         let request = self.arc_request(called.symbol, centre, radius, angles);
-        self.d.label(called.id, &format!("driver {}", called.class), request.owned(owner).read_as(Reads::Quantity));
+        self.d.label(
+            called.id,
+            &format!("driver {}", called.class),
+            request.owned(owner).read_as(Reads::Quantity),
+        );
     }
 
-    pub(super) fn arc_request(&self, symbol: &str, centre: Point, radius: f64, angles: [f64; 2]) -> LabelRequest {
-        LabelRequest::along_arc(Label::math(symbol), self.style.label_mm, centre, radius, angles, self.style.vector.width_mm / 2.0)
+    pub(super) fn arc_request(
+        &self,
+        symbol: &str,
+        centre: Point,
+        radius: f64,
+        angles: [f64; 2],
+    ) -> LabelRequest {
+        LabelRequest::along_arc(
+            Label::math(symbol),
+            self.style.label_mm,
+            centre,
+            radius,
+            angles,
+            self.style.vector.width_mm / 2.0,
+        )
     }
 
     /// The joint of two links.
     fn shared(&self, a: LinkId, b: LinkId) -> Option<Point> {
-        self.scene.links[a.0].points.iter().find(|p| self.scene.links[b.0].points.contains(p)).and_then(|p| self.point(*p))
+        self.scene.links[a.0]
+            .points
+            .iter()
+            .find(|p| self.scene.links[b.0].points.contains(p))
+            .and_then(|p| self.point(*p))
     }
 
     fn sliding(&mut self, g: GuideId, driver: &Driver) {
@@ -260,7 +370,11 @@ impl MechanismDraft<'_> {
         let symbol = |quantity: &str| match (guide.on == self.scene.ground, guide.pin) {
             (true, _) => format!("{quantity}_{{{name}}}"),
             (false, Some(_)) => {
-                let (own, on, sliding) = (guide.slider.map(link).unwrap_or_default(), link(guide.on), &self.notation.sliding);
+                let (own, on, sliding) = (
+                    guide.slider.map(link).unwrap_or_default(),
+                    link(guide.on),
+                    &self.notation.sliding,
+                );
                 format!("{quantity}^{{{sliding}}}_{{{name}{own}{name}{on}}}")
             }
             (false, None) => format!("{quantity}_{{{name}/{}}}", link(guide.on)),
@@ -285,7 +399,11 @@ impl MechanismDraft<'_> {
         let (na, nb) = (name_label(self.scene.point_name(a)), name_label(self.scene.point_name(b)));
         // Beside the rod; the arrow points in the direction of the rod's motion.
         let rod = base + (tip - base) * 0.75 + u.perp() * ARROW_OFF_MM;
-        let from = if driver.rate.value >= 0.0 { rod - u * (ARROW_MM / 2.0) } else { rod + u * (ARROW_MM / 2.0) };
+        let from = if driver.rate.value >= 0.0 {
+            rod - u * (ARROW_MM / 2.0)
+        } else {
+            rod + u * (ARROW_MM / 2.0)
+        };
         let symbols = ["v", "a"].map(|q| format!("{q}^{{{}}}_{{{nb}{na}}}", self.notation.sliding));
         let who = format!("{}-{}", self.scene.point_name(b), self.scene.point_name(a));
         self.translations(driver, &symbols, Slides { from, along: u, outward: u.perp(), who });

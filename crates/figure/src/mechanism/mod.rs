@@ -56,7 +56,12 @@ const CROSSING_SINE: f64 = 0.25;
 const CROSSING_FREE_MM: f64 = 5.0;
 
 /// Draws the mechanism with the diagram's origin at the origin.
-pub fn mechanism(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation) -> DrawingPart {
+pub fn mechanism(
+    style: &Style,
+    scene: &Scene,
+    worked: &Worked,
+    notation: &Notation,
+) -> DrawingPart {
     drawing(style, scene, worked, notation, &SeriesFeatures::default()).finish()
 }
 
@@ -75,7 +80,12 @@ pub struct SeriesFeatures {
 
 impl SeriesFeatures {
     /// Returns the sides that a single drawing chooses.
-    pub fn of_one(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation) -> SeriesFeatures {
+    pub fn of_one(
+        style: &Style,
+        scene: &Scene,
+        worked: &Worked,
+        notation: &Notation,
+    ) -> SeriesFeatures {
         let alone = SeriesFeatures::default();
         let mut draft = MechanismDraft::new(style, scene, worked, notation, &alone);
         draft.ground_guides();
@@ -85,7 +95,13 @@ impl SeriesFeatures {
 }
 
 /// Draws the mechanism, before its labels are placed.
-pub fn drawing(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, course: &SeriesFeatures) -> Drawing {
+pub fn drawing(
+    style: &Style,
+    scene: &Scene,
+    worked: &Worked,
+    notation: &Notation,
+    course: &SeriesFeatures,
+) -> Drawing {
     let mut draft = MechanismDraft::new(style, scene, worked, notation, course);
     draft.everything();
     draft.d
@@ -104,7 +120,13 @@ pub fn numbered(style: &Style, scene: &Scene, worked: &Worked, notation: &Notati
 
 /// Draws the mechanism without the contours on which one of its links rolls on another, which are
 /// its centrodes; labels are not yet placed.
-pub fn rolling(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, links: [LinkId; 2]) -> Drawing {
+pub fn rolling(
+    style: &Style,
+    scene: &Scene,
+    worked: &Worked,
+    notation: &Notation,
+    links: [LinkId; 2],
+) -> Drawing {
     let alone = SeriesFeatures::default();
     let mut draft = MechanismDraft::new(style, scene, worked, notation, &alone);
     draft.constructed = false;
@@ -147,7 +169,13 @@ struct MechanismDraft<'a> {
 }
 
 impl<'a> MechanismDraft<'a> {
-    fn new(style: &'a Style, scene: &'a Scene, worked: &'a Worked, notation: &'a Notation, course: &'a SeriesFeatures) -> Self {
+    fn new(
+        style: &'a Style,
+        scene: &'a Scene,
+        worked: &'a Worked,
+        notation: &'a Notation,
+        course: &'a SeriesFeatures,
+    ) -> Self {
         let d = Drawing::new("mechanism", style.clone());
         let (number_at, hatched) = (vec![None; scene.links.len()], vec![None; scene.guides.len()]);
         let mut draft = MechanismDraft {
@@ -214,8 +242,12 @@ impl<'a> MechanismDraft<'a> {
     fn guide(&self, g: GuideId) -> Option<Path> {
         let mu = self.worked.construction.diagram.mu;
         Some(match self.worked.configuration.guides[g.0]? {
-            Path::Line { through, direction } => Path::Line { through: self.paper(through), direction },
-            Path::Arc { centre, radius } => Path::Arc { centre: self.paper(centre), radius: radius / mu },
+            Path::Line { through, direction } => {
+                Path::Line { through: self.paper(through), direction }
+            }
+            Path::Arc { centre, radius } => {
+                Path::Arc { centre: self.paper(centre), radius: radius / mu }
+            }
         })
     }
 
@@ -253,7 +285,8 @@ impl<'a> MechanismDraft<'a> {
 
     /// True if the point is a revolute joint on the ground.
     fn is_fixed_pivot(&self, p: PointId) -> bool {
-        let cylinder_end = self.scene.drivers.iter().filter_map(|d| d.kind.ends()).any(|ends| ends.contains(&p));
+        let cylinder_end =
+            self.scene.drivers.iter().filter_map(|d| d.kind.ends()).any(|ends| ends.contains(&p));
         let joined = self.scene.carriers(p).any(|l| l != self.scene.ground) || cylinder_end;
         self.on_ground(p) && joined && self.shows(self.scene.ground) && self.shows_point(p)
     }
@@ -272,7 +305,12 @@ impl<'a> MechanismDraft<'a> {
 
     /// True if the point runs, as a bare pin, in a slot of the ground.
     fn in_fixed_slot(&self, p: PointId) -> bool {
-        let slot = |g: &Guide| g.pin == Some(p) && g.slider.is_none() && g.rolling.is_none() && g.on == self.scene.ground;
+        let slot = |g: &Guide| {
+            g.pin == Some(p)
+                && g.slider.is_none()
+                && g.rolling.is_none()
+                && g.on == self.scene.ground
+        };
         self.scene.guides.iter().any(slot)
     }
 
@@ -344,7 +382,11 @@ impl<'a> MechanismDraft<'a> {
             }
             self.d.of_link(Some(l));
             for (corner, one, other) in &form.corners {
-                self.d.draw(&format!("{id}-corner"), "", sym::weld(self.style, *corner, *one, *other));
+                self.d.draw(
+                    &format!("{id}-corner"),
+                    "",
+                    sym::weld(self.style, *corner, *one, *other),
+                );
             }
         }
         self.d.of_link(None);
@@ -356,13 +398,24 @@ impl<'a> MechanismDraft<'a> {
         let Some(u) = (b - a).unit() else { return };
         let width = self.style.link.width_mm;
         let mut gaps = Vec::new();
-        for (c, d) in self.forms[..l].iter().flatten().flat_map(|f| f.bars.iter().chain(&f.guide_bars)) {
+        for (c, d) in
+            self.forms[..l].iter().flatten().flat_map(|f| f.bars.iter().chain(&f.guide_bars))
+        {
             let Some(v) = (*d - *c).unit() else { continue };
             let crossing = hodograph_base::geom::cross_lines(a, u, *c, v);
-            let free = |p: Point, q: Point| crossing.at.distance(p).min(crossing.at.distance(q)) > CROSSING_FREE_MM;
+            let free = |p: Point, q: Point| {
+                crossing.at.distance(p).min(crossing.at.distance(q)) > CROSSING_FREE_MM
+            };
             let on = |p: Point, q: Point| form::on_segment(crossing.at, p, q, SAME_MM);
-            let clear = || !self.forms.iter().flatten().any(|f| form::inside(crossing.at, &f.plate));
-            if crossing.sine.abs() > CROSSING_SINE && on(a, b) && on(*c, *d) && free(a, b) && free(*c, *d) && clear() {
+            let clear =
+                || !self.forms.iter().flatten().any(|f| form::inside(crossing.at, &f.plate));
+            if crossing.sine.abs() > CROSSING_SINE
+                && on(a, b)
+                && on(*c, *d)
+                && free(a, b)
+                && free(*c, *d)
+                && clear()
+            {
                 let half = v * ((width / 2.0 + GAP_MM) / crossing.sine.abs());
                 gaps.push((crossing.at - half, crossing.at + half));
             }
@@ -370,7 +423,11 @@ impl<'a> MechanismDraft<'a> {
         self.d.of_link(None);
         for (from, to) in gaps {
             let stroke = LineStroke::new(width * 1.5).coloured(Colour::WHITE);
-            self.d.frame(&format!("{}-over", self.link_id(l)), "link gap", Shape::Line { from, to, stroke });
+            self.d.frame(
+                &format!("{}-over", self.link_id(l)),
+                "link gap",
+                Shape::Line { from, to, stroke },
+            );
         }
     }
 
@@ -387,10 +444,16 @@ impl<'a> MechanismDraft<'a> {
                 let items = sym::fixed_pivot(self.style, at, self.support_side(p));
                 self.d.draw(&format!("pivot-{name}"), "", items);
             } else if let Some(away) = self.knife_edge(p) {
-                self.d.draw(&format!("edge-{name}"), "knife-edge", vec![sym::wedge(self.style, at, away)]);
+                self.d.draw(
+                    &format!("edge-{name}"),
+                    "knife-edge",
+                    vec![sym::wedge(self.style, at, away)],
+                );
             } else if self.is_pin(p) && !self.in_cross(p) {
                 self.d.draw(&format!("pin-{name}"), "", sym::pin(self.style, at));
-            } else if self.is_reference(p) || self.scene.carriers(p).any(|l| self.forms[l.0].is_some()) {
+            } else if self.is_reference(p)
+                || self.scene.carriers(p).any(|l| self.forms[l.0].is_some())
+            {
                 self.d.draw(&format!("point-{name}"), "point", sym::dot(self.style, at));
             }
             if self.is_pin(p) {
@@ -410,7 +473,9 @@ impl<'a> MechanismDraft<'a> {
         for l in self.scene.carriers(p) {
             let Some(form) = &self.forms[l.0] else { continue };
             let through = |(_, (a, b)): &(usize, &(Point, Point))| {
-                form::on_segment(at, *a, *b, SAME_MM) && a.distance(at) > SAME_MM && b.distance(at) > SAME_MM
+                form::on_segment(at, *a, *b, SAME_MM)
+                    && a.distance(at) > SAME_MM
+                    && b.distance(at) > SAME_MM
             };
             if form.plate.is_empty() {
                 let bars = form.bars.iter().chain(&form.guide_bars).enumerate();

@@ -60,14 +60,32 @@ pub struct PointTrack {
 impl Overlay {
     /// Adds `poses` positions through the travel of the first driver, and the paths of these
     /// points.
-    pub fn with_motion(mut self, scene: &Scene, worked: &Worked, poses: usize, points: &[PointId]) -> Overlay {
+    pub fn with_motion(
+        mut self,
+        scene: &Scene,
+        worked: &Worked,
+        poses: usize,
+        points: &[PointId],
+    ) -> Overlay {
         let motion_of_cams = work_motion(scene).ok().flatten();
-        let (scene, worked) = motion_of_cams.as_ref().map_or((scene, worked), |(scene, worked)| (scene, worked));
-        let follower = PoseFollower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, 0);
+        let (scene, worked) =
+            motion_of_cams.as_ref().map_or((scene, worked), |(scene, worked)| (scene, worked));
+        let follower =
+            PoseFollower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, 0);
         let sweep = follower.sweep(PATH_STEPS);
-        self.poses = at_equal_steps(&follower, &sweep, poses).into_iter().map(|pose| pose.configuration).collect();
-        let places = |p: PointId| sweep.poses.iter().filter_map(|pose| pose.configuration.points[p.0]).collect();
-        let track = |&point: &PointId| PointTrack { point, places: places(point), closed: sweep.full, marks: Vec::new() };
+        self.poses = at_equal_steps(&follower, &sweep, poses)
+            .into_iter()
+            .map(|pose| pose.configuration)
+            .collect();
+        let places = |p: PointId| {
+            sweep.poses.iter().filter_map(|pose| pose.configuration.points[p.0]).collect()
+        };
+        let track = |&point: &PointId| PointTrack {
+            point,
+            places: places(point),
+            closed: sweep.full,
+            marks: Vec::new(),
+        };
         self.paths = points.iter().map(track).collect();
         self
     }
@@ -75,23 +93,37 @@ impl Overlay {
     /// Returns the scale of the vectors (SI units per mm); `None` if no vectors are drawn.
     pub fn mu(&self, scene: &Scene, worked: &Worked) -> Option<f64> {
         let p = worked.construction.polygon(self.vectors?)?;
-        let most = shown(worked, self.vectors?).map(|(_, at)| at).fold([0.0_f64; 2], |[x, y], v| [x.max(v.x.abs()), y.max(v.y.abs())]);
-        Some(scale::choose_in(scene.paper.unit(p.on.kind()), most.map(|mm| mm * p.mu), [VECTOR_MM, VECTOR_MM]))
+        let most = shown(worked, self.vectors?)
+            .map(|(_, at)| at)
+            .fold([0.0_f64; 2], |[x, y], v| [x.max(v.x.abs()), y.max(v.y.abs())]);
+        Some(scale::choose_in(
+            scene.paper.unit(p.on.kind()),
+            most.map(|mm| mm * p.mu),
+            [VECTOR_MM, VECTOR_MM],
+        ))
     }
 }
 
 /// The points of the mechanism that have a vector on paper, with the vector (mm of the polygon).
 fn shown(worked: &Worked, on: DiagramKind) -> impl Iterator<Item = (VertexId, Vec2)> + '_ {
-    let images = worked.construction.polygon(on).into_iter().flat_map(|p| p.images.iter().enumerate());
+    let images =
+        worked.construction.polygon(on).into_iter().flat_map(|p| p.images.iter().enumerate());
     images.filter_map(|(v, at)| {
         let vertex = worked.plan.vertex(VertexId(v));
-        let own = !vertex.fixed && vertex.trial.is_none() && matches!(vertex.spot, VertexPlace::Point(_));
+        let own =
+            !vertex.fixed && vertex.trial.is_none() && matches!(vertex.spot, VertexPlace::Point(_));
         Some((VertexId(v), at.filter(|_| own)?.to_vec2()))
     })
 }
 
 /// Draws the mechanism with the additions over and behind it.
-pub fn overlaid(style: &Style, scene: &Scene, worked: &Worked, w: &PlanWriter, overlay: &Overlay) -> DrawingPart {
+pub fn overlaid(
+    style: &Style,
+    scene: &Scene,
+    worked: &Worked,
+    w: &PlanWriter,
+    overlay: &Overlay,
+) -> DrawingPart {
     let alone = SeriesFeatures::default();
     let mut draft = MechanismDraft::new(style, scene, worked, w.notation, &alone);
     // Numbers of positions and numbers of links would be confused.
@@ -118,12 +150,24 @@ impl MechanismDraft<'_> {
             for (l, form) in other.forms.iter().enumerate() {
                 let Some(form) = form else { continue };
                 for (from, to) in form.segments() {
-                    self.d.shape(&format!("pose-{k}-link-{l}"), "pose", Shape::Line { from, to, stroke: thin });
+                    self.d.shape(
+                        &format!("pose-{k}-link-{l}"),
+                        "pose",
+                        Shape::Line { from, to, stroke: thin },
+                    );
                 }
             }
-            for at in (0..self.scene.points.len()).map(PointId).filter(|p| other.is_pin(*p) && !other.is_fixed_pivot(*p)) {
+            for at in (0..self.scene.points.len())
+                .map(PointId)
+                .filter(|p| other.is_pin(*p) && !other.is_fixed_pivot(*p))
+            {
                 let Some(centre) = other.point(at) else { continue };
-                let dot = Shape::Circle { centre, radius_mm: self.style.dot_radius_mm, stroke: None, fill: Some(BEHIND) };
+                let dot = Shape::Circle {
+                    centre,
+                    radius_mm: self.style.dot_radius_mm,
+                    stroke: None,
+                    fill: Some(BEHIND),
+                };
                 self.d.shape(&format!("pose-{k}-pin"), "pose", dot);
             }
         }
@@ -134,10 +178,15 @@ impl MechanismDraft<'_> {
     fn path(&mut self, path: &PointTrack) {
         let behind = path.marks.is_empty();
         let points: Vec<Point> = path.places.iter().map(|p| self.paper(*p)).collect();
-        let thin = LineStroke { width_mm: self.style.outline.width_mm, dash: Dash::DashDot, ..self.style.thin };
+        let thin = LineStroke {
+            width_mm: self.style.outline.width_mm,
+            dash: Dash::DashDot,
+            ..self.style.thin
+        };
         let stroke = if behind { thin } else { self.style.vector };
         self.d.of_link(self.scene.mover(path.point).map(|l| l.0).filter(|_| !behind));
-        let shape = Shape::Polyline { points, closed: path.closed, stroke: Some(stroke), fill: None };
+        let shape =
+            Shape::Polyline { points, closed: path.closed, stroke: Some(stroke), fill: None };
         self.d.shape(&format!("path-{}", self.scene.point_name(path.point)), "path", shape);
         self.d.of_link(None);
     }
@@ -148,9 +197,17 @@ impl MechanismDraft<'_> {
             self.path(path);
             self.d.of_link(self.scene.mover(path.point).map(|l| l.0));
             for (k, at) in path.marks.iter().enumerate() {
-                let (at, name) = (self.paper(*at), format!("path-{}-{}", self.scene.point_name(path.point), k + 1));
+                let (at, name) = (
+                    self.paper(*at),
+                    format!("path-{}-{}", self.scene.point_name(path.point), k + 1),
+                );
                 self.d.draw(&name, "position", sym::dot(self.style, at));
-                let request = LabelRequest::at_point(Label::math((k + 1).to_string()), self.style.small_mm, at, self.style.dot_radius_mm);
+                let request = LabelRequest::at_point(
+                    Label::math((k + 1).to_string()),
+                    self.style.small_mm,
+                    at,
+                    self.style.dot_radius_mm,
+                );
                 self.d.label(&name, "position", request);
             }
         }
@@ -158,19 +215,36 @@ impl MechanismDraft<'_> {
     }
 
     fn vectors(&mut self, w: &PlanWriter, overlay: &Overlay) {
-        let (Some(on), Some(mu)) = (overlay.vectors, overlay.mu(self.scene, self.worked)) else { return };
+        let (Some(on), Some(mu)) = (overlay.vectors, overlay.mu(self.scene, self.worked)) else {
+            return;
+        };
         let Some(p) = self.worked.construction.polygon(on) else { return };
         let (worked, style) = (self.worked, self.style);
         for (v, vector) in shown(worked, on) {
             let vector = vector * (p.mu / mu);
-            let Some(from) = worked.construction.diagram.spots[v.0].filter(|_| vector.norm() > SHORTEST_MM) else { continue };
+            let Some(from) =
+                worked.construction.diagram.spots[v.0].filter(|_| vector.norm() > SHORTEST_MM)
+            else {
+                continue;
+            };
             let to = from + vector;
             let symbol = w.vector(on, v);
             let key = format!("{}-{}", on.prefix(), w.vector_key(v));
             let shown = ShownQuantity::vector(w.vector_quantity(on, v), from, to, mu);
             self.d.of_link(worked.plan.vertex(v).link(self.scene).map(|l| l.0));
-            let owner = self.d.vector(&key, "vector", Shape::Arrow { from, to, stroke: style.vector, head: style.head }, shown);
-            let request = LabelRequest::along(Label::math(&symbol), style.label_mm, from, to, style.vector.width_mm / 2.0);
+            let owner = self.d.vector(
+                &key,
+                "vector",
+                Shape::Arrow { from, to, stroke: style.vector, head: style.head },
+                shown,
+            );
+            let request = LabelRequest::along(
+                Label::math(&symbol),
+                style.label_mm,
+                from,
+                to,
+                style.vector.width_mm / 2.0,
+            );
             self.d.label(&key, "vector", request.owned(owner));
         }
         self.d.of_link(None);

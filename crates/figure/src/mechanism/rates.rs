@@ -74,20 +74,34 @@ impl MechanismDraft<'_> {
     /// Draws the arrows of ω and α.
     pub(super) fn rotations(&mut self, driver: &Driver, index: &str, t: TurnArrows) {
         let name = name_label(index);
-        let given = [("rotation", "omega", given_rate(driver)), ("angular-acceleration", "alpha", acceleration(driver))];
+        let given = [
+            ("rotation", "omega", given_rate(driver)),
+            ("angular-acceleration", "alpha", acceleration(driver)),
+        ];
         let mut first: Option<Vec<FigureItem>> = None;
         for (thing, letter, value) in given.into_iter().filter(|g| g.2 != 0.0) {
             let [low, high] = sorted(t.angles);
-            let (low, high) = if first.is_some() { (2.0 * t.mirror - high, 2.0 * t.mirror - low) } else { (low, high) };
+            let (low, high) = if first.is_some() {
+                (2.0 * t.mirror - high, 2.0 * t.mirror - low)
+            } else {
+                (low, high)
+            };
             // The head is at the end towards which the link turns or accelerates.
             let ends = if value > 0.0 { [low, high] } else { [high, low] };
             let symbol = format!("\\{letter}_{{{name}}}");
-            let (radius, [from, to]) = self.clear_arc(&symbol, t.centre, (t.radius, ends), first.as_deref());
+            let (radius, [from, to]) =
+                self.clear_arc(&symbol, t.centre, (t.radius, ends), first.as_deref());
             let arrow = sym::rotation(self.style, t.centre, radius, from, to);
             let id = format!("{thing}-{}", index.replace('/', "-"));
             let owner = self.d.draw(&id, "driver", arrow.clone());
             self.turned_at.push((t.centre, on_circle(t.centre, radius, (from + to) / 2.0)));
-            self.arc_label(Called { id: &id, symbol: &symbol, class: "rotation" }, t.centre, radius, [from, to], owner);
+            self.arc_label(
+                Called { id: &id, symbol: &symbol, class: "rotation" },
+                t.centre,
+                radius,
+                [from, to],
+                owner,
+            );
             first.get_or_insert(arrow);
         }
     }
@@ -113,11 +127,21 @@ impl MechanismDraft<'_> {
             let arrow = sym::rotation(self.style, centre, radius, from, to);
             let near = beside.as_ref().map_or(0, |b| b.met_by(&Obstacles::of(&arrow), APART_MM));
             let crossed = self.d.met_by(&arrow, ARC_AIR_MM) + near;
-            let crowded = if beside.is_some() && self.d.met_by(&arrow, FREE_MM) > 0 { FREE_COST } else { 0.0 };
-            CROSSED_COST * crossed as f64 + crowded + OUT_COST * out as f64 + TURN_COST * f64::from(turn * turn)
+            let crowded = if beside.is_some() && self.d.met_by(&arrow, FREE_MM) > 0 {
+                FREE_COST
+            } else {
+                0.0
+            };
+            CROSSED_COST * crossed as f64
+                + crowded
+                + OUT_COST * out as f64
+                + TURN_COST * f64::from(turn * turn)
         };
-        let all = (0..OUTS).flat_map(|out| (0..TURNS).map(move |k| (out, if k % 2 == 0 { k / 2 } else { -(k + 1) / 2 })));
-        let mut priced: Vec<(f64, (f64, [f64; 2]))> = all.map(|(out, turn)| (cost(out, turn), place(out, turn))).collect();
+        let all = (0..OUTS).flat_map(|out| {
+            (0..TURNS).map(move |k| (out, if k % 2 == 0 { k / 2 } else { -(k + 1) / 2 }))
+        });
+        let mut priced: Vec<(f64, (f64, [f64; 2]))> =
+            all.map(|(out, turn)| (cost(out, turn), place(out, turn))).collect();
         priced.sort_by(|a, b| a.0.total_cmp(&b.0));
         let cheapest = priced[0];
         let in_series = !self.course.supports.is_empty();
@@ -127,14 +151,23 @@ impl MechanismDraft<'_> {
             free_places(&self.arc_request(symbol, centre, radius, [from, to]).owned(OWN), &drawn)
         };
         let affordable = priced.into_iter().take_while(|p| p.0 < cheapest.0 + ROOM_COST);
-        if in_series { cheapest.1 } else { roomiest(affordable.map(|p| p.1), room).unwrap_or(cheapest.1) }
+        if in_series {
+            cheapest.1
+        } else {
+            roomiest(affordable.map(|p| p.1), room).unwrap_or(cheapest.1)
+        }
     }
 
     /// Draws the arrows of a velocity and an acceleration along a line, with their symbols.
     pub(super) fn translations(&mut self, driver: &Driver, symbols: &[String; 2], s: Slides) {
         let (rate, acceleration) = (given_rate(driver), acceleration(driver));
         if rate != 0.0 {
-            self.straight_arrow(s.from, s.along * rate.signum(), &format!("driver-vel-{}", s.who), &symbols[0]);
+            self.straight_arrow(
+                s.from,
+                s.along * rate.signum(),
+                &format!("driver-vel-{}", s.who),
+                &symbols[0],
+            );
         }
         if acceleration == 0.0 {
             return;
@@ -144,10 +177,19 @@ impl MechanismDraft<'_> {
         let places = if rate == 0.0 {
             vec![s.from]
         } else if (rate > 0.0) == (acceleration > 0.0) {
-            vec![s.from + towards * (ARROW_MM + IN_LINE_MM), beside(1.0), s.from - towards * (ARROW_MM + IN_LINE_MM), beside(2.0)]
+            vec![
+                s.from + towards * (ARROW_MM + IN_LINE_MM),
+                beside(1.0),
+                s.from - towards * (ARROW_MM + IN_LINE_MM),
+                beside(2.0),
+            ]
         } else {
             // Tail to tail: the two arrows point away from each other.
-            vec![s.from + towards * IN_LINE_MM, beside(1.0) - towards * ARROW_MM, beside(2.0) - towards * ARROW_MM]
+            vec![
+                s.from + towards * IN_LINE_MM,
+                beside(1.0) - towards * ARROW_MM,
+                beside(2.0) - towards * ARROW_MM,
+            ]
         };
         let crossed = |from: &Point| self.d.met_by(&[self.arrow(*from, towards)], ARC_AIR_MM);
         let Some(from) = places.iter().min_by_key(|p| crossed(p)).copied() else { return };
@@ -155,12 +197,27 @@ impl MechanismDraft<'_> {
     }
 
     fn arrow(&self, from: Point, along: Vec2) -> FigureItem {
-        FigureItem::new("", Shape::Arrow { from, to: from + along * ARROW_MM, stroke: self.style.vector, head: self.style.head })
+        FigureItem::new(
+            "",
+            Shape::Arrow {
+                from,
+                to: from + along * ARROW_MM,
+                stroke: self.style.vector,
+                head: self.style.head,
+            },
+        )
     }
 
     fn straight_arrow(&mut self, from: Point, along: Vec2, id: &str, symbol: &str) {
         let owner = self.d.draw(id, "driver", vec![self.arrow(from, along)]);
-        self.d.label_along(id, "driver", symbol, (from, from + along * ARROW_MM), self.style.vector.width_mm / 2.0, owner);
+        self.d.label_along(
+            id,
+            "driver",
+            symbol,
+            (from, from + along * ARROW_MM),
+            self.style.vector.width_mm / 2.0,
+            owner,
+        );
     }
 }
 

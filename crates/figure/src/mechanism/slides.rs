@@ -32,7 +32,10 @@ const FIXED_SLOT_HALF_MM: f64 = 13.0;
 impl MechanismDraft<'_> {
     /// The guides that are drawn as guides: rolling pairs have their own drawing.
     fn guides(&self) -> impl Iterator<Item = GuideId> + use<> {
-        let drawn: Vec<GuideId> = (0..self.scene.guides.len()).map(GuideId).filter(|g| self.scene.guides[g.0].rolling.is_none()).collect();
+        let drawn: Vec<GuideId> = (0..self.scene.guides.len())
+            .map(GuideId)
+            .filter(|g| self.scene.guides[g.0].rolling.is_none())
+            .collect();
         drawn.into_iter()
     }
 
@@ -46,7 +49,9 @@ impl MechanismDraft<'_> {
             let (pin, slider) = (guide.pin, guide.slider);
             let Some(path) = self.guide(g) else { continue };
             match (pin, slider, path) {
-                (Some(p), Some(_), Path::Line { direction, .. }) => self.hatched_line(g, p, direction),
+                (Some(p), Some(_), Path::Line { direction, .. }) => {
+                    self.hatched_line(g, p, direction)
+                }
                 (None, Some(_), Path::Line { direction, .. }) => self.bushing(g, direction),
                 (Some(p), None, Path::Line { direction, .. }) => self.fixed_slot(g, p, direction),
                 (Some(p), _, Path::Arc { centre, radius }) => self.fixed_arc(g, p, centre, radius),
@@ -73,14 +78,24 @@ impl MechanismDraft<'_> {
         self.hatched[g.0] = Some(-u.perp());
         let [back, on] = self.travel(g);
         let middle = at + self.raised(g, direction) + direction * ((back + on) / 2.0);
-        let items = sym::guide(self.style, middle, u.angle(), GUIDE_MM + on - back, sym::GuideForm::OneSided);
+        let items = sym::guide(
+            self.style,
+            middle,
+            u.angle(),
+            GUIDE_MM + on - back,
+            sym::GuideForm::OneSided,
+        );
         let items = self.as_opened(Opened::Guide(g), items);
         self.d.draw(&format!("guide-{}", self.scene.point_name(p)), "", items);
     }
 
     /// Draws the line from a named point of the ground along which the block moves.
     fn axis(&mut self, g: GuideId, p: PointId, at: Point, direction: Vec2) {
-        let GuidePath::Line { through: Through::Point(q), offset, .. } = &self.scene.guides[g.0].path else { return };
+        let GuidePath::Line { through: Through::Point(q), offset, .. } =
+            &self.scene.guides[g.0].path
+        else {
+            return;
+        };
         let (Some(from), None) = (self.point(*q), offset) else { return };
         let Some(u) = (at - from).unit() else { return };
         if u.cross(direction).abs() > 1e-6 {
@@ -88,7 +103,11 @@ impl MechanismDraft<'_> {
         }
         let [back, on] = self.travel(g);
         let ahead = if u.dot(direction) > 0.0 { on } else { -back };
-        let shape = Shape::Line { from, to: at + u * (ahead + GUIDE_MM / 2.0 + 4.0), stroke: self.style.thin.dashed(Dash::DashDot) };
+        let shape = Shape::Line {
+            from,
+            to: at + u * (ahead + GUIDE_MM / 2.0 + 4.0),
+            stroke: self.style.thin.dashed(Dash::DashDot),
+        };
         self.d.shape(&format!("axis-{}", self.scene.point_name(p)), "centre", shape);
     }
 
@@ -96,7 +115,10 @@ impl MechanismDraft<'_> {
         let Some(at) = self.point(p) else { return };
         let [back, on] = self.travel(g);
         let at = at + direction * ((back + on) / 2.0);
-        let (u, n) = (direction * ((GUIDE_MM + on - back) / 2.0), direction.perp() * (self.style.slot_width_mm / 2.0));
+        let (u, n) = (
+            direction * ((GUIDE_MM + on - back) / 2.0),
+            direction.perp() * (self.style.slot_width_mm / 2.0),
+        );
         let id = format!("guide-{}", self.scene.point_name(p));
         self.d.draw(&id, "", sym::ground_line(self.style, at - u - n, at + u - n));
         self.d.draw(&id, "", sym::ground_line(self.style, at + u + n, at - u + n));
@@ -108,11 +130,13 @@ impl MechanismDraft<'_> {
         let (middle, half) = ((at - centre).angle(), (FIXED_SLOT_HALF_MM / radius).min(1.5));
         let [back, on] = self.travel(g).map(|t| t / radius);
         let span = [middle + back - half, middle + on + half];
-        let (radius, width) = (radius.max(self.style.slot_width_mm), self.style.slot_width_mm / 2.0);
+        let (radius, width) =
+            (radius.max(self.style.slot_width_mm), self.style.slot_width_mm / 2.0);
         let id = format!("guide-{}", self.scene.point_name(p));
         self.d.draw(&id, "", sym::ground_arc(self.style, centre, radius + width, span, true));
         self.d.draw(&id, "", sym::ground_arc(self.style, centre, radius - width, span, false));
-        let shape = Shape::Line { from: centre, to: at, stroke: self.style.thin.dashed(Dash::DashDot) };
+        let shape =
+            Shape::Line { from: centre, to: at, stroke: self.style.thin.dashed(Dash::DashDot) };
         self.d.shape(&format!("{id}-radius"), "centre", shape);
     }
 
@@ -121,7 +145,10 @@ impl MechanismDraft<'_> {
         let Some(slider) = self.scene.guides[g.0].slider else { return };
         let Some((root, taken)) = self.rod_root(slider.0, g, u) else { return };
         // Away from the fixed pivots, so that the crank does not run into the bushing.
-        let pivots = (0..self.scene.points.len()).map(PointId).filter(|p| self.is_fixed_pivot(*p)).filter_map(|p| self.point(p));
+        let pivots = (0..self.scene.points.len())
+            .map(PointId)
+            .filter(|p| self.is_fixed_pivot(*p))
+            .filter_map(|p| self.point(p));
         let [back, on] = self.travel(g);
         let middle = root + u * ((back + on) / 2.0);
         let away: f64 = pivots.map(|p| (middle - p).dot(u)).sum();
@@ -133,12 +160,14 @@ impl MechanismDraft<'_> {
         let end = root + u * (on - back + before + BUSHING_LENGTH_MM + 8.0);
         let root = root + u * taken;
         let name = self.scene.links[slider.0].name.clone();
-        let items = sym::guide(self.style, centre, u.angle(), BUSHING_LENGTH_MM, sym::GuideForm::TwoSided);
+        let items =
+            sym::guide(self.style, centre, u.angle(), BUSHING_LENGTH_MM, sym::GuideForm::TwoSided);
         self.d.draw(&format!("guide-{name}"), "", items);
         self.d.of_link(Some(slider.0));
         let owner = self.d.draw(&format!("link-{name}"), "", sym::link(self.style, &[root, end]));
         self.d.of_link(None);
-        self.number_at[slider.0] = Some(NumberPlace::Along(root, root + u * (before - taken), owner));
+        self.number_at[slider.0] =
+            Some(NumberPlace::Along(root, root + u * (before - taken), owner));
     }
 
     /// The start of a yoke's rod: on its slot, level with a fixed pivot; at one of its points; at a
@@ -148,14 +177,28 @@ impl MechanismDraft<'_> {
         let link = &self.scene.links[slider];
         let slot = self.forms[slider].as_ref().and_then(|f| f.guide_bars.first().copied());
         if let Some((a, b)) = slot {
-            let pivot = (0..self.scene.points.len()).map(PointId).find(|p| self.is_fixed_pivot(*p)).and_then(|p| self.point(p));
+            let pivot = (0..self.scene.points.len())
+                .map(PointId)
+                .find(|p| self.is_fixed_pivot(*p))
+                .and_then(|p| self.point(p));
             let middle = a + (b - a) * 0.5;
             let crossing = cross_lines(a, b - a, pivot.unwrap_or(middle), u);
-            return Some((if crossing.at.is_finite() && crossing.sine.abs() > 0.1 { crossing.at } else { middle }, 0.0));
+            return Some((
+                if crossing.at.is_finite() && crossing.sine.abs() > 0.1 {
+                    crossing.at
+                } else {
+                    middle
+                },
+                0.0,
+            ));
         }
         let own = link.points.iter().find_map(|p| self.point(*p));
         let rolled = || {
-            self.scene.rolling.iter().filter(|r| r.links.iter().any(|l| l.0 == slider)).find_map(|r| self.point(r.at_of(LinkId(slider))))
+            self.scene
+                .rolling
+                .iter()
+                .filter(|r| r.links.iter().any(|l| l.0 == slider))
+                .find_map(|r| self.point(r.at_of(LinkId(slider))))
         };
         let along = || own.or_else(|| self.runner(g).map(|(at, _)| at)).map(|at| (at, 0.0));
         own.is_none().then(rolled).flatten().map(|at| (at, RACK_HALF_MM)).or_else(along)
@@ -179,9 +222,17 @@ impl MechanismDraft<'_> {
             }
             for (centre, radius, [from, to]) in &form.arcs {
                 let r = radius.max(self.style.slot_width_mm);
-                self.d.draw(&format!("{id}-slot"), "", sym::slot_arc(self.style, *centre, r, *from, *to));
+                self.d.draw(
+                    &format!("{id}-slot"),
+                    "",
+                    sym::slot_arc(self.style, *centre, r, *from, *to),
+                );
                 let middle = *centre + Vec2::from_angle((from + to) / 2.0) * r;
-                let shape = Shape::Line { from: *centre, to: middle, stroke: self.style.thin.dashed(Dash::DashDot) };
+                let shape = Shape::Line {
+                    from: *centre,
+                    to: middle,
+                    stroke: self.style.thin.dashed(Dash::DashDot),
+                };
                 self.d.shape(&format!("{id}-radius"), "centre", shape);
             }
             self.forms[l] = Some(form);
@@ -191,20 +242,27 @@ impl MechanismDraft<'_> {
 
     /// Extends the slotted bar of a yoke to its rod.
     fn extend_yoke(&self, l: usize, form: &mut super::LinkForm) {
-        let glides = |g: &GuideId| self.scene.guides[g.0].slider.is_some_and(|s| s.0 == l) && self.scene.guides[g.0].pin.is_none();
+        let glides = |g: &GuideId| {
+            self.scene.guides[g.0].slider.is_some_and(|s| s.0 == l)
+                && self.scene.guides[g.0].pin.is_none()
+        };
         let Some(g) = self.guides().find(glides) else { return };
         let Some(Path::Line { direction, .. }) = self.guide(g) else { return };
         let [(a, b)] = form.guide_bars[..] else { return };
         let Some(u) = (b - a).unit() else { return };
         let crossing = {
-            let pivot = (0..self.scene.points.len()).map(PointId).find(|p| self.is_fixed_pivot(*p)).and_then(|p| self.point(p));
+            let pivot = (0..self.scene.points.len())
+                .map(PointId)
+                .find(|p| self.is_fixed_pivot(*p))
+                .and_then(|p| self.point(p));
             cross_lines(a, u, pivot.unwrap_or(a + (b - a) * 0.5), direction)
         };
         if !crossing.at.is_finite() || crossing.sine.abs() < 0.1 {
             return;
         }
         let t = (crossing.at - a).dot(u);
-        form.guide_bars[0] = (a + u * (t - BEYOND_ROD_MM).min(0.0), a + u * (t + BEYOND_ROD_MM).max(a.distance(b)));
+        form.guide_bars[0] =
+            (a + u * (t - BEYOND_ROD_MM).min(0.0), a + u * (t + BEYOND_ROD_MM).max(a.distance(b)));
     }
 
     /// Draws the blocks of numbered sliders with a pin.
@@ -219,16 +277,22 @@ impl MechanismDraft<'_> {
                 self.cross(g, other);
                 continue;
             }
-            let through = guide.on != self.scene.ground && matches!(guide.path, GuidePath::Line { .. });
+            let through =
+                guide.on != self.scene.ground && matches!(guide.path, GuidePath::Line { .. });
             let Some((pin, tangent)) = self.runner(g) else { continue };
             let at = pin + self.raised(g, tangent);
             let items = sym::block(self.style, at, tangent.angle(), through);
             self.d.of_link(Some(slider.0));
             if at != pin {
-                self.d.draw(&format!("link-{}", self.scene.links[slider.0].name), "", sym::link(self.style, &[pin, at]));
+                self.d.draw(
+                    &format!("link-{}", self.scene.links[slider.0].name),
+                    "",
+                    sym::link(self.style, &[pin, at]),
+                );
             }
             self.d.draw(&format!("link-{}", self.scene.links[slider.0].name), "", items);
-            self.number_at[slider.0] = Some(NumberPlace::Around(at, self.hatched[g.0].map(|side| -side)));
+            self.number_at[slider.0] =
+                Some(NumberPlace::Around(at, self.hatched[g.0].map(|side| -side)));
         }
         self.d.of_link(None);
     }
@@ -241,7 +305,10 @@ impl MechanismDraft<'_> {
             if !self.shows_driver(k) {
                 continue;
             }
-            let (links, name) = (kind.parts().to_vec(), format!("cylinder-{}{}", self.scene.point_name(a), self.scene.point_name(b)));
+            let (links, name) = (
+                kind.parts().to_vec(),
+                format!("cylinder-{}{}", self.scene.point_name(a), self.scene.point_name(b)),
+            );
             let (Some(base), Some(tip)) = (self.point(a), self.point(b)) else { continue };
             let length = base.distance(tip);
             let mut items = sym::cylinder(self.style, base, tip, BARREL_PART * length);

@@ -35,8 +35,11 @@ impl MechanismDraft<'_> {
         (0..self.scene.points.len())
             .map(PointId)
             .map(|p| {
-                let Some(at) = self.point(p).filter(|_| self.is_fixed_pivot(p)) else { return DOWN };
-                let before: Vec<Rect> = boxes.iter().filter(|(o, _)| o.distance(at) < NEAR_MM).map(|b| b.1).collect();
+                let Some(at) = self.point(p).filter(|_| self.is_fixed_pivot(p)) else {
+                    return DOWN;
+                };
+                let before: Vec<Rect> =
+                    boxes.iter().filter(|(o, _)| o.distance(at) < NEAR_MM).map(|b| b.1).collect();
                 let side = self.freest_side(p, at, &before);
                 boxes.push((at, self.support_box(at, side)));
                 side
@@ -53,11 +56,17 @@ impl MechanismDraft<'_> {
             let plate = self.forms.iter().flatten().any(|f| form::inside(foot, &f.plate));
             let angle = given.iter().any(|(from, sweep)| form::sweeps(*from, *sweep, u.angle()));
             let over = before.iter().any(|b| b.overlap_mm2(self.support_box(at, *u)) > 0.0);
-            [(link, LINK_COST), (over, HATCHING_COST), (plate, PLATE_COST), (angle, ANGLE_COST), (*u != DOWN, OTHER_COST)]
-                .iter()
-                .filter(|c| c.0)
-                .map(|c| c.1)
-                .sum::<f64>()
+            [
+                (link, LINK_COST),
+                (over, HATCHING_COST),
+                (plate, PLATE_COST),
+                (angle, ANGLE_COST),
+                (*u != DOWN, OTHER_COST),
+            ]
+            .iter()
+            .filter(|c| c.0)
+            .map(|c| c.1)
+            .sum::<f64>()
         };
         let sides = [DOWN, Vec2::new(0.0, 1.0), Vec2::new(-1.0, 0.0), Vec2::new(1.0, 0.0)];
         sides.into_iter().min_by(|a, b| cost(a).total_cmp(&cost(b))).unwrap_or(DOWN)
@@ -68,6 +77,7 @@ impl MechanismDraft<'_> {
         let style = self.style;
         let foot = at + down * style.pivot_height_mm;
         let half = down.perp() * (style.ground_half_mm + style.hatch_depth_mm);
-        Rect::new(foot + half, foot - half).union(Rect::new(foot, foot + down * style.hatch_depth_mm))
+        Rect::new(foot + half, foot - half)
+            .union(Rect::new(foot, foot + down * style.hatch_depth_mm))
     }
 }

@@ -35,37 +35,61 @@ impl MechanismDraft<'_> {
     pub(super) fn is_bore(&self, g: GuideId) -> bool {
         let guide = &self.scene.guides[g.0];
         let [joint] = self.scene.links[guide.on.0].points[..] else { return false };
-        let straight = matches!(guide.path, GuidePath::Line { .. }) && guide.rolling.is_none() && !self.is_contact(g);
-        let alone = self.scene.guides.iter().filter(|o| o.on == guide.on || o.slider == Some(guide.on)).count() == 1;
-        let plain =
-            |l: LinkId| self.scene.guides.iter().all(|o| o.on != l) && self.scene.links[l.0].points.iter().all(|p| Some(*p) == guide.pin);
+        let straight = matches!(guide.path, GuidePath::Line { .. })
+            && guide.rolling.is_none()
+            && !self.is_contact(g);
+        let alone = self
+            .scene
+            .guides
+            .iter()
+            .filter(|o| o.on == guide.on || o.slider == Some(guide.on))
+            .count()
+            == 1;
+        let plain = |l: LinkId| {
+            self.scene.guides.iter().all(|o| o.on != l)
+                && self.scene.links[l.0].points.iter().all(|p| Some(*p) == guide.pin)
+        };
         let rod = guide.slider.is_some_and(plain) && self.crossing(g).is_none();
         let turned = self.scene.drivers.iter().any(|d| d.kind.turns_link(guide.on));
-        let hangs = guide.pin.is_some_and(|p| p != joint) && guide.on != self.scene.ground && self.is_pin(joint);
+        let hangs = guide.pin.is_some_and(|p| p != joint)
+            && guide.on != self.scene.ground
+            && self.is_pin(joint);
         if !(straight && alone && rod && hangs) || turned {
             return false;
         }
         match (self.guide(g), self.point(joint)) {
-            (Some(Path::Line { through, direction }), Some(at)) => (at - through).cross(direction).abs() < super::SAME_MM,
+            (Some(Path::Line { through, direction }), Some(at)) => {
+                (at - through).cross(direction).abs() < super::SAME_MM
+            }
             (Some(Path::Arc { .. }), _) | (None, _) | (_, None) => false,
         }
     }
 
     /// All swinging blocks.
     pub(super) fn swings(&self) -> Vec<SwingingBlock> {
-        (0..self.scene.guides.len()).map(GuideId).filter(|g| self.is_bore(*g)).filter_map(|g| self.swing(g)).collect()
+        (0..self.scene.guides.len())
+            .map(GuideId)
+            .filter(|g| self.is_bore(*g))
+            .filter_map(|g| self.swing(g))
+            .collect()
     }
 
     fn swing(&self, g: GuideId) -> Option<SwingingBlock> {
         let guide = &self.scene.guides[g.0];
-        let (pin, centre) = (self.point(guide.pin?)?, self.point(self.scene.links[guide.on.0].points[0])?);
+        let (pin, centre) =
+            (self.point(guide.pin?)?, self.point(self.scene.links[guide.on.0].points[0])?);
         // A pin in the middle of the block leaves the guide's own direction.
         let along = self.runner(g)?.1;
         let u = (centre - pin).unit().unwrap_or(along);
         let [back, on] = self.travel(g);
         let farther = if u.dot(along) > 0.0 { -back } else { on };
         let length = pin.distance(centre) + farther + self.style.block_length_mm / 2.0 + BEYOND_MM;
-        Some(SwingingBlock { block: guide.on, rod: guide.slider?, centre, ends: (pin, pin + u * length) })
+        Some(SwingingBlock {
+            block: guide.on,
+            rod: guide.slider?,
+            centre,
+            ends: (pin, pin + u * length),
+        })
     }
 
     /// The directions in which rods leave the joint of a block.
@@ -77,7 +101,8 @@ impl MechanismDraft<'_> {
 
     /// Draws the blocks, over their rods and supports.
     pub(super) fn swinging(&mut self) {
-        let shown: Vec<SwingingBlock> = self.swings().into_iter().filter(|s| self.shows(s.block)).collect();
+        let shown: Vec<SwingingBlock> =
+            self.swings().into_iter().filter(|s| self.shows(s.block)).collect();
         for s in shown {
             let Some(u) = (s.ends.1 - s.ends.0).unit() else { continue };
             let id = self.link_id(s.block.0);

@@ -52,7 +52,13 @@ impl MechanismDraft<'_> {
         let round = |i: usize| {
             let (centre, contact) = (self.point(pair.centres()[i]?)?, self.point(pair.at[i])?);
             let (radius_mm, hollow) = (centre.distance(contact), pair.hollow() == Some(i));
-            Some(Round { link: pair.links[i], centre, radius_mm, hollow, teeth: teeth.and_then(|z| z[i]) })
+            Some(Round {
+                link: pair.links[i],
+                centre,
+                radius_mm,
+                hollow,
+                teeth: teeth.and_then(|z| z[i]),
+            })
         };
         [0, 1].into_iter().filter_map(round).collect()
     }
@@ -62,7 +68,12 @@ impl MechanismDraft<'_> {
     pub(super) fn wheel(&self, l: LinkId) -> Option<(Point, f64)> {
         let of_link = |hollow| move |r: &Round| r.link == l && r.hollow == hollow;
         let largest = |hollow: bool| {
-            let all = self.scene.rolling.iter().flat_map(|pair| self.rounds(pair)).filter(of_link(hollow));
+            let all = self
+                .scene
+                .rolling
+                .iter()
+                .flat_map(|pair| self.rounds(pair))
+                .filter(of_link(hollow));
             all.max_by(|a, b| a.radius_mm.total_cmp(&b.radius_mm))
         };
         let rim = |r: Round| (r.centre, r.radius_mm + RIM_MM);
@@ -74,11 +85,14 @@ impl MechanismDraft<'_> {
     fn span(&self, pair: &Rolling, round: &Round) -> [f64; 2] {
         let points = (0..self.scene.points.len()).filter_map(|p| self.point(PointId(p)));
         let wheels = self.scene.rolling.iter().flat_map(|p| self.rounds(p)).filter(|r| !r.hollow);
-        let boxes = points.map(|p| Rect::new(p, p)).chain(wheels.map(|r| Rect::new(r.centre, r.centre).grown(r.radius_mm)));
+        let boxes = points
+            .map(|p| Rect::new(p, p))
+            .chain(wheels.map(|r| Rect::new(r.centre, r.centre).grown(r.radius_mm)));
         let rest = boxes.reduce(Rect::union).map_or(0.0, |b| b.width_mm().max(b.height_mm()));
         match self.point(pair.at_of(round.link)) {
             Some(contact) if round.hollow && 2.0 * round.radius_mm > DWARFS * rest => {
-                let (middle, half) = ((contact - round.centre).angle(), ARC_PART * rest / round.radius_mm);
+                let (middle, half) =
+                    ((contact - round.centre).angle(), ARC_PART * rest / round.radius_mm);
                 [middle - half, middle + half]
             }
             Some(_) | None => [0.0, TAU],
@@ -90,10 +104,14 @@ impl MechanismDraft<'_> {
         let scene = self.scene;
         let mut drawn: Vec<(LinkId, Point, f64)> = Vec::new();
         for pair in &scene.rolling {
-            for round in self.rounds(pair).into_iter().filter(|r| self.shows(r.link)).collect::<Vec<_>>() {
+            for round in
+                self.rounds(pair).into_iter().filter(|r| self.shows(r.link)).collect::<Vec<_>>()
+            {
                 // Gears of one link about one centre that mesh twice are drawn once.
                 let same = |d: &(LinkId, Point, f64)| {
-                    d.0 == round.link && d.1.distance(round.centre) < super::SAME_MM && (d.2 - round.radius_mm).abs() < super::SAME_MM
+                    d.0 == round.link
+                        && d.1.distance(round.centre) < super::SAME_MM
+                        && (d.2 - round.radius_mm).abs() < super::SAME_MM
                 };
                 if !drawn.iter().any(same) {
                     drawn.push((round.link, round.centre, round.radius_mm));
@@ -117,16 +135,23 @@ impl MechanismDraft<'_> {
 
     /// The stroke of a contour: a chain line for the pitch line of teeth, otherwise a full line.
     pub(super) fn contour_stroke(&self, pair: &Rolling) -> LineStroke {
-        if pair.kind.is_toothed() { self.style.outline.dashed(Dash::DashDot) } else { self.style.outline }
+        if pair.kind.is_toothed() {
+            self.style.outline.dashed(Dash::DashDot)
+        } else {
+            self.style.outline
+        }
     }
 
     /// True if a wheel on a moving axis has a redundant mesh.
     fn repeats(&self, round: &Round) -> bool {
         let still = self.scene.links[round.link.0].points.iter().any(|p| self.on_ground(*p));
         let opened = |(k, pair): (usize, &Rolling)| {
-            pair.links.contains(&round.link) && self.worked.mechanism.is_opened(&Opened::Rolling(RollingId(k)))
+            pair.links.contains(&round.link)
+                && self.worked.mechanism.is_opened(&Opened::Rolling(RollingId(k)))
         };
-        round.link != self.scene.ground && !still && self.scene.rolling.iter().enumerate().any(opened)
+        round.link != self.scene.ground
+            && !still
+            && self.scene.rolling.iter().enumerate().any(opened)
     }
 
     /// Draws the circle itself.
@@ -136,13 +161,26 @@ impl MechanismDraft<'_> {
         let id = format!("wheel-{}", self.scene.link_name(round.link));
         let class = if ground { "ground wheel" } else { "wheel" };
         // A redundant planet is in the background.
-        let stroke = if self.repeats(round) { self.style.thin.dashed(Dash::Dashed) } else { self.contour_stroke(pair) };
+        let stroke = if self.repeats(round) {
+            self.style.thin.dashed(Dash::Dashed)
+        } else {
+            self.contour_stroke(pair)
+        };
         self.d.of_link(l);
         // A line, not a disc: labels may be inside.
         let [from_rad, to_rad] = self.span(pair, round);
-        let circle = |radius_mm, stroke| Shape::Arc { centre: round.centre, radius_mm, from_rad, to_rad, stroke };
-        let traced = self.rolling.is_some_and(|links| round.link == links[0] && pair.links.iter().all(|l| links.contains(l)));
-        let owner = if traced { 0 } else { self.d.shape(&id, class, circle(round.radius_mm, stroke)) };
+        let circle = |radius_mm, stroke| Shape::Arc {
+            centre: round.centre,
+            radius_mm,
+            from_rad,
+            to_rad,
+            stroke,
+        };
+        let traced = self.rolling.is_some_and(|links| {
+            round.link == links[0] && pair.links.iter().all(|l| links.contains(l))
+        });
+        let owner =
+            if traced { 0 } else { self.d.shape(&id, class, circle(round.radius_mm, stroke)) };
         if round.hollow && pair.kind.is_toothed() && !ground {
             self.d.shape(&id, class, circle(round.radius_mm + RIM_MM, self.style.outline));
         }
@@ -151,16 +189,32 @@ impl MechanismDraft<'_> {
         if let Some(teeth) = round.teeth {
             let angles = TEETH_RAD.map(|a| away.angle() + a);
             let text = Label::math(format!("z = {teeth}"));
-            let request = LabelRequest::along_arc(text, self.style.small_mm, round.centre, round.radius_mm, angles, stroke.width_mm / 2.0);
-            self.d.label(&format!("teeth-{}", self.scene.link_name(round.link)), "teeth", request.owned(owner).optional(true));
+            let request = LabelRequest::along_arc(
+                text,
+                self.style.small_mm,
+                round.centre,
+                round.radius_mm,
+                angles,
+                stroke.width_mm / 2.0,
+            );
+            self.d.label(
+                &format!("teeth-{}", self.scene.link_name(round.link)),
+                "teeth",
+                request.owned(owner).optional(true),
+            );
         }
         self.d.of_link(None);
         // A wheel without a bar has its number inside its rim, away from the contact.
-        let has_bars = self.forms.get(round.link.0).is_some_and(|f| f.as_ref().is_some_and(|f| !f.segments().is_empty()));
+        let has_bars = self
+            .forms
+            .get(round.link.0)
+            .is_some_and(|f| f.as_ref().is_some_and(|f| !f.segments().is_empty()));
         if !ground && !has_bars && self.number_at[round.link.0].is_none() {
             let along = away.rotate_by(Vec2::from_angle(-FRAC_PI_4));
-            let (from, to) =
-                (on_circle(round.centre, round.radius_mm, along.angle()), on_circle(round.centre, round.radius_mm, away.angle()));
+            let (from, to) = (
+                on_circle(round.centre, round.radius_mm, along.angle()),
+                on_circle(round.centre, round.radius_mm, away.angle()),
+            );
             self.number_at[round.link.0] = Some(NumberPlace::Along(from, to, owner));
         }
     }
@@ -170,7 +224,8 @@ impl MechanismDraft<'_> {
         let at = pair.at_of(round.link);
         let Some(contact) = self.point(at) else { return };
         let middle = (contact - round.centre).angle();
-        let (sign, base) = if round.hollow { (1.0, round.radius_mm) } else { (-1.0, round.radius_mm) };
+        let (sign, base) =
+            if round.hollow { (1.0, round.radius_mm) } else { (-1.0, round.radius_mm) };
         let half = HATCHED_RAD.min(GUIDE_MM / round.radius_mm);
         // The strokes remain fixed while the contact moves along the rim: each is drawn when its
         // part of the rim is near the contact.
@@ -180,22 +235,44 @@ impl MechanismDraft<'_> {
         let first = ((middle - half) / step).ceil() as i64;
         let mut strokes: Vec<i64> = (first..first + count).collect();
         strokes.sort_by_key(|k| k.rem_euclid(count));
-        let feet: Vec<Point> = strokes.into_iter().map(|k| on_circle(round.centre, base, k as f64 * step)).collect();
+        let feet: Vec<Point> =
+            strokes.into_iter().map(|k| on_circle(round.centre, base, k as f64 * step)).collect();
         let depth = |p: Point| {
             let out = (p - round.centre).unit().unwrap_or(Vec2::ZERO);
             p + (out * sign + out.perp()) * self.style.hatch_depth_mm
         };
-        let pieces = feet.iter().flat_map(|p| [PathPiece::Move(*p), PathPiece::Line(depth(*p))]).skip(1).collect();
+        let pieces = feet
+            .iter()
+            .flat_map(|p| [PathPiece::Move(*p), PathPiece::Line(depth(*p))])
+            .skip(1)
+            .collect();
         let id = format!("track-{}", self.scene.point_name(at));
-        self.d.shape(&id, "ground hatch", Shape::Path { start: feet[0], pieces, closed: false, stroke: Some(self.style.thin), fill: None });
+        self.d.shape(
+            &id,
+            "ground hatch",
+            Shape::Path {
+                start: feet[0],
+                pieces,
+                closed: false,
+                stroke: Some(self.style.thin),
+                fill: None,
+            },
+        );
         let (from_rad, to_rad) = (middle - half, middle + half);
-        let arc = Shape::Arc { centre: round.centre, radius_mm: base, from_rad, to_rad, stroke: self.style.outline };
+        let arc = Shape::Arc {
+            centre: round.centre,
+            radius_mm: base,
+            from_rad,
+            to_rad,
+            stroke: self.style.outline,
+        };
         self.d.shape(&id, "ground line", arc);
     }
 
     /// Draws a straight track or rack under its wheel.
     fn track(&mut self, pair: &Rolling, guide: GuideId) {
-        let (Some(at), Some(hodograph_mechanism::position::Path::Line { direction, .. })) = (self.point(pair.at[0]), self.guide(guide))
+        let (Some(at), Some(hodograph_mechanism::position::Path::Line { direction, .. })) =
+            (self.point(pair.at[0]), self.guide(guide))
         else {
             return;
         };
@@ -205,29 +282,56 @@ impl MechanismDraft<'_> {
         let id = format!("track-{}", self.scene.point_name(pair.at[0]));
         if on == self.scene.ground {
             // The material is on the right of the direction, because the wheel is on its left.
-            let items = sym::ground_line(self.style, at + direction * (back - half), at + direction * (ahead + half));
+            let items = sym::ground_line(
+                self.style,
+                at + direction * (back - half),
+                at + direction * (ahead + half),
+            );
             self.d.draw(&id, "", items);
             return;
         }
         self.d.of_link(Some(on.0));
         let half = half.max(RACK_HALF_MM);
         // The rack extends to the points of its link, and holds them by a stem if none is on it.
-        let held: Vec<Point> = self.scene.links[on.0].points.iter().filter_map(|p| self.point(*p)).collect();
+        let held: Vec<Point> =
+            self.scene.links[on.0].points.iter().filter_map(|p| self.point(*p)).collect();
         let foot = |p: &Point| at + direction * (*p - at).dot(direction);
-        let reach = held.iter().map(|p| (*p - at).dot(direction)).fold([back - half, ahead + half], |[a, b], s| [a.min(s), b.max(s)]);
+        let reach = held
+            .iter()
+            .map(|p| (*p - at).dot(direction))
+            .fold([back - half, ahead + half], |[a, b], s| [a.min(s), b.max(s)]);
         let [from, to] = reach.map(|s| at + direction * s);
         // Like a ring: the pitch line as a chain line, the body behind it as a full line.
         let toothed = pair.kind.is_toothed();
         let behind = if toothed { -direction.perp() * RIM_MM } else { Vec2::ZERO };
         let owner = if toothed {
             let stroke = self.style.outline;
-            self.d.shape(&id, "wheel", Shape::Line { from, to, stroke: stroke.dashed(Dash::DashDot) });
-            let pieces = vec![PathPiece::Line(from + behind), PathPiece::Line(to + behind), PathPiece::Line(to)];
-            self.d.shape(&id, "wheel", Shape::Path { start: from, pieces, closed: false, stroke: Some(stroke), fill: None })
+            self.d.shape(
+                &id,
+                "wheel",
+                Shape::Line { from, to, stroke: stroke.dashed(Dash::DashDot) },
+            );
+            let pieces = vec![
+                PathPiece::Line(from + behind),
+                PathPiece::Line(to + behind),
+                PathPiece::Line(to),
+            ];
+            self.d.shape(
+                &id,
+                "wheel",
+                Shape::Path {
+                    start: from,
+                    pieces,
+                    closed: false,
+                    stroke: Some(stroke),
+                    fill: None,
+                },
+            )
         } else {
             self.d.draw(&id, "", sym::link(self.style, &[from, to]))
         };
-        let nearest = held.iter().min_by(|p, q| p.distance(foot(p)).total_cmp(&q.distance(foot(q))));
+        let nearest =
+            held.iter().min_by(|p, q| p.distance(foot(p)).total_cmp(&q.distance(foot(q))));
         if let Some(p) = nearest.filter(|p| p.distance(foot(p)) > super::SAME_MM) {
             let near = if (*p - foot(p)).dot(behind) > 0.0 { foot(p) + behind } else { foot(p) };
             self.d.draw(&id, "", sym::link(self.style, &[*p, near]));
@@ -248,8 +352,18 @@ impl MechanismDraft<'_> {
                 let Some(at) = self.point(p) else { continue };
                 let normal = self.rounds(pair).first().map_or(0.0, |r| (at - r.centre).angle());
                 let arm = |k: f64| Vec2::from_angle(normal + FRAC_PI_4 + FRAC_PI_2 * k) * CROSS_MM;
-                let pieces = vec![PathPiece::Line(at - arm(0.0)), PathPiece::Move(at + arm(1.0)), PathPiece::Line(at - arm(1.0))];
-                let shape = Shape::Path { start: at + arm(0.0), pieces, closed: false, stroke: Some(self.style.outline), fill: None };
+                let pieces = vec![
+                    PathPiece::Line(at - arm(0.0)),
+                    PathPiece::Move(at + arm(1.0)),
+                    PathPiece::Line(at - arm(1.0)),
+                ];
+                let shape = Shape::Path {
+                    start: at + arm(0.0),
+                    pieces,
+                    closed: false,
+                    stroke: Some(self.style.outline),
+                    fill: None,
+                };
                 self.d.shape(&format!("contact-{}", scene.point_name(p)), "contact", shape);
             }
         }

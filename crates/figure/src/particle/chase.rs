@@ -70,19 +70,33 @@ impl ParticleDrafter<'_> {
         let (_, target) = self.problem.chase(motion)?;
         let mut d = Drawing::new("course", self.style.clone());
         let [a, b] = *course.first()?;
-        self.line(&mut d, "target", course.iter().map(|p| p[1]).collect(), self.style.thin.dashed(Dash::DashDot));
+        self.line(
+            &mut d,
+            "target",
+            course.iter().map(|p| p[1]).collect(),
+            self.style.thin.dashed(Dash::DashDot),
+        );
         self.line(&mut d, "line", vec![a, b], self.style.thin);
         self.named(&mut d, &motion.point, a);
         self.named(&mut d, target, b);
-        let caption = both!("At the start, $t = 0$, with the path of ${target}$", "$t = 0$ 时的起始位置及 ${target}$ 的轨迹");
-        Some(ParticleView { part: d.finish(), caption, scales: vec![(DiagramKind::Plane, drawn.scale(DiagramKind::Plane))] })
+        let caption = both!(
+            "At the start, $t = 0$, with the path of ${target}$",
+            "$t = 0$ 时的起始位置及 ${target}$ 的轨迹"
+        );
+        Some(ParticleView {
+            part: d.finish(),
+            caption,
+            scales: vec![(DiagramKind::Plane, drawn.scale(DiagramKind::Plane))],
+        })
     }
 
     /// Draws the two points at the instant and the line between them.
     pub fn pair(&self, drawn: &MotionDrawing) -> DrawingPart {
         let mut d = Drawing::new("course", self.style.clone());
         let motion = &self.problem.motions[drawn.motion];
-        if let (Views::Chase { places, .. }, Some((_, target))) = (&drawn.views, self.problem.chase(motion)) {
+        if let (Views::Chase { places, .. }, Some((_, target))) =
+            (&drawn.views, self.problem.chase(motion))
+        {
             self.line(&mut d, &format!("line {}", step(0)), places.to_vec(), self.style.outline);
             self.named(&mut d, &motion.point, places[0]);
             self.named(&mut d, target, places[1]);
@@ -99,7 +113,12 @@ impl ParticleDrafter<'_> {
                 self.line(d, "sight", vec![a, b], style.thin.coloured(Colour::grey(150)));
             }
         }
-        self.line(d, "target", course.iter().map(|p| p[1]).collect(), style.thin.dashed(Dash::DashDot));
+        self.line(
+            d,
+            "target",
+            course.iter().map(|p| p[1]).collect(),
+            style.thin.dashed(Dash::DashDot),
+        );
         self.line(d, "pursuer", course.iter().map(|p| p[0]).collect(), style.vector);
         for (k, pair) in course.iter().step_by(FINE).enumerate().take(SIGHTS).skip(1) {
             for at in *pair {
@@ -107,7 +126,12 @@ impl ParticleDrafter<'_> {
                 if lettered.iter().any(|p| p.distance(at) < BESIDE_MM) {
                     continue;
                 }
-                let number = LabelRequest::at_point(Label::math(k.to_string()), style.small_mm * 0.85, at, style.dot_radius_mm);
+                let number = LabelRequest::at_point(
+                    Label::math(k.to_string()),
+                    style.small_mm * 0.85,
+                    at,
+                    style.dot_radius_mm,
+                );
                 d.label("tick", "position", number.optional(true));
             }
         }
@@ -115,14 +139,22 @@ impl ParticleDrafter<'_> {
 
     /// Draws both polygons from their poles.
     pub fn polygons(&self, drawn: &MotionDrawing) -> Vec<ParticleView> {
-        let Views::Chase { velocities, foot, accelerations, .. } = &drawn.views else { return Vec::new() };
+        let Views::Chase { velocities, foot, accelerations, .. } = &drawn.views else {
+            return Vec::new();
+        };
         vec![
             self.polygon(drawn, DiagramKind::Velocity, velocities, Some(*foot)),
             self.polygon(drawn, DiagramKind::Acceleration, accelerations, None),
         ]
     }
 
-    fn polygon(&self, drawn: &MotionDrawing, on: DiagramKind, arrows: &[Arrow], foot: Option<Point>) -> ParticleView {
+    fn polygon(
+        &self,
+        drawn: &MotionDrawing,
+        on: DiagramKind,
+        arrows: &[Arrow],
+        foot: Option<Point>,
+    ) -> ParticleView {
         let style = self.style;
         let mut d = Drawing::new("polygon", style.clone());
         let prime = on.prime();
@@ -134,13 +166,20 @@ impl ParticleDrafter<'_> {
         if let (Some(foot), Some(b)) = (foot, arrows.get(1)) {
             let tip_a = arrows[0].to;
             // The line of v_A is extended to the foot if it ends before it.
-            if foot.to_vec2().norm() > tip_a.to_vec2().norm() || foot.to_vec2().dot(tip_a.to_vec2()) < 0.0 {
+            if foot.to_vec2().norm() > tip_a.to_vec2().norm()
+                || foot.to_vec2().dot(tip_a.to_vec2()) < 0.0
+            {
                 self.line(&mut d, &format!("beyond {}", step(2)), vec![tip_a, foot], style.thin);
             }
             let class = format!("across {}", step(2));
-            let owner = d.shape("across", &class, Shape::Line { from: b.to, to: foot, stroke: style.thin.dashed(Dash::Dashed) });
+            let owner = d.shape(
+                "across",
+                &class,
+                Shape::Line { from: b.to, to: foot, stroke: style.thin.dashed(Dash::Dashed) },
+            );
             if b.to.distance(foot) > 3.0 {
-                let name = LabelRequest::along(Label::math("\\omega l"), style.small_mm, b.to, foot, 0.1);
+                let name =
+                    LabelRequest::along(Label::math("\\omega l"), style.small_mm, b.to, foot, 0.1);
                 d.label("across", &class, name.owned(owner).optional(true));
             }
         }
@@ -148,7 +187,9 @@ impl ParticleDrafter<'_> {
         d.label_at("pole", "pole", &pole, Point::ORIGIN, style.dot_radius_mm, None);
         let caption = match on {
             DiagramKind::Acceleration => both!("Acceleration of the pursuer", "追踪点的加速度"),
-            DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Force => both!("Velocities at the instant", "此瞬时的速度"),
+            DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Force => {
+                both!("Velocities at the instant", "此瞬时的速度")
+            }
         };
         ParticleView { part: d.finish(), caption, scales: vec![(on, mu)] }
     }

@@ -32,7 +32,9 @@ pub(crate) struct PlotAxis {
 impl PlotAxis {
     /// Returns the range of these values, extended to ticks, with at most `most` steps.
     pub fn of(values: &[f64], degrees: bool, most: usize) -> PlotAxis {
-        let finite = || values.iter().copied().filter(|v| v.is_finite()).map(|v| v.clamp(-FARTHEST, FARTHEST));
+        let finite = || {
+            values.iter().copied().filter(|v| v.is_finite()).map(|v| v.clamp(-FARTHEST, FARTHEST))
+        };
         let lo = finite().fold(f64::INFINITY, f64::min);
         let hi = finite().fold(f64::NEG_INFINITY, f64::max);
         // Without values, or with only one: a range around it.
@@ -47,17 +49,20 @@ impl PlotAxis {
         let round = |step: f64| step >= least * (1.0 - 1e-9);
         let own = degrees.then(|| DEGREES.into_iter().find(|s| round(*s))).flatten();
         let decade = libm::floor(libm::log10(least)) as i32;
-        let steps = (decade..=decade + 1).flat_map(|e| STEPS.map(|s| s * libm::pow(10.0, f64::from(e))));
+        let steps =
+            (decade..=decade + 1).flat_map(|e| STEPS.map(|s| s * libm::pow(10.0, f64::from(e))));
         let step = own.or_else(|| steps.into_iter().find(|s| round(*s))).unwrap_or(least);
         // A rounding error beyond a tick counts as the tick: 360.00000000000006° ends at 360°.
-        let (from, to) = (libm::floor(lo / step + 1e-9) * step, libm::ceil(hi / step - 1e-9) * step);
+        let (from, to) =
+            (libm::floor(lo / step + 1e-9) * step, libm::ceil(hi / step - 1e-9) * step);
         // A curve that stays at an end would coincide with the frame; at zero the frame is
         // intended.
         let stays = |end: f64| {
             let there = values.iter().filter(|v| (**v - end).abs() < step * 1e-6).count();
             end != 0.0 && there > STAYS.max(values.len() / 10)
         };
-        let (from, to) = (if stays(from) { from - step } else { from }, if stays(to) { to + step } else { to });
+        let (from, to) =
+            (if stays(from) { from - step } else { from }, if stays(to) { to + step } else { to });
         PlotAxis { from, to, step, powers: false }
     }
 
@@ -98,7 +103,11 @@ impl PlotAxis {
     pub fn name(&self, tick: f64) -> String {
         if self.powers {
             let power = libm::round(libm::log10(tick));
-            return if power == 0.0 { "1".into() } else { format!("10^{{{power}}}").replace('-', "−") };
+            return if power == 0.0 {
+                "1".into()
+            } else {
+                format!("10^{{{power}}}").replace('-', "−")
+            };
         }
         let places = (-libm::floor(libm::log10(self.step)) + 1.0).clamp(0.0, 12.0) as usize;
         let tick = if tick.abs() < self.step * 1e-6 { 0.0 } else { tick };
@@ -107,7 +116,11 @@ impl PlotAxis {
             return number(tick, 3);
         }
         let text = format!("{tick:.places$}");
-        let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+        let text = if text.contains('.') {
+            text.trim_end_matches('0').trim_end_matches('.')
+        } else {
+            &text
+        };
         text.replace('-', "−")
     }
 }
@@ -121,11 +134,20 @@ mod tests {
         let names = |axis: &PlotAxis| axis.ticks().map(|t| axis.name(t)).collect::<Vec<_>>();
         let few = PlotAxis::powers(-2.0, 1.0);
         assert_eq!(names(&few), ["10^{−2}", "10^{−1}", "1", "10^{1}"]);
-        assert!((few.part(0.1) - 1.0 / 3.0).abs() < 1e-12 && few.part(0.0) == 0.0 && few.part(1e9) == 1.0);
+        assert!(
+            (few.part(0.1) - 1.0 / 3.0).abs() < 1e-12
+                && few.part(0.0) == 0.0
+                && few.part(1e9) == 1.0
+        );
         // Decreasing to the right.
         let back = PlotAxis::powers(0.0, -14.0);
         assert_eq!(names(&back), ["10^{−10}", "10^{−5}", "1"]);
-        assert!(back.part(1.0) == 0.0 && back.part(1e-14) == 1.0 && back.holds(1e-3) && !back.holds(2.0));
+        assert!(
+            back.part(1.0) == 0.0
+                && back.part(1e-14) == 1.0
+                && back.holds(1e-3)
+                && !back.holds(2.0)
+        );
     }
 
     #[test]
@@ -133,7 +155,10 @@ mod tests {
         let degrees = PlotAxis::of(&[0.0, 360.000_000_000_000_06], true, 12);
         assert_eq!((degrees.from, degrees.to, degrees.step), (0.0, 360.0, 30.0));
         let y = PlotAxis::of(&[-0.31, 0.58], false, 6);
-        assert_eq!((y.name(y.from), y.name(y.to), y.ticks().count()), ("−0.4".into(), "0.6".into(), 6));
+        assert_eq!(
+            (y.name(y.from), y.name(y.to), y.ticks().count()),
+            ("−0.4".into(), "0.6".into(), 6)
+        );
         assert_eq!(PlotAxis::of(&[2.0], false, 6).ticks().count(), 5);
         let constant: Vec<f64> = (0..20).map(|k| 0.06 * f64::from(k)).chain([1.2; 20]).collect();
         assert!((PlotAxis::of(&constant, false, 6).to - 1.4).abs() < 1e-12);
@@ -151,8 +176,14 @@ mod tests {
         ] {
             let axis = PlotAxis::of(&[a, b], false, 6);
             let all = [a, b, axis.from, axis.to, 0.0].map(|v| axis.part(v));
-            assert!(axis.from < axis.to && all.iter().all(|p| (0.0..=1.0).contains(p)), "{a} {b}: {axis:?} {all:?}");
-            assert!((2..20).contains(&axis.ticks().count()) && axis.ticks().all(f64::is_finite), "{a} {b}: {axis:?}");
+            assert!(
+                axis.from < axis.to && all.iter().all(|p| (0.0..=1.0).contains(p)),
+                "{a} {b}: {axis:?} {all:?}"
+            );
+            assert!(
+                (2..20).contains(&axis.ticks().count()) && axis.ticks().all(f64::is_finite),
+                "{a} {b}: {axis:?}"
+            );
         }
         assert_eq!(PlotAxis::of(&[0.0, 1e-9], false, 5).name(4e-10), "4.00 \\times 10^{−10}");
     }

@@ -107,14 +107,26 @@ impl<'a> Plot<'a> {
             let at = left - Vec2::new(NUMBER_MM, small * 0.33);
             self.words("number", at, Label::math(y.name(tick)), small, Anchor::End);
         }
-        let corners = vec![frame.min, Point::new(frame.max.x, frame.min.y), frame.max, Point::new(frame.min.x, frame.max.y)];
-        self.draw("frame", Shape::Polyline { points: corners, closed: true, stroke: Some(style.thin), fill: None }, None);
+        let corners = vec![
+            frame.min,
+            Point::new(frame.max.x, frame.min.y),
+            frame.max,
+            Point::new(frame.min.x, frame.max.y),
+        ];
+        self.draw(
+            "frame",
+            Shape::Polyline { points: corners, closed: true, stroke: Some(style.thin), fill: None },
+            None,
+        );
         if y.holds(0.0) {
             self.line("zero", self.at(x.from, 0.0), self.at(x.to, 0.0), style.thin);
         }
         let corner = Point::new(frame.min.x, frame.max.y) + Vec2::new(-NUMBER_MM, UNIT_MM);
         // Text wider than the numbers would leave the paper: it starts where the numbers start.
-        let wide = hodograph_paper::paper::text::set(&above.clone().in_fonts(&style.fonts)).width_em * small > NUMBERS_MM;
+        let wide = hodograph_paper::paper::text::set(&above.clone().in_fonts(&style.fonts))
+            .width_em
+            * small
+            > NUMBERS_MM;
         let (back, anchor) = if wide { (NUMBERS_MM, Anchor::Start) } else { (0.0, Anchor::End) };
         self.words("unit", corner - Vec2::new(back, 0.0), above, small, anchor);
         if let Some(title) = below {
@@ -134,14 +146,22 @@ impl<'a> Plot<'a> {
             y = end.y.min(y - NAME_EM * small);
             let at = Point::new(self.frame.max.x + NAMES_MM, y);
             self.line("leader", end, at, GRID);
-            self.words("curve-name", at + Vec2::new(1.0, -small * 0.33), name, small, Anchor::Start);
+            self.words(
+                "curve-name",
+                at + Vec2::new(1.0, -small * 0.33),
+                name,
+                small,
+                Anchor::Start,
+            );
         }
     }
 
     /// Places the labels within `bounds` and returns all items.
     pub fn finish(mut self, bounds: Rect) -> Vec<FigureItem> {
-        let ink: Vec<FigureItem> = self.items.iter().filter(|i| i.class != "grid").cloned().collect();
-        let (requests, links): (Vec<LabelRequest>, Vec<Option<usize>>) = std::mem::take(&mut self.wanted).into_iter().unzip();
+        let ink: Vec<FigureItem> =
+            self.items.iter().filter(|i| i.class != "grid").cloned().collect();
+        let (requests, links): (Vec<LabelRequest>, Vec<Option<usize>>) =
+            std::mem::take(&mut self.wanted).into_iter().unzip();
         let placed = place(&requests, &Obstacles::of(&ink), bounds);
         for ((request, place), link) in requests.iter().zip(&placed).zip(links) {
             for item in place.items(request, PLACED, self.style.thin) {

@@ -29,11 +29,13 @@ impl PolygonDraft<'_> {
     pub(super) fn side_by_side(&mut self, width_mm: f64) {
         let length = |a: &PolygonArrow| a.from.distance(a.to);
         let mut order: Vec<usize> = (0..self.arrows.len()).collect();
-        let rank = |k: usize| (!is_one(self.arrows[k].from, Point::ORIGIN), -length(&self.arrows[k]));
+        let rank =
+            |k: usize| (!is_one(self.arrows[k].from, Point::ORIGIN), -length(&self.arrows[k]));
         order.sort_by(|&i, &j| rank(i).0.cmp(&rank(j).0).then(rank(i).1.total_cmp(&rank(j).1)));
         let mut placed: Vec<LineEnds> = Vec::new();
         for k in order {
-            self.arrows[k].aside = lane((self.arrows[k].from, self.arrows[k].to), &placed, width_mm);
+            self.arrows[k].aside =
+                lane((self.arrows[k].from, self.arrows[k].to), &placed, width_mm);
             placed.push(self.arrows[k].drawn());
         }
     }
@@ -41,11 +43,16 @@ impl PolygonDraft<'_> {
 
 /// The perpendicular displacement of a line that makes it overlap none of the others.
 pub(crate) fn lane(line: LineEnds, others: &[LineEnds], width_mm: f64) -> Vec2 {
-    let over = |by: Vec2| others.iter().find_map(|other| overlap_offset((line.0 + by, line.1 + by), *other, width_mm));
-    let (Some(left_mm), Some(along)) = (over(Vec2::ZERO), (line.1 - line.0).unit()) else { return Vec2::ZERO };
+    let over = |by: Vec2| {
+        others.iter().find_map(|other| overlap_offset((line.0 + by, line.1 + by), *other, width_mm))
+    };
+    let (Some(left_mm), Some(along)) = (over(Vec2::ZERO), (line.1 - line.0).unit()) else {
+        return Vec2::ZERO;
+    };
     // Towards the side on which it already is.
     let side = along.perp() * if left_mm < -SAME_MM { -1.0 } else { 1.0 };
-    let mut lanes = (1..=LANES).flat_map(|n| [n, -n]).map(|n| side * (f64::from(n) * (width_mm + AIR_MM)));
+    let mut lanes =
+        (1..=LANES).flat_map(|n| [n, -n]).map(|n| side * (f64::from(n) * (width_mm + AIR_MM)));
     lanes.find(|by| over(*by).is_none()).unwrap_or(Vec2::ZERO)
 }
 
@@ -68,8 +75,11 @@ impl PolygonArrow {
 fn overlap_offset(one: LineEnds, other: LineEnds, width_mm: f64) -> Option<f64> {
     let near = width_mm + CLOSED_MM;
     // Most are far apart, which needs no square root to detect.
-    let apart = |a: f64, b: f64, c: f64, d: f64| a.max(b) + near < c.min(d) || c.max(d) + near < a.min(b);
-    if apart(one.0.x, one.1.x, other.0.x, other.1.x) || apart(one.0.y, one.1.y, other.0.y, other.1.y) {
+    let apart =
+        |a: f64, b: f64, c: f64, d: f64| a.max(b) + near < c.min(d) || c.max(d) + near < a.min(b);
+    if apart(one.0.x, one.1.x, other.0.x, other.1.x)
+        || apart(one.0.y, one.1.y, other.0.y, other.1.y)
+    {
         return None;
     }
     // At an angle θ they are close along 2 · near/sin θ at most.
@@ -82,7 +92,11 @@ fn overlap_offset(one: LineEnds, other: LineEnds, width_mm: f64) -> Option<f64> 
     let reach = [a.norm(), b.norm()];
     let (short, long) = if reach[1] < reach[0] { (one, other) } else { (other, one) };
     let ways = b.dot(u);
-    if ways > 0.0 && is_one(one.0, other.0) && covers(long, short.1) && short.1.distance(long.1) > LABEL_ROOM_MM {
+    if ways > 0.0
+        && is_one(one.0, other.0)
+        && covers(long, short.1)
+        && short.1.distance(long.1) > LABEL_ROOM_MM
+    {
         return None;
     }
     let [mut p, mut q] = [one.0, one.1].map(|e| ((e - other.0).dot(u), u.cross(e - other.0)));
@@ -121,7 +135,11 @@ mod tests {
         let level = line([0.0, 0.0], [40.0, 0.0]);
         let over = |other: LineEnds| overlap_offset(other, level, 0.4);
         assert_eq!(over(line([40.0, 0.0], [0.0, 0.0])), Some(0.0), "back again");
-        assert_eq!(over(line([40.0, 0.0], [0.0, 0.4])), Some(-0.2), "and a little to the right of the way back");
+        assert_eq!(
+            over(line([40.0, 0.0], [0.0, 0.4])),
+            Some(-0.2),
+            "and a little to the right of the way back"
+        );
         assert_eq!(over(line([0.0, 0.0], [40.0, 0.4])), Some(0.2));
         assert_eq!(over(line([0.0, 0.0], [40.0, 4.0])), None, "apart at one end");
         assert_eq!(over(line([0.0, 2.0], [40.0, 2.0])), None, "apart");

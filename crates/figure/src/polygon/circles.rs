@@ -65,12 +65,16 @@ impl PolygonDraft<'_> {
         for pair in &scene.rolling {
             for (link, centre) in pair.links.into_iter().zip(pair.centres()) {
                 let (Some(centre), true) = (centre, link != scene.ground) else { continue };
-                let (Some((centre, a)), Some((through, b))) = (self.image_of(centre, link), self.image_of(pair.at_of(link), link)) else {
+                let (Some((centre, a)), Some((through, b))) =
+                    (self.image_of(centre, link), self.image_of(pair.at_of(link), link))
+                else {
                     continue;
                 };
                 let circle = Circle { centre, through, link, step: a.max(b), whole: true };
                 let same = |c: &Circle| {
-                    c.link == link && c.centre.distance(centre) < SAME_MM && (c.radius_mm() - circle.radius_mm()).abs() < SAME_MM
+                    c.link == link
+                        && c.centre.distance(centre) < SAME_MM
+                        && (c.radius_mm() - circle.radius_mm()).abs() < SAME_MM
                 };
                 if circle.radius_mm() >= LEAST_MM && !all.iter().any(same) {
                     all.push(circle);
@@ -88,14 +92,18 @@ impl PolygonDraft<'_> {
         if scene.links[scene.ground.0].points.contains(&p) {
             return Some((Point::ORIGIN, 0));
         }
-        let v = plan.find_vertex(scene, p, Some(link)).or_else(|| plan.find_vertex(scene, p, None))?;
+        let v =
+            plan.find_vertex(scene, p, Some(link)).or_else(|| plan.find_vertex(scene, p, None))?;
         Some((self.p.images[v.0]?, found_by(self.p, v).unwrap_or(0)))
     }
 
     /// The longer side of the box around the image points.
     fn size_mm(&self) -> f64 {
         let all = || self.letters.iter().map(|l| l.at);
-        let side = |of: fn(Point) -> f64| all().map(of).fold(f64::NEG_INFINITY, f64::max) - all().map(of).fold(f64::INFINITY, f64::min);
+        let side = |of: fn(Point) -> f64| {
+            all().map(of).fold(f64::NEG_INFINITY, f64::max)
+                - all().map(of).fold(f64::INFINITY, f64::min)
+        };
         side(|p| p.x).max(side(|p| p.y))
     }
 
@@ -103,11 +111,17 @@ impl PolygonDraft<'_> {
     pub(super) fn circles(&self, d: &mut Drawing, style: &Style) {
         for c in self.image_circles() {
             let along = (c.through - c.centre).angle();
-            let (from_rad, to_rad) = if c.whole { (along, along + TAU) } else { (along - ARC_RAD, along + ARC_RAD) };
+            let (from_rad, to_rad) =
+                if c.whole { (along, along + TAU) } else { (along - ARC_RAD, along + ARC_RAD) };
             let stroke = style.thin.dashed(Dash::DashDot);
-            let shape = Shape::Arc { centre: c.centre, radius_mm: c.radius_mm(), from_rad, to_rad, stroke };
+            let shape =
+                Shape::Arc { centre: c.centre, radius_mm: c.radius_mm(), from_rad, to_rad, stroke };
             d.of_link(Some(c.link.0));
-            d.shape(&format!("circle-{}", self.w.scene.link_name(c.link)), &format!("circle step-{}", c.step), shape);
+            d.shape(
+                &format!("circle-{}", self.w.scene.link_name(c.link)),
+                &format!("circle step-{}", c.step),
+                shape,
+            );
         }
         d.of_link(None);
     }
@@ -135,7 +149,8 @@ mod tests {
         let scene = read(text).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
         let notation = Notation::of_language(Lang::En);
-        let w = PlanWriter { scene: &scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
+        let w =
+            PlanWriter { scene: &scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
         let p = worked.construction.polygon(on).unwrap();
         let all = PolygonDraft::of(&w, p).image_circles();
         (all.into_iter().map(|c| (scene.link_name(c.link).to_owned(), c)).collect(), p.mu)
@@ -143,16 +158,25 @@ mod tests {
 
     #[test]
     fn radii_are_those_of_the_motion() {
-        let (r, omega, alpha) = ([0.04, 0.03, 0.1], [7.0_f64, -8.0, -2.0], [-3.0_f64, 26.0 / 3.0, 4.0]);
+        let (r, omega, alpha) =
+            ([0.04, 0.03, 0.1], [7.0_f64, -8.0, -2.0], [-3.0_f64, 26.0 / 3.0, 4.0]);
         let index = |name: &str| ["4", "3", "5"].iter().position(|n| *n == name).unwrap();
         for on in DiagramKind::POLYGONS {
             let (all, mu) = circles(DIFFERENTIAL, on);
             assert_eq!(all.len(), 3, "sun, planet (once for two contacts), ring");
             for (name, c) in all {
                 let k = index(&name);
-                let rate = if on == DiagramKind::Velocity { omega[k].abs() } else { (alpha[k].powi(2) + omega[k].powi(4)).sqrt() };
+                let rate = if on == DiagramKind::Velocity {
+                    omega[k].abs()
+                } else {
+                    (alpha[k].powi(2) + omega[k].powi(4)).sqrt()
+                };
                 let wanted = rate * r[k] / mu;
-                assert!((c.radius_mm() - wanted).abs() < 1e-9 * wanted, "{name} at {on:?}: {} and not {wanted}", c.radius_mm());
+                assert!(
+                    (c.radius_mm() - wanted).abs() < 1e-9 * wanted,
+                    "{name} at {on:?}: {} and not {wanted}",
+                    c.radius_mm()
+                );
             }
         }
     }
@@ -160,17 +184,26 @@ mod tests {
     #[test]
     fn in_velocities_those_of_a_pair_touch() {
         let (all, _) = circles(DIFFERENTIAL, DiagramKind::Velocity);
-        let of = |name: &str| all.iter().find(|(n, _)| n == name).map(|(_, c)| (c.centre, c.radius_mm())).unwrap();
+        let of = |name: &str| {
+            all.iter().find(|(n, _)| n == name).map(|(_, c)| (c.centre, c.radius_mm())).unwrap()
+        };
         let ((o, sun), (q, planet), (_, ring)) = (of("4"), of("3"), of("5"));
         let apart = o.distance(q);
         // Two circles touch externally or internally, depending on the angular velocities.
-        let touch = |a: f64, b: f64| (apart - a - b).abs().min((apart - (a - b).abs()).abs()) < 1e-9 * (a + b);
+        let touch = |a: f64, b: f64| {
+            (apart - a - b).abs().min((apart - (a - b).abs()).abs()) < 1e-9 * (a + b)
+        };
         assert!(touch(sun, planet) && touch(planet, ring), "{apart} {sun} {planet} {ring}");
     }
 
     #[test]
     fn a_circle_that_would_swamp_the_polygon_is_an_arc() {
         let (all, _) = circles(DIFFERENTIAL, DiagramKind::Velocity);
-        assert!(all.iter().any(|(_, c)| c.whole) && all.iter().all(|(_, c)| c.whole || 2.0 * c.radius_mm() > c.radius_mm() * LARGEST));
+        assert!(
+            all.iter().any(|(_, c)| c.whole)
+                && all
+                    .iter()
+                    .all(|(_, c)| c.whole || 2.0 * c.radius_mm() > c.radius_mm() * LARGEST)
+        );
     }
 }

@@ -50,7 +50,8 @@ impl Inset {
             let a = &draft.arrows[k];
             a.from.distance(p) < SAME_MM || a.to.distance(p) < SAME_MM
         };
-        self.arrows.iter().any(|k| ends(*k)) && !(0..draft.arrows.len()).any(|k| !self.arrows.contains(&k) && ends(k))
+        self.arrows.iter().any(|k| ends(*k))
+            && !(0..draft.arrows.len()).any(|k| !self.arrows.contains(&k) && ends(k))
     }
 
     fn map(&self, p: Point) -> Point {
@@ -67,11 +68,14 @@ impl PolygonDraft<'_> {
     /// the largest [`INSETS_MAX`].
     pub(super) fn insets(&self, unnamed: impl Fn(usize) -> bool) -> Vec<Inset> {
         let length = |k: usize| self.arrows[k].from.distance(self.arrows[k].to);
-        let short: Vec<usize> = (0..self.arrows.len()).filter(|&k| (ZERO_MM..SHORT_MM).contains(&length(k))).collect();
+        let short: Vec<usize> =
+            (0..self.arrows.len()).filter(|&k| (ZERO_MM..SHORT_MM).contains(&length(k))).collect();
         let trouble = |k: &&usize| unnamed(**k) || length(**k) < HEADLESS_MM;
         let mut clusters: Vec<Vec<usize>> = Vec::new();
         for &k in short.iter().filter(trouble) {
-            let (together, apart): (Vec<_>, Vec<_>) = clusters.into_iter().partition(|c| c.iter().any(|o| self.apart_mm(*o, k) < NEAR_MM));
+            let (together, apart): (Vec<_>, Vec<_>) = clusters
+                .into_iter()
+                .partition(|c| c.iter().any(|o| self.apart_mm(*o, k) < NEAR_MM));
             clusters = apart;
             clusters.push(together.into_iter().flatten().chain([k]).collect());
         }
@@ -81,7 +85,9 @@ impl PolygonDraft<'_> {
         let mut insets: Vec<Inset> = Vec::new();
         for mut cluster in clusters.into_iter().take(INSETS_MAX) {
             // Its short neighbours are drawn with it.
-            let joined = short.iter().filter(|k| !cluster.contains(k) && cluster.iter().any(|o| self.apart_mm(*o, **k) < SAME_MM));
+            let joined = short.iter().filter(|k| {
+                !cluster.contains(k) && cluster.iter().any(|o| self.apart_mm(*o, **k) < SAME_MM)
+            });
             let joined: Vec<usize> = joined.copied().collect();
             cluster.extend(joined);
             cluster.sort_unstable();
@@ -100,45 +106,80 @@ impl PolygonDraft<'_> {
     /// Places a cluster's enlargement to the right, to the left or below the polygon and the
     /// previous insets, whichever is nearest.
     fn enlarged(&self, arrows: Vec<usize>, before: &[Inset]) -> Option<Inset> {
-        let ends: Vec<Point> = arrows.iter().flat_map(|k| [self.arrows[*k].from, self.arrows[*k].to]).collect();
+        let ends: Vec<Point> =
+            arrows.iter().flat_map(|k| [self.arrows[*k].from, self.arrows[*k].to]).collect();
         let (lo, hi) = around(ends.iter().copied());
         let size = hi - lo;
-        let mu = scale::choose_in(self.w.scene.book.size(self.p.on.kind()), [size.x * self.p.mu, size.y * self.p.mu], [ROOM_MM, ROOM_MM]);
+        let mu = scale::choose_in(
+            self.w.scene.book.size(self.p.on.kind()),
+            [size.x * self.p.mu, size.y * self.p.mu],
+            [ROOM_MM, ROOM_MM],
+        );
         let times = self.p.mu / mu;
         if !(times.is_finite() && times >= LEAST) {
             return None;
         }
         let centre = lo + size * 0.5;
-        let mut inset = Inset { arrows, centre, radius_mm: size.norm() / 2.0 + AIR_MM / times, mu, times, at: centre };
+        let mut inset = Inset {
+            arrows,
+            centre,
+            radius_mm: size.norm() / 2.0 + AIR_MM / times,
+            mu,
+            times,
+            at: centre,
+        };
         let mut all: Vec<Point> = self.arrows.iter().flat_map(|a| [a.from, a.to]).collect();
         all.extend(self.image_circles().iter().flat_map(|c| c.corners()));
         for i in before {
-            all.extend([Vec2::new(1.0, 1.0), Vec2::new(-1.0, -1.0)].map(|u| i.at + u * i.outer_mm()));
+            all.extend(
+                [Vec2::new(1.0, 1.0), Vec2::new(-1.0, -1.0)].map(|u| i.at + u * i.outer_mm()),
+            );
         }
         let (lo, hi) = around(all.iter().copied());
         let off = inset.outer_mm() + GAP_MM;
-        let sides = [Point::new(hi.x + off, centre.y), Point::new(lo.x - off, centre.y), Point::new(centre.x, lo.y - off)];
-        let at = sides.into_iter().min_by(|a, b| a.distance(centre).total_cmp(&b.distance(centre))).unwrap_or(centre);
+        let sides = [
+            Point::new(hi.x + off, centre.y),
+            Point::new(lo.x - off, centre.y),
+            Point::new(centre.x, lo.y - off),
+        ];
+        let at = sides
+            .into_iter()
+            .min_by(|a, b| a.distance(centre).total_cmp(&b.distance(centre)))
+            .unwrap_or(centre);
         // Clear of the ring around the cluster, which may extend beyond the polygon.
         let u = (at - centre).unit().unwrap_or(Vec2::new(1.0, 0.0));
-        inset.at = centre + u * at.distance(centre).max(inset.radius_mm + inset.outer_mm() + GAP_MM / 2.0);
+        inset.at =
+            centre + u * at.distance(centre).max(inset.radius_mm + inset.outer_mm() + GAP_MM / 2.0);
         Some(inset)
     }
 
     /// Draws the enlargement of a cluster.
     pub(super) fn inset(&self, d: &mut Drawing, style: &Style, inset: &Inset) {
-        let steps: Vec<usize> = inset.arrows.iter().flat_map(|k| self.arrows[*k].steps.iter().copied()).collect();
-        let class = steps.iter().fold("inset".to_owned(), |class, step| format!("{class} step-{step}"));
-        let ring = |centre, radius_mm| Shape::Arc { centre, radius_mm, from_rad: 0.0, to_rad: std::f64::consts::TAU, stroke: style.thin };
+        let steps: Vec<usize> =
+            inset.arrows.iter().flat_map(|k| self.arrows[*k].steps.iter().copied()).collect();
+        let class =
+            steps.iter().fold("inset".to_owned(), |class, step| format!("{class} step-{step}"));
+        let ring = |centre, radius_mm| Shape::Arc {
+            centre,
+            radius_mm,
+            from_rad: 0.0,
+            to_rad: std::f64::consts::TAU,
+            stroke: style.thin,
+        };
         let u = (inset.at - inset.centre).unit().unwrap_or(Vec2::new(1.0, 0.0));
         let near = inset.radius_mm;
-        let lead = Shape::Line { from: inset.centre + u * near, to: inset.at - u * inset.outer_mm(), stroke: style.thin };
+        let lead = Shape::Line {
+            from: inset.centre + u * near,
+            to: inset.at - u * inset.outer_mm(),
+            stroke: style.thin,
+        };
         d.behind(|d| {
             d.shape("inset-of", &class, ring(inset.centre, near));
         });
         d.shape("inset-frame", &class, ring(inset.at, near * inset.times));
         d.shape("inset-lead", &class, lead);
-        let ends: Vec<Point> = inset.arrows.iter().flat_map(|k| [self.arrows[*k].from, self.arrows[*k].to]).collect();
+        let ends: Vec<Point> =
+            inset.arrows.iter().flat_map(|k| [self.arrows[*k].from, self.arrows[*k].to]).collect();
         let inner = middle(ends.iter().map(|p| inset.map(*p)));
         // Other vectors that pass through, without names.
         for (_, a) in self.arrows.iter().enumerate().filter(|(k, _)| !inset.arrows.contains(k)) {
@@ -159,8 +200,18 @@ impl PolygonDraft<'_> {
             d.of_link(a.link);
             let shape = Shape::Arrow { from, to, stroke: a.stroke(style), head: style.head };
             let shown = a.shown(self.p.mu, inset.times);
-            let owner = d.vector(&format!("inset-{}", a.key()), &format!("inset {}", a.classes()), shape, shown);
-            self.name(d, style, a, VectorPlace { ends: (from, to), owner, middle: inner, within: "inset" });
+            let owner = d.vector(
+                &format!("inset-{}", a.key()),
+                &format!("inset {}", a.classes()),
+                shape,
+                shown,
+            );
+            self.name(
+                d,
+                style,
+                a,
+                VectorPlace { ends: (from, to), owner, middle: inner, within: "inset" },
+            );
         }
         d.of_link(None);
         // Marks that the enlargement separates have separate names.
@@ -168,12 +219,25 @@ impl PolygonDraft<'_> {
             if l.at.distance(inset.centre) < near {
                 let at = inset.map(l.at);
                 let name = format!("inset-mark-{}", l.keys[0]);
-                d.label_at(&name, &format!("inset {}", l.class(k)), &l.names.join(", "), at, 0.3, (at - inner).unit());
+                d.label_at(
+                    &name,
+                    &format!("inset {}", l.class(k)),
+                    &l.names.join(", "),
+                    at,
+                    0.3,
+                    (at - inner).unit(),
+                );
             }
         }
         let mu = scale_formula(&self.w.scene.book, self.p.on, inset.mu);
         let at = inset.at - Vec2::new(0.0, inset.outer_mm() + style.small_mm + 0.8);
-        let label = Shape::Label { at, label: Label::math(mu), size_mm: style.small_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
+        let label = Shape::Label {
+            at,
+            label: Label::math(mu),
+            size_mm: style.small_mm,
+            anchor: Anchor::Middle,
+            colour: Colour::BLACK,
+        };
         d.shape("inset-scale", &class, label);
     }
 }
@@ -188,6 +252,11 @@ fn within(a: Point, b: Point, centre: Point, radius_mm: f64) -> Option<(Point, P
 }
 
 fn around(points: impl Iterator<Item = Point>) -> (Point, Point) {
-    let start = (Point::new(f64::INFINITY, f64::INFINITY), Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY));
-    points.fold(start, |(lo, hi), p| (Point::new(lo.x.min(p.x), lo.y.min(p.y)), Point::new(hi.x.max(p.x), hi.y.max(p.y))))
+    let start = (
+        Point::new(f64::INFINITY, f64::INFINITY),
+        Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
+    );
+    points.fold(start, |(lo, hi), p| {
+        (Point::new(lo.x.min(p.x), lo.y.min(p.y)), Point::new(hi.x.max(p.x), hi.y.max(p.y)))
+    })
 }

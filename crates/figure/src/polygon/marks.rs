@@ -11,7 +11,11 @@ use hodograph_scene::DiagramKind;
 /// Returns all marks of a polygon for measurements, each once: the pole, image points, ends of
 /// components.
 pub(super) fn marks(w: &PlanWriter, p: &Polygon) -> Vec<(PolygonMark, Point)> {
-    let images = p.images.iter().enumerate().filter_map(|(v, at)| Some((p.mark(w.plan, VertexId(v)), (*at)?)));
+    let images = p
+        .images
+        .iter()
+        .enumerate()
+        .filter_map(|(v, at)| Some((p.mark(w.plan, VertexId(v)), (*at)?)));
     let mut all = vec![(PolygonMark::Pole, Point::ORIGIN)];
     for mark in p.edges.iter().flat_map(|e| [e.from, e.to]).chain(images) {
         if !all.iter().any(|m| m.0 == mark.0) {

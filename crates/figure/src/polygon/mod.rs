@@ -17,7 +17,9 @@ mod plates;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::{Action, Polygon, PolygonMark};
 use hodograph_board::plan::text::PlanWriter;
-use hodograph_board::plan::{PlanStep, Term, TermConnection, TermKind, TurningBody, VertexId, VertexPlace};
+use hodograph_board::plan::{
+    PlanStep, Term, TermConnection, TermKind, TurningBody, VertexId, VertexPlace,
+};
 use hodograph_scene::quantity::Meaning;
 
 use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
@@ -90,7 +92,9 @@ pub fn polygon(style: &Style, w: &PlanWriter, p: &Polygon) -> DrawingPart {
     let (mut draft, style) = PolygonDraft::new(style, w, p, false);
     draft.side_by_side(style.vector.width_mm);
     let finished = |mut drawing: Drawing| {
-        marks(w, p).iter().for_each(|(mark, at)| drawing.mark(&marks::key(w, p.on, mark), shown_by(w, p.on, mark), *at));
+        marks(w, p).iter().for_each(|(mark, at)| {
+            drawing.mark(&marks::key(w, p.on, mark), shown_by(w, p.on, mark), *at)
+        });
         drawing.finish()
     };
     let (drawing, names) = draft.draw(&style, &[]);
@@ -115,19 +119,36 @@ impl<'a> PolygonDraft<'a> {
     /// The elements of a polygon.
     fn of(w: &'a PlanWriter<'a>, p: &'a Polygon) -> PolygonDraft<'a> {
         let rounding_mm = ROUNDING * p.largest() / p.mu;
-        let mut draft = PolygonDraft { w, p, arrows: vec![], letters: vec![], zeros: vec![], lines: vec![], copies: vec![], rounding_mm };
+        let mut draft = PolygonDraft {
+            w,
+            p,
+            arrows: vec![],
+            letters: vec![],
+            zeros: vec![],
+            lines: vec![],
+            copies: vec![],
+            rounding_mm,
+        };
         draft.letter(Point::ORIGIN, PolygonMark::Pole, 0);
         draft.follow();
         draft
     }
 
     /// The elements of a polygon that are drawn, and the style that suits their number.
-    fn new(style: &Style, w: &'a PlanWriter<'a>, p: &'a Polygon, full: bool) -> (PolygonDraft<'a>, Style) {
+    fn new(
+        style: &Style,
+        w: &'a PlanWriter<'a>,
+        p: &'a Polygon,
+        full: bool,
+    ) -> (PolygonDraft<'a>, Style) {
         let mut draft = PolygonDraft::of(w, p);
         let mut style = style.clone();
         if full || draft.arrows.len() > MANY_ARROWS {
             let needed = draft.needed();
-            draft.arrows.retain(|a| a.class != "absolute" || a.symbols.iter().chain(&a.nearly).any(|n| needed.contains(&n.symbol)));
+            draft.arrows.retain(|a| {
+                a.class != "absolute"
+                    || a.symbols.iter().chain(&a.nearly).any(|n| needed.contains(&n.symbol))
+            });
             style.label_mm = style.small_mm;
         }
         (draft, style)
@@ -139,11 +160,19 @@ impl PolygonDraft<'_> {
     /// with.
     fn needed(&self) -> Vec<String> {
         let (w, on) = (self.w, self.p.on);
-        let asked = w.scene.find.iter().filter(|f| f.what.diagram() == on).filter_map(|f| match f.what.meaning(w.scene)? {
+        let asked = w.scene.find.iter().filter(|f| f.what.diagram() == on).filter_map(|f| match f
+            .what
+            .meaning(w.scene)?
+        {
             Meaning::Vector(p) => w.plan.find_vertex(w.scene, p.point, p.link),
-            Meaning::Relative(..) | Meaning::Seen(..) | Meaning::Turning(..) | Meaning::Ratio(..) | Meaning::Place(_) => None,
+            Meaning::Relative(..)
+            | Meaning::Seen(..)
+            | Meaning::Turning(..)
+            | Meaning::Ratio(..)
+            | Meaning::Place(_) => None,
         });
-        let steps = w.plan.steps(on).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further));
+        let steps =
+            w.plan.steps(on).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further));
         let starts = steps.flat_map(PlanStep::chains).map(|c| c.start);
         asked.chain(starts).map(|v| w.vector(on, v)).collect()
     }
@@ -160,8 +189,10 @@ impl PolygonDraft<'_> {
                     for ((through, direction, at), e) in open.drain(..).zip(edges) {
                         let end = p.edges[*e].to.1;
                         // For zero length the direction itself is shown, both ways.
-                        let along = (end - through).unit().filter(|_| end.distance(through) > ZERO_MM);
-                        let (from, out) = along.map_or((through - direction * BEYOND_MM, direction), |u| (through, u));
+                        let along =
+                            (end - through).unit().filter(|_| end.distance(through) > ZERO_MM);
+                        let (from, out) = along
+                            .map_or((through - direction * BEYOND_MM, direction), |u| (through, u));
                         self.lines.push((from, end + out * BEYOND_MM, at));
                         self.edge(*e, step);
                     }
@@ -170,7 +201,12 @@ impl PolygonDraft<'_> {
                 Action::Nothing { terms, at, target } => {
                     let symbols = terms.iter().map(|t| format!("{} = ", self.w.symbol(p.on, t)));
                     let note = format!("{}0", symbols.collect::<String>());
-                    self.zeros.push(Zero { at: *at, key: VectorName::sum(self.w, p.on, terms).key, note, step });
+                    self.zeros.push(Zero {
+                        at: *at,
+                        key: VectorName::sum(self.w, p.on, terms).key,
+                        note,
+                        step,
+                    });
                     target.iter().for_each(|v| self.image(*v, step));
                 }
                 Action::Trials { target, lines, .. } => {
@@ -213,12 +249,17 @@ impl PolygonDraft<'_> {
         match edge.to.0 {
             PolygonMark::Image(v) if edge.known => self.image(v, step),
             PolygonMark::Part(t) | PolygonMark::Again(t)
-                if matches!(t.kind, TermKind::Normal | TermKind::SlideNormal | TermKind::Coriolis)
-                    && edge.from.1.distance(edge.to.1) >= ZERO_MM =>
+                if matches!(
+                    t.kind,
+                    TermKind::Normal | TermKind::SlideNormal | TermKind::Coriolis
+                ) && edge.from.1.distance(edge.to.1) >= ZERO_MM =>
             {
                 self.letter(edge.to.1, edge.to.0, step);
             }
-            PolygonMark::Pole | PolygonMark::Image(_) | PolygonMark::Part(_) | PolygonMark::Again(_) => {}
+            PolygonMark::Pole
+            | PolygonMark::Image(_)
+            | PolygonMark::Part(_)
+            | PolygonMark::Again(_) => {}
         }
     }
 
@@ -240,7 +281,14 @@ impl PolygonDraft<'_> {
         }
     }
 
-    fn arrow(&mut self, (from, to): (Point, Point), name: VectorName, class: &'static str, step: usize, link: Option<usize>) {
+    fn arrow(
+        &mut self,
+        (from, to): (Point, Point),
+        name: VectorName,
+        class: &'static str,
+        step: usize,
+        link: Option<usize>,
+    ) {
         let rounding = self.rounding_mm;
         let same = |a: &&mut PolygonArrow| is_one(a.from, from) && is_one(a.to, to);
         match self.arrows.iter_mut().find(same) {
@@ -284,7 +332,13 @@ impl PolygonDraft<'_> {
         }
         let name = VectorName::whole(self.w, self.p.on, v);
         if at.distance(Point::ORIGIN) >= ZERO_MM {
-            self.arrow((Point::ORIGIN, at), name, "absolute", step, self.w.plan.vertex(v).link(self.w.scene).map(|l| l.0));
+            self.arrow(
+                (Point::ORIGIN, at),
+                name,
+                "absolute",
+                step,
+                self.w.plan.vertex(v).link(self.w.scene).map(|l| l.0),
+            );
         } else if !self.zeros.iter().any(|zero| zero.note.starts_with(&name.symbol)) {
             let sign = self.zero_sign(at.to_vec2().norm());
             let note = format!("{} {sign} 0", name.symbol);
@@ -304,7 +358,11 @@ impl PolygonDraft<'_> {
         let mut d = Drawing::new(kind, style.clone());
         let middle = middle(self.letters.iter().map(|l| l.at));
         for (from, to, step) in &self.lines {
-            d.shape("line", &format!("construction step-{step}"), Shape::Line { from: *from, to: *to, stroke: style.thin });
+            d.shape(
+                "line",
+                &format!("construction step-{step}"),
+                Shape::Line { from: *from, to: *to, stroke: style.thin },
+            );
         }
         self.circles(&mut d, style);
         let mut drawn: Vec<(Point, Point)> = self.arrows.iter().map(|a| (a.from, a.to)).collect();
@@ -312,8 +370,14 @@ impl PolygonDraft<'_> {
             let corners = [*a, *b, *c].map(|v| self.p.images[v.0]);
             let [Some(a), Some(b), Some(c)] = corners else { continue };
             for (from, to) in [(a, b), (b, c), (a, c)] {
-                if from.distance(to) > SAME_MM && !drawn.iter().any(|s| covers(*s, from) && covers(*s, to)) {
-                    d.shape("image", &format!("image step-{step}"), Shape::Line { from, to, stroke: style.thin });
+                if from.distance(to) > SAME_MM
+                    && !drawn.iter().any(|s| covers(*s, from) && covers(*s, to))
+                {
+                    d.shape(
+                        "image",
+                        &format!("image step-{step}"),
+                        Shape::Line { from, to, stroke: style.thin },
+                    );
                     drawn.push((from, to));
                 }
             }
@@ -327,14 +391,28 @@ impl PolygonDraft<'_> {
             let a = &self.arrows[k];
             d.of_link(a.link);
             let (from, to) = a.drawn();
-            let shape = Shape::Arrow { from, to, stroke: a.stroke(style).coloured(a.colour), head: style.head };
+            let shape = Shape::Arrow {
+                from,
+                to,
+                stroke: a.stroke(style).coloured(a.colour),
+                head: style.head,
+            };
             let owner = d.vector(a.key(), &a.classes(), shape, a.shown(self.p.mu, 1.0));
             for (from, to) in a.joins() {
                 let class = a.classes().replacen(a.class, "aside", 1);
-                d.shape(&format!("aside-{}", a.key()), &class, Shape::Line { from, to, stroke: style.thin.coloured(a.colour) });
+                d.shape(
+                    &format!("aside-{}", a.key()),
+                    &class,
+                    Shape::Line { from, to, stroke: style.thin.coloured(a.colour) },
+                );
             }
             if !insets.iter().any(|i| i.arrows.contains(&k)) {
-                names[k] = self.name(&mut d, style, a, VectorPlace { ends: (self.own_part(a), to), owner, middle, within: "" });
+                names[k] = self.name(
+                    &mut d,
+                    style,
+                    a,
+                    VectorPlace { ends: (self.own_part(a), to), owner, middle, within: "" },
+                );
             }
         }
         d.of_link(None);
@@ -351,7 +429,14 @@ impl PolygonDraft<'_> {
                 d.draw("pole", "pole", sym::dot(style, l.at));
             }
             if k == 0 || !insets.iter().any(|i| i.has_alone(self, l.at)) {
-                d.label_at(&format!("mark-{}", l.keys[0]), &l.class(k), &l.names.join(", "), l.at, clear, (l.at - middle).unit());
+                d.label_at(
+                    &format!("mark-{}", l.keys[0]),
+                    &l.class(k),
+                    &l.names.join(", "),
+                    l.at,
+                    clear,
+                    (l.at - middle).unit(),
+                );
             }
         }
         for inset in insets {
@@ -409,13 +494,18 @@ mod tests {
         let scene = read(text).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
         let notation = Notation::of_language(Lang::En);
-        let w = PlanWriter { scene: &scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
+        let w =
+            PlanWriter { scene: &scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
         let part = polygon(&Style::default(), &w, worked.construction.polygon(on).unwrap());
         part.items.into_iter().map(|i| (i.id, i.shape)).collect()
     }
 
     fn arrows(items: &[(String, Shape)]) -> Vec<&str> {
-        items.iter().filter(|(_, s)| matches!(s, Shape::Arrow { .. })).map(|(id, _)| id.as_str()).collect()
+        items
+            .iter()
+            .filter(|(_, s)| matches!(s, Shape::Arrow { .. }))
+            .map(|(id, _)| id.as_str())
+            .collect()
     }
 
     #[test]
@@ -430,7 +520,8 @@ mod tests {
     #[test]
     fn vectors_of_no_length_are_noted() {
         let items = drawn("parallelogram", DiagramKind::Velocity);
-        let note = |s: &Shape| matches!(s, Shape::Label { label, .. } if label.source() == "v_{CB} = 0");
+        let note =
+            |s: &Shape| matches!(s, Shape::Label { label, .. } if label.source() == "v_{CB} = 0");
         assert!(items.iter().any(|(_, s)| note(s)));
         assert!(!arrows(&items).iter().any(|a| a.contains("C-B")));
         let dots = items.iter().filter(|(id, _)| id.starts_with("vel-zero")).count();
@@ -440,10 +531,16 @@ mod tests {
     #[test]
     fn a_mechanism_at_rest_has_its_pole_and_nothing_else() {
         let still = templates::instantiate("crank-rocker", &[("omega_1", "0 rad/s")]).unwrap();
-        for (on, letters) in [(DiagramKind::Velocity, "o, b, c, e"), (DiagramKind::Acceleration, "o', b', c', e'")] {
+        for (on, letters) in
+            [(DiagramKind::Velocity, "o, b, c, e"), (DiagramKind::Acceleration, "o', b', c', e'")]
+        {
             let items = drawn_of(&still, on);
-            let labels: Vec<&str> =
-                items.iter().filter_map(|(_, s)| if let Shape::Label { label, .. } = s { Some(label.source()) } else { None }).collect();
+            let labels: Vec<&str> = items
+                .iter()
+                .filter_map(|(_, s)| {
+                    if let Shape::Label { label, .. } = s { Some(label.source()) } else { None }
+                })
+                .collect();
             assert_eq!(labels, [letters]);
             assert!(arrows(&items).is_empty());
         }

@@ -41,12 +41,18 @@ impl PartialEq for VectorName {
 impl VectorName {
     /// The name of a vector from the pole.
     pub fn whole(w: &PlanWriter, on: DiagramKind, v: VertexId) -> VectorName {
-        VectorName { symbol: w.vector(on, v), key: w.vector_key(v), quantity: w.vector_quantity(on, v) }
+        VectorName {
+            symbol: w.vector(on, v),
+            key: w.vector_key(v),
+            quantity: w.vector_quantity(on, v),
+        }
     }
 
     /// The name of terms drawn as one.
     pub fn sum(w: &PlanWriter, on: DiagramKind, terms: &[Term]) -> VectorName {
-        let all = |of: &dyn Fn(&Term) -> String, sign: &str| terms.iter().map(of).collect::<Vec<_>>().join(sign);
+        let all = |of: &dyn Fn(&Term) -> String, sign: &str| {
+            terms.iter().map(of).collect::<Vec<_>>().join(sign)
+        };
         VectorName {
             symbol: all(&|t| w.symbol(on, t), " + "),
             key: all(&|t| w.key(on, t), "-and-"),
@@ -98,7 +104,8 @@ pub(super) struct VectorPlace {
 impl PolygonDraft<'_> {
     /// Marks a point, once.
     pub(super) fn letter(&mut self, at: Point, mark: PolygonMark, step: usize) {
-        let (name, key) = (mark_name(self.w, self.p.on, &mark), marks::key(self.w, self.p.on, &mark));
+        let (name, key) =
+            (mark_name(self.w, self.p.on, &mark), marks::key(self.w, self.p.on, &mark));
         if !self.letters.iter().any(|l| l.name == name && is_one(l.at, at)) {
             self.letters.push(PointLetter { at, name, key, step });
         }
@@ -113,7 +120,12 @@ impl PolygonDraft<'_> {
                     s.names.push(name);
                     s.keys.push(key);
                 }
-                None => spots.push(LetterSpot { at: *at, names: vec![name], keys: vec![key], step: *step }),
+                None => spots.push(LetterSpot {
+                    at: *at,
+                    names: vec![name],
+                    keys: vec![key],
+                    step: *step,
+                }),
             }
         }
         spots
@@ -122,22 +134,45 @@ impl PolygonDraft<'_> {
     /// The start of the part of a vector that no shorter one covers: the place of its name.
     pub(super) fn own_part(&self, a: &PolygonArrow) -> Point {
         let (from, to) = a.drawn();
-        let inside = |b: &(Point, Point)| is_one(b.0, from) && covers((from, to), b.1) && b.1.distance(to) > LABEL_ROOM_MM;
-        let far =
-            self.arrows.iter().map(PolygonArrow::drawn).filter(inside).max_by(|b, c| from.distance(b.1).total_cmp(&from.distance(c.1)));
+        let inside = |b: &(Point, Point)| {
+            is_one(b.0, from) && covers((from, to), b.1) && b.1.distance(to) > LABEL_ROOM_MM
+        };
+        let far = self
+            .arrows
+            .iter()
+            .map(PolygonArrow::drawn)
+            .filter(inside)
+            .max_by(|b, c| from.distance(b.1).total_cmp(&from.distance(c.1)));
         far.map_or(from, |b| b.1)
     }
 
     /// Requests a vector's name along a line that shows it; the name may be left out if both ends
     /// are lettered.
-    pub(super) fn name(&self, d: &mut Drawing, style: &Style, a: &PolygonArrow, shown: VectorPlace) -> String {
+    pub(super) fn name(
+        &self,
+        d: &mut Drawing,
+        style: &Style,
+        a: &PolygonArrow,
+        shown: VectorPlace,
+    ) -> String {
         let VectorPlace { ends: (from, to), owner, middle, within } = shown;
         let lettered = |p: Point| self.letters.iter().any(|l| is_one(l.at, p));
-        let request = LabelRequest::along(Label::math(a.name()), style.label_mm, from, to, style.vector.width_mm / 2.0);
+        let request = LabelRequest::along(
+            Label::math(a.name()),
+            style.label_mm,
+            from,
+            to,
+            style.vector.width_mm / 2.0,
+        );
         let outward = (from + (to - from) * 0.5) - middle;
-        let request = request.owned(owner).towards(outward).optional(lettered(a.from) && lettered(a.to));
+        let request =
+            request.owned(owner).towards(outward).optional(lettered(a.from) && lettered(a.to));
         let (key, class) = (a.key(), format!("{within} {}", a.classes()));
-        d.label(&if within.is_empty() { key.to_owned() } else { format!("{within}-{key}") }, class.trim_start(), request)
+        d.label(
+            &if within.is_empty() { key.to_owned() } else { format!("{within}-{key}") },
+            class.trim_start(),
+            request,
+        )
     }
 }
 
@@ -161,7 +196,11 @@ impl PolygonArrow {
 
     /// The stroke of the vector; thin in a trial polygon.
     pub(super) fn stroke(&self, style: &Style) -> LineStroke {
-        if self.is_tried() { LineStroke { width_mm: style.thin.width_mm, ..style.vector } } else { style.vector }
+        if self.is_tried() {
+            LineStroke { width_mm: style.thin.width_mm, ..style.vector }
+        } else {
+            style.vector
+        }
     }
 
     /// The key: that of the first name.

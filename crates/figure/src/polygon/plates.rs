@@ -53,7 +53,13 @@ impl Share<'_> {
     pub fn ends(&self, p: &Polygon) -> Vec<Option<Point>> {
         let mut ends = Vec::new();
         for (_, action) in p.actions.iter().enumerate().filter(|(k, _)| self.holds(*k)) {
-            ends.extend(action.edges().iter().flat_map(|e| [p.edges[*e].from.1, p.edges[*e].to.1]).map(Some));
+            ends.extend(
+                action
+                    .edges()
+                    .iter()
+                    .flat_map(|e| [p.edges[*e].from.1, p.edges[*e].to.1])
+                    .map(Some),
+            );
             ends.extend(action.finds().map(|v| p.images[v.0]));
         }
         ends
@@ -67,10 +73,14 @@ pub fn shares(w: &PlanWriter, mechanism: &Mechanism, p: &Polygon) -> Vec<usize> 
     let heads = heads(w, mechanism, p);
     let of: Vec<usize> = groups_of_actions(w, p)
         .into_iter()
-        .map(|group| group.and_then(|g| heads.iter().position(|head| head.contains(&g))).unwrap_or(0))
+        .map(|group| {
+            group.and_then(|g| heads.iter().position(|head| head.contains(&g))).unwrap_or(0)
+        })
         .collect();
     let mut sizes = vec![0; heads.len()];
-    p.actions.iter().zip(&of).for_each(|(action, head)| sizes[*head] += action.edges().len() + usize::from(action.finds().is_some()));
+    p.actions.iter().zip(&of).for_each(|(action, head)| {
+        sizes[*head] += action.edges().len() + usize::from(action.finds().is_some())
+    });
     let (mut part, mut held) = (0, 0);
     let part_of: Vec<usize> = sizes
         .iter()
@@ -87,7 +97,13 @@ pub fn shares(w: &PlanWriter, mechanism: &Mechanism, p: &Polygon) -> Vec<usize> 
 
 /// Draws a part of a split polygon before its labels are placed; `None` if it has no vector. `full`
 /// as for [`super::drawing`].
-pub fn share_drawing(style: &Style, w: &PlanWriter, p: &Polygon, share: Share, full: bool) -> Option<Drawing> {
+pub fn share_drawing(
+    style: &Style,
+    w: &PlanWriter,
+    p: &Polygon,
+    share: Share,
+    full: bool,
+) -> Option<Drawing> {
     let draft = PolygonDraft::of(w, p).only(&|step| share.holds(step))?;
     let mut style = style.clone();
     if full {
@@ -99,7 +115,9 @@ pub fn share_drawing(style: &Style, w: &PlanWriter, p: &Polygon, share: Share, f
 /// Returns true if a part of a split polygon has more vectors than can be named in type of the
 /// usual size.
 pub fn is_full_share(w: &PlanWriter, p: &Polygon, share: Share) -> bool {
-    PolygonDraft::of(w, p).only(&|step| share.holds(step)).is_some_and(|draft| draft.arrows.len() > MANY_ARROWS)
+    PolygonDraft::of(w, p)
+        .only(&|step| share.holds(step))
+        .is_some_and(|draft| draft.arrows.len() > MANY_ARROWS)
 }
 
 /// The groups that start a plate, each followed by the pins that only belong to its links.
@@ -115,26 +133,42 @@ fn heads(w: &PlanWriter, mechanism: &Mechanism, p: &Polygon) -> Vec<Vec<usize>> 
 }
 
 /// Returns the plates of a polygon in solving order; groups that add no vector have none.
-pub fn plates(style: &Style, w: &PlanWriter, mechanism: &Mechanism, p: &Polygon) -> Vec<GroupPlate> {
+pub fn plates(
+    style: &Style,
+    w: &PlanWriter,
+    mechanism: &Mechanism,
+    p: &Polygon,
+) -> Vec<GroupPlate> {
     let heads = heads(w, mechanism, p);
     let of = groups_of_actions(w, p);
     let of_head = |groups: Vec<usize>| {
-        let mine = |step: usize| of.get(step).copied().flatten().is_some_and(|g| groups.contains(&g));
+        let mine =
+            |step: usize| of.get(step).copied().flatten().is_some_and(|g| groups.contains(&g));
         let (mu, part) = plate(style, w, p, &mine)?;
         Some(GroupPlate { groups, mu, part })
     };
     heads.into_iter().filter_map(of_head).collect()
 }
 
-fn plate(style: &Style, w: &PlanWriter, p: &Polygon, mine: &dyn Fn(usize) -> bool) -> Option<(f64, DrawingPart)> {
+fn plate(
+    style: &Style,
+    w: &PlanWriter,
+    p: &Polygon,
+    mine: &dyn Fn(usize) -> bool,
+) -> Option<(f64, DrawingPart)> {
     let (draft, _) = PolygonDraft::new(style, w, p, false);
     let shown = draft.only(mine)?;
-    let ends: Vec<Point> = shown.arrows.iter().flat_map(|a| [a.from, a.to]).chain([Point::ORIGIN]).collect();
+    let ends: Vec<Point> =
+        shown.arrows.iter().flat_map(|a| [a.from, a.to]).chain([Point::ORIGIN]).collect();
     let over = |f: fn(&Point) -> f64| {
         let all = ends.iter().map(f);
         all.clone().fold(f64::NEG_INFINITY, f64::max) - all.fold(f64::INFINITY, f64::min)
     };
-    let mu = scale::choose_in(w.scene.book.size(p.on.kind()), [over(|q| q.x) * p.mu, over(|q| q.y) * p.mu], ROOM_MM);
+    let mu = scale::choose_in(
+        w.scene.book.size(p.on.kind()),
+        [over(|q| q.x) * p.mu, over(|q| q.y) * p.mu],
+        ROOM_MM,
+    );
     let own = p.to_scale(mu);
     let mut draft = PolygonDraft::of(w, &own).only(mine)?;
     draft.side_by_side(style.vector.width_mm);
@@ -161,8 +195,11 @@ fn groups_of_actions(w: &PlanWriter, p: &Polygon) -> Vec<Option<usize>> {
             PolygonMark::Pole | PolygonMark::Part(_) | PolygonMark::Again(_) => None,
         }
     };
-    let found: Vec<Option<usize>> =
-        p.actions.iter().map(|action| action.finds().or_else(|| laid(action)).and_then(|v| of.get(&v).copied())).collect();
+    let found: Vec<Option<usize>> = p
+        .actions
+        .iter()
+        .map(|action| action.finds().or_else(|| laid(action)).and_then(|v| of.get(&v).copied()))
+        .collect();
     let mut out = vec![None; found.len()];
     let mut before = None;
     for (k, action) in p.actions.iter().enumerate() {
@@ -178,11 +215,18 @@ impl PolygonDraft<'_> {
     /// `None` if they draw no vector.
     fn only(mut self, mine: &dyn Fn(usize) -> bool) -> Option<Self> {
         let own = |steps: &[usize]| steps.iter().any(|s| mine(*s));
-        let ends: Vec<Point> = self.arrows.iter().filter(|a| own(&a.steps)).flat_map(|a| [a.from, a.to]).collect();
+        let ends: Vec<Point> =
+            self.arrows.iter().filter(|a| own(&a.steps)).flat_map(|a| [a.from, a.to]).collect();
         if ends.is_empty() {
             return None;
         }
-        let corners: Vec<Point> = self.copies.iter().filter(|c| mine(c.1)).flat_map(|c| c.0).filter_map(|v| self.p.images[v.0]).collect();
+        let corners: Vec<Point> = self
+            .copies
+            .iter()
+            .filter(|c| mine(c.1))
+            .flat_map(|c| c.0)
+            .filter_map(|v| self.p.images[v.0])
+            .collect();
         let touches = |p: Point| ends.iter().chain(&corners).any(|q| is_one(*q, p));
         self.arrows.retain_mut(|a| {
             if !own(&a.steps) {
@@ -193,7 +237,13 @@ impl PolygonDraft<'_> {
         self.lines.retain(|l| mine(l.2));
         self.copies.retain(|c| mine(c.1));
         self.zeros.retain(|z| mine(z.step));
-        let kept: Vec<Point> = self.arrows.iter().flat_map(|a| [a.from, a.to]).chain(corners).chain([Point::ORIGIN]).collect();
+        let kept: Vec<Point> = self
+            .arrows
+            .iter()
+            .flat_map(|a| [a.from, a.to])
+            .chain(corners)
+            .chain([Point::ORIGIN])
+            .collect();
         self.letters.retain(|l| kept.iter().any(|q| is_one(l.at, *q)));
         Some(self)
     }

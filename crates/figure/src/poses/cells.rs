@@ -34,18 +34,31 @@ pub(super) struct PoseColumn {
 impl PoseTable<'_> {
     /// The columns that the scales allow.
     pub(super) fn columns(&self) -> Vec<PoseColumn> {
-        let drawn = DiagramKind::OF_MOTION.into_iter().filter(|on| self.scales.mu.get(on.kind()).is_some());
+        let drawn =
+            DiagramKind::OF_MOTION.into_iter().filter(|on| self.scales.mu.get(on.kind()).is_some());
         drawn
             .map(|on| {
                 let parts = self.parts(on);
-                let all = parts.iter().filter(|p| !p.items.is_empty()).map(|p| p.bounds).reduce(Rect::union);
-                PoseColumn { on, parts, bounds: all.unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)) }
+                let all = parts
+                    .iter()
+                    .filter(|p| !p.items.is_empty())
+                    .map(|p| p.bounds)
+                    .reduce(Rect::union);
+                PoseColumn {
+                    on,
+                    parts,
+                    bounds: all.unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)),
+                }
             })
             .collect()
     }
 
     /// A row's polygon, if it is on the paper, and the writer of its letters.
-    fn polygon<'a>(&'a self, row: &'a PoseRow, on: DiagramKind) -> Option<(PlanWriter<'a>, &'a Polygon)> {
+    fn polygon<'a>(
+        &'a self,
+        row: &'a PoseRow,
+        on: DiagramKind,
+    ) -> Option<(PlanWriter<'a>, &'a Polygon)> {
         let shown = !row.unbounded() && row.shown.contains(&on);
         let p = row.worked.construction.polygon(on).filter(|_| shown)?;
         let SheetOptions { notation, lang, .. } = self.options;
@@ -54,10 +67,15 @@ impl PoseTable<'_> {
 
     fn parts(&self, on: DiagramKind) -> Vec<DrawingPart> {
         let SheetOptions { style, notation, .. } = self.options;
-        let poses: Vec<(&Scene, &Worked)> = self.rows.iter().map(|r| (&r.scene, &r.worked)).collect();
+        let poses: Vec<(&Scene, &Worked)> =
+            self.rows.iter().map(|r| (&r.scene, &r.worked)).collect();
         let courses = courses(&poses, style, notation);
         let behind = self.behind(on);
-        let full = self.rows.iter().filter_map(|row| self.polygon(row, on)).any(|(w, p)| polygon::is_full(&w, p));
+        let full = self
+            .rows
+            .iter()
+            .filter_map(|row| self.polygon(row, on))
+            .any(|(w, p)| polygon::is_full(&w, p));
         let (mut habits, mut of_polygon) = (Habits::new(), Habits::new());
         let mut parts = Vec::new();
         let mut named = false;
@@ -71,25 +89,41 @@ impl PoseTable<'_> {
         for (k, row) in self.rows.iter().enumerate() {
             let mut part = match on {
                 DiagramKind::Plane => {
-                    let drawing = with_names(mechanism::drawing(style, &row.scene, &row.worked, notation, &courses[k]), true);
+                    let drawing = with_names(
+                        mechanism::drawing(style, &row.scene, &row.worked, notation, &courses[k]),
+                        true,
+                    );
                     let mut part = drawing.finish_after(&mut habits);
                     // The diagram's origin may be a moving point.
-                    let (here, first) = (&row.worked.construction.diagram, &self.rows[0].worked.construction.diagram);
+                    let (here, first) = (
+                        &row.worked.construction.diagram,
+                        &self.rows[0].worked.construction.diagram,
+                    );
                     part.translate((here.origin - first.origin) * (1.0 / first.mu));
                     part
                 }
-                DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => match self.polygon(row, on) {
-                    // An inset would take more space than the pose.
-                    Some((w, p)) if self.still => polygon::drawing(style, &w, p, full).finish_after(&mut of_polygon),
-                    Some((w, p)) => with_names(polygon::drawing(style, &w, p, full), fits_names(p)).finish(),
-                    None => DrawingPart::of(self.absent(row)),
-                },
+                DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => {
+                    match self.polygon(row, on) {
+                        // An inset would take more space than the pose.
+                        Some((w, p)) if self.still => {
+                            polygon::drawing(style, &w, p, full).finish_after(&mut of_polygon)
+                        }
+                        Some((w, p)) => {
+                            with_names(polygon::drawing(style, &w, p, full), fits_names(p)).finish()
+                        }
+                        None => DrawingPart::of(self.absent(row)),
+                    }
+                }
             };
             if !behind.is_empty() {
                 part = DrawingPart::of(behind.iter().cloned().chain(part.items).collect());
             }
             for item in &mut part.items {
-                let word = if item.id == "absent" { format!("absent-{}", on.word()) } else { item.id.clone() };
+                let word = if item.id == "absent" {
+                    format!("absent-{}", on.word())
+                } else {
+                    item.id.clone()
+                };
                 item.id = format!("pose-{}-{word}", k + 1);
             }
             parts.push(part);
@@ -106,7 +140,8 @@ impl PoseTable<'_> {
             tr(lang, "too large for the paper", "超出图纸")
         };
         let style = &self.options.style;
-        let said = text("absent", Point::ORIGIN, Label::text(said), style.small_mm, Anchor::Middle).with_id("absent");
+        let said = text("absent", Point::ORIGIN, Label::text(said), style.small_mm, Anchor::Middle)
+            .with_id("absent");
         vec![said.in_fonts(&style.fonts)]
     }
 
@@ -121,21 +156,34 @@ impl PoseTable<'_> {
                 DiagramKind::Plane => {
                     let diagram = &first.worked.construction.diagram;
                     let paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu)).to_point();
-                    let places = moved.moments.iter().chain(moved.moments.first().filter(|_| moved.full));
-                    vec![places.filter_map(|m| m.configuration.points[point.0]).map(paper).collect()]
+                    let places =
+                        moved.moments.iter().chain(moved.moments.first().filter(|_| moved.full));
+                    vec![
+                        places.filter_map(|m| m.configuration.points[point.0]).map(paper).collect(),
+                    ]
                 }
                 DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => {
                     let Some(mu) = self.scales.mu.get(on.kind()) else { continue };
-                    let curve: Vec<Option<Vec2>> = moved.moments.iter().map(|m| m.vector(k, on.level())).collect();
+                    let curve: Vec<Option<Vec2>> =
+                        moved.moments.iter().map(|m| m.vector(k, on.level())).collect();
                     let paper = |v: &Vec2| (*v * (1.0 / mu)).to_point();
                     // As far as the polygons extend.
                     let most = self.scales.longest_mm() * mu;
-                    runs(&curve, moved.full, most).0.iter().map(|run| run.iter().map(paper).collect()).collect()
+                    runs(&curve, moved.full, most)
+                        .0
+                        .iter()
+                        .map(|run| run.iter().map(paper).collect())
+                        .collect()
                 }
             };
             for (n, points) in lines.into_iter().enumerate() {
-                let shape = Shape::Polyline { points, closed: false, stroke: Some(stroke), fill: None };
-                items.push(FigureItem::new("curve", shape).with_id(format!("{}-curve-{}-{n}", on.prefix(), escaped(name))));
+                let shape =
+                    Shape::Polyline { points, closed: false, stroke: Some(stroke), fill: None };
+                items.push(FigureItem::new("curve", shape).with_id(format!(
+                    "{}-curve-{}-{n}",
+                    on.prefix(),
+                    escaped(name)
+                )));
             }
         }
         items

@@ -61,7 +61,12 @@ pub struct PosesContent {
 /// assert_eq!(pages.len(), 2); // a page of A4 holds two or three rows
 /// # Ok::<(), hodograph_base::diag::Faults>(())
 /// ```
-pub fn sheets(scene: &Scene, worked: &Worked, options: &SheetOptions, wanted: &PosesContent) -> Result<Warned<Vec<Figure>>, Faults> {
+pub fn sheets(
+    scene: &Scene,
+    worked: &Worked,
+    options: &SheetOptions,
+    wanted: &PosesContent,
+) -> Result<Warned<Vec<Figure>>, Faults> {
     let poses = Poses::of(scene, worked, wanted, BOXES)?;
     let style = Style { label_mm: options.style.small_mm, ..options.style.clone() };
     let options = SheetOptions { style, ..options.clone() };
@@ -78,17 +83,36 @@ struct Poses {
 }
 
 impl Poses {
-    fn of(scene: &Scene, worked: &Worked, wanted: &PosesContent, boxes: Boxes) -> Result<Poses, Faults> {
+    fn of(
+        scene: &Scene,
+        worked: &Worked,
+        wanted: &PosesContent,
+        boxes: Boxes,
+    ) -> Result<Poses, Faults> {
         let motion_of_cams = work_motion(scene)?;
-        let (scene, worked) = motion_of_cams.as_ref().map_or((scene, worked), |(scene, worked)| (scene, worked));
-        let follower = PoseFollower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.swept);
+        let (scene, worked) =
+            motion_of_cams.as_ref().map_or((scene, worked), |(scene, worked)| (scene, worked));
+        let follower = PoseFollower::new(
+            scene,
+            &worked.mechanism,
+            &worked.demand,
+            &worked.configuration,
+            wanted.swept,
+        );
         let sweep = follower.sweep(STEPS);
         let poses = at_equal_steps(&follower, &sweep, wanted.count);
         follower.proved(poses.iter().map(|p| &p.configuration))?;
         // First to their own scales, which give the sizes.
-        let work =
-            |p: &TravelPose| work_pose(&follower.scene_at(scene, p.travel), (&worked.mechanism, &worked.demand), &p.configuration).ok();
-        let trials: Vec<(&TravelPose, (Scene, Worked))> = poses.iter().filter_map(|p| Some((p, work(p)?))).collect();
+        let work = |p: &TravelPose| {
+            work_pose(
+                &follower.scene_at(scene, p.travel),
+                (&worked.mechanism, &worked.demand),
+                &p.configuration,
+            )
+            .ok()
+        };
+        let trials: Vec<(&TravelPose, (Scene, Worked))> =
+            poses.iter().filter_map(|p| Some((p, work(p)?))).collect();
         let sized: Vec<(f64, &Worked)> = trials.iter().map(|(p, (_, w))| (p.travel, w)).collect();
         let scales = SeriesScales::of(&scene.paper, &sized, sweep.is_unlimited(), boxes);
         let now = station::now(scene, &worked.configuration, wanted.swept);
@@ -99,24 +123,58 @@ impl Poses {
                 let mut scene = scene.clone();
                 scales.fix(&mut scene.paper);
                 let Worked { mechanism, demand, configuration, .. } = trial;
-                let worked = work_placed(&scene, mechanism.clone(), demand.clone(), configuration.clone()).ok()?.value;
-                let shown = DiagramKind::POLYGONS.into_iter().filter(|on| scales.holds(trial, *on)).collect();
+                let worked =
+                    work_placed(&scene, mechanism.clone(), demand.clone(), configuration.clone())
+                        .ok()?
+                        .value;
+                let shown = DiagramKind::POLYGONS
+                    .into_iter()
+                    .filter(|on| scales.holds(trial, *on))
+                    .collect();
                 Some(PoseRow { scene, worked, shown, end, place: now + pose.travel })
             })
             .collect();
         // A table has at least two rows, unless a single pose is requested.
         if rows.is_empty() || rows.len() < 2 && wanted.count > 1 {
-            let d = Diagnostic::error("no-motion", both!("the mechanism cannot be followed from its pose", "从该位置无法跟踪机构的运动"));
-            return Err(d.help(both!("give another pose, or ask for the sheet of this one", "请改变位置，或只画该位置的图")).into());
+            let d = Diagnostic::error(
+                "no-motion",
+                both!(
+                    "the mechanism cannot be followed from its pose",
+                    "从该位置无法跟踪机构的运动"
+                ),
+            );
+            return Err(d
+                .help(both!(
+                    "give another pose, or ask for the sheet of this one",
+                    "请改变位置，或只画该位置的图"
+                ))
+                .into());
         }
-        let moved = (!wanted.points.is_empty())
-            .then(|| motion(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.swept, &wanted.points, 0));
+        let moved = (!wanted.points.is_empty()).then(|| {
+            motion(
+                scene,
+                &worked.mechanism,
+                &worked.demand,
+                &worked.configuration,
+                wanted.swept,
+                &wanted.points,
+                0,
+            )
+        });
         Ok(Poses { rows, full: sweep.full, moved, scales })
     }
 
     fn table<'a>(&'a self, options: &'a SheetOptions, swept: Swept, still: bool) -> PoseTable<'a> {
         let Poses { rows, full, moved, scales } = self;
-        PoseTable { options, rows, full: *full, swept, moved: moved.as_ref(), scales: scales.clone(), still }
+        PoseTable {
+            options,
+            rows,
+            full: *full,
+            swept,
+            moved: moved.as_ref(),
+            scales: scales.clone(),
+            still,
+        }
     }
 
     /// Notes about the requested poses.
@@ -126,7 +184,12 @@ impl Poses {
         if rows.len() < wanted.count {
             notes.push(Diagnostic::note(
                 "poses",
-                both!("{} of {} poses can be drawn", "{1} 个位置中可画出 {0} 个", rows.len(), wanted.count),
+                both!(
+                    "{} of {} poses can be drawn",
+                    "{1} 个位置中可画出 {0} 个",
+                    rows.len(),
+                    wanted.count
+                ),
             ));
         }
         if scene.own_drivers() > 1 && wanted.swept != Swept::Time {

@@ -35,7 +35,8 @@ impl PoseTable<'_> {
         let (_, kind) = swept_symbol(scene, self.swept);
         let ((unit, factor), parts) = (scene.book.fine(kind), scene.book.parts(kind, 100.0));
         let value = self.rows[row].place;
-        let shown = if kind == Kind::Angle { turned(value, factor, self.full) } else { value * factor };
+        let shown =
+            if kind == Kind::Angle { turned(value, factor, self.full) } else { value * factor };
         let shown = inked(&shortest((shown * parts).round() / parts));
         if unit == "\\degree" { format!("{shown}{unit}") } else { format!("{shown}\\,{unit}") }
     }
@@ -43,7 +44,12 @@ impl PoseTable<'_> {
     /// Titles and captions are the same for all poses, and no results are shown.
     fn maker(&self) -> SheetDrafter<'_> {
         let first = &self.rows[0];
-        SheetDrafter { scene: &first.scene, worked: &first.worked, options: self.options, certified: Vec::new() }
+        SheetDrafter {
+            scene: &first.scene,
+            worked: &first.worked,
+            options: self.options,
+            certified: Vec::new(),
+        }
     }
 
     /// The name and the scale above a column.
@@ -51,23 +57,32 @@ impl PoseTable<'_> {
         let (maker, on) = (self.maker(), column.on);
         let (words, mu) = maker.caption(on);
         // The first pose may have no polygon.
-        let mu =
-            if on == DiagramKind::Plane { mu } else { scale_formula(&maker.scene.book, on, self.scales.mu.get(on.kind()).unwrap_or(1.0)) };
+        let mu = if on == DiagramKind::Plane {
+            mu
+        } else {
+            scale_formula(&maker.scene.book, on, self.scales.mu.get(on.kind()).unwrap_or(1.0))
+        };
         (Phrase::new(words).label(), mu)
     }
 
     /// The two lines of a head, below the middle of its upper edge.
     fn head_items(&self, (words, mu): (Label, String), top: Point) -> [FigureItem; 2] {
         let style = &self.options.style;
-        let line =
-            |down: f64, label, size_mm| text("head", top - Vec2::new(0.0, down), label, size_mm, Anchor::Middle).in_fonts(&style.fonts);
+        let line = |down: f64, label, size_mm| {
+            text("head", top - Vec2::new(0.0, down), label, size_mm, Anchor::Middle)
+                .in_fonts(&style.fonts)
+        };
         [line(6.0, words, style.caption_mm), line(12.0, Label::math(mu), style.small_mm)]
     }
 
     /// The width of a column: space for its drawings and its head.
     fn wide_mm(&self, column: &PoseColumn) -> f64 {
-        let head =
-            self.head_items(self.head(column), Point::ORIGIN).iter().filter_map(FigureItem::bounds).map(Rect::width_mm).fold(0.0, f64::max);
+        let head = self
+            .head_items(self.head(column), Point::ORIGIN)
+            .iter()
+            .filter_map(FigureItem::bounds)
+            .map(Rect::width_mm)
+            .fold(0.0, f64::max);
         column.bounds.width_mm().max(head) + 2.0 * AIR_MM
     }
 
@@ -77,11 +92,15 @@ impl PoseTable<'_> {
     /// `paper-too-small` if the paper does not hold one row.
     pub(super) fn pages(&self, paper: Option<[f64; 2]>) -> Result<Vec<Figure>, Faults> {
         let columns = self.columns();
-        let row_mm = columns.iter().map(|c| c.bounds.height_mm()).fold(0.0, f64::max) + 2.0 * AIR_MM;
+        let row_mm =
+            columns.iter().map(|c| c.bounds.height_mm()).fold(0.0, f64::max) + 2.0 * AIR_MM;
         let width_mm = NAME_MM + columns.iter().map(|c| self.wide_mm(c)).sum::<f64>();
         let count = self.rows.len();
         let size = |across: usize, down: usize| {
-            [across as f64 * width_mm + 2.0 * MARGIN_MM, TITLE_MM + HEAD_MM + down as f64 * row_mm + 2.0 * MARGIN_MM]
+            [
+                across as f64 * width_mm + 2.0 * MARGIN_MM,
+                TITLE_MM + HEAD_MM + down as f64 * row_mm + 2.0 * MARGIN_MM,
+            ]
         };
         let (across, down, size_mm) = match paper {
             Some([w, h]) => {
@@ -117,7 +136,15 @@ impl PoseTable<'_> {
         let per_page = across * down;
         let pages = (0..count).step_by(per_page).map(|first| {
             let rows = first..count.min(first + per_page);
-            let page = PosePage { table: self, columns: &columns, row_mm, width_mm, size_mm, across, down: down.min(rows.len()) };
+            let page = PosePage {
+                table: self,
+                columns: &columns,
+                row_mm,
+                width_mm,
+                size_mm,
+                across,
+                down: down.min(rows.len()),
+            };
             page.figure(rows, count.div_ceil(per_page))
         });
         Ok(pages.collect())
@@ -127,13 +154,20 @@ impl PoseTable<'_> {
 /// Chooses the numbers of rows side by side and one below the other on a printer's paper: the
 /// smallest paper that holds several rows, in the orientation with fewer pages; or a sheet of one
 /// row if even the largest paper is too small.
-fn choose(size: &dyn Fn(usize, usize) -> [f64; 2], width_mm: f64, row_mm: f64, count: usize) -> (usize, usize, [f64; 2]) {
+fn choose(
+    size: &dyn Fn(usize, usize) -> [f64; 2],
+    width_mm: f64,
+    row_mm: f64,
+    count: usize,
+) -> (usize, usize, [f64; 2]) {
     let [one_w, one_h] = size(1, 1);
     let on = |[w, h]: [f64; 2]| {
         let (more_across, more_down) = ((w - one_w) / width_mm, (h - one_h) / row_mm);
-        (more_across >= 0.0 && more_down >= 0.0).then(|| (more_across as usize + 1, more_down as usize + 1, [w, h]))
+        (more_across >= 0.0 && more_down >= 0.0)
+            .then(|| (more_across as usize + 1, more_down as usize + 1, [w, h]))
     };
-    let holds = |(across, down, _): &(usize, usize, [f64; 2])| across * down >= ROWS_LEAST.min(count);
+    let holds =
+        |(across, down, _): &(usize, usize, [f64; 2])| across * down >= ROWS_LEAST.min(count);
     let formats = PAPERS.into_iter().filter_map(|[a, b]| {
         let ways = [[a, b], [b, a]].into_iter().filter_map(on).filter(holds);
         ways.min_by_key(|(across, down, _)| count.div_ceil(across * down))
@@ -177,7 +211,11 @@ impl PosePage<'_> {
                 for column in self.columns {
                     let wide = table.wide_mm(column);
                     let mut part = column.parts[row].clone();
-                    let middle = if part.items.iter().any(|i| i.class == "absent") { part.bounds.centre() } else { column.bounds.centre() };
+                    let middle = if part.items.iter().any(|i| i.class == "absent") {
+                        part.bounds.centre()
+                    } else {
+                        column.bounds.centre()
+                    };
                     part.translate(Point::new(edge + wide / 2.0, y) - middle);
                     items.extend(part.items);
                     edge += wide;
@@ -216,13 +254,21 @@ impl PosePage<'_> {
         }
         for (k, edge) in edges.iter().enumerate() {
             let outer = k == 0 || k + 1 == edges.len();
-            line(Point::new(*edge, top), Point::new(*edge, bottom), if outer { style.outline } else { style.thin });
+            line(
+                Point::new(*edge, top),
+                Point::new(*edge, bottom),
+                if outer { style.outline } else { style.thin },
+            );
         }
         let right = x + self.width_mm;
         for k in 0..=rows + 1 {
             let y = if k == 0 { top } else { top - HEAD_MM - (k - 1) as f64 * self.row_mm };
             let heavy = k < 2 || k == rows + 1;
-            line(Point::new(x, y), Point::new(right, y), if heavy { style.outline } else { style.thin });
+            line(
+                Point::new(x, y),
+                Point::new(right, y),
+                if heavy { style.outline } else { style.thin },
+            );
         }
         let scene = &table.rows[0].scene;
         let (driver, kind) = swept_symbol(scene, table.swept);
@@ -232,8 +278,10 @@ impl PosePage<'_> {
         heads.extend(self.columns.iter().map(|column| table.head(column)));
         for (k, head) in heads.into_iter().enumerate() {
             let middle = (edges[k] + edges[k + 1]) / 2.0;
-            let named = table.head_items(head, Point::new(middle, top)).into_iter().zip(["name", "scale"]);
-            items.extend(named.map(|(item, what)| item.with_id(format!("head-{what}-{block}-{k}"))));
+            let named =
+                table.head_items(head, Point::new(middle, top)).into_iter().zip(["name", "scale"]);
+            items
+                .extend(named.map(|(item, what)| item.with_id(format!("head-{what}-{block}-{k}"))));
         }
         items
     }
@@ -243,12 +291,24 @@ impl PosePage<'_> {
         let style = &self.table.options.style;
         let value = self.table.position(row);
         vec![
-            text("position", at + Vec2::new(0.0, 1.5), Label::math((row + 1).to_string()), style.caption_mm * 1.5, Anchor::Middle)
-                .with_id(format!("position-{}", row + 1))
-                .in_fonts(&style.fonts),
-            text("position", at - Vec2::new(0.0, 5.5), Label::math(value), style.small_mm, Anchor::Middle)
-                .with_id(format!("position-{}-driver", row + 1))
-                .in_fonts(&style.fonts),
+            text(
+                "position",
+                at + Vec2::new(0.0, 1.5),
+                Label::math((row + 1).to_string()),
+                style.caption_mm * 1.5,
+                Anchor::Middle,
+            )
+            .with_id(format!("position-{}", row + 1))
+            .in_fonts(&style.fonts),
+            text(
+                "position",
+                at - Vec2::new(0.0, 5.5),
+                Label::math(value),
+                style.small_mm,
+                Anchor::Middle,
+            )
+            .with_id(format!("position-{}-driver", row + 1))
+            .in_fonts(&style.fonts),
         ]
     }
 }

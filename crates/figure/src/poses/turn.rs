@@ -59,17 +59,25 @@ pub fn turn(
     let poses = Poses::of(scene, worked, wanted, BOXES)?;
     let table = poses.table(options, wanted.swept, true);
     let columns = table.columns();
-    let width: f64 = columns.iter().map(|c| c.bounds.width_mm()).sum::<f64>() + GAP_MM * columns.len().saturating_sub(1) as f64;
+    let width: f64 = columns.iter().map(|c| c.bounds.width_mm()).sum::<f64>()
+        + GAP_MM * columns.len().saturating_sub(1) as f64;
     let height = columns.iter().map(|c| c.bounds.height_mm()).fold(0.0, f64::max);
     let even = |mm: f64| (mm / (2.0 * step_mm)).ceil() * 2.0 * step_mm;
-    let size = [even(width + 2.0 * MARGIN_MM), even(height + TITLE_MM + CAPTION_MM + SCALE_MM + 2.0 * MARGIN_MM)];
+    let size = [
+        even(width + 2.0 * MARGIN_MM),
+        even(height + TITLE_MM + CAPTION_MM + SCALE_MM + 2.0 * MARGIN_MM),
+    ];
     let frames = (0..poses.rows.len()).map(|k| frame(&table, &columns, k, size)).collect();
-    Ok(Warned { value: PoseFrames { frames, full: poses.full || wanted.swept == Swept::Time }, notes: poses.notes(scene, wanted) })
+    Ok(Warned {
+        value: PoseFrames { frames, full: poses.full || wanted.swept == Swept::Time },
+        notes: poses.notes(scene, wanted),
+    })
 }
 
 fn frame(table: &PoseTable, columns: &[PoseColumn], k: usize, size: [f64; 2]) -> Figure {
     let (options, row) = (table.options, &table.rows[k]);
-    let maker = SheetDrafter { scene: &row.scene, worked: &row.worked, options, certified: Vec::new() };
+    let maker =
+        SheetDrafter { scene: &row.scene, worked: &row.worked, options, certified: Vec::new() };
     let foot = MARGIN_MM + SCALE_MM + CAPTION_MM;
     let room = size[1] - MARGIN_MM - TITLE_MM - foot;
     let mut items = Vec::new();
@@ -83,8 +91,15 @@ fn frame(table: &PoseTable, columns: &[PoseColumn], k: usize, size: [f64; 2]) ->
     };
     let (symbol, value) = (swept_symbol(&row.scene, table.swept).0, table.position(k));
     let corner = Point::new(size[0] - MARGIN_MM, size[1] - MARGIN_MM - style.caption_mm);
-    put("position", corner, Label::math(format!("{symbol} = {value}")), style.caption_mm, Anchor::End);
-    let used: f64 = columns.iter().map(|c| c.bounds.width_mm()).sum::<f64>() + GAP_MM * columns.len().saturating_sub(1) as f64;
+    put(
+        "position",
+        corner,
+        Label::math(format!("{symbol} = {value}")),
+        style.caption_mm,
+        Anchor::End,
+    );
+    let used: f64 = columns.iter().map(|c| c.bounds.width_mm()).sum::<f64>()
+        + GAP_MM * columns.len().saturating_sub(1) as f64;
     let mut edge = (size[0] - used) / 2.0;
     let mut drawn: Vec<FigureItem> = Vec::new();
     for column in columns {
@@ -101,7 +116,13 @@ fn frame(table: &PoseTable, columns: &[PoseColumn], k: usize, size: [f64; 2]) ->
         let mu = own.map_or(mu, |mu| scale_formula(&row.scene.book, on, mu));
         let at = Point::new(middle.x, foot - CAPTION_MM);
         put(&format!("caption-{name}"), at, Label::text(words), style.caption_mm, Anchor::Middle);
-        put(&format!("scale-{name}"), Point::new(at.x, at.y - SCALE_MM), Label::math(mu), style.small_mm, Anchor::Middle);
+        put(
+            &format!("scale-{name}"),
+            Point::new(at.x, at.y - SCALE_MM),
+            Label::math(mu),
+            style.small_mm,
+            Anchor::Middle,
+        );
         edge += column.bounds.width_mm() + GAP_MM;
     }
     items.extend(drawn);

@@ -48,7 +48,9 @@ pub fn scaled(task: &Task, candidate: &DesignCandidate, set: Set) -> Scaled {
     let all = positions(candidate);
     let path = traced(candidate, "E");
     let points = all.iter().flat_map(|p| p.links.iter().flat_map(|l| l.1.iter().map(|x| x.1)));
-    let extent = around(points.chain(path.iter().flatten().copied()).chain(candidate.draft.targets.iter().copied()));
+    let extent = around(
+        points.chain(path.iter().flatten().copied()).chain(candidate.draft.targets.iter().copied()),
+    );
     let extent = extent.unwrap_or(Rect::new(Point::ORIGIN, Point::new(1.0, 1.0)));
     let mu = choose([extent.width_mm(), extent.height_mm()], ROOM_MM);
     let at = |p: Point| (p.to_vec2() * (1.0 / mu)).to_point();
@@ -56,7 +58,12 @@ pub fn scaled(task: &Task, candidate: &DesignCandidate, set: Set) -> Scaled {
     let mut wanted = Vec::new();
     for piece in path.iter().filter(|p| p.len() > 2) {
         let points = piece.iter().map(|p| at(*p)).collect();
-        let shape = Shape::Polyline { points, closed: false, stroke: Some(style.thin.dashed(Dash::DashDot)), fill: None };
+        let shape = Shape::Polyline {
+            points,
+            closed: false,
+            stroke: Some(style.thin.dashed(Dash::DashDot)),
+            fill: None,
+        };
         items.push(FigureItem::new("path", shape));
     }
     for (k, p) in all.iter().enumerate().rev() {
@@ -64,9 +71,13 @@ pub fn scaled(task: &Task, candidate: &DesignCandidate, set: Set) -> Scaled {
         for (link, points) in &p.links {
             let places: Vec<Point> = points.iter().map(|x| at(x.1)).collect();
             let closed = places.len() > 2;
-            let shape = Shape::Polyline { points: places, closed, stroke: Some(stroke), fill: None };
+            let shape =
+                Shape::Polyline { points: places, closed, stroke: Some(stroke), fill: None };
             let moves = if k == 0 { MOVES } else { "" };
-            items.push(FigureItem { link: Some(*link), ..FigureItem::new(format!("position-{k} {moves}").trim_end(), shape) });
+            items.push(FigureItem {
+                link: Some(*link),
+                ..FigureItem::new(format!("position-{k} {moves}").trim_end(), shape)
+            });
         }
         for (name, x) in p.links.iter().flat_map(|l| &l.1) {
             if k == 0 && !p.fixed.iter().any(|f| f.0 == *name) {
@@ -75,13 +86,22 @@ pub fn scaled(task: &Task, candidate: &DesignCandidate, set: Set) -> Scaled {
                 items.extend(pin);
             }
         }
-        let mut named: Vec<&(String, Point)> =
-            p.links.iter().flat_map(|l| &l.1).filter(|(n, _)| !p.fixed.iter().any(|f| f.0 == *n)).collect();
+        let mut named: Vec<&(String, Point)> = p
+            .links
+            .iter()
+            .flat_map(|l| &l.1)
+            .filter(|(n, _)| !p.fixed.iter().any(|f| f.0 == *n))
+            .collect();
         named.dedup_by(|a, b| a.0 == b.0);
         for (name, x) in named {
             let seen = format!("{name}_{}", k + 1);
-            let request =
-                LabelRequest::at_point(Label::math(seen).in_fonts(&style.fonts), style.small_mm * 0.9, at(*x), 1.4).optional(k > 0);
+            let request = LabelRequest::at_point(
+                Label::math(seen).in_fonts(&style.fonts),
+                style.small_mm * 0.9,
+                at(*x),
+                1.4,
+            )
+            .optional(k > 0);
             if !wanted.contains(&request) {
                 wanted.push(request);
             }
@@ -90,12 +110,22 @@ pub fn scaled(task: &Task, candidate: &DesignCandidate, set: Set) -> Scaled {
     items.extend(sliders(&all, &at, style));
     for (name, x) in all.first().into_iter().flat_map(|p| &p.fixed) {
         items.extend(sym::fixed_pivot(style, at(*x), Vec2::new(0.0, -1.0)));
-        wanted.push(LabelRequest::at_point(Label::math(name.as_str()).in_fonts(&style.fonts), style.label_mm, at(*x), 2.2));
+        wanted.push(LabelRequest::at_point(
+            Label::math(name.as_str()).in_fonts(&style.fonts),
+            style.label_mm,
+            at(*x),
+            2.2,
+        ));
     }
     for target in &candidate.draft.targets {
         items.push(FigureItem::new(
             "target",
-            Shape::Circle { centre: at(*target), radius_mm: 0.8, stroke: Some(style.outline), fill: None },
+            Shape::Circle {
+                centre: at(*target),
+                radius_mm: 0.8,
+                stroke: Some(style.outline),
+                fill: None,
+            },
         ));
     }
     let room = bounds(&items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)).grown(8.0);
@@ -112,7 +142,8 @@ pub fn scaled(task: &Task, candidate: &DesignCandidate, set: Set) -> Scaled {
 /// `None` if the task is no function.
 pub fn deviation(task: &Task, candidate: &DesignCandidate, set: Set) -> Option<Figure> {
     let Set { style, lang, .. } = set;
-    let data: Vec<[f64; 2]> = candidate.draft.course.iter().map(|c| [c.x, c.deviation().to_degrees()]).collect();
+    let data: Vec<[f64; 2]> =
+        candidate.draft.course.iter().map(|c| [c.x, c.deviation().to_degrees()]).collect();
     if data.is_empty() {
         return None;
     }
@@ -120,13 +151,28 @@ pub fn deviation(task: &Task, candidate: &DesignCandidate, set: Set) -> Option<F
     let frame = Rect::new(Point::ORIGIN, Point::new(ROOM_MM[0], 80.0));
     let axes = [PlotAxis::of(&xs, false, 10), PlotAxis::of(&ys, false, 8)];
     let mut plot = Plot::new("deviation".to_owned(), style, frame, axes);
-    plot.axes(Some(Label::math("x").in_fonts(&style.fonts)), Label::math("\\Delta\\psi/(\\degree)"));
+    plot.axes(
+        Some(Label::math("x").in_fonts(&style.fonts)),
+        Label::math("\\Delta\\psi/(\\degree)"),
+    );
     let points = data.iter().map(|p| plot.at(p[0], p[1])).collect();
-    plot.draw("curve", Shape::Polyline { points, closed: false, stroke: Some(style.vector), fill: None }, None);
+    plot.draw(
+        "curve",
+        Shape::Polyline { points, closed: false, stroke: Some(style.vector), fill: None },
+        None,
+    );
     for k in 0.. {
-        let (Some(x), Some(e)) = (candidate.number(&format!("x_{k}")), candidate.number(&format!("error_{k}"))) else { break };
+        let (Some(x), Some(e)) =
+            (candidate.number(&format!("x_{k}")), candidate.number(&format!("error_{k}")))
+        else {
+            break;
+        };
         let at = plot.at(x, e.to_degrees());
-        plot.draw("extreme", Shape::Circle { centre: at, radius_mm: 0.7, stroke: None, fill: Some(Colour::BLACK) }, None);
+        plot.draw(
+            "extreme",
+            Shape::Circle { centre: at, radius_mm: 0.7, stroke: None, fill: Some(Colour::BLACK) },
+            None,
+        );
         let text = format!("{}\\degree", inked(&significant(e.to_degrees(), 3)));
         plot.label(LabelRequest::at_point(Label::math(text), style.small_mm, at, 1.0), None);
     }
@@ -141,13 +187,23 @@ fn sliders(all: &[LinkagePosition], at: &dyn Fn(Point) -> Point, style: &Style) 
     for (k, slider) in all.first().into_iter().flat_map(|p| &p.sliders).enumerate() {
         let (place, way) = (at(slider.at), slider.direction);
         if slider.fixed {
-            let far: Vec<f64> = all.iter().filter_map(|p| p.sliders.get(k)).map(|s| way.dot(at(s.at) - place)).collect();
+            let far: Vec<f64> = all
+                .iter()
+                .filter_map(|p| p.sliders.get(k))
+                .map(|s| way.dot(at(s.at) - place))
+                .collect();
             let low = far.iter().copied().fold(0.0, f64::min);
             let high = far.iter().copied().fold(0.0, f64::max);
             let length = high - low + 3.0 * style.block_length_mm;
             // Hatched below, like the ground.
             let along = if way.x < 0.0 { -way } else { way };
-            items.extend(sym::guide(style, place + way * ((low + high) / 2.0), along.angle(), length, sym::GuideForm::OneSided));
+            items.extend(sym::guide(
+                style,
+                place + way * ((low + high) / 2.0),
+                along.angle(),
+                length,
+                sym::GuideForm::OneSided,
+            ));
         }
         let mut block = sym::block(style, place, way.angle(), !slider.fixed);
         block.extend(sym::pin(style, place));

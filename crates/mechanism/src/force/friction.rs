@@ -59,7 +59,11 @@ pub fn is_determined(scene: &Scene, m: &Mechanism) -> bool {
 /// at rest friction has no sense.
 ///
 /// `None` if a position or a velocity is not known.
-pub fn rubbing<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl MotionSource<N>) -> Option<(Vec<Rubbing<N>>, Vec<usize>)> {
+pub fn rubbing<N: Real>(
+    scene: &Scene,
+    at: &Configuration<N>,
+    motion: &impl MotionSource<N>,
+) -> Option<(Vec<Rubbing<N>>, Vec<usize>)> {
     let inputs = Inputs::<N>::of(scene);
     let zero = N::from_f64(0.0);
     let speed = fastest(scene, at);
@@ -67,14 +71,19 @@ pub fn rubbing<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Moti
     for (k, friction) in scene.loads.friction.iter().enumerate() {
         match &friction.at {
             Rub::Pin { point, fast, circle } => {
-                let omega = |l: LinkId| if l == scene.ground { Some(zero) } else { motion.turning(Level::Velocity, l) };
+                let omega = |l: LinkId| {
+                    if l == scene.ground { Some(zero) } else { motion.turning(Level::Velocity, l) }
+                };
                 for link in scene.carriers(*point).filter(|l| l != fast) {
                     let turning = (omega(link)? - omega(*fast)?).approx();
                     if turning.abs() * at.extent() <= ROUNDING * speed {
                         still.push(k);
                         continue;
                     }
-                    let unit = Wrench { force: Vec2::zero(), couple: inputs.number(circle) * N::from_f64(-turning.signum()) };
+                    let unit = Wrench {
+                        force: Vec2::zero(),
+                        couple: inputs.number(circle) * N::from_f64(-turning.signum()),
+                    };
                     let place = at.points[point.0]?;
                     out.push(Rubbing {
                         friction: k,
@@ -91,13 +100,22 @@ pub fn rubbing<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Moti
                 let own = &scene.guides[guide.0];
                 let (slider, point) = scene.sliding_at(*guide)?;
                 let Path::Line { direction, .. } = at.guides[guide.0]? else { continue };
-                let of = |l: LinkId| if l == scene.ground { Some(Vec2::zero()) } else { motion.vector(Level::Velocity, point, Some(l)) };
+                let of = |l: LinkId| {
+                    if l == scene.ground {
+                        Some(Vec2::zero())
+                    } else {
+                        motion.vector(Level::Velocity, point, Some(l))
+                    }
+                };
                 let sliding = (of(slider)? - of(own.on)?).dot(direction).approx();
                 if sliding.abs() <= ROUNDING * speed {
                     still.push(k);
                     continue;
                 }
-                let unit = Wrench { force: direction * (inputs.number(f) * N::from_f64(-sliding.signum())), couple: zero };
+                let unit = Wrench {
+                    force: direction * (inputs.number(f) * N::from_f64(-sliding.signum())),
+                    couple: zero,
+                };
                 let place = at.points[point.0]?;
                 out.push(Rubbing {
                     friction: k,
@@ -116,13 +134,21 @@ pub fn rubbing<N: Real>(scene: &Scene, at: &Configuration<N>, motion: &impl Moti
 
 impl<N: Real> Rubbing<N> {
     /// Returns the reaction (N) that presses the links on each other.
-    fn pressure(&self, pins: &[(PointId, LinkId, Vec2<N>)], guides: &[(GuideId, Wrench<N>)]) -> Option<N> {
+    fn pressure(
+        &self,
+        pins: &[(PointId, LinkId, Vec2<N>)],
+        guides: &[(GuideId, Wrench<N>)],
+    ) -> Option<N> {
         match self.pair {
             Rubbed::Pin(p) => {
-                let of = |l: LinkId| pins.iter().find(|(at, on, _)| (*at, *on) == (p, l)).map(|x| x.2.norm());
+                let of = |l: LinkId| {
+                    pins.iter().find(|(at, on, _)| (*at, *on) == (p, l)).map(|x| x.2.norm())
+                };
                 of(self.links[0]).or_else(|| of(self.links[1]))
             }
-            Rubbed::Guide(g) => guides.iter().find(|(own, _)| *own == g).map(|(_, w)| w.force.norm()),
+            Rubbed::Guide(g) => {
+                guides.iter().find(|(own, _)| *own == g).map(|(_, w)| w.force.norm())
+            }
         }
     }
 
@@ -130,20 +156,33 @@ impl<N: Real> Rubbing<N> {
     pub fn power(&self, forces: &Forces<N>) -> f64 {
         // The reaction of a guide includes its friction.
         let within = libm::hypot(1.0, self.unit.force.norm().approx());
-        self.pressure(&forces.pins, &forces.guides).map_or(0.0, |pressure| self.takes * pressure.approx() / within)
+        self.pressure(&forces.pins, &forces.guides)
+            .map_or(0.0, |pressure| self.takes * pressure.approx() / within)
     }
 
     /// Returns the friction under a pressure (N) as loads of both links.
     fn loads(&self, ground: LinkId, pressure: N) -> impl Iterator<Item = Load<N>> {
-        let wrench = Wrench { force: self.unit.force * pressure, couple: self.unit.couple * pressure };
+        let wrench =
+            Wrench { force: self.unit.force * pressure, couple: self.unit.couple * pressure };
         let Rubbing { friction, links: [link, other], at, place, .. } = *self;
-        let load = move |link: LinkId, wrench: Wrench<N>| Load { cause: Cause::Friction(friction), link, at, place, wrench };
-        [load(link, wrench), load(other, wrench.reversed())].into_iter().filter(move |l| l.link != ground)
+        let load = move |link: LinkId, wrench: Wrench<N>| Load {
+            cause: Cause::Friction(friction),
+            link,
+            at,
+            place,
+            wrench,
+        };
+        [load(link, wrench), load(other, wrench.reversed())]
+            .into_iter()
+            .filter(move |l| l.link != ground)
     }
 }
 
 /// Returns the reactions of guides including the friction that they cause.
-pub fn with_friction<N: Real>(mut guides: Vec<(GuideId, Wrench<N>)>, rubbing: &[Rubbing<N>]) -> Vec<(GuideId, Wrench<N>)> {
+pub fn with_friction<N: Real>(
+    mut guides: Vec<(GuideId, Wrench<N>)>,
+    rubbing: &[Rubbing<N>],
+) -> Vec<(GuideId, Wrench<N>)> {
     for (g, wrench) in &mut guides {
         let own = rubbing.iter().find(|r| r.pair == Rubbed::Guide(*g));
         let pressure = wrench.force.norm();
@@ -181,7 +220,9 @@ pub fn settled<N: Real, R, E>(
         let (pins, guides) = read(found);
         rubbing.iter().map(|r| r.pressure(&pins, &guides)).collect::<Option<Vec<N>>>()
     };
-    let loads = |u: &[N]| rubbing.iter().zip(u).flat_map(|(r, x)| r.loads(scene.ground, *x)).collect::<Vec<_>>();
+    let loads = |u: &[N]| {
+        rubbing.iter().zip(u).flat_map(|(r, x)| r.loads(scene.ground, *x)).collect::<Vec<_>>()
+    };
     let middles = |u: Vec<N>| u.into_iter().map(Real::mid).collect::<Vec<N>>();
     let Some(first) = pressures(&solve(&[])?) else { return Ok(None) };
     let mut u = middles(first);
@@ -190,7 +231,8 @@ pub fn settled<N: Real, R, E>(
     for _ in 0..PASSES {
         let Some(next) = pressures(&solve(&loads(&u))?).map(middles) else { return Ok(None) };
         let size = next.iter().map(|x| x.approx().abs()).fold(f64::MIN_POSITIVE, f64::max);
-        let off = next.iter().zip(&u).map(|(a, b)| (*a - *b).approx().abs() / size).fold(0.0, f64::max);
+        let off =
+            next.iter().zip(&u).map(|(a, b)| (*a - *b).approx().abs() / size).fold(0.0, f64::max);
         u = next;
         if !off.is_finite() {
             return Ok(None);
@@ -209,7 +251,11 @@ pub fn settled<N: Real, R, E>(
         return Ok(Some(found));
     }
     let Some(next) = pressures(&found) else { return Ok(None) };
-    let mut by: Vec<f64> = next.iter().zip(&u).map(|(a, b)| 4.0 * ((*a - *b).approx().abs() + a.radius()) + f64::MIN_POSITIVE).collect();
+    let mut by: Vec<f64> = next
+        .iter()
+        .zip(&u)
+        .map(|(a, b)| 4.0 * ((*a - *b).approx().abs() + a.radius()) + f64::MIN_POSITIVE)
+        .collect();
     for _ in 0..ROUNDS {
         let wide: Vec<N> = u.iter().zip(&by).map(|(x, by)| x.widened(*by)).collect();
         let found = solve(&loads(&wide))?;

@@ -5,7 +5,10 @@ use crate::position::{Configuration, Path, configure, recompute};
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::geom::Vec2;
 use hodograph_base::trig::sin_cos;
-use hodograph_scene::{Applied, GivenQuantity, GuideId, LoadCourse, LoadTravel, PointId, Scene, driver_position, with_driver_at};
+use hodograph_scene::{
+    Applied, GivenQuantity, GuideId, LoadCourse, LoadTravel, PointId, Scene, driver_position,
+    with_driver_at,
+};
 use std::f64::consts::TAU;
 
 /// Number of positions in a turn of the first driver.
@@ -30,10 +33,14 @@ const BACK: f64 = 1e-9;
 /// # Errors
 /// `stroke`: the point has no stroke, or the file does not determine which of its two strokes is
 /// the working one.
-pub fn ends<'a>(scene: &Scene, course: &'a LoadCourse) -> Option<&'a Result<[GivenQuantity; 2], Diagnostic>> {
+pub fn ends<'a>(
+    scene: &Scene,
+    course: &'a LoadCourse,
+) -> Option<&'a Result<[GivenQuantity; 2], Diagnostic>> {
     let LoadTravel::Stroke { point, guide, toward, ends } = &course.along else { return None };
     Some(ends.0.get_or_init(|| {
-        let found = Stroke::of(scene, *point, *guide).ok_or_else(|| no_stroke(scene, *point, course))?;
+        let found =
+            Stroke::of(scene, *point, *guide).ok_or_else(|| no_stroke(scene, *point, course))?;
         let upward = match toward {
             Some(toward) => {
                 let (sin, cos) = sin_cos(toward.value);
@@ -48,11 +55,18 @@ pub fn ends<'a>(scene: &Scene, course: &'a LoadCourse) -> Option<&'a Result<[Giv
                 }
                 along > 0.0
             }
-            None => found.slower_is_upward(scene).ok_or_else(|| ambiguous_stroke(scene, *point, course))?,
+            None => found
+                .slower_is_upward(scene)
+                .ok_or_else(|| ambiguous_stroke(scene, *point, course))?,
         };
         let [low, high] = [found.low.1, found.high.1];
         let error = TOLD * (high - low).max(low.abs()).max(high.abs());
-        let given = |value: f64| GivenQuantity { value, radius: error, text: String::new(), span: course.span };
+        let given = |value: f64| GivenQuantity {
+            value,
+            radius: error,
+            text: String::new(),
+            span: course.span,
+        };
         Ok(if upward { [given(low), given(high)] } else { [given(high), given(low)] })
     }))
 }
@@ -76,7 +90,11 @@ struct Stroke {
 impl Stroke {
     fn of(scene: &Scene, point: PointId, guide: GuideId) -> Option<Stroke> {
         let mechanism = Mechanism::new(scene).ok()?.value;
-        let mut demand = Demand { groups: vec![None; mechanism.groups.len()], level: Level::Position, needs: Vec::new() };
+        let mut demand = Demand {
+            groups: vec![None; mechanism.groups.len()],
+            level: Level::Position,
+            needs: Vec::new(),
+        };
         demand.add(scene, &mechanism, Need::Point(point, None), Level::Position);
         let start = configure(scene, &mechanism, &demand).ok()?.value;
         if !scene.drivers[0].kind.turns() {
@@ -85,9 +103,12 @@ impl Stroke {
         let now = driver_position(scene, 0)?;
         let Path::Line { through, direction } = start.guides[guide.0]? else { return None };
         let coordinate = |at: &Configuration| Some((at.points[point.0]? - through).dot(direction));
-        let at = |x: f64, near: &Configuration| recompute::<f64>(&with_driver_at(scene, 0, x), &mechanism, &demand, near).ok();
+        let at = |x: f64, near: &Configuration| {
+            recompute::<f64>(&with_driver_at(scene, 0, x), &mechanism, &demand, near).ok()
+        };
         let step = TAU / SAMPLES as f64;
-        let mut all: Vec<(f64, f64, Configuration)> = vec![(now, coordinate(&start)?, start.clone())];
+        let mut all: Vec<(f64, f64, Configuration)> =
+            vec![(now, coordinate(&start)?, start.clone())];
         let mut period = None;
         for k in 1..=TURNS * SAMPLES {
             let x = now + step * k as f64;
@@ -121,7 +142,11 @@ impl Stroke {
 /// True if all points have returned to their positions.
 fn is_back(start: &Configuration, there: &Configuration) -> bool {
     let near = BACK * start.extent();
-    start.points.iter().zip(&there.points).all(|(a, b)| a.zip(*b).is_none_or(|(a, b)| a.distance(b) <= near))
+    start
+        .points
+        .iter()
+        .zip(&there.points)
+        .all(|(a, b)| a.zip(*b).is_none_or(|(a, b)| a.distance(b) <= near))
 }
 
 /// Returns the largest value of a function with one maximum in an interval, by golden section: its
@@ -146,8 +171,14 @@ fn golden(mut a: f64, mut b: f64, value: impl Fn(f64) -> Option<f64>) -> Option<
 
 fn ambiguous_stroke(scene: &Scene, point: PointId, course: &LoadCourse) -> Diagnostic {
     let name = scene.point_name(point);
-    let message = both!("which of the two strokes of {name} is the working one is not told", "没有说明 {name} 的哪一个行程是工作行程");
-    let help = both!("add \"toward\": \"0 deg\", the direction of the working stroke", "请加上 \"toward\": \"0 deg\"（工作行程的方向）");
+    let message = both!(
+        "which of the two strokes of {name} is the working one is not told",
+        "没有说明 {name} 的哪一个行程是工作行程"
+    );
+    let help = both!(
+        "add \"toward\": \"0 deg\", the direction of the working stroke",
+        "请加上 \"toward\": \"0 deg\"（工作行程的方向）"
+    );
     Diagnostic::error("stroke", message).at(course.span).help(help)
 }
 

@@ -22,7 +22,8 @@ impl Assur<'_> {
     /// Returns the Assur class in roman numerals, see [`Group::class`]; `None` if a driver or a
     /// carrier belongs to it.
     pub fn class(&self) -> Option<&'static str> {
-        let classes: Option<Vec<_>> = self.steps.iter().filter(|g| !g.is_carried()).map(|g| g.class()).collect();
+        let classes: Option<Vec<_>> =
+            self.steps.iter().filter(|g| !g.is_carried()).map(|g| g.class()).collect();
         let classes = classes?;
         ["IV or higher", "III", "II"].into_iter().find(|c| classes.contains(c))
     }
@@ -40,7 +41,8 @@ impl Assur<'_> {
 
     /// Returns its pins.
     pub fn pins(&self) -> Vec<PointId> {
-        let mut pins: Vec<PointId> = self.steps.iter().flat_map(|g| g.pins.iter().copied()).collect();
+        let mut pins: Vec<PointId> =
+            self.steps.iter().flat_map(|g| g.pins.iter().copied()).collect();
         pins.sort_unstable();
         pins
     }
@@ -57,7 +59,10 @@ impl Assur<'_> {
 
     /// Returns the drivers that belong to it.
     pub fn drivers<'b>(&'b self, m: &'b Mechanism) -> impl Iterator<Item = usize> + 'b {
-        self.steps.iter().flat_map(|g| &g.constraints).filter_map(|c| m.constraints[*c].form().driver())
+        self.steps
+            .iter()
+            .flat_map(|g| &g.constraints)
+            .filter_map(|c| m.constraints[*c].form().driver())
     }
 }
 
@@ -77,7 +82,9 @@ impl Mechanism {
 
     /// Returns the group of a step.
     pub fn assur_of(&self, scene: &Scene, step: usize) -> Option<Assur<'_>> {
-        self.assur(scene).into_iter().find(|a| a.steps.iter().any(|g| std::ptr::eq(*g, &self.groups[step])))
+        self.assur(scene)
+            .into_iter()
+            .find(|a| a.steps.iter().any(|g| std::ptr::eq(*g, &self.groups[step])))
     }
 
     /// Returns the steps of each group: Tarjan's components of the graph in which a step depends on
@@ -100,13 +107,18 @@ impl Mechanism {
                 seat.push((guide, g));
             }
         }
-        let mut parts: Vec<Vec<usize>> =
-            petgraph::algo::tarjan_scc(&graph).into_iter().map(|c| c.into_iter().map(|n| graph[n]).collect()).collect();
+        let mut parts: Vec<Vec<usize>> = petgraph::algo::tarjan_scc(&graph)
+            .into_iter()
+            .map(|c| c.into_iter().map(|n| graph[n]).collect())
+            .collect();
         parts.iter_mut().for_each(|p| p.sort_unstable());
         parts.sort_by_key(|p| p[p.len() - 1]);
         let (mut order, mut done) = (Vec::new(), vec![false; self.groups.len()]);
-        let ready =
-            |part: &[usize], done: &[bool]| part.iter().flat_map(|g| &self.groups[*g].upstream).all(|u| done[*u] || part.contains(u));
+        let ready = |part: &[usize], done: &[bool]| {
+            part.iter()
+                .flat_map(|g| &self.groups[*g].upstream)
+                .all(|u| done[*u] || part.contains(u))
+        };
         while let Some(next) = parts.iter().position(|p| ready(p, &done)) {
             let part = parts.remove(next);
             part.iter().for_each(|g| done[*g] = true);
@@ -119,11 +131,14 @@ impl Mechanism {
     /// of its pin, whichever is solved later; barrel and rod belong to the group that the cylinder
     /// moves.
     fn with_blocks(&self, scene: &Scene, part: &[usize]) -> Vec<LinkId> {
-        let mut links: Vec<LinkId> = part.iter().flat_map(|g| self.groups[*g].links.iter().copied()).collect();
+        let mut links: Vec<LinkId> =
+            part.iter().flat_map(|g| self.groups[*g].links.iter().copied()).collect();
         for l in (0..scene.links.len()).map(LinkId) {
             let Some(Passive::Block(guide)) = self.passive[l.0] else { continue };
             let guide = &scene.guides[guide.0];
-            let holds = |h: &Group| h.links.contains(&guide.on) || guide.pin.is_some_and(|p| h.pins.contains(&p));
+            let holds = |h: &Group| {
+                h.links.contains(&guide.on) || guide.pin.is_some_and(|p| h.pins.contains(&p))
+            };
             if self.groups.iter().rposition(holds).is_some_and(|home| part.contains(&home)) {
                 links.push(l);
             }
@@ -133,7 +148,11 @@ impl Mechanism {
                 Core::Pin { legs, .. } | Core::Link { legs, .. } => legs.as_slice(),
                 Core::Higher => &[],
             };
-            for l in legs.iter().filter_map(super::Leg::cylinder).flat_map(|d| scene.drivers[d].kind.parts()) {
+            for l in legs
+                .iter()
+                .filter_map(super::Leg::cylinder)
+                .flat_map(|d| scene.drivers[d].kind.parts())
+            {
                 if !links.contains(l) {
                     links.push(*l);
                 }
@@ -160,7 +179,11 @@ impl Mechanism {
                 [true, false] | [false, true] => outer.push(letter),
                 [false, false] => {}
             };
-            for (guide, on) in steps.iter().flat_map(|g| &g.constraints).filter_map(|c| self.constraints[*c].form().point_guide()) {
+            for (guide, on) in steps
+                .iter()
+                .flat_map(|g| &g.constraints)
+                .filter_map(|c| self.constraints[*c].form().point_guide())
+            {
                 scene.guides[guide.0].slider.iter().for_each(|s| pair('P', [*s, on]));
             }
             for p in (0..scene.points.len()).map(PointId) {
@@ -173,7 +196,9 @@ impl Mechanism {
                 return [ends[0], inner, ends[1]].into_iter().collect();
             }
         }
-        let highest = ["IV or higher", "III", "II"].into_iter().find_map(|class| steps.iter().find(|g| g.class() == Some(class)));
+        let highest = ["IV or higher", "III", "II"]
+            .into_iter()
+            .find_map(|class| steps.iter().find(|g| g.class() == Some(class)));
         highest.map_or_else(String::new, |g| g.kind())
     }
 }

@@ -23,8 +23,16 @@ impl Demand {
     }
 
     /// Returns the demand of some requests.
-    pub fn of_questions<'a>(scene: &Scene, m: &Mechanism, questions: impl IntoIterator<Item = &'a Find>) -> Demand {
-        let mut d = Demand { groups: vec![None; m.groups.len()], level: Level::Position, needs: Vec::new() };
+    pub fn of_questions<'a>(
+        scene: &Scene,
+        m: &Mechanism,
+        questions: impl IntoIterator<Item = &'a Find>,
+    ) -> Demand {
+        let mut d = Demand {
+            groups: vec![None; m.groups.len()],
+            level: Level::Position,
+            needs: Vec::new(),
+        };
         for f in questions {
             for (need, level) in f.what.needs() {
                 d.add(scene, m, need, level);
@@ -61,8 +69,17 @@ impl Demand {
     /// links with mass, velocities of resisted motions.
     fn loaded(&mut self, scene: &Scene, m: &Mechanism) {
         let loads = &scene.loads;
-        let springs = loads.springs.iter().flat_map(|s| s.ends.map(|(_, link)| link)).filter(|l| *l != scene.ground);
-        let links = loads.masses.iter().map(|m| m.link).chain(loads.applied.iter().map(|a| a.link)).chain(springs);
+        let springs = loads
+            .springs
+            .iter()
+            .flat_map(|s| s.ends.map(|(_, link)| link))
+            .filter(|l| *l != scene.ground);
+        let links = loads
+            .masses
+            .iter()
+            .map(|m| m.link)
+            .chain(loads.applied.iter().map(|a| a.link))
+            .chain(springs);
         for link in links.chain(loads.balance.as_ref().map(|b| b.link)) {
             self.place(scene, m, link);
         }
@@ -92,7 +109,10 @@ impl Demand {
                 }
                 Rub::Guide { guide, .. } => {
                     let Some((slider, point)) = scene.sliding_at(guide) else { continue };
-                    for link in [slider, scene.guides[guide.0].on].into_iter().filter(|l| *l != scene.ground) {
+                    for link in [slider, scene.guides[guide.0].on]
+                        .into_iter()
+                        .filter(|l| *l != scene.ground)
+                    {
                         self.add(scene, m, Need::Point(point, Some(link)), Level::Velocity);
                     }
                 }
@@ -152,7 +172,8 @@ fn group_of(m: &Mechanism, n: GraphNode) -> Option<usize> {
 
 /// Returns the nodes that must be known for a need.
 pub fn nodes_of(scene: &Scene, m: &Mechanism, need: Need) -> Vec<GraphNode> {
-    let link_nodes = |l: LinkId| m.passive_carrier(scene, l).unwrap_or_else(|| vec![GraphNode::Link(l)]);
+    let link_nodes =
+        |l: LinkId| m.passive_carrier(scene, l).unwrap_or_else(|| vec![GraphNode::Link(l)]);
     match need {
         Need::Turning(l) => link_nodes(l),
         Need::Forces => Vec::new(),
@@ -162,7 +183,11 @@ pub fn nodes_of(scene: &Scene, m: &Mechanism, need: Need) -> Vec<GraphNode> {
                 None => Vec::new(),
             };
             // The position of the cam determines the contact of a follower without a pair there.
-            let led = scene.cams.iter().filter(|c| c.is_on_course() && c.follows.point() == p).map(|c| c.cam);
+            let led = scene
+                .cams
+                .iter()
+                .filter(|c| c.is_on_course() && c.follows.point() == p)
+                .map(|c| c.cam);
             nodes.extend(led.filter(|l| *l != scene.ground).flat_map(link_nodes));
             if m.pins.contains(&p) {
                 nodes.push(GraphNode::Pin(p));
@@ -172,8 +197,18 @@ pub fn nodes_of(scene: &Scene, m: &Mechanism, need: Need) -> Vec<GraphNode> {
                 // links.
                 nodes.extend(scene.carriers(p).next().map(link_nodes).unwrap_or_default());
                 let rolling = scene.rolling.iter().filter(|r| r.at.contains(&p));
-                let cams = scene.cams.iter().filter(|c| c.touch == Some(p)).flat_map(|c| [c.cam, c.follower]);
-                nodes.extend(rolling.flat_map(|r| r.links).chain(cams).filter(|l| *l != scene.ground).flat_map(link_nodes));
+                let cams = scene
+                    .cams
+                    .iter()
+                    .filter(|c| c.touch == Some(p))
+                    .flat_map(|c| [c.cam, c.follower]);
+                nodes.extend(
+                    rolling
+                        .flat_map(|r| r.links)
+                        .chain(cams)
+                        .filter(|l| *l != scene.ground)
+                        .flat_map(link_nodes),
+                );
             }
             nodes
         }

@@ -140,15 +140,20 @@ pub(crate) fn find(scene: &Scene, m: &mut Mechanism, assignment: &Assignment) {
         .collect();
     // Used for look-up only, never iterated: the order of the scene decides every output.
     let index: HashMap<GraphNode, usize> = nodes.iter().enumerate().map(|(i, n)| (*n, i)).collect();
-    let mut graph = petgraph::graph::DiGraph::<usize, ()>::with_capacity(nodes.len(), assignment.equations.len());
+    let mut graph = petgraph::graph::DiGraph::<usize, ()>::with_capacity(
+        nodes.len(),
+        assignment.equations.len(),
+    );
     let handles: Vec<_> = (0..nodes.len()).map(|i| graph.add_node(i)).collect();
     for (_, at, other) in &assignment.equations {
         if let (Some(&a), Some(&b)) = (index.get(at), index.get(other)) {
             graph.update_edge(handles[a], handles[b], ());
         }
     }
-    let mut parts: Vec<Vec<usize>> =
-        petgraph::algo::tarjan_scc(&graph).into_iter().map(|c| c.into_iter().map(|h| graph[h]).collect::<Vec<_>>()).collect();
+    let mut parts: Vec<Vec<usize>> = petgraph::algo::tarjan_scc(&graph)
+        .into_iter()
+        .map(|c| c.into_iter().map(|h| graph[h]).collect::<Vec<_>>())
+        .collect();
     for p in &mut parts {
         p.sort_unstable();
     }
@@ -198,7 +203,11 @@ pub(crate) fn find(scene: &Scene, m: &mut Mechanism, assignment: &Assignment) {
 
 /// Returns an order in which every part comes after those that it needs; of the ready parts, the
 /// first in the scene comes first.
-fn topological(parts: &[Vec<usize>], part_of: &[usize], graph: &petgraph::graph::DiGraph<usize, ()>) -> Vec<usize> {
+fn topological(
+    parts: &[Vec<usize>],
+    part_of: &[usize],
+    graph: &petgraph::graph::DiGraph<usize, ()>,
+) -> Vec<usize> {
     let mut needs: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); parts.len()];
     let mut feeds: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); parts.len()];
     for e in graph.raw_edges() {
@@ -208,8 +217,10 @@ fn topological(parts: &[Vec<usize>], part_of: &[usize], graph: &petgraph::graph:
             feeds[b].insert(a);
         }
     }
-    let mut ready: BinaryHeap<Reverse<(usize, usize)>> =
-        (0..parts.len()).filter(|&p| needs[p].is_empty()).map(|p| Reverse((parts[p][0], p))).collect();
+    let mut ready: BinaryHeap<Reverse<(usize, usize)>> = (0..parts.len())
+        .filter(|&p| needs[p].is_empty())
+        .map(|p| Reverse((parts[p][0], p)))
+        .collect();
     let mut order = Vec::with_capacity(parts.len());
     while let Some(Reverse((_, p))) = ready.pop() {
         order.push(p);
@@ -223,7 +234,13 @@ fn topological(parts: &[Vec<usize>], part_of: &[usize], graph: &petgraph::graph:
     order
 }
 
-fn find_core(scene: &Scene, m: &Mechanism, links: &[LinkId], pins: &[PointId], constraints: &[usize]) -> Core {
+fn find_core(
+    scene: &Scene,
+    m: &Mechanism,
+    links: &[LinkId],
+    pins: &[PointId],
+    constraints: &[usize],
+) -> Core {
     let cs: Vec<PairForm> = constraints.iter().map(|&i| m.constraints[i].form()).collect();
     if let [pin] = pins[..]
         && let Some(legs) = legs_of_pin(links, pin, &cs)
@@ -244,8 +261,14 @@ fn slide_of(cs: &[PairForm], guide: GuideId) -> Option<usize> {
 }
 
 /// Returns the pins that forms put on a link.
-fn on_link<'a>(cs: impl IntoIterator<Item = &'a PairForm>, l: LinkId) -> impl Iterator<Item = PointId> {
-    cs.into_iter().filter_map(PairForm::meets).filter(move |(_, link)| *link == l).map(|(pin, _)| pin)
+fn on_link<'a>(
+    cs: impl IntoIterator<Item = &'a PairForm>,
+    l: LinkId,
+) -> impl Iterator<Item = PointId> {
+    cs.into_iter()
+        .filter_map(PairForm::meets)
+        .filter(move |(_, link)| *link == l)
+        .map(|(pin, _)| pin)
 }
 
 /// Returns the legs of a pin, if every link of the group is a bar from a known pin to it.
@@ -259,8 +282,9 @@ fn legs_of_pin(links: &[LinkId], pin: PointId, cs: &[PairForm]) -> Option<Vec<Le
         if near && mine.len() == 2 {
             legs.push(Leg::Bar { link: l, near: pin, far });
             used += 2;
-        } else if let Some(guide) = mine.iter().find_map(|c| c.path().filter(|_| c.driver().is_none() && c.ends().0 == GraphNode::Pin(pin)))
-            && let Some(driver) = slide_of(cs, guide)
+        } else if let Some(guide) = mine.iter().find_map(|c| {
+            c.path().filter(|_| c.driver().is_none() && c.ends().0 == GraphNode::Pin(pin))
+        }) && let Some(driver) = slide_of(cs, guide)
             && mine.len() == 3
         {
             legs.push(Leg::Ram { link: l, far, guide, driver, near: pin });
@@ -275,7 +299,9 @@ fn legs_of_pin(links: &[LinkId], pin: PointId, cs: &[PairForm]) -> Option<Vec<Le
                 legs.push(Leg::Carried { link });
                 used += 1;
             }
-            PairForm::OnPath { runner: Runner::Pin(p), guide, on } if p == pin && !links.contains(&on) => {
+            PairForm::OnPath { runner: Runner::Pin(p), guide, on }
+                if p == pin && !links.contains(&on) =>
+            {
                 if let Some(driver) = slide_of(cs, guide) {
                     legs.push(Leg::Driven { guide, driver, pin });
                     used += 2;
@@ -285,7 +311,11 @@ fn legs_of_pin(links: &[LinkId], pin: PointId, cs: &[PairForm]) -> Option<Vec<Le
                 }
             }
             PairForm::Distance { from, to, driver } => {
-                legs.push(Leg::Cylinder { driver, near: pin, far: if from == pin { to } else { from } });
+                legs.push(Leg::Cylinder {
+                    driver,
+                    near: pin,
+                    far: if from == pin { to } else { from },
+                });
                 used += 1;
             }
             // The forms of bars and rams are counted with them, a driver along a guide with its
@@ -304,7 +334,13 @@ fn legs_of_pin(links: &[LinkId], pin: PointId, cs: &[PairForm]) -> Option<Vec<Le
 
 /// Returns the legs of a link, if every other link of the group is a bar from a known pin to one of
 /// the core's pins.
-fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId, cs: &[PairForm]) -> Option<Vec<Leg>> {
+fn legs_of_link(
+    scene: &Scene,
+    links: &[LinkId],
+    pins: &[PointId],
+    core: LinkId,
+    cs: &[PairForm],
+) -> Option<Vec<Leg>> {
     let mut legs = Vec::new();
     let mut used = 0;
     // Every pin of the group must be on the core.
@@ -325,7 +361,8 @@ fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId,
         used += 2;
     }
     // The other one of two links, if it is known.
-    let known = |a: LinkId, b: LinkId| Some(if a == core { b } else { a }).filter(|l| !links.contains(l));
+    let known =
+        |a: LinkId, b: LinkId| Some(if a == core { b } else { a }).filter(|l| !links.contains(l));
     for c in cs {
         match *c {
             PairForm::Meet { pin, link } if link == core && !pins.contains(&pin) => {
@@ -388,7 +425,9 @@ impl Mechanism {
     /// of a driver's numbered links; `None` if the link is not passive.
     pub fn passive_carrier(&self, scene: &Scene, l: LinkId) -> Option<Vec<GraphNode>> {
         Some(match self.passive[l.0]? {
-            Passive::Block(g) => vec![GraphNode::Link(scene.guides[g.0].on), GraphNode::Pin(scene.guides[g.0].pin?)],
+            Passive::Block(g) => {
+                vec![GraphNode::Link(scene.guides[g.0].on), GraphNode::Pin(scene.guides[g.0].pin?)]
+            }
             Passive::Cylinder(d) => scene.drivers[d].kind.ends()?.map(GraphNode::Pin).to_vec(),
             Passive::Held(a, b) => vec![GraphNode::Pin(a), GraphNode::Pin(b)],
         })

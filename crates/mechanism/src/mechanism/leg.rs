@@ -1,11 +1,11 @@
 //! Legs: the connections of a group's core to known bodies.
 //!
-//! This module derives from topology alone what a leg gives of the core, as a statement ([`LegStatement`],
-//! [`Hold`], [`ConstraintLine`]) that is the same for legs of the same geometry; and the
-//! consequences: the freedoms that the leg takes and its letter in the name of a dyad. Positions,
-//! plan, drawing and sweep match the statements and evaluate them each in its own numbers; they do
-//! not distinguish the kinds of leg. The legs of a group are found in [`super::groups`]; no length
-//! is used here.
+//! This module derives from topology alone what a leg gives of the core, as a statement
+//! ([`LegStatement`], [`Hold`], [`ConstraintLine`]) that is the same for legs of the same geometry;
+//! and the consequences: the freedoms that the leg takes and its letter in the name of a dyad.
+//! Positions, plan, drawing and sweep match the statements and evaluate them each in its own
+//! numbers; they do not distinguish the kinds of leg. The legs of a group are found in
+//! [`super::groups`]; no length is used here.
 
 use hodograph_scene::{GuideId, LinkId, PointId, RollingId};
 
@@ -59,7 +59,8 @@ pub enum Leg {
         /// The known pin.
         far: PointId,
     },
-    /// The core link glides along a known link (or carries the guide along which a known link glides).
+    /// The core link glides along a known link (or carries the guide along which a known link
+    /// glides).
     Glide {
         /// The guide.
         guide: GuideId,
@@ -268,14 +269,20 @@ impl Leg {
             Leg::Pinned { pin } => return LegStatement::Pivot(pin),
             Leg::Angle { of, driver } => return LegStatement::Angle { of, driver },
             Leg::Bar { link, near, far } => Hold::Distance { near, far, strut: Strut::Bar(link) },
-            Leg::Cylinder { driver, near, far } => Hold::Distance { near, far, strut: Strut::Cylinder(driver) },
-            Leg::Ram { link, far, guide, driver, near } => Hold::Distance { near, far, strut: Strut::Ram { link, guide, driver } },
+            Leg::Cylinder { driver, near, far } => {
+                Hold::Distance { near, far, strut: Strut::Cylinder(driver) }
+            }
+            Leg::Ram { link, far, guide, driver, near } => {
+                Hold::Distance { near, far, strut: Strut::Ram { link, guide, driver } }
+            }
             Leg::OnGuide { pin, guide } => Hold::Guide { pin, guide, driver: None },
             Leg::Driven { guide, driver, pin } => Hold::Guide { pin, guide, driver: Some(driver) },
             Leg::InSlot { pin, guide } => Hold::Slot { pin, guide },
             Leg::Rolls { pair, other, at } => Hold::Rolls { pair, other, at },
             Leg::Glide { guide, other } => Hold::Glide { guide, other, driver: None },
-            Leg::DrivenGlide { guide, other, driver } => Hold::Glide { guide, other, driver: Some(driver) },
+            Leg::DrivenGlide { guide, other, driver } => {
+                Hold::Glide { guide, other, driver: Some(driver) }
+            }
         })
     }
 
@@ -284,8 +291,13 @@ impl Leg {
     pub fn freedoms(&self) -> usize {
         match self.gives() {
             LegStatement::Carrier(_) | LegStatement::Pivot(_) => 2,
-            LegStatement::Angle { .. } | LegStatement::Hold(Hold::Distance { .. } | Hold::Slot { .. } | Hold::Rolls { .. }) => 1,
-            LegStatement::Hold(Hold::Guide { driver, .. } | Hold::Glide { driver, .. }) => 1 + usize::from(driver.is_some()),
+            LegStatement::Angle { .. }
+            | LegStatement::Hold(Hold::Distance { .. } | Hold::Slot { .. } | Hold::Rolls { .. }) => {
+                1
+            }
+            LegStatement::Hold(Hold::Guide { driver, .. } | Hold::Glide { driver, .. }) => {
+                1 + usize::from(driver.is_some())
+            }
         }
     }
 
@@ -296,7 +308,9 @@ impl Leg {
             LegStatement::Pivot(_) | LegStatement::Hold(Hold::Distance { .. }) => "R",
             LegStatement::Carrier(_)
             | LegStatement::Angle { .. }
-            | LegStatement::Hold(Hold::Guide { .. } | Hold::Slot { .. } | Hold::Glide { .. }) => "P",
+            | LegStatement::Hold(Hold::Guide { .. } | Hold::Slot { .. } | Hold::Glide { .. }) => {
+                "P"
+            }
             LegStatement::Hold(Hold::Rolls { .. }) => "G",
         }
     }
@@ -305,12 +319,15 @@ impl Leg {
     /// too, but changes its own length.
     pub fn drives(&self) -> bool {
         match self.gives() {
-            LegStatement::Angle { driver, .. } | LegStatement::Hold(Hold::Guide { driver, .. } | Hold::Glide { driver, .. }) => {
+            LegStatement::Angle { driver, .. }
+            | LegStatement::Hold(Hold::Guide { driver, .. } | Hold::Glide { driver, .. }) => {
                 driver.is_some()
             }
             LegStatement::Carrier(_)
             | LegStatement::Pivot(_)
-            | LegStatement::Hold(Hold::Distance { .. } | Hold::Slot { .. } | Hold::Rolls { .. }) => false,
+            | LegStatement::Hold(Hold::Distance { .. } | Hold::Slot { .. } | Hold::Rolls { .. }) => {
+                false
+            }
         }
     }
 
@@ -357,7 +374,9 @@ impl Hold {
     pub fn line(&self) -> Option<ConstraintLine> {
         match *self {
             Hold::Distance { near, far, .. } => Some(ConstraintLine::Along { near, far }),
-            Hold::Guide { pin, guide, driver: None } | Hold::Slot { pin, guide } => Some(ConstraintLine::Normal { pin, guide }),
+            Hold::Guide { pin, guide, driver: None } | Hold::Slot { pin, guide } => {
+                Some(ConstraintLine::Normal { pin, guide })
+            }
             Hold::Rolls { pair, at, .. } => Some(ConstraintLine::Tangent { pair, at }),
             Hold::Guide { driver: Some(_), .. } | Hold::Glide { .. } => None,
         }
@@ -377,12 +396,19 @@ impl ConstraintLine {
 impl CoreLoci {
     /// Returns the combined information of the legs of a core.
     pub fn of(legs: &[Leg]) -> CoreLoci {
-        let mut entry = CoreLoci { carrier: None, pivot: None, angle: None, holds: Vec::with_capacity(legs.len()) };
+        let mut entry = CoreLoci {
+            carrier: None,
+            pivot: None,
+            angle: None,
+            holds: Vec::with_capacity(legs.len()),
+        };
         for leg in legs {
             match leg.gives() {
                 LegStatement::Carrier(link) => entry.carrier = entry.carrier.or(Some(link)),
                 LegStatement::Pivot(pin) => entry.pivot = entry.pivot.or(Some(pin)),
-                LegStatement::Angle { of, driver } => entry.angle = entry.angle.or(Some((of, driver))),
+                LegStatement::Angle { of, driver } => {
+                    entry.angle = entry.angle.or(Some((of, driver)))
+                }
                 LegStatement::Hold(hold) => entry.holds.push(hold),
             }
         }

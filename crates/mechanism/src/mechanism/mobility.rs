@@ -12,7 +12,8 @@ use std::collections::BTreeSet;
 /// Mobility F = 3n − 2P_L − P_H with its counts.
 ///
 /// # Source
-/// Chebychev–Grübler–Kutzbach criterion for planar mechanisms (e.g. Norton, *Design of Machinery*, §2.5).
+/// Chebychev–Grübler–Kutzbach criterion for planar mechanisms (e.g. Norton, *Design of Machinery*,
+/// §2.5).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mobility {
     /// Moving links.
@@ -65,7 +66,12 @@ pub(super) struct Matched {
 
 impl Matched {
     /// Matches equations with freedoms, in the order of the constraints.
-    pub fn new(scene: &Scene, passive: &[Option<Passive>], pins: &[PointId], constraints: &[Constraint]) -> Matched {
+    pub fn new(
+        scene: &Scene,
+        passive: &[Option<Passive>],
+        pins: &[PointId],
+        constraints: &[Constraint],
+    ) -> Matched {
         let nodes = Nodes { links: scene.links.len() };
         let mut capacity = vec![0usize; scene.links.len() + scene.points.len()];
         for (l, p) in passive.iter().enumerate() {
@@ -137,13 +143,20 @@ impl Matched {
     fn assignment(self) -> Assignment {
         let nodes = self.nodes;
         let equations = self.units.into_iter().zip(self.owner);
-        let told = equations.filter_map(|((c, a, b), o)| Some(if nodes.index(a) == o? { (c, a, b) } else { (c, b, a) }));
+        let told = equations.filter_map(|((c, a, b), o)| {
+            Some(if nodes.index(a) == o? { (c, a, b) } else { (c, b, a) })
+        });
         Assignment { equations: told.collect() }
     }
 }
 
 /// Returns true if every equation can be assigned to a node: no pair repeats others.
-pub(super) fn all_matched(scene: &Scene, passive: &[Option<Passive>], pins: &[PointId], constraints: &[Constraint]) -> bool {
+pub(super) fn all_matched(
+    scene: &Scene,
+    passive: &[Option<Passive>],
+    pins: &[PointId],
+    constraints: &[Constraint],
+) -> bool {
     Matched::new(scene, passive, pins, constraints).unmatched.is_empty()
 }
 
@@ -159,7 +172,10 @@ pub(super) fn assign(
 ) -> Result<Assignment, Faults> {
     let m = Matched::new(scene, passive, pins, constraints);
     let mut faults = Faults::default();
-    let free: Vec<GraphNode> = (0..m.capacity.len()).filter(|&n| m.held[n].len() < m.capacity[n]).map(|n| m.nodes.at(n)).collect();
+    let free: Vec<GraphNode> = (0..m.capacity.len())
+        .filter(|&n| m.held[n].len() < m.capacity[n])
+        .map(|n| m.nodes.at(n))
+        .collect();
     if !free.is_empty() {
         faults.push(too_free(scene, constraints, m.free(), &free));
     }
@@ -229,7 +245,12 @@ fn describe(scene: &Scene, n: GraphNode) -> Both {
     }
 }
 
-fn too_free(scene: &Scene, constraints: &[Constraint], missing: usize, free: &[GraphNode]) -> Diagnostic {
+fn too_free(
+    scene: &Scene,
+    constraints: &[Constraint],
+    missing: usize,
+    free: &[GraphNode],
+) -> Diagnostic {
     let names: Vec<_> = free.iter().map(|n| describe(scene, *n)).collect();
     let drivers = scene.own_drivers();
     let span = match free[0] {
@@ -272,14 +293,22 @@ fn unlisted_pivots(scene: &Scene) -> Option<Both> {
         .filter(|(i, p)| {
             let carriers: Vec<_> = scene.carriers(PointId(*i)).collect();
             let runs = scene.guides.iter().any(|g| g.pin == Some(PointId(*i)));
-            matches!(p.place, hodograph_scene::PointPlace::At(_)) && !runs && carriers.len() == 1 && carriers[0] != scene.ground
+            matches!(p.place, hodograph_scene::PointPlace::At(_))
+                && !runs
+                && carriers.len() == 1
+                && carriers[0] != scene.ground
         })
         .map(|(_, p)| p.name.as_str())
         .collect();
     (!names.is_empty()).then(|| Both::names(&names))
 }
 
-fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, GraphNode, GraphNode)], unmatched: &[usize]) -> Diagnostic {
+fn too_tight(
+    scene: &Scene,
+    constraints: &[Constraint],
+    units: &[(usize, GraphNode, GraphNode)],
+    unmatched: &[usize],
+) -> Diagnostic {
     let mut names: Vec<Both> = Vec::new();
     let mut span = None;
     for &u in unmatched {
@@ -344,7 +373,8 @@ pub(super) fn count(scene: &Scene, constraints: &[Constraint]) -> Mobility {
         }
     }
     for pair in &scene.rolling {
-        let own = pair.guide().filter(|g| constraints.iter().any(|c| c.item() == PairItem::Guide(*g)));
+        let own =
+            pair.guide().filter(|g| constraints.iter().any(|c| c.item() == PairItem::Guide(*g)));
         match pair.kind.is_lower() {
             // The contact is part of the pair.
             true => lower += 1,

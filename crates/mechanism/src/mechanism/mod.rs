@@ -22,7 +22,10 @@ pub use demand::nodes_of;
 pub use groups::{Core, Group};
 pub use leg::{ConstraintLine, CoreLoci, Hold, Leg, LegStatement, Strut};
 pub use mobility::Mobility;
-pub use pair::{Constraint, PairForm, PairItem, Runner, constraints_of, moved_words, mover_words, rolling_pair_words, words_of};
+pub use pair::{
+    Constraint, PairForm, PairItem, Runner, constraints_of, moved_words, mover_words,
+    rolling_pair_words, words_of,
+};
 pub use redundant::{Opened, Redundant};
 pub use survey::{Counts, ForDrivers, Local, MobilitySurvey, compound};
 
@@ -104,7 +107,11 @@ impl Mechanism {
         if higher(&mechanism) {
             // Another pair of gears may keep a distance that only one pair must keep: the one is
             // chosen that leaves groups of a lower class.
-            let other = |g| Mechanism::opened(scene, OpenedPairs { touches: Some(g), ..opening.clone() }).ok().filter(|m| !higher(m));
+            let other = |g| {
+                Mechanism::opened(scene, OpenedPairs { touches: Some(g), ..opening.clone() })
+                    .ok()
+                    .filter(|m| !higher(m))
+            };
             mechanism = holding(scene).take(MOST_OPTIONAL).find_map(other).unwrap_or(mechanism);
         }
         Ok(Warned { value: mechanism, notes: Vec::new() })
@@ -127,7 +134,8 @@ impl Mechanism {
         };
         groups::find(scene, &mut mechanism, &assignment);
         if let Some(constraints) = turning::from_known_links(&mechanism) {
-            let assignment = mobility::assign(scene, &mechanism.passive, &mechanism.pins, &constraints)?;
+            let assignment =
+                mobility::assign(scene, &mechanism.passive, &mechanism.pins, &constraints)?;
             (mechanism.constraints, mechanism.groups) = (constraints, Vec::new());
             groups::find(scene, &mut mechanism, &assignment);
         }
@@ -136,7 +144,9 @@ impl Mechanism {
 
     /// Returns true if a guide constrains: a guide between gears may only repeat other pairs.
     pub fn guide_holds(&self, guide: &Guide, id: GuideId) -> bool {
-        self.keeps(id) && (guide.rolling.is_none() || self.constraints.iter().any(|c| c.item() == PairItem::Guide(id)))
+        self.keeps(id)
+            && (guide.rolling.is_none()
+                || self.constraints.iter().any(|c| c.item() == PairItem::Guide(id)))
     }
 
     /// Returns the path that keeps a rolling pair in contact, if it constrains.
@@ -200,7 +210,9 @@ impl Mechanism {
     /// cylinder, or the two pins of a link that only repeats others.
     pub fn line_of(&self, scene: &Scene, l: LinkId) -> Option<(PointId, PointId)> {
         match (self.passive[l.0]?, self.held(l)) {
-            (Passive::Cylinder(d), _) => scene.drivers[d].kind.ends_of(l).map(<(PointId, PointId)>::from),
+            (Passive::Cylinder(d), _) => {
+                scene.drivers[d].kind.ends_of(l).map(<(PointId, PointId)>::from)
+            }
             (Passive::Held(..) | Passive::Block(_), held) => held,
         }
     }
@@ -230,7 +242,8 @@ fn find_passive(scene: &Scene) -> Vec<Option<Passive>> {
         if id == scene.ground || passive[i].is_some() || link.points.len() != 1 {
             continue;
         }
-        let as_slider: Vec<usize> = (0..scene.guides.len()).filter(|&g| scene.guides[g].slider == Some(id)).collect();
+        let as_slider: Vec<usize> =
+            (0..scene.guides.len()).filter(|&g| scene.guides[g].slider == Some(id)).collect();
         let carries = scene.guides.iter().any(|g| g.on == id);
         let turned = scene.drivers.iter().any(|d| d.kind.turns_link(id));
         if let [g] = as_slider[..]
@@ -250,11 +263,14 @@ fn find_passive(scene: &Scene) -> Vec<Option<Passive>> {
 fn curved_sliders(scene: &Scene, passive: &[Option<Passive>]) -> Faults {
     let mut faults = Faults::default();
     for (i, guide) in scene.guides.iter().enumerate() {
-        let (Some(s), GuidePath::Arc { centre, .. }) = (guide.slider, &guide.path) else { continue };
+        let (Some(s), GuidePath::Arc { centre, .. }) = (guide.slider, &guide.path) else {
+            continue;
+        };
         if passive[s.0] == Some(Passive::Block(GuideId(i))) {
             continue;
         }
-        let (slider, on, centre) = (scene.link_name(s), scene.link_name(guide.on), scene.point_name(*centre));
+        let (slider, on, centre) =
+            (scene.link_name(s), scene.link_name(guide.on), scene.point_name(*centre));
         faults.push(
             Diagnostic::error(
                 "curved-slider",
@@ -277,7 +293,9 @@ fn curved_sliders(scene: &Scene, passive: &[Option<Passive>]) -> Faults {
 fn cylinder_parts(scene: &Scene, passive: &[Option<Passive>], faults: &mut Faults) {
     let part = |l: LinkId| matches!(passive[l.0], Some(Passive::Cylinder(_)));
     let guides = scene.guides.iter().map(|g| ([Some(g.on), g.slider], g.span));
-    let turns = scene.drivers.iter().filter_map(|d| d.kind.turned().map(|(link, against)| ([Some(link), Some(against)], d.span)));
+    let turns = scene.drivers.iter().filter_map(|d| {
+        d.kind.turned().map(|(link, against)| ([Some(link), Some(against)], d.span))
+    });
     for (links, span) in guides.chain(turns) {
         for l in links.into_iter().flatten().filter(|l| part(*l)) {
             let message = both!(
@@ -297,7 +315,10 @@ fn cylinder_parts(scene: &Scene, passive: &[Option<Passive>], faults: &mut Fault
 fn find_pins(scene: &Scene, opening: &OpenedPairs) -> Vec<PointId> {
     let mut is_pin = vec![false; scene.points.len()];
     for (p, pin) in is_pin.iter_mut().enumerate() {
-        let on = scene.carriers(PointId(p)).filter(|l| matches!(opening.passive[l.0], None | Some(Passive::Held(..)))).count();
+        let on = scene
+            .carriers(PointId(p))
+            .filter(|l| matches!(opening.passive[l.0], None | Some(Passive::Held(..))))
+            .count();
         *pin = on >= 2;
     }
     for g in &scene.guides {
@@ -317,12 +338,23 @@ fn find_pins(scene: &Scene, opening: &OpenedPairs) -> Vec<PointId> {
 /// constraint: the link only follows.
 fn find_constraints(scene: &Scene, opening: &OpenedPairs, pins: &[PointId]) -> Vec<Constraint> {
     let on_links = pins.iter().flat_map(|&p| scene.carriers(p).map(move |l| PairItem::Pin(p, l)));
-    let guides = scene.guides.iter().enumerate().filter(|(_, g)| !is_optional(scene, g)).map(|(i, _)| PairItem::Guide(GuideId(i)));
+    let guides = scene
+        .guides
+        .iter()
+        .enumerate()
+        .filter(|(_, g)| !is_optional(scene, g))
+        .map(|(i, _)| PairItem::Guide(GuideId(i)));
     let drivers = (0..scene.drivers.len()).map(PairItem::Driver);
     let rolling = (0..scene.rolling.len()).map(|r| PairItem::Rolling(RollingId(r)));
-    let kept = on_links.chain(guides).chain(drivers).chain(rolling).filter(|item| opening.keeps_item(*item));
+    let kept = on_links
+        .chain(guides)
+        .chain(drivers)
+        .chain(rolling)
+        .filter(|item| opening.keeps_item(*item));
     let follows = |n: GraphNode| matches!(n, GraphNode::Link(l) if opening.passive[l.0].is_some());
-    kept.flat_map(|item| constraints_of(scene, item)).filter(|c| !follows(c.ends().0) && !follows(c.ends().1)).collect()
+    kept.flat_map(|item| constraints_of(scene, item))
+        .filter(|c| !follows(c.ends().0) && !follows(c.ends().1))
+        .collect()
 }
 
 /// Returns true if a guide keeps two gears in contact that other pairs may already keep in contact:
@@ -339,7 +371,12 @@ fn holding(scene: &Scene) -> impl Iterator<Item = GuideId> {
 
 /// Adds the guides that keep gears in contact if nothing else does: those whose equation can be
 /// matched in addition to all others. The guide that the opening names comes first.
-fn touching(scene: &Scene, opening: &OpenedPairs, pins: &[PointId], mut constraints: Vec<Constraint>) -> Vec<Constraint> {
+fn touching(
+    scene: &Scene,
+    opening: &OpenedPairs,
+    pins: &[PointId],
+    mut constraints: Vec<Constraint>,
+) -> Vec<Constraint> {
     let passive = &opening.passive;
     let optional = holding(scene).filter(|g| opening.touches != Some(*g));
     for g in opening.touches.into_iter().chain(optional) {

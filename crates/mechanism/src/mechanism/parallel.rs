@@ -27,7 +27,11 @@ pub(super) fn circles(scene: &Scene, constraints: &[Constraint], still: &[bool])
     directions.into_iter().map(|d| circles_across(scene, (constraints, still), d)).sum()
 }
 
-fn circles_across(scene: &Scene, (constraints, still): (&[Constraint], &[bool]), direction: f64) -> usize {
+fn circles_across(
+    scene: &Scene,
+    (constraints, still): (&[Constraint], &[bool]),
+    direction: f64,
+) -> usize {
     let index = |n: GraphNode| match n {
         GraphNode::Link(l) => l.0,
         GraphNode::Pin(p) => scene.links.len() + p.0,
@@ -53,13 +57,18 @@ fn across(scene: &Scene, still: &[bool], form: PairForm) -> Option<f64> {
 pub(super) fn runs_along(scene: &Scene, pitch: &Guide) -> bool {
     let along = |g: &Guide| direction(g).zip(direction(pitch)).is_some_and(|(a, b)| parallel(a, b));
     let carries = |l: LinkId| pitch.pin.is_some_and(|axis| scene.links[l.0].points.contains(&axis));
-    scene.guides.iter().any(|g| g.rolling.is_none() && g.slider == Some(pitch.on) && carries(g.on) && along(g))
+    scene
+        .guides
+        .iter()
+        .any(|g| g.rolling.is_none() && g.slider == Some(pitch.on) && carries(g.on) && along(g))
 }
 
 /// Returns the direction of a straight guide (rad), if it is given at the instant.
 fn direction(guide: &Guide) -> Option<f64> {
     match &guide.path {
-        GuidePath::Line { direction: GuideDirection::Instant(angle), .. } => Some(angle.value.radians()),
+        GuidePath::Line { direction: GuideDirection::Instant(angle), .. } => {
+            Some(angle.value.radians())
+        }
         GuidePath::Line { .. } | GuidePath::Arc { .. } => None,
     }
 }

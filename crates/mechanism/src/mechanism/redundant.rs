@@ -15,7 +15,9 @@
 //! parallel guides.
 
 use super::mobility::Matched;
-use super::{Constraint, Core, Mechanism, PairItem, Passive, find_constraints, find_pins, touching};
+use super::{
+    Constraint, Core, Mechanism, PairItem, Passive, find_constraints, find_pins, touching,
+};
 use hodograph_base::diag::Span;
 use hodograph_scene::{Guide, GuideId, LinkId, Normal, PointId, Rolling, RollingId, Scene, Touch};
 use std::cmp::Reverse;
@@ -88,7 +90,9 @@ impl OpenedPairs {
         if let (Opened::Link(l), [a, b, ..]) = (&candidate.opened, &candidate.pins[..]) {
             opening.passive[l.0] = Some(Passive::Held(*a, *b));
         }
-        opening.redundant.push(Redundant { opened: candidate.opened.clone(), equations: candidate.equations });
+        opening
+            .redundant
+            .push(Redundant { opened: candidate.opened.clone(), equations: candidate.equations });
         opening
     }
 }
@@ -122,7 +126,8 @@ pub(super) fn open(scene: &Scene, closed: &OpenedPairs) -> Option<OpenedPairs> {
         return None;
     }
     if moves && matched.circuits().any(many) {
-        let opening = equal_planets(scene).iter().fold(closed.clone(), |opening, c| opening.with(c));
+        let opening =
+            equal_planets(scene).iter().fold(closed.clone(), |opening, c| opening.with(c));
         let opening = between_parallels(scene, opening, &candidates(scene, closed, &pins));
         let left = opening.matched(scene);
         return (left.unmatched() == 0 && left.free() == 0).then_some(opening);
@@ -144,9 +149,14 @@ pub(super) fn open(scene: &Scene, closed: &OpenedPairs) -> Option<OpenedPairs> {
 
 /// Returns the opening without guides that repeat a distance across parallel guides, such as the
 /// contact of a roller or the second of two planks.
-fn between_parallels(scene: &Scene, mut opening: OpenedPairs, candidates: &[OpeningCandidate]) -> OpenedPairs {
+fn between_parallels(
+    scene: &Scene,
+    mut opening: OpenedPairs,
+    candidates: &[OpeningCandidate],
+) -> OpenedPairs {
     let still = scene.turning_with(scene.ground);
-    let circles = |o: &OpenedPairs| super::parallel::circles(scene, &o.pins_and_constraints(scene).1, &still);
+    let circles =
+        |o: &OpenedPairs| super::parallel::circles(scene, &o.pins_and_constraints(scene).1, &still);
     let (mut said, mut unmatched) = (circles(&opening), opening.matched(scene).unmatched());
     for c in candidates.iter().filter(|c| matches!(c.opened, Opened::Guide(_))) {
         if said == 0 || unmatched == 0 {
@@ -171,7 +181,13 @@ struct OpeningSearch<'a> {
 impl OpeningSearch<'_> {
     /// Finds all sets of `count` candidates whose opening leaves every equation matched and no
     /// freedom open; `unmatched` is the number of equations not matched before.
-    fn choose(&mut self, so_far: &OpenedPairs, candidates: &[OpeningCandidate], count: usize, unmatched: usize) {
+    fn choose(
+        &mut self,
+        so_far: &OpenedPairs,
+        candidates: &[OpeningCandidate],
+        count: usize,
+        unmatched: usize,
+    ) {
         // No `count` candidates have more redundant equations than this.
         if count * candidates.iter().map(|c| c.equations).max().unwrap_or(0) < unmatched {
             return;
@@ -203,37 +219,70 @@ impl OpeningSearch<'_> {
 /// class III, and the number of groups of class III; compared in this order.
 fn rank(scene: &Scene, m: &Mechanism) -> [usize; 3] {
     let of = |class| m.groups.iter().filter(|g| g.class() == Some(class)).count();
-    [super::parallel::circles(scene, &m.constraints, &m.never_turns), m.groups.iter().filter(|g| g.core == Core::Higher).count(), of("III")]
+    [
+        super::parallel::circles(scene, &m.constraints, &m.never_turns),
+        m.groups.iter().filter(|g| g.core == Core::Higher).count(),
+        of("III"),
+    ]
 }
 
 /// Returns the items that may be opened, the last in the file first.
 fn candidates(scene: &Scene, closed: &OpenedPairs, pins: &[PointId]) -> Vec<OpeningCandidate> {
-    let links = (0..scene.links.len()).map(LinkId).filter(|l| *l != scene.ground && closed.passive[l.0].is_none());
-    let mut all: Vec<OpeningCandidate> = links.filter_map(|l| as_follower(scene, pins, l)).collect();
+    let links = (0..scene.links.len())
+        .map(LinkId)
+        .filter(|l| *l != scene.ground && closed.passive[l.0].is_none());
+    let mut all: Vec<OpeningCandidate> =
+        links.filter_map(|l| as_follower(scene, pins, l)).collect();
     let driven = |g: usize| scene.drivers.iter().any(|d| d.kind.guide() == Some(GuideId(g)));
     // Teeth keep a distance only if nothing else does; a wheel on its track may be in contact
     // because its axle keeps it there.
-    let toothed = |guide: &Guide| guide.rolling.is_some_and(|r| scene.rolling[r.0].kind.leaves_distance());
-    for (g, guide) in scene.guides.iter().enumerate().filter(|(g, guide)| !driven(*g) && !toothed(guide)) {
-        let block = guide.slider.is_some_and(|s| closed.passive[s.0] == Some(Passive::Block(GuideId(g))));
+    let toothed =
+        |guide: &Guide| guide.rolling.is_some_and(|r| scene.rolling[r.0].kind.leaves_distance());
+    for (g, guide) in
+        scene.guides.iter().enumerate().filter(|(g, guide)| !driven(*g) && !toothed(guide))
+    {
+        let block =
+            guide.slider.is_some_and(|s| closed.passive[s.0] == Some(Passive::Block(GuideId(g))));
         let equations = match (guide.slider.filter(|_| !block), guide.pin) {
             (Some(_), _) => 2,
             (None, _) => 1,
         };
-        all.push(OpeningCandidate { opened: Opened::Guide(GuideId(g)), pins: Vec::new(), equations, span: guide.span });
+        all.push(OpeningCandidate {
+            opened: Opened::Guide(GuideId(g)),
+            pins: Vec::new(),
+            equations,
+            span: guide.span,
+        });
     }
-    for (l, link) in scene.links.iter().enumerate().filter(|(l, _)| closed.passive[*l].is_none() && *l != scene.ground.0) {
+    for (l, link) in scene
+        .links
+        .iter()
+        .enumerate()
+        .filter(|(l, _)| closed.passive[*l].is_none() && *l != scene.ground.0)
+    {
         for &p in link.points.iter().rev() {
             let other = |k: &LinkId| {
-                k.0 != l && closed.passive[k.0].is_none() && link.points.iter().any(|q| *q != p && scene.links[k.0].points.contains(q))
+                k.0 != l
+                    && closed.passive[k.0].is_none()
+                    && link.points.iter().any(|q| *q != p && scene.links[k.0].points.contains(q))
             };
             if scene.carriers(p).any(|k| other(&k)) {
-                all.push(OpeningCandidate { opened: Opened::Pin(p, LinkId(l)), pins: Vec::new(), equations: 2, span: link.span });
+                all.push(OpeningCandidate {
+                    opened: Opened::Pin(p, LinkId(l)),
+                    pins: Vec::new(),
+                    equations: 2,
+                    span: link.span,
+                });
             }
         }
     }
     for (r, pair) in scene.rolling.iter().enumerate() {
-        all.push(OpeningCandidate { opened: Opened::Rolling(RollingId(r)), pins: Vec::new(), equations: 1, span: pair.span });
+        all.push(OpeningCandidate {
+            opened: Opened::Rolling(RollingId(r)),
+            pins: Vec::new(),
+            equations: 1,
+            span: pair.span,
+        });
     }
     all.sort_by_key(|c| Reverse(c.span.start));
     all
@@ -242,21 +291,32 @@ fn candidates(scene: &Scene, closed: &OpenedPairs, pins: &[PointId]) -> Vec<Open
 /// Returns the last mesh of every planet that has an equal planet before it: on the same arm, in
 /// mesh with the same wheels, in the same ratios.
 fn equal_planets(scene: &Scene) -> Vec<OpeningCandidate> {
-    let meshes = |l: LinkId| scene.rolling.iter().enumerate().filter(move |(_, r)| r.links.contains(&l));
+    let meshes =
+        |l: LinkId| scene.rolling.iter().enumerate().filter(move |(_, r)| r.links.contains(&l));
     let ratios = |l: LinkId| -> Option<Vec<(LinkId, Option<usize>, f64)>> {
         let mut all = meshes(l).map(|(_, r)| ratio(r, l)).collect::<Option<Vec<_>>>()?;
         all.sort_by_key(|(other, ..)| *other);
         Some(all)
     };
-    let arm = |l: LinkId| (0..scene.links.len()).map(LinkId).find(|a| *a != l && carries(scene, *a, l));
+    let arm =
+        |l: LinkId| (0..scene.links.len()).map(LinkId).find(|a| *a != l && carries(scene, *a, l));
     let links = || (0..scene.links.len()).map(LinkId);
     let fellow = |l: &LinkId| {
         let own = ratios(*l).filter(|r| r.len() > 1);
-        own.is_some() && arm(*l).is_some() && links().take(l.0).any(|k| arm(k) == arm(*l) && ratios(k) == own)
+        own.is_some()
+            && arm(*l).is_some()
+            && links().take(l.0).any(|k| arm(k) == arm(*l) && ratios(k) == own)
     };
     let last = |l: LinkId| meshes(l).next_back().map(|(r, pair)| (RollingId(r), pair.span));
     let opened = links().filter(fellow).filter_map(last);
-    opened.map(|(r, span)| OpeningCandidate { opened: Opened::Rolling(r), pins: Vec::new(), equations: 1, span }).collect()
+    opened
+        .map(|(r, span)| OpeningCandidate {
+            opened: Opened::Rolling(r),
+            pins: Vec::new(),
+            equations: 1,
+            span,
+        })
+        .collect()
 }
 
 /// Returns true if a wheel has its axis on a link that is no wheel of a pair with it.
@@ -272,15 +332,27 @@ fn ratio(pair: &Rolling, wheel: LinkId) -> Option<(LinkId, Option<usize>, f64)> 
     let radii = || pair.radii().map(|radii| radii.map(|r| r.value));
     let [a, b] = pair.teeth().map(|teeth| teeth.map(f64::from)).or_else(radii)?;
     let own = pair.links.iter().position(|l| *l == wheel)?;
-    Some((pair.links[1 - own], pair.hollow().map(|h| h ^ own), if own == 0 { a / b } else { b / a }))
+    Some((
+        pair.links[1 - own],
+        pair.hollow().map(|h| h ^ own),
+        if own == 0 { a / b } else { b / a },
+    ))
 }
 
 /// Returns a link that may be reduced to two of its pins: only pins hold it, and nothing drives it.
 fn as_follower(scene: &Scene, pins: &[PointId], l: LinkId) -> Option<OpeningCandidate> {
-    let slides = scene.guides.iter().any(|g| g.on == l || g.slider == Some(l)) || scene.rolling.iter().any(|r| r.links.contains(&l));
+    let slides = scene.guides.iter().any(|g| g.on == l || g.slider == Some(l))
+        || scene.rolling.iter().any(|r| r.links.contains(&l));
     let driven = scene.drivers.iter().any(|d| d.kind.turns_link(l));
-    let own: Vec<PointId> = scene.links[l.0].points.iter().copied().filter(|p| pins.contains(p)).collect();
+    let own: Vec<PointId> =
+        scene.links[l.0].points.iter().copied().filter(|p| pins.contains(p)).collect();
     // Each pin gives two equations, and the link takes three freedoms with it.
-    let equations = (2 * own.len()).checked_sub(3).filter(|_| own.len() >= 2 && !slides && !driven)?;
-    Some(OpeningCandidate { opened: Opened::Link(l), pins: own, equations, span: scene.links[l.0].span })
+    let equations =
+        (2 * own.len()).checked_sub(3).filter(|_| own.len() >= 2 && !slides && !driven)?;
+    Some(OpeningCandidate {
+        opened: Opened::Link(l),
+        pins: own,
+        equations,
+        span: scene.links[l.0].span,
+    })
 }

@@ -20,7 +20,8 @@ pub(super) fn from_known_links(m: &Mechanism) -> Option<Vec<Constraint>> {
             let before = turns_as.len();
             for &i in &group.constraints {
                 let Some((a, b)) = constraints[i].form().locks() else { continue };
-                let known = |l: LinkId| turns_as.iter().find(|(t, _)| *t == l).map(|(_, known)| *known);
+                let known =
+                    |l: LinkId| turns_as.iter().find(|(t, _)| *t == l).map(|(_, known)| *known);
                 match (of_group(a), of_group(b), known(a), known(b)) {
                     (true, false, None, _) => turns_as.push((a, b)),
                     (false, true, _, None) => turns_as.push((b, a)),

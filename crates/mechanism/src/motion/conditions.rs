@@ -1,7 +1,7 @@
 //! The conditions of pairs and drivers on the motion of one group, and their solution.
 //!
-//! The forms of pairs ([`PairForm`]) reduce to three: two points keep a distance; a point moves at a
-//! given rate along a direction of a body; a body turns relative to another at a given rate. Each
+//! The forms of pairs ([`PairForm`]) reduce to three: two points keep a distance; a point moves at
+//! a given rate along a direction of a body; a body turns relative to another at a given rate. Each
 //! is differentiated twice by hand. The same coefficients serve velocities, accelerations, and the
 //! derivatives of the closure equations.
 //!
@@ -83,8 +83,16 @@ enum MotionCondition<N> {
     /// is fixed in the body of Q, and P and Q coincide: k·(v_P − v_Q) = ṡ, k·(a_P − a_Q − 2ω_Q ×
     /// (v_P − v_Q)) = s̈.
     Along { p: ConditionPoint<N>, q: ConditionPoint<N>, k: Vec2<N>, rate: N, acceleration: N },
-    /// The distance P − Q, times a weight w: u = w (P − Q), u·(v_P − v_Q) = w l l̇, u·(a_P − a_Q) + w |v_P − v_Q|² = w (l̇² + l l̈).
-    Distance { p: ConditionPoint<N>, q: ConditionPoint<N>, u: Vec2<N>, weight: N, rate: N, acceleration: N },
+    /// The distance P − Q, times a weight w: u = w (P − Q), u·(v_P − v_Q) = w l l̇, u·(a_P − a_Q) +
+    /// w |v_P − v_Q|² = w (l̇² + l l̈).
+    Distance {
+        p: ConditionPoint<N>,
+        q: ConditionPoint<N>,
+        u: Vec2<N>,
+        weight: N,
+        rate: N,
+        acceleration: N,
+    },
     /// The sum of the angular velocities of bodies, each multiplied by a constant factor.
     Turning { bodies: Vec<(ConditionPoint<N>, N)>, rate: N, acceleration: N },
 }
@@ -93,8 +101,12 @@ impl<N: Real> MotionCondition<N> {
     /// Writes the coefficients into `row` and returns the right-hand side of the velocities.
     fn row(&self, row: &mut [N]) -> N {
         match self {
-            MotionCondition::Along { p, q, k, rate, .. } => *rate + p.add(row, *k) + q.add(row, -*k),
-            MotionCondition::Distance { p, q, u, rate, .. } => *rate + p.add(row, *u) + q.add(row, -*u),
+            MotionCondition::Along { p, q, k, rate, .. } => {
+                *rate + p.add(row, *k) + q.add(row, -*k)
+            }
+            MotionCondition::Distance { p, q, u, rate, .. } => {
+                *rate + p.add(row, *u) + q.add(row, -*u)
+            }
             MotionCondition::Turning { bodies, rate, .. } => {
                 let mut known = *rate;
                 for (body, factor) in bodies {
@@ -115,16 +127,19 @@ impl<N: Real> MotionCondition<N> {
             MotionCondition::Along { p, q, k, acceleration, .. } => {
                 let relative = p.velocity(x) - q.velocity(x);
                 let two = N::from_f64(2.0);
-                *acceleration + two * q.omega(x) * k.dot(relative.perp()) - k.dot(p.bias(x) - q.bias(x))
+                *acceleration + two * q.omega(x) * k.dot(relative.perp())
+                    - k.dot(p.bias(x) - q.bias(x))
             }
             MotionCondition::Distance { p, q, u, weight, acceleration, .. } => {
                 let relative = p.velocity(x) - q.velocity(x);
                 *acceleration - relative.norm2() * *weight - u.dot(p.bias(x) - q.bias(x))
             }
-            MotionCondition::Turning { bodies, acceleration, .. } => bodies.iter().fold(*acceleration, |sum, (body, factor)| match body {
-                ConditionPoint::Known(m, _) => sum - *factor * m.alpha,
-                ConditionPoint::Link(..) | ConditionPoint::Pin(_) => sum,
-            }),
+            MotionCondition::Turning { bodies, acceleration, .. } => {
+                bodies.iter().fold(*acceleration, |sum, (body, factor)| match body {
+                    ConditionPoint::Known(m, _) => sum - *factor * m.alpha,
+                    ConditionPoint::Link(..) | ConditionPoint::Pin(_) => sum,
+                })
+            }
         }
     }
 }
@@ -165,10 +180,18 @@ impl<N: Real> Conditions<N> {
         group: &Group,
         known: &MechanismMotion<N>,
     ) -> Conditions<N> {
-        let links: Vec<(LinkId, Point<N>)> = group.links.iter().map(|&l| (l, own_point(scene, at, l))).collect();
+        let links: Vec<(LinkId, Point<N>)> =
+            group.links.iter().map(|&l| (l, own_point(scene, at, l))).collect();
         let pins = group.pins.clone();
         let scale = power_of_two_scale(extent(scene, m, at, group));
-        let b = ConditionBuilder { scene, at, known, links: &links, pins: &pins, scale: N::from_f64(scale) };
+        let b = ConditionBuilder {
+            scene,
+            at,
+            known,
+            links: &links,
+            pins: &pins,
+            scale: N::from_f64(scale),
+        };
         let (mut list, mut of) = (Vec::new(), Vec::new());
         for &c in &group.constraints {
             b.push(m.constraints[c].form(), inputs, &mut list);
@@ -186,7 +209,8 @@ impl<N: Real> Conditions<N> {
             return None;
         }
         let mut matrix = vec![zero; n * n];
-        let mut rhs: Vec<N> = self.list.iter().zip(matrix.chunks_mut(n)).map(|(c, row)| c.row(row)).collect();
+        let mut rhs: Vec<N> =
+            self.list.iter().zip(matrix.chunks_mut(n)).map(|(c, row)| c.row(row)).collect();
         let lu = Lu::of(matrix, n)?;
         lu.solve(&mut rhs);
         let second = if accelerations {
@@ -205,7 +229,13 @@ impl<N: Real> Conditions<N> {
         let vec = |x: &[N], i: usize| Vec2::new(x[i], x[i + 1]) * back;
         for (i, &(l, at)) in self.links.iter().enumerate() {
             let i = 3 * i;
-            motion.links[l.0] = Some(LinkMotion { at, v: vec(v, i), omega: v[i + 2], a: vec(a, i), alpha: a[i + 2] });
+            motion.links[l.0] = Some(LinkMotion {
+                at,
+                v: vec(v, i),
+                omega: v[i + 2],
+                a: vec(a, i),
+                alpha: a[i + 2],
+            });
         }
         for (i, p) in self.pins.iter().enumerate() {
             let i = 3 * self.links.len() + 2 * i;
@@ -222,7 +252,8 @@ fn extent<N: Real>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, group: &
         let (a, b) = m.constraints[*c].ends();
         [a, b].into_iter().filter_map(|n| if let GraphNode::Pin(p) = n { Some(p) } else { None })
     });
-    let (mut lo, mut hi) = (Vec2::new(f64::INFINITY, f64::INFINITY), Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY));
+    let (mut lo, mut hi) =
+        (Vec2::new(f64::INFINITY, f64::INFINITY), Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY));
     for p in of_links.chain(of_pairs).filter_map(|p| at.points[p.0]).map(|p| p.approx()) {
         lo = Vec2::new(lo.x.min(p.x), lo.y.min(p.y));
         hi = Vec2::new(hi.x.max(p.x), hi.y.max(p.y));
@@ -235,7 +266,9 @@ fn extent<N: Real>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, group: &
 fn own_point<N: Real>(scene: &Scene, at: &Configuration<N>, l: LinkId) -> Point<N> {
     let points = scene.links[l.0].points.iter().find_map(|p| at.points[p.0]);
     let guided = || scene.guides.iter().filter(|g| g.on == l).find_map(|g| at.points[g.pin?.0]);
-    points.or_else(guided).unwrap_or_else(|| at.poses[l.0].expect("a link of a solved group is placed").origin)
+    points
+        .or_else(guided)
+        .unwrap_or_else(|| at.poses[l.0].expect("a link of a solved group is placed").origin)
 }
 
 impl<N: Real> ConditionBuilder<'_, N> {
@@ -246,7 +279,10 @@ impl<N: Real> ConditionBuilder<'_, N> {
         }
         let motion = self.known.links[l.0].expect("what a group rests on is solved");
         let (v, a) = (motion.velocity_at(place), motion.acceleration_at(place));
-        ConditionPoint::Known(self.scaled(LinkMotion { at: place, v, a, ..motion }), GraphNode::Link(l))
+        ConditionPoint::Known(
+            self.scaled(LinkMotion { at: place, v, a, ..motion }),
+            GraphNode::Link(l),
+        )
     }
 
     fn pin(&self, p: PointId) -> ConditionPoint<N> {
@@ -254,7 +290,10 @@ impl<N: Real> ConditionBuilder<'_, N> {
             return ConditionPoint::Pin(3 * self.links.len() + 2 * i);
         }
         let (v, a) = self.known.at_point(p).expect("what a group rests on is solved");
-        ConditionPoint::Known(self.scaled(LinkMotion { v, a, ..LinkMotion::rest(self.at.point(p)) }), GraphNode::Pin(p))
+        ConditionPoint::Known(
+            self.scaled(LinkMotion { v, a, ..LinkMotion::rest(self.at.point(p)) }),
+            GraphNode::Pin(p),
+        )
     }
 
     fn scaled(&self, m: LinkMotion<N>) -> LinkMotion<N> {
@@ -262,7 +301,12 @@ impl<N: Real> ConditionBuilder<'_, N> {
     }
 
     /// Adds both components of v_P = v_Q.
-    fn together(&self, p: ConditionPoint<N>, q: ConditionPoint<N>, list: &mut Vec<MotionCondition<N>>) {
+    fn together(
+        &self,
+        p: ConditionPoint<N>,
+        q: ConditionPoint<N>,
+        list: &mut Vec<MotionCondition<N>>,
+    ) {
         let zero = N::from_f64(0.0);
         for k in [Vec2::unit_x(), Vec2::unit_x().perp()] {
             // P and Q stay coincident: no body moves relative to the other there, whatever turns.
@@ -282,14 +326,21 @@ impl<N: Real> ConditionBuilder<'_, N> {
         let (rolling, zero) = (&self.scene.rolling[pair.0], N::from_f64(0.0));
         match rolling.touch() {
             Touch::Point(_) => {
-                let (place, n) = (self.at.point(rolling.at[0]), self.at.normal(self.scene, pair).expect("a planned contact is placed"));
+                let (place, n) = (
+                    self.at.point(rolling.at[0]),
+                    self.at.normal(self.scene, pair).expect("a planned contact is placed"),
+                );
                 let [a, b] = links.map(|l| self.body(l, place));
                 MotionCondition::Along { p: b, q: a, k: n.perp(), rate: zero, acceleration: zero }
             }
             Touch::Strand { arm, .. } => {
                 let [a, b] = self.at.shapes.rolling[pair.0];
                 let (ratio, one) = (a / b, N::from_f64(1.0));
-                let bodies = vec![self.turns(links[0], ratio), self.turns(links[1], one), self.turns(arm, -(ratio + one))];
+                let bodies = vec![
+                    self.turns(links[0], ratio),
+                    self.turns(links[1], one),
+                    self.turns(arm, -(ratio + one)),
+                ];
                 MotionCondition::Turning { bodies, rate: zero, acceleration: zero }
             }
         }
@@ -310,7 +361,10 @@ impl<N: Real> ConditionBuilder<'_, N> {
         let zero = N::from_f64(0.0);
         let driven = |d: usize| {
             let driver = &self.scene.drivers[d];
-            (inputs.number(&driver.rate), driver.acceleration.as_ref().map_or(zero, |a| inputs.number(a)))
+            (
+                inputs.number(&driver.rate),
+                driver.acceleration.as_ref().map_or(zero, |a| inputs.number(a)),
+            )
         };
         match form {
             PairForm::Meet { pin, link } => {
@@ -320,9 +374,13 @@ impl<N: Real> ConditionBuilder<'_, N> {
             PairForm::OnPath { runner, guide, on } => {
                 let (p, place) = self.runner(runner);
                 list.push(match self.at.guide(guide) {
-                    Path::Line { direction, .. } => {
-                        MotionCondition::Along { p, q: self.body(on, place), k: direction.perp(), rate: zero, acceleration: zero }
-                    }
+                    Path::Line { direction, .. } => MotionCondition::Along {
+                        p,
+                        q: self.body(on, place),
+                        k: direction.perp(),
+                        rate: zero,
+                        acceleration: zero,
+                    },
                     Path::Arc { centre, .. } => {
                         let u = (place - centre) * self.scale;
                         distance(p, self.body(on, centre), u, zero, zero)
@@ -334,20 +392,36 @@ impl<N: Real> ConditionBuilder<'_, N> {
                 let (p, place) = self.runner(runner);
                 let q = self.body(on, place);
                 let k = self.at.guide(guide).tangent_at(place);
-                list.push(MotionCondition::Along { p, q, k, rate: rate * self.scale, acceleration: acceleration * self.scale });
+                list.push(MotionCondition::Along {
+                    p,
+                    q,
+                    k,
+                    rate: rate * self.scale,
+                    acceleration: acceleration * self.scale,
+                });
             }
             PairForm::Related { pair, links } => list.push(self.rolls(pair, links)),
             PairForm::Angles { of, against, driver } => {
                 let (rate, acceleration) = driver.map_or((zero, zero), driven);
                 let one = N::from_f64(1.0);
-                list.push(MotionCondition::Turning { bodies: vec![self.turns(of, one), self.turns(against, -one)], rate, acceleration });
+                list.push(MotionCondition::Turning {
+                    bodies: vec![self.turns(of, one), self.turns(against, -one)],
+                    rate,
+                    acceleration,
+                });
             }
             PairForm::Distance { from, to, driver } => {
                 let (rate, acceleration) = driven(driver);
                 let (rate, acceleration) = (rate * self.scale, acceleration * self.scale);
                 let u = (self.at.point(to) - self.at.point(from)) * self.scale;
                 let l = u.norm();
-                list.push(distance(self.pin(to), self.pin(from), u, l * rate, rate * rate + l * acceleration));
+                list.push(distance(
+                    self.pin(to),
+                    self.pin(from),
+                    u,
+                    l * rate,
+                    rate * rate + l * acceleration,
+                ));
             }
         }
     }
@@ -355,9 +429,22 @@ impl<N: Real> ConditionBuilder<'_, N> {
 
 /// Returns the condition of a distance, weighted with a power of two that scales u to about one:
 /// pivots are then comparable with those of other conditions in any unit, and nothing is rounded.
-fn distance<N: Real>(p: ConditionPoint<N>, q: ConditionPoint<N>, u: Vec2<N>, rate: N, acceleration: N) -> MotionCondition<N> {
+fn distance<N: Real>(
+    p: ConditionPoint<N>,
+    q: ConditionPoint<N>,
+    u: Vec2<N>,
+    rate: N,
+    acceleration: N,
+) -> MotionCondition<N> {
     let weight = N::from_f64(power_of_two_scale(u.approx().norm()));
-    MotionCondition::Distance { p, q, u: u * weight, weight, rate: rate * weight, acceleration: acceleration * weight }
+    MotionCondition::Distance {
+        p,
+        q,
+        u: u * weight,
+        weight,
+        rate: rate * weight,
+        acceleration: acceleration * weight,
+    }
 }
 
 /// A matrix decomposed with row pivots; exact zeros cost nothing and add no error.

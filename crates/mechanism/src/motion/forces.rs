@@ -11,7 +11,8 @@
 use super::MechanismMotion;
 use super::conditions::{ActingForces, Conditions, Reaction};
 use crate::force::{
-    Load, Rubbing, between_teeth, completed, is_determined, loads, pressed_apart, rubbing, settled, unit_balance, with_friction,
+    Load, Rubbing, between_teeth, completed, is_determined, loads, pressed_apart, rubbing, settled,
+    unit_balance, with_friction,
 };
 use crate::mechanism::{Demand, Mechanism, PairForm, PairItem, Passive, Runner};
 use crate::position::{Configuration, Path};
@@ -59,16 +60,20 @@ pub(super) fn forces<N: Real>(
     let loads = loads(scene, at, motion).ok_or(None)?;
     let smooth = posed.whole(&loads)?;
     if scene.loads.friction.is_empty() {
-        return Ok(posed.into_forces(smooth, &[]));
+        return Ok(posed.as_forces(smooth, &[]));
     }
     if !is_determined(scene, m) {
         return Err(None);
     }
     let (rubbing, _) = rubbing(scene, at, motion).ok_or(None)?;
-    let under = |friction: &[Load<N>]| posed.whole(&loads.iter().chain(friction).copied().collect::<Vec<_>>());
-    let rough = settled(scene, &rubbing, under, |whole| (whole.found.pins.clone(), whole.found.guides()))?.ok_or(None)?;
+    let under = |friction: &[Load<N>]| {
+        posed.whole(&loads.iter().chain(friction).copied().collect::<Vec<_>>())
+    };
+    let rough =
+        settled(scene, &rubbing, under, |whole| (whole.found.pins.clone(), whole.found.guides()))?
+            .ok_or(None)?;
     let power = smooth.power;
-    Ok(Forces { smooth: Some(power), ..posed.into_forces(rough, &rubbing) })
+    Ok(Forces { smooth: Some(power), ..posed.as_forces(rough, &rubbing) })
 }
 
 /// The reactions under all loads, with the force that maintains the balance.
@@ -94,22 +99,34 @@ impl<N: Real> PosedMechanism<'_, N> {
         let mut loads = loads.to_vec();
         let mut found = self.balanced(&loads)?;
         let rate = Inputs::of(scene);
-        let power = scene.drivers.iter().zip(&found.drivers).fold(N::from_f64(0.0), |sum, (d, x)| sum + *x * rate.number(&d.rate));
+        let power = scene
+            .drivers
+            .iter()
+            .zip(&found.drivers)
+            .fold(N::from_f64(0.0), |sum, (d, x)| sum + *x * rate.number(&d.rate));
         let mut balance = None;
         if let Some(unit) = unit_balance(scene, at) {
             // One driver: the load that does the same work replaces its moment.
-            let (own, by_unit) = (*found.drivers.first().ok_or(None)?, *self.balanced(&[unit])?.drivers.first().ok_or(None)?);
+            let (own, by_unit) = (
+                *found.drivers.first().ok_or(None)?,
+                *self.balanced(&[unit])?.drivers.first().ok_or(None)?,
+            );
             if by_unit.approx().abs() <= by_unit.radius() || by_unit.approx() == 0.0 {
                 return Err(None);
             }
             let size = -own / by_unit;
-            let wrench = Wrench { force: unit.wrench.force * size, couple: unit.wrench.couple * size };
+            let wrench =
+                Wrench { force: unit.wrench.force * size, couple: unit.wrench.couple * size };
             loads.push(Load { wrench, ..unit });
             found = self.balanced(&loads)?;
             balance = Some(size);
         }
-        let rolling: Vec<(RollingId, Vec2<N>)> =
-            found.rolling.iter().enumerate().filter_map(|(r, force)| Some((RollingId(r), (*force)?))).collect();
+        let rolling: Vec<(RollingId, Vec2<N>)> = found
+            .rolling
+            .iter()
+            .enumerate()
+            .filter_map(|(r, force)| Some((RollingId(r), (*force)?)))
+            .collect();
         let teeth = between_teeth(scene, at, &rolling);
         if !teeth.is_empty() {
             let all: Vec<Load<N>> = loads.iter().chain(&teeth).copied().collect();
@@ -146,7 +163,9 @@ impl<N: Real> PosedMechanism<'_, N> {
         let mut pulls: Vec<(PointId, Vec2<N>)> = Vec::new();
         let mut couples: Vec<(GuideId, LinkId, LinkId, N)> = Vec::new();
         let inputs = Inputs::of(scene);
-        for (g, group) in m.groups.iter().enumerate().rev().filter(|(g, _)| self.demand.groups[*g].is_some()) {
+        for (g, group) in
+            m.groups.iter().enumerate().rev().filter(|(g, _)| self.demand.groups[*g].is_some())
+        {
             let conditions = Conditions::of_group(scene, m, at, &inputs, &m.groups[g], &self.rest);
             let mut reactions = conditions.reactions(&mut acting).ok_or(Some(g))?.into_iter();
             for _ in 0..group.constraints.len() {
@@ -167,21 +186,30 @@ impl<N: Real> PosedMechanism<'_, N> {
                         found.pushes[guide.0] += force;
                     }
                     (PairForm::Distance { from, to, driver }, Reaction::Force(force)) => {
-                        let line = at.points[to.0].zip(at.points[from.0]).and_then(|(to, from)| (to - from).unit());
+                        let line = at.points[to.0]
+                            .zip(at.points[from.0])
+                            .and_then(|(to, from)| (to - from).unit());
                         found.drivers[driver] = line.ok_or(None)?.dot(force);
                         pulls.extend([(to, force), (from, -force)]);
                     }
-                    (PairForm::Angles { driver: Some(d), .. }, Reaction::Couple(couple)) => found.drivers[d] = couple,
+                    (PairForm::Angles { driver: Some(d), .. }, Reaction::Couple(couple)) => {
+                        found.drivers[d] = couple
+                    }
                     (PairForm::Angles { of, against, driver: None }, Reaction::Couple(couple)) => {
                         if let PairItem::Guide(g) = m.constraints[c].item() {
                             couples.push((g, of, against, couple));
                         }
                     }
-                    (PairForm::Related { pair, .. }, Reaction::Force(force)) => found.rolling[pair.0] = Some(force),
+                    (PairForm::Related { pair, .. }, Reaction::Force(force)) => {
+                        found.rolling[pair.0] = Some(force)
+                    }
                     // The moment that a belt or a chain transmits is no force at a point.
                     (PairForm::Related { .. }, Reaction::Couple(_)) => {}
                     (
-                        PairForm::Meet { .. } | PairForm::OnPath { .. } | PairForm::AlongPath { .. } | PairForm::Distance { .. },
+                        PairForm::Meet { .. }
+                        | PairForm::OnPath { .. }
+                        | PairForm::AlongPath { .. }
+                        | PairForm::Distance { .. },
                         Reaction::Couple(_),
                     )
                     | (PairForm::Angles { .. }, Reaction::Force(_)) => {}
@@ -209,8 +237,12 @@ impl<N: Real> PosedMechanism<'_, N> {
         match runner {
             Runner::Pin(p) => self.at.points[p.0],
             Runner::Link(l) => {
-                let pin = self.scene.links[l.0].points.first().or(self.scene.guides[guide.0].pin.as_ref());
-                pin.and_then(|p| self.at.points[p.0]).or_else(|| self.at.poses[l.0].map(|pose| pose.origin))
+                let pin = self.scene.links[l.0]
+                    .points
+                    .first()
+                    .or(self.scene.guides[guide.0].pin.as_ref());
+                pin.and_then(|p| self.at.points[p.0])
+                    .or_else(|| self.at.poses[l.0].map(|pose| pose.origin))
             }
         }
     }
@@ -248,7 +280,13 @@ impl<N: Real> PosedMechanism<'_, N> {
     }
 
     /// Passes the loads of a passive link to the links that it follows.
-    fn handed_on(&self, l: LinkId, kind: Passive, own: &ActingForces<N>, acting: &mut ActingForces<N>) -> Option<()> {
+    fn handed_on(
+        &self,
+        l: LinkId,
+        kind: Passive,
+        own: &ActingForces<N>,
+        acting: &mut ActingForces<N>,
+    ) -> Option<()> {
         match kind {
             Passive::Block(g) => {
                 let guide = &self.scene.guides[g.0];
@@ -258,7 +296,8 @@ impl<N: Real> PosedMechanism<'_, N> {
                 match self.at.guides[g.0]? {
                     Path::Line { .. } => {
                         acting.on_pin(pin, load.force);
-                        acting.links[guide.on.0].couple = acting.links[guide.on.0].couple + load.couple;
+                        acting.links[guide.on.0].couple =
+                            acting.links[guide.on.0].couple + load.couple;
                     }
                     Path::Arc { centre, .. } => {
                         let f = pair_of(place - centre, load.couple);
@@ -305,7 +344,10 @@ impl<N: Real> PosedMechanism<'_, N> {
                 let [a, _] = self.scene.drivers[d].kind.ends_of(l)?;
                 // The total force of the cylinder's parts at this pin, where only this part is
                 // held.
-                let mut at_pin = pulls.iter().filter(|(p, _)| *p == a).fold(Vec2::zero(), |sum, (_, f)| sum + *f);
+                let mut at_pin = pulls
+                    .iter()
+                    .filter(|(p, _)| *p == a)
+                    .fold(Vec2::zero(), |sum, (_, f)| sum + *f);
                 for part in self.scene.drivers[d].kind.parts() {
                     let [p, q] = self.scene.drivers[d].kind.ends_of(*part)?;
                     let (start, end) = (self.at.points[p.0]?, self.at.points[q.0]?);
@@ -320,15 +362,20 @@ impl<N: Real> PosedMechanism<'_, N> {
         Some(())
     }
 
-    fn into_forces(&self, whole: BalancedReactions<N>, rubbing: &[Rubbing<N>]) -> Forces<N> {
+    fn as_forces(&self, whole: BalancedReactions<N>, rubbing: &[Rubbing<N>]) -> Forces<N> {
         let BalancedReactions { loads, teeth, found, balance, power } = whole;
         let guides = with_friction(found.guides(), rubbing);
         let rolling = found.rolling.into_iter().enumerate().filter_map(|(r, force)| {
             let pair = RollingId(r);
             // A separate guide holds the wheels in contact: the two parts are one force.
-            let apart = self.scene.rolling[r].guide().and_then(|g| guides.iter().find(|(own, _)| *own == g)).map(|(_, w)| w.force);
+            let apart = self.scene.rolling[r]
+                .guide()
+                .and_then(|g| guides.iter().find(|(own, _)| *own == g))
+                .map(|(_, w)| w.force);
             let toward = match self.scene.rolling[r].touch() {
-                Touch::Point(Normal::Centres(_) | Normal::Square { .. }) => apart.unwrap_or(Vec2::zero()),
+                Touch::Point(Normal::Centres(_) | Normal::Square { .. }) => {
+                    apart.unwrap_or(Vec2::zero())
+                }
                 Touch::Strand { .. } => Vec2::zero(),
             };
             Some((pair, force? + toward + pressed_apart(self.scene, &teeth, pair)))

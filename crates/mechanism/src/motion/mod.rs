@@ -79,7 +79,12 @@ pub struct MechanismMotion<N = f64> {
 /// not in every calling crate (see [`AssemblyNumber`]).
 pub trait MotionNumber: AssemblyNumber {
     /// See [`solve`].
-    fn solve(scene: &Scene, m: &Mechanism, at: &Configuration<Self>, demand: &Demand) -> MechanismMotion<Self>;
+    fn solve(
+        scene: &Scene,
+        m: &Mechanism,
+        at: &Configuration<Self>,
+        demand: &Demand,
+    ) -> MechanismMotion<Self>;
 }
 
 macro_rules! compiled {
@@ -99,11 +104,21 @@ compiled!(f32, f64, Dd, Big, Ball<f64>, Ball<Dd>, Ball<Big>);
 /// A group with a pivot that may be zero (a dead centre, a change point, or a pose too close to one
 /// for the number type) stays without motion and is listed in [`MechanismMotion::singular`], as is
 /// everything that depends on it.
-pub fn solve<N: MotionNumber>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, demand: &Demand) -> MechanismMotion<N> {
+pub fn solve<N: MotionNumber>(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration<N>,
+    demand: &Demand,
+) -> MechanismMotion<N> {
     N::solve(scene, m, at, demand)
 }
 
-fn solved<N: Real>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, demand: &Demand) -> MechanismMotion<N> {
+fn solved<N: Real>(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration<N>,
+    demand: &Demand,
+) -> MechanismMotion<N> {
     let mut motion = MechanismMotion {
         links: vec![None; scene.links.len()],
         pins: vec![None; scene.points.len()],
@@ -175,17 +190,25 @@ impl<N: Real> MechanismMotion<N> {
 
     /// Returns the motion of a passive link: a block turns with its guide, or with the radius to
     /// its pin; barrel and rod turn with the line of their cylinder, each about its own pin.
-    fn following(&self, scene: &Scene, at: &Configuration<N>, (l, passive): (LinkId, Passive)) -> Option<LinkMotion<N>> {
+    fn following(
+        &self,
+        scene: &Scene,
+        at: &Configuration<N>,
+        (l, passive): (LinkId, Passive),
+    ) -> Option<LinkMotion<N>> {
         match passive {
             Passive::Block(g) => {
                 let guide = &scene.guides[g.0];
                 let pin = guide.pin?;
-                let ((v, a), place, on) = (self.at_point(pin)?, at.points[pin.0]?, self.links[guide.on.0]?);
+                let ((v, a), place, on) =
+                    (self.at_point(pin)?, at.points[pin.0]?, self.links[guide.on.0]?);
                 let (omega, alpha) = match at.guides[g.0]? {
                     crate::position::Path::Line { .. } => (on.omega, on.alpha),
-                    crate::position::Path::Arc { centre, .. } => {
-                        turning_of_line(place - centre, v - on.velocity_at(centre), a - on.acceleration_at(centre))
-                    }
+                    crate::position::Path::Arc { centre, .. } => turning_of_line(
+                        place - centre,
+                        v - on.velocity_at(centre),
+                        a - on.acceleration_at(centre),
+                    ),
                 };
                 Some(LinkMotion { at: place, v, omega, a, alpha })
             }

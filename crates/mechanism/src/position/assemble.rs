@@ -9,7 +9,9 @@ use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_scene::exact::Inputs;
-use hodograph_scene::{GuideDirection, GuideId, GuidePath, LinkId, PointId, PointPlace, Scene, Through};
+use hodograph_scene::{
+    GuideDirection, GuideId, GuidePath, LinkId, PointId, PointPlace, Scene, Through,
+};
 
 /// See [`super::recompute`].
 pub(super) fn recompute<N: Real>(
@@ -18,7 +20,10 @@ pub(super) fn recompute<N: Real>(
     demand: &Demand,
     meant: &Configuration,
 ) -> Result<Configuration<N>, Faults> {
-    Ok(Assembly::new(scene, mechanism, demand, Some(meant)).place(demand)?.settled().into_configuration())
+    Ok(Assembly::new(scene, mechanism, demand, Some(meant))
+        .place(demand)?
+        .settled()
+        .into_configuration())
 }
 
 /// See [`super::later`].
@@ -31,14 +36,20 @@ pub(super) fn later<'a, N: Real>(
     t: N,
 ) -> Result<Configuration<N>, Faults> {
     let moving = |p: &PointId| !scene.links[scene.ground.0].points.contains(p);
-    let posed = (0..scene.points.len()).map(PointId).find(|p| moving(p) && matches!(scene.points[p.0].place, PointPlace::At(_)));
+    let posed = (0..scene.points.len())
+        .map(PointId)
+        .find(|p| moving(p) && matches!(scene.points[p.0].place, PointPlace::At(_)));
     let silent = scene.drivers.iter().any(|d| d.kind.position().is_none());
     // A link that only glides, without a point, has an arbitrary position along its guide.
-    let pointless = mechanism.groups.iter().flat_map(|g| &g.links).any(|l| scene.links[l.0].points.is_empty());
+    let pointless =
+        mechanism.groups.iter().flat_map(|g| &g.links).any(|l| scene.links[l.0].points.is_empty());
     if posed.is_some() || silent || pointless {
         return Err(Diagnostic::error(
             "pose-given",
-            both!("nothing in the scene tells the pose at another time", "机构文件中没有数据说明其他时刻的位置"),
+            both!(
+                "nothing in the scene tells the pose at another time",
+                "机构文件中没有数据说明其他时刻的位置"
+            ),
         )
         .into());
     }
@@ -74,7 +85,12 @@ pub(super) struct Assembly<'a, N> {
 }
 
 impl<'a, N: Real> Assembly<'a, N> {
-    pub(super) fn new(scene: &'a Scene, m: &'a Mechanism, demand: &Demand, meant: Option<&'a Configuration>) -> Self {
+    pub(super) fn new(
+        scene: &'a Scene,
+        m: &'a Mechanism,
+        demand: &Demand,
+        meant: Option<&'a Configuration>,
+    ) -> Self {
         let inputs = Inputs::of(scene);
         let mut faults = Faults::default();
         let wanted = |l: LinkId| {
@@ -200,7 +216,9 @@ impl<'a, N: Real> Assembly<'a, N> {
                     Through::Pin if guide.pin.is_none() => pose.origin,
                     Through::Pin => pin?,
                 };
-                let through = offset.as_ref().map_or(through, |o| through + direction.perp() * self.inputs.number(o));
+                let through = offset
+                    .as_ref()
+                    .map_or(through, |o| through + direction.perp() * self.inputs.number(o));
                 Some(Path::Line { through, direction })
             }
         }
@@ -228,8 +246,11 @@ impl<'a, N: Real> Assembly<'a, N> {
     pub(super) fn solve(&mut self, index: usize, group: &Group) -> Result<(), Diagnostic> {
         // Coordinates in the scene are taken as given; the frame of a link with two such points is
         // that of the plane.
-        let given_pins: Vec<(PointId, Point<N>)> =
-            group.pins.iter().filter_map(|p| given_place(self.scene, &self.inputs, *p).map(|at| (*p, at))).collect();
+        let given_pins: Vec<(PointId, Point<N>)> = group
+            .pins
+            .iter()
+            .filter_map(|p| given_place(self.scene, &self.inputs, *p).map(|at| (*p, at)))
+            .collect();
         for &(p, at) in &given_pins {
             self.points[p.0] = Some(at);
         }
@@ -244,18 +265,27 @@ impl<'a, N: Real> Assembly<'a, N> {
                     Some(at) => vec![at],
                     None => self.places_of_pin(*pin, legs)?,
                 };
-                places.into_iter().map(|at| self.trial_of_pin(group, *pin, at)).collect::<Result<Vec<_>, _>>()?
+                places
+                    .into_iter()
+                    .map(|at| self.trial_of_pin(group, *pin, at))
+                    .collect::<Result<Vec<_>, _>>()?
             }
             Core::Link { link, legs } => {
                 let poses = match self.poses[link.0] {
                     Some(pose) => vec![pose],
-                    None => self.nearest_to_given(*link, &given_pins, self.poses_of_link(*link, legs)?),
+                    None => {
+                        self.nearest_to_given(*link, &given_pins, self.poses_of_link(*link, legs)?)
+                    }
                 };
-                poses.into_iter().map(|pose| self.trial_of_link(group, *link, pose, legs)).collect::<Result<Vec<_>, _>>()?
+                poses
+                    .into_iter()
+                    .map(|pose| self.trial_of_link(group, *link, pose, legs))
+                    .collect::<Result<Vec<_>, _>>()?
             }
             Core::Higher => {
                 let pins = self.given_pins_of(group, given_pins);
-                let told: Option<Vec<_>> = group.links.iter().map(|l| Some((*l, self.given_pose(*l, &pins)?))).collect();
+                let told: Option<Vec<_>> =
+                    group.links.iter().map(|l| Some((*l, self.given_pose(*l, &pins)?))).collect();
                 if let (true, Some(poses)) = (pins.len() == group.pins.len(), told) {
                     vec![self.trial(pins, poses)]
                 } else {
@@ -270,11 +300,18 @@ impl<'a, N: Real> Assembly<'a, N> {
             // rules.
             Some(meant) => {
                 let again = N::refines() && branch::alike(&trials, meant.extent());
-                let chosen = if again { branch::choose(self.scene, &self.points, &trials, 0, &names).ok() } else { None };
+                let chosen = if again {
+                    branch::choose(self.scene, &self.points, &trials, 0, &names).ok()
+                } else {
+                    None
+                };
                 chosen.map_or(meant.closures[index], |choice| choice.pick)
             }
             None => {
-                let instead = self.instead.filter(|(group, _)| *group == index).map_or(0, |(_, instead)| instead);
+                let instead = self
+                    .instead
+                    .filter(|(group, _)| *group == index)
+                    .map_or(0, |(_, instead)| instead);
                 let choice = branch::choose(self.scene, &self.points, &trials, instead, &names)?;
                 self.notes.extend(choice.note);
                 self.open.extend((choice.open > 0).then_some((index, choice.open)));
@@ -297,9 +334,19 @@ impl<'a, N: Real> Assembly<'a, N> {
     }
 
     /// If pins of the group have coordinates, returns only the pose that puts the link there.
-    pub(super) fn nearest_to_given(&self, link: LinkId, given: &[(PointId, Point<N>)], poses: Vec<Pose<N>>) -> Vec<Pose<N>> {
+    pub(super) fn nearest_to_given(
+        &self,
+        link: LinkId,
+        given: &[(PointId, Point<N>)],
+        poses: Vec<Pose<N>>,
+    ) -> Vec<Pose<N>> {
         let off = |pose: &Pose<N>| -> f64 {
-            given.iter().filter_map(|(p, at)| Some((pose.to_world(self.shapes[link.0].local(*p)?) - *at).approx().norm2())).sum()
+            given
+                .iter()
+                .filter_map(|(p, at)| {
+                    Some((pose.to_world(self.shapes[link.0].local(*p)?) - *at).approx().norm2())
+                })
+                .sum()
         };
         if given.is_empty() {
             return poses;
@@ -308,7 +355,11 @@ impl<'a, N: Real> Assembly<'a, N> {
     }
 
     /// Returns a closure with the points of all its links.
-    pub(super) fn trial(&self, pins: Vec<(PointId, Point<N>)>, poses: Vec<(LinkId, Pose<N>)>) -> GroupClosure<N> {
+    pub(super) fn trial(
+        &self,
+        pins: Vec<(PointId, Point<N>)>,
+        poses: Vec<(LinkId, Pose<N>)>,
+    ) -> GroupClosure<N> {
         let mut points = pins;
         points.reserve(poses.iter().map(|(l, _)| self.shapes[l.0].points.len()).sum());
         for (l, pose) in &poses {
@@ -322,11 +373,17 @@ impl<'a, N: Real> Assembly<'a, N> {
     }
 
     /// Returns the pose of a link from two of its points.
-    pub(super) fn pose_from_points(&self, l: LinkId, a: (PointId, Point<N>), b: (PointId, Point<N>)) -> Result<Pose<N>, Diagnostic> {
+    pub(super) fn pose_from_points(
+        &self,
+        l: LinkId,
+        a: (PointId, Point<N>),
+        b: (PointId, Point<N>),
+    ) -> Result<Pose<N>, Diagnostic> {
         if self.shapes[l.0].frame == FrameAnchor::Plane {
             return Ok(Pose::ground());
         }
-        let local = |p: PointId| self.shapes[l.0].local(p).expect("a link's points have local places");
+        let local =
+            |p: PointId| self.shapes[l.0].local(p).expect("a link's points have local places");
         let (la, lb) = (local(a.0), local(b.0));
         Pose::from_point_and_direction(la, lb - la, a.1, b.1 - a.1).ok_or_else(|| {
             let (pa, pb) = (self.scene.point_name(a.0), self.scene.point_name(b.0));
@@ -342,28 +399,42 @@ impl<'a, N: Real> Assembly<'a, N> {
         })
     }
 
-    pub(super) fn trial_of_pin(&self, group: &Group, pin: PointId, at: Point<N>) -> Result<GroupClosure<N>, Diagnostic> {
+    pub(super) fn trial_of_pin(
+        &self,
+        group: &Group,
+        pin: PointId,
+        at: Point<N>,
+    ) -> Result<GroupClosure<N>, Diagnostic> {
         let Core::Pin { legs, .. } = &group.core else { unreachable!("called for pin cores only") };
         let mut poses = Vec::with_capacity(legs.len());
         for leg in legs {
             let Some(Hold::Distance { far, strut, .. }) = leg.hold() else { continue };
             match strut {
-                Strut::Bar(link) => poses.push((link, self.pose_from_points(link, (far, self.known(far)), (pin, at))?)),
+                Strut::Bar(link) => poses
+                    .push((link, self.pose_from_points(link, (far, self.known(far)), (pin, at))?)),
                 Strut::Ram { link, guide, driver } => {
                     let stated = self.scene.drivers[driver].kind.length().is_some();
                     let pose = if let Some(pose) = self.poses[link.0] {
                         pose
-                    } else if !stated && matches!(self.scene.points[pin.0].place, PointPlace::At(_)) {
+                    } else if !stated && matches!(self.scene.points[pin.0].place, PointPlace::At(_))
+                    {
                         // Coordinates of the pin determine the slider's position: the slot is
                         // placed over them.
                         let poses = self.poses_of_lever(link, far, pin, guide)?;
                         poses.into_iter().next().ok_or_else(|| self.no_closure(link))?
                     } else {
                         let runner = self.runner_in_link(link, guide, driver)?;
-                        let d = self.shapes[link.0].local(far).expect("a link's points have local places");
+                        let d = self.shapes[link.0]
+                            .local(far)
+                            .expect("a link's points have local places");
                         let far_at = self.known(far);
                         Pose::from_point_and_direction(d, runner - d, far_at, at - far_at)
-                            .ok_or_else(|| self.degenerate(guide, both!("the pin lies on the pivot", "销在铰链中心上")))?
+                            .ok_or_else(|| {
+                                self.degenerate(
+                                    guide,
+                                    both!("the pin lies on the pivot", "销在铰链中心上"),
+                                )
+                            })?
                     };
                     poses.push((link, pose));
                 }
@@ -374,7 +445,13 @@ impl<'a, N: Real> Assembly<'a, N> {
         Ok(self.trial(vec![(pin, at)], poses))
     }
 
-    pub(super) fn trial_of_link(&self, group: &Group, link: LinkId, pose: Pose<N>, legs: &[Leg]) -> Result<GroupClosure<N>, Diagnostic> {
+    pub(super) fn trial_of_link(
+        &self,
+        group: &Group,
+        link: LinkId,
+        pose: Pose<N>,
+        legs: &[Leg],
+    ) -> Result<GroupClosure<N>, Diagnostic> {
         let mut poses = vec![(link, pose)];
         let mut pins = Vec::new();
         for &p in &group.pins {
@@ -383,8 +460,15 @@ impl<'a, N: Real> Assembly<'a, N> {
         }
         for leg in legs {
             if let Some((bar, near, far)) = leg.hold().and_then(|h| h.bar()) {
-                let near_at = pins.iter().find(|(p, _)| *p == near).map(|p| p.1).expect("a bar ends at a pin of its group");
-                poses.push((bar, self.pose_from_points(bar, (far, self.known(far)), (near, near_at))?));
+                let near_at = pins
+                    .iter()
+                    .find(|(p, _)| *p == near)
+                    .map(|p| p.1)
+                    .expect("a bar ends at a pin of its group");
+                poses.push((
+                    bar,
+                    self.pose_from_points(bar, (far, self.known(far)), (near, near_at))?,
+                ));
             }
         }
         Ok(self.trial(pins, poses))
@@ -397,19 +481,34 @@ impl<'a, N: Real> Assembly<'a, N> {
 
     pub(super) fn degenerate(&self, g: GuideId, why: Both) -> Diagnostic {
         let guide = self.scene.guide_words(g);
-        Diagnostic::error("degenerate-guide", both!("{} gives it no direction: {}", "{}不能确定其方向：{}", guide, why))
-            .at(self.scene.guides[g.0].span)
+        Diagnostic::error(
+            "degenerate-guide",
+            both!("{} gives it no direction: {}", "{}不能确定其方向：{}", guide, why),
+        )
+        .at(self.scene.guides[g.0].span)
     }
 
     /// Returns the position of a driven runner in the frame of the link that carries its guide.
-    pub(super) fn runner_in_link(&self, link: LinkId, guide: GuideId, driver: usize) -> Result<Point<N>, Diagnostic> {
+    pub(super) fn runner_in_link(
+        &self,
+        link: LinkId,
+        guide: GuideId,
+        driver: usize,
+    ) -> Result<Point<N>, Diagnostic> {
         let path = self.guides[guide.0].ok_or_else(|| {
             Diagnostic::error(
                 "guide-not-placed",
-                both!("the guide on link {} is not placed in that link", "构件 {} 上的导路在该构件中位置未定", self.scene.link_name(link)),
+                both!(
+                    "the guide on link {} is not placed in that link",
+                    "构件 {} 上的导路在该构件中位置未定",
+                    self.scene.link_name(link)
+                ),
             )
             .at(self.scene.guides[guide.0].span)
-            .help(both!("give \"line\" or \"through\" by points of the link", "请用该构件上的点给出 \"line\" 或 \"through\""))
+            .help(both!(
+                "give \"line\" or \"through\" by points of the link",
+                "请用该构件上的点给出 \"line\" 或 \"through\""
+            ))
         })?;
         Ok(path.point_at(self.way_along(driver)?))
     }
@@ -417,7 +516,11 @@ impl<'a, N: Real> Assembly<'a, N> {
     pub(super) fn driver_without_value(&self, driver: usize, key: &str, what: Both) -> Diagnostic {
         Diagnostic::error(
             "driver-without-position",
-            both!("the driver does not say {}, and no coordinates give it", "原动件没有说明{}，坐标也没有给定", what),
+            both!(
+                "the driver does not say {}, and no coordinates give it",
+                "原动件没有说明{}，坐标也没有给定",
+                what
+            ),
         )
         .at(self.scene.drivers[driver].span)
         .help(both!(

@@ -19,7 +19,12 @@ pub fn normal<N: Real>([r1, r2]: [N; 2], distance: N) -> Option<[N; 2]> {
 }
 
 /// Returns both ends of a strand: A + ρ₁m and B − ρ₂m.
-pub(super) fn strand<N: Real>(sizes: [N; 2], right: bool, a: Point<N>, b: Point<N>) -> Option<[Point<N>; 2]> {
+pub(super) fn strand<N: Real>(
+    sizes: [N; 2],
+    right: bool,
+    a: Point<N>,
+    b: Point<N>,
+) -> Option<[Point<N>; 2]> {
     let line = b - a;
     let [cos, sin] = normal(sizes, line.norm())?;
     let m = Vec2::new(cos, if right { -sin } else { sin }).rotate_by(line.unit()?);
@@ -32,12 +37,17 @@ pub(super) fn strand<N: Real>(sizes: [N; 2], right: bool, a: Point<N>, b: Point<
 fn misordered(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option<Diagnostic> {
     let strands: Vec<&Rolling> = scene.rolling.iter().filter(|r| r.belt() == pair.belt()).collect();
     let ends = strands.iter().filter_map(|r| c.points[r.round()?[1].0]);
-    let centres: Vec<Point> = c.points[strands.first()?.round()?[0].0].into_iter().chain(ends).collect();
+    let centres: Vec<Point> =
+        c.points[strands.first()?.round()?[0].0].into_iter().chain(ends).collect();
     if strands.len() < 2 || !strands.last().is_some_and(|last| std::ptr::eq(*last, pair)) {
         return None;
     }
-    let doubled_area: f64 = centres.windows(2).map(|w| (w[0] - centres[0]).cross(w[1] - centres[0])).sum();
-    let message = both!("the belt or chain names its wheels counter-clockwise", "传动带（链）的各轮是按逆时针方向写的");
+    let doubled_area: f64 =
+        centres.windows(2).map(|w| (w[0] - centres[0]).cross(w[1] - centres[0])).sum();
+    let message = both!(
+        "the belt or chain names its wheels counter-clockwise",
+        "传动带（链）的各轮是按逆时针方向写的"
+    );
     let help = both!("name them clockwise, in the opposite order", "请按相反的顺序（顺时针）写出");
     (doubled_area > 0.0).then(|| Diagnostic::error("belt-order", message).at(pair.span).help(help))
 }
@@ -59,13 +69,21 @@ pub(super) fn misfit(
     }
     let (p, q) = (scene.point_name(p), scene.point_name(q));
     let (distance, radii) = (scene.length_words(distance), scene.length_words(radii));
-    let wheels = if pair.kind.is_toothed() { both!("sprockets", "链轮") } else { both!("pulleys", "带轮") };
+    let wheels = if pair.kind.is_toothed() {
+        both!("sprockets", "链轮")
+    } else {
+        both!("pulleys", "带轮")
+    };
     let message = both!(
         "the {0} about {p} and {q} overlap: {p}{q} is {distance}, and their radii make {radii}",
         "绕 {p} 与 {q} 的两{0}重叠：{p}{q} 为 {distance}，两半径之和为 {radii}",
         wheels
     );
-    Some(Diagnostic::error("belt-overlap", message).at(pair.span).help(both!("correct a radius or a centre", "请改正半径或圆心")))
+    Some(
+        Diagnostic::error("belt-overlap", message)
+            .at(pair.span)
+            .help(both!("correct a radius or a centre", "请改正半径或圆心")),
+    )
 }
 
 /// Tolerance of two equal directions typed by a person, as a part of a turn.
@@ -73,13 +91,20 @@ const SAME_DIRECTION: f64 = 1e-9;
 
 /// Returns the fault of a rope that is not parallel to the guide of its load: its length would
 /// change.
-pub(super) fn slack(scene: &Scene, pair: &Rolling, rope: GuideId, c: &Configuration) -> Option<Diagnostic> {
+pub(super) fn slack(
+    scene: &Scene,
+    pair: &Rolling,
+    rope: GuideId,
+    c: &Configuration,
+) -> Option<Diagnostic> {
     let direction = |g: usize| match c.guides[g]? {
         Path::Line { direction, .. } => Some(direction),
         Path::Arc { .. } => None,
     };
     let load = pair.links[0];
-    let joins = |g: &Guide| g.rolling.is_none() && g.slider.is_some() && [g.slider, Some(g.on)].contains(&Some(load));
+    let joins = |g: &Guide| {
+        g.rolling.is_none() && g.slider.is_some() && [g.slider, Some(g.on)].contains(&Some(load))
+    };
     let own = scene.guides.iter().position(joins).filter(|_| pair.kind.is_flexible())?;
     let (of_rope, of_load) = (direction(rope.0)?, direction(own)?);
     if of_rope.cross(of_load).abs() <= SAME_DIRECTION {

@@ -29,7 +29,12 @@ impl<N: Real> GroupClosure<N> {
 /// it, and rounding in `f64` makes some 1e-8 of that root uncertain.
 pub(super) fn alike<N: Real>(trials: &[GroupClosure<N>], extent: f64) -> bool {
     const CLOSE: f64 = 1e-7;
-    let near = |t: &GroupClosure<N>| t.points.iter().zip(&trials[0].points).all(|(a, b)| (a.1 - b.1).approx().norm() <= CLOSE * extent);
+    let near = |t: &GroupClosure<N>| {
+        t.points
+            .iter()
+            .zip(&trials[0].points)
+            .all(|(a, b)| (a.1 - b.1).approx().norm() <= CLOSE * extent)
+    };
     trials.len() > 1 && trials.iter().all(near)
 }
 
@@ -53,7 +58,9 @@ pub(super) fn choose<N: Real>(
     instead: usize,
     link_names: &dyn Fn() -> Both,
 ) -> Result<ClosureChoice, Diagnostic> {
-    if trials.len() < 2 || trials.iter().all(|t| t.points == trials[0].points && t.poses == trials[0].poses) {
+    if trials.len() < 2
+        || trials.iter().all(|t| t.points == trials[0].points && t.poses == trials[0].poses)
+    {
         return Ok(ClosureChoice::default());
     }
     let mut left: Vec<usize> = (0..trials.len()).collect();
@@ -62,7 +69,9 @@ pub(super) fn choose<N: Real>(
     for side in &scene.sides {
         let mine = |t: &GroupClosure<N>, p: PointId| t.at(p).or(placed[p.0]);
         let concerns = [side.point, side.from, side.to].iter().any(|p| trials[0].at(*p).is_some());
-        let known = |t: &GroupClosure<N>| Some((mine(t, side.point)?, mine(t, side.from)?, mine(t, side.to)?));
+        let known = |t: &GroupClosure<N>| {
+            Some((mine(t, side.point)?, mine(t, side.from)?, mine(t, side.to)?))
+        };
         if !concerns || known(&trials[0]).is_none() {
             continue;
         }
@@ -72,7 +81,9 @@ pub(super) fn choose<N: Real>(
             .filter(|&i| {
                 // Enclosures decide a side only if zero is outside them.
                 let area = known(&trials[i]).map(|(p, a, b)| (b - a).cross(p - a));
-                area.is_some_and(|area| area.approx() * if side.left { 1.0 } else { -1.0 } > area.radius())
+                area.is_some_and(|area| {
+                    area.approx() * if side.left { 1.0 } else { -1.0 } > area.radius()
+                })
             })
             .collect();
         if kept.is_empty() {
@@ -92,7 +103,10 @@ pub(super) fn choose<N: Real>(
             .at(side.span));
         }
         // Three points of one link describe the shape of the link, not its position.
-        let of_one_link = scene.links.iter().any(|l| [side.point, side.from, side.to].iter().all(|p| l.points.contains(p)));
+        let of_one_link = scene
+            .links
+            .iter()
+            .any(|l| [side.point, side.from, side.to].iter().all(|p| l.points.contains(p)));
         if kept.len() == left.len() && !of_one_link {
             idle = Some(side);
         }
@@ -100,18 +114,41 @@ pub(super) fn choose<N: Real>(
     }
     let stands = |p: PointId| trials[0].at(p).or(placed[p.0]).map(Point::approx);
     // A point held by a cam on a moving link has an approximate position on it.
-    let held = |p: PointId| scene.cams.iter().filter_map(|c| c.disc.as_ref()).find_map(|t| t.rough_in_plane(scene, p, &stands));
-    let sketch = |p: PointId| scene.points[p.0].sketch.map(|s| Point::new(s[0], s[1])).or(given_at(scene, p)).or_else(|| held(p));
+    let held = |p: PointId| {
+        scene
+            .cams
+            .iter()
+            .filter_map(|c| c.disc.as_ref())
+            .find_map(|t| t.rough_in_plane(scene, p, &stands))
+    };
+    let sketch = |p: PointId| {
+        scene.points[p.0]
+            .sketch
+            .map(|s| Point::new(s[0], s[1]))
+            .or(given_at(scene, p))
+            .or_else(|| held(p))
+    };
     if left.len() > 1 {
         // The sum of squared distances to all sketched points of the group.
         let cost = |i: usize| {
-            let off = trials[i].points.iter().filter_map(|(p, at)| sketch(*p).map(|s| (s.lift() - *at).norm2()));
+            let off = trials[i]
+                .points
+                .iter()
+                .filter_map(|(p, at)| sketch(*p).map(|s| (s.lift() - *at).norm2()));
             off.fold(N::from_f64(0.0), |sum, x| sum + x)
         };
         if trials[0].points.iter().any(|(p, _)| sketch(*p).is_some()) {
-            let pick = left.iter().copied().min_by(|a, b| (cost(*a) - cost(*b)).approx().total_cmp(&0.0)).expect("at least two are left");
+            let pick = left
+                .iter()
+                .copied()
+                .min_by(|a, b| (cost(*a) - cost(*b)).approx().total_cmp(&0.0))
+                .expect("at least two are left");
             let note = idle.map(|side| {
-                let message = both!("{}; \"sketch\" decides", "{}；由 \"sketch\" 确定", fits_all(scene, side, left.len(), &link_names()));
+                let message = both!(
+                    "{}; \"sketch\" decides",
+                    "{}；由 \"sketch\" 确定",
+                    fits_all(scene, side, left.len(), &link_names())
+                );
                 Diagnostic::note("side-undecided", message).at(side.span)
             });
             return Ok(ClosureChoice { pick, open: 0, note });
@@ -142,7 +179,8 @@ pub(super) fn choose<N: Real>(
                 // The assembly of a link known by one pin is described by its direction alone.
                 let turned = trials[pick].poses.iter().find_map(|(l, pose)| {
                     let there = trials[other].poses.iter().find(|(k, _)| k == l)?.1.axis.approx();
-                    let [mine, there] = [pose.axis.approx(), there].map(|u| significant(direction_degrees(u.angle()), 5));
+                    let [mine, there] = [pose.axis.approx(), there]
+                        .map(|u| significant(direction_degrees(u.angle()), 5));
                     (mine != there).then(|| (scene.link_name(*l), mine, there))
                 });
                 let which = match turned {
@@ -157,7 +195,12 @@ pub(super) fn choose<N: Real>(
         };
         match idle {
             Some(side) => {
-                let message = both!("{}: {}", "{}：{}", fits_all(scene, side, left.len(), &link_names()), which);
+                let message = both!(
+                    "{}: {}",
+                    "{}：{}",
+                    fits_all(scene, side, left.len(), &link_names()),
+                    which
+                );
                 Diagnostic::note("side-undecided", message).at(side.span).help(both!(
                     "name another line in \"side\", or {}",
                     "请在 \"side\" 中另写一条直线，或给出{}",
@@ -165,12 +208,26 @@ pub(super) fn choose<N: Real>(
                 ))
             }
             None => {
-                let all = both!("link{} can be assembled in {} ways", "构件{} 有 {} 种装配形式", link_names(), left.len());
+                let all = both!(
+                    "link{} can be assembled in {} ways",
+                    "构件{} 有 {} 种装配形式",
+                    link_names(),
+                    left.len()
+                );
                 Diagnostic::note(
                     "assembly-by-default",
-                    both!("{} and the scene does not say which: {}", "{}，机构文件没有说明取哪一种：{}", all, which),
+                    both!(
+                        "{} and the scene does not say which: {}",
+                        "{}，机构文件没有说明取哪一种：{}",
+                        all,
+                        which
+                    ),
                 )
-                .help(both!("say it with \"side\" or {}", "请用 \"side\" 说明，或给出{}", hint))
+                .help(both!(
+                    "say it with \"side\" or {}",
+                    "请用 \"side\" 说明，或给出{}",
+                    hint
+                ))
             }
         }
     };
@@ -184,8 +241,14 @@ fn falls_together<N: Real>(placed: &[Option<Point<N>>], trial: &GroupClosure<N>)
     let size = |p: Point| p.to_vec2().norm();
     let there = placed.iter().enumerate().filter_map(|(q, at)| Some((q, at.as_ref()?.approx())));
     let there: Vec<(usize, Point)> = there.collect();
-    let largest = there.iter().map(|(_, at)| size(*at)).chain(trial.points.iter().map(|(_, at)| size(at.approx()))).fold(0.0, f64::max);
-    trial.points.iter().any(|(p, at)| there.iter().any(|(q, other)| *q != p.0 && at.approx().distance(*other) <= SAME * largest))
+    let largest = there
+        .iter()
+        .map(|(_, at)| size(*at))
+        .chain(trial.points.iter().map(|(_, at)| size(at.approx())))
+        .fold(0.0, f64::max);
+    trial.points.iter().any(|(p, at)| {
+        there.iter().any(|(q, other)| *q != p.0 && at.approx().distance(*other) <= SAME * largest)
+    })
 }
 
 /// Returns the word for a side, left or right.

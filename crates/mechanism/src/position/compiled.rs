@@ -14,7 +14,12 @@ use hodograph_scene::Scene;
 pub trait AssemblyNumber: Real {
     /// See [`recompute`].
     #[expect(clippy::missing_errors_doc, reason = "said there")]
-    fn recompute(scene: &Scene, mechanism: &Mechanism, demand: &Demand, meant: &Configuration) -> Result<Configuration<Self>, Faults>;
+    fn recompute(
+        scene: &Scene,
+        mechanism: &Mechanism,
+        demand: &Demand,
+        meant: &Configuration,
+    ) -> Result<Configuration<Self>, Faults>;
 
     /// See [`later`].
     #[expect(clippy::missing_errors_doc, reason = "said there")]

@@ -14,7 +14,11 @@ use hodograph_scene::Scene;
 /// Missing and contradictory lengths, groups that cannot be assembled (with the links and the
 /// amount by which they miss), undetermined poses. All faults of independent groups are reported
 /// together.
-pub fn configure(scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> Result<Warned<Configuration>, Faults> {
+pub fn configure(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    demand: &Demand,
+) -> Result<Warned<Configuration>, Faults> {
     let first = Assembly::new(scene, mechanism, demand, None).go(demand);
     if !first.faults.has_errors() {
         return first.finish();
@@ -29,14 +33,22 @@ pub fn configure(scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> Resul
     // A group that the scene leaves open may prevent a later group from closing (in Peaucellier's
     // inversor two dyads on the same pivots coincide): another assembly of one of the open groups
     // is tried, the last group first.
-    let others = first.open.iter().rev().flat_map(|&(group, ways)| (1..ways).map(move |instead| (group, instead)));
+    let others = first
+        .open
+        .iter()
+        .rev()
+        .flat_map(|&(group, ways)| (1..ways).map(move |instead| (group, instead)));
     let found = others.take(MOST_TRIED).find_map(|other| {
         let mut a = Assembly::new(scene, mechanism, demand, None);
         a.instead = Some(other);
         a.go(demand).closed().and_then(Assembly::finish).ok()
     });
     found.ok_or_else(|| {
-        let names: Vec<Both> = first.open.iter().map(|(g, _)| both!("link{}", "构件{}", names_of(scene, &mechanism.groups[*g]))).collect();
+        let names: Vec<Both> = first
+            .open
+            .iter()
+            .map(|(g, _)| both!("link{}", "构件{}", names_of(scene, &mechanism.groups[*g])))
+            .collect();
         let names = Both::join(&names, ", of ", "、");
         let hint = both!(
             "or say with \"side\" or \"sketch\" which assembly of {} is meant",
@@ -45,7 +57,9 @@ pub fn configure(scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> Resul
         );
         let mut faults = first.faults;
         for d in faults.list.iter_mut().filter(|d| does_not_close(d)) {
-            d.help = Some(d.help.take().map_or_else(|| hint.clone(), |h| both!("{}; {}", "{}；{}", h, hint)));
+            d.help = Some(
+                d.help.take().map_or_else(|| hint.clone(), |h| both!("{}; {}", "{}；{}", h, hint)),
+            );
         }
         faults
     })
@@ -64,12 +78,18 @@ fn in_longer_numbers(
     if !faults.list.iter().all(hidden) {
         return None;
     }
-    let longer = placed_in::<Ball<Dd>>(scene, mechanism, demand)
-        .or_else(|| BITS.into_iter().find_map(|bits| within(bits, || placed_in::<Ball<Big>>(scene, mechanism, demand))));
+    let longer = placed_in::<Ball<Dd>>(scene, mechanism, demand).or_else(|| {
+        BITS.into_iter()
+            .find_map(|bits| within(bits, || placed_in::<Ball<Big>>(scene, mechanism, demand)))
+    });
     let Warned { value: at, notes } = longer?;
     let mut checked = Assembly::<f64>::new(scene, mechanism, demand, None);
     checked.check(&at);
-    Some(if checked.faults.has_errors() { Err(checked.faults) } else { Ok(Warned { value: at, notes: [notes, checked.notes].concat() }) })
+    Some(if checked.faults.has_errors() {
+        Err(checked.faults)
+    } else {
+        Ok(Warned { value: at, notes: [notes, checked.notes].concat() })
+    })
 }
 
 /// Faults that may disappear in longer numbers.
@@ -80,12 +100,18 @@ const BITS: [usize; 3] = [192, 384, 768];
 
 /// Returns the whole assembly in another number type, rounded; `None` if that type does not decide
 /// either.
-fn placed_in<N: Real>(scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> Option<Warned<Configuration>> {
-    let mut placed = Assembly::<N>::new(scene, mechanism, demand, None).place(demand).ok()?.settled();
+fn placed_in<N: Real>(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    demand: &Demand,
+) -> Option<Warned<Configuration>> {
+    let mut placed =
+        Assembly::<N>::new(scene, mechanism, demand, None).place(demand).ok()?.settled();
     let notes = std::mem::take(&mut placed.notes);
     let at = placed.into_configuration().approx();
     let points = at.points.iter().flatten().all(|p| p.is_finite());
-    let told = points && at.poses.iter().flatten().all(|p| p.origin.is_finite() && p.axis.is_finite());
+    let told =
+        points && at.poses.iter().flatten().all(|p| p.origin.is_finite() && p.axis.is_finite());
     told.then_some(Warned { value: at, notes })
 }
 

@@ -84,19 +84,32 @@ impl<N: Real> PartPositions<N> for PlacedGroup<'_, N> {
 }
 
 impl<N: Real> Assembly<'_, N> {
-    pub(super) fn coupled_trial(&self, group: &Group, meant: &Configuration) -> Result<GroupClosure<N>, Diagnostic> {
+    pub(super) fn coupled_trial(
+        &self,
+        group: &Group,
+        meant: &Configuration,
+    ) -> Result<GroupClosure<N>, Diagnostic> {
         self.coupled_aside(group, meant, None)
     }
 
     /// Returns the group like [`Self::coupled_trial`], with a driver moved from the instant, whose
     /// configuration the assembly must know.
-    pub(super) fn coupled_aside(&self, group: &Group, meant: &Configuration, aside: Option<Aside>) -> Result<GroupClosure<N>, Diagnostic> {
+    pub(super) fn coupled_aside(
+        &self,
+        group: &Group,
+        meant: &Configuration,
+        aside: Option<Aside>,
+    ) -> Result<GroupClosure<N>, Diagnostic> {
         let unproven = |why| self.unproven(&group.links, why);
         let mut start = GroupPoses { poses: Vec::new(), pins: Vec::new() };
         for l in &group.links {
             let pose = meant.poses[l.0].ok_or_else(|| unproven(Unproven::NoRoot))?.lift::<N>();
             // An axis rounded to f64 is a unit vector only to f64.
-            let axis = if N::refines() { pose.axis.unit().ok_or_else(|| unproven(Unproven::NoRoot))? } else { pose.axis };
+            let axis = if N::refines() {
+                pose.axis.unit().ok_or_else(|| unproven(Unproven::NoRoot))?
+            } else {
+                pose.axis
+            };
             start.poses.push(Pose { axis, ..pose });
         }
         for p in &group.pins {
@@ -104,7 +117,15 @@ impl<N: Real> Assembly<'_, N> {
         }
         let forms = group.constraints.iter().map(|&c| self.m.constraints[c].form()).collect();
         let scale = meant.extent();
-        let system = CoupledGroup { assembly: self, links: &group.links, pins: &group.pins, forms, scale, aside, meant };
+        let system = CoupledGroup {
+            assembly: self,
+            links: &group.links,
+            pins: &group.pins,
+            forms,
+            scale,
+            aside,
+            meant,
+        };
         let root = if N::refines() {
             if system.equations(&start).is_none() {
                 return Err(unproven(Unproven::NotWritten));
@@ -175,7 +196,9 @@ impl<N: Real> CoupledGroup<'_, N> {
         let aside = then.filter(|_| self.aside.is_some());
         let farther = |then, driver| {
             Some(match equations::kept(form, &then)? {
-                FormValue::Turned(stood) => FormValue::Turned(stood.rotate_by(Vec2::from_angle(self.by(driver)))),
+                FormValue::Turned(stood) => {
+                    FormValue::Turned(stood.rotate_by(Vec2::from_angle(self.by(driver))))
+                }
                 FormValue::Length(stood) => FormValue::Length(stood + self.by(driver)),
                 given @ (FormValue::Nothing | FormValue::InPlane(_)) => given,
             })
@@ -183,7 +206,9 @@ impl<N: Real> CoupledGroup<'_, N> {
         match form {
             // The distance of a link's origin from its guide changes no answer: at the instant the
             // origin is put on the guide, and it stays there.
-            PairForm::Meet { .. } | PairForm::OnPath { .. } | PairForm::Related { .. } => Some(FormValue::Nothing),
+            PairForm::Meet { .. } | PairForm::OnPath { .. } | PairForm::Related { .. } => {
+                Some(FormValue::Nothing)
+            }
             PairForm::AlongPath { driver, .. } | PairForm::Distance { driver, .. } => match aside {
                 Some(then) => farther(then, driver),
                 None => a.driven_length(driver).map(FormValue::Length),
@@ -193,13 +218,19 @@ impl<N: Real> CoupledGroup<'_, N> {
             PairForm::Angles { driver: None, .. } => match then {
                 Some(then) => equations::kept(form, &then),
                 None => match form.ends().0 {
-                    GraphNode::Link(slider) if a.is_along_guide(slider) => a.slid_along(slider).map(FormValue::InPlane),
-                    GraphNode::Link(_) | GraphNode::Pin(_) => Some(FormValue::InPlane(Vec2::unit_x())),
+                    GraphNode::Link(slider) if a.is_along_guide(slider) => {
+                        a.slid_along(slider).map(FormValue::InPlane)
+                    }
+                    GraphNode::Link(_) | GraphNode::Pin(_) => {
+                        Some(FormValue::InPlane(Vec2::unit_x()))
+                    }
                 },
             },
             PairForm::Angles { of, against, driver: Some(driver) } => match aside {
                 Some(then) => farther(then, driver),
-                None if self.links.contains(&against) => a.driven_apart(driver).map(FormValue::Turned),
+                None if self.links.contains(&against) => {
+                    a.driven_apart(driver).map(FormValue::Turned)
+                }
                 None => a.axis_of(of, against, Some(driver)).ok().map(FormValue::InPlane),
             },
         }
@@ -218,7 +249,9 @@ impl<N: Real> CoupledGroup<'_, N> {
                     list.push(GroupEquation { off: d.y, row: second });
                 }
                 FormMeasure::Length(off) => list.push(GroupEquation { off, row: first }),
-                FormMeasure::Angle(off) => list.push(GroupEquation { off: off * scale, row: first }),
+                FormMeasure::Angle(off) => {
+                    list.push(GroupEquation { off: off * scale, row: first })
+                }
             }
         }
         (list.len() == self.zeros().len()).then_some(list)
@@ -226,7 +259,12 @@ impl<N: Real> CoupledGroup<'_, N> {
 
     /// Returns the coefficients of a form's equations, with angles as lengths in which their steps
     /// are measured; the second list is used only for a form with two equations.
-    fn rows(&self, form: PairForm, given: FormValue<N>, view: &PlacedGroup<N>) -> Option<[Vec<N>; 2]> {
+    fn rows(
+        &self,
+        form: PairForm,
+        given: FormValue<N>,
+        view: &PlacedGroup<N>,
+    ) -> Option<[Vec<N>; 2]> {
         let mut rows = [self.zeros(), Vec::new()];
         let row = &mut rows[0];
         match form {
@@ -252,7 +290,9 @@ impl<N: Real> CoupledGroup<'_, N> {
                 let k = match view.path(guide)?.to_world(&view.pose(on)?) {
                     Path::Line { direction, .. } => direction,
                     // The angle at the centre, in metres of arc.
-                    Path::Arc { centre, radius } => direction_from(centre, place).perp() * (radius / (place - centre).norm()),
+                    Path::Arc { centre, radius } => {
+                        direction_from(centre, place).perp() * (radius / (place - centre).norm())
+                    }
                 };
                 self.add_runner(view.at, row, runner, k);
                 self.add_link(view.at, row, on, place, -k);
@@ -298,7 +338,11 @@ impl<N: Real> proof::SquareSystem<N> for CoupledGroup<'_, N> {
             axis: proof::turned(pose.axis, step[3 * i + 2] / scale),
         });
         let first = 3 * self.links.len();
-        let pins = at.pins.iter().enumerate().map(|(i, p)| *p + Vec2::new(step[first + 2 * i], step[first + 2 * i + 1]));
+        let pins = at
+            .pins
+            .iter()
+            .enumerate()
+            .map(|(i, p)| *p + Vec2::new(step[first + 2 * i], step[first + 2 * i + 1]));
         GroupPoses { poses: poses.collect(), pins: pins.collect() }
     }
 
@@ -341,20 +385,31 @@ mod tests {
         let Some(at) = configure(&scene, &m, &demand).ok().map(|c| c.value) else { return };
         let mut assembly = Assembly::<f64>::new(&scene, &m, &demand, Some(&at));
         assembly.guides.clone_from(&at.shapes.guides);
-        let groups: Vec<&Group> = newton::placed(&m, &at).into_iter().map(|g| &m.groups[g]).collect();
+        let groups: Vec<&Group> =
+            newton::placed(&m, &at).into_iter().map(|g| &m.groups[g]).collect();
         let links: Vec<LinkId> = groups.iter().flat_map(|g| g.links.clone()).collect();
         let pins: Vec<PointId> = groups.iter().flat_map(|g| g.pins.clone()).collect();
-        let forms: Vec<PairForm> = groups.iter().flat_map(|g| &g.constraints).map(|&c| m.constraints[c].form()).collect();
+        let forms: Vec<PairForm> =
+            groups.iter().flat_map(|g| &g.constraints).map(|&c| m.constraints[c].form()).collect();
         let scale = at.extent();
         for aside in [None, Some(Aside { driver: 0, by: 0.01 })] {
             assembly.instant = aside.map(|_| &at);
-            let system = CoupledGroup { assembly: &assembly, links: &links, pins: &pins, forms: forms.clone(), scale, aside, meant: &at };
+            let system = CoupledGroup {
+                assembly: &assembly,
+                links: &links,
+                pins: &pins,
+                forms: forms.clone(),
+                scale,
+                aside,
+                meant: &at,
+            };
             let state = GroupPoses {
                 poses: links.iter().map(|l| at.poses[l.0].expect("placed")).collect(),
                 pins: pins.iter().map(|p| at.point(*p)).collect(),
             };
             let n = system.zeros().len();
-            let off: Vec<f64> = (0..n).map(|k| 0.03 * scale * libm::sin(1.0 + 2.3 * k as f64)).collect();
+            let off: Vec<f64> =
+                (0..n).map(|k| 0.03 * scale * libm::sin(1.0 + 2.3 * k as f64)).collect();
             let state = system.moved(&state, &off);
             if system.equations(&state).is_none() {
                 continue;
@@ -421,7 +476,10 @@ mod tests {
         ];
         for kind in all {
             for aside in [false, true] {
-                assert!(seen.contains(&(kind, aside)), "no template has {kind}, aside {aside}: {seen:?}");
+                assert!(
+                    seen.contains(&(kind, aside)),
+                    "no template has {kind}, aside {aside}: {seen:?}"
+                );
             }
         }
     }

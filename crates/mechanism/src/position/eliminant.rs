@@ -42,14 +42,22 @@ impl Quadric {
     /// Returns the equation of a leg at an angle of the link, with lengths divided by `scale`.
     fn of(leg: &TriadLeg, axis: Vec2, scale: f64) -> Quadric {
         let turned = |local: Point| local.to_vec2().rotate_by(axis);
-        let line = |direction: Vec2, from: Vec2| Quadric { q: 0.0, g: direction.perp() * 0.5, h: direction.cross(from) / scale };
+        let line = |direction: Vec2, from: Vec2| Quadric {
+            q: 0.0,
+            g: direction.perp() * 0.5,
+            h: direction.cross(from) / scale,
+        };
         match *leg {
             TriadLeg::Circle { near, far, radius } => {
                 let (g, r) = ((turned(near) - far.to_vec2()) * (1.0 / scale), radius / scale);
                 Quadric { q: 1.0, g, h: g.norm2() - r * r }
             }
-            TriadLeg::Line { near, through, direction } => line(direction, turned(near) - through.to_vec2()),
-            TriadLeg::Slot { through, direction, pin } => line(direction.rotate_by(axis), turned(through) - pin.to_vec2()),
+            TriadLeg::Line { near, through, direction } => {
+                line(direction, turned(near) - through.to_vec2())
+            }
+            TriadLeg::Slot { through, direction, pin } => {
+                line(direction.rotate_by(axis), turned(through) - pin.to_vec2())
+            }
         }
     }
 
@@ -62,7 +70,8 @@ impl Quadric {
 fn value(legs: &[TriadLeg; 3], angle: f64, scale: f64) -> f64 {
     let all = legs.each_ref().map(|leg| Quadric::of(leg, Vec2::from_angle(angle), scale));
     let base = all.iter().position(|e| e.q != 0.0).unwrap_or(2);
-    let [a, b] = [1, 2].map(|k| all[(base + k) % 3]).map(|e| if e.q == 0.0 { e } else { e.less(all[base]) });
+    let [a, b] =
+        [1, 2].map(|k| all[(base + k) % 3]).map(|e| if e.q == 0.0 { e } else { e.less(all[base]) });
     let third = all[base];
     let (u, w) = (a.g * 2.0, b.g * 2.0);
     // Cramer's rule for u·p = −h_a, w·p = −h_b.
@@ -75,18 +84,30 @@ pub(super) fn angles(legs: &[TriadLeg; 3], scale: f64) -> Vec<f64> {
     let step = TAU / VALUES as f64;
     let values: [f64; VALUES] = std::array::from_fn(|i| value(legs, i as f64 * step, scale));
     // The half-angle's tangent is put at infinity where the eliminant is largest.
-    let largest = (0..VALUES).max_by(|&i, &k| values[i].abs().total_cmp(&values[k].abs())).unwrap_or(0);
+    let largest =
+        (0..VALUES).max_by(|&i, &k| values[i].abs().total_cmp(&values[k].abs())).unwrap_or(0);
     let infinite = largest as f64 * step;
     let cosines = |k: usize, part: fn(f64) -> f64| -> f64 {
-        let sum: f64 = values.iter().enumerate().map(|(i, v)| v * part(k as f64 * (i as f64 * step - infinite - TAU / 2.0))).sum();
+        let sum: f64 = values
+            .iter()
+            .enumerate()
+            .map(|(i, v)| v * part(k as f64 * (i as f64 * step - infinite - TAU / 2.0)))
+            .sum();
         sum * if k == 0 { 1.0 } else { 2.0 } / VALUES as f64
     };
-    let coefficients: Vec<(f64, f64)> = (0..=DEGREE).map(|k| (cosines(k, libm::cos), cosines(k, libm::sin))).collect();
+    let coefficients: Vec<(f64, f64)> =
+        (0..=DEGREE).map(|k| (cosines(k, libm::cos), cosines(k, libm::sin))).collect();
     let bound = coefficients.iter().map(|(a, b)| a.abs().max(b.abs())).fold(0.0, f64::max);
-    let degree = (0..=DEGREE).rev().find(|k| coefficients[*k].0.abs().max(coefficients[*k].1.abs()) > ROUNDING * bound).unwrap_or(0);
+    let degree = (0..=DEGREE)
+        .rev()
+        .find(|k| coefficients[*k].0.abs().max(coefficients[*k].1.abs()) > ROUNDING * bound)
+        .unwrap_or(0);
     let turn = |t: f64| infinite + TAU / 2.0 + 2.0 * libm::atan(t);
-    let mut found: Vec<f64> =
-        real_roots(&in_half_tangents(&coefficients[..=degree])).into_iter().map(turn).map(|a| a.rem_euclid(TAU)).collect();
+    let mut found: Vec<f64> = real_roots(&in_half_tangents(&coefficients[..=degree]))
+        .into_iter()
+        .map(turn)
+        .map(|a| a.rem_euclid(TAU))
+        .collect();
     found.sort_by(f64::total_cmp);
     found
 }
@@ -112,9 +133,16 @@ fn in_half_tangents(series: &[(f64, f64)]) -> Vec<f64> {
         }
         // Times 1 − t² + 2it.
         let (square, twice) = ([1.0, 0.0, -1.0], [0.0, 2.0]);
-        let minus = |a: Vec<f64>, b: Vec<f64>| (0..a.len().max(b.len())).map(|i| at(&a, i) - at(&b, i)).collect::<Vec<f64>>();
-        let plus = |a: Vec<f64>, b: Vec<f64>| (0..a.len().max(b.len())).map(|i| at(&a, i) + at(&b, i)).collect::<Vec<f64>>();
-        (re, im) = (minus(times(&re, &square), times(&im, &twice)), plus(times(&re, &twice), times(&im, &square)));
+        let minus = |a: Vec<f64>, b: Vec<f64>| {
+            (0..a.len().max(b.len())).map(|i| at(&a, i) - at(&b, i)).collect::<Vec<f64>>()
+        };
+        let plus = |a: Vec<f64>, b: Vec<f64>| {
+            (0..a.len().max(b.len())).map(|i| at(&a, i) + at(&b, i)).collect::<Vec<f64>>()
+        };
+        (re, im) = (
+            minus(times(&re, &square), times(&im, &twice)),
+            plus(times(&re, &twice), times(&im, &square)),
+        );
     }
     sum
 }
@@ -134,7 +162,9 @@ fn real_roots(coefficients: &[f64]) -> Vec<f64> {
         true => -coefficients[row] / leading,
         false => f64::from(u8::from(row == column + 1)),
     });
-    let Some(schur) = Schur::try_new(companion, f64::EPSILON, PATIENCE * n) else { return Vec::new() };
+    let Some(schur) = Schur::try_new(companion, f64::EPSILON, PATIENCE * n) else {
+        return Vec::new();
+    };
     let real = |z: &nalgebra::Complex<f64>| z.im.abs() <= NEARLY_REAL * (1.0 + z.re * z.re);
     schur.complex_eigenvalues().iter().filter(|z| real(z)).map(|z| z.re).collect()
 }
@@ -150,9 +180,13 @@ mod tests {
         for k in 0..20 {
             let angle = -3.0 + 0.3 * f64::from(k);
             let t = (angle / 2.0).tan();
-            let direct: f64 =
-                series.iter().enumerate().map(|(k, (a, b))| a * (k as f64 * angle).cos() + b * (k as f64 * angle).sin()).sum();
-            let through: f64 = polynomial.iter().rev().fold(0.0, |sum, c| sum * t + c) / (1.0 + t * t).powi(3);
+            let direct: f64 = series
+                .iter()
+                .enumerate()
+                .map(|(k, (a, b))| a * (k as f64 * angle).cos() + b * (k as f64 * angle).sin())
+                .sum();
+            let through: f64 =
+                polynomial.iter().rev().fold(0.0, |sum, c| sum * t + c) / (1.0 + t * t).powi(3);
             assert!((direct - through).abs() < 1e-12, "{angle}: {direct}, {through}");
         }
     }
@@ -160,10 +194,20 @@ mod tests {
     /// For three circles the fourth coefficient vanishes: six assemblies at most.
     #[test]
     fn three_circles_are_of_the_third_degree() {
-        let circle =
-            |x: f64, y: f64, fx: f64, fy: f64, radius: f64| TriadLeg::Circle { near: Point::new(x, y), far: Point::new(fx, fy), radius };
-        let legs = [circle(0.0, 0.0, -1.0, 0.3, 1.4), circle(1.1, 0.1, 2.0, 0.0, 1.3), circle(0.4, 0.9, 0.6, 2.1, 1.2)];
-        let fourth: f64 = (0..9).map(|i| f64::from(i) * TAU / 9.0).map(|a| value(&legs, a, 1.0) * (4.0 * a).cos()).sum();
+        let circle = |x: f64, y: f64, fx: f64, fy: f64, radius: f64| TriadLeg::Circle {
+            near: Point::new(x, y),
+            far: Point::new(fx, fy),
+            radius,
+        };
+        let legs = [
+            circle(0.0, 0.0, -1.0, 0.3, 1.4),
+            circle(1.1, 0.1, 2.0, 0.0, 1.3),
+            circle(0.4, 0.9, 0.6, 2.1, 1.2),
+        ];
+        let fourth: f64 = (0..9)
+            .map(|i| f64::from(i) * TAU / 9.0)
+            .map(|a| value(&legs, a, 1.0) * (4.0 * a).cos())
+            .sum();
         assert!(fourth.abs() < 1e-10, "{fourth}");
         assert!(angles(&legs, 1.0).len() <= 6);
     }

@@ -37,7 +37,11 @@ pub(super) trait PartPositions<N: Real> {
 
 impl<N: Real> PartPositions<N> for (&Scene, &Configuration<N>) {
     fn pose(&self, l: LinkId) -> Option<Pose<N>> {
-        if l == self.0.ground { Some(Pose { origin: Point::origin(), axis: Vec2::unit_x() }) } else { self.1.poses[l.0] }
+        if l == self.0.ground {
+            Some(Pose { origin: Point::origin(), axis: Vec2::unit_x() })
+        } else {
+            self.1.poses[l.0]
+        }
     }
 
     fn point(&self, p: PointId) -> Option<Point<N>> {
@@ -82,7 +86,10 @@ pub(super) enum FormMeasure<N> {
 }
 
 /// Returns the quantity that a form measures.
-pub(super) fn measured<N: Real>(form: PairForm, view: &impl PartPositions<N>) -> Option<FormMeasure<N>> {
+pub(super) fn measured<N: Real>(
+    form: PairForm,
+    view: &impl PartPositions<N>,
+) -> Option<FormMeasure<N>> {
     off(form, FormValue::Nothing, view)
 }
 
@@ -90,31 +97,45 @@ pub(super) fn measured<N: Real>(form: PairForm, view: &impl PartPositions<N>) ->
 /// distance that a slider keeps. Quantities that are zero in every pose have no value.
 pub(super) fn kept<N: Real>(form: PairForm, then: &impl PartPositions<N>) -> Option<FormValue<N>> {
     match form {
-        PairForm::Angles { of, against, .. } => Some(FormValue::Turned(then.pose(of)?.axis.divide_by(then.pose(against)?.axis))),
-        PairForm::OnPath { runner: Runner::Link(_), .. } | PairForm::AlongPath { .. } | PairForm::Distance { .. } => {
-            match measured(form, then)? {
-                FormMeasure::Length(x) => Some(FormValue::Length(x)),
-                FormMeasure::Apart(_) | FormMeasure::Angle(_) => None,
-            }
+        PairForm::Angles { of, against, .. } => {
+            Some(FormValue::Turned(then.pose(of)?.axis.divide_by(then.pose(against)?.axis)))
         }
-        PairForm::Meet { .. } | PairForm::OnPath { runner: Runner::Pin(_), .. } | PairForm::Related { .. } => Some(FormValue::Nothing),
+        PairForm::OnPath { runner: Runner::Link(_), .. }
+        | PairForm::AlongPath { .. }
+        | PairForm::Distance { .. } => match measured(form, then)? {
+            FormMeasure::Length(x) => Some(FormValue::Length(x)),
+            FormMeasure::Apart(_) | FormMeasure::Angle(_) => None,
+        },
+        PairForm::Meet { .. }
+        | PairForm::OnPath { runner: Runner::Pin(_), .. }
+        | PairForm::Related { .. } => Some(FormValue::Nothing),
     }
 }
 
 /// Returns the deviation of a form from its given value.
-pub(super) fn off<N: Real>(form: PairForm, given: FormValue<N>, view: &impl PartPositions<N>) -> Option<FormMeasure<N>> {
+pub(super) fn off<N: Real>(
+    form: PairForm,
+    given: FormValue<N>,
+    view: &impl PartPositions<N>,
+) -> Option<FormMeasure<N>> {
     let length = |x: N| match given {
         FormValue::Length(given) => x - given,
         FormValue::Nothing | FormValue::Turned(_) | FormValue::InPlane(_) => x,
     };
     Some(match form {
-        PairForm::Meet { pin, link } => FormMeasure::Apart(view.point(pin)? - view.pose(link)?.to_world(view.local(link, pin)?)),
+        PairForm::Meet { pin, link } => {
+            FormMeasure::Apart(view.point(pin)? - view.pose(link)?.to_world(view.local(link, pin)?))
+        }
         PairForm::Angles { of, against, .. } => {
             let axis = view.pose(of)?.axis;
             FormMeasure::Angle(match given {
                 FormValue::InPlane(given) => axis.divide_by(given).angle(),
-                FormValue::Turned(given) => axis.divide_by(view.pose(against)?.axis).divide_by(given).angle(),
-                FormValue::Nothing | FormValue::Length(_) => axis.divide_by(view.pose(against)?.axis).angle(),
+                FormValue::Turned(given) => {
+                    axis.divide_by(view.pose(against)?.axis).divide_by(given).angle()
+                }
+                FormValue::Nothing | FormValue::Length(_) => {
+                    axis.divide_by(view.pose(against)?.axis).angle()
+                }
             })
         }
         PairForm::OnPath { runner, guide, on } => {
@@ -128,7 +149,9 @@ pub(super) fn off<N: Real>(form: PairForm, given: FormValue<N>, view: &impl Part
             let place = view.pose(on)?.to_local(view.runner(runner)?);
             FormMeasure::Length(length(view.path(guide)?.coordinate_of(place)))
         }
-        PairForm::Distance { from, to, .. } => FormMeasure::Length(length(view.point(from)?.distance(view.point(to)?))),
+        PairForm::Distance { from, to, .. } => {
+            FormMeasure::Length(length(view.point(from)?.distance(view.point(to)?)))
+        }
         PairForm::Related { pair, .. } => FormMeasure::Angle(view.slip(pair)?),
     })
 }

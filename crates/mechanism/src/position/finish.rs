@@ -28,10 +28,13 @@ impl<N: Real> Assembly<'_, N> {
             let on = self.scene.guides[g.0].on;
             if let (Some(path), Some(pose)) = (self.guide_in_plane(g), self.poses[on.0]) {
                 self.guides[g.0] = Some(match path {
-                    Path::Line { through, direction } => {
-                        Path::Line { through: pose.to_local(through), direction: pose.turn_back(direction) }
+                    Path::Line { through, direction } => Path::Line {
+                        through: pose.to_local(through),
+                        direction: pose.turn_back(direction),
+                    },
+                    Path::Arc { centre, radius } => {
+                        Path::Arc { centre: pose.to_local(centre), radius }
                     }
-                    Path::Arc { centre, radius } => Path::Arc { centre: pose.to_local(centre), radius },
                 });
             }
         }
@@ -44,8 +47,13 @@ impl<N: Real> Assembly<'_, N> {
     /// it would contradict the coordinates in the tenth digit.
     fn fit_arcs(&mut self) {
         for (g, guide) in self.scene.guides.iter().enumerate() {
-            let given = guide.pin.filter(|p| matches!(self.scene.points[p.0].place, PointPlace::At(_)));
-            let (Some(at), Some(pose)) = (given.and_then(|p| self.points[p.0]), self.poses[guide.on.0]) else { continue };
+            let given =
+                guide.pin.filter(|p| matches!(self.scene.points[p.0].place, PointPlace::At(_)));
+            let (Some(at), Some(pose)) =
+                (given.and_then(|p| self.points[p.0]), self.poses[guide.on.0])
+            else {
+                continue;
+            };
             if let Some(Path::Arc { centre, radius }) = &mut self.guides[g] {
                 *radius = at.distance(pose.to_world(*centre));
             }
@@ -59,7 +67,11 @@ impl<N: Real> Assembly<'_, N> {
 
     pub(super) fn into_configuration(self) -> Configuration<N> {
         let rolling = self.sizes();
-        let shapes = Shapes { points: self.shapes.into_iter().map(|s| s.points).collect(), guides: self.guides, rolling };
+        let shapes = Shapes {
+            points: self.shapes.into_iter().map(|s| s.points).collect(),
+            guides: self.guides,
+            rolling,
+        };
         let before = self.meant.map_or(&[][..], |m| &m.rolled);
         complete(self.scene, self.m, shapes, (self.poses, self.points), self.closures, before)
     }
@@ -74,10 +86,25 @@ impl Assembly<'_, f64> {
         if a.faults.has_errors() {
             return Err(a.faults);
         }
-        let shapes = Shapes { points: a.shapes.iter().map(|s| s.points.clone()).collect(), guides: a.guides.clone(), rolling: a.sizes() };
-        let configuration = complete(a.scene, a.m, shapes, (a.poses.clone(), a.points.clone()), a.closures.clone(), &[]);
+        let shapes = Shapes {
+            points: a.shapes.iter().map(|s| s.points.clone()).collect(),
+            guides: a.guides.clone(),
+            rolling: a.sizes(),
+        };
+        let configuration = complete(
+            a.scene,
+            a.m,
+            shapes,
+            (a.poses.clone(), a.points.clone()),
+            a.closures.clone(),
+            &[],
+        );
         a.check(&configuration);
-        if a.faults.has_errors() { Err(a.faults) } else { Ok(Warned { value: configuration, notes: a.notes }) }
+        if a.faults.has_errors() {
+            Err(a.faults)
+        } else {
+            Ok(Warned { value: configuration, notes: a.notes })
+        }
     }
 
     /// Checks that the radii of two circles in contact match the distance of their centres.
@@ -121,14 +148,20 @@ impl Assembly<'_, f64> {
             let (Some(p), Some(path)) = (guide.pin, c.guides[g]) else { continue };
             // Sizes of two rolling circles are checked as such; opened items are checked
             // separately.
-            if guide.rolling.is_some() && matches!(path, Path::Arc { .. }) || self.m.is_opened(&Opened::Guide(GuideId(g))) {
+            if guide.rolling.is_some() && matches!(path, Path::Arc { .. })
+                || self.m.is_opened(&Opened::Guide(GuideId(g)))
+            {
                 continue;
             }
             let Some(at) = c.points[p.0] else { continue };
             let off = match path {
                 Path::Line { through, direction } => direction.cross(at - through).abs(),
                 Path::Arc { centre, radius } => {
-                    let given = if let GuidePath::Arc { radius: Some(given), .. } = &guide.path { given.value } else { radius };
+                    let given = if let GuidePath::Arc { radius: Some(given), .. } = &guide.path {
+                        given.value
+                    } else {
+                        radius
+                    };
                     (at.distance(centre) - given).abs()
                 }
             };
@@ -136,10 +169,15 @@ impl Assembly<'_, f64> {
             let beside = || {
                 let (pin, off) = (self.scene.point_name(p), self.scene.length_words(off));
                 match &contact {
-                    Some(contact) => both!("{} is missed by {off} at {pin}", "{}相差 {off}（{pin} 处）", contact),
+                    Some(contact) => {
+                        both!("{} is missed by {off} at {pin}", "{}相差 {off}（{pin} 处）", contact)
+                    }
                     None => {
                         let on = self.scene.link_name(guide.on);
-                        both!("pin {pin} lies {off} beside its guide on link {on}", "销 {pin} 偏离构件 {on} 上的导路 {off}")
+                        both!(
+                            "pin {pin} lies {off} beside its guide on link {on}",
+                            "销 {pin} 偏离构件 {on} 上的导路 {off}"
+                        )
                     }
                 }
             };
@@ -157,7 +195,9 @@ impl Assembly<'_, f64> {
                 self.faults.push(d.at(guide.span));
             } else if off > distinguishable_length(extent, at) {
                 let what = match guide.path {
-                    GuidePath::Arc { .. } => both!("the radius is what they make it", "半径由坐标确定"),
+                    GuidePath::Arc { .. } => {
+                        both!("the radius is what they make it", "半径由坐标确定")
+                    }
                     GuidePath::Line { .. } => both!("the guide runs through them", "导路通过该处"),
                 };
                 self.notes.push(given_twice(beside(), what, guide.span));
@@ -166,7 +206,10 @@ impl Assembly<'_, f64> {
         self.check_rolling(c);
         for (l, shape) in self.shapes.iter().enumerate() {
             let Some(pose) = c.poses[l] else { continue };
-            let opened = |p: PointId| self.m.is_opened(&Opened::Link(LinkId(l))) || self.m.is_opened(&Opened::Pin(p, LinkId(l)));
+            let opened = |p: PointId| {
+                self.m.is_opened(&Opened::Link(LinkId(l)))
+                    || self.m.is_opened(&Opened::Pin(p, LinkId(l)))
+            };
             for (p, local) in shape.points.iter().filter(|(p, _)| !opened(*p)) {
                 let Some(at) = c.points[p.0] else { continue };
                 let off = at.distance(pose.to_world(*local));
@@ -194,7 +237,13 @@ impl Assembly<'_, f64> {
             }
         }
         for length in &self.scene.lengths {
-            let given = |p: PointId| if let PointPlace::At(_) = self.scene.points[p.0].place { c.points[p.0] } else { None };
+            let given = |p: PointId| {
+                if let PointPlace::At(_) = self.scene.points[p.0].place {
+                    c.points[p.0]
+                } else {
+                    None
+                }
+            };
             let (Some(a), Some(b)) = (given(length.a), given(length.b)) else { continue };
             let off = (a.distance(b) - length.value.value).abs();
             if off > distinguishable_length(extent, a) {
@@ -212,8 +261,14 @@ impl Assembly<'_, f64> {
             }
         }
         for (d, driver) in self.scene.drivers.iter().enumerate() {
-            let (Some((link, against)), Some(angle)) = (driver.kind.turned(), driver.kind.angle()) else { continue };
-            let (Some(pose), Ok(axis)) = (c.poses[link.0], self.axis_of(link, against, Some(d))) else { continue };
+            let (Some((link, against)), Some(angle)) = (driver.kind.turned(), driver.kind.angle())
+            else {
+                continue;
+            };
+            let (Some(pose), Ok(axis)) = (c.poses[link.0], self.axis_of(link, against, Some(d)))
+            else {
+                continue;
+            };
             let off = pose.axis.cross(axis).abs() + (1.0 - pose.axis.dot(axis));
             if off > DISTINGUISHABLE && off <= SAME_PLACE {
                 let link = self.scene.link_name(link);
@@ -306,8 +361,9 @@ pub(super) fn complete<N: Real>(
             }
         }
     }
-    let guides: Vec<Option<Path<N>>> =
-        (0..scene.guides.len()).map(|g| Some(shapes.guides[g]?.to_world(&poses[scene.guides[g].on.0]?))).collect();
+    let guides: Vec<Option<Path<N>>> = (0..scene.guides.len())
+        .map(|g| Some(shapes.guides[g]?.to_world(&poses[scene.guides[g].on.0]?)))
+        .collect();
     for (pair, sizes) in scene.rolling.iter().zip(&shapes.rolling) {
         let ends = rolling::contact(pair, *sizes, &points, &guides);
         for (k, at) in pair.at.into_iter().enumerate() {
@@ -331,7 +387,8 @@ pub(super) fn complete<N: Real>(
             }),
             Some(Passive::Held(a, b)) => {
                 let shape = |p| shapes.local(LinkId(l), p);
-                let lies = |(((la, lb), wa), wb)| Pose::from_point_and_direction(la, lb - la, wa, wb - wa);
+                let lies =
+                    |(((la, lb), wa), wb)| Pose::from_point_and_direction(la, lb - la, wa, wb - wa);
                 shape(a).zip(shape(b)).zip(points[a.0]).zip(points[b.0]).and_then(lies)
             }
             None => poses[l],

@@ -99,12 +99,20 @@ pub fn fold(
     drivers: &DriverValues,
     driver: usize,
 ) -> Option<(f64, Configuration)> {
-    let system = System::new(scene, mechanism, &near.shapes, near, &newton::placed(mechanism, near));
+    let system =
+        System::new(scene, mechanism, &near.shapes, near, &newton::placed(mechanism, near));
     let unit = if scene.drivers[driver].kind.turns() { 1.0 } else { system.scale() };
     let x = system.pack(near)?;
     let n = x.len();
     let base = x.insert_row(n, drivers.0[driver] / unit);
-    let mut curve = PoseCurve { system, drivers: drivers.clone(), driver, unit, along: DVector::zeros(n + 1), base };
+    let mut curve = PoseCurve {
+        system,
+        drivers: drivers.clone(),
+        driver,
+        unit,
+        along: DVector::zeros(n + 1),
+        base,
+    };
     let slopes = newton::slopes(&curve.base, &|z| curve.residuals(z));
     if slopes.nrows() != n || slopes.iter().any(|v| !v.is_finite()) {
         return None;
@@ -122,7 +130,14 @@ pub fn fold(
         let step = (next - s).abs();
         if step < SLIGHT || rate == 0.0 {
             let (poses, points) = curve.system.unpack(&there.rows(0, n).into_owned());
-            let at = finish::complete(scene, mechanism, near.shapes.clone(), (poses, points), near.closures.clone(), &near.rolled);
+            let at = finish::complete(
+                scene,
+                mechanism,
+                near.shapes.clone(),
+                (poses, points),
+                near.closures.clone(),
+                &near.rolled,
+            );
             return Some((there[n] * unit, at));
         }
         if !next.is_finite() || next.abs() > NEAR {
@@ -146,7 +161,8 @@ mod tests {
     /// the cosine law.
     fn found([a, b, c, d]: [f64; 4], sense: f64, inside: f64, off: f64) -> (Option<f64>, f64) {
         let reach = b + sense * a;
-        let limit = std::f64::consts::PI - libm::acos((c * c + d * d - reach * reach) / (2.0 * c * d));
+        let limit =
+            std::f64::consts::PI - libm::acos((c * c + d * d - reach * reach) / (2.0 * c * d));
         let angle = limit + sense * inside;
         let text = format!(
             r#"{{"links": {{"1": ["A", "B"], "2": ["B", "C"], "3": ["D", "C"], "0": ["A", "D"]}}, "ground": "0", "side": {{"B": "left of AC"}},
@@ -155,13 +171,20 @@ mod tests {
         );
         let scene = scene::read(&text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
         let m = Mechanism::new(&scene).unwrap().value;
-        let at = configure(&scene, &m, &Demand::of(&scene, &m).with_all_positions()).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
+        let at = configure(&scene, &m, &Demand::of(&scene, &m).with_all_positions())
+            .unwrap_or_else(|f| panic!("{f}\n{text}"))
+            .value;
         let drivers = newton::driver_values(&scene, &at);
         let fold = fold(&scene, &m, &at, &drivers, 0);
         (
             fold.map(|(value, there)| {
-                let [p, q, r] = ["A", "B", "C"].map(|n| there.points[scene.points.iter().position(|p| p.name == n).unwrap()].unwrap());
-                assert!((q - p).cross(r - q).abs() < 1e-6 * a * b, "A, B, C are not in line\n{text}");
+                let [p, q, r] = ["A", "B", "C"].map(|n| {
+                    there.points[scene.points.iter().position(|p| p.name == n).unwrap()].unwrap()
+                });
+                assert!(
+                    (q - p).cross(r - q).abs() < 1e-6 * a * b,
+                    "A, B, C are not in line\n{text}"
+                );
                 angle + (value - drivers.0[0])
             }),
             limit,
@@ -174,7 +197,12 @@ mod tests {
     fn the_fold_is_the_limit_by_the_cosine_law() {
         let (mut near, mut far, mut shifted) = (0, 0, 0);
         for (size, off) in [(1e-3, 0.0), (1.0, 0.0), (1.0, 60.0), (1e3, 0.0), (1e3, 2e5)] {
-            for lengths in [[1.0, 2.5, 2.0, 3.0], [0.5, 3.0, 1.7, 3.1], [0.9, 1.4, 1.6, 1.5], [0.05, 2.0, 1.3, 2.2]] {
+            for lengths in [
+                [1.0, 2.5, 2.0, 3.0],
+                [0.5, 3.0, 1.7, 3.1],
+                [0.9, 1.4, 1.6, 1.5],
+                [0.05, 2.0, 1.3, 2.2],
+            ] {
                 for sense in [1.0, -1.0] {
                     for inside in [1e-9, 1e-6, 1e-4, 1e-3, 3e-3, 0.01, 0.03, 0.1, 0.2, 0.4] {
                         // Half of the swing is as close to the other limit.
@@ -184,7 +212,10 @@ mod tests {
                         let (fold, limit) = found(lengths.map(|l| l * size), sense, inside, off);
                         // Far from the origin the rate, which is a difference, is not always
                         // accurate enough.
-                        assert!(fold.is_some() || off > 0.0 || inside > 1e-3 * lengths[0], "{lengths:?} {sense}: none from {inside} rad");
+                        assert!(
+                            fold.is_some() || off > 0.0 || inside > 1e-3 * lengths[0],
+                            "{lengths:?} {sense}: none from {inside} rad"
+                        );
                         let Some(value) = fold else { continue };
                         match (off > 0.0, inside > 1e-3) {
                             (true, _) => shifted += 1,

@@ -50,9 +50,13 @@ pub enum Miss {
 /// rounding counts as contact.
 pub fn meet<N: Real>(a: Locus<N>, b: Locus<N>) -> Result<Vec<Point<N>>, Miss> {
     match (a, b) {
-        (Locus::Circle { centre: p, radius: r }, Locus::Circle { centre: q, radius: s }) => circles(p, r, q, s),
+        (Locus::Circle { centre: p, radius: r }, Locus::Circle { centre: q, radius: s }) => {
+            circles(p, r, q, s)
+        }
         (Locus::Circle { centre, radius }, Locus::Line { through, direction })
-        | (Locus::Line { through, direction }, Locus::Circle { centre, radius }) => circle_line(centre, radius, through, direction),
+        | (Locus::Line { through, direction }, Locus::Circle { centre, radius }) => {
+            circle_line(centre, radius, through, direction)
+        }
         (Locus::Line { through: p, direction: u }, Locus::Line { through: q, direction: w }) => {
             let c = cross_lines(p, u, q, w);
             // The sine of two unit vectors that are parallel as written is zero to the last bit or
@@ -88,14 +92,22 @@ const COINCIDE: f64 = 1e-6;
 /// Returns true if a radicand is negative beyond its rounding; `size` is that of its terms. Numbers
 /// that know their error decide by their bound: with a wide bound the midpoint is not conclusive.
 fn misses<N: Real>(radicand: N, size: N) -> bool {
-    if N::knows_its_error() { radicand.is_surely_negative() } else { radicand.approx() < -TOUCH * size.approx() }
+    if N::knows_its_error() {
+        radicand.is_surely_negative()
+    } else {
+        radicand.approx() < -TOUCH * size.approx()
+    }
 }
 
 /// Returns a radicand, set to zero in plain numbers if it is zero within rounding: the loci touch,
 /// and their intersection does not move by the square root of the rounding (1e-8 of the size:
 /// a dead centre would be missed by as much).
 fn touching<N: Real>(radicand: N, size: N) -> N {
-    if !N::refines() && radicand.approx().abs() <= 0.25 * TOUCH * size.approx() { N::from_f64(0.0) } else { radicand }
+    if !N::refines() && radicand.approx().abs() <= 0.25 * TOUCH * size.approx() {
+        N::from_f64(0.0)
+    } else {
+        radicand
+    }
 }
 
 /// Returns the factors (r+s)²−d² and d²−(r−s)² of m: two circles meet if neither is negative.
@@ -188,7 +200,12 @@ fn circle_line<N: Real>(c: Point<N>, r: N, q: Point<N>, t: Vec2<N>) -> Result<Ve
 /// In the lever's frame: pivot `d`, slot along the unit vector `t` through `q`. `to_pin` is the
 /// vector from the pivot to the pin in the plane. Returns, for each closure, the position of the
 /// pin in the lever's frame: first the one further along the slot's direction.
-pub fn lever<N: Real>(d: Point<N>, q: Point<N>, t: Vec2<N>, to_pin: Vec2<N>) -> Result<Vec<Point<N>>, Miss> {
+pub fn lever<N: Real>(
+    d: Point<N>,
+    q: Point<N>,
+    t: Vec2<N>,
+    to_pin: Vec2<N>,
+) -> Result<Vec<Point<N>>, Miss> {
     circle_line(d, to_pin.norm(), q, t)
 }
 
@@ -230,17 +247,26 @@ mod tests {
         for e in [-30, -36, -40, -44, -48] {
             let d = libm::ldexp(0.15, e);
             for p in meet(circle(0.0, 0.0, 0.15), circle(d, 0.0, 0.15)).unwrap_or_default() {
-                assert!((p.to_vec2().norm() - 0.15).abs() < 1e-12 && p.y.abs() > 0.14, "{e}: {p:?}");
+                assert!(
+                    (p.to_vec2().norm() - 0.15).abs() < 1e-12 && p.y.abs() > 0.14,
+                    "{e}: {p:?}"
+                );
             }
         }
         assert!(meet(circle(0.0, 0.0, 0.15), circle(1e-13, 0.0, 0.15)).is_ok());
-        assert!(matches!(meet(circle(0.0, 0.0, 0.15), circle(1e-18, 0.0, 0.15)), Err(Miss::Parallel(_))));
+        assert!(matches!(
+            meet(circle(0.0, 0.0, 0.15), circle(1e-18, 0.0, 0.15)),
+            Err(Miss::Parallel(_))
+        ));
     }
 
     #[test]
     fn circle_and_line_ahead_first() {
         let line = Locus::Line { through: Point::new(0.0, 3.0), direction: Vec2::new(1.0, 0.0) };
-        assert_eq!(meet(circle(0.0, 0.0, 5.0), line).unwrap(), vec![Point::new(4.0, 3.0), Point::new(-4.0, 3.0)]);
+        assert_eq!(
+            meet(circle(0.0, 0.0, 5.0), line).unwrap(),
+            vec![Point::new(4.0, 3.0), Point::new(-4.0, 3.0)]
+        );
     }
 
     #[test]
@@ -248,7 +274,8 @@ mod tests {
         let one = meet(circle(0.1, 0.2, 0.7), circle(0.9, 0.3, 0.5)).unwrap();
         for e in [-300, -40, 40, 300] {
             let k = libm::ldexp(1.0, e);
-            let two = meet(circle(0.1 * k, 0.2 * k, 0.7 * k), circle(0.9 * k, 0.3 * k, 0.5 * k)).unwrap();
+            let two =
+                meet(circle(0.1 * k, 0.2 * k, 0.7 * k), circle(0.9 * k, 0.3 * k, 0.5 * k)).unwrap();
             assert_eq!((one[0].x * k, one[0].y * k), (two[0].x, two[0].y));
         }
     }

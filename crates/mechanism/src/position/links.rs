@@ -14,7 +14,11 @@ use hodograph_scene::{Guide, GuideDirection, GuideId, GuidePath, LinkId, PointId
 
 impl<N: Real> Assembly<'_, N> {
     /// Returns the possible poses of a core link.
-    pub(super) fn poses_of_link(&self, link: LinkId, legs: &[Leg]) -> Result<Vec<Pose<N>>, Diagnostic> {
+    pub(super) fn poses_of_link(
+        &self,
+        link: LinkId,
+        legs: &[Leg],
+    ) -> Result<Vec<Pose<N>>, Diagnostic> {
         let CoreLoci { pivot, angle, holds, .. } = CoreLoci::of(legs);
         if angle.is_none() && holds.iter().any(|h| matches!(h, Hold::Rolls { .. })) {
             return self.poses_of_rolling(link, pivot, &holds);
@@ -29,7 +33,9 @@ impl<N: Real> Assembly<'_, N> {
                 Ok(vec![Pose { origin: self.known(pin) - d.to_vec2().rotate_by(axis), axis }])
             }
             (Some(pin), None) => {
-                let [Hold::Slot { pin: runner, guide }] = holds[..] else { return Err(self.no_closure(link)) };
+                let [Hold::Slot { pin: runner, guide }] = holds[..] else {
+                    return Err(self.no_closure(link));
+                };
                 self.poses_of_lever(link, pin, runner, guide)
             }
             (None, Some((of, driver))) => {
@@ -44,7 +50,12 @@ impl<N: Real> Assembly<'_, N> {
     /// without a stated angle over a pin with given coordinates, or that of a link without a line
     /// that turns with another link. Two guides determine no angle: one about the pivot itself,
     /// which is the same at every angle, and one with a given angle on a link that never turns.
-    pub(super) fn posed_by_runner(&self, link: LinkId, pivot: PointId, driver: Option<usize>) -> Option<(PointId, GuideId)> {
+    pub(super) fn posed_by_runner(
+        &self,
+        link: LinkId,
+        pivot: PointId,
+        driver: Option<usize>,
+    ) -> Option<(PointId, GuideId)> {
         let shown = match driver.map(|d| &self.scene.drivers[d].kind) {
             Some(kind) => kind.turns() && kind.angle().is_none(),
             None => self.instant.is_none() && self.shapes[link.0].frame == FrameAnchor::Loose,
@@ -52,14 +63,22 @@ impl<N: Real> Assembly<'_, N> {
         if !shown {
             return None;
         }
-        let about_pivot = |path: &GuidePath| matches!(path, GuidePath::Arc { centre, .. } if *centre == pivot);
-        let told =
-            |path: &GuidePath| self.m.never_turns[link.0] && matches!(path, GuidePath::Line { direction: GuideDirection::Instant(_), .. });
+        let about_pivot =
+            |path: &GuidePath| matches!(path, GuidePath::Arc { centre, .. } if *centre == pivot);
+        let told = |path: &GuidePath| {
+            self.m.never_turns[link.0]
+                && matches!(path, GuidePath::Line { direction: GuideDirection::Instant(_), .. })
+        };
         let shows = |path: &GuidePath| !about_pivot(path) && !told(path);
         (0..self.scene.guides.len())
             .map(GuideId)
             .filter(|g| self.scene.guides[g.0].on == link && shows(&self.scene.guides[g.0].path))
-            .find_map(|g| self.scene.guides[g.0].pin.filter(|p| given_at(self.scene, *p).is_some()).map(|p| (p, g)))
+            .find_map(|g| {
+                self.scene.guides[g.0]
+                    .pin
+                    .filter(|p| given_at(self.scene, *p).is_some())
+                    .map(|p| (p, g))
+            })
     }
 
     pub(super) fn no_closure(&self, link: LinkId) -> Diagnostic {
@@ -72,12 +91,20 @@ impl<N: Real> Assembly<'_, N> {
             ),
         )
         .at(self.scene.links[link.0].span)
-        .help(both!("give the coordinates of its joints at the instant in \"points\"", "请在 \"points\" 中给出该时刻各铰链的坐标"))
+        .help(both!(
+            "give the coordinates of its joints at the instant in \"points\"",
+            "请在 \"points\" 中给出该时刻各铰链的坐标"
+        ))
     }
 
     /// Returns the direction of a link's frame, from the link with which it turns or relative to
     /// which a driver turns it.
-    pub(super) fn axis_of(&self, link: LinkId, of: LinkId, driver: Option<usize>) -> Result<Vec2<N>, Diagnostic> {
+    pub(super) fn axis_of(
+        &self,
+        link: LinkId,
+        of: LinkId,
+        driver: Option<usize>,
+    ) -> Result<Vec2<N>, Diagnostic> {
         let name = self.scene.link_name(link);
         let shape = &self.shapes[link.0];
         let Some(d) = driver else {
@@ -113,7 +140,11 @@ impl<N: Real> Assembly<'_, N> {
             if shape.frame == FrameAnchor::Loose && (wheel || !lines) && self.instant.is_none() {
                 return Ok(Vec2::unit_x());
             }
-            return Err(self.driver_without_value(d, "angle", both!("at which angle link {name} stands", "构件 {name} 的角度")));
+            return Err(self.driver_without_value(
+                d,
+                "angle",
+                both!("at which angle link {name} stands", "构件 {name} 的角度"),
+            ));
         };
         let own = self.line_in(link, line);
         let base = if let Some((a, b)) = against_line {
@@ -127,24 +158,34 @@ impl<N: Real> Assembly<'_, N> {
             }
         };
         let (s, c) = self.inputs.driven_sin_cos(&self.scene.drivers[d], angle);
-        own.zip(base).and_then(|(own, base)| Vec2::new(c, s).rotate_by(base.unit()?).divide_by(own.unit()?).unit()).ok_or_else(|| {
-            Diagnostic::error(
-                "angle-of-nothing",
-                both!("the angle of link {name} has no line to count from", "构件 {name} 的角度没有可量取的直线"),
-            )
-            .at(angle.span)
-            .help(both!(
-                "name two different points of the link with \"line\" (and \"against_line\")",
-                "请用 \"line\"（及 \"against_line\"）写该构件上两个不同的点"
-            ))
-        })
+        own.zip(base)
+            .and_then(|(own, base)| {
+                Vec2::new(c, s).rotate_by(base.unit()?).divide_by(own.unit()?).unit()
+            })
+            .ok_or_else(|| {
+                Diagnostic::error(
+                    "angle-of-nothing",
+                    both!(
+                        "the angle of link {name} has no line to count from",
+                        "构件 {name} 的角度没有可量取的直线"
+                    ),
+                )
+                .at(angle.span)
+                .help(both!(
+                    "name two different points of the link with \"line\" (and \"against_line\")",
+                    "请用 \"line\"（及 \"against_line\"）写该构件上两个不同的点"
+                ))
+            })
     }
 
     /// Returns true if the frame of a sliding link is aligned with the guide in which it slides:
     /// the angle of a guide on the link is measured from it.
     pub(super) fn is_along_guide(&self, link: LinkId) -> bool {
-        let counts = |g: &Guide| matches!(g.path, GuidePath::Line { direction: GuideDirection::Slid(_), .. });
-        self.shapes[link.0].frame == FrameAnchor::Loose && self.scene.guides.iter().any(|g| g.on == link && counts(g))
+        let counts = |g: &Guide| {
+            matches!(g.path, GuidePath::Line { direction: GuideDirection::Slid(_), .. })
+        };
+        self.shapes[link.0].frame == FrameAnchor::Loose
+            && self.scene.guides.iter().any(|g| g.on == link && counts(g))
     }
 
     /// Returns the direction in the plane of the guide in which a link slides.
@@ -179,8 +220,17 @@ impl<N: Real> Assembly<'_, N> {
     }
 
     /// Returns the poses of a link on a known pivot with a slot over a known pin.
-    pub(super) fn poses_of_lever(&self, link: LinkId, pivot: PointId, runner: PointId, guide: GuideId) -> Result<Vec<Pose<N>>, Diagnostic> {
-        let (pivot_at, pin_at) = (self.known(pivot), given_place(self.scene, &self.inputs, runner).unwrap_or_else(|| self.known(runner)));
+    pub(super) fn poses_of_lever(
+        &self,
+        link: LinkId,
+        pivot: PointId,
+        runner: PointId,
+        guide: GuideId,
+    ) -> Result<Vec<Pose<N>>, Diagnostic> {
+        let (pivot_at, pin_at) = (
+            self.known(pivot),
+            given_place(self.scene, &self.inputs, runner).unwrap_or_else(|| self.known(runner)),
+        );
         let d = self.shapes[link.0].local(pivot).expect("a link's points have local places");
         let to_pin = pin_at - pivot_at;
         let Some(path) = self.guides[guide.0] else {
@@ -207,23 +257,30 @@ impl<N: Real> Assembly<'_, N> {
         let places = match path {
             // A link that has only its pivot and its slot has no front: a pin ahead or behind is
             // equivalent.
-            Path::Line { through, direction } if self.shapes[link.0].frame == FrameAnchor::Loose && through == d => {
-                let mut places = kernel::lever(d, through, direction, to_pin).map_err(|miss| self.lever_miss(link, pivot, runner, miss))?;
+            Path::Line { through, direction }
+                if self.shapes[link.0].frame == FrameAnchor::Loose && through == d =>
+            {
+                let mut places = kernel::lever(d, through, direction, to_pin)
+                    .map_err(|miss| self.lever_miss(link, pivot, runner, miss))?;
                 places.truncate(1);
                 places
             }
-            Path::Line { through, direction } => {
-                kernel::lever(d, through, direction, to_pin).map_err(|miss| self.lever_miss(link, pivot, runner, miss))?
-            }
+            Path::Line { through, direction } => kernel::lever(d, through, direction, to_pin)
+                .map_err(|miss| self.lever_miss(link, pivot, runner, miss))?,
             Path::Arc { centre, radius } => {
                 let k = Locus::Circle { centre: pivot_at, radius: d.distance(centre) };
-                let places =
-                    kernel::meet(k, Locus::Circle { centre: pin_at, radius }).map_err(|miss| self.lever_miss(link, pivot, runner, miss))?;
+                let places = kernel::meet(k, Locus::Circle { centre: pin_at, radius })
+                    .map_err(|miss| self.lever_miss(link, pivot, runner, miss))?;
                 return places
                     .into_iter()
                     .map(|at| {
                         Pose::from_point_and_direction(d, centre - d, pivot_at, at - pivot_at)
-                            .ok_or_else(|| self.degenerate(guide, both!("its centre lies on the pivot", "其圆心在铰链中心上")))
+                            .ok_or_else(|| {
+                                self.degenerate(
+                                    guide,
+                                    both!("its centre lies on the pivot", "其圆心在铰链中心上"),
+                                )
+                            })
                     })
                     .collect();
             }
@@ -246,7 +303,13 @@ impl<N: Real> Assembly<'_, N> {
             .collect()
     }
 
-    pub(super) fn lever_miss(&self, link: LinkId, pivot: PointId, runner: PointId, miss: Miss) -> Diagnostic {
+    pub(super) fn lever_miss(
+        &self,
+        link: LinkId,
+        pivot: PointId,
+        runner: PointId,
+        miss: Miss,
+    ) -> Diagnostic {
         let (p, r) = (self.scene.point_name(pivot), self.scene.point_name(runner));
         let by = match miss {
             Miss::TooFar(x) | Miss::TooNear(x) | Miss::Parallel(x) => self.scene.length_words(x),
@@ -263,7 +326,12 @@ impl<N: Real> Assembly<'_, N> {
         .help(both!("change the slot's offset, a length, or the driver's position", "请改变导槽的偏距、某一长度或原动件的位置"))
     }
 
-    fn poses_at_angle(&self, link: LinkId, axis: Vec2<N>, holds: &[Hold]) -> Result<Vec<Pose<N>>, Diagnostic> {
+    fn poses_at_angle(
+        &self,
+        link: LinkId,
+        axis: Vec2<N>,
+        holds: &[Hold],
+    ) -> Result<Vec<Pose<N>>, Diagnostic> {
         let stated = |d: usize| self.scene.drivers[d].kind.length().is_some();
         if let [Hold::Glide { guide, driver: Some(driver), .. }] = *holds
             && (stated(driver) || !self.shapes[link.0].points.is_empty())
@@ -272,7 +340,11 @@ impl<N: Real> Assembly<'_, N> {
         }
         // A point with given coordinates determines the position of a link with a known direction.
         let shape = &self.shapes[link.0];
-        if let Some((local, at)) = shape.points.iter().find_map(|(p, local)| Some((*local, given_place(self.scene, &self.inputs, *p)?))) {
+        if let Some((local, at)) = shape
+            .points
+            .iter()
+            .find_map(|(p, local)| Some((*local, given_place(self.scene, &self.inputs, *p)?)))
+        {
             return Ok(vec![Pose { origin: at - local.to_vec2().rotate_by(axis), axis }]);
         }
         // A driven carriage without a point has an arbitrary position along its guide.
@@ -283,7 +355,13 @@ impl<N: Real> Assembly<'_, N> {
         // A slot with `through` at the pin's own position meets the pin wherever the link is along
         // its guide. If the link only translates, its position changes no vector: its first point
         // is put at the pin.
-        let unplaced = |h: &Hold| if let Hold::Slot { guide, pin } = *h { self.guides[guide.0].is_none().then_some(pin) } else { None };
+        let unplaced = |h: &Hold| {
+            if let Hold::Slot { guide, pin } = *h {
+                self.guides[guide.0].is_none().then_some(pin)
+            } else {
+                None
+            }
+        };
         let met = holds.iter().find_map(unplaced);
         if let Some(pin) = met
             && (shape.points.is_empty() || self.m.never_turns[link.0])
@@ -309,12 +387,21 @@ impl<N: Real> Assembly<'_, N> {
             let how = match miss {
                 Miss::Parallel(0.0) => both!("its two guides run parallel", "它的两条导路平行"),
                 Miss::TooFar(x) | Miss::TooNear(x) | Miss::Parallel(x) => {
-                    both!("its two joints miss each other by {}", "它的两个运动副相差 {}", self.scene.length_words(x))
+                    both!(
+                        "its two joints miss each other by {}",
+                        "它的两个运动副相差 {}",
+                        self.scene.length_words(x)
+                    )
                 }
             };
             Diagnostic::error(
                 "cannot-assemble",
-                both!("link {} cannot be placed: {}", "构件 {} 无法装配：{}", self.scene.link_name(link), how),
+                both!(
+                    "link {} cannot be placed: {}",
+                    "构件 {} 无法装配：{}",
+                    self.scene.link_name(link),
+                    how
+                ),
             )
             .at(self.scene.links[link.0].span)
         })?;
@@ -322,19 +409,28 @@ impl<N: Real> Assembly<'_, N> {
     }
 
     fn triad_leg(&self, link: LinkId, hold: &Hold) -> Result<TriadLeg<N>, Diagnostic> {
-        let local = |p: PointId| self.shapes[link.0].local(p).ok_or_else(|| self.not_placed(p, link));
+        let local =
+            |p: PointId| self.shapes[link.0].local(p).ok_or_else(|| self.not_placed(p, link));
         Ok(match *hold {
             Hold::Distance { near, far, strut } => {
                 let radius = self.strut_length(near, far, strut)?;
                 TriadLeg::Circle { near: local(near)?, far: self.known(far), radius }
             }
             Hold::Guide { pin, guide, driver: None } => match self.need_guide(guide)? {
-                Path::Line { through, direction } => TriadLeg::Line { near: local(pin)?, through, direction },
-                Path::Arc { centre, radius } => TriadLeg::Circle { near: local(pin)?, far: centre, radius },
+                Path::Line { through, direction } => {
+                    TriadLeg::Line { near: local(pin)?, through, direction }
+                }
+                Path::Arc { centre, radius } => {
+                    TriadLeg::Circle { near: local(pin)?, far: centre, radius }
+                }
             },
             Hold::Slot { pin, guide } => match self.guides[guide.0] {
-                Some(Path::Line { through, direction }) => TriadLeg::Slot { through, direction, pin: self.known(pin) },
-                Some(Path::Arc { centre, radius }) => TriadLeg::Circle { near: centre, far: self.known(pin), radius },
+                Some(Path::Line { through, direction }) => {
+                    TriadLeg::Slot { through, direction, pin: self.known(pin) }
+                }
+                Some(Path::Arc { centre, radius }) => {
+                    TriadLeg::Circle { near: centre, far: self.known(pin), radius }
+                }
                 None => return Err(self.no_closure(link)),
             },
             Hold::Glide { guide, other, driver: None } => {
@@ -354,7 +450,9 @@ impl<N: Real> Assembly<'_, N> {
                 };
                 TriadLeg::Line { near: Point::origin(), through, direction }
             }
-            Hold::Guide { driver: Some(_), .. } | Hold::Glide { driver: Some(_), .. } | Hold::Rolls { .. } => {
+            Hold::Guide { driver: Some(_), .. }
+            | Hold::Glide { driver: Some(_), .. }
+            | Hold::Rolls { .. } => {
                 return Err(self.no_closure(link));
             }
         })
@@ -362,8 +460,14 @@ impl<N: Real> Assembly<'_, N> {
 
     /// Returns the pose of a link from the sketch (or coordinates) of two of its points.
     pub(super) fn sketched_pose(&self, link: LinkId) -> Option<(Point, Vec2)> {
-        let rough = |p: PointId| given_at(self.scene, p).or(self.scene.points[p.0].sketch.map(|s| Point::new(s[0], s[1])));
-        let mut known = self.shapes[link.0].points.iter().filter_map(|(p, local)| Some((local.approx(), rough(*p)?)));
+        let rough = |p: PointId| {
+            given_at(self.scene, p)
+                .or(self.scene.points[p.0].sketch.map(|s| Point::new(s[0], s[1])))
+        };
+        let mut known = self.shapes[link.0]
+            .points
+            .iter()
+            .filter_map(|(p, local)| Some((local.approx(), rough(*p)?)));
         let (a, b) = (known.next()?, known.next()?);
         let pose = Pose::from_point_and_direction(a.0, b.0 - a.0, a.1, b.1 - a.1)?;
         Some((pose.origin, pose.axis))
@@ -375,13 +479,24 @@ impl<N: Real> Assembly<'_, N> {
         let why = match why {
             Unproven::NoRoot => both!("Newton's method does not settle", "牛顿法不收敛"),
             Unproven::NotUnique => {
-                both!("another assembly may lie closer than the numbers can tell", "另一种装配形式可能过于接近，数值无法区分")
+                both!(
+                    "another assembly may lie closer than the numbers can tell",
+                    "另一种装配形式可能过于接近，数值无法区分"
+                )
             }
-            Unproven::NotWritten => both!("its pose is not told by lengths and drivers alone", "仅由长度和原动件不能确定其位置"),
+            Unproven::NotWritten => both!(
+                "its pose is not told by lengths and drivers alone",
+                "仅由长度和原动件不能确定其位置"
+            ),
         };
         Diagnostic::error(
             "not-proved",
-            both!("the assembly of link {} is not proved: {}", "构件 {} 的装配未能证明：{}", Both::names(&names), why),
+            both!(
+                "the assembly of link {} is not proved: {}",
+                "构件 {} 的装配未能证明：{}",
+                Both::names(&names),
+                why
+            ),
         )
         .at(self.scene.links[links[0].0].span)
     }
@@ -406,16 +521,24 @@ impl<N: Real> Assembly<'_, N> {
                 ),
             )
             .at(self.scene.links[link.0].span)
-            .help(both!("change a length of the group or the driver's position", "请改变该杆组的某一长度或原动件的位置")));
+            .help(both!(
+                "change a length of the group or the driver's position",
+                "请改变该杆组的某一长度或原动件的位置"
+            )));
         }
-        Ok(found.into_iter().map(|(origin, axis)| Pose { origin: origin.lift(), axis: axis.lift() }).collect())
+        Ok(found
+            .into_iter()
+            .map(|(origin, axis)| Pose { origin: origin.lift(), axis: axis.lift() })
+            .collect())
     }
 }
 
 /// Returns the rolling pair of two holds, if one of them rolls, and the other hold.
 fn rolling_beside<'a>(a: &'a Hold, b: &'a Hold) -> Option<(RollingId, &'a Hold)> {
     match (a, b) {
-        (Hold::Rolls { pair, .. }, other) | (other, Hold::Rolls { pair, .. }) => Some((*pair, other)),
+        (Hold::Rolls { pair, .. }, other) | (other, Hold::Rolls { pair, .. }) => {
+            Some((*pair, other))
+        }
         _ => None,
     }
 }

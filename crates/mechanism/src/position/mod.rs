@@ -98,7 +98,12 @@ impl<N: Real> Pose<N> {
 
     /// Returns the pose that puts local `a` at `world_a` and turns the local direction `toward`
     /// into `direction`.
-    pub fn from_point_and_direction(a: Point<N>, toward: Vec2<N>, world_a: Point<N>, direction: Vec2<N>) -> Option<Self> {
+    pub fn from_point_and_direction(
+        a: Point<N>,
+        toward: Vec2<N>,
+        world_a: Point<N>,
+        direction: Vec2<N>,
+    ) -> Option<Self> {
         let axis = direction.divide_by(toward).unit()?;
         Some(Pose { origin: world_a - a.to_vec2().rotate_by(axis), axis })
     }
@@ -127,14 +132,20 @@ impl<N: Real> Path<N> {
     /// Returns the nearest path in `f64`.
     pub fn approx(&self) -> Path {
         match *self {
-            Path::Line { through, direction } => Path::Line { through: through.approx(), direction: direction.approx() },
-            Path::Arc { centre, radius } => Path::Arc { centre: centre.approx(), radius: radius.approx() },
+            Path::Line { through, direction } => {
+                Path::Line { through: through.approx(), direction: direction.approx() }
+            }
+            Path::Arc { centre, radius } => {
+                Path::Arc { centre: centre.approx(), radius: radius.approx() }
+            }
         }
     }
 
     fn to_world(self, pose: &Pose<N>) -> Self {
         match self {
-            Path::Line { through, direction } => Path::Line { through: pose.to_world(through), direction: pose.turn(direction) },
+            Path::Line { through, direction } => {
+                Path::Line { through: pose.to_world(through), direction: pose.turn(direction) }
+            }
             Path::Arc { centre, radius } => Path::Arc { centre: pose.to_world(centre), radius },
         }
     }
@@ -175,7 +186,8 @@ pub struct Configuration<N = f64> {
     pub poses: Vec<Option<Pose<N>>>,
     /// Each guide in the plane.
     pub guides: Vec<Option<Path<N>>>,
-    /// Each link's points in its own frame, and each guide in the frame of the link that carries it.
+    /// Each link's points in its own frame, and each guide in the frame of the link that carries
+    /// it.
     pub shapes: Shapes<N>,
     /// For each group the index of the closure taken, in the order of the closed forms (0 if there
     /// is one).
@@ -191,7 +203,8 @@ pub struct Shapes<N = f64> {
     pub points: Vec<Vec<(PointId, Point<N>)>>,
     /// For each guide, its path in the carrying link.
     pub guides: Vec<Option<Path<N>>>,
-    /// For each rolling pair the sizes of its contours, see [`Rolling::sizes`](hodograph_scene::Rolling::sizes).
+    /// For each rolling pair the sizes of its contours, see
+    /// [`Rolling::sizes`](hodograph_scene::Rolling::sizes).
     pub rolling: Vec<[N; 2]>,
 }
 
@@ -227,13 +240,19 @@ impl<N: Real> Configuration<N> {
 
     /// Returns the nearest configuration in `f64`.
     pub fn approx(&self) -> Configuration {
-        let guides = |list: &[Option<Path<N>>]| list.iter().map(|g| g.map(|g| g.approx())).collect();
+        let guides =
+            |list: &[Option<Path<N>>]| list.iter().map(|g| g.map(|g| g.approx())).collect();
         Configuration {
             points: self.points.iter().map(|p| p.map(Point::approx)).collect(),
             poses: self.poses.iter().map(|p| p.map(|p| p.approx())).collect(),
             guides: guides(&self.guides),
             shapes: Shapes {
-                points: self.shapes.points.iter().map(|s| s.iter().map(|(p, at)| (*p, at.approx())).collect()).collect(),
+                points: self
+                    .shapes
+                    .points
+                    .iter()
+                    .map(|s| s.iter().map(|(p, at)| (*p, at.approx())).collect())
+                    .collect(),
                 guides: guides(&self.shapes.guides),
                 rolling: self.shapes.rolling.iter().map(|r| r.map(Real::approx)).collect(),
             },
@@ -282,7 +301,14 @@ pub fn laid(
     poses: Vec<Option<Pose>>,
     points: Vec<Option<Point>>,
 ) -> Configuration {
-    finish::complete(scene, mechanism, meant.shapes.clone(), (poses, points), meant.closures.clone(), &meant.rolled)
+    finish::complete(
+        scene,
+        mechanism,
+        meant.shapes.clone(),
+        (poses, points),
+        meant.closures.clone(),
+        &meant.rolled,
+    )
 }
 
 /// Returns the straight guide that gives the direction of a link without a line: a guide on the
@@ -290,9 +316,12 @@ pub fn laid(
 /// placed only on request), otherwise the first guide along which the link slides.
 pub fn guide_of(scene: &Scene, l: LinkId) -> Option<GuideId> {
     let straight = |told: bool, g: &Guide| match &g.path {
-        GuidePath::Line { through, direction, .. } => !told || matches!(direction, GuideDirection::Instant(_)) && *through != Through::Pin,
+        GuidePath::Line { through, direction, .. } => {
+            !told || matches!(direction, GuideDirection::Instant(_)) && *through != Through::Pin
+        }
         GuidePath::Arc { .. } => false,
     };
     let first = |is: &dyn Fn(&Guide) -> bool| scene.guides.iter().position(is).map(GuideId);
-    first(&|g| g.on == l && straight(true, g)).or_else(|| first(&|g| g.slider == Some(l) && straight(false, g)))
+    first(&|g| g.on == l && straight(true, g))
+        .or_else(|| first(&|g| g.slider == Some(l) && straight(false, g)))
 }

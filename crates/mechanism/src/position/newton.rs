@@ -46,14 +46,25 @@ pub struct System<'a> {
 impl<'a> System<'a> {
     /// Creates the equations of the given groups. Lock angles and glide offsets are those of
     /// `start`.
-    pub fn new(scene: &'a Scene, mechanism: &'a Mechanism, shapes: &'a Shapes, start: &Configuration, groups: &[usize]) -> System<'a> {
+    pub fn new(
+        scene: &'a Scene,
+        mechanism: &'a Mechanism,
+        shapes: &'a Shapes,
+        start: &Configuration,
+        groups: &[usize],
+    ) -> System<'a> {
         let mut links = Vec::new();
         let mut pins = Vec::new();
         let mut forms = Vec::new();
         for &g in groups {
             links.extend(&mechanism.groups[g].links);
             pins.extend(&mechanism.groups[g].pins);
-            forms.extend(mechanism.groups[g].constraints.iter().map(|&c| (mechanism.constraints[c].form(), FormValue::Nothing)));
+            forms.extend(
+                mechanism.groups[g]
+                    .constraints
+                    .iter()
+                    .map(|&c| (mechanism.constraints[c].form(), FormValue::Nothing)),
+            );
         }
         let mut system = System {
             scene,
@@ -71,12 +82,14 @@ impl<'a> System<'a> {
             let (form, _) = system.forms[i];
             // The value of a driver is given with each solution.
             if form.driver().is_none() {
-                let placed = PlacedSystem { system: &system, poses: &system.poses, points: &system.points };
+                let placed =
+                    PlacedSystem { system: &system, poses: &system.poses, points: &system.points };
                 system.forms[i].1 = equations::kept(form, &placed).unwrap_or(FormValue::Nothing);
             }
             if let PairForm::Related { pair, .. } = form {
                 // A rough start has no record: it is the instant itself.
-                let begin = || system.seen(pair, &start.poses, &start.points).map(RollingRecord::begin);
+                let begin =
+                    || system.seen(pair, &start.poses, &start.points).map(RollingRecord::begin);
                 system.rolled[pair.0] = start.rolled.get(pair.0).cloned().flatten().or_else(begin);
             }
         }
@@ -89,11 +102,15 @@ impl<'a> System<'a> {
     pub fn at_instant(mut self) -> System<'a> {
         for r in (0..self.rolled.len()).filter(|r| self.rolled[*r].is_some()) {
             let now = self.seen(RollingId(r), &self.poses, &self.points);
-            self.out_of_phase[r] = now.and_then(|now| rolling::out_of_phase(self.scene, self.shapes, RollingId(r), &now)).unwrap_or(0.0);
+            self.out_of_phase[r] = now
+                .and_then(|now| rolling::out_of_phase(self.scene, self.shapes, RollingId(r), &now))
+                .unwrap_or(0.0);
         }
         for (_, given) in &mut self.forms {
             *given = match *given {
-                FormValue::Turned(_) | FormValue::InPlane(_) => FormValue::InPlane(Vec2::new(1.0, 0.0)),
+                FormValue::Turned(_) | FormValue::InPlane(_) => {
+                    FormValue::InPlane(Vec2::new(1.0, 0.0))
+                }
                 FormValue::Length(_) | FormValue::Nothing => FormValue::Nothing,
             };
         }
@@ -101,7 +118,12 @@ impl<'a> System<'a> {
     }
 
     /// Returns a rolling pair in a pose; `None` if it is not placed.
-    fn seen(&self, r: RollingId, poses: &[Option<Pose>], points: &[Option<Point>]) -> Option<RollingPose> {
+    fn seen(
+        &self,
+        r: RollingId,
+        poses: &[Option<Pose>],
+        points: &[Option<Point>],
+    ) -> Option<RollingPose> {
         let pose = |l: LinkId| if l == self.scene.ground { Some(Pose::GROUND) } else { poses[l.0] };
         let place = |l: LinkId, p: PointId| {
             // A centre moves with its link, whose pose is varied.
@@ -132,7 +154,9 @@ impl<'a> System<'a> {
         let (k, _) = self.unknowns(body);
         let origin = Point::new(x(k) * self.scale, x(k + 1) * self.scale);
         match body.checked_sub(self.links.len()) {
-            None => to.0[self.links[body].0] = Some(Pose { origin, axis: Vec2::from_angle(x(k + 2)) }),
+            None => {
+                to.0[self.links[body].0] = Some(Pose { origin, axis: Vec2::from_angle(x(k + 2)) })
+            }
             Some(pin) => to.1[self.pins[pin].0] = Some(origin),
         }
     }
@@ -194,7 +218,9 @@ impl<'a> System<'a> {
             for node in [one, other] {
                 let body = match node {
                     GraphNode::Link(l) => self.links.iter().position(|m| *m == l),
-                    GraphNode::Pin(p) => self.pins.iter().position(|q| *q == p).map(|i| self.links.len() + i),
+                    GraphNode::Pin(p) => {
+                        self.pins.iter().position(|q| *q == p).map(|i| self.links.len() + i)
+                    }
                 };
                 if let Some(body) = body {
                     touching[body].push((i, row));
@@ -216,7 +242,12 @@ impl<'a> System<'a> {
 
     /// Solves like [`System::solve`], until the last correction is below `tolerance` (relative to
     /// the mechanism's size, or in radians).
-    pub fn solve_to(&self, start: &Configuration, drivers: &DriverValues, tolerance: f64) -> Option<SolvedPoses> {
+    pub fn solve_to(
+        &self,
+        start: &Configuration,
+        drivers: &DriverValues,
+        tolerance: f64,
+    ) -> Option<SolvedPoses> {
         let mut x = self.pack(start)?;
         let mut at = self.unpack(&x);
         let touching = self.touching();
@@ -250,7 +281,13 @@ impl<'a> System<'a> {
     /// quadratic near the solution, so that the error of the derivative (about 1e-11) only slows
     /// the last step of the iteration and does not change its result. `at` contains the poses for
     /// `x`.
-    fn jacobian(&self, x: &DVector<f64>, at: &mut SolvedPoses, touching: &[Vec<(usize, usize)>], drivers: &DriverValues) -> DMatrix<f64> {
+    fn jacobian(
+        &self,
+        x: &DVector<f64>,
+        at: &mut SolvedPoses,
+        touching: &[Vec<(usize, usize)>],
+        drivers: &DriverValues,
+    ) -> DMatrix<f64> {
         const STEP: f64 = 1.0 / 131_072.0;
         let mut j = DMatrix::zeros(x.len(), x.len());
         for (body, forms) in touching.iter().enumerate() {
@@ -281,7 +318,10 @@ impl<'a> System<'a> {
 
 /// Returns the derivatives of residuals, a column for each unknown: central differences with a step
 /// of 2^-17, see [`System::solve`].
-pub(super) fn slopes(x: &DVector<f64>, residuals: &dyn Fn(&DVector<f64>) -> DVector<f64>) -> DMatrix<f64> {
+pub(super) fn slopes(
+    x: &DVector<f64>,
+    residuals: &dyn Fn(&DVector<f64>) -> DVector<f64>,
+) -> DMatrix<f64> {
     const STEP: f64 = 1.0 / 131_072.0;
     let mut y = x.clone();
     let columns: Vec<DVector<f64>> = (0..x.len())
@@ -326,7 +366,9 @@ impl PartPositions<f64> for PlacedSystem<'_> {
         let system = self.system;
         let now = system.seen(r, self.poses, self.points);
         let then = system.rolled[r.0].as_ref();
-        let slip = |(then, now): (&RollingRecord, RollingPose)| then.slip(&system.scene.rolling[r.0], system.shapes.rolling[r.0], &now);
+        let slip = |(then, now): (&RollingRecord, RollingPose)| {
+            then.slip(&system.scene.rolling[r.0], system.shapes.rolling[r.0], &now)
+        };
         Some(then.zip(now).map_or(0.0, slip) + system.out_of_phase[r.0])
     }
 }
@@ -344,7 +386,12 @@ pub fn driver_values(scene: &Scene, at: &Configuration) -> DriverValues {
 /// Returns the configuration at other driver values, followed from `start` (for small steps).
 ///
 /// All groups that `start` places move at once; `None` if the iteration does not converge.
-pub fn moved(scene: &Scene, mechanism: &Mechanism, start: &Configuration, drivers: &DriverValues) -> Option<Configuration> {
+pub fn moved(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    start: &Configuration,
+    drivers: &DriverValues,
+) -> Option<Configuration> {
     moved_to(scene, mechanism, start, drivers, 1e-15)
 }
 
@@ -359,11 +406,21 @@ pub fn moved_to(
 ) -> Option<Configuration> {
     let system = System::new(scene, mechanism, &start.shapes, start, &placed(mechanism, start));
     let (poses, points) = system.solve_to(start, drivers, tolerance)?;
-    Some(super::finish::complete(scene, mechanism, start.shapes.clone(), (poses, points), start.closures.clone(), &start.rolled))
+    Some(super::finish::complete(
+        scene,
+        mechanism,
+        start.shapes.clone(),
+        (poses, points),
+        start.closures.clone(),
+        &start.rolled,
+    ))
 }
 
 /// Returns the groups that a configuration places.
 pub(super) fn placed(mechanism: &Mechanism, at: &Configuration) -> Vec<usize> {
-    let there = |g: &Group| g.links.iter().all(|l| at.poses[l.0].is_some()) && g.pins.iter().all(|p| at.points[p.0].is_some());
+    let there = |g: &Group| {
+        g.links.iter().all(|l| at.poses[l.0].is_some())
+            && g.pins.iter().all(|p| at.points[p.0].is_some())
+    };
     (0..mechanism.groups.len()).filter(|&g| there(&mechanism.groups[g])).collect()
 }

@@ -35,7 +35,9 @@ pub fn frame(pieces: &Pieces, at: &Configuration) -> Option<Pose> {
 pub fn meeting(cam: &Cam, pieces: &Pieces, at: &Configuration) -> Option<Meeting> {
     let frame = frame(pieces, at)?;
     let end = match cam.follows.radius() {
-        Some(radius) => FollowerEnd::Round(frame.to_local(at.points[cam.follows.point().0]?).to_vec2(), radius),
+        Some(radius) => {
+            FollowerEnd::Round(frame.to_local(at.points[cam.follows.point().0]?).to_vec2(), radius)
+        }
         None => {
             let guide = cam.contact?;
             let Path::Line { direction, .. } = at.guides[guide.0]? else { return None };
@@ -63,7 +65,9 @@ impl Meeting {
     /// cam.
     pub fn onward(&self, piece: &ProfileSegment, along: Vec2, turning: f64) -> f64 {
         match self.end {
-            FollowerEnd::Round(at, radius) => along.dot(self.frame.turn(normal(piece, at, radius)).perp()),
+            FollowerEnd::Round(at, radius) => {
+                along.dot(self.frame.turn(normal(piece, at, radius)).perp())
+            }
             FollowerEnd::Flat(_) => turning,
         }
     }
@@ -80,18 +84,32 @@ fn normal(piece: &ProfileSegment, at: Vec2, radius: f64) -> Vec2 {
 /// Returns the path of a cam's contact in the link that carries it, for contact with another piece:
 /// a slot of the cam about the piece's centre or along its line; for a flat face the guide of that
 /// centre. `at` is a pose in which the cam touches `now`.
-pub fn path_on(scene: &Scene, cam: &Cam, pieces: &Pieces, at: &Configuration, [now, piece]: [usize; 2]) -> Option<Path> {
+pub fn path_on(
+    scene: &Scene,
+    cam: &Cam,
+    pieces: &Pieces,
+    at: &Configuration,
+    [now, piece]: [usize; 2],
+) -> Option<Path> {
     let guide = cam.contact?;
     let segments = &pieces.segments;
     if let Some(radius) = cam.follows.radius() {
         let frame = frame(pieces, at)?;
         let pose = link_pose(scene, cam.cam, at)?;
-        let (to_link, turned) = (|v: Vec2| pose.to_local(frame.to_world(v.to_point())), |v: Vec2| pose.turn_back(frame.turn(v)));
+        let (to_link, turned) = (
+            |v: Vec2| pose.to_local(frame.to_world(v.to_point())),
+            |v: Vec2| pose.turn_back(frame.turn(v)),
+        );
         return Some(match segments[piece] {
-            ProfileSegment::Arc { centre, radius: rho, .. } => Path::Arc { centre: to_link(centre), radius: (rho + radius).abs() },
+            ProfileSegment::Arc { centre, radius: rho, .. } => {
+                Path::Arc { centre: to_link(centre), radius: (rho + radius).abs() }
+            }
             ProfileSegment::Line { normal, distance, .. } => {
                 let n = Vec2::from_angle(normal);
-                Path::Line { through: to_link(n * (distance + radius)), direction: turned(n.perp()) }
+                Path::Line {
+                    through: to_link(n * (distance + radius)),
+                    direction: turned(n.perp()),
+                }
             }
         });
     }
@@ -106,7 +124,13 @@ pub fn path_on(scene: &Scene, cam: &Cam, pieces: &Pieces, at: &Configuration, [n
 }
 
 /// Returns the centre of a piece in the frame of the cam's link; `None` for a line.
-pub fn centre(scene: &Scene, cam: &Cam, pieces: &Pieces, at: &Configuration, piece: usize) -> Option<Point> {
+pub fn centre(
+    scene: &Scene,
+    cam: &Cam,
+    pieces: &Pieces,
+    at: &Configuration,
+    piece: usize,
+) -> Option<Point> {
     let ProfileSegment::Arc { centre, .. } = pieces.segments[piece] else { return None };
     Some(link_pose(scene, cam.cam, at)?.to_local(frame(pieces, at)?.to_world(centre.to_point())))
 }

@@ -12,11 +12,19 @@ use hodograph_scene::{GuideId, LinkId, PointId};
 
 impl<N: Real> Assembly<'_, N> {
     /// Returns the possible positions of a pin on its two loci.
-    pub(super) fn places_of_pin(&self, pin: PointId, legs: &[Leg]) -> Result<Vec<Point<N>>, Diagnostic> {
+    pub(super) fn places_of_pin(
+        &self,
+        pin: PointId,
+        legs: &[Leg],
+    ) -> Result<Vec<Point<N>>, Diagnostic> {
         let entry = CoreLoci::of(legs);
         match (entry.carrier, &entry.holds[..]) {
-            (Some(link), _) => Ok(vec![self.world(link, pin).ok_or_else(|| self.not_placed(pin, link))?]),
-            (None, [Hold::Guide { guide, driver: Some(driver), .. }]) => Ok(vec![self.driven_place(*guide, *driver)?]),
+            (Some(link), _) => {
+                Ok(vec![self.world(link, pin).ok_or_else(|| self.not_placed(pin, link))?])
+            }
+            (None, [Hold::Guide { guide, driver: Some(driver), .. }]) => {
+                Ok(vec![self.driven_place(*guide, *driver)?])
+            }
             (None, [first, second]) => {
                 let (a, b) = (self.locus_of_pin(first)?, self.locus_of_pin(second)?);
                 kernel::meet(a, b).map_err(|miss| self.cannot_meet(pin, first, second, miss))
@@ -28,15 +36,26 @@ impl<N: Real> Assembly<'_, N> {
     pub(super) fn not_placed(&self, pin: PointId, link: LinkId) -> Diagnostic {
         Diagnostic::error(
             "not-placed",
-            both!("{} is not placed on link {}", "{} 在构件 {} 上的位置未定", self.scene.point_name(pin), self.scene.link_name(link)),
+            both!(
+                "{} is not placed on link {}",
+                "{} 在构件 {} 上的位置未定",
+                self.scene.point_name(pin),
+                self.scene.link_name(link)
+            ),
         )
         .at(self.scene.points[pin.0].span)
-        .help(both!("give a length, or its coordinates in \"points\"", "请给出长度，或在 \"points\" 中给出其坐标"))
+        .help(both!(
+            "give a length, or its coordinates in \"points\"",
+            "请给出长度，或在 \"points\" 中给出其坐标"
+        ))
     }
 
     fn locus_of_pin(&self, hold: &Hold) -> Result<Locus<N>, Diagnostic> {
         Ok(match *hold {
-            Hold::Distance { near, far, strut } => Locus::Circle { centre: self.known(far), radius: self.strut_length(near, far, strut)? },
+            Hold::Distance { near, far, strut } => Locus::Circle {
+                centre: self.known(far),
+                radius: self.strut_length(near, far, strut)?,
+            },
             Hold::Guide { guide, .. } => match self.need_guide(guide)? {
                 Path::Line { through, direction } => Locus::Line { through, direction },
                 Path::Arc { centre, radius } => Locus::Circle { centre, radius },
@@ -48,11 +67,18 @@ impl<N: Real> Assembly<'_, N> {
     }
 
     /// Returns the distance at which a strut holds a pin from a known pin.
-    pub(super) fn strut_length(&self, near: PointId, far: PointId, strut: Strut) -> Result<N, Diagnostic> {
+    pub(super) fn strut_length(
+        &self,
+        near: PointId,
+        far: PointId,
+        strut: Strut,
+    ) -> Result<N, Diagnostic> {
         match strut {
             Strut::Bar(link) => {
                 let s = &self.shapes[link.0];
-                let (Some(a), Some(b)) = (s.local(far), s.local(near)) else { return Err(self.not_placed(near, link)) };
+                let (Some(a), Some(b)) = (s.local(far), s.local(near)) else {
+                    return Err(self.not_placed(near, link));
+                };
                 Ok(a.distance(b))
             }
             Strut::Cylinder(driver) => self.cylinder_length(driver),
@@ -65,14 +91,25 @@ impl<N: Real> Assembly<'_, N> {
     }
 
     fn cylinder_length(&self, driver: usize) -> Result<N, Diagnostic> {
-        let lacking = || self.driver_without_value(driver, "length", both!("how long the cylinder is", "液压缸的长度"));
+        let lacking = || {
+            self.driver_without_value(
+                driver,
+                "length",
+                both!("how long the cylinder is", "液压缸的长度"),
+            )
+        };
         self.driven_length(driver).ok_or_else(lacking)
     }
 
     /// Returns the coordinate at which a driver holds a slider along its guide.
     pub(super) fn way_along(&self, driver: usize) -> Result<N, Diagnostic> {
-        let lacking =
-            || self.driver_without_value(driver, "position", both!("how far the slider is along its guide", "滑块在导路上的位置"));
+        let lacking = || {
+            self.driver_without_value(
+                driver,
+                "position",
+                both!("how far the slider is along its guide", "滑块在导路上的位置"),
+            )
+        };
         self.driven_length(driver).ok_or_else(lacking)
     }
 
@@ -83,11 +120,17 @@ impl<N: Real> Assembly<'_, N> {
     }
 
     /// Returns the position in the plane at which a driver holds a slider on its guide.
-    pub(super) fn driven_place(&self, guide: GuideId, driver: usize) -> Result<Point<N>, Diagnostic> {
+    pub(super) fn driven_place(
+        &self,
+        guide: GuideId,
+        driver: usize,
+    ) -> Result<Point<N>, Diagnostic> {
         let (path, s) = (self.need_guide(guide)?, self.way_along(driver)?);
         Ok(match (path, self.poses[self.scene.guides[guide.0].on.0]) {
             // The coordinate on an arc is measured from the direction of the link that carries it.
-            (Path::Arc { centre, radius }, Some(pose)) => centre + Vec2::from_angle(s / radius).rotate_by(pose.axis) * radius,
+            (Path::Arc { centre, radius }, Some(pose)) => {
+                centre + Vec2::from_angle(s / radius).rotate_by(pose.axis) * radius
+            }
             (path, _) => path.point_at(s),
         })
     }
@@ -96,14 +139,33 @@ impl<N: Real> Assembly<'_, N> {
         let (wa, wb) = (self.hold_words(pin, a), self.hold_words(pin, b));
         let p = self.scene.point_name(pin);
         let how = match miss {
-            Miss::TooFar(x) => both!("they end {} apart", "两端相距 {}", self.scene.length_words(x)),
-            Miss::TooNear(x) => both!("one is {} too long for the other", "其一比另一长出 {}", self.scene.length_words(x)),
-            Miss::Parallel(0.0) => both!("they coincide, so that the joint's place is undetermined", "两者重合，铰链位置不定"),
-            Miss::Parallel(x) => both!("they run parallel, {} apart", "两者平行，相距 {}", self.scene.length_words(x)),
+            Miss::TooFar(x) => {
+                both!("they end {} apart", "两端相距 {}", self.scene.length_words(x))
+            }
+            Miss::TooNear(x) => both!(
+                "one is {} too long for the other",
+                "其一比另一长出 {}",
+                self.scene.length_words(x)
+            ),
+            Miss::Parallel(0.0) => both!(
+                "they coincide, so that the joint's place is undetermined",
+                "两者重合，铰链位置不定"
+            ),
+            Miss::Parallel(x) => both!(
+                "they run parallel, {} apart",
+                "两者平行，相距 {}",
+                self.scene.length_words(x)
+            ),
         };
-        let d = Diagnostic::error("cannot-assemble", both!("{} and {} cannot meet at {p}: {}", "{}与{}不能在 {p} 相交：{}", wa, wb, how))
-            .at(self.scene.points[pin.0].span);
-        d.help(both!("change a length, the driver's position, or a pivot", "请改变某一长度、原动件的位置或固定铰链"))
+        let d = Diagnostic::error(
+            "cannot-assemble",
+            both!("{} and {} cannot meet at {p}: {}", "{}与{}不能在 {p} 相交：{}", wa, wb, how),
+        )
+        .at(self.scene.points[pin.0].span);
+        d.help(both!(
+            "change a length, the driver's position, or a pivot",
+            "请改变某一长度、原动件的位置或固定铰链"
+        ))
     }
 
     fn hold_words(&self, pin: PointId, hold: &Hold) -> Both {
@@ -113,13 +175,21 @@ impl<N: Real> Assembly<'_, N> {
                 let length = self.strut_length(near, far, strut).map_or(0.0, Real::approx);
                 let (far, length) = (self.scene.point_name(far), self.scene.length_words(length));
                 match strut {
-                    Strut::Bar(link) => both!("link {} ({far}{p} = {length})", "构件 {}（{far}{p} = {length}）", name(link)),
-                    Strut::Cylinder(_) => both!("the cylinder {far}{p} ({length})", "液压缸 {far}{p}（{length}）"),
+                    Strut::Bar(link) => both!(
+                        "link {} ({far}{p} = {length})",
+                        "构件 {}（{far}{p} = {length}）",
+                        name(link)
+                    ),
+                    Strut::Cylinder(_) => {
+                        both!("the cylinder {far}{p} ({length})", "液压缸 {far}{p}（{length}）")
+                    }
                     Strut::Ram { link, .. } => both!("link {}", "构件 {} ", name(link)),
                 }
             }
             Hold::Guide { guide, .. } => self.scene.guide_words(guide),
-            Hold::Slot { .. } | Hold::Glide { .. } | Hold::Rolls { .. } => both!("the joint at {p}", "{p} 处的运动副"),
+            Hold::Slot { .. } | Hold::Glide { .. } | Hold::Rolls { .. } => {
+                both!("the joint at {p}", "{p} 处的运动副")
+            }
         }
     }
 }

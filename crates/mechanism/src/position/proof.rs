@@ -55,12 +55,22 @@ const LONGEST: f64 = 0.1;
 
 /// Refines a root known in `f64`, and proves it if `N` knows its error; `scale` is the size of the
 /// unknowns.
-pub(super) fn root<N: Real, S: SquareSystem<N>>(system: &S, start: S::State, scale: f64) -> Result<S::State, Unproven> {
+pub(super) fn root<N: Real, S: SquareSystem<N>>(
+    system: &S,
+    start: S::State,
+    scale: f64,
+) -> Result<S::State, Unproven> {
     let angles = system.angles();
     let inverse = approximate_inverse(&system.jacobian(&start)).ok_or(Unproven::NoRoot)?;
     let newton = |at: &S::State| -> Vec<N> {
         let r = system.residuals(at);
-        (0..r.len()).map(|i| r.iter().enumerate().fold(N::from_f64(0.0), |sum, (j, r)| sum - N::from_f64(inverse[(i, j)]) * *r)).collect()
+        (0..r.len())
+            .map(|i| {
+                r.iter()
+                    .enumerate()
+                    .fold(N::from_f64(0.0), |sum, (j, r)| sum - N::from_f64(inverse[(i, j)]) * *r)
+            })
+            .collect()
     };
     let mut at = start;
     let mut last = f64::INFINITY;
@@ -105,7 +115,10 @@ pub(super) fn root<N: Real, S: SquareSystem<N>>(system: &S, start: S::State, sca
     let rows = (0..n).map(|i| {
         let entry = |j: usize| {
             let identity = N::from_f64(if i == j { 1.0 } else { 0.0 });
-            jacobian.iter().enumerate().fold(identity, |s, (k, row)| s - N::from_f64(inverse[(i, k)]) * row[j])
+            jacobian
+                .iter()
+                .enumerate()
+                .fold(identity, |s, (k, row)| s - N::from_f64(inverse[(i, k)]) * row[j])
         };
         (0..n).map(entry).map(|x| x.approx().abs() + x.radius()).sum::<f64>()
     });
@@ -122,7 +135,10 @@ fn largest(all: impl Iterator<Item = f64>) -> f64 {
 
 /// Returns the unit vector `axis` turned by 2 atan(`step`/2): the angle of the step up to its cube,
 /// and rational.
-pub(super) fn turned<N: Real>(axis: hodograph_base::geom::Vec2<N>, step: N) -> hodograph_base::geom::Vec2<N> {
+pub(super) fn turned<N: Real>(
+    axis: hodograph_base::geom::Vec2<N>,
+    step: N,
+) -> hodograph_base::geom::Vec2<N> {
     let one = N::from_f64(1.0);
     let t = step * N::from_f64(0.5);
     let norm = one + t * t;
@@ -181,7 +197,14 @@ mod tests {
         let start = || [Ball::from_f64(2.0 + 1e-9), Ball::from_f64(2.0 - 1e-9)];
         let proved = |slope, residual| root(&RepeatedEquation { slope, residual }, start(), 1.0);
         let two = proved(true, true).unwrap_or_else(|_| panic!("a linear system is solved"));
-        assert!(two.iter().all(|x| (x.approx() - 2.0).abs() <= x.radius() && x.radius() < 1e-12), "{two:?}");
-        assert!(proved(false, true).is_err() && proved(true, false).is_err() && proved(false, false).is_err());
+        assert!(
+            two.iter().all(|x| (x.approx() - 2.0).abs() <= x.radius() && x.radius() < 1e-12),
+            "{two:?}"
+        );
+        assert!(
+            proved(false, true).is_err()
+                && proved(true, false).is_err()
+                && proved(false, false).is_err()
+        );
     }
 }

@@ -16,7 +16,9 @@ use super::newton::{self, DriverValues, System};
 use super::repeats::reason;
 pub use super::repeats::{RepeatReason, opened_words};
 use super::{Configuration, configure, recompute};
-use crate::mechanism::{Core, Demand, GraphNode, Group, Level, Mechanism, Need, Opened, PairItem, constraints_of};
+use crate::mechanism::{
+    Core, Demand, GraphNode, Group, Level, Mechanism, Need, Opened, PairItem, constraints_of,
+};
 use hodograph_base::diag::{Both, Diagnostic, Faults};
 use hodograph_base::number::{Ball, Dd, Real};
 use hodograph_scene::{LinkId, PointId, Scene};
@@ -109,7 +111,9 @@ pub fn check(scene: &Scene, m: &Mechanism) -> Result<Vec<Checked>, Faults> {
         match checked.verdict {
             RedundancyVerdict::Virtual if !m.is_opened(&opened) => {}
             RedundancyVerdict::Virtual | RedundancyVerdict::Almost => all.push(checked),
-            RedundancyVerdict::Shaky | RedundancyVerdict::Locked => faults.push(checked.diagnostic(scene, m)),
+            RedundancyVerdict::Shaky | RedundancyVerdict::Locked => {
+                faults.push(checked.diagnostic(scene, m))
+            }
         }
     }
     if faults.has_errors() { Err(faults) } else { Ok(all) }
@@ -140,7 +144,8 @@ pub fn look(scene: &Scene, m: &Mechanism, opened: &Opened) -> Result<Checked, Fa
     let size = size(scene, &at, opened).unwrap_or_else(|| at.extent());
     let proofs = proved(scene, m, &demand, &at, way.driver, &stations, opened);
     let rounding = ROUNDING * at.extent();
-    let (mut off_m, mut moved, mut bound_m, mut holds) = (0.0, 0.0, proofs.as_ref().map(|_| 0.0), true);
+    let (mut off_m, mut moved, mut bound_m, mut holds) =
+        (0.0, 0.0, proofs.as_ref().map(|_| 0.0), true);
     for (i, (by, there)) in stations.iter().enumerate() {
         let plain = off(scene, m, opened, there, &at).into_iter().map(|x| (x, rounding));
         let balls = proofs.as_ref().map(|p| p[i].clone());
@@ -160,7 +165,16 @@ pub fn look(scene: &Scene, m: &Mechanism, opened: &Opened) -> Result<Checked, Fa
     };
     let reason = reason(scene, m, opened, &at, ALMOST);
     let opened = opened.clone();
-    Ok(Checked { opened, verdict, off_m, driver: way.driver, moved, bound_m, positions: stations.len(), reason })
+    Ok(Checked {
+        opened,
+        verdict,
+        off_m,
+        driver: way.driver,
+        moved,
+        bound_m,
+        positions: stations.len(),
+        reason,
+    })
 }
 
 /// Checks an opened pair by links and pairs alone, if lengths are missing: a planet between the
@@ -179,24 +193,43 @@ pub fn by_topology(scene: &Scene, m: &Mechanism, opened: &Opened) -> Option<Chec
         | RepeatReason::Found) => (RedundancyVerdict::Virtual, reason),
     };
     let opened = opened.clone();
-    Some(Checked { opened, verdict, off_m: 0.0, driver: None, moved: 0.0, bound_m: None, positions: 0, reason })
+    Some(Checked {
+        opened,
+        verdict,
+        off_m: 0.0,
+        driver: None,
+        moved: 0.0,
+        bound_m: None,
+        positions: 0,
+        reason,
+    })
 }
 
 /// Returns the demand of all positions that the check of a pair needs.
 fn demand(scene: &Scene, m: &Mechanism, opened: &Opened) -> Demand {
     let mut demand = Demand::of_questions(scene, m, []);
     let needs = match opened {
-        Opened::Link(l) => own_pins(scene, m, *l).into_iter().map(|p| Need::Point(p, None)).collect(),
+        Opened::Link(l) => {
+            own_pins(scene, m, *l).into_iter().map(|p| Need::Point(p, None)).collect()
+        }
         Opened::Guide(g) => {
             let guide = &scene.guides[g.0];
-            let links = [Some(guide.on), guide.slider].into_iter().flatten().filter(|l| *l != scene.ground);
-            guide.pin.map(|p| Need::Point(p, None)).into_iter().chain(links.map(Need::Turning)).collect::<Vec<_>>()
+            let links =
+                [Some(guide.on), guide.slider].into_iter().flatten().filter(|l| *l != scene.ground);
+            guide
+                .pin
+                .map(|p| Need::Point(p, None))
+                .into_iter()
+                .chain(links.map(Need::Turning))
+                .collect::<Vec<_>>()
         }
         Opened::Pin(p, l) => vec![Need::Point(*p, None), Need::Turning(*l)],
         Opened::Rolling(r) => {
             let pair = &scene.rolling[r.0];
             let links = pair.links.into_iter().filter(|l| *l != scene.ground).map(Need::Turning);
-            links.chain(pair.centres().into_iter().flatten().map(|p| Need::Point(p, None))).collect()
+            links
+                .chain(pair.centres().into_iter().flatten().map(|p| Need::Point(p, None)))
+                .collect()
         }
     };
     for need in needs {
@@ -214,14 +247,21 @@ fn size(scene: &Scene, at: &Configuration, opened: &Opened) -> Option<f64> {
     let Opened::Link(l) = opened else { return None };
     let points = &scene.links[l.0].points;
     let local = |p: &PointId| at.shapes.local(*l, *p);
-    let pairs = points.iter().enumerate().flat_map(|(i, a)| points[..i].iter().map(move |b| (a, b)));
+    let pairs =
+        points.iter().enumerate().flat_map(|(i, a)| points[..i].iter().map(move |b| (a, b)));
     let lengths = pairs.filter_map(|(a, b)| Some(local(a)?.distance(local(b)?)));
     lengths.reduce(f64::max).filter(|l| *l > 0.0)
 }
 
 /// Returns the deviation of an opened pair (m) in the configuration `at`; `then` is the pose at the
 /// instant, from which directions are measured.
-fn off<N: Real>(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configuration<N>, then: &Configuration<N>) -> Vec<N> {
+fn off<N: Real>(
+    scene: &Scene,
+    m: &Mechanism,
+    opened: &Opened,
+    at: &Configuration<N>,
+    then: &Configuration<N>,
+) -> Vec<N> {
     let mut out = Vec::new();
     let follows = |n: GraphNode| matches!(n, GraphNode::Link(l) if m.passive[l.0].is_some());
     let demanded = |item: PairItem, out: &mut Vec<N>| {
@@ -241,7 +281,8 @@ fn off<N: Real>(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configuratio
             for (i, &a) in pins.iter().enumerate() {
                 for &b in &pins[..i] {
                     if let (Some(pa), Some(pb)) = (at.points[a.0], at.points[b.0])
-                        && let (Some(la), Some(lb)) = (at.shapes.local(*l, a), at.shapes.local(*l, b))
+                        && let (Some(la), Some(lb)) =
+                            (at.shapes.local(*l, a), at.shapes.local(*l, b))
                     {
                         out.push(pa.distance(pb) - la.distance(lb));
                     }
@@ -250,7 +291,9 @@ fn off<N: Real>(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configuratio
         }
         Opened::Guide(g) => demanded(PairItem::Guide(*g), &mut out),
         Opened::Pin(p, l) => demanded(PairItem::Pin(*p, *l), &mut out),
-        Opened::Rolling(r) => out.extend(super::rolling::slipped_m(scene, &at.approx(), *r).map(N::from_f64)),
+        Opened::Rolling(r) => {
+            out.extend(super::rolling::slipped_m(scene, &at.approx(), *r).map(N::from_f64))
+        }
     }
     out
 }
@@ -268,7 +311,8 @@ struct OpenedMotion<'a> {
 impl<'a> OpenedMotion<'a> {
     fn new(scene: &'a Scene, m: &'a Mechanism, at: &'a Configuration) -> OpenedMotion<'a> {
         let placed = newton::placed(m, at);
-        let forms = placed.iter().flat_map(|g| &m.groups[*g].constraints).map(|c| m.constraints[*c].form());
+        let forms =
+            placed.iter().flat_map(|g| &m.groups[*g].constraints).map(|c| m.constraints[*c].form());
         let driver = forms.filter_map(|form| form.driver()).min();
         OpenedMotion { scene, m, at, driver, held: newton::driver_values(scene, at) }
     }
@@ -302,10 +346,12 @@ impl<'a> OpenedMotion<'a> {
     /// Returns the sign of the determinant of the equations: it changes at a limit or a change
     /// point of the mechanism.
     fn sense(&self, at: &Configuration) -> Option<bool> {
-        let system = System::new(self.scene, self.m, &self.at.shapes, at, &newton::placed(self.m, at));
+        let system =
+            System::new(self.scene, self.m, &self.at.shapes, at, &newton::placed(self.m, at));
         let x = system.pack(at)?;
         let held = newton::driver_values(self.scene, at);
-        let d = newton::slopes(&x, &|x| system.residuals(&system.unpack(x), &held)).lu().determinant();
+        let d =
+            newton::slopes(&x, &|x| system.residuals(&system.unpack(x), &held)).lu().determinant();
         (d.is_finite() && d != 0.0).then_some(d > 0.0)
     }
 
@@ -356,14 +402,20 @@ fn proved(
     }
     let one = |(by, there): &(f64, Configuration)| {
         let bounded = |list: Vec<N>| -> Option<Vec<(f64, f64)>> {
-            list.iter().all(|x| x.is_decided()).then(|| list.into_iter().map(|x| (x.approx(), x.radius())).collect())
+            list.iter()
+                .all(|x| x.is_decided())
+                .then(|| list.into_iter().map(|x| (x.approx(), x.radius())).collect())
         };
-        let Some(driver) = driver.filter(|_| *by != 0.0) else { return bounded(off(scene, m, opened, &now, &now)) };
+        let Some(driver) = driver.filter(|_| *by != 0.0) else {
+            return bounded(off(scene, m, opened, &now, &now));
+        };
         let trial = assembly.coupled_aside(&whole, there, Some(Aside { driver, by: *by })).ok()?;
-        let (mut poses, mut points) = (vec![None; scene.links.len()], vec![None; scene.points.len()]);
+        let (mut poses, mut points) =
+            (vec![None; scene.links.len()], vec![None; scene.points.len()]);
         trial.poses.into_iter().for_each(|(l, pose)| poses[l.0] = Some(pose));
         trial.points.into_iter().for_each(|(p, at)| points[p.0] = Some(at));
-        let there = complete(scene, m, now.shapes.clone(), (poses, points), now.closures.clone(), &[]);
+        let there =
+            complete(scene, m, now.shapes.clone(), (poses, points), now.closures.clone(), &[]);
         bounded(off(scene, m, opened, &there, &now))
     };
     stations.iter().map(one).collect()

@@ -40,25 +40,43 @@ fn bodies(scene: &Scene, m: &Mechanism, p: PointId, without: LinkId) -> Vec<Link
 
 /// Returns the reason why a pair holds by itself: lengths that agree within the part `near` are
 /// equal.
-pub(super) fn reason(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configuration, near: f64) -> RepeatReason {
+pub(super) fn reason(
+    scene: &Scene,
+    m: &Mechanism,
+    opened: &Opened,
+    at: &Configuration,
+    near: f64,
+) -> RepeatReason {
     let found = match opened {
         Opened::Link(l) => {
-            let circle = || same_circle(scene, *l, at, near).map(|(ends, b, d)| RepeatReason::SameCircle(ends, b, d));
+            let circle = || {
+                same_circle(scene, *l, at, near)
+                    .map(|(ends, b, d)| RepeatReason::SameCircle(ends, b, d))
+            };
             parallel_cranks(scene, m, *l, at, near).or_else(circle)
         }
         Opened::Guide(g) => {
             let pin = scene.guides[g.0].pin;
             let cranks = (0..scene.links.len()).map(LinkId).filter(|l| *l != scene.ground);
-            let mut circles =
-                cranks.filter_map(|l| same_circle(scene, l, at, near)).filter(|(ends, _, _)| ends.iter().any(|p| Some(*p) == pin));
+            let mut circles = cranks
+                .filter_map(|l| same_circle(scene, l, at, near))
+                .filter(|(ends, _, _)| ends.iter().any(|p| Some(*p) == pin));
             let line = || circles.next().map(|(ends, b, d)| RepeatReason::SameLine(ends, b, d));
-            let normal = || contact_of(scene, *g).filter(|(_, all)| *all > 1).map(|_| RepeatReason::OneNormal);
-            normal().or_else(|| parallel_guides(scene, *g, at, near).map(RepeatReason::ParallelGuides)).or_else(line)
+            let normal = || {
+                contact_of(scene, *g).filter(|(_, all)| *all > 1).map(|_| RepeatReason::OneNormal)
+            };
+            normal()
+                .or_else(|| parallel_guides(scene, *g, at, near).map(RepeatReason::ParallelGuides))
+                .or_else(line)
         }
         Opened::Rolling(r) => repeated_planets(scene, *r, |_| true),
         Opened::Pin(p, l) => {
-            let other =
-                |q: &&PointId| **q != *p && at.points[q.0].zip(at.points[p.0]).is_some_and(|(a, b)| a.distance(b) <= near * at.extent());
+            let other = |q: &&PointId| {
+                **q != *p
+                    && at.points[q.0]
+                        .zip(at.points[p.0])
+                        .is_some_and(|(a, b)| a.distance(b) <= near * at.extent())
+            };
             scene.links[l.0].points.iter().find(other).map(|q| RepeatReason::CoaxialPins(*p, *q))
         }
     };
@@ -70,17 +88,22 @@ pub(super) fn by_topology(scene: &Scene, m: &Mechanism, opened: &Opened) -> Opti
     match opened {
         Opened::Rolling(r) => {
             // One of them stays closed, and is repeated.
-            let opened =
-                |l: LinkId| m.redundant.iter().any(|o| matches!(o.opened, Opened::Rolling(p) if scene.rolling[p.0].links.contains(&l)));
+            let opened = |l: LinkId| {
+                m.redundant.iter().any(|o| matches!(o.opened, Opened::Rolling(p) if scene.rolling[p.0].links.contains(&l)))
+            };
             repeated_planets(scene, *r, |l| !opened(l))
         }
         Opened::Link(l) => {
             let (a, b) = m.held(*l)?;
-            let shares = |p: LinkId, q: LinkId| scene.links[p.0].points.iter().any(|x| scene.links[q.0].points.contains(x));
+            let shares = |p: LinkId, q: LinkId| {
+                scene.links[p.0].points.iter().any(|x| scene.links[q.0].points.contains(x))
+            };
             let at_b = bodies(scene, m, b, *l);
-            bodies(scene, m, a, *l)
-                .into_iter()
-                .find_map(|p| at_b.iter().find(|q| **q != p && shares(p, **q)).map(|q| RepeatReason::Triangle([p, *q])))
+            bodies(scene, m, a, *l).into_iter().find_map(|p| {
+                at_b.iter()
+                    .find(|q| **q != p && shares(p, **q))
+                    .map(|q| RepeatReason::Triangle([p, *q]))
+            })
         }
         Opened::Guide(g) => second_guide(scene, *g).map(RepeatReason::ParallelGuides),
         Opened::Pin(..) => None,
@@ -91,14 +114,22 @@ pub(super) fn by_topology(scene: &Scene, m: &Mechanism, opened: &Opened) -> Opti
 fn second_guide(scene: &Scene, g: GuideId) -> Option<GuideId> {
     let guide = &scene.guides[g.0];
     let told = |path: &GuidePath| match path {
-        GuidePath::Line { direction: GuideDirection::Instant(angle), .. } => Some(angle.value.radians()),
-        GuidePath::Line { direction: GuideDirection::Along(..) | GuideDirection::Own | GuideDirection::Slid(_), .. }
+        GuidePath::Line { direction: GuideDirection::Instant(angle), .. } => {
+            Some(angle.value.radians())
+        }
+        GuidePath::Line {
+            direction: GuideDirection::Along(..) | GuideDirection::Own | GuideDirection::Slid(_),
+            ..
+        }
         | GuidePath::Arc { .. } => None,
     };
     let own = told(&guide.path).filter(|_| guide.slider.is_some())?;
     let same = |other: &GuideId| {
         let o = &scene.guides[other.0];
-        *other != g && o.slider == guide.slider && o.on == guide.on && told(&o.path).is_some_and(|a| libm::sin(a - own).abs() < 1e-9)
+        *other != g
+            && o.slider == guide.slider
+            && o.on == guide.on
+            && told(&o.path).is_some_and(|a| libm::sin(a - own).abs() < 1e-9)
     };
     (0..scene.guides.len()).map(GuideId).find(same)
 }
@@ -108,11 +139,18 @@ fn second_guide(scene: &Scene, g: GuideId) -> Option<GuideId> {
 fn contact_of(scene: &Scene, g: GuideId) -> Option<(usize, usize)> {
     let own = scene.cams.iter().position(|c| c.contact == Some(g))?;
     let pair = |c: &Cam| (c.cam, c.follower);
-    let mut same = (0..scene.cams.len()).filter(|k| pair(&scene.cams[*k]) == pair(&scene.cams[own]));
+    let mut same =
+        (0..scene.cams.len()).filter(|k| pair(&scene.cams[*k]) == pair(&scene.cams[own]));
     Some((same.clone().position(|k| k == own)? + 1, same.by_ref().count()))
 }
 
-fn parallel_cranks(scene: &Scene, m: &Mechanism, l: LinkId, at: &Configuration, near: f64) -> Option<RepeatReason> {
+fn parallel_cranks(
+    scene: &Scene,
+    m: &Mechanism,
+    l: LinkId,
+    at: &Configuration,
+    near: f64,
+) -> Option<RepeatReason> {
     let (a, b) = m.held(l)?;
     let between = |p: PointId, q: PointId| Some(at.points[q.0]? - at.points[p.0]?);
     let own = between(a, b)?;
@@ -120,12 +158,17 @@ fn parallel_cranks(scene: &Scene, m: &Mechanism, l: LinkId, at: &Configuration, 
     let mut cranks = vec![(a, b)];
     for k in (0..scene.links.len()).map(LinkId).filter(|k| *k != l && *k != scene.ground) {
         let points = &scene.links[k.0].points;
-        let joins = |p: PointId, to: &[LinkId]| bodies(scene, m, p, k).iter().any(|x| to.contains(x));
+        let joins =
+            |p: PointId, to: &[LinkId]| bodies(scene, m, p, k).iter().any(|x| to.contains(x));
         let equal = |p: PointId, q: PointId| {
-            p != q && joins(p, &at_a) && joins(q, &at_b) && between(p, q).is_some_and(|d| (d - own).norm() <= near * own.norm())
+            p != q
+                && joins(p, &at_a)
+                && joins(q, &at_b)
+                && between(p, q).is_some_and(|d| (d - own).norm() <= near * own.norm())
         };
         // Named in the order of its link.
-        let pairs = points.iter().enumerate().flat_map(|(i, q)| points[..i].iter().map(move |p| (*p, *q)));
+        let pairs =
+            points.iter().enumerate().flat_map(|(i, q)| points[..i].iter().map(move |p| (*p, *q)));
         cranks.extend(pairs.into_iter().find(|(p, q)| equal(*p, *q) || equal(*q, *p)));
     }
     (cranks.len() > 1).then_some(RepeatReason::ParallelCranks(cranks))
@@ -136,7 +179,11 @@ fn parallel_guides(scene: &Scene, g: GuideId, at: &Configuration, near: f64) -> 
     // The link that runs in the guide: the slider, or a link that carries the pin.
     let runs = |i: GuideId| -> Vec<LinkId> {
         let guide = &scene.guides[i.0];
-        guide.slider.into_iter().chain(guide.pin.into_iter().flat_map(|p| scene.carriers(p))).collect()
+        guide
+            .slider
+            .into_iter()
+            .chain(guide.pin.into_iter().flat_map(|p| scene.carriers(p)))
+            .collect()
     };
     let direction = |i: GuideId| match at.guides[i.0]? {
         Path::Line { direction, .. } => Some(direction),
@@ -153,19 +200,28 @@ fn parallel_guides(scene: &Scene, g: GuideId, at: &Configuration, near: f64) -> 
 }
 
 /// AB = BC = BD: the crank D–B, a bar with B and two points that move along lines through D.
-fn same_circle(scene: &Scene, l: LinkId, at: &Configuration, near: f64) -> Option<([PointId; 2], PointId, PointId)> {
+fn same_circle(
+    scene: &Scene,
+    l: LinkId,
+    at: &Configuration,
+    near: f64,
+) -> Option<([PointId; 2], PointId, PointId)> {
     let [a, b] = scene.links[l.0].points[..] else { return None };
     [(a, b), (b, a)].into_iter().find_map(|(d, b)| {
         let (centre, middle) = (at.points[d.0]?, at.points[b.0]?);
         let radius = centre.distance(middle);
         let passes = |g: &GuideId| match at.guides[g.0] {
-            Some(Path::Line { through, direction }) => direction.cross(centre - through).abs() <= near * radius,
+            Some(Path::Line { through, direction }) => {
+                direction.cross(centre - through).abs() <= near * radius
+            }
             Some(Path::Arc { .. }) | None => false,
         };
         let guides = (0..scene.guides.len()).map(GuideId).filter(passes);
         let ends: Vec<PointId> = guides
             .filter_map(|g| scene.guides[g.0].pin)
-            .filter(|p| at.points[p.0].is_some_and(|p| (p.distance(middle) - radius).abs() <= near * radius))
+            .filter(|p| {
+                at.points[p.0].is_some_and(|p| (p.distance(middle) - radius).abs() <= near * radius)
+            })
             .filter(|p| scene.carriers(*p).any(|k| k != l && scene.links[k.0].points.contains(&b)))
             .collect();
         let [p, q] = ends[..] else { return None };
@@ -174,7 +230,11 @@ fn same_circle(scene: &Scene, l: LinkId, at: &Configuration, near: f64) -> Optio
 }
 
 /// Returns the planet that a rolling pair repeats: on the same carrier, rolling on the same links.
-fn repeated_planets(scene: &Scene, r: RollingId, whole: impl Fn(LinkId) -> bool) -> Option<RepeatReason> {
+fn repeated_planets(
+    scene: &Scene,
+    r: RollingId,
+    whole: impl Fn(LinkId) -> bool,
+) -> Option<RepeatReason> {
     let partners = |l: LinkId| {
         let mut all: Vec<LinkId> = scene.rolling.iter().filter_map(|p| p.other(l)).collect();
         all.sort_unstable();
@@ -187,10 +247,17 @@ fn repeated_planets(scene: &Scene, r: RollingId, whole: impl Fn(LinkId) -> bool)
         all
     };
     let like = |l: LinkId| {
-        let same = |k: &LinkId| *k != l && partners(*k) == partners(l) && carriers(*k) == carriers(l) && partners(l).len() > 1 && whole(*k);
+        let same = |k: &LinkId| {
+            *k != l
+                && partners(*k) == partners(l)
+                && carriers(*k) == carriers(l)
+                && partners(l).len() > 1
+                && whole(*k)
+        };
         (0..scene.links.len()).map(LinkId).find(same)
     };
-    let planet = scene.rolling[r.0].links.into_iter().filter(|l| *l != scene.ground).find_map(like)?;
+    let planet =
+        scene.rolling[r.0].links.into_iter().filter(|l| *l != scene.ground).find_map(like)?;
     Some(RepeatReason::RepeatedPlanets(scene.link_name(planet).to_owned()))
 }
 
@@ -214,7 +281,9 @@ impl RepeatReason {
                 let on = scene.link_name(scene.guides[g.0].on);
                 both!("parallel guides on link {on}", "构件 {on} 上的平行导路")
             }
-            RepeatReason::CoaxialPins(p, q) => both!("coaxial pins {} and {}", "轴线重合的转动副 {} 和 {}", name(p), name(q)),
+            RepeatReason::CoaxialPins(p, q) => {
+                both!("coaxial pins {} and {}", "轴线重合的转动副 {} 和 {}", name(p), name(q))
+            }
             RepeatReason::SameCircle([p, q], b, d) | RepeatReason::SameLine([p, q], b, d) => {
                 let of = |p: &PointId| line(scene, (*p, *b));
                 let (first, second, radius) = (of(p), of(q), line(scene, (*b, *d)));
@@ -239,13 +308,20 @@ impl RepeatReason {
                     ),
                 }
             }
-            RepeatReason::RepeatedPlanets(like) => both!("it repeats planet {like}", "与行星轮 {like} 重复"),
+            RepeatReason::RepeatedPlanets(like) => {
+                both!("it repeats planet {like}", "与行星轮 {like} 重复")
+            }
             RepeatReason::Triangle([a, b]) => {
                 let [a, b] = [a, b].map(|l| scene.link_name(*l));
-                both!("it makes a rigid triangle with links {a} and {b}", "与构件 {a}、{b} 组成刚性三角形")
+                both!(
+                    "it makes a rigid triangle with links {a} and {b}",
+                    "与构件 {a}、{b} 组成刚性三角形"
+                )
             }
             RepeatReason::OneNormal => both!("two contacts on one normal", "两处接触的公法线重合"),
-            RepeatReason::Found => both!("it holds at {positions} positions", "在 {positions} 个位置均成立"),
+            RepeatReason::Found => {
+                both!("it holds at {positions} positions", "在 {positions} 个位置均成立")
+            }
         }
     }
 }
@@ -253,20 +329,31 @@ impl RepeatReason {
 /// Returns the name of the opened item, and its span in the file.
 pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
     match opened {
-        Opened::Link(l) => (both!("link {}", "构件 {}", scene.link_name(*l)), scene.links[l.0].span),
+        Opened::Link(l) => {
+            (both!("link {}", "构件 {}", scene.link_name(*l)), scene.links[l.0].span)
+        }
         Opened::Guide(GuideId(g)) if scene.guides[*g].rolling.is_some() => {
             let guide = &scene.guides[*g];
-            let (on, axle) = (scene.link_name(guide.on), guide.pin.map_or("", |p| scene.point_name(p)));
-            let words = both!("the touching of the wheel about {axle} and link {on}", "绕 {axle} 的滚轮与构件 {on} 的接触");
+            let (on, axle) =
+                (scene.link_name(guide.on), guide.pin.map_or("", |p| scene.point_name(p)));
+            let words = both!(
+                "the touching of the wheel about {axle} and link {on}",
+                "绕 {axle} 的滚轮与构件 {on} 的接触"
+            );
             (words, guide.span)
         }
         Opened::Guide(g) if contact_of(scene, *g).is_some() => contact_words(scene, *g),
         Opened::Guide(g) => {
             let guide = &scene.guides[g.0];
-            let (on, runner) =
-                (scene.link_name(guide.on), guide.pin.map(|p| scene.point_name(p)).or(guide.slider.map(|s| scene.link_name(s))));
+            let (on, runner) = (
+                scene.link_name(guide.on),
+                guide.pin.map(|p| scene.point_name(p)).or(guide.slider.map(|s| scene.link_name(s))),
+            );
             let runner = runner.unwrap_or_default();
-            (both!("the guide of {runner} on link {on}", "构件 {on} 上 {runner} 的导路"), guide.span)
+            (
+                both!("the guide of {runner} on link {on}", "构件 {on} 上 {runner} 的导路"),
+                guide.span,
+            )
         }
         Opened::Rolling(r) => (words_of(scene, PairItem::Rolling(*r)), scene.rolling[r.0].span),
         Opened::Pin(p, l) => (words_of(scene, PairItem::Pin(*p, *l)), scene.links[l.0].span),
@@ -275,11 +362,19 @@ pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
 
 /// Returns the name of the cam contact that a guide represents, with its span.
 fn contact_words(scene: &Scene, g: GuideId) -> (Both, Span) {
-    let Some(cam) = scene.cams.iter().find(|c| c.contact == Some(g)) else { return (scene.guide_words(g), scene.guides[g.0].span) };
+    let Some(cam) = scene.cams.iter().find(|c| c.contact == Some(g)) else {
+        return (scene.guide_words(g), scene.guides[g.0].span);
+    };
     let [own, follower] = [cam.cam, cam.follower].map(|l| scene.link_name(l));
     let words = match contact_of(scene, g) {
-        Some((2, _)) => both!("the second contact of cam {own} and follower {follower}", "凸轮 {own} 与从动件 {follower} 的第二处接触"),
-        Some((1, 2..)) => both!("the first contact of cam {own} and follower {follower}", "凸轮 {own} 与从动件 {follower} 的第一处接触"),
+        Some((2, _)) => both!(
+            "the second contact of cam {own} and follower {follower}",
+            "凸轮 {own} 与从动件 {follower} 的第二处接触"
+        ),
+        Some((1, 2..)) => both!(
+            "the first contact of cam {own} and follower {follower}",
+            "凸轮 {own} 与从动件 {follower} 的第一处接触"
+        ),
         Some(_) | None => scene.guide_words(g),
     };
     (words, cam.span)
@@ -290,7 +385,11 @@ fn way_words(scene: &Scene, checked: &Checked) -> Option<Both> {
     let (driver, moved) = (checked.driver.filter(|_| checked.moved != 0.0)?, checked.moved);
     let turns = scene.drivers[driver].kind.turns();
     let (name, _) = scene.driver_name(driver);
-    let by = if turns { format!("{}°", significant(moved.to_degrees(), 3)) } else { scene.length_words(moved) };
+    let by = if turns {
+        format!("{}°", significant(moved.to_degrees(), 3))
+    } else {
+        scene.length_words(moved)
+    };
     Some(both!("when the driver {name} changes by {by}", "原动件 {name} 改变 {by} 时"))
 }
 
@@ -325,7 +424,8 @@ pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Dia
     let (what, span) = opened_words(scene, opened);
     let why = checked.reason.words(scene, checked.positions);
     let off = scene.length_words(checked.off_m);
-    let when = way_words(scene, checked).unwrap_or_else(|| both!("in the pose itself", "在给定位置"));
+    let when =
+        way_words(scene, checked).unwrap_or_else(|| both!("in the pose itself", "在给定位置"));
     let (positions, freedom) = (checked.positions, m.mobility.freedom);
     match checked.verdict {
         RedundancyVerdict::Virtual => {
@@ -401,9 +501,13 @@ fn joint(scene: &Scene, m: &Mechanism, opened: &Opened) -> Both {
             // The pivot on ground does not move.
             pin(if scene.links[scene.ground.0].points.contains(&a) { b } else { a })
         }),
-        Opened::Guide(g) => scene.guides[g.0].pin.map_or_else(|| opened_words(scene, opened).0, pin),
+        Opened::Guide(g) => {
+            scene.guides[g.0].pin.map_or_else(|| opened_words(scene, opened).0, pin)
+        }
         Opened::Pin(p, _) => pin(*p),
-        Opened::Rolling(r) => scene.rolling[r.0].contact().map_or_else(|| opened_words(scene, opened).0, pin),
+        Opened::Rolling(r) => {
+            scene.rolling[r.0].contact().map_or_else(|| opened_words(scene, opened).0, pin)
+        }
     }
 }
 
@@ -427,10 +531,17 @@ fn help(scene: &Scene, opened: &Opened) -> Both {
             "请去掉该导路；同一滑块的两条导路应相互平行"
         ),
         Opened::Rolling(_) => {
-            both!("leave the pair out, or give it the ratio that the others ask for", "请去掉该副，或按其余运动副取其传动比")
+            both!(
+                "leave the pair out, or give it the ratio that the others ask for",
+                "请去掉该副，或按其余运动副取其传动比"
+            )
         }
         Opened::Pin(p, _) => {
-            both!("put {0} where the other pin is, or leave it out", "请把 {0} 放到另一销处，或去掉它", scene.point_name(*p))
+            both!(
+                "put {0} where the other pin is, or leave it out",
+                "请把 {0} 放到另一销处，或去掉它",
+                scene.point_name(*p)
+            )
         }
     }
 }

@@ -16,7 +16,9 @@ use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_base::trig::turns_of;
-use hodograph_scene::{Driver, GuideId, LinkId, Normal, PointId, Relation, Rolling, RollingId, Scene, Touch};
+use hodograph_scene::{
+    Driver, GuideId, LinkId, Normal, PointId, Relation, Rolling, RollingId, Scene, Touch,
+};
 use std::f64::consts::TAU;
 
 impl<N: Real> Configuration<N> {
@@ -32,7 +34,11 @@ impl<N: Real> Configuration<N> {
 
 /// Returns the normal from the first centre toward the second; square to a straight track, toward
 /// the wheel.
-fn normal<N: Real>(pair: &Rolling, points: &[Option<Point<N>>], guides: &[Option<Path<N>>]) -> Option<Vec2<N>> {
+fn normal<N: Real>(
+    pair: &Rolling,
+    points: &[Option<Point<N>>],
+    guides: &[Option<Path<N>>],
+) -> Option<Vec2<N>> {
     match pair.touch() {
         Touch::Point(Normal::Centres([a, b])) => (points[b.0]? - points[a.0]?).unit(),
         Touch::Point(Normal::Square { guide, .. }) => match guides[guide.0]? {
@@ -56,8 +62,12 @@ pub(super) fn contact<N: Real>(
             let (a, b) = (points[a.0]?, points[b.0]?);
             Some([a + (b - a) * (r1 / (r1 + r2)); 2])
         }
-        Touch::Point(Normal::Square { centre, .. }) => Some([points[centre.0]? + normal(pair, points, guides)? * -r2; 2]),
-        Touch::Strand { centres: [a, b], right, .. } => belt::strand(sizes, right, points[a.0]?, points[b.0]?),
+        Touch::Point(Normal::Square { centre, .. }) => {
+            Some([points[centre.0]? + normal(pair, points, guides)? * -r2; 2])
+        }
+        Touch::Strand { centres: [a, b], right, .. } => {
+            belt::strand(sizes, right, points[a.0]?, points[b.0]?)
+        }
     }
 }
 
@@ -100,7 +110,9 @@ impl RollingRecord {
             now.line.divide_by(self.start.line).angle(),
         ];
         // Angles since the instant, not sums of steps: errors do not accumulate over many turns.
-        let turned = std::array::from_fn(|i| wrapped[i] + TAU * libm::round((self.turned[i] - wrapped[i]) / TAU));
+        let turned = std::array::from_fn(|i| {
+            wrapped[i] + TAU * libm::round((self.turned[i] - wrapped[i]) / TAU)
+        });
         RollingRecord { start: self.start, turned }
     }
 
@@ -140,7 +152,11 @@ pub(super) fn seen(
 
 /// Returns the records of all pairs in a pose close to one with the records `before`; at the
 /// instant there are none before.
-pub(super) fn counted<N: Real>(scene: &Scene, c: &Configuration<N>, before: &[Option<RollingRecord>]) -> Vec<Option<RollingRecord>> {
+pub(super) fn counted<N: Real>(
+    scene: &Scene,
+    c: &Configuration<N>,
+    before: &[Option<RollingRecord>],
+) -> Vec<Option<RollingRecord>> {
     if scene.rolling.is_empty() {
         return Vec::new();
     }
@@ -149,7 +165,12 @@ pub(super) fn counted<N: Real>(scene: &Scene, c: &Configuration<N>, before: &[Op
     let place = |_: LinkId, p: PointId| c.points[p.0];
     let all = scene.rolling.iter().enumerate().map(|(r, pair)| {
         let now = seen(pair, &c.shapes, &pose, &place)?;
-        Some(before.get(r).and_then(Option::as_ref).map_or_else(|| RollingRecord::begin(now), |b| b.on(&now)))
+        Some(
+            before
+                .get(r)
+                .and_then(Option::as_ref)
+                .map_or_else(|| RollingRecord::begin(now), |b| b.on(&now)),
+        )
     });
     all.collect()
 }
@@ -166,26 +187,38 @@ pub(super) fn slipped_m(scene: &Scene, c: &Configuration, r: RollingId) -> Optio
             let [r1, r2] = c.shapes.rolling[r.0];
             c.points[a.0]?.distance(c.points[b.0]?) * (r2 / (r1 + r2)).abs()
         }
-        Touch::Point(Normal::Square { .. }) | Touch::Strand { .. } => c.shapes.rolling[r.0][1].abs(),
+        Touch::Point(Normal::Square { .. }) | Touch::Strand { .. } => {
+            c.shapes.rolling[r.0][1].abs()
+        }
     };
     Some(turned * second_m)
 }
 
 /// Returns the deviation of a pair from the phase in the scene, as an angle of the second link of
 /// half a turn at most; `None` if no phase is given.
-pub(super) fn out_of_phase(scene: &Scene, shapes: &Shapes, r: RollingId, now: &RollingPose) -> Option<f64> {
+pub(super) fn out_of_phase(
+    scene: &Scene,
+    shapes: &Shapes,
+    r: RollingId,
+    now: &RollingPose,
+) -> Option<f64> {
     let (pair, [r1, r2]) = (&scene.rolling[r.0], shapes.rolling[r.0]);
     let phase = pair.phase.as_ref().filter(|_| pair.round().is_some())?;
     let line = now.line.unit()?;
     let mark = |l: LinkId| mark(scene, l, |p| shapes.local(l, p));
-    let from_line = |i: usize| Some(mark(pair.links[i])?.rotate_by(now.axes[i]).divide_by(line).angle());
+    let from_line =
+        |i: usize| Some(mark(pair.links[i])?.rotate_by(now.axes[i]).divide_by(line).angle());
     let off = from_line(1)? + from_line(0)? * (r1 / r2) - phase.value.radians();
     Some(off - TAU * libm::round(off / TAU))
 }
 
 /// Returns the line of a link from which its angle is measured, in its frame: a unit vector. For
 /// the ground it is the x axis, whatever pivots the ground has.
-fn mark<N: Real>(scene: &Scene, l: LinkId, local: impl Fn(PointId) -> Option<Point<N>>) -> Option<Vec2<N>> {
+fn mark<N: Real>(
+    scene: &Scene,
+    l: LinkId,
+    local: impl Fn(PointId) -> Option<Point<N>>,
+) -> Option<Vec2<N>> {
     match &scene.links[l.0].points[..] {
         [p, q, ..] if l != scene.ground => (local(*q)? - local(*p)?).unit(),
         _ => Some(Vec2::unit_x()),
@@ -200,14 +233,25 @@ pub(super) fn whole<N: Real>(wrapped: N, near: f64) -> N {
 impl<N: Real> Assembly<'_, N> {
     /// Returns the pose of a link that rolls on a known one, as far as data determine it:
     /// coordinates of its points, the phase of the pair, or nothing if the link has no line.
-    pub(super) fn poses_of_rolling(&self, link: LinkId, pivot: Option<PointId>, holds: &[Hold]) -> Result<Vec<Pose<N>>, Diagnostic> {
+    pub(super) fn poses_of_rolling(
+        &self,
+        link: LinkId,
+        pivot: Option<PointId>,
+        holds: &[Hold],
+    ) -> Result<Vec<Pose<N>>, Diagnostic> {
         let shape = &self.shapes[link.0];
         let mut placed = shape.points.iter().filter_map(|(p, local)| {
-            let at = if pivot == Some(*p) { self.points[p.0] } else { given_place(self.scene, &self.inputs, *p) };
+            let at = if pivot == Some(*p) {
+                self.points[p.0]
+            } else {
+                given_place(self.scene, &self.inputs, *p)
+            };
             Some((*local, at?))
         });
         let (first, second) = (placed.next(), placed.next());
-        let rolls = holds.iter().find_map(|h| if let Hold::Rolls { pair, other, .. } = *h { Some((pair, other)) } else { None });
+        let rolls = holds.iter().find_map(|h| {
+            if let Hold::Rolls { pair, other, .. } = *h { Some((pair, other)) } else { None }
+        });
         let Some((local, at)) = first else { return Err(self.no_closure(link)) };
         if let Some((far, far_at)) = second
             && self.instant.is_none()
@@ -218,27 +262,51 @@ impl<N: Real> Assembly<'_, N> {
         let axis = match rolls.and_then(|(pair, other)| self.rolled(link, pair, other, at)) {
             Some(axis) => axis,
             None if shape.frame == FrameAnchor::Loose && self.instant.is_none() => Vec2::unit_x(),
-            None => return Err(rolls.and_then(|(pair, _)| self.no_line(pair)).unwrap_or_else(|| self.no_phase(link))),
+            None => {
+                return Err(rolls
+                    .and_then(|(pair, _)| self.no_line(pair))
+                    .unwrap_or_else(|| self.no_phase(link)));
+            }
         };
         Ok(vec![Pose { origin: at - local.to_vec2().rotate_by(axis), axis }])
     }
 
     /// Returns the pose of a link from coordinates at the instant: the whole pose, or, for a wheel
     /// without a line, the position of its centre.
-    pub(super) fn given_pose(&self, link: LinkId, given: &[(PointId, Point<N>)]) -> Option<Pose<N>> {
+    pub(super) fn given_pose(
+        &self,
+        link: LinkId,
+        given: &[(PointId, Point<N>)],
+    ) -> Option<Pose<N>> {
         let shape = &self.shapes[link.0];
-        let place = |p: PointId| given.iter().find(|(q, _)| *q == p).map(|(_, at)| *at).or(self.points[p.0]);
+        let place = |p: PointId| {
+            given.iter().find(|(q, _)| *q == p).map(|(_, at)| *at).or(self.points[p.0])
+        };
         let loose = || {
             // At the instant the frame of a link with one point is arbitrary, unless a guide that
             // gives its direction runs over a pin.
             let rolls = self.scene.rolling.iter().any(|r| r.links.contains(&link));
-            let turned = |d: &Driver| d.kind.turned().is_some_and(|(l, _)| l == link) && d.kind.angle().is_some();
-            let alone = shape.frame == FrameAnchor::Loose && self.instant.is_none() && (rolls || !self.scene.drivers.iter().any(turned));
-            let (own, local, at) = shape.points.iter().filter(|_| alone).find_map(|(p, local)| Some((*p, *local, place(*p)?)))?;
+            let turned = |d: &Driver| {
+                d.kind.turned().is_some_and(|(l, _)| l == link) && d.kind.angle().is_some()
+            };
+            let alone = shape.frame == FrameAnchor::Loose
+                && self.instant.is_none()
+                && (rolls || !self.scene.drivers.iter().any(turned));
+            let (own, local, at) = shape
+                .points
+                .iter()
+                .filter(|_| alone)
+                .find_map(|(p, local)| Some((*p, *local, place(*p)?)))?;
             let guides = self.scene.guides.iter().enumerate().filter(|(_, g)| g.on == link);
-            let shown = guides.filter_map(|(g, guide)| Some((GuideId(g), guide.pin.filter(|p| *p != own && place(*p).is_some())?))).next();
+            let shown = guides
+                .filter_map(|(g, guide)| {
+                    Some((GuideId(g), guide.pin.filter(|p| *p != own && place(*p).is_some())?))
+                })
+                .next();
             match shown {
-                Some((guide, pin)) if self.points[own.0].is_some() => self.poses_of_lever(link, own, pin, guide).ok()?.into_iter().next(),
+                Some((guide, pin)) if self.points[own.0].is_some() => {
+                    self.poses_of_lever(link, own, pin, guide).ok()?.into_iter().next()
+                }
                 Some(_) => None,
                 None => Some(Pose { origin: at - local.to_vec2(), axis: Vec2::unit_x() }),
             }
@@ -248,11 +316,19 @@ impl<N: Real> Assembly<'_, N> {
 
     /// Returns the pins of a group with coordinates, and those on a link with coordinates of two
     /// points.
-    pub(super) fn given_pins_of(&self, group: &Group, mut given: Vec<(PointId, Point<N>)>) -> Vec<(PointId, Point<N>)> {
+    pub(super) fn given_pins_of(
+        &self,
+        group: &Group,
+        mut given: Vec<(PointId, Point<N>)>,
+    ) -> Vec<(PointId, Point<N>)> {
         for &p in &group.pins {
             let told = given.iter().any(|(q, _)| *q == p);
-            let on_link = |l: &LinkId| (self.shapes[l.0].frame == FrameAnchor::Plane).then(|| self.world(*l, p)).flatten();
-            given.extend((!told).then(|| group.links.iter().find_map(on_link)).flatten().map(|at| (p, at)));
+            let on_link = |l: &LinkId| {
+                (self.shapes[l.0].frame == FrameAnchor::Plane).then(|| self.world(*l, p)).flatten()
+            };
+            given.extend(
+                (!told).then(|| group.links.iter().find_map(on_link)).flatten().map(|at| (p, at)),
+            );
         }
         given
     }
@@ -272,7 +348,10 @@ impl<N: Real> Assembly<'_, N> {
         };
         let other_axis = self.poses[other.0]?.axis;
         if let Some(then) = self.instant {
-            let (before, was) = (then.points[centres[1].0]? - then.points[centres[0].0]?, then.poses[other.0]?.axis);
+            let (before, was) = (
+                then.points[centres[1].0]? - then.points[centres[0].0]?,
+                then.poses[other.0]?.axis,
+            );
             let meant = self.turned_as_meant(id);
             let line = whole(line.divide_by(before).angle(), meant[2]);
             let its_turn = whole(other_axis.divide_by(was).angle(), meant[1 - own]);
@@ -287,7 +366,8 @@ impl<N: Real> Assembly<'_, N> {
         let line = line.unit()?;
         let others = self.mark(other)?.rotate_by(other_axis).divide_by(line).angle();
         let near = others.approx() - turns_of(others.approx()) * TAU;
-        let others = whole(others, self.written(other).map_or(near, |angle| angle - line.angle().approx()));
+        let others =
+            whole(others, self.written(other).map_or(near, |angle| angle - line.angle().approx()));
         let angle = (if own == 1 { phase } else { phase * (r2 / r1) }) - others * (its / mine);
         line.rotate_by(Vec2::from_angle(angle)).divide_by(self.mark(link)?).unit()
     }
@@ -312,21 +392,34 @@ impl<N: Real> Assembly<'_, N> {
 
     /// Returns the line, square to the track, on which a wheel that has rolled keeps the origin of
     /// a rack of known direction; `None` at the instant, when the rack may be anywhere.
-    pub(super) fn origin_of_rack(&self, link: LinkId, axis: Vec2<N>, id: RollingId) -> Option<Locus<N>> {
+    pub(super) fn origin_of_rack(
+        &self,
+        link: LinkId,
+        axis: Vec2<N>,
+        id: RollingId,
+    ) -> Option<Locus<N>> {
         let (pair, then) = (&self.scene.rolling[id.0], self.instant?);
-        let ([on, wheel], Relation::Slide { centre, guide }) = (pair.links, pair.relation()) else { return None };
+        let ([on, wheel], Relation::Slide { centre, guide }) = (pair.links, pair.relation()) else {
+            return None;
+        };
         let Path::Line { direction, .. } = self.guides[guide.0]? else { return None };
         if link != on {
             return None;
         }
         let (before, [_, radius]) = (then.poses[on.0]?, pair.sizes(&self.inputs));
         let meant = self.turned_as_meant(id);
-        let of = |i: usize, l: LinkId, axis: Vec2<N>| Some(whole(axis.divide_by(then.poses[l.0]?.axis).angle(), meant[i]));
+        let of = |i: usize, l: LinkId, axis: Vec2<N>| {
+            Some(whole(axis.divide_by(then.poses[l.0]?.axis).angle(), meant[i]))
+        };
         let turned = of(1, wheel, self.poses[wheel.0]?.axis)? - of(0, on, axis)?;
         // t·(K − O) + ρ(φ₂ − φ₁) is constant.
-        let way = direction.dot(before.turn_back(then.points[centre.0]? - before.origin)) - radius * turned;
+        let way = direction.dot(before.turn_back(then.points[centre.0]? - before.origin))
+            - radius * turned;
         let along = direction.rotate_by(axis);
-        Some(Locus::Line { through: self.points[centre.0]? + along * -way, direction: along.perp() })
+        Some(Locus::Line {
+            through: self.points[centre.0]? + along * -way,
+            direction: along.perp(),
+        })
     }
 
     /// Returns the rotations of links and line of a pair since the instant in the known pose, which
@@ -341,7 +434,9 @@ impl<N: Real> Assembly<'_, N> {
 
     /// Returns the angle of a link's line as a driver gives it, including whole turns.
     fn written(&self, l: LinkId) -> Option<f64> {
-        let own = |d: &&Driver| d.kind.turned() == Some((l, self.scene.ground)) && d.kind.lines()[0].is_none();
+        let own = |d: &&Driver| {
+            d.kind.turned() == Some((l, self.scene.ground)) && d.kind.lines()[0].is_none()
+        };
         self.scene.drivers.iter().filter(own).find_map(|d| Some(d.kind.angle()?.value.radians()))
     }
 
@@ -372,14 +467,20 @@ pub(super) fn misfit(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option
     let centres @ [p, q] = match pair.touch() {
         Touch::Point(Normal::Centres(centres)) => centres,
         Touch::Point(Normal::Square { guide, .. }) => return belt::slack(scene, pair, guide, c),
-        Touch::Strand { centres, .. } => return belt::misfit(scene, pair, centres, pair.radii()?, c),
+        Touch::Strand { centres, .. } => {
+            return belt::misfit(scene, pair, centres, pair.radii()?, c);
+        }
     };
     let (at, other) = (c.points[p.0]?, c.points[q.0]?);
     let Some([a, b]) = pair.radii() else {
-        return (at.distance(other) <= same_place(c.extent(), at)).then(|| coincident(scene, pair, centres));
+        return (at.distance(other) <= same_place(c.extent(), at))
+            .then(|| coincident(scene, pair, centres));
     };
     let hollow = pair.hollow();
-    let (given, distance) = (if hollow.is_some() { (a.value - b.value).abs() } else { a.value + b.value }, at.distance(other));
+    let (given, distance) = (
+        if hollow.is_some() { (a.value - b.value).abs() } else { a.value + b.value },
+        at.distance(other),
+    );
     if (given - distance).abs() <= same_place(c.extent().max(a.value.max(b.value)), at) {
         return None;
     }
@@ -417,9 +518,15 @@ pub(super) fn misfit(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option
 /// Returns the fault of two gears with coincident centres, which touch nowhere.
 fn coincident(scene: &Scene, pair: &Rolling, [p, q]: [PointId; 2]) -> Diagnostic {
     let (p, q) = (scene.point_name(p), scene.point_name(q));
-    Diagnostic::error("no-contact", both!("{p} and {q} lie in one place: the two gears touch nowhere", "{p} 与 {q} 重合：两齿轮没有接触点"))
-        .at(pair.span)
-        .help(both!("place the centres apart from one another", "请把两圆心分开放置"))
+    Diagnostic::error(
+        "no-contact",
+        both!(
+            "{p} and {q} lie in one place: the two gears touch nowhere",
+            "{p} 与 {q} 重合：两齿轮没有接触点"
+        ),
+    )
+    .at(pair.span)
+    .help(both!("place the centres apart from one another", "请把两圆心分开放置"))
 }
 
 #[cfg(test)]

@@ -13,7 +13,9 @@ use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
 use hodograph_scene::exact::Inputs;
-use hodograph_scene::{GivenQuantity, GuideDirection, GuideId, GuidePath, LinkId, PointId, PointPlace, Scene, Through};
+use hodograph_scene::{
+    GivenQuantity, GuideDirection, GuideId, GuidePath, LinkId, PointId, PointPlace, Scene, Through,
+};
 
 /// The way in which a link's frame is fixed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,7 +48,11 @@ pub(super) fn given_at(scene: &Scene, p: PointId) -> Option<Point> {
 }
 
 /// Returns the given coordinates of a point in the numbers of an assembly.
-pub(super) fn given_place<N: Real>(scene: &Scene, inputs: &Inputs<N>, p: PointId) -> Option<Point<N>> {
+pub(super) fn given_place<N: Real>(
+    scene: &Scene,
+    inputs: &Inputs<N>,
+    p: PointId,
+) -> Option<Point<N>> {
     match &scene.points[p.0].place {
         PointPlace::At([x, y]) => Some(Point::new(inputs.number(x), inputs.number(y))),
         PointPlace::Unknown | PointPlace::InLink { .. } | PointPlace::Polar { .. } => None,
@@ -60,9 +66,16 @@ fn given_length(scene: &Scene, a: PointId, b: PointId) -> Option<&GivenQuantity>
 /// Returns the shape of one link.
 ///
 /// If `check` is set, values given twice must agree within the accuracy of `f64`.
-pub(super) fn of_link<N: Real>(scene: &Scene, inputs: &Inputs<N>, l: LinkId, check: bool, faults: &mut Faults) -> LinkShape<N> {
+pub(super) fn of_link<N: Real>(
+    scene: &Scene,
+    inputs: &Inputs<N>,
+    l: LinkId,
+    check: bool,
+    faults: &mut Faults,
+) -> LinkShape<N> {
     let all = &scene.links[l.0].points;
-    let at: Vec<(PointId, Point<N>)> = all.iter().filter_map(|p| given_place(scene, inputs, *p).map(|x| (*p, x))).collect();
+    let at: Vec<(PointId, Point<N>)> =
+        all.iter().filter_map(|p| given_place(scene, inputs, *p).map(|x| (*p, x))).collect();
     let ground = l == scene.ground;
     let (mut points, frame) = if at.len() >= 2 || (ground && !at.is_empty()) {
         (at, FrameAnchor::Plane)
@@ -76,7 +89,8 @@ pub(super) fn of_link<N: Real>(scene: &Scene, inputs: &Inputs<N>, l: LinkId, che
     } else {
         (Vec::new(), if ground { FrameAnchor::Plane } else { FrameAnchor::Loose })
     };
-    let mut open: Vec<PointId> = all.iter().copied().filter(|p| !points.iter().any(|(q, _)| q == p)).collect();
+    let mut open: Vec<PointId> =
+        all.iter().copied().filter(|p| !points.iter().any(|(q, _)| q == p)).collect();
     loop {
         let before = open.len();
         open.retain(|&p| match place_point(scene, inputs, l, &points, p) {
@@ -112,7 +126,10 @@ fn is_free(scene: &Scene, p: PointId) -> bool {
     matches!(scene.points[p.0].place, PointPlace::Unknown | PointPlace::At(_))
 }
 
-fn base_pair<'a>(scene: &'a Scene, all: &[PointId]) -> Option<(PointId, PointId, &'a GivenQuantity)> {
+fn base_pair<'a>(
+    scene: &'a Scene,
+    all: &[PointId],
+) -> Option<(PointId, PointId, &'a GivenQuantity)> {
     for (i, &a) in all.iter().enumerate() {
         for &b in &all[i + 1..] {
             if let Some(d) = given_length(scene, a, b) {
@@ -135,7 +152,9 @@ fn place_point<N: Real>(
     match &scene.points[p.0].place {
         PointPlace::InLink { base, xy } => {
             let (o, x) = (local(base.0)?, (local(base.1)? - local(base.0)?).unit()?);
-            return Some(Ok(o + Vec2::new(inputs.number(&xy[0]), inputs.number(&xy[1])).rotate_by(x)));
+            return Some(Ok(
+                o + Vec2::new(inputs.number(&xy[0]), inputs.number(&xy[1])).rotate_by(x)
+            ));
         }
         PointPlace::Polar { base, length, angle } => {
             let (o, x) = (local(base.0)?, (local(base.1)? - local(base.0)?).unit()?);
@@ -145,19 +164,26 @@ fn place_point<N: Real>(
         }
         PointPlace::At(_) | PointPlace::Unknown => {}
     }
-    let known: Vec<(PointId, Point<N>, N)> =
-        points.iter().filter_map(|(q, at)| given_length(scene, *q, p).map(|d| (*q, *at, inputs.number(d)))).collect();
+    let known: Vec<(PointId, Point<N>, N)> = points
+        .iter()
+        .filter_map(|(q, at)| given_length(scene, *q, p).map(|d| (*q, *at, inputs.number(d))))
+        .collect();
     let [(qa, a, ra), (qb, b, rb), ..] = known[..] else { return None };
-    Some(match meet(Locus::Circle { centre: a, radius: ra }, Locus::Circle { centre: b, radius: rb }) {
-        Ok(two) => Ok(two[pick_side(scene, p, qa, qb)]),
-        Err(miss) => Err(impossible_triangle(scene, l, p, qa, qb, miss)),
-    })
+    Some(
+        match meet(Locus::Circle { centre: a, radius: ra }, Locus::Circle { centre: b, radius: rb })
+        {
+            Ok(two) => Ok(two[pick_side(scene, p, qa, qb)]),
+            Err(miss) => Err(impossible_triangle(scene, l, p, qa, qb, miss)),
+        },
+    )
 }
 
 /// Returns the index of the mirror position of a point (0 left of a→b, 1 right of it) that the
 /// scene selects: by side, then sketch, then left.
 fn pick_side(scene: &Scene, p: PointId, a: PointId, b: PointId) -> usize {
-    let sketch = |q: PointId| scene.points[q.0].sketch.map(|s| Point::new(s[0], s[1])).or(given_at(scene, q));
+    let sketch = |q: PointId| {
+        scene.points[q.0].sketch.map(|s| Point::new(s[0], s[1])).or(given_at(scene, q))
+    };
     for s in scene.sides.iter().filter(|s| s.point == p) {
         let left = if (s.from, s.to) == (a, b) {
             s.left
@@ -175,10 +201,21 @@ fn pick_side(scene: &Scene, p: PointId, a: PointId, b: PointId) -> usize {
     0
 }
 
-fn impossible_triangle(scene: &Scene, l: LinkId, p: PointId, a: PointId, b: PointId, miss: Miss) -> Diagnostic {
+fn impossible_triangle(
+    scene: &Scene,
+    l: LinkId,
+    p: PointId,
+    a: PointId,
+    b: PointId,
+    miss: Miss,
+) -> Diagnostic {
     let (p, a, b) = (scene.point_name(p), scene.point_name(a), scene.point_name(b));
     let by = match miss {
-        Miss::TooFar(x) => both!("{a}{p} + {p}{b} is shorter than {a}{b} by {}", "{a}{p} + {p}{b} 比 {a}{b} 短 {}", scene.length_words(x)),
+        Miss::TooFar(x) => both!(
+            "{a}{p} + {p}{b} is shorter than {a}{b} by {}",
+            "{a}{p} + {p}{b} 比 {a}{b} 短 {}",
+            scene.length_words(x)
+        ),
         Miss::TooNear(x) => both!(
             "one of {a}{p}, {p}{b} is longer than the two other sides together by {}",
             "{a}{p}、{p}{b} 之一比另两边之和长 {}",
@@ -198,11 +235,20 @@ fn impossible_triangle(scene: &Scene, l: LinkId, p: PointId, a: PointId, b: Poin
     .at(scene.links[l.0].span)
 }
 
-fn missing_length<N: Real>(scene: &Scene, l: LinkId, points: &[(PointId, Point<N>)], p: PointId) -> Diagnostic {
+fn missing_length<N: Real>(
+    scene: &Scene,
+    l: LinkId,
+    points: &[(PointId, Point<N>)],
+    p: PointId,
+) -> Diagnostic {
     let name = scene.point_name(p);
-    let given: Vec<PointId> = points.iter().map(|(q, _)| *q).filter(|q| given_length(scene, *q, p).is_some()).collect();
-    let missing: Vec<String> =
-        points.iter().filter(|(q, _)| !given.contains(q)).map(|(q, _)| format!("{}{name}", scene.point_name(*q))).collect();
+    let given: Vec<PointId> =
+        points.iter().map(|(q, _)| *q).filter(|q| given_length(scene, *q, p).is_some()).collect();
+    let missing: Vec<String> = points
+        .iter()
+        .filter(|(q, _)| !given.contains(q))
+        .map(|(q, _)| format!("{}{name}", scene.point_name(*q)))
+        .collect();
     let wanted = if points.len() >= 2 {
         both!("two lengths to points of the link", "到该构件上两点的长度")
     } else {
@@ -228,7 +274,12 @@ fn missing_length<N: Real>(scene: &Scene, l: LinkId, points: &[(PointId, Point<N
 /// Relative difference up to which two descriptions of one length agree, as typed by a person.
 const SAME_LENGTH: f64 = 1e-9;
 
-fn check_given_lengths<N: Real>(scene: &Scene, l: LinkId, points: &[(PointId, Point<N>)], faults: &mut Faults) {
+fn check_given_lengths<N: Real>(
+    scene: &Scene,
+    l: LinkId,
+    points: &[(PointId, Point<N>)],
+    faults: &mut Faults,
+) {
     if faults.has_errors() {
         return;
     }
@@ -270,9 +321,13 @@ pub(super) fn guide_in_link<N: Real>(
     g: GuideId,
 ) -> Option<Path<N>> {
     let guide = &scene.guides[g.0];
-    let plane = shape.frame == FrameAnchor::Plane || (m.never_turns[guide.on.0] && shape.frame == FrameAnchor::Loose);
+    let plane = shape.frame == FrameAnchor::Plane
+        || (m.never_turns[guide.on.0] && shape.frame == FrameAnchor::Loose);
     match &guide.path {
-        GuidePath::Arc { centre, radius } => Some(Path::Arc { centre: shape.local(*centre)?, radius: inputs.number(radius.as_ref()?) }),
+        GuidePath::Arc { centre, radius } => Some(Path::Arc {
+            centre: shape.local(*centre)?,
+            radius: inputs.number(radius.as_ref()?),
+        }),
         GuidePath::Line { through, direction, offset } => {
             let direction = match direction {
                 GuideDirection::Instant(angle) if plane => {
@@ -305,10 +360,13 @@ pub(super) fn guide_in_link<N: Real>(
                 Through::Pin if guide.pin.is_none() => Point::origin(),
                 // The position of the runner: known in the link only if the link's frame is the
                 // plane's and the pin is given.
-                Through::Pin if shape.frame == FrameAnchor::Plane => given_place(scene, inputs, guide.pin?)?,
+                Through::Pin if shape.frame == FrameAnchor::Plane => {
+                    given_place(scene, inputs, guide.pin?)?
+                }
                 Through::At(_) | Through::Pin => return None,
             };
-            let through = offset.as_ref().map_or(through, |o| through + direction.perp() * inputs.number(o));
+            let through =
+                offset.as_ref().map_or(through, |o| through + direction.perp() * inputs.number(o));
             Some(Path::Line { through, direction })
         }
     }

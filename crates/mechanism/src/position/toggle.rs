@@ -53,7 +53,9 @@ impl Toggle {
     pub fn of(group: &Group, parallel: impl FnOnce() -> bool) -> Option<Toggle> {
         match &group.core {
             Core::Pin { pin, legs } => match &legs[..] {
-                [a, b] if [a, b].iter().all(|l| is_named(l)) => Some(Toggle::Line { pin: *pin, legs: [*a, *b] }),
+                [a, b] if [a, b].iter().all(|l| is_named(l)) => {
+                    Some(Toggle::Line { pin: *pin, legs: [*a, *b] })
+                }
                 _ => None,
             },
             Core::Link { link, legs } if group.class() == Some("III") => {
@@ -68,13 +70,17 @@ impl Toggle {
     pub fn at(m: &Mechanism, at: &Configuration) -> Option<Toggle> {
         m.groups.iter().find_map(|group| match &group.core {
             Core::Pin { legs, .. } => {
-                let [(p, u), (_, v)] = legs.iter().map(|l| line(at, l)).collect::<Option<Vec<_>>>()?[..] else {
+                let [(p, u), (_, v)] =
+                    legs.iter().map(|l| line(at, l)).collect::<Option<Vec<_>>>()?[..]
+                else {
                     return None;
                 };
-                (u.cross(v).abs() < IN_LINE && p.is_finite()).then(|| Toggle::of(group, || false))?
+                (u.cross(v).abs() < IN_LINE && p.is_finite())
+                    .then(|| Toggle::of(group, || false))?
             }
             Core::Link { legs, .. } if group.class() == Some("III") => {
-                let lines: Vec<(Point, Vec2)> = legs.iter().map(|l| line(at, l)).collect::<Option<_>>()?;
+                let lines: Vec<(Point, Vec2)> =
+                    legs.iter().map(|l| line(at, l)).collect::<Option<_>>()?;
                 let parallel = meeting(&lines, at.extent())?;
                 Toggle::of(group, || parallel)
             }
@@ -91,20 +97,31 @@ impl Toggle {
                     Lang::Zh => format!("{a}与{b}共线"),
                 },
                 [Some(bar), None] | [None, Some(bar)] => match lang {
-                    Lang::En => format!("{bar} stands square to the guide of {}", scene.point_name(*pin)),
+                    Lang::En => {
+                        format!("{bar} stands square to the guide of {}", scene.point_name(*pin))
+                    }
                     Lang::Zh => format!("{bar}垂直于点 {} 的导路", scene.point_name(*pin)),
                 },
                 [None, None] => match lang {
-                    Lang::En => format!("the two guides of {} run parallel", scene.point_name(*pin)),
+                    Lang::En => {
+                        format!("the two guides of {} run parallel", scene.point_name(*pin))
+                    }
                     Lang::Zh => format!("点 {} 的两条导路平行", scene.point_name(*pin)),
                 },
             },
             Toggle::Legs { link, legs, parallel } => {
-                let legs: Vec<String> = legs.iter().map(|l| bar(scene, l, lang).unwrap_or_else(|| normal(scene, l, lang))).collect();
+                let legs: Vec<String> = legs
+                    .iter()
+                    .map(|l| bar(scene, l, lang).unwrap_or_else(|| normal(scene, l, lang)))
+                    .collect();
                 let link = scene.link_name(*link);
                 match lang {
                     Lang::En => {
-                        let how = if *parallel { "run parallel" } else { "lie on lines through one point" };
+                        let how = if *parallel {
+                            "run parallel"
+                        } else {
+                            "lie on lines through one point"
+                        };
                         format!("{}, the legs of link {link}, {how}", listed(&legs, lang))
                     }
                     Lang::Zh => {
@@ -114,11 +131,16 @@ impl Toggle {
                 }
             }
             Toggle::Open(links) => {
-                let names: Vec<String> = links.iter().map(|l| scene.link_name(*l).to_owned()).collect();
+                let names: Vec<String> =
+                    links.iter().map(|l| scene.link_name(*l).to_owned()).collect();
                 match lang {
-                    Lang::En if links.len() == 1 => format!("link {} leaves one freedom open", listed(&names, lang)),
+                    Lang::En if links.len() == 1 => {
+                        format!("link {} leaves one freedom open", listed(&names, lang))
+                    }
                     Lang::En => format!("links {} leave one freedom open", listed(&names, lang)),
-                    Lang::Zh => format!("构件 {} 处于奇异位置，多出一个瞬时自由度", listed(&names, lang)),
+                    Lang::Zh => {
+                        format!("构件 {} 处于奇异位置，多出一个瞬时自由度", listed(&names, lang))
+                    }
                 }
             }
         }
@@ -126,7 +148,8 @@ impl Toggle {
 
     /// Returns the links that it names.
     pub fn links(&self) -> Vec<LinkId> {
-        let of = |legs: &[Leg]| legs.iter().filter_map(|l| Some(l.hold()?.bar()?.0)).collect::<Vec<_>>();
+        let of =
+            |legs: &[Leg]| legs.iter().filter_map(|l| Some(l.hold()?.bar()?.0)).collect::<Vec<_>>();
         match self {
             Toggle::Line { legs, .. } => of(legs),
             Toggle::Legs { link, legs, .. } => std::iter::once(*link).chain(of(legs)).collect(),
@@ -161,7 +184,8 @@ fn meeting(lines: &[(Point, Vec2)], size: f64) -> Option<bool> {
     let [(p, u), (q, v), (r, w)] = lines[..] else { return None };
     let sine = |a: Vec2, b: Vec2| a.cross(b).abs();
     let pairs = [((p, u), (q, v), (r, w)), ((p, u), (r, w), (q, v)), ((q, v), (r, w), (p, u))];
-    let widest = pairs.into_iter().max_by(|a, b| sine(a.0.1, a.1.1).total_cmp(&sine(b.0.1, b.1.1)))?;
+    let widest =
+        pairs.into_iter().max_by(|a, b| sine(a.0.1, a.1.1).total_cmp(&sine(b.0.1, b.1.1)))?;
     let ((p, u), (q, v), (r, w)) = widest;
     if sine(u, v) < PARALLEL {
         return Some(true);
@@ -180,7 +204,9 @@ fn bar(scene: &Scene, leg: &Leg, lang: Lang) -> Option<String> {
     let letters = format!("{}{}", scene.point_name(near.min(far)), scene.point_name(near.max(far)));
     match (strut, lang) {
         (Strut::Bar(link), Lang::En) => Some(format!("link {} ({letters})", scene.link_name(link))),
-        (Strut::Bar(link), Lang::Zh) => Some(format!("构件 {}（{letters}）", scene.link_name(link))),
+        (Strut::Bar(link), Lang::Zh) => {
+            Some(format!("构件 {}（{letters}）", scene.link_name(link)))
+        }
         (Strut::Cylinder(_), Lang::En) => Some(format!("cylinder {letters}")),
         (Strut::Cylinder(_), Lang::Zh) => Some(format!("油缸 {letters}")),
         (Strut::Ram { .. }, _) => None,
@@ -198,7 +224,9 @@ fn normal(scene: &Scene, leg: &Leg, lang: Lang) -> String {
 
 fn listed(all: &[String], lang: Lang) -> String {
     match (all, lang) {
-        ([head @ .., last], Lang::En) if !head.is_empty() => format!("{} and {last}", head.join(", ")),
+        ([head @ .., last], Lang::En) if !head.is_empty() => {
+            format!("{} and {last}", head.join(", "))
+        }
         (all, _) => all.join("、"),
     }
 }
@@ -209,16 +237,30 @@ mod tests {
 
     #[test]
     fn three_lines_meet_run_parallel_or_do_neither() {
-        let line = |x: f64, y: f64, degrees: f64| (Point::new(x, y), Vec2::from_angle(degrees.to_radians()));
+        let line = |x: f64, y: f64, degrees: f64| {
+            (Point::new(x, y), Vec2::from_angle(degrees.to_radians()))
+        };
         // Through (1, 2): along x, along y, along x = y − 1.
-        assert_eq!(meeting(&[line(0.0, 2.0, 0.0), line(1.0, 0.0, 90.0), line(0.0, 1.0, 45.0)], 1.0), Some(false));
-        assert_eq!(meeting(&[line(0.0, 2.0, 30.0), line(1.0, 0.0, 210.0), line(4.0, 1.0, 30.0)], 1.0), Some(true));
-        assert_eq!(meeting(&[line(0.0, 2.0, 0.0), line(1.0, 0.0, 90.0), line(0.0, 1.1, 45.0)], 1.0), None);
+        assert_eq!(
+            meeting(&[line(0.0, 2.0, 0.0), line(1.0, 0.0, 90.0), line(0.0, 1.0, 45.0)], 1.0),
+            Some(false)
+        );
+        assert_eq!(
+            meeting(&[line(0.0, 2.0, 30.0), line(1.0, 0.0, 210.0), line(4.0, 1.0, 30.0)], 1.0),
+            Some(true)
+        );
+        assert_eq!(
+            meeting(&[line(0.0, 2.0, 0.0), line(1.0, 0.0, 90.0), line(0.0, 1.1, 45.0)], 1.0),
+            None
+        );
     }
     #[test]
     fn names_are_listed_as_each_language_lists_them() {
         let names = ["a", "b", "c"].map(str::to_owned);
-        assert_eq!([1, 2, 3].map(|n| listed(&names[..n], Lang::En)), ["a", "a and b", "a, b and c"]);
+        assert_eq!(
+            [1, 2, 3].map(|n| listed(&names[..n], Lang::En)),
+            ["a", "a and b", "a, b and c"]
+        );
         assert_eq!([1, 2, 3].map(|n| listed(&names[..n], Lang::Zh)), ["a", "a、b", "a、b、c"]);
     }
 }

@@ -32,7 +32,9 @@ pub(super) fn touch<N: Real>(
     match cam.contact {
         Some(guide) => by_pair(scene, cam, guide, points, guides),
         None => {
-            let on_course = cam.touched_on_course(scene, &|p| points[p.0]).map(|(at, normal)| ContourContact { at, normal });
+            let on_course = cam
+                .touched_on_course(scene, &|p| points[p.0])
+                .map(|(at, normal)| ContourContact { at, normal });
             on_course.or_else(|| by_station(scene, cam, points))
         }
     }
@@ -69,7 +71,11 @@ fn by_pair<N: Real>(
     }
 }
 
-fn by_station<N: Real>(scene: &Scene, cam: &Cam, points: &[Option<Point<N>>]) -> Option<ContourContact<N>> {
+fn by_station<N: Real>(
+    scene: &Scene,
+    cam: &Cam,
+    points: &[Option<Point<N>>],
+) -> Option<ContourContact<N>> {
     let turning = cam.disc.as_ref()?;
     let [contact, normal] = turning.contact_in::<N>(scene)?;
     let axis = match turning.axis(scene) {

@@ -45,24 +45,35 @@ impl<N: Real> TriadLeg<N> {
     /// Returns the nearest leg in `f64`.
     pub fn approx(&self) -> TriadLeg {
         match *self {
-            TriadLeg::Circle { near, far, radius } => TriadLeg::Circle { near: near.approx(), far: far.approx(), radius: radius.approx() },
-            TriadLeg::Line { near, through, direction } => {
-                TriadLeg::Line { near: near.approx(), through: through.approx(), direction: direction.approx() }
+            TriadLeg::Circle { near, far, radius } => {
+                TriadLeg::Circle { near: near.approx(), far: far.approx(), radius: radius.approx() }
             }
-            TriadLeg::Slot { through, direction, pin } => {
-                TriadLeg::Slot { through: through.approx(), direction: direction.approx(), pin: pin.approx() }
-            }
+            TriadLeg::Line { near, through, direction } => TriadLeg::Line {
+                near: near.approx(),
+                through: through.approx(),
+                direction: direction.approx(),
+            },
+            TriadLeg::Slot { through, direction, pin } => TriadLeg::Slot {
+                through: through.approx(),
+                direction: direction.approx(),
+                pin: pin.approx(),
+            },
         }
     }
 
     /// Returns the locus of the link's origin for the direction `axis` of its frame.
     pub fn locus(&self, axis: Vec2<N>) -> Locus<N> {
         match *self {
-            TriadLeg::Circle { near, far, radius } => Locus::Circle { centre: far - near.to_vec2().rotate_by(axis), radius },
-            TriadLeg::Line { near, through, direction } => Locus::Line { through: through - near.to_vec2().rotate_by(axis), direction },
-            TriadLeg::Slot { through, direction, pin } => {
-                Locus::Line { through: pin - through.to_vec2().rotate_by(axis), direction: direction.rotate_by(axis) }
+            TriadLeg::Circle { near, far, radius } => {
+                Locus::Circle { centre: far - near.to_vec2().rotate_by(axis), radius }
             }
+            TriadLeg::Line { near, through, direction } => {
+                Locus::Line { through: through - near.to_vec2().rotate_by(axis), direction }
+            }
+            TriadLeg::Slot { through, direction, pin } => Locus::Line {
+                through: pin - through.to_vec2().rotate_by(axis),
+                direction: direction.rotate_by(axis),
+            },
         }
     }
 
@@ -84,7 +95,9 @@ impl<N: Real> TriadLeg<N> {
                 let u = d * (N::from_f64(1.0) / d.norm());
                 (u, u.dot(arm.perp()))
             }
-            TriadLeg::Line { near, direction, .. } => (direction.perp(), direction.cross(near.to_vec2().rotate_by(axis).perp())),
+            TriadLeg::Line { near, direction, .. } => {
+                (direction.perp(), direction.cross(near.to_vec2().rotate_by(axis).perp()))
+            }
             TriadLeg::Slot { through, direction, pin } => {
                 let (u, q) = (direction.rotate_by(axis), through.to_vec2().rotate_by(axis));
                 (u.perp(), u.perp().cross(origin + q - pin) + u.cross(q.perp()))
@@ -101,14 +114,20 @@ impl<N: Real> TriadLeg<N> {
 /// are parallel, their intersection is not accurate; that of another pair is. Near a fold two
 /// assemblies coincide: the sketched pose is refined as well, which gives the assembly of the
 /// sketch.
-pub(super) fn assemblies(legs: &[TriadLeg; 3], sketched: Option<(Point, Vec2)>) -> Vec<(Point, Vec2)> {
+pub(super) fn assemblies(
+    legs: &[TriadLeg; 3],
+    sketched: Option<(Point, Vec2)>,
+) -> Vec<(Point, Vec2)> {
     let scale = scale_of(legs);
     let mut found: Vec<(Point, Vec2)> = Vec::new();
-    let axes: Vec<Vec2> = eliminant::angles(legs, scale).into_iter().map(Vec2::from_angle).collect();
+    let axes: Vec<Vec2> =
+        eliminant::angles(legs, scale).into_iter().map(Vec2::from_angle).collect();
     for [a, b, c] in [[0, 1, 2], [0, 2, 1], [1, 2, 0]] {
         for &axis in &axes {
             let places = meet(legs[a].locus(axis), legs[b].locus(axis)).unwrap_or_default();
-            let near = places.into_iter().filter(|p| p.is_finite() && legs[c].miss(*p, axis).abs() < ROUGH * scale);
+            let near = places
+                .into_iter()
+                .filter(|p| p.is_finite() && legs[c].miss(*p, axis).abs() < ROUGH * scale);
             for hit in near.filter_map(|origin| polished(legs, (origin, axis), scale, POLISH)) {
                 // Once more from the root: the last step ended at a small residual, not at zero.
                 keep(&mut found, polished(legs, hit, scale, POLISH).unwrap_or(hit), scale);
@@ -170,7 +189,8 @@ impl<N: Real> proof::SquareSystem<N> for TriadEquations<'_, N> {
 const SAME: f64 = 1e-7;
 
 fn keep(found: &mut Vec<(Point, Vec2)>, hit: (Point, Vec2), scale: f64) {
-    let same = |o: &(Point, Vec2)| (o.0 - hit.0).norm() < SAME * scale && (o.1 - hit.1).norm() < SAME;
+    let same =
+        |o: &(Point, Vec2)| (o.0 - hit.0).norm() < SAME * scale && (o.1 - hit.1).norm() < SAME;
     if !found.iter().any(same) {
         found.push(hit);
     }
@@ -183,7 +203,12 @@ const POLISH: f64 = 1e-2;
 const SKETCH: f64 = 0.3;
 
 /// Solves the three legs by Newton's method; `None` if it does not converge nearby.
-fn polished(legs: &[TriadLeg; 3], from: (Point, Vec2), scale: f64, longest: f64) -> Option<(Point, Vec2)> {
+fn polished(
+    legs: &[TriadLeg; 3],
+    from: (Point, Vec2),
+    scale: f64,
+    longest: f64,
+) -> Option<(Point, Vec2)> {
     let (mut origin, mut axis) = from;
     for _ in 0..12 {
         let rows = legs.map(|l| l.gradient(origin, axis, scale));
@@ -207,7 +232,8 @@ fn polished(legs: &[TriadLeg; 3], from: (Point, Vec2), scale: f64, longest: f64)
 /// Returns the solution of three linear equations, and their determinant.
 pub fn cramer(rows: [[f64; 3]; 3], rhs: [f64; 3]) -> ([f64; 3], f64) {
     let det = |c: [[f64; 3]; 3]| {
-        c[0][0] * (c[1][1] * c[2][2] - c[1][2] * c[2][1]) - c[0][1] * (c[1][0] * c[2][2] - c[1][2] * c[2][0])
+        c[0][0] * (c[1][1] * c[2][2] - c[1][2] * c[2][1])
+            - c[0][1] * (c[1][0] * c[2][2] - c[1][2] * c[2][0])
             + c[0][2] * (c[1][0] * c[2][1] - c[1][1] * c[2][0])
     };
     let whole = det(rows);
@@ -259,8 +285,16 @@ mod tests {
             let there = origin + near.to_vec2().rotate_by(axis);
             match kind {
                 0 => TriadLeg::Circle { near, far: other, radius: there.distance(other) },
-                1 => TriadLeg::Line { near, through: there + direction * (self.next() - 0.5), direction },
-                _ => TriadLeg::Slot { through: near, direction, pin: there + direction.rotate_by(axis) * (self.next() - 0.5) },
+                1 => TriadLeg::Line {
+                    near,
+                    through: there + direction * (self.next() - 0.5),
+                    direction,
+                },
+                _ => TriadLeg::Slot {
+                    through: near,
+                    direction,
+                    pin: there + direction.rotate_by(axis) * (self.next() - 0.5),
+                },
             }
         }
     }
@@ -272,7 +306,8 @@ mod tests {
             let pose = (random.point(), Vec2::from_angle(6.3 * random.next()));
             let leg = random.leg(k % 3, pose);
             // A pose in which the leg does not hold the link, so that the miss is not zero.
-            let (origin, axis, scale) = (random.point(), Vec2::from_angle(6.3 * random.next()), 0.5 + 2.0 * random.next());
+            let (origin, axis, scale) =
+                (random.point(), Vec2::from_angle(6.3 * random.next()), 0.5 + 2.0 * random.next());
             let slope = |by: &dyn Fn(f64) -> (Point, Vec2)| {
                 let miss = |h: f64| leg.miss(by(h).0, by(h).1);
                 (miss(1e-6) - miss(-1e-6)) / 2e-6
@@ -284,7 +319,10 @@ mod tests {
             ];
             let gradient = leg.gradient(origin, axis, scale);
             for (g, s) in gradient.iter().zip(slopes) {
-                assert!((g - s).abs() < 1e-7 * (1.0 + s.abs()), "{leg:?}: {gradient:?}, slopes {slopes:?}");
+                assert!(
+                    (g - s).abs() < 1e-7 * (1.0 + s.abs()),
+                    "{leg:?}: {gradient:?}, slopes {slopes:?}"
+                );
             }
         }
     }
@@ -307,15 +345,26 @@ mod tests {
                 settled += usize::from((origin - pose.0).norm() < 0.1 * scale);
             }
             // A step longer than the limit is no polish.
-            let far = (pose.0 + Vec2::new(0.5 * scale, 0.3 * scale), pose.1.rotate_by(Vec2::from_angle(0.9)));
+            let far = (
+                pose.0 + Vec2::new(0.5 * scale, 0.3 * scale),
+                pose.1.rotate_by(Vec2::from_angle(0.9)),
+            );
             refused += usize::from(polished(&legs, far, scale, 1e-6).is_none());
         }
         assert!(settled > 180 && refused == 200, "{settled} settle, {refused} are refused");
         // A circle that the pin cannot reach because of the other two legs.
         let at = |x: f64, y: f64| Point::new(x, y);
         let unreachable = [
-            TriadLeg::Line { near: at(0.0, 0.0), through: at(0.0, 0.0), direction: Vec2::new(1.0, 0.0) },
-            TriadLeg::Line { near: at(0.0, 0.0), through: at(0.0, 1.0), direction: Vec2::new(1.0, 0.0) },
+            TriadLeg::Line {
+                near: at(0.0, 0.0),
+                through: at(0.0, 0.0),
+                direction: Vec2::new(1.0, 0.0),
+            },
+            TriadLeg::Line {
+                near: at(0.0, 0.0),
+                through: at(0.0, 1.0),
+                direction: Vec2::new(1.0, 0.0),
+            },
             TriadLeg::Circle { near: at(1.0, 0.0), far: at(0.0, 0.0), radius: 1.0 },
         ];
         assert!(polished(&unreachable, (at(0.0, 0.5), Vec2::new(1.0, 0.0)), 1.0, SKETCH).is_none());
@@ -331,7 +380,8 @@ mod tests {
             let pose = (random.point(), Vec2::from_angle(6.3 * random.next()));
             let legs = [0, 1, 2].map(|leg| random.leg([0, k % 3, k / 3 % 3][leg], pose));
             let found = assemblies(&legs, None);
-            let apart = |a: &(Point, Vec2), b: &(Point, Vec2)| (a.0 - b.0).norm() + (a.1 - b.1).norm();
+            let apart =
+                |a: &(Point, Vec2), b: &(Point, Vec2)| (a.0 - b.0).norm() + (a.1 - b.1).norm();
             tried += 1;
             missing += usize::from(!found.iter().any(|f| apart(f, &pose) < 1e-6));
             for (i, f) in found.iter().enumerate() {
@@ -340,8 +390,16 @@ mod tests {
                 assert!(found[..i].iter().all(|o| apart(o, f) > 1e-8), "{k}: {f:?} is there twice");
             }
             let sketched = assemblies(&legs, Some(pose));
-            assert!(sketched.iter().any(|f| apart(f, &pose) < 1e-6), "{k}: not even with its sketch");
-            assert!(sketched.len() >= found.len() && sketched.len() <= found.len() + 1, "{k}: {} and {}", found.len(), sketched.len());
+            assert!(
+                sketched.iter().any(|f| apart(f, &pose) < 1e-6),
+                "{k}: not even with its sketch"
+            );
+            assert!(
+                sketched.len() >= found.len() && sketched.len() <= found.len() + 1,
+                "{k}: {} and {}",
+                found.len(),
+                sketched.len()
+            );
         }
         assert_eq!(missing, 0, "of {tried} not found");
     }
@@ -354,7 +412,10 @@ mod tests {
             let x = [(); 3].map(|()| 2.0 * random.next() - 1.0);
             let rhs = rows.map(|r| r[0] * x[0] + r[1] * x[1] + r[2] * x[2]);
             let (solution, whole) = cramer(rows, rhs);
-            assert!(solution.iter().zip(x).all(|(s, x)| (s - x).abs() < 1e-13 / whole.abs()), "{rows:?}: {solution:?}, not {x:?}");
+            assert!(
+                solution.iter().zip(x).all(|(s, x)| (s - x).abs() < 1e-13 / whole.abs()),
+                "{rows:?}: {solution:?}, not {x:?}"
+            );
         }
     }
 }

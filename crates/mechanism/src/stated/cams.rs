@@ -46,23 +46,39 @@ impl Judge<'_> {
         let (frame, segments) = self.profile(cam)?;
         if let Some(radius) = cam.follows.radius() {
             let at = self.place(cam.follows.point())?;
-            return Some(FollowerClearance { clearance: outside(&segments, frame.local(at))? - radius, at });
+            return Some(FollowerClearance {
+                clearance: outside(&segments, frame.local(at))? - radius,
+                at,
+            });
         }
         let (through, normal) = self.face(cam)?;
         let n = frame.turned_back(normal);
-        Some(FollowerClearance { clearance: frame.local(through).dot(n) - support(&segments, n)?, at: through })
+        Some(FollowerClearance {
+            clearance: frame.local(through).dot(n) - support(&segments, n)?,
+            at: through,
+        })
     }
 
     /// Returns the profile of arcs and lines, with its frame.
     fn profile(&self, cam: &Cam) -> Option<(CamAxes, Vec<ProfileSegment>)> {
         if let Some((centre, radius)) = cam.circle {
             let frame = CamAxes { origin: self.place(centre)?, axis: Vec2::unit_x() };
-            return Some((frame, vec![ProfileSegment::Arc { centre: Vec2::ZERO, radius, normals: [0.0, std::f64::consts::TAU] }]));
+            return Some((
+                frame,
+                vec![ProfileSegment::Arc {
+                    centre: Vec2::ZERO,
+                    radius,
+                    normals: [0.0, std::f64::consts::TAU],
+                }],
+            ));
         }
         if let Some(pieces) = &cam.posed {
             let [from, to] = pieces.frame;
             let origin = self.place(from)?;
-            return Some((CamAxes { origin, axis: (self.place(to)? - origin).unit()? }, pieces.segments.clone()));
+            return Some((
+                CamAxes { origin, axis: (self.place(to)? - origin).unit()? },
+                pieces.segments.clone(),
+            ));
         }
         let t = cam.disc.as_ref()?;
         let CamMotion::Profile(segments) = &t.disc.motion else { return None };
@@ -98,7 +114,9 @@ impl Judge<'_> {
         let t = cam.disc.as_ref()?;
         let at = self.place(cam.follows.point())?;
         match (t.disc.follower, t.disc.touch) {
-            (Follower::Translating { direction, .. }, _) => Some((at, direction.rotate_by(self.carrier_axis(t)?))),
+            (Follower::Translating { direction, .. }, _) => {
+                Some((at, direction.rotate_by(self.carrier_axis(t)?)))
+            }
             (Follower::Oscillating { sense, .. }, FollowerTip::Flat { lever }) => {
                 let (a, b) = self.line_of_driver(t.by_law?)?;
                 let normal = (self.place(b)? - self.place(a)?).unit()?.perp() * sense;
@@ -138,7 +156,8 @@ impl Judge<'_> {
             Some(match t.disc.follower {
                 Follower::Translating { .. } => off,
                 Follower::Oscillating { pivot, arm, .. } => {
-                    (off - std::f64::consts::TAU * libm::round(off / std::f64::consts::TAU)) * if arm > 0.0 { arm } else { pivot.norm() }
+                    (off - std::f64::consts::TAU * libm::round(off / std::f64::consts::TAU))
+                        * if arm > 0.0 { arm } else { pivot.norm() }
                 }
             })
         });
@@ -150,7 +169,9 @@ impl Judge<'_> {
     fn coordinate(&self, cam: &Cam, t: &TurningCam, centre: Point, carrier: Vec2) -> Option<f64> {
         let end = cam.follows.point();
         match t.disc.follower {
-            Follower::Translating { direction, .. } => Some((self.place(end)? - centre).dot(direction.rotate_by(carrier))),
+            Follower::Translating { direction, .. } => {
+                Some((self.place(end)? - centre).dot(direction.rotate_by(carrier)))
+            }
             Follower::Oscillating { pivot, sense, .. } => {
                 let arm = match (t.by_law, t.disc.touch) {
                     (Some(driver), _) => {
@@ -161,8 +182,13 @@ impl Judge<'_> {
                     // sense in which it moves outward.
                     (None, FollowerTip::Flat { .. }) => self.face(cam)?.1.perp() * -sense,
                     (None, FollowerTip::Point { .. }) => {
-                        let shared = |p: &&PointId| **p != end && self.scene.links[t.frame.0].points.contains(*p);
-                        self.place(end)? - self.place(*self.scene.links[cam.follower.0].points.iter().find(shared)?)?
+                        let shared = |p: &&PointId| {
+                            **p != end && self.scene.links[t.frame.0].points.contains(*p)
+                        };
+                        self.place(end)?
+                            - self.place(
+                                *self.scene.links[cam.follower.0].points.iter().find(shared)?,
+                            )?
                     }
                 };
                 Some(arm.divide_by(carrier).divide_by(Vec2::ZERO - pivot).angle() * sense)
@@ -211,12 +237,16 @@ fn support(segments: &[ProfileSegment], n: Vec2) -> Option<f64> {
     let reach = |s: &ProfileSegment| match *s {
         ProfileSegment::Line { normal, distance, ends } => {
             let m = Vec2::from_angle(normal);
-            ends.map(|t| n.dot(m * distance + m.perp() * t)).into_iter().fold(f64::NEG_INFINITY, f64::max)
+            ends.map(|t| n.dot(m * distance + m.perp() * t))
+                .into_iter()
+                .fold(f64::NEG_INFINITY, f64::max)
         }
         ProfileSegment::Arc { centre, radius, normals } => {
             let within = radius >= 0.0 && s.faces(n.angle());
             let ends = normals.map(|a| n.dot(centre + Vec2::from_angle(a) * radius));
-            ends.into_iter().chain(within.then(|| n.dot(centre) + radius)).fold(f64::NEG_INFINITY, f64::max)
+            ends.into_iter()
+                .chain(within.then(|| n.dot(centre) + radius))
+                .fold(f64::NEG_INFINITY, f64::max)
         }
     };
     segments.iter().map(reach).max_by(f64::total_cmp)

@@ -18,8 +18,8 @@ use hodograph_base::digits::significant;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::trig::sin_cos;
 use hodograph_scene::{
-    Angle, Contours, Driver, DriverKind, GivenQuantity, GuideDirection, GuideId, GuidePath, LinkId, PointId, PointPlace, Rolling, Scene,
-    Sizes, Through,
+    Angle, Contours, Driver, DriverKind, GivenQuantity, GuideDirection, GuideId, GuidePath, LinkId,
+    PointId, PointPlace, Rolling, Scene, Sizes, Through,
 };
 use std::f64::consts::TAU;
 
@@ -73,7 +73,12 @@ pub enum Moment<'a> {
 
 /// Returns the statements of the scene that a configuration breaks, the largest amount first; parts
 /// without a position are not checked.
-pub fn breaches(scene: &Scene, mechanism: &Mechanism, at: &Configuration, moment: Moment<'_>) -> Vec<Breach> {
+pub fn breaches(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    at: &Configuration,
+    moment: Moment<'_>,
+) -> Vec<Breach> {
     let mut judge = Judge { scene, mechanism, at, moment, size: at.extent(), found: Vec::new() };
     judge.lengths();
     judge.places();
@@ -95,7 +100,12 @@ pub fn breaches(scene: &Scene, mechanism: &Mechanism, at: &Configuration, moment
 ///
 /// # Errors
 /// `position-unproven`, one for each broken statement.
-pub fn proved(scene: &Scene, mechanism: &Mechanism, at: &Configuration, moment: Moment<'_>) -> Result<(), Faults> {
+pub fn proved(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    at: &Configuration,
+    moment: Moment<'_>,
+) -> Result<(), Faults> {
     let mut faults = Faults::default();
     faults.list.extend(breaches(scene, mechanism, at, moment).iter().map(Breach::diagnostic));
     if faults.has_errors() { Err(faults) } else { Ok(()) }
@@ -131,7 +141,13 @@ impl Judge<'_> {
     }
 
     /// Records a length that deviates by `off` (m) at a position.
-    fn length_off(&mut self, off: f64, at: Point, span: hodograph_base::diag::Span, words: impl FnOnce(&Self) -> Both) {
+    fn length_off(
+        &mut self,
+        off: f64,
+        at: Point,
+        span: hodograph_base::diag::Span,
+        words: impl FnOnce(&Self) -> Both,
+    ) {
         // NaN is not accepted as a proof.
         if off.abs() <= self.slack(at) {
             return;
@@ -141,7 +157,12 @@ impl Judge<'_> {
     }
 
     /// Records an angle that deviates by `off` (rad).
-    fn angle_off(&mut self, off: f64, span: hodograph_base::diag::Span, words: impl FnOnce(String) -> Both) {
+    fn angle_off(
+        &mut self,
+        off: f64,
+        span: hodograph_base::diag::Span,
+        words: impl FnOnce(String) -> Both,
+    ) {
         let off = off - TAU * libm::round(off / TAU);
         if off.abs() <= SAME {
             return;
@@ -161,7 +182,10 @@ impl Judge<'_> {
             self.length_off(is - l.value.value, a, span, |j| {
                 let (a, b) = (j.name(l.a), j.name(l.b));
                 let is = j.scene.length_words(is);
-                both!("{a}{b} comes out as {is}, given is {given}", "{a}{b} 得 {is}，题设为 {given}")
+                both!(
+                    "{a}{b} comes out as {is}, given is {given}",
+                    "{a}{b} 得 {is}，题设为 {given}"
+                )
             });
         }
     }
@@ -170,8 +194,10 @@ impl Judge<'_> {
     /// elsewhere.
     fn is_opened_length(&self, a: PointId, b: PointId) -> bool {
         let on = |l: LinkId| [a, b].iter().all(|p| self.scene.links[l.0].points.contains(p));
-        let opened =
-            |l: LinkId| self.mechanism.is_opened(&Opened::Link(l)) || [a, b].iter().any(|p| self.mechanism.is_opened(&Opened::Pin(*p, l)));
+        let opened = |l: LinkId| {
+            self.mechanism.is_opened(&Opened::Link(l))
+                || [a, b].iter().any(|p| self.mechanism.is_opened(&Opened::Pin(*p, l)))
+        };
         (0..self.scene.links.len()).map(LinkId).filter(|l| on(*l)).any(opened)
     }
 
@@ -187,11 +213,19 @@ impl Judge<'_> {
                     }
                     Some(Point::new(x.value, y.value))
                 }
-                PointPlace::InLink { base: (a, b), xy: [x, y] } => self.seen_from(*a, *b, Vec2::new(x.value, y.value)),
-                PointPlace::Polar { base: (a, b), length, angle } => self.seen_from(*a, *b, way_of(&angle.value) * length.value),
+                PointPlace::InLink { base: (a, b), xy: [x, y] } => {
+                    self.seen_from(*a, *b, Vec2::new(x.value, y.value))
+                }
+                PointPlace::Polar { base: (a, b), length, angle } => {
+                    self.seen_from(*a, *b, way_of(&angle.value) * length.value)
+                }
             };
             let Some(stated) = stated else { continue };
-            if self.scene.carriers(PointId(i)).any(|l| self.mechanism.is_opened(&Opened::Pin(PointId(i), l))) {
+            if self
+                .scene
+                .carriers(PointId(i))
+                .any(|l| self.mechanism.is_opened(&Opened::Pin(PointId(i), l)))
+            {
                 continue;
             }
             let off = at.distance(stated);
@@ -216,16 +250,21 @@ impl Judge<'_> {
             if self.mechanism.is_opened(&Opened::Link(LinkId(l))) {
                 continue;
             }
-            let known: Vec<(PointId, Point, Point)> = (link.points.iter().copied().filter(|p| !opened(*p)))
-                .filter_map(|p| Some((p, self.place(p)?, instant.points[p.0]?)))
-                .collect();
+            let known: Vec<(PointId, Point, Point)> =
+                (link.points.iter().copied().filter(|p| !opened(*p)))
+                    .filter_map(|p| Some((p, self.place(p)?, instant.points[p.0]?)))
+                    .collect();
             // Two points fix the others: each is checked against both.
             for (k, (p, now, then)) in known.iter().enumerate().skip(1) {
                 for (q, from, was) in known.iter().take(k.min(2)) {
                     let off = now.distance(*from) - then.distance(*was);
                     self.length_off(off, *now, link.span, |j| {
                         let (p, q, off) = (j.name(*p), j.name(*q), j.scene.length_words(off.abs()));
-                        both!("{q}{p} of link {} has changed by {off}", "构件 {} 上 {q}{p} 变化了 {off}", link.name)
+                        both!(
+                            "{q}{p} of link {} has changed by {off}",
+                            "构件 {} 上 {q}{p} 变化了 {off}",
+                            link.name
+                        )
                     });
                 }
             }
@@ -234,7 +273,11 @@ impl Judge<'_> {
 
     fn sides(&mut self) {
         for side in &self.scene.sides {
-            let (Some(p), Some(a), Some(b)) = (self.place(side.point), self.place(side.from), self.place(side.to)) else { continue };
+            let (Some(p), Some(a), Some(b)) =
+                (self.place(side.point), self.place(side.from), self.place(side.to))
+            else {
+                continue;
+            };
             let Some(along) = (b - a).unit() else { continue };
             // Distance to the left of the line.
             let aside = along.cross(p - a);
@@ -246,8 +289,13 @@ impl Judge<'_> {
                 let [p, a, b] = [side.point, side.from, side.to].map(|p| j.name(p));
                 let off = j.scene.length_words(wrong);
                 match side.left {
-                    true => both!("{p} lies {off} to the right of {a}{b}", "{p} 在 {a}{b} 右侧 {off} 处"),
-                    false => both!("{p} lies {off} to the left of {a}{b}", "{p} 在 {a}{b} 左侧 {off} 处"),
+                    true => both!(
+                        "{p} lies {off} to the right of {a}{b}",
+                        "{p} 在 {a}{b} 右侧 {off} 处"
+                    ),
+                    false => {
+                        both!("{p} lies {off} to the left of {a}{b}", "{p} 在 {a}{b} 左侧 {off} 处")
+                    }
                 }
             });
         }
@@ -272,7 +320,9 @@ impl Judge<'_> {
         let turned = |way: Vec2, angle: &GivenQuantity<Angle>| way.rotate_by(way_of(&angle.value));
         match direction {
             GuideDirection::Instant(angle) => {
-                let told = on == self.scene.ground || self.moment == Moment::Instant || self.mechanism.never_turns[on.0];
+                let told = on == self.scene.ground
+                    || self.moment == Moment::Instant
+                    || self.mechanism.never_turns[on.0];
                 told.then(|| way_of(&angle.value))
             }
             GuideDirection::Along(a, b, turn) => {
@@ -294,17 +344,27 @@ impl Judge<'_> {
             let g = GuideId(i);
             let contact = self.scene.cams.iter().any(|c| c.contact == Some(g));
             let (Some(pin), false) = (guide.pin, contact) else { continue };
-            let (Some(at), false) = (self.place(pin), self.mechanism.is_opened(&Opened::Guide(g))) else { continue };
+            let (Some(at), false) = (self.place(pin), self.mechanism.is_opened(&Opened::Guide(g)))
+            else {
+                continue;
+            };
             let off = match &guide.path {
-                GuidePath::Line { .. } => self.line_of(g).map(|(through, along)| along.cross(at - through)),
-                GuidePath::Arc { centre, radius } => {
-                    radius.as_ref().and_then(|r| Some(at.distance(self.place(*centre)?) - r.value)).filter(|_| guide.rolling.is_none())
+                GuidePath::Line { .. } => {
+                    self.line_of(g).map(|(through, along)| along.cross(at - through))
                 }
+                GuidePath::Arc { centre, radius } => radius
+                    .as_ref()
+                    .and_then(|r| Some(at.distance(self.place(*centre)?) - r.value))
+                    .filter(|_| guide.rolling.is_none()),
             };
             let Some(off) = off else { continue };
             self.length_off(off, at, guide.span, |j| {
-                let (pin, link, off) = (j.name(pin), j.scene.link_name(guide.on), j.scene.length_words(off.abs()));
-                both!("{pin} lies {off} beside its guide on link {link}", "{pin} 偏离构件 {link} 上的导路 {off}")
+                let (pin, link, off) =
+                    (j.name(pin), j.scene.link_name(guide.on), j.scene.length_words(off.abs()));
+                both!(
+                    "{pin} lies {off} beside its guide on link {link}",
+                    "{pin} 偏离构件 {link} 上的导路 {off}"
+                )
             });
         }
     }
@@ -325,11 +385,18 @@ impl Judge<'_> {
         for driver in &self.scene.drivers {
             match &driver.kind {
                 DriverKind::Turn { link, against, line, against_line, angle: Some(angle) } => {
-                    let (Some(of), Some(from)) = (self.axis(*link, *line), self.axis(*against, *against_line)) else { continue };
+                    let (Some(of), Some(from)) =
+                        (self.axis(*link, *line), self.axis(*against, *against_line))
+                    else {
+                        continue;
+                    };
                     let off = of.divide_by(from).divide_by(way_of(&angle.value)).angle();
                     let name = self.scene.link_name(*link).to_owned();
                     self.angle_off(off, angle.span, |off| {
-                        both!("link {name} is turned {off} from its driver's angle", "构件 {name} 与原动件角度相差 {off}")
+                        both!(
+                            "link {name} is turned {off} from its driver's angle",
+                            "构件 {name} 与原动件角度相差 {off}"
+                        )
                     });
                 }
                 DriverKind::Slide { guide, position: Some(position) } => {
@@ -339,7 +406,10 @@ impl Judge<'_> {
                     let off = along.dot(at - through) - position.value;
                     self.length_off(off, at, position.span, |j| {
                         let (pin, off) = (j.name(pin), j.scene.length_words(off.abs()));
-                        both!("{pin} lies {off} from its driver's position", "{pin} 与原动件位置相差 {off}")
+                        both!(
+                            "{pin} lies {off} from its driver's position",
+                            "{pin} 与原动件位置相差 {off}"
+                        )
                     });
                 }
                 DriverKind::Cylinder { a, b, length: Some(length), .. } => {
@@ -347,7 +417,10 @@ impl Judge<'_> {
                     let off = p.distance(q) - length.value;
                     self.length_off(off, p, length.span, |j| {
                         let (a, b, off) = (j.name(*a), j.name(*b), j.scene.length_words(off.abs()));
-                        both!("cylinder {a}{b} is {off} off its length", "缸 {a}{b} 的长度相差 {off}")
+                        both!(
+                            "cylinder {a}{b} is {off} off its length",
+                            "缸 {a}{b} 的长度相差 {off}"
+                        )
                     });
                 }
                 DriverKind::Turn { angle: None, .. }
@@ -372,11 +445,15 @@ impl Judge<'_> {
         match &pair.contours {
             Contours::Circles { centres: [p, q], sizes: Sizes::Radii([a, b]), hollow, .. } => {
                 let (Some(at), Some(to)) = (self.place(*p), self.place(*q)) else { return };
-                let apart = if hollow.is_some() { (a.value - b.value).abs() } else { a.value + b.value };
+                let apart =
+                    if hollow.is_some() { (a.value - b.value).abs() } else { a.value + b.value };
                 let off = at.distance(to) - apart;
                 self.length_off(off, at, pair.span, |j| {
                     let (p, q, off) = (j.name(*p), j.name(*q), j.scene.length_words(off.abs()));
-                    both!("{p}{q} is {off} off the distance at which the wheels touch", "{p}{q} 与两轮相切的中心距相差 {off}")
+                    both!(
+                        "{p}{q} is {off} off the distance at which the wheels touch",
+                        "{p}{q} 与两轮相切的中心距相差 {off}"
+                    )
                 });
             }
             Contours::Track { .. } | Contours::Circles { .. } | Contours::Belt { .. } => {}
@@ -392,16 +469,30 @@ impl Judge<'_> {
         let [Some(first), Some(second)] = pair.links.map(|l| self.axis(l, None)) else { return };
         let inside = |hollow: &Option<usize>| if hollow.is_some() { -1.0 } else { 1.0 };
         let ratio = match &pair.contours {
-            Contours::Circles { sizes: Sizes::Radii([a, b]), hollow, .. } => inside(hollow) * a.value / b.value,
-            Contours::Circles { sizes: Sizes::Teeth([a, b]), hollow, .. } => inside(hollow) * f64::from(*a) / f64::from(*b),
-            Contours::Belt { radii: [a, b], crossed, .. } => (if *crossed { 1.0 } else { -1.0 }) * a.value / b.value,
+            Contours::Circles { sizes: Sizes::Radii([a, b]), hollow, .. } => {
+                inside(hollow) * a.value / b.value
+            }
+            Contours::Circles { sizes: Sizes::Teeth([a, b]), hollow, .. } => {
+                inside(hollow) * f64::from(*a) / f64::from(*b)
+            }
+            Contours::Belt { radii: [a, b], crossed, .. } => {
+                (if *crossed { 1.0 } else { -1.0 }) * a.value / b.value
+            }
             Contours::Track { .. } => return,
         };
         let [first, second] = [first, second].map(|axis| axis.divide_by(line).angle());
         let stated = phase.value.radians();
         let turns = libm::ceil((stated / ratio / TAU).abs()).min(64.0) as i32;
-        let own = |d: &&Driver| d.kind.turned() == Some((pair.links[0], self.scene.ground)) && d.kind.lines()[0].is_none();
-        let written = self.scene.drivers.iter().filter(own).find_map(|d| Some(d.kind.angle()?.value.radians() - line.angle()));
+        let own = |d: &&Driver| {
+            d.kind.turned() == Some((pair.links[0], self.scene.ground))
+                && d.kind.lines()[0].is_none()
+        };
+        let written = self
+            .scene
+            .drivers
+            .iter()
+            .filter(own)
+            .find_map(|d| Some(d.kind.angle()?.value.radians() - line.angle()));
         let first = written.unwrap_or(first);
         // After this many turns double precision does not determine the angle of the second link
         // within its turn.
@@ -417,7 +508,10 @@ impl Judge<'_> {
         let names = pair.links.map(|l| self.scene.link_name(l).to_owned());
         self.angle_off(off, phase.span, |off| {
             let [a, b] = &names;
-            both!("wheel {b} is turned {off} from its phase on wheel {a}", "轮 {b} 相对轮 {a} 的相位相差 {off}")
+            both!(
+                "wheel {b} is turned {off} from its phase on wheel {a}",
+                "轮 {b} 相对轮 {a} 的相位相差 {off}"
+            )
         });
     }
 
@@ -429,7 +523,10 @@ impl Judge<'_> {
             if let (Some(off), Moment::Instant) = (self.turned_off(cam), self.moment) {
                 let name = self.scene.link_name(cam.cam).to_owned();
                 self.angle_off(off, cam.span, |off| {
-                    both!("cam {name} is turned {off} from its given angle", "凸轮 {name} 与给定角度相差 {off}")
+                    both!(
+                        "cam {name} is turned {off} from its given angle",
+                        "凸轮 {name} 与给定角度相差 {off}"
+                    )
                 });
             }
             let Some(FollowerClearance { clearance, at }) = self.contact(cam) else { continue };
@@ -437,8 +534,14 @@ impl Judge<'_> {
                 let (cam, follower) = (j.scene.link_name(cam.cam), j.scene.link_name(cam.follower));
                 let off = j.scene.length_words(clearance.abs());
                 match clearance < 0.0 {
-                    true => both!("follower {follower} cuts {off} into cam {cam}", "从动件 {follower} 切入凸轮 {cam} 达 {off}"),
-                    false => both!("follower {follower} stands {off} off cam {cam}", "从动件 {follower} 与凸轮 {cam} 相距 {off}"),
+                    true => both!(
+                        "follower {follower} cuts {off} into cam {cam}",
+                        "从动件 {follower} 切入凸轮 {cam} 达 {off}"
+                    ),
+                    false => both!(
+                        "follower {follower} stands {off} off cam {cam}",
+                        "从动件 {follower} 与凸轮 {cam} 相距 {off}"
+                    ),
                 }
             });
         }

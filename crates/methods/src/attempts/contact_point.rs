@@ -15,7 +15,8 @@ use hodograph_board::plan::{TermKind, TurningBody};
 use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::quantity::{Meaning, PointMotion, Rate};
 use hodograph_scene::{
-    Angle, Cam, DiagramKind, Find, Follows, GivenQuantity, Guide, GuideDirection, GuidePath, Kind, LinkId, OnLink, PointId, Scene, Through,
+    Angle, Cam, DiagramKind, Find, Follows, GivenQuantity, Guide, GuideDirection, GuidePath, Kind,
+    LinkId, OnLink, PointId, Scene, Through,
 };
 use hodograph_worked::worked::Worked;
 use hodograph_worked::worked::contact::{name, with_contact, work_at};
@@ -28,7 +29,10 @@ const DIGITS: usize = 4;
 /// follower.
 pub fn sites(t: &Topology) -> Vec<Site> {
     let offers = |c: &Cam| {
-        c.circle.is_some() && c.contact.is_some() && c.cam != t.scene.ground && matches!(c.follows, Follows::Face(_) | Follows::Arc(..))
+        c.circle.is_some()
+            && c.contact.is_some()
+            && c.cam != t.scene.ground
+            && matches!(c.follows, Follows::Face(_) | Follows::Arc(..))
     };
     let cams = t.scene.cams.iter().enumerate().filter(|(_, c)| offers(c));
     cams.flat_map(|(k, c)| [c.cam, c.follower].map(|frame| Site::ContactPoint(k, frame))).collect()
@@ -42,7 +46,12 @@ fn asked_as_well(scene: &Scene, f: &Find) -> bool {
 
 /// Returns the right solution with the point of contact in it, the wrong one, and the equation with
 /// its missing part; `frame` is the link in which the point is assumed to slide.
-pub fn slid(scene: &Scene, at: &Configuration, index: usize, frame: LinkId) -> Option<(AttemptScene, AttemptScene, EquationPart)> {
+pub fn slid(
+    scene: &Scene,
+    at: &Configuration,
+    index: usize,
+    frame: LinkId,
+) -> Option<(AttemptScene, AttemptScene, EquationPart)> {
     let cam = &scene.cams[index];
     let touched = at.touch(scene, cam)?;
     let owner = if frame == cam.cam { cam.follower } else { cam.cam };
@@ -62,18 +71,38 @@ pub fn slid(scene: &Scene, at: &Configuration, index: usize, frame: LinkId) -> O
     right.find.retain(|_| answered.next().unwrap_or(false));
     let (mut wrong, mut wrong_at) = (right.clone(), right_at.clone());
     let tangent = touched.normal.perp();
-    let angle = GivenQuantity { value: Angle::Rad(tangent.angle()), radius: f64::EPSILON, text: format!("{} rad", tangent.angle()), span };
-    let path = GuidePath::Line { through: Through::Pin, direction: GuideDirection::Instant(angle), offset: None };
+    let angle = GivenQuantity {
+        value: Angle::Rad(tangent.angle()),
+        radius: f64::EPSILON,
+        text: format!("{} rad", tangent.angle()),
+        span,
+    };
+    let path = GuidePath::Line {
+        through: Through::Pin,
+        direction: GuideDirection::Instant(angle),
+        offset: None,
+    };
     let guide = cam.contact?.0;
-    wrong.guides[guide] = Guide { pin: Some(own), slider: None, on: frame, path, length: None, rolling: None, span };
+    wrong.guides[guide] =
+        Guide { pin: Some(own), slider: None, on: frame, path, length: None, rolling: None, span };
     let pose = at.poses[frame.0]?;
     wrong_at.guides[guide] = Some(Path::Line { through: touched.at, direction: tangent });
-    wrong_at.shapes.guides[guide] = Some(Path::Line { through: pose.to_local(touched.at), direction: pose.turn_back(tangent) });
-    let stage = |scene: Scene, at: Configuration| work_at(&scene, at).map(|worked| AttemptScene { scene, worked });
+    wrong_at.shapes.guides[guide] =
+        Some(Path::Line { through: pose.to_local(touched.at), direction: pose.turn_back(tangent) });
+    let stage = |scene: Scene, at: Configuration| {
+        work_at(&scene, at).map(|worked| AttemptScene { scene, worked })
+    };
     let (right, wrong) = (stage(right, right_at)?, stage(wrong, wrong_at)?);
     // A frame that does not turn has no Coriolis part: the equation is then identified by the
     // sliding.
-    let with = |kind| EquationPart::with(&wrong.worked.plan, DiagramKind::Acceleration, SolutionSide::Wrong, |t| t.kind == kind);
+    let with = |kind| {
+        EquationPart::with(
+            &wrong.worked.plan,
+            DiagramKind::Acceleration,
+            SolutionSide::Wrong,
+            |t| t.kind == kind,
+        )
+    };
     let mut shown = with(TermKind::Coriolis).or_else(|| with(TermKind::Slide))?;
     shown.framed.clear();
     shown.missing = Some(missing(scene, [owner, frame], own, &right, tangent.perp())?);
@@ -81,7 +110,13 @@ pub fn slid(scene: &Scene, at: &Configuration, index: usize, frame: LinkId) -> O
 }
 
 /// Returns the acceleration of the owner's point relative to the frame, along the normal.
-fn missing(scene: &Scene, [owner, frame]: [LinkId; 2], own: PointId, right: &AttemptScene, normal: Vec2) -> Option<Missing> {
+fn missing(
+    scene: &Scene,
+    [owner, frame]: [LinkId; 2],
+    own: PointId,
+    right: &AttemptScene,
+    normal: Vec2,
+) -> Option<Missing> {
     let (s, w): (&Scene, &Worked) = (&right.scene, &right.worked);
     let vector = |on, link| {
         let v = w.plan.find_vertex(s, own, link)?;

@@ -8,7 +8,10 @@ use hodograph_board::plan::{Plan, Term, TermConnection, TermKind, TurningBody};
 use hodograph_scene::{DiagramKind, GuideId, LinkId, Scene};
 
 fn is_at(guide: GuideId) -> impl Fn(&Term) -> bool {
-    move |t| t.kind == TermKind::Coriolis && matches!(t.by, TermConnection::Guide { guide: g, .. } if g == guide)
+    move |t| {
+        t.kind == TermKind::Coriolis
+            && matches!(t.by, TermConnection::Guide { guide: g, .. } if g == guide)
+    }
 }
 
 fn guides(t: &Topology) -> Vec<GuideId> {
@@ -31,20 +34,37 @@ pub fn without(t: &Topology) -> Vec<Site> {
 /// Returns each such guide with each link that carries its runner, turns, and has a known angular
 /// velocity.
 pub fn by_another(t: &Topology) -> Vec<Site> {
-    let known = |l: &LinkId| t.plan.steps(DiagramKind::Velocity).iter().flat_map(|g| &g.rates).any(|(b, _)| *b == TurningBody::Link(*l));
+    let known = |l: &LinkId| {
+        t.plan
+            .steps(DiagramKind::Velocity)
+            .iter()
+            .flat_map(|g| &g.rates)
+            .any(|(b, _)| *b == TurningBody::Link(*l))
+    };
     let mut all = Vec::new();
     for g in guides(t) {
         let guide = &t.scene.guides[g.0];
         let Some(pin) = guide.pin else { continue };
-        let other = |l: &LinkId| *l != guide.on && Some(*l) != guide.slider && !t.mechanism.never_turns[l.0] && !t.plan.rest.links[l.0];
-        all.extend(t.scene.carriers(pin).filter(|l| other(l) && known(l)).map(|l| Site::CoriolisWrongOmega(g, l)));
+        let other = |l: &LinkId| {
+            *l != guide.on
+                && Some(*l) != guide.slider
+                && !t.mechanism.never_turns[l.0]
+                && !t.plan.rest.links[l.0]
+        };
+        all.extend(
+            t.scene
+                .carriers(pin)
+                .filter(|l| other(l) && known(l))
+                .map(|l| Site::CoriolisWrongOmega(g, l)),
+        );
     }
     all
 }
 
 /// Returns the plan without the term.
 pub fn left_out(plan: &Plan, guide: GuideId) -> Option<(Plan, EquationPart)> {
-    let shown = EquationPart::with(plan, DiagramKind::Acceleration, SolutionSide::Right, is_at(guide))?;
+    let shown =
+        EquationPart::with(plan, DiagramKind::Acceleration, SolutionSide::Right, is_at(guide))?;
     let mut wrong = plan.clone();
     leave_out(&mut wrong, is_at(guide));
     Some((wrong, shown))
@@ -54,7 +74,8 @@ pub fn left_out(plan: &Plan, guide: GuideId) -> Option<(Plan, EquationPart)> {
 pub fn turned_by(plan: &Plan, guide: GuideId, link: LinkId) -> Option<(Plan, EquationPart)> {
     let mut wrong = plan.clone();
     wrong.coriolis_by = Some((guide, link));
-    let shown = EquationPart::with(&wrong, DiagramKind::Acceleration, SolutionSide::Wrong, is_at(guide))?;
+    let shown =
+        EquationPart::with(&wrong, DiagramKind::Acceleration, SolutionSide::Wrong, is_at(guide))?;
     Some((wrong, shown))
 }
 

@@ -9,11 +9,17 @@ use hodograph_scene::{DiagramKind, LinkId, PointId, Scene};
 
 /// Finds a point that an image of its link gives, another link on a pin of that link, and this pin
 /// with a fixed point of the other link.
-fn across(scene: &Scene, plan: &Plan, step: &PlanStep) -> Option<(PointId, LinkId, LinkId, [VertexId; 2])> {
+fn across(
+    scene: &Scene,
+    plan: &Plan,
+    step: &PlanStep,
+) -> Option<(PointId, LinkId, LinkId, [VertexId; 2])> {
     let PlanStep::Image { link, target, from } = step else { return None };
     let VertexPlace::Point(point) = plan.vertex(*target).spot else { return None };
     let pin_of = |v: VertexId| match plan.vertex(v).spot {
-        VertexPlace::Point(p) => Some(p).filter(|_| plan.vertex(v).on.is_none() && !plan.vertex(v).fixed),
+        VertexPlace::Point(p) => {
+            Some(p).filter(|_| plan.vertex(v).on.is_none() && !plan.vertex(v).fixed)
+        }
         VertexPlace::Special(_) => None,
     };
     [from.1, from.0].into_iter().find_map(|v| {
@@ -32,7 +38,9 @@ pub fn sites(t: &Topology) -> Vec<Site> {
     let mut all: Vec<Site> = Vec::new();
     for step in t.plan.steps(DiagramKind::Velocity).iter().flat_map(each) {
         if let Some((p, own, other, _)) = across(t.scene, t.plan, step)
-            && !all.iter().any(|a| matches!(a, Site::ImageAcrossLinks(q, l, _) if (*q, *l) == (p, own)))
+            && !all
+                .iter()
+                .any(|a| matches!(a, Site::ImageAcrossLinks(q, l, _) if (*q, *l) == (p, own)))
         {
             all.push(Site::ImageAcrossLinks(p, own, other));
         }
@@ -51,7 +59,13 @@ pub fn on_points_of(scene: &Scene, plan: &Plan, point: PointId) -> Option<(Plan,
                 let PlanStep::Image { target, .. } = *step else { continue };
                 if p == point {
                     *step = PlanStep::Image { link, target, from: (pin, pivot) };
-                    shown = Some(EquationPart { on, step: step.clone(), side: SolutionSide::Wrong, framed: Vec::new(), missing: None });
+                    shown = Some(EquationPart {
+                        on,
+                        step: step.clone(),
+                        side: SolutionSide::Wrong,
+                        framed: Vec::new(),
+                        missing: None,
+                    });
                 }
             }
         }

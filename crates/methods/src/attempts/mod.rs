@@ -69,7 +69,9 @@ pub fn sites(scene: &Scene, worked: &Worked) -> Vec<Site> {
         Mistake::ContactPoint => contact_point::sites(&t),
         Mistake::NoCoriolis => coriolis::without(&t),
         Mistake::CoriolisWrongOmega => coriolis::by_another(&t),
-        Mistake::RollingPointAZero => rolling_point::sites(&t).into_iter().chain(rolling_point::bases(&t)).collect(),
+        Mistake::RollingPointAZero => {
+            rolling_point::sites(&t).into_iter().chain(rolling_point::bases(&t)).collect()
+        }
         Mistake::ImageAcrossLinks => image::sites(&t),
         Mistake::NoNormal => normal::sites(&t),
         Mistake::AccelerationByCentre => by_centre::sites(&t),
@@ -123,19 +125,30 @@ impl Site {
     pub fn place(&self, scene: &Scene) -> Both {
         if let Site::CoriolisWrongOmega(g, l) = *self {
             let point = scene.guides[g.0].pin.map_or("", |p| scene.point_name(p));
-            return both!("at {point}, with ω of link {}", "{point} 处，用构件 {} 的角速度", scene.link_name(l));
+            return both!(
+                "at {point}, with ω of link {}",
+                "{point} 处，用构件 {} 的角速度",
+                scene.link_name(l)
+            );
         }
         if let Site::ContactPoint(c, l) = *self {
             let point = hodograph_worked::worked::contact::name(scene, c);
-            return both!("at {point}, frame on link {}", "{point} 处，动系取在构件 {} 上", scene.link_name(l));
+            return both!(
+                "at {point}, frame on link {}",
+                "{point} 处，动系取在构件 {} 上",
+                scene.link_name(l)
+            );
         }
         if let Site::RollingPointAsBase(r, p) = *self {
-            let (contact, point) = (scene.point_name(scene.rolling[r.0].at[0]), scene.point_name(p));
+            let (contact, point) =
+                (scene.point_name(scene.rolling[r.0].at[0]), scene.point_name(p));
             return both!("at {contact}, as the base of {point}", "以 {contact} 为基点求 {point}");
         }
         match self.point(scene) {
             Some(point) => both!("at {point}", "{point} 处"),
-            None => both!("of link {}", "构件 {}", self.link(scene).map_or("", |l| scene.link_name(l))),
+            None => {
+                both!("of link {}", "构件 {}", self.link(scene).map_or("", |l| scene.link_name(l)))
+            }
         }
     }
 
@@ -145,7 +158,9 @@ impl Site {
             Site::ContactPoint(c, l) => contact_point::why(scene, c, l),
             Site::NoCoriolis(g) => coriolis::why_needed(scene, g),
             Site::CoriolisWrongOmega(g, l) => coriolis::why_of_carrier(scene, g, l),
-            Site::RollingPointAZero(r) | Site::RollingPointAsBase(r, _) => rolling_point::why(scene, r),
+            Site::RollingPointAZero(r) | Site::RollingPointAsBase(r, _) => {
+                rolling_point::why(scene, r)
+            }
             Site::ImageAcrossLinks(p, own, other) => image::why(scene, p, own, other),
             Site::NoNormal(l) => normal::why(scene, l),
             Site::AccelerationByCentre(l) => by_centre::why(scene, l),
@@ -161,7 +176,8 @@ impl Site {
 pub fn named<'a>(scene: &'a Scene, all: &[Site]) -> (Vec<(Site, &'a Attempted)>, Vec<Diagnostic>) {
     let (mut found, mut faults) = (Vec::new(), Vec::new());
     for attempt in &scene.attempts {
-        let offered: Vec<Site> = all.iter().copied().filter(|s| s.mistake() == attempt.mistake).collect();
+        let offered: Vec<Site> =
+            all.iter().copied().filter(|s| s.mistake() == attempt.mistake).collect();
         let fits = |s: &&Site| {
             let point = attempt.pair.as_ref().is_none_or(|p| s.point(scene).as_ref() == Some(p));
             point && attempt.link.is_none_or(|l| s.link(scene) == Some(l))
@@ -170,8 +186,12 @@ pub fn named<'a>(scene: &'a Scene, all: &[Site]) -> (Vec<(Site, &'a Attempted)>,
         match fitting[..] {
             [site] => found.push((site, attempt)),
             // Two equations of one mistake: without a named link, the first is meant.
-            [site @ Site::ContactPoint(cam, _), Site::ContactPoint(other, _)] if cam == other => found.push((site, attempt)),
-            [site @ Site::RollingPointAZero(_), ref bases @ ..] if bases.iter().all(|s| matches!(s, Site::RollingPointAsBase(..))) => {
+            [site @ Site::ContactPoint(cam, _), Site::ContactPoint(other, _)] if cam == other => {
+                found.push((site, attempt))
+            }
+            [site @ Site::RollingPointAZero(_), ref bases @ ..]
+                if bases.iter().all(|s| matches!(s, Site::RollingPointAsBase(..))) =>
+            {
                 found.push((site, attempt));
             }
             _ => faults.push(not_one(scene, attempt, &offered, fitting.len())),
@@ -185,10 +205,15 @@ fn not_one(scene: &Scene, attempt: &Attempted, offered: &[Site], fitting: usize)
     let places: Vec<Both> = offered.iter().map(|s| s.place(scene)).collect();
     let message = match fitting {
         0 => both!("`{name}` cannot be made there", "该处不会出现错误 `{name}`"),
-        _ => both!("`{name}` can be made at {fitting} places", "错误 `{name}` 可出现在 {fitting} 处"),
+        _ => {
+            both!("`{name}` can be made at {fitting} places", "错误 `{name}` 可出现在 {fitting} 处")
+        }
     };
     let help = match offered {
-        [] => both!("no equation of this scene offers it; see `hodograph attempts`", "本题的方程中没有此类错误；见 `hodograph attempts`"),
+        [] => both!(
+            "no equation of this scene offers it; see `hodograph attempts`",
+            "本题的方程中没有此类错误；见 `hodograph attempts`"
+        ),
         _ => both!(
             "it can be made {}: name \"pair\" or \"link\"",
             "可出现在：{}；请写明 \"pair\" 或 \"link\"",
@@ -219,7 +244,11 @@ pub fn wanted(scene: &Scene, worked: &Worked, typical: bool) -> Result<Vec<Attem
     if typical || scene.attempts.is_empty() {
         let told = |s: &Site| out.iter().any(|a| a.site == *s);
         let more: Vec<Site> = all.into_iter().filter(|s| !told(s)).take(MOST).collect();
-        out.extend(more.into_iter().filter_map(|s| solved(scene, worked, s, None)).filter(|a| !a.rows.is_empty()));
+        out.extend(
+            more.into_iter()
+                .filter_map(|s| solved(scene, worked, s, None))
+                .filter(|a| !a.rows.is_empty()),
+        );
     }
     Ok(out)
 }
@@ -232,7 +261,10 @@ fn nothing(site: &Site, said: &Attempted) -> Diagnostic {
     let name = site.mistake().name();
     Diagnostic::error(
         "attempt",
-        both!("`{name}` changes nothing in this pose, or cannot be drawn", "在该位置错误 `{name}` 不改变结果，或无法作图"),
+        both!(
+            "`{name}` changes nothing in this pose, or cannot be drawn",
+            "在该位置错误 `{name}` 不改变结果，或无法作图"
+        ),
     )
     .at(said.span)
     .help(both!(

@@ -26,7 +26,8 @@ pub fn sites(t: &Topology) -> Vec<Site> {
 
 /// Returns the plan without the normal acceleration of a link.
 pub fn left_out(plan: &Plan, link: LinkId) -> Option<(Plan, EquationPart)> {
-    let shown = EquationPart::with(plan, DiagramKind::Acceleration, SolutionSide::Right, is_of(link))?;
+    let shown =
+        EquationPart::with(plan, DiagramKind::Acceleration, SolutionSide::Right, is_of(link))?;
     let mut wrong = plan.clone();
     leave_out(&mut wrong, is_of(link));
     Some((wrong, shown))

@@ -1,7 +1,9 @@
 //! Changes of a plan: terms left out, a crossing replaced by something else.
 
 use super::Topology;
-use hodograph_board::plan::{Between, GroupSteps, Plan, PlanStep, Term, TermChain, TermKind, VertexId};
+use hodograph_board::plan::{
+    Between, GroupSteps, Plan, PlanStep, Term, TermChain, TermKind, VertexId,
+};
 use hodograph_scene::DiagramKind;
 
 /// All steps of a group, in every alternative.
@@ -12,8 +14,13 @@ pub fn each(group: &GroupSteps) -> impl Iterator<Item = &PlanStep> {
 /// The nonzero known terms of acceleration equations; with `crossings`, only of those that are
 /// solved by crossing two lines.
 pub fn known_terms<'a>(t: &'a Topology, crossings: bool) -> impl Iterator<Item = Term> + 'a {
-    let chains =
-        t.plan.steps(DiagramKind::Acceleration).iter().flat_map(each).map(PlanStep::chains).filter(move |c| !crossings || c.len() == 2);
+    let chains = t
+        .plan
+        .steps(DiagramKind::Acceleration)
+        .iter()
+        .flat_map(each)
+        .map(PlanStep::chains)
+        .filter(move |c| !crossings || c.len() == 2);
     let known = chains.flatten().flat_map(|c| &c.known).copied();
     known.filter(|term| !t.plan.vanishes(t.scene, DiagramKind::Acceleration, term))
 }
@@ -37,11 +44,20 @@ pub fn leave_out(plan: &mut Plan, wrong: impl Fn(&Term) -> bool) {
 
 /// Finds the first equation solved by crossing two lines for which `found` returns a value, and
 /// returns the value with its group.
-pub fn crossing<T>(plan: &Plan, on: DiagramKind, found: impl Fn(VertexId, &[TermChain]) -> Option<T>) -> Option<(usize, T)> {
+pub fn crossing<T>(
+    plan: &Plan,
+    on: DiagramKind,
+    found: impl Fn(VertexId, &[TermChain]) -> Option<T>,
+) -> Option<(usize, T)> {
     plan.steps(on).iter().find_map(|group| {
         let of = |step: &PlanStep| match step {
-            PlanStep::Equation { target, chains, .. } if chains.len() == 2 => found(*target, chains),
-            PlanStep::Equation { .. } | PlanStep::Image { .. } | PlanStep::Trials { .. } | PlanStep::Same { .. } => None,
+            PlanStep::Equation { target, chains, .. } if chains.len() == 2 => {
+                found(*target, chains)
+            }
+            PlanStep::Equation { .. }
+            | PlanStep::Image { .. }
+            | PlanStep::Trials { .. }
+            | PlanStep::Same { .. } => None,
         };
         each(group).find_map(of).map(|found| (group.group, found))
     })
@@ -57,10 +73,12 @@ pub fn replace_crossing(plan: &mut Plan, on: DiagramKind, target: VertexId, by: 
             if *own != target || chains.len() != 2 {
                 continue;
             }
-            let turned = chains.iter().flat_map(|c| &c.unknown).filter(|t| t.kind == TermKind::Tangential);
-            tangential.extend(
-                turned.map(|t| Between::Perpendicular { normal: Term { kind: TermKind::Normal, known: true, ..*t }, tangential: *t }),
-            );
+            let turned =
+                chains.iter().flat_map(|c| &c.unknown).filter(|t| t.kind == TermKind::Tangential);
+            tangential.extend(turned.map(|t| Between::Perpendicular {
+                normal: Term { kind: TermKind::Normal, known: true, ..*t },
+                tangential: *t,
+            }));
             *step = by.clone();
         }
         group.between.extend(tangential);

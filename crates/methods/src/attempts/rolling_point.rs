@@ -7,7 +7,10 @@ use super::rewrite::{crossing, replace_crossing};
 use super::{EquationPart, Missing, Site, SolutionSide, Topology};
 use hodograph_base::diag::{Both, both};
 use hodograph_board::plan::names::name_label;
-use hodograph_board::plan::{Method, Plan, PlanStep, Term, TermChain, TermConnection, TermKind, TurningBody, VertexId, VertexPlace};
+use hodograph_board::plan::{
+    Method, Plan, PlanStep, Term, TermChain, TermConnection, TermKind, TurningBody, VertexId,
+    VertexPlace,
+};
 use hodograph_scene::{DiagramKind, LinkId, Normal, PointId, RollingId, Scene, Touch};
 
 /// Returns the vertex found by the crossing for the wheel's point at a contact, with the crossing's
@@ -17,20 +20,24 @@ fn found(plan: &Plan, pair: RollingId) -> Option<(usize, (VertexId, Term))> {
         let rolls = |c: &&TermChain| matches!(c.unknown[..], [t] if t.kind == TermKind::Roll && t.by == TermConnection::Contact(pair));
         let other = chains.iter().find(|c| !rolls(c))?;
         let along = chains.iter().find(rolls).filter(|c| c.known.is_empty())?;
-        (!other.unknown.iter().any(|t| t.kind == TermKind::Roll)).then_some((target, along.unknown[0]))
+        (!other.unknown.iter().any(|t| t.kind == TermKind::Roll))
+            .then_some((target, along.unknown[0]))
     })
 }
 
 /// Returns each contact with a point that is found by its normal.
 pub fn sites(t: &Topology) -> Vec<Site> {
-    let pairs = (0..t.scene.rolling.len()).map(RollingId).filter(|r| t.scene.rolling[r.0].contact().is_some());
+    let pairs = (0..t.scene.rolling.len())
+        .map(RollingId)
+        .filter(|r| t.scene.rolling[r.0].contact().is_some());
     pairs.filter(|r| found(t.plan, *r).is_some()).map(Site::RollingPointAZero).collect()
 }
 
 /// Returns the plan in which that point has the acceleration of the track.
 pub fn as_track(plan: &Plan, pair: RollingId) -> Option<(Plan, EquationPart)> {
     let (_, (target, term)) = found(plan, pair)?;
-    let shown = EquationPart::with(plan, DiagramKind::Acceleration, SolutionSide::Right, |t| t == &term)?;
+    let shown =
+        EquationPart::with(plan, DiagramKind::Acceleration, SolutionSide::Right, |t| t == &term)?;
     let mut wrong = plan.clone();
     let step = PlanStep::Equation {
         target,
@@ -46,7 +53,9 @@ pub fn bases(t: &Topology) -> Vec<Site> {
     let pairs = (0..t.scene.rolling.len()).map(RollingId);
     let of = |r: RollingId| {
         // The wheel's angular velocity and acceleration must be found before its further points.
-        let turns = |l: &LinkId| DiagramKind::POLYGONS.into_iter().all(|on| is_turning_found(t.plan, on, *l));
+        let turns = |l: &LinkId| {
+            DiagramKind::POLYGONS.into_iter().all(|on| is_turning_found(t.plan, on, *l))
+        };
         let wheel = wheel_on_ground(t.scene, r).filter(turns);
         let further = t.plan.steps(DiagramKind::Acceleration).iter().flat_map(|g| &g.further);
         let images = further.filter_map(move |step| imaged(t.plan, step, wheel?));
@@ -90,7 +99,12 @@ fn imaged(plan: &Plan, step: &PlanStep, wheel: LinkId) -> Option<(PointId, Verte
 
 /// Returns the plan in which a point of the wheel has its normal and tangential parts relative to
 /// the contact at rest.
-pub fn as_base(scene: &Scene, plan: &Plan, pair: RollingId, point: PointId) -> Option<(Plan, EquationPart)> {
+pub fn as_base(
+    scene: &Scene,
+    plan: &Plan,
+    pair: RollingId,
+    point: PointId,
+) -> Option<(Plan, EquationPart)> {
     let wheel = wheel_on_ground(scene, pair)?;
     let at = scene.rolling[pair.0].at[0];
     let contact = plan.find_vertex(scene, at, Some(wheel))?;
@@ -99,11 +113,22 @@ pub fn as_base(scene: &Scene, plan: &Plan, pair: RollingId, point: PointId) -> O
     let mut shown = None;
     for group in wrong.steps_mut(DiagramKind::Acceleration) {
         for step in &mut group.further {
-            let Some((_, target)) = imaged(plan, step, wheel).filter(|(p, _)| *p == point) else { continue };
-            let term = |kind| Term { kind, of: target, to: contact, by: TermConnection::Turning(TurningBody::Link(wheel)), known: true };
+            let Some((_, target)) = imaged(plan, step, wheel).filter(|(p, _)| *p == point) else {
+                continue;
+            };
+            let term = |kind| Term {
+                kind,
+                of: target,
+                to: contact,
+                by: TermConnection::Turning(TurningBody::Link(wheel)),
+                known: true,
+            };
             let known = vec![term(TermKind::Normal), term(TermKind::Tangential)];
-            *step =
-                PlanStep::Equation { target, chains: vec![TermChain { start: track, known, unknown: vec![] }], method: Method::SameLink };
+            *step = PlanStep::Equation {
+                target,
+                chains: vec![TermChain { start: track, known, unknown: vec![] }],
+                method: Method::SameLink,
+            };
             let missing = Some(own_acceleration(scene, pair, wheel));
             shown = Some(EquationPart {
                 on: DiagramKind::Acceleration,
@@ -121,7 +146,8 @@ pub fn as_base(scene: &Scene, plan: &Plan, pair: RollingId, point: PointId) -> O
 /// track, ω²δ on a round one.
 fn own_acceleration(scene: &Scene, pair: RollingId, wheel: LinkId) -> Missing {
     let rolling = &scene.rolling[pair.0];
-    let (n, link) = (name_label(scene.point_name(rolling.at[0])), name_label(scene.link_name(wheel)));
+    let (n, link) =
+        (name_label(scene.point_name(rolling.at[0])), name_label(scene.link_name(wheel)));
     let (centre, straight) = match rolling.touch() {
         Touch::Point(Normal::Square { centre, .. }) => (centre, true),
         Touch::Point(Normal::Centres(centres)) | Touch::Strand { centres, .. } => {

@@ -41,13 +41,25 @@ pub struct EquationPart {
 impl EquationPart {
     /// Finds a step of a polygon with a term for which `wrong` holds, and all such terms of it.
     /// Steps with two chains take precedence; among equal steps the last is taken.
-    pub fn with(plan: &Plan, on: DiagramKind, side: SolutionSide, wrong: impl Fn(&Term) -> bool) -> Option<EquationPart> {
+    pub fn with(
+        plan: &Plan,
+        on: DiagramKind,
+        side: SolutionSide,
+        wrong: impl Fn(&Term) -> bool,
+    ) -> Option<EquationPart> {
         let terms = |s: &PlanStep| -> Vec<Term> {
-            s.chains().iter().flat_map(|c| c.known.iter().chain(&c.unknown)).filter(|t| wrong(t)).copied().collect()
+            s.chains()
+                .iter()
+                .flat_map(|c| c.known.iter().chain(&c.unknown))
+                .filter(|t| wrong(t))
+                .copied()
+                .collect()
         };
         let all = plan.steps(on).iter().flat_map(|g| g.steps(0));
         // An equation with unknowns shows more than one with known terms only.
-        let step = all.filter(|s| !terms(s).is_empty()).max_by_key(|s| (s.chains().len() == 2, std::cmp::Reverse(0)))?;
+        let step = all
+            .filter(|s| !terms(s).is_empty())
+            .max_by_key(|s| (s.chains().len() == 2, std::cmp::Reverse(0)))?;
         Some(EquationPart { on, step: step.clone(), side, framed: terms(step), missing: None })
     }
 }

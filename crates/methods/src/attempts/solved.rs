@@ -1,6 +1,9 @@
 //! A wrong solution drawn beside the right one, and the results of both.
 
-use super::{EquationPart, Site, SolutionSide, by_centre, contact_point, coriolis, image, normal, rolling_point};
+use super::{
+    EquationPart, Site, SolutionSide, by_centre, contact_point, coriolis, image, normal,
+    rolling_point,
+};
 use hodograph_base::geom::{Point, Vec2, cross_lines};
 use hodograph_board::construct::pencil::Exact;
 use hodograph_board::construct::{Acts, Layout, Polygon, read, scale};
@@ -76,31 +79,42 @@ const FAR: f64 = 1e4;
 
 /// Returns the wrong solution of a site; `None` if it cannot be drawn in the pose, or makes no
 /// difference.
-pub fn solved(scene: &Scene, worked: &Worked, site: Site, said: Option<&Attempted>) -> Option<Attempt> {
+pub fn solved(
+    scene: &Scene,
+    worked: &Worked,
+    site: Site,
+    said: Option<&Attempted>,
+) -> Option<Attempt> {
     let at = &worked.configuration;
     let stage = |worked: Worked| AttemptScene { scene: scene.clone(), worked };
-    let (right, wrong, answers, shown): (AttemptScene, AttemptScene, Vec<Option<AnswerValue>>, EquationPart) =
-        match changed(scene, worked, &site)? {
-            Changed::Plan(wrong, shown) => {
-                if !special_points_are_near(&wrong, at) {
-                    return None;
-                }
-                let layout = Layout::of(&worked.construction);
-                let acts = Acts::of(scene, &worked.mechanism, &wrong, &worked.construction.acts.chosen);
-                let construction = acts.draw(scene, at, &wrong, &layout, &mut Exact).ok()?;
-                let answers = read(scene, &worked.mechanism, at, &wrong, &construction);
-                let wrong = Worked { plan: *wrong, construction, ..worked.clone() };
-                let answers = answers.into_iter().map(|a| a.map(|a| a.value)).collect();
-                (stage(worked.clone()), stage(wrong), answers, shown)
+    let (right, wrong, answers, shown): (
+        AttemptScene,
+        AttemptScene,
+        Vec<Option<AnswerValue>>,
+        EquationPart,
+    ) = match changed(scene, worked, &site)? {
+        Changed::Plan(wrong, shown) => {
+            if !special_points_are_near(&wrong, at) {
+                return None;
             }
-            Changed::Mechanism(both, shown) => {
-                let (right, wrong) = *both;
-                let (other, w) = (&wrong.scene, &wrong.worked);
-                let of = |text: &str| w.results.iter().find(|r| other.find[r.find].text == text).map(|r| r.value());
-                let answers = scene.find.iter().map(|f| of(&f.text)).collect();
-                (right, wrong, answers, shown)
-            }
-        };
+            let layout = Layout::of(&worked.construction);
+            let acts = Acts::of(scene, &worked.mechanism, &wrong, &worked.construction.acts.chosen);
+            let construction = acts.draw(scene, at, &wrong, &layout, &mut Exact).ok()?;
+            let answers = read(scene, &worked.mechanism, at, &wrong, &construction);
+            let wrong = Worked { plan: *wrong, construction, ..worked.clone() };
+            let answers = answers.into_iter().map(|a| a.map(|a| a.value)).collect();
+            (stage(worked.clone()), stage(wrong), answers, shown)
+        }
+        Changed::Mechanism(both, shown) => {
+            let (right, wrong) = *both;
+            let (other, w) = (&wrong.scene, &wrong.worked);
+            let of = |text: &str| {
+                w.results.iter().find(|r| other.find[r.find].text == text).map(|r| r.value())
+            };
+            let answers = scene.find.iter().map(|f| of(&f.text)).collect();
+            (right, wrong, answers, shown)
+        }
+    };
     let rows = rows(scene, worked, &answers, said);
     let (right, wrong) = to_one_scale(right, wrong)?;
     let gap = gap(&right, &wrong, &shown)?;
@@ -111,7 +125,11 @@ pub fn solved(scene: &Scene, worked: &Worked, site: Site, said: Option<&Attempte
 fn to_one_scale(right: AttemptScene, wrong: AttemptScene) -> Option<(AttemptScene, AttemptScene)> {
     let extent = |on: DiagramKind| {
         let marks = |p: &Polygon| -> Vec<Point> {
-            let ends = p.edges.iter().flat_map(|e| [e.from.1, e.to.1]).chain(p.images.iter().flatten().copied());
+            let ends = p
+                .edges
+                .iter()
+                .flat_map(|e| [e.from.1, e.to.1])
+                .chain(p.images.iter().flatten().copied());
             ends.map(|q| (q.to_vec2() * p.mu).to_point()).collect()
         };
         let polygons = [&right, &wrong].map(|s| s.worked.construction.polygon(on));
@@ -121,12 +139,22 @@ fn to_one_scale(right: AttemptScene, wrong: AttemptScene) -> Option<(AttemptScen
     let mu = |on: DiagramKind| {
         let size = extent(on);
         let drawn = right.worked.construction.polygon(on)?;
-        if size == [0.0, 0.0] { Some(drawn.mu) } else { Some(scale::fitted(&right.scene.paper, on.kind(), size, PAGE_MM)) }
+        if size == [0.0, 0.0] {
+            Some(drawn.mu)
+        } else {
+            Some(scale::fitted(&right.scene.paper, on.kind(), size, PAGE_MM))
+        }
     };
-    let scales: ByKind = DiagramKind::POLYGONS.into_iter().filter_map(|on| Some((on.kind(), mu(on)?))).collect();
+    let scales: ByKind =
+        DiagramKind::POLYGONS.into_iter().filter_map(|on| Some((on.kind(), mu(on)?))).collect();
     let again = |s: AttemptScene| {
         let layout = Layout { scales: scales.clone(), ..Layout::of(&s.worked.construction) };
-        let construction = s.worked.construction.acts.draw(&s.scene, &s.worked.configuration, &s.worked.plan, &layout, &mut Exact).ok()?;
+        let construction = s
+            .worked
+            .construction
+            .acts
+            .draw(&s.scene, &s.worked.configuration, &s.worked.plan, &layout, &mut Exact)
+            .ok()?;
         Some(AttemptScene { worked: Worked { construction, ..s.worked }, ..s })
     };
     Some((again(right)?, again(wrong)?))
@@ -152,7 +180,8 @@ fn changed(scene: &Scene, worked: &Worked, site: &Site) -> Option<Changed> {
         Site::NoNormal(l) => normal::left_out(plan, l).map(of_plan),
         Site::AccelerationByCentre(l) => by_centre::hung_on_pole(scene, plan, l).map(of_plan),
         Site::ContactPoint(c, frame) => {
-            let (right, wrong, shown) = contact_point::slid(scene, &worked.configuration, c, frame)?;
+            let (right, wrong, shown) =
+                contact_point::slid(scene, &worked.configuration, c, frame)?;
             Some(Changed::Mechanism(Box::new((right, wrong)), shown))
         }
     }
@@ -186,19 +215,31 @@ fn is_near(special: &Special, at: &Configuration) -> Option<bool> {
     Some(c.at.is_finite() && c.at.distance(p) < FAR * at.extent())
 }
 
-fn rows(scene: &Scene, worked: &Worked, wrong: &[Option<AnswerValue>], said: Option<&Attempted>) -> Vec<AttemptAnswer> {
-    let printed = |text: &str| said.and_then(|s| s.printed.iter().find(|(f, _)| f.text == text).map(|(_, v)| v.clone()));
+fn rows(
+    scene: &Scene,
+    worked: &Worked,
+    wrong: &[Option<AnswerValue>],
+    said: Option<&Attempted>,
+) -> Vec<AttemptAnswer> {
+    let printed = |text: &str| {
+        said.and_then(|s| s.printed.iter().find(|(f, _)| f.text == text).map(|(_, v)| v.clone()))
+    };
     let row = |(k, r): (usize, &hodograph_worked::worked::Outcome)| {
         let find = &scene.find[r.find];
         // A value within rounding counts as zero.
         let wrong = wrong[r.find].map(|v| v.above(ROUNDING * r.scale));
         let printed = printed(&find.text);
         let differs = match (r.value(), wrong) {
-            (AnswerValue::Scalar(a), Some(AnswerValue::Scalar(b))) => (a - b).abs() > SAME * r.scale.max(a.abs()),
-            (AnswerValue::Vector(a), Some(AnswerValue::Vector(b))) => (a - b).norm() > SAME * r.scale.max(a.norm()),
+            (AnswerValue::Scalar(a), Some(AnswerValue::Scalar(b))) => {
+                (a - b).abs() > SAME * r.scale.max(a.abs())
+            }
+            (AnswerValue::Vector(a), Some(AnswerValue::Vector(b))) => {
+                (a - b).norm() > SAME * r.scale.max(a.norm())
+            }
             (AnswerValue::Scalar(_) | AnswerValue::Vector(_) | AnswerValue::Point(_), _) => false,
         };
-        (printed.is_some() || find.what.diagram() > DiagramKind::Plane && differs).then_some(AttemptAnswer { result: k, wrong, printed })
+        (printed.is_some() || find.what.diagram() > DiagramKind::Plane && differs)
+            .then_some(AttemptAnswer { result: k, wrong, printed })
     };
     worked.results.iter().enumerate().filter_map(row).collect()
 }
@@ -210,7 +251,10 @@ fn gap(right: &AttemptScene, wrong: &AttemptScene, shown: &EquationPart) -> Opti
         let vertex = right.worked.plan.vertex(v);
         let same = |w: &hodograph_board::plan::Vertex| w.spot == vertex.spot && w.on == vertex.on;
         let other = VertexId(wrong.worked.plan.vertices.iter().position(same)?);
-        let tips = [right.worked.construction.vector(on, v)?, wrong.worked.construction.vector(on, other)?];
+        let tips = [
+            right.worked.construction.vector(on, v)?,
+            wrong.worked.construction.vector(on, other)?,
+        ];
         let mu = right.worked.construction.polygon(on)?.mu;
         let vector = tips[1] - tips[0];
         (vector.norm() > APART_MM * mu).then_some(TipGap { on, right: v, wrong: other, vector })

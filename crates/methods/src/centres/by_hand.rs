@@ -13,8 +13,8 @@ const DRAWINGS: u64 = 200;
 pub struct HandTolerances {
     /// The pencil error (mm).
     pub pencil_mm: f64,
-    /// Displacement of each centre (m) in the order of [`Centres::list`]; `None` for centres at infinity or
-    /// without a place, and where more than 5 of 100 drawings fail.
+    /// Displacement of each centre (m) in the order of [`Centres::list`]; `None` for centres at
+    /// infinity or without a place, and where more than 5 of 100 drawings fail.
     pub centres: Vec<Option<f64>>,
 }
 
@@ -26,7 +26,14 @@ impl Centres {
         let mut errors: Vec<Vec<f64>> = vec![Vec::new(); self.list.len()];
         for seed in 1..=DRAWINGS {
             let hand = Hand::with(Blunt::new(pencil_mm, seed), self.worked.construction.diagram.mu);
-            let drawn = locate::again(&self.scene, &self.worked, &self.closure, &velocities, &self.list, &hand);
+            let drawn = locate::again(
+                &self.scene,
+                &self.worked,
+                &self.closure,
+                &velocities,
+                &self.list,
+                &hand,
+            );
             for ((list, exact), drawn) in errors.iter_mut().zip(&self.list).zip(drawn) {
                 let off = match (exact.place, drawn) {
                     (Some(CentrePlace::At(p)), Some(CentrePlace::At(q))) => p.distance(q),
@@ -35,7 +42,8 @@ impl Centres {
                 list.push(off);
             }
         }
-        self.by_hand = Some(HandTolerances { pencil_mm, centres: errors.into_iter().map(bound).collect() });
+        self.by_hand =
+            Some(HandTolerances { pencil_mm, centres: errors.into_iter().map(bound).collect() });
         self
     }
 }
@@ -45,7 +53,8 @@ mod tests {
     use crate::centres::{CentreMethod, CentrePlace, centres};
     use hodograph_scene::{read, templates};
 
-    /// A pin misses by the pencil error alone, a crossing by no less than some of it; all go with the pencil.
+    /// A pin misses by the pencil error alone, a crossing by no less than some of it; all go with
+    /// the pencil.
     #[test]
     fn tolerances_of_centres_go_with_the_pencil() {
         let (mut pins, mut crossings) = (0, 0);
@@ -67,7 +76,11 @@ mod tests {
                 if a == 0.0 {
                     continue;
                 }
-                assert!((1.7..2.3).contains(&(b / a)), "{name} {}: {a} {b}", c.step.pair.name(&fine.scene));
+                assert!(
+                    (1.7..2.3).contains(&(b / a)),
+                    "{name} {}: {a} {b}",
+                    c.step.pair.name(&fine.scene)
+                );
                 match c.step.how {
                     CentreMethod::Primary(_) => {
                         assert!((0.8..1.2).contains(&(a / miss)), "{name}: {a} of {miss}");

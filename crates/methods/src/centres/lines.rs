@@ -111,7 +111,8 @@ impl Ruled {
     /// Returns a measure of the distance of the crossing from the places that define the line, and
     /// of these places from the middle: 1 near, 0 far.
     fn nearness(&self, at: ProjectiveUnit) -> f64 {
-        let finite = |p: &ProjectiveUnit| (p[2] != 0.0).then(|| Vec2::new(p[0] / p[2], p[1] / p[2]));
+        let finite =
+            |p: &ProjectiveUnit| (p[2] != 0.0).then(|| Vec2::new(p[0] / p[2], p[1] / p[2]));
         let places: Vec<Vec2> = self.through.iter().filter_map(finite).collect();
         let reach: f64 = places.iter().map(|p| 1.0 / (1.0 + p.norm())).product();
         let Some(at) = finite(&at) else { return reach };

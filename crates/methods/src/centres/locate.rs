@@ -11,7 +11,9 @@ use hodograph_mechanism::position::Path;
 use hodograph_scene::{DriverKind, GuideId, PointId, Scene};
 use hodograph_worked::worked::Worked;
 
-use super::lines::{CentrePlace, ProjectiveFrame, ProjectiveUnit, Ruled, choose, meet, norm, volume};
+use super::lines::{
+    CentrePlace, ProjectiveFrame, ProjectiveUnit, Ruled, choose, meet, norm, volume,
+};
 use super::primary::Primary;
 use super::rounds::{CentreClosure, CentreLocus, CentreMethod, CentreStep, LinkPair};
 use super::velocities::Velocities;
@@ -65,9 +67,15 @@ pub struct Centre {
 /// Locates all centres of a closure, round by round. A centre whose lines coincide in this pose is
 /// postponed: later rounds may give another line for it. If no round does, the place of the first
 /// postponed centre is computed from velocities, and the rounds continue.
-pub(super) fn locate(scene: &Scene, worked: &Worked, closure: &CentreClosure, velocities: &Velocities) -> Vec<Centre> {
+pub(super) fn locate(
+    scene: &Scene,
+    worked: &Worked,
+    closure: &CentreClosure,
+    velocities: &Velocities,
+) -> Vec<Centre> {
     let hand = Hand::default();
-    let mut board = CentreSearch { scene, worked, closure, velocities, hand: &hand, list: Vec::new() };
+    let mut board =
+        CentreSearch { scene, worked, closure, velocities, hand: &hand, list: Vec::new() };
     let last = closure.steps.last().map_or(0, |s| s.round);
     let mut waiting: Vec<(&CentreStep, Undetermined)> = Vec::new();
     let mut round = 0;
@@ -83,13 +91,16 @@ pub(super) fn locate(scene: &Scene, worked: &Worked, closure: &CentreClosure, ve
         for step in closure.steps.iter().filter(|s| s.round == round) {
             match board.find(step) {
                 Ok(place) => found.push(board.centre(step, round, place, None)),
-                Err(why) if step.how == CentreMethod::Velocities => found.push(board.centre(step, round, None, Some(why))),
+                Err(why) if step.how == CentreMethod::Velocities => {
+                    found.push(board.centre(step, round, None, Some(why)))
+                }
                 Err(why) => waiting.push((step, why)),
             }
         }
         if found.is_empty() && round >= last && !waiting.is_empty() {
             let (step, why) = waiting.remove(0);
-            let place = velocities.centre(step.pair, step.infinite).map(|p| (p, Origin::Velocities));
+            let place =
+                velocities.centre(step.pair, step.infinite).map(|p| (p, Origin::Velocities));
             found.push(board.centre(step, round, place, Some(why)));
         }
         board.list.extend(found);
@@ -98,8 +109,8 @@ pub(super) fn locate(scene: &Scene, worked: &Worked, closure: &CentreClosure, ve
     board.list
 }
 
-/// Draws the centres of `exact` once more with another hand: the same lines, crossed at other marks. Centres
-/// that velocities give stay where they are.
+/// Draws the centres of `exact` once more with another hand: the same lines, crossed at other
+/// marks. Centres that velocities give stay where they are.
 pub(super) fn again(
     scene: &Scene,
     worked: &Worked,
@@ -112,9 +123,11 @@ pub(super) fn again(
     for centre in exact {
         let place = match (&centre.step.how, centre.origin) {
             (CentreMethod::Primary(primary), Some(Origin::Pair)) => board.primary(*primary),
-            (_, Some(Origin::Crossing(lines))) => {
-                board.crossing(centre.step.pair, lines, matches!(centre.place, Some(CentrePlace::Infinity(_))))
-            }
+            (_, Some(Origin::Crossing(lines))) => board.crossing(
+                centre.step.pair,
+                lines,
+                matches!(centre.place, Some(CentrePlace::Infinity(_))),
+            ),
             (_, Some(Origin::Pair | Origin::Velocities) | None) => centre.place,
         };
         board.list.push(Centre { place, ..centre.clone() });
@@ -135,7 +148,13 @@ struct CentreSearch<'a> {
 type LocatedCentre = Result<Option<(CentrePlace, Origin)>, Undetermined>;
 
 impl CentreSearch<'_> {
-    fn centre(&self, step: &CentreStep, round: usize, found: Option<(CentrePlace, Origin)>, why: Option<Undetermined>) -> Centre {
+    fn centre(
+        &self,
+        step: &CentreStep,
+        round: usize,
+        found: Option<(CentrePlace, Origin)>,
+        why: Option<Undetermined>,
+    ) -> Centre {
         let place = found.map(|f| f.0);
         let residual = place.and_then(|p| self.velocities.residual(step.pair, p));
         Centre { step: step.clone(), round, place, origin: found.map(|f| f.1), why, residual }
@@ -145,7 +164,10 @@ impl CentreSearch<'_> {
         match &step.how {
             CentreMethod::Primary(primary) => Ok(self.primary(*primary).map(|p| (p, Origin::Pair))),
             CentreMethod::Velocities => {
-                let place = self.velocities.centre(step.pair, step.infinite).ok_or(Undetermined::NoMotion)?;
+                let place = self
+                    .velocities
+                    .centre(step.pair, step.infinite)
+                    .ok_or(Undetermined::NoMotion)?;
                 Ok(Some((place, Origin::Velocities)))
             }
             CentreMethod::Lines(lines) => self.by_lines(step, lines),
@@ -167,11 +189,15 @@ impl CentreSearch<'_> {
                 }
             }
             Primary::Slide(g) => match at.guides[g.0]? {
-                Path::Line { direction, .. } => CentrePlace::infinity(self.hand.ruler(direction, at.extent()).perp()),
+                Path::Line { direction, .. } => {
+                    CentrePlace::infinity(self.hand.ruler(direction, at.extent()).perp())
+                }
                 Path::Arc { centre, .. } => Some(CentrePlace::At(self.hand.given(centre))),
             },
             Primary::Cylinder(d) => match self.scene.drivers[d].kind {
-                DriverKind::Cylinder { a, b, .. } => CentrePlace::infinity((self.mark(b)? - self.mark(a)?).perp()),
+                DriverKind::Cylinder { a, b, .. } => {
+                    CentrePlace::infinity((self.mark(b)? - self.mark(a)?).perp())
+                }
                 DriverKind::Turn { .. } | DriverKind::Slide { .. } => None,
             },
         }
@@ -183,10 +209,19 @@ impl CentreSearch<'_> {
     }
 
     /// Returns the crossing of two lines of a pair.
-    fn crossing(&self, pair: LinkPair, lines: [CentreLocus; 2], infinite: bool) -> Option<CentrePlace> {
+    fn crossing(
+        &self,
+        pair: LinkPair,
+        lines: [CentreLocus; 2],
+        infinite: bool,
+    ) -> Option<CentrePlace> {
         let [a, b] = [self.ruled(pair, lines[0])?, self.ruled(pair, lines[1])?];
         let place = self.frame().place(meet(a.line, b.line)?, infinite)?;
-        Some(if let CentrePlace::At(p) = place { CentrePlace::At(self.hand.mark(p)) } else { place })
+        Some(if let CentrePlace::At(p) = place {
+            CentrePlace::At(self.hand.mark(p))
+        } else {
+            place
+        })
     }
 
     fn frame(&self) -> ProjectiveFrame {
@@ -195,7 +230,8 @@ impl CentreSearch<'_> {
 
     /// Returns the lines of a step, and those through every other link.
     fn all_lines(&self, step: &CentreStep) -> Vec<CentreLocus> {
-        let mut lines = if let CentreMethod::Lines(lines) = &step.how { lines.clone() } else { Vec::new() };
+        let mut lines =
+            if let CentreMethod::Lines(lines) = &step.how { lines.clone() } else { Vec::new() };
         for k in self.closure.links.iter().filter(|k| !step.pair.has(**k)) {
             if !lines.contains(&CentreLocus::Through(*k)) {
                 lines.push(CentreLocus::Through(*k));
@@ -205,9 +241,11 @@ impl CentreSearch<'_> {
     }
 
     fn by_lines(&self, step: &CentreStep, lines: &[CentreLocus]) -> LocatedCentre {
-        let drawn: Vec<(CentreLocus, Ruled)> = lines.iter().filter_map(|l| Some((*l, self.ruled(step.pair, *l)?))).collect();
+        let drawn: Vec<(CentreLocus, Ruled)> =
+            lines.iter().filter_map(|l| Some((*l, self.ruled(step.pair, *l)?))).collect();
         let ruled: Vec<Ruled> = drawn.iter().map(|d| d.1).collect();
-        let none = if ruled.len() < 2 { Undetermined::NoLines } else { Undetermined::LinesCoincide };
+        let none =
+            if ruled.len() < 2 { Undetermined::NoLines } else { Undetermined::LinesCoincide };
         let ([k, l], at) = choose(&ruled).ok_or(none)?;
         let origin = Origin::Crossing([drawn[k].0, drawn[l].0]);
         let far = at[2].abs() * FAR <= norm([at[0], at[1], 0.0]);
@@ -226,21 +264,29 @@ impl CentreSearch<'_> {
 
     fn ruled(&self, pair: LinkPair, line: CentreLocus) -> Option<Ruled> {
         match line {
-            CentreLocus::Through(k) => {
-                Ruled::through(self.placed(self.closure.pair(pair.i, k))?, self.placed(self.closure.pair(k, pair.j))?)
-            }
+            CentreLocus::Through(k) => Ruled::through(
+                self.placed(self.closure.pair(pair.i, k))?,
+                self.placed(self.closure.pair(k, pair.j))?,
+            ),
             CentreLocus::Normal(g) => {
                 let [pin, square] = normal(self.scene, self.worked, g, self.hand)?;
                 Ruled::through(self.frame().of(pin), self.frame().of(square))
             }
-            CentreLocus::Infinity => Some(Ruled { line: [0.0, 0.0, 1.0], through: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] }),
+            CentreLocus::Infinity => {
+                Some(Ruled { line: [0.0, 0.0, 1.0], through: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] })
+            }
         }
     }
 }
 
 /// Returns the normal of a slot at its pin: the place of the pin, and the direction as a place at
 /// infinity.
-pub(super) fn normal(scene: &Scene, worked: &Worked, g: GuideId, hand: &Hand) -> Option<[CentrePlace; 2]> {
+pub(super) fn normal(
+    scene: &Scene,
+    worked: &Worked,
+    g: GuideId,
+    hand: &Hand,
+) -> Option<[CentrePlace; 2]> {
     let pin = hand.given(worked.configuration.points[scene.guides[g.0].pin?.0]?);
     let direction = match worked.configuration.guides[g.0]? {
         Path::Line { direction, .. } => hand.ruler(direction, worked.configuration.extent()).perp(),
@@ -252,7 +298,11 @@ pub(super) fn normal(scene: &Scene, worked: &Worked, g: GuideId, hand: &Hand) ->
 /// Returns the largest deviation from collinearity of all triples P_ij, P_jk, P_ik, as the volume
 /// of their unit vectors. Links without relative motion (a rigid triangle) have every place as a
 /// centre: their centres are left out.
-pub(super) fn worst_triple(velocities: &Velocities, closure: &CentreClosure, list: &[Centre]) -> f64 {
+pub(super) fn worst_triple(
+    velocities: &Velocities,
+    closure: &CentreClosure,
+    list: &[Centre],
+) -> f64 {
     let frame = velocities.frame;
     let n = closure.links.len();
     let rank = |l| closure.links.iter().position(|k| *k == l).unwrap_or(0);
@@ -265,7 +315,9 @@ pub(super) fn worst_triple(velocities: &Velocities, closure: &CentreClosure, lis
     for i in 0..n {
         for j in i + 1..n {
             for k in j + 1..n {
-                if let (Some(a), Some(b), Some(c)) = (places[i * n + j], places[j * n + k], places[i * n + k]) {
+                if let (Some(a), Some(b), Some(c)) =
+                    (places[i * n + j], places[j * n + k], places[i * n + k])
+                {
                     worst = worst.max(volume(a, b, c));
                 }
             }

@@ -117,7 +117,10 @@ pub fn centres(scene: &Scene) -> Result<Warned<Centres>, Faults> {
             scene.links.len(),
             count(scene.links.len())
         );
-        let help = both!("take the part of the mechanism whose centres are wanted", "请只取需求瞬心的部分机构");
+        let help = both!(
+            "take the part of the mechanism whose centres are wanted",
+            "请只取需求瞬心的部分机构"
+        );
         return Err(Diagnostic::error("too-many-links", message).help(help).into());
     }
     let (asking, at_rest) = asking_all(scene);
@@ -129,7 +132,11 @@ pub fn centres(scene: &Scene) -> Result<Warned<Centres>, Faults> {
 ///
 /// # Errors
 /// The faults of [`work_placed`].
-pub fn placed(scene: &Scene, mechanism: &Mechanism, at: &Configuration) -> Result<Warned<Centres>, Faults> {
+pub fn placed(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    at: &Configuration,
+) -> Result<Warned<Centres>, Faults> {
     let (asking, at_rest) = asking_all(scene);
     let demand = Demand::of(&asking, mechanism).with_all_positions();
     let worked = work_placed(&asking, mechanism.clone(), demand, at.clone())?;
@@ -148,7 +155,19 @@ fn located(asking: Scene, worked: Warned<Worked>, at_rest: bool) -> Warned<Centr
     notes.extend(remarks(&asking, &closure, &list));
     let worst_triple = locate::worst_triple(&velocities, &closure, &list);
     let uses = uses::uses(&asking, &worked, &closure, &list);
-    Warned { value: Centres { closure, list, uses, scene: asking, worked, worst_triple, at_rest, by_hand: None }, notes }
+    Warned {
+        value: Centres {
+            closure,
+            list,
+            uses,
+            scene: asking,
+            worked,
+            worst_triple,
+            at_rest,
+            by_hand: None,
+        },
+        notes,
+    }
 }
 
 /// Returns the order of finding of a scene, without any computation of numbers.
@@ -182,7 +201,8 @@ pub fn moving_at_all(scene: &Scene) -> (Scene, bool) {
             driver.rate.radius = 0.0;
             driver.rate.text = match driver.kind {
                 hodograph_scene::DriverKind::Turn { .. } => "1 rad/s".into(),
-                hodograph_scene::DriverKind::Slide { .. } | hodograph_scene::DriverKind::Cylinder { .. } => "1 m/s".into(),
+                hodograph_scene::DriverKind::Slide { .. }
+                | hodograph_scene::DriverKind::Cylinder { .. } => "1 m/s".into(),
             };
         }
     }
@@ -194,12 +214,22 @@ pub fn moving_at_all(scene: &Scene) -> (Scene, bool) {
 fn asking_all(scene: &Scene) -> (Scene, bool) {
     let (mut asking, at_rest) = moving_at_all(scene);
     let moving = |l: &LinkId| *l != scene.ground;
-    let turnings = (0..scene.links.len()).map(LinkId).filter(moving).map(|l| (omega(l, None), format!("omega_{}", scene.link_name(l))));
+    let turnings = (0..scene.links.len())
+        .map(LinkId)
+        .filter(moving)
+        .map(|l| (omega(l, None), format!("omega_{}", scene.link_name(l))));
     let on_ground = |p: PointId| scene.links[scene.ground.0].points.contains(&p);
-    let carried = |p: &PointId| !on_ground(*p) && (scene.carriers(*p).next().is_some() || scene.guides.iter().any(|g| g.pin == Some(*p)));
+    let carried = |p: &PointId| {
+        !on_ground(*p)
+            && (scene.carriers(*p).next().is_some()
+                || scene.guides.iter().any(|g| g.pin == Some(*p)))
+    };
     let points = (0..scene.points.len()).map(PointId).filter(carried);
     let speeds = points.map(|p| (velocity(p), format!("v_{}", scene.point_name(p))));
-    asking.find = turnings.chain(speeds).map(|(what, text)| Find { what, text, span: Default::default() }).collect();
+    asking.find = turnings
+        .chain(speeds)
+        .map(|(what, text)| Find { what, text, span: Default::default() })
+        .collect();
     (asking, at_rest)
 }
 
@@ -208,7 +238,8 @@ fn asking_all(scene: &Scene) -> (Scene, bool) {
 fn remarks(scene: &Scene, closure: &CentreClosure, list: &[Centre]) -> Vec<Diagnostic> {
     let mut notes = Vec::new();
     let name = |c: &Centre| c.step.pair.name(scene);
-    let taken: Vec<String> = list.iter().filter(|c| c.step.how == CentreMethod::Velocities).map(name).collect();
+    let taken: Vec<String> =
+        list.iter().filter(|c| c.step.how == CentreMethod::Velocities).map(name).collect();
     if !taken.is_empty() {
         let (found, all, taken) = (closure.by_theorem, closure.steps.len(), Both::names(&taken));
         notes.push(if closure.freedoms == 1 {
@@ -233,12 +264,26 @@ fn remarks(scene: &Scene, closure: &CentreClosure, list: &[Centre]) -> Vec<Diagn
         });
     }
     for (why, words) in [
-        (Undetermined::LinesCoincide, both!("the lines drawn for it coincide in this pose", "该位置上所作的线重合")),
-        (Undetermined::NoLines, both!("the centres that its lines need are missing in this pose", "该位置缺少作线所需的瞬心")),
-        (Undetermined::NoMotion, both!("the links have no relative motion in this pose", "该位置两构件无相对运动")),
+        (
+            Undetermined::LinesCoincide,
+            both!("the lines drawn for it coincide in this pose", "该位置上所作的线重合"),
+        ),
+        (
+            Undetermined::NoLines,
+            both!(
+                "the centres that its lines need are missing in this pose",
+                "该位置缺少作线所需的瞬心"
+            ),
+        ),
+        (
+            Undetermined::NoMotion,
+            both!("the links have no relative motion in this pose", "该位置两构件无相对运动"),
+        ),
     ] {
-        let by_velocities: Vec<String> = list.iter().filter(|c| c.why == Some(why) && c.place.is_some()).map(name).collect();
-        let none: Vec<String> = list.iter().filter(|c| c.why == Some(why) && c.place.is_none()).map(name).collect();
+        let by_velocities: Vec<String> =
+            list.iter().filter(|c| c.why == Some(why) && c.place.is_some()).map(name).collect();
+        let none: Vec<String> =
+            list.iter().filter(|c| c.why == Some(why) && c.place.is_none()).map(name).collect();
         if !by_velocities.is_empty() {
             let message = both!(
                 "{}: {}; the velocities of the analysis tell the place",
@@ -249,7 +294,12 @@ fn remarks(scene: &Scene, closure: &CentreClosure, list: &[Centre]) -> Vec<Diagn
             notes.push(Diagnostic::note("centre-undetermined", message));
         }
         if !none.is_empty() {
-            let message = both!("{} has no certain place: {}", "{} 的位置不定：{}", Both::names(&none), words);
+            let message = both!(
+                "{} has no certain place: {}",
+                "{} 的位置不定：{}",
+                Both::names(&none),
+                words
+            );
             let help = both!("choose a pose nearby", "请取附近的位置");
             notes.push(Diagnostic::warning("centre-undetermined", message).help(help));
         }

@@ -30,10 +30,17 @@ impl Centres {
             return None;
         }
         let ground = self.scene.ground;
-        let [moving, against] = if c.step.pair.i == ground { [c.step.pair.j, ground] } else { [c.step.pair.i, c.step.pair.j] };
+        let [moving, against] = if c.step.pair.i == ground {
+            [c.step.pair.j, ground]
+        } else {
+            [c.step.pair.i, c.step.pair.j]
+        };
         let place = |p: PointId| self.worked.configuration.points[p.0];
         let velocity = |p: PointId, l| self.worked.solution.vector(Level::Velocity, p, Some(l));
-        let other = self.scene.links[against.0].points.iter().find_map(|p| Some((place(*p)?, velocity(*p, against)?)));
+        let other = self.scene.links[against.0]
+            .points
+            .iter()
+            .find_map(|p| Some((place(*p)?, velocity(*p, against)?)));
         let turning = self.worked.solution.turning(Level::Velocity, against).unwrap_or(0.0);
         let carried = |at: Point| match other {
             _ if against == ground => Some(Vec2::ZERO),
@@ -45,11 +52,13 @@ impl Centres {
             let velocity = velocity(*p, moving)? - carried(at)?;
             velocity.unit().map(|_| VelocityNormal { point: *p, at, velocity })
         };
-        let all: Vec<VelocityNormal> = self.scene.links[moving.0].points.iter().filter_map(of).collect();
+        let all: Vec<VelocityNormal> =
+            self.scene.links[moving.0].points.iter().filter_map(of).collect();
         let mut best: Option<(f64, [VelocityNormal; 2])> = None;
         for (k, a) in all.iter().enumerate() {
             for b in &all[..k] {
-                let square = a.velocity.cross(b.velocity).abs() / (a.velocity.norm() * b.velocity.norm());
+                let square =
+                    a.velocity.cross(b.velocity).abs() / (a.velocity.norm() * b.velocity.norm());
                 if square > best.map_or(SQUARE, |(most, _)| most) {
                     best = Some((square, [*b, *a]));
                 }

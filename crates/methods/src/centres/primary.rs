@@ -98,12 +98,27 @@ pub(super) fn given(scene: &Scene) -> PairCentres {
             slides.push((a, b));
         }
     }
-    let normals = scene.guides.iter().enumerate().filter(|(_, guide)| guide.slider.is_none()).flat_map(|(g, guide)| {
-        let on = guide.pin.into_iter().flat_map(|p| around(scene, p).into_iter().map(move |l| (l, p)));
-        let on = on.filter(|(l, _)| *l != guide.on);
-        on.map(move |(pin_of, pin)| SlotNormal { pin_of, slot_of: guide.on, guide: GuideId(g), pin })
-    });
-    PairCentres { normals: normals.collect(), translates: classes(scene.links.len(), &slides), primary }
+    let normals =
+        scene.guides.iter().enumerate().filter(|(_, guide)| guide.slider.is_none()).flat_map(
+            |(g, guide)| {
+                let on = guide
+                    .pin
+                    .into_iter()
+                    .flat_map(|p| around(scene, p).into_iter().map(move |l| (l, p)));
+                let on = on.filter(|(l, _)| *l != guide.on);
+                on.map(move |(pin_of, pin)| SlotNormal {
+                    pin_of,
+                    slot_of: guide.on,
+                    guide: GuideId(g),
+                    pin,
+                })
+            },
+        );
+    PairCentres {
+        normals: normals.collect(),
+        translates: classes(scene.links.len(), &slides),
+        primary,
+    }
 }
 
 /// Returns the links that turn about a point: those that carry it, the barrel or rod that ends
@@ -111,9 +126,12 @@ pub(super) fn given(scene: &Scene) -> PairCentres {
 fn around(scene: &Scene, p: PointId) -> Vec<LinkId> {
     let mut out: Vec<LinkId> = scene.carriers(p).collect();
     let ends = scene.drivers.iter().flat_map(|d| match &d.kind {
-        DriverKind::Cylinder { a, b, links, .. } => {
-            [*a, *b].into_iter().zip(links).filter(|(end, _)| *end == p).map(|(_, l)| *l).collect::<Vec<_>>()
-        }
+        DriverKind::Cylinder { a, b, links, .. } => [*a, *b]
+            .into_iter()
+            .zip(links)
+            .filter(|(end, _)| *end == p)
+            .map(|(_, l)| *l)
+            .collect::<Vec<_>>(),
         DriverKind::Turn { .. } | DriverKind::Slide { .. } => Vec::new(),
     });
     let blocks = scene.guides.iter().filter_map(|g| match g.path {

@@ -117,8 +117,11 @@ pub(super) fn closure(scene: &Scene, freedoms: usize) -> CentreClosure {
     let n = scene.links.len();
     let mut open = OpenClosure { given: &given, links: &links, known: vec![None; n * n], n };
     let mut steps = Vec::new();
-    let pairs: Vec<LinkPair> =
-        links.iter().enumerate().flat_map(|(k, i)| links[k + 1..].iter().map(|j| LinkPair { i: *i, j: *j })).collect();
+    let pairs: Vec<LinkPair> = links
+        .iter()
+        .enumerate()
+        .flat_map(|(k, i)| links[k + 1..].iter().map(|j| LinkPair { i: *i, j: *j }))
+        .collect();
     for pair in &pairs {
         let there = given.primary.iter().find(|(a, b, _)| pair.has(*a) && pair.has(*b));
         if let Some((_, _, primary)) = there {
@@ -132,13 +135,24 @@ pub(super) fn closure(scene: &Scene, freedoms: usize) -> CentreClosure {
         let found: Vec<CentreStep> = pairs
             .iter()
             .filter(|pair| open.of(pair.i, pair.j).is_none())
-            .filter_map(|pair| Some(open.step(*pair, round, CentreMethod::Lines(open.lines(*pair)?), by_theorem.is_some() && freedoms > 1)))
+            .filter_map(|pair| {
+                Some(open.step(
+                    *pair,
+                    round,
+                    CentreMethod::Lines(open.lines(*pair)?),
+                    by_theorem.is_some() && freedoms > 1,
+                ))
+            })
             .collect();
         let found = if found.is_empty() {
             by_theorem.get_or_insert(steps.len());
             // Any missing centre serves: the first absolute one, otherwise the first.
             let missing = || pairs.iter().filter(|pair| open.of(pair.i, pair.j).is_none());
-            let Some(pair) = missing().find(|pair| pair.has(scene.ground)).or_else(|| missing().next()) else { break };
+            let Some(pair) =
+                missing().find(|pair| pair.has(scene.ground)).or_else(|| missing().next())
+            else {
+                break;
+            };
             vec![open.step(*pair, round, CentreMethod::Velocities, freedoms > 1)]
         } else {
             found
@@ -173,8 +187,20 @@ impl OpenClosure<'_> {
         self.known[a.0 * self.n + b.0]
     }
 
-    fn step(&self, pair: LinkPair, round: usize, how: CentreMethod, given_drivers: bool) -> CentreStep {
-        CentreStep { pair, round, how, infinite: self.given.translate(pair.i, pair.j), given_drivers }
+    fn step(
+        &self,
+        pair: LinkPair,
+        round: usize,
+        how: CentreMethod,
+        given_drivers: bool,
+    ) -> CentreStep {
+        CentreStep {
+            pair,
+            round,
+            how,
+            infinite: self.given.translate(pair.i, pair.j),
+            given_drivers,
+        }
     }
 
     fn take(&mut self, step: &CentreStep) {
@@ -182,7 +208,9 @@ impl OpenClosure<'_> {
         let known = match step.how {
             CentreMethod::Primary(Primary::Pin(p)) => KnownCentre::Joint(p),
             _ if step.infinite => KnownCentre::Infinite,
-            CentreMethod::Primary(_) | CentreMethod::Lines(_) | CentreMethod::Velocities => KnownCentre::Somewhere,
+            CentreMethod::Primary(_) | CentreMethod::Lines(_) | CentreMethod::Velocities => {
+                KnownCentre::Somewhere
+            }
         };
         self.known[i.0 * self.n + j.0] = Some(known);
         self.known[j.0 * self.n + i.0] = Some(known);
@@ -200,7 +228,9 @@ impl OpenClosure<'_> {
             different += 1;
         }
         let mut pins = Vec::new();
-        for normal in self.given.normals.iter().filter(|n| pair.has(n.pin_of) && pair.has(n.slot_of)) {
+        for normal in
+            self.given.normals.iter().filter(|n| pair.has(n.pin_of) && pair.has(n.slot_of))
+        {
             lines.push(CentreLocus::Normal(normal.guide));
             pins.push(KnownCentre::Joint(normal.pin));
             different += 1;
@@ -212,7 +242,8 @@ impl OpenClosure<'_> {
                 // infinity is already in the list.
                 continue;
             }
-            let joint = |x: KnownCentre, y: KnownCentre| matches!(x, KnownCentre::Joint(_)) && x == y;
+            let joint =
+                |x: KnownCentre, y: KnownCentre| matches!(x, KnownCentre::Joint(_)) && x == y;
             if joint(a, b) {
                 continue;
             }

@@ -20,7 +20,8 @@ impl CentreTask {
     pub fn of(scene: &Scene) -> Option<CentreTask> {
         scene.find.iter().find(|f| matches!(f.what, Asked::InstantCentre(_)))?;
         let found = centres(scene).ok()?.value;
-        let tells = |f: &Find| matches!(f.what, Asked::InstantCentre(_)) || found.value(scene, f).is_some();
+        let tells =
+            |f: &Find| matches!(f.what, Asked::InstantCentre(_)) || found.value(scene, f).is_some();
         let alone = scene.find.iter().all(|f| f.what.level() == Level::Position || tells(f));
         Some(CentreTask { found, alone })
     }
@@ -31,8 +32,12 @@ impl Centres {
     pub fn value(&self, scene: &Scene, find: &Find) -> Option<f64> {
         match find.what.meaning(scene)? {
             _ if find.what.level() != Level::Velocity => None,
-            Meaning::Turning(link, None) => self.uses.links.iter().find(|t| t.link == link).map(|t| t.omega),
-            Meaning::Vector(OnLink { point, link: None }) => self.uses.points.iter().find(|s| s.point == point).map(|s| s.velocity.norm()),
+            Meaning::Turning(link, None) => {
+                self.uses.links.iter().find(|t| t.link == link).map(|t| t.omega)
+            }
+            Meaning::Vector(OnLink { point, link: None }) => {
+                self.uses.points.iter().find(|s| s.point == point).map(|s| s.velocity.norm())
+            }
             Meaning::Vector(_)
             | Meaning::Turning(..)
             | Meaning::Ratio(..)

@@ -106,8 +106,14 @@ pub struct Uses {
 }
 
 /// Returns angular velocities and speeds, starting at the first driver.
-pub(super) fn uses(scene: &Scene, worked: &Worked, closure: &CentreClosure, list: &[Centre]) -> Uses {
-    let mut chain = MotionChain { scene, worked, closure, list, frame: scene.ground, known: Vec::new() };
+pub(super) fn uses(
+    scene: &Scene,
+    worked: &Worked,
+    closure: &CentreClosure,
+    list: &[Centre],
+) -> Uses {
+    let mut chain =
+        MotionChain { scene, worked, closure, list, frame: scene.ground, known: Vec::new() };
     let (frame, first) = match chain.driver(0) {
         Some((frame, link, motion)) => (frame, Some((link, CentreMotionSource::Driver, motion))),
         None => (scene.ground, chain.analysis()),
@@ -119,8 +125,15 @@ pub(super) fn uses(scene: &Scene, worked: &Worked, closure: &CentreClosure, list
     // Further drivers with the same reference link.
     for k in 1..scene.drivers.len() {
         match chain.driver(k) {
-            Some((other, link, motion)) if other == frame && !chain.known.iter().any(|t| t.link == link) => {
-                chain.known.push(CentreMotion { link, by: CentreMotionSource::Driver, motion, omega: 0.0 });
+            Some((other, link, motion))
+                if other == frame && !chain.known.iter().any(|t| t.link == link) =>
+            {
+                chain.known.push(CentreMotion {
+                    link,
+                    by: CentreMotionSource::Driver,
+                    motion,
+                    omega: 0.0,
+                });
             }
             Some(_) | None => {}
         }
@@ -129,7 +142,11 @@ pub(super) fn uses(scene: &Scene, worked: &Worked, closure: &CentreClosure, list
     chain.against_ground();
     let points = scene.find.iter().filter_map(|f| match f.what.meaning(scene)? {
         Meaning::Vector(p) => chain.speed(p.point),
-        Meaning::Turning(..) | Meaning::Ratio(..) | Meaning::Relative(..) | Meaning::Seen(..) | Meaning::Place(_) => None,
+        Meaning::Turning(..)
+        | Meaning::Ratio(..)
+        | Meaning::Relative(..)
+        | Meaning::Seen(..)
+        | Meaning::Place(_) => None,
     });
     let points = points.collect();
     Uses { frame, links: chain.known, points }
@@ -156,14 +173,20 @@ impl MotionChain<'_> {
         let rate = driver.rate.value;
         let at = &self.worked.configuration;
         match &driver.kind {
-            DriverKind::Turn { link, against, .. } => Some((*against, *link, RelativeMotion::Turn(rate))),
+            DriverKind::Turn { link, against, .. } => {
+                Some((*against, *link, RelativeMotion::Turn(rate)))
+            }
             DriverKind::Slide { guide, .. } => {
                 let g = &self.scene.guides[guide.0];
                 let path = at.guides[guide.0]?;
                 let velocity = |at: Point| path.tangent_at(at) * rate;
                 match (g.slider, path, g.pin) {
-                    (Some(slider), Path::Line { direction, .. }, _) => Some((g.on, slider, RelativeMotion::Slide(direction * rate))),
-                    (Some(slider), Path::Arc { radius, .. }, _) => Some((g.on, slider, RelativeMotion::Turn(rate / radius))),
+                    (Some(slider), Path::Line { direction, .. }, _) => {
+                        Some((g.on, slider, RelativeMotion::Slide(direction * rate)))
+                    }
+                    (Some(slider), Path::Arc { radius, .. }, _) => {
+                        Some((g.on, slider, RelativeMotion::Turn(rate / radius)))
+                    }
                     (None, _, Some(pin)) => {
                         let link = self.scene.carriers(pin).find(|l| *l != g.on)?;
                         let pin = at.points[pin.0]?;
@@ -173,7 +196,11 @@ impl MotionChain<'_> {
                 }
             }
             DriverKind::Cylinder { a, b, links, .. } => match links[..] {
-                [barrel, rod] => Some((barrel, rod, RelativeMotion::Slide((at.points[b.0]? - at.points[a.0]?).unit()? * rate))),
+                [barrel, rod] => Some((
+                    barrel,
+                    rod,
+                    RelativeMotion::Slide((at.points[b.0]? - at.points[a.0]?).unit()? * rate),
+                )),
                 _ => None,
             },
         }
@@ -182,9 +209,16 @@ impl MotionChain<'_> {
     /// Returns the first link that turns, with its motion from the loop equations.
     fn analysis(&self) -> Option<(LinkId, CentreMotionSource, RelativeMotion)> {
         let solution = &self.worked.solution;
-        let moves = |l: &LinkId| *l != self.scene.ground && solution.turning(Level::Velocity, *l).is_some_and(|omega| omega != 0.0);
+        let moves = |l: &LinkId| {
+            *l != self.scene.ground
+                && solution.turning(Level::Velocity, *l).is_some_and(|omega| omega != 0.0)
+        };
         let link = self.closure.links.iter().copied().find(moves)?;
-        Some((link, CentreMotionSource::Analysis, RelativeMotion::Turn(solution.turning(Level::Velocity, link)?)))
+        Some((
+            link,
+            CentreMotionSource::Analysis,
+            RelativeMotion::Turn(solution.turning(Level::Velocity, link)?),
+        ))
     }
 
     /// Adds one link after another, each by the first known link that determines it.
@@ -214,10 +248,17 @@ impl MotionChain<'_> {
         let (own, shared) = (self.place(self.frame, k)?, self.place(k, m.link)?);
         match (own, shared, m.motion) {
             (CentrePlace::At(o), CentrePlace::At(x), _) => {
-                let motion = about(own, x, self.velocity(m, x)?).filter(|_| o.distance(x) > SAME * self.size())?;
+                let motion = about(own, x, self.velocity(m, x)?)
+                    .filter(|_| o.distance(x) > SAME * self.size())?;
                 let by = match self.place(self.frame, m.link)? {
-                    CentrePlace::At(c) => CentreMotionSource::Ratio { link: m.link, of_other: c.distance(x), own: o.distance(x) },
-                    CentrePlace::Infinity(_) => CentreMotionSource::FromSlide { link: m.link, arm: o.distance(x) },
+                    CentrePlace::At(c) => CentreMotionSource::Ratio {
+                        link: m.link,
+                        of_other: c.distance(x),
+                        own: o.distance(x),
+                    },
+                    CentrePlace::Infinity(_) => {
+                        CentreMotionSource::FromSlide { link: m.link, arm: o.distance(x) }
+                    }
                 };
                 Some((by, motion))
             }
@@ -226,12 +267,24 @@ impl MotionChain<'_> {
             }
             (CentrePlace::Infinity(_), CentrePlace::At(x), RelativeMotion::Turn(_)) => {
                 let arm = self.place(self.frame, m.link)?.point()?.distance(x);
-                Some((CentreMotionSource::Slides { link: m.link, arm }, RelativeMotion::Slide(self.velocity(m, x)?)))
+                Some((
+                    CentreMotionSource::Slides { link: m.link, arm },
+                    RelativeMotion::Slide(self.velocity(m, x)?),
+                ))
             }
-            (CentrePlace::Infinity(own), CentrePlace::Infinity(shared), RelativeMotion::Slide(v)) => {
+            (
+                CentrePlace::Infinity(own),
+                CentrePlace::Infinity(shared),
+                RelativeMotion::Slide(v),
+            ) => {
                 let along = own.perp();
                 let part = along.dot(shared);
-                (part.abs() > SAME).then(|| (CentreMotionSource::Wedge(m.link), RelativeMotion::Slide(along * (v.dot(shared) / part))))
+                (part.abs() > SAME).then(|| {
+                    (
+                        CentreMotionSource::Wedge(m.link),
+                        RelativeMotion::Slide(along * (v.dot(shared) / part)),
+                    )
+                })
             }
             (CentrePlace::At(_), CentrePlace::Infinity(_), RelativeMotion::Slide(_))
             | (CentrePlace::Infinity(_), CentrePlace::At(_), RelativeMotion::Slide(_))
@@ -262,7 +315,9 @@ impl MotionChain<'_> {
     /// Returns the velocity of a link's point at a place, relative to the frame.
     fn velocity(&self, of: &CentreMotion, at: Point) -> Option<Vec2> {
         match of.motion {
-            RelativeMotion::Turn(omega) => Some((at - self.place(self.frame, of.link)?.point()?).perp() * omega),
+            RelativeMotion::Turn(omega) => {
+                Some((at - self.place(self.frame, of.link)?.point()?).perp() * omega)
+            }
             RelativeMotion::Slide(v) => Some(v),
         }
     }
@@ -284,11 +339,16 @@ impl MotionChain<'_> {
     /// Returns the velocity of a point, from the first link that carries it and has a known motion.
     fn speed(&self, point: PointId) -> Option<Speed> {
         let at = self.worked.configuration.points[point.0]?;
-        let still =
-            CentreMotion { link: self.frame, by: CentreMotionSource::Driver, motion: RelativeMotion::Slide(Vec2::ZERO), omega: 0.0 };
+        let still = CentreMotion {
+            link: self.frame,
+            by: CentreMotionSource::Driver,
+            motion: RelativeMotion::Slide(Vec2::ZERO),
+            omega: 0.0,
+        };
         let of = |l: LinkId| if l == self.frame { Some(&still) } else { self.of(l) };
         let ground = self.velocity(of(self.scene.ground)?, at)?;
-        let link = self.scene.carriers(point).find(|l| *l != self.scene.ground && of(*l).is_some())?;
+        let link =
+            self.scene.carriers(point).find(|l| *l != self.scene.ground && of(*l).is_some())?;
         let velocity = self.velocity(of(link)?, at)? - ground;
         let arm = self.place(self.scene.ground, link)?.point().map(|c| c.distance(at));
         Some(Speed { point, link, arm, velocity })

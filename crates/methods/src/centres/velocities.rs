@@ -33,11 +33,19 @@ pub(super) struct Velocities<'a> {
 
 impl<'a> Velocities<'a> {
     pub fn of(scene: &'a Scene, worked: &'a Worked) -> Velocities<'a> {
-        let places = || worked.configuration.points.iter().enumerate().filter_map(|(p, at)| Some((PointId(p), (*at)?)));
+        let places = || {
+            worked
+                .configuration
+                .points
+                .iter()
+                .enumerate()
+                .filter_map(|(p, at)| Some((PointId(p), (*at)?)))
+        };
         let count = places().count().max(1) as f64;
         let anchor = places().next();
         let first = anchor.map_or(Point::ORIGIN, |(_, at)| at);
-        let middle = first + places().fold(Vec2::ZERO, |sum, (_, at)| sum + (at - first)) * (1.0 / count);
+        let middle =
+            first + places().fold(Vec2::ZERO, |sum, (_, at)| sum + (at - first)) * (1.0 / count);
         let size = Some(worked.configuration.extent()).filter(|s| *s > 0.0).unwrap_or(1.0);
         let motion = |l: LinkId| {
             let (p, at) = anchor?;
@@ -45,8 +53,13 @@ impl<'a> Velocities<'a> {
             let v = worked.solution.vector(Level::Velocity, p, Some(l))?;
             Some((v + (middle - at).perp() * omega, omega))
         };
-        let links: Vec<Option<(Vec2, f64)>> = (0..scene.links.len()).map(|l| motion(LinkId(l))).collect();
-        let largest = links.iter().flatten().map(|(v, omega)| omega.abs().max(v.norm() / size)).fold(0.0, f64::max);
+        let links: Vec<Option<(Vec2, f64)>> =
+            (0..scene.links.len()).map(|l| motion(LinkId(l))).collect();
+        let largest = links
+            .iter()
+            .flatten()
+            .map(|(v, omega)| omega.abs().max(v.norm() / size))
+            .fold(0.0, f64::max);
         Velocities { scene, frame: ProjectiveFrame { middle, size }, links, largest }
     }
 
@@ -60,7 +73,8 @@ impl<'a> Velocities<'a> {
     /// True if two links have no relative motion, to rounding.
     pub fn rests(&self, pair: LinkPair) -> bool {
         let still = RESTING * self.largest;
-        self.relative(pair).is_some_and(|(v, omega)| omega.abs() <= still && v.norm() <= still * self.frame.size)
+        self.relative(pair)
+            .is_some_and(|(v, omega)| omega.abs() <= still && v.norm() <= still * self.frame.size)
     }
 
     /// True if two links certainly do not turn relative to one another in this pose: a small

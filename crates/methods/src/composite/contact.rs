@@ -12,7 +12,9 @@
 //! Another point is in contact at the next instant: the point is added to the scene in its pose
 //! ([`hodograph_worked::worked::contact`]).
 
-use super::{ChoicePlace, ChoiceSolution, ChoiceVerdict, FrameChoice, choices, judge, solved, usable};
+use super::{
+    ChoicePlace, ChoiceSolution, ChoiceVerdict, FrameChoice, choices, judge, solved, usable,
+};
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_base::geom::Vec2;
 use hodograph_mechanism::answer::MotionSource;
@@ -81,7 +83,9 @@ impl ContactScene {
     /// Places a scene in its pose; a scene that cannot be placed has no contacts.
     pub fn new(scene: &Scene) -> ContactScene {
         let bare = || ContactScene { scene: scene.clone(), contacts: Vec::new(), at: None };
-        let offers = |c: &hodograph_scene::Cam| matches!(c.follows, Follows::Face(_) | Follows::Arc(..)) && c.circle.is_some();
+        let offers = |c: &hodograph_scene::Cam| {
+            matches!(c.follows, Follows::Face(_) | Follows::Arc(..)) && c.circle.is_some()
+        };
         if !scene.cams.iter().any(offers) {
             return bare();
         }
@@ -95,10 +99,21 @@ impl ContactScene {
         for (index, cam) in scene.cams.iter().enumerate().filter(|(_, c)| offers(c)) {
             let Some((centre, radius)) = cam.circle else { continue };
             let Some(touched) = at.touch(scene, cam) else { continue };
-            let Some((with, pose, point)) = with_contact(&out, &at, index, cam.follower, touched.at) else { continue };
+            let Some((with, pose, point)) =
+                with_contact(&out, &at, index, cam.follower, touched.at)
+            else {
+                continue;
+            };
             (out, at) = (with, pose);
             let radii = [Some(radius), cam.follows.radius()];
-            contacts.push(CamContact { cam: index, links: [cam.cam, cam.follower], point, centre, radii, normal: touched.normal });
+            contacts.push(CamContact {
+                cam: index,
+                links: [cam.cam, cam.follower],
+                point,
+                centre,
+                radii,
+                normal: touched.normal,
+            });
         }
         ContactScene { scene: out, contacts, at: Some(at) }
     }
@@ -107,7 +122,8 @@ impl ContactScene {
     /// wheels, then those at the cams.
     pub fn choices(&self, scene: &Scene) -> Vec<FrameChoice> {
         let mut all: Vec<FrameChoice> = self.named(scene);
-        let more = choices(scene).into_iter().chain(self.contacts.iter().flat_map(|c| self.at_contact(c)));
+        let more =
+            choices(scene).into_iter().chain(self.contacts.iter().flat_map(|c| self.at_contact(c)));
         for c in more {
             if !all.iter().any(|a| a.of == c.of && a.frame == c.frame) {
                 all.push(c);
@@ -123,21 +139,36 @@ impl ContactScene {
         if !named.is_empty() {
             return named;
         }
-        self.choices(scene).into_iter().filter(|c| c.verdict == ChoiceVerdict::Serves).take(most).collect()
+        self.choices(scene)
+            .into_iter()
+            .filter(|c| c.verdict == ChoiceVerdict::Serves)
+            .take(most)
+            .collect()
     }
 
     /// Returns the parts of the motion for these choices.
     ///
     /// # Errors
     /// The faults of the scene; at a dead centre there is no motion to resolve.
-    pub fn solved(&self, choices: &[FrameChoice], level: Level) -> Result<Warned<(Worked, Vec<ChoiceSolution>)>, Faults> {
+    pub fn solved(
+        &self,
+        choices: &[FrameChoice],
+        level: Level,
+    ) -> Result<Warned<(Worked, Vec<ChoiceSolution>)>, Faults> {
         solved(self, choices, level)
     }
 
     /// Solves the scene with other questions.
     pub(super) fn work(&self, asking: &Scene) -> Result<Warned<Worked>, Faults> {
-        let posed = self.at.clone().filter(|_| !self.contacts.is_empty()).and_then(|at| work_at(asking, at));
-        posed.map_or_else(|| work(asking, Scope::Figure), |value| Ok(Warned { value, notes: Vec::new() }))
+        let posed = self
+            .at
+            .clone()
+            .filter(|_| !self.contacts.is_empty())
+            .and_then(|at| work_at(asking, at));
+        posed.map_or_else(
+            || work(asking, Scope::Figure),
+            |value| Ok(Warned { value, notes: Vec::new() }),
+        )
     }
 
     fn named(&self, scene: &Scene) -> Vec<FrameChoice> {
@@ -158,7 +189,9 @@ impl ContactScene {
         let centre = Frame::Point(OnLink { point: c.centre, link: None });
         let place = ChoicePlace::Cam(c.cam);
         let all = [(follower, Frame::Link(cam)), (cam, Frame::Link(follower)), (follower, centre)];
-        let moves = |(on, frame): &(LinkId, Frame)| *on != self.scene.ground && !frame.is_fixed(&self.scene);
+        let moves = |(on, frame): &(LinkId, Frame)| {
+            *on != self.scene.ground && !frame.is_fixed(&self.scene)
+        };
         all.into_iter().filter(moves).map(|(on, frame)| self.choice(c, on, frame, place)).collect()
     }
 
@@ -175,23 +208,47 @@ impl ContactScene {
         }
         let judged = judge(&self.scene, of, frame, place);
         // The verdict that the pairs give for permanent points does not hold for this point.
-        let verdict = if judged.verdict == ChoiceVerdict::Serves { ChoiceVerdict::PointChanges } else { judged.verdict };
+        let verdict = if judged.verdict == ChoiceVerdict::Serves {
+            ChoiceVerdict::PointChanges
+        } else {
+            judged.verdict
+        };
         FrameChoice { verdict, path, ..judged }
     }
 
     /// Returns the sliding at the contact of a choice; `None` if its moving point is not a point of
     /// contact.
-    pub fn slip(&self, choice: &FrameChoice, worked: &Worked, relative: Vec2) -> Option<ContactSlip> {
-        let c = self.contacts.iter().find(|c| c.point == choice.of.point && choice.verdict == ChoiceVerdict::Serves)?;
+    pub fn slip(
+        &self,
+        choice: &FrameChoice,
+        worked: &Worked,
+        relative: Vec2,
+    ) -> Option<ContactSlip> {
+        let c = self
+            .contacts
+            .iter()
+            .find(|c| c.point == choice.of.point && choice.verdict == ChoiceVerdict::Serves)?;
         let [cam, follower] = c.links;
         let on_cam = choice.of.link == Some(cam);
-        let rate = |l: LinkId| if l == self.scene.ground { 0.0 } else { worked.solution.turning(Level::Velocity, l).unwrap_or(0.0) };
+        let rate = |l: LinkId| {
+            if l == self.scene.ground {
+                0.0
+            } else {
+                worked.solution.turning(Level::Velocity, l).unwrap_or(0.0)
+            }
+        };
         let own = rate(if on_cam { cam } else { follower });
         let carried = match choice.frame {
             Frame::Link(l) => rate(l),
             Frame::Point(_) => 0.0,
         };
-        let (normal, radii) = if on_cam { (-c.normal, [c.radii[1], c.radii[0]]) } else { (c.normal, c.radii) };
-        Some(ContactSlip { radii, omega: own - carried, sliding: relative.dot(-normal.perp()), normal })
+        let (normal, radii) =
+            if on_cam { (-c.normal, [c.radii[1], c.radii[0]]) } else { (c.normal, c.radii) };
+        Some(ContactSlip {
+            radii,
+            omega: own - carried,
+            sliding: relative.dot(-normal.perp()),
+            normal,
+        })
     }
 }

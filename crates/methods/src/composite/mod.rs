@@ -118,7 +118,11 @@ pub fn choices(scene: &Scene) -> Vec<FrameChoice> {
         let [a, b] = pair.links;
         for (own, other) in [(a, b), (b, a)] {
             let of = OnLink { point: contact, link: Some(own) };
-            list.add_moving(of, Frame::Link(other), ChoicePlace::Contact(hodograph_scene::RollingId(r)));
+            list.add_moving(
+                of,
+                Frame::Link(other),
+                ChoicePlace::Contact(hodograph_scene::RollingId(r)),
+            );
         }
     }
     list.all.truncate(MOST);
@@ -136,7 +140,12 @@ pub fn name_of(scene: &Scene, p: &OnLink) -> String {
 /// Returns the level of the parts of a motion: acceleration if a question of the scene asks for
 /// one, otherwise velocity.
 pub fn level(scene: &Scene) -> Level {
-    scene.find.iter().map(|f| f.what.level()).max().map_or(Level::Velocity, |l| l.max(Level::Velocity))
+    scene
+        .find
+        .iter()
+        .map(|f| f.what.level())
+        .max()
+        .map_or(Level::Velocity, |l| l.max(Level::Velocity))
 }
 
 /// True if the motion of a choice has parts.
@@ -161,7 +170,10 @@ impl ChoiceList<'_> {
 
     /// Adds a choice if both the frame and the point move.
     fn add_moving(&mut self, of: OnLink, frame: Frame, place: ChoicePlace) {
-        if !frame.is_fixed(self.scene) && !owns(self.scene, self.scene.ground, &of) && !self.is_of_ground(&of) {
+        if !frame.is_fixed(self.scene)
+            && !owns(self.scene, self.scene.ground, &of)
+            && !self.is_of_ground(&of)
+        {
             self.add(of, frame, place);
         }
     }

@@ -61,8 +61,11 @@ pub struct Projection {
 /// point is permanently at rest in the frame.
 pub fn projections(s: &ChoiceSolution) -> Vec<Projection> {
     let lines = lines(s);
-    let levels = [(DiagramKind::Velocity, velocities(s)), (DiagramKind::Acceleration, accelerations(s))];
-    let all = levels.iter().flat_map(|(of, vectors)| lines.iter().filter_map(|(on, line)| projected(s, *of, (*on, *line), vectors)));
+    let levels =
+        [(DiagramKind::Velocity, velocities(s)), (DiagramKind::Acceleration, accelerations(s))];
+    let all = levels.iter().flat_map(|(of, vectors)| {
+        lines.iter().filter_map(|(on, line)| projected(s, *of, (*on, *line), vectors))
+    });
     all.collect()
 }
 
@@ -72,16 +75,30 @@ fn lines(s: &ChoiceSolution) -> Vec<(On, Vec2)> {
     let along = match s.slip {
         Some(slip) => Some(slip.normal.perp()),
         // For a point at rest on a straight path, the acceleration gives the direction.
-        None => relative.unit().or_else(|| tangential(s)?.unit()).filter(|_| !matches!(s.choice.path, RelativePath::Unknown)),
+        None => relative
+            .unit()
+            .or_else(|| tangential(s)?.unit())
+            .filter(|_| !matches!(s.choice.path, RelativePath::Unknown)),
     };
     match (s.closure, along) {
-        (ChoiceUnknowns::Side, _) if matches!(s.choice.path, RelativePath::Unknown) && s.slip.is_none() => Vec::new(),
-        (ChoiceUnknowns::Side, _) => vec![(On::X, Vec2::new(1.0, 0.0)), (On::Y, Vec2::new(0.0, 1.0))],
-        (ChoiceUnknowns::Crossing, Some(along)) if s.known == KnownMotion::Both => vec![(On::Along, along)],
+        (ChoiceUnknowns::Side, _)
+            if matches!(s.choice.path, RelativePath::Unknown) && s.slip.is_none() =>
+        {
+            Vec::new()
+        }
+        (ChoiceUnknowns::Side, _) => {
+            vec![(On::X, Vec2::new(1.0, 0.0)), (On::Y, Vec2::new(0.0, 1.0))]
+        }
+        (ChoiceUnknowns::Crossing, Some(along)) if s.known == KnownMotion::Both => {
+            vec![(On::Along, along)]
+        }
         (ChoiceUnknowns::Crossing, Some(along)) => {
             // The sense in which the velocity of the point is positive.
             let line = along.perp();
-            vec![(On::Across, if absolute.dot(line) < -SQUARE * absolute.norm() { -line } else { line })]
+            vec![(
+                On::Across,
+                if absolute.dot(line) < -SQUARE * absolute.norm() { -line } else { line },
+            )]
         }
         (ChoiceUnknowns::Crossing, None) | (ChoiceUnknowns::Open, _) => Vec::new(),
     }
@@ -99,12 +116,17 @@ fn velocities(s: &ChoiceSolution) -> Vec<(ProjectionTerm, Vec2)> {
 /// Returns the vectors of the acceleration equation. For a point on a fixed circle with wanted
 /// motion, a_aⁿ is known and a_aᵗ is not, so a_a is resolved into both.
 fn accelerations(s: &ChoiceSolution) -> Vec<(ProjectionTerm, Vec2)> {
-    let own = s.circle.filter(|_| s.known == KnownMotion::Transport && s.closure == ChoiceUnknowns::Crossing);
+    let own = s
+        .circle
+        .filter(|_| s.known == KnownMotion::Transport && s.closure == ChoiceUnknowns::Crossing);
     let told = |(part, v): &(Option<CompositePart>, Vec2)| match (part, own) {
         (Some(part), _) => vec![(ProjectionTerm::Part(*part), *v)],
         (None, Some(inward)) => {
             let normal = inward * inward.dot(*v);
-            vec![(ProjectionTerm::AbsoluteNormal, normal), (ProjectionTerm::AbsoluteTangential, *v - normal)]
+            vec![
+                (ProjectionTerm::AbsoluteNormal, normal),
+                (ProjectionTerm::AbsoluteTangential, *v - normal),
+            ]
         }
         (None, None) => vec![(ProjectionTerm::Absolute, *v)],
     };
@@ -112,7 +134,12 @@ fn accelerations(s: &ChoiceSolution) -> Vec<(ProjectionTerm, Vec2)> {
 }
 
 /// Returns the equation of a level, projected on a line.
-fn projected(s: &ChoiceSolution, of: DiagramKind, (on, line): (On, Vec2), vectors: &[(ProjectionTerm, Vec2)]) -> Option<Projection> {
+fn projected(
+    s: &ChoiceSolution,
+    of: DiagramKind,
+    (on, line): (On, Vec2),
+    vectors: &[(ProjectionTerm, Vec2)],
+) -> Option<Projection> {
     let largest = vectors.iter().map(|v| v.1.norm()).fold(0.0, f64::max);
     let on_line = |(term, v): &(ProjectionTerm, Vec2)| {
         let u = v.unit()?;
@@ -132,5 +159,8 @@ fn projected(s: &ChoiceSolution, of: DiagramKind, (on, line): (On, Vec2), vector
 
 /// Returns a_rᵗ.
 fn tangential(s: &ChoiceSolution) -> Option<Vec2> {
-    s.acceleration.iter().find(|(part, _)| *part == Some(CompositePart::RelativeTangential)).map(|(_, v)| *v)
+    s.acceleration
+        .iter()
+        .find(|(part, _)| *part == Some(CompositePart::RelativeTangential))
+        .map(|(_, v)| *v)
 }

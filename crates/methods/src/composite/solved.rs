@@ -108,7 +108,11 @@ fn named(scene: &Scene, what: &Asked, c: &FrameChoice) -> Find {
         Frame::Point(p) => super::name_of(scene, &p),
     };
     let (symbol, point) = (what.entry().symbol, super::name_of(scene, &c.of));
-    let text = if matches!(what, Asked::Composite(_)) { format!("{symbol}_{point}/{frame}") } else { format!("{symbol}_{point}") };
+    let text = if matches!(what, Asked::Composite(_)) {
+        format!("{symbol}_{point}/{frame}")
+    } else {
+        format!("{symbol}_{point}")
+    };
     Find { what: *what, text, span: Default::default() }
 }
 
@@ -122,7 +126,8 @@ fn part(c: &FrameChoice, part: CompositePart) -> Asked {
 
 /// Returns a test for the parts that a choice has: a translating frame has no Coriolis part.
 fn has(c: &FrameChoice) -> impl Fn(&CompositePart) -> bool {
-    let (turns, straight) = (matches!(c.frame, Frame::Link(_)), matches!(c.path, RelativePath::Unknown));
+    let (turns, straight) =
+        (matches!(c.frame, Frame::Link(_)), matches!(c.path, RelativePath::Unknown));
     move |p| match p {
         CompositePart::Coriolis => turns,
         CompositePart::RelativeNormal | CompositePart::RelativeTangential => !straight,
@@ -137,7 +142,11 @@ fn has(c: &FrameChoice) -> impl Fn(&CompositePart) -> bool {
 }
 
 fn questions(scene: &Scene, c: &FrameChoice, level: Level) -> Vec<Find> {
-    let mut all = vec![absolute(c, Rate::Velocity), part(c, CompositePart::TransportVelocity), part(c, CompositePart::RelativeVelocity)];
+    let mut all = vec![
+        absolute(c, Rate::Velocity),
+        part(c, CompositePart::TransportVelocity),
+        part(c, CompositePart::RelativeVelocity),
+    ];
     if level == Level::Acceleration {
         all.push(absolute(c, Rate::Acceleration));
         let whole = [CompositePart::Transport, CompositePart::Relative];
@@ -146,12 +155,19 @@ fn questions(scene: &Scene, c: &FrameChoice, level: Level) -> Vec<Find> {
     all.iter().map(|what| named(scene, what, c)).collect()
 }
 
-fn parts(staged: &ContactScene, scene: &Scene, worked: &Worked, c: &FrameChoice, level: Level) -> Option<ChoiceSolution> {
+fn parts(
+    staged: &ContactScene,
+    scene: &Scene,
+    worked: &Worked,
+    c: &FrameChoice,
+    level: Level,
+) -> Option<ChoiceSolution> {
     let value = |what: &Asked| {
         let of = |r: &&Outcome| scene.find[r.find].what == *what;
         match worked.results.iter().find(of)?.value() {
             hodograph_mechanism::answer::AnswerValue::Vector(v) => Some(v),
-            hodograph_mechanism::answer::AnswerValue::Scalar(_) | hodograph_mechanism::answer::AnswerValue::Point(_) => None,
+            hodograph_mechanism::answer::AnswerValue::Scalar(_)
+            | hodograph_mechanism::answer::AnswerValue::Point(_) => None,
         }
     };
     let velocity = [
@@ -173,7 +189,16 @@ fn parts(staged: &ContactScene, scene: &Scene, worked: &Worked, c: &FrameChoice,
     let known = known(scene, worked, c);
     let turning = turning(scene, worked, c, known, velocity, &acceleration);
     let (closure, circle) = (closure(scene, worked, c, known), circle(scene, worked, c));
-    Some(ChoiceSolution { choice: *c, velocity, acceleration, slip, turning, known, closure, circle })
+    Some(ChoiceSolution {
+        choice: *c,
+        velocity,
+        acceleration,
+        slip,
+        turning,
+        known,
+        closure,
+        circle,
+    })
 }
 
 /// Returns the kind of unknowns of the equation: the direction of the wanted motion is known if a
@@ -190,7 +215,9 @@ fn closure(scene: &Scene, worked: &Worked, c: &FrameChoice, known: KnownMotion) 
             let slides = |l: LinkId| {
                 let on_ground = |g: &Guide| {
                     let straight = matches!(g.path, GuidePath::Line { .. });
-                    straight && ((g.slider, g.on) == (Some(l), scene.ground) || (g.slider, g.on) == (Some(scene.ground), l))
+                    straight
+                        && ((g.slider, g.on) == (Some(l), scene.ground)
+                            || (g.slider, g.on) == (Some(scene.ground), l))
                 };
                 scene.guides.iter().any(on_ground)
             };
@@ -245,16 +272,25 @@ fn turning(
         let Frame::Link(l) = c.frame else { return None };
         (l, c.frame.axis(scene, c.of)?)
     } else {
-        let own = c.of.link.map_or_else(|| scene.carriers(point).find(|l| *l != scene.ground), Some)?;
+        let own =
+            c.of.link.map_or_else(|| scene.carriers(point).find(|l| *l != scene.ground), Some)?;
         (own, Frame::Link(own).axis(scene, c.of)?)
     };
     let at = &worked.configuration.points;
     let arm = at[point.0]? - at[axis.0]?;
     let about = |v: Vec2| arm.cross(v) / arm.norm2();
     let of = |wanted: &[Option<CompositePart>]| {
-        acceleration.iter().filter(|(part, _)| wanted.contains(part)).map(|(_, v)| *v).reduce(|a, b| a + b)
+        acceleration
+            .iter()
+            .filter(|(part, _)| wanted.contains(part))
+            .map(|(_, v)| *v)
+            .reduce(|a, b| a + b)
     };
-    let whole = if of_frame { of(&[Some(CompositePart::TransportNormal), Some(CompositePart::TransportTangential)]) } else { of(&[None]) };
+    let whole = if of_frame {
+        of(&[Some(CompositePart::TransportNormal), Some(CompositePart::TransportTangential)])
+    } else {
+        of(&[None])
+    };
     let omega = about(if of_frame { v_e } else { v_a });
     let above = |x: f64, size: f64| if x.abs() <= ROUNDING * size { 0.0 } else { x };
     let alpha = whole.map(|a| above(about(a), a.norm() / arm.norm()));
@@ -267,18 +303,32 @@ const ROUNDING: f64 = 1e-12;
 /// Splits a_r into the parts along a normal and square to it, and puts them before a_k as
 /// everywhere.
 fn parted(acceleration: &mut Vec<(Option<CompositePart>, Vec2)>, normal: Vec2) {
-    let Some(k) = acceleration.iter().position(|(part, _)| *part == Some(CompositePart::Relative)) else { return };
+    let Some(k) = acceleration.iter().position(|(part, _)| *part == Some(CompositePart::Relative))
+    else {
+        return;
+    };
     let whole = acceleration.remove(k).1;
     let along = normal * normal.dot(whole);
-    let at = acceleration.iter().position(|(part, _)| *part == Some(CompositePart::Coriolis)).unwrap_or(acceleration.len());
-    acceleration.splice(at..at, [(Some(CompositePart::RelativeNormal), along), (Some(CompositePart::RelativeTangential), whole - along)]);
+    let at = acceleration
+        .iter()
+        .position(|(part, _)| *part == Some(CompositePart::Coriolis))
+        .unwrap_or(acceleration.len());
+    acceleration.splice(
+        at..at,
+        [
+            (Some(CompositePart::RelativeNormal), along),
+            (Some(CompositePart::RelativeTangential), whole - along),
+        ],
+    );
 }
 
 /// Returns the motion that a plan knows first: the motion of the earlier group.
 fn known(scene: &Scene, worked: &Worked, c: &FrameChoice) -> KnownMotion {
     use hodograph_mechanism::mechanism::{GraphNode, Need, nodes_of};
     let m = &worked.mechanism;
-    let latest = |need: Need| nodes_of(scene, m, need).into_iter().filter_map(|n: GraphNode| m.group_of(n)).max();
+    let latest = |need: Need| {
+        nodes_of(scene, m, need).into_iter().filter_map(|n: GraphNode| m.group_of(n)).max()
+    };
     let of_point = latest(Need::Point(c.of.point, c.of.link));
     let of_frame = match c.frame {
         Frame::Link(l) => latest(Need::Turning(l)),

@@ -39,18 +39,28 @@ impl LinkCurvatures {
         let pencil_mm = self.scene.paper.pencil_mm.unwrap_or(USUAL_MM);
         let (pole, normal) = of.drawing.pole()?;
         let ball = of.drawing.ball();
-        let radius = |centre: Option<PlanePoint>, at| centre.and_then(PlanePoint::at).map(|c| c.distance(at));
+        let radius = |centre: Option<PlanePoint>, at| {
+            centre.and_then(PlanePoint::at).map(|c| c.distance(at))
+        };
         let exact = Hand::default();
         let drawn_by = |hand: &Hand| {
-            let places = CurvaturePlaces { scene: &self.scene, at: &self.worked.configuration, against: self.against, hand };
+            let places = CurvaturePlaces {
+                scene: &self.scene,
+                at: &self.worked.configuration,
+                against: self.against,
+                hand,
+            };
             let drawing = places.drawing_behind(of.link, &[]);
-            let traced: Vec<Option<Traced>> = of.points.iter().map(|p| places.traced(&drawing, p.point)).collect();
+            let traced: Vec<Option<Traced>> =
+                of.points.iter().map(|p| places.traced(&drawing, p.point)).collect();
             (drawing, traced)
         };
         drawn_by(&exact);
         let mut errors: Vec<Vec<f64>> = vec![Vec::new(); 4 + of.points.len()];
         for seed in 1..=DRAWINGS {
-            let (drawing, traced) = drawn_by(&exact.again(Blunt::new(pencil_mm, seed), self.worked.construction.diagram.mu));
+            let (drawing, traced) = drawn_by(
+                &exact.again(Blunt::new(pencil_mm, seed), self.worked.construction.diagram.mu),
+            );
             let drawn = drawing.pole();
             let off = [
                 drawn.map(|(p, _)| p.distance(pole)),
@@ -59,7 +69,10 @@ impl LinkCurvatures {
                 drawing.ball().zip(ball).map(|(p, q)| p.distance(q)),
             ];
             let radii = of.points.iter().zip(traced).map(|(p, traced)| {
-                let (by_hand, exact) = (radius(traced.map(|t| t.centre), traced?.at), radius(p.drawn.map(|d| d.centre), p.at));
+                let (by_hand, exact) = (
+                    radius(traced.map(|t| t.centre), traced?.at),
+                    radius(p.drawn.map(|d| d.centre), p.at),
+                );
                 Some((by_hand? - exact?).abs())
             });
             for (list, error) in errors.iter_mut().zip(off.into_iter().chain(radii)) {

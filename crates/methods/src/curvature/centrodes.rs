@@ -64,14 +64,25 @@ pub struct Centrodes {
 ///
 /// # Errors
 /// `no-driver`, and `no-pole` if the link never turns.
-pub fn centrodes(scene: &Scene, worked: &Worked, link: LinkId, against: LinkId, steps: usize) -> Result<Centrodes, Faults> {
+pub fn centrodes(
+    scene: &Scene,
+    worked: &Worked,
+    link: LinkId,
+    against: LinkId,
+    steps: usize,
+) -> Result<Centrodes, Faults> {
     if scene.drivers.is_empty() {
-        return Err(Diagnostic::error("no-driver", both!("the scene has no driver", "机构文件没有原动件")).into());
+        return Err(Diagnostic::error(
+            "no-driver",
+            both!("the scene has no driver", "机构文件没有原动件"),
+        )
+        .into());
     }
     let mut alone = scene.clone();
     for (d, of) in alone.drivers.iter_mut().enumerate() {
         let rate = if d == 0 { 1.0 } else { 0.0 };
-        of.rate = GivenQuantity { value: rate, radius: 0.0, text: format!("{rate}"), span: of.rate.span };
+        of.rate =
+            GivenQuantity { value: rate, radius: 0.0, text: format!("{rate}"), span: of.rate.span };
         of.acceleration = None;
     }
     let mut demand = Demand::of_questions(&alone, &worked.mechanism, []);
@@ -83,12 +94,17 @@ pub fn centrodes(scene: &Scene, worked: &Worked, link: LinkId, against: LinkId, 
         }
     }
     let demand = demand.with_all_positions();
-    let follower = PoseFollower::new(&alone, &worked.mechanism, &worked.demand, &worked.configuration, 0);
+    let follower =
+        PoseFollower::new(&alone, &worked.mechanism, &worked.demand, &worked.configuration, 0);
     let sweep = follower.sweep(steps);
     let own: Vec<PointId> = scene.links[link.0].points.clone();
     let station = |travel: f64, at: &Configuration| {
-        let solution = analytic::solve(&alone, &worked.mechanism, at, &demand).ok().filter(|s| s.refused.is_empty())?;
-        let turning = |l: LinkId| if l == scene.ground { Some(0.0) } else { solution.turning(Level::Velocity, l) };
+        let solution = analytic::solve(&alone, &worked.mechanism, at, &demand)
+            .ok()
+            .filter(|s| s.refused.is_empty())?;
+        let turning = |l: LinkId| {
+            if l == scene.ground { Some(0.0) } else { solution.turning(Level::Velocity, l) }
+        };
         let omega = turning(link)? - turning(against)?;
         let base = own.first().and_then(|p| at.points[p.0])?;
         let of = |l| solution.of_link(Level::Velocity, l, base);
@@ -101,17 +117,32 @@ pub fn centrodes(scene: &Scene, worked: &Worked, link: LinkId, against: LinkId, 
             }
             let (now, then) = seen(l)?;
             let turn = then.axis.divide_by(now.axis);
-            Some((arm + (base - now.origin) * omega).rotate_by(turn) + then.origin.to_vec2() * omega)
+            Some(
+                (arm + (base - now.origin) * omega).rotate_by(turn) + then.origin.to_vec2() * omega,
+            )
         };
-        let axis = own.get(1).and_then(|p| (at.points[p.0]? - base).unit()).or(at.poses[link.0].map(|p| p.axis))?;
-        Some(PoleStation { travel, omega, fixed: carried(against)?, moving: carried(link)?, own: arm.divide_by(axis) })
+        let axis = own
+            .get(1)
+            .and_then(|p| (at.points[p.0]? - base).unit())
+            .or(at.poses[link.0].map(|p| p.axis))?;
+        Some(PoleStation {
+            travel,
+            omega,
+            fixed: carried(against)?,
+            moving: carried(link)?,
+            own: arm.divide_by(axis),
+        })
     };
-    let stations: Vec<Option<PoleStation>> = sweep.poses.iter().map(|p| station(p.travel, &p.configuration)).collect();
+    let stations: Vec<Option<PoleStation>> =
+        sweep.poses.iter().map(|p| station(p.travel, &p.configuration)).collect();
     if stations.iter().flatten().all(|s| s.omega == 0.0) {
         let name = scene.link_name(link);
         let d = Diagnostic::error(
             "no-pole",
-            both!("link {name} does not turn: its pole lies at infinity", "构件 {name} 不转动：其瞬心在无穷远处"),
+            both!(
+                "link {name} does not turn: its pole lies at infinity",
+                "构件 {name} 不转动：其瞬心在无穷远处"
+            ),
         );
         return Err(d.help(both!("choose a link that turns", "请选转动的构件")).into());
     }

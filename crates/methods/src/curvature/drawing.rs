@@ -41,7 +41,10 @@ impl CurvatureDrawing {
         match self {
             CurvatureDrawing::Rays(r) => Some((r.pole, r.normal())),
             CurvatureDrawing::Rolling(r) => Some((r.pole, r.inflection - r.pole)),
-            CurvatureDrawing::Hinge(_) | CurvatureDrawing::Parallel(_) | CurvatureDrawing::OneLine(_) | CurvatureDrawing::NoRays => None,
+            CurvatureDrawing::Hinge(_)
+            | CurvatureDrawing::Parallel(_)
+            | CurvatureDrawing::OneLine(_)
+            | CurvatureDrawing::NoRays => None,
         }
     }
 
@@ -133,31 +136,55 @@ impl Rays {
             .filter(|q| hand.decide(q.at().is_none_or(|q| q.distance(pole) > FLAT * size)));
         let axis = axis.map(|q| q.marked(hand));
         let axis_line = axis.map(|q| PlanePoint::At(pole).join(q));
-        let mut out =
-            Rays { known, pole, collineation: None, how: [RayMethod::Proportion; 2], straight: [pole; 2], inflection: pole, size };
+        let mut out = Rays {
+            known,
+            pole,
+            collineation: None,
+            how: [RayMethod::Proportion; 2],
+            straight: [pole; 2],
+            inflection: pole,
+            size,
+        };
         for k in [0, 1] {
             let (own, other) = (known[k], known[1 - k]);
             let drawn = axis_line.and_then(|line| out.by_collineation(line, own, other, hand));
             (out.how[k], out.straight[k]) = match (own.why, drawn) {
                 (CurvatureReason::Straight(..), _) => (RayMethod::Given, own.moving.at()?),
                 (_, Some((helper, at))) => (RayMethod::Collineation(helper), at),
-                (_, None) => (RayMethod::Proportion, hand.mark(proportion(pole, rays[k].unit()?, own.moving, own.fixed)?)),
+                (_, None) => (
+                    RayMethod::Proportion,
+                    hand.mark(proportion(pole, rays[k].unit()?, own.moving, own.fixed)?),
+                ),
             };
         }
-        out.collineation = axis.filter(|_| out.how.iter().any(|h| matches!(h, RayMethod::Collineation(_))));
+        out.collineation =
+            axis.filter(|_| out.how.iter().any(|h| matches!(h, RayMethod::Collineation(_))));
         let [p, q] = [0, 1].map(|k| (out.straight[k], rays[k].along.perp()));
-        out.inflection = hand.mark(meet(PlaneLine { through: Some(p.0), along: p.1 }, PlaneLine { through: Some(q.0), along: q.1 })?.at()?);
+        out.inflection = hand.mark(
+            meet(
+                PlaneLine { through: Some(p.0), along: p.1 },
+                PlaneLine { through: Some(q.0), along: q.1 },
+            )?
+            .at()?,
+        );
         Some(out)
     }
 
     /// Returns the point of a ray with a straight path, from the axis and the other ray's point and
     /// centre.
-    fn by_collineation(&self, axis: PlaneLine, own: CurvatureRay, other: CurvatureRay, hand: &Hand) -> Option<(PlanePoint, Point)> {
+    fn by_collineation(
+        &self,
+        axis: PlaneLine,
+        own: CurvatureRay,
+        other: CurvatureRay,
+        hand: &Hand,
+    ) -> Option<(PlanePoint, Point)> {
         let ray = own.ray();
         let parallel = other.fixed.join(PlanePoint::Infinity(ray.along));
         let helper = meet(axis, parallel)?.marked(hand);
         let line = helper.join(other.moving);
-        let square = line.sine(ray).abs() > FLAT && (parallel.through.is_none() || axis.sine(parallel).abs() > FLAT);
+        let square = line.sine(ray).abs() > FLAT
+            && (parallel.through.is_none() || axis.sine(parallel).abs() > FLAT);
         // A helper point far from the mechanism does not fit on paper.
         let near = helper.at().is_none_or(|h| h.distance(self.pole) < 1e3 * self.size);
         let at = hand.mark(meet(line, ray)?.at()?);
@@ -215,14 +242,24 @@ impl Rays {
         let corner = |k: CurvatureRay| {
             let moving = k.moving.at()?;
             let square = through(moving, (moving - self.pole).perp());
-            let [x, y] = [t, n].map(|axis| meet(square, through(self.pole, axis)).and_then(PlanePoint::at));
+            let [x, y] =
+                [t, n].map(|axis| meet(square, through(self.pole, axis)).and_then(PlanePoint::at));
             Some(x? + (y? - self.pole))
         };
         let corners = [corner(self.known[0])?, corner(self.known[1])?];
-        let crossing = meet(PlanePoint::At(corners[0]).join(PlanePoint::At(corners[1])), through(self.inflection, t))?.at()?;
+        let crossing = meet(
+            PlanePoint::At(corners[0]).join(PlanePoint::At(corners[1])),
+            through(self.inflection, t),
+        )?
+        .at()?;
         let on_tangent = self.pole + t * (crossing - self.pole).dot(t);
         let square = (self.inflection - on_tangent).unit()?;
-        Some(BallPoint { corners, crossing, on_tangent, at: on_tangent + square * (self.pole - on_tangent).dot(square) })
+        Some(BallPoint {
+            corners,
+            crossing,
+            on_tangent,
+            at: on_tangent + square * (self.pole - on_tangent).dot(square),
+        })
     }
 }
 
@@ -254,16 +291,35 @@ pub fn proportion(pole: Point, ray: Vec2, moving: PlanePoint, fixed: PlanePoint)
 }
 
 /// Draws the centre of a point's path with the ruler, from pole and inflection pole.
-pub fn traced(pole: Point, inflection: Point, of: PointId, at: Point, size: f64, hand: &Hand) -> Option<Traced> {
+pub fn traced(
+    pole: Point,
+    inflection: Point,
+    of: PointId,
+    at: Point,
+    size: f64,
+    hand: &Hand,
+) -> Option<Traced> {
     let ray = (at - pole).unit().filter(|_| hand.decide(at.distance(pole) > NONE * size))?;
     let normal = inflection - pole;
     let foot = pole + ray * normal.dot(ray);
     let square = PlaneLine { through: Some(pole), along: ray.perp() };
     if hand.decide(normal.norm() <= NONE * size) {
-        return Some(Traced { of, at, foot, helper: PlanePoint::At(pole), centre: PlanePoint::At(pole) });
+        return Some(Traced {
+            of,
+            at,
+            foot,
+            helper: PlanePoint::At(pole),
+            centre: PlanePoint::At(pole),
+        });
     }
     if hand.decide(at.distance(foot) <= NONE * at.distance(pole).max(size)) {
-        return Some(Traced { of, at, foot, helper: PlanePoint::Infinity(ray.perp()), centre: PlanePoint::Infinity(ray) });
+        return Some(Traced {
+            of,
+            at,
+            foot,
+            helper: PlanePoint::Infinity(ray.perp()),
+            centre: PlanePoint::Infinity(ray),
+        });
     }
     // On the pole tangent, both the foot and the centre are P; if J lies on the ray itself, there
     // is no height over the ray to draw with.
@@ -273,7 +329,18 @@ pub fn traced(pole: Point, inflection: Point, of: PointId, at: Point, size: f64,
     };
     let helper = meet(PlanePoint::At(at).join(PlanePoint::At(inflection)), square)?.marked(hand);
     let line = PlaneLine { through: Some(pole), along: ray };
-    let flat = hand.decide((normal.cross(ray) / normal.norm()).abs() < FLAT || normal.dot(ray).abs() < FLAT * normal.norm());
-    let drawn = meet(helper.join(PlanePoint::Infinity(normal)), line).and_then(PlanePoint::at).filter(|_| !flat);
-    Some(Traced { of, at, foot, helper, centre: PlanePoint::At(hand.mark(drawn.unwrap_or_else(proportion))) })
+    let flat = hand.decide(
+        (normal.cross(ray) / normal.norm()).abs() < FLAT
+            || normal.dot(ray).abs() < FLAT * normal.norm(),
+    );
+    let drawn = meet(helper.join(PlanePoint::Infinity(normal)), line)
+        .and_then(PlanePoint::at)
+        .filter(|_| !flat);
+    Some(Traced {
+        of,
+        at,
+        foot,
+        helper,
+        centre: PlanePoint::At(hand.mark(drawn.unwrap_or_else(proportion))),
+    })
 }

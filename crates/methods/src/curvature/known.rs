@@ -43,7 +43,9 @@ impl CurvatureReason {
     /// Returns the centre, if it has a name.
     pub fn fixed(self) -> Option<PointId> {
         match self {
-            CurvatureReason::Crank(_, p, _) | CurvatureReason::Arc(_, p, _) | CurvatureReason::Through(p, _) => Some(p),
+            CurvatureReason::Crank(_, p, _)
+            | CurvatureReason::Arc(_, p, _)
+            | CurvatureReason::Through(p, _) => Some(p),
             CurvatureReason::Straight(..) | CurvatureReason::Borrowed(..) => None,
         }
     }
@@ -96,7 +98,8 @@ impl CurvaturePlaces<'_> {
         self.at.points[p.0].map(|at| self.hand.given(at))
     }
 
-    /// Returns the point at infinity square to a guide, whose line is ruled over the size of the mechanism.
+    /// Returns the point at infinity square to a guide, whose line is ruled over the size of the
+    /// mechanism.
     fn square_to(&self, direction: Vec2) -> PlanePoint {
         PlanePoint::Infinity(self.hand.ruler(direction, self.at.extent()).perp())
     }
@@ -113,8 +116,12 @@ impl CurvaturePlaces<'_> {
     /// Returns the drawing of a link that rolls on the reference link: the contact is the pole, and
     /// the centres lie on its normal.
     fn rolled(&self, link: LinkId) -> Option<RollingWheel> {
-        let (r, pair) =
-            self.scene.rolling.iter().enumerate().find(|(_, r)| r.other(link) == Some(self.against) && r.contact().is_some())?;
+        let (r, pair) = self
+            .scene
+            .rolling
+            .iter()
+            .enumerate()
+            .find(|(_, r)| r.other(link) == Some(self.against) && r.contact().is_some())?;
         let pole = self.point(pair.contact()?)?;
         let own = usize::from(pair.links[1] == link);
         let centres = pair.centres().map(|c| c.and_then(|c| self.point(c)));
@@ -133,12 +140,14 @@ impl CurvaturePlaces<'_> {
         for p in super::points(self.scene, link) {
             out.extend(self.crank(link, p));
         }
-        for (g, guide) in self.scene.guides.iter().enumerate().filter(|(_, g)| g.rolling.is_none()) {
+        for (g, guide) in self.scene.guides.iter().enumerate().filter(|(_, g)| g.rolling.is_none())
+        {
             out.extend(self.guided(link, GuideId(g), guide));
         }
         out.dedup_by(|a, b| a.why.moving().is_some() && a.why.moving() == b.why.moving());
         if out.len() < 2 && behind.len() < DEPTH {
-            let has = |p: PointId, out: &[CurvatureRay]| out.iter().any(|k| k.why.moving() == Some(p));
+            let has =
+                |p: PointId, out: &[CurvatureRay]| out.iter().any(|k| k.why.moving() == Some(p));
             for p in self.scene.links[link.0].points.iter().copied() {
                 if !has(p, &out) {
                     out.extend(self.borrowed(link, p, behind));
@@ -151,9 +160,24 @@ impl CurvaturePlaces<'_> {
     /// Returns the ray through a pin that another link carries about a pin of the reference link.
     fn crank(&self, link: LinkId, p: PointId) -> Option<CurvatureRay> {
         let others = self.scene.carriers(p).filter(|l| *l != link && *l != self.against);
-        let pivot = |l: LinkId| Some((l, self.scene.links[l.0].points.iter().copied().find(|q| *q != p && self.holds(self.against, *q))?));
+        let pivot = |l: LinkId| {
+            Some((
+                l,
+                self.scene.links[l.0]
+                    .points
+                    .iter()
+                    .copied()
+                    .find(|q| *q != p && self.holds(self.against, *q))?,
+            ))
+        };
         let (by, about) = others.filter_map(pivot).next()?;
-        if self.scene.drivers.iter().filter_map(|d| d.kind.ends()).any(|ends| ends == [p, about] || ends == [about, p]) {
+        if self
+            .scene
+            .drivers
+            .iter()
+            .filter_map(|d| d.kind.ends())
+            .any(|ends| ends == [p, about] || ends == [about, p])
+        {
             return None;
         }
         Some(CurvatureRay {
@@ -163,22 +187,37 @@ impl CurvaturePlaces<'_> {
         })
     }
 
-    fn guided(&self, link: LinkId, g: GuideId, guide: &hodograph_scene::Guide) -> Option<CurvatureRay> {
+    fn guided(
+        &self,
+        link: LinkId,
+        g: GuideId,
+        guide: &hodograph_scene::Guide,
+    ) -> Option<CurvatureRay> {
         let path = self.at.guides[g.0]?;
         // A line of a block that slides on a link about a fixed pin always runs through that pin.
-        if let (true, Path::Line { direction, .. }, Some(pivot)) = (guide.slider == Some(link), path, self.hinge(guide.on)) {
+        if let (true, Path::Line { direction, .. }, Some(pivot)) =
+            (guide.slider == Some(link), path, self.hinge(guide.on))
+        {
             let fixed = PlanePoint::At(self.point(pivot)?);
-            return Some(CurvatureRay { moving: self.square_to(direction), fixed, why: CurvatureReason::Through(pivot, g) });
+            return Some(CurvatureRay {
+                moving: self.square_to(direction),
+                fixed,
+                why: CurvatureReason::Through(pivot, g),
+            });
         }
         let pin = guide.pin?;
         let place = self.point(pin)?;
         if guide.on == self.against && self.holds(link, pin) {
             return Some(match path {
-                Path::Line { direction, .. } => {
-                    CurvatureRay { moving: PlanePoint::At(place), fixed: self.square_to(direction), why: CurvatureReason::Straight(pin, g) }
-                }
+                Path::Line { direction, .. } => CurvatureRay {
+                    moving: PlanePoint::At(place),
+                    fixed: self.square_to(direction),
+                    why: CurvatureReason::Straight(pin, g),
+                },
                 Path::Arc { centre, .. } => {
-                    let hodograph_scene::GuidePath::Arc { centre: about, .. } = guide.path else { return None };
+                    let hodograph_scene::GuidePath::Arc { centre: about, .. } = guide.path else {
+                        return None;
+                    };
                     CurvatureRay {
                         moving: PlanePoint::At(place),
                         fixed: PlanePoint::At(self.hand.given(centre)),
@@ -202,7 +241,11 @@ impl CurvaturePlaces<'_> {
         let others = self.scene.carriers(p).filter(|l| *l != self.against && !behind.contains(l));
         let known = |l: LinkId| {
             let centre = self.traced(&self.drawing_behind(l, &behind), p)?.centre;
-            Some(CurvatureRay { moving: PlanePoint::At(self.point(p)?), fixed: centre, why: CurvatureReason::Borrowed(p, l) })
+            Some(CurvatureRay {
+                moving: PlanePoint::At(self.point(p)?),
+                fixed: centre,
+                why: CurvatureReason::Borrowed(p, l),
+            })
         };
         others.filter_map(known).next()
     }
@@ -231,10 +274,16 @@ impl CurvaturePlaces<'_> {
         let Some((sine, pair)) = best else { return CurvatureDrawing::NoRays };
         if self.hand.decide(sine < CROSSING) {
             let [a, b] = pair.map(|k| k.ray());
-            let one = meet(a, b).is_none() || a.distance(pair[1].moving).is_some_and(|d| d < CROSSING * self.at.extent());
-            return if one { CurvatureDrawing::OneLine(pair) } else { CurvatureDrawing::Parallel(pair) };
+            let one = meet(a, b).is_none()
+                || a.distance(pair[1].moving).is_some_and(|d| d < CROSSING * self.at.extent());
+            return if one {
+                CurvatureDrawing::OneLine(pair)
+            } else {
+                CurvatureDrawing::Parallel(pair)
+            };
         }
-        Rays::new(pair, self.at.extent(), self.hand).map_or(CurvatureDrawing::NoRays, |rays| CurvatureDrawing::Rays(Box::new(rays)))
+        Rays::new(pair, self.at.extent(), self.hand)
+            .map_or(CurvatureDrawing::NoRays, |rays| CurvatureDrawing::Rays(Box::new(rays)))
     }
 
     /// Draws the centre of a point's path; `None` if the link's drawing has no inflection pole.
@@ -243,7 +292,10 @@ impl CurvaturePlaces<'_> {
         match drawing {
             CurvatureDrawing::Rays(r) => r.traced(p, at, self.hand),
             CurvatureDrawing::Rolling(r) => traced(r.pole, r.inflection, p, at, size, self.hand),
-            CurvatureDrawing::Hinge(_) | CurvatureDrawing::Parallel(_) | CurvatureDrawing::OneLine(_) | CurvatureDrawing::NoRays => None,
+            CurvatureDrawing::Hinge(_)
+            | CurvatureDrawing::Parallel(_)
+            | CurvatureDrawing::OneLine(_)
+            | CurvatureDrawing::NoRays => None,
         }
     }
 }

@@ -102,10 +102,13 @@ pub struct OfPoint {
 }
 
 impl OfPoint {
-    /// Returns the bend as a figure shows it: about the centre that is drawn, else about the calculated one.
+    /// Returns the bend as a figure shows it: about the centre that is drawn, else about the
+    /// calculated one.
     pub fn shown(&self) -> Bend {
         match (self.bend, self.drawn.map(|drawn| drawn.centre)) {
-            (Bend::About(..), Some(plane::PlanePoint::At(centre))) => Bend::About(centre, centre.distance(self.at)),
+            (Bend::About(..), Some(plane::PlanePoint::At(centre))) => {
+                Bend::About(centre, centre.distance(self.at))
+            }
             (bend, _) => bend,
         }
     }
@@ -137,8 +140,8 @@ impl OfLink {
         }
     }
 
-    /// Returns the quantities of the pole that a figure shows: by drawing, and by analysis where there is
-    /// no drawing.
+    /// Returns the quantities of the pole that a figure shows: by drawing, and by analysis where
+    /// there is no drawing.
     pub fn shown(&self) -> Option<Pole> {
         let pole = self.pole()?;
         let Some(drawn) = self.drawn().filter(|_| !pole.stands()) else { return Some(pole) };
@@ -157,9 +160,13 @@ impl OfLink {
         let (pole, normal) = self.drawing.pole()?;
         let ball = self.drawing.ball();
         let rates = self.read.filter(|[omega, _]| *omega != 0.0);
-        let acceleration_pole = rates.map(|[omega, alpha]| pole + (normal * (omega * omega)).divide_by(Vec2::new(omega * omega, -alpha)));
+        let acceleration_pole = rates.map(|[omega, alpha]| {
+            pole + (normal * (omega * omega)).divide_by(Vec2::new(omega * omega, -alpha))
+        });
         let pole_velocity = rates.map(|[omega, _]| normal.perp() * omega);
-        let bresse = rates.filter(|[_, alpha]| *alpha != 0.0).map(|[omega, alpha]| normal.perp() * (omega * omega / alpha));
+        let bresse = rates
+            .filter(|[_, alpha]| *alpha != 0.0)
+            .map(|[omega, alpha]| normal.perp() * (omega * omega / alpha));
         Some(DrawnPole { pole, normal, acceleration_pole, pole_velocity, ball, bresse })
     }
 
@@ -168,16 +175,27 @@ impl OfLink {
     pub fn apart(&self) -> Option<f64> {
         let (drawn, pole) = (self.drawn()?, self.pole()?);
         let size = self.motion.size;
-        let apart = |a: Point, b: Point| a.distance(b) / size.max(a.distance(drawn.pole)).max(drawn.pole.distance(self.motion.at));
-        let mut worst = apart(drawn.pole, pole.pole).max(apart(drawn.pole + drawn.normal, pole.inflection_pole()));
+        let apart = |a: Point, b: Point| {
+            a.distance(b)
+                / size.max(a.distance(drawn.pole)).max(drawn.pole.distance(self.motion.at))
+        };
+        let mut worst = apart(drawn.pole, pole.pole)
+            .max(apart(drawn.pole + drawn.normal, pole.inflection_pole()));
         let end = |diameter: Option<Vec2>| Some(pole.pole + diameter?);
-        let both =
-            [(drawn.acceleration_pole, Some(pole.acceleration_pole)), (drawn.ball, pole.ball), (end(drawn.bresse), end(pole.bresse))];
+        let both = [
+            (drawn.acceleration_pole, Some(pole.acceleration_pole)),
+            (drawn.ball, pole.ball),
+            (end(drawn.bresse), end(pole.bresse)),
+        ];
         for (a, b) in both.into_iter().filter_map(|(a, b)| Some((a?, b?))) {
             worst = worst.max(apart(a, b));
         }
         for p in &self.points {
-            let (Some(Traced { centre: plane::PlanePoint::At(c), .. }), Bend::About(at, rho)) = (p.drawn, p.bend) else { continue };
+            let (Some(Traced { centre: plane::PlanePoint::At(c), .. }), Bend::About(at, rho)) =
+                (p.drawn, p.bend)
+            else {
+                continue;
+            };
             // A distant centre is as accurate as the small curvature of its path.
             worst = worst.max(c.distance(at) / size.max(rho * rho / size));
         }
@@ -201,13 +219,15 @@ pub fn points(scene: &Scene, link: LinkId) -> Vec<PointId> {
 /// slide on it. Blocks, which have one point, are included only if there are no others.
 pub fn couplers(scene: &Scene) -> Vec<LinkId> {
     let on_ground = |p: &PointId| scene.links[scene.ground.0].points.contains(p);
-    let slides = |l: LinkId| scene.guides.iter().any(|g| g.slider == Some(l) && g.on == scene.ground);
+    let slides =
+        |l: LinkId| scene.guides.iter().any(|g| g.slider == Some(l) && g.on == scene.ground);
     let floats = |l: &LinkId| {
         let points = points(scene, *l);
         *l != scene.ground && !slides(*l) && !points.is_empty() && !points.iter().any(on_ground)
     };
     let all: Vec<LinkId> = (0..scene.links.len()).map(LinkId).filter(floats).collect();
-    let large: Vec<LinkId> = all.iter().copied().filter(|l| scene.links[l.0].points.len() > 1).collect();
+    let large: Vec<LinkId> =
+        all.iter().copied().filter(|l| scene.links[l.0].points.len() > 1).collect();
     if large.is_empty() { all } else { large }
 }
 
@@ -216,17 +236,23 @@ pub fn couplers(scene: &Scene) -> Vec<LinkId> {
 /// # Errors
 /// `no-coupler` if no link is named and all links turn about fixed pins or slide, and the faults of
 /// [`work`].
-pub fn curvature(scene: &Scene, asked: &CurvatureRequest) -> Result<Warned<LinkCurvatures>, Faults> {
+pub fn curvature(
+    scene: &Scene,
+    asked: &CurvatureRequest,
+) -> Result<Warned<LinkCurvatures>, Faults> {
     if asked.links.is_empty() {
         let message = both!(
             "all moving links turn about fixed pins or slide on the ground: none has a pole that moves",
             "活动构件都绕固定铰链转动或沿机架滑动：没有瞬心移动的构件"
         );
-        return Err(Diagnostic::error("no-coupler", message).help(both!("name a link with --link", "请用 --link 指定构件")).into());
+        return Err(Diagnostic::error("no-coupler", message)
+            .help(both!("name a link with --link", "请用 --link 指定构件"))
+            .into());
     }
     let (mut asking, at_rest) = moving_at_all(scene);
     let against = asked.against.unwrap_or(scene.ground);
-    let links: Vec<LinkId> = asked.links.iter().copied().chain([against]).filter(|l| *l != scene.ground).collect();
+    let links: Vec<LinkId> =
+        asked.links.iter().copied().chain([against]).filter(|l| *l != scene.ground).collect();
     asking.find = links.iter().flat_map(|l| questions(scene, *l)).collect();
     let Warned { value: worked, mut notes } = work(&asking, Scope::Figure)?;
     notes.iter_mut().for_each(|d| d.severity = d.severity.min(Severity::Warning));
@@ -246,7 +272,8 @@ fn unknown(scene: &Scene, link: LinkId) -> Diagnostic {
         "link {name} has no velocity or acceleration in this pose: its curvature is not told",
         "构件 {name} 在该位置没有确定的速度或加速度：不能求其曲率"
     );
-    Diagnostic::warning("no-curvature", message).help(both!("choose a pose nearby", "请取附近的位置"))
+    Diagnostic::warning("no-curvature", message)
+        .help(both!("choose a pose nearby", "请取附近的位置"))
 }
 
 /// Returns the questions for the motion of a link: ω, α, and velocity and acceleration of its
@@ -255,27 +282,45 @@ fn questions(scene: &Scene, link: LinkId) -> Vec<Find> {
     let find = |what: Question, text: String| Find { what, text, span: Default::default() };
     let name = scene.link_name(link);
     let mut out = Vec::new();
-    for (rate, letters) in [(Rate::Velocity, ("omega", "v")), (Rate::Acceleration, ("alpha", "a"))] {
-        out.push(find(Turning { rate, of: link, against: None }.into(), format!("{}_{name}", letters.0)));
+    for (rate, letters) in [(Rate::Velocity, ("omega", "v")), (Rate::Acceleration, ("alpha", "a"))]
+    {
+        out.push(find(
+            Turning { rate, of: link, against: None }.into(),
+            format!("{}_{name}", letters.0),
+        ));
         for p in &points(scene, link) {
             let of = OnLink { point: *p, link: None };
-            out.push(find(PointMotion { rate, of }.into(), format!("{}_{}", letters.1, scene.point_name(*p))));
+            out.push(find(
+                PointMotion { rate, of }.into(),
+                format!("{}_{}", letters.1, scene.point_name(*p)),
+            ));
         }
     }
     out
 }
 
 /// Returns the motion of a link relative to another, at the link's first known place.
-pub fn motion(scene: &Scene, worked: &Worked, link: LinkId, against: LinkId) -> Option<PlaneMotion> {
+pub fn motion(
+    scene: &Scene,
+    worked: &Worked,
+    link: LinkId,
+    against: LinkId,
+) -> Option<PlaneMotion> {
     let Worked { solution, configuration, mechanism, demand, .. } = worked;
-    let at =
-        scene.links[link.0].points.iter().find_map(|p| configuration.points[p.0]).or_else(|| {
-            scene.guides.iter().filter(|g| g.slider == Some(link) || g.on == link).find_map(|g| configuration.points[g.pin?.0])
-        })?;
+    let at = scene.links[link.0].points.iter().find_map(|p| configuration.points[p.0]).or_else(
+        || {
+            scene
+                .guides
+                .iter()
+                .filter(|g| g.slider == Some(link) || g.on == link)
+                .find_map(|g| configuration.points[g.pin?.0])
+        },
+    )?;
     let of = |level, l| solution.of_link(level, l, at);
     let turning = |level, l| if l == scene.ground { Some(0.0) } else { solution.turning(level, l) };
     let (omega, frame) = (turning(Level::Velocity, link)?, turning(Level::Velocity, against)?);
-    let (alpha, frames) = (turning(Level::Acceleration, link)?, turning(Level::Acceleration, against)?);
+    let (alpha, frames) =
+        (turning(Level::Acceleration, link)?, turning(Level::Acceleration, against)?);
     let v = of(Level::Velocity, link)? - of(Level::Velocity, against)?;
     let whole = of(Level::Acceleration, link)? - of(Level::Acceleration, against)?;
     // Relative to the turning frame: (d/dt − iω)² and (d/dt − iω)³ of the vector from the frame's
@@ -283,22 +328,45 @@ pub fn motion(scene: &Scene, worked: &Worked, link: LinkId, against: LinkId) -> 
     let a = whole - v.perp() * (2.0 * frame);
     let thirds = third(scene, mechanism, configuration, demand, solution, at);
     let relative = |(j, b): (Vec2, f64), (k, c): (Vec2, f64)| {
-        let seen = (j - k) - whole.perp() * (3.0 * frame) - (v.perp() * frames + v * (frame * frame)) * 3.0;
+        let seen = (j - k)
+            - whole.perp() * (3.0 * frame)
+            - (v.perp() * frames + v * (frame * frame)) * 3.0;
         (seen, b - c)
     };
     let third = thirds[link.0].zip(thirds[against.0]).map(|(one, other)| relative(one, other));
     let size = Some(configuration.extent()).filter(|s| *s > 0.0).unwrap_or(1.0);
-    let largest = solution.largest(Level::Velocity, true).max(solution.largest(Level::Velocity, false) / size);
-    Some(PlaneMotion { at, v, omega: omega - frame, a, alpha: alpha - frames, third, size, largest })
+    let largest = solution
+        .largest(Level::Velocity, true)
+        .max(solution.largest(Level::Velocity, false) / size);
+    Some(PlaneMotion {
+        at,
+        v,
+        omega: omega - frame,
+        a,
+        alpha: alpha - frames,
+        third,
+        size,
+        largest,
+    })
 }
 
-fn of_link(scene: &Scene, worked: &Worked, asked: &CurvatureRequest, link: LinkId, against: LinkId) -> Option<OfLink> {
+fn of_link(
+    scene: &Scene,
+    worked: &Worked,
+    asked: &CurvatureRequest,
+    link: LinkId,
+    against: LinkId,
+) -> Option<OfLink> {
     let motion = motion(scene, worked, link, against)?;
     let hand = Hand::default();
     let places = CurvaturePlaces { scene, at: &worked.configuration, against, hand: &hand };
     let drawing = places.drawing_behind(link, &[]);
     let own = points(scene, link);
-    let wanted: Vec<PointId> = own.iter().copied().filter(|p| asked.points.is_empty() || asked.points.contains(p)).collect();
+    let wanted: Vec<PointId> = own
+        .iter()
+        .copied()
+        .filter(|p| asked.points.is_empty() || asked.points.contains(p))
+        .collect();
     let of_point = |p: &PointId| {
         let at = worked.configuration.points[p.0]?;
         Some(OfPoint { point: *p, at, bend: motion.bend(at), drawn: places.traced(&drawing, *p) })

@@ -121,7 +121,11 @@ impl PlaneMotion {
     pub fn state(&self) -> PlaneState {
         let still = RESTING * self.largest;
         if self.omega.abs() <= still {
-            return if self.v.norm() <= still * self.size { PlaneState::Rest } else { PlaneState::Translation(self.v) };
+            return if self.v.norm() <= still * self.size {
+                PlaneState::Rest
+            } else {
+                PlaneState::Translation(self.v)
+            };
         }
         let omega = self.omega;
         let pole = self.at + self.v.perp() * (1.0 / omega);
@@ -131,10 +135,18 @@ impl PlaneMotion {
         if normal.norm() <= NONE * far {
             let bresse = None;
             let (normal, pole_velocity) = (Vec2::ZERO, Vec2::ZERO);
-            return PlaneState::Turning(PoleMotion { pole, normal, pole_velocity, acceleration_pole: pole, bresse, ball: None });
+            return PlaneState::Turning(PoleMotion {
+                pole,
+                normal,
+                pole_velocity,
+                acceleration_pole: pole,
+                bresse,
+                ball: None,
+            });
         }
         let acceleration_pole = pole + a.divide_by(Vec2::new(omega * omega, -self.alpha));
-        let bresse = (self.alpha.abs() > NONE * omega * omega).then(|| a.perp() * (1.0 / self.alpha));
+        let bresse =
+            (self.alpha.abs() > NONE * omega * omega).then(|| a.perp() * (1.0 / self.alpha));
         PlaneState::Turning(PoleMotion {
             pole,
             normal,
@@ -163,7 +175,11 @@ impl PlaneMotion {
         let (v, a) = (self.velocity(place), self.acceleration(place));
         let speed = v.norm();
         if speed <= RESTING * self.largest * self.size {
-            return if matches!(self.state(), PlaneState::Rest) { Bend::Rest } else { Bend::AtPole };
+            return if matches!(self.state(), PlaneState::Rest) {
+                Bend::Rest
+            } else {
+                Bend::AtPole
+            };
         }
         let turn = v.cross(a);
         // Reference for small accelerations: accelerations at the size of the mechanism.
@@ -184,13 +200,25 @@ mod tests {
     /// circle reaches from the contact to the centre, and its pole moves with the centre's speed.
     fn wheel() -> PlaneMotion {
         let (v, third) = (Vec2::new(1.0, 0.0), Some((Vec2::ZERO, 0.0)));
-        PlaneMotion { at: Point::new(0.0, 1.0), v, omega: -1.0, a: Vec2::ZERO, alpha: 0.0, third, size: 1.0, largest: 1.0 }
+        PlaneMotion {
+            at: Point::new(0.0, 1.0),
+            v,
+            omega: -1.0,
+            a: Vec2::ZERO,
+            alpha: 0.0,
+            third,
+            size: 1.0,
+            largest: 1.0,
+        }
     }
 
     #[test]
     fn a_rolling_wheel() {
         let PlaneState::Turning(t) = wheel().state() else { panic!("it turns") };
-        assert_eq!((t.pole, t.inflection_pole(), t.acceleration_pole), (Point::ORIGIN, Point::new(0.0, 1.0), Point::new(0.0, 1.0)));
+        assert_eq!(
+            (t.pole, t.inflection_pole(), t.acceleration_pole),
+            (Point::ORIGIN, Point::new(0.0, 1.0), Point::new(0.0, 1.0))
+        );
         assert_eq!((t.pole_velocity, t.bresse), (Vec2::new(1.0, 0.0), None));
         // The centre runs permanently straight.
         assert_eq!(t.ball, Some(Point::new(0.0, 1.0)));

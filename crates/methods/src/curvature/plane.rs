@@ -37,10 +37,13 @@ impl PlanePoint {
     pub fn join(self, other: PlanePoint) -> PlaneLine {
         match (self, other) {
             (PlanePoint::At(p), PlanePoint::At(q)) => PlaneLine { through: Some(p), along: q - p },
-            (PlanePoint::At(p), PlanePoint::Infinity(u)) | (PlanePoint::Infinity(u), PlanePoint::At(p)) => {
+            (PlanePoint::At(p), PlanePoint::Infinity(u))
+            | (PlanePoint::Infinity(u), PlanePoint::At(p)) => {
                 PlaneLine { through: Some(p), along: u }
             }
-            (PlanePoint::Infinity(u), PlanePoint::Infinity(_)) => PlaneLine { through: None, along: u },
+            (PlanePoint::Infinity(u), PlanePoint::Infinity(_)) => {
+                PlaneLine { through: None, along: u }
+            }
         }
     }
 }
@@ -102,9 +105,18 @@ mod tests {
     fn points_at_infinity_are_joined_and_crossed() {
         let (o, p) = (PlanePoint::At(Point::ORIGIN), PlanePoint::At(Point::new(0.0, 2.0)));
         let right = PlanePoint::Infinity(Vec2::new(3.0, 0.0));
-        assert_eq!(meet(o.join(right), p.join(right)), Some(PlanePoint::Infinity(Vec2::new(1.0, 0.0))));
-        assert_eq!(meet(o.join(p), PlanePoint::At(Point::new(5.0, 1.0)).join(right)), Some(PlanePoint::At(Point::new(0.0, 1.0))));
+        assert_eq!(
+            meet(o.join(right), p.join(right)),
+            Some(PlanePoint::Infinity(Vec2::new(1.0, 0.0)))
+        );
+        assert_eq!(
+            meet(o.join(p), PlanePoint::At(Point::new(5.0, 1.0)).join(right)),
+            Some(PlanePoint::At(Point::new(0.0, 1.0)))
+        );
         assert_eq!(meet(o.join(p), o.join(p)), None);
-        assert_eq!(meet(right.join(PlanePoint::Infinity(Vec2::new(0.0, 1.0))), o.join(p)), Some(PlanePoint::Infinity(Vec2::new(0.0, 1.0))));
+        assert_eq!(
+            meet(right.join(PlanePoint::Infinity(Vec2::new(0.0, 1.0))), o.join(p)),
+            Some(PlanePoint::Infinity(Vec2::new(0.0, 1.0)))
+        );
     }
 }

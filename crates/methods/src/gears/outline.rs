@@ -10,7 +10,9 @@ impl Gear {
     /// base circle: (π/2 + 2x tan α)/z + inv α − inv α_r.
     pub fn half_tooth(&self, basic: &Basic, radius: f64) -> f64 {
         let at = libm::acos((self.base / radius).min(1.0));
-        (FRAC_PI_2 + 2.0 * self.shift * libm::tan(basic.alpha)) / f64::from(self.teeth) + inv(basic.alpha) - inv(at)
+        (FRAC_PI_2 + 2.0 * self.shift * libm::tan(basic.alpha)) / f64::from(self.teeth)
+            + inv(basic.alpha)
+            - inv(at)
     }
 
     /// True if the tooth is pointed: the flanks of a tooth meet before its tip circle, or for a
@@ -18,7 +20,11 @@ impl Gear {
     pub fn pointed(&self, basic: &Basic) -> bool {
         let half = self.half_tooth(basic, self.tip.max(self.base));
         let inward = self.tip < self.root;
-        if inward { half >= PI / f64::from(self.teeth) || self.half_tooth(basic, self.root) <= 0.0 } else { half <= 0.0 }
+        if inward {
+            half >= PI / f64::from(self.teeth) || self.half_tooth(basic, self.root) <= 0.0
+        } else {
+            half <= 0.0
+        }
     }
 
     /// Returns the smallest profile shift without undercut by a rack, x_min = h_a* − z sin²α/2.
@@ -41,8 +47,14 @@ impl Gear {
         if inner < from {
             out.push(at(inner, middle - low));
         }
-        out.extend((0..=steps).map(|k| at(radius(k), middle - self.half_tooth(basic, radius(k)).max(0.0))));
-        out.extend((0..=steps).rev().map(|k| at(radius(k), middle + self.half_tooth(basic, radius(k)).max(0.0))));
+        out.extend(
+            (0..=steps).map(|k| at(radius(k), middle - self.half_tooth(basic, radius(k)).max(0.0))),
+        );
+        out.extend(
+            (0..=steps)
+                .rev()
+                .map(|k| at(radius(k), middle + self.half_tooth(basic, radius(k)).max(0.0))),
+        );
         if inner < from {
             out.push(at(inner, middle + low));
         }

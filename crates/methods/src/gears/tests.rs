@@ -8,11 +8,17 @@ fn degrees(d: f64) -> f64 {
     d * PI / 180.0
 }
 
-const BASIC: Basic = Basic { module: 2.0, alpha: 20.0 * PI / 180.0, addendum: 1.0, clearance: 0.25 };
+const BASIC: Basic =
+    Basic { module: 2.0, alpha: 20.0 * PI / 180.0, addendum: 1.0, clearance: 0.25 };
 
 /// Pairs: teeth, shifts, centre distance.
-const PAIRS: &[([u32; 2], [f64; 2])] =
-    &[([20, 40], [0.0, 0.0]), ([15, 32], [0.5, 1.3]), ([15, 32], [0.3, -0.3]), ([17, 17], [0.2, 0.1]), ([60, 90], [-0.2, 0.1])];
+const PAIRS: &[([u32; 2], [f64; 2])] = &[
+    ([20, 40], [0.0, 0.0]),
+    ([15, 32], [0.5, 1.3]),
+    ([15, 32], [0.3, -0.3]),
+    ([17, 17], [0.2, 0.1]),
+    ([60, 90], [-0.2, 0.1]),
+];
 
 fn pair(teeth: [u32; 2], shifts: [f64; 2]) -> GearPair {
     let distance = distance_of(&BASIC, External, teeth, shifts[0] + shifts[1]).unwrap();
@@ -36,7 +42,11 @@ fn the_exercise_of_the_lecture_notes() {
 fn the_inverse_of_the_involute_function() {
     for d in [0.0, 0.01, 1.0, 14.5, 20.0, 45.0, 70.0, 85.0] {
         let alpha = arc_inv(inv(degrees(d))).unwrap();
-        assert!((inv(alpha) - inv(degrees(d))).abs() <= 1e-14 * (1.0 + inv(degrees(d)) * 100.0), "{d}: {}", alpha * 180.0 / PI);
+        assert!(
+            (inv(alpha) - inv(degrees(d))).abs() <= 1e-14 * (1.0 + inv(degrees(d)) * 100.0),
+            "{d}: {}",
+            alpha * 180.0 / PI
+        );
     }
     assert_eq!(arc_inv(-0.1), None);
     assert_eq!(arc_inv(f64::NAN), None);
@@ -56,9 +66,14 @@ fn flanks_are_involutes_of_the_base_circle() {
                 let q = Vec2::from_angle(angle(r)) * r;
                 let turned = thread / g.base;
                 let unwound = Vec2::from_angle(begin + turned) * g.base;
-                assert!(((q - unwound).norm() - thread).abs() < 1e-12 * r, "z = {}: r = {r}", g.teeth);
+                assert!(
+                    ((q - unwound).norm() - thread).abs() < 1e-12 * r,
+                    "z = {}: r = {r}",
+                    g.teeth
+                );
                 let h = 1e-6 * r;
-                let along = Vec2::from_angle(angle(r + h)) * (r + h) - Vec2::from_angle(angle(r - h)) * (r - h);
+                let along = Vec2::from_angle(angle(r + h)) * (r + h)
+                    - Vec2::from_angle(angle(r - h)) * (r - h);
                 assert!((q - unwound).unit().unwrap().dot(along.unit().unwrap()).abs() < 1e-7);
             }
         }
@@ -92,10 +107,20 @@ fn the_contact_ratio_is_the_mean_number_of_contacts() {
             t >= n1 && t <= n2 && at.distance(centre[0]) <= a.tip && at.distance(centre[1]) <= b.tip
         };
         let count: usize = (0..steps)
-            .map(|k| (-20..20).filter(|n| touches((f64::from(*n) + f64::from(k) / f64::from(steps)) * p.base_pitch())).count())
+            .map(|k| {
+                (-20..20)
+                    .filter(|n| {
+                        touches((f64::from(*n) + f64::from(k) / f64::from(steps)) * p.base_pitch())
+                    })
+                    .count()
+            })
             .sum();
         let mean = count as f64 / f64::from(steps);
-        assert!((mean - p.contact_ratio()).abs() < 3.0 / f64::from(steps), "{teeth:?}: {mean} and {}", p.contact_ratio());
+        assert!(
+            (mean - p.contact_ratio()).abs() < 3.0 / f64::from(steps),
+            "{teeth:?}: {mean} and {}",
+            p.contact_ratio()
+        );
     }
 }
 
@@ -107,8 +132,13 @@ fn impossible_pairs_are_none() {
 }
 
 /// Gears in rings, teeth and shifts: neither do tips overlap nor do flanks cut into one another.
-const RINGS: &[([u32; 2], [f64; 2])] =
-    &[([20, 80], [0.0, 0.0]), ([24, 60], [0.2, 0.35]), ([30, 48], [0.3, 0.3]), ([18, 54], [0.5, 0.2]), ([40, 60], [-0.1, 0.2])];
+const RINGS: &[([u32; 2], [f64; 2])] = &[
+    ([20, 80], [0.0, 0.0]),
+    ([24, 60], [0.2, 0.35]),
+    ([30, 48], [0.3, 0.3]),
+    ([18, 54], [0.5, 0.2]),
+    ([40, 60], [-0.1, 0.2]),
+];
 
 fn ring(teeth: [u32; 2], shifts: [f64; 2]) -> GearPair {
     let distance = distance_of(&BASIC, Mate::Ring, teeth, shifts[1] - shifts[0]).unwrap();
@@ -175,7 +205,9 @@ fn tips_in_a_ring_overlap_where_the_teeth_do() {
 #[test]
 fn a_gear_rolls_on_its_rack() {
     for (z, x) in [(20, 0.0), (12, 0.35), (40, -0.2), (17, 0.1)] {
-        let p = GearPair::new(BASIC, Mate::Rack, [z, 0], [x, 0.0], f64::from(z) * BASIC.module / 2.0).unwrap();
+        let p =
+            GearPair::new(BASIC, Mate::Rack, [z, 0], [x, 0.0], f64::from(z) * BASIC.module / 2.0)
+                .unwrap();
         let g = &p.gears[0];
         assert_eq!(p.interferes(), x < g.least_shift(&BASIC), "z = {z}");
         // Points of the gear's teeth against the straight flanks, while the gear rolls through a
@@ -200,17 +232,25 @@ fn a_gear_rolls_on_its_rack() {
         // The flanks of the outline touch those of the gear.
         let outline = p.rack_teeth(1);
         let on = outline.windows(2).filter(|w| w[0].y * w[1].y < 0.0);
-        let crossings: Vec<f64> = on.map(|w| w[0].x + (w[1].x - w[0].x) * w[0].y / (w[0].y - w[1].y)).collect();
+        let crossings: Vec<f64> =
+            on.map(|w| w[0].x + (w[1].x - w[0].x) * w[0].y / (w[0].y - w[1].y)).collect();
         assert!(crossings.iter().any(|x| x.abs() < 1e-12 * m), "{crossings:?}");
         // B2 to B1 by counting, as for two gears.
         let action = Vec2::from_angle(p.operating);
         let touches = |t: f64| {
             let at = action * t;
-            t >= p.tangents()[0] && at.y >= -p.rack()[0] && (at + Vec2::new(0.0, g.pitch)).norm() <= g.tip
+            t >= p.tangents()[0]
+                && at.y >= -p.rack()[0]
+                && (at + Vec2::new(0.0, g.pitch)).norm() <= g.tip
         };
         let steps = 20_000;
-        let step = |k: i32, n: i32| (f64::from(n) + f64::from(k) / f64::from(steps)) * p.base_pitch();
-        let count: usize = (0..steps).map(|k| (-20..20).filter(|n| touches(step(k, *n))).count()).sum();
-        assert!((count as f64 / f64::from(steps) - p.contact_ratio()).abs() < 3.0 / f64::from(steps), "z = {z}");
+        let step =
+            |k: i32, n: i32| (f64::from(n) + f64::from(k) / f64::from(steps)) * p.base_pitch();
+        let count: usize =
+            (0..steps).map(|k| (-20..20).filter(|n| touches(step(k, *n))).count()).sum();
+        assert!(
+            (count as f64 / f64::from(steps) - p.contact_ratio()).abs() < 3.0 / f64::from(steps),
+            "z = {z}"
+        );
     }
 }

@@ -9,16 +9,23 @@ use std::f64::consts::TAU;
 pub(super) fn sections(scene: &Scene) -> [Vec<Json>; 2] {
     [RollingKind::Belt, RollingKind::Chain].map(|kind| {
         let strands: Vec<&Rolling> = scene.rolling.iter().filter(|r| r.kind == kind).collect();
-        strands.chunk_by(|a, b| a.belt() == b.belt()).filter_map(|strands| entry(scene, kind, strands)).collect()
+        strands
+            .chunk_by(|a, b| a.belt() == b.belt())
+            .filter_map(|strands| entry(scene, kind, strands))
+            .collect()
     })
 }
 
 /// Returns one belt or chain with consecutive strands.
 fn entry(scene: &Scene, kind: RollingKind, strands: &[&Rolling]) -> Option<Json> {
-    let (mut links, mut centres, mut radii, mut teeth, mut at) = (Vec::new(), Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let (mut links, mut centres, mut radii, mut teeth, mut at) =
+        (Vec::new(), Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let (mut reversed, mut back) = (Vec::new(), false);
     for pair in strands {
-        let Contours::Belt { centres: c, radii: r, teeth: z, crossed, right, .. } = &pair.contours else { return None };
+        let Contours::Belt { centres: c, radii: r, teeth: z, crossed, right, .. } = &pair.contours
+        else {
+            return None;
+        };
         if links.is_empty() && *right {
             reversed.push(scene.link_name(pair.links[0]));
             back = true;

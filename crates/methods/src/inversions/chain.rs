@@ -24,11 +24,15 @@ pub fn part(scene: &Scene, link: LinkId) -> Option<ChainLink> {
     }
     let points = |l: LinkId| &scene.links[l.0].points;
     let pinned = |a: LinkId, b: LinkId| points(a).iter().any(|p| points(b).contains(p));
-    let on_slider = |l: LinkId| guide.pin.is_some_and(|p| points(l).contains(&p)) || pinned(l, slider);
+    let on_slider =
+        |l: LinkId| guide.pin.is_some_and(|p| points(l).contains(&p)) || pinned(l, slider);
     let mut others = (0..4).map(LinkId).filter(|l| *l != guide.on && *l != slider);
     let (a, b) = (others.next()?, others.next()?);
     let (crank, coupler) = if on_slider(b) { (a, b) } else { (b, a) };
-    let closes = on_slider(coupler) && pinned(crank, coupler) && pinned(crank, guide.on) && !on_slider(crank);
+    let closes = on_slider(coupler)
+        && pinned(crank, coupler)
+        && pinned(crank, guide.on)
+        && !on_slider(crank);
     let of = |l: LinkId| match l {
         l if l == guide.on => ChainLink::Guide,
         l if l == slider => ChainLink::Slider,

@@ -9,7 +9,9 @@
 
 use super::belts;
 use hodograph_mechanism::position::{Configuration, Path};
-use hodograph_scene::{Contours, Driver, DriverKind, Guide, LinkId, Rolling, RollingKind, Scene, Sizes};
+use hodograph_scene::{
+    Contours, Driver, DriverKind, Guide, LinkId, Rolling, RollingKind, Scene, Sizes,
+};
 use serde_json::{Value as Json, json};
 
 pub(super) fn metres(x: f64) -> String {
@@ -41,9 +43,12 @@ fn gear(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Json
     let at = scene.point_name(pair.contact()?);
     let mut out = match &pair.contours {
         Contours::Circles { centres, sizes, hollow, .. } => {
-            let mut out = json!({"links": [a, b], "centres": centres.map(|p| scene.point_name(p)), "at": at});
+            let mut out =
+                json!({"links": [a, b], "centres": centres.map(|p| scene.point_name(p)), "at": at});
             match sizes {
-                Sizes::Radii(radii) => out["radii"] = radii.iter().map(|r| metres(r.value)).collect(),
+                Sizes::Radii(radii) => {
+                    out["radii"] = radii.iter().map(|r| metres(r.value)).collect()
+                }
                 Sizes::Teeth(teeth) => out["teeth"] = json!(teeth),
             }
             if let Some(i) = hollow {
@@ -77,11 +82,15 @@ fn gear(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Json
 
 /// Returns a drum and the load on its rope.
 fn rope(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Json> {
-    let ([load, drum], [_, radius]) =
-        (pair.links.map(|l| scene.link_name(l)), pair.sizes(&hodograph_scene::exact::Inputs::<f64>::of(scene)));
+    let ([load, drum], [_, radius]) = (
+        pair.links.map(|l| scene.link_name(l)),
+        pair.sizes(&hodograph_scene::exact::Inputs::<f64>::of(scene)),
+    );
     let centre = scene.point_name(pair.centres()[1]?);
     let at = scene.point_name(pair.contact()?);
-    Some(json!({"drum": drum, "centre": centre, "radius": metres(radius), "load": load, "angle": direction, "at": at}))
+    Some(
+        json!({"drum": drum, "centre": centre, "radius": metres(radius), "load": load, "angle": direction, "at": at}),
+    )
 }
 
 /// Returns a wheel on its track.
@@ -90,7 +99,8 @@ fn wheel(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Jso
     let at = scene.point_name(pair.contact()?);
     Some(match &pair.contours {
         Contours::Circles { centres: [track, centre], hollow, .. } => {
-            let [size, own] = pair.sizes(&hodograph_scene::exact::Inputs::<f64>::of(scene)).map(f64::abs);
+            let [size, own] =
+                pair.sizes(&hodograph_scene::exact::Inputs::<f64>::of(scene)).map(f64::abs);
             json!({
                 "wheel": wheel, "centre": scene.point_name(*centre), "radius": metres(own), "on": on,
                 "track": scene.point_name(*track), "track_radius": metres(size), "inside": hollow.is_some(), "at": at,
@@ -107,7 +117,9 @@ fn wheel(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Option<Jso
 /// the number of the other part.
 fn part(scene: &Scene, kind: &DriverKind, ground: LinkId) -> Option<[String; 3]> {
     let (links, [a, b]) = (kind.parts(), kind.ends()?.map(|p| scene.point_name(p).to_owned()));
-    let number = |k: usize| links.get(k).map_or_else(String::new, |l: &LinkId| scene.link_name(*l).to_owned());
+    let number = |k: usize| {
+        links.get(k).map_or_else(String::new, |l: &LinkId| scene.link_name(*l).to_owned())
+    };
     match links.iter().position(|l| *l == ground)? {
         0 => Some([a, b, number(1)]),
         _ => Some([b, a, number(0)]),
@@ -137,16 +149,22 @@ pub(super) fn cylinder(scene: &Scene, at: &Configuration, ground: LinkId) -> Opt
 
 /// Returns all drivers of the scene with another ground, and their names.
 pub(super) fn kept(scene: &Scene, ground: LinkId) -> (String, Json) {
-    let rate = |d: &Driver| if d.rate.value == 0.0 && scene.drivers.len() == 1 { 1.0 } else { d.rate.value };
-    let (names, drivers): (Vec<String>, Vec<Json>) = scene.drivers.iter().map(|d| driver(scene, d, rate(d), ground)).unzip();
+    let rate = |d: &Driver| {
+        if d.rate.value == 0.0 && scene.drivers.len() == 1 { 1.0 } else { d.rate.value }
+    };
+    let (names, drivers): (Vec<String>, Vec<Json>) =
+        scene.drivers.iter().map(|d| driver(scene, d, rate(d), ground)).unzip();
     (names.join(", "), Json::Array(drivers))
 }
 
 fn driver(scene: &Scene, d: &Driver, rate: f64, ground: LinkId) -> (String, Json) {
     let link = |l: LinkId| scene.link_name(l).to_owned();
-    let slide = |runner: String, rate: f64| (runner.clone(), json!({"slide": runner, "velocity": format!("{rate:?} m/s")}));
+    let slide = |runner: String, rate: f64| {
+        (runner.clone(), json!({"slide": runner, "velocity": format!("{rate:?} m/s")}))
+    };
     if let Some((turned, against)) = d.kind.turned() {
-        let ([turned, against], rate) = if turned == ground { ([against, turned], -rate) } else { ([turned, against], rate) };
+        let ([turned, against], rate) =
+            if turned == ground { ([against, turned], -rate) } else { ([turned, against], rate) };
         let mut out = json!({"link": link(turned), "omega": format!("{rate:?} rad/s")});
         if against != ground {
             out["against"] = json!(link(against));

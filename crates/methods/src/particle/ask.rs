@@ -53,7 +53,8 @@ pub enum Mutual {
 }
 
 impl Mutual {
-    const ALL: [Mutual; 4] = [Mutual::Distance, Mutual::Turning, Mutual::Velocity, Mutual::Acceleration];
+    const ALL: [Mutual; 4] =
+        [Mutual::Distance, Mutual::Turning, Mutual::Velocity, Mutual::Acceleration];
 
     fn text(self, [a, b]: [&str; 2]) -> String {
         match self {
@@ -131,7 +132,12 @@ fn possible(problem: &ParticleProblem) -> Vec<ParticleQuestion> {
         add(format!("rho_{name}"), ParticleQuantity::Curvature(k));
     }
     let by_law = |k: usize| matches!(problem.motions[k].kind, ParticleMotionKind::Fixed(_));
-    out.extend(between(problem).into_iter().filter(|([a, b], _)| a < b && by_law(*a) && by_law(*b)).map(|(_, find)| find));
+    out.extend(
+        between(problem)
+            .into_iter()
+            .filter(|([a, b], _)| a < b && by_law(*a) && by_law(*b))
+            .map(|(_, find)| find),
+    );
     out
 }
 
@@ -144,28 +150,53 @@ fn between(problem: &ParticleProblem) -> Vec<([usize; 2], ParticleQuestion)> {
     let pairs = all.iter().flat_map(|a| all.iter().map(|b| [*a, *b])).filter(|[a, b]| a != b);
     pairs
         .flat_map(|two| {
-            Mutual::ALL.map(|m| (two, ParticleQuestion { text: m.text(two.map(name)), what: ParticleQuantity::Between(two, m) }))
+            Mutual::ALL.map(|m| {
+                (
+                    two,
+                    ParticleQuestion {
+                        text: m.text(two.map(name)),
+                        what: ParticleQuantity::Between(two, m),
+                    },
+                )
+            })
         })
         .collect()
 }
 
 /// Returns the meaning of a question; a part may be followed by a slash and the number of the plate
 /// (`ak_M/2`).
-pub fn meaning(problem: &ParticleProblem, text: &str, span: Span) -> Result<ParticleQuestion, Diagnostic> {
+pub fn meaning(
+    problem: &ParticleProblem,
+    text: &str,
+    span: Span,
+) -> Result<ParticleQuestion, Diagnostic> {
     let mut known = possible(problem);
-    let more = between(problem).into_iter().map(|(_, find)| find).filter(|f| known.iter().all(|k| k.text != f.text)).collect::<Vec<_>>();
+    let more = between(problem)
+        .into_iter()
+        .map(|(_, find)| find)
+        .filter(|f| known.iter().all(|k| k.text != f.text))
+        .collect::<Vec<_>>();
     known.extend(more);
-    let plain = |f: &&ParticleQuestion| f.text == text || f.text.strip_prefix("T_").is_some_and(|pair| text == "T" && !pair.is_empty());
+    let plain = |f: &&ParticleQuestion| {
+        f.text == text
+            || f.text.strip_prefix("T_").is_some_and(|pair| text == "T" && !pair.is_empty())
+    };
     let framed = |f: &&ParticleQuestion| {
         let ParticleQuantity::Part(k, _) = f.what else { return false };
         match &problem.motions[k].kind {
-            ParticleMotionKind::OnPlate(plate, _) => text == format!("{}/{}", f.text, problem.plates[*plate].link),
+            ParticleMotionKind::OnPlate(plate, _) => {
+                text == format!("{}/{}", f.text, problem.plates[*plate].link)
+            }
             ParticleMotionKind::Fixed(_) | ParticleMotionKind::Toward { .. } => false,
         }
     };
     if let Some(found) = known.iter().find(plain).or_else(|| known.iter().find(framed)) {
         return Ok(ParticleQuestion { text: text.to_owned(), what: found.what });
     }
-    let d = Diagnostic::error("unknown-question", both!("`{text}` is no quantity of this file", "`{text}` 不是此文件中的量")).at(span);
+    let d = Diagnostic::error(
+        "unknown-question",
+        both!("`{text}` is no quantity of this file", "`{text}` 不是此文件中的量"),
+    )
+    .at(span);
     Err(d.help(suggest(text, known.iter().map(|f| f.text.as_str()), both!("there are", "有"))))
 }

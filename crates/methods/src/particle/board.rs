@@ -156,11 +156,16 @@ pub fn draw(problem: &ParticleProblem) -> Result<Vec<MotionDrawing>, Diagnostic>
 ///
 /// # Errors
 /// The same as for [`draw`].
-pub fn draw_again(problem: &ParticleProblem, known: &[MotionDrawing]) -> Result<Vec<MotionDrawing>, Diagnostic> {
+pub fn draw_again(
+    problem: &ParticleProblem,
+    known: &[MotionDrawing],
+) -> Result<Vec<MotionDrawing>, Diagnostic> {
     let mut out = Vec::new();
     for (k, m) in problem.motions.iter().enumerate() {
         match m.kind {
-            ParticleMotionKind::Toward { .. } => out.extend(chase::draw(problem, k, m, known.iter().find(|d| d.motion == k))?),
+            ParticleMotionKind::Toward { .. } => {
+                out.extend(chase::draw(problem, k, m, known.iter().find(|d| d.motion == k))?)
+            }
             ParticleMotionKind::OnPlate(..) => out.extend(plate(problem, k, m)?),
             ParticleMotionKind::Fixed(_) => {}
         }
@@ -195,7 +200,8 @@ fn on_plate(way: &PathLaw, laws: &InstantLaws) -> Result<OnPlate, Diagnostic> {
     let place = Point::new(r[0], z[0]);
     Ok(match way {
         PathLaw::Line { angle, s, .. } => {
-            let [sine, cosine] = laws.evaluated(|t| sine_cosine(angle, t).map(|(s, c)| [s, c].map(rounded)))?;
+            let [sine, cosine] =
+                laws.evaluated(|t| sine_cosine(angle, t).map(|(s, c)| [s, c].map(rounded)))?;
             let (along, s) = (Vec2::new(sine[0], cosine[0]), laws.law(s)?);
             OnPlate { place, velocity: along * s[1], normal: Vec2::ZERO, tangential: along * s[2] }
         }
@@ -204,7 +210,12 @@ fn on_plate(way: &PathLaw, laws: &InstantLaws) -> Result<OnPlate, Diagnostic> {
             let (radius, s) = (laws.law(radius)?[0], laws.law(s)?);
             let inward = (centre - place) * (1.0 / radius);
             let along = -inward.perp();
-            OnPlate { place, velocity: along * s[1], normal: inward * (s[1] * s[1] / radius), tangential: along * s[2] }
+            OnPlate {
+                place,
+                velocity: along * s[1],
+                normal: inward * (s[1] * s[1] / radius),
+                tangential: along * s[2],
+            }
         }
         PathLaw::Polar { .. } | PathLaw::Free(_) => {
             let (velocity, a) = (Vec2::new(r[1], z[1]), Vec2::new(r[2], z[2]));
@@ -214,7 +225,11 @@ fn on_plate(way: &PathLaw, laws: &InstantLaws) -> Result<OnPlate, Diagnostic> {
     })
 }
 
-fn plate(problem: &ParticleProblem, k: usize, m: &ParticleMotion) -> Result<Option<MotionDrawing>, Diagnostic> {
+fn plate(
+    problem: &ParticleProblem,
+    k: usize,
+    m: &ParticleMotion,
+) -> Result<Option<MotionDrawing>, Diagnostic> {
     let ParticleMotionKind::OnPlate(p, way) = &m.kind else { return Ok(None) };
     let (plate, laws) = (&problem.plates[*p], InstantLaws { time: &problem.time });
     let offset = plate.offset.as_ref().map(|law| laws.law(law)).transpose()?.map_or(0.0, |j| j[0]);
@@ -230,12 +245,20 @@ fn plate(problem: &ParticleProblem, k: usize, m: &ParticleMotion) -> Result<Opti
     let seen = (along * on.place.x + along.perp() * offset).to_point();
     let extent = most(&[on.place.to_vec2(), seen.to_vec2()]);
     let mu_l = fitted(&problem.paper, scene::Kind::Length, extent, VIEW_MM);
-    let (front, top) = ((on.place.to_vec2() * (1.0 / mu_l)).to_point(), (seen.to_vec2() * (1.0 / mu_l)).to_point());
+    let (front, top) = (
+        (on.place.to_vec2() * (1.0 / mu_l)).to_point(),
+        (seen.to_vec2() * (1.0 / mu_l)).to_point(),
+    );
     let arm = top.to_vec2();
     let reach = arm.norm() * mu_l;
     let ring = arm.perp() * mu_l;
     let (ve, vr) = (ring * w, along * on.velocity.x);
-    let mu_v = fitted(&problem.paper, scene::Kind::Velocity, most(&[ve, vr, ve + vr, on.velocity]), VIEW_MM);
+    let mu_v = fitted(
+        &problem.paper,
+        scene::Kind::Velocity,
+        most(&[ve, vr, ve + vr, on.velocity]),
+        VIEW_MM,
+    );
     let paper_v = |v: Vec2| v * (1.0 / mu_v);
     // The horizontal component of v_r in the view on the plate is its length in the view along the
     // axis.
@@ -245,30 +268,45 @@ fn plate(problem: &ParticleProblem, k: usize, m: &ParticleMotion) -> Result<Opti
     let a_r = on.normal + on.tangential;
     let ar = along * a_r.x;
     let whole = aen + aet + ar + ak;
-    let mu_a = fitted(&problem.paper, scene::Kind::Acceleration, most(&[aen, aet, ak, ar, whole, a_r]), VIEW_MM);
+    let mu_a = fitted(
+        &problem.paper,
+        scene::Kind::Acceleration,
+        most(&[aen, aet, ak, ar, whole, a_r]),
+        VIEW_MM,
+    );
     let paper_a = |v: Vec2| v * (1.0 / mu_a);
     let add = |all: &mut Vec<Arrow>, symbol: &str, at: Point, v: Vec2, whole: bool, step: usize| {
         if v.norm() > 0.5 {
             all.push(arrow(symbol, at, v, whole, step));
         }
     };
-    let (mut v_front, mut v_top, mut a_front, mut a_top) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let (mut v_front, mut v_top, mut a_front, mut a_top) =
+        (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     add(&mut v_front, "v_r", front, paper_v(on.velocity), true, 0);
     let v_top_whole = paper_v(ve) + paper_v(vr);
-    for (symbol, v, whole) in [("v_e", paper_v(ve), false), ("v_r'", paper_v(vr), false), ("v_a'", v_top_whole, true)] {
+    for (symbol, v, whole) in
+        [("v_e", paper_v(ve), false), ("v_r'", paper_v(vr), false), ("v_a'", v_top_whole, true)]
+    {
         add(&mut v_top, symbol, top, v, whole, 1);
     }
     if on.normal.norm() > 0.0 && on.tangential.norm() <= 1e-9 * on.normal.norm() {
         add(&mut a_front, "a_r^n", front, paper_a(on.normal), true, 2);
     } else if on.normal.norm() > 0.0 {
-        for (symbol, v, whole) in [("a_r^n", on.normal, false), ("a_r^t", on.tangential, false), ("a_r", a_r, true)] {
+        for (symbol, v, whole) in
+            [("a_r^n", on.normal, false), ("a_r^t", on.tangential, false), ("a_r", a_r, true)]
+        {
             add(&mut a_front, symbol, front, paper_a(v), whole, 2);
         }
     } else {
         add(&mut a_front, "a_r", front, paper_a(a_r), true, 2);
     }
-    for (symbol, v, whole) in [("a_e^n", aen, false), ("a_e^t", aet, false), ("a_r'", ar, false), ("a_k", ak, false), ("a_a'", whole, true)]
-    {
+    for (symbol, v, whole) in [
+        ("a_e^n", aen, false),
+        ("a_e^t", aet, false),
+        ("a_r'", ar, false),
+        ("a_k", ak, false),
+        ("a_a'", whole, true),
+    ] {
         add(&mut a_top, symbol, top, paper_a(v), whole, if symbol == "a_k" { 3 } else { 4 });
     }
     let order = plate.axis.order();
@@ -331,14 +369,31 @@ fn plate(problem: &ParticleProblem, k: usize, m: &ParticleMotion) -> Result<Opti
             if alpha == 0.0 {
                 both!("", "")
             } else {
-                both!(", $a^t_e$ = $\\alpha$ · {} m square to it", "，$a^t_e$ = $\\alpha$ · {} m，与之垂直", mm(reach))
+                both!(
+                    ", $a^t_e$ = $\\alpha$ · {} m square to it",
+                    "，$a^t_e$ = $\\alpha$ · {} m，与之垂直",
+                    mm(reach)
+                )
             },
             mm(paper_a(whole).norm()),
             plate.axis.letter(),
             mm(paper_a(a_r).y)
         ),
     ];
-    let views = Views::Plate { places: [front, top], along, velocities: [v_front, v_top], accelerations: [a_front, a_top] };
+    let views = Views::Plate {
+        places: [front, top],
+        along,
+        velocities: [v_front, v_top],
+        accelerations: [a_front, a_top],
+    };
     let steps = steps.into_iter().map(Both::sentence).collect();
-    Ok(Some(MotionDrawing { motion: k, mu: [mu_l, mu_v, mu_a], steps, readings, calculated: true, unread: None, views }))
+    Ok(Some(MotionDrawing {
+        motion: k,
+        mu: [mu_l, mu_v, mu_a],
+        steps,
+        readings,
+        calculated: true,
+        unread: None,
+        views,
+    }))
 }

@@ -109,14 +109,24 @@ impl PathLaw {
     pub fn folded<N: Real>(&self) -> Result<PathLaw<Folded<N>>, Diagnostic> {
         let pair = |[x, y]: &[Law; 2]| Ok([x.folded()?, y.folded()?]);
         Ok(match self {
-            PathLaw::Line { from, angle, from_axis, s } => {
-                PathLaw::Line { from: pair(from)?, angle: angle.folded()?, from_axis: *from_axis, s: s.folded()? }
-            }
+            PathLaw::Line { from, angle, from_axis, s } => PathLaw::Line {
+                from: pair(from)?,
+                angle: angle.folded()?,
+                from_axis: *from_axis,
+                s: s.folded()?,
+            },
             PathLaw::Circle { centre, radius, angle, s } => {
                 let angle = angle.as_ref().map(Law::folded).transpose()?;
-                PathLaw::Circle { centre: pair(centre)?, radius: radius.folded()?, angle, s: s.folded()? }
+                PathLaw::Circle {
+                    centre: pair(centre)?,
+                    radius: radius.folded()?,
+                    angle,
+                    s: s.folded()?,
+                }
             }
-            PathLaw::Polar { pole, r, phi } => PathLaw::Polar { pole: pair(pole)?, r: r.folded()?, phi: phi.folded()? },
+            PathLaw::Polar { pole, r, phi } => {
+                PathLaw::Polar { pole: pair(pole)?, r: r.folded()?, phi: phi.folded()? }
+            }
             PathLaw::Free(laws) => PathLaw::Free(pair(laws)?),
         })
     }
@@ -137,7 +147,9 @@ impl PathLaw {
     /// Returns the laws, with the names of their keys.
     pub fn laws(&self) -> Vec<(&'static str, &Law)> {
         match self {
-            PathLaw::Line { angle, s, from_axis, .. } => vec![(if *from_axis { "to_axis" } else { "angle" }, angle), ("s", s)],
+            PathLaw::Line { angle, s, from_axis, .. } => {
+                vec![(if *from_axis { "to_axis" } else { "angle" }, angle), ("s", s)]
+            }
             PathLaw::Circle { radius, angle, s, .. } => {
                 let mut all = vec![("radius", radius)];
                 all.extend(angle.as_ref().map(|a| ("angle", a)));
@@ -192,7 +204,8 @@ impl PlateRotation {
             PlateRotation::Now { .. } if dt == 0.0 => self.clone(),
             PlateRotation::Now { angle, omega, alpha } => {
                 let value = |law: &Law| jet(law, 0.0).map(|j| j.0[0]);
-                let (w, second) = (value(omega)?, alpha.as_ref().map(value).transpose()?.unwrap_or(0.0));
+                let (w, second) =
+                    (value(omega)?, alpha.as_ref().map(value).transpose()?.unwrap_or(0.0));
                 let (sine, cosine) = sine_cosine(angle, 0.0)?;
                 let start = libm::atan2(sine.0[0], cosine.0[0]);
                 PlateRotation::Now {
@@ -219,9 +232,16 @@ impl PlateRotation {
                 let value = angle.at(t)?;
                 let (s, c) = (value.sin_cos().0.0[0], value.sin_cos().1.0[0]);
                 let omega = jet(omega, t)?.0[0];
-                let alpha = alpha.as_ref().map(|a| jet(a, t)).transpose()?.map_or(N::from_f64(0.0), |a| a.0[0]);
+                let alpha = alpha
+                    .as_ref()
+                    .map(|a| jet(a, t))
+                    .transpose()?
+                    .map_or(N::from_f64(0.0), |a| a.0[0]);
                 let square = omega * omega;
-                let (sin, cos) = (Jet([s, c * omega, c * alpha - s * square]), Jet([c, -(s * omega), -(s * alpha) - c * square]));
+                let (sin, cos) = (
+                    Jet([s, c * omega, c * alpha - s * square]),
+                    Jet([c, -(s * omega), -(s * alpha) - c * square]),
+                );
                 Ok(PlateAngle { sin, cos, omega, alpha })
             }
         }

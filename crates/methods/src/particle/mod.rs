@@ -149,7 +149,11 @@ impl ParticleProblem {
     pub fn chase(&self, motion: &ParticleMotion) -> Option<(pursuit::Chase<'_>, &str)> {
         let own = self.motions.iter().find(|m| m.point == motion.point)?;
         let ParticleMotionKind::Toward { from, target, speed } = &own.kind else { return None };
-        let ParticleMotion { point, kind: ParticleMotionKind::Fixed(target) } = self.motions.get(*target)? else { return None };
+        let ParticleMotion { point, kind: ParticleMotionKind::Fixed(target) } =
+            self.motions.get(*target)?
+        else {
+            return None;
+        };
         Some((pursuit::Chase { from, speed, target }, point))
     }
 

@@ -6,7 +6,9 @@ use hodograph_base::json::{Node, NodeKind, Word};
 pub(super) fn named(node: &Node, wanted: &str) -> Option<Word> {
     let NodeKind::Object(members) = &node.kind else { return None };
     members.iter().find_map(|(key, value)| match &value.kind {
-        NodeKind::Text(name) if key.text == wanted => Some(Word { text: name.clone(), span: value.span }),
+        NodeKind::Text(name) if key.text == wanted => {
+            Some(Word { text: name.clone(), span: value.span })
+        }
         _ => None,
     })
 }
@@ -20,5 +22,8 @@ pub(super) fn member(node: &Node, wanted: &str) -> Option<Word> {
 /// Returns the texts in a list.
 pub(super) fn texts(node: &Node) -> Vec<&str> {
     let NodeKind::Array(items) = &node.kind else { return Vec::new() };
-    items.iter().filter_map(|n| if let NodeKind::Text(text) = &n.kind { Some(text.as_str()) } else { None }).collect()
+    items
+        .iter()
+        .filter_map(|n| if let NodeKind::Text(text) = &n.kind { Some(text.as_str()) } else { None })
+        .collect()
 }

@@ -76,11 +76,19 @@ impl<N: Real> PlateState<N> {
     ///
     /// # Errors
     /// If a law has no value.
-    pub fn of(problem: &ParticleProblem, motion: &ParticleMotion, t: N) -> Result<Option<PlateState<N>>, Diagnostic> {
+    pub fn of(
+        problem: &ParticleProblem,
+        motion: &ParticleMotion,
+        t: N,
+    ) -> Result<Option<PlateState<N>>, Diagnostic> {
         let ParticleMotionKind::OnPlate(k, way) = &motion.kind else { return Ok(None) };
         let Plate { axis, turning, offset, .. } = &problem.plates[*k];
         let [r, z] = way.at(t)?;
-        let e = offset.as_ref().map(|law| jet(law, t)).transpose()?.map_or(N::from_f64(0.0), |j| j.0[0]);
+        let e = offset
+            .as_ref()
+            .map(|law| jet(law, t))
+            .transpose()?
+            .map_or(N::from_f64(0.0), |j| j.0[0]);
         Ok(Some(PlateState { turn: turning.at(t)?, r, z, e, order: axis.order() }))
     }
 
@@ -117,7 +125,11 @@ impl<N: Real> PlateState<N> {
         let tangential = [-(alpha * e), alpha * r, zero];
         // The component of a_r along v_r; for a point momentarily at rest, all of a_r.
         let v2 = r1 * r1 + z1 * z1;
-        let along = if v2.approx() == 0.0 { [r2, zero, z2] } else { [r1, zero, z1].map(|x| x * ((r1 * r2 + z1 * z2) / v2)) };
+        let along = if v2.approx() == 0.0 {
+            [r2, zero, z2]
+        } else {
+            [r1, zero, z1].map(|x| x * ((r1 * r2 + z1 * z2) / v2))
+        };
         self.of_plate(match part {
             PlateComponent::TransportVelocity => [-(w * e), w * r, zero],
             PlateComponent::RelativeVelocity => [r1, zero, z1],
@@ -127,7 +139,9 @@ impl<N: Real> PlateState<N> {
             PlateComponent::Relative => [r2, zero, z2],
             PlateComponent::RelativeNormal if v2.approx() == 0.0 => [zero; 3],
             // Across v_r: (r₂z₁ − z₂r₁)(z₁, −r₁)/v².
-            PlateComponent::RelativeNormal => [z1, zero, -r1].map(|x| x * ((r2 * z1 - z2 * r1) / v2)),
+            PlateComponent::RelativeNormal => {
+                [z1, zero, -r1].map(|x| x * ((r2 * z1 - z2 * r1) / v2))
+            }
             PlateComponent::RelativeTangential => along,
             PlateComponent::Coriolis => [zero, N::from_f64(2.0) * w * r1, zero],
         })

@@ -128,7 +128,8 @@ impl<N: Real> PursuitLaws<N> {
         let mut before = from.d;
         let mut here = ahead(from.d, part, self.slope(from.t, from.d)?);
         for k in 1..n {
-            let next = ahead(before, two * part, self.slope(from.t + part * N::from_f64(k as f64), here)?);
+            let next =
+                ahead(before, two * part, self.slope(from.t + part * N::from_f64(k as f64), here)?);
             (before, here) = (here, next);
         }
         let last = ahead(before, part, self.slope(from.t + h, here)?);
@@ -137,7 +138,12 @@ impl<N: Real> PursuitLaws<N> {
 
     /// Performs one step of Gragg, Bulirsch and Stoer, and returns it with its error; `None` if the
     /// extrapolation has not converged.
-    fn step(&self, from: &PursuitState<N>, h: N, tolerance: f64) -> Result<Option<([N; 2], f64)>, Diagnostic> {
+    fn step(
+        &self,
+        from: &PursuitState<N>,
+        h: N,
+        tolerance: f64,
+    ) -> Result<Option<([N; 2], f64)>, Diagnostic> {
         let mut row: Vec<[N; 2]> = Vec::new();
         for k in 0..COLUMNS {
             let n = 2 * (k + 1);
@@ -206,8 +212,12 @@ impl Chase<'_> {
             let (v, w) = (v.approx(), b[0].hypot(b[1]).approx());
             if v.is_nan() || v <= 0.0 {
                 let t = here.t.approx();
-                let message = both!("the pursuer's speed is {v} m/s at t = {t} s", "t = {t} s 时追踪点的速率为 {v} m/s");
-                return Err(Diagnostic::error("pursuit", message).help(both!("it must be greater than zero", "应大于零")));
+                let message = both!(
+                    "the pursuer's speed is {v} m/s at t = {t} s",
+                    "t = {t} s 时追踪点的速率为 {v} m/s"
+                );
+                return Err(Diagnostic::error("pursuit", message)
+                    .help(both!("it must be greater than zero", "应大于零")));
             }
             if !(l.is_finite() && v.is_finite() && w.is_finite()) {
                 break;
@@ -223,16 +233,24 @@ impl Chase<'_> {
             // or the line between them turns.
             let [x, y] = here.d.map(|c| c.approx() / l);
             let (bx, by) = (b[0].approx(), b[1].approx());
-            let most = 0.5 * l / (v - bx * x - by * y).abs().max((bx * y - by * x).abs()).max(SLOWEST * v);
+            let most =
+                0.5 * l / (v - bx * x - by * y).abs().max((bx * y - by * x).abs()).max(SLOWEST * v);
             let mut h = wish.unwrap_or(0.1 * l / v).min(most);
             let mut halved = false;
             let made = loop {
                 // The last step ends exactly at the given time.
-                let (by, last) =
-                    if h >= left * (1.0 - 1e-9) { (until.map_or(N::from_f64(h), |u| u - here.t), true) } else { (N::from_f64(h), false) };
+                let (by, last) = if h >= left * (1.0 - 1e-9) {
+                    (until.map_or(N::from_f64(h), |u| u - here.t), true)
+                } else {
+                    (N::from_f64(h), false)
+                };
                 if let Some((d, error)) = laws.step(&here, by, 32.0 * unit * l.max(near * first))? {
                     let t = if last { until.unwrap_or(here.t + by) } else { here.t + by };
-                    break Some(PursuitState { t, d, error: here.error + error + 64.0 * unit * first });
+                    break Some(PursuitState {
+                        t,
+                        d,
+                        error: here.error + error + 64.0 * unit * first,
+                    });
                 }
                 h *= 0.5;
                 halved = true;
@@ -271,7 +289,10 @@ impl Chase<'_> {
     ///
     /// # Errors
     /// The same as for [`Chase::follow`].
-    pub fn end_seen<N: Real + Into<Dd>>(&self, seen: &mut dyn FnMut(&PursuitState<N>)) -> Result<PursuitEnd, Diagnostic> {
+    pub fn end_seen<N: Real + Into<Dd>>(
+        &self,
+        seen: &mut dyn FnMut(&PursuitState<N>),
+    ) -> Result<PursuitEnd, Diagnostic> {
         let (last, met) = self.follow(self.start::<N>()?, None, seen)?;
         if !met {
             return Ok(PursuitEnd::Apart { until: last.t.approx(), distance: last.distance() });
@@ -280,12 +301,22 @@ impl Chase<'_> {
         // motion.
         let (v, b) = self.folded()?.rates(last.t)?;
         let (v, w) = (v.approx(), b[0].hypot(b[1]).approx());
-        let [low, high] = [(last.distance() - last.error).max(0.0) / (v + w), (last.distance() + last.error) / closing(v, w, last.d, b)];
+        let [low, high] = [
+            (last.distance() - last.error).max(0.0) / (v + w),
+            (last.distance() + last.error) / closing(v, w, last.d, b),
+        ];
         let [low, high] = [low * 0.999, high * 1.001];
-        let time =
-            Ball::new(last.t.into() + Dd::from_f64(0.5 * (low + high)), 0.5 * (high - low) + last.t.approx() * fineness::<N>().0 * 64.0);
+        let time = Ball::new(
+            last.t.into() + Dd::from_f64(0.5 * (low + high)),
+            0.5 * (high - low) + last.t.approx() * fineness::<N>().0 * 64.0,
+        );
         let b = self.target.at(last.t)?;
-        let place = [0, 1].map(|k| Ball::new(b[k].0[0].into(), w * high + b[k].0[0].approx().abs() * fineness::<N>().0 * 64.0));
+        let place = [0, 1].map(|k| {
+            Ball::new(
+                b[k].0[0].into(),
+                w * high + b[k].0[0].approx().abs() * fineness::<N>().0 * 64.0,
+            )
+        });
         Ok(PursuitEnd::Meet { time, place })
     }
 }

@@ -15,8 +15,10 @@ use hodograph_scene::units::RequiredQuantity;
 /// The keys in addition to those of the front.
 pub(super) const KEYS: [&str; 6] = ["statement", "time", "points", "plates", "motions", "find"];
 /// The keys of a motion.
-pub(super) const MOTION: [&str; 14] =
-    ["point", "on", "angle", "to_axis", "centre", "radius", "s", "x", "y", "r", "phi", "toward", "speed", "from"];
+pub(super) const MOTION: [&str; 14] = [
+    "point", "on", "angle", "to_axis", "centre", "radius", "s", "x", "y", "r", "phi", "toward",
+    "speed", "from",
+];
 /// The keys of a plate.
 pub(super) const PLATE: [&str; 6] = ["link", "axis", "angle", "omega", "alpha", "offset"];
 /// The largest permitted number of points.
@@ -31,7 +33,11 @@ pub fn is_problem(source: &[u8]) -> bool {
             let has = |key: &str| members.iter().any(|(k, _)| k.text == key);
             has("motions") && !OF_SCENES.iter().any(|key| has(key))
         }
-        NodeKind::Text(_) | NodeKind::Number(_) | NodeKind::Bool(_) | NodeKind::Null | NodeKind::Array(_) => false,
+        NodeKind::Text(_)
+        | NodeKind::Number(_)
+        | NodeKind::Bool(_)
+        | NodeKind::Null
+        | NodeKind::Array(_) => false,
     })
 }
 
@@ -69,7 +75,12 @@ struct ParticleReader<'a> {
 
 fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<ParticleProblem> {
     let keys: Vec<&str> = front::KEYS.iter().chain(&KEYS).copied().collect();
-    let f = Fields::open(root, both!("a file of motions without a mechanism", "无机构的运动文件"), &keys, faults)?;
+    let f = Fields::open(
+        root,
+        both!("a file of motions without a mechanism", "无机构的运动文件"),
+        &keys,
+        faults,
+    )?;
     let raw = RawFront::decode(root, faults);
     let front = Front::new(&raw, text, faults);
     let zero = Law::zero();
@@ -80,14 +91,27 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<ParticleProbl
     let now = time.at(0.0).map_or(0.0, |v| v.number.0[0]);
     if now < 0.0 {
         let d = Diagnostic::error("time", both!("the instant is {now} s", "时刻为 {now} s"));
-        faults.push(d.at(f.get("time").map_or(f.span(), |n| n.span)).help(both!("it counts from the start, 0 s", "时刻从起点 0 s 算起")));
+        faults.push(
+            d.at(f.get("time").map_or(f.span(), |n| n.span))
+                .help(both!("it counts from the start, 0 s", "时刻从起点 0 s 算起")),
+        );
     }
     if let Some(name) = f.get("parameters").and_then(|n| member(n, TIME)) {
-        let d = Diagnostic::error("name", both!("`t` is the time in the laws of motions", "`t` 在运动规律中表示时间"));
+        let d = Diagnostic::error(
+            "name",
+            both!("`t` is the time in the laws of motions", "`t` 在运动规律中表示时间"),
+        );
         faults.push(d.at(name.span).help(both!("call it `t0`", "可改称 `t0`")));
         return None;
     }
-    let mut r = ParticleReader { front: &front, faults, places: Vec::new(), now, misplaced: Vec::new(), faulty: Vec::new() };
+    let mut r = ParticleReader {
+        front: &front,
+        faults,
+        places: Vec::new(),
+        now,
+        misplaced: Vec::new(),
+        faulty: Vec::new(),
+    };
     r.points(f.get("points"));
     let plates = r.plates(f.get("plates"));
     let motions = r.motions(&f, &plates);
@@ -95,7 +119,10 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<ParticleProbl
     let questions = f.get("find").map(texts).unwrap_or_default();
     let statement = f.get("statement").and_then(|n| front.localized(n, "\"statement\"", r.faults));
     let statement = statement.map(|s| filled(s, &front.parameters()));
-    let title = front.title.as_ref().map_or_else(|| usual_title(&motions), |t| Both { en: t.en.clone(), zh: t.zh.clone() });
+    let title = front
+        .title
+        .as_ref()
+        .map_or_else(|| usual_title(&motions), |t| Both { en: t.en.clone(), zh: t.zh.clone() });
     let mut out = ParticleProblem {
         title,
         statement,
@@ -109,14 +136,19 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<ParticleProbl
         find: Vec::new(),
     };
     let used = |name: &Word, motions: &[ParticleMotion]| {
-        motions.iter().any(|m| m.point == name.text) || faulty.iter().any(|n| n.as_ref().is_none_or(|n| *n == name.text))
+        motions.iter().any(|m| m.point == name.text)
+            || faulty.iter().any(|n| n.as_ref().is_none_or(|n| *n == name.text))
     };
     let idle = r.places.iter().filter(|(name, _)| !used(name, &out.motions));
     out.motions.extend(rest::asked(&out, idle, &questions));
     for (name, _) in r.places.iter().filter(|(name, _)| !used(name, &out.motions)) {
         let d = Diagnostic::warning(
             "unused-point",
-            both!("the point `{}` has no motion, and nothing asks for it", "点 `{}` 没有运动，也未被求及", name.text),
+            both!(
+                "the point `{}` has no motion, and nothing asks for it",
+                "点 `{}` 没有运动，也未被求及",
+                name.text
+            ),
         );
         r.faults.push(d.at(name.span));
     }
@@ -133,7 +165,11 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<ParticleProbl
 
 /// Returns a statement with the values of the parameters as written.
 fn filled(text: Localized, parameters: &[(String, String)]) -> Localized {
-    let fill = |s: &str| parameters.iter().fold(s.to_owned(), |s, (name, value)| s.replace(&format!("{{{name}}}"), value));
+    let fill = |s: &str| {
+        parameters
+            .iter()
+            .fold(s.to_owned(), |s, (name, value)| s.replace(&format!("{{{name}}}"), value))
+    };
     Localized { en: fill(&text.en), zh: fill(&text.zh) }
 }
 
@@ -157,10 +193,17 @@ impl ParticleReader<'_> {
     fn radius(&mut self, f: &Fields) -> Option<Law> {
         let law = self.need(f, "radius", RequiredQuantity::Length, "\"200 mm\"")?;
         // A law without a value is reported when it is evaluated.
-        let Some(value) = jet(&law, self.now).ok().map(|r| r.0[0]).filter(|r| *r <= 0.0) else { return Some(law) };
+        let Some(value) = jet(&law, self.now).ok().map(|r| r.0[0]).filter(|r| *r <= 0.0) else {
+            return Some(law);
+        };
         let at = f.get("radius").map_or(f.span(), |n| n.span);
         let message = both!("the radius `{}` is {value} m", "半径 `{}` 为 {value} m", law.text);
-        self.fault("not-positive", at, message, both!("give a length greater than 0", "请给出大于 0 的长度"));
+        self.fault(
+            "not-positive",
+            at,
+            message,
+            both!("give a length greater than 0", "请给出大于 0 的长度"),
+        );
         None
     }
 
@@ -173,7 +216,13 @@ impl ParticleReader<'_> {
         word(node, &format!("\"{key}\""), self.faults)
     }
 
-    fn need(&mut self, f: &Fields, key: &'static str, wanted: RequiredQuantity, example: &str) -> Option<Law> {
+    fn need(
+        &mut self,
+        f: &Fields,
+        key: &'static str,
+        wanted: RequiredQuantity,
+        example: &str,
+    ) -> Option<Law> {
         let node = f.need(key, example, self.faults)?;
         self.law(node, wanted, key)
     }
@@ -187,11 +236,23 @@ impl ParticleReader<'_> {
     fn two(&mut self, node: &Node, key: &str) -> Option<[Law; 2]> {
         let items = list(node, &format!("\"{key}\""), self.faults)?;
         let [x, y] = items else {
-            let message = both!("\"{key}\" has two coordinates, this has {}", "\"{key}\" 有两个坐标，此处有 {} 个", items.len());
-            self.fault("wrong-count", node.span, message, both!("write [\"0 m\", \"3 km\"]", "请写 [\"0 m\", \"3 km\"]"));
+            let message = both!(
+                "\"{key}\" has two coordinates, this has {}",
+                "\"{key}\" 有两个坐标，此处有 {} 个",
+                items.len()
+            );
+            self.fault(
+                "wrong-count",
+                node.span,
+                message,
+                both!("write [\"0 m\", \"3 km\"]", "请写 [\"0 m\", \"3 km\"]"),
+            );
             return None;
         };
-        let (x, y) = (self.law(x, RequiredQuantity::Length, key), self.law(y, RequiredQuantity::Length, key));
+        let (x, y) = (
+            self.law(x, RequiredQuantity::Length, key),
+            self.law(y, RequiredQuantity::Length, key),
+        );
         Some([x?, y?])
     }
 
@@ -215,7 +276,12 @@ impl ParticleReader<'_> {
         for (k, node) in items.iter().enumerate().take(MOST).skip(1) {
             if all.len() == items.len() && all[..k].iter().any(|p| p.link == all[k].link) {
                 let message = both!("there are two plates `{}`", "有两块平板 `{}`", all[k].link);
-                self.fault("twice", node.span, message, both!("give each a number of its own", "请各用一个编号"));
+                self.fault(
+                    "twice",
+                    node.span,
+                    message,
+                    both!("give each a number of its own", "请各用一个编号"),
+                );
             }
         }
         all
@@ -230,46 +296,88 @@ impl ParticleReader<'_> {
                 let axis = SpaceAxis::ALL.into_iter().find(|a| a.letter() == found.text);
                 if axis.is_none() {
                     let message = both!("there is no axis `{}`", "没有轴 `{}`", found.text);
-                    self.fault("unknown-word", found.span, message, both!("the axes are x, y, z", "轴有 x、y、z"));
+                    self.fault(
+                        "unknown-word",
+                        found.span,
+                        message,
+                        both!("the axes are x, y, z", "轴有 x、y、z"),
+                    );
                 }
                 axis?
             }
             None => SpaceAxis::Z,
         };
-        let angle = self.need(&f, "angle", RequiredQuantity::Angle, "\"90 deg\", or a law such as \"1/3 rad/s*t\"");
+        let angle = self.need(
+            &f,
+            "angle",
+            RequiredQuantity::Angle,
+            "\"90 deg\", or a law such as \"1/3 rad/s*t\"",
+        );
         let offset = self.may(&f, "offset", RequiredQuantity::Length);
-        let (omega, alpha) = (self.may(&f, "omega", RequiredQuantity::Omega), self.may(&f, "alpha", RequiredQuantity::Alpha));
+        let (omega, alpha) = (
+            self.may(&f, "omega", RequiredQuantity::Omega),
+            self.may(&f, "alpha", RequiredQuantity::Alpha),
+        );
         let angle = angle?;
         let turning = if angle.depends_on_time() {
             for key in ["omega", "alpha"] {
                 if let Some(n) = f.get(key) {
-                    let message = both!("the angle is a law of time, which says `{key}` already", "转角已是时间的函数，`{key}` 由它给出");
-                    self.fault("given-twice", n.span, message, both!("leave `{key}` out", "请去掉 `{key}`"));
+                    let message = both!(
+                        "the angle is a law of time, which says `{key}` already",
+                        "转角已是时间的函数，`{key}` 由它给出"
+                    );
+                    self.fault(
+                        "given-twice",
+                        n.span,
+                        message,
+                        both!("leave `{key}` out", "请去掉 `{key}`"),
+                    );
                 }
             }
             PlateRotation::Law(angle)
         } else {
-            let omega = if f.get("omega").is_some() { omega } else { self.need(&f, "omega", RequiredQuantity::Omega, "\"2 rad/s\"") };
+            let omega = if f.get("omega").is_some() {
+                omega
+            } else {
+                self.need(&f, "omega", RequiredQuantity::Omega, "\"2 rad/s\"")
+            };
             PlateRotation::Now { angle, omega: omega?, alpha }
         };
         if let Some(law) = offset.as_ref().filter(|law| law.depends_on_time()) {
             let at = f.get("offset").map_or(node.span, |n| n.span);
-            let message = both!("the distance of the plate from the axis changes: `{}`", "平板到轴的距离在变化：`{}`", law.text);
+            let message = both!(
+                "the distance of the plate from the axis changes: `{}`",
+                "平板到轴的距离在变化：`{}`",
+                law.text
+            );
             self.fault("law", at, message, both!("it is a length that stays", "应为不变的长度"));
         }
         Some(Plate { link: link?.text, axis, turning, offset })
     }
 
     fn motions(&mut self, f: &Fields, plates: &[Plate]) -> Vec<ParticleMotion> {
-        let node = f.need("motions", "[{\"point\": \"A\", \"toward\": \"B\", \"speed\": \"5 m/s\"}]", self.faults);
+        let node = f.need(
+            "motions",
+            "[{\"point\": \"A\", \"toward\": \"B\", \"speed\": \"5 m/s\"}]",
+            self.faults,
+        );
         let items = node.and_then(|n| list(n, "\"motions\"", self.faults)).unwrap_or_default();
         if items.is_empty() || items.len() > MOST {
-            let message =
-                both!("\"motions\" has {} entries; 1 to {MOST} are wanted", "\"motions\" 有 {} 项，应为 1 到 {MOST} 项", items.len());
-            self.fault("wrong-count", node.map_or(f.span(), |n| n.span), message, both!("say how points move", "请给出点的运动"));
+            let message = both!(
+                "\"motions\" has {} entries; 1 to {MOST} are wanted",
+                "\"motions\" 有 {} 项，应为 1 到 {MOST} 项",
+                items.len()
+            );
+            self.fault(
+                "wrong-count",
+                node.map_or(f.span(), |n| n.span),
+                message,
+                both!("say how points move", "请给出点的运动"),
+            );
             return Vec::new();
         }
-        let (mut all, mut toward): (Vec<ParticleMotion>, Vec<(usize, Word)>) = (Vec::new(), Vec::new());
+        let (mut all, mut toward): (Vec<ParticleMotion>, Vec<(usize, Word)>) =
+            (Vec::new(), Vec::new());
         let mut astray: Vec<Word> = Vec::new();
         for node in items {
             let Some((point, kind, target)) = self.motion(node, plates) else {
@@ -278,7 +386,8 @@ impl ParticleReader<'_> {
                 continue;
             };
             if all.iter().any(|m| m.point == point.text) {
-                let message = both!("the point `{}` has two motions", "点 `{}` 有两个运动", point.text);
+                let message =
+                    both!("the point `{}` has two motions", "点 `{}` 有两个运动", point.text);
                 self.fault("twice", point.span, message, both!("keep one of them", "请保留一个"));
             }
             toward.extend(target.map(|t| (all.len(), t)));
@@ -316,7 +425,8 @@ impl ParticleReader<'_> {
         }
         // Targets of motions that could not be read.
         for name in astray {
-            let known = all.iter().any(|m| m.point == name.text) || self.faulty.iter().any(|n| n.as_ref().is_none_or(|n| *n == name.text));
+            let known = all.iter().any(|m| m.point == name.text)
+                || self.faulty.iter().any(|n| n.as_ref().is_none_or(|n| *n == name.text));
             if !known {
                 self.no_motion(&name, &all);
             }
@@ -326,11 +436,19 @@ impl ParticleReader<'_> {
 
     fn no_motion(&mut self, name: &Word, all: &[ParticleMotion]) {
         let message = both!("the point `{}` has no motion", "点 `{}` 没有运动", name.text);
-        let near = suggest(&name.text, all.iter().map(|m| m.point.as_str()), both!("points that move are", "运动的点有"));
+        let near = suggest(
+            &name.text,
+            all.iter().map(|m| m.point.as_str()),
+            both!("points that move are", "运动的点有"),
+        );
         self.fault("unknown-point", name.span, message, near);
     }
 
-    fn motion(&mut self, node: &Node, plates: &[Plate]) -> Option<(Word, ParticleMotionKind, Option<Word>)> {
+    fn motion(
+        &mut self,
+        node: &Node,
+        plates: &[Plate],
+    ) -> Option<(Word, ParticleMotionKind, Option<Word>)> {
         let f = Fields::open(node, both!("a motion", "运动"), &MOTION, self.faults)?;
         let point = self.word(&f, "point", "\"A\"")?;
         if f.get("toward").is_some() || f.get("speed").is_some() {
@@ -339,7 +457,11 @@ impl ParticleReader<'_> {
             let target = self.word(&f, "toward", "\"B\"");
             let speed = self.need(&f, "speed", RequiredQuantity::Velocity, "\"5 m/s\"");
             let from = self.from(&f, &point, true);
-            return Some((point, ParticleMotionKind::Toward { from: from?, target: 0, speed: speed? }, Some(target?)));
+            return Some((
+                point,
+                ParticleMotionKind::Toward { from: from?, target: 0, speed: speed? },
+                Some(target?),
+            ));
         }
         let plate = match f.get("on") {
             None => None,
@@ -348,14 +470,24 @@ impl ParticleReader<'_> {
                 let found = plates.iter().position(|p| p.link == on.text);
                 if found.is_none() {
                     let message = both!("there is no plate `{}`", "没有平板 `{}`", on.text);
-                    let near = suggest(&on.text, plates.iter().map(|p| p.link.as_str()), both!("the plates are", "平板有"));
+                    let near = suggest(
+                        &on.text,
+                        plates.iter().map(|p| p.link.as_str()),
+                        both!("the plates are", "平板有"),
+                    );
                     self.fault("unknown-plate", on.span, message, near);
                 }
                 Some(found?)
             }
         };
         let way = self.way(&f, &point, plate.is_some())?;
-        Some((point, plate.map_or(ParticleMotionKind::Fixed(way.clone()), |k| ParticleMotionKind::OnPlate(k, way)), None))
+        Some((
+            point,
+            plate.map_or(ParticleMotionKind::Fixed(way.clone()), |k| {
+                ParticleMotionKind::OnPlate(k, way)
+            }),
+            None,
+        ))
     }
 
     fn none_of(&mut self, f: &Fields, wrong: &[&'static str], what: &Both) {
@@ -379,7 +511,11 @@ impl ParticleReader<'_> {
         // The fault of its place is reported there.
         if known.is_none() && !self.misplaced.contains(&point.text) {
             let message = both!("where `{}` starts is not said", "未给出 `{}` 的起点", point.text);
-            let help = both!("add \"points\": {{\"{}\": [0, 0]}}", "请加 \"points\": {{\"{}\": [0, 0]}}", point.text);
+            let help = both!(
+                "add \"points\": {{\"{}\": [0, 0]}}",
+                "请加 \"points\": {{\"{}\": [0, 0]}}",
+                point.text
+            );
             self.fault("missing-key", point.span, message, help);
         }
         known
@@ -390,15 +526,23 @@ impl ParticleReader<'_> {
         if has("r") || has("phi") {
             let wrong = ["angle", "to_axis", "centre", "radius", "s", "x", "y"];
             self.none_of(f, &wrong, &both!("a motion by polar coordinates", "以极坐标给出的运动"));
-            let (r, phi) =
-                (self.need(f, "r", RequiredQuantity::Length, "\"4 m/s*t\""), self.need(f, "phi", RequiredQuantity::Angle, "\"2 rad/s*t\""));
+            let (r, phi) = (
+                self.need(f, "r", RequiredQuantity::Length, "\"4 m/s*t\""),
+                self.need(f, "phi", RequiredQuantity::Angle, "\"2 rad/s*t\""),
+            );
             let pole = self.from(f, point, false);
             return Some(PathLaw::Polar { pole: pole?, r: r?, phi: phi? });
         }
         if has("x") || has("y") {
-            self.none_of(f, &["angle", "to_axis", "centre", "radius", "s", "from"], &both!("a motion by coordinates", "以坐标给出的运动"));
-            let (x, y) =
-                (self.need(f, "x", RequiredQuantity::Length, "\"4 m/s*t\""), self.need(f, "y", RequiredQuantity::Length, "\"3 km\""));
+            self.none_of(
+                f,
+                &["angle", "to_axis", "centre", "radius", "s", "from"],
+                &both!("a motion by coordinates", "以坐标给出的运动"),
+            );
+            let (x, y) = (
+                self.need(f, "x", RequiredQuantity::Length, "\"4 m/s*t\""),
+                self.need(f, "y", RequiredQuantity::Length, "\"3 km\""),
+            );
             return Some(PathLaw::Free([x?, y?]));
         }
         let s = self.need(f, "s", RequiredQuantity::Length, "\"4 m/s*t\"");
@@ -411,7 +555,11 @@ impl ParticleReader<'_> {
         }
         self.none_of(f, &["radius"], &both!("a motion along a line", "直线运动"));
         let from = self.from(f, point, !on_plate);
-        let (key, example) = if on_plate { ("to_axis", "\"60 deg\", from the axis") } else { ("angle", "\"0 deg\"") };
+        let (key, example) = if on_plate {
+            ("to_axis", "\"60 deg\", from the axis")
+        } else {
+            ("angle", "\"0 deg\"")
+        };
         let other = if on_plate { "angle" } else { "to_axis" };
         self.none_of(
             f,
@@ -434,7 +582,11 @@ impl ParticleReader<'_> {
             let Some(text) = word(n, "\"find\"", self.faults) else { continue };
             match ask::meaning(problem, &text.text, text.span) {
                 Ok(found) => out.push(found),
-                Err(_) if self.faulty.iter().any(|n| n.as_ref().is_none_or(|n| text.text.contains(n.as_str()))) => {}
+                Err(_)
+                    if self
+                        .faulty
+                        .iter()
+                        .any(|n| n.as_ref().is_none_or(|n| text.text.contains(n.as_str()))) => {}
                 Err(d) => self.faults.push(d),
             }
         }

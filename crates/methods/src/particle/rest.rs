@@ -12,15 +12,28 @@ pub(super) type RestPoint = (Word, [Law; 2]);
 
 /// Returns a point at rest.
 pub(super) fn still((name, place): &RestPoint) -> ParticleMotion {
-    ParticleMotion { point: name.text.clone(), kind: ParticleMotionKind::Fixed(PathLaw::Free(place.clone())) }
+    ParticleMotion {
+        point: name.text.clone(),
+        kind: ParticleMotionKind::Fixed(PathLaw::Free(place.clone())),
+    }
 }
 
 /// Returns the places that questions name, as points at rest.
-pub(super) fn asked<'a>(problem: &ParticleProblem, places: impl Iterator<Item = &'a RestPoint>, questions: &[&str]) -> Vec<ParticleMotion> {
+pub(super) fn asked<'a>(
+    problem: &ParticleProblem,
+    places: impl Iterator<Item = &'a RestPoint>,
+    questions: &[&str],
+) -> Vec<ParticleMotion> {
     let mut all = problem.clone();
     let moved = all.motions.len();
     all.motions.extend(places.map(still));
     let found = questions.iter().filter_map(|text| ask::meaning(&all, text, Span::new(0, 0)).ok());
     let named: Vec<usize> = found.flat_map(|f| f.what.motions()).collect();
-    all.motions.into_iter().enumerate().skip(moved).filter(|(k, _)| named.contains(k)).map(|(_, m)| m).collect()
+    all.motions
+        .into_iter()
+        .enumerate()
+        .skip(moved)
+        .filter(|(k, _)| named.contains(k))
+        .map(|(_, m)| m)
+        .collect()
 }

@@ -19,8 +19,11 @@ mod tests {
     #[test]
     fn schema_and_reader_know_the_same_keys() {
         let schema: Value = serde_json::from_str(schema()).unwrap();
-        let keys = |at: &str| -> BTreeSet<String> { schema.pointer(at).unwrap().as_object().unwrap().keys().cloned().collect() };
-        let owned = |all: Vec<&str>| -> BTreeSet<String> { all.into_iter().map(str::to_owned).collect() };
+        let keys = |at: &str| -> BTreeSet<String> {
+            schema.pointer(at).unwrap().as_object().unwrap().keys().cloned().collect()
+        };
+        let owned =
+            |all: Vec<&str>| -> BTreeSet<String> { all.into_iter().map(str::to_owned).collect() };
         assert_eq!(keys("/properties"), owned(front::KEYS.iter().chain(&KEYS).copied().collect()));
         assert_eq!(keys("/properties/motions/items/properties"), owned(MOTION.to_vec()));
         assert_eq!(keys("/properties/plates/items/properties"), owned(PLATE.to_vec()));
@@ -32,7 +35,10 @@ mod tests {
         let validator = jsonschema::validator_for(&schema).expect("the schema is a schema");
         for name in templates::names() {
             let file: Value = serde_json::from_str(templates::get(name).unwrap()).unwrap();
-            let faults: Vec<String> = validator.iter_errors(&file).map(|e| format!("{}: {e}", e.instance_path())).collect();
+            let faults: Vec<String> = validator
+                .iter_errors(&file)
+                .map(|e| format!("{}: {e}", e.instance_path()))
+                .collect();
             assert!(faults.is_empty(), "{name}: {faults:#?}");
         }
     }

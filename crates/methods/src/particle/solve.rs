@@ -89,14 +89,20 @@ pub fn solve(problem: &ParticleProblem) -> Result<ParticleSolution, Faults> {
 ///
 /// # Errors
 /// The same as for [`solve`].
-pub fn solve_again(problem: &ParticleProblem, known: &ParticleSolution) -> Result<ParticleSolution, Faults> {
+pub fn solve_again(
+    problem: &ParticleProblem,
+    known: &ParticleSolution,
+) -> Result<ParticleSolution, Faults> {
     let mut chases = Vec::new();
     for (k, end) in &known.ends {
         let m = &problem.motions[*k];
         let Some((chase, target)) = problem.chase(m) else { continue };
         chases.push((*k, caught(problem, &chase, m, target, Some(end), false)?));
     }
-    Ok(ParticleSolution { answers: answered(problem, &chases, &known.ends, &[])?, ends: known.ends.clone() })
+    Ok(ParticleSolution {
+        answers: answered(problem, &chases, &known.ends, &[])?,
+        ends: known.ends.clone(),
+    })
 }
 
 fn answered(
@@ -106,20 +112,29 @@ fn answered(
     lost: &[(usize, Diagnostic)],
 ) -> Result<Vec<ParticleAnswer>, Diagnostic> {
     let answer = |(find, question): (usize, &super::ParticleQuestion)| {
-        let gone = |k: usize| lost.iter().find(|l| l.0 == k).map(|l| ParticleValue::None(l.1.clone()));
+        let gone =
+            |k: usize| lost.iter().find(|l| l.0 == k).map(|l| ParticleValue::None(l.1.clone()));
         let value = match question.what {
-            ParticleQuantity::MeetingTime(k) | ParticleQuantity::MeetingPlace(k) if gone(k).is_some() => {
+            ParticleQuantity::MeetingTime(k) | ParticleQuantity::MeetingPlace(k)
+                if gone(k).is_some() =>
+            {
                 gone(k).unwrap_or_else(|| ParticleValue::None(undecided()))
             }
             ParticleQuantity::MeetingTime(k) => meeting(problem, k, ends, |time, _| scalar(time)),
-            ParticleQuantity::MeetingPlace(k) => meeting(problem, k, ends, |_, place| vector(&place)),
-            ParticleQuantity::Distance(k) | ParticleQuantity::LineOmega(k) => of_chase(problem, k, chases, question.what)?,
+            ParticleQuantity::MeetingPlace(k) => {
+                meeting(problem, k, ends, |_, place| vector(&place))
+            }
+            ParticleQuantity::Distance(k) | ParticleQuantity::LineOmega(k) => {
+                of_chase(problem, k, chases, question.what)?
+            }
             ParticleQuantity::Place(k)
             | ParticleQuantity::Velocity(k)
             | ParticleQuantity::Acceleration(k)
             | ParticleQuantity::Curvature(k) => match problem.motions[k].kind {
                 ParticleMotionKind::Toward { .. } => of_chase(problem, k, chases, question.what)?,
-                ParticleMotionKind::Fixed(_) | ParticleMotionKind::OnPlate(..) => by_law(problem, k, question.what)?,
+                ParticleMotionKind::Fixed(_) | ParticleMotionKind::OnPlate(..) => {
+                    by_law(problem, k, question.what)?
+                }
             },
             ParticleQuantity::Part(k, _) => by_law(problem, k, question.what)?,
             ParticleQuantity::Between(two, m) => between(problem, two, m, chases)?,
@@ -135,7 +150,9 @@ fn answered(
 fn ended(chase: &Chase) -> Result<PursuitEnd, Diagnostic> {
     let mut steps = 0;
     match chase.end_seen::<f64>(&mut |_| steps += 1)? {
-        PursuitEnd::Meet { .. } if longer(chase)? && steps <= pursuit::MOST_LONGER => chase.end::<Dd>(),
+        PursuitEnd::Meet { .. } if longer(chase)? && steps <= pursuit::MOST_LONGER => {
+            chase.end::<Dd>()
+        }
         end @ (PursuitEnd::Meet { .. } | PursuitEnd::Apart { .. }) => Ok(end),
     }
 }
@@ -143,7 +160,8 @@ fn ended(chase: &Chase) -> Result<PursuitEnd, Diagnostic> {
 /// True if the laws have values in double-double numbers.
 fn longer(chase: &Chase) -> Result<bool, Diagnostic> {
     let start = chase.start::<Dd>()?;
-    Ok(start.d.iter().all(|x| x.is_decided()) && chase.target.at(start.t)?.iter().all(|j| j.is_decided()))
+    Ok(start.d.iter().all(|x| x.is_decided())
+        && chase.target.at(start.t)?.iter().all(|j| j.is_decided()))
 }
 
 type PursuitVector = [Ball<Dd>; 2];
@@ -175,7 +193,10 @@ fn caught(
     Ok(if long { at_instant::<Dd>(problem, chase)? } else { at_instant::<f64>(problem, chase)? })
 }
 
-fn at_instant<N: Real + Into<Dd>>(problem: &ParticleProblem, chase: &Chase) -> Result<PursuitVector, Diagnostic> {
+fn at_instant<N: Real + Into<Dd>>(
+    problem: &ParticleProblem,
+    chase: &Chase,
+) -> Result<PursuitVector, Diagnostic> {
     let t = problem.time.at(N::from_f64(0.0))?.number.0[0];
     let (state, _) = chase.follow(chase.start::<N>()?, Some(t), &mut |_| {})?;
     Ok(state.enclosed())
@@ -196,7 +217,10 @@ pub fn course(chase: &Chase, times: &[f64]) -> Result<Vec<pursuit::PursuitState<
 }
 
 fn undecided() -> Diagnostic {
-    Diagnostic::error("undecided", both!("its digits cannot be told apart from zero", "无法确定其数字"))
+    Diagnostic::error(
+        "undecided",
+        both!("its digits cannot be told apart from zero", "无法确定其数字"),
+    )
 }
 
 fn scalar<N: Certain>(x: N) -> ParticleValue {
@@ -207,7 +231,8 @@ fn vector<N: Certain>(all: &[N]) -> ParticleValue {
     let zero = N::from_f64(0.0);
     let size = all.iter().fold(zero, |s, x| s + *x * *x);
     // The root of a value that is zero to rounding would lose half of the digits.
-    let size = if all.iter().all(|x| x.approx() == 0.0 && x.radius() == 0.0) { zero } else { size.sqrt() };
+    let size =
+        if all.iter().all(|x| x.approx() == 0.0 && x.radius() == 0.0) { zero } else { size.sqrt() };
     let parts: Option<Vec<Enclosure>> = all.iter().map(|x| x.enclosure()).collect();
     match (parts, size.enclosure()) {
         (Some(parts), Some(size)) => ParticleValue::Vector(parts, size),
@@ -253,10 +278,15 @@ struct Pursuer<N> {
 
 /// Returns the quantities that follow from the vector from pursuer to target at the instant: v
 /// along it, its ω, and a = v′ along it and vω square to it.
-fn pursuer(problem: &ParticleProblem, k: usize, chases: &[(usize, PursuitVector)]) -> Result<Option<Pursuer<Ball<Dd>>>, Diagnostic> {
+fn pursuer(
+    problem: &ParticleProblem,
+    k: usize,
+    chases: &[(usize, PursuitVector)],
+) -> Result<Option<Pursuer<Ball<Dd>>>, Diagnostic> {
     type N = Ball<Dd>;
     let m = &problem.motions[k];
-    let (Some((chase, _)), Some((_, d))) = (problem.chase(m), chases.iter().find(|c| c.0 == k)) else {
+    let (Some((chase, _)), Some((_, d))) = (problem.chase(m), chases.iter().find(|c| c.0 == k))
+    else {
         return Ok(None);
     };
     let t = problem.time.at(N::from_f64(0.0))?.number.0[0];
@@ -266,7 +296,10 @@ fn pursuer(problem: &ParticleProblem, k: usize, chases: &[(usize, PursuitVector)
     let [x, y] = if x.is_decided() && y.is_decided() {
         [x.0, y.0]
     } else {
-        chase.target.at(problem.time.at(Ball::<f64>::from_f64(0.0))?.number.0[0])?.map(|j| j.0.map(short))
+        chase
+            .target
+            .at(problem.time.at(Ball::<f64>::from_f64(0.0))?.number.0[0])?
+            .map(|j| j.0.map(short))
     };
     let speed = super::law::jet(chase.speed, t)?.0;
     let l = d[0].hypot(d[1]);
@@ -285,7 +318,9 @@ fn of_chase(
     chases: &[(usize, PursuitVector)],
     what: ParticleQuantity,
 ) -> Result<ParticleValue, Diagnostic> {
-    let Some(Pursuer { line: [l, omega], state: [place, v, a], speed }) = pursuer(problem, k, chases)? else {
+    let Some(Pursuer { line: [l, omega], state: [place, v, a], speed }) =
+        pursuer(problem, k, chases)?
+    else {
         return Ok(ParticleValue::None(undecided()));
     };
     Ok(match what {
@@ -294,8 +329,12 @@ fn of_chase(
         ParticleQuantity::Place(_) => vector(&place),
         ParticleQuantity::Velocity(_) => vector(&v),
         ParticleQuantity::Acceleration(_) => vector(&a),
-        ParticleQuantity::Curvature(_) if omega.contains_zero() => ParticleValue::None(straight(&problem.motions[k].point)),
-        ParticleQuantity::Curvature(_) => scalar(if omega.approx() < 0.0 { -(speed / omega) } else { speed / omega }),
+        ParticleQuantity::Curvature(_) if omega.contains_zero() => {
+            ParticleValue::None(straight(&problem.motions[k].point))
+        }
+        ParticleQuantity::Curvature(_) => {
+            scalar(if omega.approx() < 0.0 { -(speed / omega) } else { speed / omega })
+        }
         ParticleQuantity::MeetingTime(_)
         | ParticleQuantity::MeetingPlace(_)
         | ParticleQuantity::Part(..)
@@ -305,25 +344,43 @@ fn of_chase(
 
 /// Returns a quantity of two points: from their laws in long numbers, or with a pursuer in the
 /// numbers of its course.
-fn between(problem: &ParticleProblem, two: [usize; 2], m: Mutual, chases: &[(usize, PursuitVector)]) -> Result<ParticleValue, Diagnostic> {
+fn between(
+    problem: &ParticleProblem,
+    two: [usize; 2],
+    m: Mutual,
+    chases: &[(usize, PursuitVector)],
+) -> Result<ParticleValue, Diagnostic> {
     let pursues = |k: usize| matches!(problem.motions[k].kind, ParticleMotionKind::Toward { .. });
     if two.into_iter().any(pursues) {
         let mut states = Vec::new();
         for k in two {
-            let found = if pursues(k) { pursuer(problem, k, chases)?.map(|p| p.state) } else { by_way::<Ball<Dd>>(problem, k)? };
+            let found = if pursues(k) {
+                pursuer(problem, k, chases)?.map(|p| p.state)
+            } else {
+                by_way::<Ball<Dd>>(problem, k)?
+            };
             states.extend(found);
         }
-        return Ok(<[_; 2]>::try_from(states).map_or_else(|_| ParticleValue::None(undecided()), |[a, b]| mutual(a, b, m)));
+        return Ok(<[_; 2]>::try_from(states)
+            .map_or_else(|_| ParticleValue::None(undecided()), |[a, b]| mutual(a, b, m)));
     }
     let fine = within(BITS, || mutual_by_laws::<Ball<Big>>(problem, two, m))?;
     match fine {
-        ParticleValue::None(d) if d.code == "undecided" => mutual_by_laws::<Ball<f64>>(problem, two, m),
+        ParticleValue::None(d) if d.code == "undecided" => {
+            mutual_by_laws::<Ball<f64>>(problem, two, m)
+        }
         other => Ok(other),
     }
 }
 
-fn mutual_by_laws<N: Certain>(problem: &ParticleProblem, [a, b]: [usize; 2], m: Mutual) -> Result<ParticleValue, Diagnostic> {
-    let (Some(a), Some(b)) = (by_way::<N>(problem, a)?, by_way::<N>(problem, b)?) else { return Ok(ParticleValue::None(undecided())) };
+fn mutual_by_laws<N: Certain>(
+    problem: &ParticleProblem,
+    [a, b]: [usize; 2],
+    m: Mutual,
+) -> Result<ParticleValue, Diagnostic> {
+    let (Some(a), Some(b)) = (by_way::<N>(problem, a)?, by_way::<N>(problem, b)?) else {
+        return Ok(ParticleValue::None(undecided()));
+    };
     Ok(mutual(a, b, m))
 }
 
@@ -339,9 +396,9 @@ fn mutual<N: Certain>(a: [[N; 2]; 3], b: [[N; 2]; 3], m: Mutual) -> ParticleValu
     let d = off(0);
     let square = d[0] * d[0] + d[1] * d[1];
     match m {
-        Mutual::Distance | Mutual::Turning if square.approx() == 0.0 => {
-            ParticleValue::None(Diagnostic::error("straight", both!("the two points are in one place", "两点重合")))
-        }
+        Mutual::Distance | Mutual::Turning if square.approx() == 0.0 => ParticleValue::None(
+            Diagnostic::error("straight", both!("the two points are in one place", "两点重合")),
+        ),
         Mutual::Distance => scalar(square.sqrt()),
         Mutual::Turning => scalar(cross(d, off(1)) / square),
         Mutual::Velocity => vector(&off(1)),
@@ -350,20 +407,38 @@ fn mutual<N: Certain>(a: [[N; 2]; 3], b: [[N; 2]; 3], m: Mutual) -> ParticleValu
 }
 
 fn straight(point: &str) -> Diagnostic {
-    Diagnostic::error("straight", both!("the path of {point} does not bend at the instant", "此瞬时 {point} 的轨迹不弯曲（ρ = ∞）"))
+    Diagnostic::error(
+        "straight",
+        both!(
+            "the path of {point} does not bend at the instant",
+            "此瞬时 {point} 的轨迹不弯曲（ρ = ∞）"
+        ),
+    )
 }
 
 /// Returns an answer from laws alone: in `f64` with its error bound, or in longer numbers if that
 /// leaves too few digits.
-fn by_law(problem: &ParticleProblem, k: usize, what: ParticleQuantity) -> Result<ParticleValue, Diagnostic> {
+fn by_law(
+    problem: &ParticleProblem,
+    k: usize,
+    what: ParticleQuantity,
+) -> Result<ParticleValue, Diagnostic> {
     let fine = within(BITS, || in_numbers::<Ball<Big>>(problem, k, what))?;
     match fine {
-        ParticleValue::None(d) if d.code == "undecided" => in_numbers::<Ball<f64>>(problem, k, what),
-        other @ (ParticleValue::Vector(..) | ParticleValue::Scalar(_) | ParticleValue::None(_)) => Ok(other),
+        ParticleValue::None(d) if d.code == "undecided" => {
+            in_numbers::<Ball<f64>>(problem, k, what)
+        }
+        other @ (ParticleValue::Vector(..) | ParticleValue::Scalar(_) | ParticleValue::None(_)) => {
+            Ok(other)
+        }
     }
 }
 
-fn in_numbers<N: Certain>(problem: &ParticleProblem, k: usize, what: ParticleQuantity) -> Result<ParticleValue, Diagnostic> {
+fn in_numbers<N: Certain>(
+    problem: &ParticleProblem,
+    k: usize,
+    what: ParticleQuantity,
+) -> Result<ParticleValue, Diagnostic> {
     let t = problem.time.at(N::from_f64(0.0))?.number.0[0];
     let m = &problem.motions[k];
     let [place, v, a] = match &m.kind {
@@ -372,7 +447,9 @@ fn in_numbers<N: Certain>(problem: &ParticleProblem, k: usize, what: ParticleQua
             [0, 1, 2].map(|order| vec![x.0[order], y.0[order]])
         }
         ParticleMotionKind::OnPlate(..) => {
-            let Some(state) = PlateState::of(problem, m, t)? else { return Ok(ParticleValue::None(undecided())) };
+            let Some(state) = PlateState::of(problem, m, t)? else {
+                return Ok(ParticleValue::None(undecided()));
+            };
             if let ParticleQuantity::Part(_, part) = what {
                 return Ok(vector(&state.part(part)));
             }
@@ -402,7 +479,9 @@ fn curvature<N: Certain>(point: &str, v: &[N], a: &[N]) -> ParticleValue {
     let c = [turned(1, 2), turned(2, 0), turned(0, 1)];
     let bend = c.iter().fold(zero, |s, x| s + *x * *x);
     let v2 = v.iter().fold(zero, |s, x| s + *x * *x);
-    if bend.approx() <= 2.0 * bend.radius() || bend.approx() <= 1e-60 * v2.approx() * a.iter().fold(0.0, |s, x| s + x.approx() * x.approx())
+    if bend.approx() <= 2.0 * bend.radius()
+        || bend.approx()
+            <= 1e-60 * v2.approx() * a.iter().fold(0.0, |s, x| s + x.approx() * x.approx())
     {
         return ParticleValue::None(straight(point));
     }

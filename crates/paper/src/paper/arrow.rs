@@ -74,7 +74,13 @@ pub struct BentArrow {
 
 /// Splits a bent arrow into shaft and head. The head lies along the chord of its own length, so
 /// that it follows the bend.
-pub fn bent(centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64, head: ArrowHead) -> BentArrow {
+pub fn bent(
+    centre: Point,
+    radius_mm: f64,
+    from_rad: f64,
+    to_rad: f64,
+    head: ArrowHead,
+) -> BentArrow {
     let sweep = to_rad - from_rad;
     let head = head.limited(sweep.abs() * radius_mm);
     let tip = on_circle(centre, radius_mm, to_rad);
@@ -97,13 +103,20 @@ mod tests {
         assert_eq!(long.head[1], Point::new(27.0, 0.5));
         let short = straight(Point::ORIGIN, Point::new(2.0, 0.0), ArrowHead::VECTOR);
         assert!((short.head[1].x - 0.6).abs() < 1e-12, "70 % of 2 mm");
-        assert!((0.25..0.5).contains(&short.head[1].y), "narrower than a full head, wider than the 0.4 mm shaft");
+        assert!(
+            (0.25..0.5).contains(&short.head[1].y),
+            "narrower than a full head, wider than the 0.4 mm shaft"
+        );
         assert!(straight(Point::ORIGIN, Point::ORIGIN, ArrowHead::VECTOR).head.is_empty());
     }
 
     #[test]
     fn bent_arrow_points_the_way_it_turns() {
-        for (from, to, down) in [(0.0, std::f64::consts::PI, true), (std::f64::consts::PI, 0.0, true), (-1.5, 0.0, false)] {
+        for (from, to, down) in [
+            (0.0, std::f64::consts::PI, true),
+            (std::f64::consts::PI, 0.0, true),
+            (-1.5, 0.0, false),
+        ] {
             let a = bent(Point::ORIGIN, 10.0, from, to, ArrowHead::VECTOR);
             let back = a.head[2];
             assert_eq!(back.y > a.head[0].y, down, "{from} to {to}: {a:?}");

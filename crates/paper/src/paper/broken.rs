@@ -68,18 +68,36 @@ impl LineCourse {
         let (way, stroke) = match shape {
             Shape::Line { from, to, stroke } => (LineCourse::through([*from, *to]), *stroke),
             Shape::Arrow { from, to, stroke, .. } => (LineCourse::through([*from, *to]), *stroke),
-            Shape::Polyline { points, closed, stroke: Some(stroke), fill: None } if points.len() > 1 => {
+            Shape::Polyline { points, closed, stroke: Some(stroke), fill: None }
+                if points.len() > 1 =>
+            {
                 let back = points.first().copied().filter(|_| *closed);
                 (LineCourse::through(points.iter().copied().chain(back)), *stroke)
             }
             Shape::Arc { centre, radius_mm, from_rad, to_rad, stroke }
-            | Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke, .. } => {
-                (LineCourse::Bent { centre: *centre, radius_mm: *radius_mm, from_rad: *from_rad, sweep_rad: to_rad - from_rad }, *stroke)
-            }
-            Shape::Circle { centre, radius_mm, stroke: Some(stroke), fill: None } => {
-                (LineCourse::Bent { centre: *centre, radius_mm: *radius_mm, from_rad: 0.0, sweep_rad: TAU }, *stroke)
-            }
-            Shape::Circle { .. } | Shape::Polyline { .. } | Shape::Path { .. } | Shape::Label { .. } | Shape::Turned { .. } => return None,
+            | Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke, .. } => (
+                LineCourse::Bent {
+                    centre: *centre,
+                    radius_mm: *radius_mm,
+                    from_rad: *from_rad,
+                    sweep_rad: to_rad - from_rad,
+                },
+                *stroke,
+            ),
+            Shape::Circle { centre, radius_mm, stroke: Some(stroke), fill: None } => (
+                LineCourse::Bent {
+                    centre: *centre,
+                    radius_mm: *radius_mm,
+                    from_rad: 0.0,
+                    sweep_rad: TAU,
+                },
+                *stroke,
+            ),
+            Shape::Circle { .. }
+            | Shape::Polyline { .. }
+            | Shape::Path { .. }
+            | Shape::Label { .. }
+            | Shape::Turned { .. } => return None,
         };
         (stroke.width_mm < THICK_MM).then_some((way, stroke))
     }
@@ -95,13 +113,24 @@ impl LineCourse {
         match self {
             LineCourse::Straight(corners) => {
                 let wanted = t * self.length_mm();
-                let k = corners.partition_point(|c| c.1 < wanted).min(corners.len().saturating_sub(1)).max(1);
-                let (Some((from, before)), Some((to, length))) = (corners.get(k - 1).copied(), corners.get(k).copied()) else {
+                let k = corners
+                    .partition_point(|c| c.1 < wanted)
+                    .min(corners.len().saturating_sub(1))
+                    .max(1);
+                let (Some((from, before)), Some((to, length))) =
+                    (corners.get(k - 1).copied(), corners.get(k).copied())
+                else {
                     return corners.first().map_or(Point::ORIGIN, |c| c.0);
                 };
-                if length > before { from + (to - from) * ((wanted - before) / (length - before)) } else { to }
+                if length > before {
+                    from + (to - from) * ((wanted - before) / (length - before))
+                } else {
+                    to
+                }
             }
-            LineCourse::Bent { centre, radius_mm, from_rad, sweep_rad } => on_circle(*centre, *radius_mm, from_rad + sweep_rad * t),
+            LineCourse::Bent { centre, radius_mm, from_rad, sweep_rad } => {
+                on_circle(*centre, *radius_mm, from_rad + sweep_rad * t)
+            }
         }
     }
 
@@ -109,7 +138,10 @@ impl LineCourse {
         match self {
             LineCourse::Straight(corners) => {
                 let whole = self.length_mm();
-                let between = corners.iter().filter(|c| from * whole < c.1 && c.1 < to * whole).map(|c| PathPiece::Line(c.0));
+                let between = corners
+                    .iter()
+                    .filter(|c| from * whole < c.1 && c.1 < to * whole)
+                    .map(|c| PathPiece::Line(c.0));
                 between.chain([PathPiece::Line(self.at(to))]).collect()
             }
             LineCourse::Bent { centre, radius_mm, from_rad, sweep_rad } => vec![PathPiece::Arc {
@@ -123,9 +155,20 @@ impl LineCourse {
 
     /// Returns the shape of one item that draws these runs of the line.
     fn path(&self, runs: &[[f64; 2]], stroke: LineStroke) -> Shape {
-        let pieces =
-            runs.iter().flat_map(|run| std::iter::once(PathPiece::Move(self.at(run[0]))).chain(self.pieces(*run))).skip(1).collect();
-        Shape::Path { start: self.at(runs[0][0]), pieces, closed: false, stroke: Some(stroke), fill: None }
+        let pieces = runs
+            .iter()
+            .flat_map(|run| {
+                std::iter::once(PathPiece::Move(self.at(run[0]))).chain(self.pieces(*run))
+            })
+            .skip(1)
+            .collect();
+        Shape::Path {
+            start: self.at(runs[0][0]),
+            pieces,
+            closed: false,
+            stroke: Some(stroke),
+            fill: None,
+        }
     }
 }
 
@@ -157,11 +200,16 @@ pub fn break_at(items: &mut Vec<FigureItem>, labels: &[Rect]) {
     for item in items.iter_mut() {
         let Some((way, stroke)) = LineCourse::thin(&item.shape) else { continue };
         let Some(bounds) = item.bounds() else { continue };
-        let near: Vec<Rect> = labels.iter().map(|r| r.grown(AIR_MM)).filter(|r| r.overlap_mm2(bounds) > 0.0).collect();
+        let near: Vec<Rect> = labels
+            .iter()
+            .map(|r| r.grown(AIR_MM))
+            .filter(|r| r.overlap_mm2(bounds) > 0.0)
+            .collect();
         if near.is_empty() {
             continue;
         }
-        let inside = |r: &Rect, p: Point| p.x > r.min.x && p.x < r.max.x && p.y > r.min.y && p.y < r.max.y;
+        let inside =
+            |r: &Rect, p: Point| p.x > r.min.x && p.x < r.max.x && p.y > r.min.y && p.y < r.max.y;
         let steps = (way.length_mm() / STEP_MM).ceil().max(1.0) as usize;
         let runs = seen(steps, |t| near.iter().any(|r| inside(r, way.at(t))));
         let left: f64 = runs.iter().map(|[from, to]| to - from).sum();
@@ -173,8 +221,17 @@ pub fn break_at(items: &mut Vec<FigureItem>, labels: &[Rect]) {
             {
                 item.shape = headed;
                 if !shaft.is_empty() {
-                    let id = if item.id.is_empty() { String::new() } else { format!("{}-shaft", item.id) };
-                    before.push(FigureItem { id, shown: None, shape: way.path(shaft, stroke), ..item.clone() });
+                    let id = if item.id.is_empty() {
+                        String::new()
+                    } else {
+                        format!("{}-shaft", item.id)
+                    };
+                    before.push(FigureItem {
+                        id,
+                        shown: None,
+                        shape: way.path(shaft, stroke),
+                        ..item.clone()
+                    });
                 }
             }
         }
@@ -190,9 +247,22 @@ mod tests {
     #[test]
     fn a_thin_line_is_broken_at_a_label_and_a_thick_one_is_not() {
         let label = Rect::new(Point::new(4.0, -1.0), Point::new(6.0, 1.0));
-        let line =
-            |width| FigureItem::new("", Shape::Line { from: Point::ORIGIN, to: Point::new(20.0, 0.0), stroke: LineStroke::new(width) });
-        let ring = Shape::Circle { centre: Point::new(5.0, 9.0), radius_mm: 9.0, stroke: Some(LineStroke::new(0.2)), fill: None };
+        let line = |width| {
+            FigureItem::new(
+                "",
+                Shape::Line {
+                    from: Point::ORIGIN,
+                    to: Point::new(20.0, 0.0),
+                    stroke: LineStroke::new(width),
+                },
+            )
+        };
+        let ring = Shape::Circle {
+            centre: Point::new(5.0, 9.0),
+            radius_mm: 9.0,
+            stroke: Some(LineStroke::new(0.2)),
+            fill: None,
+        };
         let angle = Shape::ArcArrow {
             centre: Point::new(5.0, 9.0),
             radius_mm: 9.0,
@@ -201,10 +271,17 @@ mod tests {
             stroke: LineStroke::new(0.2),
             head: ArrowHead::VECTOR,
         };
-        let mut items = vec![line(0.2), line(0.4), FigureItem::new("", ring), FigureItem::new("angle", angle.clone())];
+        let mut items = vec![
+            line(0.2),
+            line(0.4),
+            FigureItem::new("", ring),
+            FigureItem::new("angle", angle.clone()),
+        ];
         break_at(&mut items, &[label]);
         let parts = |item: &FigureItem| match &item.shape {
-            Shape::Path { pieces, .. } => pieces.iter().filter(|p| !matches!(p, PathPiece::Move(_))).count(),
+            Shape::Path { pieces, .. } => {
+                pieces.iter().filter(|p| !matches!(p, PathPiece::Move(_))).count()
+            }
             _ => 0,
         };
         assert_eq!(items.iter().map(parts).collect::<Vec<_>>(), [2, 0, 2, 0, 1]);
@@ -213,15 +290,26 @@ mod tests {
             Shape::ArcArrow { from_rad, to_rad, .. } => [*from_rad, *to_rad],
             _ => [f64::NAN; 2],
         };
-        assert!(ends(&items[3].shape)[0] > 3.0 && ends(&items[3].shape)[1] == 9.0 && items[4].class == "angle");
+        assert!(
+            ends(&items[3].shape)[0] > 3.0
+                && ends(&items[3].shape)[1] == 9.0
+                && items[4].class == "angle"
+        );
         let ends = [items[0].bounds().unwrap(), line(0.2).bounds().unwrap()];
-        assert!(ends[0].min.distance(ends[1].min) < 1e-9 && ends[0].max.distance(ends[1].max) < 1e-9, "{ends:?}");
+        assert!(
+            ends[0].min.distance(ends[1].min) < 1e-9 && ends[0].max.distance(ends[1].max) < 1e-9,
+            "{ends:?}"
+        );
     }
 
     #[test]
     fn a_line_that_would_be_gone_stays() {
         let label = Rect::new(Point::new(1.0, -1.0), Point::new(9.0, 1.0));
-        let shape = Shape::Line { from: Point::ORIGIN, to: Point::new(10.0, 0.0), stroke: LineStroke::new(0.2) };
+        let shape = Shape::Line {
+            from: Point::ORIGIN,
+            to: Point::new(10.0, 0.0),
+            stroke: LineStroke::new(0.2),
+        };
         let mut items = vec![FigureItem::new("", shape.clone())];
         break_at(&mut items, &[label]);
         assert_eq!(items[0].shape, shape);

@@ -13,7 +13,9 @@ use super::broken::break_at;
 use super::extent::{Rect, bounds, translate};
 use super::item::{COARSE, FigureItem, PLACED, Shape, tag};
 use super::label::Label;
-use super::place::{Habit, LabelRequest, LeaderReach, Obstacles, Placement, Target, is_coarse, place_or_leave};
+use super::place::{
+    Habit, LabelRequest, LeaderReach, Obstacles, Placement, Target, is_coarse, place_or_leave,
+};
 use super::shown::{ShownQuantity, escaped};
 use super::style::Style;
 
@@ -97,7 +99,17 @@ impl Drawing {
     /// Returns an empty drawing; `kind` is the first word of every class and name in it.
     pub fn new(kind: &'static str, style: Style) -> Drawing {
         let (obstacles, names, counts) = (Obstacles::default(), HashSet::new(), HashMap::new());
-        Drawing { kind, style, items: Vec::new(), obstacles, wanted: Vec::new(), names, counts, owners: 0, link: None }
+        Drawing {
+            kind,
+            style,
+            items: Vec::new(),
+            obstacles,
+            wanted: Vec::new(),
+            names,
+            counts,
+            owners: 0,
+            link: None,
+        }
     }
 
     /// Assigns the items drawn after this call to a link, or to none.
@@ -149,14 +161,16 @@ impl Drawing {
         self.obstacles.bars[bars..].iter_mut().for_each(|bar| bar.faint = true);
         let added = self.items.split_off(before);
         // A plate area without an edge was moved to the back by an earlier call.
-        let edgeless = |i: &FigureItem| matches!(i.shape, Shape::Polyline { stroke: None, fill: Some(_), .. });
+        let edgeless =
+            |i: &FigureItem| matches!(i.shape, Shape::Polyline { stroke: None, fill: Some(_), .. });
         let plate = |i: &FigureItem| i.class.split(' ').any(|word| word == "plate");
         let (mut areas, kept): (Vec<FigureItem>, Vec<FigureItem>) =
             std::mem::take(&mut self.items).into_iter().partition(|i| plate(i) && edgeless(i));
         self.items = kept;
         for item in self.items.iter_mut().filter(|i| plate(i)) {
             let mut area = item.clone();
-            if let (Shape::Polyline { stroke, .. }, Shape::Polyline { fill, .. }) = (&mut area.shape, &mut item.shape)
+            if let (Shape::Polyline { stroke, .. }, Shape::Polyline { fill, .. }) =
+                (&mut area.shape, &mut item.shape)
                 && fill.is_some()
             {
                 (*stroke, *fill) = (None, None);
@@ -191,7 +205,8 @@ impl Drawing {
     pub fn mark(&mut self, name: &str, shown: ShownQuantity, at: Point) {
         let shape = Shape::Circle { centre: at, radius_mm: 0.0, stroke: None, fill: None };
         let id = self.name(&format!("mark-{name}"));
-        self.items.push(FigureItem::new(format!("{} mark", self.kind), shape).with_id(id).showing(shown));
+        self.items
+            .push(FigureItem::new(format!("{} mark", self.kind), shape).with_id(id).showing(shown));
         self.obstacles.marks.push(at);
     }
 
@@ -199,13 +214,21 @@ impl Drawing {
     pub fn label(&mut self, name: &str, class: &str, mut request: LabelRequest) -> String {
         request.label = request.label.in_fonts(&self.style.fonts);
         let id = self.name(&format!("label-{name}"));
-        self.wanted.push(PendingLabel { request, id: id.clone(), class: format!("{} {class} {PLACED}", self.kind), link: self.link });
+        self.wanted.push(PendingLabel {
+            request,
+            id: id.clone(),
+            class: format!("{} {class} {PLACED}", self.kind),
+            link: self.link,
+        });
         id
     }
 
     /// Keeps only the letters of points and poles, for a drawing beside one that has all names.
     pub fn letters_only(&mut self) {
-        let is_letter = |w: &PendingLabel| w.request.point().is_some() && w.class.split(' ').any(|word| matches!(word, "point" | "pole"));
+        let is_letter = |w: &PendingLabel| {
+            w.request.point().is_some()
+                && w.class.split(' ').any(|word| matches!(word, "point" | "pole"))
+        };
         self.wanted.retain(is_letter);
     }
 
@@ -222,29 +245,49 @@ impl Drawing {
     pub fn thin_out(&mut self, kept: &[Point]) {
         let small = |w: &PendingLabel| match w.request.target {
             Target::Point { at, .. } => Some((at, w.request.size_mm)),
-            Target::Segment { from, to, .. } => {
-                (from.distance(to) < w.request.size_mm).then(|| (from + (to - from) * 0.5, w.request.size_mm))
-            }
+            Target::Segment { from, to, .. } => (from.distance(to) < w.request.size_mm)
+                .then(|| (from + (to - from) * 0.5, w.request.size_mm)),
             Target::Arc { .. } => None,
         };
         let places: Vec<Option<(Point, f64)>> = self.wanted.iter().map(small).collect();
-        let near = |at: Point, reach: f64| places.iter().flatten().filter(|(p, _)| p.distance(at) < reach).count();
+        let near = |at: Point, reach: f64| {
+            places.iter().flatten().filter(|(p, _)| p.distance(at) < reach).count()
+        };
         let stays = |place: &Option<(Point, f64)>| {
-            place.is_none_or(|(at, reach)| near(at, reach) <= CROWD || kept.iter().any(|k| k.distance(at) < SAME_MM))
+            place.is_none_or(|(at, reach)| {
+                near(at, reach) <= CROWD || kept.iter().any(|k| k.distance(at) < SAME_MM)
+            })
         };
         let mut staying = places.iter().map(stays);
         self.wanted.retain(|_| staying.next().unwrap_or(true));
     }
 
     /// Requests a label at a point.
-    pub fn label_at(&mut self, name: &str, class: &str, text: &str, at: Point, clear_mm: f64, prefer: Option<Vec2>) {
+    pub fn label_at(
+        &mut self,
+        name: &str,
+        class: &str,
+        text: &str,
+        at: Point,
+        clear_mm: f64,
+        prefer: Option<Vec2>,
+    ) {
         let request = LabelRequest::at_point(Label::math(text), self.style.label_mm, at, clear_mm);
         self.label(name, class, LabelRequest { prefer, ..request });
     }
 
     /// Requests a label along a line that is already drawn.
-    pub fn label_along(&mut self, name: &str, class: &str, text: &str, ends: (Point, Point), clear_mm: f64, owner: u32) {
-        let request = LabelRequest::along(Label::math(text), self.style.label_mm, ends.0, ends.1, clear_mm);
+    pub fn label_along(
+        &mut self,
+        name: &str,
+        class: &str,
+        text: &str,
+        ends: (Point, Point),
+        clear_mm: f64,
+        owner: u32,
+    ) {
+        let request =
+            LabelRequest::along(Label::math(text), self.style.label_mm, ends.0, ends.1, clear_mm);
         self.label(name, class, request.owned(owner));
     }
 
@@ -290,19 +333,30 @@ impl Drawing {
         let requests: Vec<LabelRequest> = self.wanted.iter().map(|w| w.request.clone()).collect();
         self.obstacles.marks.extend(requests.iter().filter_map(LabelRequest::point));
         let (first, coarse) = (habits.is_empty(), is_coarse(requests.len()));
-        let before: Vec<Option<Habit>> = self.wanted.iter().filter(|_| !first).map(|w| habits.get(&w.id).copied()).collect();
+        let before: Vec<Option<Habit>> =
+            self.wanted.iter().filter(|_| !first).map(|w| habits.get(&w.id).copied()).collect();
         let placed = place_or_leave(&requests, &self.obstacles, (room, leads), &before);
         if leads == LeaderReach::Long {
             // In a series, breaks would appear and disappear from figure to figure.
-            let fixed = self.items.iter().filter(|i| matches!(i.shape, Shape::Label { .. })).filter_map(FigureItem::bounds);
+            let fixed = self
+                .items
+                .iter()
+                .filter(|i| matches!(i.shape, Shape::Label { .. }))
+                .filter_map(FigureItem::bounds);
             let boxes: Vec<Rect> = placed.iter().flatten().map(|p| p.bounds).chain(fixed).collect();
             break_at(&mut self.items, &boxes);
         }
         for (p, w) in placed.iter().zip(&self.wanted) {
             habits.insert(w.id.clone(), p.map_or(Habit::LeftOut, |p| Habit::At(p.index)));
             let Some(p) = p else { continue };
-            let class = if coarse { w.class.replace(PLACED, &format!("{COARSE} {PLACED}")) } else { w.class.clone() };
-            for (k, mut item) in p.items(&w.request, &class, self.style.thin).into_iter().rev().enumerate() {
+            let class = if coarse {
+                w.class.replace(PLACED, &format!("{COARSE} {PLACED}"))
+            } else {
+                w.class.clone()
+            };
+            for (k, mut item) in
+                p.items(&w.request, &class, self.style.thin).into_iter().rev().enumerate()
+            {
                 item.link = w.link;
                 let id = &w.id;
                 if k > 0 {
@@ -311,11 +365,20 @@ impl Drawing {
                 }
                 // The label comes first in this order and keeps the name; its leader line is named
                 // after it.
-                self.items.push(if k == 0 { item.with_id(id.clone()) } else { item.with_id(format!("{id}-leader")) });
+                self.items.push(if k == 0 {
+                    item.with_id(id.clone())
+                } else {
+                    item.with_id(format!("{id}-leader"))
+                });
             }
         }
         let mut part = DrawingPart::of(self.items);
-        part.left_out = placed.iter().zip(&self.wanted).filter(|(p, _)| p.is_none()).map(|(_, w)| w.id.clone()).collect();
+        part.left_out = placed
+            .iter()
+            .zip(&self.wanted)
+            .filter(|(p, _)| p.is_none())
+            .map(|(_, w)| w.id.clone())
+            .collect();
         part.placements = placed.into_iter().flatten().collect();
         part
     }
@@ -343,7 +406,11 @@ mod tests {
     #[test]
     fn names_are_unique_and_classes_begin_with_the_kind() {
         let mut d = Drawing::new("mechanism", Style::default());
-        d.draw("pivot-A", "", sym::fixed_pivot(&Style::default(), Point::ORIGIN, Vec2::new(0.0, -1.0)));
+        d.draw(
+            "pivot-A",
+            "",
+            sym::fixed_pivot(&Style::default(), Point::ORIGIN, Vec2::new(0.0, -1.0)),
+        );
         d.draw("pivot-A", "", sym::pin(&Style::default(), Point::new(20.0, 0.0)));
         d.label_at("A", "point", "A", Point::ORIGIN, 1.3, None);
         let part = d.finish();
@@ -360,7 +427,14 @@ mod tests {
         let labels = |count: usize| {
             let mut d = Drawing::new("velocity", Style::default());
             for k in 0..count {
-                d.label_at(&format!("b{k}"), "image", "b", Point::new(0.1 * k as f64, 0.0), 0.5, None);
+                d.label_at(
+                    &format!("b{k}"),
+                    "image",
+                    "b",
+                    Point::new(0.1 * k as f64, 0.0),
+                    0.5,
+                    None,
+                );
             }
             d.label_along("short", "edge", "s", (Point::ORIGIN, Point::new(1.0, 0.0)), 0.2, 0);
             d.label_along("long", "edge", "l", (Point::ORIGIN, Point::new(40.0, 0.0)), 0.2, 0);
@@ -379,7 +453,11 @@ mod tests {
         let corners = [(0.0, 0.0), (9.0, 0.0), (0.0, 9.0)].map(|(x, y)| Point::new(x, y));
         d.draw("link-2", "", sym::plate(&Style::default(), &corners));
         for k in 0..5 {
-            let shape = Shape::Line { from: Point::ORIGIN, to: Point::new(9.0, f64::from(k)), stroke: LineStroke::new(0.2) };
+            let shape = Shape::Line {
+                from: Point::ORIGIN,
+                to: Point::new(9.0, f64::from(k)),
+                stroke: LineStroke::new(0.2),
+            };
             d.behind(|d| {
                 d.shape("ray", "ray", shape.clone());
             });

@@ -19,7 +19,10 @@ pub struct Rect {
 impl Rect {
     /// The rectangle between two opposite corners.
     pub fn new(a: Point, b: Point) -> Rect {
-        Rect { min: Point::new(a.x.min(b.x), a.y.min(b.y)), max: Point::new(a.x.max(b.x), a.y.max(b.y)) }
+        Rect {
+            min: Point::new(a.x.min(b.x), a.y.min(b.y)),
+            max: Point::new(a.x.max(b.x), a.y.max(b.y)),
+        }
     }
 
     /// The smallest rectangle that contains both.
@@ -74,17 +77,24 @@ fn arc_points(centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) -> Vec<
     let (lo, hi) = (from_rad.min(to_rad), from_rad.max(to_rad));
     let mut points = vec![on_circle(centre, radius_mm, lo), on_circle(centre, radius_mm, hi)];
     let first = (lo / FRAC_PI_2).ceil() as i64;
-    points.extend((first..first + 4).map(|k| k as f64 * FRAC_PI_2).filter(|&a| a <= hi).map(|a| on_circle(centre, radius_mm, a)));
+    points.extend(
+        (first..first + 4)
+            .map(|k| k as f64 * FRAC_PI_2)
+            .filter(|&a| a <= hi)
+            .map(|a| on_circle(centre, radius_mm, a)),
+    );
     points
 }
 
 impl FigureItem {
-    /// Returns true if every number of the item is finite. ([`FigureItem::bounds`] cannot show this: the
-    /// smaller of NaN and 1 is 1.)
+    /// Returns true if every number of the item is finite. ([`FigureItem::bounds`] cannot show
+    /// this: the smaller of NaN and 1 is 1.)
     pub fn is_finite(&self) -> bool {
         let all = |numbers: &[f64]| numbers.iter().all(|n| n.is_finite());
         match &self.shape {
-            Shape::Line { from, to, .. } | Shape::Arrow { from, to, .. } => from.is_finite() && to.is_finite(),
+            Shape::Line { from, to, .. } | Shape::Arrow { from, to, .. } => {
+                from.is_finite() && to.is_finite()
+            }
             Shape::Polyline { points, .. } => points.iter().all(|p| p.is_finite()),
             Shape::Path { start, pieces, .. } => {
                 start.is_finite()
@@ -96,11 +106,14 @@ impl FigureItem {
                     })
             }
             Shape::Circle { centre, radius_mm, .. } => centre.is_finite() && radius_mm.is_finite(),
-            Shape::Arc { centre, radius_mm, from_rad, to_rad, .. } | Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, .. } => {
+            Shape::Arc { centre, radius_mm, from_rad, to_rad, .. }
+            | Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, .. } => {
                 centre.is_finite() && all(&[*radius_mm, *from_rad, *to_rad])
             }
             Shape::Label { at, size_mm, .. } => at.is_finite() && size_mm.is_finite(),
-            Shape::Turned { at, size_mm, angle_rad, .. } => at.is_finite() && all(&[*size_mm, *angle_rad]),
+            Shape::Turned { at, size_mm, angle_rad, .. } => {
+                at.is_finite() && all(&[*size_mm, *angle_rad])
+            }
         }
     }
 
@@ -109,8 +122,12 @@ impl FigureItem {
     pub fn bounds(&self) -> Option<Rect> {
         let half = |s: &Option<LineStroke>| s.map_or(0.0, |s| s.width_mm / 2.0);
         match &self.shape {
-            Shape::Line { from, to, stroke } => Some(Rect::new(*from, *to).grown(stroke.width_mm / 2.0)),
-            Shape::Polyline { points, stroke, .. } => Rect::of_points(points.iter().copied()).map(|r| r.grown(half(stroke))),
+            Shape::Line { from, to, stroke } => {
+                Some(Rect::new(*from, *to).grown(stroke.width_mm / 2.0))
+            }
+            Shape::Polyline { points, stroke, .. } => {
+                Rect::of_points(points.iter().copied()).map(|r| r.grown(half(stroke)))
+            }
             Shape::Path { start, pieces, stroke, .. } => {
                 let mut points = vec![*start];
                 for p in pieces {
@@ -123,13 +140,19 @@ impl FigureItem {
                 }
                 Rect::of_points(points).map(|r| r.grown(half(stroke)))
             }
-            Shape::Circle { centre, radius_mm, stroke, .. } => Some(Rect::new(*centre, *centre).grown(radius_mm + half(stroke))),
+            Shape::Circle { centre, radius_mm, stroke, .. } => {
+                Some(Rect::new(*centre, *centre).grown(radius_mm + half(stroke)))
+            }
             Shape::Arc { centre, radius_mm, from_rad, to_rad, stroke } => {
-                Rect::of_points(arc_points(*centre, *radius_mm, *from_rad, *to_rad)).map(|r| r.grown(stroke.width_mm / 2.0))
+                Rect::of_points(arc_points(*centre, *radius_mm, *from_rad, *to_rad))
+                    .map(|r| r.grown(stroke.width_mm / 2.0))
             }
             Shape::Arrow { from, to, stroke, head } => {
                 let shaft = Rect::new(*from, *to).grown(stroke.width_mm / 2.0);
-                Some(Rect::of_points(arrow::straight(*from, *to, *head).head).map_or(shaft, |h| shaft.union(h)))
+                Some(
+                    Rect::of_points(arrow::straight(*from, *to, *head).head)
+                        .map_or(shaft, |h| shaft.union(h)),
+                )
             }
             Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke, head } => {
                 let arrow = arrow::bent(*centre, *radius_mm, *from_rad, *to_rad, *head);
@@ -137,8 +160,12 @@ impl FigureItem {
                 points.extend(arrow.head);
                 Rect::of_points(points).map(|r| r.grown(stroke.width_mm / 2.0))
             }
-            Shape::Label { at, label, size_mm, anchor, .. } => label_bounds(*at, label, *size_mm, *anchor),
-            Shape::Turned { at, angle_rad, label, size_mm, .. } => Rect::of_points(turned_corners(*at, *angle_rad, label, *size_mm)?),
+            Shape::Label { at, label, size_mm, anchor, .. } => {
+                label_bounds(*at, label, *size_mm, *anchor)
+            }
+            Shape::Turned { at, angle_rad, label, size_mm, .. } => {
+                Rect::of_points(turned_corners(*at, *angle_rad, label, *size_mm)?)
+            }
         }
     }
 
@@ -159,7 +186,9 @@ impl FigureItem {
                     }
                 }
             }
-            Shape::Circle { centre, .. } | Shape::Arc { centre, .. } | Shape::ArcArrow { centre, .. } => *centre = *centre + by,
+            Shape::Circle { centre, .. }
+            | Shape::Arc { centre, .. }
+            | Shape::ArcArrow { centre, .. } => *centre = *centre + by,
             Shape::Label { at, .. } | Shape::Turned { at, .. } => *at = *at + by,
         }
     }
@@ -181,11 +210,19 @@ pub fn label_bounds(at: Point, label: &Label, size_mm: f64, anchor: Anchor) -> O
 
 /// Returns the corners of the box of a turned label whose anchor (the middle of its baseline) is at
 /// `at`, counter-clockwise from the start of the lower edge; `None` if it has no ink.
-pub fn turned_corners(at: Point, angle_rad: f64, label: &Label, size_mm: f64) -> Option<[Point; 4]> {
+pub fn turned_corners(
+    at: Point,
+    angle_rad: f64,
+    label: &Label,
+    size_mm: f64,
+) -> Option<[Point; 4]> {
     let level = label_bounds(Point::ORIGIN, label, size_mm, Anchor::Middle)?;
     let turn = Vec2::from_angle(angle_rad);
     let (lo, hi) = (level.min, level.max);
-    Some([(lo.x, lo.y), (hi.x, lo.y), (hi.x, hi.y), (lo.x, hi.y)].map(|(x, y)| at + Vec2::new(x, y).rotate_by(turn)))
+    Some(
+        [(lo.x, lo.y), (hi.x, lo.y), (hi.x, hi.y), (lo.x, hi.y)]
+            .map(|(x, y)| at + Vec2::new(x, y).rotate_by(turn)),
+    )
 }
 
 /// Distance from the line's start to its anchor, in em.
@@ -214,16 +251,30 @@ mod tests {
     use std::f64::consts::{FRAC_PI_2, PI};
 
     fn arc(from_rad: f64, to_rad: f64) -> FigureItem {
-        let shape = Shape::Arc { centre: Point::new(1.0, 2.0), radius_mm: 3.0, from_rad, to_rad, stroke: LineStroke::new(0.2) };
+        let shape = Shape::Arc {
+            centre: Point::new(1.0, 2.0),
+            radius_mm: 3.0,
+            from_rad,
+            to_rad,
+            stroke: LineStroke::new(0.2),
+        };
         FigureItem::new("", shape)
     }
 
     #[test]
     fn box_of_an_arc_holds_the_extremes_it_passes() {
         let r = arc(-0.1, PI + 0.1).bounds().unwrap();
-        assert!((r.max.y - 5.1).abs() < 1e-9 && (r.max.x - 4.1).abs() < 1e-9 && (r.min.x + 2.1).abs() < 1e-9, "{r:?}");
+        assert!(
+            (r.max.y - 5.1).abs() < 1e-9
+                && (r.max.x - 4.1).abs() < 1e-9
+                && (r.min.x + 2.1).abs() < 1e-9,
+            "{r:?}"
+        );
         let quarter = arc(FRAC_PI_2, 0.0).bounds().unwrap();
-        assert!((quarter.min.x - 0.9).abs() < 1e-9 && (quarter.min.y - 1.9).abs() < 1e-9, "{quarter:?}");
+        assert!(
+            (quarter.min.x - 0.9).abs() < 1e-9 && (quarter.min.y - 1.9).abs() < 1e-9,
+            "{quarter:?}"
+        );
     }
 
     #[test]
@@ -232,19 +283,32 @@ mod tests {
             start: Point::ORIGIN,
             pieces: vec![
                 PathPiece::Line(Point::new(4.0, 0.0)),
-                PathPiece::Arc { centre: Point::new(4.0, 1.0), radius_mm: 1.0, from_rad: -FRAC_PI_2, to_rad: FRAC_PI_2 },
+                PathPiece::Arc {
+                    centre: Point::new(4.0, 1.0),
+                    radius_mm: 1.0,
+                    from_rad: -FRAC_PI_2,
+                    to_rad: FRAC_PI_2,
+                },
             ],
             closed: true,
             stroke: None,
             fill: Some(Colour::WHITE),
         };
-        let label =
-            Shape::Label { at: Point::ORIGIN, label: Label::math("v_B"), size_mm: 4.0, anchor: Anchor::Middle, colour: Colour::BLACK };
+        let label = Shape::Label {
+            at: Point::ORIGIN,
+            label: Label::math("v_B"),
+            size_mm: 4.0,
+            anchor: Anchor::Middle,
+            colour: Colour::BLACK,
+        };
         for mut item in [arc(0.0, 1.0), FigureItem::new("", path), FigureItem::new("", label)] {
             let before = item.bounds().unwrap();
             item.translate(Vec2::new(10.0, -5.0));
             let after = item.bounds().unwrap();
-            assert!((after.min.x - before.min.x - 10.0).abs() < 1e-9 && (after.max.y - before.max.y + 5.0).abs() < 1e-9);
+            assert!(
+                (after.min.x - before.min.x - 10.0).abs() < 1e-9
+                    && (after.max.y - before.max.y + 5.0).abs() < 1e-9
+            );
         }
     }
 

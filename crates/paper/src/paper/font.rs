@@ -95,18 +95,21 @@ struct LoadedFont {
 
 impl LoadedFont {
     fn new(face: &Face) -> LoadedFont {
-        LoadedFont::try_new(face.bytes()).expect("an embedded font is readable: a test shapes with each of them")
+        LoadedFont::try_new(face.bytes())
+            .expect("an embedded font is readable: a test shapes with each of them")
     }
 
     fn try_new(bytes: Bytes) -> Option<LoadedFont> {
         let font = FontRef::from_index((*bytes).as_ref(), 0).ok()?;
-        let (shaper, em) = (ShaperData::new(&font), f64::from(font.head().ok()?.units_per_em().max(1)));
+        let (shaper, em) =
+            (ShaperData::new(&font), f64::from(font.head().ok()?.units_per_em().max(1)));
         Some(LoadedFont { bytes, shaper, plans: Plans::default(), em })
     }
 
     /// Returns the font as a view of its file; only the table directory is parsed.
     fn font(&self) -> FontRef<'_> {
-        FontRef::from_index((*self.bytes).as_ref(), 0).expect("the same bytes have been read before")
+        FontRef::from_index((*self.bytes).as_ref(), 0)
+            .expect("the same bytes have been read before")
     }
 
     /// Returns the glyph of a character.
@@ -223,7 +226,9 @@ impl Face {
             Slant::Upright => &ROMAN_FIRST,
             Slant::Symbol => &MATH_FIRST,
         };
-        fonts.face_of(c, slant).or_else(|| order.iter().find(|face| face.known(c, |loaded| loaded.glyph(c).is_some())).cloned())
+        fonts.face_of(c, slant).or_else(|| {
+            order.iter().find(|face| face.known(c, |loaded| loaded.glyph(c).is_some())).cloned()
+        })
     }
 
     /// Shapes a run of characters (kerning included).
@@ -257,7 +262,8 @@ impl Face {
             let one = self.loaded().shape(c.encode_utf8(&mut [0; 4]), ink_of);
             out.ink = out.ink.union(one.ink.placed(1.0, out.advance_em, 0.0));
             out.advance_em += one.advance_em;
-            out.glyphs.extend(one.glyphs.into_iter().map(|g| Glyph { text: at..at + c.len_utf8(), ..g }));
+            out.glyphs
+                .extend(one.glyphs.into_iter().map(|g| Glyph { text: at..at + c.len_utf8(), ..g }));
         }
         out
     }
@@ -279,7 +285,9 @@ impl Face {
             if outlines.len() >= MOST_OUTLINES {
                 outlines.clear();
             }
-            Rc::clone(outlines.entry((self.key(), glyph)).or_insert_with(|| Rc::new(self.draw(glyph))))
+            Rc::clone(
+                outlines.entry((self.key(), glyph)).or_insert_with(|| Rc::new(self.draw(glyph))),
+            )
         })
     }
 
@@ -304,7 +312,9 @@ fn drawn(loaded: &LoadedFont, c: char) -> Option<Outline> {
 fn sound(run: &GlyphRun, text: &str) -> bool {
     let within = |v: f64, most: f64| v.is_finite() && v.abs() <= most;
     let glyph = |g: &Glyph| {
-        let place = text.is_char_boundary(g.text.start) && text.is_char_boundary(g.text.end) && g.text.start <= g.text.end;
+        let place = text.is_char_boundary(g.text.start)
+            && text.is_char_boundary(g.text.end)
+            && g.text.start <= g.text.end;
         place && within(g.advance_em, MOST_EM) && g.offset_em.iter().all(|v| within(*v, MOST_EM))
     };
     run.glyphs.len() <= 4 * text.len() + 4 && run.glyphs.iter().all(glyph) && run.advance_em >= 0.0
@@ -351,7 +361,11 @@ mod tests {
         ] {
             let run = face.shaped(text);
             assert!(face.outline(run.glyphs[0].id).segments.len() > 3, "{face:?} draws {text}");
-            assert!((run.advance_em - advance_em).abs() < 1e-3, "{face:?} {text}: {} em", run.advance_em);
+            assert!(
+                (run.advance_em - advance_em).abs() < 1e-3,
+                "{face:?} {text}: {} em",
+                run.advance_em
+            );
         }
     }
 

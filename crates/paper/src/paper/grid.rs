@@ -37,8 +37,11 @@ pub struct Row {
 pub fn set(rows: &[Row], gap_mm: f64) -> Vec<FigureItem> {
     let columns = rows.iter().map(|r| r.cells.len()).max().unwrap_or(0);
     let width = |c: &Cell| text::set(&c.label).width_em * c.size_mm;
-    let widths: Vec<f64> =
-        (0..columns).map(|k| rows.iter().filter_map(|r| r.cells.get(k)?.as_ref()).map(width).fold(0.0, f64::max)).collect();
+    let widths: Vec<f64> = (0..columns)
+        .map(|k| {
+            rows.iter().filter_map(|r| r.cells.get(k)?.as_ref()).map(width).fold(0.0, f64::max)
+        })
+        .collect();
     let mut items = Vec::new();
     let mut y = 0.0;
     for row in rows {
@@ -72,7 +75,13 @@ mod tests {
     use super::*;
 
     fn cell(text: &str, anchor: Anchor) -> Option<Cell> {
-        Some(Cell { label: Label::text(text), size_mm: 4.0, anchor, class: "cell".into(), id: text.into() })
+        Some(Cell {
+            label: Label::text(text),
+            size_mm: 4.0,
+            anchor,
+            class: "cell".into(),
+            id: text.into(),
+        })
     }
 
     #[test]
@@ -80,7 +89,10 @@ mod tests {
         // Digits of Times are half an em, 2 mm here.
         let rows = [
             Row { cells: vec![cell("20", Anchor::End), cell("1", Anchor::Middle)], height_mm: 5.0 },
-            Row { cells: vec![cell("1", Anchor::End), None, cell("2", Anchor::Start)], height_mm: 6.0 },
+            Row {
+                cells: vec![cell("1", Anchor::End), None, cell("2", Anchor::Start)],
+                height_mm: 6.0,
+            },
         ];
         let at: Vec<Point> = set(&rows, 3.0)
             .iter()
@@ -89,6 +101,14 @@ mod tests {
                 _ => unreachable!("a grid has labels only"),
             })
             .collect();
-        assert_eq!(at, [Point::new(4.0, -5.0), Point::new(8.0, -5.0), Point::new(4.0, -11.0), Point::new(12.0, -11.0)]);
+        assert_eq!(
+            at,
+            [
+                Point::new(4.0, -5.0),
+                Point::new(8.0, -5.0),
+                Point::new(4.0, -11.0),
+                Point::new(12.0, -11.0)
+            ]
+        );
     }
 }

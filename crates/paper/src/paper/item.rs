@@ -35,7 +35,9 @@ impl Figure {
     /// Number of labels that were placed by search among the lines of a drawing; captions, tables
     /// and results have given positions and do not count.
     pub fn labels_placed(&self) -> usize {
-        let placed = |i: &&FigureItem| matches!(i.shape, Shape::Label { .. }) && i.class.split(' ').next_back() == Some(PLACED);
+        let placed = |i: &&FigureItem| {
+            matches!(i.shape, Shape::Label { .. }) && i.class.split(' ').next_back() == Some(PLACED)
+        };
         self.items.iter().filter(placed).count()
     }
 
@@ -51,7 +53,10 @@ impl Figure {
             "draw fewer points, or ask for less in \"find\"; --figure draws one part alone",
             "请少画一些点，或在 \"find\" 中少求一些；--figure 可只画一部分"
         );
-        (count > 0).then(|| Diagnostic::note("coarse-labels", message).help(help)).into_iter().collect()
+        (count > 0)
+            .then(|| Diagnostic::note("coarse-labels", message).help(help))
+            .into_iter()
+            .collect()
     }
 }
 
@@ -376,7 +381,11 @@ pub fn tag(items: &mut [FigureItem], words: &str) {
 pub fn distinct(items: &mut [FigureItem]) {
     let mut taken: HashSet<String> = HashSet::new();
     for item in items {
-        let base = if item.id.is_empty() { item.class.trim().replace([' ', '_'], "-") } else { std::mem::take(&mut item.id) };
+        let base = if item.id.is_empty() {
+            item.class.trim().replace([' ', '_'], "-")
+        } else {
+            std::mem::take(&mut item.id)
+        };
         let mut id = base.clone();
         let mut count = 1;
         while !taken.insert(id.clone()) {

@@ -78,7 +78,15 @@ pub struct LabelNode {
 
 impl LabelNode {
     fn new(text: impl Into<String>, slant: Slant, role: Role) -> LabelNode {
-        LabelNode { text: text.into(), slant, role, space_em: 0.0, primes: 0, sub: Vec::new(), sup: Vec::new() }
+        LabelNode {
+            text: text.into(),
+            slant,
+            role,
+            space_em: 0.0,
+            primes: 0,
+            sub: Vec::new(),
+            sup: Vec::new(),
+        }
     }
 
     fn space(em: f64) -> LabelNode {
@@ -99,7 +107,13 @@ impl Label {
     pub fn text(source: impl Into<String>) -> Label {
         let source = source.into();
         let row = vec![LabelNode::new(source.as_str(), Slant::Upright, Role::Ordinary)];
-        Label { source, row, faults: Vec::new(), fonts: Fonts::default(), kept: TypesetCache::default() }
+        Label {
+            source,
+            row,
+            faults: Vec::new(),
+            fonts: Fonts::default(),
+            kept: TypesetCache::default(),
+        }
     }
 
     /// Returns the label typeset in the author's fonts; the figure passes the fonts of its style.
@@ -238,7 +252,10 @@ mod tests {
     #[test]
     fn units_follow_a_number_and_a_space() {
         assert_eq!(shape(r"\mu_l = 0.002 m/mm"), "i:μ_(i:l) s:= u:0.002 u: u:m/mm");
-        assert_eq!(shape(r"\mu_v = 0.01 (m/s)/mm"), "i:μ_(i:l) s:= u:0.01 u: u:(m/s)/mm".replace("(i:l)", "(i:v)"));
+        assert_eq!(
+            shape(r"\mu_v = 0.01 (m/s)/mm"),
+            "i:μ_(i:l) s:= u:0.01 u: u:(m/s)/mm".replace("(i:l)", "(i:v)")
+        );
         assert_eq!(shape("a = 12 m/s^2, b"), "i:a s:= u:12 u: u:m/s^(u:2) u:, i:b");
         assert_eq!(shape(r"2.7 \times 10^{10} m/s^2"), "u:2.7 s:× u:10^(u:10) u: u:m/s^(u:2)");
         assert_eq!(shape("2l"), "u:2 i:l");
@@ -256,7 +273,14 @@ mod tests {
 
     #[test]
     fn faults_are_said_and_the_rest_stays() {
-        for (source, word) in [(r"\fooo_1", "fooo"), ("v_{B", "}"), ("v_", "_"), ("v_1_2", "_"), ("}", "}"), (r"\circled{99}", "99")] {
+        for (source, word) in [
+            (r"\fooo_1", "fooo"),
+            ("v_{B", "}"),
+            ("v_", "_"),
+            ("v_1_2", "_"),
+            ("}", "}"),
+            (r"\circled{99}", "99"),
+        ] {
             let label = Label::math(source);
             assert_eq!(label.faults().len(), 1, "{source}: {:?}", label.faults());
             assert_eq!(label.faults()[0].code, "label-syntax");
@@ -273,6 +297,9 @@ mod tests {
         assert_eq!(Label::math(r"\angle -90.00").plain(), "∠−90.00");
         assert_eq!(Label::text("Velocity polygon").plain(), "Velocity polygon");
         assert_eq!(Label::text("Ⅱ级杆组").plain(), "Ⅱ级杆组");
-        assert_eq!(Label::text("Link 2, ").then(Label::math(r"\omega_2 = 3 rad/s")).plain(), "Link 2, ω_2 = 3 rad/s");
+        assert_eq!(
+            Label::text("Link 2, ").then(Label::math(r"\omega_2 = 3 rad/s")).plain(),
+            "Link 2, ω_2 = 3 rad/s"
+        );
     }
 }

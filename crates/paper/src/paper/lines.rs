@@ -19,8 +19,15 @@ const THING: char = '\u{FFFC}';
 
 /// Returns true if a break would separate a number from its unit or from the counted noun.
 fn parts_a_number(text: &str, at: usize) -> bool {
-    let unit = || text[at..].split([' ', ')', ',', ';', '.', '，', '；', '。', '）']).next().is_some_and(|word| UNITS.contains(&word));
-    let number = |before: &str| before.ends_with(|c: char| c.is_ascii_digit()) || before.ends_with(THING) && unit();
+    let unit = || {
+        text[at..]
+            .split([' ', ')', ',', ';', '.', '，', '；', '。', '）'])
+            .next()
+            .is_some_and(|word| UNITS.contains(&word))
+    };
+    let number = |before: &str| {
+        before.ends_with(|c: char| c.is_ascii_digit()) || before.ends_with(THING) && unit()
+    };
     at < text.len() && text[..at].strip_suffix(' ').is_some_and(number)
 }
 
@@ -33,7 +40,9 @@ pub fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64, fonts: &Fonts) -> V
     let mut formulas = VecDeque::new();
     for piece in phrase.pieces() {
         match piece {
-            PhrasePiece::Words(w) => plain.extend(w.chars().map(|c| if c == THING { char::REPLACEMENT_CHARACTER } else { c })),
+            PhrasePiece::Words(w) => plain.extend(
+                w.chars().map(|c| if c == THING { char::REPLACEMENT_CHARACTER } else { c }),
+            ),
             PhrasePiece::Formula(f) => {
                 for part in pieces_of(f) {
                     plain.push(THING);
@@ -62,7 +71,8 @@ pub fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64, fonts: &Fonts) -> V
     let mut here: Option<(Label, Label)> = None;
     let whole = breaks.windows(2).map(|ends| &plain[ends[0]..ends[1]]);
     let pieces = whole.flat_map(|segment| {
-        let long = !segment.contains(THING) && wide(&Label::text(segment.trim_end()).in_fonts(fonts)) > width_mm;
+        let long = !segment.contains(THING)
+            && wide(&Label::text(segment.trim_end()).in_fonts(fonts)) > width_mm;
         if long { segment.split_inclusive(|_| true).collect() } else { vec![segment] }
     });
     for segment in pieces {
@@ -113,7 +123,10 @@ mod tests {
     use super::*;
 
     fn texts(source: &str, width_mm: f64) -> Vec<String> {
-        wrapped(&Phrase::new(source), width_mm, 4.0, &Fonts::default()).iter().map(|l| l.plain().trim_end().to_owned()).collect()
+        wrapped(&Phrase::new(source), width_mm, 4.0, &Fonts::default())
+            .iter()
+            .map(|l| l.plain().trim_end().to_owned())
+            .collect()
     }
 
     #[test]
@@ -132,7 +145,10 @@ mod tests {
     #[test]
     fn a_number_keeps_its_unit() {
         for width in 20..80 {
-            let lines = texts("from o lay off 59.01 mm square to it, 3 mm more, then 12 mm back", f64::from(width));
+            let lines = texts(
+                "from o lay off 59.01 mm square to it, 3 mm more, then 12 mm back",
+                f64::from(width),
+            );
             assert!(lines.iter().all(|l| !l.starts_with("mm")), "{width} mm: {lines:?}");
         }
     }
@@ -140,7 +156,10 @@ mod tests {
     #[test]
     fn a_number_that_is_a_formula_keeps_its_unit() {
         for width in 20..80 {
-            let lines = texts("measured: $l_1$ = $144.64$ mm ($144.64$ mm), then $l_2$ = $65.8$ mm", f64::from(width));
+            let lines = texts(
+                "measured: $l_1$ = $144.64$ mm ($144.64$ mm), then $l_2$ = $65.8$ mm",
+                f64::from(width),
+            );
             assert!(lines.iter().all(|l| !l.starts_with("mm")), "{width} mm: {lines:?}");
         }
     }
@@ -148,13 +167,23 @@ mod tests {
     #[test]
     fn a_word_longer_than_a_line_breaks_anywhere() {
         let lines = texts(&format!("see https://example.org/{}.", "path".repeat(40)), 50.0);
-        assert!(lines.len() > 5 && lines.iter().all(|l| text::set(&Label::text(l.as_str())).width_em * 4.0 <= 51.0), "{lines:?}");
+        assert!(
+            lines.len() > 5
+                && lines.iter().all(|l| text::set(&Label::text(l.as_str())).width_em * 4.0 <= 51.0),
+            "{lines:?}"
+        );
     }
 
     #[test]
     fn chinese_breaks_anywhere_but_before_its_stops() {
-        let lines = texts("两线交于一点，交角甚大，故所得结果可靠。取极点，比例尺已知（见图），依次作各矢量。", 30.0);
+        let lines = texts(
+            "两线交于一点，交角甚大，故所得结果可靠。取极点，比例尺已知（见图），依次作各矢量。",
+            30.0,
+        );
         assert!(lines.len() > 4, "{lines:?}");
-        assert!(lines.iter().all(|l| !l.starts_with(['，', '。', '）']) && !l.ends_with('（')), "{lines:?}");
+        assert!(
+            lines.iter().all(|l| !l.starts_with(['，', '。', '）']) && !l.ends_with('（')),
+            "{lines:?}"
+        );
     }
 }

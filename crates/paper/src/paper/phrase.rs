@@ -25,7 +25,13 @@ impl Phrase {
             .split('$')
             .enumerate()
             .filter(|(_, s)| !s.is_empty())
-            .map(|(i, s)| if i % 2 == 0 { PhrasePiece::Words(s.into()) } else { PhrasePiece::Formula(s.into()) })
+            .map(|(i, s)| {
+                if i % 2 == 0 {
+                    PhrasePiece::Words(s.into())
+                } else {
+                    PhrasePiece::Formula(s.into())
+                }
+            })
             .collect();
         Phrase { pieces }
     }
@@ -91,7 +97,10 @@ pub fn fill(sentence: &str, values: &[(&str, &str)]) -> String {
     while let Some(open) = rest.find('{') {
         let (before, from) = rest.split_at(open);
         let close = from.find('}').unwrap_or(0);
-        let value = values.iter().find(|(name, _)| from.get(1..close) == Some(name)).map(|(_, value)| value);
+        let value = values
+            .iter()
+            .find(|(name, _)| from.get(1..close) == Some(name))
+            .map(|(_, value)| value);
         out.push_str(before);
         match value {
             Some(value) => out.push_str(value),
@@ -135,7 +144,10 @@ mod tests {
     #[test]
     fn places_are_filled_at_once() {
         let values = [("1", "$O_{2}P_{1}$"), ("2", "{1}"), ("", "{2}")];
-        assert_eq!(fill("{} where {1} and {2} meet; {3}", &values), "{2} where $O_{2}P_{1}$ and {1} meet; {3}");
+        assert_eq!(
+            fill("{} where {1} and {2} meet; {3}", &values),
+            "{2} where $O_{2}P_{1}$ and {1} meet; {3}"
+        );
         assert_eq!(fill("{} {", &values), "{2} {");
         assert_eq!(fill("}{", &[]), "}{");
     }

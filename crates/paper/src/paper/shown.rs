@@ -91,7 +91,8 @@ impl Figure {
     /// assert_eq!((b.id, b.mm, b.si), ("vel-abs-B", 50.0, 1.0));
     /// ```
     pub fn vector(&self, name: &str) -> Option<ShownVector<'_>> {
-        let named = |i: &&FigureItem| i.shown.as_ref().is_some_and(|s| s.names.iter().any(|n| n == name));
+        let named =
+            |i: &&FigureItem| i.shown.as_ref().is_some_and(|s| s.names.iter().any(|n| n == name));
         let inset = |i: &&FigureItem| i.class.split(' ').any(|word| word == "inset");
         let all = || self.items.iter().filter(named);
         all().filter(|i| !inset(i)).find_map(vector).or_else(|| all().find_map(vector))
@@ -110,7 +111,9 @@ impl Figure {
 }
 
 fn vector(item: &FigureItem) -> Option<ShownVector<'_>> {
-    let (Some(shown), Shape::Arrow { from, to, .. }) = (&item.shown, &item.shape) else { return None };
+    let (Some(shown), Shape::Arrow { from, to, .. }) = (&item.shown, &item.shape) else {
+        return None;
+    };
     let ShownLength { mm, si } = shown.length?;
     // A thin vector may be broken at a label: the tail is computed as if without the break.
     let from = (*from - *to).unit().map_or(*from, |back| *to + back * mm);
@@ -118,7 +121,9 @@ fn vector(item: &FigureItem) -> Option<ShownVector<'_>> {
 }
 
 fn mark(item: &FigureItem) -> Option<ShownMark<'_>> {
-    let (Some(shown), Shape::Circle { centre, .. }) = (&item.shown, &item.shape) else { return None };
+    let (Some(shown), Shape::Circle { centre, .. }) = (&item.shown, &item.shape) else {
+        return None;
+    };
     Some(ShownMark { id: &item.id, names: &shown.names, at: *centre })
 }
 
@@ -155,6 +160,7 @@ pub fn escaped(name: &str) -> String {
 /// ```
 pub fn question_id(text: &str) -> String {
     // A hyphen is a comma in `find`; in ids it separates words.
-    let parts: Vec<String> = text.split('_').map(|part| escaped(part).replace('-', "_002d")).collect();
+    let parts: Vec<String> =
+        text.split('_').map(|part| escaped(part).replace('-', "_002d")).collect();
     parts.join("-")
 }

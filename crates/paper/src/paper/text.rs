@@ -104,11 +104,23 @@ fn set_anew(label: &Label) -> Typeset {
             "标注 `{label}`：内置字体没有字符 {c}（U+{:04X}）",
             u32::from(c)
         );
-        faults.push(Diagnostic::warning("missing-glyph", message).help(both!("write it with other characters", "请改用其他字符")));
+        faults.push(
+            Diagnostic::warning("missing-glyph", message)
+                .help(both!("write it with other characters", "请改用其他字符")),
+        );
     }
     let (bottom, top) = line.vertical_ink();
-    let ink_em = if line.ink.any() { [line.ink.min[0], line.ink.max[0]] } else { [0.0, line.advance] };
-    Typeset { runs: line.runs, width_em: line.advance, ink_em, ascent_em: top, descent_em: -bottom, inked: line.ink.any(), faults }
+    let ink_em =
+        if line.ink.any() { [line.ink.min[0], line.ink.max[0]] } else { [0.0, line.advance] };
+    Typeset {
+        runs: line.runs,
+        width_em: line.advance,
+        ink_em,
+        ascent_em: top,
+        descent_em: -bottom,
+        inked: line.ink.any(),
+        faults,
+    }
 }
 
 /// A piece of typeset text relative to its own origin, in em.
@@ -126,7 +138,12 @@ impl TypesetLine {
 
     fn append(&mut self, other: TypesetLine, scale: f64, dx: f64, dy: f64) {
         self.ink = self.ink.union(other.ink.placed(scale, dx, dy));
-        let moved = |r: TextRun| TextRun { x_em: dx + r.x_em * scale, y_em: dy + r.y_em * scale, size_em: r.size_em * scale, ..r };
+        let moved = |r: TextRun| TextRun {
+            x_em: dx + r.x_em * scale,
+            y_em: dy + r.y_em * scale,
+            size_em: r.size_em * scale,
+            ..r
+        };
         self.runs.extend(other.runs.into_iter().map(moved));
     }
 
@@ -157,7 +174,11 @@ impl TextSetter<'_> {
             };
             let after = match node.role {
                 Role::Punctuation | Role::Function if i + 1 < row.len() => THIN_SPACE,
-                Role::Ordinary | Role::Binary | Role::Relation | Role::Punctuation | Role::Function => side,
+                Role::Ordinary
+                | Role::Binary
+                | Role::Relation
+                | Role::Punctuation
+                | Role::Function => side,
             };
             // A single sign, as between the columns of an equation's table, has no space around it.
             let (side, after) = if row.len() == 1 { (0.0, 0.0) } else { (side, after) };
@@ -238,8 +259,20 @@ impl TextSetter<'_> {
         if let (Some(face), false) = (face, run.is_empty()) {
             let set = face.shaped(run);
             let at = line.advance;
-            let run = TextRun { face, text: run.clone(), glyphs: set.glyphs.clone(), x_em: 0.0, y_em: 0.0, size_em: 1.0 };
-            line.append(TypesetLine { ink: set.ink, runs: vec![run], advance: set.advance_em }, 1.0, at, 0.0);
+            let run = TextRun {
+                face,
+                text: run.clone(),
+                glyphs: set.glyphs.clone(),
+                x_em: 0.0,
+                y_em: 0.0,
+                size_em: 1.0,
+            };
+            line.append(
+                TypesetLine { ink: set.ink, runs: vec![run], advance: set.advance_em },
+                1.0,
+                at,
+                0.0,
+            );
             line.advance += set.advance_em;
         }
         run.clear();
@@ -258,9 +291,17 @@ mod tests {
     fn measures_of_plain_letters() {
         // Tinos: the advance of 0 is 1024/2048, that of italic B 1251/2048.
         let zero = set(&Label::math("0"));
-        assert!(close(zero.width_em, 0.5) && close(zero.ascent_em, 0.665) && zero.descent_em < 0.02, "{zero:?}");
+        assert!(
+            close(zero.width_em, 0.5) && close(zero.ascent_em, 0.665) && zero.descent_em < 0.02,
+            "{zero:?}"
+        );
         let b = set(&Label::math("B"));
-        assert!(close(b.width_em, 0.611) && (0.64..0.68).contains(&b.ascent_em), "{} {}", b.width_em, b.ascent_em);
+        assert!(
+            close(b.width_em, 0.611) && (0.64..0.68).contains(&b.ascent_em),
+            "{} {}",
+            b.width_em,
+            b.ascent_em
+        );
         assert!(set(&Label::math("p")).descent_em > 0.19);
     }
 
@@ -268,10 +309,15 @@ mod tests {
     fn scripts_are_smaller_lower_and_apart() {
         let v = set(&Label::math("v"));
         let vb = set(&Label::math("v_B"));
-        assert!(close(vb.width_em, v.width_em + 0.611 * SCRIPT_SCALE + AFTER_SCRIPT), "{}", vb.width_em);
+        assert!(
+            close(vb.width_em, v.width_em + 0.611 * SCRIPT_SCALE + AFTER_SCRIPT),
+            "{}",
+            vb.width_em
+        );
         assert!((0.0..0.01).contains(&(vb.descent_em - SUB_DOWN)), "{}", vb.descent_em);
         // The scripts are one above the other, separated by the gap.
-        let both = TextSetter { fonts: &Fonts::default(), missing: Vec::new() }.atom(&Label::math("a_3^2").row()[0].clone());
+        let both = TextSetter { fonts: &Fonts::default(), missing: Vec::new() }
+            .atom(&Label::math("a_3^2").row()[0].clone());
         let ink = |r: &TextRun| r.face.shaped(&r.text).ink.placed(r.size_em, r.x_em, r.y_em);
         let (sup, sub) = (ink(&both.runs[1]), ink(&both.runs[2]));
         let gap = sup.min[1] - sub.max[1];
@@ -282,7 +328,12 @@ mod tests {
     fn primes_stand_above_the_subscript() {
         let with = set(&Label::math("b'_2"));
         let without = set(&Label::math("b_2"));
-        assert!(with.width_em < without.width_em + 0.1, "{} against {}", with.width_em, without.width_em);
+        assert!(
+            with.width_em < without.width_em + 0.1,
+            "{} against {}",
+            with.width_em,
+            without.width_em
+        );
         assert!(set(&Label::math("n''")).width_em > set(&Label::math("n'")).width_em + 0.1);
         assert!(close(set(&Label::math("b_2'")).width_em, with.width_em));
     }
@@ -298,7 +349,11 @@ mod tests {
         for r in &set.runs {
             let mut pen = r.x_em;
             for g in &r.glyphs {
-                ink = ink.union(r.face.outline(g.id).ink.placed(r.size_em, pen + g.offset_em[0] * r.size_em, r.y_em));
+                ink = ink.union(r.face.outline(g.id).ink.placed(
+                    r.size_em,
+                    pen + g.offset_em[0] * r.size_em,
+                    r.y_em,
+                ));
                 pen += g.advance_em * r.size_em;
             }
         }
@@ -311,7 +366,10 @@ mod tests {
         assert_eq!(label.faults.len(), 1);
         assert_eq!(label.faults[0].code, "missing-glyph");
         assert!(label.faults[0].message.en.contains("U+1F600"));
-        assert!(close(label.width_em, set(&Label::text("a")).width_em + MISSING_ADVANCE + set(&Label::text("b")).width_em));
+        assert!(close(
+            label.width_em,
+            set(&Label::text("a")).width_em + MISSING_ADVANCE + set(&Label::text("b")).width_em
+        ));
         let gap = set(&Label::text("\u{1F600}"));
         assert!(!gap.inked && close(gap.width_em, MISSING_ADVANCE));
     }

@@ -35,7 +35,11 @@ pub enum Entity {
 /// Returns the file, with each entity on the layer given with it.
 pub fn dxf(entities: &[(&str, Entity)]) -> String {
     let mut out = DxfText(String::new());
-    out.text(0, "SECTION").text(2, "HEADER").text(9, "$ACADVER").text(1, "AC1009").text(0, "ENDSEC");
+    out.text(0, "SECTION")
+        .text(2, "HEADER")
+        .text(9, "$ACADVER")
+        .text(1, "AC1009")
+        .text(0, "ENDSEC");
     out.text(0, "SECTION").text(2, "ENTITIES");
     for (layer, entity) in entities {
         match entity {
@@ -43,14 +47,23 @@ pub fn dxf(entities: &[(&str, Entity)]) -> String {
                 out.text(0, "LINE").text(8, layer).point(0, *a).point(1, *b);
             }
             Entity::Arc { centre, radius, degrees } => {
-                out.text(0, "ARC").text(8, layer).point(0, *centre).number(40, *radius).number(50, degrees[0]).number(51, degrees[1]);
+                out.text(0, "ARC")
+                    .text(8, layer)
+                    .point(0, *centre)
+                    .number(40, *radius)
+                    .number(50, degrees[0])
+                    .number(51, degrees[1]);
             }
             Entity::Circle { centre, radius } => {
                 out.text(0, "CIRCLE").text(8, layer).point(0, *centre).number(40, *radius);
             }
             Entity::Closed(points) => {
                 // 66: vertices follow; 70: closed.
-                out.text(0, "POLYLINE").text(8, layer).text(66, "1").text(70, "1").point(0, Vec2::ZERO);
+                out.text(0, "POLYLINE")
+                    .text(8, layer)
+                    .text(66, "1")
+                    .text(70, "1")
+                    .point(0, Vec2::ZERO);
                 for p in points {
                     out.text(0, "VERTEX").text(8, layer).point(0, *p);
                 }
@@ -99,11 +112,16 @@ mod tests {
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(lines.len() % 2, 0);
         assert!(lines.chunks(2).all(|g| g[0].trim().parse::<u16>().is_ok()), "{text}");
-        let of = |code: &str| lines.chunks(2).filter(|g| g[0].trim() == code).map(|g| g[1]).collect::<Vec<_>>();
+        let of = |code: &str| {
+            lines.chunks(2).filter(|g| g[0].trim() == code).map(|g| g[1]).collect::<Vec<_>>()
+        };
         let kinds: Vec<&str> = of("0");
         assert_eq!(
             kinds,
-            ["SECTION", "ENDSEC", "SECTION", "LINE", "ARC", "POLYLINE", "VERTEX", "VERTEX", "SEQEND", "CIRCLE", "ENDSEC", "EOF"]
+            [
+                "SECTION", "ENDSEC", "SECTION", "LINE", "ARC", "POLYLINE", "VERTEX", "VERTEX",
+                "SEQEND", "CIRCLE", "ENDSEC", "EOF"
+            ]
         );
         assert_eq!(of("21"), ["-2.000000"]);
         assert!(!text.contains("-0.000000"));

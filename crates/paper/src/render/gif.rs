@@ -33,7 +33,10 @@ pub fn write(frames: &[String], dpi: f64, seconds: f64) -> Result<Vec<u8>, Diagn
         let pixmap = png::pixels(svg, dpi)?;
         let here = [pixmap.width(), pixmap.height()].map(|v| u16::try_from(v).ok());
         let ([Some(w), Some(h)], true) = (here, size.is_none_or(|s| s == here)) else {
-            return Err(fault(both!("the frames are not of one size that a GIF can have", "各帧大小不一，或超出 GIF 的限度")));
+            return Err(fault(both!(
+                "the frames are not of one size that a GIF can have",
+                "各帧大小不一，或超出 GIF 的限度"
+            )));
         };
         let bytes = usize::from(w) * usize::from(h) * 3 * frames.len();
         if bytes > BYTES_MAX {
@@ -44,23 +47,34 @@ pub fn write(frames: &[String], dpi: f64, seconds: f64) -> Result<Vec<u8>, Diagn
                 w,
                 h
             );
-            return Err(
-                fault(message).help(both!("choose a lower --dpi, fewer --frames, or .svg", "请减小 --dpi 或 --frames，或改用 .svg"))
-            );
+            return Err(fault(message).help(both!(
+                "choose a lower --dpi, fewer --frames, or .svg",
+                "请减小 --dpi 或 --frames，或改用 .svg"
+            )));
         }
         size = Some([Some(w), Some(h)]);
-        pictures.push(pixmap.data().chunks_exact(4).map(|p| [p[0], p[1], p[2]]).collect::<Vec<_>>());
+        pictures
+            .push(pixmap.data().chunks_exact(4).map(|p| [p[0], p[1], p[2]]).collect::<Vec<_>>());
     }
-    let Some([Some(w), Some(h)]) = size else { return Err(fault(both!("there is no frame", "没有帧"))) };
-    let delay = (seconds * TICKS / frames.len() as f64).round().clamp(SHORTEST_TICKS, f64::from(u16::MAX)) as u16;
-    encode(&pictures, [w, h], delay).map_err(|e| fault(both!("the picture cannot be encoded: {e}", "图像不能编码：{e}")))
+    let Some([Some(w), Some(h)]) = size else {
+        return Err(fault(both!("there is no frame", "没有帧")));
+    };
+    let delay = (seconds * TICKS / frames.len() as f64)
+        .round()
+        .clamp(SHORTEST_TICKS, f64::from(u16::MAX)) as u16;
+    encode(&pictures, [w, h], delay)
+        .map_err(|e| fault(both!("the picture cannot be encoded: {e}", "图像不能编码：{e}")))
 }
 
 fn fault(message: hodograph_base::diag::Both) -> Diagnostic {
     Diagnostic::error("gif-size", message)
 }
 
-fn encode(pictures: &[Vec<[u8; 3]>], [w, h]: [u16; 2], delay: u16) -> Result<Vec<u8>, gif::EncodingError> {
+fn encode(
+    pictures: &[Vec<[u8; 3]>],
+    [w, h]: [u16; 2],
+    delay: u16,
+) -> Result<Vec<u8>, gif::EncodingError> {
     let palette = palette(pictures);
     let colours: Vec<u8> = palette.iter().flat_map(|p| p.keys().flatten().copied()).collect();
     let mut bytes = Vec::new();
@@ -69,7 +83,8 @@ fn encode(pictures: &[Vec<[u8; 3]>], [w, h]: [u16; 2], delay: u16) -> Result<Vec
     for picture in pictures {
         let mut frame = match &palette {
             Some(palette) => {
-                let indices: Vec<u8> = picture.iter().map(|c| palette.get(c).copied().unwrap_or(0)).collect();
+                let indices: Vec<u8> =
+                    picture.iter().map(|c| palette.get(c).copied().unwrap_or(0)).collect();
                 Frame::from_indexed_pixels(w, h, indices, None)
             }
             None => Frame::from_rgb_speed(w, h, picture.as_flattened(), SPEED),

@@ -20,7 +20,11 @@ use super::{escaped, not_finite};
 /// `not-finite` for a number that is not finite, or if there is no figure.
 pub fn write(frames: &[&Figure], seconds: f64) -> Result<String, Faults> {
     let Some(first) = frames.first().filter(|_| seconds.is_finite() && seconds > 0.0) else {
-        return Err(not_finite(both!("there is no frame, or no time to show it", "没有帧，或没有时间")).into());
+        return Err(not_finite(both!(
+            "there is no frame, or no time to show it",
+            "没有帧，或没有时间"
+        ))
+        .into());
     };
     let mut elements = Elements::new(first.height_mm);
     let mut shown: Vec<Vec<String>> = Vec::new();
@@ -40,7 +44,9 @@ pub fn write(frames: &[&Figure], seconds: f64) -> Result<String, Faults> {
     );
     if first.paper != Colour::WHITE {
         let Colour { r, g, b } = first.paper;
-        out.push_str(&format!("<rect width=\"{w}\" height=\"{h}\" fill=\"#{r:02x}{g:02x}{b:02x}\"/>\n"));
+        out.push_str(&format!(
+            "<rect width=\"{w}\" height=\"{h}\" fill=\"#{r:02x}{g:02x}{b:02x}\"/>\n"
+        ));
     }
     out.push_str(&Elements::letters([&elements]));
     out.push('\n');
@@ -72,8 +78,9 @@ fn anchors(shown: &[Vec<String>]) -> Vec<Vec<usize>> {
     let mut last = vec![None; shown.len()];
     let mut out: Vec<Vec<usize>> = Vec::new();
     for e in &shown[0] {
-        let next =
-            |(of, last): (&HashMap<&str, Vec<usize>>, &Option<usize>)| of.get(e.as_str())?.iter().copied().find(|k| Some(*k) > *last);
+        let next = |(of, last): (&HashMap<&str, Vec<usize>>, &Option<usize>)| {
+            of.get(e.as_str())?.iter().copied().find(|k| Some(*k) > *last)
+        };
         let found: Option<Vec<usize>> = places.iter().zip(&last).map(next).collect();
         if let Some(found) = found {
             last = found.iter().map(|k| Some(*k)).collect();
@@ -119,7 +126,11 @@ mod tests {
     #[test]
     fn what_is_alike_is_written_once_and_the_rest_shown_in_turn() {
         let line = |x: f64| {
-            let shape = Shape::Line { from: Point::ORIGIN, to: Point::new(x, 1.0), stroke: LineStroke::new(0.5) };
+            let shape = Shape::Line {
+                from: Point::ORIGIN,
+                to: Point::new(x, 1.0),
+                stroke: LineStroke::new(0.5),
+            };
             FigureItem::new("link", shape).with_id(format!("l{x}"))
         };
         let figure = |x: f64| Figure {
@@ -134,13 +145,22 @@ mod tests {
         let figures = [1.0, 2.0, 3.0].map(figure);
         let svg = write(&figures.iter().collect::<Vec<_>>(), 6.0).unwrap();
         assert_eq!(
-            (svg.matches("x2=\"9\"").count(), svg.matches("<animate").count(), svg.matches("display=\"inline\"").count()),
+            (
+                svg.matches("x2=\"9\"").count(),
+                svg.matches("<animate").count(),
+                svg.matches("display=\"inline\"").count()
+            ),
             (1, 3, 1)
         );
         // Between the two static elements, as in each frame.
         let place = |what: &str| svg.find(what).unwrap();
         assert!(place("x2=\"9\"") < place("x2=\"3\"") && place("x2=\"3\"") < place("x2=\"8\""));
-        assert!(svg.contains("A &lt;turn&gt;") && svg.contains("dur=\"6s\"") && svg.contains("keyTimes=\"0;0.333;0.667\""), "{svg}");
+        assert!(
+            svg.contains("A &lt;turn&gt;")
+                && svg.contains("dur=\"6s\"")
+                && svg.contains("keyTimes=\"0;0.333;0.667\""),
+            "{svg}"
+        );
         assert!(roxmltree::Document::parse(&svg).is_ok());
         assert!(write(&[], 6.0).is_err() && write(&[&figures[0]], f64::NAN).is_err());
     }

@@ -20,7 +20,9 @@ use krilla::outline::{Outline, OutlineNode};
 use krilla::page::PageSettings;
 use krilla::paint::{Fill, LineCap, LineJoin, Paint, Stroke as Pen, StrokeDash};
 use krilla::surface::Surface;
-use krilla::tagging::{Artifact, ArtifactType, ContentTag, Identifier, Node, Tag, TagGroup, TagTree};
+use krilla::tagging::{
+    Artifact, ArtifactType, ContentTag, Identifier, Node, Tag, TagGroup, TagTree,
+};
 use krilla::text::{Font, GlyphId, KrillaGlyph};
 use krilla::{Data, Document, SerializeSettings};
 
@@ -65,10 +67,13 @@ pub fn pdf(figures: &[Figure]) -> Result<Warned<Vec<u8>>, Faults> {
         let mut parts = vec![Part { kind: Kind::Figure(words.clone()), items: f.items.clone() }];
         // White is the colour of the paper itself.
         if f.paper != Colour::WHITE {
-            let corners = [(0.0, 0.0), (f.width_mm, 0.0), (f.width_mm, f.height_mm), (0.0, f.height_mm)];
+            let corners =
+                [(0.0, 0.0), (f.width_mm, 0.0), (f.width_mm, f.height_mm), (0.0, f.height_mm)];
             let points = corners.map(|(x, y)| Point::new(x, y)).to_vec();
-            let ground = Shape::Polyline { points, closed: true, stroke: None, fill: Some(f.paper) };
-            parts.insert(0, Part { kind: Kind::Artifact, items: vec![FigureItem::new("", ground)] });
+            let ground =
+                Shape::Polyline { points, closed: true, stroke: None, fill: Some(f.paper) };
+            parts
+                .insert(0, Part { kind: Kind::Artifact, items: vec![FigureItem::new("", ground)] });
         }
         Page { width_mm: f.width_mm, height_mm: f.height_mm, parts }
     };
@@ -94,15 +99,27 @@ pub fn document(pages: &[Page], title: &str, lang: &str) -> Result<Warned<Vec<u8
     for page in pages {
         let (w, h) = (page.width_mm, page.height_mm);
         if !(w > 0.0 && h > 0.0 && w <= SIDE_MAX_MM && h <= SIDE_MAX_MM) {
-            let help = both!("a page of a PDF is at most {SIDE_MAX_MM} mm long and wide", "PDF 页面的边长不超过 {SIDE_MAX_MM} mm");
-            faults.push(Diagnostic::error("page-size", both!("the page is {w} mm by {h} mm", "页面为 {w} mm × {h} mm")).help(help));
+            let help = both!(
+                "a page of a PDF is at most {SIDE_MAX_MM} mm long and wide",
+                "PDF 页面的边长不超过 {SIDE_MAX_MM} mm"
+            );
+            faults.push(
+                Diagnostic::error(
+                    "page-size",
+                    both!("the page is {w} mm by {h} mm", "页面为 {w} mm × {h} mm"),
+                )
+                .help(help),
+            );
         }
         for item in page.parts.iter().flat_map(|p| &p.items) {
             if !item.is_finite() {
                 let name = if item.id.is_empty() { &item.class } else { &item.id };
                 faults.push(Diagnostic::error(
                     "not-finite",
-                    both!("item `{name}` has a coordinate that is not a number", "图元 `{name}` 的坐标不是数"),
+                    both!(
+                        "item `{name}` has a coordinate that is not a number",
+                        "图元 `{name}` 的坐标不是数"
+                    ),
                 ));
             }
             if let Shape::Label { label, .. } | Shape::Turned { label, .. } = &item.shape {
@@ -117,16 +134,29 @@ pub fn document(pages: &[Page], title: &str, lang: &str) -> Result<Warned<Vec<u8
         match Font::new(Data::from(face.bytes()), 0) {
             Some(font) => drop(fonts.insert(key, font)),
             None => {
-                let d = Diagnostic::error("font", both!("the font {face:?} cannot be put into a PDF", "字体 {face:?} 不能嵌入 PDF"));
-                faults.push(d.help(both!("write an SVG or a PNG, or give another font", "请输出 SVG 或 PNG，或换字体")));
+                let d = Diagnostic::error(
+                    "font",
+                    both!(
+                        "the font {face:?} cannot be put into a PDF",
+                        "字体 {face:?} 不能嵌入 PDF"
+                    ),
+                );
+                faults.push(d.help(both!(
+                    "write an SVG or a PNG, or give another font",
+                    "请输出 SVG 或 PNG，或换字体"
+                )));
             }
         }
     }
     if faults.has_errors() {
         return Err(faults);
     }
-    let accessible = ConfigurationBuilder::new().with_accessibility_validator(Accessibility::UA1).finish();
-    let settings = SerializeSettings { configuration: accessible.expect("PDF 1.7 has PDF/UA-1"), ..SerializeSettings::default() };
+    let accessible =
+        ConfigurationBuilder::new().with_accessibility_validator(Accessibility::UA1).finish();
+    let settings = SerializeSettings {
+        configuration: accessible.expect("PDF 1.7 has PDF/UA-1"),
+        ..SerializeSettings::default()
+    };
     let made = written(pages, title, lang, &fonts, settings).or_else(|e| {
         let told = both!("the PDF does not meet PDF/UA-1: {e}", "PDF 不符合 PDF/UA-1：{e}");
         faults.push(Diagnostic::warning("pdf-ua", told));
@@ -134,18 +164,32 @@ pub fn document(pages: &[Page], title: &str, lang: &str) -> Result<Warned<Vec<u8
     });
     match made {
         Ok(value) => Ok(Warned { value, notes: faults.list }),
-        Err(e) => Err(Diagnostic::error("pdf", both!("the PDF cannot be made: {e}", "不能生成 PDF：{e}")).into()),
+        Err(e) => {
+            Err(Diagnostic::error("pdf", both!("the PDF cannot be made: {e}", "不能生成 PDF：{e}"))
+                .into())
+        }
     }
 }
 
-fn written(pages: &[Page], title: &str, lang: &str, fonts: &BTreeMap<FaceKey, Font>, settings: SerializeSettings) -> KrillaResult<Vec<u8>> {
+fn written(
+    pages: &[Page],
+    title: &str,
+    lang: &str,
+    fonts: &BTreeMap<FaceKey, Font>,
+    settings: SerializeSettings,
+) -> KrillaResult<Vec<u8>> {
     let mut writer = PdfWriter { fonts, tags: Vec::new(), list: None, outline: Outline::new() };
     let mut file = Document::new_with(settings);
     for (n, page) in pages.iter().enumerate() {
         writer.page(&mut file, n, page);
     }
     writer.end_list();
-    file.set_metadata(Metadata::new().title(title.to_owned()).language(lang.to_owned()).creator("hodograph".to_owned()));
+    file.set_metadata(
+        Metadata::new()
+            .title(title.to_owned())
+            .language(lang.to_owned())
+            .creator("hodograph".to_owned()),
+    );
     file.set_outline(writer.outline);
     file.set_tag_tree(TagTree::from(writer.tags).with_lang(Some(lang.to_owned())));
     file.finish().map(without_suspects)
@@ -197,10 +241,15 @@ impl PdfWriter<'_> {
                     continue;
                 }
                 Kind::Heading { level, title } => {
-                    let top = crate::paper::extent::bounds(&part.items).map_or(0.0, |b| paper.down(b.max).y);
-                    let place = krilla::destination::XyzDestination::new(number, At::from_xy(0.0, top * POINTS_PER_MM));
+                    let top = crate::paper::extent::bounds(&part.items)
+                        .map_or(0.0, |b| paper.down(b.max).y);
+                    let place = krilla::destination::XyzDestination::new(
+                        number,
+                        At::from_xy(0.0, top * POINTS_PER_MM),
+                    );
                     self.outline.push_child(OutlineNode::new(title.clone(), place));
-                    let level = std::num::NonZeroU16::new(*level).unwrap_or(std::num::NonZeroU16::MIN);
+                    let level =
+                        std::num::NonZeroU16::new(*level).unwrap_or(std::num::NonZeroU16::MIN);
                     TagGroup::new(Tag::Hn(level, Some(title.clone())))
                 }
                 Kind::Paragraph => TagGroup::new(Tag::P),
@@ -225,7 +274,8 @@ impl PdfWriter<'_> {
     }
 
     fn artifact(&self, surface: &mut Surface, paper: PdfPaper, items: &[FigureItem]) {
-        surface.start_tagged(ContentTag::Artifact(Artifact::with_kind(ArtifactType::PaginationOther)));
+        surface
+            .start_tagged(ContentTag::Artifact(Artifact::with_kind(ArtifactType::PaginationOther)));
         items.iter().for_each(|i| self.item(surface, paper, i));
         surface.end_tagged();
     }
@@ -247,7 +297,9 @@ impl PdfWriter<'_> {
                     match *piece {
                         PathPiece::Move(p) => path.move_to(p),
                         PathPiece::Line(p) => path.line_to(p),
-                        PathPiece::Arc { centre, radius_mm, from_rad, to_rad } => path.arc_to(centre, radius_mm, from_rad, to_rad),
+                        PathPiece::Arc { centre, radius_mm, from_rad, to_rad } => {
+                            path.arc_to(centre, radius_mm, from_rad, to_rad)
+                        }
                     }
                 }
                 if *closed {
@@ -279,7 +331,11 @@ impl PdfWriter<'_> {
             Shape::Turned { at, angle_rad, label, size_mm, colour } => {
                 let centre = paper.down(*at);
                 // With y down, angles have the opposite sign.
-                surface.push_transform(&Transform::from_rotate_at(-angle_rad.to_degrees() as f32, centre.x, centre.y));
+                surface.push_transform(&Transform::from_rotate_at(
+                    -angle_rad.to_degrees() as f32,
+                    centre.x,
+                    centre.y,
+                ));
                 let left = at.x - text::set(label).width_em * size_mm / 2.0;
                 self.label(surface, paper, Point::new(left, at.y), label, *size_mm, *colour);
                 surface.pop();
@@ -291,17 +347,40 @@ impl PdfWriter<'_> {
         }
     }
 
-    fn label(&self, surface: &mut Surface, paper: PdfPaper, at: Point, label: &Label, size_mm: f64, colour: Colour) {
+    fn label(
+        &self,
+        surface: &mut Surface,
+        paper: PdfPaper,
+        at: Point,
+        label: &Label,
+        size_mm: f64,
+        colour: Colour,
+    ) {
         surface.set_stroke(None);
         surface.set_fill(Some(fill(colour)));
         for run in &text::set(label).runs {
             let glyph = |g: &crate::paper::font::Glyph| {
                 let [dx, dy] = g.offset_em.map(|v| v as f32);
-                KrillaGlyph::new(GlyphId::new(g.id), g.advance_em as f32, dx, dy, 0.0, g.text.clone(), None)
+                KrillaGlyph::new(
+                    GlyphId::new(g.id),
+                    g.advance_em as f32,
+                    dx,
+                    dy,
+                    0.0,
+                    g.text.clone(),
+                    None,
+                )
             };
             let glyphs: Vec<KrillaGlyph> = run.glyphs.iter().map(glyph).collect();
             let origin = paper.down(at + Vec2::new(run.x_em, run.y_em) * size_mm);
-            surface.draw_glyphs(origin, &glyphs, self.fonts[&run.face.key()].clone(), &run.text, (run.size_em * size_mm) as f32, false);
+            surface.draw_glyphs(
+                origin,
+                &glyphs,
+                self.fonts[&run.face.key()].clone(),
+                &run.text,
+                (run.size_em * size_mm) as f32,
+                false,
+            );
         }
     }
 }
@@ -362,8 +441,8 @@ impl Trace {
     /// most 0.03 % of its radius.
     ///
     /// # Source
-    /// The handle of a piece of angle θ is 4/3 · tan(θ/4) long: M. Goldapp, *Approximation of circular arcs by cubic
-    /// polynomials*, Computer Aided Geometric Design 8 (1991).
+    /// The handle of a piece of angle θ is 4/3 · tan(θ/4) long: M. Goldapp, *Approximation of
+    /// circular arcs by cubic polynomials*, Computer Aided Geometric Design 8 (1991).
     fn arc_to(&mut self, centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) {
         let sweep = to_rad - from_rad;
         let pieces = (sweep.abs() / std::f64::consts::FRAC_PI_2).ceil().max(1.0) as usize;
@@ -414,5 +493,9 @@ fn pen(s: &LineStroke) -> Pen {
 
 /// Returns a grey in the grey colour space, so that a printer uses black ink alone.
 fn paint(c: Colour) -> Paint {
-    if c.r == c.g && c.g == c.b { luma::Color::new(c.r).into() } else { rgb::Color::new(c.r, c.g, c.b).into() }
+    if c.r == c.g && c.g == c.b {
+        luma::Color::new(c.r).into()
+    } else {
+        rgb::Color::new(c.r, c.g, c.b).into()
+    }
 }

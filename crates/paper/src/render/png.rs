@@ -22,15 +22,27 @@ const SIDE_MAX: f64 = 16384.0;
 /// document cannot be read.
 pub fn render(svg: &str, dpi: f64) -> Result<Vec<u8>, Diagnostic> {
     let pixmap = pixels(svg, dpi)?;
-    encode(&pixmap, dpi).map_err(|e| Diagnostic::error("png-size", both!("the picture cannot be encoded: {e}", "图像不能编码：{e}")))
+    encode(&pixmap, dpi).map_err(|e| {
+        Diagnostic::error(
+            "png-size",
+            both!("the picture cannot be encoded: {e}", "图像不能编码：{e}"),
+        )
+    })
 }
 
 /// Returns the pixels of a document on white paper, all of them opaque.
 pub(super) fn pixels(svg: &str, dpi: f64) -> Result<tiny_skia::Pixmap, Diagnostic> {
-    let tree = usvg::Tree::from_str(svg, &usvg::Options::default())
-        .map_err(|e| Diagnostic::error("png-svg", both!("the SVG document cannot be read: {e}", "不能读取 SVG：{e}")))?;
+    let tree = usvg::Tree::from_str(svg, &usvg::Options::default()).map_err(|e| {
+        Diagnostic::error(
+            "png-svg",
+            both!("the SVG document cannot be read: {e}", "不能读取 SVG：{e}"),
+        )
+    })?;
     let scale = dpi / CSS_DPI;
-    let (w, h) = ((f64::from(tree.size().width()) * scale).round(), (f64::from(tree.size().height()) * scale).round());
+    let (w, h) = (
+        (f64::from(tree.size().width()) * scale).round(),
+        (f64::from(tree.size().height()) * scale).round(),
+    );
     let size_fault = || {
         Diagnostic::error(
             "png-size",
@@ -46,7 +58,10 @@ pub(super) fn pixels(svg: &str, dpi: f64) -> Result<tiny_skia::Pixmap, Diagnosti
     }
     let mut pixmap = tiny_skia::Pixmap::new(w as u32, h as u32).ok_or_else(size_fault)?;
     pixmap.fill(tiny_skia::Color::WHITE);
-    let transform = tiny_skia::Transform::from_scale(w as f32 / tree.size().width(), h as f32 / tree.size().height());
+    let transform = tiny_skia::Transform::from_scale(
+        w as f32 / tree.size().width(),
+        h as f32 / tree.size().height(),
+    );
     resvg::render(&tree, transform, &mut pixmap.as_mut());
     Ok(pixmap)
 }
@@ -56,7 +71,8 @@ pub(super) fn encode(pixmap: &tiny_skia::Pixmap, dpi: f64) -> Result<Vec<u8>, pn
     // components are the colours.
     let grey = pixmap.data().chunks_exact(4).all(|p| p[0] == p[1] && p[1] == p[2]);
     let channels = if grey { 1 } else { 3 };
-    let samples: Vec<u8> = pixmap.data().chunks_exact(4).flat_map(|p| &p[..channels]).copied().collect();
+    let samples: Vec<u8> =
+        pixmap.data().chunks_exact(4).flat_map(|p| &p[..channels]).copied().collect();
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, pixmap.width(), pixmap.height());
     encoder.set_color(if grey { png::ColorType::Grayscale } else { png::ColorType::Rgb });
@@ -65,7 +81,11 @@ pub(super) fn encode(pixmap: &tiny_skia::Pixmap, dpi: f64) -> Result<Vec<u8>, pn
     // Lines on white compress best as they are.
     encoder.set_filter(png::Filter::NoFilter);
     let per_metre = (dpi / INCH_MM * 1000.0).round() as u32;
-    encoder.set_pixel_dims(Some(png::PixelDimensions { xppu: per_metre, yppu: per_metre, unit: png::Unit::Meter }));
+    encoder.set_pixel_dims(Some(png::PixelDimensions {
+        xppu: per_metre,
+        yppu: per_metre,
+        unit: png::Unit::Meter,
+    }));
     encoder.write_header()?.write_image_data(&samples)?;
     Ok(bytes)
 }
@@ -87,7 +107,10 @@ mod tests {
     #[test]
     fn grey_when_grey_and_colour_when_not() {
         let (info, samples) = decode(&render(&DISC.replace("COLOUR", "000000"), 100.0).unwrap());
-        assert_eq!((info.width, info.height, info.color_type), (100, 200, png::ColorType::Grayscale));
+        assert_eq!(
+            (info.width, info.height, info.color_type),
+            (100, 200, png::ColorType::Grayscale)
+        );
         // The disc is in the upper part of the sheet, the rest is white paper.
         assert_eq!((samples[39 * 100 + 50], samples[160 * 100 + 50]), (0, 255));
         let (info, _) = decode(&render(&DISC.replace("COLOUR", "c00000"), 100.0).unwrap());
@@ -104,7 +127,11 @@ mod tests {
     fn faults_name_the_numbers() {
         assert_eq!(render("<svg", 100.0).unwrap_err().code, "png-svg");
         for dpi in [0.0, -3.0, f64::NAN, 1e9] {
-            assert_eq!(render(&DISC.replace("COLOUR", "000000"), dpi).unwrap_err().code, "png-size", "{dpi}");
+            assert_eq!(
+                render(&DISC.replace("COLOUR", "000000"), dpi).unwrap_err().code,
+                "png-size",
+                "{dpi}"
+            );
         }
     }
 }

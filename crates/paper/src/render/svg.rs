@@ -75,7 +75,13 @@ fn document(figure: &Figure, writing: LetterForm) -> Result<Warned<String>, Faul
     let mut writer = SvgWriter { writing, ..SvgWriter::new(figure.height_mm) };
     writer.data = true;
     if !(figure.width_mm.is_finite() && figure.height_mm.is_finite()) {
-        return Err(not_finite(both!("the paper is {} mm by {} mm", "图纸为 {} mm × {} mm", figure.width_mm, figure.height_mm)).into());
+        return Err(not_finite(both!(
+            "the paper is {} mm by {} mm",
+            "图纸为 {} mm × {} mm",
+            figure.width_mm,
+            figure.height_mm
+        ))
+        .into());
     }
     let (w, h) = (mm(figure.width_mm), mm(figure.height_mm));
     let mut document = Document::new()
@@ -88,8 +94,11 @@ fn document(figure: &Figure, writing: LetterForm) -> Result<Warned<String>, Faul
         .add(Title::new(figure.title.as_str()))
         .add(Description::new().add(Text::new(figure.desc.as_str())));
     if figure.paper != Colour::WHITE {
-        let paper =
-            Rectangle::new().set("width", w.as_str()).set("height", h.as_str()).set("class", "paper").set("fill", hex(figure.paper));
+        let paper = Rectangle::new()
+            .set("width", w.as_str())
+            .set("height", h.as_str())
+            .set("class", "paper")
+            .set("fill", hex(figure.paper));
         document = document.add(paper);
     }
     let mut items: Vec<Box<dyn Node>> = Vec::with_capacity(figure.items.len());
@@ -97,7 +106,8 @@ fn document(figure: &Figure, writing: LetterForm) -> Result<Warned<String>, Faul
         items.extend(writer.finite(item));
     }
     if !writer.letters.is_empty() {
-        document = document.set("xmlns:xlink", "http://www.w3.org/1999/xlink").add(writer.definitions());
+        document =
+            document.set("xmlns:xlink", "http://www.w3.org/1999/xlink").add(writer.definitions());
     }
     for item in items {
         document.append(item);
@@ -127,13 +137,24 @@ impl Elements {
     /// # Errors
     /// As [`write()`].
     pub fn of(&mut self, items: &[FigureItem]) -> Result<Vec<String>, Faults> {
-        let list = items.iter().map(|item| self.writer.finite(item).map(|node| node.to_string()).unwrap_or_default()).collect();
-        if self.writer.faults.has_errors() { Err(std::mem::take(&mut self.writer.faults)) } else { Ok(list) }
+        let list = items
+            .iter()
+            .map(|item| self.writer.finite(item).map(|node| node.to_string()).unwrap_or_default())
+            .collect();
+        if self.writer.faults.has_errors() {
+            Err(std::mem::take(&mut self.writer.faults))
+        } else {
+            Ok(list)
+        }
     }
 
     /// Returns the outlines that all these elements use.
     pub fn letters<'a>(all: impl IntoIterator<Item = &'a Elements>) -> String {
-        let letters = all.into_iter().flat_map(|e| &e.writer.letters).map(|(key, kept)| (*key, kept.clone())).collect();
+        let letters = all
+            .into_iter()
+            .flat_map(|e| &e.writer.letters)
+            .map(|(key, kept)| (*key, kept.clone()))
+            .collect();
         SvgWriter { letters, ..SvgWriter::new(0.0) }.definitions().to_string()
     }
 }
@@ -159,7 +180,13 @@ struct SvgWriter {
 
 impl SvgWriter {
     fn new(height_mm: f64) -> SvgWriter {
-        SvgWriter { height_mm, writing: LetterForm::Used, data: false, letters: BTreeMap::new(), faults: Faults::default() }
+        SvgWriter {
+            height_mm,
+            writing: LetterForm::Used,
+            data: false,
+            letters: BTreeMap::new(),
+            faults: Faults::default(),
+        }
     }
 
     /// Converts a y coordinate from y up to y down.
@@ -178,7 +205,10 @@ impl SvgWriter {
             return Some(self.item(item));
         }
         let name = if item.id.is_empty() { &item.class } else { &item.id };
-        self.faults.push(not_finite(both!("item `{name}` has a coordinate that is not a number", "图元 `{name}` 的坐标不是数")));
+        self.faults.push(not_finite(both!(
+            "item `{name}` has a coordinate that is not a number",
+            "图元 `{name}` 的坐标不是数"
+        )));
         None
     }
 
@@ -202,13 +232,18 @@ impl SvgWriter {
                         PathPiece::Line(p) => {
                             let _ = write!(d, "L{}", self.xy(p));
                         }
-                        PathPiece::Arc { centre, radius_mm, from_rad, to_rad } => d += &self.arc_to(centre, radius_mm, from_rad, to_rad),
+                        PathPiece::Arc { centre, radius_mm, from_rad, to_rad } => {
+                            d += &self.arc_to(centre, radius_mm, from_rad, to_rad)
+                        }
                     }
                 }
                 self.path(d, *closed, stroke.as_ref(), *fill, item).into()
             }
             Shape::Circle { centre, radius_mm, stroke, fill } => {
-                let mut circle = Circle::new().set("cx", mm(centre.x)).set("cy", self.y(centre.y)).set("r", mm(*radius_mm));
+                let mut circle = Circle::new()
+                    .set("cx", mm(centre.x))
+                    .set("cy", self.y(centre.y))
+                    .set("r", mm(*radius_mm));
                 self.named(&mut circle, item);
                 painted(&mut circle, stroke.as_ref(), *fill);
                 if fill.is_none() {
@@ -216,15 +251,24 @@ impl SvgWriter {
                 }
                 circle.into()
             }
-            Shape::Arc { centre, radius_mm, from_rad, to_rad, stroke } => {
-                self.path(self.arc(*centre, *radius_mm, *from_rad, *to_rad), false, Some(stroke), None, item).into()
-            }
+            Shape::Arc { centre, radius_mm, from_rad, to_rad, stroke } => self
+                .path(
+                    self.arc(*centre, *radius_mm, *from_rad, *to_rad),
+                    false,
+                    Some(stroke),
+                    None,
+                    item,
+                )
+                .into(),
             Shape::Arrow { from, to, stroke, head } => {
                 let parts = arrow::straight(*from, *to, *head);
                 let mut group = Group::new();
                 self.named(&mut group, item);
                 let nameless = FigureItem::new("", item.shape.clone());
-                group.add(self.line(*from, parts.shaft_end, stroke, &nameless)).add(self.head(&parts.head, stroke.colour)).into()
+                group
+                    .add(self.line(*from, parts.shaft_end, stroke, &nameless))
+                    .add(self.head(&parts.head, stroke.colour))
+                    .into()
             }
             Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke, head } => {
                 let parts = arrow::bent(*centre, *radius_mm, *from_rad, *to_rad, *head);
@@ -232,24 +276,53 @@ impl SvgWriter {
                 self.named(&mut group, item);
                 let nameless = FigureItem::new("", item.shape.clone());
                 let shaft = self.arc(*centre, *radius_mm, *from_rad, parts.shaft_end_rad);
-                group.add(self.path(shaft, false, Some(stroke), None, &nameless)).add(self.head(&parts.head, stroke.colour)).into()
+                group
+                    .add(self.path(shaft, false, Some(stroke), None, &nameless))
+                    .add(self.head(&parts.head, stroke.colour))
+                    .into()
             }
             Shape::Label { at, label, size_mm, anchor, colour } => {
                 let set = text::set(label);
                 let left = at.x - anchor_shift_em(*anchor, set.width_em) * size_mm;
-                self.lettering(item, &format!("translate({} {})", mm(left), self.y(at.y)), label, &set, *size_mm, *colour)
+                self.lettering(
+                    item,
+                    &format!("translate({} {})", mm(left), self.y(at.y)),
+                    label,
+                    &set,
+                    *size_mm,
+                    *colour,
+                )
             }
             Shape::Turned { at, angle_rad, label, size_mm, colour } => {
                 let set = text::set(label);
-                let turn = format!("rotate({})translate({} 0)", mm(-angle_rad.to_degrees()), mm(-set.width_em * size_mm / 2.0));
-                self.lettering(item, &format!("translate({} {}){turn}", mm(at.x), self.y(at.y)), label, &set, *size_mm, *colour)
+                let turn = format!(
+                    "rotate({})translate({} 0)",
+                    mm(-angle_rad.to_degrees()),
+                    mm(-set.width_em * size_mm / 2.0)
+                );
+                self.lettering(
+                    item,
+                    &format!("translate({} {}){turn}", mm(at.x), self.y(at.y)),
+                    label,
+                    &set,
+                    *size_mm,
+                    *colour,
+                )
             }
         }
     }
 
     /// Returns a label whose line starts at the origin of `place`; with y down, angles have the
     /// opposite sign.
-    fn lettering(&mut self, item: &FigureItem, place: &str, label: &Label, set: &Typeset, size_mm: f64, colour: Colour) -> Box<dyn Node> {
+    fn lettering(
+        &mut self,
+        item: &FigureItem,
+        place: &str,
+        label: &Label,
+        set: &Typeset,
+        size_mm: f64,
+        colour: Colour,
+    ) -> Box<dyn Node> {
         let (transform, content) = match self.writing {
             LetterForm::Used => (format!("{place}scale({})", scale(size_mm)), self.used(set)),
             LetterForm::Text => (place.to_owned(), editable(set, size_mm)),
@@ -293,13 +366,24 @@ impl SvgWriter {
     }
 
     fn line(&self, from: Point, to: Point, stroke: &LineStroke, item: &FigureItem) -> Line {
-        let mut line = Line::new().set("x1", mm(from.x)).set("y1", self.y(from.y)).set("x2", mm(to.x)).set("y2", self.y(to.y));
+        let mut line = Line::new()
+            .set("x1", mm(from.x))
+            .set("y1", self.y(from.y))
+            .set("x2", mm(to.x))
+            .set("y2", self.y(to.y));
         self.named(&mut line, item);
         painted(&mut line, Some(stroke), None);
         line
     }
 
-    fn path(&self, mut d: String, closed: bool, stroke: Option<&LineStroke>, fill: Option<Colour>, item: &FigureItem) -> Path {
+    fn path(
+        &self,
+        mut d: String,
+        closed: bool,
+        stroke: Option<&LineStroke>,
+        fill: Option<Colour>,
+        item: &FigureItem,
+    ) -> Path {
         if closed {
             d.push('Z');
         }
@@ -339,7 +423,11 @@ impl SvgWriter {
     }
 
     fn arc(&self, centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) -> String {
-        format!("M{}{}", self.xy(on_circle(centre, radius_mm, from_rad)), self.arc_to(centre, radius_mm, from_rad, to_rad))
+        format!(
+            "M{}{}",
+            self.xy(on_circle(centre, radius_mm, from_rad)),
+            self.arc_to(centre, radius_mm, from_rad, to_rad)
+        )
     }
 
     /// Adds an arc in pieces of at most a third of a turn: the large-arc flag is never needed, full
@@ -370,7 +458,10 @@ fn painted(node: &mut impl Node, stroke: Option<&LineStroke>, fill: Option<Colou
         }
         let pattern = s.dash.pattern_mm();
         if !pattern.is_empty() {
-            node.assign("stroke-dasharray", pattern.iter().map(|&d| mm(d)).collect::<Vec<_>>().join(" "));
+            node.assign(
+                "stroke-dasharray",
+                pattern.iter().map(|&d| mm(d)).collect::<Vec<_>>().join(" "),
+            );
         }
     }
     if let Some(c) = fill {

@@ -69,7 +69,10 @@ impl Figures<'_> {
 
     /// Returns a centre by ruler construction: from its pair, or by two lines.
     fn centre(&self, q: &InstantCentre) -> Option<hodograph_base::geom::Point> {
-        let found = self.centres.get_or_init(|| centres(self.scene).ok().map(|found| found.value)).as_ref()?;
+        let found = self
+            .centres
+            .get_or_init(|| centres(self.scene).ok().map(|found| found.value))
+            .as_ref()?;
         let c = found.of(q.links[0].0, q.links[1].0)?;
         match (c.origin.as_ref()?, c.place?) {
             (Origin::Pair | Origin::Crossing(_), CentrePlace::At(at)) => Some(at),
@@ -78,7 +81,8 @@ impl Figures<'_> {
     }
 
     fn bends(&self, link: LinkId, against: LinkId, points: Vec<PointId>) -> Option<LinkCurvatures> {
-        let asked = curvature::CurvatureRequest { links: vec![link], against: Some(against), points };
+        let asked =
+            curvature::CurvatureRequest { links: vec![link], against: Some(against), points };
         curvature(self.scene, &asked).ok().map(|found| found.value)
     }
 }

@@ -13,7 +13,9 @@ pub fn verdict(u: &Unanswered, lang: Lang) -> &'static str {
         NoAnswer::NoMotion(refused) => match refused.why {
             Refusal::DeadPoint => tr(lang, "unbounded", "无界"),
             Refusal::Locked => tr(lang, "no motion", "不能运动"),
-            Refusal::Loose | Refusal::Several | Refusal::NoAcceleration => tr(lang, "not determined", "不确定"),
+            Refusal::Loose | Refusal::Several | Refusal::NoAcceleration => {
+                tr(lang, "not determined", "不确定")
+            }
         },
     }
 }
@@ -35,7 +37,11 @@ pub fn reason(scene: &Scene, u: &Unanswered, lang: Lang) -> String {
         (Lang::En, _) => words.en.clone(),
         (Lang::Zh, Refusal::DeadPoint) => format!("构件 {} 处于死点位置", names.join("、")),
         (Lang::Zh, Refusal::Locked) => format!("构件 {} 在该位置被锁住", names.join("、")),
-        (Lang::Zh, Refusal::Loose | Refusal::Several) => format!("构件 {} 在该位置有多余的自由度", names.join("、")),
-        (Lang::Zh, Refusal::NoAcceleration) => format!("构件 {} 在该位置的加速度不确定", names.join("、")),
+        (Lang::Zh, Refusal::Loose | Refusal::Several) => {
+            format!("构件 {} 在该位置有多余的自由度", names.join("、"))
+        }
+        (Lang::Zh, Refusal::NoAcceleration) => {
+            format!("构件 {} 在该位置的加速度不确定", names.join("、"))
+        }
     }
 }

@@ -23,7 +23,8 @@ fn certified(scene: &Scene, place: Point) -> Certified {
     let ball = |x: f64| Ball::new(x, 1e-15);
     let value = AnswerValue::Point(Point::new(ball(place.x), ball(place.y)));
     let what = &scene.find[0].what;
-    let list = parts(what.kind(), value, 1.0, 6).and_then(|l| with_printed(&scene.book, what, value, l));
+    let list =
+        parts(what.kind(), value, 1.0, 6).and_then(|l| with_printed(&scene.book, what, value, l));
     Certified { rung: Rung::Double, parts: list.unwrap(), reading: None, why: None }
 }
 
@@ -36,8 +37,12 @@ fn a_place_is_told_by_its_coordinates() {
         let json = in_unit(&scene.book, find, value, &c, 6);
         (text, amount(&scene.book, find, value, &c, 4), json.to_string())
     };
-    let told = |text: &str, sheet: &str, json: &str| (text.to_owned(), sheet.to_owned(), json.to_owned());
-    assert_eq!(near(&asking("")), told("(-0.123457, 6.83000) m", "(−123.5, 6830)\\,\\text{mm}", "null"));
+    let told =
+        |text: &str, sheet: &str, json: &str| (text.to_owned(), sheet.to_owned(), json.to_owned());
+    assert_eq!(
+        near(&asking("")),
+        told("(-0.123457, 6.83000) m", "(−123.5, 6830)\\,\\text{mm}", "null")
+    );
     let inches = asking(r#", "answers": {"length": "in"}"#);
     let json = r#"{"unit":"in","x":-4.860503503937008,"y":268.8976377952756,"text":"(-4.86050, 268.898)"}"#;
     assert_eq!(near(&inches), told("(-4.86050, 268.898) in", "(−4.861, 268.9)\\,\\text{in}", json));

@@ -1,7 +1,9 @@
 //! Certified numbers of a cam: enclosed, and printed to as many digits as are certain.
 
 use super::{DIGITS, Report};
-use hodograph_base::cam::{CamExtreme, CamMotion, ExactCam, Follower, FollowerTip, StageMotion, whole_turns};
+use hodograph_base::cam::{
+    CamExtreme, CamMotion, ExactCam, Follower, FollowerTip, StageMotion, whole_turns,
+};
 use hodograph_base::digits::significant;
 use hodograph_base::number::Real;
 use hodograph_base::number::decimal::{Certain, Enclosure};
@@ -104,11 +106,15 @@ impl CamNumber {
                 FollowerTip::Flat { .. } => None,
             },
             CamNumber::Offset => match disc.follower {
-                Follower::Translating { offset, .. } => Some(if disc.sense < 0.0 { -offset } else { offset }),
+                Follower::Translating { offset, .. } => {
+                    Some(if disc.sense < 0.0 { -offset } else { offset })
+                }
                 Follower::Oscillating { .. } => None,
             },
             CamNumber::Distance | CamNumber::Arm => match disc.follower {
-                Follower::Oscillating { pivot, .. } if self == CamNumber::Distance => Some(pivot.norm()),
+                Follower::Oscillating { pivot, .. } if self == CamNumber::Distance => {
+                    Some(pivot.norm())
+                }
                 Follower::Oscillating { arm, .. } => Some(arm),
                 Follower::Translating { .. } => None,
             },
@@ -135,7 +141,8 @@ impl CamNumber {
             CamNumber::HollowAt => cam.hollow().map(|[place, _]| in_turn(place)),
             CamNumber::JumpAt(k) => cam.jump(k).map(|j| in_turn(j[0])),
             CamNumber::Jump(k, side) => {
-                let (jump, order) = (cam.jump(k)?, turning.survey.of(&turning.disc).jumps[k].shock.order());
+                let (jump, order) =
+                    (cam.jump(k)?, turning.survey.of(&turning.disc).jumps[k].shock.order());
                 Some(jump[1 + side] * speed(order))
             }
             CamNumber::LeastBase => cam.least_base(),
@@ -144,7 +151,12 @@ impl CamNumber {
     }
 }
 
-fn at_the_instant<N: Real>(now: Now, cam: &ExactCam<N>, (turning, phi): (&TurningCam, N), [w, a]: [N; 2]) -> Option<N> {
+fn at_the_instant<N: Real>(
+    now: Now,
+    cam: &ExactCam<N>,
+    (turning, phi): (&TurningCam, N),
+    [w, a]: [N; 2],
+) -> Option<N> {
     let here = (turning.phi, turning.side);
     let station = || cam.station(here, phi);
     Some(match now {
@@ -193,7 +205,10 @@ impl Report<'_> {
             PrintedUnit::Lift(0) if self.swings() => self.in_unit(PrintedUnit::Degrees, si),
             PrintedUnit::Length | PrintedUnit::Lift(0) => match book.chosen(Kind::Length) {
                 Some(chosen) => chosen.of(si),
-                None => si * N::from_f64(self.scene.length_unit.denominator) / N::from_f64(self.scene.length_unit.numerator),
+                None => {
+                    si * N::from_f64(self.scene.length_unit.denominator)
+                        / N::from_f64(self.scene.length_unit.numerator)
+                }
             },
             PrintedUnit::Lift(order) => book.in_chosen(self.kind_of(order), si),
         }
@@ -201,7 +216,12 @@ impl Report<'_> {
 
     /// Returns an interval around a number, narrow enough for `digits` digits if possible; `None`
     /// if there is no such number.
-    pub fn enclosed(&self, which: CamNumber, unit: PrintedUnit, digits: usize) -> Option<Enclosure> {
+    pub fn enclosed(
+        &self,
+        which: CamNumber,
+        unit: PrintedUnit,
+        digits: usize,
+    ) -> Option<Enclosure> {
         let mut last = None;
         for rung in RUNGS {
             last = rung.climb(&EnclosedNumber { report: self, which, unit }).or(last);
@@ -227,13 +247,16 @@ impl Report<'_> {
     /// Returns [`Report::told`] to the digits of the report; if nothing is certain, the approximate
     /// value from double precision.
     pub(super) fn digits(&self, which: CamNumber, unit: PrintedUnit, rough_si: f64) -> String {
-        self.told(which, unit, DIGITS).unwrap_or_else(|| format!("≈ {}", significant(self.in_unit(unit, rough_si), 2)))
+        self.told(which, unit, DIGITS)
+            .unwrap_or_else(|| format!("≈ {}", significant(self.in_unit(unit, rough_si), 2)))
     }
 
     /// Returns the nearest double of a number in SI, as JSON; the value of double precision if it
     /// is not enclosed.
     pub(super) fn nearest(&self, which: CamNumber, rough: f64) -> Json {
-        let told = self.enclosed(which, PrintedUnit::Si, 17).filter(|e| e.radius <= 1e-15 * e.approx.abs().max(NOTHING));
+        let told = self
+            .enclosed(which, PrintedUnit::Si, 17)
+            .filter(|e| e.radius <= 1e-15 * e.approx.abs().max(NOTHING));
         let value = told.map_or(rough, |e| if e.contains_zero() { 0.0 } else { e.approx });
         if value.is_finite() { json!(value) } else { Json::Null }
     }

@@ -14,10 +14,17 @@ impl CompositeWords<'_> {
     pub(super) fn three_motions(&self, c: &FrameChoice) -> Phrase {
         let (scene, lang) = (self.scene, self.lang);
         let ground = &scene.links[scene.ground.0].points;
-        let pivot =
-            |l: LinkId| scene.links[l.0].points.iter().find(|p| ground.contains(p)).map(|p| PointForm::Marked.point(scene.point_name(*p)));
+        let pivot = |l: LinkId| {
+            scene.links[l.0]
+                .points
+                .iter()
+                .find(|p| ground.contains(p))
+                .map(|p| PointForm::Marked.point(scene.point_name(*p)))
+        };
         let slides = |g: &Guide, l: Option<LinkId>, p: Option<PointId>| {
-            g.on == scene.ground && matches!(g.path, GuidePath::Line { .. }) && (l.is_some() && g.slider == l || p.is_some() && g.pin == p)
+            g.on == scene.ground
+                && matches!(g.path, GuidePath::Line { .. })
+                && (l.is_some() && g.slider == l || p.is_some() && g.pin == p)
         };
         let own = c.of.link.or_else(|| scene.mover(c.of.point));
         let straight = scene.guides.iter().any(|g| slides(g, own, Some(c.of.point)));
@@ -36,16 +43,24 @@ impl CompositeWords<'_> {
                     Lang::En => format!("rotation about {at}"),
                     Lang::Zh => format!("绕 {at} 的定轴转动"),
                 },
-                None if scene.guides.iter().any(|g| slides(g, Some(l), None)) => tr(lang, "translation", "平移").to_owned(),
+                None if scene.guides.iter().any(|g| slides(g, Some(l), None)) => {
+                    tr(lang, "translation", "平移").to_owned()
+                }
                 None => tr(lang, "plane motion", "平面运动").to_owned(),
             },
         };
         let relative = self.path(c, PointForm::Marked);
-        let relative =
-            relative.split_once([':', '：']).map_or_else(|| tr(lang, "not known", "未知").to_owned(), |(_, path)| path.trim().to_owned());
+        let relative = relative.split_once([':', '：']).map_or_else(
+            || tr(lang, "not known", "未知").to_owned(),
+            |(_, path)| path.trim().to_owned(),
+        );
         Phrase::new(&match lang {
-            Lang::En => format!("Absolute motion: {absolute}; relative motion: {relative}; transport motion: {transport}"),
-            Lang::Zh => format!("绝对运动：{absolute}；相对运动：{relative}；牵连运动：{transport}"),
+            Lang::En => format!(
+                "Absolute motion: {absolute}; relative motion: {relative}; transport motion: {transport}"
+            ),
+            Lang::Zh => {
+                format!("绝对运动：{absolute}；相对运动：{relative}；牵连运动：{transport}")
+            }
         })
     }
 }

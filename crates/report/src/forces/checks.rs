@@ -15,17 +15,28 @@ impl ForceWriter<'_> {
     /// Returns the checks as plain text.
     pub fn checks_text(&self, at: &Configuration, lever: Option<(&Lever, &str)>) -> String {
         let Some((heading, sentences)) = self.checks(at, lever) else { return String::new() };
-        let lines = sentences.iter().enumerate().map(|(k, sentence)| format!("  {:>3}. {}\n", k + 1, sentence.plain()));
+        let lines = sentences
+            .iter()
+            .enumerate()
+            .map(|(k, sentence)| format!("  {:>3}. {}\n", k + 1, sentence.plain()));
         format!("  {heading}\n") + &lines.collect::<String>()
     }
 
     /// Returns the checks with their heading: the forces on all links together, and the lever with
     /// the letter of its pole.
-    pub fn checks(&self, at: &Configuration, lever: Option<(&Lever, &str)>) -> Option<(&'static str, Vec<Phrase>)> {
+    pub fn checks(
+        &self,
+        at: &Configuration,
+        lever: Option<(&Lever, &str)>,
+    ) -> Option<(&'static str, Vec<Phrase>)> {
         let whole = ForceTotals::of(self.scene, at, self.of).map(|whole| self.whole(&whole));
         let by_lever = lever.map(|(lever, pole)| self.lever(lever, pole)).unwrap_or_default();
         let heading = match (whole.is_some(), by_lever.is_empty()) {
-            (true, false) => tr(self.lang, "Checks: all links together, Zhukovsky's lever", "校核：整个机构的平衡、茹可夫斯基杠杆"),
+            (true, false) => tr(
+                self.lang,
+                "Checks: all links together, Zhukovsky's lever",
+                "校核：整个机构的平衡、茹可夫斯基杠杆",
+            ),
             (true, true) => tr(self.lang, "Check: all links together", "校核：整个机构的平衡"),
             (false, _) => tr(self.lang, "Check by Zhukovsky's lever", "用茹可夫斯基杠杆校核"),
         };
@@ -46,8 +57,12 @@ impl ForceWriter<'_> {
         };
         let (loads, ground) = (sum(whole.loads), sum(whole.ground));
         Phrase::new(&match self.lang {
-            Lang::En => format!("The loads of all links add up to {loads}, the reactions of the ground on the links to {ground}."),
-            Lang::Zh => format!("各构件上的载荷之和为 {loads}，机架对各构件的反力之和为 {ground}。"),
+            Lang::En => format!(
+                "The loads of all links add up to {loads}, the reactions of the ground on the links to {ground}."
+            ),
+            Lang::Zh => {
+                format!("各构件上的载荷之和为 {loads}，机架对各构件的反力之和为 {ground}。")
+            }
         })
     }
 
@@ -57,40 +72,62 @@ impl ForceWriter<'_> {
         let mut sum = MomentSum::default();
         for force in lever.forces.iter().filter(|f| f.arm_mm > NO_ARM_MM) {
             let arm = inked(&significant(force.arm_mm, super::DIGITS));
-            sum.add(force.moment, format!("{}\\cdot {arm}\\,\\text{{mm}}", self.symbol(ForceTerm::Load(force.load))));
+            sum.add(
+                force.moment,
+                format!("{}\\cdot {arm}\\,\\text{{mm}}", self.symbol(ForceTerm::Load(force.load))),
+            );
         }
         for (load, moment) in &lever.couples {
             let link = name_label(self.scene.link_name(self.of.loads[*load].link));
-            sum.add(*moment, format!("|{}\\,\\omega_{{{link}}}|/\\mu_v", self.couple(ForceTerm::Load(*load))));
+            sum.add(
+                *moment,
+                format!("|{}\\,\\omega_{{{link}}}|/\\mu_v", self.couple(ForceTerm::Load(*load))),
+            );
         }
         let moment = inked(&significant(lever.moment, super::DIGITS));
-        let equation = format!("$\\Sigma M_{{{pole}}} = {} = {moment}\\,\\text{{N·mm}}$", if sum.terms == 0 { "0" } else { &sum.text });
+        let equation = format!(
+            "$\\Sigma M_{{{pole}}} = {} = {moment}\\,\\text{{N·mm}}$",
+            if sum.terms == 0 { "0" } else { &sum.text }
+        );
         let total = match self.lang {
             Lang::En => format!("Moments of all loads about ${pole}$: {equation}."),
             Lang::Zh => format!("各载荷对 ${pole}$ 取矩：{equation}。"),
         };
         // A balancing force at a point has its own arm on the lever.
         let balance = self.scene.loads.balance.as_ref();
-        let by_lever = lever.balance(self.scene).filter(|_| balance.is_none_or(|b| b.force.is_none()));
+        let by_lever =
+            lever.balance(self.scene).filter(|_| balance.is_none_or(|b| b.force.is_none()));
         let (relation, beside) = match by_lever {
             Some(by_lever) => {
                 let driver = &self.scene.drivers[0];
                 let (symbol, kind, rate) = match driver.kind.turned() {
                     Some((link, against)) => {
-                        let of = std::iter::once(link).chain((against != self.scene.ground).then_some(against));
-                        let names: String = of.map(|l| name_label(self.scene.link_name(l))).collect();
+                        let of = std::iter::once(link)
+                            .chain((against != self.scene.ground).then_some(against));
+                        let names: String =
+                            of.map(|l| name_label(self.scene.link_name(l))).collect();
                         (self.balance(0), Kind::Moment, format!("\\omega_{{{names}}}"))
                     }
                     None => ("F_{b}".to_owned(), Kind::Force, "v".to_owned()),
                 };
-                let of_polygons = if balance.is_some() { self.of.forces.balance } else { self.of.forces.drivers.first().copied() };
-                let relation = format!("${symbol} = -\\mu_v\\,\\Sigma M_{{{pole}}}/{rate} = {}$", self.amount(kind, by_lever));
+                let of_polygons = if balance.is_some() {
+                    self.of.forces.balance
+                } else {
+                    self.of.forces.drivers.first().copied()
+                };
+                let relation = format!(
+                    "${symbol} = -\\mu_v\\,\\Sigma M_{{{pole}}}/{rate} = {}$",
+                    self.amount(kind, by_lever)
+                );
                 (relation, of_polygons.map(|value| self.amount(kind, value)))
             }
             None => {
                 let power = self.amount(Kind::Power, -lever.moment * lever.mu);
                 let of_polygons = Some(self.of.forces.power).filter(|power| power.is_finite());
-                (format!("$P = -\\mu_v\\,\\Sigma M_{{{pole}}} = {power}$"), of_polygons.map(|value| self.amount(Kind::Power, value)))
+                (
+                    format!("$P = -\\mu_v\\,\\Sigma M_{{{pole}}} = {power}$"),
+                    of_polygons.map(|value| self.amount(Kind::Power, value)),
+                )
             }
         };
         let given = match (self.lang, beside) {

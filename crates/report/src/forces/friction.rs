@@ -15,12 +15,16 @@ impl ForceWriter<'_> {
     pub(super) fn part(&self, of: Party, on: LinkId, part: ReactionComponent) -> ReactionComponent {
         let rubs = |by: LinkId| {
             self.scene.loads.friction.iter().any(|f| match f.at {
-                Rub::Guide { guide, .. } => contacts(self.scene, by, on).iter().any(|c| matches!(c, Contact::Guide(g, _) if *g == guide)),
+                Rub::Guide { guide, .. } => contacts(self.scene, by, on)
+                    .iter()
+                    .any(|c| matches!(c, Contact::Guide(g, _) if *g == guide)),
                 Rub::Pin { .. } => false,
             })
         };
         match of {
-            Party::Link(by) if part == ReactionComponent::Whole && rubs(by) => ReactionComponent::Normal,
+            Party::Link(by) if part == ReactionComponent::Whole && rubs(by) => {
+                ReactionComponent::Normal
+            }
             Party::Link(_) | Party::Pin(_) | Party::Cylinder(_) | Party::Driver(_) => part,
         }
     }
@@ -29,7 +33,9 @@ impl ForceWriter<'_> {
     pub(super) fn friction(&self, group: &GroupForces) -> Option<String> {
         let mut seen = Vec::new();
         let mut all = Vec::new();
-        for (n, load) in self.of.loads.iter().enumerate().filter(|(_, l)| group.links.contains(&l.link)) {
+        for (n, load) in
+            self.of.loads.iter().enumerate().filter(|(_, l)| group.links.contains(&l.link))
+        {
             let Cause::Friction(k) = load.cause else { continue };
             if seen.contains(&k) {
                 continue;
@@ -39,8 +45,14 @@ impl ForceWriter<'_> {
             all.push(match &self.scene.loads.friction[k].at {
                 Rub::Pin { circle, .. } => {
                     let couple = load.wrench.couple.abs();
-                    let (rho, force) = (self.amount(Kind::Length, circle.value), self.amount(Kind::Force, couple / circle.value));
-                    format!("${symbol} = \\rho F = {rho} \\cdot {force} = {}$", self.amount(Kind::Moment, couple))
+                    let (rho, force) = (
+                        self.amount(Kind::Length, circle.value),
+                        self.amount(Kind::Force, couple / circle.value),
+                    );
+                    format!(
+                        "${symbol} = \\rho F = {rho} \\cdot {force} = {}$",
+                        self.amount(Kind::Moment, couple)
+                    )
                 }
                 Rub::Guide { f, .. } => {
                     let force = load.wrench.force.norm();
@@ -55,7 +67,9 @@ impl ForceWriter<'_> {
         }
         let all = (!all.is_empty()).then(|| all.join(tr(self.lang, "; ", "；")))?;
         Some(match self.lang {
-            Lang::En => format!("Friction, from polygons that are drawn again until the forces stand: {all}."),
+            Lang::En => format!(
+                "Friction, from polygons that are drawn again until the forces stand: {all}."
+            ),
             Lang::Zh => format!("摩擦（反复作力多边形，直至各力不变）：{all}。"),
         })
     }

@@ -39,15 +39,22 @@ impl ForceWriter<'_> {
         if pins.iter().any(|p| ground.contains(p)) {
             return None;
         }
-        let between = rod.cross(at - c).abs() <= BESIDE * rod.norm2() && rod.dot(at - c) > 0.0 && rod.dot(b - at) > 0.0;
+        let between = rod.cross(at - c).abs() <= BESIDE * rod.norm2()
+            && rod.dot(at - c) > 0.0
+            && rod.dot(b - at) > 0.0;
         if !between || m <= 0.0 || j <= 0.0 {
             return None;
         }
         let (l2, l) = (j / m / l1, l1 + l3);
         let kg = |x: f64| format!("{}\\,\\text{{kg}}", inked(&significant(x, DIGITS)));
         let [near, far, centre] = [first, second, s].map(|p| point_label(self.scene.point_name(p)));
-        let (link, small) = (name_label(self.scene.link_name(mass.link)), self.amount(Kind::Length, l2));
-        let inertia = self.of.loads.iter().find(|load| load.link == mass.link && load.cause == Cause::Inertia);
+        let (link, small) =
+            (name_label(self.scene.link_name(mass.link)), self.amount(Kind::Length, l2));
+        let inertia = self
+            .of
+            .loads
+            .iter()
+            .find(|load| load.link == mass.link && load.cause == Cause::Inertia);
         let alpha = -inertia.map_or(0.0, |load| load.wrench.couple) / j;
         let couple = self.amount(Kind::Moment, (m * l1 * l3 - j) * alpha);
         let [split_near, split_far] = [kg(m * l3 / l), kg(m * l1 / l)];

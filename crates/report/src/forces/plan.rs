@@ -19,12 +19,15 @@ impl ForceWriter<'_> {
             out += &format!("  {}\n", self.heading(group));
             let (after, first): (Vec<&Moments>, Vec<&Moments>) =
                 group.moments.iter().partition(|m| matches!(m.gives, MomentResult::Offset(_)));
-            let lines = |all: Vec<&Moments>| -> String { all.into_iter().map(|m| format!("  {}\n", self.moments_planned(m))).collect() };
+            let lines = |all: Vec<&Moments>| -> String {
+                all.into_iter().map(|m| format!("  {}\n", self.moments_planned(m))).collect()
+            };
             out += &lines(first);
             for sides in self.equations(group) {
                 number += 1;
                 let rows = table(self.lang, &self.planned(&sides));
-                out += &format!("  ({number}) {}\n", tr(self.lang, "equilibrium of forces", "力平衡"));
+                out +=
+                    &format!("  ({number}) {}\n", tr(self.lang, "equilibrium of forces", "力平衡"));
                 out.extend(rows.iter().map(|row| format!("      {}\n", row.trim_end())));
             }
             out += &lines(after);
@@ -34,16 +37,17 @@ impl ForceWriter<'_> {
 
     /// Returns the plan as JSON.
     pub fn plan_json(&self) -> Json {
-        let names = |links: &[LinkId]| links.iter().map(|l| self.scene.link_name(*l)).collect::<Vec<_>>();
+        let names =
+            |links: &[LinkId]| links.iter().map(|l| self.scene.link_name(*l)).collect::<Vec<_>>();
         let both = |tex: &str| json!({"text": formula(tex), "tex": tex});
         let moments = |m: &Moments| json!({"links": names(&m.links), "about": both(&self.about(m.about)), "gives": both(&self.given(m))});
         let side = |s: &ForceEdge| json!({"symbol": both(&self.symbol(s.term)), "known": s.known});
         let group = |g: &GroupForces| {
-            let equations: Vec<Json> = self.equations(g).iter().map(|sides| sides.iter().map(side).collect()).collect();
+            let equations: Vec<Json> =
+                self.equations(g).iter().map(|sides| sides.iter().map(side).collect()).collect();
             json!({"links": names(&g.links), "kind": g.kind, "moments": g.moments.iter().map(moments).collect::<Vec<_>>(), "equations": equations})
         };
-        let undrawn =
-            |u: &hodograph_board::equilibrium::Undrawn| json!({"links": names(&u.links), "why": {"en": u.why.en, "zh": u.why.zh}});
+        let undrawn = |u: &hodograph_board::equilibrium::Undrawn| json!({"links": names(&u.links), "why": {"en": u.why.en, "zh": u.why.zh}});
         json!({
             "groups": self.of.groups.iter().map(group).collect::<Vec<_>>(),
             "undrawn": self.of.undrawn.iter().map(undrawn).collect::<Vec<_>>(),
@@ -54,11 +58,18 @@ impl ForceWriter<'_> {
         let terms = self.columns(sides).into_iter().enumerate().map(|(k, c)| EquationColumn {
             joint: if k == 0 { "" } else { "+" },
             symbol: c.symbol,
-            magnitude: if c.magnitude { &self.notation.known } else { &self.notation.unknown }.clone(),
+            magnitude: if c.magnitude { &self.notation.known } else { &self.notation.unknown }
+                .clone(),
             direction: self.notation.known.clone(),
             term: None,
         });
-        let zero = EquationColumn { joint: "=", symbol: "0".into(), magnitude: String::new(), direction: String::new(), term: None };
+        let zero = EquationColumn {
+            joint: "=",
+            symbol: "0".into(),
+            magnitude: String::new(),
+            direction: String::new(),
+            term: None,
+        };
         terms.chain([zero]).collect()
     }
 
@@ -69,7 +80,11 @@ impl ForceWriter<'_> {
             return format!("{}{given}", tr(self.lang, "two trials: ", "两次试算："));
         }
         match self.lang {
-            Lang::En => format!("moments of link{} {} about {about}: {given}", if names.len() > 1 { "s" } else { "" }, names.join(", ")),
+            Lang::En => format!(
+                "moments of link{} {} about {about}: {given}",
+                if names.len() > 1 { "s" } else { "" },
+                names.join(", ")
+            ),
             Lang::Zh => format!("构件 {} 对 {about} 取矩：{given}", names.join("、")),
         }
     }
@@ -85,7 +100,9 @@ impl ForceWriter<'_> {
     /// Returns the unknown that moments determine, in the label language.
     fn given(&self, m: &Moments) -> String {
         match m.gives {
-            MomentResult::Force(term, _) | MomentResult::Trial { force: term, .. } => self.symbol(term),
+            MomentResult::Force(term, _) | MomentResult::Trial { force: term, .. } => {
+                self.symbol(term)
+            }
             MomentResult::Offset(guide) => format!("h_{{{}}}", name_label(&self.pair(guide))),
             MomentResult::Driver(d) => self.balance(d),
         }

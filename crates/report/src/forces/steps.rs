@@ -3,7 +3,9 @@
 use super::{DIGITS, ForceWriter};
 use hodograph_base::digits::{inked, significant};
 use hodograph_board::construction::{MarkId, Op};
-use hodograph_board::equilibrium::{Act, ForceEdge, ForceTerm, GroupForces, Party, ReactionComponent};
+use hodograph_board::equilibrium::{
+    Act, ForceEdge, ForceTerm, GroupForces, Party, ReactionComponent,
+};
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_scene::{Kind, Lang};
 
@@ -41,7 +43,10 @@ impl ForceWriter<'_> {
     }
 
     fn vertex(&self, group: &GroupForces, mark: MarkId) -> String {
-        self.letters(group).into_iter().find(|(m, _)| *m == mark).map_or_else(String::new, |(_, letter)| letter)
+        self.letters(group)
+            .into_iter()
+            .find(|(m, _)| *m == mark)
+            .map_or_else(String::new, |(_, letter)| letter)
     }
 
     /// Returns the loads on the free-body diagrams of the links, and the reactions to be found.
@@ -52,7 +57,9 @@ impl ForceWriter<'_> {
                 known.push(symbol);
             }
         };
-        for (k, load) in self.of.loads.iter().enumerate().filter(|(_, l)| group.links.contains(&l.link)) {
+        for (k, load) in
+            self.of.loads.iter().enumerate().filter(|(_, l)| group.links.contains(&l.link))
+        {
             if load.at.is_some() && load.wrench.force.norm() > 0.0 {
                 add(self.symbol(ForceTerm::Load(k)));
             }
@@ -80,7 +87,13 @@ impl ForceWriter<'_> {
             }
         }
         let names: Vec<&str> = group.links.iter().map(|l| self.scene.link_name(*l)).collect();
-        let list = |symbols: &[String]| symbols.iter().map(|s| format!("${s}$")).collect::<Vec<_>>().join(tr(self.lang, ", ", "、"));
+        let list = |symbols: &[String]| {
+            symbols
+                .iter()
+                .map(|s| format!("${s}$"))
+                .collect::<Vec<_>>()
+                .join(tr(self.lang, ", ", "、"))
+        };
         let reactions = match (self.lang, unknown.len()) {
             (_, 0) => String::new(),
             (Lang::En, 1) => format!(" The reaction {} is sought.", list(&unknown)),
@@ -98,7 +111,9 @@ impl ForceWriter<'_> {
             (Lang::Zh, ..) => format!("其上作用有 {}。", list(&known)),
         };
         match self.lang {
-            Lang::En if names.len() == 1 => format!("Draw link {} apart.{loads}{reactions}", names[0]),
+            Lang::En if names.len() == 1 => {
+                format!("Draw link {} apart.{loads}{reactions}", names[0])
+            }
             Lang::En => format!("Draw links {} apart.{loads}{reactions}", names.join(", ")),
             Lang::Zh => format!("取构件 {} 为分离体。{loads}{reactions}", names.join("、")),
         }
@@ -107,12 +122,15 @@ impl ForceWriter<'_> {
     fn laid_off(&self, group: &GroupForces, side: &ForceEdge, begun: bool) -> String {
         let force = self.of.force(side.vector).map_or(0.0, |f| f.norm());
         let (symbol, size) = (self.symbol(side.term), self.amount(Kind::Force, force));
-        let (ends, mm) = (self.between(group, side), inked(&significant(force / self.of.mu(), DIGITS)));
+        let (ends, mm) =
+            (self.between(group, side), inked(&significant(force / self.of.mu(), DIGITS)));
         let from = self.vertex(group, self.of.construction.vectors[side.vector.index()].from);
         let line = format!("${symbol} = {size}$");
         let length = format!("${ends} = {mm}\\,\\text{{mm}}$");
         match (self.lang, begun) {
-            (Lang::En, false) => format!("Choose a point ${from}$. From ${from}$ lay off {line}: {length}."),
+            (Lang::En, false) => {
+                format!("Choose a point ${from}$. From ${from}$ lay off {line}: {length}.")
+            }
             (Lang::En, true) => format!("From ${from}$ lay off {line}: {length}."),
             (Lang::Zh, false) => format!("任取一点 ${from}$，自 ${from}$ 作 {line}：{length}。"),
             (Lang::Zh, true) => format!("自 ${from}$ 作 {line}：{length}。"),
@@ -137,12 +155,16 @@ impl ForceWriter<'_> {
         };
         match (self.lang, line(0), line(1)) {
             (Lang::En, Some((a, p)), Some((b, q))) => {
-                format!("Draw the line of ${a}$ through ${p}$ and that of ${b}$ through ${q}$; they cross in ${at}$.")
+                format!(
+                    "Draw the line of ${a}$ through ${p}$ and that of ${b}$ through ${q}$; they cross in ${at}$."
+                )
             }
             (Lang::Zh, Some((a, p)), Some((b, q))) => {
                 format!("过 ${p}$ 作 ${a}$ 的方向线，过 ${q}$ 作 ${b}$ 的方向线，两线交于 ${at}$。")
             }
-            (Lang::En, ..) => format!("Draw the two lines of known direction; they cross in ${at}$."),
+            (Lang::En, ..) => {
+                format!("Draw the two lines of known direction; they cross in ${at}$.")
+            }
             (Lang::Zh, ..) => format!("作两条已知方向线，交于 ${at}$。"),
         }
     }

@@ -27,7 +27,12 @@ impl ForceWriter<'_> {
         };
         let link = |l: LinkId| name_label(self.scene.link_name(l));
         let long = [Some(on), if let Party::Link(l) = of { Some(l) } else { None }];
-        let comma = if long.into_iter().flatten().any(|l| self.scene.link_name(l).chars().count() > 1) { "," } else { "" };
+        let comma =
+            if long.into_iter().flatten().any(|l| self.scene.link_name(l).chars().count() > 1) {
+                ","
+            } else {
+                ""
+            };
         let sub = match of {
             Party::Link(l) => format!("{}{comma}{}", link(l), link(on)),
             Party::Pin(p) => format!("{}{comma}{}", name_label(self.scene.point_name(p)), link(on)),
@@ -58,10 +63,14 @@ impl ForceWriter<'_> {
                 Rub::Pin { point, .. } => ('M', format!("f{}", at(point))),
                 Rub::Guide { .. } => ('F', format!("f{link}")),
             },
-            Cause::Spring(s) => ('F', self.scene.loads.springs[s].ends.map(|(p, _)| at(p)).concat()),
+            Cause::Spring(s) => {
+                ('F', self.scene.loads.springs[s].ends.map(|(p, _)| at(p)).concat())
+            }
             Cause::Applied(a) => {
                 let applied = &self.scene.loads.applied[a];
-                let same = |other: &&hodograph_scene::Applied| other.at == applied.at && other.link == applied.link;
+                let same = |other: &&hodograph_scene::Applied| {
+                    other.at == applied.at && other.link == applied.link
+                };
                 let twins = self.scene.loads.applied.iter().filter(same).count();
                 let number = if twins > 1 { format!(",{}", a + 1) } else { String::new() };
                 match (applied.at, &applied.size) {
@@ -113,10 +122,15 @@ impl ForceWriter<'_> {
     pub(super) fn couple(&self, term: ForceTerm) -> String {
         match term {
             ForceTerm::Load(k) => match self.of.loads[k].cause {
-                Cause::Inertia => format!("M_{{I{}}}", name_label(self.scene.link_name(self.of.loads[k].link))),
-                Cause::Applied(_) | Cause::Weight | Cause::Spring(_) | Cause::Balance | Cause::Teeth(_) | Cause::Friction(_) => {
-                    self.symbol(term)
+                Cause::Inertia => {
+                    format!("M_{{I{}}}", name_label(self.scene.link_name(self.of.loads[k].link)))
                 }
+                Cause::Applied(_)
+                | Cause::Weight
+                | Cause::Spring(_)
+                | Cause::Balance
+                | Cause::Teeth(_)
+                | Cause::Friction(_) => self.symbol(term),
             },
             ForceTerm::Reaction { .. } => self.symbol(term).replacen('F', "M", 1),
         }
@@ -126,8 +140,9 @@ impl ForceWriter<'_> {
     pub fn crossing(&self, at: MarkId) -> String {
         let letter = crossing_letter(self.scene);
         let c = &self.of.construction;
-        let crossings =
-            c.marks.iter().enumerate().filter(|(_, m)| c.diagrams[m.on.index()] == DiagramKind::Plane && matches!(m.name, Name::Image(_)));
+        let crossings = c.marks.iter().enumerate().filter(|(_, m)| {
+            c.diagrams[m.on.index()] == DiagramKind::Plane && matches!(m.name, Name::Image(_))
+        });
         let all: Vec<usize> = crossings.map(|(k, _)| k).collect();
         match all.iter().position(|k| *k == at.index()) {
             Some(k) if all.len() > 1 => format!("{letter}_{{{}}}", k + 1),
@@ -138,7 +153,9 @@ impl ForceWriter<'_> {
     /// Returns the links that a guide joins, as a subscript.
     pub(super) fn pair(&self, guide: GuideId) -> String {
         let g = &self.scene.guides[guide.0];
-        g.slider.map_or_else(String::new, |s| format!("{}{}", self.scene.link_name(g.on), self.scene.link_name(s)))
+        g.slider.map_or_else(String::new, |s| {
+            format!("{}{}", self.scene.link_name(g.on), self.scene.link_name(s))
+        })
     }
 
     /// Returns the symbol of a driver's balancing moment.

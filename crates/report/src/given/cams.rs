@@ -34,22 +34,41 @@ impl GivenSentences<'_> {
         };
         let profile = match (&c.circle, c.disc.as_ref().map(|t| &t.disc.motion)) {
             (Some((centre, radius)), _) => match self.lang() {
-                Lang::En => format!("a circle of radius {} about {}", length(*radius), self.point(*centre)),
-                Lang::Zh => format!("以 {} 为圆心、半径 {} 的圆", self.point(*centre), length(*radius)),
+                Lang::En => {
+                    format!("a circle of radius {} about {}", length(*radius), self.point(*centre))
+                }
+                Lang::Zh => {
+                    format!("以 {} 为圆心、半径 {} 的圆", self.point(*centre), length(*radius))
+                }
             },
             (None, Some(CamMotion::Profile(segments))) => self.pieces(segments),
             (None, Some(CamMotion::Law { base, program })) => {
-                let swings = matches!(c.disc.as_ref().map(|t| t.disc.follower), Some(hodograph_base::cam::Follower::Oscillating { .. }));
+                let swings = matches!(
+                    c.disc.as_ref().map(|t| t.disc.follower),
+                    Some(hodograph_base::cam::Follower::Oscillating { .. })
+                );
                 let gain = |h: f64| if swings { degrees(h) } else { length(h) };
                 let law = |l: MotionLaw| self.tr(l.name(), l.name_zh());
                 let over = |a: f64| degrees(a);
-                let stages = program.stages.iter().zip(program.outer()).map(|(s, out)| match (s.way, self.lang()) {
-                    (StageMotion::Rise(h, l), Lang::En) => format!("rise {} over {} ({})", gain(h), over(s.over), law(l)),
-                    (StageMotion::Rise(h, l), Lang::Zh) => format!("推程 {}，转角 {}（{}）", gain(h), over(s.over), law(l)),
-                    (StageMotion::Return(h, l), Lang::En) => format!("return {} over {} ({})", gain(h), over(s.over), law(l)),
-                    (StageMotion::Return(h, l), Lang::Zh) => format!("回程 {}，转角 {}（{}）", gain(h), over(s.over), law(l)),
-                    (StageMotion::Dwell, Lang::En) => format!("dwell {}", over(s.over)),
-                    (StageMotion::Dwell, Lang::Zh) => format!("{} {}", dwell(out, Lang::Zh), over(s.over)),
+                let stages = program.stages.iter().zip(program.outer()).map(|(s, out)| {
+                    match (s.way, self.lang()) {
+                        (StageMotion::Rise(h, l), Lang::En) => {
+                            format!("rise {} over {} ({})", gain(h), over(s.over), law(l))
+                        }
+                        (StageMotion::Rise(h, l), Lang::Zh) => {
+                            format!("推程 {}，转角 {}（{}）", gain(h), over(s.over), law(l))
+                        }
+                        (StageMotion::Return(h, l), Lang::En) => {
+                            format!("return {} over {} ({})", gain(h), over(s.over), law(l))
+                        }
+                        (StageMotion::Return(h, l), Lang::Zh) => {
+                            format!("回程 {}，转角 {}（{}）", gain(h), over(s.over), law(l))
+                        }
+                        (StageMotion::Dwell, Lang::En) => format!("dwell {}", over(s.over)),
+                        (StageMotion::Dwell, Lang::Zh) => {
+                            format!("{} {}", dwell(out, Lang::Zh), over(s.over))
+                        }
+                    }
                 });
                 let stages: Vec<String> = stages.collect();
                 let base = length(*base);
@@ -74,8 +93,12 @@ impl GivenSentences<'_> {
     fn pieces(&self, segments: &[ProfileSegment]) -> String {
         let one = |s: &ProfileSegment| match s {
             ProfileSegment::Line { .. } => self.tr("line", "直线").to_owned(),
-            ProfileSegment::Arc { radius, .. } if *radius == 0.0 => self.tr("corner", "尖点").to_owned(),
-            ProfileSegment::Arc { radius, .. } => format!("{} {}", self.tr("arc", "圆弧"), self.scene.length_words(*radius)),
+            ProfileSegment::Arc { radius, .. } if *radius == 0.0 => {
+                self.tr("corner", "尖点").to_owned()
+            }
+            ProfileSegment::Arc { radius, .. } => {
+                format!("{} {}", self.tr("arc", "圆弧"), self.scene.length_words(*radius))
+            }
         };
         segments.iter().map(one).collect::<Vec<_>>().join(self.words().comma)
     }

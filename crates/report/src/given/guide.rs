@@ -41,8 +41,12 @@ impl GivenSentences<'_> {
     pub(super) fn guide(&self, g: &Guide) -> String {
         let on = self.link(g.on);
         let runner = match (g.pin, g.slider, self.lang()) {
-            (Some(p), Some(s), Lang::En) => format!("slider {} (pin {}) ", self.link(s), self.point(p)),
-            (Some(p), Some(s), Lang::Zh) => format!("滑块 {}（销 {}）", self.link(s), self.point(p)),
+            (Some(p), Some(s), Lang::En) => {
+                format!("slider {} (pin {}) ", self.link(s), self.point(p))
+            }
+            (Some(p), Some(s), Lang::Zh) => {
+                format!("滑块 {}（销 {}）", self.link(s), self.point(p))
+            }
             (Some(p), None, Lang::En) => format!("pin {} ", self.point(p)),
             (Some(p), None, Lang::Zh) => format!("销 {} ", self.point(p)),
             (None, Some(s), Lang::En) => format!("link {} ", self.link(s)),
@@ -65,7 +69,9 @@ impl GivenSentences<'_> {
         }
         let Lay { attribute, course, name, offset } = self.lay(&g.path);
         match self.lang() {
-            Lang::En => format!("{runner}slides in a {attribute}guide of link {on}{course}{offset}"),
+            Lang::En => {
+                format!("{runner}slides in a {attribute}guide of link {on}{course}{offset}")
+            }
             Lang::Zh => format!("{runner}沿构件 {on} 上{course}{attribute}导路{name}滑动{offset}"),
         }
     }
@@ -78,12 +84,19 @@ impl GivenSentences<'_> {
         let mut told = Vec::new();
         match direction {
             GuideDirection::Along(a, b, turn) => {
-                let line = format!("${}{}$", point_label(self.name(*a)), point_label(self.name(*b)));
+                let line =
+                    format!("${}{}$", point_label(self.name(*a)), point_label(self.name(*b)));
                 match (turn.as_ref().map(|t| self.angle(t)), en) {
-                    (Some(t), true) => told.push(format!(" in the direction of {line} turned by ${t}$")),
+                    (Some(t), true) => {
+                        told.push(format!(" in the direction of {line} turned by ${t}$"))
+                    }
                     (Some(t), false) => told.push(format!("由 {line} 方向转过 ${t}$")),
-                    (None, true) if *through == Through::Pin => told.push(format!(" parallel to {line}")),
-                    (None, false) if *through == Through::Pin => told.push(format!("平行于 {line}")),
+                    (None, true) if *through == Through::Pin => {
+                        told.push(format!(" parallel to {line}"))
+                    }
+                    (None, false) if *through == Through::Pin => {
+                        told.push(format!("平行于 {line}"))
+                    }
                     (None, true) => told.push(format!(" along {line}")),
                     (None, false) => lay.name = format!(" {line} "),
                 }
@@ -97,9 +110,13 @@ impl GivenSentences<'_> {
         }
         let place = match through {
             Through::Pin => None,
-            Through::Point(p) if matches!(direction, GuideDirection::Along(a, b, None) if a == p || b == p) => None,
+            Through::Point(p) if matches!(direction, GuideDirection::Along(a, b, None) if a == p || b == p) => {
+                None
+            }
             Through::Point(p) => Some((self.point(*p), "过 ")),
-            Through::At([x, y]) => Some((format!("$({}, {})$", self.length(x), self.length(y)), "过点 ")),
+            Through::At([x, y]) => {
+                Some((format!("$({}, {})$", self.length(x), self.length(y)), "过点 "))
+            }
         };
         if let Some((place, zh)) = place {
             told.push(if en { format!(" through {place}") } else { format!("{zh}{place}") });

@@ -15,7 +15,11 @@ pub fn printed(text: &str) -> String {
     while let Some(c) = rest.chars().next() {
         // A name starts with a letter and continues with letters, digits and underscores.
         let name = |c: char| c.is_alphanumeric() || c == '_';
-        let end = if c.is_alphabetic() { rest.find(|c| !name(c)).unwrap_or(rest.len()) } else { c.len_utf8() };
+        let end = if c.is_alphabetic() {
+            rest.find(|c| !name(c)).unwrap_or(rest.len())
+        } else {
+            c.len_utf8()
+        };
         let (word, behind) = rest.split_at(end);
         let letters = word.split('_').next().unwrap_or(word);
         match greek(letters) {
@@ -45,7 +49,8 @@ impl GivenSentences<'_> {
     /// Returns the values of the laws of time at the instant, one line each; empty if the scene has
     /// no laws.
     pub fn laws(&self) -> Vec<Phrase> {
-        let drivers = (0..self.scene.drivers.len()).filter(|d| self.scene.drivers[*d].law.is_some() && !self.scene.is_led(*d));
+        let drivers = (0..self.scene.drivers.len())
+            .filter(|d| self.scene.drivers[*d].law.is_some() && !self.scene.is_led(*d));
         drivers.map(|d| Phrase::new(&self.differentiated(d))).collect()
     }
 
@@ -54,7 +59,10 @@ impl GivenSentences<'_> {
     pub(super) fn by_law(&self, d: usize, law: &TimeLaw) -> String {
         let position = self.symbols(d).position;
         let comma = self.tr(", ", "，");
-        let named = law.parameters.iter().map(|(name, value)| format!("{comma}{name} = {}", printed(value)));
+        let named = law
+            .parameters
+            .iter()
+            .map(|(name, value)| format!("{comma}{name} = {}", printed(value)));
         format!("{comma}${position}$ = {}{}", printed(&law.text), named.collect::<String>())
     }
 
@@ -65,12 +73,21 @@ impl GivenSentences<'_> {
             Position::Angle(angle) => self.angle(angle),
             Position::Length(length) => self.length(length),
         });
-        let kinds = if driver.kind.turns() { [Kind::Omega, Kind::Alpha] } else { [Kind::Velocity, Kind::Acceleration] };
-        let amount = |value: f64, kind: Kind| self.scene.book.label(kind, &super::inked(self.scene.book.value(kind, value)));
-        let mut all: Vec<String> = at.map(|at| format!("${position} = {at}$")).into_iter().collect();
+        let kinds = if driver.kind.turns() {
+            [Kind::Omega, Kind::Alpha]
+        } else {
+            [Kind::Velocity, Kind::Acceleration]
+        };
+        let amount = |value: f64, kind: Kind| {
+            self.scene.book.label(kind, &super::inked(self.scene.book.value(kind, value)))
+        };
+        let mut all: Vec<String> =
+            at.map(|at| format!("${position} = {at}$")).into_iter().collect();
         let a = driver.acceleration.as_ref().map_or(0.0, |a| a.value);
         let (first, second) = match rates {
-            Some([rate, second]) => (format!("{rate} = d{position}/dt"), format!("{second} = d{rate}/dt")),
+            Some([rate, second]) => {
+                (format!("{rate} = d{position}/dt"), format!("{second} = d{rate}/dt"))
+            }
             None => (format!("d{position}/dt"), format!("d^2{position}/dt^2")),
         };
         all.push(format!("${first} = {}$", amount(driver.rate.value, kinds[0])));
@@ -79,17 +96,28 @@ impl GivenSentences<'_> {
     }
 
     fn symbols(&self, d: usize) -> Symbols {
-        let length = |letter: &str, name: &str| Symbols { position: format!("{letter}_{{{}}}", name_label(name)), rates: None };
+        let length = |letter: &str, name: &str| Symbols {
+            position: format!("{letter}_{{{}}}", name_label(name)),
+            rates: None,
+        };
         let kind = &self.scene.drivers[d].kind;
         if let Some((link, against)) = kind.turned() {
             let name = self.link(link).to_owned();
-            let number = if against == self.scene.ground { name } else { format!("{name}/{}", self.link(against)) };
-            let [position, rate, second] = ["\\varphi", "\\omega", "\\alpha"].map(|s| format!("{s}_{{{}}}", name_label(&number)));
+            let number = if against == self.scene.ground {
+                name
+            } else {
+                format!("{name}/{}", self.link(against))
+            };
+            let [position, rate, second] = ["\\varphi", "\\omega", "\\alpha"]
+                .map(|s| format!("{s}_{{{}}}", name_label(&number)));
             return Symbols { position, rates: Some([rate, second]) };
         }
         if let Some(guide) = kind.guide() {
             let g = &self.scene.guides[guide.0];
-            return length("s", g.pin.map(|p| self.name(p)).or(g.slider.map(|s| self.link(s))).unwrap_or_default());
+            return length(
+                "s",
+                g.pin.map(|p| self.name(p)).or(g.slider.map(|s| self.link(s))).unwrap_or_default(),
+            );
         }
         length("l", &kind.ends().into_iter().flatten().map(|p| self.name(p)).collect::<String>())
     }

@@ -2,7 +2,9 @@
 
 use super::GivenSentences;
 use super::guide::Lay;
-use hodograph_scene::{Contours, Flanks, GuideDirection, GuidePath, Lang, Rolling, RollingKind, Sizes};
+use hodograph_scene::{
+    Contours, Flanks, GuideDirection, GuidePath, Lang, Rolling, RollingKind, Sizes,
+};
 
 impl GivenSentences<'_> {
     /// Returns a rolling pair in one sentence:
@@ -13,7 +15,9 @@ impl GivenSentences<'_> {
         if let Some(phase) = &pair.phase {
             let angle = self.angle(phase);
             parts.push(match self.lang() {
-                Lang::En => format!("its line ${angle}$ from the line of centres when that of the other lies on it"),
+                Lang::En => format!(
+                    "its line ${angle}$ from the line of centres when that of the other lies on it"
+                ),
                 Lang::Zh => format!("另一轮的直线与连心线重合时，其直线与连心线成 ${angle}$"),
             });
         }
@@ -57,7 +61,11 @@ impl GivenSentences<'_> {
             (Contours::Circles { hollow: None, .. }, true) => format!("齿轮 {a} 与 {b}："),
             (Contours::Circles { hollow: Some(i), .. }, true) => {
                 let (ring, inner) = if *i == 0 { (a, b) } else { (b, a) };
-                if en { format!("gear {inner} in the ring gear {ring}: ") } else { format!("齿轮 {inner} 与内齿轮 {ring}：") }
+                if en {
+                    format!("gear {inner} in the ring gear {ring}: ")
+                } else {
+                    format!("齿轮 {inner} 与内齿轮 {ring}：")
+                }
             }
             (Contours::Track { .. }, toothed) => {
                 // The offset of the wheel centre's guide from the track is the radius, which is
@@ -65,16 +73,26 @@ impl GivenSentences<'_> {
                 let Lay { attribute, course, name, .. } = self.track(pair);
                 match (toothed, en) {
                     (true, true) => format!("gear {b} on the {attribute}rack of {on}{course}: "),
-                    (true, false) => format!("齿轮 {b} 与{on}上{course}{attribute}齿条{name}啮合："),
-                    (false, true) => format!("wheel {b} rolls on a {attribute}straight track of {on}{course}: "),
-                    (false, false) => format!("轮 {b} 沿{on}上{course}{attribute}直线轨道{name}滚动："),
+                    (true, false) => {
+                        format!("齿轮 {b} 与{on}上{course}{attribute}齿条{name}啮合：")
+                    }
+                    (false, true) => {
+                        format!("wheel {b} rolls on a {attribute}straight track of {on}{course}: ")
+                    }
+                    (false, false) => {
+                        format!("轮 {b} 沿{on}上{course}{attribute}直线轨道{name}滚动：")
+                    }
                 }
             }
             (Contours::Circles { centres, hollow, .. }, false) => {
                 let centre = self.point(centres[0]);
                 match (hollow.is_some(), en) {
-                    (true, true) => format!("wheel {b} rolls inside a circle of {on} about {centre}: "),
-                    (false, true) => format!("wheel {b} rolls on a circle of {on} about {centre}: "),
+                    (true, true) => {
+                        format!("wheel {b} rolls inside a circle of {on} about {centre}: ")
+                    }
+                    (false, true) => {
+                        format!("wheel {b} rolls on a circle of {on} about {centre}: ")
+                    }
                     (true, false) => format!("轮 {b} 沿{on}上以 {centre} 为圆心的圆内侧滚动："),
                     (false, false) => format!("轮 {b} 沿{on}上以 {centre} 为圆心的圆外侧滚动："),
                 }
@@ -86,10 +104,19 @@ impl GivenSentences<'_> {
     fn track(&self, pair: &Rolling) -> Lay {
         let path = pair.guide().map(|g| &self.scene.guides[g.0].path);
         match path {
-            Some(path @ GuidePath::Line { direction: GuideDirection::Along(..) | GuideDirection::Instant(_), .. }) => self.lay(path),
-            Some(GuidePath::Line { direction: GuideDirection::Own | GuideDirection::Slid(_), .. } | GuidePath::Arc { .. }) | None => {
-                Lay { course: self.tr("", "的").to_owned(), ..Lay::default() }
-            }
+            Some(
+                path @ GuidePath::Line {
+                    direction: GuideDirection::Along(..) | GuideDirection::Instant(_),
+                    ..
+                },
+            ) => self.lay(path),
+            Some(
+                GuidePath::Line {
+                    direction: GuideDirection::Own | GuideDirection::Slid(_), ..
+                }
+                | GuidePath::Arc { .. },
+            )
+            | None => Lay { course: self.tr("", "的").to_owned(), ..Lay::default() },
         }
     }
 
@@ -99,12 +126,15 @@ impl GivenSentences<'_> {
         let radius = |of: &str, r| format!("$r_{{{of}}} = {}$", self.length(r));
         match (&pair.flanks, &pair.contours) {
             (Some(Flanks { teeth, module, .. }), _) => {
-                let number = |(of, z): (&String, &Option<u32>)| z.map(|z| format!("$z_{{{of}}} = {z}$"));
+                let number =
+                    |(of, z): (&String, &Option<u32>)| z.map(|z| format!("$z_{{{of}}} = {z}$"));
                 let mut parts: Vec<String> = [a, b].iter().zip(teeth).filter_map(number).collect();
                 parts.extend(module.map(|m| format!("$m = {} mm$", super::inked(m * 1e3))));
                 parts
             }
-            (None, Contours::Circles { sizes: Sizes::Radii([p, q]), .. }) => vec![radius(&a, p), radius(&b, q)],
+            (None, Contours::Circles { sizes: Sizes::Radii([p, q]), .. }) => {
+                vec![radius(&a, p), radius(&b, q)]
+            }
             (None, Contours::Circles { sizes: Sizes::Teeth([y, z]), .. }) => {
                 vec![format!("$z_{{{a}}} = {y}$"), format!("$z_{{{b}}} = {z}$")]
             }
@@ -144,13 +174,29 @@ mod tests {
                     "without slip",
                 ],
             ),
-            (Lang::Zh, ["轮 4 沿机架上的水平直线轨道滚动", "齿轮 4 与构件 5 上的水平齿条啮合", "节点", "纯滚动"]),
+            (
+                Lang::Zh,
+                [
+                    "轮 4 沿机架上的水平直线轨道滚动",
+                    "齿轮 4 与构件 5 上的水平齿条啮合",
+                    "节点",
+                    "纯滚动",
+                ],
+            ),
         ] {
-            let all: String = GivenSentences { scene: &scene, lang }.list().iter().map(|p| p.plain() + "\n").collect();
+            let all: String = GivenSentences { scene: &scene, lang }
+                .list()
+                .iter()
+                .map(|p| p.plain() + "\n")
+                .collect();
             for part in wanted {
                 assert!(all.contains(part), "{part} is not in\n{all}");
             }
-            let slides = if lang == Lang::En { "slides in a horizontal guide" } else { "的水平导路滑动" };
+            let slides = if lang == Lang::En {
+                "slides in a horizontal guide"
+            } else {
+                "的水平导路滑动"
+            };
             assert_eq!(all.matches(slides).count(), 1, "{all}");
         }
     }

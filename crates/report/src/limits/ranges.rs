@@ -25,7 +25,10 @@ pub fn of(limits: &MotionLimits) -> Result<Vec<OfLength>, Diagnostic> {
         );
         return Err(d.help(both!("leave --ranges out", "请去掉 --ranges")));
     };
-    FourBarLength::ALL.into_iter().map(|which| Ok((which, lengths[which as usize], ranges(lengths, which)?))).collect()
+    FourBarLength::ALL
+        .into_iter()
+        .map(|which| Ok((which, lengths[which as usize], ranges(lengths, which)?)))
+        .collect()
 }
 
 fn named(which: FourBarLength, lang: Lang) -> &'static str {
@@ -43,12 +46,25 @@ pub fn text(scene: &Scene, all: &[OfLength], lang: Lang) -> String {
     let words = |m: f64| scene.length_words(m);
     for (which, now, ranges) in all {
         out += &match lang {
-            Lang::En => format!("{} (now {}), the others held:\n", named(*which, lang), words(*now)),
-            Lang::Zh => format!("{}（现为 {}），其余杆长不变：\n", named(*which, lang), words(*now)),
+            Lang::En => {
+                format!("{} (now {}), the others held:\n", named(*which, lang), words(*now))
+            }
+            Lang::Zh => {
+                format!("{}（现为 {}），其余杆长不变：\n", named(*which, lang), words(*now))
+            }
         };
         for r in ranges {
-            let end = if r.change_point { tr(lang, "; change point at the end", "；末端为变点机构") } else { "" };
-            out += &format!("  {} .. {}  {}{end}\n", words(r.from), words(r.to), grashof_words(r.kind, lang));
+            let end = if r.change_point {
+                tr(lang, "; change point at the end", "；末端为变点机构")
+            } else {
+                ""
+            };
+            out += &format!(
+                "  {} .. {}  {}{end}\n",
+                words(r.from),
+                words(r.to),
+                grashof_words(r.kind, lang)
+            );
         }
     }
     out
@@ -56,8 +72,7 @@ pub fn text(scene: &Scene, all: &[OfLength], lang: Lang) -> String {
 
 /// Returns the ranges as JSON, in SI.
 pub fn json(all: &[OfLength]) -> Json {
-    let range =
-        |r: &Range| json!({"type": grashof_words(r.kind, Lang::En), "from": r.from, "to": r.to, "change_point_at_the_end": r.change_point});
+    let range = |r: &Range| json!({"type": grashof_words(r.kind, Lang::En), "from": r.from, "to": r.to, "change_point_at_the_end": r.change_point});
     let one = |(which, now, ranges): &OfLength| json!({"length": named(*which, Lang::En), "now": now, "ranges": ranges.iter().map(range).collect::<Vec<_>>()});
     Json::Array(all.iter().map(one).collect())
 }

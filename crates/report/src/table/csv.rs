@@ -50,7 +50,9 @@ impl RowFormat for Csv {
     fn begin(&self, _rows: u64, notes: &[Diagnostic]) -> Vec<u8> {
         let mut out = Vec::new();
         for note in notes {
-            out.extend_from_slice(format!("# {}\n", self.head.lang.of(&note.message).replace('\n', " ")).as_bytes());
+            out.extend_from_slice(
+                format!("# {}\n", self.head.lang.of(&note.message).replace('\n', " ")).as_bytes(),
+            );
         }
         let mut writer = csv::Writer::from_writer(&mut out);
         // Writing to memory does not fail.

@@ -62,8 +62,15 @@ pub fn json<I: Iterator<Item = io::Result<Vec<f64>>>>(
     out: &mut dyn io::Write,
 ) -> io::Result<()> {
     let columns = head.columns.iter().enumerate();
-    let columns = columns.map(|(k, h)| JsonColumn { name: &h.name, unit: h.unit, values: ColumnValues(RefCell::new(values(k))) }).collect();
-    let document = JsonTable { title: &head.title, generator: GENERATOR, columns, notes: notes(told) };
+    let columns = columns
+        .map(|(k, h)| JsonColumn {
+            name: &h.name,
+            unit: h.unit,
+            values: ColumnValues(RefCell::new(values(k))),
+        })
+        .collect();
+    let document =
+        JsonTable { title: &head.title, generator: GENERATOR, columns, notes: notes(told) };
     serde_json::to_writer_pretty(&mut *out, &document)?;
     out.write_all(b"\n")
 }

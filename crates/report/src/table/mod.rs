@@ -1,8 +1,8 @@
 //! Tables of numbers as files: CSV, JSON, NumPy's `.npy`, Apache Parquet.
 //!
-//! A file consists of a beginning, pieces, and an end ([`RowFormat`]). A piece consists of whole rows
-//! and depends only on their numbers: pieces are made on any thread while others are computed or
-//! written, and an incomplete file continues after its last piece with the same bytes that an
+//! A file consists of a beginning, pieces, and an end ([`RowFormat`]). A piece consists of whole
+//! rows and depends only on their numbers: pieces are made on any thread while others are computed
+//! or written, and an incomplete file continues after its last piece with the same bytes that an
 //! uninterrupted run would give. JSON lists its columns one after the other and has no pieces
 //! ([`json()`]).
 //!
@@ -47,7 +47,11 @@ pub struct ColumnHeading {
 impl ColumnHeading {
     /// Returns name and unit: `v_C.x [m/s]`.
     pub fn label(&self) -> String {
-        if self.unit.is_empty() { self.name.clone() } else { format!("{} [{}]", self.name, self.unit) }
+        if self.unit.is_empty() {
+            self.name.clone()
+        } else {
+            format!("{} [{}]", self.name, self.unit)
+        }
     }
 }
 
@@ -65,10 +69,15 @@ pub struct TableHead {
 impl TableHead {
     /// Returns a head of names and units. Of two columns with one name the later gets a number,
     /// `phi_1 (2)`, because readers find columns by name.
-    pub fn new(title: &str, columns: impl IntoIterator<Item = (String, &'static str)>) -> TableHead {
+    pub fn new(
+        title: &str,
+        columns: impl IntoIterator<Item = (String, &'static str)>,
+    ) -> TableHead {
         let mut seen = HashSet::new();
-        let mut columns: Vec<ColumnHeading> =
-            columns.into_iter().map(|(name, unit)| ColumnHeading { name, unit, whole: false, repeats: false }).collect();
+        let mut columns: Vec<ColumnHeading> = columns
+            .into_iter()
+            .map(|(name, unit)| ColumnHeading { name, unit, whole: false, repeats: false })
+            .collect();
         for c in &mut columns {
             let own = c.name.clone();
             let mut count = 1;

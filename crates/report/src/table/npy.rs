@@ -50,12 +50,18 @@ fn literal(text: &str) -> String {
 
 impl RowFormat for Npy {
     fn begin(&self, rows: u64, _notes: &[Diagnostic]) -> Vec<u8> {
-        let field = |h: &super::ColumnHeading| format!("({}, '{}'), ", literal(&h.label()), if h.whole { "<i8" } else { "<f8" });
+        let field = |h: &super::ColumnHeading| {
+            format!("({}, '{}'), ", literal(&h.label()), if h.whole { "<i8" } else { "<f8" })
+        };
         let fields: String = self.head.columns.iter().map(field).collect();
         // The header has the same length for all numbers of rows, because twenty places hold each
         // of them.
         let count = rows.to_string();
-        let header = format!("{{'descr': [{fields}], 'fortran_order': False, 'shape': ({count},), }}{:w$}", "", w = 20 - count.len());
+        let header = format!(
+            "{{'descr': [{fields}], 'fortran_order': False, 'shape': ({count},), }}{:w$}",
+            "",
+            w = 20 - count.len()
+        );
         let whole = (BEFORE_HEADER + header.len() + 1).next_multiple_of(ALIGN);
         let mut out = b"\x93NUMPY\x02\x00".to_vec();
         out.extend_from_slice(&((whole - BEFORE_HEADER) as u32).to_le_bytes());
@@ -74,9 +80,15 @@ impl RowFormat for Npy {
         bytes.resize(rows * columns.len() * 8, 0);
         bytes.par_chunks_mut(ROWS * columns.len().max(1) * 8).enumerate().for_each(|(k, part)| {
             for (i, record) in part.chunks_exact_mut(columns.len() * 8).enumerate() {
-                for ((column, heading), place) in columns.iter().zip(&self.head.columns).zip(record.chunks_exact_mut(8)) {
+                for ((column, heading), place) in
+                    columns.iter().zip(&self.head.columns).zip(record.chunks_exact_mut(8))
+                {
                     let number = column[k * ROWS + i];
-                    let number = if heading.whole { (number as i64).to_le_bytes() } else { number.to_le_bytes() };
+                    let number = if heading.whole {
+                        (number as i64).to_le_bytes()
+                    } else {
+                        number.to_le_bytes()
+                    };
                     place.copy_from_slice(&number);
                 }
             }

@@ -12,7 +12,8 @@ use parquet::basic::{Encoding, Repetition, Type as Physical};
 use parquet::column::writer::{ColumnWriter, get_column_writer};
 use parquet::errors::Result as ParquetResult;
 use parquet::file::metadata::{
-    ColumnChunkMetaData, FileMetaData, KeyValue, ParquetMetaData, ParquetMetaDataReader, ParquetMetaDataWriter, RowGroupMetaData,
+    ColumnChunkMetaData, FileMetaData, KeyValue, ParquetMetaData, ParquetMetaDataReader,
+    ParquetMetaDataWriter, RowGroupMetaData,
 };
 use parquet::file::properties::{EnabledStatistics, WriterProperties, WriterPropertiesPtr};
 use parquet::file::writer::{SerializedPageWriter, TrackedWrite};
@@ -47,7 +48,10 @@ impl Parquet {
     pub fn new(head: TableHead) -> io::Result<Parquet> {
         let fields = head.columns.iter().map(|h| {
             let kind = if h.whole { Physical::INT64 } else { Physical::DOUBLE };
-            Type::primitive_type_builder(&h.label(), kind).with_repetition(Repetition::REQUIRED).build().map(Arc::new)
+            Type::primitive_type_builder(&h.label(), kind)
+                .with_repetition(Repetition::REQUIRED)
+                .build()
+                .map(Arc::new)
         });
         let fields = fields.collect::<ParquetResult<Vec<_>>>()?;
         let root = Type::group_type_builder("schema").with_fields(fields).build()?;
@@ -67,7 +71,11 @@ impl Parquet {
                 .set_column_dictionary_enabled(column.clone(), true)
                 .set_column_statistics_enabled(column, EnabledStatistics::Chunk);
         }
-        Ok(Parquet { head, schema: Arc::new(SchemaDescriptor::new(Arc::new(root))), properties: Arc::new(properties.build()) })
+        Ok(Parquet {
+            head,
+            schema: Arc::new(SchemaDescriptor::new(Arc::new(root))),
+            properties: Arc::new(properties.build()),
+        })
     }
 
     /// Returns the bytes of one column of a row group, and its metadata relative to the first of
@@ -82,25 +90,35 @@ impl Parquet {
         used.reserve(if heading.repeats { 0 } else { values.len() * 8 + 4096 });
         let mut sink = TrackedWrite::new(used);
         let pages = Box::new(SerializedPageWriter::new(&mut sink));
-        let close = match get_column_writer(self.schema.column(i), Arc::clone(&self.properties), pages) {
-            ColumnWriter::Int64ColumnWriter(mut w) if heading.whole => {
-                let whole: Vec<i64> = values.iter().map(|v| *v as i64).collect();
-                w.write_batch(&whole, None, None)?;
-                w.close()?
-            }
-            ColumnWriter::DoubleColumnWriter(mut w) => {
-                w.write_batch(values, None, None)?;
-                w.close()?
-            }
-            _ => return Err(parquet::errors::ParquetError::General("a column is neither whole nor double".into())),
-        };
+        let close =
+            match get_column_writer(self.schema.column(i), Arc::clone(&self.properties), pages) {
+                ColumnWriter::Int64ColumnWriter(mut w) if heading.whole => {
+                    let whole: Vec<i64> = values.iter().map(|v| *v as i64).collect();
+                    w.write_batch(&whole, None, None)?;
+                    w.close()?
+                }
+                ColumnWriter::DoubleColumnWriter(mut w) => {
+                    w.write_batch(values, None, None)?;
+                    w.close()?
+                }
+                _ => {
+                    return Err(parquet::errors::ParquetError::General(
+                        "a column is neither whole nor double".into(),
+                    ));
+                }
+            };
         Ok((sink.into_inner()?, close.metadata))
     }
 
-    fn footer(&self, groups: Vec<RowGroupMetaData>, values: Vec<KeyValue>) -> ParquetResult<Vec<u8>> {
+    fn footer(
+        &self,
+        groups: Vec<RowGroupMetaData>,
+        values: Vec<KeyValue>,
+    ) -> ParquetResult<Vec<u8>> {
         let rows = groups.iter().map(RowGroupMetaData::num_rows).sum();
         let values = (!values.is_empty()).then_some(values);
-        let file = FileMetaData::new(1, rows, Some(created_by()), values, Arc::clone(&self.schema), None);
+        let file =
+            FileMetaData::new(1, rows, Some(created_by()), values, Arc::clone(&self.schema), None);
         let mut out = Vec::new();
         ParquetMetaDataWriter::new(&mut out, &ParquetMetaData::new(file, groups)).finish()?;
         Ok(out)
@@ -109,8 +127,14 @@ impl Parquet {
     /// Returns a row group's metadata, shifted to its position.
     fn group(&self, standing: &PiecePlace, ordinal: usize) -> ParquetResult<RowGroupMetaData> {
         let there = ParquetMetaDataReader::decode_metadata(&standing.index)?;
-        let group = there.row_groups().first().ok_or_else(|| parquet::errors::ParquetError::General("an index without rows".into()))?;
-        let columns = group.columns().iter().map(|c| moved(c, standing.offset as i64)).collect::<ParquetResult<Vec<_>>>()?;
+        let group = there.row_groups().first().ok_or_else(|| {
+            parquet::errors::ParquetError::General("an index without rows".into())
+        })?;
+        let columns = group
+            .columns()
+            .iter()
+            .map(|c| moved(c, standing.offset as i64))
+            .collect::<ParquetResult<Vec<_>>>()?;
         group
             .clone()
             .into_builder()
@@ -128,7 +152,12 @@ fn created_by() -> String {
 /// Returns a column's metadata with its positions shifted by `by`.
 fn moved(column: &ColumnChunkMetaData, by: i64) -> ParquetResult<ColumnChunkMetaData> {
     let dictionary = column.dictionary_page_offset().map(|o| o + by);
-    column.clone().into_builder().set_data_page_offset(column.data_page_offset() + by).set_dictionary_page_offset(dictionary).build()
+    column
+        .clone()
+        .into_builder()
+        .set_data_page_offset(column.data_page_offset() + by)
+        .set_dictionary_page_offset(dictionary)
+        .build()
 }
 
 impl RowFormat for Parquet {
@@ -142,7 +171,8 @@ impl RowFormat for Parquet {
         let all = columns.par_iter().zip(&self.head.columns).zip(memory).enumerate();
         let made = all.map(|(i, ((values, h), used))| self.column(i, h, values, used));
         let made = made.collect::<ParquetResult<Vec<_>>>()?;
-        let (mut parts, mut chunks, mut length) = (Vec::with_capacity(made.len()), Vec::with_capacity(made.len()), 0);
+        let (mut parts, mut chunks, mut length) =
+            (Vec::with_capacity(made.len()), Vec::with_capacity(made.len()), 0);
         for (column, chunk) in made {
             chunks.push(moved(&chunk, length)?);
             length += column.len() as i64;
@@ -160,9 +190,11 @@ impl RowFormat for Parquet {
     }
 
     fn end(&self, pieces: &[PiecePlace], notes: &[Diagnostic]) -> io::Result<Vec<u8>> {
-        let groups = pieces.iter().filter(|p| p.rows > 0).enumerate().map(|(k, p)| self.group(p, k));
+        let groups =
+            pieces.iter().filter(|p| p.rows > 0).enumerate().map(|(k, p)| self.group(p, k));
         let groups = groups.collect::<ParquetResult<Vec<_>>>()?;
-        let units: BTreeMap<String, &str> = self.head.columns.iter().map(|h| (h.label(), h.unit)).collect();
+        let units: BTreeMap<String, &str> =
+            self.head.columns.iter().map(|h| (h.label(), h.unit)).collect();
         let text = |v: serde_json::Result<String>| v.map_err(io::Error::other);
         let values = [
             ("title", self.head.title.clone()),

@@ -13,12 +13,19 @@ impl Belt {
     /// Returns a belt around pulleys with their centres and radii, in the order along the belt.
     pub fn round(pulleys: &[&str], centres: &[&str], radii: &[Length]) -> Belt {
         let radii: Value = radii.iter().map(Length::json).collect();
-        Belt(MemberEntry::default().with("pulleys", json!(pulleys)).with("centres", json!(centres)).with("radii", radii))
+        Belt(
+            MemberEntry::default()
+                .with("pulleys", json!(pulleys))
+                .with("centres", json!(centres))
+                .with("radii", radii),
+        )
     }
 
     /// Returns a chain of this pitch around sprockets with their centres and numbers of teeth.
     pub fn chain(sprockets: &[&str], centres: &[&str], teeth: &[u32], pitch: Length) -> Belt {
-        let entry = MemberEntry::default().with("sprockets", json!(sprockets)).with("centres", json!(centres));
+        let entry = MemberEntry::default()
+            .with("sprockets", json!(sprockets))
+            .with("centres", json!(centres));
         Belt(entry.with("teeth", json!(teeth)).with("pitch", pitch.json()))
     }
 
@@ -48,7 +55,10 @@ impl Rope {
     /// Returns a rope between a drum, with its centre and radius, and the load that slides in the
     /// direction of the rope, with the drum on its left.
     pub fn wound(drum: &str, centre: &str, radius: Length, load: &str, direction: Angle) -> Rope {
-        let entry = MemberEntry::default().with("drum", json!(drum)).with("centre", json!(centre)).with("radius", radius.json());
+        let entry = MemberEntry::default()
+            .with("drum", json!(drum))
+            .with("centre", json!(centre))
+            .with("radius", radius.json());
         Rope(entry.with("load", json!(load)).with("angle", direction.json()))
     }
 }

@@ -92,7 +92,11 @@ impl Builder {
     /// Sets a point's place in its link by polar coordinates: the distance from the first point of
     /// `base`, and the angle from the direction toward the second, positive counter-clockwise.
     pub fn point_by_angle(self, name: &str, base: &str, length: Length, angle: Angle) -> Builder {
-        self.under("points", name, json!({"base": base, "length": length.json(), "angle": angle.json()}))
+        self.under(
+            "points",
+            name,
+            json!({"base": base, "length": length.json(), "angle": angle.json()}),
+        )
     }
 
     /// Adds a sliding pair.

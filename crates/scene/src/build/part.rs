@@ -143,7 +143,12 @@ impl Gears {
 
     /// Returns a gear with its centre, and the link that is its rack; set `angle` or `line`.
     pub fn on_rack(gear: &str, centre: &str, rack: &str) -> Gears {
-        Gears(MemberEntry::default().with("links", json!([gear, rack])).with("centres", json!([centre])).with("rack", json!(rack)))
+        Gears(
+            MemberEntry::default()
+                .with("links", json!([gear, rack]))
+                .with("centres", json!([centre]))
+                .with("rack", json!(rack)),
+        )
     }
 }
 
@@ -175,7 +180,12 @@ pub struct Wheel(MemberEntry);
 impl Wheel {
     /// Returns a wheel with its centre and radius.
     pub fn new(link: &str, centre: &str, radius: Length) -> Wheel {
-        Wheel(MemberEntry::default().with("wheel", json!(link)).with("centre", json!(centre)).with("radius", radius.json()))
+        Wheel(
+            MemberEntry::default()
+                .with("wheel", json!(link))
+                .with("centre", json!(centre))
+                .with("radius", radius.json()),
+        )
     }
 }
 

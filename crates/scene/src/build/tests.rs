@@ -61,19 +61,64 @@ fn every_member_is_a_key() {
             assert!(keys.contains(&key.as_str()), "{key}");
         }
     };
-    let turning = Driver::turning("1").against("2").line("AB").against_line("BC").angle(deg(1.0)).omega(rpm(1.0)).alpha(rad_per_s2(1.0));
+    let turning = Driver::turning("1")
+        .against("2")
+        .line("AB")
+        .against_line("BC")
+        .angle(deg(1.0))
+        .omega(rpm(1.0))
+        .alpha(rad_per_s2(1.0));
     of(turning.json(), keys::TURN);
-    of(Driver::sliding("C").position(mm(1.0)).velocity(mm_per_s(1.0)).acceleration(m_per_s2(1.0)).json(), keys::SLIDE);
-    of(Driver::cylinder("FG").length(mm(1.0)).rate(mm_per_s(1.0)).acceleration(m_per_s2(1.0)).links("5", "6").json(), keys::CYLINDER);
+    of(
+        Driver::sliding("C")
+            .position(mm(1.0))
+            .velocity(mm_per_s(1.0))
+            .acceleration(m_per_s2(1.0))
+            .json(),
+        keys::SLIDE,
+    );
+    of(
+        Driver::cylinder("FG")
+            .length(mm(1.0))
+            .rate(mm_per_s(1.0))
+            .acceleration(m_per_s2(1.0))
+            .links("5", "6")
+            .json(),
+        keys::CYLINDER,
+    );
     let straight = Guide::yoke("3").on("4").line("AB").through("A").angle(deg(0.0)).offset(mm(1.0));
     of(straight.json(), keys::GUIDE);
     of(Guide::pin("C").centre("K").radius(mm(1.0)).json(), keys::GUIDE);
-    let gears = Gears::pair(["2", "3"], ["A", "B"]).radii(&[mm(1.0), mm(2.0)]).ring("3").at("K").phase(deg(0.0));
+    let gears = Gears::pair(["2", "3"], ["A", "B"])
+        .radii(&[mm(1.0), mm(2.0)])
+        .ring("3")
+        .at("K")
+        .phase(deg(0.0));
     of(gears.json(), keys::GEAR);
-    of(Gears::on_rack("2", "A", "5").teeth(&[20]).module(mm(2.0)).line("FG").angle(deg(0.0)).json(), keys::GEAR);
-    let wheel = Wheel::new("4", "B", mm(1.0)).on("1").track("K").track_radius(mm(2.0)).inside(true).at("N").phase(deg(0.0)).line("AB");
+    of(
+        Gears::on_rack("2", "A", "5")
+            .teeth(&[20])
+            .module(mm(2.0))
+            .line("FG")
+            .angle(deg(0.0))
+            .json(),
+        keys::GEAR,
+    );
+    let wheel = Wheel::new("4", "B", mm(1.0))
+        .on("1")
+        .track("K")
+        .track_radius(mm(2.0))
+        .inside(true)
+        .at("N")
+        .phase(deg(0.0))
+        .line("AB");
     of(wheel.json(), keys::ROLLING);
-    of(Value::Object(all_kinds().side("D", "left of AO").statement("...").language(Lang::Zh).members), keys::SCENE);
+    of(
+        Value::Object(
+            all_kinds().side("D", "left of AO").statement("...").language(Lang::Zh).members,
+        ),
+        keys::SCENE,
+    );
 }
 
 /// Every template in the new layout is the same scene, in lines within the limit.

@@ -11,7 +11,9 @@ use super::pairs::CamPair;
 use super::place::{self, CarriedFollower, NumberText, OnPivot};
 use super::raw::*;
 use super::texts::MotionTexts;
-use hodograph_base::cam::{CamMotion, Disc, FollowerTip, MotionLaw, PieceSide, Stage, StageMotion, StageProgram, Surveyed};
+use hodograph_base::cam::{
+    CamMotion, Disc, FollowerTip, MotionLaw, PieceSide, Stage, StageMotion, StageProgram, Surveyed,
+};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::significant;
 use hodograph_base::json::Word;
@@ -38,13 +40,22 @@ impl CamReplacement<'_> {
         for stage in stages {
             let over = self.number_text(&stage.over, RequiredQuantity::Angle, faults);
             if let Some(over) = over.as_ref().filter(|o| o.value.is_nan() || o.value <= 0.0) {
-                let message = both!("a stage goes over {}; it must be greater than zero", "该段转角为 {}，应大于零", over.text);
+                let message = both!(
+                    "a stage goes over {}; it must be greater than zero",
+                    "该段转角为 {}，应大于零",
+                    over.text
+                );
                 faults.push(Diagnostic::error("not-positive", message).at(stage.over.span));
             }
             let mut gain = |q: &RawQuantity| {
                 if turning {
                     let g = self.values.angle(q, faults)?;
-                    Some(GivenQuantity { value: g.value.radians(), radius: g.radius, text: g.text, span: g.span })
+                    Some(GivenQuantity {
+                        value: g.value.radians(),
+                        radius: g.radius,
+                        text: g.text,
+                        span: g.span,
+                    })
                 } else {
                     self.values.si(q, RequiredQuantity::Length, faults)
                 }
@@ -78,8 +89,14 @@ impl CamReplacement<'_> {
         if (sum - std::f64::consts::TAU).abs() > 1e-9 {
             let degrees = significant(sum.to_degrees(), 6);
             open(
-                both!("the stages of the law go over {degrees}°, not 360°", "运动规律各段共转 {degrees}°，不是 360°"),
-                both!("make up the rest with {{\"dwell\": ...}}", "其余可用 {{\"dwell\": ...}} 补足"),
+                both!(
+                    "the stages of the law go over {degrees}°, not 360°",
+                    "运动规律各段共转 {degrees}°，不是 360°"
+                ),
+                both!(
+                    "make up the rest with {{\"dwell\": ...}}",
+                    "其余可用 {{\"dwell\": ...}} 补足"
+                ),
                 faults,
             );
         }
@@ -109,29 +126,41 @@ impl CamReplacement<'_> {
     ) -> Option<()> {
         let (face, offset, sense) = match &self.raw.follows {
             RawFollows::Face(face) => {
-                let (face, offset, sense) = self.face(placed.as_ref().ok().map(|p| &p.1), face, faults)?;
+                let (face, offset, sense) =
+                    self.face(placed.as_ref().ok().map(|p| &p.1), face, faults)?;
                 pending.left = face.left.unwrap_or(true);
                 (Some(face), offset, sense)
             }
-            RawFollows::Edge(_) | RawFollows::Roller { .. } | RawFollows::Arc { .. } => (None, None, 1.0),
+            RawFollows::Edge(_) | RawFollows::Roller { .. } | RawFollows::Arc { .. } => {
+                (None, None, 1.0)
+            }
         };
         let placed = placed.map_err(|lacking| self.no_law(lacking, faults)).ok()?;
-        let Some((follower, touch, arm)) = self.follower(&placed, point, offset.as_ref(), sense) else {
+        let Some((follower, touch, arm)) = self.follower(&placed, point, offset.as_ref(), sense)
+        else {
             self.no_law(self.not_through(), faults);
             return None;
         };
         let (on, carried) = placed;
         let touch = match touch {
-            FollowerTip::Point { .. } => FollowerTip::Point { radius: end.as_ref().map_or(0.0, |r| r.value) },
+            FollowerTip::Point { .. } => {
+                FollowerTip::Point { radius: end.as_ref().map_or(0.0, |r| r.value) }
+            }
             FollowerTip::Flat { lever } => FollowerTip::Flat { lever },
         };
         let turn = if text.clockwise { -1.0 } else { 1.0 };
-        let disc = Disc { follower, touch, motion: CamMotion::Law { base, program: program.clone() }, sense: turn };
+        let disc = Disc {
+            follower,
+            touch,
+            motion: CamMotion::Law { base, program: program.clone() },
+            sense: turn,
+        };
         if !disc.rest(base).is_finite() {
             return self.no_contact(faults);
         }
         let phi = turn * (on.angle.value - start);
-        let disc = self.on_its_side(disc, phi, (on.frame, on.spot.at()), point, &|q| self.spot_on(&on, q));
+        let disc =
+            self.on_its_side(disc, phi, (on.frame, on.spot.at()), point, &|q| self.spot_on(&on, q));
         let along = if on.rate * turn < 0.0 { PieceSide::Before } else { PieceSide::After };
         let end_point = point;
         // The mark that gives the direction of a lever with a face is the last point of its link.
@@ -149,7 +178,12 @@ impl CamReplacement<'_> {
         let far_out = offset.clone();
         let lever = offset.map(|o| if sense < 0.0 { format!("-({})", o.text) } else { o.text });
         let touching = lever.clone().or_else(|| radius.clone());
-        let texts = self.texts((&on, &carried), (end_point, touching), (phi, &text.start), Some(MotionTexts::of_law(&text)));
+        let texts = self.texts(
+            (&on, &carried),
+            (end_point, touching),
+            (phi, &text.start),
+            Some(MotionTexts::of_law(&text)),
+        );
         let at = law::At {
             scene: self.bare,
             of: self.names.link(&self.raw.cam).ok()?,
@@ -189,7 +223,12 @@ impl CamReplacement<'_> {
                     span: self.raw.span,
                 };
                 pending.contact = Some(raw.guides.len());
-                contact.about(raw, place, self.bare.point_name(on.pivot), &NumberText { value, text: radius })?;
+                contact.about(
+                    raw,
+                    place,
+                    self.bare.point_name(on.pivot),
+                    &NumberText { value, text: radius },
+                )?;
                 None
             }
         };
@@ -231,7 +270,10 @@ impl CamReplacement<'_> {
     /// contact.
     fn not_through(&self) -> Lacking {
         Lacking {
-            what: both!("the end that touches has no fixed place in its guide or on its arm", "接触端在导路或摆杆上没有确定的位置"),
+            what: both!(
+                "the end that touches has no fixed place in its guide or on its arm",
+                "接触端在导路或摆杆上没有确定的位置"
+            ),
             help: both!(
                 "let the guide pass through the point that touches, or give its distance from the pivot; a face stands square to its guide, or passes through its pivot or lies at an `offset` from it",
                 "请使导路通过接触点，或给出接触点到转轴的距离；平底应垂直于导路，或通过转轴、与转轴相距 `offset`"

@@ -29,11 +29,14 @@ impl CamReplacement<'_> {
         let worded = self.worded(cam, parts, faults)?;
         let (follows, offset, sense) = match &self.raw.follows {
             RawFollows::Face(face) => {
-                let (face, offset, sense) = self.face(placed.as_ref().ok().map(|p| &p.1), face, faults)?;
+                let (face, offset, sense) =
+                    self.face(placed.as_ref().ok().map(|p| &p.1), face, faults)?;
                 pending.left = face.left.unwrap_or(true);
                 (RawFollows::Face(face), offset, sense)
             }
-            round @ (RawFollows::Edge(_) | RawFollows::Roller { .. } | RawFollows::Arc { .. }) => (round.clone(), None, 1.0),
+            round @ (RawFollows::Edge(_) | RawFollows::Roller { .. } | RawFollows::Arc { .. }) => {
+                (round.clone(), None, 1.0)
+            }
         };
         pending.radii = worded.iter().map(|w| w.radius().map(|r| r.text.clone())).collect();
         if let [Worded::Circle { centre, radius }] = worded.as_slice() {
@@ -42,7 +45,8 @@ impl CamReplacement<'_> {
         // The direction of a face that slides on a moving link follows from the pose; a profile of
         // one circle does not need it.
         let leans = |p: &(OnPivot, CarriedFollower)| {
-            matches!((&follows, &p.1), (RawFollows::Face(f), CarriedFollower::Guide { .. }) if !f.square) && p.0.frame != self.bare.ground
+            matches!((&follows, &p.1), (RawFollows::Face(f), CarriedFollower::Guide { .. }) if !f.square)
+                && p.0.frame != self.bare.ground
         };
         if let Ok(p) = &placed
             && leans(p)
@@ -50,9 +54,15 @@ impl CamReplacement<'_> {
         {
             return self.no_line(p.0.frame, faults);
         }
-        let geometry = placed.as_ref().ok().filter(|p| !leans(p)).and_then(|p| self.follower(p, point, offset.as_ref(), sense));
+        let geometry = placed
+            .as_ref()
+            .ok()
+            .filter(|p| !leans(p))
+            .and_then(|p| self.follower(p, point, offset.as_ref(), sense));
         let lever = match (&follows, &offset) {
-            (RawFollows::Face(_), Some(o)) => Some(if sense < 0.0 { format!("-({})", o.text) } else { o.text.clone() }),
+            (RawFollows::Face(_), Some(o)) => {
+                Some(if sense < 0.0 { format!("-({})", o.text) } else { o.text.clone() })
+            }
             _ => end.as_ref().map(|r| r.text.clone()),
         };
         let contact = CamPair {
@@ -66,23 +76,30 @@ impl CamReplacement<'_> {
         let mut touched = 0;
         if let (Ok((on, carried)), Some((follower, touch, _))) = (&placed, geometry) {
             let local = |name: &str| {
-                let id = self.names.point(&Word { text: name.to_owned(), span: self.raw.span }).ok()?;
+                let id =
+                    self.names.point(&Word { text: name.to_owned(), span: self.raw.span }).ok()?;
                 on.local.iter().find(|(p, _)| *p == id).map(|(_, at)| *at)
             };
-            let Some(parts) = worded.iter().map(|w| numbers(w, local)).collect::<Option<Vec<_>>>() else {
+            let Some(parts) = worded.iter().map(|w| numbers(w, local)).collect::<Option<Vec<_>>>()
+            else {
                 return self.no_pose(None, faults);
             };
             let segments = segments(&parts).map_err(|broken| self.broken(broken, faults)).ok()?;
             let touch = match touch {
-                FollowerTip::Point { .. } => FollowerTip::Point { radius: end.as_ref().map_or(0.0, |r| r.value) },
+                FollowerTip::Point { .. } => {
+                    FollowerTip::Point { radius: end.as_ref().map_or(0.0, |r| r.value) }
+                }
                 FollowerTip::Flat { lever } => FollowerTip::Flat { lever },
             };
             let backward = on.rate < 0.0 || on.rate == 0.0 && on.acceleration < 0.0;
             let turn = if backward { -1.0 } else { 1.0 };
             let disc = Disc { follower, touch, motion: CamMotion::Profile(segments), sense: turn };
             let phi = turn * on.angle.value;
-            let disc = self.on_its_side(disc, phi, (on.frame, on.spot.at()), point, &|q| self.spot_on(on, q));
-            let Some(found) = disc.touched(phi, PieceSide::After) else { return self.no_contact(faults) };
+            let disc = self
+                .on_its_side(disc, phi, (on.frame, on.spot.at()), point, &|q| self.spot_on(on, q));
+            let Some(found) = disc.touched(phi, PieceSide::After) else {
+                return self.no_contact(faults);
+            };
             touched = found;
             self.joint(&disc, phi, on, faults);
             pending.rough = self.sketch(raw, &disc, phi, (on, &follows));
@@ -103,13 +120,25 @@ impl CamReplacement<'_> {
                 touched: Some(found),
                 rough: None,
                 side: PieceSide::After,
-                texts: self.texts((on, carried), (point, lever), (phi, "0 deg"), self.profile_texts(cam, on.pivot, &on.local, &worded)),
+                texts: self.texts(
+                    (on, carried),
+                    (point, lever),
+                    (phi, "0 deg"),
+                    self.profile_texts(cam, on.pivot, &on.local, &worded),
+                ),
             };
             pending.disc = Some((self.bare.point_name(on.pivot).to_owned(), turning));
         } else if worded.len() > 1 {
             let why = placed.as_ref().err();
             let lies = (contact.offset.as_ref(), sense);
-            let posed = self.by_pose(&worded, (cam, follower, point), (&follows, end.as_ref()), lies, why, faults)?;
+            let posed = self.by_pose(
+                &worded,
+                (cam, follower, point),
+                (&follows, end.as_ref()),
+                lies,
+                why,
+                faults,
+            )?;
             if let Some((p, at)) = posed.rough {
                 self.sketched(raw, self.bare.point_name(p), at);
             }
@@ -146,18 +175,26 @@ impl CamReplacement<'_> {
     ) -> Option<(String, Vec2)> {
         let q = disc.coordinate(phi, PieceSide::After)?;
         let (name, at) = match (follows, disc.touch, disc.follower) {
-            (_, FollowerTip::Point { .. }, _) => (follows.pin()?.text.clone(), disc.follower.point(q).order(0)),
-            (RawFollows::Face(face), FollowerTip::Flat { .. }, Follower::Oscillating { pivot, sense, .. }) => {
+            (_, FollowerTip::Point { .. }, _) => {
+                (follows.pin()?.text.clone(), disc.follower.point(q).order(0))
+            }
+            (
+                RawFollows::Face(face),
+                FollowerTip::Flat { .. },
+                Follower::Oscillating { pivot, sense, .. },
+            ) => {
                 let (from, to) = self.names.pair(face.line.as_ref()?).ok()?;
                 let arm = place::apart(self.bare, from, to)?.value;
-                let reach = Disc { follower: Follower::Oscillating { pivot, arm, sense }, ..disc.clone() };
+                let reach =
+                    Disc { follower: Follower::Oscillating { pivot, arm, sense }, ..disc.clone() };
                 (self.bare.point_name(to).to_owned(), reach.follower.point(q).order(0))
             }
             (_, FollowerTip::Flat { .. }, _) => return None,
         };
         let at = on.spot.at() + at;
         if on.frame != self.bare.ground {
-            let said = raw.sketch.iter().any(|(w, _)| w.text == name) || raw.points.iter().any(|(w, _)| w.text == name);
+            let said = raw.sketch.iter().any(|(w, _)| w.text == name)
+                || raw.points.iter().any(|(w, _)| w.text == name);
             return (!said).then_some((name, at));
         }
         self.sketched(raw, &name, at);
@@ -166,15 +203,26 @@ impl CamReplacement<'_> {
 
     /// Adds the place of a point in the pose to the sketch, unless the scene gives it.
     fn sketched(&self, raw: &mut RawScene, name: &str, at: Vec2) {
-        if raw.sketch.iter().any(|(w, _)| w.text == name) || raw.points.iter().any(|(w, _)| w.text == name) {
+        if raw.sketch.iter().any(|(w, _)| w.text == name)
+            || raw.points.iter().any(|(w, _)| w.text == name)
+        {
             return;
         }
-        let quantity = |x: f64| RawQuantity { text: format!("({x:?}) m"), span: self.raw.span, bare: false };
-        raw.sketch.push((Word { text: name.to_owned(), span: self.raw.span }, [quantity(at.x), quantity(at.y)]));
+        let quantity =
+            |x: f64| RawQuantity { text: format!("({x:?}) m"), span: self.raw.span, bare: false };
+        raw.sketch.push((
+            Word { text: name.to_owned(), span: self.raw.span },
+            [quantity(at.x), quantity(at.y)],
+        ));
     }
 
     /// Returns the parts with texts and checked numbers.
-    pub(super) fn worded(&self, cam: LinkId, parts: &[RawPart], faults: &mut Faults) -> Option<Vec<Worded>> {
+    pub(super) fn worded(
+        &self,
+        cam: LinkId,
+        parts: &[RawPart],
+        faults: &mut Faults,
+    ) -> Option<Vec<Worded>> {
         let n = parts.len();
         let centre = |i: usize| match &parts[i % n] {
             RawPart::Circle { centre, .. } | RawPart::Corner(centre) => Some(centre),
@@ -187,28 +235,38 @@ impl CamReplacement<'_> {
                 && let Some(p) = note(self.names.point(word), faults)
                 && !self.bare.links[cam.0].points.contains(&p)
             {
-                let message =
-                    both!("centre `{}` is not a point of the cam `{}`", "圆心 `{}` 不是凸轮 `{}` 上的点", word.text, self.raw.cam.text);
-                faults.push(
-                    Diagnostic::error("not-on-link", message)
-                        .at(word.span)
-                        .help(both!("name it in \"links\" among the points of the cam", "请在 \"links\" 中把它写入凸轮的点")),
+                let message = both!(
+                    "centre `{}` is not a point of the cam `{}`",
+                    "圆心 `{}` 不是凸轮 `{}` 上的点",
+                    word.text,
+                    self.raw.cam.text
                 );
+                faults.push(Diagnostic::error("not-on-link", message).at(word.span).help(both!(
+                    "name it in \"links\" among the points of the cam",
+                    "请在 \"links\" 中把它写入凸轮的点"
+                )));
             }
             match part {
                 RawPart::Circle { centre, radius } => {
                     let radius = self.positive(radius, faults);
-                    out.extend(radius.map(|radius| Worded::Circle { centre: centre.text.clone(), radius }));
+                    out.extend(
+                        radius.map(|radius| Worded::Circle { centre: centre.text.clone(), radius }),
+                    );
                 }
                 RawPart::Corner(p) => {
-                    out.push(Worded::Circle { centre: p.text.clone(), radius: NumberText { value: 0.0, text: "0 mm".into() } });
+                    out.push(Worded::Circle {
+                        centre: p.text.clone(),
+                        radius: NumberText { value: 0.0, text: "0 mm".into() },
+                    });
                 }
-                RawPart::Flank(radius) => {
-                    out.extend(self.number_text(radius, RequiredQuantity::Length, faults).map(|radius| Worded::Flank { radius }))
-                }
+                RawPart::Flank(radius) => out.extend(
+                    self.number_text(radius, RequiredQuantity::Length, faults)
+                        .map(|radius| Worded::Flank { radius }),
+                ),
                 RawPart::Tangent(span) => {
                     let ends = centre(i + n - 1).zip(centre(i + 1));
-                    let ids = ends.and_then(|(a, b)| self.names.point(a).ok().zip(self.names.point(b).ok()));
+                    let ids = ends
+                        .and_then(|(a, b)| self.names.point(a).ok().zip(self.names.point(b).ok()));
                     let Some((a, b)) = ids else { continue };
                     match place::apart(self.bare, a, b) {
                         Some(apart) => out.push(Worded::Tangent { apart }),
@@ -218,11 +276,12 @@ impl CamReplacement<'_> {
                                 "the tangent of the circles about {a} and {b} needs their distance",
                                 "求绕 {a} 和 {b} 两圆的公切线须知两圆心的距离"
                             );
-                            faults.push(
-                                Diagnostic::error("cam-centres", message)
-                                    .at(*span)
-                                    .help(both!("add \"{a},{b}\" to \"lengths\"", "请在 \"lengths\" 中加上 \"{a},{b}\"")),
-                            );
+                            faults.push(Diagnostic::error("cam-centres", message).at(*span).help(
+                                both!(
+                                    "add \"{a},{b}\" to \"lengths\"",
+                                    "请在 \"lengths\" 中加上 \"{a},{b}\""
+                                ),
+                            ));
                         }
                     }
                 }
@@ -239,7 +298,11 @@ impl CamReplacement<'_> {
         let message = match broken {
             Broken::NoCircle => both!("the profile has no circle", "廓线中没有圆"),
             Broken::NoNeighbour(i) => {
-                both!("part {} of the profile has no circle on both sides", "廓线第 {} 段的两侧不都是圆", i + 1)
+                both!(
+                    "part {} of the profile has no circle on both sides",
+                    "廓线第 {} 段的两侧不都是圆",
+                    i + 1
+                )
             }
             Broken::Apart(i) => both!(
                 "part {} of the profile cannot touch its neighbours: their centres are too near or too far apart",

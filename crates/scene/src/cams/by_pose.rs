@@ -49,18 +49,25 @@ impl CamReplacement<'_> {
         why: Option<&Lacking>,
         faults: &mut Faults,
     ) -> Option<PosedProfile> {
-        let [first, second, ..] = self.bare.links[cam.0].points.as_slice() else { return self.no_pose(why, faults) };
+        let [first, second, ..] = self.bare.links[cam.0].points.as_slice() else {
+            return self.no_pose(why, faults);
+        };
         let reckoned = Reckoned::of(self.bare);
         let (Some(origin), Some(toward)) = (reckoned.spot(*first), reckoned.spot(*second)) else {
             return self.no_pose(why, faults);
         };
         let Some(axis) = (toward - origin).unit() else { return self.no_pose(why, faults) };
-        let Some(known) = place::locals(self.bare, cam, *first, axis.angle()) else { return self.no_pose(why, faults) };
+        let Some(known) = place::locals(self.bare, cam, *first, axis.angle()) else {
+            return self.no_pose(why, faults);
+        };
         let local = |name: &str| {
             let id = self.names.point(&Word { text: name.to_owned(), span: self.raw.span }).ok()?;
             known.iter().find(|(p, _)| *p == id).map(|(_, at)| *at)
         };
-        let Some(parts) = worded.iter().map(|w| numbers(w, local)).collect::<Option<Vec<_>>>() else { return self.no_pose(why, faults) };
+        let Some(parts) = worded.iter().map(|w| numbers(w, local)).collect::<Option<Vec<_>>>()
+        else {
+            return self.no_pose(why, faults);
+        };
         let segments = segments(&parts).map_err(|broken| self.broken(broken, faults)).ok()?;
         let texts = self.profile_texts(cam, *first, &known, worded);
         let into = |v: Vec2| v.divide_by(axis);
@@ -84,9 +91,12 @@ impl CamReplacement<'_> {
         match follows {
             RawFollows::Face(face) => {
                 let Some(along) = self.face_direction(face, follower, faults) else {
-                    let line = face.line.as_ref().and_then(|w| self.names.pair(w).ok()).map(|(_, to)| to);
+                    let line =
+                        face.line.as_ref().and_then(|w| self.names.pair(w).ok()).map(|(_, to)| to);
                     return match reckon(line) {
-                        Some(()) => self.posed([*first, *second], (segments, texts), touched, rough, faults),
+                        Some(()) => {
+                            self.posed([*first, *second], (segments, texts), touched, rough, faults)
+                        }
                         None => self.no_pose(why, faults),
                     };
                 };
@@ -98,14 +108,20 @@ impl CamReplacement<'_> {
             RawFollows::Edge(_) | RawFollows::Roller { .. } | RawFollows::Arc { .. } => {
                 let Some(spot) = place::spot(self.bare, point) else {
                     return match reckon(None) {
-                        Some(()) => self.posed([*first, *second], (segments, texts), touched, rough, faults),
+                        Some(()) => {
+                            self.posed([*first, *second], (segments, texts), touched, rough, faults)
+                        }
                         None => self.no_pose(why, faults),
                     };
                 };
                 let at = into(spot.at() - origin);
-                let missed =
-                    segments.iter().enumerate().filter_map(|(i, s)| Some((i, s.missed_by(at, end.map_or(0.0, |r| r.value))?.abs())));
-                touched = missed.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, missed)| *missed <= OFF * at.norm()).map(|(i, _)| i);
+                let missed = segments.iter().enumerate().filter_map(|(i, s)| {
+                    Some((i, s.missed_by(at, end.map_or(0.0, |r| r.value))?.abs()))
+                });
+                touched = missed
+                    .min_by(|a, b| a.1.total_cmp(&b.1))
+                    .filter(|(_, missed)| *missed <= OFF * at.norm())
+                    .map(|(i, _)| i);
             }
         }
         self.posed([*first, *second], (segments, texts), touched, rough, faults)
@@ -120,24 +136,40 @@ impl CamReplacement<'_> {
         faults: &mut Faults,
     ) -> Option<PosedProfile> {
         let Some(touched) = self.on.or(touched) else { return self.no_contact(faults) };
-        Some(PosedProfile { frame: frame.map(|p| self.bare.point_name(p).to_owned()), segments, texts, touched, rough })
+        Some(PosedProfile {
+            frame: frame.map(|p| self.bare.point_name(p).to_owned()),
+            segments,
+            texts,
+            touched,
+            rough,
+        })
     }
 
     /// Returns the direction in the pose of the guide in which a follower slides.
     fn guide_direction(&self, follower: LinkId) -> Option<Vec2> {
         let guide = self.bare.guides.iter().find(|g| g.slider == Some(follower))?;
-        let GuidePath::Line { direction: GuideDirection::Along(a, b, turn), .. } = &guide.path else { return None };
+        let GuidePath::Line { direction: GuideDirection::Along(a, b, turn), .. } = &guide.path
+        else {
+            return None;
+        };
         let way = (place::spot(self.bare, *b)?.at() - place::spot(self.bare, *a)?.at()).unit()?;
         Some(turn.as_ref().map_or(way, |t| way.rotate_by(Vec2::from_angle(t.value.radians()))))
     }
 
     /// Returns the direction of a face in the pose.
-    fn face_direction(&self, face: &RawFace, follower: LinkId, faults: &mut Faults) -> Option<Vec2> {
+    fn face_direction(
+        &self,
+        face: &RawFace,
+        follower: LinkId,
+        faults: &mut Faults,
+    ) -> Option<Vec2> {
         if face.square {
             return self.guide_direction(follower).map(Vec2::perp);
         }
         let angle = match &face.angle {
-            Some(q) => Vec2::from_angle(self.number_text(q, RequiredQuantity::Angle, faults)?.value),
+            Some(q) => {
+                Vec2::from_angle(self.number_text(q, RequiredQuantity::Angle, faults)?.value)
+            }
             None => Vec2::unit_x(),
         };
         let Some(line) = &face.line else { return face.angle.is_some().then_some(angle) };

@@ -11,7 +11,9 @@ use super::super::model::*;
 use super::super::raw::RawQuantity;
 use super::super::units::RequiredQuantity;
 use super::expand::CamReplacement;
-use super::place::{CarriedFollower, NumberText, OnPivot, PointTexts, apart, direction, locals, spot};
+use super::place::{
+    CarriedFollower, NumberText, OnPivot, PointTexts, apart, direction, locals, spot,
+};
 use hodograph_base::diag::{Both, Faults, both};
 
 /// The fault that prevents placing a cam, and its remedy.
@@ -23,11 +25,18 @@ pub(super) struct Lacking {
 
 impl CamReplacement<'_> {
     /// Returns the cam and its follower on the link that carries both, or the missing data.
-    pub(super) fn carried(&self, cam: LinkId, follower: LinkId) -> Result<(OnPivot, CarriedFollower), Lacking> {
+    pub(super) fn carried(
+        &self,
+        cam: LinkId,
+        follower: LinkId,
+    ) -> Result<(OnPivot, CarriedFollower), Lacking> {
         let all = self.carriers(cam, follower);
         let mut first = None;
         for (frame, pivot) in &all {
-            match self.on_pivot(cam, *frame, *pivot).and_then(|on| Ok((on, self.follower_in(follower, *frame)?))) {
+            match self
+                .on_pivot(cam, *frame, *pivot)
+                .and_then(|on| Ok((on, self.follower_in(follower, *frame)?)))
+            {
                 Ok(placed) => return Ok(placed),
                 // If several links might carry both, the ground (the first) determines the message.
                 Err(lacking) => drop(first.get_or_insert(lacking)),
@@ -53,10 +62,16 @@ impl CamReplacement<'_> {
     fn carriers(&self, cam: LinkId, follower: LinkId) -> Vec<(LinkId, PointId)> {
         let scene = self.bare;
         let pivot = |link: LinkId, frame: LinkId| {
-            let mut shared = scene.links[link.0].points.iter().copied().filter(|p| scene.links[frame.0].points.contains(p));
+            let mut shared = scene.links[link.0]
+                .points
+                .iter()
+                .copied()
+                .filter(|p| scene.links[frame.0].points.contains(p));
             shared.next().filter(|_| shared.next().is_none())
         };
-        let slides = |frame: LinkId| scene.guides.iter().any(|g| g.slider == Some(follower) && g.on == frame);
+        let slides = |frame: LinkId| {
+            scene.guides.iter().any(|g| g.slider == Some(follower) && g.on == frame)
+        };
         let one = |f: LinkId| {
             let carries = f != cam && f != follower && (slides(f) || pivot(follower, f).is_some());
             pivot(cam, f).filter(|_| carries).map(|p| (f, p))
@@ -85,16 +100,28 @@ impl CamReplacement<'_> {
             .as_ref()
             .filter(|_| !turned.direct())
             .and_then(|q| self.number_text(q, RequiredQuantity::Angle, &mut Faults::default()));
-        let angle = own.or_else(|| self.given_angle(cam, frame, &turned, &mut Vec::new())).ok_or_else(|| self.no_angle(cam, &turned))?;
+        let angle = own
+            .or_else(|| self.given_angle(cam, frame, &turned, &mut Vec::new()))
+            .ok_or_else(|| self.no_angle(cam, &turned))?;
         let unplaced = |p: PointId| self.unplaced(p, frame);
         let spot = self.spot_in(frame, pivot).ok_or_else(|| unplaced(pivot))?;
         // The direction of the cam's axes in the fixed plane equals its own angle only if the
         // ground carries it.
-        let world = if frame == scene.ground { angle.value } else { self.line_of(cam).map_or(0.0, |t| t.value) };
+        let world = if frame == scene.ground {
+            angle.value
+        } else {
+            self.line_of(cam).map_or(0.0, |t| t.value)
+        };
         let local = locals(scene, cam, pivot, world).ok_or_else(|| {
             lacking(
-                both!("the points of cam `{cam_name}` are not placed in it", "凸轮 `{cam_name}` 上的点在其中没有确定位置"),
-                both!("give their distances in \"lengths\", or their coordinates", "请在 \"lengths\" 中给出各点距离，或给出坐标"),
+                both!(
+                    "the points of cam `{cam_name}` are not placed in it",
+                    "凸轮 `{cam_name}` 上的点在其中没有确定位置"
+                ),
+                both!(
+                    "give their distances in \"lengths\", or their coordinates",
+                    "请在 \"lengths\" 中给出各点距离，或给出坐标"
+                ),
             )
         })?;
         let d = &scene.drivers[turned.driver];
@@ -104,7 +131,11 @@ impl CamReplacement<'_> {
         };
         let a = d.acceleration.as_ref();
         let way = turned.ratio;
-        let from = if turned.direct() { 0.0 } else { angle.value - way * self.stated(turned.driver).map_or(0.0, |t| t.value) };
+        let from = if turned.direct() {
+            0.0
+        } else {
+            angle.value - way * self.stated(turned.driver).map_or(0.0, |t| t.value)
+        };
         Ok(OnPivot {
             frame,
             pivot,
@@ -124,7 +155,10 @@ impl CamReplacement<'_> {
     fn unplaced(&self, p: PointId, frame: LinkId) -> Lacking {
         let (point, link) = (self.bare.point_name(p), self.bare.link_name(frame));
         Lacking {
-            what: both!("where {point} stands in link `{link}` is not told", "没有给出 {point} 在构件 `{link}` 中的位置"),
+            what: both!(
+                "where {point} stands in link `{link}` is not told",
+                "没有给出 {point} 在构件 `{link}` 中的位置"
+            ),
             help: both!(
                 "give its coordinates, in the plane or in the link, or its distances from the first two points of the link",
                 "请给出其坐标（平面内或构件内），或到该构件前两点的距离"
@@ -137,32 +171,46 @@ impl CamReplacement<'_> {
     fn follower_in(&self, link: LinkId, frame: LinkId) -> Result<CarriedFollower, Lacking> {
         let scene = self.bare;
         let Some(g) = scene.guides.iter().find(|g| g.slider == Some(link) && g.on == frame) else {
-            let mut shared = scene.links[link.0].points.iter().copied().filter(|p| scene.links[frame.0].points.contains(p));
+            let mut shared = scene.links[link.0]
+                .points
+                .iter()
+                .copied()
+                .filter(|p| scene.links[frame.0].points.contains(p));
             let pivot = shared.next().ok_or_else(|| self.guide_faulty(link))?;
             let spot = self.spot_in(frame, pivot).ok_or_else(|| self.unplaced(pivot, frame))?;
             return Ok(CarriedFollower::Pivot { pivot, spot });
         };
-        let (Some(pin), GuidePath::Line { through, direction: along, offset: None }) = (g.pin, &g.path) else {
+        let (Some(pin), GuidePath::Line { through, direction: along, offset: None }) =
+            (g.pin, &g.path)
+        else {
             return Err(self.guide_faulty(link));
         };
         let grounded = frame == scene.ground;
         let through = match through {
             Through::At(xy) => PointTexts::of(xy),
             Through::Point(p) => self.spot_in(frame, *p).ok_or_else(|| self.unplaced(*p, frame))?,
-            Through::Pin => spot(scene, pin).filter(|_| grounded).ok_or_else(|| self.guide_faulty(link))?,
+            Through::Pin => {
+                spot(scene, pin).filter(|_| grounded).ok_or_else(|| self.guide_faulty(link))?
+            }
         };
         let angle = match along {
             GuideDirection::Instant(angle) if grounded => NumberText::angle(angle),
             GuideDirection::Along(a, b, turn) => {
-                let [from, to] = [a, b].map(|p| self.spot_in(frame, *p).ok_or_else(|| self.unplaced(*p, frame)));
+                let [from, to] =
+                    [a, b].map(|p| self.spot_in(frame, *p).ok_or_else(|| self.unplaced(*p, frame)));
                 let (from, to) = (from?, to?);
                 let (value, text) = ((to.at() - from.at()).angle(), direction(&from, &to));
                 match turn {
-                    Some(t) => NumberText { value: value + t.value.radians(), text: format!("({text})+({})", NumberText::angle(t).text) },
+                    Some(t) => NumberText {
+                        value: value + t.value.radians(),
+                        text: format!("({text})+({})", NumberText::angle(t).text),
+                    },
                     None => NumberText { value, text },
                 }
             }
-            GuideDirection::Instant(_) | GuideDirection::Own | GuideDirection::Slid(_) => return Err(self.guide_faulty(link)),
+            GuideDirection::Instant(_) | GuideDirection::Own | GuideDirection::Slid(_) => {
+                return Err(self.guide_faulty(link));
+            }
         };
         Ok(CarriedFollower::Guide { through, angle, pin })
     }
@@ -210,23 +258,34 @@ impl CamReplacement<'_> {
         // A base in the opposite sense turns both axes by 180°.
         let from_base = |base: (PointId, PointId), [x, y]: [String; 2]| match base {
             (a, b) if (a, b) == (*first, *second) => Some([x, y]),
-            (a, b) if (a, b) == (*second, *first) => Some([format!("({d})-({x})"), format!("-({y})")]),
+            (a, b) if (a, b) == (*second, *first) => {
+                Some([format!("({d})-({x})"), format!("-({y})")])
+            }
             _ => None,
         };
         match &scene.points[p.0].place {
-            PointPlace::InLink { base, xy } => from_base(*base, [&xy[0], &xy[1]].map(|g| NumberText::length(g).text)),
+            PointPlace::InLink { base, xy } => {
+                from_base(*base, [&xy[0], &xy[1]].map(|g| NumberText::length(g).text))
+            }
             PointPlace::Polar { base, length, angle } => {
                 let (l, t) = (NumberText::length(length).text, NumberText::angle(angle).text);
                 from_base(*base, [format!("({l})*cos({t})"), format!("({l})*sin({t})")])
             }
             PointPlace::Unknown | PointPlace::At(_) => {
-                if let (Some(a), Some(b), Some(c)) = (spot(scene, *first), spot(scene, *second), spot(scene, p)) {
+                if let (Some(a), Some(b), Some(c)) =
+                    (spot(scene, *first), spot(scene, *second), spot(scene, p))
+                {
                     let ([ex, ey], [wx, wy]) = (a.way_to(&b), a.way_to(&c));
-                    return Some([format!("({wx}*{ex}+{wy}*{ey})/({d})"), format!("({wy}*{ex}-{wx}*{ey})/({d})")]);
+                    return Some([
+                        format!("({wx}*{ex}+{wy}*{ey})/({d})"),
+                        format!("({wy}*{ex}-{wx}*{ey})/({d})"),
+                    ]);
                 }
                 let (ra, rb) = (apart(scene, *first, p)?.text, apart(scene, *second, p)?.text);
                 let foot = format!("((({d})^2+({ra})^2-({rb})^2)/(2*({d})))");
-                let said = scene.sides.iter().find(|s| s.point == p && [(*first, *second), (*second, *first)].contains(&(s.from, s.to)));
+                let said = scene.sides.iter().find(|s| {
+                    s.point == p && [(*first, *second), (*second, *first)].contains(&(s.from, s.to))
+                });
                 let sign = if said.is_none_or(|s| s.left == (s.from == *first)) { "" } else { "-" };
                 Some([foot.clone(), format!("{sign}sqrt(({ra})^2-{foot}^2)")])
             }

@@ -1,8 +1,8 @@
 //! Follower positions beyond the instant, for a follower on other links than its cam.
 //!
 //! The position follows from the whole mechanism and not from one angle, so this module cannot
-//! compute it. Modules that can move mechanisms supply a [`FollowerCourse`]; then the follower is a driver
-//! like any other follower that a cam moves.
+//! compute it. Modules that can move mechanisms supply a [`FollowerCourse`]; then the follower is a
+//! driver like any other follower that a cam moves.
 
 use super::super::model::{GuideId, LinkId, PointId, Scene};
 use super::{Cam, Pieces};
@@ -43,8 +43,8 @@ pub trait FollowerSolver: Send + Sync + UnwindSafe + RefUnwindSafe {
     /// `None` where it cannot be followed.
     fn led(&self, drivers: &[[f64; 3]]) -> Option<FollowerState>;
 
-    /// Returns bounds of the errors of place, rate and acceleration from [`FollowerSolver::led`]; `None`
-    /// where there is no enclosure.
+    /// Returns bounds of the errors of place, rate and acceleration from [`FollowerSolver::led`];
+    /// `None` where there is no enclosure.
     fn off(&self, drivers: &[[f64; 3]]) -> Option<[f64; 3]>;
 }
 
@@ -69,7 +69,11 @@ impl Cam {
     /// Returns the point of contact of a follower with a round end and the outward unit normal of
     /// the cam, if a driver replaces the contact; `None` for a flat face, because only a pair gives
     /// its direction.
-    pub fn touched_on_course<N: Real>(&self, scene: &Scene, place: &dyn Fn(PointId) -> Option<Point<N>>) -> Option<(Point<N>, Vec2<N>)> {
+    pub fn touched_on_course<N: Real>(
+        &self,
+        scene: &Scene,
+        place: &dyn Fn(PointId) -> Option<Point<N>>,
+    ) -> Option<(Point<N>, Vec2<N>)> {
         let pieces = self.posed.as_ref().filter(|_| self.is_on_course())?;
         let (end, radius) = (place(self.follows.point())?, self.end_in(scene)?);
         let normal = pieces.normal(scene, place, end)?;
@@ -79,11 +83,20 @@ impl Cam {
 
 impl Pieces {
     /// Returns the outward normal of the piece in contact at a place.
-    fn normal<N: Real>(&self, scene: &Scene, place: &dyn Fn(PointId) -> Option<Point<N>>, at: Point<N>) -> Option<Vec2<N>> {
+    fn normal<N: Real>(
+        &self,
+        scene: &Scene,
+        place: &dyn Fn(PointId) -> Option<Point<N>>,
+        at: Point<N>,
+    ) -> Option<Vec2<N>> {
         let [from, to] = self.frame;
         let origin = place(from)?;
         let axis = (place(to)? - origin).unit()?;
-        let piece = if N::refines() { self.in_numbers(scene)?.get(self.touched).copied()? } else { lifted(self.segments[self.touched]) };
+        let piece = if N::refines() {
+            self.in_numbers(scene)?.get(self.touched).copied()?
+        } else {
+            lifted(self.segments[self.touched])
+        };
         match piece {
             ProfileSegment::Arc { centre, radius, .. } => {
                 let away = (at - (origin + centre.rotate_by(axis))).unit()?;
@@ -98,11 +111,15 @@ impl Pieces {
 fn lifted<N: Real>(piece: ProfileSegment) -> ProfileSegment<N> {
     let number = N::from_f64;
     match piece {
-        ProfileSegment::Arc { centre, radius, normals } => {
-            ProfileSegment::Arc { centre: centre.lift(), radius: number(radius), normals: normals.map(number) }
-        }
-        ProfileSegment::Line { normal, distance, ends } => {
-            ProfileSegment::Line { normal: number(normal), distance: number(distance), ends: ends.map(number) }
-        }
+        ProfileSegment::Arc { centre, radius, normals } => ProfileSegment::Arc {
+            centre: centre.lift(),
+            radius: number(radius),
+            normals: normals.map(number),
+        },
+        ProfileSegment::Line { normal, distance, ends } => ProfileSegment::Line {
+            normal: number(normal),
+            distance: number(distance),
+            ends: ends.map(number),
+        },
     }
 }

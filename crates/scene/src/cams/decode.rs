@@ -14,10 +14,16 @@ use hodograph_base::json::{Node, NodeKind, Word};
 pub(crate) fn cam(node: &Node, extent: RequiredData, faults: &mut Faults) -> Option<RawCam> {
     let before = faults.list.len();
     let f = Fields::open(node, both!("a cam", "凸轮"), keys::CAM, faults)?;
-    let cam = f.need("cam", both!("\"2\", the link that is the cam", "\"2\"（作凸轮的构件）"), faults);
-    let follower = f.need("follower", both!("\"3\", the link that it moves", "\"3\"（从动件）"), faults);
+    let cam =
+        f.need("cam", both!("\"2\", the link that is the cam", "\"2\"（作凸轮的构件）"), faults);
+    let follower =
+        f.need("follower", both!("\"3\", the link that it moves", "\"3\"（从动件）"), faults);
     let counted = extent.is_of_pairs();
-    let profile = if counted { f.get("profile") } else { f.need("profile", "{\"centre\": \"B\", \"radius\": \"30 mm\"}", faults) };
+    let profile = if counted {
+        f.get("profile")
+    } else {
+        f.need("profile", "{\"centre\": \"B\", \"radius\": \"30 mm\"}", faults)
+    };
     let cam = cam.and_then(|n| word(n, "\"cam\"", faults));
     let follower = follower.and_then(|n| word(n, "\"follower\"", faults));
     let follows = follows(&f, counted, faults);
@@ -28,7 +34,15 @@ pub(crate) fn cam(node: &Node, extent: RequiredData, faults: &mut Faults) -> Opt
     let at = f.get("at").and_then(|n| word(n, "\"at\"", faults));
     let angle = f.get("angle").and_then(|n| quantity(n, "\"angle\"", faults));
     let whole = faults.list.len() == before;
-    let cam = RawCam { cam: cam?, follower: follower?, follows: follows?, profile: profile?, at, angle, span: node.span };
+    let cam = RawCam {
+        cam: cam?,
+        follower: follower?,
+        follows: follows?,
+        profile: profile?,
+        at,
+        angle,
+        span: node.span,
+    };
     whole.then_some(cam)
 }
 
@@ -39,15 +53,26 @@ fn follows(f: &Fields, counted: bool, faults: &mut Faults) -> Option<RawFollows>
     let [kind] = given.as_slice() else {
         let (message, help) = match given.is_empty() {
             true => (
-                both!("nothing says with what the follower touches the cam", "没有说明从动件以什么与凸轮接触"),
+                both!(
+                    "nothing says with what the follower touches the cam",
+                    "没有说明从动件以什么与凸轮接触"
+                ),
                 both!(
                     "add \"edge\": \"B\", \"roller\": {{\"pin\": \"B\", \"radius\": \"10 mm\"}}, \"arc\" or \"face\"",
                     "请加上 \"edge\": \"B\"（尖顶）、\"roller\": {{\"pin\": \"B\", \"radius\": \"10 mm\"}}（滚子）、\"arc\"（曲面）或 \"face\"（平底）"
                 ),
             ),
             false => (
-                both!("the follower touches the cam in {} ways: {}", "从动件与凸轮的接触写了 {} 种：{}", given.len(), Both::names(&given)),
-                both!("keep one of them; each contact is a cam of its own in the list", "请只保留一种；每个接触在列表中各写一项"),
+                both!(
+                    "the follower touches the cam in {} ways: {}",
+                    "从动件与凸轮的接触写了 {} 种：{}",
+                    given.len(),
+                    Both::names(&given)
+                ),
+                both!(
+                    "keep one of them; each contact is a cam of its own in the list",
+                    "请只保留一种；每个接触在列表中各写一项"
+                ),
             ),
         };
         faults.push(Diagnostic::error("cam-follower", message).at(f.span()).help(help));
@@ -61,14 +86,19 @@ fn follows(f: &Fields, counted: bool, faults: &mut Faults) -> Option<RawFollows>
             let known = if *kind == "roller" { keys::ROLLER } else { keys::ARC };
             let f = Fields::open(node, format!("\"{kind}\"").as_str(), known, faults)?;
             let pin = f.need("pin", "\"B\"", faults).and_then(|n| word(n, "\"pin\"", faults));
-            let radius = if counted { f.get("radius") } else { f.need("radius", "\"10 mm\"", faults) };
+            let radius =
+                if counted { f.get("radius") } else { f.need("radius", "\"10 mm\"", faults) };
             let radius = match radius {
                 Some(n) => Some(quantity(n, "\"radius\"", faults)?),
                 None => None,
             };
             let link = f.get("link").and_then(|n| word(n, "\"link\"", faults));
             let pin = pin?;
-            Some(if *kind == "roller" { RawFollows::Roller { pin, radius, link } } else { RawFollows::Arc { pin, radius } })
+            Some(if *kind == "roller" {
+                RawFollows::Roller { pin, radius, link }
+            } else {
+                RawFollows::Arc { pin, radius }
+            })
         }
     }
 }
@@ -76,13 +106,19 @@ fn follows(f: &Fields, counted: bool, faults: &mut Faults) -> Option<RawFollows>
 fn face(node: &Node, faults: &mut Faults) -> Option<RawFace> {
     let f = Fields::open(node, "\"face\"", keys::FACE, faults)?;
     let through = f.get("through").and_then(|n| match &n.kind {
-        NodeKind::Array(_) => two_quantities(n, "\"through\"", faults).map(|xy| RawThrough::At(xy, n.span)),
+        NodeKind::Array(_) => {
+            two_quantities(n, "\"through\"", faults).map(|xy| RawThrough::At(xy, n.span))
+        }
         _ => word(n, "\"through\"", faults).map(RawThrough::Point),
     });
     let line = f.get("line").and_then(|n| word(n, "\"line\"", faults));
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
     let (angle, offset) = (value("angle"), value("offset"));
-    let left = f.get("cam").and_then(|n| word(n, "\"cam\"", faults)).and_then(|w| one_of(&w, ["left", "right"], faults)).map(|k| k == 0);
+    let left = f
+        .get("cam")
+        .and_then(|n| word(n, "\"cam\"", faults))
+        .and_then(|w| one_of(&w, ["left", "right"], faults))
+        .map(|k| k == 0);
     Some(RawFace { through, line, angle, square: false, offset, left })
 }
 
@@ -90,8 +126,17 @@ fn face(node: &Node, faults: &mut Faults) -> Option<RawFace> {
 fn one_of(said: &Word, words: [&str; 2], faults: &mut Faults) -> Option<usize> {
     let found = words.iter().position(|w| *w == said.text);
     if found.is_none() {
-        let d = Diagnostic::error("unknown-word", both!("`{}` is not understood here", "此处不认识 `{}`", said.text)).at(said.span);
-        faults.push(d.help(both!("write \"{}\" or \"{}\"", "请写 \"{}\" 或 \"{}\"", words[0], words[1])));
+        let d = Diagnostic::error(
+            "unknown-word",
+            both!("`{}` is not understood here", "此处不认识 `{}`", said.text),
+        )
+        .at(said.span);
+        faults.push(d.help(both!(
+            "write \"{}\" or \"{}\"",
+            "请写 \"{}\" 或 \"{}\"",
+            words[0],
+            words[1]
+        )));
     }
     found
 }
@@ -99,25 +144,47 @@ fn one_of(said: &Word, words: [&str; 2], faults: &mut Faults) -> Option<usize> {
 fn profile(node: &Node, faults: &mut Faults) -> Option<RawProfile> {
     let law = matches!(&node.kind, NodeKind::Object(m) if m.iter().any(|(k, _)| k.text == "law" || k.text == "base"));
     if law {
-        let f = Fields::open(node, both!("a profile by a law", "按运动规律的廓线"), keys::CAM_LAW, faults)?;
-        let base = f.need("base", both!("\"30 mm\", the radius of the base circle", "\"30 mm\"（基圆半径）"), faults);
+        let f = Fields::open(
+            node,
+            both!("a profile by a law", "按运动规律的廓线"),
+            keys::CAM_LAW,
+            faults,
+        )?;
+        let base = f.need(
+            "base",
+            both!("\"30 mm\", the radius of the base circle", "\"30 mm\"（基圆半径）"),
+            faults,
+        );
         let base = base.and_then(|n| quantity(n, "\"base\"", faults));
         let start = f.get("start").and_then(|n| quantity(n, "\"start\"", faults));
         let turns = f.get("turns").and_then(|n| word(n, "\"turns\"", faults));
-        let clockwise = turns.and_then(|w| one_of(&w, ["counter-clockwise", "clockwise"], faults)).is_some_and(|k| k == 1);
-        let list = f.need("law", "[{\"rise\": \"20 mm\", \"over\": \"120 deg\", \"law\": \"cycloidal\"}, ...]", faults);
-        let stages = items(list, "\"law\"", faults).iter().filter_map(|n| stage(n, faults)).collect();
+        let clockwise = turns
+            .and_then(|w| one_of(&w, ["counter-clockwise", "clockwise"], faults))
+            .is_some_and(|k| k == 1);
+        let list = f.need(
+            "law",
+            "[{\"rise\": \"20 mm\", \"over\": \"120 deg\", \"law\": \"cycloidal\"}, ...]",
+            faults,
+        );
+        let stages =
+            items(list, "\"law\"", faults).iter().filter_map(|n| stage(n, faults)).collect();
         return Some(RawProfile::Law { base: base?, start, clockwise, stages });
     }
     match &node.kind {
-        NodeKind::Array(_) => {
-            Some(RawProfile::Parts(items(Some(node), "\"profile\"", faults).iter().filter_map(|n| part(n, faults)).collect()))
-        }
+        NodeKind::Array(_) => Some(RawProfile::Parts(
+            items(Some(node), "\"profile\"", faults)
+                .iter()
+                .filter_map(|n| part(n, faults))
+                .collect(),
+        )),
         NodeKind::Object(_) => part(node, faults).map(|p| RawProfile::Parts(vec![p])),
         NodeKind::Text(_) | NodeKind::Number(_) | NodeKind::Bool(_) | NodeKind::Null => wrong(
             node,
             "\"profile\"",
-            both!("a circle, a list of arcs and lines, or a law", "圆、由圆弧和直线组成的列表，或运动规律"),
+            both!(
+                "a circle, a list of arcs and lines, or a law",
+                "圆、由圆弧和直线组成的列表，或运动规律"
+            ),
             faults,
         ),
     }
@@ -129,7 +196,11 @@ fn part(node: &Node, faults: &mut Faults) -> Option<RawPart> {
         if said.text == "tangent" {
             return Some(RawPart::Tangent(said.span));
         }
-        let d = Diagnostic::error("unknown-word", both!("`{}` is no part of a profile", "`{}` 不是廓线的一段", said.text)).at(said.span);
+        let d = Diagnostic::error(
+            "unknown-word",
+            both!("`{}` is no part of a profile", "`{}` 不是廓线的一段", said.text),
+        )
+        .at(said.span);
         faults.push(d.help(both!(
             "write \"tangent\", {{\"centre\": \"Q\", \"radius\": ...}}, {{\"radius\": ...}} or {{\"corner\": \"P\"}}",
             "请写 \"tangent\"、{{\"centre\": \"Q\", \"radius\": ...}}、{{\"radius\": ...}} 或 {{\"corner\": \"P\"}}"
@@ -141,7 +212,8 @@ fn part(node: &Node, faults: &mut Faults) -> Option<RawPart> {
         return word(corner, "\"corner\"", faults).map(RawPart::Corner);
     }
     let centre = f.get("centre").map(|n| word(n, "\"centre\"", faults));
-    let radius = f.need("radius", "\"30 mm\"", faults).and_then(|n| quantity(n, "\"radius\"", faults));
+    let radius =
+        f.need("radius", "\"30 mm\"", faults).and_then(|n| quantity(n, "\"radius\"", faults));
     match centre {
         None => radius.map(RawPart::Flank),
         Some(centre) => Some(RawPart::Circle { centre: centre?, radius: radius? }),
@@ -149,11 +221,15 @@ fn part(node: &Node, faults: &mut Faults) -> Option<RawPart> {
 }
 
 fn stage(node: &Node, faults: &mut Faults) -> Option<RawStage> {
-    let f = Fields::open(node, both!("a stage of the law", "运动规律的一段"), keys::CAM_STAGE, faults)?;
+    let f =
+        Fields::open(node, both!("a stage of the law", "运动规律的一段"), keys::CAM_STAGE, faults)?;
     let kinds = ["rise", "dwell", "return"];
     let given: Vec<&str> = kinds.into_iter().filter(|k| f.get(k).is_some()).collect();
     let [kind] = given.as_slice() else {
-        let message = both!("a stage is one of `rise`, `dwell`, `return`", "每段应为 `rise`、`dwell`、`return` 之一");
+        let message = both!(
+            "a stage is one of `rise`, `dwell`, `return`",
+            "每段应为 `rise`、`dwell`、`return` 之一"
+        );
         let d = Diagnostic::error("cam-law", message).at(node.span);
         faults.push(d.help(both!(
             "write {{\"rise\": \"20 mm\", \"over\": \"120 deg\", \"law\": \"cycloidal\"}} or {{\"dwell\": \"60 deg\"}}",
@@ -178,7 +254,11 @@ fn known_law(said: Word, faults: &mut Faults) -> Option<Word> {
         return Some(said);
     }
     let otherwise: Both = both!("the laws are", "运动规律有");
-    let d = Diagnostic::error("unknown-law", both!("`{}` is no motion law", "没有名为 `{}` 的运动规律", said.text)).at(said.span);
+    let d = Diagnostic::error(
+        "unknown-law",
+        both!("`{}` is no motion law", "没有名为 `{}` 的运动规律", said.text),
+    )
+    .at(said.span);
     faults.push(d.help(suggest(&said.text, MotionLaw::ALL.iter().map(|l| l.name()), otherwise)));
     None
 }

@@ -56,7 +56,13 @@ fn of_the_pose(code: &str) -> bool {
 
 /// Writes the pairs of all cams. `bare` is the scene without them; `on` (cam, piece) overrides the
 /// piece in contact in the pose.
-pub(crate) fn expand(raw: RawScene, source: &str, bare: &Scene, on: Option<(usize, usize)>, faults: &mut Faults) -> Expanded {
+pub(crate) fn expand(
+    raw: RawScene,
+    source: &str,
+    bare: &Scene,
+    on: Option<(usize, usize)>,
+    faults: &mut Faults,
+) -> Expanded {
     let parameters = raw.parameters.clone();
     let (values, _) = Values::new(source, &raw.units, &parameters, &mut Faults::default());
     let mut out = Expanded { raw: raw.clone(), cams: Vec::new(), used: HashSet::new() };
@@ -92,13 +98,21 @@ pub(super) fn note<T>(result: Result<T, Diagnostic>, faults: &mut Faults) -> Opt
 }
 
 impl CamReplacement<'_> {
-    pub(super) fn number_text(&self, q: &RawQuantity, wanted: RequiredQuantity, faults: &mut Faults) -> Option<NumberText> {
+    pub(super) fn number_text(
+        &self,
+        q: &RawQuantity,
+        wanted: RequiredQuantity,
+        faults: &mut Faults,
+    ) -> Option<NumberText> {
         if wanted == RequiredQuantity::Angle {
             let given = self.values.angle(q, faults)?;
             return Some(NumberText { value: given.value.radians(), text: given.text });
         }
         let given = self.values.si(q, wanted, faults)?;
-        Some(NumberText { value: given.value, text: if given.value == 0.0 { "0 mm".into() } else { given.text } })
+        Some(NumberText {
+            value: given.value,
+            text: if given.value == 0.0 { "0 mm".into() } else { given.text },
+        })
     }
 
     pub(super) fn positive(&self, q: &RawQuantity, faults: &mut Faults) -> Option<NumberText> {
@@ -127,9 +141,15 @@ impl CamReplacement<'_> {
                 let d = match face.through {
                     Some(_) => Diagnostic::error(
                         "cam-follower",
-                        both!("a face passes through a point of the follower, not through coordinates", "平底应通过从动件上的点，而非坐标"),
+                        both!(
+                            "a face passes through a point of the follower, not through coordinates",
+                            "平底应通过从动件上的点，而非坐标"
+                        ),
                     ),
-                    None => Diagnostic::error("missing-key", both!("\"face\" has no `through`", "\"face\" 没有 `through`")),
+                    None => Diagnostic::error(
+                        "missing-key",
+                        both!("\"face\" has no `through`", "\"face\" 没有 `through`"),
+                    ),
                 };
                 faults.push(d.at(self.raw.span).help(both!(
                     "add \"through\": \"C\", a point of the follower; a follower that slides in one guide needs none",
@@ -139,7 +159,11 @@ impl CamReplacement<'_> {
             return None;
         };
         if cam == follower {
-            let message = both!("link `{}` cannot be cam and follower at once", "构件 `{}` 不能既是凸轮又是从动件", self.raw.cam.text);
+            let message = both!(
+                "link `{}` cannot be cam and follower at once",
+                "构件 `{}` 不能既是凸轮又是从动件",
+                self.raw.cam.text
+            );
             faults.push(Diagnostic::error("cam-follower", message).at(self.raw.follower.span));
             return None;
         }
@@ -185,11 +209,20 @@ impl CamReplacement<'_> {
         let told = match &self.raw.profile {
             _ if self.raw.follows.lacks_radius() || self.no_point_of_face() => None,
             RawProfile::Untold => None,
-            RawProfile::Parts(parts) => self.by_parts(raw, parts, (cam, follower, point), (end, placed), &mut pending, faults),
+            RawProfile::Parts(parts) => self.by_parts(
+                raw,
+                parts,
+                (cam, follower, point),
+                (end, placed),
+                &mut pending,
+                faults,
+            ),
             RawProfile::Law { base, start, clockwise, stages } => {
                 let slides = self.bare.guides.iter().any(|g| g.slider == Some(follower));
                 let law = self.law(base, start, *clockwise, stages, !slides, faults);
-                law.and_then(|law| self.by_law(raw, law, point, (end, placed), &mut pending, faults))
+                law.and_then(|law| {
+                    self.by_law(raw, law, point, (end, placed), &mut pending, faults)
+                })
             }
         };
         match (told, before) {
@@ -228,7 +261,8 @@ impl CamReplacement<'_> {
         };
         let mut face = face.clone();
         let mut offset = offset;
-        if let (Some(CarriedFollower::Pivot { pivot, .. }), Some(line), None) = (carried, &face.line, &face.angle)
+        if let (Some(CarriedFollower::Pivot { pivot, .. }), Some(line), None) =
+            (carried, &face.line, &face.angle)
             && let Ok((from, to)) = self.names.pair(line)
             && to == *pivot
             && from != *pivot
@@ -242,12 +276,18 @@ impl CamReplacement<'_> {
         if let Some(CarriedFollower::Guide { angle: guide, .. }) = carried {
             match &face.angle {
                 None if face.line.is_none() && !face.square => {
-                    face.angle = Some(RawQuantity { text: format!("({})+90 deg", guide.text), span: self.raw.span, bare: false });
+                    face.angle = Some(RawQuantity {
+                        text: format!("({})+90 deg", guide.text),
+                        span: self.raw.span,
+                        bare: false,
+                    });
                     face.left = Some(face.left.unwrap_or(true));
                 }
                 // The positive sense of the guide is the rise, unless the scene has the cam's side.
                 Some(q) if face.left.is_none() => {
-                    let u = Vec2::from_angle(self.number_text(q, RequiredQuantity::Angle, faults)?.value);
+                    let u = Vec2::from_angle(
+                        self.number_text(q, RequiredQuantity::Angle, faults)?.value,
+                    );
                     face.left = Some(u.perp().dot(Vec2::from_angle(guide.value)) < 0.0);
                 }
                 _ => {}
@@ -260,15 +300,23 @@ impl CamReplacement<'_> {
     /// True without a face, or if it is square to its guide and passes through its pin.
     fn is_square_to_guide(&self, guide: f64) -> bool {
         let RawFollows::Face(face) = &self.raw.follows else { return true };
-        let angle = face.angle.as_ref().and_then(|q| self.number_text(q, RequiredQuantity::Angle, &mut Faults::default()));
+        let angle = face
+            .angle
+            .as_ref()
+            .and_then(|q| self.number_text(q, RequiredQuantity::Angle, &mut Faults::default()));
         // Written angles have about nine digits.
-        face.line.is_none() && face.offset.is_none() && angle.is_none_or(|a| libm::cos(a.value - guide).abs() < 1e-9)
+        face.line.is_none()
+            && face.offset.is_none()
+            && angle.is_none_or(|a| libm::cos(a.value - guide).abs() < 1e-9)
     }
 
     /// Returns −1 for a face along its guide turned by +90°, +1 for the opposite sense.
     fn turned_from_guide(&self, guide: f64) -> f64 {
         let RawFollows::Face(face) = &self.raw.follows else { return -1.0 };
-        let angle = face.angle.as_ref().and_then(|q| self.number_text(q, RequiredQuantity::Angle, &mut Faults::default()));
+        let angle = face
+            .angle
+            .as_ref()
+            .and_then(|q| self.number_text(q, RequiredQuantity::Angle, &mut Faults::default()));
         angle.map_or(-1.0, |a| if libm::sin(a.value - guide) < 0.0 { 1.0 } else { -1.0 })
     }
 
@@ -277,9 +325,11 @@ impl CamReplacement<'_> {
         Reckoned::of(self.bare).seen_from(frame, place::coordinates_or_sketch(self.bare, point)?)
     }
 
-    /// Returns the cam with its follower on the side that the scene states. In a guide this is the side nearer to the coordinates or the sketch of the
-    /// contact point. On an arm it is the side, given by `side`, of the line in which the two assemblies are mirror images: that of the pivots, and on a
-    /// circular cam that of the arm's pivot and the circle's centre, which the arm never crosses. `at` returns the places of points in the pose.
+    /// Returns the cam with its follower on the side that the scene states. In a guide this is the
+    /// side nearer to the coordinates or the sketch of the contact point. On an arm it is the side,
+    /// given by `side`, of the line in which the two assemblies are mirror images: that of the
+    /// pivots, and on a circular cam that of the arm's pivot and the circle's centre, which the arm
+    /// never crosses. `at` returns the places of points in the pose.
     pub(super) fn on_its_side(
         &self,
         disc: Disc,
@@ -292,11 +342,15 @@ impl CamReplacement<'_> {
             (FollowerTip::Point { .. }, Follower::Translating { direction, offset }) => {
                 Follower::Translating { direction: -direction, offset: -offset }
             }
-            (FollowerTip::Point { .. }, Follower::Oscillating { pivot, arm, sense }) => Follower::Oscillating { pivot, arm, sense: -sense },
+            (FollowerTip::Point { .. }, Follower::Oscillating { pivot, arm, sense }) => {
+                Follower::Oscillating { pivot, arm, sense: -sense }
+            }
             (FollowerTip::Flat { .. }, _) => return disc,
         };
         let other = Disc { follower: other, ..disc.clone() };
-        let place = |d: &Disc| Some(centre + d.follower.point(d.coordinate(phi, PieceSide::After)?).order(0));
+        let place = |d: &Disc| {
+            Some(centre + d.follower.point(d.coordinate(phi, PieceSide::After)?).order(0))
+        };
         if let Follower::Oscillating { .. } = disc.follower {
             if !matches!(&disc.motion, CamMotion::Profile(pieces) if pieces.len() == 1) {
                 return disc;
@@ -304,7 +358,10 @@ impl CamReplacement<'_> {
             let (Some(own), Some(mirrored)) = (place(&disc), place(&other)) else { return disc };
             let swaps = |s: &super::super::model::Side| {
                 let [from, to] = [at(s.from)?, at(s.to)?];
-                let off = |end: Vec2| ((own - end).norm() - (mirrored - end).norm()).abs() <= 1e-9 * (to - from).norm();
+                let off = |end: Vec2| {
+                    ((own - end).norm() - (mirrored - end).norm()).abs()
+                        <= 1e-9 * (to - from).norm()
+                };
                 let left = |b: Vec2| (to - from).cross(b - from) > 0.0;
                 Some(off(from) && off(to) && left(own) != s.left && left(mirrored) == s.left)
             };
@@ -320,10 +377,14 @@ impl CamReplacement<'_> {
         }
     }
 
-    /// Returns the place of a point of the carrying link, or of the cam, in the pose, in the axes of the carrying link.
+    /// Returns the place of a point of the carrying link, or of the cam, in the pose, in the axes
+    /// of the carrying link.
     pub(super) fn spot_on(&self, on: &OnPivot, point: PointId) -> Option<Vec2> {
-        let of_cam =
-            on.local.iter().find(|(p, _)| *p == point).map(|(_, at)| on.spot.at() + at.rotate_by(Vec2::from_angle(on.angle.value)));
+        let of_cam = on
+            .local
+            .iter()
+            .find(|(p, _)| *p == point)
+            .map(|(_, at)| on.spot.at() + at.rotate_by(Vec2::from_angle(on.angle.value)));
         of_cam.or_else(|| Some(self.spot_in(on.frame, point)?.at()))
     }
 
@@ -345,24 +406,43 @@ impl CamReplacement<'_> {
         let (cam, carried) = placed;
         let face = matches!(self.raw.follows, RawFollows::Face(_));
         let (arm, sense) = match carried {
-            CarriedFollower::Guide { pin, angle, .. } if *pin == point && self.is_square_to_guide(angle.value) => {
+            CarriedFollower::Guide { pin, angle, .. }
+                if *pin == point && self.is_square_to_guide(angle.value) =>
+            {
                 (None, if face { sense * self.turned_from_guide(angle.value) } else { 1.0 })
             }
             CarriedFollower::Guide { .. } => return None,
             CarriedFollower::Pivot { pivot, .. } if face => {
                 return (*pivot == point && self.goes_out_from(*pivot)).then(|| {
                     let lever = offset.map_or(0.0, |o| o.value) * sense;
-                    (place::geometry(carried, cam.spot.at(), 0.0, sense), FollowerTip::Flat { lever }, None)
+                    (
+                        place::geometry(carried, cam.spot.at(), 0.0, sense),
+                        FollowerTip::Flat { lever },
+                        None,
+                    )
                 });
             }
             CarriedFollower::Pivot { pivot, spot } => {
                 let arm = place::apart(self.bare, *pivot, point)?;
                 let told = self.coordinates_or_sketch_in(cam.frame, point);
-                (Some(arm), place::sense(self.bare, [*pivot, cam.pivot, point], [spot.at(), cam.spot.at()], told))
+                (
+                    Some(arm),
+                    place::sense(
+                        self.bare,
+                        [*pivot, cam.pivot, point],
+                        [spot.at(), cam.spot.at()],
+                        told,
+                    ),
+                )
             }
         };
-        let geometry = place::geometry(carried, cam.spot.at(), arm.as_ref().map_or(0.0, |a| a.value), sense);
-        let touch = if face { FollowerTip::Flat { lever: 0.0 } } else { FollowerTip::Point { radius: 0.0 } };
+        let geometry =
+            place::geometry(carried, cam.spot.at(), arm.as_ref().map_or(0.0, |a| a.value), sense);
+        let touch = if face {
+            FollowerTip::Flat { lever: 0.0 }
+        } else {
+            FollowerTip::Point { radius: 0.0 }
+        };
         Some((geometry, touch, arm))
     }
 
@@ -395,10 +475,10 @@ impl CamReplacement<'_> {
                 self.raw.cam.text
             ),
         );
-        faults.push(
-            d.at(self.raw.span)
-                .help(both!("check the radii, the offset of the guide and the length of the arm", "请检查各半径、导路的偏距和摆杆长度")),
-        );
+        faults.push(d.at(self.raw.span).help(both!(
+            "check the radii, the offset of the guide and the length of the arm",
+            "请检查各半径、导路的偏距和摆杆长度"
+        )));
         None
     }
 
@@ -406,10 +486,13 @@ impl CamReplacement<'_> {
     pub(super) fn joint(&self, disc: &Disc, phi: f64, on: &OnPivot, faults: &mut Faults) {
         let sides = [PieceSide::Before, PieceSide::After].map(|side| disc.coordinate(phi, side));
         let [Some(before), Some(after)] = sides else { return };
-        if disc.touched(phi, PieceSide::Before) == disc.touched(phi, PieceSide::After) && matches!(disc.motion, CamMotion::Profile(_)) {
+        if disc.touched(phi, PieceSide::Before) == disc.touched(phi, PieceSide::After)
+            && matches!(disc.motion, CamMotion::Profile(_))
+        {
             return;
         }
-        let a = [before, after].map(|q| q.0[2] * on.rate * on.rate + q.0[1] * on.acceleration * disc.sense);
+        let a = [before, after]
+            .map(|q| q.0[2] * on.rate * on.rate + q.0[1] * on.acceleration * disc.sense);
         if (a[0] - a[1]).abs() <= 1e-9 * a[0].abs().max(a[1].abs()) {
             return;
         }
@@ -434,13 +517,21 @@ impl Expanded {
         let link = |name: &str| scene.links.iter().position(|l| l.name == name).map(LinkId);
         let one = |p: Pending| {
             let disc = p.disc.and_then(|(pivot, turning)| {
-                Some(TurningCam { pivot: point(&pivot)?, rough: p.rough.and_then(|(name, at)| Some((point(&name)?, at))), ..turning })
+                Some(TurningCam {
+                    pivot: point(&pivot)?,
+                    rough: p.rough.and_then(|(name, at)| Some((point(&name)?, at))),
+                    ..turning
+                })
             });
             Some(Cam {
                 cam: link(&p.cam)?,
                 follower: link(&p.follower)?,
                 follows: (p.follows)(point(&p.point)?, p.radius),
-                touch: p.at.as_deref().and_then(point).filter(|p| scene.carriers(*p).next().is_none()),
+                touch: p
+                    .at
+                    .as_deref()
+                    .and_then(point)
+                    .filter(|p| scene.carriers(*p).next().is_none()),
                 left: p.left,
                 roller: p.roller,
                 at: p.at,
@@ -452,7 +543,14 @@ impl Expanded {
                 posed: p.posed.and_then(|posed| {
                     let [from, to] = posed.frame.map(|name| point(&name));
                     let (segments, texts, touched) = (posed.segments, posed.texts, posed.touched);
-                    Some(Pieces { frame: [from?, to?], segments, texts, touched, others: Vec::new(), led: None })
+                    Some(Pieces {
+                        frame: [from?, to?],
+                        segments,
+                        texts,
+                        touched,
+                        others: Vec::new(),
+                        led: None,
+                    })
                 }),
                 span: p.span,
             })

@@ -65,21 +65,35 @@ impl CamReplacement<'_> {
         if let Some((driver, ratio)) = direct(link) {
             return Some(TurningDriver { driver, ratio, train: None });
         }
-        let mut reached: Vec<(LinkId, NumberText, Vec<usize>)> = vec![(link, NumberText { value: 1.0, text: "1".into() }, Vec::new())];
+        let mut reached: Vec<(LinkId, NumberText, Vec<usize>)> =
+            vec![(link, NumberText { value: 1.0, text: "1".into() }, Vec::new())];
         let mut next = 0;
         while next < reached.len() {
             let (wheel, so_far, path) = reached[next].clone();
             next += 1;
             for i in 0..self.bare.rolling.len() {
-                let Some(mesh) = self.mesh(i, wheel, frame).filter(|m| reached.iter().all(|(l, ..)| *l != m.other)) else { continue };
+                let Some(mesh) = self
+                    .mesh(i, wheel, frame)
+                    .filter(|m| reached.iter().all(|(l, ..)| *l != m.other))
+                else {
+                    continue;
+                };
                 let ratio = NumberText {
                     value: so_far.value * mesh.ratio.value,
-                    text: if path.is_empty() { mesh.ratio.text } else { format!("{}*({})", so_far.text, mesh.ratio.text) },
+                    text: if path.is_empty() {
+                        mesh.ratio.text
+                    } else {
+                        format!("{}*({})", so_far.text, mesh.ratio.text)
+                    },
                 };
                 let path: Vec<usize> = path.iter().copied().chain([i]).collect();
                 if let Some((driver, way)) = direct(mesh.other) {
                     let text = if way < 0.0 { format!("-({})", ratio.text) } else { ratio.text };
-                    return Some(TurningDriver { driver, ratio: way * ratio.value, train: Some((text, path)) });
+                    return Some(TurningDriver {
+                        driver,
+                        ratio: way * ratio.value,
+                        train: Some((text, path)),
+                    });
                 }
                 reached.push((mesh.other, ratio, path));
             }
@@ -91,20 +105,27 @@ impl CamReplacement<'_> {
     /// other link instead.
     fn turned_by(&self, link: LinkId, frame: LinkId) -> Option<(usize, f64)> {
         let scene = self.bare;
-        let plain = |link: LinkId, line: &Option<(PointId, PointId)>| match (line, scene.links[link.0].points.as_slice()) {
+        let plain = |link: LinkId, line: &Option<(PointId, PointId)>| match (
+            line,
+            scene.links[link.0].points.as_slice(),
+        ) {
             (None, _) => true,
             (Some(line), [first, second, ..]) => link != scene.ground && *line == (*first, *second),
             (Some(_), _) => false,
         };
         scene.drivers.iter().enumerate().find_map(|(i, d)| match &d.kind {
-            DriverKind::Turn { link: of, against, line, against_line, .. } if plain(*of, line) && plain(*against, against_line) => {
+            DriverKind::Turn { link: of, against, line, against_line, .. }
+                if plain(*of, line) && plain(*against, against_line) =>
+            {
                 match (*of, *against) {
                     (l, a) if (l, a) == (link, frame) => Some((i, 1.0)),
                     (l, a) if (l, a) == (frame, link) => Some((i, -1.0)),
                     _ => None,
                 }
             }
-            DriverKind::Turn { .. } | DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
+            DriverKind::Turn { .. } | DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => {
+                None
+            }
         })
     }
 
@@ -113,7 +134,8 @@ impl CamReplacement<'_> {
     fn mesh(&self, pair: usize, wheel: LinkId, frame: LinkId) -> Option<WheelMesh> {
         let r = &self.bare.rolling[pair];
         let (second, other) = (r.links[1] == wheel, r.other(wheel)?);
-        let centres = r.round().filter(|c| c.iter().all(|p| self.bare.links[frame.0].points.contains(p)))?;
+        let centres =
+            r.round().filter(|c| c.iter().all(|p| self.bare.links[frame.0].points.contains(p)))?;
         let [from, to] = centres.map(|p| self.spot_in(frame, p));
         let (from, to) = (from?, to?);
         let line = NumberText { value: (to.at() - from.at()).angle(), text: direction(&from, &to) };
@@ -122,11 +144,21 @@ impl CamReplacement<'_> {
 
     /// Returns the angle of a link's first two points in the carrying link, if a driver,
     /// coordinates or phases give it.
-    pub(super) fn given_angle(&self, link: LinkId, frame: LinkId, turned: &TurningDriver, beyond: &mut Vec<LinkId>) -> Option<NumberText> {
+    pub(super) fn given_angle(
+        &self,
+        link: LinkId,
+        frame: LinkId,
+        turned: &TurningDriver,
+        beyond: &mut Vec<LinkId>,
+    ) -> Option<NumberText> {
         let own = self.turned_by(link, frame);
         let by_places = || {
             let (of, from) = (self.line_of(link)?, self.line_of(frame)?);
-            let text = if frame == self.bare.ground { of.text } else { format!("({})-({})", of.text, from.text) };
+            let text = if frame == self.bare.ground {
+                of.text
+            } else {
+                format!("({})-({})", of.text, from.text)
+            };
             Some(NumberText { value: of.value - from.value, text })
         };
         let by_driver = own.and_then(|(driver, way)| {
@@ -145,10 +177,22 @@ impl CamReplacement<'_> {
             let (line, ratio) = (&mesh.line, &mesh.ratio);
             Some(if mesh.second {
                 let value = line.value + phase.value + others.value * ratio.value;
-                NumberText { value, text: format!("({})+({})+({})*({})", line.text, phase.text, others.text, ratio.text) }
+                NumberText {
+                    value,
+                    text: format!(
+                        "({})+({})+({})*({})",
+                        line.text, phase.text, others.text, ratio.text
+                    ),
+                }
             } else {
                 let value = line.value + (others.value - phase.value) * ratio.value;
-                NumberText { value, text: format!("({})+(({})-({}))*({})", line.text, others.text, phase.text, ratio.text) }
+                NumberText {
+                    value,
+                    text: format!(
+                        "({})+(({})-({}))*({})",
+                        line.text, others.text, phase.text, ratio.text
+                    ),
+                }
             })
         });
         // A wheel with only its centre has no line: its axes have the direction of the carrying
@@ -159,11 +203,18 @@ impl CamReplacement<'_> {
 
     /// Returns the angle of the other wheel from the line of centres, in the convention for
     /// positions of wheels: with whole turns if its own driver gives it, else within half a turn.
-    fn against_line(&self, mesh: &WheelMesh, frame: LinkId, turned: &TurningDriver, beyond: &mut Vec<LinkId>) -> Option<NumberText> {
+    fn against_line(
+        &self,
+        mesh: &WheelMesh,
+        frame: LinkId,
+        turned: &TurningDriver,
+        beyond: &mut Vec<LinkId>,
+    ) -> Option<NumberText> {
         let stands = self.given_angle(mesh.other, frame, turned, beyond)?;
         // A train's driver without an angle begins at 0.
         let is_written = |d: usize| d == turned.driver || self.stated(d).is_some();
-        let written = frame == self.bare.ground && self.turned_by(mesh.other, frame).is_some_and(|(d, _)| is_written(d));
+        let written = frame == self.bare.ground
+            && self.turned_by(mesh.other, frame).is_some_and(|(d, _)| is_written(d));
         let value = stands.value - mesh.line.value;
         let text = format!("({})-({})", stands.text, mesh.line.text);
         let turns = if written { 0.0 } else { turns_of(value) };
@@ -176,7 +227,13 @@ impl CamReplacement<'_> {
 
     /// Adds the data of a cam driven through wheels to the scene: the angle of the cam becomes the
     /// phase of the next pair. Returns `None` after a reported fault.
-    pub(super) fn behind_wheels(&self, raw: &mut RawScene, cam: LinkId, on: Option<&OnPivot>, faults: &mut Faults) -> Option<()> {
+    pub(super) fn behind_wheels(
+        &self,
+        raw: &mut RawScene,
+        cam: LinkId,
+        on: Option<&OnPivot>,
+        faults: &mut Faults,
+    ) -> Option<()> {
         let frame = on.map_or(self.bare.ground, |on| on.frame);
         if let Some(on) = on.filter(|_| self.turned_by(cam, frame).is_none()) {
             self.begun(raw, on.driver);
@@ -186,11 +243,18 @@ impl CamReplacement<'_> {
             "`angle` says how a cam stands that gears, a belt or a chain turn; leave it away",
             "`angle` 用于说明由齿轮、带或链带动的凸轮的位置；请去掉"
         );
-        let mut wrong = |message| faults.push(Diagnostic::error("cam-angle", message).at(q.span).help(help.clone()));
+        let mut wrong = |message| {
+            faults.push(Diagnostic::error("cam-angle", message).at(q.span).help(help.clone()))
+        };
         let name = &self.raw.cam.text;
         let turned = self.turns(cam, frame).filter(|t| !t.direct());
-        let Some((turned, pair)) = turned.and_then(|t| t.train.as_ref().and_then(|(_, path)| path.first().copied()).map(|i| (t, i))) else {
-            wrong(both!("no wheels turn cam `{name}`: its driver says how it stands", "凸轮 `{name}` 不是由轮系带动：其位置由原动件给出"));
+        let Some((turned, pair)) = turned.and_then(|t| {
+            t.train.as_ref().and_then(|(_, path)| path.first().copied()).map(|i| (t, i))
+        }) else {
+            wrong(both!(
+                "no wheels turn cam `{name}`: its driver says how it stands",
+                "凸轮 `{name}` 不是由轮系带动：其位置由原动件给出"
+            ));
             return None;
         };
         if self.bare.rolling[pair].phase.is_some() || self.line_of(cam).is_some() {
@@ -216,7 +280,9 @@ impl CamReplacement<'_> {
     /// Gives the angle 0 to a driver whose wheel has only its centre, so that other positions of
     /// the cam that it drives through wheels are defined.
     fn begun(&self, raw: &mut RawScene, driver: usize) {
-        if let Some(RawDriverKind::Turn { angle: angle @ None, .. }) = raw.drivers.get_mut(driver).map(|d| &mut d.kind) {
+        if let Some(RawDriverKind::Turn { angle: angle @ None, .. }) =
+            raw.drivers.get_mut(driver).map(|d| &mut d.kind)
+        {
             *angle = Some(RawQuantity { text: "0 deg".into(), span: self.raw.span, bare: false });
         }
     }
@@ -224,9 +290,9 @@ impl CamReplacement<'_> {
     /// Returns the angle of a driver as written.
     pub(super) fn stated(&self, driver: usize) -> Option<NumberText> {
         match &self.bare.drivers[driver].kind {
-            DriverKind::Turn { angle, .. } => {
-                angle.as_ref().map(|a| NumberText::angle(&GivenQuantity { text: self.values.text_of(a), ..a.clone() }))
-            }
+            DriverKind::Turn { angle, .. } => angle.as_ref().map(|a| {
+                NumberText::angle(&GivenQuantity { text: self.values.text_of(a), ..a.clone() })
+            }),
             DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
         }
     }
@@ -247,7 +313,10 @@ impl CamReplacement<'_> {
         let name = self.bare.link_name(cam);
         if turned.direct() {
             return Lacking {
-                what: both!("the driver of cam `{name}` has no angle", "凸轮 `{name}` 的原动件没有给出角度"),
+                what: both!(
+                    "the driver of cam `{name}` has no angle",
+                    "凸轮 `{name}` 的原动件没有给出角度"
+                ),
                 help: both!("add \"angle\" to it", "请给原动件加上 \"angle\""),
             };
         }
@@ -267,15 +336,25 @@ impl CamReplacement<'_> {
 /// Returns the ratio of one wheel's rotation to the other's.
 fn ratio(r: &Rolling, second: bool) -> Option<NumberText> {
     let (sizes, same): ([NumberText; 2], bool) = match &r.contours {
-        Contours::Circles { sizes: Sizes::Teeth(teeth), hollow, .. } => (teeth.map(whole), hollow.is_some()),
-        Contours::Circles { sizes: Sizes::Radii(radii), hollow, .. } => (radii.each_ref().map(NumberText::length), hollow.is_some()),
+        Contours::Circles { sizes: Sizes::Teeth(teeth), hollow, .. } => {
+            (teeth.map(whole), hollow.is_some())
+        }
+        Contours::Circles { sizes: Sizes::Radii(radii), hollow, .. } => {
+            (radii.each_ref().map(NumberText::length), hollow.is_some())
+        }
         Contours::Belt { teeth: Some(teeth), crossed, .. } => (teeth.map(whole), !crossed),
-        Contours::Belt { radii, crossed, .. } => (radii.each_ref().map(NumberText::length), !crossed),
+        Contours::Belt { radii, crossed, .. } => {
+            (radii.each_ref().map(NumberText::length), !crossed)
+        }
         Contours::Track { .. } => return None,
     };
     let [mine, its] = if second { [&sizes[1], &sizes[0]] } else { [&sizes[0], &sizes[1]] };
     let (value, text) = (its.value / mine.value, format!("({})/({})", its.text, mine.text));
-    Some(if same { NumberText { value, text } } else { NumberText { value: -value, text: format!("-({text})") } })
+    Some(if same {
+        NumberText { value, text }
+    } else {
+        NumberText { value: -value, text: format!("-({text})") }
+    })
 }
 
 fn whole(teeth: u32) -> NumberText {

@@ -20,7 +20,9 @@
 use super::super::model::{GivenQuantity, LinkId, PointId, Scene};
 use super::super::raw::{RawDriver, RawDriverKind, RawPlace, RawQuantity};
 use super::place::{CarriedFollower, OnPivot, PointTexts, direction, distance, outward};
-use hodograph_base::cam::{CamStation, Disc, FollowerTip, PieceSide, StageMotion, StageProgram, in_turn_of};
+use hodograph_base::cam::{
+    CamStation, Disc, FollowerTip, PieceSide, StageMotion, StageProgram, in_turn_of,
+};
 use hodograph_base::diag::Span;
 use hodograph_base::json::Word;
 
@@ -101,10 +103,22 @@ impl<'a> StageTexts<'a> {
         let (i, _, _) = program.stage(phi, side)?;
         let stage = &program.stages[i];
         let out = if outward(at.carried, &disc.follower) < 0.0 { "-" } else { "+" };
-        let mut t = StageTexts { at, law, name, parameters: Vec::new(), out, s: String::new(), rates: None };
+        let mut t = StageTexts {
+            at,
+            law,
+            name,
+            parameters: Vec::new(),
+            out,
+            s: String::new(),
+            rates: None,
+        };
         // The angle from the start of the law, minus whole turns and the preceding stages.
         let (start, angle) = (&law.start, &at.cam.angle.text);
-        let turned = if law.clockwise { format!("({start})-({angle})") } else { format!("({angle})-({start})") };
+        let turned = if law.clockwise {
+            format!("({start})-({angle})")
+        } else {
+            format!("({angle})-({start})")
+        };
         let in_turn = in_turn_of(phi, side);
         let turns = libm::rint((phi - in_turn) / std::f64::consts::TAU);
         let mut before = String::new();
@@ -126,7 +140,10 @@ impl<'a> StageTexts<'a> {
                 let in_stage = (in_turn - program.joints()[i]) / stage.over;
                 let [s, ds, dds] = motion.text(in_stage.clamp(0.0, 1.0), &x);
                 let gain = format!("{sign}({})", gain.text);
-                t.s = t.define("s", format!("{lift}{}{gain}*({s})", if sign.is_empty() { "+" } else { "" }));
+                t.s = t.define(
+                    "s",
+                    format!("{lift}{}{gain}*({s})", if sign.is_empty() { "+" } else { "" }),
+                );
                 let ds = t.define("ds", format!("{gain}/({over})*({ds})"));
                 let dds = t.define("dds", format!("{gain}/({over})^2*({dds})"));
                 t.rates = Some((ds, dds));
@@ -162,7 +179,9 @@ impl<'a> StageTexts<'a> {
     fn way_out(&self, disc: &Disc, aside: &str) -> String {
         let base = &self.law.base;
         match (&self.at.radius, disc.touch) {
-            (Some(r), FollowerTip::Point { .. }) => format!("sqrt((({base})+({r}))^2-{aside}^2)+{}", self.s),
+            (Some(r), FollowerTip::Point { .. }) => {
+                format!("sqrt((({base})+({r}))^2-{aside}^2)+{}", self.s)
+            }
             _ => format!("({base})+{}", self.s),
         }
     }
@@ -172,8 +191,13 @@ impl<'a> StageTexts<'a> {
         let centre = self.define("d", distance(spot, &self.at.cam.spot));
         let base = &self.law.base;
         let rest = match (&self.at.radius, &self.at.arm, &self.at.lever) {
-            (Some(r), Some(l), _) => format!("acos(({centre}^2+({l})^2-(({base})+({r}))^2)/(2*{centre}*({l})))"),
-            (_, _, lever) => format!("asin((({base})-({}))/{centre})", lever.clone().unwrap_or_else(|| "0 mm".into())),
+            (Some(r), Some(l), _) => {
+                format!("acos(({centre}^2+({l})^2-(({base})+({r}))^2)/(2*{centre}*({l})))")
+            }
+            (_, _, lever) => format!(
+                "asin((({base})-({}))/{centre})",
+                lever.clone().unwrap_or_else(|| "0 mm".into())
+            ),
         };
         let rest = self.define("rest", rest);
         format!("{}{}({rest}+{})", direction(spot, &self.at.cam.spot), self.out, self.s)
@@ -183,7 +207,8 @@ impl<'a> StageTexts<'a> {
     fn driver(mut self, disc: &Disc) -> ContactReplacement {
         let cam = self.at.cam;
         let clockwise = self.law.clockwise;
-        let turned = |text: &str| if clockwise { format!("(-({text}))") } else { format!("({text})") };
+        let turned =
+            |text: &str| if clockwise { format!("(-({text}))") } else { format!("({text})") };
         let (w, a) = (turned(&cam.rate_text), turned(&cam.acceleration_text));
         let turning = matches!(self.at.carried, CarriedFollower::Pivot { .. });
         let (rate_unit, unit_2) = if turning { ("rad/s", "rad/s^2") } else { ("mm/s", "mm/s^2") };
@@ -204,16 +229,22 @@ impl<'a> StageTexts<'a> {
                 let aside = self.define("e", format!("{x}*sin({t})-{y}*cos({t})"));
                 let way = self.way_out(disc, &aside);
                 let place = self.define("place", format!("{foot}{}({way})", self.out));
-                let (slide, position) = (self.word(self.at.follower.to_owned()), Some(self.quantity(place)));
+                let (slide, position) =
+                    (self.word(self.at.follower.to_owned()), Some(self.quantity(place)));
                 RawDriverKind::Slide { slide, position }
             }
             CarriedFollower::Pivot { pivot, spot } => {
                 let place = self.direction(spot);
                 let place = self.define("place", place);
-                let line = format!("{},{}", self.at.scene.point_name(*pivot), self.at.scene.point_name(self.at.point));
+                let line = format!(
+                    "{},{}",
+                    self.at.scene.point_name(*pivot),
+                    self.at.scene.point_name(self.at.point)
+                );
                 RawDriverKind::Turn {
                     link: self.word(self.at.follower.to_owned()),
-                    against: (cam.frame != self.at.scene.ground).then(|| self.word(self.at.scene.link_name(cam.frame).to_owned())),
+                    against: (cam.frame != self.at.scene.ground)
+                        .then(|| self.word(self.at.scene.link_name(cam.frame).to_owned())),
                     line: Some(self.word(line)),
                     against_line: None,
                     angle: Some(self.quantity(place)),
@@ -236,8 +267,13 @@ impl<'a> StageTexts<'a> {
                 let [x, y] = self.seen_from_cam(through);
                 let (c, s) = (format!("cos({})", angle.text), format!("sin({})", angle.text));
                 let still = self.rates.is_none();
-                let per_radian = |text: String, k: &str| if still { "0 mm".to_owned() } else { format!("{text}*(1 rad){k}") };
-                let (q1, q2) = (self.define("q1", per_radian(q1, "")), self.define("q2", per_radian(q2, "^2")));
+                let per_radian = |text: String, k: &str| {
+                    if still { "0 mm".to_owned() } else { format!("{text}*(1 rad){k}") }
+                };
+                let (q1, q2) = (
+                    self.define("q1", per_radian(q1, "")),
+                    self.define("q2", per_radian(q2, "^2")),
+                );
                 let aside = self.define("e", format!("{x}*{s}-{y}*{c}"));
                 let way = self.way_out(disc, &aside);
                 let q = self.define("q", way);
@@ -246,9 +282,13 @@ impl<'a> StageTexts<'a> {
                     let ky = format!("-({sigma}({out}({q1}))*{c})-({out}({q2}))*{s}");
                     return [kx, ky, format!("{q}+{q2}")];
                 }
-                let along = |text: &str| [format!("({out}({text}))*{c}"), format!("({out}({text}))*{s}")];
+                let along =
+                    |text: &str| [format!("({out}({text}))*{c}"), format!("({out}({text}))*{s}")];
                 let [px, py] = along(&q);
-                let p = [self.define("px", format!("{px}+{aside}*{s}")), self.define("py", format!("{py}-{aside}*{c}"))];
+                let p = [
+                    self.define("px", format!("{px}+{aside}*{s}")),
+                    self.define("py", format!("{py}-{aside}*{c}")),
+                ];
                 self.pitch_curve(p, along(&q1), along(&q2), sigma)
             }
             (CarriedFollower::Pivot { spot, .. }, touch) => {
@@ -266,14 +306,27 @@ impl<'a> StageTexts<'a> {
                     let beside = self.define("n", format!("{y}*{mx}-{x}*{my}"));
                     let mu = self.define("mu", format!("{r1}-({sigma}1)"));
                     let g = self.define("g", format!("{r1}*{beside}/{mu}"));
-                    let f = self.define("f", format!("(({r2}*{beside}-{r1}^2*{b})*{mu}-{r1}*{beside}*{r2})/{mu}^3"));
+                    let f = self.define(
+                        "f",
+                        format!("(({r2}*{beside}-{r1}^2*{b})*{mu}-{r1}*{beside}*{r2})/{mu}^3"),
+                    );
                     let lever = self.at.lever.clone().unwrap_or_else(|| "0 mm".into());
-                    return [format!("-({g}*{my})-{f}*{mx}"), format!("{g}*{mx}-{f}*{my}"), format!("{b}+({lever})+{f}")];
+                    return [
+                        format!("-({g}*{my})-{f}*{mx}"),
+                        format!("{g}*{mx}-{f}*{my}"),
+                        format!("{b}+({lever})+{f}"),
+                    ];
                 }
                 let l = self.at.arm.clone().unwrap_or_else(|| "0 mm".into());
-                let p = [self.define("px", format!("{x}+({l})*{c}")), self.define("py", format!("{y}+({l})*{s}"))];
+                let p = [
+                    self.define("px", format!("{x}+({l})*{c}")),
+                    self.define("py", format!("{y}+({l})*{s}")),
+                ];
                 let first = [format!("-(({l})*{r1}*{s})"), format!("({l})*{r1}*{c}")];
-                let second = [format!("-(({l})*({r2}*{s}+{r1}^2*{c}))"), format!("({l})*({r2}*{c}-{r1}^2*{s})")];
+                let second = [
+                    format!("-(({l})*({r2}*{s}+{r1}^2*{c}))"),
+                    format!("({l})*({r2}*{c}-{r1}^2*{s})"),
+                ];
                 self.pitch_curve(p, first, second, sigma)
             }
         }
@@ -281,7 +334,13 @@ impl<'a> StageTexts<'a> {
 
     /// Returns centre and radius of curvature of the pitch curve at the point P, from its
     /// derivatives by φ.
-    fn pitch_curve(&mut self, [px, py]: [String; 2], first: [String; 2], second: [String; 2], sigma: &str) -> [String; 3] {
+    fn pitch_curve(
+        &mut self,
+        [px, py]: [String; 2],
+        first: [String; 2],
+        second: [String; 2],
+        sigma: &str,
+    ) -> [String; 3] {
         let [ax, ay] = first;
         let (ax, ay) = (self.define("ax", ax), self.define("ay", ay));
         let wx = self.define("wx", format!("{ax}+({sigma}{py})"));
@@ -290,7 +349,11 @@ impl<'a> StageTexts<'a> {
         let zx = self.define("zx", format!("{bx}+2*({sigma}{ay})-{px}"));
         let zy = self.define("zy", format!("{by}-2*({sigma}{ax})-{py}"));
         let k = self.define("k", format!("({wx}^2+{wy}^2)/({wx}*{zy}-{wy}*{zx})"));
-        [format!("{px}-{wy}*{k}"), format!("{py}+{wx}*{k}"), format!("sqrt({wx}^2+{wy}^2)*abs({k})")]
+        [
+            format!("{px}-{wy}*{k}"),
+            format!("{py}+{wx}*{k}"),
+            format!("sqrt({wx}^2+{wy}^2)*abs({k})"),
+        ]
     }
 
     /// Returns the centre of curvature as a point of the cam, and the radius.
@@ -300,14 +363,20 @@ impl<'a> StageTexts<'a> {
         let (x, y) = (self.define("kx", x), self.define("ky", y));
         let radius = self.define("rho", radius);
         if is_about_pivot(disc, self.rates.is_none()) {
-            return Some(ContactReplacement { parameters: self.parameters, stands: LawReplacement::Arc { place: None, radius } });
+            return Some(ContactReplacement {
+                parameters: self.parameters,
+                stands: LawReplacement::Arc { place: None, radius },
+            });
         }
         let (c, s) = (format!("cos({})", cam.angle.text), format!("sin({})", cam.angle.text));
         let (x, y) = (format!("{x}*{c}+{y}*{s}"), format!("{y}*{c}-{x}*{s}"));
         let scene = self.at.scene;
         let points = &scene.links[self.at.of.0].points;
         let place = if self.at.of == scene.ground {
-            RawPlace::At([self.quantity(format!("{}+{x}", cam.spot.x.text)), self.quantity(format!("{}+{y}", cam.spot.y.text))])
+            RawPlace::At([
+                self.quantity(format!("{}+{x}", cam.spot.x.text)),
+                self.quantity(format!("{}+{y}", cam.spot.y.text)),
+            ])
         } else {
             let [first, second, ..] = points[..] else { return None };
             let (from, to, turn) = match cam.pivot {
@@ -318,7 +387,10 @@ impl<'a> StageTexts<'a> {
             let base = self.word(format!("{},{}", scene.point_name(from), scene.point_name(to)));
             RawPlace::InLink { base, xy: [x, y].map(|t| self.quantity(format!("{turn}({t})"))) }
         };
-        Some(ContactReplacement { parameters: self.parameters, stands: LawReplacement::Arc { place: Some(place), radius } })
+        Some(ContactReplacement {
+            parameters: self.parameters,
+            stands: LawReplacement::Arc { place: Some(place), radius },
+        })
     }
 }
 
@@ -348,8 +420,12 @@ pub(super) fn written(
 ) -> Option<ContactReplacement> {
     let dwells = program.stage(phi, side).is_none_or(|(i, ..)| program.stages[i].law().is_none());
     let apart = |s: &CamStation| (s.contact - s.normal * s.rho).norm() > NEAR * s.contact.norm();
-    let told = |s: &CamStation| matches!(disc.touch, FollowerTip::Point { .. }) || is_about_pivot(disc, dwells) || apart(s);
-    let near = disc.station(phi, side).is_some_and(|s| s.rho_pitch.abs() <= FAR * s.pitch.norm() && told(&s));
+    let told = |s: &CamStation| {
+        matches!(disc.touch, FollowerTip::Point { .. }) || is_about_pivot(disc, dwells) || apart(s)
+    };
+    let near = disc
+        .station(phi, side)
+        .is_some_and(|s| s.rho_pitch.abs() <= FAR * s.pitch.norm() && told(&s));
     let texts = || StageTexts::new(at, disc, program, law, (phi, side), name);
     let arc = if near { texts().and_then(|t| t.contact(disc)) } else { None };
     arc.or_else(|| Some(texts()?.driver(disc)))

@@ -25,17 +25,27 @@ pub(crate) fn marked(raw: &RawScene) -> RawScene {
         // the cam.
         let driven = match &cam.profile {
             RawProfile::Law { .. } => true,
-            RawProfile::Parts(_) => matches!(&cam.follows, RawFollows::Face(f) if f.line.is_none() && f.angle.is_none()),
+            RawProfile::Parts(_) => {
+                matches!(&cam.follows, RawFollows::Face(f) if f.line.is_none() && f.angle.is_none())
+            }
             RawProfile::Untold => false,
         };
-        let lever =
-            driven && matches!(cam.follows, RawFollows::Face(_)) && !raw.guides.iter().any(|g| named(&g.slider, &cam.follower.text));
+        let lever = driven
+            && matches!(cam.follows, RawFollows::Face(_))
+            && !raw.guides.iter().any(|g| named(&g.slider, &cam.follower.text));
         // A sliding link has the direction of its guide.
-        let still = named(&raw.ground, &cam.cam.text) || raw.guides.iter().any(|g| named(&g.slider, &cam.cam.text));
-        for (link, proposed) in [(Some(&cam.cam).filter(|_| !still), "M"), (Some(&cam.follower).filter(|_| lever), "W")] {
+        let still = named(&raw.ground, &cam.cam.text)
+            || raw.guides.iter().any(|g| named(&g.slider, &cam.cam.text));
+        for (link, proposed) in
+            [(Some(&cam.cam).filter(|_| !still), "M"), (Some(&cam.follower).filter(|_| lever), "W")]
+        {
             let (Some(link), Some(radius)) = (link, radius) else { continue };
             let name = fresh(&out, &[proposed]);
-            let Some(found) = out.links.iter_mut().find(|l| l.name.text == link.text && l.points.len() == 1) else { continue };
+            let Some(found) =
+                out.links.iter_mut().find(|l| l.name.text == link.text && l.points.len() == 1)
+            else {
+                continue;
+            };
             let pair = format!("{},{name}", found.points[0].text);
             found.points.push(Word { text: name, span: cam.span });
             out.lengths.push((Word { text: pair.clone(), span: cam.span }, radius.clone()));
@@ -63,11 +73,20 @@ fn slid(raw: &mut RawScene, index: usize) {
     let (span, follower) = (cam.span, cam.follower.clone());
     let pin = guide.pin.clone().unwrap_or_else(|| Word { text: fresh(raw, &["F"]), span });
     let guide = &mut raw.guides[i];
-    let grounded = guide.on.as_ref().is_none_or(|on| raw.ground.as_ref().is_some_and(|g| g.text == on.text));
+    let grounded =
+        guide.on.as_ref().is_none_or(|on| raw.ground.as_ref().is_some_and(|g| g.text == on.text));
     // A bare number has the unit of the scene's angles, which a sum with degrees would lose.
-    let unit = raw.units.iter().find(|(key, _)| key.text == "angle").map_or("", |(_, unit)| unit.text.as_str());
+    let unit = raw
+        .units
+        .iter()
+        .find(|(key, _)| key.text == "angle")
+        .map_or("", |(_, unit)| unit.text.as_str());
     let square = guide.angle.as_ref().map(|q| {
-        let text = if q.bare { format!("({} {unit})+90 deg", q.text) } else { format!("({})+90 deg", q.text) };
+        let text = if q.bare {
+            format!("({} {unit})+90 deg", q.text)
+        } else {
+            format!("({})+90 deg", q.text)
+        };
         RawQuantity { text, span, bare: false }
     });
     if guide.pin.is_none() && !named_point {

@@ -148,10 +148,13 @@ impl Cam {
 
     /// Returns true if a straight piece is in contact in the pose.
     pub fn is_touched_straight(&self) -> bool {
-        let straight =
-            |segments: &[ProfileSegment]| self.touched().is_some_and(|i| matches!(segments.get(i), Some(ProfileSegment::Line { .. })));
+        let straight = |segments: &[ProfileSegment]| {
+            self.touched()
+                .is_some_and(|i| matches!(segments.get(i), Some(ProfileSegment::Line { .. })))
+        };
         let of_disc = |t: &TurningCam| matches!(&t.disc.motion, CamMotion::Profile(segments) if straight(segments));
-        self.disc.as_ref().is_some_and(of_disc) || self.posed.as_ref().is_some_and(|p| straight(&p.segments))
+        self.disc.as_ref().is_some_and(of_disc)
+            || self.posed.as_ref().is_some_and(|p| straight(&p.segments))
     }
 }
 
@@ -229,7 +232,12 @@ impl TurningCam {
     }
 
     /// Returns its rough place in the fixed plane, with the carrier's points placed by `at`.
-    pub fn rough_in_plane(&self, scene: &Scene, of: PointId, at: &dyn Fn(PointId) -> Option<Point>) -> Option<Point> {
+    pub fn rough_in_plane(
+        &self,
+        scene: &Scene,
+        of: PointId,
+        at: &dyn Fn(PointId) -> Option<Point>,
+    ) -> Option<Point> {
         let (_, place) = self.rough.filter(|(p, _)| *p == of)?;
         let [a, b] = self.axis(scene)?;
         let origin = at(a)?;
@@ -246,6 +254,7 @@ impl TurningCam {
     /// Returns dφ/dt and d²φ/dt² in a scene (rad/s, rad/s²).
     pub fn rates(&self, scene: &Scene) -> [f64; 2] {
         let d = &scene.drivers[self.driver];
-        [d.rate.value, d.acceleration.as_ref().map_or(0.0, |a| a.value)].map(|r| self.way * self.disc.sense * r)
+        [d.rate.value, d.acceleration.as_ref().map_or(0.0, |a| a.value)]
+            .map(|r| self.way * self.disc.sense * r)
     }
 }

@@ -16,13 +16,18 @@ impl Scene {
     /// Returns true if followers of cams are drivers that depend on this driver; they are then set
     /// together with it.
     pub fn has_laws(&self, driver: usize) -> bool {
-        let of_disc = self.cams.iter().filter_map(|c| c.disc.as_ref()).any(|t| t.driver == driver && t.by_law.is_some());
+        let of_disc = self
+            .cams
+            .iter()
+            .filter_map(|c| c.disc.as_ref())
+            .any(|t| t.driver == driver && t.by_law.is_some());
         of_disc || self.courses().next().is_some() && !self.is_led(driver)
     }
 
     /// Returns true if a driver is a follower that a cam moves.
     pub fn is_led(&self, driver: usize) -> bool {
-        self.is_on_a_course(driver) || self.cams.iter().filter_map(|c| c.disc.as_ref()).any(|t| t.by_law == Some(driver))
+        self.is_on_a_course(driver)
+            || self.cams.iter().filter_map(|c| c.disc.as_ref()).any(|t| t.by_law == Some(driver))
     }
 
     /// Returns true if a driver is a follower moved by a cam on another link.
@@ -63,7 +68,14 @@ impl Scene {
                 let (led, span) = (turning.driver, c.span);
                 let zero = || GivenQuantity { value: 0.0, radius: 0.0, text: "0".into(), span };
                 let index = scene.drivers.len();
-                scene.drivers.push(Driver { kind, rate: zero(), acceleration: Some(zero()), rate_told: true, law: None, span });
+                scene.drivers.push(Driver {
+                    kind,
+                    rate: zero(),
+                    acceleration: Some(zero()),
+                    rate_told: true,
+                    law: None,
+                    span,
+                });
                 scene.cams[i].contact = None;
                 if let Some(t) = &mut scene.cams[i].disc {
                     t.by_law = Some(index);
@@ -81,22 +93,41 @@ impl Scene {
         let Some(guide) = self.cams[cam].contact.take() else { return };
         let span = self.cams[cam].span;
         let kind = match hangs {
-            HangsOn::Guide(guide) => DriverKind::Slide { guide, position: Some(number(0.0, "m", span)) },
+            HangsOn::Guide(guide) => {
+                DriverKind::Slide { guide, position: Some(number(0.0, "m", span)) }
+            }
             HangsOn::Pivot { against, line: [a, b] } => {
                 let link = self.cams[cam].follower;
-                DriverKind::Turn { link, against, line: Some((a, b)), against_line: None, angle: Some(angle(0.0, span)) }
+                DriverKind::Turn {
+                    link,
+                    against,
+                    line: Some((a, b)),
+                    against_line: None,
+                    angle: Some(angle(0.0, span)),
+                }
             }
         };
         for (d, at) in self.drivers.iter_mut().zip(positions) {
             match d.kind.slot() {
                 PositionSlot::Angle(place @ None) => *place = Some(angle(*at, span)),
-                PositionSlot::Coordinate(place @ None) | PositionSlot::Distance(place @ None) => *place = Some(number(*at, "m", span)),
-                PositionSlot::Angle(Some(_)) | PositionSlot::Coordinate(Some(_)) | PositionSlot::Distance(Some(_)) => {}
+                PositionSlot::Coordinate(place @ None) | PositionSlot::Distance(place @ None) => {
+                    *place = Some(number(*at, "m", span))
+                }
+                PositionSlot::Angle(Some(_))
+                | PositionSlot::Coordinate(Some(_))
+                | PositionSlot::Distance(Some(_)) => {}
             }
         }
         let index = self.drivers.len();
         let zero = || number(0.0, "m/s", span);
-        self.drivers.push(Driver { kind, rate: zero(), acceleration: Some(zero()), rate_told: true, law: None, span });
+        self.drivers.push(Driver {
+            kind,
+            rate: zero(),
+            acceleration: Some(zero()),
+            rate_told: true,
+            law: None,
+            span,
+        });
         self.without_guide(guide);
         if let Some(pieces) = &mut self.cams[cam].posed {
             pieces.led = Some((index, course));
@@ -130,7 +161,11 @@ impl Scene {
         let of = |d: usize| {
             let driver = &self.drivers[d];
             let stated = driver.kind.position().map_or(0.0, Position::value);
-            [at(d).unwrap_or(stated), driver.rate.value, driver.acceleration.as_ref().map_or(0.0, |a| a.value)]
+            [
+                at(d).unwrap_or(stated),
+                driver.rate.value,
+                driver.acceleration.as_ref().map_or(0.0, |a| a.value),
+            ]
         };
         own.map(of).collect()
     }
@@ -142,9 +177,13 @@ impl Scene {
         let standing = self.driver_states(&|_| None);
         let on_courses = self.courses().map(|(_, k, course)| (k, course.0.off(&standing)));
         let discs = self.cams.iter().filter_map(|c| c.disc.as_ref());
-        let on_discs = discs.filter_map(|t| Some((t.by_law.filter(|k| self.drivers[*k].is_put())?, t)));
+        let on_discs =
+            discs.filter_map(|t| Some((t.by_law.filter(|k| self.drivers[*k].is_put())?, t)));
         let on_discs = on_discs.map(|(k, t)| (k, t.off(self, &self.drivers[k])));
-        let all: Vec<(usize, [f64; 3])> = on_courses.chain(on_discs).map(|(k, off)| (k, off.unwrap_or([f64::INFINITY; 3]))).collect();
+        let all: Vec<(usize, [f64; 3])> = on_courses
+            .chain(on_discs)
+            .map(|(k, off)| (k, off.unwrap_or([f64::INFINITY; 3])))
+            .collect();
         if all.is_empty() {
             return None;
         }
@@ -153,8 +192,12 @@ impl Scene {
             let d = &mut scene.drivers[driver];
             match d.kind.slot() {
                 PositionSlot::Angle(Some(angle)) => within(angle, place),
-                PositionSlot::Coordinate(Some(x)) | PositionSlot::Distance(Some(x)) => within(x, place),
-                PositionSlot::Angle(None) | PositionSlot::Coordinate(None) | PositionSlot::Distance(None) => {}
+                PositionSlot::Coordinate(Some(x)) | PositionSlot::Distance(Some(x)) => {
+                    within(x, place)
+                }
+                PositionSlot::Angle(None)
+                | PositionSlot::Coordinate(None)
+                | PositionSlot::Distance(None) => {}
             }
             within(&mut d.rate, rate);
             d.acceleration.iter_mut().for_each(|a| within(a, acceleration));
@@ -166,7 +209,12 @@ impl Scene {
     /// drivers.
     pub fn lost_follower(&self) -> Option<&Cam> {
         let lost = |d: usize| self.drivers[d].kind.position().is_some_and(|at| at.value().is_nan());
-        let led = |c: &Cam| c.disc.as_ref().and_then(|t| t.by_law).or_else(|| Some(c.posed.as_ref()?.led.as_ref()?.0));
+        let led = |c: &Cam| {
+            c.disc
+                .as_ref()
+                .and_then(|t| t.by_law)
+                .or_else(|| Some(c.posed.as_ref()?.led.as_ref()?.0))
+        };
         self.cams.iter().find(|c| led(c).is_some_and(lost))
     }
 
@@ -187,22 +235,41 @@ impl Scene {
     /// a swinging flat face without a line, and a cam and follower on different links if the
     /// follower is not joined by a single pair.
     pub fn kept_cams(&self) -> impl Iterator<Item = &Cam> {
-        self.cams.iter().filter(|c| c.circle.is_none() && c.contact.is_some() && c.disc.as_ref().is_none_or(|t| t.by_law.is_none()))
+        self.cams.iter().filter(|c| {
+            c.circle.is_none()
+                && c.contact.is_some()
+                && c.disc.as_ref().is_none_or(|t| t.by_law.is_none())
+        })
     }
 
     /// Returns the driver of a follower on the link that carries the cam; `None` for a face without
     /// a line to measure its angle.
     fn follower_driver(&self, c: &Cam, t: &TurningCam) -> Option<DriverKind> {
-        let given = |value: f64| GivenQuantity { value, radius: 0.0, text: format!("({value:?}) m"), span: c.span };
+        let given = |value: f64| GivenQuantity {
+            value,
+            radius: 0.0,
+            text: format!("({value:?}) m"),
+            span: c.span,
+        };
         match t.disc.follower {
             Follower::Translating { .. } => {
-                let guide = self.guides.iter().position(|g| g.slider == Some(c.follower) && g.on == t.frame).map(GuideId)?;
+                let guide = self
+                    .guides
+                    .iter()
+                    .position(|g| g.slider == Some(c.follower) && g.on == t.frame)
+                    .map(GuideId)?;
                 Some(DriverKind::Slide { guide, position: Some(given(0.0)) })
             }
             Follower::Oscillating { .. } => {
-                let pivot = self.links[c.follower.0].points.iter().copied().find(|p| self.links[t.frame.0].points.contains(p))?;
+                let pivot = self.links[c.follower.0]
+                    .points
+                    .iter()
+                    .copied()
+                    .find(|p| self.links[t.frame.0].points.contains(p))?;
                 // A face through the pivot turns with its own line.
-                let line = Some((pivot, c.follows.point())).filter(|(a, b)| a != b).or_else(|| self.face_line(c, pivot))?;
+                let line = Some((pivot, c.follows.point()))
+                    .filter(|(a, b)| a != b)
+                    .or_else(|| self.face_line(c, pivot))?;
                 Some(DriverKind::Turn {
                     link: c.follower,
                     against: t.frame,
@@ -217,9 +284,15 @@ impl Scene {
     /// Returns the line of a flat face that begins at its pivot.
     fn face_line(&self, c: &Cam, pivot: PointId) -> Option<(PointId, PointId)> {
         match self.guides[c.contact?.0].path {
-            GuidePath::Line { direction: GuideDirection::Along(a, b, None), .. } => Some((a, b)).filter(|(a, _)| *a == pivot),
+            GuidePath::Line { direction: GuideDirection::Along(a, b, None), .. } => {
+                Some((a, b)).filter(|(a, _)| *a == pivot)
+            }
             GuidePath::Line {
-                direction: GuideDirection::Along(_, _, Some(_)) | GuideDirection::Own | GuideDirection::Instant(_) | GuideDirection::Slid(_),
+                direction:
+                    GuideDirection::Along(_, _, Some(_))
+                    | GuideDirection::Own
+                    | GuideDirection::Instant(_)
+                    | GuideDirection::Slid(_),
                 ..
             }
             | GuidePath::Arc { .. } => None,
@@ -252,7 +325,8 @@ impl Scene {
             DriverKind::Turn { angle, .. } => angle.as_ref().map(|a| a.value.radians()),
             DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
         };
-        let (rate, acceleration) = (lead.rate.value, lead.acceleration.as_ref().map_or(0.0, |a| a.value));
+        let (rate, acceleration) =
+            (lead.rate.value, lead.acceleration.as_ref().map_or(0.0, |a| a.value));
         for i in 0..self.cams.len() {
             let c = &mut self.cams[i];
             let (Some(t), span) = (&mut c.disc, c.span) else { continue };
@@ -271,7 +345,10 @@ impl Scene {
             };
             let CamJet([q, dq, ddq, _]) = q;
             let (place, out) = (t.origin + t.outward * q, t.outward);
-            let (v, a) = (out * dq * sense * rate, out * (ddq * (sense * rate) * (sense * rate) + dq * sense * acceleration));
+            let (v, a) = (
+                out * dq * sense * rate,
+                out * (ddq * (sense * rate) * (sense * rate) + dq * sense * acceleration),
+            );
             self.put(k, [place, v, a], span);
         }
         self.set_courses(&|d| value.filter(|_| d == driver));
@@ -281,7 +358,9 @@ impl Scene {
 impl Driver {
     /// True if its place is a number of double precision that the program has set.
     fn is_put(&self) -> bool {
-        let is = |text: &str, value: f64| text.strip_prefix('(').is_some_and(|t| t.starts_with(&format!("{value:?})")));
+        let is = |text: &str, value: f64| {
+            text.strip_prefix('(').is_some_and(|t| t.starts_with(&format!("{value:?})")))
+        };
         match self.kind.position() {
             Some(Position::Angle(a)) => is(&a.text, a.value.radians()),
             Some(Position::Length(x)) => is(&x.text, x.value),
@@ -294,9 +373,17 @@ impl TurningCam {
     /// Returns bounds of the errors of place, rate and acceleration of a driver that replaces the
     /// contact; `None` where there is no enclosure.
     fn off(&self, scene: &Scene, driver: &Driver) -> Option<[f64; 3]> {
-        let told = [driver.kind.position()?.value(), driver.rate.value, driver.acceleration.as_ref()?.value];
+        let told = [
+            driver.kind.position()?.value(),
+            driver.rate.value,
+            driver.acceleration.as_ref()?.value,
+        ];
         let exact = self.led_in::<Ball<f64>>(scene)?;
-        Some([0, 1, 2].map(|k| exact[k] - Ball::from_f64(told[k])).map(|x| x.approx().abs() + x.radius()))
+        Some(
+            [0, 1, 2]
+                .map(|k| exact[k] - Ball::from_f64(told[k]))
+                .map(|x| x.approx().abs() + x.radius()),
+        )
     }
 }
 
@@ -308,9 +395,19 @@ fn within<T>(given: &mut GivenQuantity<T>, off: f64) {
 
 /// A value in double precision, with the shortest decimal text that reads back as the same number.
 fn number(value: f64, unit: &str, span: Span) -> GivenQuantity {
-    GivenQuantity { value, radius: value.abs() * f64::EPSILON, text: format!("({value:?}) ({unit})"), span }
+    GivenQuantity {
+        value,
+        radius: value.abs() * f64::EPSILON,
+        text: format!("({value:?}) ({unit})"),
+        span,
+    }
 }
 
 fn angle(value: f64, span: Span) -> GivenQuantity<Angle> {
-    GivenQuantity { value: Angle::Rad(value), radius: value.abs() * f64::EPSILON, text: format!("({value:?}) rad"), span }
+    GivenQuantity {
+        value: Angle::Rad(value),
+        radius: value.abs() * f64::EPSILON,
+        text: format!("({value:?}) rad"),
+        span,
+    }
 }

@@ -51,7 +51,12 @@ impl CamPair<'_> {
     }
 
     fn blank(&self) -> RawGuide {
-        RawGuide { pin: None, on: None, contact: true, ..RawGuide::of_pin(self.word(""), self.word(""), self.span) }
+        RawGuide {
+            pin: None,
+            on: None,
+            contact: true,
+            ..RawGuide::of_pin(self.word(""), self.word(""), self.span)
+        }
     }
 
     /// Returns the slot for a round end against a circle.
@@ -76,7 +81,12 @@ impl CamPair<'_> {
         let sign = if face.left.unwrap_or(true) { "" } else { "-" };
         let text = match &self.offset {
             Some(offset) if offset.value != 0.0 => {
-                format!("({}){}({})", offset.text, if sign.is_empty() { "+" } else { "-" }, radius.text)
+                format!(
+                    "({}){}({})",
+                    offset.text,
+                    if sign.is_empty() { "+" } else { "-" },
+                    radius.text
+                )
             }
             Some(_) | None => format!("{sign}({})", radius.text),
         };
@@ -85,7 +95,11 @@ impl CamPair<'_> {
             on: Some(self.word(self.follower)),
             line: face.line.clone(),
             through: face.through.clone(),
-            angle: if face.square { Some(self.quantity("90 deg".into())) } else { face.angle.clone() },
+            angle: if face.square {
+                Some(self.quantity("90 deg".into()))
+            } else {
+                face.angle.clone()
+            },
             slid: face.square,
             offset: Some(self.quantity(text)),
             ..self.blank()
@@ -95,8 +109,15 @@ impl CamPair<'_> {
     /// Writes the pair of an arc whose centre is a new point of the cam at `place`, or its pivot:
     /// the centre of a round end moves about it at this radius, or a face keeps this distance from
     /// it.
-    pub fn about(&self, raw: &mut RawScene, place: Option<RawPlace>, pivot: &str, radius: &NumberText) -> Option<()> {
-        let centre = if place.is_some() { fresh(raw, &["K", "F", "G", "H"]) } else { pivot.to_owned() };
+    pub fn about(
+        &self,
+        raw: &mut RawScene,
+        place: Option<RawPlace>,
+        pivot: &str,
+        radius: &NumberText,
+    ) -> Option<()> {
+        let centre =
+            if place.is_some() { fresh(raw, &["K", "F", "G", "H"]) } else { pivot.to_owned() };
         let none = NumberText { value: 0.0, text: "0 mm".into() };
         let guide = match self.follows {
             RawFollows::Face(face) => self.face(face, &centre, radius),
@@ -123,7 +144,9 @@ impl CamPair<'_> {
         let end = self.end.clone().unwrap_or(NumberText { value: 0.0, text: "0 mm".into() });
         let pin = self.follows.pin();
         let guide = match (&parts[i], self.follows) {
-            (Worded::Circle { centre, radius }, RawFollows::Face(face)) => self.face(face, centre, radius),
+            (Worded::Circle { centre, radius }, RawFollows::Face(face)) => {
+                self.face(face, centre, radius)
+            }
             (Worded::Circle { centre, radius }, _) => self.slot(pin?, centre, radius, &end),
             (Worded::Tangent { .. }, RawFollows::Face(_)) => return None,
             (Worded::Tangent { apart }, _) => {
@@ -132,7 +155,12 @@ impl CamPair<'_> {
                     pin: Some(pin?.clone()),
                     on: Some(self.word(self.cam)),
                     line: Some(self.word(&format!("{a},{b}"))),
-                    angle: Some(self.quantity(format!("asin((({})-({}))/({}))", ra.text, rb.text, apart.text))),
+                    angle: Some(
+                        self.quantity(format!(
+                            "asin((({})-({}))/({}))",
+                            ra.text, rb.text, apart.text
+                        )),
+                    ),
                     offset: Some(self.quantity(format!("-(({})+({}))", ra.text, end.text))),
                     ..self.blank()
                 }
@@ -142,7 +170,11 @@ impl CamPair<'_> {
                 let centre = fresh(raw, &["K", "F", "G", "H"]);
                 let hollow = radius.value < 0.0;
                 for (of, r) in [(&a, &ra), (&b, &rb)] {
-                    let text = if hollow { format!("({})-({})", r.text, radius.text) } else { format!("({})-({})", radius.text, r.text) };
+                    let text = if hollow {
+                        format!("({})-({})", r.text, radius.text)
+                    } else {
+                        format!("({})-({})", radius.text, r.text)
+                    };
                     raw.lengths.push((self.word(&format!("{of},{centre}")), self.quantity(text)));
                 }
                 let side = if hollow { "right" } else { "left" };
@@ -151,7 +183,9 @@ impl CamPair<'_> {
                 link.points.push(self.word(&centre));
                 match self.follows {
                     RawFollows::Face(face) => self.face(face, &centre, radius),
-                    RawFollows::Edge(_) | RawFollows::Roller { .. } | RawFollows::Arc { .. } => self.slot(pin?, &centre, radius, &end),
+                    RawFollows::Edge(_) | RawFollows::Roller { .. } | RawFollows::Arc { .. } => {
+                        self.slot(pin?, &centre, radius, &end)
+                    }
                 }
             }
         };
@@ -169,11 +203,19 @@ pub(super) fn fresh(raw: &RawScene, proposed: &[&str]) -> String {
     };
     let first = proposed.first().copied().unwrap_or("M");
     let numbered = (1..).map(|k| format!("{first}{k}'"));
-    proposed.iter().map(|n| (*n).to_owned()).chain(numbered).find(|n| !taken(n)).unwrap_or_else(|| first.to_owned())
+    proposed
+        .iter()
+        .map(|n| (*n).to_owned())
+        .chain(numbered)
+        .find(|n| !taken(n))
+        .unwrap_or_else(|| first.to_owned())
 }
 
 /// Returns the part as numbers, with its centre in the frame of the cam.
-pub(super) fn numbers(part: &Worded, local: impl Fn(&str) -> Option<hodograph_base::geom::Vec2>) -> Option<ProfilePart> {
+pub(super) fn numbers(
+    part: &Worded,
+    local: impl Fn(&str) -> Option<hodograph_base::geom::Vec2>,
+) -> Option<ProfilePart> {
     Some(match part {
         Worded::Circle { centre, radius } => ProfilePart::Circle(local(centre)?, radius.value),
         Worded::Tangent { .. } => ProfilePart::Tangent,

@@ -20,7 +20,10 @@ pub(super) struct NumberText {
 impl NumberText {
     pub fn length(given: &GivenQuantity) -> NumberText {
         // A bare zero has no unit in a sum.
-        NumberText { value: given.value, text: if given.value == 0.0 { "0 mm".into() } else { given.text.clone() } }
+        NumberText {
+            value: given.value,
+            text: if given.value == 0.0 { "0 mm".into() } else { given.text.clone() },
+        }
     }
 
     pub fn angle(given: &GivenQuantity<Angle>) -> NumberText {
@@ -138,16 +141,29 @@ pub(super) fn apart(scene: &Scene, a: PointId, b: PointId) -> Option<NumberText>
     [(a, b), (b, a)].into_iter().find_map(|(p, origin)| match &scene.points[p.0].place {
         PointPlace::InLink { base, xy } if base.0 == origin => {
             let [x, y] = [0, 1].map(|i| NumberText::length(&xy[i]));
-            Some(NumberText { value: libm::hypot(x.value, y.value), text: format!("sqrt(({})^2+({})^2)", x.text, y.text) })
+            Some(NumberText {
+                value: libm::hypot(x.value, y.value),
+                text: format!("sqrt(({})^2+({})^2)", x.text, y.text),
+            })
         }
-        PointPlace::Polar { base, length, .. } if base.0 == origin => Some(NumberText::length(length)),
-        PointPlace::Unknown | PointPlace::At(_) | PointPlace::InLink { .. } | PointPlace::Polar { .. } => None,
+        PointPlace::Polar { base, length, .. } if base.0 == origin => {
+            Some(NumberText::length(length))
+        }
+        PointPlace::Unknown
+        | PointPlace::At(_)
+        | PointPlace::InLink { .. }
+        | PointPlace::Polar { .. } => None,
     })
 }
 
 /// Returns the points of a link in its own frame, with the origin at the pivot; points without a
 /// place are omitted.
-pub(super) fn locals(scene: &Scene, link: LinkId, pivot: PointId, angle: f64) -> Option<Vec<(PointId, Vec2)>> {
+pub(super) fn locals(
+    scene: &Scene,
+    link: LinkId,
+    pivot: PointId,
+    angle: f64,
+) -> Option<Vec<(PointId, Vec2)>> {
     let points = &scene.links[link.0].points;
     let mut known: Vec<(PointId, Vec2)> = Vec::new();
     if link == scene.ground {
@@ -162,7 +178,9 @@ pub(super) fn locals(scene: &Scene, link: LinkId, pivot: PointId, angle: f64) ->
         // Each pass places at least one point.
         for _ in 2..points.len() {
             for p in points {
-                let at = |q: PointId, known: &[(PointId, Vec2)]| known.iter().find(|(k, _)| *k == q).map(|(_, at)| *at);
+                let at = |q: PointId, known: &[(PointId, Vec2)]| {
+                    known.iter().find(|(k, _)| *k == q).map(|(_, at)| *at)
+                };
                 if at(*p, &known).is_none()
                     && let Some(found) = local(scene, *p, &|q| at(q, &known), points)
                 {
@@ -176,24 +194,36 @@ pub(super) fn locals(scene: &Scene, link: LinkId, pivot: PointId, angle: f64) ->
 }
 
 /// Returns a point of a link from the known ones.
-fn local(scene: &Scene, p: PointId, at: &dyn Fn(PointId) -> Option<Vec2>, points: &[PointId]) -> Option<Vec2> {
+fn local(
+    scene: &Scene,
+    p: PointId,
+    at: &dyn Fn(PointId) -> Option<Vec2>,
+    points: &[PointId],
+) -> Option<Vec2> {
     let base = |(a, b): (PointId, PointId)| {
         let (a, b) = (at(a)?, at(b)?);
         Some((a, (b - a).unit()?))
     };
     match &scene.points[p.0].place {
-        PointPlace::InLink { base: ab, xy } => base(*ab).map(|(a, u)| a + u * xy[0].value + u.perp() * xy[1].value),
-        PointPlace::Polar { base: ab, length, angle } => {
-            base(*ab).map(|(a, u)| a + u.rotate_by(Vec2::from_angle(angle.value.radians())) * length.value)
+        PointPlace::InLink { base: ab, xy } => {
+            base(*ab).map(|(a, u)| a + u * xy[0].value + u.perp() * xy[1].value)
         }
+        PointPlace::Polar { base: ab, length, angle } => base(*ab)
+            .map(|(a, u)| a + u.rotate_by(Vec2::from_angle(angle.value.radians())) * length.value),
         PointPlace::Unknown | PointPlace::At(_) => {
-            let mut reach = points.iter().filter(|q| **q != p).filter_map(|q| Some((*q, at(*q)?, apart(scene, p, *q)?.value)));
+            let mut reach = points
+                .iter()
+                .filter(|q| **q != p)
+                .filter_map(|q| Some((*q, at(*q)?, apart(scene, p, *q)?.value)));
             let ((i, a, ra), (j, b, rb)) = (reach.next()?, reach.next()?);
             let way = b - a;
             let d = way.norm();
             let foot = (d * d + ra * ra - rb * rb) / (2.0 * d);
             let height = (ra * ra - foot * foot).max(0.0).sqrt();
-            let said = scene.sides.iter().find(|s| s.point == p && [(i, j), (j, i)].contains(&(s.from, s.to)));
+            let said = scene
+                .sides
+                .iter()
+                .find(|s| s.point == p && [(i, j), (j, i)].contains(&(s.from, s.to)));
             let left = said.is_none_or(|s| s.left == (s.from == i));
             let u = way * (1.0 / d);
             Some(a + u * foot + u.perp() * if left { height } else { -height })
@@ -209,8 +239,16 @@ pub(super) fn coordinates_or_sketch(scene: &Scene, p: PointId) -> Option<Vec2> {
 /// Returns the outward sense of an arm: from `side`, else from the sketch or coordinates, else
 /// counter-clockwise. `spots` are the places of pivot and centre, `told` that of the point, all in
 /// one link.
-pub(super) fn sense(scene: &Scene, [pivot, centre, point]: [PointId; 3], spots: [Vec2; 2], told: Option<Vec2>) -> f64 {
-    let said = scene.sides.iter().find(|s| s.point == point && [(pivot, centre), (centre, pivot)].contains(&(s.from, s.to)));
+pub(super) fn sense(
+    scene: &Scene,
+    [pivot, centre, point]: [PointId; 3],
+    spots: [Vec2; 2],
+    told: Option<Vec2>,
+) -> f64 {
+    let said = scene
+        .sides
+        .iter()
+        .find(|s| s.point == point && [(pivot, centre), (centre, pivot)].contains(&(s.from, s.to)));
     if let Some(s) = said {
         return if s.left == (s.from == pivot) { 1.0 } else { -1.0 };
     }
@@ -227,9 +265,14 @@ pub(super) fn geometry(carried: &CarriedFollower, centre: Vec2, arm: f64, sense:
     match carried {
         CarriedFollower::Guide { through, angle, .. } => {
             let direction = Vec2::from_angle(angle.value) * sense;
-            Follower::Translating { direction, offset: -(through.at() - centre).dot(direction.perp()) }
+            Follower::Translating {
+                direction,
+                offset: -(through.at() - centre).dot(direction.perp()),
+            }
         }
-        CarriedFollower::Pivot { spot, .. } => Follower::Oscillating { pivot: spot.at() - centre, arm, sense },
+        CarriedFollower::Pivot { spot, .. } => {
+            Follower::Oscillating { pivot: spot.at() - centre, arm, sense }
+        }
     }
 }
 
@@ -237,7 +280,9 @@ pub(super) fn geometry(carried: &CarriedFollower, centre: Vec2, arm: f64, sense:
 /// together, else −1.
 pub(super) fn origin(carried: &CarriedFollower, centre: Vec2, follower: &Follower) -> (f64, f64) {
     let start = match carried {
-        CarriedFollower::Guide { through, angle, .. } => (centre - through.at()).dot(Vec2::from_angle(angle.value)),
+        CarriedFollower::Guide { through, angle, .. } => {
+            (centre - through.at()).dot(Vec2::from_angle(angle.value))
+        }
         CarriedFollower::Pivot { spot, .. } => (centre - spot.at()).angle(),
     };
     (start, outward(carried, follower))

@@ -35,7 +35,9 @@ pub(crate) enum RawFollows {
 impl RawFollows {
     pub fn pin(&self) -> Option<&Word> {
         match self {
-            RawFollows::Edge(pin) | RawFollows::Roller { pin, .. } | RawFollows::Arc { pin, .. } => Some(pin),
+            RawFollows::Edge(pin)
+            | RawFollows::Roller { pin, .. }
+            | RawFollows::Arc { pin, .. } => Some(pin),
             RawFollows::Face(face) => match &face.through {
                 Some(RawThrough::Point(word)) => Some(word),
                 Some(RawThrough::At(..)) | None => None,

@@ -8,7 +8,9 @@
 use super::super::model::*;
 use super::expand::CamReplacement;
 use super::place::{apart, coordinates_or_sketch, locals};
-use hodograph_base::cam::{CamJet, CamMotion, Disc, Follower, FollowerTip, PieceSide, ProfileSegment};
+use hodograph_base::cam::{
+    CamJet, CamMotion, Disc, Follower, FollowerTip, PieceSide, ProfileSegment,
+};
 use hodograph_base::geom::Vec2;
 
 /// Known places of points.
@@ -60,17 +62,32 @@ impl<'a> Reckoned<'a> {
             return Some((b - a).angle());
         }
         self.scene.drivers.iter().find_map(|d| match &d.kind {
-            DriverKind::Turn { link, against, line: None, against_line: None, angle: Some(angle) } if *link == l => {
+            DriverKind::Turn {
+                link,
+                against,
+                line: None,
+                against_line: None,
+                angle: Some(angle),
+            } if *link == l => {
                 Some(self.direction(*against).filter(|_| *against != l)? + angle.value.radians())
             }
-            DriverKind::Turn { .. } | DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
+            DriverKind::Turn { .. } | DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => {
+                None
+            }
         })
     }
 
     /// Places all points of a link with one known point and a known direction.
     fn by_link(&mut self, l: LinkId) {
         let points = &self.scene.links[l.0].points;
-        let Some(from) = points.iter().copied().find(|p| self.spot(*p).is_some()).filter(|_| l != self.scene.ground) else { return };
+        let Some(from) = points
+            .iter()
+            .copied()
+            .find(|p| self.spot(*p).is_some())
+            .filter(|_| l != self.scene.ground)
+        else {
+            return;
+        };
         let (Some(origin), Some(angle)) = (self.spot(from), self.direction(l)) else { return };
         let Some(placed) = locals(self.scene, l, from, angle) else { return };
         for (p, local) in placed {
@@ -84,13 +101,31 @@ impl<'a> Reckoned<'a> {
             return;
         }
         let beside = |l: &&Link| l.points.contains(&p);
-        let near = self.scene.links.iter().filter(beside).flat_map(|l| l.points.iter().copied()).filter(|q| *q != p);
-        let reach: Vec<(PointId, Vec2, f64)> = near.filter_map(|q| Some((q, self.spot(q)?, apart(self.scene, p, q)?.value))).collect();
-        let pairs = reach.iter().enumerate().flat_map(|(i, a)| reach[i + 1..].iter().map(move |b| (a, b)));
+        let near = self
+            .scene
+            .links
+            .iter()
+            .filter(beside)
+            .flat_map(|l| l.points.iter().copied())
+            .filter(|q| *q != p);
+        let reach: Vec<(PointId, Vec2, f64)> =
+            near.filter_map(|q| Some((q, self.spot(q)?, apart(self.scene, p, q)?.value))).collect();
+        let pairs =
+            reach.iter().enumerate().flat_map(|(i, a)| reach[i + 1..].iter().map(move |b| (a, b)));
         for ((i, a, ra), (j, b, rb)) in pairs {
-            let said = self.scene.sides.iter().find(|s| s.point == p && [(*i, *j), (*j, *i)].contains(&(s.from, s.to)));
-            let rough = || self.scene.points[p.0].sketch.map(|[x, y]| (*b - *a).cross(Vec2::new(x, y) - *a) > 0.0);
-            let Some(left) = said.map(|s| s.left == (s.from == *i)).or_else(rough) else { continue };
+            let said = self
+                .scene
+                .sides
+                .iter()
+                .find(|s| s.point == p && [(*i, *j), (*j, *i)].contains(&(s.from, s.to)));
+            let rough = || {
+                self.scene.points[p.0]
+                    .sketch
+                    .map(|[x, y]| (*b - *a).cross(Vec2::new(x, y) - *a) > 0.0)
+            };
+            let Some(left) = said.map(|s| s.left == (s.from == *i)).or_else(rough) else {
+                continue;
+            };
             let way = *b - *a;
             let d = way.norm();
             let foot = (d * d + ra * ra - rb * rb) / (2.0 * d);
@@ -114,12 +149,16 @@ impl<'a> Reckoned<'a> {
             Through::Pin => return None,
         };
         let direction = match direction {
-            GuideDirection::Instant(angle) if guide.on == self.scene.ground => Vec2::from_angle(angle.value.radians()),
+            GuideDirection::Instant(angle) if guide.on == self.scene.ground => {
+                Vec2::from_angle(angle.value.radians())
+            }
             GuideDirection::Along(a, b, turn) => {
                 let way = (self.spot(*b)? - self.spot(*a)?).unit()?;
                 turn.as_ref().map_or(way, |t| way.rotate_by(Vec2::from_angle(t.value.radians())))
             }
-            GuideDirection::Instant(_) | GuideDirection::Own | GuideDirection::Slid(_) => return None,
+            GuideDirection::Instant(_) | GuideDirection::Own | GuideDirection::Slid(_) => {
+                return None;
+            }
         };
         Some((through, direction))
     }
@@ -127,7 +166,12 @@ impl<'a> Reckoned<'a> {
     /// Returns the pivot of a swinging follower.
     fn pivot(&self, follower: LinkId, end: PointId) -> Option<(PointId, Vec2)> {
         let joint = |p: &PointId| *p != end && self.scene.carriers(*p).any(|l| l != follower);
-        self.scene.links[follower.0].points.iter().copied().filter(joint).find_map(|p| Some((p, self.spot(p)?)))
+        self.scene.links[follower.0]
+            .points
+            .iter()
+            .copied()
+            .filter(joint)
+            .find_map(|p| Some((p, self.spot(p)?)))
     }
 }
 
@@ -166,29 +210,52 @@ impl CamReplacement<'_> {
                 Some(_) => {
                     let (pivot, at) = known.pivot(follower, point)?;
                     let arm = apart(self.bare, pivot, point)?.value;
-                    let sense =
-                        super::place::sense(self.bare, [pivot, t.centre, point], [at, t.origin], coordinates_or_sketch(self.bare, point));
+                    let sense = super::place::sense(
+                        self.bare,
+                        [pivot, t.centre, point],
+                        [at, t.origin],
+                        coordinates_or_sketch(self.bare, point),
+                    );
                     Follower::Oscillating { pivot: at - t.origin, arm, sense }
                 }
-                None => Follower::Oscillating { pivot: known.spot(point)? - t.origin, arm: 0.0, sense: t.face.0 },
+                None => Follower::Oscillating {
+                    pivot: known.spot(point)? - t.origin,
+                    arm: 0.0,
+                    sense: t.face.0,
+                },
             }
         };
         let touch = match t.end {
             Some(radius) => FollowerTip::Point { radius },
             None => FollowerTip::Flat { lever: if slides { 0.0 } else { t.face.1 } },
         };
-        let disc = Disc { follower: geometry, touch, motion: CamMotion::Profile(t.segments.to_vec()), sense: 1.0 };
-        let disc = self.on_its_side(disc, t.angle, (self.bare.ground, t.origin), point, &|q| known.spot(q));
+        let disc = Disc {
+            follower: geometry,
+            touch,
+            motion: CamMotion::Profile(t.segments.to_vec()),
+            sense: 1.0,
+        };
+        let disc = self
+            .on_its_side(disc, t.angle, (self.bare.ground, t.origin), point, &|q| known.spot(q));
         let (touched, q) = match self.on {
-            Some(piece) => (piece, t.segments[piece].coordinate(&disc.follower, &disc.touch, CamJet::variable(t.angle))),
-            None => (disc.touched(t.angle, PieceSide::After)?, disc.coordinate(t.angle, PieceSide::After)?),
+            Some(piece) => (
+                piece,
+                t.segments[piece].coordinate(
+                    &disc.follower,
+                    &disc.touch,
+                    CamJet::variable(t.angle),
+                ),
+            ),
+            None => (
+                disc.touched(t.angle, PieceSide::After)?,
+                disc.coordinate(t.angle, PieceSide::After)?,
+            ),
         };
         let rough = match (disc.follower, t.face.2) {
             (follower, _) if t.end.is_some() => Some((point, follower)),
             // The distance of the end of the line is its length.
-            (Follower::Oscillating { pivot, sense, .. }, Some(end)) => {
-                apart(self.bare, point, end).map(|arm| (end, Follower::Oscillating { pivot, arm: arm.value, sense }))
-            }
+            (Follower::Oscillating { pivot, sense, .. }, Some(end)) => apart(self.bare, point, end)
+                .map(|arm| (end, Follower::Oscillating { pivot, arm: arm.value, sense })),
             (Follower::Oscillating { .. } | Follower::Translating { .. }, _) => None,
         };
         Some((touched, rough.map(|(p, follower)| (p, t.origin + follower.point(q).order(0)))))

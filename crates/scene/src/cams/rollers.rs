@@ -14,7 +14,9 @@ use hodograph_base::json::Word;
 /// is the roller's pin.
 fn link_of(raw: &RawScene, follows: &RawFollows) -> Option<Word> {
     let RawFollows::Roller { pin, link, .. } = follows else { return None };
-    let alone = |l: &&RawLink| matches!(&l.points[..], [p] if p.text == pin.text) && !is_used(raw, &l.name.text);
+    let alone = |l: &&RawLink| {
+        matches!(&l.points[..], [p] if p.text == pin.text) && !is_used(raw, &l.name.text)
+    };
     link.clone().or_else(|| raw.links.iter().find(alone).map(|l| l.name.clone()))
 }
 
@@ -38,10 +40,18 @@ fn is_used(raw: &RawScene, link: &str) -> bool {
 pub(crate) fn settled(raw: &RawScene, faults: &mut Faults) -> RawScene {
     let mut out = raw.clone();
     for (i, cam) in raw.cams.iter().enumerate() {
-        let (Some(name), Some(pin)) = (link_of(raw, &cam.follows), cam.follows.pin()) else { continue };
+        let (Some(name), Some(pin)) = (link_of(raw, &cam.follows), cam.follows.pin()) else {
+            continue;
+        };
         let declared = raw.links.iter().find(|l| l.name.text == name.text);
-        if declared.is_some_and(|l| l.points.len() != 1 || l.points[0].text != pin.text) || is_used(raw, &name.text) {
-            let d = Diagnostic::error("roller-link", both!("link `{}` is no roller", "构件 `{}` 不是滚子", name.text)).at(name.span);
+        if declared.is_some_and(|l| l.points.len() != 1 || l.points[0].text != pin.text)
+            || is_used(raw, &name.text)
+        {
+            let d = Diagnostic::error(
+                "roller-link",
+                both!("link `{}` is no roller", "构件 `{}` 不是滚子", name.text),
+            )
+            .at(name.span);
             faults.push(d.help(both!(
                 "the link of a roller has its centre `{}` and no other point, and nothing else is said of it",
                 "滚子构件只有中心 `{}` 一个点，且不在别处使用",

@@ -12,7 +12,10 @@ use super::pairs::Worded;
 use super::place::{CarriedFollower, NumberText, OnPivot, apart};
 use super::{Cam, Pieces, TurningCam};
 use hodograph_base::cam::outline::{ProfilePart, segments};
-use hodograph_base::cam::{CamMotion, Disc, ExactCam, Follower, FollowerTip, ProfileSegment, Stage, StageMotion, StageProgram};
+use hodograph_base::cam::{
+    CamMotion, Disc, ExactCam, Follower, FollowerTip, ProfileSegment, Stage, StageMotion,
+    StageProgram,
+};
 use hodograph_base::geom::Vec2;
 use hodograph_base::json::Word;
 use hodograph_base::number::Real;
@@ -48,7 +51,8 @@ pub type PartTexts = (Option<[String; 2]>, Option<String>);
 impl MotionTexts {
     /// Returns the texts of a law.
     pub(super) fn of_law(law: &LawText) -> MotionTexts {
-        let stage = |s: &super::law::StageText| (s.gain.as_ref().map(|g| g.text.clone()), s.over.clone());
+        let stage =
+            |s: &super::law::StageText| (s.gain.as_ref().map(|g| g.text.clone()), s.over.clone());
         MotionTexts::Law(law.base.clone(), law.stages.iter().map(stage).collect())
     }
 }
@@ -60,7 +64,9 @@ impl MotionTexts {
         let part = |(centre, radius): &PartTexts| -> Option<ProfilePart<N>> {
             let radius = radius.as_ref().map(|r| inputs.text(r));
             Some(match (centre, radius) {
-                (Some([x, y]), Some(radius)) => ProfilePart::Circle(Vec2::new(inputs.text(x)?, inputs.text(y)?), radius?),
+                (Some([x, y]), Some(radius)) => {
+                    ProfilePart::Circle(Vec2::new(inputs.text(x)?, inputs.text(y)?), radius?)
+                }
                 (None, Some(radius)) => ProfilePart::Flank(radius?),
                 (_, None) => ProfilePart::Tangent,
             })
@@ -84,7 +90,13 @@ const SAME: f64 = 1e-9;
 impl CamReplacement<'_> {
     /// Returns the texts of a profile in axes of the cam with the origin at one of its points,
     /// where its points are `local`; `None` if the place of a centre has no text.
-    pub(super) fn profile_texts(&self, cam: LinkId, begin: PointId, local: &[(PointId, Vec2)], worded: &[Worded]) -> Option<MotionTexts> {
+    pub(super) fn profile_texts(
+        &self,
+        cam: LinkId,
+        begin: PointId,
+        local: &[(PointId, Vec2)],
+        worded: &[Worded],
+    ) -> Option<MotionTexts> {
         let centre = |name: &str| -> Option<[String; 2]> {
             let p = self.names.point(&Word { text: name.to_owned(), span: self.raw.span }).ok()?;
             let known = local.iter().find(|(q, _)| *q == p)?.1;
@@ -98,7 +110,9 @@ impl CamReplacement<'_> {
         };
         let part = |w: &Worded| -> Option<PartTexts> {
             Some(match w {
-                Worded::Circle { centre: name, radius } => (Some(centre(name)?), Some(radius.text.clone())),
+                Worded::Circle { centre: name, radius } => {
+                    (Some(centre(name)?), Some(radius.text.clone()))
+                }
                 Worded::Tangent { .. } => (None, None),
                 Worded::Flank { radius } => (None, Some(radius.text.clone())),
             })
@@ -116,11 +130,14 @@ impl CamReplacement<'_> {
     ) -> Option<Texts> {
         let of = |x: &NumberText, y: &NumberText| [x.text.clone(), y.text.clone()];
         let follower = match carried {
-            CarriedFollower::Guide { through, angle, .. } => (of(&through.x, &through.y), angle.text.clone()),
-            // A face has no arm.
-            CarriedFollower::Pivot { pivot, spot } => {
-                (of(&spot.x, &spot.y), apart(self.bare, *pivot, point).map_or_else(|| "0 mm".to_owned(), |arm| arm.text))
+            CarriedFollower::Guide { through, angle, .. } => {
+                (of(&through.x, &through.y), angle.text.clone())
             }
+            // A face has no arm.
+            CarriedFollower::Pivot { pivot, spot } => (
+                of(&spot.x, &spot.y),
+                apart(self.bare, *pivot, point).map_or_else(|| "0 mm".to_owned(), |arm| arm.text),
+            ),
         };
         Some(Texts {
             phi,
@@ -135,7 +152,8 @@ impl CamReplacement<'_> {
 
 /// Returns the parameters of a scene in numbers of a given type.
 fn inputs<N: Real>(scene: &Scene) -> Inputs<'_, N> {
-    let texts: Vec<(&str, &str)> = scene.parameters.iter().map(|(name, given)| (name.as_str(), given.text.as_str())).collect();
+    let texts: Vec<(&str, &str)> =
+        scene.parameters.iter().map(|(name, given)| (name.as_str(), given.text.as_str())).collect();
     Inputs::of_texts(&texts)
 }
 
@@ -164,7 +182,9 @@ impl TurningCam {
                 let direction = if along.approx().dot(out) < 0.0 { -along } else { along };
                 Follower::Translating { direction, offset: -at.dot(direction.perp()) }
             }
-            Follower::Oscillating { sense, .. } => Follower::Oscillating { pivot: at, arm: last, sense },
+            Follower::Oscillating { sense, .. } => {
+                Follower::Oscillating { pivot: at, arm: last, sense }
+            }
         };
         let touch = inputs.text(&texts.touch)?;
         let touch = match self.disc.touch {
@@ -173,16 +193,18 @@ impl TurningCam {
         };
         let motion = match (&self.disc.motion, &texts.motion) {
             (CamMotion::Law { program, .. }, MotionTexts::Law(base, stages)) => {
-                let stage = |(s, (gain, over)): (&Stage, &(Option<String>, String))| -> Option<Stage<N>> {
-                    let gain = || inputs.text(gain.as_ref()?);
-                    let way = match s.way {
-                        StageMotion::Rise(_, law) => StageMotion::Rise(gain()?, law),
-                        StageMotion::Dwell => StageMotion::Dwell,
-                        StageMotion::Return(_, law) => StageMotion::Return(gain()?, law),
+                let stage =
+                    |(s, (gain, over)): (&Stage, &(Option<String>, String))| -> Option<Stage<N>> {
+                        let gain = || inputs.text(gain.as_ref()?);
+                        let way = match s.way {
+                            StageMotion::Rise(_, law) => StageMotion::Rise(gain()?, law),
+                            StageMotion::Dwell => StageMotion::Dwell,
+                            StageMotion::Return(_, law) => StageMotion::Return(gain()?, law),
+                        };
+                        Some(Stage { way, over: inputs.text(over)? })
                     };
-                    Some(Stage { way, over: inputs.text(over)? })
-                };
-                let stages = program.stages.iter().zip(stages).map(stage).collect::<Option<Vec<_>>>()?;
+                let stages =
+                    program.stages.iter().zip(stages).map(stage).collect::<Option<Vec<_>>>()?;
                 CamMotion::Law { base: inputs.text(base)?, program: StageProgram { stages } }
             }
             (CamMotion::Profile(_), texts) => CamMotion::Profile(texts.segments(&inputs)?),
@@ -196,10 +218,15 @@ impl TurningCam {
         let phi = if (self.phi - texts.phi).abs() <= 4.0 * f64::EPSILON * texts.phi.abs() {
             turned(inputs.text(&texts.angle[0])?)
         } else {
-            let told = self.driver_angle(scene).filter(|_| self.is_drivers_own()).and_then(|text| inputs.text(text));
+            let told = self
+                .driver_angle(scene)
+                .filter(|_| self.is_drivers_own())
+                .and_then(|text| inputs.text(text));
             let told = told.map(|angle| turned(if self.way < 0.0 { -angle } else { angle }));
-            let rounding = 8.0 * f64::EPSILON * (self.phi.abs() + self.start.abs() + self.from.abs());
-            told.filter(|phi| (phi.approx() - self.phi).abs() <= rounding).unwrap_or_else(|| N::from_f64(self.phi).widened(rounding))
+            let rounding =
+                8.0 * f64::EPSILON * (self.phi.abs() + self.start.abs() + self.from.abs());
+            told.filter(|phi| (phi.approx() - self.phi).abs() <= rounding)
+                .unwrap_or_else(|| N::from_f64(self.phi).widened(rounding))
         };
         Some((ExactCam::new(&self.disc, &self.survey, disc), phi))
     }
@@ -211,8 +238,13 @@ impl TurningCam {
         let (driver, inputs) = (&scene.drivers[self.driver], inputs::<N>(scene));
         let way = N::from_f64(self.way * self.disc.sense);
         // The ratio of a train of wheels is a quotient in double precision.
-        let way = if self.is_drivers_own() { way } else { way.widened(4.0 * f64::EPSILON * self.way.abs()) };
-        [Some(&driver.rate), driver.acceleration.as_ref()].map(|rate| rate.map_or(N::from_f64(0.0), |r| way * inputs.number(r)))
+        let way = if self.is_drivers_own() {
+            way
+        } else {
+            way.widened(4.0 * f64::EPSILON * self.way.abs())
+        };
+        [Some(&driver.rate), driver.acceleration.as_ref()]
+            .map(|rate| rate.map_or(N::from_f64(0.0), |r| way * inputs.number(r)))
     }
 
     /// Returns place, rate and acceleration of a driver that replaces the contact, in numbers of a
@@ -223,7 +255,8 @@ impl TurningCam {
         let (texts, inputs) = (self.texts.as_ref()?, inputs::<N>(scene));
         let origin = match cam.disc().follower {
             Follower::Translating { .. } => {
-                let [from, centre] = [&texts.follower.0, &texts.centre].map(|[x, y]| Some(Vec2::new(inputs.text(x)?, inputs.text(y)?)));
+                let [from, centre] = [&texts.follower.0, &texts.centre]
+                    .map(|[x, y]| Some(Vec2::new(inputs.text(x)?, inputs.text(y)?)));
                 (centre? - from?).dot(Vec2::from_angle(inputs.text(&texts.follower.1)?))
             }
             Follower::Oscillating { pivot, .. } => (-pivot).angle(),
@@ -256,7 +289,10 @@ impl Cam {
         if !N::refines() {
             return Some(N::from_f64(value));
         }
-        self.end.as_ref().map_or_else(|| (value == 0.0).then(|| N::from_f64(0.0)), |text| inputs(scene).text(text))
+        self.end.as_ref().map_or_else(
+            || (value == 0.0).then(|| N::from_f64(0.0)),
+            |text| inputs(scene).text(text),
+        )
     }
 
     /// Returns the radius of the arc in contact in numbers of a given type: see
@@ -266,7 +302,9 @@ impl Cam {
         if !N::refines() {
             return Some(N::from_f64(value));
         }
-        if let Some(t) = self.disc.as_ref().filter(|t| matches!(t.disc.motion, CamMotion::Law { .. })) {
+        if let Some(t) =
+            self.disc.as_ref().filter(|t| matches!(t.disc.motion, CamMotion::Law { .. }))
+        {
             let (cam, phi) = t.exact(scene)?;
             return Some(cam.station((t.phi, t.side), phi)?.rho);
         }

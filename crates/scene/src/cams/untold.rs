@@ -24,7 +24,9 @@ impl CamReplacement<'_> {
                 }
                 (centre, follower)
             }
-            RawFollows::Edge(pin) | RawFollows::Roller { pin, .. } | RawFollows::Arc { pin, .. } => (pin.clone(), cam),
+            RawFollows::Edge(pin)
+            | RawFollows::Roller { pin, .. }
+            | RawFollows::Arc { pin, .. } => (pin.clone(), cam),
         };
         pending.circle = None;
         pending.disc = None;

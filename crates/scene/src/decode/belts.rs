@@ -49,17 +49,29 @@ pub(super) fn belts(f: &Fields, raw: &mut RawScene, faults: &mut Faults) {
     }
 }
 
-fn strands(f: &Fields, section: &Section, belt: usize, faults: &mut Faults) -> Option<Vec<RawRolling>> {
+fn strands(
+    f: &Fields,
+    section: &Section,
+    belt: usize,
+    faults: &mut Faults,
+) -> Option<Vec<RawRolling>> {
     let before = faults.list.len();
     let (wheels, (sizes, example)) = (section.wheels, section.sizes);
     let list = |key: &str, example: &str, faults: &mut Faults| {
-        f.need(key, example, faults).map(|n| words(Some(n), &format!("\"{key}\""), faults)).unwrap_or_default()
+        f.need(key, example, faults)
+            .map(|n| words(Some(n), &format!("\"{key}\""), faults))
+            .unwrap_or_default()
     };
-    let (links, centres) = (list(wheels, "[\"2\", \"3\"]", faults), list("centres", "[\"A\", \"B\"]", faults));
-    let values = f.need(sizes, example, faults).map(|n| quantities(n, sizes, faults)).unwrap_or_default();
-    let need_pitch = |faults: &mut Faults| f.need("pitch", "\"12.7 mm\"", faults).and_then(|n| quantity(n, "\"pitch\"", faults));
+    let (links, centres) =
+        (list(wheels, "[\"2\", \"3\"]", faults), list("centres", "[\"A\", \"B\"]", faults));
+    let values =
+        f.need(sizes, example, faults).map(|n| quantities(n, sizes, faults)).unwrap_or_default();
+    let need_pitch = |faults: &mut Faults| {
+        f.need("pitch", "\"12.7 mm\"", faults).and_then(|n| quantity(n, "\"pitch\"", faults))
+    };
     let pitch = section.kind.is_toothed().then(|| need_pitch(faults)).flatten();
-    let reversed = f.get("reversed").map(|n| words(Some(n), "\"reversed\"", faults)).unwrap_or_default();
+    let reversed =
+        f.get("reversed").map(|n| words(Some(n), "\"reversed\"", faults)).unwrap_or_default();
     let crossed = f.get("crossed").and_then(|n| flag(n, "crossed", faults)) == Some(true);
     let at = f.get("at").map(|n| words(Some(n), "\"at\"", faults));
     let phase = f.get("phase").and_then(|n| quantity(n, "\"phase\"", faults));
@@ -75,38 +87,65 @@ fn strands(f: &Fields, section: &Section, belt: usize, faults: &mut Faults) -> O
             centres.len(),
             values.len()
         );
-        let help = both!("write as many of each, in the order in which it runs round them", "请按绕过的顺序写出，数目相同");
+        let help = both!(
+            "write as many of each, in the order in which it runs round them",
+            "请按绕过的顺序写出，数目相同"
+        );
         faults.push(Diagnostic::error("wrong-count", message).at(f.span()).help(help));
         return None;
     }
     for word in reversed.iter().filter(|w| links.iter().all(|l| l.text != w.text)) {
         let names: Vec<&str> = links.iter().map(|l| l.text.as_str()).collect();
-        let message = both!("`{}` is not among \"{wheels}\"", "`{}` 不在 \"{wheels}\" 之中", word.text);
+        let message =
+            both!("`{}` is not among \"{wheels}\"", "`{}` 不在 \"{wheels}\" 之中", word.text);
         let help = both!("they are {}", "它们是 {}", Both::names(&names));
         faults.push(Diagnostic::error("unknown-link", message).at(word.span).help(help));
     }
     if crossed && (n != 2 || !reversed.is_empty()) {
-        let message =
-            both!("\"crossed\" is said of two pulleys without \"reversed\"", "\"crossed\" 只用于两个带轮且不写 \"reversed\" 的情形");
-        let help = both!("name the pulleys that turn the other way in \"reversed\"", "请在 \"reversed\" 中写出反向转动的带轮");
+        let message = both!(
+            "\"crossed\" is said of two pulleys without \"reversed\"",
+            "\"crossed\" 只用于两个带轮且不写 \"reversed\" 的情形"
+        );
+        let help = both!(
+            "name the pulleys that turn the other way in \"reversed\"",
+            "请在 \"reversed\" 中写出反向转动的带轮"
+        );
         faults.push(Diagnostic::error("belt", message).at(f.span()).help(help));
     }
     if section.kind == RollingKind::Chain && n == 2 && !reversed.is_empty() {
-        let message = both!("a chain round two sprockets does not cross itself", "绕过两个链轮的链条不能交叉");
+        let message = both!(
+            "a chain round two sprockets does not cross itself",
+            "绕过两个链轮的链条不能交叉"
+        );
         let help = both!("leave \"reversed\" away", "请去掉 \"reversed\"");
         faults.push(Diagnostic::error("belt", message).at(reversed[0].span).help(help));
     }
     if let Some(at) = at.as_ref().filter(|at| at.len() != 2 * (n - 1)) {
-        let message = both!("\"at\" names {} points, not {}", "\"at\" 写了 {} 个点，应为 {} 个", at.len(), 2 * (n - 1));
+        let message = both!(
+            "\"at\" names {} points, not {}",
+            "\"at\" 写了 {} 个点，应为 {} 个",
+            at.len(),
+            2 * (n - 1)
+        );
         let help = both!(
             "name both ends of the strand between each wheel and the next: \"at\": [\"M\", \"N\"]",
             "请写出每两个相邻轮之间带段的两个端点：\"at\": [\"M\", \"N\"]"
         );
-        faults.push(Diagnostic::error("wrong-count", message).at(at.first().map_or(f.span(), |w| w.span)).help(help));
+        faults.push(
+            Diagnostic::error("wrong-count", message)
+                .at(at.first().map_or(f.span(), |w| w.span))
+                .help(help),
+        );
     }
     if let Some(q) = phase.as_ref().filter(|_| n != 2) {
-        let message = both!("\"phase\" is said of two wheels, here are {n}", "\"phase\" 只用于两个轮，此处有 {n} 个");
-        let help = both!("give coordinates of a second point of each wheel in \"points\"", "请在 \"points\" 中给出各轮上另一点的坐标");
+        let message = both!(
+            "\"phase\" is said of two wheels, here are {n}",
+            "\"phase\" 只用于两个轮，此处有 {n} 个"
+        );
+        let help = both!(
+            "give coordinates of a second point of each wheel in \"points\"",
+            "请在 \"points\" 中给出各轮上另一点的坐标"
+        );
         faults.push(Diagnostic::error("phase", message).at(q.span).help(help));
     }
     if faults.list.len() > before {
@@ -120,11 +159,18 @@ fn strands(f: &Fields, section: &Section, belt: usize, faults: &mut Faults) -> O
         RawRolling {
             sides: [a, b].map(|k| side(&links[k], Some(&centres[k]), false)),
             sizes: match &pitch {
-                Some(pitch) => RawSizes::Teeth(vec![values[a].clone(), values[b].clone()], Some(pitch.clone())),
+                Some(pitch) => {
+                    RawSizes::Teeth(vec![values[a].clone(), values[b].clone()], Some(pitch.clone()))
+                }
                 None => RawSizes::Radii(vec![values[a].clone(), values[b].clone()]),
             },
             kind: section.kind,
-            strand: Some(RawStrand { belt, crossed: crossed || back(&links[a]) != back(&links[b]), right: back(&links[a]), end }),
+            strand: Some(RawStrand {
+                belt,
+                crossed: crossed || back(&links[a]) != back(&links[b]),
+                right: back(&links[a]),
+                end,
+            }),
             line: None,
             through: None,
             angle: None,

@@ -22,17 +22,23 @@ fn words_of([en, zh]: [&str; 2]) -> Both {
 pub(super) fn driver(node: &Node, raw: &RawScene, faults: &mut Faults) -> Option<RawDriver> {
     let extent = raw.extent;
     let members = object(node, both!("a driver", "原动件"), faults)?;
-    let present: Vec<_> = KINDS.iter().filter(|(mark, ..)| members.iter().any(|(k, _)| k.text == *mark)).collect();
+    let present: Vec<_> =
+        KINDS.iter().filter(|(mark, ..)| members.iter().any(|(k, _)| k.text == *mark)).collect();
     let (mark, what, known) = match present.as_slice() {
         [one] => **one,
         [] => {
             let d = Diagnostic::error(
                 "driver-kind",
-                both!("a driver says neither `link`, nor `slide`, nor `cylinder`", "原动件没有写 `link`、`slide` 或 `cylinder`"),
+                both!(
+                    "a driver says neither `link`, nor `slide`, nor `cylinder`",
+                    "原动件没有写 `link`、`slide` 或 `cylinder`"
+                ),
             )
             .at(node.span);
-            let near =
-                members.iter().map(|(k, _)| suggest(&k.text, KINDS.iter().map(|k| k.0), Both::default())).find(|s| s.en.starts_with("did"));
+            let near = members
+                .iter()
+                .map(|(k, _)| suggest(&k.text, KINDS.iter().map(|k| k.0), Both::default()))
+                .find(|s| s.en.starts_with("did"));
             faults.push(d.help(near.unwrap_or_else(|| {
                 both!(
                     "name the turning \"link\", the pin that is to \"slide\", or the ends of the \"cylinder\"",
@@ -45,7 +51,11 @@ pub(super) fn driver(node: &Node, raw: &RawScene, faults: &mut Faults) -> Option
             let marks: Vec<_> = many.iter().map(|(mark, ..)| format!("`{mark}`")).collect();
             let d = Diagnostic::error(
                 "driver-kind",
-                both!("one driver mixes {}", "一个原动件混用了 {}", Both { en: marks.join(" and "), zh: marks.join("、") }),
+                both!(
+                    "one driver mixes {}",
+                    "一个原动件混用了 {}",
+                    Both { en: marks.join(" and "), zh: marks.join("、") }
+                ),
             )
             .at(node.span);
             faults.push(d.help(both!(
@@ -62,13 +72,26 @@ pub(super) fn driver(node: &Node, raw: &RawScene, faults: &mut Faults) -> Option
         if known.contains(&key.text.as_str()) {
             continue;
         }
-        if let Some(&(_, other, _)) = KINDS.iter().find(|(.., keys)| keys.contains(&key.text.as_str())) {
+        if let Some(&(_, other, _)) =
+            KINDS.iter().find(|(.., keys)| keys.contains(&key.text.as_str()))
+        {
             let d = Diagnostic::error(
                 "driver-kind",
-                both!("`{}` belongs to {}, this is {}", "`{}` 是{}的键，此处为{}", key.text, words_of(other), words_of(what)),
+                both!(
+                    "`{}` belongs to {}, this is {}",
+                    "`{}` 是{}的键，此处为{}",
+                    key.text,
+                    words_of(other),
+                    words_of(what)
+                ),
             )
             .at(key.span);
-            faults.push(d.help(both!("the keys of {} are {}", "{}的键有 {}", words_of(what), Both::names(known))));
+            faults.push(d.help(both!(
+                "the keys of {} are {}",
+                "{}的键有 {}",
+                words_of(what),
+                Both::names(known)
+            )));
             mixed = true;
         }
     }
@@ -79,7 +102,9 @@ pub(super) fn driver(node: &Node, raw: &RawScene, faults: &mut Faults) -> Option
         "slide" => ("velocity", "\"2 m/s\""),
         _ => ("rate", "\"50 mm/s\""),
     };
-    let value = |key: &str, faults: &mut Faults| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
+    let value = |key: &str, faults: &mut Faults| {
+        f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults))
+    };
     let second = if mark == "link" { "alpha" } else { "acceleration" };
     let mut acceleration = value(second, faults);
     let [angle, position, length] = ["angle", "position", "length"].map(|key| value(key, faults));
@@ -88,18 +113,29 @@ pub(super) fn driver(node: &Node, raw: &RawScene, faults: &mut Faults) -> Option
         // A position that is a law of time gives the rates too, unless the file does.
         Some(q) => {
             if let Some(node) = f.get(second) {
-                let message =
-                    both!("the position is a law of time, which says `{second}` already", "位置是时间的函数，`{second}` 由它给出");
-                let help = both!("leave `{second}` out, or add `{key}`", "请去掉 `{second}`，或写出 `{key}`");
+                let message = both!(
+                    "the position is a law of time, which says `{second}` already",
+                    "位置是时间的函数，`{second}` 由它给出"
+                );
+                let help = both!(
+                    "leave `{second}` out, or add `{key}`",
+                    "请去掉 `{second}`，或写出 `{key}`"
+                );
                 faults.push(Diagnostic::error("given-twice", message).at(node.span).help(help));
             }
-            let (rate, of_law, law) = differentiated(q, raw, faults)?.of_driver(if mark == "link" { "rad/s" } else { "m/s" }, f.span());
+            let (rate, of_law, law) = differentiated(q, raw, faults)?
+                .of_driver(if mark == "link" { "rad/s" } else { "m/s" }, f.span());
             acceleration = of_law;
             (rate, law)
         }
         None => {
             let rate = if extent.is_at_rest() { f.get(key) } else { f.need(key, example, faults) };
-            (rate.and_then(|n| quantity(n, both!("the rate of a driver", "原动件的速度"), faults)), None)
+            (
+                rate.and_then(|n| {
+                    quantity(n, both!("the rate of a driver", "原动件的速度"), faults)
+                }),
+                None,
+            )
         }
     };
     // A name that could not be read does not count as absent.
@@ -107,14 +143,19 @@ pub(super) fn driver(node: &Node, raw: &RawScene, faults: &mut Faults) -> Option
     let mut name = |key: &str| f.get(key).and_then(|n| word(n, &format!("\"{key}\""), faults));
     let kind = match mark {
         "link" => {
-            let (link, against, line, against_line) = (name("link"), name("against"), name("line"), name("against_line"));
+            let (link, against, line, against_line) =
+                (name("link"), name("against"), name("line"), name("against_line"));
             RawDriverKind::Turn { link: link?, against, line, against_line, angle }
         }
         "slide" => RawDriverKind::Slide { slide: name("slide")?, position },
         _ => RawDriverKind::Cylinder {
             ends: name("cylinder")?,
             length,
-            links: words(f.get("links"), both!("\"links\" of a cylinder", "液压缸的 \"links\""), faults),
+            links: words(
+                f.get("links"),
+                both!("\"links\" of a cylinder", "液压缸的 \"links\""),
+                faults,
+            ),
         },
     };
     (faults.list.len() == before).then_some(())?;
@@ -125,16 +166,31 @@ pub(super) fn driver(node: &Node, raw: &RawScene, faults: &mut Faults) -> Option
 /// first that slides on the ground.
 pub(super) fn added(raw: &RawScene) -> Option<RawDriver> {
     let ground = raw.ground.as_ref()?;
-    let fixed: Vec<&str> =
-        raw.links.iter().filter(|l| l.name.text == ground.text).flat_map(|l| &l.points).map(|p| p.text.as_str()).collect();
-    let pinned =
-        raw.links.iter().filter(|l| l.name.text != ground.text).find(|l| l.points.iter().any(|p| fixed.contains(&p.text.as_str())));
+    let fixed: Vec<&str> = raw
+        .links
+        .iter()
+        .filter(|l| l.name.text == ground.text)
+        .flat_map(|l| &l.points)
+        .map(|p| p.text.as_str())
+        .collect();
+    let pinned = raw
+        .links
+        .iter()
+        .filter(|l| l.name.text != ground.text)
+        .find(|l| l.points.iter().any(|p| fixed.contains(&p.text.as_str())));
     let slides = || {
-        let on_ground = raw.guides.iter().filter(|g| g.on.as_ref().is_none_or(|on| on.text == ground.text));
+        let on_ground =
+            raw.guides.iter().filter(|g| g.on.as_ref().is_none_or(|on| on.text == ground.text));
         on_ground.filter_map(|g| g.pin.as_ref().or(g.slider.as_ref())).next()
     };
     let kind = match pinned {
-        Some(link) => RawDriverKind::Turn { link: link.name.clone(), against: None, line: None, against_line: None, angle: None },
+        Some(link) => RawDriverKind::Turn {
+            link: link.name.clone(),
+            against: None,
+            line: None,
+            against_line: None,
+            angle: None,
+        },
         None => RawDriverKind::Slide { slide: slides()?.clone(), position: None },
     };
     Some(RawDriver { kind, rate: None, acceleration: None, law: None, span: ground.span })

@@ -21,7 +21,11 @@ pub(super) struct Differentiated {
 impl Differentiated {
     /// Returns rate, acceleration and law of a driver; a rate that vanishes is written as zero in
     /// its unit.
-    pub(super) fn of_driver(self, unit: &str, span: Span) -> (Option<RawQuantity>, Option<RawQuantity>, Option<TimeLaw>) {
+    pub(super) fn of_driver(
+        self,
+        unit: &str,
+        span: Span,
+    ) -> (Option<RawQuantity>, Option<RawQuantity>, Option<TimeLaw>) {
         let still = RawQuantity { text: format!("0 {unit}"), span, bare: false };
         (self.rate.or(Some(still)), self.second, Some(self.law))
     }
@@ -39,7 +43,11 @@ impl RawScene {
 /// Differentiates a law twice; parameters are known by name.
 ///
 /// Returns `None` if the law cannot be parsed or differentiated; the fault has then been reported.
-pub(super) fn differentiated(law: &RawQuantity, raw: &RawScene, faults: &mut Faults) -> Option<Differentiated> {
+pub(super) fn differentiated(
+    law: &RawQuantity,
+    raw: &RawScene,
+    faults: &mut Faults,
+) -> Option<Differentiated> {
     let names: Vec<&str> = raw.parameters.iter().map(|(name, _)| name.text.as_str()).collect();
     let tree = expr::parse(&law.text, &names).map_err(|d| faults.push(d.at(law.span))).ok()?;
     let given = |text: String| RawQuantity { text, span: law.span, bare: false };
@@ -48,8 +56,16 @@ pub(super) fn differentiated(law: &RawQuantity, raw: &RawScene, faults: &mut Fau
             Ok(d) => Some(d),
             Err(why) => {
                 let message = match why {
-                    NoDerivative::Corner => both!("`{}`: abs has a corner, and no derivative there", "`{}`：abs 有尖点，不可导", law.text),
-                    NoDerivative::Exponent => both!("`{}`: the exponent depends on time", "`{}`：指数随时间变化", law.text),
+                    NoDerivative::Corner => both!(
+                        "`{}`: abs has a corner, and no derivative there",
+                        "`{}`：abs 有尖点，不可导",
+                        law.text
+                    ),
+                    NoDerivative::Exponent => both!(
+                        "`{}`: the exponent depends on time",
+                        "`{}`：指数随时间变化",
+                        law.text
+                    ),
                 };
                 faults.push(Diagnostic::error("law", message).at(law.span));
                 None
@@ -58,9 +74,16 @@ pub(super) fn differentiated(law: &RawQuantity, raw: &RawScene, faults: &mut Fau
     };
     let parsed = |text: &String, faults: &mut Faults| -> Option<Expr> {
         let involved = |_| {
-            let message = both!("`{}` is too involved to be differentiated twice", "`{}` 过于复杂，无法求二阶导数", law.text);
+            let message = both!(
+                "`{}` is too involved to be differentiated twice",
+                "`{}` 过于复杂，无法求二阶导数",
+                law.text
+            );
             let d = Diagnostic::error("law", message).at(law.span);
-            faults.push(d.help(both!("write it with fewer products and powers of what depends on t", "请减少含 t 的乘积与乘方")));
+            faults.push(d.help(both!(
+                "write it with fewer products and powers of what depends on t",
+                "请减少含 t 的乘积与乘方"
+            )));
         };
         expr::parse(text, &names).map_err(involved).ok()
     };
@@ -74,9 +97,13 @@ pub(super) fn differentiated(law: &RawQuantity, raw: &RawScene, faults: &mut Fau
     }
     let (used, all) = (tree.parameters(), &raw.parameters);
     // A parameter defined as another parameter has the value of that one.
-    let value = |q: &RawQuantity| all.iter().find(|(name, _)| name.text == q.text).map_or(&q.text, |(_, q)| &q.text).clone();
+    let value = |q: &RawQuantity| {
+        all.iter().find(|(name, _)| name.text == q.text).map_or(&q.text, |(_, q)| &q.text).clone()
+    };
     let named = |instant: bool| {
-        let wanted = all.iter().filter(|(name, _)| (name.text == TIME) == instant && (instant || used.contains(&name.text.as_str())));
+        let wanted = all.iter().filter(|(name, _)| {
+            (name.text == TIME) == instant && (instant || used.contains(&name.text.as_str()))
+        });
         wanted.map(|(name, q)| (name.text.clone(), value(q))).collect::<Vec<_>>()
     };
     let parameters = [named(false), named(true)].concat();
@@ -96,7 +123,8 @@ mod tests {
         );
         let scene = read(text).map_err(|f| f.list[0].message.en.clone())?.value;
         let driver = &scene.drivers[0];
-        let angle = driver.kind.angle().expect("a turning driver by a law has an angle").value.radians();
+        let angle =
+            driver.kind.angle().expect("a turning driver by a law has an angle").value.radians();
         Ok([angle, driver.rate.value, driver.acceleration.as_ref().map_or(0.0, |a| a.value)])
     }
 
@@ -110,10 +138,20 @@ mod tests {
             "0.3 rad*sin(2 rad/s*t)*t^2/(1 s^2)+0.1 rad*cos(3 rad/s*t)^3*t/(1 s)+(20 deg)*(t/(2 s))^5*(10-15*t/(2 s)+6*(t/(2 s))^2)",
         ] {
             let (t, h) = (0.7, 1e-4);
-            let [before, now, after] = [t - h, t, t + h].map(|t| crank(law, t).unwrap_or_else(|e| panic!("{law}: {e}")));
-            let [rate, second] = [(after[0] - before[0]) / (2.0 * h), (after[1] - before[1]) / (2.0 * h)];
-            assert!((rate - now[1]).abs() < 1e-6 * (1.0 + rate.abs()), "{law}: ω {} against {rate}", now[1]);
-            assert!((second - now[2]).abs() < 1e-6 * (1.0 + second.abs()), "{law}: α {} against {second}", now[2]);
+            let [before, now, after] =
+                [t - h, t, t + h].map(|t| crank(law, t).unwrap_or_else(|e| panic!("{law}: {e}")));
+            let [rate, second] =
+                [(after[0] - before[0]) / (2.0 * h), (after[1] - before[1]) / (2.0 * h)];
+            assert!(
+                (rate - now[1]).abs() < 1e-6 * (1.0 + rate.abs()),
+                "{law}: ω {} against {rate}",
+                now[1]
+            );
+            assert!(
+                (second - now[2]).abs() < 1e-6 * (1.0 + second.abs()),
+                "{law}: α {} against {second}",
+                now[2]
+            );
         }
     }
 

@@ -19,14 +19,20 @@ pub(super) fn time(node: &Node, faults: &mut Faults) -> Option<(Word, RawQuantit
 pub(super) fn motion(node: &Node, raw: &mut RawScene, faults: &mut Faults) -> Option<()> {
     let f = Fields::open(node, both!("a motion", "运动"), keys::MOTION, faults)?;
     let point = f.need("point", "\"M\"", faults).and_then(|n| word(n, "\"point\"", faults));
-    let on = f.need("on", both!("\"2\", the link on which it moves", "\"2\"（所在构件）"), faults).and_then(|n| word(n, "\"on\"", faults));
+    let on = f
+        .need("on", both!("\"2\", the link on which it moves", "\"2\"（所在构件）"), faults)
+        .and_then(|n| word(n, "\"on\"", faults));
     let way = way(&f, faults);
     let s = f.need("s", "\"6 cm/s*t\"", faults).and_then(|n| quantity(n, "\"s\"", faults));
     let (point, on, way, s) = (point?, on?, way?, s?);
     let names: Vec<&str> = raw.parameters.iter().map(|(name, _)| name.text.as_str()).collect();
     if !names.contains(&TIME) {
         let message = both!("a law of time needs the instant", "运动规律需要给出时刻");
-        faults.push(Diagnostic::error("missing-key", message).at(node.span).help(both!("add \"time\": \"1 s\"", "请加 \"time\": \"1 s\"")));
+        faults.push(
+            Diagnostic::error("missing-key", message)
+                .at(node.span)
+                .help(both!("add \"time\": \"1 s\"", "请加 \"time\": \"1 s\"")),
+        );
         return None;
     }
     let (rate, acceleration, law) = differentiated(&s, raw, faults)?.of_driver("m/s", node.span);
@@ -41,9 +47,12 @@ pub(super) fn motion(node: &Node, raw: &mut RawScene, faults: &mut Faults) -> Op
         PathShape::Arc { centre, radius, from } => {
             // On an arc, the position is measured from the direction of the link that carries it.
             let position = match from {
-                Some(from) => {
-                    given(format!("({})+{}*{}", s.text, bracketed_text(raw, "length", &radius), bracketed_text(raw, "angle", &from)))
-                }
+                Some(from) => given(format!(
+                    "({})+{}*{}",
+                    s.text,
+                    bracketed_text(raw, "length", &radius),
+                    bracketed_text(raw, "angle", &from)
+                )),
                 None => s.clone(),
             };
             (RawGuide { centre: Some(centre), radius: Some(radius), ..blank }, position)
@@ -73,12 +82,14 @@ fn way(f: &Fields, faults: &mut Faults) -> Option<PathShape> {
     let Some(centre) = f.get("centre") else {
         for key in ["radius", "angle"] {
             if let Some(node) = f.get(key) {
-                let message = both!("only a motion on an arc about a `centre` has `{key}`", "只有绕 `centre` 的圆弧运动才有 `{key}`");
-                faults.push(
-                    Diagnostic::error("motion", message)
-                        .at(node.span)
-                        .help(both!("add \"centre\": \"C\", or leave it away", "请加上 \"centre\": \"C\"，或去掉它")),
+                let message = both!(
+                    "only a motion on an arc about a `centre` has `{key}`",
+                    "只有绕 `centre` 的圆弧运动才有 `{key}`"
                 );
+                faults.push(Diagnostic::error("motion", message).at(node.span).help(both!(
+                    "add \"centre\": \"C\", or leave it away",
+                    "请加上 \"centre\": \"C\"，或去掉它"
+                )));
                 return None;
             }
         }
@@ -86,15 +97,26 @@ fn way(f: &Fields, faults: &mut Faults) -> Option<PathShape> {
             "\"AB\", from which point toward which; or \"centre\" and \"radius\"",
             "\"AB\"（从哪点向哪点）；或 \"centre\" 和 \"radius\""
         );
-        return f.need("line", example, faults).and_then(|n| word(n, "\"line\"", faults)).map(PathShape::Line);
+        return f
+            .need("line", example, faults)
+            .and_then(|n| word(n, "\"line\"", faults))
+            .map(PathShape::Line);
     };
     if let Some(line) = f.get("line") {
-        let message = both!("a motion is along a `line` or about a `centre`, not both", "运动沿直线 `line` 或绕 `centre`，不能两者都写");
-        faults.push(Diagnostic::error("motion", message).at(line.span).help(both!("keep one of the two", "请保留其中一个")));
+        let message = both!(
+            "a motion is along a `line` or about a `centre`, not both",
+            "运动沿直线 `line` 或绕 `centre`，不能两者都写"
+        );
+        faults.push(
+            Diagnostic::error("motion", message)
+                .at(line.span)
+                .help(both!("keep one of the two", "请保留其中一个")),
+        );
         return None;
     }
     let centre = word(centre, "\"centre\"", faults);
-    let radius = f.need("radius", "\"60 mm\"", faults).and_then(|n| quantity(n, "\"radius\"", faults));
+    let radius =
+        f.need("radius", "\"60 mm\"", faults).and_then(|n| quantity(n, "\"radius\"", faults));
     let from = match f.get("angle") {
         Some(node) => Some(quantity(node, "\"angle\"", faults)?),
         None => None,
@@ -105,7 +127,11 @@ fn way(f: &Fields, faults: &mut Faults) -> Option<PathShape> {
 /// Returns the text of a quantity within a longer expression: a bare number gets the unit of its
 /// kind.
 fn bracketed_text(raw: &RawScene, kind: &str, q: &RawQuantity) -> String {
-    let unit = raw.units.iter().find(|(key, _)| key.text == kind && q.bare).map_or("", |(_, unit)| unit.text.as_str());
+    let unit = raw
+        .units
+        .iter()
+        .find(|(key, _)| key.text == kind && q.bare)
+        .map_or("", |(_, unit)| unit.text.as_str());
     format!("({} {unit})", q.text)
 }
 
@@ -120,6 +146,7 @@ fn free_name(raw: &RawScene) -> String {
 /// is measured from there.
 fn first(raw: &RawScene, line: &Word) -> Option<Word> {
     let points = raw.links.iter().flat_map(|l| &l.points);
-    let begins = points.filter(|p| line.text.starts_with(p.text.as_str())).max_by_key(|p| p.text.len())?;
+    let begins =
+        points.filter(|p| line.text.starts_with(p.text.as_str())).max_by_key(|p| p.text.len())?;
     Some(Word { text: begins.text.clone(), span: Span::new(line.span.start, line.span.end) })
 }

@@ -12,13 +12,20 @@ use hodograph_base::json::{Node, Word};
 pub(super) fn gear(node: &Node, extent: RequiredData, faults: &mut Faults) -> Option<RawRolling> {
     let f = Fields::open(node, both!("a gear pair", "齿轮副"), keys::GEAR, faults)?;
     let before = faults.list.len();
-    let links = f.need("links", "[\"2\", \"4\"]", faults).map(|n| words(Some(n), "\"links\"", faults)).unwrap_or_default();
-    let centres = f.need("centres", "[\"O\", \"Q\"]", faults).map(|n| words(Some(n), "\"centres\"", faults)).unwrap_or_default();
+    let links = f
+        .need("links", "[\"2\", \"4\"]", faults)
+        .map(|n| words(Some(n), "\"links\"", faults))
+        .unwrap_or_default();
+    let centres = f
+        .need("centres", "[\"O\", \"Q\"]", faults)
+        .map(|n| words(Some(n), "\"centres\"", faults))
+        .unwrap_or_default();
     let mut name = |key: &str| f.get(key).and_then(|n| word(n, &format!("\"{key}\""), faults));
     let (ring, rack, line, at) = (name("ring"), name("rack"), name("line"), name("at"));
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
     let (module, angle, phase) = (value("module"), value("angle"), value("phase"));
-    let (pressure_angle, addendum, clearance) = (value("pressure_angle"), value("addendum"), value("clearance"));
+    let (pressure_angle, addendum, clearance) =
+        (value("pressure_angle"), value("addendum"), value("clearance"));
     let mut values = |key: &str| f.get(key).map(|n| quantities(n, key, faults));
     let (radii, teeth, shift) = (values("radii"), values("teeth"), values("shift"));
     let through = through(&f, faults);
@@ -31,13 +38,30 @@ pub(super) fn gear(node: &Node, extent: RequiredData, faults: &mut Faults) -> Op
         (Some(radii), None, None) => RawSizes::Radii(radii),
         (None, Some(teeth), module) => RawSizes::Teeth(teeth, module),
         (Some(_), Some(_), _) | (Some(_), None, Some(_)) => {
-            let d = Diagnostic::error("two-sizes", both!("a gear pair has both `radii` and `teeth`", "齿轮副同时给了 `radii` 和 `teeth`"));
-            fault(d.help(both!("keep \"radii\", or \"teeth\" and \"module\"", "请只保留 \"radii\"，或 \"teeth\" 与 \"module\"")));
+            let d = Diagnostic::error(
+                "two-sizes",
+                both!(
+                    "a gear pair has both `radii` and `teeth`",
+                    "齿轮副同时给了 `radii` 和 `teeth`"
+                ),
+            );
+            fault(d.help(both!(
+                "keep \"radii\", or \"teeth\" and \"module\"",
+                "请只保留 \"radii\"，或 \"teeth\" 与 \"module\""
+            )));
             return None;
         }
-        (None, None, module) if extent.is_of_pairs() => some_teeth(&links, (&ring, &rack), module, node.span),
+        (None, None, module) if extent.is_of_pairs() => {
+            some_teeth(&links, (&ring, &rack), module, node.span)
+        }
         (None, None, _) => {
-            let d = Diagnostic::error("missing-key", both!("a gear pair has neither `radii` nor `teeth`", "齿轮副没有 `radii` 或 `teeth`"));
+            let d = Diagnostic::error(
+                "missing-key",
+                both!(
+                    "a gear pair has neither `radii` nor `teeth`",
+                    "齿轮副没有 `radii` 或 `teeth`"
+                ),
+            );
             fault(d.help(both!(
                 "give the pitch radii, \"radii\": [\"30 mm\", \"60 mm\"], or the numbers of teeth, \"teeth\": [20, 40]",
                 "请给出节圆半径 \"radii\": [\"30 mm\", \"60 mm\"]，或齿数 \"teeth\": [20, 40]"
@@ -46,7 +70,10 @@ pub(super) fn gear(node: &Node, extent: RequiredData, faults: &mut Faults) -> Op
         }
     };
     let [a, b] = &links[..] else {
-        let d = Diagnostic::error("wrong-count", both!("\"links\" of a gear pair names two links", "齿轮副的 \"links\" 须写两个构件"));
+        let d = Diagnostic::error(
+            "wrong-count",
+            both!("\"links\" of a gear pair names two links", "齿轮副的 \"links\" 须写两个构件"),
+        );
         fault(d.help(both!(
             "write \"links\": [\"2\", \"4\"]; three gears in mesh are two pairs",
             "请写 \"links\": [\"2\", \"4\"]；三个齿轮相啮合是两个齿轮副"
@@ -55,9 +82,16 @@ pub(super) fn gear(node: &Node, extent: RequiredData, faults: &mut Faults) -> Op
     };
     let among = |w: &Option<Word>| w.as_ref().map(|w| links.iter().position(|l| l.text == w.text));
     let (hollow, flat) = (among(&ring), among(&rack));
-    for (given, place, what) in [(&ring, hollow, both!("the ring", "内齿轮")), (&rack, flat, both!("the rack", "齿条"))] {
+    for (given, place, what) in
+        [(&ring, hollow, both!("the ring", "内齿轮")), (&rack, flat, both!("the rack", "齿条"))]
+    {
         if let (Some(word), Some(None)) = (given, place) {
-            let message = both!("{} `{}` is not one of the two links", "{} `{}` 不是这两个构件之一", what, word.text);
+            let message = both!(
+                "{} `{}` is not one of the two links",
+                "{} `{}` 不是这两个构件之一",
+                what,
+                word.text
+            );
             let names = both!("they are {}, {}", "它们是 {}、{}", a.text, b.text);
             faults.push(Diagnostic::error("unknown-link", message).at(word.span).help(names));
             return None;
@@ -66,31 +100,62 @@ pub(super) fn gear(node: &Node, extent: RequiredData, faults: &mut Faults) -> Op
     if let (Some(word), Some(_)) = (&ring, &rack) {
         let d = Diagnostic::error(
             "ring-and-rack",
-            both!("a gear pair has both a `ring` and a `rack`", "齿轮副同时写了内齿轮 `ring` 和齿条 `rack`"),
+            both!(
+                "a gear pair has both a `ring` and a `rack`",
+                "齿轮副同时写了内齿轮 `ring` 和齿条 `rack`"
+            ),
         );
-        faults.push(
-            d.at(word.span).help(both!("a gear runs inside a ring, or on a rack: keep one", "齿轮或在内齿轮中，或在齿条上：请只保留其一")),
-        );
+        faults.push(d.at(word.span).help(both!(
+            "a gear runs inside a ring, or on a rack: keep one",
+            "齿轮或在内齿轮中，或在齿条上：请只保留其一"
+        )));
         return None;
     }
     let sides = match (flat.flatten(), &centres[..]) {
         (Some(i), [c]) => [side(&links[i], None, false), side(&links[1 - i], Some(c), false)],
-        (None, [c, d]) => [side(a, Some(c), hollow.flatten() == Some(0)), side(b, Some(d), hollow.flatten() == Some(1))],
+        (None, [c, d]) => [
+            side(a, Some(c), hollow.flatten() == Some(0)),
+            side(b, Some(d), hollow.flatten() == Some(1)),
+        ],
         (Some(_), _) => {
-            let d = Diagnostic::error("wrong-count", both!("a gear on a rack has one centre", "齿轮齿条副只有一个圆心"));
-            fault(d.help(both!("write \"centres\": [\"C\"], the centre of the gear", "请写 \"centres\": [\"C\"]，即齿轮的圆心")));
+            let d = Diagnostic::error(
+                "wrong-count",
+                both!("a gear on a rack has one centre", "齿轮齿条副只有一个圆心"),
+            );
+            fault(d.help(both!(
+                "write \"centres\": [\"C\"], the centre of the gear",
+                "请写 \"centres\": [\"C\"]，即齿轮的圆心"
+            )));
             return None;
         }
         (None, _) => {
             let d = Diagnostic::error(
                 "wrong-count",
-                both!("a gear pair has two centres, one on each link", "齿轮副有两个圆心，各在一个构件上"),
+                both!(
+                    "a gear pair has two centres, one on each link",
+                    "齿轮副有两个圆心，各在一个构件上"
+                ),
             );
-            fault(d.help(both!("name the \"rack\" if one of them is straight", "若其一为齿条，请写 \"rack\"")));
+            fault(d.help(both!(
+                "name the \"rack\" if one of them is straight",
+                "若其一为齿条，请写 \"rack\""
+            )));
             return None;
         }
     };
-    Some(RawRolling { sides, sizes, kind: RollingKind::Gears, strand: None, line, through, angle, at, phase, flanks, span: node.span })
+    Some(RawRolling {
+        sides,
+        sizes,
+        kind: RollingKind::Gears,
+        strand: None,
+        line,
+        through,
+        angle,
+        at,
+        phase,
+        flanks,
+        span: node.span,
+    })
 }
 
 /// Decodes a wheel that rolls without slip on a straight or round track; a mobility count needs
@@ -100,10 +165,15 @@ pub(super) fn wheel(node: &Node, extent: RequiredData, faults: &mut Faults) -> O
     let before = faults.list.len();
     let link = f.need("wheel", "\"4\"", faults).and_then(|n| word(n, "\"wheel\"", faults));
     let centre = f.need("centre", "\"B\"", faults).and_then(|n| word(n, "\"centre\"", faults));
-    let counted = extent.is_of_pairs().then(|| written("10 mm", node.span)).filter(|_| f.get("radius").is_none());
+    let counted = extent
+        .is_of_pairs()
+        .then(|| written("10 mm", node.span))
+        .filter(|_| f.get("radius").is_none());
     let radius = match counted {
         Some(radius) => Some(radius),
-        None => f.need("radius", "\"0.2 m\"", faults).and_then(|n| quantity(n, "\"radius\"", faults)),
+        None => {
+            f.need("radius", "\"0.2 m\"", faults).and_then(|n| quantity(n, "\"radius\"", faults))
+        }
     };
     let mut name = |key: &str| f.get(key).and_then(|n| word(n, &format!("\"{key}\""), faults));
     let (on, line, track, at) = (name("on"), name("line"), name("track"), name("at"));
@@ -136,12 +206,16 @@ pub(super) fn wheel(node: &Node, extent: RequiredData, faults: &mut Faults) -> O
                     "`track_radius` and `inside` belong to a round track, whose centre is not named",
                     "`track_radius` 与 `inside` 用于圆形轨道，而其圆心未写"
                 ),
-                both!("name its centre, \"track\", a point of the link that carries it", "请写其圆心 \"track\"，即所在构件上的一点"),
+                both!(
+                    "name its centre, \"track\", a point of the link that carries it",
+                    "请写其圆心 \"track\"，即所在构件上的一点"
+                ),
             );
         }
     }
     let of_track = RawRollingSide { link: on, centre: track, hollow: inside == Some(true) };
-    let sides = [of_track, RawRollingSide { link: Some(link), centre: Some(centre), hollow: false }];
+    let sides =
+        [of_track, RawRollingSide { link: Some(link), centre: Some(centre), hollow: false }];
     Some(RawRolling {
         sides,
         sizes: RawSizes::Radii(radii),
@@ -160,7 +234,12 @@ pub(super) fn wheel(node: &Node, extent: RequiredData, faults: &mut Faults) -> O
 /// Returns sizes for a mobility count. Their values have no effect, except that a ring must be
 /// the larger one: with a planet between a sun of equal size and the ring, the ring has three times
 /// their teeth.
-fn some_teeth(links: &[Word], (ring, rack): (&Option<Word>, &Option<Word>), module: Option<RawQuantity>, span: Span) -> RawSizes {
+fn some_teeth(
+    links: &[Word],
+    (ring, rack): (&Option<Word>, &Option<Word>),
+    module: Option<RawQuantity>,
+    span: Span,
+) -> RawSizes {
     let of = |link: &Word| match ring {
         Some(ring) if ring.text == link.text => written("60", span),
         Some(_) | None => written("20", span),
@@ -181,5 +260,9 @@ pub(super) fn side(link: &Word, centre: Option<&Word>, hollow: bool) -> RawRolli
 
 pub(super) fn quantities(node: &Node, key: &str, faults: &mut Faults) -> Vec<RawQuantity> {
     let what = format!("\"{key}\"");
-    list(node, &what, faults).unwrap_or_default().iter().filter_map(|n| quantity(n, &what, faults)).collect()
+    list(node, &what, faults)
+        .unwrap_or_default()
+        .iter()
+        .filter_map(|n| quantity(n, &what, faults))
+        .collect()
 }

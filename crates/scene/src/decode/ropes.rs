@@ -15,7 +15,8 @@ pub(super) fn rope(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
     let drum = f.need("drum", "\"2\"", faults).and_then(|n| word(n, "\"drum\"", faults));
     let centre = f.need("centre", "\"O\"", faults).and_then(|n| word(n, "\"centre\"", faults));
     let load = f.need("load", "\"3\"", faults).and_then(|n| word(n, "\"load\"", faults));
-    let radius = f.need("radius", "\"0.2 m\"", faults).and_then(|n| quantity(n, "\"radius\"", faults));
+    let radius =
+        f.need("radius", "\"0.2 m\"", faults).and_then(|n| quantity(n, "\"radius\"", faults));
     let mut name = |key: &str| f.get(key).and_then(|n| word(n, &format!("\"{key}\""), faults));
     let (line, at) = (name("line"), name("at"));
     let angle = f.get("angle").and_then(|n| quantity(n, "\"angle\"", faults));

@@ -51,7 +51,10 @@ struct KnownNames<'a> {
 
 /// Reads a whole text.
 pub(super) fn whole(text: &str, parameters: &[&str]) -> Result<Expr, Diagnostic> {
-    let mut input = ExpressionInput { input: LocatingSlice::new(text), state: KnownNames { parameters, tailed: 0, unknown: None } };
+    let mut input = ExpressionInput {
+        input: LocatingSlice::new(text),
+        state: KnownNames { parameters, tailed: 0, unknown: None },
+    };
     match terminated(sum, token(eof)).parse_next(&mut input) {
         Ok(tree) => input.state.unknown.map_or(Ok(tree), Err),
         Err(_) => Err(unreadable(text, input.current_token_start())),
@@ -67,28 +70,51 @@ fn unreadable(text: &str, at: usize) -> Diagnostic {
     let fault = |message: Both| Diagnostic::error("expression", message);
     let rest = text.get(at..).unwrap_or_default();
     match rest.chars().next() {
-        None => fault(both!("`{text}` ends too early", "`{text}` 不完整")).at(Span::new(0, text.len())),
+        None => {
+            fault(both!("`{text}` ends too early", "`{text}` 不完整")).at(Span::new(0, text.len()))
+        }
         // A comma between digits is a decimal comma: commas separate nothing here.
         Some(',') if decimal_comma(text, at) => {
-            let d = fault(both!("`{text}` has a comma in a number", "`{text}` 的数中有逗号")).at(Span::new(at, at + 1));
-            d.help(both!("write the decimal point: \"{}.{}\"", "请用小数点：\"{}.{}\"", &text[..at], &text[at + 1..]))
+            let d = fault(both!("`{text}` has a comma in a number", "`{text}` 的数中有逗号"))
+                .at(Span::new(at, at + 1));
+            d.help(both!(
+                "write the decimal point: \"{}.{}\"",
+                "请用小数点：\"{}.{}\"",
+                &text[..at],
+                &text[at + 1..]
+            ))
         }
         Some(',') => {
-            let d = fault(both!("`{text}` has a comma between two values", "`{text}` 的两个值之间有逗号")).at(Span::new(at, at + 1));
+            let d = fault(both!(
+                "`{text}` has a comma between two values",
+                "`{text}` 的两个值之间有逗号"
+            ))
+            .at(Span::new(at, at + 1));
             d.help(both!(
                 "a function takes one value; the angle whose tangent is y/x is \"atan(y/x)\"",
                 "函数只取一个值；正切为 y/x 的角写作 \"atan(y/x)\""
             ))
         }
         Some(c) => {
-            let d = fault(both!("`{text}` cannot be read from `{rest}` on", "`{text}` 从 `{rest}` 起无法识别"))
-                .at(Span::new(at, at + c.len_utf8()));
+            let d = fault(both!(
+                "`{text}` cannot be read from `{rest}` on",
+                "`{text}` 从 `{rest}` 起无法识别"
+            ))
+            .at(Span::new(at, at + c.len_utf8()));
             let turns = |words: &[&str]| words.iter().any(|w| rest.starts_with(w));
             if turns(&["clockwise", "cw", "顺时针"]) {
-                return d.help(both!("clockwise is a minus sign: \"-{}\"", "顺时针用负号：\"-{}\"", text[..at].trim()));
+                return d.help(both!(
+                    "clockwise is a minus sign: \"-{}\"",
+                    "顺时针用负号：\"-{}\"",
+                    text[..at].trim()
+                ));
             }
             if turns(&["counter", "anti", "ccw", "逆时针"]) {
-                return d.help(both!("counter-clockwise is positive: \"{}\"", "逆时针为正：\"{}\"", text[..at].trim()));
+                return d.help(both!(
+                    "counter-clockwise is positive: \"{}\"",
+                    "逆时针为正：\"{}\"",
+                    text[..at].trim()
+                ));
             }
             let before = text[..at].trim_end();
             if ["deg", "°"].iter().any(|d| before.ends_with(d)) && c.is_ascii_digit() {
@@ -108,7 +134,8 @@ fn unreadable(text: &str, at: usize) -> Diagnostic {
 /// Returns true if the comma at a byte of a text is between the two parts of one number: digits,
 /// neither of which has a decimal point.
 fn decimal_comma(text: &str, at: usize) -> bool {
-    let (before, after) = (text[..at].trim_end_matches(|c: char| c.is_ascii_digit()), &text[at + 1..]);
+    let (before, after) =
+        (text[..at].trim_end_matches(|c: char| c.is_ascii_digit()), &text[at + 1..]);
     let left = at - before.len();
     let rest = after.trim_start_matches(|c: char| c.is_ascii_digit());
     left > 0 && rest.len() < after.len() && !before.ends_with('.') && !rest.starts_with('.')
@@ -128,7 +155,9 @@ fn token<'a, O>(
 }
 
 /// Parses one of these characters.
-fn sign<'a, const N: usize>(of: [char; N]) -> impl Parser<ExpressionInput<'a>, char, ErrMode<EmptyError>> {
+fn sign<'a, const N: usize>(
+    of: [char; N],
+) -> impl Parser<ExpressionInput<'a>, char, ErrMode<EmptyError>> {
     token(one_of(of)).map(|(c, _)| c)
 }
 
@@ -154,16 +183,25 @@ fn product(i: &mut ExpressionInput) -> ParseResult<Expr> {
             {
                 binary(Operator::Mul, binary(Operator::Div, left, *value), *unit)
             }
-            kind => binary(if sign == '/' { Operator::Div } else { Operator::Mul }, left, Expr { kind, span: right.span }),
+            kind => binary(
+                if sign == '/' { Operator::Div } else { Operator::Mul },
+                left,
+                Expr { kind, span: right.span },
+            ),
         };
     }
     Ok(left)
 }
 
 /// Parses signs, then an operand.
-fn signed(i: &mut ExpressionInput, operand: fn(&mut ExpressionInput) -> ParseResult<Expr>) -> ParseResult<Expr> {
+fn signed(
+    i: &mut ExpressionInput,
+    operand: fn(&mut ExpressionInput) -> ParseResult<Expr>,
+) -> ParseResult<Expr> {
     let (_, Span { start, .. }) = token("").parse_next(i)?;
-    let negative = repeat(0.., sign(SIGNS)).fold(|| false, |negative, sign| negative ^ (sign != '+')).parse_next(i)?;
+    let negative = repeat(0.., sign(SIGNS))
+        .fold(|| false, |negative, sign| negative ^ (sign != '+'))
+        .parse_next(i)?;
     let inner = operand(i)?;
     let span = Span::new(start, i.current_token_start());
     Ok(if negative { Expr { kind: ExprKind::Neg(Box::new(inner)), span } } else { inner })
@@ -185,15 +223,21 @@ fn raised(i: &mut ExpressionInput, base: Expr) -> ParseResult<Expr> {
 
 fn superscript(i: &mut ExpressionInput) -> ParseResult<Expr> {
     let minus = opt(token('⁻')).parse_next(i)?;
-    let digit = token(one_of(SUPERSCRIPT)).map(|(c, at)| (SUPERSCRIPT.iter().position(|d| *d == c).unwrap_or_default(), at));
+    let digit = token(one_of(SUPERSCRIPT))
+        .map(|(c, at)| (SUPERSCRIPT.iter().position(|d| *d == c).unwrap_or_default(), at));
     let digits: Vec<(usize, Span)> = match minus {
         Some(_) => cut_err(repeat(1.., digit)).parse_next(i)?,
         None => repeat(1.., digit).parse_next(i)?,
     };
     let (start, end) = (digits[0].1.start, i.current_token_start());
-    let number = Expr { kind: ExprKind::Number(digits.iter().map(|(d, _)| d.to_string()).collect()), span: Span::new(start, end) };
+    let number = Expr {
+        kind: ExprKind::Number(digits.iter().map(|(d, _)| d.to_string()).collect()),
+        span: Span::new(start, end),
+    };
     Ok(match minus {
-        Some((_, at)) => Expr { kind: ExprKind::Neg(Box::new(number)), span: Span::new(at.start, end) },
+        Some((_, at)) => {
+            Expr { kind: ExprKind::Neg(Box::new(number)), span: Span::new(at.start, end) }
+        }
         None => number,
     })
 }
@@ -229,23 +273,46 @@ fn arc(i: &mut ExpressionInput) -> ParseResult<Expr> {
     });
     let degrees = (number, terminated(degree, peek(number)));
     let minutes = |i: &mut ExpressionInput| part(i, &OF_ARC[0], &["′", "'", "’"]);
-    let seconds = |i: &mut ExpressionInput| part(i, &OF_ARC[1], &["″", "\"", "”", "''", "′′", "’’"]);
-    let ((whole, unit), smaller) =
-        (degrees, alt(((seconds, "").map(|(s, _)| [Some(s), None]), (minutes, opt(seconds)).map(|(m, s)| [Some(m), s])))).parse_next(i)?;
-    Ok(smaller.into_iter().flatten().fold(binary(Operator::Mul, whole, unit), |sum, part| binary(Operator::Add, sum, part)))
+    let seconds =
+        |i: &mut ExpressionInput| part(i, &OF_ARC[1], &["″", "\"", "”", "''", "′′", "’’"]);
+    let ((whole, unit), smaller) = (
+        degrees,
+        alt((
+            (seconds, "").map(|(s, _)| [Some(s), None]),
+            (minutes, opt(seconds)).map(|(m, s)| [Some(m), s]),
+        )),
+    )
+        .parse_next(i)?;
+    Ok(smaller
+        .into_iter()
+        .flatten()
+        .fold(binary(Operator::Mul, whole, unit), |sum, part| binary(Operator::Add, sum, part)))
 }
 
 /// Parses a number of sixtieths of a degree or of a minute, with one of their marks.
 fn part(i: &mut ExpressionInput, unit: &'static Unit, marks: &[&'static str]) -> ParseResult<Expr> {
     let count = number(i)?;
-    let mark =
-        repeat(1.., one_of(['′', '\'', '’', '″', '"', '”'])).fold(|| (), |(), _| ()).take().verify(|mark: &str| marks.contains(&mark));
+    let mark = repeat(1.., one_of(['′', '\'', '’', '″', '"', '”']))
+        .fold(|| (), |(), _| ())
+        .take()
+        .verify(|mark: &str| marks.contains(&mark));
     let (_, at) = token(mark).parse_next(i)?;
-    let most = matches!(&count.kind, ExprKind::Number(n) if n.parse().is_ok_and(|n: f64| n >= 60.0));
+    let most =
+        matches!(&count.kind, ExprKind::Number(n) if n.parse().is_ok_and(|n: f64| n >= 60.0));
     if most {
-        let message = both!("a degree has 60 minutes and a minute 60 seconds of arc", "1 度为 60 分，1 分为 60 秒");
-        let help = both!("write less than 60, and the rest before it", "请写小于 60 的数，余下部分并入前一级");
-        i.state.unknown.get_or_insert(Diagnostic::error("expression", message).at(Span::new(count.span.start, at.end)).help(help));
+        let message = both!(
+            "a degree has 60 minutes and a minute 60 seconds of arc",
+            "1 度为 60 分，1 分为 60 秒"
+        );
+        let help = both!(
+            "write less than 60, and the rest before it",
+            "请写小于 60 的数，余下部分并入前一级"
+        );
+        i.state.unknown.get_or_insert(
+            Diagnostic::error("expression", message)
+                .at(Span::new(count.span.start, at.end))
+                .help(help),
+        );
     }
     Ok(binary(Operator::Mul, count, Expr { kind: ExprKind::Unit(unit), span: at }))
 }
@@ -259,7 +326,8 @@ fn tail(i: &mut ExpressionInput) -> ParseResult<Expr> {
 /// Parses a unit after a value that is not a number; other words do not belong to the value.
 fn known_tail(i: &mut ExpressionInput) -> ParseResult<Expr> {
     let turns = terminated("r/min", not(one_of(is_letter)));
-    let known = token(alt(("°", turns, word))).verify_map(|(name, span)| Some(Expr { kind: ExprKind::Unit(unit_named(name)?), span }));
+    let known = token(alt(("°", turns, word)))
+        .verify_map(|(name, span)| Some(Expr { kind: ExprKind::Unit(unit_named(name)?), span }));
     let unit = terminated(known, peek(not(token('(')))).parse_next(i)?;
     raised(i, unit)
 }
@@ -328,7 +396,8 @@ fn parameter(i: &mut ExpressionInput) -> ParseResult<Expr> {
 /// Parses a single name: a parameter or a unit.
 fn name(i: &mut ExpressionInput) -> ParseResult<Expr> {
     let (name, span) = token(word).parse_next(i)?;
-    let parameter = i.state.parameters.contains(&name).then(|| ExprKind::Parameter(name.to_owned()));
+    let parameter =
+        i.state.parameters.contains(&name).then(|| ExprKind::Parameter(name.to_owned()));
     Ok(match parameter.or_else(|| unit_named(name).map(ExprKind::Unit)) {
         Some(kind) => Expr { kind, span },
         None => {
@@ -356,22 +425,37 @@ pub(super) fn is_letter(c: char) -> bool {
 }
 
 fn not_a_function(name: &str, parameters: &[&str]) -> Diagnostic {
-    let d = Diagnostic::error("unknown-name", both!("`{name}` is not a function", "`{name}` 不是函数"));
+    let d =
+        Diagnostic::error("unknown-name", both!("`{name}` is not a function", "`{name}` 不是函数"));
     if parameters.contains(&name) || unit_named(name).is_some() {
         d.help(both!("for a product write `{name}*(...)`", "乘积请写 `{name}*(...)`"))
     } else {
-        d.help(suggest(name, FUNCTIONS.iter().map(|(n, _)| *n), both!("the functions are", "函数有")))
+        d.help(suggest(
+            name,
+            FUNCTIONS.iter().map(|(n, _)| *n),
+            both!("the functions are", "函数有"),
+        ))
     }
 }
 
 fn not_a_name(name: &str, parameters: &[&str]) -> Diagnostic {
-    let d = Diagnostic::error("unknown-name", both!("`{name}` is neither a parameter nor a unit", "`{name}` 既不是参数也不是单位"));
+    let d = Diagnostic::error(
+        "unknown-name",
+        both!("`{name}` is neither a parameter nor a unit", "`{name}` 既不是参数也不是单位"),
+    );
     let known = parameters.iter().copied().chain(UNITS.iter().map(|u| u.name));
     if FUNCTIONS.iter().any(|(n, _)| *n == name) {
-        d.help(both!("`{name}` is a function: write `{name}(...)`", "`{name}` 是函数：请写 `{name}(...)`"))
+        d.help(both!(
+            "`{name}` is a function: write `{name}(...)`",
+            "`{name}` 是函数：请写 `{name}(...)`"
+        ))
     } else if parameters.is_empty() {
         let near = suggest(name, known, both!("the units are", "单位有"));
-        d.help(both!("{} (\"parameters\" of the scene name values)", "{}（数值可在 \"parameters\" 中命名）", near))
+        d.help(both!(
+            "{} (\"parameters\" of the scene name values)",
+            "{}（数值可在 \"parameters\" 中命名）",
+            near
+        ))
     } else {
         d.help(suggest(name, known, both!("there are", "有")))
     }

@@ -19,14 +19,21 @@ pub(super) fn along<N: Real, K: FormulaInputs<N>>(known: &K, guide: &Guide) -> O
                 None => Some(way),
             }
         }
-        GuideDirection::Instant(_) | GuideDirection::Own | GuideDirection::Slid(_) => known.direction(guide.slider?)?.unit(),
+        GuideDirection::Instant(_) | GuideDirection::Own | GuideDirection::Slid(_) => {
+            known.direction(guide.slider?)?.unit()
+        }
     }
 }
 
 /// Returns the unit vector at an angle.
 fn turned<N: Real>(angle: &GivenQuantity<Angle>) -> Option<Vec2<N>> {
-    let number =
-        |x: f64| if angle.radius == 0.0 { Some(N::from_f64(x)) } else { N::from_bounded(x, angle.radius + x.abs() * f64::EPSILON) };
+    let number = |x: f64| {
+        if angle.radius == 0.0 {
+            Some(N::from_f64(x))
+        } else {
+            N::from_bounded(x, angle.radius + x.abs() * f64::EPSILON)
+        }
+    };
     let (s, c) = match angle.value {
         Angle::Deg(d) => N::sin_cos_degrees(number(d)?),
         Angle::Rad(r) => N::sin_cos(number(r)?),

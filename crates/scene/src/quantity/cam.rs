@@ -8,11 +8,15 @@
 //! normal at the contact, and the radius of the arc in contact.
 
 use super::along::along;
-use super::{AnswerValue, Entry, FormulaInputs, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm};
+use super::{
+    AnswerValue, Entry, FormulaInputs, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm,
+};
 use crate::cams::{Cam, TurningCam};
 use crate::model::{Find, GuideId, GuidePath, LinkId, PointId, Scene};
 use crate::resolve::Question;
-use hodograph_base::cam::{CamExtreme, CamMotion, Fault, Follower, FollowerTip, PieceSide, in_turn, least_base};
+use hodograph_base::cam::{
+    CamExtreme, CamMotion, Fault, Follower, FollowerTip, PieceSide, in_turn, least_base,
+};
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::digits::significant;
 use hodograph_base::geom::Vec2;
@@ -85,38 +89,98 @@ const WORDS: [(CamProperty, &str, CamProperty); 9] = [
 
 impl Quantity for CamQuantity {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new("s", "s_3", Kind::Length, ValueForm::Scalar, ["lift of the follower", "从动件位移"]),
-        Entry::new("psi", "psi_3", Kind::Angle, ValueForm::Scalar, ["lift of the swinging follower", "摆动从动件角位移"])
-            .printed("\\psi", OverSign::Nothing),
+        Entry::new(
+            "s",
+            "s_3",
+            Kind::Length,
+            ValueForm::Scalar,
+            ["lift of the follower", "从动件位移"],
+        ),
+        Entry::new(
+            "psi",
+            "psi_3",
+            Kind::Angle,
+            ValueForm::Scalar,
+            ["lift of the swinging follower", "摆动从动件角位移"],
+        )
+        .printed("\\psi", OverSign::Nothing),
         Entry::new("h", "h_3", Kind::Length, ValueForm::Scalar, ["stroke of the follower", "行程"]),
-        Entry::new("Psi", "Psi_3", Kind::Angle, ValueForm::Scalar, ["swing of the follower", "最大摆角"])
-            .printed("\\Psi", OverSign::Nothing),
-        Entry::new("Phi", "Phi_3", Kind::Angle, ValueForm::Scalar, ["angle of the rise", "推程运动角"]).printed("\\Phi", OverSign::Nothing),
-        Entry::new("pressure", "pressure_3", Kind::Angle, ValueForm::Scalar, ["pressure angle", "压力角"])
-            .printed("\\alpha", OverSign::Sign("p")),
-        Entry::new("rho", "rho_2/3", Kind::Length, ValueForm::Scalar, ["radius of curvature of the profile", "廓线曲率半径"])
-            .printed("\\rho", OverSign::Nothing),
-        Entry::new("rb", "rb_min_2", Kind::Length, ValueForm::Scalar, ["least base radius without undercut", "不失真的最小基圆半径"])
-            .printed("r", OverSign::Nothing),
-        Entry::new("face", "face_half_3", Kind::Length, ValueForm::Scalar, ["half length of the face", "平底的最小半长"])
-            .printed("l", OverSign::Nothing),
+        Entry::new(
+            "Psi",
+            "Psi_3",
+            Kind::Angle,
+            ValueForm::Scalar,
+            ["swing of the follower", "最大摆角"],
+        )
+        .printed("\\Psi", OverSign::Nothing),
+        Entry::new(
+            "Phi",
+            "Phi_3",
+            Kind::Angle,
+            ValueForm::Scalar,
+            ["angle of the rise", "推程运动角"],
+        )
+        .printed("\\Phi", OverSign::Nothing),
+        Entry::new(
+            "pressure",
+            "pressure_3",
+            Kind::Angle,
+            ValueForm::Scalar,
+            ["pressure angle", "压力角"],
+        )
+        .printed("\\alpha", OverSign::Sign("p")),
+        Entry::new(
+            "rho",
+            "rho_2/3",
+            Kind::Length,
+            ValueForm::Scalar,
+            ["radius of curvature of the profile", "廓线曲率半径"],
+        )
+        .printed("\\rho", OverSign::Nothing),
+        Entry::new(
+            "rb",
+            "rb_min_2",
+            Kind::Length,
+            ValueForm::Scalar,
+            ["least base radius without undercut", "不失真的最小基圆半径"],
+        )
+        .printed("r", OverSign::Nothing),
+        Entry::new(
+            "face",
+            "face_half_3",
+            Kind::Length,
+            ValueForm::Scalar,
+            ["half length of the face", "平底的最小半长"],
+        )
+        .printed("l", OverSign::Nothing),
     ];
 
     fn read(question: &Question<'_>) -> Result<Option<CamQuantity>, Diagnostic> {
         let what = ROWS[question.row(Self::WRITTEN)];
         let names = question.names();
         // `h_65` is the arm of the force of link 6 on link 5.
-        if question.symbol() == "h" && question.link(names).is_err() && question.two_links().is_ok() {
+        if question.symbol() == "h" && question.link(names).is_err() && question.two_links().is_ok()
+        {
             return Ok(None);
         }
-        let worded = WORDS
-            .iter()
-            .find_map(|(of, word, what)| Some((*what, names.strip_prefix(word)?)).filter(|_| *of == ROWS[question.row(Self::WRITTEN)]));
+        let worded = WORDS.iter().find_map(|(of, word, what)| {
+            Some((*what, names.strip_prefix(word)?))
+                .filter(|_| *of == ROWS[question.row(Self::WRITTEN)])
+        });
         if let Some((what, name)) = worded {
-            return Ok(Some(CamQuantity { what, link: question.link(name.trim())?, follower: None, end: None }));
+            return Ok(Some(CamQuantity {
+                what,
+                link: question.link(name.trim())?,
+                follower: None,
+                end: None,
+            }));
         }
         if matches!(what, CamProperty::Turn(OfTurn::BaseMin | OfTurn::FaceHalf)) {
-            let message = both!("`{}` is not a quantity that can be asked", "`{}` 不是可求的量", question.text());
+            let message = both!(
+                "`{}` is not a quantity that can be asked",
+                "`{}` 不是可求的量",
+                question.text()
+            );
             let example = Self::WRITTEN[question.row(Self::WRITTEN)].example;
             return Err(question.fault(message).help(both!("write {example}", "请写 {example}")));
         }
@@ -156,14 +220,25 @@ impl Quantity for CamQuantity {
     fn no_value(&self, scene: &Scene) -> Both {
         let link = scene.link_name(self.link);
         match self.what {
-            CamProperty::Turn(OfTurn::RhoMin) => both!("the profile of cam {link} is nowhere convex", "凸轮 {link} 的廓线没有外凸部分"),
+            CamProperty::Turn(OfTurn::RhoMin) => both!(
+                "the profile of cam {link} is nowhere convex",
+                "凸轮 {link} 的廓线没有外凸部分"
+            ),
             CamProperty::Rho => {
-                both!("the profile of cam {link} is straight there, or touches nothing", "凸轮 {link} 的廓线在该处为直线，或没有接触")
+                both!(
+                    "the profile of cam {link} is straight there, or touches nothing",
+                    "凸轮 {link} 的廓线在该处为直线，或没有接触"
+                )
             }
             CamProperty::Turn(OfTurn::BaseMin) => {
-                both!("no base circle of cam {link} avoids an undercut", "加大凸轮 {link} 的基圆也不能避免失真")
+                both!(
+                    "no base circle of cam {link} avoids an undercut",
+                    "加大凸轮 {link} 的基圆也不能避免失真"
+                )
             }
-            CamProperty::Turn(OfTurn::PressureStart | OfTurn::PressureOut | OfTurn::PressureBack) => {
+            CamProperty::Turn(
+                OfTurn::PressureStart | OfTurn::PressureOut | OfTurn::PressureBack,
+            ) => {
                 both!("follower {link} does not move so", "从动件 {link} 没有该运动")
             }
             CamProperty::Lift
@@ -172,7 +247,10 @@ impl Quantity for CamQuantity {
             | CamProperty::Angle
             | CamProperty::Pressure
             | CamProperty::Turn(_) => {
-                both!("the follower {link} touches nothing in this pose", "从动件 {link} 在该位置没有接触")
+                both!(
+                    "the follower {link} touches nothing in this pose",
+                    "从动件 {link} 在该位置没有接触"
+                )
             }
         }
     }
@@ -209,7 +287,10 @@ impl Quantity for CamQuantity {
         };
         let swings = matches!(t.disc.follower, Follower::Oscillating { .. });
         if let Some(needed) = self.lacking(t) {
-            return Some(Diagnostic::error("find", both!("`{}` is of {}", "`{}` 属于{}", find.text, needed)).at(find.span));
+            return Some(
+                Diagnostic::error("find", both!("`{}` is of {}", "`{}` 属于{}", find.text, needed))
+                    .at(find.span),
+            );
         }
         let wrong = match self.what {
             CamProperty::Lift | CamProperty::Stroke => swings,
@@ -219,16 +300,29 @@ impl Quantity for CamQuantity {
         wrong.then(|| {
             let name = scene.link_name(cam.follower);
             let (kind, help) = if swings {
-                (both!("swings", "摆动"), both!("ask for psi_{name} and Psi_{name}", "请求 psi_{name} 和 Psi_{name}"))
+                (
+                    both!("swings", "摆动"),
+                    both!("ask for psi_{name} and Psi_{name}", "请求 psi_{name} 和 Psi_{name}"),
+                )
             } else {
-                (both!("slides", "移动"), both!("ask for s_{name} and h_{name}", "请求 s_{name} 和 h_{name}"))
+                (
+                    both!("slides", "移动"),
+                    both!("ask for s_{name} and h_{name}", "请求 s_{name} 和 h_{name}"),
+                )
             };
-            Diagnostic::error("cam-follower", both!("follower `{name}` {}", "从动件 `{name}` 作{}", kind)).at(find.span).help(help)
+            Diagnostic::error(
+                "cam-follower",
+                both!("follower `{name}` {}", "从动件 `{name}` 作{}", kind),
+            )
+            .at(find.span)
+            .help(help)
         })
     }
 
     fn infinite(&self, scene: &Scene) -> Option<Both> {
-        let cam = self.pair(scene).filter(|c| self.what == CamProperty::Rho && c.is_touched_straight())?;
+        let cam = self
+            .pair(scene)
+            .filter(|c| self.what == CamProperty::Rho && c.is_touched_straight())?;
         let name = scene.link_name(cam.cam);
         Some(both!("the profile of cam {name} is straight there", "凸轮 {name} 的廓线在该处为直线"))
     }
@@ -240,7 +334,8 @@ impl Quantity for CamQuantity {
             Fault::Undercut { phi, .. } => Some(*phi),
             Fault::RollerTooLarge { .. } | Fault::Pressure { .. } | Fault::NoContact { .. } => None,
         })?;
-        let (cam, phi) = (scene.link_name(self.link), significant(in_turn(undercut).to_degrees(), 6));
+        let (cam, phi) =
+            (scene.link_name(self.link), significant(in_turn(undercut).to_degrees(), 6));
         let message = both!(
             "the profile of cam `{cam}` is undercut: its radius of curvature changes sign, and is least at φ = {phi}°",
             "凸轮 `{cam}` 的廓线运动失真：曲率半径变号，在 φ = {phi}° 处最小"
@@ -254,7 +349,8 @@ impl Quantity for CamQuantity {
     fn value<N: Real, K: FormulaInputs<N>>(&self, known: &K) -> Option<AnswerValue<N>> {
         let scene = known.scene();
         let Some((_, t)) = self.cam(scene) else { return self.posed(known) };
-        let value = if N::refines() { self.exactly(scene, t)? } else { N::from_f64(self.doubly(t)?) };
+        let value =
+            if N::refines() { self.exactly(scene, t)? } else { N::from_f64(self.doubly(t)?) };
         value.is_decided().then_some(AnswerValue::Scalar(value))
     }
 }
@@ -273,7 +369,8 @@ fn least_radius(t: &TurningCam) -> Option<f64> {
 /// distance of the contact over a turn, where s′ is greatest or least.
 fn face_half(t: &TurningCam) -> Option<f64> {
     let reach = |phi: f64| {
-        let sides = [PieceSide::Before, PieceSide::After].map(|side| t.disc.station(phi, side).map(|s| (s.contact - s.pitch).norm()));
+        let sides = [PieceSide::Before, PieceSide::After]
+            .map(|side| t.disc.station(phi, side).map(|s| (s.contact - s.pitch).norm()));
         sides.into_iter().flatten().reduce(f64::max)
     };
     t.survey.of(&t.disc).velocity.iter().filter_map(|(phi, _)| reach(*phi)).reduce(f64::max)
@@ -286,7 +383,9 @@ impl CamQuantity {
         match self.what {
             CamProperty::Lift | CamProperty::Swing => match &t.disc.motion {
                 CamMotion::Law { program, .. } => Some(program.lift(t.phi, t.side).value()),
-                CamMotion::Profile(_) => Some(t.disc.coordinate(t.phi, t.side)?.value() - survey().rest),
+                CamMotion::Profile(_) => {
+                    Some(t.disc.coordinate(t.phi, t.side)?.value() - survey().rest)
+                }
             },
             CamProperty::Stroke | CamProperty::Angle => Some(survey().stroke),
             CamProperty::Turn(OfTurn::Rise) => Some(survey().angle(1, false)),
@@ -322,8 +421,12 @@ impl CamQuantity {
             CamProperty::Turn(OfTurn::Back) => cam.angle(-1, false),
             CamProperty::Turn(OfTurn::Near) => cam.angle(0, false),
             CamProperty::Turn(OfTurn::PressureStart) => cam.pressure_at_start(),
-            CamProperty::Turn(OfTurn::PressureOut) => Some(cam.mark(CamExtreme::Pressure(0))?[1].magnitude()),
-            CamProperty::Turn(OfTurn::PressureBack) => Some(cam.mark(CamExtreme::Pressure(1))?[1].magnitude()),
+            CamProperty::Turn(OfTurn::PressureOut) => {
+                Some(cam.mark(CamExtreme::Pressure(0))?[1].magnitude())
+            }
+            CamProperty::Turn(OfTurn::PressureBack) => {
+                Some(cam.mark(CamExtreme::Pressure(1))?[1].magnitude())
+            }
             CamProperty::Turn(OfTurn::BaseMin) => cam.least_base(),
             CamProperty::Turn(OfTurn::FaceHalf) => cam.face_half(),
         }
@@ -331,10 +434,17 @@ impl CamQuantity {
 
     /// Returns the kind of cam that the quantity needs, if this cam is of another kind.
     fn lacking(&self, t: &TurningCam) -> Option<Both> {
-        let flat = matches!((t.disc.touch, t.disc.follower), (FollowerTip::Flat { .. }, Follower::Translating { .. }));
+        let flat = matches!(
+            (t.disc.touch, t.disc.follower),
+            (FollowerTip::Flat { .. }, Follower::Translating { .. })
+        );
         match self.what {
-            CamProperty::Turn(OfTurn::FaceHalf) if !flat => Some(both!("a sliding flat-faced follower", "直动平底从动件")),
-            CamProperty::Turn(OfTurn::BaseMin) if !matches!(t.disc.motion, CamMotion::Law { .. }) => {
+            CamProperty::Turn(OfTurn::FaceHalf) if !flat => {
+                Some(both!("a sliding flat-faced follower", "直动平底从动件"))
+            }
+            CamProperty::Turn(OfTurn::BaseMin)
+                if !matches!(t.disc.motion, CamMotion::Law { .. }) =>
+            {
                 Some(both!("a cam by a law", "按运动规律给定的凸轮"))
             }
             CamProperty::Lift
@@ -358,9 +468,15 @@ impl CamQuantity {
         match self.what {
             CamProperty::Rho => cam.touched_radius().is_some() || cam.is_touched_straight(),
             CamProperty::Pressure => {
-                cam.follows.radius().is_some() && (cam.contact.is_some() || cam.is_on_course()) && way_of(scene, cam).is_some()
+                cam.follows.radius().is_some()
+                    && (cam.contact.is_some() || cam.is_on_course())
+                    && way_of(scene, cam).is_some()
             }
-            CamProperty::Lift | CamProperty::Swing | CamProperty::Stroke | CamProperty::Angle | CamProperty::Turn(_) => false,
+            CamProperty::Lift
+            | CamProperty::Swing
+            | CamProperty::Stroke
+            | CamProperty::Angle
+            | CamProperty::Turn(_) => false,
         }
     }
 
@@ -384,7 +500,9 @@ impl CamQuantity {
             FollowerGuidance::Pivot(p) => (end - known.point(p)?).perp(),
         };
         let (n, w) = (normal.unit()?, way.unit()?);
-        Some(AnswerValue::Scalar(Vec2 { x: n.dot(w).magnitude(), y: n.cross(w).magnitude() }.angle()))
+        Some(AnswerValue::Scalar(
+            Vec2 { x: n.dot(w).magnitude(), y: n.cross(w).magnitude() }.angle(),
+        ))
     }
 
     /// Returns the cam pair of the quantity, on any carrier.
@@ -414,7 +532,14 @@ enum FollowerGuidance {
 
 /// Returns the guide in which a follower slides, or the pivot about which it turns.
 fn way_of(scene: &Scene, cam: &Cam) -> Option<FollowerGuidance> {
-    let slides = scene.guides.iter().position(|g| g.slider == Some(cam.follower)).map(|g| FollowerGuidance::Guide(GuideId(g)));
-    let joint = |p: &PointId| *p != cam.follows.point() && scene.carriers(*p).any(|l| l != cam.follower);
-    slides.or_else(|| scene.links[cam.follower.0].points.iter().copied().find(joint).map(FollowerGuidance::Pivot))
+    let slides = scene
+        .guides
+        .iter()
+        .position(|g| g.slider == Some(cam.follower))
+        .map(|g| FollowerGuidance::Guide(GuideId(g)));
+    let joint =
+        |p: &PointId| *p != cam.follows.point() && scene.carriers(*p).any(|l| l != cam.follower);
+    slides.or_else(|| {
+        scene.links[cam.follower.0].points.iter().copied().find(joint).map(FollowerGuidance::Pivot)
+    })
 }

@@ -4,7 +4,9 @@
 //! The module `centres` finds it independently, by the theorem of three centres.
 
 use super::value::{fastest, vanishes};
-use super::{AnswerValue, Entry, FormulaInputs, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm};
+use super::{
+    AnswerValue, Entry, FormulaInputs, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm,
+};
 use crate::model::{LinkId, OnLink, PointId, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
@@ -21,9 +23,15 @@ pub struct InstantCentre {
 }
 
 impl Quantity for InstantCentre {
-    const WRITTEN: &'static [Entry] = &[Entry::new("P", "P_13", Kind::Length, ValueForm::Point, ["instantaneous centre", "速度瞬心"])
-        .printed("P", OverSign::Nothing)
-        .at_level(Level::Velocity)];
+    const WRITTEN: &'static [Entry] = &[Entry::new(
+        "P",
+        "P_13",
+        Kind::Length,
+        ValueForm::Point,
+        ["instantaneous centre", "速度瞬心"],
+    )
+    .printed("P", OverSign::Nothing)
+    .at_level(Level::Velocity)];
 
     fn read(question: &Question<'_>) -> Result<Option<InstantCentre>, Diagnostic> {
         if question.names().is_empty() {
@@ -46,12 +54,18 @@ impl Quantity for InstantCentre {
 
     fn no_value(&self, scene: &Scene) -> Both {
         let [i, j] = self.links.map(|(l, _)| scene.link_name(l));
-        both!("links {i} and {j} do not turn against one another", "构件 {i} 与 {j} 之间没有相对转动")
+        both!(
+            "links {i} and {j} do not turn against one another",
+            "构件 {i} 与 {j} 之间没有相对转动"
+        )
     }
 
     fn needs(&self) -> Vec<(Need, Level)> {
         let moving = self.links.iter().filter_map(|(l, p)| Some((*l, (*p)?)));
-        moving.flat_map(|(l, p)| [Need::Turning(l), Need::Point(p, Some(l))]).map(|need| (need, Level::Velocity)).collect()
+        moving
+            .flat_map(|(l, p)| [Need::Turning(l), Need::Point(p, Some(l))])
+            .map(|need| (need, Level::Velocity))
+            .collect()
     }
 
     fn value<N: Real, K: FormulaInputs<N>>(&self, known: &K) -> Option<AnswerValue<N>> {
@@ -79,7 +93,10 @@ impl InstantCentre {
     ///
     /// # Errors
     /// A scene without points.
-    pub(super) fn of_links(question: &Question<'_>, links: [LinkId; 2]) -> Result<InstantCentre, Diagnostic> {
+    pub(super) fn of_links(
+        question: &Question<'_>,
+        links: [LinkId; 2],
+    ) -> Result<InstantCentre, Diagnostic> {
         // A link without a point, a slider or a rack, moves with its plane: any point of the scene
         // serves as a point of that plane.
         let own = links.map(|l| question.first_point(l));
@@ -91,10 +108,12 @@ impl InstantCentre {
             }
             *point = own.or(other);
             if point.is_none() {
-                let message = both!("`{}`: the scene has no point", "`{}`：题目中没有点", question.text());
-                return Err(question
-                    .fault(message)
-                    .help(both!("`hodograph centres` tells all centres", "`hodograph centres` 给出所有瞬心")));
+                let message =
+                    both!("`{}`: the scene has no point", "`{}`：题目中没有点", question.text());
+                return Err(question.fault(message).help(both!(
+                    "`hodograph centres` tells all centres",
+                    "`hodograph centres` 给出所有瞬心"
+                )));
             }
         }
         Ok(InstantCentre { links: of })

@@ -98,7 +98,8 @@ const LEVELS: [Level; 3] = [Level::Position, Level::Velocity, Level::Acceleratio
 
 /// One row for each kind, form and level of a combination.
 static ENTRIES: [Entry; KINDS.len() * FORMS.len() * LEVELS.len()] = {
-    let first = Entry::new("", "omega_2 + omega_4", Kind::Number, ValueForm::Scalar, ["quantity", "量"]);
+    let first =
+        Entry::new("", "omega_2 + omega_4", Kind::Number, ValueForm::Scalar, ["quantity", "量"]);
     let mut all = [first; KINDS.len() * FORMS.len() * LEVELS.len()];
     let mut k = 0;
     while k < all.len() {
@@ -119,13 +120,16 @@ pub fn halves(text: &str) -> impl Iterator<Item = (Operation, [&str; 2])> {
             '/' => Operation::Ratio,
             _ => return None,
         };
-        Some((operation, [text[..at].trim(), text[at + c.len_utf8()..].trim()])).filter(|(_, halves)| halves.iter().all(|h| !h.is_empty()))
+        Some((operation, [text[..at].trim(), text[at + c.len_utf8()..].trim()]))
+            .filter(|(_, halves)| halves.iter().all(|h| !h.is_empty()))
     })
 }
 
 /// Returns the two halves of a combination's text, each of which is a question.
 pub fn halves_of<'t>(combined: &Combined, text: &'t str) -> Option<[&'t str; 2]> {
-    let is = |half: &str, operand: Operand| half.starts_with(operand.asked().entry().symbol) || !half.is_ascii();
+    let is = |half: &str, operand: Operand| {
+        half.starts_with(operand.asked().entry().symbol) || !half.is_ascii()
+    };
     let fits = |(operation, [a, b]): &(Operation, [&str; 2])| {
         let [p, q] = combined.operands;
         *operation == combined.operation && is(a, p) && is(b, q)
@@ -138,15 +142,20 @@ impl Combined {
     pub(crate) fn new(operation: Operation, [a, b]: [Asked; 2]) -> Option<Combined> {
         let (x, y) = (a.entry(), b.entry());
         let (kind, form) = match operation {
-            Operation::Sum | Operation::Difference if x.kind == y.kind && x.form == y.form && x.form != ValueForm::Point => {
+            Operation::Sum | Operation::Difference
+                if x.kind == y.kind && x.form == y.form && x.form != ValueForm::Point =>
+            {
                 (x.kind, x.form)
             }
             Operation::Sum | Operation::Difference => return None,
-            Operation::Ratio if x.form == ValueForm::Point || y.form == ValueForm::Point => return None,
+            Operation::Ratio if x.form == ValueForm::Point || y.form == ValueForm::Point => {
+                return None;
+            }
             Operation::Ratio => (quotient(x.kind, y.kind)?, ValueForm::Scalar),
         };
         let level = x.level.max(y.level);
-        let entry = ENTRIES.iter().find(|e| e.kind == kind && e.form == form && e.level == level)?;
+        let entry =
+            ENTRIES.iter().find(|e| e.kind == kind && e.form == form && e.level == level)?;
         Some(Combined { operation, operands: [Operand::of(a)?, Operand::of(b)?], entry })
     }
 }
@@ -194,7 +203,10 @@ impl Quantity for Combined {
 
     fn no_value(&self, scene: &Scene) -> Both {
         match self.operation {
-            Operation::Ratio => both!("one of the two has no value, or the divisor is zero", "其中一个量无定义，或分母为零"),
+            Operation::Ratio => both!(
+                "one of the two has no value, or the divisor is zero",
+                "其中一个量无定义，或分母为零"
+            ),
             Operation::Sum | Operation::Difference => self.operands[0].asked().no_value(scene),
         }
     }
@@ -207,20 +219,36 @@ impl Quantity for Combined {
 
 /// Combines two values; returns `None` if the forms differ, or if a ratio is undecided or not
 /// finite.
-pub fn combine<N: Real>(operation: Operation, a: AnswerValue<N>, b: AnswerValue<N>) -> Option<AnswerValue<N>> {
+pub fn combine<N: Real>(
+    operation: Operation,
+    a: AnswerValue<N>,
+    b: AnswerValue<N>,
+) -> Option<AnswerValue<N>> {
     let size = |v: AnswerValue<N>| match v {
         AnswerValue::Scalar(s) => Some(s),
         AnswerValue::Vector(v) => Some(v.norm()),
         AnswerValue::Point(_) => None,
     };
     Some(match (operation, a, b) {
-        (Operation::Sum, AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => AnswerValue::Scalar(a + b),
-        (Operation::Sum, AnswerValue::Vector(a), AnswerValue::Vector(b)) => AnswerValue::Vector(a + b),
-        (Operation::Difference, AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => AnswerValue::Scalar(a - b),
-        (Operation::Difference, AnswerValue::Vector(a), AnswerValue::Vector(b)) => AnswerValue::Vector(a - b),
+        (Operation::Sum, AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => {
+            AnswerValue::Scalar(a + b)
+        }
+        (Operation::Sum, AnswerValue::Vector(a), AnswerValue::Vector(b)) => {
+            AnswerValue::Vector(a + b)
+        }
+        (Operation::Difference, AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => {
+            AnswerValue::Scalar(a - b)
+        }
+        (Operation::Difference, AnswerValue::Vector(a), AnswerValue::Vector(b)) => {
+            AnswerValue::Vector(a - b)
+        }
         (Operation::Ratio, a, b) => {
             let ratio = size(a)? / size(b)?;
-            return ratio.is_decided().then_some(ratio).filter(|r| r.approx().is_finite()).map(AnswerValue::Scalar);
+            return ratio
+                .is_decided()
+                .then_some(ratio)
+                .filter(|r| r.approx().is_finite())
+                .map(AnswerValue::Scalar);
         }
         (Operation::Sum | Operation::Difference, ..) => return None,
     })

@@ -4,8 +4,8 @@
 
 use super::joined::name;
 use super::{
-    AnswerValue, Entry, FormulaInputs, Frame, Level, Meaning, Need, ObservedPart, Of, OverSign, Quantity, RelativeComponent, RelativePath,
-    ValueForm, owns, relative_path,
+    AnswerValue, Entry, FormulaInputs, Frame, Level, Meaning, Need, ObservedPart, Of, OverSign,
+    Quantity, RelativeComponent, RelativePath, ValueForm, owns, relative_path,
 };
 use crate::model::{Find, OnLink, Scene};
 use crate::resolve::Question;
@@ -68,24 +68,86 @@ impl CompositePart {
 
 impl Quantity for Composite {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new("ve", "ve_E/1", Kind::Velocity, ValueForm::Vector, ["transport velocity", "牵连速度"]).printed("v", OverSign::Sign("e")),
-        Entry::new("vr", "vr_E/1", Kind::Velocity, ValueForm::Vector, ["relative velocity", "相对速度"]).printed("v", OverSign::Sliding),
-        Entry::new("ae", "ae_E/1", Kind::Acceleration, ValueForm::Vector, ["transport acceleration", "牵连加速度"])
-            .printed("a", OverSign::Sign("e")),
-        Entry::new("aen", "aen_E/1", Kind::Acceleration, ValueForm::Vector, ["normal transport acceleration", "牵连法向加速度"])
-            .printed("a", OverSign::Sign("e\\,n")),
-        Entry::new("aet", "aet_E/1", Kind::Acceleration, ValueForm::Vector, ["tangential transport acceleration", "牵连切向加速度"])
-            .printed("a", OverSign::Sign("e\\,t")),
-        Entry::new("ar", "ar_E/1", Kind::Acceleration, ValueForm::Vector, ["relative acceleration", "相对加速度"])
-            .printed("a", OverSign::Sliding),
-        Entry::new("arn", "arn_E/1", Kind::Acceleration, ValueForm::Vector, ["normal relative acceleration", "相对法向加速度"])
-            .printed("a", OverSign::SlidingPart("n")),
-        Entry::new("art", "art_E/1", Kind::Acceleration, ValueForm::Vector, ["tangential relative acceleration", "相对切向加速度"])
-            .printed("a", OverSign::SlidingPart("t")),
-        Entry::new("ak", "ak_E/1", Kind::Acceleration, ValueForm::Vector, ["Coriolis acceleration", "科氏加速度"])
-            .printed("a", OverSign::Coriolis),
-        Entry::new("path", "path_E/1", Kind::Length, ValueForm::Point, ["place on the relative path", "相对轨迹上的位置"])
-            .printed("r", OverSign::Sliding),
+        Entry::new(
+            "ve",
+            "ve_E/1",
+            Kind::Velocity,
+            ValueForm::Vector,
+            ["transport velocity", "牵连速度"],
+        )
+        .printed("v", OverSign::Sign("e")),
+        Entry::new(
+            "vr",
+            "vr_E/1",
+            Kind::Velocity,
+            ValueForm::Vector,
+            ["relative velocity", "相对速度"],
+        )
+        .printed("v", OverSign::Sliding),
+        Entry::new(
+            "ae",
+            "ae_E/1",
+            Kind::Acceleration,
+            ValueForm::Vector,
+            ["transport acceleration", "牵连加速度"],
+        )
+        .printed("a", OverSign::Sign("e")),
+        Entry::new(
+            "aen",
+            "aen_E/1",
+            Kind::Acceleration,
+            ValueForm::Vector,
+            ["normal transport acceleration", "牵连法向加速度"],
+        )
+        .printed("a", OverSign::Sign("e\\,n")),
+        Entry::new(
+            "aet",
+            "aet_E/1",
+            Kind::Acceleration,
+            ValueForm::Vector,
+            ["tangential transport acceleration", "牵连切向加速度"],
+        )
+        .printed("a", OverSign::Sign("e\\,t")),
+        Entry::new(
+            "ar",
+            "ar_E/1",
+            Kind::Acceleration,
+            ValueForm::Vector,
+            ["relative acceleration", "相对加速度"],
+        )
+        .printed("a", OverSign::Sliding),
+        Entry::new(
+            "arn",
+            "arn_E/1",
+            Kind::Acceleration,
+            ValueForm::Vector,
+            ["normal relative acceleration", "相对法向加速度"],
+        )
+        .printed("a", OverSign::SlidingPart("n")),
+        Entry::new(
+            "art",
+            "art_E/1",
+            Kind::Acceleration,
+            ValueForm::Vector,
+            ["tangential relative acceleration", "相对切向加速度"],
+        )
+        .printed("a", OverSign::SlidingPart("t")),
+        Entry::new(
+            "ak",
+            "ak_E/1",
+            Kind::Acceleration,
+            ValueForm::Vector,
+            ["Coriolis acceleration", "科氏加速度"],
+        )
+        .printed("a", OverSign::Coriolis),
+        Entry::new(
+            "path",
+            "path_E/1",
+            Kind::Length,
+            ValueForm::Point,
+            ["place on the relative path", "相对轨迹上的位置"],
+        )
+        .printed("r", OverSign::Sliding),
     ];
 
     fn read(question: &Question<'_>) -> Result<Option<Composite>, Diagnostic> {
@@ -110,26 +172,50 @@ impl Quantity for Composite {
         let seen = |seen| Meaning::Seen(seen, of, frame, about);
         let relative = |split| Meaning::Relative(split, of, seat);
         Some(match (part, frame) {
-            (CompositePart::TransportVelocity | CompositePart::Transport, _) => Meaning::Vector(seat),
-            (CompositePart::RelativeVelocity, _) | (CompositePart::Relative, Frame::Point(_)) => relative(RelativeComponent::Whole),
-            (CompositePart::Relative, Frame::Link(_)) if slides => relative(RelativeComponent::Sliding),
+            (CompositePart::TransportVelocity | CompositePart::Transport, _) => {
+                Meaning::Vector(seat)
+            }
+            (CompositePart::RelativeVelocity, _) | (CompositePart::Relative, Frame::Point(_)) => {
+                relative(RelativeComponent::Whole)
+            }
+            (CompositePart::Relative, Frame::Link(_)) if slides => {
+                relative(RelativeComponent::Sliding)
+            }
             (CompositePart::Relative, Frame::Link(_)) => seen(ObservedPart::Relative),
-            (CompositePart::RelativeNormal, _) if slides => relative(RelativeComponent::SlidingNormal),
-            (CompositePart::RelativeTangential, _) if slides => relative(RelativeComponent::SlidingTangential),
-            (CompositePart::RelativeNormal, Frame::Point(c)) if on_one_link(scene, &of, &c) => relative(RelativeComponent::Along),
-            (CompositePart::RelativeTangential, Frame::Point(c)) if on_one_link(scene, &of, &c) => relative(RelativeComponent::Across),
+            (CompositePart::RelativeNormal, _) if slides => {
+                relative(RelativeComponent::SlidingNormal)
+            }
+            (CompositePart::RelativeTangential, _) if slides => {
+                relative(RelativeComponent::SlidingTangential)
+            }
+            (CompositePart::RelativeNormal, Frame::Point(c)) if on_one_link(scene, &of, &c) => {
+                relative(RelativeComponent::Along)
+            }
+            (CompositePart::RelativeTangential, Frame::Point(c)) if on_one_link(scene, &of, &c) => {
+                relative(RelativeComponent::Across)
+            }
             (CompositePart::RelativeNormal, _) => seen(ObservedPart::RelativeNormal),
             (CompositePart::RelativeTangential, _) => seen(ObservedPart::RelativeTangential),
-            (CompositePart::Coriolis, Frame::Link(_)) if slides => relative(RelativeComponent::Coriolis),
+            (CompositePart::Coriolis, Frame::Link(_)) if slides => {
+                relative(RelativeComponent::Coriolis)
+            }
             (CompositePart::Coriolis, _) => seen(ObservedPart::Coriolis),
             (CompositePart::TransportNormal | CompositePart::TransportTangential, _) => {
                 let normal = part == CompositePart::TransportNormal;
                 match frame.axis(scene, of) {
                     Some(o) => {
-                        let split = if normal { RelativeComponent::Along } else { RelativeComponent::Across };
+                        let split = if normal {
+                            RelativeComponent::Along
+                        } else {
+                            RelativeComponent::Across
+                        };
                         Meaning::Relative(split, seat, OnLink { point: o, link: None })
                     }
-                    None => seen(if normal { ObservedPart::TransportNormal } else { ObservedPart::TransportTangential }),
+                    None => seen(if normal {
+                        ObservedPart::TransportNormal
+                    } else {
+                        ObservedPart::TransportTangential
+                    }),
                 }
             }
             (CompositePart::Path, _) => return None,
@@ -174,12 +260,20 @@ impl Quantity for Composite {
             CompositePart::TransportNormal | CompositePart::TransportTangential => {
                 [at(seat, Velocity), at(seat, Acceleration)].into_iter().chain(turning).collect()
             }
-            CompositePart::Relative | CompositePart::RelativeNormal | CompositePart::RelativeTangential | CompositePart::Coriolis => {
+            CompositePart::Relative
+            | CompositePart::RelativeNormal
+            | CompositePart::RelativeTangential
+            | CompositePart::Coriolis => {
                 both(Velocity).into_iter().chain(both(Acceleration)).chain(turning).collect()
             }
             CompositePart::Path => match self.frame {
-                Frame::Link(l) => vec![(Need::Point(self.of.point, None), Position), (Need::Turning(l), Position)],
-                Frame::Point(_) => vec![(Need::Point(self.of.point, None), Position), (Need::Point(seat.point, None), Position)],
+                Frame::Link(l) => {
+                    vec![(Need::Point(self.of.point, None), Position), (Need::Turning(l), Position)]
+                }
+                Frame::Point(_) => vec![
+                    (Need::Point(self.of.point, None), Position),
+                    (Need::Point(seat.point, None), Position),
+                ],
             },
         }
     }
@@ -197,7 +291,8 @@ impl Quantity for Composite {
         Some(AnswerValue::Point(match self.frame {
             Frame::Point(c) => (at - known.point(c.point)?).to_point(),
             Frame::Link(l) => {
-                let (origin, x) = (known.point(*scene.links[l.0].points.first()?)?, known.direction(l)?.unit()?);
+                let (origin, x) =
+                    (known.point(*scene.links[l.0].points.first()?)?, known.direction(l)?.unit()?);
                 Point { x: x.dot(at - origin), y: x.cross(at - origin) }
             }
         }))
@@ -229,7 +324,10 @@ pub(crate) fn unusable(scene: &Scene, of: &OnLink, frame: Frame, text: &str) -> 
             "`{text}`：{point} 就是 {own} 上的点，相对该动系不动"
         ),
         Frame::Link(l) if text.starts_with("path") && bare(l) => {
-            both!("`{text}`: link {own} has no point from which a place is counted", "`{text}`：构件 {own} 上没有可作原点的点")
+            both!(
+                "`{text}`: link {own} has no point from which a place is counted",
+                "`{text}`：构件 {own} 上没有可作原点的点"
+            )
         }
         Frame::Link(_) | Frame::Point(_) => return None,
     };
@@ -239,7 +337,10 @@ pub(crate) fn unusable(scene: &Scene, of: &OnLink, frame: Frame, text: &str) -> 
             "动点和动系应在不同的运动物体上，例如销钉与其滑动所在的构件；`hodograph composite` 列出可用的选择"
         )
     } else {
-        both!("`hodograph composite` lists the frames that serve", "`hodograph composite` 列出可用的动系")
+        both!(
+            "`hodograph composite` lists the frames that serve",
+            "`hodograph composite` 列出可用的动系"
+        )
     };
     Some(Diagnostic::error("frame-unusable", message).help(help))
 }

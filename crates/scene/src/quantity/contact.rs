@@ -18,10 +18,12 @@ pub enum Contact {
 /// cylinders without a numbered part that carries it. The guide of a rope does not hold the pin.
 pub fn parties(scene: &Scene, p: PointId) -> usize {
     let rope = |g: &Guide| g.rolling.is_some_and(|r| scene.rolling[r.0].kind.is_flexible());
-    let slots = scene.guides.iter().filter(|g| g.pin == Some(p) && g.slider.is_none() && !rope(g)).count();
+    let slots =
+        scene.guides.iter().filter(|g| g.pin == Some(p) && g.slider.is_none() && !rope(g)).count();
     let carried = |l: &LinkId| scene.links[l.0].points.contains(&p);
-    let cylinders =
-        scene.drivers.iter().filter(|d| d.kind.ends().is_some_and(|ends| ends.contains(&p)) && !d.kind.parts().iter().any(carried));
+    let cylinders = scene.drivers.iter().filter(|d| {
+        d.kind.ends().is_some_and(|ends| ends.contains(&p)) && !d.kind.parts().iter().any(carried)
+    });
     scene.carriers(p).count() + slots + cylinders.count()
 }
 
@@ -30,15 +32,20 @@ pub fn parties(scene: &Scene, p: PointId) -> usize {
 pub fn met_at(scene: &Scene, l: LinkId) -> impl Iterator<Item = PointId> + '_ {
     let own = scene.links[l.0].points.iter().copied();
     let pins = scene.guides.iter().filter(move |g| g.on == l).filter_map(|g| g.pin);
-    let contacts = scene.rolling.iter().filter_map(move |r| r.links.iter().position(|own| *own == l).map(|k| r.at[k]));
+    let contacts = scene
+        .rolling
+        .iter()
+        .filter_map(move |r| r.links.iter().position(|own| *own == l).map(|k| r.at[k]));
     own.chain(pins).chain(contacts)
 }
 
 /// Returns the places at which two links press directly on each other.
 pub fn contacts(scene: &Scene, i: LinkId, j: LinkId) -> Vec<Contact> {
     let mut out = Vec::new();
-    let both_carry = |p: &PointId| scene.links[i.0].points.contains(p) && scene.links[j.0].points.contains(p);
-    let pins = (0..scene.points.len()).map(PointId).filter(both_carry).filter(|p| parties(scene, *p) == 2);
+    let both_carry =
+        |p: &PointId| scene.links[i.0].points.contains(p) && scene.links[j.0].points.contains(p);
+    let pins =
+        (0..scene.points.len()).map(PointId).filter(both_carry).filter(|p| parties(scene, *p) == 2);
     out.extend(pins.map(Contact::Pin));
     for (g, guide) in scene.guides.iter().enumerate() {
         // A guide that keeps two wheels in touch belongs to their rolling pair.

@@ -7,7 +7,9 @@
 //! quantities and treats the cases in which they do not exist.
 
 use super::value::{fastest, largest, vanishes};
-use super::{AnswerValue, Entry, FormulaInputs, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm};
+use super::{
+    AnswerValue, Entry, FormulaInputs, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm,
+};
 use crate::model::{LinkId, OnLink, PointId, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
@@ -54,22 +56,61 @@ pub enum OfPole {
 
 /// Rows of the table.
 const PATHS: [OfPath; 2] = [OfPath::Radius, OfPath::Centre];
-const POLES: [OfPole; 5] = [OfPole::InflectionPole, OfPole::Diameter, OfPole::AccelerationPole, OfPole::PoleVelocity, OfPole::InLink];
+const POLES: [OfPole; 5] = [
+    OfPole::InflectionPole,
+    OfPole::Diameter,
+    OfPole::AccelerationPole,
+    OfPole::PoleVelocity,
+    OfPole::InLink,
+];
 
 impl Quantity for Curvature {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new("rho", "rho_E", Kind::Length, ValueForm::Scalar, ["radius of curvature of the path", "轨迹曲率半径"])
-            .printed("\\rho", OverSign::Nothing)
+        Entry::new(
+            "rho",
+            "rho_E",
+            Kind::Length,
+            ValueForm::Scalar,
+            ["radius of curvature of the path", "轨迹曲率半径"],
+        )
+        .printed("\\rho", OverSign::Nothing)
+        .at_level(Level::Acceleration),
+        Entry::new(
+            "O",
+            "O_E",
+            Kind::Length,
+            ValueForm::Point,
+            ["centre of curvature of the path", "轨迹曲率中心"],
+        )
+        .at_level(Level::Acceleration),
+        Entry::new("J", "J_2", Kind::Length, ValueForm::Point, ["inflection pole", "拐点极"])
             .at_level(Level::Acceleration),
-        Entry::new("O", "O_E", Kind::Length, ValueForm::Point, ["centre of curvature of the path", "轨迹曲率中心"])
+        Entry::new(
+            "d",
+            "d_2",
+            Kind::Length,
+            ValueForm::Scalar,
+            ["diameter of the inflection circle", "拐点圆直径"],
+        )
+        .at_level(Level::Acceleration),
+        Entry::new("K", "K_2", Kind::Length, ValueForm::Point, ["acceleration pole", "加速度瞬心"])
             .at_level(Level::Acceleration),
-        Entry::new("J", "J_2", Kind::Length, ValueForm::Point, ["inflection pole", "拐点极"]).at_level(Level::Acceleration),
-        Entry::new("d", "d_2", Kind::Length, ValueForm::Scalar, ["diameter of the inflection circle", "拐点圆直径"])
-            .at_level(Level::Acceleration),
-        Entry::new("K", "K_2", Kind::Length, ValueForm::Point, ["acceleration pole", "加速度瞬心"]).at_level(Level::Acceleration),
-        Entry::new("u", "u_2", Kind::Velocity, ValueForm::Vector, ["pole velocity", "瞬心移动速度"]).at_level(Level::Acceleration),
-        Entry::new("p", "p_2", Kind::Length, ValueForm::Point, ["pole in the axes of the link", "瞬心在构件坐标系中的位置"])
-            .at_level(Level::Velocity),
+        Entry::new(
+            "u",
+            "u_2",
+            Kind::Velocity,
+            ValueForm::Vector,
+            ["pole velocity", "瞬心移动速度"],
+        )
+        .at_level(Level::Acceleration),
+        Entry::new(
+            "p",
+            "p_2",
+            Kind::Length,
+            ValueForm::Point,
+            ["pole in the axes of the link", "瞬心在构件坐标系中的位置"],
+        )
+        .at_level(Level::Velocity),
     ];
 
     fn read(question: &Question<'_>) -> Result<Option<Curvature>, Diagnostic> {
@@ -77,7 +118,11 @@ impl Quantity for Curvature {
         if let Some(of) = PATHS.get(row) {
             // ρ of a cam belongs to two links, its least value to one.
             let names = question.names();
-            if *of == OfPath::Radius && (names.contains('/') || names.starts_with("min_") || question.link(names).is_ok()) {
+            if *of == OfPath::Radius
+                && (names.contains('/')
+                    || names.starts_with("min_")
+                    || question.link(names).is_ok())
+            {
                 return Ok(None);
             }
             let (point, second) = question.points()?;
@@ -97,7 +142,11 @@ impl Quantity for Curvature {
         };
         if links[0] == links[1] {
             return Err(question
-                .fault(both!("`{}` is of a link against itself", "`{}` 是构件相对自身的量", question.text()))
+                .fault(both!(
+                    "`{}` is of a link against itself",
+                    "`{}` 是构件相对自身的量",
+                    question.text()
+                ))
                 .help(both!("ask for a moving link", "请求活动构件的量")));
         }
         let mut of = links.map(|l| (l, None));
@@ -145,7 +194,10 @@ impl Quantity for Curvature {
             }
             Curvature::Pole(links, _) => {
                 let [i, j] = links.map(|(l, _)| scene.link_name(l));
-                both!("links {i} and {j} do not turn against one another: they have no pole", "构件 {i} 与 {j} 之间没有相对转动，没有极点")
+                both!(
+                    "links {i} and {j} do not turn against one another: they have no pole",
+                    "构件 {i} 与 {j} 之间没有相对转动，没有极点"
+                )
             }
         }
     }
@@ -156,7 +208,10 @@ impl Quantity for Curvature {
             Curvature::Path(p, _) => vec![(Need::Point(p.point, p.link), level)],
             Curvature::Pole(links, _) => {
                 let moving = links.into_iter().filter_map(|(l, p)| Some((l, p?)));
-                moving.flat_map(|(l, p)| [Need::Turning(l), Need::Point(p, Some(l))]).map(|need| (need, level)).collect()
+                moving
+                    .flat_map(|(l, p)| [Need::Turning(l), Need::Point(p, Some(l))])
+                    .map(|need| (need, level))
+                    .collect()
             }
         }
     }
@@ -173,8 +228,8 @@ fn path<N: Real, K: FormulaInputs<N>>(known: &K, p: &OnLink, of: OfPath) -> Opti
     let (v, a) = (known.vector(Level::Velocity, p)?, known.vector(Level::Acceleration, p)?);
     let (square, turn) = (v.norm2(), v.cross(a));
     // The rounding error of v and a is that of the largest velocity and acceleration.
-    let [fast, strong] =
-        [(Level::Velocity, v), (Level::Acceleration, a)].map(|(level, own)| largest(known, level).max(own.norm().approx()));
+    let [fast, strong] = [(Level::Velocity, v), (Level::Acceleration, a)]
+        .map(|(level, own)| largest(known, level).max(own.norm().approx()));
     if vanishes(turn, fast * a.norm().approx() + strong * v.norm().approx()) {
         return None;
     }
@@ -200,7 +255,11 @@ struct RelativeState<N> {
     alpha: N,
 }
 
-fn seen<N: Real, K: FormulaInputs<N>>(known: &K, links: [(LinkId, Option<PointId>); 2], level: Level) -> Option<RelativeState<N>> {
+fn seen<N: Real, K: FormulaInputs<N>>(
+    known: &K,
+    links: [(LinkId, Option<PointId>); 2],
+    level: Level,
+) -> Option<RelativeState<N>> {
     let zero = N::from_f64(0.0);
     let at = known.point(links.iter().find_map(|(_, p)| *p)?)?;
     let deep = level == Level::Acceleration;
@@ -223,10 +282,20 @@ fn seen<N: Real, K: FormulaInputs<N>>(known: &K, links: [(LinkId, Option<PointId
         return None;
     }
     let v = v - w;
-    Some(RelativeState { at, v, omega: relative, a: a - b - v.perp() * (N::from_f64(2.0) * frame), alpha: alpha - turns })
+    Some(RelativeState {
+        at,
+        v,
+        omega: relative,
+        a: a - b - v.perp() * (N::from_f64(2.0) * frame),
+        alpha: alpha - turns,
+    })
 }
 
-fn pole<N: Real, K: FormulaInputs<N>>(known: &K, links: [(LinkId, Option<PointId>); 2], of: OfPole) -> Option<AnswerValue<N>> {
+fn pole<N: Real, K: FormulaInputs<N>>(
+    known: &K,
+    links: [(LinkId, Option<PointId>); 2],
+    of: OfPole,
+) -> Option<AnswerValue<N>> {
     let level = if of == OfPole::InLink { Level::Velocity } else { Level::Acceleration };
     let RelativeState { at, v, omega, a, alpha } = seen(known, links, level)?;
     let one = N::from_f64(1.0);

@@ -109,7 +109,13 @@ pub struct Entry {
 impl Entry {
     /// Returns a row of the table. The default level is that of the kind, the default letter the
     /// symbol. `name` is in English and in Chinese.
-    pub(super) const fn new(symbol: &'static str, example: &'static str, kind: Kind, form: ValueForm, name: [&'static str; 2]) -> Entry {
+    pub(super) const fn new(
+        symbol: &'static str,
+        example: &'static str,
+        kind: Kind,
+        form: ValueForm,
+        name: [&'static str; 2],
+    ) -> Entry {
         let level = kind.level();
         Entry {
             symbol,

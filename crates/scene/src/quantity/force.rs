@@ -6,7 +6,9 @@
 
 use super::contact::{Contact, bar, contacts, parties};
 use super::forces::{Forces, Wrench};
-use super::{AnswerValue, Entry, FormulaInputs, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm};
+use super::{
+    AnswerValue, Entry, FormulaInputs, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm,
+};
 use crate::model::{Find, GuideId, GuidePath, LinkId, PointId, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
@@ -116,11 +118,14 @@ impl Quantity for Force {
             ["distance of the force of a guide from the pin", "导路反力到销中心的距离"],
         ),
         Entry::new("M", "M_b", Kind::Moment, ValueForm::Scalar, ["balancing moment", "平衡力矩"]),
-        Entry::new("FI", "FI_2", Kind::Force, ValueForm::Vector, ["inertia force", "惯性力"]).printed("F_I", OverSign::Nothing),
-        Entry::new("MI", "MI_2", Kind::Moment, ValueForm::Scalar, ["inertia couple", "惯性力偶矩"]).printed("M_I", OverSign::Nothing),
+        Entry::new("FI", "FI_2", Kind::Force, ValueForm::Vector, ["inertia force", "惯性力"])
+            .printed("F_I", OverSign::Nothing),
+        Entry::new("MI", "MI_2", Kind::Moment, ValueForm::Scalar, ["inertia couple", "惯性力偶矩"])
+            .printed("M_I", OverSign::Nothing),
         Entry::new("P", "P", Kind::Power, ValueForm::Scalar, ["power of the driver", "原动件功率"]),
         Entry::new("F", "F_sh", Kind::Force, ValueForm::Vector, ["shaking force", "总惯性力"]),
-        Entry::new("eta", "eta", Kind::Number, ValueForm::Scalar, ["efficiency", "机械效率"]).printed("\\eta", OverSign::Nothing),
+        Entry::new("eta", "eta", Kind::Number, ValueForm::Scalar, ["efficiency", "机械效率"])
+            .printed("\\eta", OverSign::Nothing),
     ];
 
     fn read(question: &Question<'_>) -> Result<Option<Force>, Diagnostic> {
@@ -136,7 +141,9 @@ impl Quantity for Force {
             },
             "F" if names == "sh" => ForceQuantity::Shaking,
             "F" => match balanced(names) {
-                Some(driver) => ForceQuantity::Balance { driver: question.driver(driver)?, force: true },
+                Some(driver) => {
+                    ForceQuantity::Balance { driver: question.driver(driver)?, force: true }
+                }
                 None => match question.two_links() {
                     Ok(links) => ForceQuantity::Reaction(links, ReactionPart::Whole),
                     Err(_) => match question.points() {
@@ -152,7 +159,9 @@ impl Quantity for Force {
             "Ft" => ForceQuantity::Reaction(question.two_links()?, ReactionPart::Tangential),
             "h" => ForceQuantity::Offset(question.two_links()?),
             "M" => match balanced(names) {
-                Some(driver) => ForceQuantity::Balance { driver: question.driver(driver)?, force: false },
+                Some(driver) => {
+                    ForceQuantity::Balance { driver: question.driver(driver)?, force: false }
+                }
                 None => ForceQuantity::Couple(question.two_links()?),
             },
             "FI" => ForceQuantity::InertiaForce(moving(question)?),
@@ -180,10 +189,17 @@ impl Quantity for Force {
 
     fn of(&self) -> Of {
         match self.0 {
-            ForceQuantity::Reaction([i, j], _) | ForceQuantity::Offset([i, j]) | ForceQuantity::Couple([i, j]) => Of::Links(i, j),
-            ForceQuantity::OfPin(p, link) => Of::Point(crate::model::OnLink { point: p, link: Some(link) }),
+            ForceQuantity::Reaction([i, j], _)
+            | ForceQuantity::Offset([i, j])
+            | ForceQuantity::Couple([i, j]) => Of::Links(i, j),
+            ForceQuantity::OfPin(p, link) => {
+                Of::Point(crate::model::OnLink { point: p, link: Some(link) })
+            }
             ForceQuantity::InertiaForce(l) | ForceQuantity::InertiaCouple(l) => Of::Link(l),
-            ForceQuantity::Balance { .. } | ForceQuantity::Power | ForceQuantity::Efficiency | ForceQuantity::Shaking => Of::Mechanism,
+            ForceQuantity::Balance { .. }
+            | ForceQuantity::Power
+            | ForceQuantity::Efficiency
+            | ForceQuantity::Shaking => Of::Mechanism,
         }
     }
 
@@ -197,7 +213,9 @@ impl Quantity for Force {
 
     fn places(&self, scene: &Scene) -> Vec<LinkId> {
         match self.0 {
-            ForceQuantity::Reaction(links, _) | ForceQuantity::Offset(links) | ForceQuantity::Couple(links) => links.to_vec(),
+            ForceQuantity::Reaction(links, _)
+            | ForceQuantity::Offset(links)
+            | ForceQuantity::Couple(links) => links.to_vec(),
             ForceQuantity::OfPin(p, link) => scene.carriers(p).chain([link]).collect(),
             ForceQuantity::InertiaForce(_)
             | ForceQuantity::InertiaCouple(_)
@@ -211,18 +229,27 @@ impl Quantity for Force {
     fn no_value(&self, _scene: &Scene) -> Both {
         match self.0 {
             ForceQuantity::Offset(_) => {
-                both!("the force of the guide is zero: it has a couple, but no line of action", "导路反力为零：只有力偶，没有作用线")
+                both!(
+                    "the force of the guide is zero: it has a couple, but no line of action",
+                    "导路反力为零：只有力偶，没有作用线"
+                )
             }
-            ForceQuantity::Reaction(..) | ForceQuantity::OfPin(..) | ForceQuantity::Couple(_) => both!(
-                "the reactions are not determined: a link or pair only repeats what the others hold, or a belt pulls with a tension that is not told",
-                "反力不确定：有构件或运动副只重复其余的约束，或带的拉力未知"
-            ),
+            ForceQuantity::Reaction(..) | ForceQuantity::OfPin(..) | ForceQuantity::Couple(_) => {
+                both!(
+                    "the reactions are not determined: a link or pair only repeats what the others hold, or a belt pulls with a tension that is not told",
+                    "反力不确定：有构件或运动副只重复其余的约束，或带的拉力未知"
+                )
+            }
             ForceQuantity::Balance { .. } | ForceQuantity::Power => both!(
                 "the balancing force does no work in this pose: its line passes through the pole of its link, or its point is at rest",
                 "该位置平衡力不做功：其作用线通过所在构件的瞬心，或作用点静止"
             ),
-            ForceQuantity::Efficiency => both!("the balancing moment does no work here", "该位置平衡力矩不做功"),
-            ForceQuantity::InertiaForce(_) | ForceQuantity::InertiaCouple(_) | ForceQuantity::Shaking => {
+            ForceQuantity::Efficiency => {
+                both!("the balancing moment does no work here", "该位置平衡力矩不做功")
+            }
+            ForceQuantity::InertiaForce(_)
+            | ForceQuantity::InertiaCouple(_)
+            | ForceQuantity::Shaking => {
                 both!("the forces are not determined in this pose", "该位置的力不确定")
             }
         }
@@ -269,17 +296,26 @@ impl Quantity for Force {
                 })
             }
             ForceQuantity::Offset([i, j]) | ForceQuantity::Couple([i, j]) => {
-                let guided = contacts(scene, i, j).iter().any(|c| matches!(c, Contact::Guide(g, _) if slides(scene, *g)));
+                let guided = contacts(scene, i, j)
+                    .iter()
+                    .any(|c| matches!(c, Contact::Guide(g, _) if slides(scene, *g)));
                 (!guided).then(|| {
                     let [a, b] = [i, j].map(|l| scene.link_name(l));
-                    at(both!("`{}`: no straight guide joins links {a} and {b}", "`{}`：构件 {a} 与 {b} 之间没有直线移动副", find.text))
+                    at(both!(
+                        "`{}`: no straight guide joins links {a} and {b}",
+                        "`{}`：构件 {a} 与 {b} 之间没有直线移动副",
+                        find.text
+                    ))
                 })
             }
             ForceQuantity::InertiaForce(l) | ForceQuantity::InertiaCouple(l) => {
-                let has = scene
-                    .loads
-                    .mass_of(l)
-                    .is_some_and(|m| if matches!(self.0, ForceQuantity::InertiaForce(_)) { m.m.is_some() } else { m.j.is_some() });
+                let has = scene.loads.mass_of(l).is_some_and(|m| {
+                    if matches!(self.0, ForceQuantity::InertiaForce(_)) {
+                        m.m.is_some()
+                    } else {
+                        m.j.is_some()
+                    }
+                });
                 (!has).then(|| {
                     let name = scene.link_name(l);
                     at(both!("`{}`: link {name} has no mass of this kind", "`{}`：构件 {name} 没有相应的质量", find.text)).help(both!(
@@ -306,7 +342,8 @@ impl Quantity for Force {
                 })
             }
             ForceQuantity::Efficiency => scene.loads.friction.is_empty().then(|| {
-                let message = both!("`{}`: the scene has no friction", "`{}`：机构文件没有摩擦", find.text);
+                let message =
+                    both!("`{}`: the scene has no friction", "`{}`：机构文件没有摩擦", find.text);
                 at(message).help(both!(
                     "give \"friction\": [{{\"pin\": \"B\", \"circle\": \"4 mm\"}}]",
                     "请给出 \"friction\": [{{\"pin\": \"B\", \"circle\": \"4 mm\"}}]"
@@ -325,7 +362,9 @@ impl Quantity for Force {
                 let along = |p: PointId| (known.point(bar(scene, p, j)?)? - known.point(p)?).unit();
                 // The normal force of a guide is perpendicular to it.
                 let u = match (contact, part) {
-                    (_, ReactionPart::Whole) | (Contact::Rolling(..), _) => return Some(AnswerValue::Vector(force)),
+                    (_, ReactionPart::Whole) | (Contact::Rolling(..), _) => {
+                        return Some(AnswerValue::Vector(force));
+                    }
                     (Contact::Pin(p), ReactionPart::Normal) => along(p)?,
                     (Contact::Pin(p), ReactionPart::Tangential) => along(p)?.perp(),
                     (Contact::Guide(g, _), ReactionPart::Normal) => known.guide(g)?.1.perp(),
@@ -335,25 +374,44 @@ impl Quantity for Force {
             }
             ForceQuantity::OfPin(p, link) => Some(AnswerValue::Vector(of_pin(forces, p, link)?)),
             ForceQuantity::Offset([i, j]) | ForceQuantity::Couple([i, j]) => {
-                let guide = contacts(scene, i, j).into_iter().find(|c| matches!(c, Contact::Guide(g, _) if slides(scene, *g)))?;
+                let guide = contacts(scene, i, j)
+                    .into_iter()
+                    .find(|c| matches!(c, Contact::Guide(g, _) if slides(scene, *g)))?;
                 let wrench = reaction(forces, guide, j)?;
                 if matches!(self.0, ForceQuantity::Couple(_)) {
                     return Some(AnswerValue::Scalar(wrench.couple));
                 }
                 let Contact::Guide(g, _) = guide else { return None };
                 let normal = known.guide(g)?.1.perp().dot(wrench.force);
-                let nothing = !N::refines() && normal.approx().abs() <= super::ROUNDING * forces.largest;
+                let nothing =
+                    !N::refines() && normal.approx().abs() <= super::ROUNDING * forces.largest;
                 (!nothing).then(|| AnswerValue::Scalar(wrench.couple / normal))
             }
             ForceQuantity::Balance { driver, .. } => {
                 let of_scene = scene.loads.balance.is_some();
-                Some(AnswerValue::Scalar(if of_scene { forces.balance? } else { *forces.drivers.get(driver)? }))
+                Some(AnswerValue::Scalar(if of_scene {
+                    forces.balance?
+                } else {
+                    *forces.drivers.get(driver)?
+                }))
             }
-            ForceQuantity::InertiaForce(l) => forces.inertia.iter().find(|(own, _)| *own == l).map(|(_, w)| AnswerValue::Vector(w.force)),
-            ForceQuantity::InertiaCouple(l) => forces.inertia.iter().find(|(own, _)| *own == l).map(|(_, w)| AnswerValue::Scalar(w.couple)),
-            ForceQuantity::Shaking => Some(AnswerValue::Vector(forces.inertia.iter().fold(Vec2::zero(), |sum, (_, w)| sum + w.force))),
+            ForceQuantity::InertiaForce(l) => forces
+                .inertia
+                .iter()
+                .find(|(own, _)| *own == l)
+                .map(|(_, w)| AnswerValue::Vector(w.force)),
+            ForceQuantity::InertiaCouple(l) => forces
+                .inertia
+                .iter()
+                .find(|(own, _)| *own == l)
+                .map(|(_, w)| AnswerValue::Scalar(w.couple)),
+            ForceQuantity::Shaking => Some(AnswerValue::Vector(
+                forces.inertia.iter().fold(Vec2::zero(), |sum, (_, w)| sum + w.force),
+            )),
             ForceQuantity::Power => Some(AnswerValue::Scalar(forces.power)),
-            ForceQuantity::Efficiency => Some(AnswerValue::Scalar(forces.efficiency().filter(|eta| eta.is_decided())?)),
+            ForceQuantity::Efficiency => {
+                Some(AnswerValue::Scalar(forces.efficiency().filter(|eta| eta.is_decided())?))
+            }
         }
     }
 }
@@ -368,7 +426,8 @@ impl Force {
     /// with the pin that they share with others.
     fn not_joined(&self, scene: &Scene, find: &Find, [i, j]: [LinkId; 2]) -> Diagnostic {
         let [a, b] = [i, j].map(|l| scene.link_name(l));
-        let shared = scene.links[i.0].points.iter().copied().find(|p| scene.links[j.0].points.contains(p));
+        let shared =
+            scene.links[i.0].points.iter().copied().find(|p| scene.links[j.0].points.contains(p));
         match shared {
             Some(p) => {
                 let pin = scene.point_name(p);
@@ -377,12 +436,17 @@ impl Force {
                     "`{}` 不是确定的力：销 {pin} 除构件 {a}、{b} 外还连接其他构件",
                     find.text
                 );
-                Diagnostic::error("shared-pin", message)
-                    .at(find.span)
-                    .help(both!("ask for the force of the pin on a link: F_{pin}{b}", "请求销对构件的力：F_{pin}{b}"))
+                Diagnostic::error("shared-pin", message).at(find.span).help(both!(
+                    "ask for the force of the pin on a link: F_{pin}{b}",
+                    "请求销对构件的力：F_{pin}{b}"
+                ))
             }
             None => {
-                let message = both!("`{}`: links {a} and {b} are not joined", "`{}`：构件 {a} 与 {b} 不直接相连", find.text);
+                let message = both!(
+                    "`{}`: links {a} and {b} are not joined",
+                    "`{}`：构件 {a} 与 {b} 不直接相连",
+                    find.text
+                );
                 Diagnostic::error("find", message).at(find.span).help(both!(
                     "name two links that touch, such as F_12, or a pin and a link, such as F_B3",
                     "请写两个直接相连的构件，如 F_12，或写销与构件，如 F_B3"
@@ -403,13 +467,21 @@ fn balanced(names: &str) -> Option<usize> {
 fn moving(question: &Question<'_>) -> Result<LinkId, Diagnostic> {
     let link = question.link(question.names())?;
     if question.is_ground(link) {
-        return Err(question.fault(both!("`{}`: the ground does not move", "`{}`：机架不运动", question.text())));
+        return Err(question.fault(both!(
+            "`{}`: the ground does not move",
+            "`{}`：机架不运动",
+            question.text()
+        )));
     }
     Ok(link)
 }
 
 fn reaction_wanted(question: &Question<'_>) -> Diagnostic {
-    let message = both!("`{}` names neither two links nor a pin and a link", "`{}` 没有写明两个构件，也没有写明销与构件", question.text());
+    let message = both!(
+        "`{}` names neither two links nor a pin and a link",
+        "`{}` 没有写明两个构件，也没有写明销与构件",
+        question.text()
+    );
     question.fault(message).help(both!(
         "write F_12 (of link 1 on link 2), F_B3 (of pin B on link 3), F_b (balancing force) or F_sh (shaking force)",
         "请写 F_12（构件 1 对构件 2）、F_B3（销 B 对构件 3）、F_b（平衡力）或 F_sh（总惯性力）"
@@ -431,7 +503,9 @@ fn reaction<N: Real>(forces: &Forces<N>, contact: Contact, on: LinkId) -> Option
     let reversed = |w: Wrench<N>, back: bool| if back { w.reversed() } else { w };
     match contact {
         Contact::Pin(p) => Some(Wrench { force: of_pin(forces, p, on)?, ..Wrench::zero() }),
-        Contact::Guide(g, back) => forces.guides.iter().find(|(own, _)| *own == g).map(|(_, w)| reversed(*w, back)),
+        Contact::Guide(g, back) => {
+            forces.guides.iter().find(|(own, _)| *own == g).map(|(_, w)| reversed(*w, back))
+        }
         Contact::Rolling(r, back) => {
             let force = forces.rolling.iter().find(|(own, _)| *own == r)?.1;
             Some(reversed(Wrench { force, ..Wrench::zero() }, back))

@@ -104,9 +104,14 @@ impl<N> Forces<N> {
             Kind::Force => Some(self.largest),
             Kind::Moment => Some(self.largest_moment),
             Kind::Power => Some(self.largest_power),
-            Kind::Length | Kind::Angle | Kind::Velocity | Kind::Acceleration | Kind::Omega | Kind::Alpha | Kind::Time | Kind::Number => {
-                None
-            }
+            Kind::Length
+            | Kind::Angle
+            | Kind::Velocity
+            | Kind::Acceleration
+            | Kind::Omega
+            | Kind::Alpha
+            | Kind::Time
+            | Kind::Number => None,
         }
     }
 }

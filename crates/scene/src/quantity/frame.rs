@@ -30,7 +30,9 @@ impl Frame {
     /// translating frame moves.
     pub fn axis(self, scene: &Scene, of: OnLink) -> Option<PointId> {
         let fixed = |p: &PointId| scene.links[scene.ground.0].points.contains(p);
-        let on = |l: LinkId, own: PointId| scene.links[l.0].points.iter().copied().find(|p| fixed(p) && *p != own);
+        let on = |l: LinkId, own: PointId| {
+            scene.links[l.0].points.iter().copied().find(|p| fixed(p) && *p != own)
+        };
         match self {
             Frame::Link(l) => on(l, of.point),
             Frame::Point(c) => carriers(scene, &c).find_map(|l| on(l, c.point)),
@@ -49,7 +51,9 @@ impl Frame {
     pub fn carries(self, scene: &Scene, of: &OnLink) -> bool {
         match self {
             Frame::Link(l) => owns(scene, l, of),
-            Frame::Point(p) => p.point == of.point && carriers(scene, of).any(|l| owns(scene, l, &p)),
+            Frame::Point(p) => {
+                p.point == of.point && carriers(scene, of).any(|l| owns(scene, l, &p))
+            }
         }
     }
 }
@@ -67,7 +71,8 @@ pub enum RelativePath {
 
 /// Returns true if a point is permanently fixed on a link.
 pub fn owns(scene: &Scene, link: LinkId, p: &OnLink) -> bool {
-    scene.links[link.0].points.contains(&p.point) && p.link.is_none_or(|l| l == link || scene.links[l.0].points.contains(&p.point))
+    scene.links[link.0].points.contains(&p.point)
+        && p.link.is_none_or(|l| l == link || scene.links[l.0].points.contains(&p.point))
         || p.link == Some(link)
 }
 
@@ -84,7 +89,11 @@ pub fn relative_path(scene: &Scene, of: OnLink, frame: Frame) -> RelativePath {
         let straight = matches!(guide.path, GuidePath::Line { .. });
         // Of a block on an arc only the pin follows the arc; the others move on circles about the
         // same centre.
-        let runs = if straight { guide.on == l || guide.slider == Some(l) } else { guide.on == l && guide.pin == Some(of.point) };
+        let runs = if straight {
+            guide.on == l || guide.slider == Some(l)
+        } else {
+            guide.on == l && guide.pin == Some(of.point)
+        };
         if runs {
             return RelativePath::Guide(g);
         }
@@ -99,7 +108,8 @@ pub fn relative_path(scene: &Scene, of: OnLink, frame: Frame) -> RelativePath {
             .filter(other)
             .find(|p| bar(p) || arc_keeps(scene, &of, OnLink { point: *p, link: Some(l) })),
         Frame::Point(c) => {
-            let kept = c.point != of.point && (carriers(scene, &of).any(|k| owns(scene, k, &c)) || arc_keeps(scene, &of, c));
+            let kept = c.point != of.point
+                && (carriers(scene, &of).any(|k| owns(scene, k, &c)) || arc_keeps(scene, &of, c));
             kept.then_some(c.point)
         }
     };
@@ -111,7 +121,10 @@ pub fn relative_path(scene: &Scene, of: OnLink, frame: Frame) -> RelativePath {
 fn arc_keeps(scene: &Scene, a: &OnLink, b: OnLink) -> bool {
     let pair = |guide: &crate::model::Guide, centre: &OnLink, pin: &OnLink| {
         let GuidePath::Arc { centre: k, .. } = guide.path else { return false };
-        k == centre.point && owns(scene, guide.on, centre) && guide.pin == Some(pin.point) && pin.link.is_none_or(|l| l != guide.on)
+        k == centre.point
+            && owns(scene, guide.on, centre)
+            && guide.pin == Some(pin.point)
+            && pin.link.is_none_or(|l| l != guide.on)
     };
     scene.guides.iter().any(|g| pair(g, a, &b) || pair(g, &b, a))
 }

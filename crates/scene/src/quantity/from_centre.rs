@@ -1,7 +1,10 @@
 //! `P_13D`, also written `P13D`: the distance of a point from the instantaneous centre of two
 //! links, to which velocities are proportional: v_D = ω₃ · P13D.
 
-use super::{AnswerValue, Entry, FormulaInputs, InstantCentre, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm};
+use super::{
+    AnswerValue, Entry, FormulaInputs, InstantCentre, Level, Meaning, Need, Of, OverSign, Quantity,
+    ValueForm,
+};
 use crate::model::{OnLink, PointId, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic};
@@ -18,10 +21,15 @@ pub struct FromCentre {
 }
 
 impl Quantity for FromCentre {
-    const WRITTEN: &'static [Entry] =
-        &[Entry::new("P", "P_13D", Kind::Length, ValueForm::Scalar, ["distance from the instantaneous centre", "点到速度瞬心的距离"])
-            .printed("P", OverSign::Nothing)
-            .at_level(Level::Velocity)];
+    const WRITTEN: &'static [Entry] = &[Entry::new(
+        "P",
+        "P_13D",
+        Kind::Length,
+        ValueForm::Scalar,
+        ["distance from the instantaneous centre", "点到速度瞬心的距离"],
+    )
+    .printed("P", OverSign::Nothing)
+    .at_level(Level::Velocity)];
 
     fn read(question: &Question<'_>) -> Result<Option<FromCentre>, Diagnostic> {
         let names = question.names();
@@ -32,7 +40,11 @@ impl Quantity for FromCentre {
         let found = names.char_indices().skip(1).find_map(|(cut, _)| {
             let (links, point) = names.split_at(cut);
             let point = question.point(point.trim_start_matches([',', '/', ' ']))?;
-            Some((InstantCentre::of_links(question, question.two_links_of(links.trim_end()).ok()?).ok()?, point))
+            Some((
+                InstantCentre::of_links(question, question.two_links_of(links.trim_end()).ok()?)
+                    .ok()?,
+                point,
+            ))
         });
         Ok(found.map(|(centre, point)| FromCentre { centre, point }))
     }
@@ -60,7 +72,9 @@ impl Quantity for FromCentre {
 
     fn value<N: Real, K: FormulaInputs<N>>(&self, known: &K) -> Option<AnswerValue<N>> {
         match self.centre.value(known)? {
-            AnswerValue::Point(centre) => Some(AnswerValue::Scalar(known.point(self.point)?.distance(centre))),
+            AnswerValue::Point(centre) => {
+                Some(AnswerValue::Scalar(known.point(self.point)?.distance(centre)))
+            }
             AnswerValue::Vector(_) | AnswerValue::Scalar(_) => None,
         }
     }

@@ -50,7 +50,11 @@ pub enum RelativeComponent {
 impl Meaning {
     /// Returns the value by the formulas of relative motion; `None` if data are unknown, or if no
     /// joint of the two points fits the part.
-    pub(super) fn value<N: Real, K: FormulaInputs<N>>(self, level: Level, known: &K) -> Option<AnswerValue<N>> {
+    pub(super) fn value<N: Real, K: FormulaInputs<N>>(
+        self,
+        level: Level,
+        known: &K,
+    ) -> Option<AnswerValue<N>> {
         match self {
             Meaning::Place(place) => place.value(known),
             Meaning::Vector(p) => known.vector(level, &p).map(AnswerValue::Vector),
@@ -62,7 +66,9 @@ impl Meaning {
                 let arm = arm.map_or(Some(N::from_f64(0.0)), of)?;
                 ratio([of(links[0])?, of(links[1])?], arm, fastest(known)).map(AnswerValue::Scalar)
             }
-            Meaning::Turning(l, Some(against)) => Some(AnswerValue::Scalar(known.turning(level, l)? - known.turning(level, against)?)),
+            Meaning::Turning(l, Some(against)) => {
+                Some(AnswerValue::Scalar(known.turning(level, l)? - known.turning(level, against)?))
+            }
         }
     }
 }
@@ -70,7 +76,8 @@ impl Meaning {
 /// Returns (ω₁ − ω_h)/(ω₂ − ω_h); `None` if the second link does not turn relative to the arm.
 /// `fastest` is the largest angular velocity of the mechanism.
 pub fn ratio<N: Real>([a, b]: [N; 2], arm: N, fastest: f64) -> Option<N> {
-    if vanishes(b - arm, [a, b, arm].map(|w| w.approx().abs()).into_iter().fold(fastest, f64::max)) {
+    if vanishes(b - arm, [a, b, arm].map(|w| w.approx().abs()).into_iter().fold(fastest, f64::max))
+    {
         return None;
     }
     let ratio = (a - arm) / (b - arm);
@@ -97,7 +104,10 @@ fn relative<N: Real, K: FormulaInputs<N>>(
     };
     let two = N::from_f64(2.0);
     let coriolis = || match joint? {
-        PointJoint::Guide(g) => Some(whole(Velocity)?.perp() * (two * known.turning(Velocity, known.scene().guides[g.0].on)?)),
+        PointJoint::Guide(g) => Some(
+            whole(Velocity)?.perp()
+                * (two * known.turning(Velocity, known.scene().guides[g.0].on)?),
+        ),
         // v_r along the line, ω of the line.
         PointJoint::Cylinder(_) => {
             let (u, l, along, across) = split_velocity()?;
@@ -123,18 +133,26 @@ fn relative<N: Real, K: FormulaInputs<N>>(
             let u = line()?.unit()?.perp();
             u * u.dot(whole(Acceleration)?) - coriolis()?
         }
-        (RelativeComponent::Sliding, Acceleration, Some(PointJoint::Guide(_))) => whole(Acceleration)? - coriolis()?,
+        (RelativeComponent::Sliding, Acceleration, Some(PointJoint::Guide(_))) => {
+            whole(Acceleration)? - coriolis()?
+        }
         (RelativeComponent::Sliding, Acceleration, Some(PointJoint::Cylinder(_))) => {
             let (u, l, _, across) = split_velocity()?;
             u * (u.dot(whole(Acceleration)?) + across * across / l)
         }
-        (RelativeComponent::Sliding, Position | Velocity, Some(PointJoint::Guide(_))) => whole(Velocity)?,
+        (RelativeComponent::Sliding, Position | Velocity, Some(PointJoint::Guide(_))) => {
+            whole(Velocity)?
+        }
         (RelativeComponent::Sliding, Position | Velocity, Some(PointJoint::Cylinder(_))) => {
             let (u, _, along, _) = split_velocity()?;
             u * along
         }
         (RelativeComponent::Coriolis, _, _) => coriolis()?,
-        (RelativeComponent::SlidingNormal | RelativeComponent::SlidingTangential, _, Some(PointJoint::Guide(g))) => {
+        (
+            RelativeComponent::SlidingNormal | RelativeComponent::SlidingTangential,
+            _,
+            Some(PointJoint::Guide(g)),
+        ) => {
             let whole = whole(Acceleration)? - coriolis()?;
             let tangential = match known.scene().guides[g.0].path {
                 GuidePath::Line { .. } => whole,
@@ -143,14 +161,22 @@ fn relative<N: Real, K: FormulaInputs<N>>(
                     along * along.dot(whole)
                 }
             };
-            if split == RelativeComponent::SlidingTangential { tangential } else { whole - tangential }
+            if split == RelativeComponent::SlidingTangential {
+                tangential
+            } else {
+                whole - tangential
+            }
         }
         (
             RelativeComponent::SlidingNormal | RelativeComponent::SlidingTangential,
             _,
             Some(PointJoint::Link(_) | PointJoint::Cylinder(_)) | None,
         ) => return None,
-        (RelativeComponent::Along | RelativeComponent::Across, _, Some(PointJoint::Guide(_)) | None)
+        (
+            RelativeComponent::Along | RelativeComponent::Across,
+            _,
+            Some(PointJoint::Guide(_)) | None,
+        )
         | (RelativeComponent::Sliding, _, Some(PointJoint::Link(_)) | None) => {
             return None;
         }

@@ -267,7 +267,9 @@ impl Asked {
             Some(Meaning::Vector(p)) => vec![p],
             Some(Meaning::Relative(_, a, b)) => vec![a, b],
             Some(Meaning::Seen(_, of, frame, _)) => vec![of, frame.transport_point(of)],
-            Some(Meaning::Turning(..) | Meaning::Ratio(..) | Meaning::Place(_)) | None => Vec::new(),
+            Some(Meaning::Turning(..) | Meaning::Ratio(..) | Meaning::Place(_)) | None => {
+                Vec::new()
+            }
         }
     }
 }

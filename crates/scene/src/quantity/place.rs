@@ -1,7 +1,9 @@
 //! `x_E`, `y_E`, `phi_3`, `l_AB`, `s_F`: coordinates of a point, angle of a link from the x axis,
 //! distance of two points, position of a pin or slider along its straight guide, at the instant.
 
-use super::{AnswerValue, Entry, FormulaInputs, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm};
+use super::{
+    AnswerValue, Entry, FormulaInputs, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm,
+};
 use crate::model::{Find, GuideId, GuidePath, LinkId, OnLink, PointId, Scene, Through};
 use crate::resolve::Question;
 use hodograph_base::diag::{Diagnostic, both};
@@ -42,13 +44,22 @@ const ALONG: usize = 4;
 
 impl Quantity for Place {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new("x", "x_E", Kind::Length, ValueForm::Scalar, ["coordinate $x$", "坐标 $x$"]).counted_from_origin(),
-        Entry::new("y", "y_E", Kind::Length, ValueForm::Scalar, ["coordinate $y$", "坐标 $y$"]).counted_from_origin(),
+        Entry::new("x", "x_E", Kind::Length, ValueForm::Scalar, ["coordinate $x$", "坐标 $x$"])
+            .counted_from_origin(),
+        Entry::new("y", "y_E", Kind::Length, ValueForm::Scalar, ["coordinate $y$", "坐标 $y$"])
+            .counted_from_origin(),
         Entry::new("phi", "phi_3", Kind::Angle, ValueForm::Scalar, ["angle", "位置角"])
             .printed("\\varphi", OverSign::Nothing)
             .counted_from_origin(),
         Entry::new("l", "l_AB", Kind::Length, ValueForm::Scalar, ["distance", "距离"]),
-        Entry::new("s", "s_F", Kind::Length, ValueForm::Scalar, ["coordinate along the guide", "沿导路的位移"]).counted_from_origin(),
+        Entry::new(
+            "s",
+            "s_F",
+            Kind::Length,
+            ValueForm::Scalar,
+            ["coordinate along the guide", "沿导路的位移"],
+        )
+        .counted_from_origin(),
     ];
 
     fn read(question: &Question<'_>) -> Result<Option<Place>, Diagnostic> {
@@ -72,7 +83,9 @@ impl Quantity for Place {
                 let names = question.names();
                 // The lift of a cam's follower, and a question with the name of another link, are
                 // quantities of cams.
-                if question.is_follower(names) || question.guides_of(names).is_empty() && question.link(names).is_ok() {
+                if question.is_follower(names)
+                    || question.guides_of(names).is_empty() && question.link(names).is_ok()
+                {
                     return Ok(None);
                 }
                 let (guide, pin) = match question.guides_of(names)[..] {
@@ -83,7 +96,10 @@ impl Quantity for Place {
                             "`{}`：`{names}` 不在导路中移动，也不是凸轮从动件",
                             question.text()
                         ));
-                        return Err(d.help(both!("name a pin or slider that runs in a straight guide", "请写在直导路中移动的销或滑块")));
+                        return Err(d.help(both!(
+                            "name a pin or slider that runs in a straight guide",
+                            "请写在直导路中移动的销或滑块"
+                        )));
                     }
                     [..] => {
                         return Err(question.fault(both!(
@@ -94,11 +110,19 @@ impl Quantity for Place {
                     }
                 };
                 if let Some(point) = pin {
-                    return Ok(Some(Place::Along(guide, point, Of::Point(OnLink { point, link: None }))));
+                    return Ok(Some(Place::Along(
+                        guide,
+                        point,
+                        Of::Point(OnLink { point, link: None }),
+                    )));
                 }
                 let link = question.link(names)?;
                 let Some(point) = question.first_point(link) else {
-                    return Err(question.fault(both!("`{}`: link `{names}` has no point", "`{}`：构件 `{names}` 没有点", question.text())));
+                    return Err(question.fault(both!(
+                        "`{}`: link `{names}` has no point",
+                        "`{}`：构件 `{names}` 没有点",
+                        question.text()
+                    )));
                 };
                 Place::Along(guide, point, Of::Link(link))
             }
@@ -136,7 +160,9 @@ impl Quantity for Place {
     fn needs(&self) -> Vec<(Need, Level)> {
         match *self {
             Place::Along(_, point, _) => vec![(Need::Point(point, None), Level::Position)],
-            Place::Coordinate(..) | Place::LinkAngle(_) | Place::Distance(..) => self.of().needs(Level::Position),
+            Place::Coordinate(..) | Place::LinkAngle(_) | Place::Distance(..) => {
+                self.of().needs(Level::Position)
+            }
         }
     }
 
@@ -152,7 +178,11 @@ impl Quantity for Place {
         let d = match &scene.guides[guide.0].path {
             GuidePath::Arc { .. } => Diagnostic::error(
                 "find",
-                both!("`{}` runs along an arc: its coordinate is an angle", "`{}` 沿圆弧移动，没有沿导路的直线位移", find.text),
+                both!(
+                    "`{}` runs along an arc: its coordinate is an angle",
+                    "`{}` 沿圆弧移动，没有沿导路的直线位移",
+                    find.text
+                ),
             ),
             GuidePath::Line { through: Through::Pin, .. } => Diagnostic::error(
                 "find",
@@ -162,7 +192,10 @@ impl Quantity for Place {
                     find.text
                 ),
             )
-            .help(both!("add \"through\", a point or a place that the guide passes", "请给出导路通过的点或位置 \"through\"")),
+            .help(both!(
+                "add \"through\", a point or a place that the guide passes",
+                "请给出导路通过的点或位置 \"through\""
+            )),
             GuidePath::Line { through: Through::Point(_) | Through::At(_), .. } => return None,
         };
         Some(d.at(find.span))

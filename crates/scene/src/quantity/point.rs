@@ -25,7 +25,8 @@ impl PointMotion {
 
 impl Quantity for PointMotion {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new("v", "v_E", Kind::Velocity, ValueForm::Vector, ["velocity", "速度"]).several_are(["velocities", "各点的速度"]),
+        Entry::new("v", "v_E", Kind::Velocity, ValueForm::Vector, ["velocity", "速度"])
+            .several_are(["velocities", "各点的速度"]),
         Entry::new("a", "a_E", Kind::Acceleration, ValueForm::Vector, ["acceleration", "加速度"])
             .several_are(["accelerations", "各点的加速度"]),
     ];

@@ -18,14 +18,22 @@ pub struct Ratio {
 }
 
 impl Quantity for Ratio {
-    const WRITTEN: &'static [Entry] = &[Entry::new("i", "i_23", Kind::Number, ValueForm::Scalar, ["transmission ratio", "传动比"])
-        .printed("i", OverSign::Nothing)
-        .at_level(Level::Velocity)];
+    const WRITTEN: &'static [Entry] = &[Entry::new(
+        "i",
+        "i_23",
+        Kind::Number,
+        ValueForm::Scalar,
+        ["transmission ratio", "传动比"],
+    )
+    .printed("i", OverSign::Nothing)
+    .at_level(Level::Velocity)];
 
     fn read(question: &Question<'_>) -> Result<Option<Ratio>, Diagnostic> {
         let (links, arm) = match question.names().split_once('/') {
             // `2/4` are two links, as in other questions; `24/3` and `2,4/3` have an arm.
-            Some((names, arm)) if question.link(names.trim()).is_err() => (question.two_links_of(names)?, Some(question.link(arm.trim())?)),
+            Some((names, arm)) if question.link(names.trim()).is_err() => {
+                (question.two_links_of(names)?, Some(question.link(arm.trim())?))
+            }
             Some(_) | None => (question.two_links()?, None),
         };
         let arm = arm.filter(|l| !question.is_ground(*l));
@@ -41,8 +49,14 @@ impl Quantity for Ratio {
             )));
         }
         if arm.is_some_and(|a| links.contains(&a)) {
-            let d = question.fault(both!("`{}`: the arm does not turn against itself", "`{}`：系杆相对自身不转动", question.text()));
-            return Err(d.help(both!("name two links other than the arm", "请写系杆以外的两个构件")));
+            let d = question.fault(both!(
+                "`{}`: the arm does not turn against itself",
+                "`{}`：系杆相对自身不转动",
+                question.text()
+            ));
+            return Err(
+                d.help(both!("name two links other than the arm", "请写系杆以外的两个构件"))
+            );
         }
         Ok(Some(Ratio { links, arm }))
     }
@@ -77,6 +91,10 @@ impl Quantity for Ratio {
     }
 
     fn needs(&self) -> Vec<(Need, Level)> {
-        self.links.into_iter().chain(self.arm).map(|l| (Need::Turning(l), Level::Velocity)).collect()
+        self.links
+            .into_iter()
+            .chain(self.arm)
+            .map(|l| (Need::Turning(l), Level::Velocity))
+            .collect()
     }
 }

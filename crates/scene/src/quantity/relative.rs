@@ -2,7 +2,9 @@
 //! perpendicular to their line, if a link or a cylinder turns with that line.
 
 use super::joined::name;
-use super::{Entry, Meaning, Of, OverSign, PointJoint, Quantity, RelativeComponent, ValueForm, joined};
+use super::{
+    Entry, Meaning, Of, OverSign, PointJoint, Quantity, RelativeComponent, ValueForm, joined,
+};
 use crate::model::{Find, OnLink, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
@@ -34,22 +36,42 @@ pub enum RelativePart {
 
 impl RelativePart {
     /// All parts.
-    pub const ALL: [RelativePart; 4] = [RelativePart::Velocity, RelativePart::Acceleration, RelativePart::Normal, RelativePart::Tangential];
+    pub const ALL: [RelativePart; 4] = [
+        RelativePart::Velocity,
+        RelativePart::Acceleration,
+        RelativePart::Normal,
+        RelativePart::Tangential,
+    ];
 }
 
 impl Quantity for Relative {
     fn no_value(&self, scene: &Scene) -> Both {
         let [a, b] = [self.of, self.to].map(|p| scene.point_name(p.point));
-        both!("{a} and {b} lie at one place and have no line between them", "{a} 与 {b} 重合，没有连线")
+        both!(
+            "{a} and {b} lie at one place and have no line between them",
+            "{a} 与 {b} 重合，没有连线"
+        )
     }
 
     const WRITTEN: &'static [Entry] = &[
         Entry::new("v", "v_CB", Kind::Velocity, ValueForm::Vector, ["velocity", "速度"]),
         Entry::new("a", "a_CB", Kind::Acceleration, ValueForm::Vector, ["acceleration", "加速度"]),
-        Entry::new("an", "an_CB", Kind::Acceleration, ValueForm::Vector, ["normal acceleration", "法向加速度"])
-            .printed("a", OverSign::Sign("n")),
-        Entry::new("at", "at_CB", Kind::Acceleration, ValueForm::Vector, ["tangential acceleration", "切向加速度"])
-            .printed("a", OverSign::Sign("t")),
+        Entry::new(
+            "an",
+            "an_CB",
+            Kind::Acceleration,
+            ValueForm::Vector,
+            ["normal acceleration", "法向加速度"],
+        )
+        .printed("a", OverSign::Sign("n")),
+        Entry::new(
+            "at",
+            "at_CB",
+            Kind::Acceleration,
+            ValueForm::Vector,
+            ["tangential acceleration", "切向加速度"],
+        )
+        .printed("a", OverSign::Sign("t")),
     ];
 
     fn read(question: &Question<'_>) -> Result<Option<Relative>, Diagnostic> {
@@ -61,7 +83,11 @@ impl Quantity for Relative {
                 "`{}`：重合点之间没有连线",
                 question.text()
             ));
-            return Err(d.help(both!("ask for ar_ or ak_ with {}", "请用 {} 求 ar_ 或 ak_", question.names())));
+            return Err(d.help(both!(
+                "ask for ar_ or ak_ with {}",
+                "请用 {} 求 ar_ 或 ak_",
+                question.names()
+            )));
         }
         Ok(Some(Relative { part, of, to }))
     }
@@ -85,10 +111,14 @@ impl Quantity for Relative {
 
     fn fault(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
         match (self.part, joined(scene, &self.of, &self.to)) {
-            (RelativePart::Velocity | RelativePart::Acceleration, _) | (_, Some(PointJoint::Link(_) | PointJoint::Cylinder(_))) => {
+            (RelativePart::Velocity | RelativePart::Acceleration, _)
+            | (_, Some(PointJoint::Link(_) | PointJoint::Cylinder(_))) => {
                 return None;
             }
-            (RelativePart::Normal | RelativePart::Tangential, Some(PointJoint::Guide(_)) | None) => {}
+            (
+                RelativePart::Normal | RelativePart::Tangential,
+                Some(PointJoint::Guide(_)) | None,
+            ) => {}
         }
         let (a, b) = (name(scene, &self.of), name(scene, &self.to));
         let message = both!(

@@ -2,7 +2,9 @@
 //! v_B + ω × (E − B) is the velocity of the cam's point at the contact E. A roller's spin moves no
 //! other link (局部自由度), so it is reported only if a question names it.
 
-use super::{AnswerValue, Entry, FormulaInputs, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm};
+use super::{
+    AnswerValue, Entry, FormulaInputs, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm,
+};
 use crate::cams::{Cam, Follows};
 use crate::model::{Find, LinkId, OnLink, PointId, Scene};
 use crate::resolve::Question;
@@ -21,9 +23,14 @@ pub struct RollerSpin {
 }
 
 impl Quantity for RollerSpin {
-    const WRITTEN: &'static [Entry] =
-        &[Entry::new("spin", "spin_3", Kind::Omega, ValueForm::Scalar, ["angular velocity of the roller", "滚子角速度"])
-            .printed("\\omega", OverSign::Sign("s"))];
+    const WRITTEN: &'static [Entry] = &[Entry::new(
+        "spin",
+        "spin_3",
+        Kind::Omega,
+        ValueForm::Scalar,
+        ["angular velocity of the roller", "滚子角速度"],
+    )
+    .printed("\\omega", OverSign::Sign("s"))];
 
     fn read(question: &Question<'_>) -> Result<Option<RollerSpin>, Diagnostic> {
         let follower = question.link(question.names())?;
@@ -44,14 +51,17 @@ impl Quantity for RollerSpin {
 
     fn needs(&self) -> Vec<(Need, Level)> {
         let Some((centre, cam, point)) = self.on else { return Vec::new() };
-        [Need::Point(centre, None), Need::Point(point, Some(cam)), Need::Turning(cam)].map(|need| (need, Level::Velocity)).into()
+        [Need::Point(centre, None), Need::Point(point, Some(cam)), Need::Turning(cam)]
+            .map(|need| (need, Level::Velocity))
+            .into()
     }
 
     fn fault(&self, _scene: &Scene, find: &Find) -> Option<Diagnostic> {
         if self.on.is_some() {
             return None;
         }
-        let message = both!("`{}` needs a follower with a roller", "`{}` 需要滚子从动件", find.text);
+        let message =
+            both!("`{}` needs a follower with a roller", "`{}` 需要滚子从动件", find.text);
         Some(Diagnostic::error("no-cam", message).at(find.span).help(both!(
             "give the cam pair a \"roller\": {{\"pin\": \"B\", \"radius\": \"10 mm\"}}",
             "请在凸轮副中写 \"roller\": {{\"pin\": \"B\", \"radius\": \"10 mm\"}}"
@@ -60,7 +70,8 @@ impl Quantity for RollerSpin {
 
     fn value<N: Real, K: FormulaInputs<N>>(&self, known: &K) -> Option<AnswerValue<N>> {
         let (centre, cam, point) = self.on?;
-        let pair = known.scene().cams.iter().find(|c| c.cam == cam && c.follower == self.follower)?;
+        let pair =
+            known.scene().cams.iter().find(|c| c.cam == cam && c.follower == self.follower)?;
         let Follows::Roller(..) = pair.follows else { return None };
         let at = known.point(centre)?;
         let normal = normal(pair, known, at.to_vec2())?;
@@ -83,7 +94,9 @@ fn normal<N: Real, K: FormulaInputs<N>>(pair: &Cam, known: &K, at: Vec2<N>) -> O
     let turning = pair.disc.as_ref()?;
     let n = turning.contact_in::<N>(known.scene())?[1];
     match turning.axis(known.scene()) {
-        Some([a, b]) => Some(n.rotate_by((known.point(b)?.to_vec2() - known.point(a)?.to_vec2()).unit()?)),
+        Some([a, b]) => {
+            Some(n.rotate_by((known.point(b)?.to_vec2() - known.point(a)?.to_vec2()).unit()?))
+        }
         None => Some(n),
     }
 }

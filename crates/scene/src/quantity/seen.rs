@@ -39,7 +39,9 @@ impl ObservedPart {
         let relative = |level| Some(known.vector(level, of)? - known.vector(level, &seat)?);
         let coriolis = || {
             Some(match frame {
-                Frame::Link(l) => relative(Velocity)?.perp() * (N::from_f64(2.0) * known.turning(Velocity, l)?),
+                Frame::Link(l) => {
+                    relative(Velocity)?.perp() * (N::from_f64(2.0) * known.turning(Velocity, l)?)
+                }
                 Frame::Point(_) => Vec2 { x: N::from_f64(0.0), y: N::from_f64(0.0) },
             })
         };
@@ -52,11 +54,18 @@ impl ObservedPart {
             })
         };
         let seen = || Some(relative(Acceleration)? - coriolis()?);
-        let transport = || Some((heading(known.vector(Velocity, &seat)?, fastest()), known.vector(Acceleration, &seat)?));
+        let transport = || {
+            Some((
+                heading(known.vector(Velocity, &seat)?, fastest()),
+                known.vector(Acceleration, &seat)?,
+            ))
+        };
         let [tangential, normal] = match self {
             ObservedPart::Relative => return seen().map(AnswerValue::Vector),
             ObservedPart::Coriolis => return coriolis().map(AnswerValue::Vector),
-            ObservedPart::RelativeNormal | ObservedPart::RelativeTangential => split(along()?, seen()?),
+            ObservedPart::RelativeNormal | ObservedPart::RelativeTangential => {
+                split(along()?, seen()?)
+            }
             ObservedPart::TransportNormal | ObservedPart::TransportTangential => {
                 let (along, whole) = transport()?;
                 split(along, whole)
@@ -64,7 +73,10 @@ impl ObservedPart {
         };
         Some(AnswerValue::Vector(match self {
             ObservedPart::RelativeTangential | ObservedPart::TransportTangential => tangential,
-            ObservedPart::RelativeNormal | ObservedPart::TransportNormal | ObservedPart::Relative | ObservedPart::Coriolis => normal,
+            ObservedPart::RelativeNormal
+            | ObservedPart::TransportNormal
+            | ObservedPart::Relative
+            | ObservedPart::Coriolis => normal,
         }))
     }
 }

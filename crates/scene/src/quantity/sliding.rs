@@ -2,7 +2,10 @@
 //! relative to the link on which it slides, or of the ends of a cylinder.
 
 use super::joined::name;
-use super::{Entry, Level, Meaning, Need, Of, OverSign, PointJoint, Quantity, RelativeComponent, ValueForm, joined};
+use super::{
+    Entry, Level, Meaning, Need, Of, OverSign, PointJoint, Quantity, RelativeComponent, ValueForm,
+    joined,
+};
 use crate::cams::Cam;
 use crate::model::{Find, Guide, OnLink, Scene};
 use crate::resolve::Question;
@@ -34,17 +37,36 @@ pub enum SlidingTerm {
 
 impl SlidingTerm {
     /// All parts.
-    pub const ALL: [SlidingTerm; 3] = [SlidingTerm::Velocity, SlidingTerm::Acceleration, SlidingTerm::Coriolis];
+    pub const ALL: [SlidingTerm; 3] =
+        [SlidingTerm::Velocity, SlidingTerm::Acceleration, SlidingTerm::Coriolis];
 }
 
 impl Quantity for Sliding {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new("vr", "vr_B3B2", Kind::Velocity, ValueForm::Vector, ["sliding velocity", "相对滑动速度"])
-            .printed("v", OverSign::Sliding),
-        Entry::new("ar", "ar_B3B2", Kind::Acceleration, ValueForm::Vector, ["sliding acceleration", "相对滑动加速度"])
-            .printed("a", OverSign::Sliding),
-        Entry::new("ak", "ak_B3B2", Kind::Acceleration, ValueForm::Vector, ["Coriolis acceleration", "科氏加速度"])
-            .printed("a", OverSign::Coriolis),
+        Entry::new(
+            "vr",
+            "vr_B3B2",
+            Kind::Velocity,
+            ValueForm::Vector,
+            ["sliding velocity", "相对滑动速度"],
+        )
+        .printed("v", OverSign::Sliding),
+        Entry::new(
+            "ar",
+            "ar_B3B2",
+            Kind::Acceleration,
+            ValueForm::Vector,
+            ["sliding acceleration", "相对滑动加速度"],
+        )
+        .printed("a", OverSign::Sliding),
+        Entry::new(
+            "ak",
+            "ak_B3B2",
+            Kind::Acceleration,
+            ValueForm::Vector,
+            ["Coriolis acceleration", "科氏加速度"],
+        )
+        .printed("a", OverSign::Coriolis),
     ];
 
     fn read(question: &Question<'_>) -> Result<Option<Sliding>, Diagnostic> {
@@ -94,7 +116,9 @@ impl Quantity for Sliding {
         match self.part {
             SlidingTerm::Velocity => of.needs(Level::Velocity),
             // 2 ω × v_r follows from velocities.
-            SlidingTerm::Acceleration | SlidingTerm::Coriolis => [of.needs(Level::Velocity), of.needs(Level::Acceleration)].concat(),
+            SlidingTerm::Acceleration | SlidingTerm::Coriolis => {
+                [of.needs(Level::Velocity), of.needs(Level::Acceleration)].concat()
+            }
         }
     }
 
@@ -124,8 +148,10 @@ impl Sliding {
     /// Returns true for the points of a follower and its cam at their contact.
     fn at_a_cam(&self, scene: &Scene) -> bool {
         let of = [self.of.link, self.to.link];
-        let touch =
-            |c: &Cam| c.touch == Some(self.of.point) && [[c.cam, c.follower], [c.follower, c.cam]].iter().any(|l| l.map(Some) == of);
+        let touch = |c: &Cam| {
+            c.touch == Some(self.of.point)
+                && [[c.cam, c.follower], [c.follower, c.cam]].iter().any(|l| l.map(Some) == of)
+        };
         self.of.point == self.to.point && scene.cams.iter().any(touch)
     }
 }

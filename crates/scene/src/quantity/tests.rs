@@ -32,6 +32,11 @@ fn lines_of_one_symbol_are_of_one_kind() {
     for line in TABLES.iter().copied().flatten().filter(has_names) {
         let first = symbols().into_iter().find(|e| e.symbol == line.symbol).unwrap();
         // P_13 is a place, P_13D a distance from it.
-        assert_eq!((line.kind, line.letter, line.over), (first.kind, first.letter, first.over), "{}", line.example);
+        assert_eq!(
+            (line.kind, line.letter, line.over),
+            (first.kind, first.letter, first.over),
+            "{}",
+            line.example
+        );
     }
 }

@@ -2,7 +2,9 @@
 //! acute angle between the two, for a slider that between the rod and the normal of its guide.
 
 use super::along::along;
-use super::{AnswerValue, Entry, FormulaInputs, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm};
+use super::{
+    AnswerValue, Entry, FormulaInputs, Level, Meaning, Need, Of, OverSign, Quantity, ValueForm,
+};
 use crate::model::{Find, Guide, GuideId, GuidePath, LinkId, OnLink, PointId, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
@@ -27,16 +29,28 @@ enum PinLink {
 }
 
 impl Quantity for Transmission {
-    const WRITTEN: &'static [Entry] = &[Entry::new("gamma", "gamma_C", Kind::Angle, ValueForm::Scalar, ["transmission angle", "传动角"])
-        .printed("\\gamma", OverSign::Nothing)
-        .at_level(Level::Position)];
+    const WRITTEN: &'static [Entry] = &[Entry::new(
+        "gamma",
+        "gamma_C",
+        Kind::Angle,
+        ValueForm::Scalar,
+        ["transmission angle", "传动角"],
+    )
+    .printed("\\gamma", OverSign::Nothing)
+    .at_level(Level::Position)];
 
     fn read(question: &Question<'_>) -> Result<Option<Transmission>, Diagnostic> {
         match question.points()? {
             (OnLink { point, link: None }, None) => Ok(Some(Transmission { at: point })),
             _ => {
-                let message = both!("`{}`: a transmission angle is at one pin", "`{}`：传动角属于一个铰链", question.text());
-                Err(question.fault(message).help(both!("write for example gamma_C", "例如写 gamma_C")))
+                let message = both!(
+                    "`{}`: a transmission angle is at one pin",
+                    "`{}`：传动角属于一个铰链",
+                    question.text()
+                );
+                Err(question
+                    .fault(message)
+                    .help(both!("write for example gamma_C", "例如写 gamma_C")))
             }
         }
     }
@@ -87,12 +101,16 @@ impl Quantity for Transmission {
         let direction = |side: PinLink| -> Option<Vec2<N>> {
             match side {
                 PinLink::Bar(end) => (known.point(end)? - known.point(self.at)?).unit(),
-                PinLink::Slider(guide) => along(known, &known.scene().guides[guide.0]).map(Vec2::perp),
+                PinLink::Slider(guide) => {
+                    along(known, &known.scene().guides[guide.0]).map(Vec2::perp)
+                }
             }
         };
         let (a, b) = (direction(a)?, direction(b)?);
         // The acute one of the angle and its supplement.
-        Some(AnswerValue::Scalar(Vec2 { x: a.dot(b).magnitude(), y: a.cross(b).magnitude() }.angle()))
+        Some(AnswerValue::Scalar(
+            Vec2 { x: a.dot(b).magnitude(), y: a.cross(b).magnitude() }.angle(),
+        ))
     }
 }
 
@@ -100,13 +118,20 @@ impl Transmission {
     /// Returns the two moving links at the pin; `None` if there are not two, or if one of them has
     /// no other joint.
     fn sides(&self, scene: &Scene) -> Option<[PinLink; 2]> {
-        let joint = |p: PointId| scene.carriers(p).count() > 1 || scene.guides.iter().any(|g| g.pin == Some(p));
+        let joint = |p: PointId| {
+            scene.carriers(p).count() > 1 || scene.guides.iter().any(|g| g.pin == Some(p))
+        };
         let straight = |l: LinkId| {
-            let runs = |g: &Guide| g.slider == Some(l) && g.pin == Some(self.at) && matches!(g.path, GuidePath::Line { .. });
+            let runs = |g: &Guide| {
+                g.slider == Some(l)
+                    && g.pin == Some(self.at)
+                    && matches!(g.path, GuidePath::Line { .. })
+            };
             scene.guides.iter().position(runs).map(GuideId)
         };
         let side = |l: LinkId| {
-            let end = || scene.links[l.0].points.iter().copied().find(|p| *p != self.at && joint(*p));
+            let end =
+                || scene.links[l.0].points.iter().copied().find(|p| *p != self.at && joint(*p));
             straight(l).map(PinLink::Slider).or_else(|| end().map(PinLink::Bar))
         };
         let links: Vec<LinkId> = scene.carriers(self.at).collect();

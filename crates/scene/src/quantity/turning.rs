@@ -20,12 +20,24 @@ pub struct Turning {
 
 impl Quantity for Turning {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new("omega", "omega_3", Kind::Omega, ValueForm::Scalar, ["angular velocity", "角速度"])
-            .printed("\\omega", OverSign::Nothing)
-            .several_are(["angular velocities of the links", "各构件的角速度"]),
-        Entry::new("alpha", "alpha_3", Kind::Alpha, ValueForm::Scalar, ["angular acceleration", "角加速度"])
-            .printed("\\alpha", OverSign::Nothing)
-            .several_are(["angular accelerations of the links", "各构件的角加速度"]),
+        Entry::new(
+            "omega",
+            "omega_3",
+            Kind::Omega,
+            ValueForm::Scalar,
+            ["angular velocity", "角速度"],
+        )
+        .printed("\\omega", OverSign::Nothing)
+        .several_are(["angular velocities of the links", "各构件的角速度"]),
+        Entry::new(
+            "alpha",
+            "alpha_3",
+            Kind::Alpha,
+            ValueForm::Scalar,
+            ["angular acceleration", "角加速度"],
+        )
+        .printed("\\alpha", OverSign::Nothing)
+        .several_are(["angular accelerations of the links", "各构件的角加速度"]),
     ];
 
     fn read(question: &Question<'_>) -> Result<Option<Turning>, Diagnostic> {

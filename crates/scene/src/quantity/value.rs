@@ -101,10 +101,13 @@ pub(super) fn vanishes<N: Real>(value: N, beside: f64) -> bool {
 /// of the mechanism if it is larger: relative to it, a link that turns by rounding errors alone is
 /// at rest.
 pub(super) fn fastest<N: Real, K: FormulaInputs<N>>(known: &K) -> f64 {
-    let turning = (0..known.scene().links.len()).filter_map(|l| known.turning(Level::Velocity, LinkId(l)));
+    let turning =
+        (0..known.scene().links.len()).filter_map(|l| known.turning(Level::Velocity, LinkId(l)));
     let omega = turning.map(|omega| omega.approx().abs()).fold(0.0, f64::max);
-    let mut places = (0..known.scene().points.len()).filter_map(|p| Some(known.point(PointId(p))?.approx()));
-    let size = places.next().map_or(0.0, |first| places.map(|p| p.distance(first)).fold(0.0, f64::max));
+    let mut places =
+        (0..known.scene().points.len()).filter_map(|p| Some(known.point(PointId(p))?.approx()));
+    let size =
+        places.next().map_or(0.0, |first| places.map(|p| p.distance(first)).fold(0.0, f64::max));
     if size > 0.0 { omega.max(largest(known, Level::Velocity) / size) } else { omega }
 }
 

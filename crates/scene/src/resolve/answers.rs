@@ -7,11 +7,19 @@ use hodograph_base::kind::Kind;
 pub(super) fn book(raw: &RawScene, faults: &mut Faults) -> Book {
     let mut book = Book::default();
     for (key, unit) in &raw.answers {
-        let kind = Kind::ALL.into_iter().find(|k| RequiredQuantity::of(*k).key() == Some(key.text.as_str()));
+        let kind = Kind::ALL
+            .into_iter()
+            .find(|k| RequiredQuantity::of(*k).key() == Some(key.text.as_str()));
         let Some(kind) = kind else {
-            let d =
-                Diagnostic::error("unknown-key", both!("`{}` is not a quantity of \"answers\"", "`{}` 不是 \"answers\" 中的量", key.text))
-                    .at(key.span);
+            let d = Diagnostic::error(
+                "unknown-key",
+                both!(
+                    "`{}` is not a quantity of \"answers\"",
+                    "`{}` 不是 \"answers\" 中的量",
+                    key.text
+                ),
+            )
+            .at(key.span);
             faults.push(d.help(suggest(
                 &key.text,
                 Kind::ALL.iter().filter_map(|k| RequiredQuantity::of(*k).key()),
@@ -24,7 +32,12 @@ pub(super) fn book(raw: &RawScene, faults: &mut Faults) -> Book {
             Err(fitting) => {
                 let d = Diagnostic::error(
                     "unit",
-                    both!("`{}` is not a unit of {}", "`{}` 不是{}的单位", unit.text, RequiredQuantity::of(kind).describe()),
+                    both!(
+                        "`{}` is not a unit of {}",
+                        "`{}` 不是{}的单位",
+                        unit.text,
+                        RequiredQuantity::of(kind).describe()
+                    ),
                 )
                 .at(unit.span);
                 let min = if RequiredQuantity::of(kind).dim().time == 0 {
@@ -32,7 +45,12 @@ pub(super) fn book(raw: &RawScene, faults: &mut Faults) -> Book {
                 } else {
                     both!("; min and h may stand for s", "；s 可换为 min 或 h")
                 };
-                faults.push(d.help(both!("units that fit are {}{}", "可用的单位有 {}{}", Both::names(&fitting), min)));
+                faults.push(d.help(both!(
+                    "units that fit are {}{}",
+                    "可用的单位有 {}{}",
+                    Both::names(&fitting),
+                    min
+                )));
             }
         }
     }

@@ -18,24 +18,50 @@ fn fault(message: Both, help: Both, span: Span, faults: &mut Faults) {
     faults.push(Diagnostic::error("force", message).at(span).help(help));
 }
 
-pub(super) fn applied(c: &Context, moving: GuidesAndDrivers, raw: &RawApplied, faults: &mut Faults) -> Option<Applied> {
+pub(super) fn applied(
+    c: &Context,
+    moving: GuidesAndDrivers,
+    raw: &RawApplied,
+    faults: &mut Faults,
+) -> Option<Applied> {
     let link = loaded(c, &raw.on, faults)?;
     let against = match &raw.against {
         None => false,
         Some(word) if word.text == "motion" => true,
         Some(word) => {
-            let message = both!("`{}` is nothing that a force acts against", "`{}` 不是力可以反抗的对象", word.text);
+            let message = both!(
+                "`{}` is nothing that a force acts against",
+                "`{}` 不是力可以反抗的对象",
+                word.text
+            );
             fault(message, both!("write \"motion\"", "请写 \"motion\""), word.span, faults);
             return None;
         }
     };
-    let course = transpose(raw.course.as_ref().map(|course| self::course(c, moving, raw, course, faults)))?;
+    let course =
+        transpose(raw.course.as_ref().map(|course| self::course(c, moving, raw, course, faults)))?;
     let size = match (load_amount(c, raw, course.as_ref(), faults)?, against) {
         (LoadAmount::Couple(given), _) => couple(raw, given, against, faults)?,
         (LoadAmount::Components(xy), _) => {
-            if let Some(span) = raw.angle.as_ref().map(|q| q.span).or(raw.line.as_ref().or(raw.against.as_ref()).map(|w| w.span)) {
-                let message = both!("components of a force already tell its direction", "力的分量已经给出方向");
-                fault(message, both!("give its magnitude as \"F\", or leave this out", "请以 \"F\" 给出大小，或去掉此项"), span, faults);
+            if let Some(span) = raw.angle.as_ref().map(|q| q.span).or(raw
+                .line
+                .as_ref()
+                .or(raw.against.as_ref())
+                .map(|w| w.span))
+            {
+                let message = both!(
+                    "components of a force already tell its direction",
+                    "力的分量已经给出方向"
+                );
+                fault(
+                    message,
+                    both!(
+                        "give its magnitude as \"F\", or leave this out",
+                        "请以 \"F\" 给出大小，或去掉此项"
+                    ),
+                    span,
+                    faults,
+                );
                 return None;
             }
             LoadSize::Components(xy)
@@ -47,8 +73,17 @@ pub(super) fn applied(c: &Context, moving: GuidesAndDrivers, raw: &RawApplied, f
         (_, Some(word), _) => Some(on_link(c, word, link, faults)?),
         (_, None, [one]) => Some(*one),
         (_, None, _) => {
-            let message = both!("the force on link `{}` has no point of application", "构件 `{}` 上的力没有作用点", raw.on.text);
-            fault(message, both!("give \"at\": {}", "请给出 \"at\"：{}", c.points_of(link)), raw.span, faults);
+            let message = both!(
+                "the force on link `{}` has no point of application",
+                "构件 `{}` 上的力没有作用点",
+                raw.on.text
+            );
+            fault(
+                message,
+                both!("give \"at\": {}", "请给出 \"at\"：{}", c.points_of(link)),
+                raw.span,
+                faults,
+            );
             return None;
         }
     };
@@ -56,27 +91,48 @@ pub(super) fn applied(c: &Context, moving: GuidesAndDrivers, raw: &RawApplied, f
 }
 
 /// Returns the size of a load: `F`, `M`, or the largest amount of its diagram.
-fn load_amount(c: &Context, raw: &RawApplied, course: Option<&(LoadCourse, bool)>, faults: &mut Faults) -> Option<LoadAmount> {
-    let amounts = course.map(|(course, _)| course.stations.iter().filter_map(|s| s.amount.as_ref()));
-    let largest = amounts.and_then(|all| all.max_by(|a, b| a.value.abs().total_cmp(&b.value.abs())));
+fn load_amount(
+    c: &Context,
+    raw: &RawApplied,
+    course: Option<&(LoadCourse, bool)>,
+    faults: &mut Faults,
+) -> Option<LoadAmount> {
+    let amounts =
+        course.map(|(course, _)| course.stations.iter().filter_map(|s| s.amount.as_ref()));
+    let largest =
+        amounts.and_then(|all| all.max_by(|a, b| a.value.abs().total_cmp(&b.value.abs())));
     match (&raw.force, &raw.moment, largest) {
         (None, None, Some(largest)) => Some(match course {
             Some((_, true)) => LoadAmount::Couple(largest.clone()),
             Some((_, false)) | None => LoadAmount::Magnitude(largest.clone()),
         }),
         (_, _, Some(_)) => {
-            let message = both!("the amounts of a load stand in its diagram", "载荷的大小已由线图给出");
-            fault(message, both!("leave \"F\" or \"M\" out", "请去掉 \"F\" 或 \"M\""), raw.span, faults);
+            let message =
+                both!("the amounts of a load stand in its diagram", "载荷的大小已由线图给出");
+            fault(
+                message,
+                both!("leave \"F\" or \"M\" out", "请去掉 \"F\" 或 \"M\""),
+                raw.span,
+                faults,
+            );
             None
         }
         (None, None, None) | (Some(_), Some(_), None) => {
-            let message = both!("a load is either a force \"F\" or a couple \"M\"", "载荷或为力 \"F\"，或为力偶 \"M\"");
+            let message = both!(
+                "a load is either a force \"F\" or a couple \"M\"",
+                "载荷或为力 \"F\"，或为力偶 \"M\""
+            );
             fault(message, both!("give one of them", "请给出其一"), raw.span, faults);
             None
         }
-        (None, Some(moment), None) => Some(LoadAmount::Couple(c.values.si(moment, RequiredQuantity::Moment, faults)?)),
+        (None, Some(moment), None) => {
+            Some(LoadAmount::Couple(c.values.si(moment, RequiredQuantity::Moment, faults)?))
+        }
         (Some(RawSizeOfForce::Components([x, y])), None, None) => {
-            let (x, y) = (c.values.si(x, RequiredQuantity::Force, faults), c.values.si(y, RequiredQuantity::Force, faults));
+            let (x, y) = (
+                c.values.si(x, RequiredQuantity::Force, faults),
+                c.values.si(y, RequiredQuantity::Force, faults),
+            );
             Some(LoadAmount::Components([x?, y?]))
         }
         (Some(RawSizeOfForce::Magnitude(force)), None, None) => {
@@ -85,15 +141,22 @@ fn load_amount(c: &Context, raw: &RawApplied, course: Option<&(LoadCourse, bool)
     }
 }
 
-fn couple(raw: &RawApplied, given: GivenQuantity, against: bool, faults: &mut Faults) -> Option<LoadSize> {
+fn couple(
+    raw: &RawApplied,
+    given: GivenQuantity,
+    against: bool,
+    faults: &mut Faults,
+) -> Option<LoadSize> {
     for (key, span) in [
         ("at", raw.at.as_ref().map(|w| w.span)),
         ("line", raw.line.as_ref().map(|w| w.span)),
         ("angle", raw.angle.as_ref().map(|q| q.span)),
     ] {
         if let Some(span) = span {
-            let message =
-                both!("a couple has no \"{key}\": it acts alike everywhere on its link", "力偶没有 \"{key}\"：它在构件上处处等效");
+            let message = both!(
+                "a couple has no \"{key}\": it acts alike everywhere on its link",
+                "力偶没有 \"{key}\"：它在构件上处处等效"
+            );
             fault(message, both!("leave it out", "请去掉"), span, faults);
             return None;
         }
@@ -106,19 +169,39 @@ fn couple(raw: &RawApplied, given: GivenQuantity, against: bool, faults: &mut Fa
 }
 
 /// Resolves a force given by its magnitude: at an angle or against the motion.
-fn directed(c: &Context, raw: &RawApplied, given: GivenQuantity, against: bool, faults: &mut Faults) -> Option<LoadSize> {
+fn directed(
+    c: &Context,
+    raw: &RawApplied,
+    given: GivenQuantity,
+    against: bool,
+    faults: &mut Faults,
+) -> Option<LoadSize> {
     let line = transpose(raw.line.as_ref().map(|word| line_of(c, word, faults)))?;
     let angle = transpose(raw.angle.as_ref().map(|q| c.values.angle(q, faults)))?;
     match (against, line.is_some() || angle.is_some()) {
-        (true, false) => Some(LoadSize::AgainstMotion(positive(given, both!("a resistance", "阻力"), faults)?)),
+        (true, false) => {
+            Some(LoadSize::AgainstMotion(positive(given, both!("a resistance", "阻力"), faults)?))
+        }
         (false, true) => Some(LoadSize::Directed { force: given, line, angle }),
         (true, true) => {
-            let message = both!("a force against the motion has no direction of its own", "与运动方向相反的力没有另外的方向");
-            fault(message, both!("leave \"angle\" and \"line\" out", "请去掉 \"angle\" 和 \"line\""), raw.span, faults);
+            let message = both!(
+                "a force against the motion has no direction of its own",
+                "与运动方向相反的力没有另外的方向"
+            );
+            fault(
+                message,
+                both!("leave \"angle\" and \"line\" out", "请去掉 \"angle\" 和 \"line\""),
+                raw.span,
+                faults,
+            );
             None
         }
         (false, false) => {
-            let message = both!("the force on link `{}` has no direction", "构件 `{}` 上的力没有方向", raw.on.text);
+            let message = both!(
+                "the force on link `{}` has no direction",
+                "构件 `{}` 上的力没有方向",
+                raw.on.text
+            );
             let help = both!(
                 "give \"angle\": \"270 deg\", \"line\": \"BC\" (from B toward C), or \"against\": \"motion\"",
                 "请给出 \"angle\": \"270 deg\"、\"line\": \"BC\"（由 B 指向 C）或 \"against\": \"motion\""
@@ -136,20 +219,35 @@ fn line_of(c: &Context, word: &Word, faults: &mut Faults) -> Option<(PointId, Po
         return Some((a, b));
     }
     let message = both!("`{}` is not a line of one link", "`{}` 不是同一构件上的直线", word.text);
-    faults.push(Diagnostic::error("not-on-link", message).at(word.span).help(both!("name two points of a link", "请写同一构件上的两点")));
+    faults.push(
+        Diagnostic::error("not-on-link", message)
+            .at(word.span)
+            .help(both!("name two points of a link", "请写同一构件上的两点")),
+    );
     None
 }
 
 /// Returns the part of the motion, with true if its diagram is one of couples.
-fn course(c: &Context, moving: GuidesAndDrivers, load: &RawApplied, raw: &RawCourse, faults: &mut Faults) -> Option<(LoadCourse, bool)> {
+fn course(
+    c: &Context,
+    moving: GuidesAndDrivers,
+    load: &RawApplied,
+    raw: &RawCourse,
+    faults: &mut Faults,
+) -> Option<(LoadCourse, bool)> {
     let along = along(c, moving, raw, faults)?;
-    let amounts: Vec<&RawQuantity> = raw.stations.iter().filter_map(|(_, amount)| amount.as_ref()).collect();
+    let amounts: Vec<&RawQuantity> =
+        raw.stations.iter().filter_map(|(_, amount)| amount.as_ref()).collect();
     // A load with a direction is a force.
-    let is_couple = !amounts.is_empty() && load.at.is_none() && load.angle.is_none() && load.line.is_none() && {
-        let mut tried = Faults::default();
-        amounts.iter().for_each(|q| drop(c.values.si(q, RequiredQuantity::Moment, &mut tried)));
-        !tried.has_errors()
-    };
+    let is_couple = !amounts.is_empty()
+        && load.at.is_none()
+        && load.angle.is_none()
+        && load.line.is_none()
+        && {
+            let mut tried = Faults::default();
+            amounts.iter().for_each(|q| drop(c.values.si(q, RequiredQuantity::Moment, &mut tried)));
+            !tried.has_errors()
+        };
     let wanted = if is_couple { RequiredQuantity::Moment } else { RequiredQuantity::Force };
     let station = |(at, amount): &(RawQuantity, Option<RawQuantity>), faults: &mut Faults| {
         let at = match &along {
@@ -159,22 +257,37 @@ fn course(c: &Context, moving: GuidesAndDrivers, load: &RawApplied, raw: &RawCou
                 match c.values.pure_number(at, &mut tried) {
                     Some(value) => {
                         let radius = f64::EPSILON * value.abs();
-                        Abscissa::Part(GivenQuantity { value, radius, text: at.text.clone(), span: at.span })
+                        Abscissa::Part(GivenQuantity {
+                            value,
+                            radius,
+                            text: at.text.clone(),
+                            span: at.span,
+                        })
                     }
                     None => Abscissa::Way(c.values.si(at, RequiredQuantity::Length, faults)?),
                 }
             }
         };
-        Some(LoadStation { at, amount: transpose(amount.as_ref().map(|q| c.values.si(q, wanted, faults)))? })
+        Some(LoadStation {
+            at,
+            amount: transpose(amount.as_ref().map(|q| c.values.si(q, wanted, faults)))?,
+        })
     };
-    let stations: Vec<LoadStation> = raw.stations.iter().map(|s| station(s, faults)).collect::<Option<_>>()?;
+    let stations: Vec<LoadStation> =
+        raw.stations.iter().map(|s| station(s, faults)).collect::<Option<_>>()?;
     let places: Vec<f64> = stations.iter().map(|s| s.at.value()).collect();
-    let kinds = stations.windows(2).all(|w| matches!(w[0].at, Abscissa::Part(_)) == matches!(w[1].at, Abscissa::Part(_)));
+    let kinds = stations
+        .windows(2)
+        .all(|w| matches!(w[0].at, Abscissa::Part(_)) == matches!(w[1].at, Abscissa::Part(_)));
     let rising = places.windows(2).all(|w| w[0] <= w[1]) && places.first() < places.last();
-    let inside =
-        |s: &LoadStation| !matches!(&s.at, Abscissa::Part(x) if !(0.0..=1.0).contains(&x.value)) && s.at.value() >= f64::NEG_INFINITY;
+    let inside = |s: &LoadStation| {
+        !matches!(&s.at, Abscissa::Part(x) if !(0.0..=1.0).contains(&x.value))
+            && s.at.value() >= f64::NEG_INFINITY
+    };
     let turn = match &along {
-        LoadTravel::Turn { period, .. } => places.last().zip(places.first()).is_some_and(|(b, a)| b - a > period.value.degrees()),
+        LoadTravel::Turn { period, .. } => {
+            places.last().zip(places.first()).is_some_and(|(b, a)| b - a > period.value.degrees())
+        }
         LoadTravel::Stroke { .. } => false,
     };
     let message = if stations.len() < 2 {
@@ -184,7 +297,11 @@ fn course(c: &Context, moving: GuidesAndDrivers, load: &RawApplied, raw: &RawCou
     } else if !rising {
         both!("the places do not rise: {}", "位置不是递增的：{}", words(&places))
     } else if !stations.iter().all(inside) {
-        both!("a part of the stroke lies between 0 and 1: {}", "行程分数应在 0 与 1 之间：{}", words(&places))
+        both!(
+            "a part of the stroke lies between 0 and 1: {}",
+            "行程分数应在 0 与 1 之间：{}",
+            words(&places)
+        )
     } else if turn {
         both!("the angles go beyond one period", "角度范围超过一个周期")
     } else {
@@ -204,12 +321,19 @@ fn words(places: &[f64]) -> Both {
 }
 
 /// Returns the motion along which a load is given.
-fn along(c: &Context, (guides, drivers): GuidesAndDrivers, raw: &RawCourse, faults: &mut Faults) -> Option<LoadTravel> {
+fn along(
+    c: &Context,
+    (guides, drivers): GuidesAndDrivers,
+    raw: &RawCourse,
+    faults: &mut Faults,
+) -> Option<LoadTravel> {
     match (&raw.slide, &raw.turn) {
         (Some(word), None) => {
             let point = note(c.names.point(word), faults)?;
             let toward = transpose(raw.toward.as_ref().map(|q| c.values.angle(q, faults)))?;
-            let straight = |g: &Guide| g.pin == Some(point) && g.on == c.ground && matches!(g.path, GuidePath::Line { .. });
+            let straight = |g: &Guide| {
+                g.pin == Some(point) && g.on == c.ground && matches!(g.path, GuidePath::Line { .. })
+            };
             let Some(guide) = guides.iter().position(|(g, _)| straight(g)) else {
                 let message = both!(
                     "`{}` has no stroke: it is no pin in a straight guide on ground",
@@ -227,28 +351,51 @@ fn along(c: &Context, (guides, drivers): GuidesAndDrivers, raw: &RawCourse, faul
                 );
                 return None;
             };
-            Some(LoadTravel::Stroke { point, guide: GuideId(guide), toward, ends: StrokeEnds::default() })
+            Some(LoadTravel::Stroke {
+                point,
+                guide: GuideId(guide),
+                toward,
+                ends: StrokeEnds::default(),
+            })
         }
         (None, Some(word)) => {
             let link = note(c.names.link(word), faults)?;
-            let Some(driver) = drivers.iter().position(|d| d.kind.turned() == Some((link, c.ground))) else {
-                let message = both!("link `{}` is no driver that turns on ground", "构件 `{}` 不是相对机架转动的原动件", word.text);
+            let Some(driver) =
+                drivers.iter().position(|d| d.kind.turned() == Some((link, c.ground)))
+            else {
+                let message = both!(
+                    "link `{}` is no driver that turns on ground",
+                    "构件 `{}` 不是相对机架转动的原动件",
+                    word.text
+                );
                 fault(message, both!("name a driven link", "请写原动件"), word.span, faults);
                 return None;
             };
             let period = match &raw.period {
                 Some(q) => c.values.angle(q, faults)?,
-                None => GivenQuantity { value: Angle::Deg(360.0), radius: 0.0, text: "360 deg".to_owned(), span: raw.span },
+                None => GivenQuantity {
+                    value: Angle::Deg(360.0),
+                    radius: 0.0,
+                    text: "360 deg".to_owned(),
+                    span: raw.span,
+                },
             };
             if period.value.degrees() <= 0.0 {
-                let message = both!("the period is {}; it must be positive", "周期为 {}，应为正", period.text);
+                let message = both!(
+                    "the period is {}; it must be positive",
+                    "周期为 {}，应为正",
+                    period.text
+                );
                 faults.push(Diagnostic::error("not-positive", message).at(period.span));
                 return None;
             }
             Some(LoadTravel::Turn { driver, period })
         }
         (None, None) | (Some(_), Some(_)) => {
-            let message = both!("what the load depends on is either a stroke or an angle", "载荷或随行程变化，或随转角变化");
+            let message = both!(
+                "what the load depends on is either a stroke or an angle",
+                "载荷或随行程变化，或随转角变化"
+            );
             let help = both!(
                 "give \"slide\": \"C\" (the pin of a slider) or \"turn\": \"1\" (a driven link)",
                 "请给出 \"slide\": \"C\"（滑块的销）或 \"turn\": \"1\"（原动件）"

@@ -15,7 +15,11 @@ fn attempt(c: &Context, raw: &RawAttempt, faults: &mut Faults) -> Option<Attempt
     let mistake = Mistake::ALL.into_iter().find(|m| m.name() == raw.mistake.text);
     if mistake.is_none() {
         let message = both!("`{}` is no known mistake", "`{}` 不是已知的错误", raw.mistake.text);
-        let help = suggest(&raw.mistake.text, Mistake::ALL.iter().map(|m| m.name()), both!("the known mistakes are", "已知的错误有"));
+        let help = suggest(
+            &raw.mistake.text,
+            Mistake::ALL.iter().map(|m| m.name()),
+            both!("the known mistakes are", "已知的错误有"),
+        );
         faults.push(Diagnostic::error("attempt", message).at(raw.mistake.span).help(help));
     }
     let link = match &raw.link {
@@ -25,7 +29,9 @@ fn attempt(c: &Context, raw: &RawAttempt, faults: &mut Faults) -> Option<Attempt
     let mut printed = Vec::new();
     for (word, quantity) in &raw.printed {
         let Some(what) = note(asked(c, word), faults) else { continue };
-        let Some(value) = c.values.si(quantity, RequiredQuantity::of(what.kind()), faults) else { continue };
+        let Some(value) = c.values.si(quantity, RequiredQuantity::of(what.kind()), faults) else {
+            continue;
+        };
         printed.push((Find { what, text: word.text.clone(), span: word.span }, value));
     }
     Some(Attempted {

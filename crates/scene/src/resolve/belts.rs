@@ -17,25 +17,39 @@ pub(super) fn round(
     let [p, q] = centres;
     let sizes = match &raw.sizes {
         RawSizes::Radii(radii) => {
-            let radii: Vec<Option<GivenQuantity>> =
-                radii.iter().map(|r| c.values.positive_length(r, both!("the radius of a pulley", "带轮半径"), faults)).collect();
+            let radii: Vec<Option<GivenQuantity>> = radii
+                .iter()
+                .map(|r| {
+                    c.values.positive_length(r, both!("the radius of a pulley", "带轮半径"), faults)
+                })
+                .collect();
             <[Option<GivenQuantity>; 2]>::try_from(radii).ok().map(|radii| (radii, None))
         }
         RawSizes::Teeth(teeth, pitch) => {
             let counts: Vec<Option<u32>> = teeth.iter().map(|z| whole(c, z, faults)).collect();
-            let pitch = pitch.as_ref().filter(|p| c.values.positive_length(p, both!("the pitch", "节距"), faults).is_some());
+            let pitch = pitch.as_ref().filter(|p| {
+                c.values.positive_length(p, both!("the pitch", "节距"), faults).is_some()
+            });
             let radius = |(q, z): (&RawQuantity, Option<u32>)| {
                 // With z teeth on the sprocket and pitch p, the chain advances z p per revolution.
                 let text = format!("({})*{}/(2*pi)", pitch?.text, z?);
-                c.values.si(&RawQuantity { text, span: q.span, bare: false }, RequiredQuantity::Length, &mut Faults::default())
+                c.values.si(
+                    &RawQuantity { text, span: q.span, bare: false },
+                    RequiredQuantity::Length,
+                    &mut Faults::default(),
+                )
             };
             match (&teeth[..], &counts[..]) {
-                ([a, b], &[y, z]) => Some(([radius((a, y)), radius((b, z))], y.zip(z).map(|(y, z)| [y, z]))),
+                ([a, b], &[y, z]) => {
+                    Some(([radius((a, y)), radius((b, z))], y.zip(z).map(|(y, z)| [y, z])))
+                }
                 _ => None,
             }
         }
     };
-    let arm = (0..c.names.links.len()).map(LinkId).find(|l| !links.contains(l) && c.carries(*l, p) && c.carries(*l, q));
+    let arm = (0..c.names.links.len())
+        .map(LinkId)
+        .find(|l| !links.contains(l) && c.carries(*l, p) && c.carries(*l, q));
     if arm.is_none() {
         let message = both!(
             "no link carries both {} and {}: nothing keeps the belt tight",
@@ -55,11 +69,19 @@ pub(super) fn round(
 
 /// Checks that a rope stays taut and keeps its direction: its load must slide in a guide of a link
 /// that carries the drum's axis.
-pub(super) fn taut(c: &Context, raw: &RawRolling, (load, axis): (LinkId, PointId), faults: &mut Faults) -> Option<()> {
-    let is = |word: &Option<Word>, link: LinkId| word.as_ref().map_or(link == c.ground, |w| w.text == c.link_name(link));
+pub(super) fn taut(
+    c: &Context,
+    raw: &RawRolling,
+    (load, axis): (LinkId, PointId),
+    faults: &mut Faults,
+) -> Option<()> {
+    let is = |word: &Option<Word>, link: LinkId| {
+        word.as_ref().map_or(link == c.ground, |w| w.text == c.link_name(link))
+    };
     let carriers = || (0..c.names.links.len()).map(LinkId).filter(|l| c.carries(*l, axis));
     let joins = |g: &RawGuide| {
-        let slides = |of: LinkId, on: LinkId| g.slider.is_some() && is(&g.slider, of) && is(&g.on, on);
+        let slides =
+            |of: LinkId, on: LinkId| g.slider.is_some() && is(&g.slider, of) && is(&g.on, on);
         carriers().any(|l| slides(load, l) || slides(l, load))
     };
     if c.raw.guides.iter().any(joins) {

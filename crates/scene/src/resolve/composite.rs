@@ -13,7 +13,11 @@ pub(super) fn composite(c: &Context, faults: &mut Faults) -> Vec<ObservedPoint> 
             out.extend(at_contact(c, raw, cam, faults));
             continue;
         }
-        let Some((of, frame)) = note(c.names.seen_from(&raw.point.text, &raw.frame.text, &raw.point), faults) else { continue };
+        let Some((of, frame)) =
+            note(c.names.seen_from(&raw.point.text, &raw.frame.text, &raw.point), faults)
+        else {
+            continue;
+        };
         let link = raw.on.as_ref().map(|on| c.names.link(on));
         let link = match link {
             Some(link) => match note(link, faults) {
@@ -27,7 +31,13 @@ pub(super) fn composite(c: &Context, faults: &mut Faults) -> Vec<ObservedPoint> 
         let of = CompositePoint::Point(of);
         if out.iter().any(|s| s.of == of && s.frame == frame) {
             let text = format!("{}/{}", raw.point.text, raw.frame.text);
-            faults.push(Diagnostic::warning("given-twice", both!("`{text}` is given twice", "`{text}` 写了两次")).at(raw.span));
+            faults.push(
+                Diagnostic::warning(
+                    "given-twice",
+                    both!("`{text}` is given twice", "`{text}` 写了两次"),
+                )
+                .at(raw.span),
+            );
             continue;
         }
         out.push(ObservedPoint { of, frame, span: raw.span });
@@ -42,9 +52,15 @@ fn contact(c: &Context, name: &str) -> Option<usize> {
 }
 
 /// Resolves the point of cam or follower at their contact; the default is the follower's point.
-fn at_contact(c: &Context, raw: &RawComposite, cam: usize, faults: &mut Faults) -> Option<ObservedPoint> {
+fn at_contact(
+    c: &Context,
+    raw: &RawComposite,
+    cam: usize,
+    faults: &mut Faults,
+) -> Option<ObservedPoint> {
     let pair = &c.raw.cams[cam];
-    let (own, follower) = (note(c.names.link(&pair.cam), faults)?, note(c.names.link(&pair.follower), faults)?);
+    let (own, follower) =
+        (note(c.names.link(&pair.cam), faults)?, note(c.names.link(&pair.follower), faults)?);
     let frame = note(c.names.frame(&raw.frame.text, &raw.frame), faults)?;
     let on = match &raw.on {
         Some(word) => note(c.names.link(word), faults)?,
@@ -52,9 +68,16 @@ fn at_contact(c: &Context, raw: &RawComposite, cam: usize, faults: &mut Faults) 
     };
     if on != own && on != follower {
         let (e, a, b) = (&raw.point.text, &pair.cam.text, &pair.follower.text);
-        let message =
-            both!("links {a} and {b} touch at {e}; link {} does not", "{e} 是构件 {a} 与 {b} 的接触点，不在构件 {} 上", c.link_name(on));
-        faults.push(Diagnostic::error("not-on-link", message).at(raw.span).help(both!("write \"on\": \"{b}\"", "请写 \"on\": \"{b}\"")));
+        let message = both!(
+            "links {a} and {b} touch at {e}; link {} does not",
+            "{e} 是构件 {a} 与 {b} 的接触点，不在构件 {} 上",
+            c.link_name(on)
+        );
+        faults.push(
+            Diagnostic::error("not-on-link", message)
+                .at(raw.span)
+                .help(both!("write \"on\": \"{b}\"", "请写 \"on\": \"{b}\"")),
+        );
         return None;
     }
     Some(ObservedPoint { of: CompositePoint::Contact { cam, on }, frame, span: raw.span })
@@ -66,11 +89,15 @@ pub(super) fn judged(scene: &Scene, faults: &mut Faults) {
         match s.of {
             CompositePoint::Point(of) => {
                 let text = scene.point_name(of.point).to_owned();
-                unusable(scene, &of, s.frame, &text).into_iter().for_each(|d| faults.push(d.at(s.span)));
+                unusable(scene, &of, s.frame, &text)
+                    .into_iter()
+                    .for_each(|d| faults.push(d.at(s.span)));
             }
             // For every point of the link: a fixed frame gives no frame motion, and the point's own
             // link no relative motion.
-            CompositePoint::Contact { on, .. } if s.frame.is_fixed(scene) || s.frame == Frame::Link(on) => {
+            CompositePoint::Contact { on, .. }
+                if s.frame.is_fixed(scene) || s.frame == Frame::Link(on) =>
+            {
                 let (text, link) = (
                     scene.link_name(on),
                     both!(
@@ -79,8 +106,18 @@ pub(super) fn judged(scene: &Scene, faults: &mut Faults) {
                         scene.link_name(on)
                     ),
                 );
-                let help = both!("name the other link, or the centre of the profile", "请写另一构件，或廓线的圆心");
-                faults.push(Diagnostic::error("frame-unusable", both!("`{text}`: {}", "`{text}`：{}", link)).at(s.span).help(help));
+                let help = both!(
+                    "name the other link, or the centre of the profile",
+                    "请写另一构件，或廓线的圆心"
+                );
+                faults.push(
+                    Diagnostic::error(
+                        "frame-unusable",
+                        both!("`{text}`: {}", "`{text}`：{}", link),
+                    )
+                    .at(s.span)
+                    .help(help),
+                );
             }
             CompositePoint::Contact { .. } => {}
         }

@@ -36,7 +36,12 @@ impl Register {
         // A bad name is declared too, so that its other mentions are not reported again.
         faults.list.extend(names::check(word, names::Named::Point));
         let id = PointId(self.points.len());
-        self.points.push(NamedPoint { name: word.text.clone(), place: PointPlace::Unknown, sketch: None, span: word.span });
+        self.points.push(NamedPoint {
+            name: word.text.clone(),
+            place: PointPlace::Unknown,
+            sketch: None,
+            span: word.span,
+        });
         self.by_point.insert(word.text.clone(), id);
         id
     }
@@ -57,15 +62,31 @@ pub(super) fn declare(raw: &RawScene, faults: &mut Faults) -> Declared {
         for word in &link.points {
             let id = r.point(word, faults);
             if points.contains(&id) {
-                let message = both!("link `{}` names point `{}` twice", "构件 `{}` 两次写了点 `{}`", link.name.text, word.text);
-                faults.push(Diagnostic::error("same-point", message).at(word.span).help(both!("name it once", "请只写一次")));
+                let message = both!(
+                    "link `{}` names point `{}` twice",
+                    "构件 `{}` 两次写了点 `{}`",
+                    link.name.text,
+                    word.text
+                );
+                faults.push(
+                    Diagnostic::error("same-point", message)
+                        .at(word.span)
+                        .help(both!("name it once", "请只写一次")),
+                );
             } else {
                 points.push(id);
             }
             if r.points.len() > MAX_POINTS {
-                let message = both!("there are more than {MAX_POINTS} points", "点超过 {MAX_POINTS} 个");
+                let message =
+                    both!("there are more than {MAX_POINTS} points", "点超过 {MAX_POINTS} 个");
                 faults.push(Diagnostic::error("too-many", message).at(word.span));
-                return Declared { points: r.points, links: r.links, ground: None, contacts: Vec::new(), touches: Vec::new() };
+                return Declared {
+                    points: r.points,
+                    links: r.links,
+                    ground: None,
+                    contacts: Vec::new(),
+                    touches: Vec::new(),
+                };
             }
         }
         r.link(&link.name, points, faults);
@@ -105,12 +126,19 @@ pub(super) fn declare(raw: &RawScene, faults: &mut Faults) -> Declared {
     if r.links.len() > MAX_LINKS {
         faults.push(Diagnostic::error(
             "too-many",
-            both!("there are {} links; at most {MAX_LINKS} are allowed", "有 {} 个构件，最多允许 {MAX_LINKS} 个", r.links.len()),
+            both!(
+                "there are {} links; at most {MAX_LINKS} are allowed",
+                "有 {} 个构件，最多允许 {MAX_LINKS} 个",
+                r.links.len()
+            ),
         ));
     } else if r.links.len() < 2 && !raw.links.is_empty() {
         let d = Diagnostic::error(
             "too-few-links",
-            both!("a mechanism has at least two links, counting the ground; there is one", "机构至少有两个构件（包括机架），此处只有一个"),
+            both!(
+                "a mechanism has at least two links, counting the ground; there is one",
+                "机构至少有两个构件（包括机架），此处只有一个"
+            ),
         );
         faults.push(d.at(raw.links[0].name.span));
     }
@@ -122,9 +150,17 @@ pub(super) fn declare(raw: &RawScene, faults: &mut Faults) -> Declared {
 
 /// Declares the contacts of cams that questions name: points on no link.
 fn touches(raw: &RawScene, r: &mut Register, faults: &mut Faults) -> Vec<(PointId, usize)> {
-    let asked: Vec<&str> = raw.find.iter().flatten().filter_map(|w| Some(w.text.split_once('_')?.1)).collect();
-    let named = |w: &&Word| asked.iter().any(|names| names.contains(&w.text)) && !r.by_point.contains_key(&w.text);
-    let new: Vec<(usize, &Word)> = raw.cams.iter().enumerate().filter_map(|(k, c)| Some((k, c.at.as_ref().filter(named)?))).collect();
+    let asked: Vec<&str> =
+        raw.find.iter().flatten().filter_map(|w| Some(w.text.split_once('_')?.1)).collect();
+    let named = |w: &&Word| {
+        asked.iter().any(|names| names.contains(&w.text)) && !r.by_point.contains_key(&w.text)
+    };
+    let new: Vec<(usize, &Word)> = raw
+        .cams
+        .iter()
+        .enumerate()
+        .filter_map(|(k, c)| Some((k, c.at.as_ref().filter(named)?)))
+        .collect();
     new.into_iter().map(|(k, word)| (r.point(word, faults), k)).collect()
 }
 
@@ -135,7 +171,10 @@ fn contacts(pair: &RawRolling, r: &mut Register, faults: &mut Faults) -> [PointI
         if let Some(word) = word {
             return r.point(word, faults);
         }
-        let usual = usual.iter().map(|letter| (*letter).to_owned()).chain((1..).map(|n| format!("{}{n}", usual[0])));
+        let usual = usual
+            .iter()
+            .map(|letter| (*letter).to_owned())
+            .chain((1..).map(|n| format!("{}{n}", usual[0])));
         let name = usual.into_iter().find(|name| !r.by_point.contains_key(name));
         r.point(&Word { text: name.expect("the names do not end"), span: pair.span }, faults)
     };
@@ -148,7 +187,8 @@ fn contacts(pair: &RawRolling, r: &mut Register, faults: &mut Faults) -> [PointI
 /// Declares a bare pin that is on no link: in two slots it has a definite place.
 fn loose_pin(raw: &RawScene, guide: &RawGuide, r: &mut Register, faults: &mut Faults) {
     let Some(pin) = &guide.pin else { return };
-    let slots = raw.guides.iter().filter(|g| g.pin.as_ref().is_some_and(|p| p.text == pin.text)).count();
+    let slots =
+        raw.guides.iter().filter(|g| g.pin.as_ref().is_some_and(|p| p.text == pin.text)).count();
     if slots > 1 {
         r.point(pin, faults);
     }
@@ -160,7 +200,12 @@ fn declare_ground(raw: &RawScene, r: &mut Register, faults: &mut Faults) -> Opti
         return Some(*id);
     }
     let tracks = raw.rolling.iter().flat_map(|p| &p.sides).map(|s| &s.link);
-    let carries = raw.guides.iter().map(|g| &g.on).chain(tracks).any(|on| on.as_ref().is_none_or(|on| on.text == word.text));
+    let carries = raw
+        .guides
+        .iter()
+        .map(|g| &g.on)
+        .chain(tracks)
+        .any(|on| on.as_ref().is_none_or(|on| on.text == word.text));
     // If the ground has no other points, points given by coordinates can only be its fixed pivots.
     // If it carries guides, they may also be places of the pose.
     let pivots = if carries { Vec::new() } else { implied_pivots(raw, r) };
@@ -168,7 +213,11 @@ fn declare_ground(raw: &RawScene, r: &mut Register, faults: &mut Faults) -> Opti
     if !carries && pivots.is_empty() {
         let d = Diagnostic::error(
             "unknown-link",
-            both!("the ground `{}` is not among the links and carries no guide", "机架 `{}` 不在构件之列，也没有导路", word.text),
+            both!(
+                "the ground `{}` is not among the links and carries no guide",
+                "机架 `{}` 不在构件之列，也没有导路",
+                word.text
+            ),
         );
         let known = raw.links.iter().map(|l| l.name.text.as_str());
         let near = suggest(&word.text, known, both!("the links are", "构件有"));
@@ -202,12 +251,16 @@ fn declare_ground(raw: &RawScene, r: &mut Register, faults: &mut Faults) -> Opti
 /// Returns the fixed pivots of a ground that lists no points: points given by coordinates that join
 /// nothing else.
 fn implied_pivots(raw: &RawScene, r: &Register) -> Vec<PointId> {
-    let runs = |name: &str| raw.guides.iter().any(|g| g.pin.as_ref().is_some_and(|p| p.text == name));
+    let runs =
+        |name: &str| raw.guides.iter().any(|g| g.pin.as_ref().is_some_and(|p| p.text == name));
     (0..r.points.len())
         .map(PointId)
         .filter(|p| {
             let name = r.points[p.0].name.as_str();
-            let placed = raw.points.iter().any(|(w, place)| w.text == name && matches!(place, RawPlace::At(_)));
+            let placed = raw
+                .points
+                .iter()
+                .any(|(w, place)| w.text == name && matches!(place, RawPlace::At(_)));
             placed && !runs(name) && r.links.iter().filter(|l| l.points.contains(p)).count() == 1
         })
         .collect()
@@ -220,13 +273,24 @@ fn empty_links(raw: &RawScene, r: &Register, ground: Option<LinkId>, faults: &mu
         let named = |w: &Option<Word>| w.as_ref().is_some_and(|w| w.text == link.name);
         let slides = raw.guides.iter().any(|g| named(&g.slider) || named(&g.on))
             || raw.rolling.iter().any(|p| p.sides.iter().any(|s| named(&s.link)));
-        let cylinder =
-            |d: &RawDriver| matches!(&d.kind, RawDriverKind::Cylinder { links, .. } if links.iter().any(|w| w.text == link.name));
-        if link.points.is_empty() && !slides && ground != Some(LinkId(i)) && !raw.drivers.iter().any(cylinder) {
-            let d =
-                Diagnostic::error("no-points", both!("link `{}` has no points and no guide", "构件 `{}` 既没有点也没有导路", link.name))
-                    .at(link.span);
-            faults.push(d.help(both!("name its points: [\"A\", \"B\"]", "请写出它的点：[\"A\", \"B\"]")));
+        let cylinder = |d: &RawDriver| matches!(&d.kind, RawDriverKind::Cylinder { links, .. } if links.iter().any(|w| w.text == link.name));
+        if link.points.is_empty()
+            && !slides
+            && ground != Some(LinkId(i))
+            && !raw.drivers.iter().any(cylinder)
+        {
+            let d = Diagnostic::error(
+                "no-points",
+                both!(
+                    "link `{}` has no points and no guide",
+                    "构件 `{}` 既没有点也没有导路",
+                    link.name
+                ),
+            )
+            .at(link.span);
+            faults.push(
+                d.help(both!("name its points: [\"A\", \"B\"]", "请写出它的点：[\"A\", \"B\"]")),
+            );
         }
     }
 }

@@ -4,19 +4,30 @@ use super::super::rolling::RollingKind;
 use super::guides::Numbered;
 use super::*;
 
-pub(super) fn drivers(c: &Context, guides: &[Numbered], rolling: &rolling::Resolved, faults: &mut Faults) -> Vec<Driver> {
+pub(super) fn drivers(
+    c: &Context,
+    guides: &[Numbered],
+    rolling: &rolling::Resolved,
+    faults: &mut Faults,
+) -> Vec<Driver> {
     let mut out: Vec<Driver> = Vec::new();
     for raw in &c.raw.drivers {
         let (rate, acceleration) = match raw.kind {
             RawDriverKind::Turn { .. } => (RequiredQuantity::Omega, RequiredQuantity::Alpha),
-            RawDriverKind::Slide { .. } | RawDriverKind::Cylinder { .. } => (RequiredQuantity::Velocity, RequiredQuantity::Acceleration),
+            RawDriverKind::Slide { .. } | RawDriverKind::Cylinder { .. } => {
+                (RequiredQuantity::Velocity, RequiredQuantity::Acceleration)
+            }
         };
         let kind = match &raw.kind {
             RawDriverKind::Turn { link, against, line, against_line, angle } => {
                 turn(c, raw, guides, (link, against), [line, against_line], angle, faults)
             }
-            RawDriverKind::Slide { slide, position } => self::slide(c, (guides, rolling), slide, position, faults),
-            RawDriverKind::Cylinder { ends, length, links } => cylinder(c, ends, length, links, faults),
+            RawDriverKind::Slide { slide, position } => {
+                self::slide(c, (guides, rolling), slide, position, faults)
+            }
+            RawDriverKind::Cylinder { ends, length, links } => {
+                cylinder(c, ends, length, links, faults)
+            }
         };
         // A fault in a law is reported once, for the position.
         if raw.law.is_some() && kind.is_none() {
@@ -30,14 +41,26 @@ pub(super) fn drivers(c: &Context, guides: &[Numbered], rolling: &rolling::Resol
             Some(q) => c.values.si(q, acceleration, faults).map(Some),
             None => Some(None),
         };
-        let (Some(kind), Some(rate), Some(acceleration)) = (kind, rate, acceleration) else { continue };
+        let (Some(kind), Some(rate), Some(acceleration)) = (kind, rate, acceleration) else {
+            continue;
+        };
         if out.iter().any(|d| same_motion(&d.kind, &kind)) {
-            let d = Diagnostic::error("given-twice", both!("this motion is already given by another driver", "另一原动件已给定这一运动"))
-                .at(raw.span);
+            let d = Diagnostic::error(
+                "given-twice",
+                both!("this motion is already given by another driver", "另一原动件已给定这一运动"),
+            )
+            .at(raw.span);
             faults.push(d.help(both!("keep one of the two", "请保留其中一个")));
             continue;
         }
-        out.push(Driver { kind, rate, acceleration, rate_told: raw.rate.is_some(), law: raw.law.clone(), span: raw.span });
+        out.push(Driver {
+            kind,
+            rate,
+            acceleration,
+            rate_told: raw.rate.is_some(),
+            law: raw.law.clone(),
+            span: raw.span,
+        });
     }
     out
 }
@@ -54,7 +77,9 @@ fn same_motion(a: &DriverKind, b: &DriverKind) -> bool {
             (link, against) == (l, g) || (link, against) == (g, l)
         }
         (DriverKind::Slide { guide: g, .. }, DriverKind::Slide { guide: h, .. }) => g == h,
-        (DriverKind::Cylinder { a, b, .. }, DriverKind::Cylinder { a: p, b: q, .. }) => (a, b) == (p, q) || (a, b) == (q, p),
+        (DriverKind::Cylinder { a, b, .. }, DriverKind::Cylinder { a: p, b: q, .. }) => {
+            (a, b) == (p, q) || (a, b) == (q, p)
+        }
         _ => false,
     }
 }
@@ -81,25 +106,39 @@ fn turn(
         Some(q) => Some(c.values.angle(q, faults)?),
         None => None,
     };
-    if let Some(angle) = angle.as_ref().filter(|a| rolling && a.value.degrees().abs() > MOST_DEGREES) {
+    if let Some(angle) =
+        angle.as_ref().filter(|a| rolling && a.value.degrees().abs() > MOST_DEGREES)
+    {
         let message = both!(
             "the driver's angle {} is beyond 2⁵³ degrees, where double precision does not tell the places of wheels that roll",
             "原动件角度 {} 超过 2⁵³ 度，双精度数已无法确定滚动轮的位置",
             angle.text
         );
         let d = Diagnostic::error("out-of-range", message).at(angle.span);
-        faults.push(d.help(both!("take off whole turns after which all wheels stand as before", "请减去使各轮回到原位的整转数")));
+        faults.push(d.help(both!(
+            "take off whole turns after which all wheels stand as before",
+            "请减去使各轮回到原位的整转数"
+        )));
         return None;
     }
     let (link, against) = (link?, against?);
     if link == against {
         let name = c.link_name(link);
         let d = if link == c.ground {
-            Diagnostic::error("driver", both!("link `{name}` is the ground: it cannot be driven", "构件 `{name}` 是机架，不能作原动件"))
-                .help(both!("drive a moving link", "请以活动构件为原动件"))
+            Diagnostic::error(
+                "driver",
+                both!(
+                    "link `{name}` is the ground: it cannot be driven",
+                    "构件 `{name}` 是机架，不能作原动件"
+                ),
+            )
+            .help(both!("drive a moving link", "请以活动构件为原动件"))
         } else {
-            Diagnostic::error("driver", both!("link `{name}` cannot turn against itself", "构件 `{name}` 不能相对自身转动"))
-                .help(both!("name another link in \"against\"", "请在 \"against\" 中写另一构件"))
+            Diagnostic::error(
+                "driver",
+                both!("link `{name}` cannot turn against itself", "构件 `{name}` 不能相对自身转动"),
+            )
+            .help(both!("name another link in \"against\"", "请在 \"against\" 中写另一构件"))
         };
         faults.push(d.at(raw.span));
         return None;
@@ -115,19 +154,29 @@ fn turn(
         line.is_some()
             || c.rolls(l)
             || c.names.links[l.0].points.len() > 1
-            || c.raw.guides.iter().any(|g| [&g.on, &g.slider].into_iter().flatten().any(|w| w.text == c.link_name(l)))
+            || c.raw
+                .guides
+                .iter()
+                .any(|g| [&g.on, &g.slider].into_iter().flatten().any(|w| w.text == c.link_name(l)))
     };
     if angle.is_some() {
         for (l, line) in [(link, line), (against, against_line)] {
             if (l != c.ground) && !has_direction(l, line) {
-                let message = both!("link `{}` has no line whose angle could be given", "构件 `{}` 没有可给定角度的直线", c.link_name(l));
+                let message = both!(
+                    "link `{}` has no line whose angle could be given",
+                    "构件 `{}` 没有可给定角度的直线",
+                    c.link_name(l)
+                );
                 faults.push(Diagnostic::error("driver", message).at(raw.span).help(c.points_of(l)));
                 return None;
             }
         }
     }
-    let angle =
-        if against == c.ground && line.is_none() && against_line.is_none() { guided(c, link, guides, angle, faults)? } else { angle };
+    let angle = if against == c.ground && line.is_none() && against_line.is_none() {
+        guided(c, link, guides, angle, faults)?
+    } else {
+        angle
+    };
     Some(DriverKind::Turn { link, against, line, against_line, angle })
 }
 
@@ -141,11 +190,16 @@ fn guided(
     faults: &mut Faults,
 ) -> Option<Option<GivenQuantity<Angle>>> {
     // For a mobility count, a guide without a direction has an arbitrary one.
-    let stated = guides.iter().filter(|_| !c.raw.extent.is_of_pairs()).find_map(|(g, _)| match &g.path {
-        GuidePath::Line { direction: GuideDirection::Instant(angle), .. } if g.on == link => Some(angle),
-        GuidePath::Line { .. } | GuidePath::Arc { .. } => None,
-    });
-    let Some(stated) = stated.filter(|_| c.names.links[link.0].points.len() < 2) else { return Some(angle) };
+    let stated =
+        guides.iter().filter(|_| !c.raw.extent.is_of_pairs()).find_map(|(g, _)| match &g.path {
+            GuidePath::Line { direction: GuideDirection::Instant(angle), .. } if g.on == link => {
+                Some(angle)
+            }
+            GuidePath::Line { .. } | GuidePath::Arc { .. } => None,
+        });
+    let Some(stated) = stated.filter(|_| c.names.links[link.0].points.len() < 2) else {
+        return Some(angle);
+    };
     let Some(given) = angle else { return Some(Some(stated.clone())) };
     let (s, k) = libm::sincos(given.value.radians() - stated.value.radians());
     if s.abs() + (1.0 - k) <= ONE_ANGLE {
@@ -181,8 +235,9 @@ fn slide(
         None => None,
     };
     let named = |w: &Option<Word>| w.as_ref().is_some_and(|w| w.text == word.text);
-    let mut meant: Vec<usize> =
-        (0..c.raw.guides.len()).filter(|i| named(&c.raw.guides[*i].pin) || named(&c.raw.guides[*i].slider)).collect();
+    let mut meant: Vec<usize> = (0..c.raw.guides.len())
+        .filter(|i| named(&c.raw.guides[*i].pin) || named(&c.raw.guides[*i].slider))
+        .collect();
     // The centre of a cam's circle, or a roller, also runs in the guide that replaces the contact;
     // the driver refers to its own guide.
     if meant.iter().any(|i| !c.raw.guides[*i].contact) {
@@ -190,25 +245,45 @@ fn slide(
     }
     match meant.as_slice() {
         // A guide dropped for its own fault is not reported as missing here.
-        [one] => guides.iter().position(|(_, i)| i == one).map(|i| DriverKind::Slide { guide: GuideId(i), position }),
+        [one] => guides
+            .iter()
+            .position(|(_, i)| i == one)
+            .map(|i| DriverKind::Slide { guide: GuideId(i), position }),
         [] => {
             // The centre of a wheel runs along its track.
             let wheel = |g: &Guide| {
                 g.pin.is_some_and(|p| c.point_name(p) == word.text)
-                    && g.rolling.and_then(|r| rolling.rolling.get(r.0)).is_some_and(|r| r.kind == RollingKind::Wheel)
+                    && g.rolling
+                        .and_then(|r| rolling.rolling.get(r.0))
+                        .is_some_and(|r| r.kind == RollingKind::Wheel)
             };
             if let Some(i) = rolling.guides.iter().position(wheel) {
                 return Some(DriverKind::Slide { guide: GuideId(guides.len() + i), position });
             }
-            let wheels = c.raw.rolling.iter().filter(|p| p.kind == RollingKind::Wheel).filter_map(|p| p.sides[1].centre.as_ref());
+            let wheels = c
+                .raw
+                .rolling
+                .iter()
+                .filter(|p| p.kind == RollingKind::Wheel)
+                .filter_map(|p| p.sides[1].centre.as_ref());
             // A wheel dropped for its own fault is not reported as missing here.
             if wheels.clone().any(|centre| centre.text == word.text) {
                 return None;
             }
-            let runners = c.raw.guides.iter().flat_map(|g| [&g.pin, &g.slider]).flatten().chain(wheels).map(|w| w.text.as_str());
+            let runners = c
+                .raw
+                .guides
+                .iter()
+                .flat_map(|g| [&g.pin, &g.slider])
+                .flatten()
+                .chain(wheels)
+                .map(|w| w.text.as_str());
             let nothing = runners.clone().next().is_none();
-            let d = Diagnostic::error("driver", both!("no guide has a pin or slider `{}`", "没有导路以 `{}` 为销或滑块", word.text))
-                .at(word.span);
+            let d = Diagnostic::error(
+                "driver",
+                both!("no guide has a pin or slider `{}`", "没有导路以 `{}` 为销或滑块", word.text),
+            )
+            .at(word.span);
             faults.push(if nothing {
                 d.help(both!("add \"guides\"", "请加上 \"guides\""))
             } else {
@@ -217,23 +292,52 @@ fn slide(
             None
         }
         _ => {
-            let d = Diagnostic::error("ambiguous", both!("`{}` runs in {} guides", "`{}` 在 {} 条导路中", word.text, meant.len()))
-                .at(word.span);
-            let runners = |i: usize| [&c.raw.guides[i].pin, &c.raw.guides[i].slider].into_iter().flatten().map(|w| w.text.as_str());
-            let alone = |name: &str| (0..c.raw.guides.len()).filter(|i| runners(*i).any(|n| n == name)).count() == 1;
-            let names: Vec<String> = meant.iter().flat_map(|i| runners(*i)).filter(|n| alone(n)).map(|n| format!("\"{n}\"")).collect();
+            let d = Diagnostic::error(
+                "ambiguous",
+                both!("`{}` runs in {} guides", "`{}` 在 {} 条导路中", word.text, meant.len()),
+            )
+            .at(word.span);
+            let runners = |i: usize| {
+                [&c.raw.guides[i].pin, &c.raw.guides[i].slider]
+                    .into_iter()
+                    .flatten()
+                    .map(|w| w.text.as_str())
+            };
+            let alone = |name: &str| {
+                (0..c.raw.guides.len()).filter(|i| runners(*i).any(|n| n == name)).count() == 1
+            };
+            let names: Vec<String> = meant
+                .iter()
+                .flat_map(|i| runners(*i))
+                .filter(|n| alone(n))
+                .map(|n| format!("\"{n}\""))
+                .collect();
             faults.push(d.help(match names.as_slice() {
                 [] => both!("name the sliders of these guides", "请给这些导路的滑块命名"),
-                _ => both!("name what runs in one of them only: {}", "请写只在一条导路中的销或滑块：{}", Both::names(&names)),
+                _ => both!(
+                    "name what runs in one of them only: {}",
+                    "请写只在一条导路中的销或滑块：{}",
+                    Both::names(&names)
+                ),
             }));
             None
         }
     }
 }
 
-fn cylinder(c: &Context, ends: &Word, length: &Option<RawQuantity>, links: &[Word], faults: &mut Faults) -> Option<DriverKind> {
+fn cylinder(
+    c: &Context,
+    ends: &Word,
+    length: &Option<RawQuantity>,
+    links: &[Word],
+    faults: &mut Faults,
+) -> Option<DriverKind> {
     let length = match length {
-        Some(q) => Some(c.values.positive_length(q, both!("the length of the cylinder", "液压缸的长度"), faults)?),
+        Some(q) => Some(c.values.positive_length(
+            q,
+            both!("the length of the cylinder", "液压缸的长度"),
+            faults,
+        )?),
         None => None,
     };
     let (a, b) = note(c.names.pair(ends), faults)?;
@@ -253,10 +357,15 @@ fn cylinder(c: &Context, ends: &Word, length: &Option<RawQuantity>, links: &[Wor
     if !matches!(ids.as_slice(), [] | [_, _]) || (ids.len() == 2 && ids[0] == ids[1]) {
         let d = Diagnostic::error(
             "driver",
-            both!("\"links\" of a cylinder numbers two links, the barrel and the rod", "液压缸的 \"links\" 应写两个构件：缸体和活塞杆"),
+            both!(
+                "\"links\" of a cylinder numbers two links, the barrel and the rod",
+                "液压缸的 \"links\" 应写两个构件：缸体和活塞杆"
+            ),
         )
         .at(ends.span);
-        faults.push(d.help(both!("write \"links\": [\"5\", \"6\"]", "请写 \"links\": [\"5\", \"6\"]")));
+        faults.push(
+            d.help(both!("write \"links\": [\"5\", \"6\"]", "请写 \"links\": [\"5\", \"6\"]")),
+        );
         sound = false;
     }
     for ((id, word), end) in ids.iter().zip(links).zip([a, b]) {
@@ -267,11 +376,10 @@ fn cylinder(c: &Context, ends: &Word, length: &Option<RawQuantity>, links: &[Wor
                 word.text,
                 c.point_name(*other)
             );
-            faults.push(
-                Diagnostic::error("driver", message)
-                    .at(word.span)
-                    .help(both!("describe barrel and rod as links with a guide between them", "请把缸体和活塞杆写成构件，其间设导路")),
-            );
+            faults.push(Diagnostic::error("driver", message).at(word.span).help(both!(
+                "describe barrel and rod as links with a guide between them",
+                "请把缸体和活塞杆写成构件，其间设导路"
+            )));
             sound = false;
         }
     }

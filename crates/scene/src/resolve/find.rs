@@ -10,9 +10,16 @@ pub(super) fn find(c: &Context, faults: &mut Faults) -> Vec<Find> {
     let mut out: Vec<Find> = Vec::new();
     let Some(words) = &c.raw.find else { return everything(c) };
     for word in words {
-        let Some(what) = note(asked(c, word).and_then(|what| of_links(c, word, what)), faults) else { continue };
+        let Some(what) = note(asked(c, word).and_then(|what| of_links(c, word, what)), faults)
+        else {
+            continue;
+        };
         if out.iter().any(|f| f.text == word.text) {
-            let d = Diagnostic::warning("given-twice", both!("`{}` is asked twice", "`{}` 求了两次", word.text)).at(word.span);
+            let d = Diagnostic::warning(
+                "given-twice",
+                both!("`{}` is asked twice", "`{}` 求了两次", word.text),
+            )
+            .at(word.span);
             faults.push(d.help(both!("ask once", "请只求一次")));
             continue;
         }
@@ -33,15 +40,27 @@ fn of_links(c: &Context, word: &Word, what: Asked) -> Result<Asked, Diagnostic> 
         Of::Seen(p, Frame::Link(_)) => vec![p],
         Of::Line(..) | Of::Link(_) | Of::Links(..) | Of::Mechanism => Vec::new(),
     };
-    let Some(contact) = moving.into_iter().find(|p| p.link.is_none() && c.is_contact(p.point)) else { return Ok(what) };
+    let Some(contact) = moving.into_iter().find(|p| p.link.is_none() && c.is_contact(p.point))
+    else {
+        return Ok(what);
+    };
     let name = c.point_name(contact.point);
-    let message = both!("`{}`: {name} is a point of contact, not a point of a link", "`{}`：{name} 是接触点，不是构件上的点", word.text);
-    let there =
-        |(pair, at): (&'_ RawRolling, &[PointId; 2])| [0, 1].map(|k| Some(pair.sides[k].clone()).filter(|_| at[k] == contact.point));
+    let message = both!(
+        "`{}`: {name} is a point of contact, not a point of a link",
+        "`{}`：{name} 是接触点，不是构件上的点",
+        word.text
+    );
+    let there = |(pair, at): (&'_ RawRolling, &[PointId; 2])| {
+        [0, 1].map(|k| Some(pair.sides[k].clone()).filter(|_| at[k] == contact.point))
+    };
     let sides = c.raw.rolling.iter().zip(c.contacts).flat_map(there).flatten();
-    let of = |side: RawRollingSide| c.names.run(name, side.link.as_ref().map_or(c.link_name(c.ground), |w| &w.text));
-    let cams = c.touches.iter().filter(|(at, _)| *at == contact.point).map(|(_, k)| &c.raw.cams[*k]);
-    let of_cams = cams.flat_map(|cam| [&cam.cam, &cam.follower]).map(|w| c.names.run(name, &w.text));
+    let of = |side: RawRollingSide| {
+        c.names.run(name, side.link.as_ref().map_or(c.link_name(c.ground), |w| &w.text))
+    };
+    let cams =
+        c.touches.iter().filter(|(at, _)| *at == contact.point).map(|(_, k)| &c.raw.cams[*k]);
+    let of_cams =
+        cams.flat_map(|cam| [&cam.cam, &cam.follower]).map(|w| c.names.run(name, &w.text));
     let names: Vec<Both> = sides.map(of).chain(of_cams).map(Both::same).collect();
     Err(Diagnostic::error("find", message).at(word.span).help(both!(
         "name the link whose point is meant: {}",
@@ -55,24 +74,31 @@ fn of_links(c: &Context, word: &Word, what: Asked) -> Result<Asked, Diagnostic> 
 fn everything(c: &Context) -> Vec<Find> {
     let (points, links) = (c.names.points, c.names.links);
     let mut out = Vec::new();
-    let mut ask = |name: &str, span, what: Asked| out.push(Find { what, text: format!("{}_{name}", what.entry().symbol), span });
+    let mut ask = |name: &str, span, what: Asked| {
+        out.push(Find { what, text: format!("{}_{name}", what.entry().symbol), span })
+    };
     for (i, p) in points.iter().enumerate() {
         let id = PointId(i);
         if !c.carries(c.ground, id) && !c.is_contact(id) {
             let on = OnLink { point: id, link: None };
-            Rate::ALL.into_iter().for_each(|rate| ask(&p.name, p.span, PointMotion { rate, of: on }.into()));
+            Rate::ALL
+                .into_iter()
+                .for_each(|rate| ask(&p.name, p.span, PointMotion { rate, of: on }.into()));
         }
     }
     for (i, l) in links.iter().enumerate() {
         let id = LinkId(i);
-        let carries_guide = c.raw.guides.iter().any(|g| g.on.as_ref().is_some_and(|w| w.text == l.name));
+        let carries_guide =
+            c.raw.guides.iter().any(|g| g.on.as_ref().is_some_and(|w| w.text == l.name));
         let in_cylinder = c
             .raw
             .drivers
             .iter()
             .any(|d| matches!(&d.kind, RawDriverKind::Cylinder { links, .. } if links.iter().any(|w| w.text == l.name)));
         if id != c.ground && (l.points.len() >= 2 || carries_guide || in_cylinder || c.rolls(id)) {
-            Rate::ALL.into_iter().for_each(|rate| ask(&l.name, l.span, Turning { rate, of: id, against: None }.into()));
+            Rate::ALL.into_iter().for_each(|rate| {
+                ask(&l.name, l.span, Turning { rate, of: id, against: None }.into())
+            });
         }
     }
     out
@@ -94,9 +120,9 @@ fn spelt(symbol: &str) -> &str {
 /// Returns true if a text begins as a question does: with the symbol of a quantity and `_`.
 pub(crate) fn begins_a_question(text: &str) -> bool {
     is_alone(spelt(text.trim()))
-        || with_underscore(text.trim_start())
-            .split_once('_')
-            .is_some_and(|(symbol, _)| quantity::symbols().iter().any(|e| e.symbol == spelt(symbol)))
+        || with_underscore(text.trim_start()).split_once('_').is_some_and(|(symbol, _)| {
+            quantity::symbols().iter().any(|e| e.symbol == spelt(symbol))
+        })
 }
 
 /// True for a symbol that is a question without names: the power `P`.
@@ -112,7 +138,8 @@ pub(super) fn asked(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
 /// Reads the sum, the difference or the ratio of two quantities; `None` for other texts.
 fn combined(c: &Context, word: &Word) -> Option<Result<Asked, Diagnostic>> {
     let part = |text: &str| one(c, &Word { text: text.to_owned(), span: word.span }).ok();
-    let (operation, operands) = halves(&word.text).find_map(|(operation, [a, b])| Some((operation, [part(a)?, part(b)?])))?;
+    let (operation, operands) = halves(&word.text)
+        .find_map(|(operation, [a, b])| Some((operation, [part(a)?, part(b)?])))?;
     Some(Combined::new(operation, operands).map(Asked::from).ok_or_else(|| {
         let [a, b] = operands.map(|q| q.kind().si());
         let d = Diagnostic::error("find", both!("`{}` combines {a} with {b}", "`{}` 组合了 {a} 与 {b}", word.text)).at(word.span);
@@ -126,7 +153,9 @@ fn combined(c: &Context, word: &Word) -> Option<Result<Asked, Diagnostic>> {
 /// Returns a text with the underscore that the name of a centre may omit: `P13D`.
 fn with_underscore(text: &str) -> Cow<'_, str> {
     match text.strip_prefix('P') {
-        Some(rest) if rest.starts_with(|c: char| c.is_ascii_digit()) => Cow::Owned(format!("P_{rest}")),
+        Some(rest) if rest.starts_with(|c: char| c.is_ascii_digit()) => {
+            Cow::Owned(format!("P_{rest}"))
+        }
         Some(_) | None => Cow::Borrowed(text),
     }
 }
@@ -136,7 +165,11 @@ fn one(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
     let fault = |message: Both| Diagnostic::error("find", message).at(word.span);
     let alone = is_alone(spelt(&text)).then_some((&*text, ""));
     let Some((symbol, rest)) = text.split_once('_').or(alone) else {
-        let d = fault(both!("`{}` is not a quantity that can be asked", "`{}` 不是可求的量", word.text));
+        let d = fault(both!(
+            "`{}` is not a quantity that can be asked",
+            "`{}` 不是可求的量",
+            word.text
+        ));
         if matches!(word.text.as_str(), "F" | "class") {
             return Err(d.help(both!(
                 "`hodograph mobility` counts the freedoms of the scene and tells the class of its groups",
@@ -151,8 +184,16 @@ fn one(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
     let symbol = spelt(symbol);
     let symbols = quantity::symbols();
     let Some(entry) = symbols.iter().find(|e| e.symbol == symbol) else {
-        let d = fault(both!("`{symbol}` in `{}` is not a quantity that can be asked", "`{}` 中的 `{symbol}` 不是可求的量", word.text));
-        return Err(d.help(suggest(symbol, symbols.iter().map(|e| e.symbol), both!("the quantities are", "量有"))));
+        let d = fault(both!(
+            "`{symbol}` in `{}` is not a quantity that can be asked",
+            "`{}` 中的 `{symbol}` 不是可求的量",
+            word.text
+        ));
+        return Err(d.help(suggest(
+            symbol,
+            symbols.iter().map(|e| e.symbol),
+            both!("the quantities are", "量有"),
+        )));
     };
     let question = Question { c, word, symbol: entry.symbol, names: rest };
     match Asked::read(&question)? {
@@ -196,8 +237,15 @@ impl Question<'_> {
         if driver < drivers.max(1) {
             return Ok(driver);
         }
-        let message = both!("`{}`: the scene has no driver of this number", "`{}`：没有该序号的原动件", self.text());
-        Err(self.fault(message).help(both!("count them in the order of the file, from 1 on", "按文件中的次序从 1 数起")))
+        let message = both!(
+            "`{}`: the scene has no driver of this number",
+            "`{}`：没有该序号的原动件",
+            self.text()
+        );
+        Err(self.fault(message).help(both!(
+            "count them in the order of the file, from 1 on",
+            "按文件中的次序从 1 数起"
+        )))
     }
 
     /// Returns true if a table has its symbol.
@@ -245,19 +293,32 @@ impl Question<'_> {
             return self.different([self.link(a.trim())?, self.link(b.trim())?]);
         }
         let cuts = names.char_indices().skip(1).map(|(k, _)| names.split_at(k));
-        let found: Vec<[LinkId; 2]> = cuts.filter_map(|(a, b)| Some([self.link(a).ok()?, self.link(b).ok()?])).collect();
+        let found: Vec<[LinkId; 2]> =
+            cuts.filter_map(|(a, b)| Some([self.link(a).ok()?, self.link(b).ok()?])).collect();
         match found[..] {
             [links] => self.different(links),
             _ => {
-                let d = self.fault(both!("`{}` does not name two links", "`{}` 没有写明两个构件", self.text()));
-                Err(d.help(both!("write the two names with a comma, such as {}_1,3", "请用逗号隔开两个构件名，如 {}_1,3", self.symbol)))
+                let d = self.fault(both!(
+                    "`{}` does not name two links",
+                    "`{}` 没有写明两个构件",
+                    self.text()
+                ));
+                Err(d.help(both!(
+                    "write the two names with a comma, such as {}_1,3",
+                    "请用逗号隔开两个构件名，如 {}_1,3",
+                    self.symbol
+                )))
             }
         }
     }
 
     fn different(&self, links: [LinkId; 2]) -> Result<[LinkId; 2], Diagnostic> {
         if links[0] == links[1] {
-            return Err(self.fault(both!("`{}` names one link twice", "`{}` 两次写了同一构件", self.text())));
+            return Err(self.fault(both!(
+                "`{}` names one link twice",
+                "`{}` 两次写了同一构件",
+                self.text()
+            )));
         }
         Ok(links)
     }
@@ -279,7 +340,14 @@ impl Question<'_> {
         let is = |word: &Option<Word>| word.as_ref().is_some_and(|w| w.text == name.trim());
         let mine = |(_, g): &(usize, &RawGuide)| !g.contact && (is(&g.pin) || is(&g.slider));
         let pin = |g: &RawGuide| g.pin.as_ref().and_then(|p| self.c.names.point(p).ok());
-        self.c.raw.guides.iter().enumerate().filter(mine).map(|(k, g)| (GuideId(k), pin(g))).collect()
+        self.c
+            .raw
+            .guides
+            .iter()
+            .enumerate()
+            .filter(mine)
+            .map(|(k, g)| (GuideId(k), pin(g)))
+            .collect()
     }
 
     /// Returns true if a link is the follower of a cam.
@@ -290,7 +358,10 @@ impl Question<'_> {
     /// Returns the point of a follower's round end that touches a cam.
     pub fn end_of(&self, follower: LinkId) -> Option<PointId> {
         let name = self.c.link_name(follower);
-        let cam = self.c.raw.cams.iter().find(|cam| cam.follower.text == name && !matches!(cam.follows, RawFollows::Face(_)))?;
+        let cam =
+            self.c.raw.cams.iter().find(|cam| {
+                cam.follower.text == name && !matches!(cam.follows, RawFollows::Face(_))
+            })?;
         self.c.names.point(cam.follows.pin()?).ok()
     }
 
@@ -331,7 +402,11 @@ impl Question<'_> {
         let (of, to) = self.points()?;
         let to = to.ok_or_else(|| self.names_one_point())?;
         if of == to {
-            return Err(self.fault(both!("`{}` is of a point relative to itself: zero", "`{}` 是一点相对自身的量，为零", self.text())));
+            return Err(self.fault(both!(
+                "`{}` is of a point relative to itself: zero",
+                "`{}` 是一点相对自身的量，为零",
+                self.text()
+            )));
         }
         Ok((of, to))
     }
@@ -344,7 +419,8 @@ impl Question<'_> {
     pub fn point_and_frame(&self) -> Result<Option<(OnLink, Frame)>, Diagnostic> {
         let Some((point, frame)) = self.names.split_once('/') else {
             // A symbol all of whose quantities have a frame.
-            let (symbol, first) = (self.symbol, quantity::symbols().into_iter().find(|e| e.symbol == self.symbol));
+            let (symbol, first) =
+                (self.symbol, quantity::symbols().into_iter().find(|e| e.symbol == self.symbol));
             let d = self.fault(both!("`{}` names no frame", "`{}` 没有写动系", self.text()));
             let example = first.map_or("", |e| e.example);
             return Err(d.help(both!(
@@ -373,23 +449,31 @@ impl Question<'_> {
     /// Returns true if a link has an angle: by two points, or by a guide.
     pub fn has_angle(&self, link: LinkId) -> bool {
         let name = self.c.link_name(link);
-        let guided = self.c.raw.guides.iter().any(|g| [&g.on, &g.slider].into_iter().flatten().any(|w| w.text == name));
+        let guided = self
+            .c
+            .raw
+            .guides
+            .iter()
+            .any(|g| [&g.on, &g.slider].into_iter().flatten().any(|w| w.text == name));
         guided || self.c.names.links[link.0].points.len() >= 2
     }
 
     /// Returns true if the two points are the ends of a cylinder.
     pub fn are_ends_of_a_cylinder(&self, a: PointId, b: PointId) -> bool {
         self.c.raw.drivers.iter().any(|d| match &d.kind {
-            RawDriverKind::Cylinder { ends, .. } => {
-                self.c.names.pair_in(&ends.text, ends).is_ok_and(|(p, q)| (p, q) == (a, b) || (q, p) == (a, b))
-            }
+            RawDriverKind::Cylinder { ends, .. } => self
+                .c
+                .names
+                .pair_in(&ends.text, ends)
+                .is_ok_and(|(p, q)| (p, q) == (a, b) || (q, p) == (a, b)),
             RawDriverKind::Turn { .. } | RawDriverKind::Slide { .. } => false,
         })
     }
 
     fn names_one_point(&self) -> Diagnostic {
         let symbol = self.symbol;
-        let example = quantity::symbols().iter().find(|e| e.symbol == symbol).map_or("", |e| e.example);
+        let example =
+            quantity::symbols().iter().find(|e| e.symbol == symbol).map_or("", |e| e.example);
         let d = self.fault(both!(
             "`{}` names one point; `{symbol}` is of one point relative to another",
             "`{}` 只写了一个点；`{symbol}` 是一点相对另一点的量",
@@ -411,9 +495,19 @@ impl Question<'_> {
         let own = own.iter().map(|p| format!("{symbol}_{}", c.point_name(*p)));
         // Where a pin runs in the link's guide, the link has a coincident point with its own
         // motion.
-        let pins = c.raw.guides.iter().filter(|g| g.on.as_ref().is_some_and(|on| on.text == link)).filter_map(|g| g.pin.as_ref());
+        let pins = c
+            .raw
+            .guides
+            .iter()
+            .filter(|g| g.on.as_ref().is_some_and(|on| on.text == link))
+            .filter_map(|g| g.pin.as_ref());
         let pins = pins.map(|pin| format!("{symbol}_{}", c.names.run(&pin.text, link)));
-        let all: Vec<String> = if PointMotion::takes(self) { own.chain(pins).collect() } else { own.collect() };
-        d.help(if all.is_empty() { both!("name a point", "请写一个点") } else { super::super::names::written(&all) })
+        let all: Vec<String> =
+            if PointMotion::takes(self) { own.chain(pins).collect() } else { own.collect() };
+        d.help(if all.is_empty() {
+            both!("name a point", "请写一个点")
+        } else {
+            super::super::names::written(&all)
+        })
     }
 }

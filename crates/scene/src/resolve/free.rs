@@ -45,7 +45,9 @@ pub(super) fn centres(
             "coordinates in \"points\", or a length and the driver's \"angle\", say otherwise",
             "可在 \"points\" 中给出坐标，或给出长度和原动件的 \"angle\""
         );
-        faults.push(Diagnostic::note("free-centre", message).at(c.names.points[laid[0].0].span).help(help));
+        faults.push(
+            Diagnostic::note("free-centre", message).at(c.names.points[laid[0].0].span).help(help),
+        );
     }
 }
 
@@ -65,9 +67,15 @@ fn lay(
         return;
     }
     // A further centre of an arm that meshes with two others is placed by its distances from both.
-    let placed = |q: &PointId| c.carries(arm, *q) && (laid.contains(q) || matches!(places[q.0], PointPlace::At(_)));
-    if on_arm(c, arm).any(|p| laid.contains(&p)) && neighbours(rolling, to).filter(placed).nth(1).is_some() {
-        let given = |p: PointId, rolled: &[Length]| lengths.iter().chain(rolled).any(|l| (l.a, l.b) == (p, to) || (l.b, l.a) == (p, to));
+    let placed = |q: &PointId| {
+        c.carries(arm, *q) && (laid.contains(q) || matches!(places[q.0], PointPlace::At(_)))
+    };
+    if on_arm(c, arm).any(|p| laid.contains(&p))
+        && neighbours(rolling, to).filter(placed).nth(1).is_some()
+    {
+        let given = |p: PointId, rolled: &[Length]| {
+            lengths.iter().chain(rolled).any(|l| (l.a, l.b) == (p, to) || (l.b, l.a) == (p, to))
+        };
         if !given(from, &rolling.lengths)
             && let Some(value) = by_teeth(c, rolling, pair)
         {
@@ -76,10 +84,13 @@ fn lay(
         return;
     }
     let between = |l: &Length| (l.a, l.b) == (from, to) || (l.b, l.a) == (from, to);
-    let given = lengths.iter().chain(&rolling.lengths).find(|l| between(l)).map(|l| l.value.clone());
+    let given =
+        lengths.iter().chain(&rolling.lengths).find(|l| between(l)).map(|l| l.value.clone());
     let has_length = given.is_some();
     let Some(distance) = given.or_else(|| by_teeth(c, rolling, pair)) else { return };
-    let turned = |d: &Driver| d.kind.angle().is_some() && d.kind.turned().is_some_and(|(link, _)| link == arm);
+    let turned = |d: &Driver| {
+        d.kind.angle().is_some() && d.kind.turned().is_some_and(|(link, _)| link == arm)
+    };
     if drivers.iter().any(turned) {
         if !has_length {
             rolling.lengths.push(Length { a: from, b: to, value: distance });
@@ -90,9 +101,16 @@ fn lay(
     let (x, y) = (x.clone(), y.clone());
     // A bare 0 has no dimension, so that no length can be added to it.
     let bare = x.text.trim().parse::<f64>().is_ok();
-    let text = if bare { distance.text.clone() } else { summed(&x.text, &distance.text, laid.contains(&from)) };
-    let Some(x) = c.values.si(&RawQuantity { text, span: distance.span, bare: false }, RequiredQuantity::Length, &mut Faults::default())
-    else {
+    let text = if bare {
+        distance.text.clone()
+    } else {
+        summed(&x.text, &distance.text, laid.contains(&from))
+    };
+    let Some(x) = c.values.si(
+        &RawQuantity { text, span: distance.span, bare: false },
+        RequiredQuantity::Length,
+        &mut Faults::default(),
+    ) else {
         return;
     };
     places[to.0] = PointPlace::At([x, y]);
@@ -126,7 +144,8 @@ fn is_free(
     places: &[PointPlace],
     lengths: &[Length],
 ) -> bool {
-    let unplaced = matches!(places[to.0], PointPlace::Unknown) && !c.raw.points.iter().any(|(w, _)| w.text == c.point_name(to));
+    let unplaced = matches!(places[to.0], PointPlace::Unknown)
+        && !c.raw.points.iter().any(|(w, _)| w.text == c.point_name(to));
     // True if an arm carries only centres of the train.
     let centre = |p: PointId| neighbours(rolling, p).next().is_some();
     let only_arm = arm == c.ground || on_arm(c, arm).all(centre);
@@ -139,12 +158,17 @@ fn is_free(
     // direction is free.
     let first = arm != c.ground && !on_arm(c, arm).any(|p| laid.contains(&p));
     let inner = |l: &Length| first && c.carries(arm, l.a) && c.carries(arm, l.b);
-    let measured = lengths.iter().any(|l| (l.a == to || l.b == to) && l.a != from && l.b != from && !inner(l));
+    let measured =
+        lengths.iter().any(|l| (l.a == to || l.b == to) && l.a != from && l.b != from && !inner(l));
     let named = |w: &Word| w.text == c.point_name(to);
-    let told = c.raw.sketch.iter().any(|(w, _)| named(w)) || c.raw.sides.iter().any(|(w, _)| named(w));
-    let runs = c.raw.guides.iter().any(|g| g.pin.as_ref().is_some_and(named)) || (arm != c.ground && guided(c, arm));
+    let told =
+        c.raw.sketch.iter().any(|(w, _)| named(w)) || c.raw.sides.iter().any(|(w, _)| named(w));
+    let runs = c.raw.guides.iter().any(|g| g.pin.as_ref().is_some_and(named))
+        || (arm != c.ground && guided(c, arm));
     let rammed = c.raw.drivers.iter().any(|d| match &d.kind {
-        RawDriverKind::Cylinder { ends, .. } => c.names.pair(ends).is_ok_and(|(a, b)| a == to || b == to),
+        RawDriverKind::Cylinder { ends, .. } => {
+            c.names.pair(ends).is_ok_and(|(a, b)| a == to || b == to)
+        }
         RawDriverKind::Turn { .. } | RawDriverKind::Slide { .. } => false,
     });
     unplaced && only_arm && wheels && !measured && !told && !runs && !rammed
@@ -171,7 +195,10 @@ fn neighbours(rolling: &rolling::Resolved, centre: PointId) -> impl Iterator<Ite
 
 /// Returns true if a link carries a guide or slides in one.
 fn guided(c: &Context, link: LinkId) -> bool {
-    c.raw.guides.iter().any(|g| [&g.on, &g.slider].into_iter().flatten().any(|w| w.text == c.link_name(link)))
+    c.raw
+        .guides
+        .iter()
+        .any(|g| [&g.on, &g.slider].into_iter().flatten().any(|w| w.text == c.link_name(link)))
 }
 
 /// Returns the text of a coordinate plus a length. Expressions are limited in depth and length, so
@@ -181,7 +208,8 @@ fn summed(x: &str, distance: &str, is_sum: bool) -> String {
     let tenths = |text: &str| {
         let (whole, tenth) = text.strip_suffix(" mm")?.split_once('.')?;
         let digits = |t: &str| t.bytes().all(|b| b.is_ascii_digit());
-        (digits(whole) && digits(tenth) && tenth.len() == 1).then(|| format!("{whole}{tenth}").parse::<u64>().ok())?
+        (digits(whole) && digits(tenth) && tenth.len() == 1)
+            .then(|| format!("{whole}{tenth}").parse::<u64>().ok())?
     };
     match (tenths(x).zip(tenths(distance)).and_then(|(a, b)| a.checked_add(b)), is_sum) {
         (Some(sum), _) => format!("{}.{} mm", sum / 10, sum % 10),
@@ -202,5 +230,9 @@ fn by_teeth(c: &Context, rolling: &rolling::Resolved, pair: usize) -> Option<Giv
         Contours::Circles { sizes: Sizes::Radii(_), .. } | Contours::Track { .. } => return None,
     };
     let span = rolling.rolling[pair].span;
-    c.values.si(&RawQuantity { text, span, bare: false }, RequiredQuantity::Length, &mut Faults::default())
+    c.values.si(
+        &RawQuantity { text, span, bare: false },
+        RequiredQuantity::Length,
+        &mut Faults::default(),
+    )
 }

@@ -10,13 +10,18 @@ pub(super) fn guides(c: &Context, places: &[PointPlace], faults: &mut Faults) ->
     let mut out: Vec<Numbered> = Vec::with_capacity(c.raw.guides.len());
     for (i, raw) in c.raw.guides.iter().enumerate() {
         let Some(guide) = guide(c, raw, places, faults) else { continue };
-        if out.iter().any(|(g, _)| (g.pin, g.slider, g.on) == (guide.pin, guide.slider, guide.on) && guide.slider.is_some()) {
-            let message = both!("this slider already slides on link `{}`", "该滑块已在构件 `{}` 上滑动", c.link_name(guide.on));
-            faults.push(
-                Diagnostic::error("given-twice", message)
-                    .at(raw.span)
-                    .help(both!("one guide joins two links; a second one would stop them", "一条导路连接两个构件；再加一条就不能运动了")),
+        if out.iter().any(|(g, _)| {
+            (g.pin, g.slider, g.on) == (guide.pin, guide.slider, guide.on) && guide.slider.is_some()
+        }) {
+            let message = both!(
+                "this slider already slides on link `{}`",
+                "该滑块已在构件 `{}` 上滑动",
+                c.link_name(guide.on)
             );
+            faults.push(Diagnostic::error("given-twice", message).at(raw.span).help(both!(
+                "one guide joins two links; a second one would stop them",
+                "一条导路连接两个构件；再加一条就不能运动了"
+            )));
             continue;
         }
         out.push((guide, i));
@@ -28,7 +33,10 @@ fn guide(c: &Context, raw: &RawGuide, places: &[PointPlace], faults: &mut Faults
     if raw.pin.is_none() && raw.slider.is_none() {
         let d = Diagnostic::error(
             "missing-key",
-            both!("a guide has neither `pin` nor `slider`, so nothing runs in it", "导路既没有 `pin` 也没有 `slider`"),
+            both!(
+                "a guide has neither `pin` nor `slider`, so nothing runs in it",
+                "导路既没有 `pin` 也没有 `slider`"
+            ),
         )
         .at(raw.span);
         faults.push(d.help(both!(
@@ -50,17 +58,31 @@ fn guide(c: &Context, raw: &RawGuide, places: &[PointPlace], faults: &mut Faults
         faults.push(d);
     };
     if slider == Some(on) {
-        let message = both!("link `{}` cannot slide on itself", "构件 `{}` 不能相对自身滑动", c.link_name(on));
+        let message = both!(
+            "link `{}` cannot slide on itself",
+            "构件 `{}` 不能相对自身滑动",
+            c.link_name(on)
+        );
         fault(
-            Diagnostic::error("guide", message).at(raw.span).help(both!("name another link in \"on\"", "请在 \"on\" 中写另一构件")),
+            Diagnostic::error("guide", message)
+                .at(raw.span)
+                .help(both!("name another link in \"on\"", "请在 \"on\" 中写另一构件")),
             faults,
         );
     }
     if let (Some(pin), Some(slider), Some(word)) = (pin, slider, &raw.pin)
         && !c.carries(slider, pin)
     {
-        let message = both!("pin `{}` is not on slider `{}`", "销 `{}` 不在滑块 `{}` 上", c.point_name(pin), c.link_name(slider));
-        fault(Diagnostic::error("not-on-link", message).at(word.span).help(c.points_of(slider)), faults);
+        let message = both!(
+            "pin `{}` is not on slider `{}`",
+            "销 `{}` 不在滑块 `{}` 上",
+            c.point_name(pin),
+            c.link_name(slider)
+        );
+        fault(
+            Diagnostic::error("not-on-link", message).at(word.span).help(c.points_of(slider)),
+            faults,
+        );
     }
     if let (Some(pin), Some(word)) = (pin, &raw.pin)
         && c.carries(on, pin)
@@ -86,12 +108,28 @@ fn guide(c: &Context, raw: &RawGuide, places: &[PointPlace], faults: &mut Faults
     };
     let length = raw.length.as_ref().map(|q| {
         if slider.is_none() || raw.centre.is_some() {
-            let message = both!("`length` is that of a slider in a straight guide", "`length` 是直线导路中滑块的长度");
-            fault(Diagnostic::error("guide", message).at(q.span).help(both!("leave \"length\" away", "请去掉 \"length\"")), faults);
+            let message = both!(
+                "`length` is that of a slider in a straight guide",
+                "`length` 是直线导路中滑块的长度"
+            );
+            fault(
+                Diagnostic::error("guide", message)
+                    .at(q.span)
+                    .help(both!("leave \"length\" away", "请去掉 \"length\"")),
+                faults,
+            );
         }
         c.values.positive_length(q, both!("the length", "长度"), faults)
     });
-    let mut guide = Guide { pin, slider, on, path: path?, length: transpose(length)?, rolling: None, span: raw.span };
+    let mut guide = Guide {
+        pin,
+        slider,
+        on,
+        path: path?,
+        length: transpose(length)?,
+        rolling: None,
+        span: raw.span,
+    };
     if !raw.contact {
         run_by_a_joint(c, &mut guide, places);
     }
@@ -103,10 +141,16 @@ fn guide(c: &Context, raw: &RawGuide, places: &[PointPlace], faults: &mut Faults
 /// guide through a joint. A joint with coordinates gets the parallel through it; another joint is
 /// on the guide as written.
 fn run_by_a_joint(c: &Context, guide: &mut Guide, places: &[PointPlace]) {
-    let (None, Some(slider), GuidePath::Line { through, offset, .. }) = (guide.pin, guide.slider, &mut guide.path) else { return };
+    let (None, Some(slider), GuidePath::Line { through, offset, .. }) =
+        (guide.pin, guide.slider, &mut guide.path)
+    else {
+        return;
+    };
     let joins = |p: PointId, l: usize| l != slider.0 && c.names.links[l].points.contains(&p);
-    let is_joint = |p: &PointId| !c.carries(guide.on, *p) && (0..c.names.links.len()).any(|l| joins(*p, l));
-    let joints: Vec<PointId> = c.names.links[slider.0].points.iter().copied().filter(is_joint).collect();
+    let is_joint =
+        |p: &PointId| !c.carries(guide.on, *p) && (0..c.names.links.len()).any(|l| joins(*p, l));
+    let joints: Vec<PointId> =
+        c.names.links[slider.0].points.iter().copied().filter(is_joint).collect();
     if let Some(placed) = joints.iter().find(|p| matches!(places[p.0], PointPlace::At(_))) {
         (guide.pin, *through, *offset) = (Some(*placed), Through::Pin, None);
     } else if let [only] = joints[..]
@@ -116,9 +160,17 @@ fn run_by_a_joint(c: &Context, guide: &mut Guide, places: &[PointPlace]) {
     }
 }
 
-fn arc(c: &Context, raw: &RawGuide, on: LinkId, word: &Word, faults: &mut Faults) -> Option<GuidePath> {
+fn arc(
+    c: &Context,
+    raw: &RawGuide,
+    on: LinkId,
+    word: &Word,
+    faults: &mut Faults,
+) -> Option<GuidePath> {
     let radius = match &raw.radius {
-        Some(quantity) => Some(c.values.positive_length(quantity, both!("the radius", "半径"), faults)?),
+        Some(quantity) => {
+            Some(c.values.positive_length(quantity, both!("the radius", "半径"), faults)?)
+        }
         None => None,
     };
     let straight = [
@@ -130,41 +182,71 @@ fn arc(c: &Context, raw: &RawGuide, on: LinkId, word: &Word, faults: &mut Faults
     if let Some((key, _)) = straight.iter().find(|(_, given)| *given) {
         let d = Diagnostic::error(
             "guide",
-            both!("a guide about a `centre` is curved and has no `{key}`", "有 `centre` 的导路是圆弧，没有 `{key}`"),
+            both!(
+                "a guide about a `centre` is curved and has no `{key}`",
+                "有 `centre` 的导路是圆弧，没有 `{key}`"
+            ),
         )
         .at(raw.span);
-        faults.push(d.help(both!("leave \"{key}\" or \"centre\" away", "请去掉 \"{key}\" 或 \"centre\"")));
+        faults.push(
+            d.help(both!("leave \"{key}\" or \"centre\" away", "请去掉 \"{key}\" 或 \"centre\"")),
+        );
         return None;
     }
-    let centre = c.centre_on(word, on, both!("which carries the guide", "而导路在该构件上"), faults)?;
+    let centre =
+        c.centre_on(word, on, both!("which carries the guide", "而导路在该构件上"), faults)?;
     if raw.pin.is_none() {
-        let d = Diagnostic::error("missing-key", both!("a curved guide has no `pin`", "圆弧导路没有 `pin`")).at(raw.span);
-        faults.push(d.help(both!("name the point that runs in it: \"pin\"", "请写其中移动的点：\"pin\"")));
+        let d = Diagnostic::error(
+            "missing-key",
+            both!("a curved guide has no `pin`", "圆弧导路没有 `pin`"),
+        )
+        .at(raw.span);
+        faults.push(
+            d.help(both!("name the point that runs in it: \"pin\"", "请写其中移动的点：\"pin\"")),
+        );
         return None;
     }
     Some(GuidePath::Arc { centre, radius })
 }
 
-fn line(c: &Context, raw: &RawGuide, on: LinkId, pin: Option<PointId>, places: &[PointPlace], faults: &mut Faults) -> Option<GuidePath> {
+fn line(
+    c: &Context,
+    raw: &RawGuide,
+    on: LinkId,
+    pin: Option<PointId>,
+    places: &[PointPlace],
+    faults: &mut Faults,
+) -> Option<GuidePath> {
     if let Some(radius) = &raw.radius {
-        let d = Diagnostic::error("missing-key", both!("a guide with a `radius` has no `centre`", "有 `radius` 的导路没有 `centre`"))
-            .at(radius.span);
-        faults.push(d.help(both!("add \"centre\", a point of link `{}`", "请加上 \"centre\"，即构件 `{}` 上的一点", c.link_name(on))));
+        let d = Diagnostic::error(
+            "missing-key",
+            both!("a guide with a `radius` has no `centre`", "有 `radius` 的导路没有 `centre`"),
+        )
+        .at(radius.span);
+        faults.push(d.help(both!(
+            "add \"centre\", a point of link `{}`",
+            "请加上 \"centre\"，即构件 `{}` 上的一点",
+            c.link_name(on)
+        )));
         return None;
     }
     let ends = raw.line.as_ref().map(|word| note(c.line_on(word, on), faults));
     let angle = raw.angle.as_ref().map(|q| c.values.angle(q, faults));
     let offset = raw.offset.as_ref().map(|q| c.values.si(q, RequiredQuantity::Length, faults));
     let through = raw.through.as_ref().map(|t| through(c, on, t, faults));
-    let (ends, angle, offset, through) = (transpose(ends)?, transpose(angle)?, transpose(offset)?, transpose(through)?);
+    let (ends, angle, offset, through) =
+        (transpose(ends)?, transpose(angle)?, transpose(offset)?, transpose(through)?);
     let direction = match (ends, angle) {
         (Some((a, b)), turned) => GuideDirection::Along(a, b, turned),
         (None, Some(angle)) if raw.slid => GuideDirection::Slid(angle),
         (None, Some(angle)) => GuideDirection::Instant(angle),
         // For a mobility count, the direction has no effect.
-        (None, None) if c.raw.extent.is_of_pairs() => {
-            GuideDirection::Instant(GivenQuantity { value: Angle::Deg(0.0), radius: 0.0, text: "0 deg".into(), span: raw.span })
-        }
+        (None, None) if c.raw.extent.is_of_pairs() => GuideDirection::Instant(GivenQuantity {
+            value: Angle::Deg(0.0),
+            radius: 0.0,
+            text: "0 deg".into(),
+            span: raw.span,
+        }),
         (None, None) => own(c, raw, on, pin, &through, places, faults)?,
     };
     let through = through.unwrap_or(match &direction {
@@ -174,7 +256,12 @@ fn line(c: &Context, raw: &RawGuide, on: LinkId, pin: Option<PointId>, places: &
     Some(GuidePath::Line { through, direction, offset })
 }
 
-pub(super) fn through(c: &Context, on: LinkId, raw: &RawThrough, faults: &mut Faults) -> Option<Through> {
+pub(super) fn through(
+    c: &Context,
+    on: LinkId,
+    raw: &RawThrough,
+    faults: &mut Faults,
+) -> Option<Through> {
     match raw {
         RawThrough::At(xy, span) => {
             let xy = c.values.two_lengths(xy, faults);
@@ -187,7 +274,11 @@ pub(super) fn through(c: &Context, on: LinkId, raw: &RawThrough, faults: &mut Fa
                         c.link_name(on)
                     ),
                 );
-                faults.push(d.at(*span).help(both!("name a point: {}", "请写一个点：{}", c.points_of(on))));
+                faults.push(d.at(*span).help(both!(
+                    "name a point: {}",
+                    "请写一个点：{}",
+                    c.points_of(on)
+                )));
                 return None;
             }
             xy.map(Through::At)
@@ -201,7 +292,9 @@ pub(super) fn through(c: &Context, on: LinkId, raw: &RawThrough, faults: &mut Fa
                     word.text,
                     c.link_name(on)
                 );
-                faults.push(Diagnostic::error("not-on-link", message).at(word.span).help(c.points_of(on)));
+                faults.push(
+                    Diagnostic::error("not-on-link", message).at(word.span).help(c.points_of(on)),
+                );
                 return None;
             }
             Some(Through::Point(point))
@@ -235,7 +328,11 @@ fn own(
     }
     let (Some(Through::Point(point)), Some(pin)) = (through, pin) else {
         return fault(
-            both!("the guide on link `{}` has no direction", "构件 `{}` 上的导路没有方向", c.link_name(on)),
+            both!(
+                "the guide on link `{}` has no direction",
+                "构件 `{}` 上的导路没有方向",
+                c.link_name(on)
+            ),
             both!(
                 "add \"line\", two points of that link, or \"angle\", or the point that it passes \"through\"",
                 "请加上该构件上两点 \"line\"，或 \"angle\"，或所通过的点 \"through\""

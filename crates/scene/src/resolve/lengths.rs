@@ -9,7 +9,11 @@ pub(super) fn lengths(c: &Context, faults: &mut Faults) -> Vec<Length> {
     let mut out: Vec<Length> = Vec::with_capacity(c.raw.lengths.len());
     let mut known: HashMap<(PointId, PointId), usize> = HashMap::new();
     for (word, quantity) in &c.raw.lengths {
-        let value = c.values.positive_length(quantity, both!("the length `{}`", "长度 `{}` ", word.text), faults);
+        let value = c.values.positive_length(
+            quantity,
+            both!("the length `{}`", "长度 `{}` ", word.text),
+            faults,
+        );
         let Some((a, b)) = note(c.names.pair(word), faults) else { continue };
         if c.common(a, b).is_none() {
             let message = both!(
@@ -19,9 +23,10 @@ pub(super) fn lengths(c: &Context, faults: &mut Faults) -> Vec<Length> {
                 c.point_name(b)
             );
             let d = Diagnostic::error("not-on-link", message).at(word.span);
-            faults.push(
-                d.help(both!("a length that a cylinder sets belongs to its driver: \"length\"", "液压缸的长度应写在原动件中：\"length\"")),
-            );
+            faults.push(d.help(both!(
+                "a length that a cylinder sets belongs to its driver: \"length\"",
+                "液压缸的长度应写在原动件中：\"length\""
+            )));
             continue;
         }
         let Some(value) = value else { continue };
@@ -29,8 +34,11 @@ pub(super) fn lengths(c: &Context, faults: &mut Faults) -> Vec<Length> {
         if let Some(&first) = known.get(&ends) {
             let first: &Length = &out[first];
             let d = if same(first.value.value, value.value) {
-                Diagnostic::warning("given-twice", both!("the length `{}` is given twice", "长度 `{}` 给了两次", word.text))
-                    .help(both!("keep one of the two", "请保留其中一个"))
+                Diagnostic::warning(
+                    "given-twice",
+                    both!("the length `{}` is given twice", "长度 `{}` 给了两次", word.text),
+                )
+                .help(both!("keep one of the two", "请保留其中一个"))
             } else {
                 let message = both!(
                     "the length `{}` is {} here and {} before",
@@ -39,7 +47,8 @@ pub(super) fn lengths(c: &Context, faults: &mut Faults) -> Vec<Length> {
                     value.text,
                     first.value.text
                 );
-                Diagnostic::error("contradiction", message).help(both!("keep the right one", "请保留正确的一个"))
+                Diagnostic::error("contradiction", message)
+                    .help(both!("keep the right one", "请保留正确的一个"))
             };
             faults.push(d.at(word.span));
             continue;
@@ -65,8 +74,14 @@ pub(super) fn unit(c: &Context) -> &'static Unit {
         RawPlace::Polar { length, .. } => std::slice::from_ref(length),
     });
     let table = c.values.unit_of(RequiredQuantity::Length).and_then(unit_named);
-    let usual = || unit_named(RequiredQuantity::Length.usual_unit()).expect("the usual unit of lengths is a unit");
-    table.or_else(|| unit_shown(c)).or_else(|| coordinates.clone().find_map(unit_in)).unwrap_or_else(usual)
+    let usual = || {
+        unit_named(RequiredQuantity::Length.usual_unit())
+            .expect("the usual unit of lengths is a unit")
+    };
+    table
+        .or_else(|| unit_shown(c))
+        .or_else(|| coordinates.clone().find_map(unit_in))
+        .unwrap_or_else(usual)
 }
 
 /// Returns the unit of the first length (or parameter) with a unit.

@@ -6,7 +6,10 @@ use super::*;
 pub(super) fn loads(c: &Context, moving: GuidesAndDrivers, faults: &mut Faults) -> Loads {
     let raw = &c.raw.loads;
     let gravity = raw.gravity.as_ref().and_then(|[x, y]| {
-        let (x, y) = (c.values.si(x, RequiredQuantity::Acceleration, faults), c.values.si(y, RequiredQuantity::Acceleration, faults));
+        let (x, y) = (
+            c.values.si(x, RequiredQuantity::Acceleration, faults),
+            c.values.si(y, RequiredQuantity::Acceleration, faults),
+        );
         Some([x?, y?])
     });
     let mut masses: Vec<Mass> = Vec::new();
@@ -15,9 +18,17 @@ pub(super) fn loads(c: &Context, moving: GuidesAndDrivers, faults: &mut Faults) 
     }
     Loads {
         masses,
-        applied: raw.applied.iter().filter_map(|a| super::applied::applied(c, moving, a, faults)).collect(),
+        applied: raw
+            .applied
+            .iter()
+            .filter_map(|a| super::applied::applied(c, moving, a, faults))
+            .collect(),
         springs: raw.springs.iter().filter_map(|s| spring(c, s, faults)).collect(),
-        friction: raw.friction.iter().flat_map(|f| super::friction::friction(c, moving.0, f, faults)).collect(),
+        friction: raw
+            .friction
+            .iter()
+            .flat_map(|f| super::friction::friction(c, moving.0, f, faults))
+            .collect(),
         balance: raw.balance.as_ref().and_then(|b| balance(c, b, faults)),
         gravity,
     }
@@ -38,7 +49,11 @@ pub(super) fn loaded(c: &Context, word: &Word, faults: &mut Faults) -> Option<Li
     None
 }
 
-pub(super) fn positive(given: GivenQuantity, what: Both, faults: &mut Faults) -> Option<GivenQuantity> {
+pub(super) fn positive(
+    given: GivenQuantity,
+    what: Both,
+    faults: &mut Faults,
+) -> Option<GivenQuantity> {
     if given.value >= 0.0 {
         return Some(given);
     }
@@ -48,25 +63,51 @@ pub(super) fn positive(given: GivenQuantity, what: Both, faults: &mut Faults) ->
 }
 
 /// Resolves an optional quantity; `None` if it has a fault.
-fn optional(c: &Context, raw: Option<&RawQuantity>, wanted: RequiredQuantity, faults: &mut Faults) -> Option<Option<GivenQuantity>> {
-    transpose(raw.map(|q| c.values.si(q, wanted, faults).and_then(|given| positive(given, wanted.describe(), faults))))
+fn optional(
+    c: &Context,
+    raw: Option<&RawQuantity>,
+    wanted: RequiredQuantity,
+    faults: &mut Faults,
+) -> Option<Option<GivenQuantity>> {
+    transpose(raw.map(|q| {
+        c.values.si(q, wanted, faults).and_then(|given| positive(given, wanted.describe(), faults))
+    }))
 }
 
 /// Resolves a quantity that is computed from others of the file.
-pub(super) fn computed(c: &Context, text: String, span: Span, wanted: RequiredQuantity, faults: &mut Faults) -> Option<GivenQuantity> {
+pub(super) fn computed(
+    c: &Context,
+    text: String,
+    span: Span,
+    wanted: RequiredQuantity,
+    faults: &mut Faults,
+) -> Option<GivenQuantity> {
     c.values.si(&RawQuantity { text, span, bare: true }, wanted, faults)
 }
 
-fn mass(c: &Context, raw: &RawMass, gravity: Option<&[GivenQuantity; 2]>, faults: &mut Faults) -> Option<Mass> {
+fn mass(
+    c: &Context,
+    raw: &RawMass,
+    gravity: Option<&[GivenQuantity; 2]>,
+    faults: &mut Faults,
+) -> Option<Mass> {
     let link = loaded(c, &raw.link, faults)?;
     let name = &raw.link.text;
     let mut m = optional(c, raw.m.as_ref(), RequiredQuantity::Mass, faults)?;
     let weight = optional(c, raw.weight.as_ref(), RequiredQuantity::Force, faults)?;
     if let Some(weight) = &weight {
         let Some([x, y]) = gravity else {
-            let message = both!("link `{name}` has a weight, but the scene has no gravity", "构件 `{name}` 给出了重量，但机构文件没有重力");
-            let help = both!("add \"gravity\": [\"0\", \"-9.81 m/s^2\"]", "请加上 \"gravity\": [\"0\", \"-9.81 m/s^2\"]");
-            faults.push(Diagnostic::error("weight-without-gravity", message).at(weight.span).help(help));
+            let message = both!(
+                "link `{name}` has a weight, but the scene has no gravity",
+                "构件 `{name}` 给出了重量，但机构文件没有重力"
+            );
+            let help = both!(
+                "add \"gravity\": [\"0\", \"-9.81 m/s^2\"]",
+                "请加上 \"gravity\": [\"0\", \"-9.81 m/s^2\"]"
+            );
+            faults.push(
+                Diagnostic::error("weight-without-gravity", message).at(weight.span).help(help),
+            );
             return None;
         };
         let g = match (x.value == 0.0, y.value == 0.0) {
@@ -74,26 +115,55 @@ fn mass(c: &Context, raw: &RawMass, gravity: Option<&[GivenQuantity; 2]>, faults
             (false, true) => format!("abs({})", x.text),
             (false, false) => format!("sqrt(({})^2 + ({})^2)", x.text, y.text),
             (true, true) => {
-                let message = both!("link `{name}` has a weight, but gravity is zero", "构件 `{name}` 给出了重量，但重力为零");
-                let help = both!("give its mass \"m\", or another \"gravity\"", "请给出质量 \"m\"，或另给 \"gravity\"");
-                faults.push(Diagnostic::error("weight-without-gravity", message).at(weight.span).help(help));
+                let message = both!(
+                    "link `{name}` has a weight, but gravity is zero",
+                    "构件 `{name}` 给出了重量，但重力为零"
+                );
+                let help = both!(
+                    "give its mass \"m\", or another \"gravity\"",
+                    "请给出质量 \"m\"，或另给 \"gravity\""
+                );
+                faults.push(
+                    Diagnostic::error("weight-without-gravity", message).at(weight.span).help(help),
+                );
                 return None;
             }
         };
-        m = Some(computed(c, format!("({})/({g})", weight.text), weight.span, RequiredQuantity::Mass, faults)?);
+        m = Some(computed(
+            c,
+            format!("({})/({g})", weight.text),
+            weight.span,
+            RequiredQuantity::Mass,
+            faults,
+        )?);
     }
     let mut j = optional(c, raw.j.as_ref(), RequiredQuantity::Inertia, faults)?;
     if let Some(k) = optional(c, raw.k.as_ref(), RequiredQuantity::Length, faults)? {
         let Some(m) = &m else {
-            let message = both!("link `{name}` has a radius of gyration, but no mass", "构件 `{name}` 给出了回转半径，但没有质量");
-            faults
-                .push(Diagnostic::error("force", message).at(k.span).help(both!("give \"m\" or \"weight\"", "请给出 \"m\" 或 \"weight\"")));
+            let message = both!(
+                "link `{name}` has a radius of gyration, but no mass",
+                "构件 `{name}` 给出了回转半径，但没有质量"
+            );
+            faults.push(
+                Diagnostic::error("force", message)
+                    .at(k.span)
+                    .help(both!("give \"m\" or \"weight\"", "请给出 \"m\" 或 \"weight\"")),
+            );
             return None;
         };
-        j = Some(computed(c, format!("({})*({})^2", m.text, k.text), k.span, RequiredQuantity::Inertia, faults)?);
+        j = Some(computed(
+            c,
+            format!("({})*({})^2", m.text, k.text),
+            k.span,
+            RequiredQuantity::Inertia,
+            faults,
+        )?);
     }
     if m.is_none() && j.is_none() {
-        let message = both!("link `{name}` has neither a mass nor a moment of inertia", "构件 `{name}` 既没有质量也没有转动惯量");
+        let message = both!(
+            "link `{name}` has neither a mass nor a moment of inertia",
+            "构件 `{name}` 既没有质量也没有转动惯量"
+        );
         let help = both!("give \"m\", \"weight\" or \"J\"", "请给出 \"m\"、\"weight\" 或 \"J\"");
         faults.push(Diagnostic::error("force", message).at(raw.span).help(help));
         return None;
@@ -103,8 +173,12 @@ fn mass(c: &Context, raw: &RawMass, gravity: Option<&[GivenQuantity; 2]>, faults
         (None, _) if m.as_ref().is_none_or(|m| m.value == 0.0) => None,
         (None, [one]) => Some(*one),
         (None, points) => {
-            let message = both!("the centre of mass of link `{name}` is not told", "没有说明构件 `{name}` 的质心位置");
-            let base: String = points.iter().take(2).map(|p| c.point_name(*p)).collect::<Vec<_>>().join(",");
+            let message = both!(
+                "the centre of mass of link `{name}` is not told",
+                "没有说明构件 `{name}` 的质心位置"
+            );
+            let base: String =
+                points.iter().take(2).map(|p| c.point_name(*p)).collect::<Vec<_>>().join(",");
             let help = both!(
                 "name a point of the link, or give a place in it: \"at\": {{\"base\": \"{base}\", \"x\": \"50 mm\", \"y\": \"0 mm\"}}",
                 "请写构件上的点，或写其在构件上的位置：\"at\": {{\"base\": \"{base}\", \"x\": \"50 mm\", \"y\": \"0 mm\"}}"
@@ -117,12 +191,22 @@ fn mass(c: &Context, raw: &RawMass, gravity: Option<&[GivenQuantity; 2]>, faults
 }
 
 /// Returns a point that the link carries.
-pub(super) fn on_link(c: &Context, word: &Word, link: LinkId, faults: &mut Faults) -> Option<PointId> {
+pub(super) fn on_link(
+    c: &Context,
+    word: &Word,
+    link: LinkId,
+    faults: &mut Faults,
+) -> Option<PointId> {
     let point = note(c.names.point(word), faults)?;
     if c.carries(link, point) {
         return Some(point);
     }
-    let message = both!("point `{}` is not on link `{}`", "点 `{}` 不在构件 `{}` 上", word.text, c.link_name(link));
+    let message = both!(
+        "point `{}` is not on link `{}`",
+        "点 `{}` 不在构件 `{}` 上",
+        word.text,
+        c.link_name(link)
+    );
     faults.push(Diagnostic::error("not-on-link", message).at(word.span).help(c.points_of(link)));
     None
 }
@@ -141,17 +225,25 @@ fn spring(c: &Context, raw: &RawSpring, faults: &mut Faults) -> Option<Spring> {
         match carrier(c, point) {
             Some(link) => Some((point, link)),
             None => {
-                let message = both!("point `{}` is on no link: no spring can act there", "点 `{}` 不在任何构件上，不能连接弹簧", word.text);
+                let message = both!(
+                    "point `{}` is on no link: no spring can act there",
+                    "点 `{}` 不在任何构件上，不能连接弹簧",
+                    word.text
+                );
                 faults.push(Diagnostic::error("not-on-link", message).at(word.span));
                 None
             }
         }
     };
     let (from, to) = (end(&raw.from), end(&raw.to));
-    let stiffness =
-        c.values.si(&raw.k, RequiredQuantity::Stiffness, faults).and_then(|k| positive(k, both!("the stiffness", "刚度"), faults));
-    let free =
-        c.values.si(&raw.free, RequiredQuantity::Length, faults).and_then(|l| positive(l, both!("the free length", "自由长度"), faults));
+    let stiffness = c
+        .values
+        .si(&raw.k, RequiredQuantity::Stiffness, faults)
+        .and_then(|k| positive(k, both!("the stiffness", "刚度"), faults));
+    let free = c
+        .values
+        .si(&raw.free, RequiredQuantity::Length, faults)
+        .and_then(|l| positive(l, both!("the free length", "自由长度"), faults));
     let ends = [from?, to?];
     if ends[0].0 == ends[1].0 {
         let message = both!("both ends of the spring are `{}`", "弹簧两端都是 `{}`", raw.from.text);
@@ -171,7 +263,10 @@ fn balance(c: &Context, raw: &RawBalance, faults: &mut Faults) -> Option<Balance
         None
     };
     if c.raw.drivers.len() > 1 {
-        let message = both!("with several drivers each has a balancing moment of its own", "有多个原动件时，各有其平衡力矩");
+        let message = both!(
+            "with several drivers each has a balancing moment of its own",
+            "有多个原动件时，各有其平衡力矩"
+        );
         return fault(message, both!("leave \"balance\" out", "请去掉 \"balance\""), faults);
     }
     let Some(link) = link.filter(|l| *l != c.ground) else {
@@ -184,15 +279,28 @@ fn balance(c: &Context, raw: &RawBalance, faults: &mut Faults) -> Option<Balance
     };
     match (point, angle) {
         (None, None) => Some(Balance { link, force: None, span: raw.span }),
-        (Some(point), Some(angle)) if c.carries(link, point) => Some(Balance { link, force: Some((point, angle)), span: raw.span }),
+        (Some(point), Some(angle)) if c.carries(link, point) => {
+            Some(Balance { link, force: Some((point, angle)), span: raw.span })
+        }
         (Some(point), Some(_)) => {
-            let message = both!("point `{}` is not on link `{}`", "点 `{}` 不在构件 `{}` 上", c.point_name(point), c.link_name(link));
+            let message = both!(
+                "point `{}` is not on link `{}`",
+                "点 `{}` 不在构件 `{}` 上",
+                c.point_name(point),
+                c.link_name(link)
+            );
             fault(message, c.points_of(link), faults)
         }
         (None, Some(_)) | (Some(_), None) => {
-            let message =
-                both!("a balancing force has a point \"at\" and a direction \"angle\"", "平衡力要有作用点 \"at\" 和方向 \"angle\"");
-            fault(message, both!("give both, or neither for a moment", "请两者都给；力矩则都不给"), faults)
+            let message = both!(
+                "a balancing force has a point \"at\" and a direction \"angle\"",
+                "平衡力要有作用点 \"at\" 和方向 \"angle\""
+            );
+            fault(
+                message,
+                both!("give both, or neither for a moment", "请两者都给；力矩则都不给"),
+                faults,
+            )
         }
     }
 }

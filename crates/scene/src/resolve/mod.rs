@@ -52,24 +52,40 @@ impl Context<'_> {
     }
 
     /// Returns the centre of a round contour on a link; `why` describes the contour for the fault.
-    fn centre_on(&self, word: &Word, link: LinkId, why: Both, faults: &mut Faults) -> Option<PointId> {
+    fn centre_on(
+        &self,
+        word: &Word,
+        link: LinkId,
+        why: Both,
+        faults: &mut Faults,
+    ) -> Option<PointId> {
         let centre = note(self.names.point(word), faults)?;
         if self.carries(link, centre) {
             return Some(centre);
         }
-        let message = both!("centre `{}` is not on link `{}`, {}", "圆心 `{}` 不在构件 `{}` 上，{}", word.text, self.link_name(link), why);
-        faults.push(Diagnostic::error("not-on-link", message).at(word.span).help(self.points_of(link)));
+        let message = both!(
+            "centre `{}` is not on link `{}`, {}",
+            "圆心 `{}` 不在构件 `{}` 上，{}",
+            word.text,
+            self.link_name(link),
+            why
+        );
+        faults.push(
+            Diagnostic::error("not-on-link", message).at(word.span).help(self.points_of(link)),
+        );
         None
     }
 
     /// Returns true if a point is the contact of a pair, on no link.
     fn is_contact(&self, point: PointId) -> bool {
-        self.contacts.iter().any(|at| at.contains(&point)) || self.touches.iter().any(|(at, _)| *at == point)
+        self.contacts.iter().any(|at| at.contains(&point))
+            || self.touches.iter().any(|(at, _)| *at == point)
     }
 
     /// Returns true if a link is a wheel or the track of a wheel.
     fn rolls(&self, link: LinkId) -> bool {
-        let named = |s: &RawRollingSide| s.link.as_ref().is_some_and(|w| w.text == self.link_name(link));
+        let named =
+            |s: &RawRollingSide| s.link.as_ref().is_some_and(|w| w.text == self.link_name(link));
         self.raw.rolling.iter().any(|p| p.sides.iter().any(named))
     }
 
@@ -92,7 +108,12 @@ impl Context<'_> {
             [] => both!("link `{}` has no points", "构件 `{}` 没有点", self.link_name(l)),
             points => {
                 let names: Vec<_> = points.iter().map(|p| self.point_name(*p)).collect();
-                both!("link `{}` has {}", "构件 `{}` 有点 {}", self.link_name(l), Both::names(&names))
+                both!(
+                    "link `{}` has {}",
+                    "构件 `{}` 有点 {}",
+                    self.link_name(l),
+                    Both::names(&names)
+                )
             }
         }
     }
@@ -103,8 +124,15 @@ impl Context<'_> {
         match [a, b].into_iter().find(|p| !self.carries(link, *p)) {
             None => Ok((a, b)),
             Some(p) => {
-                let message = both!("point `{}` is not on link `{}`", "点 `{}` 不在构件 `{}` 上", self.point_name(p), self.link_name(link));
-                Err(Diagnostic::error("not-on-link", message).at(word.span).help(self.points_of(link)))
+                let message = both!(
+                    "point `{}` is not on link `{}`",
+                    "点 `{}` 不在构件 `{}` 上",
+                    self.point_name(p),
+                    self.link_name(link)
+                );
+                Err(Diagnostic::error("not-on-link", message)
+                    .at(word.span)
+                    .help(self.points_of(link)))
             }
         }
     }
@@ -144,7 +172,12 @@ pub(super) fn front(raw: &RawScene, values: &Values, faults: &mut Faults) -> Sce
     let book = answers::book(raw, faults);
     let paper = paper::paper(raw, values, &book, faults);
     paper::notation(raw, faults);
-    SceneHeader { title: localized(&raw.title), language: paper::language(raw, faults), paper, book }
+    SceneHeader {
+        title: localized(&raw.title),
+        language: paper::language(raw, faults),
+        paper,
+        book,
+    }
 }
 
 /// Resolves a whole scene. The result is valid only if no error has been added to `faults`.
@@ -152,7 +185,12 @@ pub(super) fn resolve(raw: &RawScene, source: &str, faults: &mut Faults) -> Opti
     let mut found = Faults::default();
     let scene = with_cams(raw, source, &mut found);
     if !raw.links_sound {
-        found.list.retain(|d| !matches!(d.code, "unknown-point" | "unknown-link" | "not-on-link" | "no-points" | "too-few-links"));
+        found.list.retain(|d| {
+            !matches!(
+                d.code,
+                "unknown-point" | "unknown-link" | "not-on-link" | "no-points" | "too-few-links"
+            )
+        });
     }
     // After an error, notes on unused parameters have no value.
     let broken = faults.has_errors() || found.has_errors();
@@ -171,13 +209,20 @@ fn with_cams(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene>
     let settled = rollers::settled(raw, faults);
     let marked = marked::marked(&settled);
     // Faults outside the cams are reported by the full reading.
-    let Some(bare) = sections(&marked, source, &mut Faults::default()) else { return sections(&marked, source, faults) };
+    let Some(bare) = sections(&marked, source, &mut Faults::default()) else {
+        return sections(&marked, source, faults);
+    };
     let mut scene = expanded(raw, &marked, source, &bare, None, faults)?;
     for cam in 0..scene.cams.len() {
         let Some(pieces) = &scene.cams[cam].posed else { continue };
         let rest = (0..pieces.segments.len()).filter(|piece| *piece != pieces.touched);
         // A piece that cannot be touched gives no scene.
-        let on = |piece| Some((piece, expanded(raw, &marked, source, &bare, Some((cam, piece)), &mut Faults::default())?));
+        let on = |piece| {
+            Some((
+                piece,
+                expanded(raw, &marked, source, &bare, Some((cam, piece)), &mut Faults::default())?,
+            ))
+        };
         let others: Vec<(usize, Scene)> = rest.filter_map(on).collect();
         if let Some(pieces) = &mut scene.cams[cam].posed {
             pieces.others = others;
@@ -204,13 +249,18 @@ fn expanded(
     // A parameter of an untouched piece counts as used.
     let unused = |d: &Diagnostic| {
         let named = raw.parameters.iter().find(|(name, _)| d.span == Some(name.span));
-        d.code == "unused-parameter" && named.is_some_and(|(name, _)| expanded.used.contains(&name.text))
+        d.code == "unused-parameter"
+            && named.is_some_and(|(name, _)| expanded.used.contains(&name.text))
     };
     faults.list.extend(rest.list.into_iter().filter(|d| !unused(d)));
     let mut scene = scene.filter(|_| !broken)?;
     // A question about a roller keeps its text.
     for word in raw.find.iter().flatten() {
-        scene.find.iter_mut().filter(|f| f.span == word.span).for_each(|f| f.text.clone_from(&word.text));
+        scene
+            .find
+            .iter_mut()
+            .filter(|f| f.span == word.span)
+            .for_each(|f| f.text.clone_from(&word.text));
     }
     scene.cams = expanded.cams(&scene);
     Some(scene)
@@ -238,7 +288,8 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
         }
         let drivers = guides.as_ref().map(|g| drivers::drivers(&context, g, &rolling, faults));
         let moving = guides.as_ref().zip(drivers.as_ref());
-        let loads = moving.map(|(guides, drivers)| loads::loads(&context, (guides, drivers), faults));
+        let loads =
+            moving.map(|(guides, drivers)| loads::loads(&context, (guides, drivers), faults));
         let find = ground.map(|_| find::find(&context, faults));
         if let (Some(drivers), Some(find)) = (&drivers, &find) {
             free::centres(&context, (&mut rolling, drivers, find), &mut places, &lengths, faults);
@@ -252,7 +303,12 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
         let (language, notation) = (paper::language(raw, faults), paper::notation(raw, faults));
         let statement = statement::statement(raw, &parameters, &values, source, faults);
         faults.list.extend(values.unused(&raw.parameters));
-        let points = points.iter().zip(places).zip(sketch).map(|((p, place), sketch)| NamedPoint { place, sketch, ..p.clone() }).collect();
+        let points = points
+            .iter()
+            .zip(places)
+            .zip(sketch)
+            .map(|((p, place), sketch)| NamedPoint { place, sketch, ..p.clone() })
+            .collect();
         Scene {
             title: localized(&raw.title).unwrap_or_default(),
             statement,

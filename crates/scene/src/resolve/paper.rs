@@ -5,8 +5,13 @@ use crate::book::Book;
 use hodograph_base::kind::Kind;
 
 /// ISO 216 sheets in portrait format, in mm.
-const SHEETS: [(&str, [f64; 2]); 5] =
-    [("A4", [210.0, 297.0]), ("A3", [297.0, 420.0]), ("A2", [420.0, 594.0]), ("A1", [594.0, 841.0]), ("A5", [148.0, 210.0])];
+const SHEETS: [(&str, [f64; 2]); 5] = [
+    ("A4", [210.0, 297.0]),
+    ("A3", [297.0, 420.0]),
+    ("A2", [420.0, 594.0]),
+    ("A1", [594.0, 841.0]),
+    ("A5", [148.0, 210.0]),
+];
 
 /// Smallest and largest side of a sheet in mm. A figure does not fit in less than 20 mm, and
 /// printers do not take more than 5 m; such a side is a mistake in the units.
@@ -25,7 +30,13 @@ pub(super) fn paper(raw: &RawScene, values: &Values, book: &Book, faults: &mut F
         let (q, key) = (q.as_ref()?, kind.scale_key()?);
         let given = values.si(q, wanted, faults)?;
         if given.value <= 0.0 {
-            faults.push(Diagnostic::error("not-positive", both!("`{key}` must be greater than zero", "`{key}` 应大于零")).at(q.span));
+            faults.push(
+                Diagnostic::error(
+                    "not-positive",
+                    both!("`{key}` must be greater than zero", "`{key}` 应大于零"),
+                )
+                .at(q.span),
+            );
             return None;
         }
         // The value is per metre of paper.
@@ -40,7 +51,11 @@ pub(super) fn paper(raw: &RawScene, values: &Values, book: &Book, faults: &mut F
     Paper {
         size_mm,
         scales: scales.into_iter().flatten().collect(),
-        round_in: Kind::DRAWN.into_iter().map(|kind| (kind, book.size(kind))).filter(|(_, unit)| *unit != 1.0).collect(),
+        round_in: Kind::DRAWN
+            .into_iter()
+            .map(|kind| (kind, book.size(kind)))
+            .filter(|(_, unit)| *unit != 1.0)
+            .collect(),
         pencil_mm: raw.paper.pencil.as_ref().and_then(|q| pencil_mm(q, values, faults)),
     }
 }
@@ -73,7 +88,11 @@ fn named(word: &Word, faults: &mut Faults) -> Option<[f64; 2]> {
         _ => None,
     };
     let (Some((_, [w, h])), Some(landscape)) = (sheet, landscape) else {
-        let d = Diagnostic::error("paper", both!("there is no paper size `{}`", "没有图纸幅面 `{}`", word.text)).at(word.span);
+        let d = Diagnostic::error(
+            "paper",
+            both!("there is no paper size `{}`", "没有图纸幅面 `{}`", word.text),
+        )
+        .at(word.span);
         let known: Vec<_> = SHEETS.iter().map(|(s, _)| *s).collect();
         faults.push(d.help(both!(
             "write one of {}, with \" landscape\" where it lies, or [\"200 mm\", \"150 mm\"]",
@@ -126,7 +145,11 @@ pub(super) fn language(raw: &RawScene, faults: &mut Faults) -> Option<Lang> {
         Some(lang) => Some(lang),
         None => {
             let other = &word.text;
-            let d = Diagnostic::error("language", both!("there is no language `{other}`", "没有语言 `{other}`")).at(word.span);
+            let d = Diagnostic::error(
+                "language",
+                both!("there is no language `{other}`", "没有语言 `{other}`"),
+            )
+            .at(word.span);
             faults.push(d.help(both!("write \"en\" or \"zh\"", "请写 \"en\" 或 \"zh\"")));
             None
         }
@@ -138,7 +161,11 @@ pub(super) fn notation(raw: &RawScene, faults: &mut Faults) -> Option<String> {
     if ["en", "cn"].contains(&word.text.as_str()) {
         return Some(word.text.clone());
     }
-    let d = Diagnostic::error("notation", both!("there is no notation `{}`", "没有记号体系 `{}`", word.text)).at(word.span);
+    let d = Diagnostic::error(
+        "notation",
+        both!("there is no notation `{}`", "没有记号体系 `{}`", word.text),
+    )
+    .at(word.span);
     faults.push(d.help(both!("write \"en\" or \"cn\"", "请写 \"en\" 或 \"cn\"")));
     None
 }

@@ -4,7 +4,12 @@ use super::lengths::same;
 use super::*;
 
 /// Returns the place of every point, in the order of the points.
-pub(super) fn places(c: &Context, ground: Option<LinkId>, lengths: &[Length], faults: &mut Faults) -> Vec<PointPlace> {
+pub(super) fn places(
+    c: &Context,
+    ground: Option<LinkId>,
+    lengths: &[Length],
+    faults: &mut Faults,
+) -> Vec<PointPlace> {
     let mut places = vec![PointPlace::Unknown; c.names.points.len()];
     for (word, raw) in &c.raw.points {
         let point = note(c.names.point(word), faults);
@@ -21,7 +26,12 @@ pub(super) fn places(c: &Context, ground: Option<LinkId>, lengths: &[Length], fa
     places
 }
 
-fn place(c: &Context, point: Option<PointId>, raw: &RawPlace, faults: &mut Faults) -> Option<PointPlace> {
+fn place(
+    c: &Context,
+    point: Option<PointId>,
+    raw: &RawPlace,
+    faults: &mut Faults,
+) -> Option<PointPlace> {
     match raw {
         RawPlace::At(xy) => c.values.two_lengths(xy, faults).map(PointPlace::At),
         RawPlace::InLink { base, xy } => {
@@ -39,16 +49,26 @@ fn place(c: &Context, point: Option<PointId>, raw: &RawPlace, faults: &mut Fault
 }
 
 /// Returns the base of a place in a link: two other points of a link that also carries the point.
-fn self_or_base(c: &Context, point: Option<PointId>, word: &Word, faults: &mut Faults) -> Option<(PointId, PointId)> {
+fn self_or_base(
+    c: &Context,
+    point: Option<PointId>,
+    word: &Word,
+    faults: &mut Faults,
+) -> Option<(PointId, PointId)> {
     let (a, b) = note(c.names.pair(word), faults)?;
     let point = point?;
     if point == a || point == b {
-        let d = Diagnostic::error("same-point", both!("`{}` cannot be its own base", "`{}` 不能以自身为基准", c.point_name(point)))
-            .at(word.span);
+        let d = Diagnostic::error(
+            "same-point",
+            both!("`{}` cannot be its own base", "`{}` 不能以自身为基准", c.point_name(point)),
+        )
+        .at(word.span);
         faults.push(d.help(both!("name two other points of its link", "请写该构件上的另外两点")));
         return None;
     }
-    let link = (0..c.names.links.len()).map(LinkId).find(|l| [a, b, point].iter().all(|p| c.carries(*l, *p)));
+    let link = (0..c.names.links.len())
+        .map(LinkId)
+        .find(|l| [a, b, point].iter().all(|p| c.carries(*l, *p)));
     if link.is_none() {
         let message = both!(
             "no link has all of `{}`, `{}` and `{}`",
@@ -80,13 +100,21 @@ fn circular(c: &Context, places: &mut [PointPlace], faults: &mut Faults) {
             }
             if state[p] == 1 {
                 let span = c.names.points[p].span;
-                let span = c.raw.points.iter().find(|(w, _)| w.text == c.names.points[p].name).map_or(span, |(w, _)| w.span);
-                let message = both!("the place of `{}` is given by way of itself", "`{}` 的位置循环给定", c.point_name(PointId(p)));
-                faults.push(
-                    Diagnostic::error("circular", message)
-                        .at(span)
-                        .help(both!("take a base of points that are known without it", "请以不依赖它的已知点为基准")),
+                let span = c
+                    .raw
+                    .points
+                    .iter()
+                    .find(|(w, _)| w.text == c.names.points[p].name)
+                    .map_or(span, |(w, _)| w.span);
+                let message = both!(
+                    "the place of `{}` is given by way of itself",
+                    "`{}` 的位置循环给定",
+                    c.point_name(PointId(p))
                 );
+                faults.push(Diagnostic::error("circular", message).at(span).help(both!(
+                    "take a base of points that are known without it",
+                    "请以不依赖它的已知点为基准"
+                )));
                 // Each circle is reported once; without this place it is open.
                 places[p] = PointPlace::Unknown;
                 state[p] = 2;
@@ -117,10 +145,13 @@ pub(super) fn pivots(c: &Context, ground: LinkId, lengths: &[Length], places: &m
     }
     for (i, &first) in pivots.iter().enumerate() {
         for &second in &pivots[i + 1..] {
-            let between = lengths.iter().find(|l| (l.a, l.b) == (first, second) || (l.b, l.a) == (first, second));
+            let between = lengths
+                .iter()
+                .find(|l| (l.a, l.b) == (first, second) || (l.b, l.a) == (first, second));
             let free = [first, second].iter().all(|p| matches!(places[p.0], PointPlace::Unknown));
             if let (Some(length), true) = (between, free) {
-                places[first.0] = PointPlace::At([zero(length.value.span), zero(length.value.span)]);
+                places[first.0] =
+                    PointPlace::At([zero(length.value.span), zero(length.value.span)]);
                 places[second.0] = PointPlace::At([length.value.clone(), zero(length.value.span)]);
                 return;
             }
@@ -132,9 +163,15 @@ pub(super) fn pivots(c: &Context, ground: LinkId, lengths: &[Length], places: &m
 fn contradictions(c: &Context, lengths: &[Length], places: &[PointPlace], faults: &mut Faults) {
     for length in lengths {
         let distance = match (&places[length.a.0], &places[length.b.0]) {
-            (PointPlace::At(p), PointPlace::At(q)) => libm::hypot(q[0].value - p[0].value, q[1].value - p[1].value),
-            (PointPlace::InLink { base, xy }, _) if base.0 == length.b => libm::hypot(xy[0].value, xy[1].value),
-            (_, PointPlace::InLink { base, xy }) if base.0 == length.a => libm::hypot(xy[0].value, xy[1].value),
+            (PointPlace::At(p), PointPlace::At(q)) => {
+                libm::hypot(q[0].value - p[0].value, q[1].value - p[1].value)
+            }
+            (PointPlace::InLink { base, xy }, _) if base.0 == length.b => {
+                libm::hypot(xy[0].value, xy[1].value)
+            }
+            (_, PointPlace::InLink { base, xy }) if base.0 == length.a => {
+                libm::hypot(xy[0].value, xy[1].value)
+            }
             (PointPlace::Polar { base, length: l, .. }, _) if base.0 == length.b => l.value,
             (_, PointPlace::Polar { base, length: l, .. }) if base.0 == length.a => l.value,
             _ => continue,
@@ -150,7 +187,9 @@ fn contradictions(c: &Context, lengths: &[Length], places: &[PointPlace], faults
                 length.value.text
             );
             let d = Diagnostic::error("contradiction", message).at(length.value.span);
-            faults.push(d.help(both!("leave the length or the coordinates away", "请去掉长度或坐标")));
+            faults.push(
+                d.help(both!("leave the length or the coordinates away", "请去掉长度或坐标")),
+            );
         }
     }
 }
@@ -167,9 +206,14 @@ pub(super) fn sketch(c: &Context, faults: &mut Faults) -> Vec<Option<[f64; 2]>> 
         let point = note(c.names.point(word), faults);
         // A sketch is rough: its bare numbers need no unit.
         let rough = |q: &RawQuantity| match (q.bare, c.values.has_unit(RequiredQuantity::Length)) {
-            (true, false) => {
-                RawQuantity { text: format!("{} {}", q.text, super::lengths::unit_shown(c).map_or("m", |u| u.name)), ..q.clone() }
-            }
+            (true, false) => RawQuantity {
+                text: format!(
+                    "{} {}",
+                    q.text,
+                    super::lengths::unit_shown(c).map_or("m", |u| u.name)
+                ),
+                ..q.clone()
+            },
             _ => q.clone(),
         };
         let xy = c.values.two_lengths(&[rough(&xy[0]), rough(&xy[1])], faults);
@@ -191,18 +235,34 @@ pub(super) fn sides(c: &Context, faults: &mut Faults) -> Vec<Side> {
             Some((side == "left", line.trim()))
         });
         let Some((left, line)) = parts else {
-            let d = Diagnostic::error("side", both!("`{text}` does not say a side", "`{text}` 没有说明在哪一侧")).at(said.span);
+            let d = Diagnostic::error(
+                "side",
+                both!("`{text}` does not say a side", "`{text}` 没有说明在哪一侧"),
+            )
+            .at(said.span);
             faults.push(d.help(both!(
                 "write \"left of BD\" or \"right of BD\", as seen looking from B to D",
                 "请写 \"left of BD\"（由 B 向 D 看，在左侧）或 \"right of BD\"（在右侧）"
             )));
             continue;
         };
-        let (Some((from, to)), Some(point)) = (note(c.names.pair_in(line, said), faults), point) else { continue };
+        let (Some((from, to)), Some(point)) = (note(c.names.pair_in(line, said), faults), point)
+        else {
+            continue;
+        };
         if point == from || point == to {
-            let d = Diagnostic::error("side", both!("`{}` lies on the line `{line}` itself", "`{}` 就在直线 `{line}` 上", word.text))
-                .at(said.span);
-            faults.push(d.help(both!("name a line through two other points", "请写通过另外两点的直线")));
+            let d = Diagnostic::error(
+                "side",
+                both!(
+                    "`{}` lies on the line `{line}` itself",
+                    "`{}` 就在直线 `{line}` 上",
+                    word.text
+                ),
+            )
+            .at(said.span);
+            faults.push(
+                d.help(both!("name a line through two other points", "请写通过另外两点的直线")),
+            );
             continue;
         }
         out.push(Side { point, left, from, to, span: said.span });

@@ -25,7 +25,13 @@ struct PairSide {
 }
 
 /// Resolves the rolling pairs; `first_guide` is the index of the next guide.
-pub(super) fn rolling(c: &Context, places: &[PointPlace], lengths: &[Length], first_guide: usize, faults: &mut Faults) -> Resolved {
+pub(super) fn rolling(
+    c: &Context,
+    places: &[PointPlace],
+    lengths: &[Length],
+    first_guide: usize,
+    faults: &mut Faults,
+) -> Resolved {
     let mut out = Resolved::default();
     for (raw, at) in c.raw.rolling.iter().zip(c.contacts) {
         let mut found = Faults::default();
@@ -58,12 +64,21 @@ fn pair(
     let phase = raw.phase.as_ref().map(|q| c.values.angle_in_full(q, faults));
     let [Some(a), Some(b)] = sides[..] else { return None };
     if a.link == b.link {
-        let message = both!("link `{}` cannot roll on itself", "构件 `{}` 不能在自身上滚动", c.link_name(a.link));
-        faults.push(Diagnostic::error("rolling", message).at(raw.span).help(both!("name two links", "请写两个构件")));
+        let message = both!(
+            "link `{}` cannot roll on itself",
+            "构件 `{}` 不能在自身上滚动",
+            c.link_name(a.link)
+        );
+        faults.push(
+            Diagnostic::error("rolling", message)
+                .at(raw.span)
+                .help(both!("name two links", "请写两个构件")),
+        );
         return None;
     }
     let elsewhere = |at: &PointId| {
-        !places.get(at.0).is_none_or(|p| matches!(p, PointPlace::Unknown)) || c.names.links.iter().any(|l| l.points.contains(at))
+        !places.get(at.0).is_none_or(|p| matches!(p, PointPlace::Unknown))
+            || c.names.links.iter().any(|l| l.points.contains(at))
     };
     if let Some(&at) = at.iter().find(|at| elsewhere(at)) {
         let message = both!(
@@ -76,7 +91,11 @@ fn pair(
             "请给 \"at\" 另取名称，或从 \"links\"、\"points\" 中去掉 `{0}`",
             c.point_name(at)
         );
-        faults.push(Diagnostic::error("contact-point", message).at(raw.at.as_ref().map_or(raw.span, |w| w.span)).help(help));
+        faults.push(
+            Diagnostic::error("contact-point", message)
+                .at(raw.at.as_ref().map_or(raw.span, |w| w.span))
+                .help(help),
+        );
     }
     let flanks = flanks(c, raw, faults);
     let phase = transpose(phase)?;
@@ -91,12 +110,16 @@ fn pair(
             "给了 `phase`，而坐标或原动件已确定两轮的位置"
         );
         let d = Diagnostic::error("phase", message).at(q.span);
-        faults
-            .push(d.help(both!("leave the phase away, or what says how one of them stands", "请去掉 phase，或去掉确定其中一轮位置的数据")));
+        faults.push(d.help(both!(
+            "leave the phase away, or what says how one of them stands",
+            "请去掉 phase，或去掉确定其中一轮位置的数据"
+        )));
         return None;
     }
     let wheel = b.centre?;
-    let common = a.centre.is_some_and(|p| (0..c.names.links.len()).any(|l| c.carries(LinkId(l), p) && c.carries(LinkId(l), wheel)));
+    let common = a.centre.is_some_and(|p| {
+        (0..c.names.links.len()).any(|l| c.carries(LinkId(l), p) && c.carries(LinkId(l), wheel))
+    });
     let guide = GuideId(first_guide + out.guides.len());
     let (contours, flanks, path) = match (a.centre, &raw.strand) {
         (None, _) => {
@@ -104,13 +127,18 @@ fn pair(
             (contours, flanks?, Some(path))
         }
         (Some(centre), None) => {
-            let (contours, radius) = round(c, raw, [centre, wheel], (!common).then_some(guide), faults)?;
-            if let (Contours::Circles { centres, sizes: Sizes::Radii([p, q]), hollow, .. }, true) = (&contours, common) {
+            let (contours, radius) =
+                round(c, raw, [centre, wheel], (!common).then_some(guide), faults)?;
+            if let (Contours::Circles { centres, sizes: Sizes::Radii([p, q]), hollow, .. }, true) =
+                (&contours, common)
+            {
                 out.lengths.extend(distance(c, *centres, [p, q], *hollow, (places, lengths)));
             }
             (contours, flanks?, (!common).then_some(GuidePath::Arc { centre, radius }))
         }
-        (Some(centre), Some(strand)) => (belts::round(c, raw, strand, [a.link, b.link], [centre, wheel], faults)?, None, None),
+        (Some(centre), Some(strand)) => {
+            (belts::round(c, raw, strand, [a.link, b.link], [centre, wheel], faults)?, None, None)
+        }
     };
     let id = RollingId(out.rolling.len());
     out.guides.extend(path.map(|path| Guide {
@@ -122,15 +150,29 @@ fn pair(
         rolling: Some(id),
         span: raw.span,
     }));
-    Some(Rolling { links: [a.link, b.link], contours, at, kind: raw.kind, phase, flanks, span: raw.span })
+    Some(Rolling {
+        links: [a.link, b.link],
+        contours,
+        at,
+        kind: raw.kind,
+        phase,
+        flanks,
+        span: raw.span,
+    })
 }
 
 /// Returns true if data other than the phase fix the angle of a link: it is the ground, two of its
 /// points have coordinates, or a driver gives its angle.
 fn angle_is_fixed(c: &Context, link: LinkId, places: &[PointPlace]) -> bool {
-    let placed = c.names.links[link.0].points.iter().filter(|p| matches!(places[p.0], PointPlace::At(_))).count();
+    let placed = c.names.links[link.0]
+        .points
+        .iter()
+        .filter(|p| matches!(places[p.0], PointPlace::At(_)))
+        .count();
     let turned = c.raw.drivers.iter().any(|d| match &d.kind {
-        RawDriverKind::Turn { link: word, angle, .. } => word.text == c.link_name(link) && angle.is_some(),
+        RawDriverKind::Turn { link: word, angle, .. } => {
+            word.text == c.link_name(link) && angle.is_some()
+        }
         RawDriverKind::Slide { .. } | RawDriverKind::Cylinder { .. } => false,
     });
     link == c.ground || placed >= 2 || turned
@@ -143,7 +185,12 @@ fn side(c: &Context, raw: &RawRollingSide, faults: &mut Faults) -> Option<PairSi
     };
     let centre = match &raw.centre {
         None => None,
-        Some(word) => Some(c.centre_on(word, link, both!("which carries the circle", "而圆在该构件上"), faults)?),
+        Some(word) => Some(c.centre_on(
+            word,
+            link,
+            both!("which carries the circle", "而圆在该构件上"),
+            faults,
+        )?),
     };
     Some(PairSide { link, centre })
 }
@@ -160,16 +207,27 @@ fn straight(
     let angle = raw.angle.as_ref().map(|q| c.values.angle(q, faults));
     let radius = match &raw.sizes {
         RawSizes::Radii(radii) => match &radii[..] {
-            [r] => c.values.positive_length(r, both!("the radius of the wheel", "轮的半径"), faults),
+            [r] => {
+                c.values.positive_length(r, both!("the radius of the wheel", "轮的半径"), faults)
+            }
             _ => {
-                let d = Diagnostic::error("wrong-count", both!("a gear on a rack has one radius", "齿轮齿条副只有一个半径"));
-                faults.push(d.at(raw.span).help(both!("a rack has none: write that of the gear", "齿条没有半径：请写齿轮的半径")));
+                let d = Diagnostic::error(
+                    "wrong-count",
+                    both!("a gear on a rack has one radius", "齿轮齿条副只有一个半径"),
+                );
+                faults.push(d.at(raw.span).help(both!(
+                    "a rack has none: write that of the gear",
+                    "齿条没有半径：请写齿轮的半径"
+                )));
                 None
             }
         },
         RawSizes::Teeth(teeth, module) => match (&teeth[..], module) {
             ([z], Some(module)) => {
-                let (z, module) = (whole(c, z, faults)?, c.values.positive_length(module, both!("the module", "模数"), faults)?);
+                let (z, module) = (
+                    whole(c, z, faults)?,
+                    c.values.positive_length(module, both!("the module", "模数"), faults)?,
+                );
                 let text = format!("({})*{z}/2", module.text);
                 Some(GivenQuantity {
                     value: module.value * f64::from(z) / 2.0,
@@ -181,7 +239,10 @@ fn straight(
             _ => {
                 let d = Diagnostic::error(
                     "gear-size",
-                    both!("a gear on a rack has one number of teeth and a `module`", "齿轮齿条副须给一个齿数和 `module`"),
+                    both!(
+                        "a gear on a rack has one number of teeth and a `module`",
+                        "齿轮齿条副须给一个齿数和 `module`"
+                    ),
                 );
                 faults.push(d.at(raw.span).help(both!(
                     "give \"teeth\": [20] and \"module\", or \"radii\"",
@@ -194,22 +255,33 @@ fn straight(
     if let Some(q) = &raw.phase {
         let message = both!("a straight track has no `phase`", "直线轨道没有 `phase`");
         let d = Diagnostic::error("phase", message).at(q.span);
-        faults.push(
-            d.help(both!("leave it away; coordinates of two points of the wheel say how it stands", "请去掉；轮上两点的坐标可说明其位置")),
-        );
+        faults.push(d.help(both!(
+            "leave it away; coordinates of two points of the wheel say how it stands",
+            "请去掉；轮上两点的坐标可说明其位置"
+        )));
         return None;
     }
     let (ends, angle, radius) = (transpose(ends)?, transpose(angle)?, radius?);
     let direction = match (ends, angle) {
         (Some((a, b)), turned) => GuideDirection::Along(a, b, turned),
         (None, Some(angle)) => GuideDirection::Instant(angle),
-        (None, None) if c.raw.extent.is_of_pairs() => GuideDirection::Instant(sliding_angle(c, on, raw.span)),
+        (None, None) if c.raw.extent.is_of_pairs() => {
+            GuideDirection::Instant(sliding_angle(c, on, raw.span))
+        }
         (None, None) => {
             let d = Diagnostic::error(
                 "no-direction",
                 match raw.kind.is_flexible() {
-                    true => both!("the rope of load `{}` has no direction", "牵引构件 `{}` 的绳没有方向", c.link_name(on)),
-                    false => both!("the straight track on link `{}` has no direction", "构件 `{}` 上的直线轨道没有方向", c.link_name(on)),
+                    true => both!(
+                        "the rope of load `{}` has no direction",
+                        "牵引构件 `{}` 的绳没有方向",
+                        c.link_name(on)
+                    ),
+                    false => both!(
+                        "the straight track on link `{}` has no direction",
+                        "构件 `{}` 上的直线轨道没有方向",
+                        c.link_name(on)
+                    ),
                 },
             );
             faults.push(d.at(raw.span).help(both!(
@@ -225,21 +297,40 @@ fn straight(
         // A wheel with coordinates fixes the position of its track; else the track is the line
         // itself.
         None => match &direction {
-            GuideDirection::Along(from, _, None) if matches!(places[wheel.0], PointPlace::Unknown) => {
+            GuideDirection::Along(from, _, None)
+                if matches!(places[wheel.0], PointPlace::Unknown) =>
+            {
                 (Through::Point(*from), Some(radius.clone()))
             }
-            GuideDirection::Along(..) | GuideDirection::Instant(_) | GuideDirection::Own | GuideDirection::Slid(_) => (Through::Pin, None),
+            GuideDirection::Along(..)
+            | GuideDirection::Instant(_)
+            | GuideDirection::Own
+            | GuideDirection::Slid(_) => (Through::Pin, None),
         },
     };
-    Some((Contours::Track { centre: wheel, radius, guide }, GuidePath::Line { through, direction, offset }))
+    Some((
+        Contours::Track { centre: wheel, radius, guide },
+        GuidePath::Line { through, direction, offset },
+    ))
 }
 
 /// Returns the direction of a track without one, for a mobility count: that of the guide in
 /// which its link slides.
 fn sliding_angle(c: &Context, on: LinkId, span: Span) -> GivenQuantity<Angle> {
     let mine = |g: &&RawGuide| g.slider.as_ref().is_some_and(|w| w.text == c.link_name(on));
-    let told = c.raw.guides.iter().find(mine).and_then(|g| g.angle.as_ref()).and_then(|q| c.values.angle(q, &mut Faults::default()));
-    told.unwrap_or(GivenQuantity { value: Angle::Deg(0.0), radius: 0.0, text: "0 deg".into(), span })
+    let told = c
+        .raw
+        .guides
+        .iter()
+        .find(mine)
+        .and_then(|g| g.angle.as_ref())
+        .and_then(|q| c.values.angle(q, &mut Faults::default()));
+    told.unwrap_or(GivenQuantity {
+        value: Angle::Deg(0.0),
+        radius: 0.0,
+        text: "0 deg".into(),
+        span,
+    })
 }
 
 /// Resolves two circles, and the radius about the first centre of the path of the second, if it
@@ -255,28 +346,51 @@ fn round(
         RawThrough::At(_, span) => *span,
         RawThrough::Point(word) => word.span,
     });
-    let of_a_line = [("line", raw.line.as_ref().map(|w| w.span)), ("angle", raw.angle.as_ref().map(|q| q.span)), ("through", through)];
+    let of_a_line = [
+        ("line", raw.line.as_ref().map(|w| w.span)),
+        ("angle", raw.angle.as_ref().map(|q| q.span)),
+        ("through", through),
+    ];
     for (key, given) in of_a_line {
         if let Some(span) = given {
             let message = both!("two circles have no `{key}`", "两圆相切没有 `{key}`");
-            faults.push(Diagnostic::error("rolling", message).at(span).help(if raw.kind == RollingKind::Gears {
-                both!("leave it away, or name the \"rack\"", "请去掉，或写明 \"rack\"")
-            } else {
-                both!("leave it away, or the \"track\" if it is straight", "请去掉；若轨道是直线，请去掉 \"track\"")
-            }));
+            faults.push(Diagnostic::error("rolling", message).at(span).help(
+                if raw.kind == RollingKind::Gears {
+                    both!("leave it away, or name the \"rack\"", "请去掉，或写明 \"rack\"")
+                } else {
+                    both!(
+                        "leave it away, or the \"track\" if it is straight",
+                        "请去掉；若轨道是直线，请去掉 \"track\""
+                    )
+                },
+            ));
         }
     }
     let hollow = raw.sides.iter().position(|s| s.hollow);
     let (sizes, radius) = match &raw.sizes {
         RawSizes::Radii(radii) => {
             let [a, b] = &radii[..] else {
-                let d = Diagnostic::error("wrong-count", both!("two gears have two pitch radii", "两齿轮须有两个节圆半径")).at(raw.span);
-                faults.push(d.help(both!("write them in the order of the centres", "请按圆心的顺序写出")));
+                let d = Diagnostic::error(
+                    "wrong-count",
+                    both!("two gears have two pitch radii", "两齿轮须有两个节圆半径"),
+                )
+                .at(raw.span);
+                faults.push(
+                    d.help(both!("write them in the order of the centres", "请按圆心的顺序写出")),
+                );
                 return None;
             };
-            let what =
-                || if raw.kind == RollingKind::Gears { both!("a pitch radius", "节圆半径") } else { both!("a radius", "半径") };
-            let (a, b) = (c.values.positive_length(a, what(), faults), c.values.positive_length(b, what(), faults));
+            let what = || {
+                if raw.kind == RollingKind::Gears {
+                    both!("a pitch radius", "节圆半径")
+                } else {
+                    both!("a radius", "半径")
+                }
+            };
+            let (a, b) = (
+                c.values.positive_length(a, what(), faults),
+                c.values.positive_length(b, what(), faults),
+            );
             let (a, b) = (a?, b?);
             larger(c, raw, hollow, [a.value, b.value], faults)?;
             let radius = sum(c, &a, &b, hollow);
@@ -284,8 +398,14 @@ fn round(
         }
         RawSizes::Teeth(teeth, module) => {
             let [a, b] = &teeth[..] else {
-                let d = Diagnostic::error("wrong-count", both!("two gears have two numbers of teeth", "两齿轮须有两个齿数")).at(raw.span);
-                faults.push(d.help(both!("write them in the order of the centres", "请按圆心的顺序写出")));
+                let d = Diagnostic::error(
+                    "wrong-count",
+                    both!("two gears have two numbers of teeth", "两齿轮须有两个齿数"),
+                )
+                .at(raw.span);
+                faults.push(
+                    d.help(both!("write them in the order of the centres", "请按圆心的顺序写出")),
+                );
                 return None;
             };
             let (za, zb) = (whole(c, a, faults), whole(c, b, faults));
@@ -298,8 +418,16 @@ fn round(
                 Some(module) => {
                     c.values.positive_length(module, both!("the module", "模数"), faults)?;
                     let radius = |z: u32, q: &RawQuantity| {
-                        let m = c.values.si(module, RequiredQuantity::Length, &mut Faults::default())?;
-                        let text = RawQuantity { text: format!("({})*{z}/2", m.text), span: q.span, bare: false };
+                        let m = c.values.si(
+                            module,
+                            RequiredQuantity::Length,
+                            &mut Faults::default(),
+                        )?;
+                        let text = RawQuantity {
+                            text: format!("({})*{z}/2", m.text),
+                            span: q.span,
+                            bare: false,
+                        };
                         c.values.si(&text, RequiredQuantity::Length, &mut Faults::default())
                     };
                     let (ra, rb) = (radius(za, a)?, radius(zb, b)?);
@@ -313,7 +441,13 @@ fn round(
 }
 
 /// Checks that a hollow circle is the larger one.
-fn larger(c: &Context, raw: &RawRolling, hollow: Option<usize>, sizes: [f64; 2], faults: &mut Faults) -> Option<()> {
+fn larger(
+    c: &Context,
+    raw: &RawRolling,
+    hollow: Option<usize>,
+    sizes: [f64; 2],
+    faults: &mut Faults,
+) -> Option<()> {
     let Some(i) = hollow else { return Some(()) };
     if sizes[i] > sizes[1 - i] {
         return Some(());
@@ -321,20 +455,35 @@ fn larger(c: &Context, raw: &RawRolling, hollow: Option<usize>, sizes: [f64; 2],
     let name = raw.sides[i].link.as_ref().map_or(c.link_name(c.ground), |w| &w.text);
     let d = Diagnostic::error(
         "ring-too-small",
-        both!("link `{name}` is hollow, but not larger than what rolls inside it", "构件 `{name}` 为内圆，却不大于其中滚动的圆"),
+        both!(
+            "link `{name}` is hollow, but not larger than what rolls inside it",
+            "构件 `{name}` 为内圆，却不大于其中滚动的圆"
+        ),
     );
-    faults.push(d.at(raw.span).help(both!("its radius (or number of teeth) must be the larger one", "其半径（或齿数）应为较大者")));
+    faults.push(d.at(raw.span).help(both!(
+        "its radius (or number of teeth) must be the larger one",
+        "其半径（或齿数）应为较大者"
+    )));
     None
 }
 
 /// Returns the distance of the centres from the radii.
-fn sum(c: &Context, a: &GivenQuantity, b: &GivenQuantity, hollow: Option<usize>) -> Option<GivenQuantity> {
+fn sum(
+    c: &Context,
+    a: &GivenQuantity,
+    b: &GivenQuantity,
+    hollow: Option<usize>,
+) -> Option<GivenQuantity> {
     let text = match hollow {
         None => format!("({})+({})", a.text, b.text),
         Some(0) => format!("({})-({})", a.text, b.text),
         Some(_) => format!("({})-({})", b.text, a.text),
     };
-    c.values.si(&RawQuantity { text, span: a.span, bare: false }, RequiredQuantity::Length, &mut Faults::default())
+    c.values.si(
+        &RawQuantity { text, span: a.span, bare: false },
+        RequiredQuantity::Length,
+        &mut Faults::default(),
+    )
 }
 
 /// Returns the distance of two centres on one link, if neither coordinates nor a length give it.
@@ -347,7 +496,9 @@ fn distance(
 ) -> Option<Length> {
     let given = lengths.iter().any(|l| (l.a, l.b) == (p, q) || (l.a, l.b) == (q, p));
     let placed = [p, q].iter().all(|p| matches!(places[p.0], PointPlace::At(_)))
-        || [p, q].iter().any(|p| matches!(places[p.0], PointPlace::InLink { .. } | PointPlace::Polar { .. }));
+        || [p, q]
+            .iter()
+            .any(|p| matches!(places[p.0], PointPlace::InLink { .. } | PointPlace::Polar { .. }));
     if given || placed {
         return None;
     }
@@ -361,17 +512,27 @@ const STEEPEST_RAD: f64 = std::f64::consts::FRAC_PI_4;
 /// `Some(None)` if there are none.
 fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<Flanks>> {
     let RawFlanks { pressure_angle, shift, addendum, clearance } = &raw.flanks;
-    let any = [pressure_angle, addendum, clearance].into_iter().flatten().chain(shift.iter().flatten()).next();
+    let any = [pressure_angle, addendum, clearance]
+        .into_iter()
+        .flatten()
+        .chain(shift.iter().flatten())
+        .next();
     let (teeth, module) = match &raw.sizes {
-        RawSizes::Teeth(teeth, module) if teeth.len() == raw.sides.iter().filter(|s| s.centre.is_some()).count() => (teeth, module),
+        RawSizes::Teeth(teeth, module)
+            if teeth.len() == raw.sides.iter().filter(|s| s.centre.is_some()).count() =>
+        {
+            (teeth, module)
+        }
         RawSizes::Teeth(..) | RawSizes::Radii(_) => {
             let Some(first) = any else { return Some(None) };
-            let message = both!("flanks are given of a pair without `teeth`", "给出了齿廓参数，但该副没有给出 `teeth`");
-            faults.push(
-                Diagnostic::error("gear-flanks", message)
-                    .at(first.span)
-                    .help(both!("give \"teeth\": [20, 40], or leave the flanks away", "请给出 \"teeth\": [20, 40]，或去掉齿廓参数")),
+            let message = both!(
+                "flanks are given of a pair without `teeth`",
+                "给出了齿廓参数，但该副没有给出 `teeth`"
             );
+            faults.push(Diagnostic::error("gear-flanks", message).at(first.span).help(both!(
+                "give \"teeth\": [20, 40], or leave the flanks away",
+                "请给出 \"teeth\": [20, 40]，或去掉齿廓参数"
+            )));
             return None;
         }
     };
@@ -383,22 +544,34 @@ fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<F
         None => Some(20.0_f64.to_radians()),
         Some(q) => match c.values.angle(q, &mut Faults::default()).map(|a| a.value.radians()) {
             Some(a) if a > 0.0 && a <= STEEPEST_RAD => Some(a),
-            _ => {
-                wrong(q, both!("`{}` is no pressure angle: above 0, at most 45 deg", "`{}` 不能作压力角：应大于 0 且不超过 45 deg", q.text))
-            }
+            _ => wrong(
+                q,
+                both!(
+                    "`{}` is no pressure angle: above 0, at most 45 deg",
+                    "`{}` 不能作压力角：应大于 0 且不超过 45 deg",
+                    q.text
+                ),
+            ),
         },
     };
     let number = |q: &RawQuantity| {
         // Plain numbers are not in the table of units, so the number is read in metres.
         let text = RawQuantity { text: format!("({})*(1 m)", q.text), span: q.span, bare: false };
-        c.values.si(&text, RequiredQuantity::Length, &mut Faults::default()).map(|g| g.value).filter(|x| x.is_finite())
+        c.values
+            .si(&text, RequiredQuantity::Length, &mut Faults::default())
+            .map(|g| g.value)
+            .filter(|x| x.is_finite())
     };
     let mut part = |q: &Option<RawQuantity>, usual: f64, least: f64| match q {
         None => Some(usual),
         Some(q) => number(q).filter(|x| *x >= least && *x <= 3.0).or_else(|| {
             wrong(
                 q,
-                both!("`{}` is no part of a module: a number from {least} to 3", "`{}` 不是模数的倍数：应为 {least} 到 3 的数", q.text),
+                both!(
+                    "`{}` is no part of a module: a number from {least} to 3",
+                    "`{}` 不是模数的倍数：应为 {least} 到 3 的数",
+                    q.text
+                ),
             )
         }),
     };
@@ -410,7 +583,11 @@ fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<F
             number(q).filter(|x| x.abs() <= 5.0).or_else(|| {
                 wrong(
                     q,
-                    both!("`{}` is no profile shift: a number from −5 to 5, in modules", "`{}` 不是变位系数：应为 −5 到 5 的数", q.text),
+                    both!(
+                        "`{}` is no profile shift: a number from −5 to 5, in modules",
+                        "`{}` 不是变位系数：应为 −5 到 5 的数",
+                        q.text
+                    ),
                 )
             })
         })
@@ -427,8 +604,12 @@ fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<F
         );
     }
     // Faults of the numbers of teeth are reported where the sizes are read.
-    let teeth: Vec<u32> = teeth.iter().filter_map(|z| whole(c, z, &mut Faults::default())).collect();
-    let module = module.as_ref().and_then(|q| c.values.si(q, RequiredQuantity::Length, &mut Faults::default())).map(|g| g.value);
+    let teeth: Vec<u32> =
+        teeth.iter().filter_map(|z| whole(c, z, &mut Faults::default())).collect();
+    let module = module
+        .as_ref()
+        .and_then(|q| c.values.si(q, RequiredQuantity::Length, &mut Faults::default()))
+        .map(|g| g.value);
     let shifts = shifts.into_iter().collect::<Option<Vec<f64>>>()?;
     let teeth = match teeth[..] {
         // A straight contour comes first.
@@ -437,7 +618,14 @@ fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<F
         _ => return Some(None),
     };
     let (pressure_angle, addendum, clearance) = (alpha?, addendum?, clearance?);
-    (shifts.len() <= most).then_some(Some(Flanks { teeth, module, pressure_angle, shifts, addendum, clearance }))
+    (shifts.len() <= most).then_some(Some(Flanks {
+        teeth,
+        module,
+        pressure_angle,
+        shifts,
+        addendum,
+        clearance,
+    }))
 }
 
 /// Reads a number of teeth.
@@ -446,7 +634,12 @@ pub(super) fn whole(c: &Context, q: &RawQuantity, faults: &mut Faults) -> Option
     if z.fract() == 0.0 && (1.0..=f64::from(MOST_TEETH)).contains(&z) {
         return Some(z as u32);
     }
-    let d = Diagnostic::error("teeth", both!("`{}` is no number of teeth", "`{}` 不是齿数", q.text)).at(q.span);
-    faults.push(d.help(both!("write a whole number from 1 to {MOST_TEETH}", "请写 1 到 {MOST_TEETH} 的整数")));
+    let d =
+        Diagnostic::error("teeth", both!("`{}` is no number of teeth", "`{}` 不是齿数", q.text))
+            .at(q.span);
+    faults.push(d.help(both!(
+        "write a whole number from 1 to {MOST_TEETH}",
+        "请写 1 到 {MOST_TEETH} 的整数"
+    )));
     None
 }

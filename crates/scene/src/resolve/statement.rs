@@ -19,11 +19,16 @@ pub(super) fn statement(
     faults: &mut Faults,
 ) -> Option<Statement> {
     let raw = raw.statement.as_ref()?;
-    let mut read = |word: &Word| StatementReader { parameters, values, word, source, faults }.text();
+    let mut read =
+        |word: &Word| StatementReader { parameters, values, word, source, faults }.text();
     match (&raw.en, &raw.zh) {
-        (Some(en), Some(zh)) if en.span == zh.span => Some(read(en)).map(|both| Statement { en: both.clone(), zh: both }),
+        (Some(en), Some(zh)) if en.span == zh.span => {
+            Some(read(en)).map(|both| Statement { en: both.clone(), zh: both })
+        }
         (Some(en), Some(zh)) => Some(Statement { en: read(en), zh: read(zh) }),
-        (Some(one), None) | (None, Some(one)) => Some(read(one)).map(|both| Statement { en: both.clone(), zh: both }),
+        (Some(one), None) | (None, Some(one)) => {
+            Some(read(one)).map(|both| Statement { en: both.clone(), zh: both })
+        }
         (None, None) => None,
     }
 }
@@ -71,7 +76,9 @@ impl<'a> StatementReader<'a, '_> {
                 '$' => {
                     if let Some(end) = closing(&line[after..]) {
                         let place = (after, after + end);
-                        formula = self.shallow(place).map(|inner| (self.with_values(inner, after), place));
+                        formula = self
+                            .shallow(place)
+                            .map(|inner| (self.with_values(inner, after), place));
                         taken = end + 2;
                     }
                 }
@@ -112,7 +119,10 @@ impl<'a> StatementReader<'a, '_> {
                 _ => {}
             }
             if depth > DEEPEST {
-                let message = both!("braces of a formula are nested more than {DEEPEST} deep", "公式中花括号的嵌套超过 {DEEPEST} 层");
+                let message = both!(
+                    "braces of a formula are nested more than {DEEPEST} deep",
+                    "公式中花括号的嵌套超过 {DEEPEST} 层"
+                );
                 self.faults.push(Diagnostic::error("formula", message).at(self.place(place)));
                 return None;
             }
@@ -149,8 +159,11 @@ impl<'a> StatementReader<'a, '_> {
         let (_, given) = self.parameters.iter().rev().find(|p| p.0 == name)?;
         let dim = self.values.dim(name)?;
         let text = given.text.trim();
-        let number = |value: f64| hodograph_base::digits::inked(&hodograph_base::digits::shortest(value));
-        let Some(kind) = Kind::ALL.into_iter().find(|kind| dim == RequiredQuantity::of(*kind).dim()) else {
+        let number =
+            |value: f64| hodograph_base::digits::inked(&hodograph_base::digits::shortest(value));
+        let Some(kind) =
+            Kind::ALL.into_iter().find(|kind| dim == RequiredQuantity::of(*kind).dim())
+        else {
             let bare = text.parse::<f64>().is_ok();
             return Some(match (bare, dim == RequiredQuantity::ScaleOfLengths.dim()) {
                 (true, _) => hodograph_base::digits::inked(text),
@@ -160,7 +173,9 @@ impl<'a> StatementReader<'a, '_> {
         };
         // As written, independent of the units of the answers.
         Some(match as_written(self.parameters, kind, text, given.value) {
-            QuantityText::AsWritten(digits, unit) => unit.label(&hodograph_base::digits::inked(&digits.replace('E', "e"))),
+            QuantityText::AsWritten(digits, unit) => {
+                unit.label(&hodograph_base::digits::inked(&digits.replace('E', "e")))
+            }
             QuantityText::Computed(value, unit) => unit.label(&number(value)),
             QuantityText::Usual => {
                 let book = Book::default();
@@ -176,7 +191,10 @@ impl<'a> StatementReader<'a, '_> {
         }
         let d = Diagnostic::error(
             "unknown-parameter",
-            both!("`{{{name}}}` in the statement names no parameter", "题文中的 `{{{name}}}` 不是参数名"),
+            both!(
+                "`{{{name}}}` in the statement names no parameter",
+                "题文中的 `{{{name}}}` 不是参数名"
+            ),
         )
         .at(self.place(place));
         let known = self.parameters.iter().map(|p| p.0.as_str());
@@ -196,7 +214,8 @@ impl<'a> StatementReader<'a, '_> {
     /// the whole text.
     fn place(&self, (from, to): (usize, usize)) -> Span {
         let Span { start, end } = self.word.span;
-        let in_step = self.source.get(start + 1..end.saturating_sub(1)) == Some(self.word.text.as_str());
+        let in_step =
+            self.source.get(start + 1..end.saturating_sub(1)) == Some(self.word.text.as_str());
         if in_step { Span::new(start + 1 + from, start + 1 + to) } else { self.word.span }
     }
 }
@@ -205,7 +224,8 @@ impl<'a> StatementReader<'a, '_> {
 /// command.
 fn stands_alone(before: &str) -> bool {
     let before = before.trim_end();
-    !before.ends_with(['_', '^']) && !before.trim_end_matches(|c: char| c.is_ascii_alphabetic()).ends_with('\\')
+    !before.ends_with(['_', '^'])
+        && !before.trim_end_matches(|c: char| c.is_ascii_alphabetic()).ends_with('\\')
 }
 
 /// Returns the end of the formula that begins here: the next dollar sign in the line, provided that
@@ -218,7 +238,8 @@ fn closing(text: &str) -> Option<usize> {
     let ends = |i: &usize| {
         let before = text[..*i].chars().next_back();
         let after = text[*i + 1..].chars().next();
-        before.is_some_and(|c| !c.is_whitespace() && c != '\\') && !after.is_some_and(|c| c.is_ascii_digit())
+        before.is_some_and(|c| !c.is_whitespace() && c != '\\')
+            && !after.is_some_and(|c| c.is_ascii_digit())
     };
     text.find('$').filter(ends)
 }

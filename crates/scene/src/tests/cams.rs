@@ -14,7 +14,9 @@ pub(super) fn bad() -> Vec<(&'static str, String)> {
         ),
         (
             "cam no contact",
-            cam(r#""edge": "B", "profile": [{"centre": "O", "radius": "3 mm"}, "tangent", {"centre": "Q", "radius": "2 mm"}, "tangent"]"#),
+            cam(
+                r#""edge": "B", "profile": [{"centre": "O", "radius": "3 mm"}, "tangent", {"centre": "Q", "radius": "2 mm"}, "tangent"]"#,
+            ),
         ),
         (
             "cam apart",
@@ -22,7 +24,12 @@ pub(super) fn bad() -> Vec<(&'static str, String)> {
                 r#""edge": "B", "profile": [{"centre": "O", "radius": "30 mm"}, {"radius": "31 mm"}, {"centre": "Q", "radius": "2 mm"}, "tangent"]"#,
             ),
         ),
-        ("cam line and face", cam(r#""face": {"through": "B"}, "profile": ["tangent", {"centre": "R", "radius": "2 mm"}]"#)),
+        (
+            "cam line and face",
+            cam(
+                r#""face": {"through": "B"}, "profile": ["tangent", {"centre": "R", "radius": "2 mm"}]"#,
+            ),
+        ),
     ]
 }
 

@@ -18,7 +18,9 @@ fn slotted(angle: &str, driver: &str) -> String {
 fn the_angle_of_a_slot_is_that_of_its_link() {
     good(&slotted(r#", "angle": "20 deg""#, r#", "angle": "20 deg""#));
     let slot = good(&slotted(r#", "angle": "20 deg""#, ""));
-    let DriverKind::Turn { angle: Some(angle), .. } = &slot.drivers[0].kind else { panic!("{:?}", slot.drivers) };
+    let DriverKind::Turn { angle: Some(angle), .. } = &slot.drivers[0].kind else {
+        panic!("{:?}", slot.drivers)
+    };
     assert_eq!(angle.value, Angle::Deg(20.0));
     good(&slotted(r#", "angle": "20 deg""#, r#", "angle": "-340 deg""#));
     for other in ["45 deg", "200 deg", "20.001 deg"] {
@@ -39,17 +41,28 @@ fn radians_are_pure_numbers_beside_a_time() {
             .replacen(r#""driver": {"link": "1", "angle": "60 deg", "omega": "10 rad/s"},"#, "", 1)
     };
     let scene = good(&driver("-vA/R1"));
-    assert_eq!((scene.drivers[0].rate.value, scene.drivers[0].acceleration.as_ref().unwrap().value), (-5.0, 25.0));
+    assert_eq!(
+        (scene.drivers[0].rate.value, scene.drivers[0].acceleration.as_ref().unwrap().value),
+        (-5.0, 25.0)
+    );
     assert_eq!(good(&driver("vA/R1 - 60 rpm")).drivers[0].rate.value, 5.0 - std::f64::consts::TAU);
     // A dimensionless quotient is not an angular velocity, and an angular velocity is not a scale.
     assert!(faults(&driver("1 s*vA/R1")).contains("an angular velocity is wanted here"));
-    assert!(faults(&with("paper", r#"{"mu_v": "10 rad/s"}"#)).contains("a scale of velocities is wanted here"));
+    assert!(
+        faults(&with("paper", r#"{"mu_v": "10 rad/s"}"#))
+            .contains("a scale of velocities is wanted here")
+    );
 }
 
 #[test]
 fn a_decimal_comma_is_told_with_the_point() {
     let said = faults(&with("lengths", r#"{"AB": "100,5 mm", "BC": "2*(1,25 mm)"}"#));
-    assert!(said.contains("[,] `100,5 mm` has a comma in a number (write the decimal point: \"100.5 mm\")"), "{said}");
+    assert!(
+        said.contains(
+            "[,] `100,5 mm` has a comma in a number (write the decimal point: \"100.5 mm\")"
+        ),
+        "{said}"
+    );
     assert!(said.contains("write the decimal point: \"2*(1.25 mm)\""), "{said}");
 }
 
@@ -61,12 +74,20 @@ fn quantities_are_read_as_they_are_printed() {
     };
     let tau = std::f64::consts::TAU;
     let of = |omega: &str| good(&rate(omega)).drivers[0].rate.value;
-    for (text, value) in
-        [("2π rad/s", tau), ("2 pi rad/s", tau), ("π*(1 rad/s)", tau / 2.0), ("−3 rad/s", -3.0), ("2·3 rad/s", 6.0), ("4 (rad·s⁻¹)", 4.0)]
-    {
+    for (text, value) in [
+        ("2π rad/s", tau),
+        ("2 pi rad/s", tau),
+        ("π*(1 rad/s)", tau / 2.0),
+        ("−3 rad/s", -3.0),
+        ("2·3 rad/s", 6.0),
+        ("4 (rad·s⁻¹)", 4.0),
+    ] {
         assert!((of(text) - value).abs() < 1e-14, "{text}: {}", of(text));
     }
-    let scene = good(&with("driver", r#"{"link": "1", "angle": "60 deg", "omega": "10 rad/s", "alpha": "2 rad/s²"}"#));
+    let scene = good(&with(
+        "driver",
+        r#"{"link": "1", "angle": "60 deg", "omega": "10 rad/s", "alpha": "2 rad/s²"}"#,
+    ));
     assert_eq!(scene.drivers[0].acceleration.as_ref().unwrap().value, 2.0);
     for (text, said) in [
         ("10 rad/s clockwise", "clockwise is a minus sign: \"-10 rad/s\""),
@@ -85,7 +106,10 @@ fn a_runner_of_two_guides_is_told_with_what_runs_in_one() {
  "guides": [{"pin": "B", "slider": "2", "through": [0, "0.15 m"], "angle": "0 deg"}, {"pin": "B", "on": "3", "line": "OE"}],
  "driver": {"slide": "B", "velocity": "-0.4 m/s"}, "find": ["omega_3"]}"#;
     let said = faults(text);
-    assert!(said.contains("`B` runs in 2 guides (name what runs in one of them only: \"2\")"), "{said}");
+    assert!(
+        said.contains("`B` runs in 2 guides (name what runs in one of them only: \"2\")"),
+        "{said}"
+    );
     good(&text.replace(r#""slide": "B""#, r#""slide": "2""#));
 }
 
@@ -107,7 +131,11 @@ fn a_driver_of_what_touches_means_its_guide() {
     };
     for (text, guide) in [(disc.to_owned(), 0), (rod("K"), 0), (rod("A"), 1), (rod("3"), 1)] {
         let drivers = good(&text).drivers;
-        assert!(matches!(drivers[0].kind, DriverKind::Slide { guide: GuideId(g), .. } if g == guide), "{text}: {:?}", drivers[0].kind);
+        assert!(
+            matches!(drivers[0].kind, DriverKind::Slide { guide: GuideId(g), .. } if g == guide),
+            "{text}: {:?}",
+            drivers[0].kind
+        );
     }
 }
 
@@ -138,13 +166,19 @@ fn a_unit_stands_behind_any_expression() {
         "sqrt(2)/(2)",
     ];
     let value = |text: &str| {
-        let scene = read(with("parameters", &format!(r#"{{"k": "1.5", "q": "{text}"}}"#))).unwrap_or_else(|f| panic!("{text}: {f}")).value;
+        let scene = read(with("parameters", &format!(r#"{{"k": "1.5", "q": "{text}"}}"#)))
+            .unwrap_or_else(|f| panic!("{text}: {f}"))
+            .value;
         scene.parameters.iter().find(|(name, _)| name == "q").unwrap().1.value
     };
     for number in numbers {
         for unit in ["mm", "m", "deg", "rpm", "m/s", "mm^2", "rad/s", "m/s^2"] {
-            let (behind, product) = (value(&format!("{number} {unit}")), value(&format!("({number})*(1 {unit})")));
-            assert!((behind - product).abs() <= 1e-15 * product.abs(), "{number} {unit}: {behind} {product}");
+            let (behind, product) =
+                (value(&format!("{number} {unit}")), value(&format!("({number})*(1 {unit})")));
+            assert!(
+                (behind - product).abs() <= 1e-15 * product.abs(),
+                "{number} {unit}: {behind} {product}"
+            );
         }
     }
 }
@@ -153,15 +187,27 @@ fn a_unit_stands_behind_any_expression() {
 fn links_written_as_in_books_are_told() {
     let text = crate::templates::get("crank-rocker").unwrap();
     let asked = |what: &str| faults(&crate::edit::with_find(text, &[what]).unwrap());
-    assert!(asked("omega_BC").contains("B and C are on link `2`: write `2`"), "{}", asked("omega_BC"));
-    assert!(asked("omega_21").contains("for link `2` relative to link `1` write `2/1`"), "{}", asked("omega_21"));
+    assert!(
+        asked("omega_BC").contains("B and C are on link `2`: write `2`"),
+        "{}",
+        asked("omega_BC")
+    );
+    assert!(
+        asked("omega_21").contains("for link `2` relative to link `1` write `2/1`"),
+        "{}",
+        asked("omega_21")
+    );
 }
 
 #[test]
 fn a_velocity_of_a_link_is_told_with_its_points() {
     let yoke = crate::templates::get("scotch-yoke").unwrap();
     let asked = |what: &str| faults(&crate::edit::with_find(yoke, &[what]).unwrap());
-    assert!(asked("v_3").contains("`3` in `v_3` is a link; `v` is of a point (write v_B3)"), "{}", asked("v_3"));
+    assert!(
+        asked("v_3").contains("`3` in `v_3` is a link; `v` is of a point (write v_B3)"),
+        "{}",
+        asked("v_3")
+    );
     assert!(asked("a_1").contains("(write a_A or a_B)"), "{}", asked("a_1"));
     assert!(asked("x_1").contains("(write x_A or x_B)"), "{}", asked("x_1"));
 }
@@ -187,7 +233,9 @@ fn a_comma_parts_a_point_from_its_link() {
 fn lists_are_whole() {
     let points: Vec<String> = ('A'..='Z').map(|c| format!("{c}0")).collect();
     let links = format!(r#"{{"1": {points:?}, "4": ["A0", "zz"]}}"#);
-    let said = faults(&format!(r#"{{"links": {links}, "ground": "4", "driver": {{"link": "1", "omega": "1 rad/s"}}, "find": ["v_9"]}}"#));
+    let said = faults(&format!(
+        r#"{{"links": {links}, "ground": "4", "driver": {{"link": "1", "omega": "1 rad/s"}}, "find": ["v_9"]}}"#
+    ));
     assert!(said.contains("Y0, Z0, zz)") && !said.contains("..."), "{said}");
     let said = faults(&with("lengths", r#"{"QQ": "1 m"}"#));
     assert!(said.contains("the points are A, B, C, E, D"), "{said}");
@@ -220,7 +268,8 @@ fn drivers_by_laws_of_time() {
         let d = good(&text(at, driver)).drivers.remove(0);
         (d.rate.value, d.acceleration.map(|a| a.value), d.law.map(|l| l.parameters))
     };
-    let told = Some(vec![("k".to_owned(), "0.5 rad/s^2".to_owned()), ("t".to_owned(), "3 s".to_owned())]);
+    let told =
+        Some(vec![("k".to_owned(), "0.5 rad/s^2".to_owned()), ("t".to_owned(), "3 s".to_owned())]);
     assert_eq!(rates(r#""angle": "k*t^2""#), (3.0, Some(1.0), told));
     let (rate, second, law) = rates(r#""angle": "30 deg + 2 rad/s*t""#);
     assert_eq!((rate, second), (2.0, None));
@@ -229,7 +278,10 @@ fn drivers_by_laws_of_time() {
     assert_eq!(both, (7.0, None, None));
     let bare = crate::read(text(at, r#""angle": "t^2""#)).unwrap_err();
     assert_eq!(bare.list.len(), 1, "{bare}");
-    assert_eq!(bare.list[0].help.as_ref().unwrap().en, "t counts in seconds: multiply by 1 rad/s^2");
+    assert_eq!(
+        bare.list[0].help.as_ref().unwrap().en,
+        "t counts in seconds: multiply by 1 rad/s^2"
+    );
     for (time, driver, code) in [
         (at, r#""angle": "k*t^2", "alpha": "1 rad/s^2""#, "given-twice"),
         (at, r#""angle": "1 rad*abs(t/(1 s))""#, "law"),

@@ -13,13 +13,19 @@ fn names_that_overlap() {
         )
     };
     let asked = |find: &str| written(&good(&scene(find)).find[0].what);
-    let on = |point: usize, link: Option<usize>| OnLink { point: PointId(point), link: link.map(LinkId) };
+    let on = |point: usize, link: Option<usize>| OnLink {
+        point: PointId(point),
+        link: link.map(LinkId),
+    };
     assert_eq!(asked("v_O2"), ("v", Of::Point(on(1, None))));
     assert_eq!(asked("v_O1"), ("v", Of::Point(on(0, Some(0)))));
     assert_eq!(asked("v_AB"), ("v", Of::Point(on(2, None))));
     assert_eq!(asked("v_A,B"), ("v", Of::Points(on(3, None), on(4, None))));
     assert_eq!(asked("v_AB4B2"), ("v", Of::Points(on(2, Some(2)), on(4, Some(1)))));
-    assert_eq!(faults(&scene("l_ABB")), "[\"l_ABB\"] `ABB` can be read in 2 ways (write \"A,BB\" or \"AB,B\")\n");
+    assert_eq!(
+        faults(&scene("l_ABB")),
+        "[\"l_ABB\"] `ABB` can be read in 2 ways (write \"A,BB\" or \"AB,B\")\n"
+    );
 }
 
 mod any_input {

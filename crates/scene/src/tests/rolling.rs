@@ -24,7 +24,8 @@ const WHEEL: &str = r#"{
 /// Returns a pair with other values of some keys: `null` omits one.
 fn pair(of: &str, other: &str) -> String {
     let mut pair: serde_json::Map<String, serde_json::Value> = serde_json::from_str(of).unwrap();
-    let other: serde_json::Map<String, serde_json::Value> = serde_json::from_str(&format!("{{{other}}}")).unwrap();
+    let other: serde_json::Map<String, serde_json::Value> =
+        serde_json::from_str(&format!("{{{other}}}")).unwrap();
     for (key, value) in other {
         if value.is_null() {
             pair.remove(&key);
@@ -36,7 +37,8 @@ fn pair(of: &str, other: &str) -> String {
 }
 
 fn gears(others: &[&str]) -> String {
-    let usual = r#"{"links": ["2", "3"], "centres": ["A", "D"], "teeth": [20, 40], "phase": "0 deg"}"#;
+    let usual =
+        r#"{"links": ["2", "3"], "centres": ["A", "D"], "teeth": [20, 40], "phase": "0 deg"}"#;
     GEARS.replace("PAIRS", &others.iter().map(|o| pair(usual, o)).collect::<Vec<_>>().join(","))
 }
 
@@ -49,13 +51,25 @@ fn wheels(others: &[&str]) -> String {
 pub(super) fn bad() -> Vec<(&'static str, String)> {
     let straight = r#""track": null, "track_radius": null, "inside": null"#;
     let on_line = |more: &str| format!("{straight}, {more}");
-    let of_lines = ["\"line\": \"AB\"", "\"line\": \"O\"", "\"angle\": \"0 mm\"", "\"angle\": 0, \"phase\": 0"].map(on_line);
-    let through =
-        ["\"angle\": 0, \"through\": \"A\"", "\"angle\": 0, \"through\": [1]", "\"angle\": 0, \"on\": \"3\", \"through\": [1, 1]"]
-            .map(on_line);
-    let through: Vec<&str> = through.iter().map(String::as_str).chain(["\"through\": \"O\""]).collect();
+    let of_lines = [
+        "\"line\": \"AB\"",
+        "\"line\": \"O\"",
+        "\"angle\": \"0 mm\"",
+        "\"angle\": 0, \"phase\": 0",
+    ]
+    .map(on_line);
+    let through = [
+        "\"angle\": 0, \"through\": \"A\"",
+        "\"angle\": 0, \"through\": [1]",
+        "\"angle\": 0, \"on\": \"3\", \"through\": [1, 1]",
+    ]
+    .map(on_line);
+    let through: Vec<&str> =
+        through.iter().map(String::as_str).chain(["\"through\": \"O\""]).collect();
     let of_lines: Vec<&str> = of_lines.iter().map(String::as_str).chain([straight]).collect();
-    let rack = |more: &str| format!(r#""rack": "3", "centres": ["A"], "teeth": null, "phase": null, {more}"#);
+    let rack = |more: &str| {
+        format!(r#""rack": "3", "centres": ["A"], "teeth": null, "phase": null, {more}"#)
+    };
     let racks = [
         r#""radii": [20]"#,
         r#""radii": [20], "angle": "3 mm""#,
@@ -72,7 +86,13 @@ pub(super) fn bad() -> Vec<(&'static str, String)> {
     vec![
         (
             "gears by name",
-            gears(&[r#""links": ["2", "9"]"#, r#""centres": ["A", "X"]"#, r#""ring": "7""#, r#""rack": "1""#, r#""centers": ["A", "D"]"#]),
+            gears(&[
+                r#""links": ["2", "9"]"#,
+                r#""centres": ["A", "X"]"#,
+                r#""ring": "7""#,
+                r#""rack": "1""#,
+                r#""centers": ["A", "D"]"#,
+            ]),
         ),
         (
             "gears by type",
@@ -112,29 +132,83 @@ pub(super) fn bad() -> Vec<(&'static str, String)> {
                 r#""teeth": null, "radii": ["30 deg", 60]"#,
             ]),
         ),
-        ("gears elsewhere", gears(&[r#""centres": ["D", "A"]"#, r#""links": ["2", "2"], "centres": ["A", "B"]"#])),
-        ("rings", gears(&[r#""ring": "2""#, r#""ring": "3", "teeth": [20, 20]"#, r#""angle": 0"#, r#""line": "AD""#])),
+        (
+            "gears elsewhere",
+            gears(&[r#""centres": ["D", "A"]"#, r#""links": ["2", "2"], "centres": ["A", "B"]"#]),
+        ),
+        (
+            "rings",
+            gears(&[
+                r#""ring": "2""#,
+                r#""ring": "3", "teeth": [20, 20]"#,
+                r#""angle": 0"#,
+                r#""line": "AD""#,
+            ]),
+        ),
         ("racks", gears(&racks)),
         ("contacts", gears(&[r#""at": "A""#, r#""at": "C""#, r#""at": "K,""#, r#""at": """#])),
-        ("questions at a contact", gears(&[""]).replace(r#""omega_3""#, r#""v_Q", "a_QD", "v_Q9", "x_Q", "v_Q3""#)),
-        ("a phase too many", gears(&[""]).replace(r#""D": [90, 0]"#, r#""D": [90, 0], "C": [90, 40]"#)),
-        ("wheels by name", wheels(&[r#""wheel": "9""#, r#""centre": "X""#, r#""on": "8""#, r#""track": "Y""#, r#""raduis": 0.2"#])),
+        (
+            "questions at a contact",
+            gears(&[""]).replace(r#""omega_3""#, r#""v_Q", "a_QD", "v_Q9", "x_Q", "v_Q3""#),
+        ),
+        (
+            "a phase too many",
+            gears(&[""]).replace(r#""D": [90, 0]"#, r#""D": [90, 0], "C": [90, 40]"#),
+        ),
+        (
+            "wheels by name",
+            wheels(&[
+                r#""wheel": "9""#,
+                r#""centre": "X""#,
+                r#""on": "8""#,
+                r#""track": "Y""#,
+                r#""raduis": 0.2"#,
+            ]),
+        ),
         (
             "wheels by type",
-            wheels(&[r#""wheel": 4"#, r#""centre": ["B"]"#, r#""radius": "big""#, r#""inside": "yes""#, r#""track_radius": "80 deg""#]),
+            wheels(&[
+                r#""wheel": 4"#,
+                r#""centre": ["B"]"#,
+                r#""radius": "big""#,
+                r#""inside": "yes""#,
+                r#""track_radius": "80 deg""#,
+            ]),
         ),
         ("wheels without", wheels(&[r#""wheel": null"#, r#""centre": null"#, r#""radius": null"#])),
-        ("wheels by size", wheels(&[r#""radius": -0.2"#, r#""radius": 0"#, r#""track_radius": -0.8"#, r#""radius": 0.9"#])),
-        ("wheels elsewhere", wheels(&[r#""centre": "A""#, r#""track": "B""#, r#""on": "4", "track": "B""#])),
+        (
+            "wheels by size",
+            wheels(&[
+                r#""radius": -0.2"#,
+                r#""radius": 0"#,
+                r#""track_radius": -0.8"#,
+                r#""radius": 0.9"#,
+            ]),
+        ),
+        (
+            "wheels elsewhere",
+            wheels(&[r#""centre": "A""#, r#""track": "B""#, r#""on": "4", "track": "B""#]),
+        ),
         (
             "round tracks",
-            wheels(&[r#""track_radius": null"#, r#""track": null"#, r#""track": null, "track_radius": null"#, r#""angle": 0"#]),
+            wheels(&[
+                r#""track_radius": null"#,
+                r#""track": null"#,
+                r#""track": null, "track_radius": null"#,
+                r#""angle": 0"#,
+            ]),
         ),
         ("straight tracks", wheels(&of_lines)),
         ("tracks through", wheels(&through)),
         ("wheels in a list of two kinds", WHEEL.replace("PAIRS", "3, \"4\", {}")),
         ("wheels in no list", WHEEL.replace("[PAIRS]", "\"4\"")),
-        ("a wheel that is driven", wheels(&[""]).replace(r#""link": "2", "omega": "2 rad/s""#, r#""slide": "A", "velocity": "1 m/s""#)),
+        (
+            "a wheel that is driven",
+            wheels(&[""]).replace(
+                r#""link": "2", "omega": "2 rad/s""#,
+                r#""slide": "A", "velocity": "1 m/s""#,
+            ),
+        ),
     ]
 }
 
@@ -145,25 +219,40 @@ fn free_centres_are_told() {
       "gears": [{"links": ["4", "3"], "centres": ["O", "P"], "teeth": ["z", 21]}, {"links": ["3", "1"], "centres": ["P", "O"], "teeth": [21, 62], "ring": "1"}],
       "parameters": {"z": 20}, "driver": {"link": "4", "omega": "1 rad/s"}, "find": ["omega_2"]}"#;
     let scene = read(train).unwrap();
-    let place = |name: &str| match &scene.value.points.iter().find(|p| p.name == name).unwrap().place {
-        PointPlace::At([x, y]) => [x.value, y.value],
-        other => panic!("{other:?}"),
-    };
+    let place =
+        |name: &str| match &scene.value.points.iter().find(|p| p.name == name).unwrap().place {
+            PointPlace::At([x, y]) => [x.value, y.value],
+            other => panic!("{other:?}"),
+        };
     // (20 + 21)/2 times 1 mm.
     assert_eq!((place("O"), place("P")), ([0.0, 0.0], [0.0205, 0.0]));
-    let code = |source: &str| read(source).map_or_else(|f| f.list, |s| s.notes).iter().map(|d| d.code).collect::<Vec<_>>();
+    let code = |source: &str| {
+        read(source).map_or_else(|f| f.list, |s| s.notes).iter().map(|d| d.code).collect::<Vec<_>>()
+    };
     assert_eq!(code(train), ["free-centre"]);
     // A question that depends on the place gets no assumed place; an arm with a given place keeps
     // it.
     assert_eq!(code(&train.replace("\"omega_2\"", "\"omega_2\", \"v_P\"")), [""; 0]);
-    assert_eq!(code(&train.replace("\"parameters\"", "\"points\": {\"O\": [0, 0], \"P\": [\"30 mm\", 0]}, \"parameters\"")), [""; 0]);
+    assert_eq!(
+        code(&train.replace(
+            "\"parameters\"",
+            "\"points\": {\"O\": [0, 0], \"P\": [\"30 mm\", 0]}, \"parameters\""
+        )),
+        [""; 0]
+    );
     // The place of a planet that moves another link, or of an arm with a further point, has an
     // effect.
     assert_eq!(code(&train.replace("\"3\": [\"P\"]", "\"3\": [\"P\", \"M\"]")), [""; 0]);
-    assert_eq!(code(&train.replace("\"2\": [\"O\", \"P\"]", "\"2\": [\"O\", \"P\", \"M\"]")), [""; 0]);
+    assert_eq!(
+        code(&train.replace("\"2\": [\"O\", \"P\"]", "\"2\": [\"O\", \"P\", \"M\"]")),
+        [""; 0]
+    );
     // The angle of a driven arm is kept; its length is free.
     let arm = train
-        .replace("\"driver\": {\"link\": \"4\"", "\"driver\": {\"link\": \"2\", \"angle\": \"50 deg\"")
+        .replace(
+            "\"driver\": {\"link\": \"4\"",
+            "\"driver\": {\"link\": \"2\", \"angle\": \"50 deg\"",
+        )
         .replace("omega_2\"]", "omega_4\"]");
     let scene = read(&arm).unwrap().value;
     assert!(scene.points.iter().filter(|p| matches!(p.place, PointPlace::At(_))).count() == 1);
@@ -173,12 +262,22 @@ fn free_centres_are_told() {
 /// A track through a point keeps the wheel's centre at its radius, to the left.
 #[test]
 fn a_track_runs_through_its_point() {
-    let source = wheels(&[r#""track": null, "track_radius": null, "inside": null, "angle": 0, "through": [0, 1]"#]);
+    let source = wheels(&[
+        r#""track": null, "track_radius": null, "inside": null, "angle": 0, "through": [0, 1]"#,
+    ]);
     let scene = read(&source).unwrap().value;
-    let GuidePath::Line { through: Through::At([_, y]), offset: Some(offset), .. } = &scene.guides[0].path else {
+    let GuidePath::Line { through: Through::At([_, y]), offset: Some(offset), .. } =
+        &scene.guides[0].path
+    else {
         panic!("{:?}", scene.guides[0].path)
     };
     assert_eq!((y.value, offset.value), (1.0, 0.2));
     let anywhere = read(source.replace(r#","through":[0,1]"#, "")).unwrap().value;
-    assert!(matches!(anywhere.guides[0].path, GuidePath::Line { through: Through::Pin, offset: None, .. }), "{source}");
+    assert!(
+        matches!(
+            anywhere.guides[0].path,
+            GuidePath::Line { through: Through::Pin, offset: None, .. }
+        ),
+        "{source}"
+    );
 }

@@ -6,7 +6,9 @@ use super::{Compiler, MovingPoint, NoKernel};
 use crate::carry::{Arm, Twist};
 use crate::extreme::DrivenOutput;
 use crate::kernel::{Reg, RegPair};
-use crate::reading::{ComponentAlong, Coriolis, Dot, RateRatio, VectorDirection, VectorLength, WeightedSum};
+use crate::reading::{
+    ComponentAlong, Coriolis, Dot, RateRatio, VectorDirection, VectorLength, WeightedSum,
+};
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::geom::Vec2;
 use hodograph_mechanism::mechanism::{Level, PointJoint, joined};
@@ -84,17 +86,31 @@ impl Compiler<'_> {
                 vector(self, V, v)
             }
             // These have no kernel: the loop equations answer them.
-            Meaning::Relative(RelativeComponent::SlidingNormal | RelativeComponent::SlidingTangential, ..) | Meaning::Seen(..) => {
+            Meaning::Relative(
+                RelativeComponent::SlidingNormal | RelativeComponent::SlidingTangential,
+                ..,
+            )
+            | Meaning::Seen(..) => {
                 return Err(no_kernel(find));
             }
             Meaning::Ratio(links, arm) => {
                 let [a, b] = match arm {
                     None => [self.turning(links[0], V)?, self.turning(links[1], V)?],
-                    Some(arm) => [self.relative_turning(links[0], arm, V)?, self.relative_turning(links[1], arm, V)?],
+                    Some(arm) => [
+                        self.relative_turning(links[0], arm, V)?,
+                        self.relative_turning(links[1], arm, V)?,
+                    ],
                 };
                 let size = self.at.extent();
-                let rate = |d: &Driver| d.rate.value.abs() / if d.kind.turns() { 1.0 } else { size };
-                let driven = self.scene.drivers.iter().map(rate).filter(|w| w.is_finite()).fold(0.0, f64::max);
+                let rate =
+                    |d: &Driver| d.rate.value.abs() / if d.kind.turns() { 1.0 } else { size };
+                let driven = self
+                    .scene
+                    .drivers
+                    .iter()
+                    .map(rate)
+                    .filter(|w| w.is_finite())
+                    .fold(0.0, f64::max);
                 let ratio = self.emit(V, RateRatio { a, b, driven }, 1);
                 one(self, ratio)
             }
@@ -185,11 +201,14 @@ impl Compiler<'_> {
             let guide = &self.scene.guides[g.0];
             return match (self.at.shapes.guides[g.0], guide.pin) {
                 (Some(hodograph_mechanism::position::Path::Arc { centre, .. }), Some(pin)) => {
-                    let (from, to) = (self.spot(MovingPoint::Fixed(guide.on, centre), P)?, self.point(pin, P)?);
+                    let (from, to) =
+                        (self.spot(MovingPoint::Fixed(guide.on, centre), P)?, self.point(pin, P)?);
                     let d = self.emit_pair(P, Arm { from, to });
                     Ok(self.emit_pair(P, Twist { d, k: [0.0, 1.0] }))
                 }
-                (Some(hodograph_mechanism::position::Path::Line { direction, .. }), _) => self.direction_on(guide.on, direction),
+                (Some(hodograph_mechanism::position::Path::Line { direction, .. }), _) => {
+                    self.direction_on(guide.on, direction)
+                }
                 _ => Err(self.lost(l)),
             };
         }
@@ -218,7 +237,9 @@ impl Compiler<'_> {
     /// points.
     fn coriolis(&mut self, a: &OnLink, b: &OnLink, find: &Find) -> Result<RegPair, NoKernel> {
         let v = self.relative(a, b, V)?;
-        let Some(PointJoint::Guide(g)) = joined(self.scene, a, b) else { return Err(no_kernel(find)) };
+        let Some(PointJoint::Guide(g)) = joined(self.scene, a, b) else {
+            return Err(no_kernel(find));
+        };
         let omega = self.turning(self.scene.guides[g.0].on, V)?;
         Ok(self.emit_pair(V, Coriolis { v, omega }))
     }
@@ -236,7 +257,11 @@ impl Compiler<'_> {
 pub(super) fn no_kernel(find: &Find) -> NoKernel {
     Diagnostic::note(
         "no-kernel",
-        both!("{} has no compiled form: each position is solved by itself", "{} 不能预编译，逐位置求解（较慢）", find.text),
+        both!(
+            "{} has no compiled form: each position is solved by itself",
+            "{} 不能预编译，逐位置求解（较慢）",
+            find.text
+        ),
     )
     .at(find.span)
 }

@@ -10,12 +10,16 @@ use super::rate::LegCondition;
 use super::{Compiler, MovingPoint, NoKernel};
 use crate::carry::{Image, PointAlong, Product, Twist};
 use crate::kernel::{Kernel, Reg, RegPair};
-use crate::led::{ByAngle, CamPhase, Faced, Higher, Lift, LiftRate, Parabola, Rock, RockRate, Stretch, Wave};
+use crate::led::{
+    ByAngle, CamPhase, Faced, Higher, Lift, LiftRate, Parabola, Rock, RockRate, Stretch, Wave,
+};
 use crate::program::{COS, SIN, VALUE};
 use crate::reading::WeightedSum;
 use crate::station::position_now;
 use crate::turns::{CosineSine, Quarters};
-use hodograph_base::cam::{CamMotion, Disc, Follower, FollowerTip, ProfileSegment, StageMotion, StageProgram as Law};
+use hodograph_base::cam::{
+    CamMotion, Disc, Follower, FollowerTip, ProfileSegment, StageMotion, StageProgram as Law,
+};
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::geom::Vec2;
 use hodograph_mechanism::mechanism::Level;
@@ -130,14 +134,23 @@ impl Compiler<'_> {
         }
         let value = position_now(self.scene, self.at, driver);
         let written = self.scene.drivers[driver].kind.angle();
-        let (s, c) = written.map_or_else(|| (libm::sin(value), libm::cos(value)), |angle| hodograph_base::trig::sin_cos(angle.value));
+        let (s, c) = written.map_or_else(
+            || (libm::sin(value), libm::cos(value)),
+            |angle| hodograph_base::trig::sin_cos(angle.value),
+        );
         let known = (self.emit_pair(P, Quarters), Quarters.eval([value, c, s]));
         self.trains.quarters = Some(known);
         known
     }
 
     /// A spot that a driver pushes along a guide of a known link.
-    pub(super) fn driven_along(&mut self, g: usize, p: MovingPoint, guide: GuideId, driver: usize) -> Result<RegPair, NoKernel> {
+    pub(super) fn driven_along(
+        &mut self,
+        g: usize,
+        p: MovingPoint,
+        guide: GuideId,
+        driver: usize,
+    ) -> Result<RegPair, NoKernel> {
         let on = self.scene.guides[guide.0].on;
         let rates = self.driver_rates(driver)?;
         if let Some(slot) = self.slot(guide)? {
@@ -146,14 +159,22 @@ impl Compiler<'_> {
             self.rows[g].push(LegCondition::Guided { p, on, n: slot.direction, rates });
             return Ok(self.emit_pair(P, PointAlong { q: slot.through, t: slot.direction, s }));
         }
-        let Some(Path::Arc { centre, radius }) = self.at.shapes.guides[guide.0] else { return Err(self.without_kernel(g)) };
+        let Some(Path::Arc { centre, radius }) = self.at.shapes.guides[guide.0] else {
+            return Err(self.without_kernel(g));
+        };
         let turn = self.driver_turn(driver, Some(radius))?;
         let axis = self.direction_on(on, Vec2::new(radius, 0.0))?;
         let arm = self.emit_pair(P, Product { a: turn, b: axis });
         let o = self.spot(MovingPoint::Fixed(on, centre), P)?;
         let tangent = self.emit_pair(P, Twist { d: arm, k: [0.0, 1.0 / radius] });
         let l = self.constant(radius);
-        self.rows[g].push(LegCondition::Distance { p, far: MovingPoint::Fixed(on, centre), l, rates: Rates::NONE, bar: false });
+        self.rows[g].push(LegCondition::Distance {
+            p,
+            far: MovingPoint::Fixed(on, centre),
+            l,
+            rates: Rates::NONE,
+            bar: false,
+        });
         self.rows[g].push(LegCondition::Guided { p, on, n: tangent, rates });
         Ok(self.emit_pair(P, Image { o, d: arm, k: [1.0, 0.0] }))
     }
@@ -169,7 +190,8 @@ impl Compiler<'_> {
         guide: GuideId,
         driver: usize,
     ) -> Result<(RegPair, Reg, Rates), NoKernel> {
-        let (Some(Path::Line { through, direction }), Some(pivot)) = (self.at.shapes.guides[guide.0], self.at.shapes.local(link, far))
+        let (Some(Path::Line { through, direction }), Some(pivot)) =
+            (self.at.shapes.guides[guide.0], self.at.shapes.local(link, far))
         else {
             return Err(self.without_kernel(g));
         };
@@ -186,7 +208,13 @@ impl Compiler<'_> {
     /// The message that a follower leads a quantity without an operation.
     fn not_led(&self, d: usize) -> NoKernel {
         let name = self.scene.driver_name(d).0;
-        Diagnostic::note("no-kernel", both!("what {name} moves has no compiled form", "{name} 所带动的构件不能预编译，逐位置求解（较慢）"))
+        Diagnostic::note(
+            "no-kernel",
+            both!(
+                "what {name} moves has no compiled form",
+                "{name} 所带动的构件不能预编译，逐位置求解（较慢）"
+            ),
+        )
     }
 
     /// A driver that is led by a cam on the swept one.
@@ -196,13 +224,19 @@ impl Compiler<'_> {
             return Err(self.not_led(d));
         }
         let led_by = |t: &&TurningCam| t.by_law == Some(d) && Some(t.driver) == self.driver;
-        let Some(turning) = scene.cams.iter().filter_map(|c| c.disc.as_ref()).find(led_by) else { return Ok(None) };
+        let Some(turning) = scene.cams.iter().filter_map(|c| c.disc.as_ref()).find(led_by) else {
+            return Ok(None);
+        };
         if let Some((_, known)) = self.leds.iter().find(|(k, _)| *k == d) {
             return Ok(Some(*known));
         }
         let led = match &turning.disc.motion {
-            CamMotion::Law { base, program } => self.led_by_law(turning, turning.disc.rest(*base), program),
-            CamMotion::Profile(segments) if turning.start == 0.0 => self.led_by_pieces(turning, segments),
+            CamMotion::Law { base, program } => {
+                self.led_by_law(turning, turning.disc.rest(*base), program)
+            }
+            CamMotion::Profile(segments) if turning.start == 0.0 => {
+                self.led_by_pieces(turning, segments)
+            }
             CamMotion::Profile(_) => return Err(self.not_led(d)),
         };
         self.leds.push((d, led));
@@ -240,8 +274,10 @@ impl Compiler<'_> {
     fn led_by_pieces(&mut self, t: &TurningCam, segments: &[ProfileSegment]) -> LedFollower {
         let stretches = t.disc.stretches();
         let first = stretches[0].0;
-        let numbers = |piece: Option<usize>| piece.map_or([f64::NAN; 4], |i| numbers(&t.disc, &segments[i]));
-        let table: Vec<(f64, [f64; 4])> = stretches.iter().map(|(phi, piece)| (phi - first, numbers(*piece))).collect();
+        let numbers =
+            |piece: Option<usize>| piece.map_or([f64::NAN; 4], |i| numbers(&t.disc, &segments[i]));
+        let table: Vec<(f64, [f64; 4])> =
+            stretches.iter().map(|(phi, piece)| (phi - first, numbers(*piece))).collect();
         let at = if table.len() > 1 { self.phase(t, first, AHEAD[0]).0 } else { VALUE };
         let piece = self.of_stretch(at, &table);
         let (turn, way) = if t.is_drivers_own() {
@@ -255,24 +291,41 @@ impl Compiler<'_> {
         let two = |first: Reg| [first, Reg(first.0 + 1)];
         match (t.disc.follower, t.disc.touch) {
             (Follower::Translating { direction, offset }, FollowerTip::Point { .. }) => {
-                let out = self.emit(P, Lift { piece, turn, way, direction, offset, origin: t.origin, out: t.outward }, 5);
+                let out = self.emit(
+                    P,
+                    Lift { piece, turn, way, direction, offset, origin: t.origin, out: t.outward },
+                    5,
+                );
                 let lift = std::array::from_fn(|i| Reg(out.0 + 1 + i as u32));
-                let rate = self.emit(V, LiftRate { lift, a: piece[0], direction, offset, rates, out: t.outward }, 2);
+                let rate = self.emit(
+                    V,
+                    LiftRate { lift, a: piece[0], direction, offset, rates, out: t.outward },
+                    2,
+                );
                 LedFollower { place: FollowerPlace::Way(out), rates: two(rate) }
             }
             (Follower::Translating { direction, .. }, FollowerTip::Flat { .. }) => {
-                let out = self.emit(P, Faced { piece, turn, way, direction, origin: t.origin, rates, out: t.outward }, 3);
+                let out = self.emit(
+                    P,
+                    Faced { piece, turn, way, direction, origin: t.origin, rates, out: t.outward },
+                    3,
+                );
                 LedFollower { place: FollowerPlace::Way(out), rates: two(Reg(out.0 + 1)) }
             }
             (Follower::Oscillating { pivot, arm, sense }, touch) => {
                 let (m, pivot, sign) = match touch {
-                    FollowerTip::Point { .. } => (pivot * (2.0 * arm), pivot * (-1.0 / arm), -sense),
+                    FollowerTip::Point { .. } => {
+                        (pivot * (2.0 * arm), pivot * (-1.0 / arm), -sense)
+                    }
                     FollowerTip::Flat { .. } => (pivot.perp() * sense, Vec2::ZERO, sense),
                 };
                 let out = self.emit(P, Rock { piece, turn, way, m, pivot, sign }, 5);
                 let rock = std::array::from_fn(|i| Reg(out.0 + i as u32));
                 let rate = self.emit(V, RockRate { rock, h: piece[3], pivot, rates }, 2);
-                LedFollower { place: FollowerPlace::Direction(RegPair { x: rock[0], y: rock[1] }), rates: two(rate) }
+                LedFollower {
+                    place: FollowerPlace::Direction(RegPair { x: rock[0], y: rock[1] }),
+                    rates: two(rate),
+                }
             }
         }
     }
@@ -281,7 +334,9 @@ impl Compiler<'_> {
     fn led_by_law(&mut self, t: &TurningCam, rest: f64, law: &Law) -> LedFollower {
         let (at, ahead) = self.phase(t, 0.0, AHEAD[1]);
         let table = Terms::of(law, t.origin + t.outward * rest, t.outward);
-        let group = |k: usize| -> Vec<(f64, [f64; 4])> { table.iter().map(|s| (s.from, s.groups[k])).collect() };
+        let group = |k: usize| -> Vec<(f64, [f64; 4])> {
+            table.iter().map(|s| (s.from, s.groups[k])).collect()
+        };
         let numbers = self.of_stretch(at, &group(0));
         let mut low = self.emit(P, Parabola { at, numbers, ahead }, 4);
         let (more, waves) = (self.of_stretch(at, &group(1)), self.of_stretch(at, &group(2)));
@@ -297,7 +352,9 @@ impl Compiler<'_> {
         let rate = self.emit(V, ByAngle { low, rates }, 2);
         let place = match t.disc.follower {
             Follower::Translating { .. } => FollowerPlace::Way(low),
-            Follower::Oscillating { .. } => FollowerPlace::Direction(self.emit_pair(P, CosineSine { angle: low })),
+            Follower::Oscillating { .. } => {
+                FollowerPlace::Direction(self.emit_pair(P, CosineSine { angle: low }))
+            }
         };
         LedFollower { place, rates: [rate, Reg(rate.0 + 1)] }
     }
@@ -315,16 +372,22 @@ fn numbers(disc: &Disc, segment: &ProfileSegment) -> [f64; 4] {
             let n = Vec2::from_angle(normal);
             [0.0, -n.x, -n.y, -(distance + r)]
         }
-        (ProfileSegment::Arc { centre, radius, .. }, FollowerTip::Flat { .. }) if radius >= 0.0 => [1.0, centre.x, centre.y, radius],
+        (ProfileSegment::Arc { centre, radius, .. }, FollowerTip::Flat { .. }) if radius >= 0.0 => {
+            [1.0, centre.x, centre.y, radius]
+        }
         // A face touches neither concave flanks nor lines.
-        (ProfileSegment::Arc { .. } | ProfileSegment::Line { .. }, FollowerTip::Flat { .. }) => [f64::NAN; 4],
+        (ProfileSegment::Arc { .. } | ProfileSegment::Line { .. }, FollowerTip::Flat { .. }) => {
+            [f64::NAN; 4]
+        }
     };
     match (disc.follower, disc.touch) {
         (Follower::Translating { .. }, _) => [a, x, y, h],
         (Follower::Oscillating { pivot, arm, .. }, FollowerTip::Point { .. }) => {
             [a, -arm * x, -arm * y, -h - a * (pivot.norm2() + arm * arm)]
         }
-        (Follower::Oscillating { sense, .. }, FollowerTip::Flat { lever }) => [a, sense * y, -sense * x, lever - h],
+        (Follower::Oscillating { sense, .. }, FollowerTip::Flat { lever }) => {
+            [a, sense * y, -sense * x, lever - h]
+        }
     }
 }
 
@@ -346,7 +409,10 @@ impl Terms {
             let still = base + outward * lift;
             let gain = outward * stage.gain();
             match stage.way {
-                StageMotion::Dwell => out.push(Terms { from: start, groups: [[start, still, 0.0, 0.0], [0.0; 4], [0.0; 4]] }),
+                StageMotion::Dwell => out.push(Terms {
+                    from: start,
+                    groups: [[start, still, 0.0, 0.0], [0.0; 4], [0.0; 4]],
+                }),
                 StageMotion::Rise(_, kind) | StageMotion::Return(_, kind) => {
                     let mut from = start;
                     for piece in kind.pieces() {
@@ -357,10 +423,21 @@ impl Terms {
                             scale /= stage.over;
                         }
                         let wave = piece.wave.map_or([0.0; 3], |(amplitude, k, phase)| {
-                            [amplitude.value::<f64>() * gain, k.to_radians() / stage.over, phase.to_radians()]
+                            [
+                                amplitude.value::<f64>() * gain,
+                                k.to_radians() / stage.over,
+                                phase.to_radians(),
+                            ]
                         });
                         let low = [start, still + c[0], c[1], c[2]];
-                        out.push(Terms { from, groups: [low, [c[3], c[4], c[5], c[6]], [c[7], wave[0], wave[1], wave[2]]] });
+                        out.push(Terms {
+                            from,
+                            groups: [
+                                low,
+                                [c[3], c[4], c[5], c[6]],
+                                [c[7], wave[0], wave[1], wave[2]],
+                            ],
+                        });
                         from = start + piece.end * stage.over;
                     }
                 }

@@ -46,7 +46,13 @@ pub type NoKernel = Diagnostic;
 ///
 /// # Errors
 /// The group that has no kernel.
-pub fn compile(scene: &Scene, m: &Mechanism, at: &Configuration, driver: Option<usize>, find: &[Find]) -> Result<SweepProgram, NoKernel> {
+pub fn compile(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    driver: Option<usize>,
+    find: &[Find],
+) -> Result<SweepProgram, NoKernel> {
     let mut c = Compiler::new(scene, m, at, driver);
     find.iter().try_for_each(|f| c.answer(f))?;
     Ok(c.finish())
@@ -166,7 +172,12 @@ pub(super) struct Compiler<'a> {
 }
 
 impl<'a> Compiler<'a> {
-    fn new(scene: &'a Scene, m: &'a Mechanism, at: &'a Configuration, driver: Option<usize>) -> Self {
+    fn new(
+        scene: &'a Scene,
+        m: &'a Mechanism,
+        at: &'a Configuration,
+        driver: Option<usize>,
+    ) -> Self {
         let mut c = Compiler {
             scene,
             m,
@@ -251,7 +262,8 @@ impl<'a> Compiler<'a> {
     }
 
     fn constant(&mut self, value: f64) -> Reg {
-        if let Some((reg, _)) = self.constants.iter().find(|(_, v)| v.to_bits() == value.to_bits()) {
+        if let Some((reg, _)) = self.constants.iter().find(|(_, v)| v.to_bits() == value.to_bits())
+        {
             return *reg;
         }
         let reg = self.take(1);
@@ -296,7 +308,11 @@ impl<'a> Compiler<'a> {
     fn lost(&self, l: LinkId) -> NoKernel {
         Diagnostic::note(
             "no-kernel",
-            both!("link {} has no compiled form", "构件 {} 不能预编译，逐位置求解（较慢）", self.scene.link_name(l)),
+            both!(
+                "link {} has no compiled form",
+                "构件 {} 不能预编译，逐位置求解（较慢）",
+                self.scene.link_name(l)
+            ),
         )
         .at(self.scene.links[l.0].span)
     }
@@ -312,14 +328,23 @@ impl<'a> Compiler<'a> {
                 return Ok(pair);
             }
         }
-        if let (Level::Position, Some(r)) = (level, self.scene.rolling.iter().position(|r| r.at.contains(&p))) {
+        if let (Level::Position, Some(r)) =
+            (level, self.scene.rolling.iter().position(|r| r.at.contains(&p)))
+        {
             let pair = self.contact(RollingId(r), p)?;
             self.points[p.0][0] = Some(pair);
             return Ok(pair);
         }
-        let carrier = self.scene.carriers(p).find(|l| !self.m.is_passive(*l) && self.at.shapes.local(*l, p).is_some());
+        let carrier = self
+            .scene
+            .carriers(p)
+            .find(|l| !self.m.is_passive(*l) && self.at.shapes.local(*l, p).is_some());
         let Some((l, local)) = carrier.and_then(|l| Some((l, self.at.shapes.local(l, p)?))) else {
-            let message = both!("point {} has no compiled form", "点 {} 不能预编译，逐位置求解（较慢）", self.scene.point_name(p));
+            let message = both!(
+                "point {} has no compiled form",
+                "点 {} 不能预编译，逐位置求解（较慢）",
+                self.scene.point_name(p)
+            );
             return Err(Diagnostic::note("no-kernel", message));
         };
         let pair = self.spot(MovingPoint::Fixed(l, local), level)?;
@@ -371,7 +396,9 @@ impl<'a> Compiler<'a> {
                 Some(b) => self.now(b.origin),
                 None => nowhere,
             },
-            MovingPoint::Fixed(l, local) => self.at.poses[l.0].map_or(nowhere, |pose| pose.to_world(local)),
+            MovingPoint::Fixed(l, local) => {
+                self.at.poses[l.0].map_or(nowhere, |pose| pose.to_world(local))
+            }
         }
     }
 

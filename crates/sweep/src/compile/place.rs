@@ -57,11 +57,14 @@ impl Compiler<'_> {
         let entry = CoreLoci::of(legs);
         let at = match (entry.carrier, &entry.holds[..]) {
             (Some(link), _) => {
-                let local = self.at.shapes.local(link, pin).ok_or_else(|| self.without_kernel(g))?;
+                let local =
+                    self.at.shapes.local(link, pin).ok_or_else(|| self.without_kernel(g))?;
                 self.rows[g].push(LegCondition::Carried { at: MovingPoint::Fixed(link, local) });
                 self.spot(MovingPoint::Fixed(link, local), P)?
             }
-            (None, [Hold::Guide { guide, driver: Some(driver), .. }]) => self.driven_along(g, MovingPoint::Pin(pin), *guide, *driver)?,
+            (None, [Hold::Guide { guide, driver: Some(driver), .. }]) => {
+                self.driven_along(g, MovingPoint::Pin(pin), *guide, *driver)?
+            }
             (None, [first, second]) => {
                 let a = self.locus_of_pin(g, pin, first)?;
                 let b = self.locus_of_pin(g, pin, second)?;
@@ -81,7 +84,13 @@ impl Compiler<'_> {
                     let line = self.emit_pair(P, Arm { from, to: at });
                     let axis = self.emit_pair(P, Quotient { a: line, b: q });
                     let arm = self.emit_pair(P, Twist { d: axis, k: [d, 0.0] });
-                    self.known_by_turning(link, MovingPoint::Pin(far), far, Vec2::new(d, 0.0), arm)?;
+                    self.known_by_turning(
+                        link,
+                        MovingPoint::Pin(far),
+                        far,
+                        Vec2::new(d, 0.0),
+                        arm,
+                    )?;
                     self.rows[g].push(LegCondition::Ram { link, far, pin, guide, driver });
                 }
                 // Barrel and rod do not belong to the group.
@@ -93,7 +102,9 @@ impl Compiler<'_> {
 
     /// Makes the two pins of a bar its reference.
     fn bar(&mut self, link: LinkId, far: PointId, near: PointId) -> Result<(), NoKernel> {
-        let (Some(a), Some(b)) = (self.at.shapes.local(link, far), self.at.shapes.local(link, near)) else {
+        let (Some(a), Some(b)) =
+            (self.at.shapes.local(link, far), self.at.shapes.local(link, near))
+        else {
             return Err(self.lost(link));
         };
         self.bodies[link.0] = Some(LinkReference {
@@ -119,30 +130,57 @@ impl Compiler<'_> {
         arm: RegPair,
     ) -> Result<(), NoKernel> {
         let at = self.at.shapes.local(link, pin).ok_or_else(|| self.lost(link))?;
-        self.bodies[link.0] =
-            Some(LinkReference { origin, at, d, between: None, own: [None; 3], arm: [Some(arm), None, None], turning: [None; 2] });
+        self.bodies[link.0] = Some(LinkReference {
+            origin,
+            at,
+            d,
+            between: None,
+            own: [None; 3],
+            arm: [Some(arm), None, None],
+            turning: [None; 2],
+        });
         Ok(())
     }
 
     fn locus_of_pin(&mut self, g: usize, pin: PointId, hold: &Hold) -> Result<LegLocus, NoKernel> {
         match *hold {
-            Hold::Distance { near, far, strut } => self.at_strut(g, MovingPoint::Pin(pin), (near, far), strut),
-            Hold::Guide { guide, driver: None, .. } => self.on_guide(g, MovingPoint::Pin(pin), guide),
-            Hold::Guide { driver: Some(_), .. } | Hold::Slot { .. } | Hold::Glide { .. } | Hold::Rolls { .. } => {
-                Err(self.without_kernel(g))
+            Hold::Distance { near, far, strut } => {
+                self.at_strut(g, MovingPoint::Pin(pin), (near, far), strut)
             }
+            Hold::Guide { guide, driver: None, .. } => {
+                self.on_guide(g, MovingPoint::Pin(pin), guide)
+            }
+            Hold::Guide { driver: Some(_), .. }
+            | Hold::Slot { .. }
+            | Hold::Glide { .. }
+            | Hold::Rolls { .. } => Err(self.without_kernel(g)),
         }
     }
 
     /// The locus of a spot, the pin `near`, at a strut's length from the known pin `far`.
-    fn at_strut(&mut self, g: usize, p: MovingPoint, (near, far): (PointId, PointId), strut: Strut) -> Result<LegLocus, NoKernel> {
+    fn at_strut(
+        &mut self,
+        g: usize,
+        p: MovingPoint,
+        (near, far): (PointId, PointId),
+        strut: Strut,
+    ) -> Result<LegLocus, NoKernel> {
         match strut {
             Strut::Bar(link) => {
-                let (Some(a), Some(b)) = (self.at.shapes.local(link, far), self.at.shapes.local(link, near)) else {
+                let (Some(a), Some(b)) =
+                    (self.at.shapes.local(link, far), self.at.shapes.local(link, near))
+                else {
                     return Err(self.lost(link));
                 };
                 let radius = self.constant(a.distance(b));
-                self.circle(g, p, MovingPoint::Pin(far), radius, Rates::NONE, matches!(p, MovingPoint::Pin(_)))
+                self.circle(
+                    g,
+                    p,
+                    MovingPoint::Pin(far),
+                    radius,
+                    Rates::NONE,
+                    matches!(p, MovingPoint::Pin(_)),
+                )
             }
             Strut::Cylinder(driver) => {
                 let (radius, rates) = (self.driver_value(driver)?, self.driver_rates(driver)?);
@@ -151,7 +189,9 @@ impl Compiler<'_> {
             Strut::Ram { link, guide, driver } => {
                 let (q, way, rates) = self.ram(g, link, far, guide, driver)?;
                 let radius = self.emit(P, VectorLength { v: q }, 1);
-                let LegLocus::Circle { centre, now, .. } = self.circle(g, p, MovingPoint::Pin(far), way, rates, false)? else {
+                let LegLocus::Circle { centre, now, .. } =
+                    self.circle(g, p, MovingPoint::Pin(far), way, rates, false)?
+                else {
                     return Err(self.without_kernel(g));
                 };
                 Ok(LegLocus::Circle { centre, radius, now })
@@ -160,7 +200,15 @@ impl Compiler<'_> {
     }
 
     /// The locus of a spot at a distance from another; adds its row.
-    fn circle(&mut self, g: usize, p: MovingPoint, far: MovingPoint, l: Reg, rates: Rates, bar: bool) -> Result<LegLocus, NoKernel> {
+    fn circle(
+        &mut self,
+        g: usize,
+        p: MovingPoint,
+        far: MovingPoint,
+        l: Reg,
+        rates: Rates,
+        bar: bool,
+    ) -> Result<LegLocus, NoKernel> {
         let centre = self.spot(far, P)?;
         self.rows[g].push(LegCondition::Distance { p, far, l, rates, bar });
         Ok(LegLocus::Circle { centre, radius: l, now: self.now(far) })
@@ -170,24 +218,41 @@ impl Compiler<'_> {
     fn on_guide(&mut self, g: usize, p: MovingPoint, guide: GuideId) -> Result<LegLocus, NoKernel> {
         let on = self.scene.guides[guide.0].on;
         if let Some(slot) = self.slot(guide)? {
-            let Some(Path::Line { through, direction }) = self.at.guides[guide.0] else { return Err(self.without_kernel(g)) };
+            let Some(Path::Line { through, direction }) = self.at.guides[guide.0] else {
+                return Err(self.without_kernel(g));
+            };
             self.rows[g].push(LegCondition::Guided { p, on, n: slot.normal, rates: Rates::NONE });
-            return Ok(LegLocus::Line { through: slot.through, direction: slot.direction, now: (through, direction) });
+            return Ok(LegLocus::Line {
+                through: slot.through,
+                direction: slot.direction,
+                now: (through, direction),
+            });
         }
-        let Some(Path::Arc { centre, radius }) = self.at.shapes.guides[guide.0] else { return Err(self.without_kernel(g)) };
+        let Some(Path::Arc { centre, radius }) = self.at.shapes.guides[guide.0] else {
+            return Err(self.without_kernel(g));
+        };
         let radius = self.constant(radius);
         self.circle(g, p, MovingPoint::Fixed(on, centre), radius, Rates::NONE, false)
     }
 
     /// The meeting point of two loci, on the branch of the instant.
-    fn meet(&mut self, g: usize, a: LegLocus, b: LegLocus, now: Point) -> Result<RegPair, NoKernel> {
+    fn meet(
+        &mut self,
+        g: usize,
+        a: LegLocus,
+        b: LegLocus,
+        now: Point,
+    ) -> Result<RegPair, NoKernel> {
         // Below this sine the instant itself is at a change of branch, and the closure chosen there
         // counts.
         const DECIDED: f64 = 1e-7;
         let chosen = if self.at.closures[g] == 0 { 1.0 } else { -1.0 };
         let sign = |sine: f64| if sine.abs() > DECIDED { sine.signum() } else { chosen };
         let out = match (a, b) {
-            (LegLocus::Circle { centre: a, radius: r, now: p }, LegLocus::Circle { centre: b, radius: s, now: q }) => {
+            (
+                LegLocus::Circle { centre: a, radius: r, now: p },
+                LegLocus::Circle { centre: b, radius: s, now: q },
+            ) => {
                 let (d, u) = (q - p, now - p);
                 let sign = sign(d.cross(u) / (d.norm() * u.norm()));
                 let closure = Circles { a, r, b, s, sign };
@@ -195,17 +260,24 @@ impl Compiler<'_> {
                 let out = self.emit(P, closure, 3);
                 return Ok(RegPair { x: out, y: Reg(out.0 + 1) });
             }
-            (LegLocus::Circle { centre: a, radius: r, now: c }, LegLocus::Line { through: q, direction: t, now: (_, u) })
-            | (LegLocus::Line { through: q, direction: t, now: (_, u) }, LegLocus::Circle { centre: a, radius: r, now: c }) => {
+            (
+                LegLocus::Circle { centre: a, radius: r, now: c },
+                LegLocus::Line { through: q, direction: t, now: (_, u) },
+            )
+            | (
+                LegLocus::Line { through: q, direction: t, now: (_, u) },
+                LegLocus::Circle { centre: a, radius: r, now: c },
+            ) => {
                 let d = now - c;
                 let sign = sign(u.dot(d) / d.norm());
                 let closure = CircleLine { a, r, q, t, sign };
                 self.joint(g, ClosureCrossing(closure));
                 self.emit(P, closure, 2)
             }
-            (LegLocus::Line { through: p, direction: u, .. }, LegLocus::Line { through: q, direction: w, .. }) => {
-                self.emit(P, Lines { p, u, q, w }, 2)
-            }
+            (
+                LegLocus::Line { through: p, direction: u, .. },
+                LegLocus::Line { through: q, direction: w, .. },
+            ) => self.emit(P, Lines { p, u, q, w }, 2),
         };
         Ok(RegPair { x: out, y: Reg(out.0 + 1) })
     }
@@ -219,7 +291,13 @@ impl Compiler<'_> {
             Core::Pin { pin, .. } => Some(*pin),
             Core::Link { .. } | Core::Higher => None,
         };
-        self.joints.push(Joint { group: g, step: self.steps[P as usize].len(), crossing, links: group.links.clone(), pin });
+        self.joints.push(Joint {
+            group: g,
+            step: self.steps[P as usize].len(),
+            crossing,
+            links: group.links.clone(),
+            pin,
+        });
     }
 
     fn place_link(&mut self, g: usize, link: LinkId, legs: &[Leg]) -> Result<(), NoKernel> {
@@ -250,10 +328,20 @@ impl Compiler<'_> {
 
     /// The arm of a link whose angle relative to a known one is driven, or stays that of the
     /// instant: in its frame, and in the plane.
-    fn arm_at_angle(&mut self, g: usize, link: LinkId, of: LinkId, driver: Option<usize>) -> Result<(Vec2, RegPair), NoKernel> {
-        let pose = |c: &Self, l: LinkId| if l == c.scene.ground { Some(Pose::GROUND) } else { c.at.poses[l.0] };
+    fn arm_at_angle(
+        &mut self,
+        g: usize,
+        link: LinkId,
+        of: LinkId,
+        driver: Option<usize>,
+    ) -> Result<(Vec2, RegPair), NoKernel> {
+        let pose = |c: &Self, l: LinkId| {
+            if l == c.scene.ground { Some(Pose::GROUND) } else { c.at.poses[l.0] }
+        };
         let Some(driver) = driver else {
-            let (Some(own), Some(base)) = (pose(self, link), pose(self, of)) else { return Err(self.without_kernel(g)) };
+            let (Some(own), Some(base)) = (pose(self, link), pose(self, of)) else {
+                return Err(self.without_kernel(g));
+            };
             let d = Vec2::new(self.unit, 0.0);
             let arm = self.direction_on(of, own.axis.divide_by(base.axis) * self.unit)?;
             return Ok((d, arm));
@@ -289,7 +377,14 @@ impl Compiler<'_> {
     }
 
     /// Places a link with a known angle, held by two legs, or by a driver along a guide.
-    fn shifted(&mut self, g: usize, link: LinkId, holds: &[Hold], d: Vec2, arm: RegPair) -> Result<(), NoKernel> {
+    fn shifted(
+        &mut self,
+        g: usize,
+        link: LinkId,
+        holds: &[Hold],
+        d: Vec2,
+        arm: RegPair,
+    ) -> Result<(), NoKernel> {
         let at = self.own_point(link, holds);
         self.bodies[link.0] = Some(LinkReference {
             origin: MovingPoint::Own(link),
@@ -301,7 +396,9 @@ impl Compiler<'_> {
             turning: [None; 2],
         });
         let own = match holds {
-            [Hold::Glide { guide, driver: Some(driver), .. }] => self.driven_along(g, MovingPoint::Own(link), *guide, *driver)?,
+            [Hold::Glide { guide, driver: Some(driver), .. }] => {
+                self.driven_along(g, MovingPoint::Own(link), *guide, *driver)?
+            }
             [a, b] => {
                 let (a, b) = (self.locus_of_link(g, link, a)?, self.locus_of_link(g, link, b)?);
                 let now = self.now(MovingPoint::Own(link));
@@ -338,18 +435,28 @@ impl Compiler<'_> {
         let (k, d) = ([k.x, k.y], self.arm(link, P)?);
         let turned = self.at.poses[link.0].map_or(back, |pose| pose.turn(back));
         Ok(match locus {
-            LegLocus::Circle { centre, radius, now } => {
-                LegLocus::Circle { centre: self.emit_pair(P, Image { o: centre, d, k }), radius, now: now + turned }
-            }
-            LegLocus::Line { through, direction, now } => {
-                LegLocus::Line { through: self.emit_pair(P, Image { o: through, d, k }), direction, now: (now.0 + turned, now.1) }
-            }
+            LegLocus::Circle { centre, radius, now } => LegLocus::Circle {
+                centre: self.emit_pair(P, Image { o: centre, d, k }),
+                radius,
+                now: now + turned,
+            },
+            LegLocus::Line { through, direction, now } => LegLocus::Line {
+                through: self.emit_pair(P, Image { o: through, d, k }),
+                direction,
+                now: (now.0 + turned, now.1),
+            },
         })
     }
 
     /// The point of a link that a leg holds, and the locus of that point; adds the leg's row.
-    pub(super) fn held(&mut self, g: usize, link: LinkId, hold: &Hold) -> Result<(MovingPoint, LegLocus), NoKernel> {
-        let local = |c: &Self, p: PointId| c.at.shapes.local(link, p).ok_or_else(|| c.without_kernel(g));
+    pub(super) fn held(
+        &mut self,
+        g: usize,
+        link: LinkId,
+        hold: &Hold,
+    ) -> Result<(MovingPoint, LegLocus), NoKernel> {
+        let local =
+            |c: &Self, p: PointId| c.at.shapes.local(link, p).ok_or_else(|| c.without_kernel(g));
         match *hold {
             Hold::Distance { near, far, strut } => {
                 let spot = MovingPoint::Fixed(link, local(self, near)?);
@@ -365,13 +472,27 @@ impl Compiler<'_> {
                     let at = self.bodies[link.0].as_ref().ok_or_else(|| self.lost(link))?.at;
                     let spot = MovingPoint::Fixed(link, at);
                     let slot = self.slot(guide)?.ok_or_else(|| self.without_kernel(g))?;
-                    let Some(Path::Line { direction, .. }) = self.at.guides[guide.0] else { return Err(self.without_kernel(g)) };
+                    let Some(Path::Line { direction, .. }) = self.at.guides[guide.0] else {
+                        return Err(self.without_kernel(g));
+                    };
                     // The slider keeps its distance from the guide of the instant.
                     let now = self.now(spot);
                     let pose = self.at.poses[other.0].unwrap_or(Pose::GROUND);
                     let through = self.spot(MovingPoint::Fixed(other, pose.to_local(now)), P)?;
-                    self.rows[g].push(LegCondition::Guided { p: spot, on: other, n: slot.normal, rates: Rates::NONE });
-                    Ok((spot, LegLocus::Line { through, direction: slot.direction, now: (now, direction) }))
+                    self.rows[g].push(LegCondition::Guided {
+                        p: spot,
+                        on: other,
+                        n: slot.normal,
+                        rates: Rates::NONE,
+                    });
+                    Ok((
+                        spot,
+                        LegLocus::Line {
+                            through,
+                            direction: slot.direction,
+                            now: (now, direction),
+                        },
+                    ))
                 } else {
                     self.in_slot(g, link, MovingPoint::Own(other), guide)
                 }
@@ -380,16 +501,25 @@ impl Compiler<'_> {
                 let (spot, through, direction) = self.along_track(link, pair)?;
                 let n = self.tangent(pair)?;
                 self.rows[g].push(LegCondition::Rolled { pair, other, n });
-                let normal = self.at.normal(self.scene, pair).ok_or_else(|| self.without_kernel(g))?;
+                let normal =
+                    self.at.normal(self.scene, pair).ok_or_else(|| self.without_kernel(g))?;
                 Ok((spot, LegLocus::Line { through, direction, now: (self.now(spot), normal) }))
             }
-            Hold::Guide { driver: Some(_), .. } | Hold::Glide { driver: Some(_), .. } => Err(self.without_kernel(g)),
+            Hold::Guide { driver: Some(_), .. } | Hold::Glide { driver: Some(_), .. } => {
+                Err(self.without_kernel(g))
+            }
         }
     }
 
     /// A slot of the link over a known point: the held point of the link is the beginning of the
     /// slot's line.
-    fn in_slot(&mut self, g: usize, link: LinkId, over: MovingPoint, guide: GuideId) -> Result<(MovingPoint, LegLocus), NoKernel> {
+    fn in_slot(
+        &mut self,
+        g: usize,
+        link: LinkId,
+        over: MovingPoint,
+        guide: GuideId,
+    ) -> Result<(MovingPoint, LegLocus), NoKernel> {
         match self.at.shapes.guides[guide.0] {
             Some(Path::Line { through, direction }) => {
                 let through = match over {
@@ -401,10 +531,16 @@ impl Compiler<'_> {
                 };
                 let spot = MovingPoint::Fixed(link, through);
                 let at = self.spot(over, P)?;
-                let (t, n) = (self.direction_on(link, direction)?, self.direction_on(link, direction.perp())?);
+                let (t, n) = (
+                    self.direction_on(link, direction)?,
+                    self.direction_on(link, direction.perp())?,
+                );
                 self.rows[g].push(LegCondition::Slot { link, over, n });
                 let turned = self.at.poses[link.0].map_or(direction, |pose| pose.turn(direction));
-                Ok((spot, LegLocus::Line { through: at, direction: t, now: (self.now(over), turned) }))
+                Ok((
+                    spot,
+                    LegLocus::Line { through: at, direction: t, now: (self.now(over), turned) },
+                ))
             }
             Some(Path::Arc { centre, radius }) => {
                 let (spot, radius) = (MovingPoint::Fixed(link, centre), self.constant(radius));
@@ -415,15 +551,23 @@ impl Compiler<'_> {
     }
 
     /// Places a link on a known pivot, with a slot over a known pin.
-    fn lever(&mut self, g: usize, link: LinkId, pivot: PointId, holds: &[Hold]) -> Result<(), NoKernel> {
-        let (&[Hold::Slot { pin, guide }], Some(at)) = (holds, self.at.shapes.local(link, pivot)) else {
+    fn lever(
+        &mut self,
+        g: usize,
+        link: LinkId,
+        pivot: PointId,
+        holds: &[Hold],
+    ) -> Result<(), NoKernel> {
+        let (&[Hold::Slot { pin, guide }], Some(at)) = (holds, self.at.shapes.local(link, pivot))
+        else {
             return Err(self.without_kernel(g));
         };
         let (a, b) = (self.point(pivot, P)?, self.point(pin, P)?);
         match self.at.shapes.guides[guide.0] {
             Some(Path::Line { through, direction }) => {
-                let runner =
-                    self.at.poses[link.0].map(|pose| pose.to_local(self.now(MovingPoint::Pin(pin)))).ok_or_else(|| self.lost(link))?;
+                let runner = self.at.poses[link.0]
+                    .map(|pose| pose.to_local(self.now(MovingPoint::Pin(pin))))
+                    .ok_or_else(|| self.lost(link))?;
                 let ahead = direction.dot(runner - at);
                 let span = (runner - at).norm();
                 let chosen = if self.at.closures[g] == 0 { 1.0 } else { -1.0 };
@@ -433,7 +577,13 @@ impl Compiler<'_> {
                 let closure = SlotLever { a, b, h: direction.cross(through - at), sign, k };
                 self.joint(g, ClosureCrossing(closure));
                 let arm = self.emit_pair(P, closure);
-                self.known_by_turning(link, MovingPoint::Pin(pivot), pivot, Vec2::new(self.unit, 0.0), arm)?;
+                self.known_by_turning(
+                    link,
+                    MovingPoint::Pin(pivot),
+                    pivot,
+                    Vec2::new(self.unit, 0.0),
+                    arm,
+                )?;
                 let n = self.direction_on(link, direction.perp())?;
                 self.rows[g].push(LegCondition::Slot { link, over: MovingPoint::Pin(pin), n });
             }

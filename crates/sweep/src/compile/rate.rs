@@ -7,7 +7,10 @@ use crate::carry::{Arm, ArmTurning, PointAlong};
 use crate::kernel::{Reg, RegPair};
 use crate::program::Op;
 use crate::reading::{Dot, WeightedSum};
-use crate::rows::{Bars, BarsRate, Cross, Distance, DistanceRate, Guided, GuidedRate, Reduced, ReducedRate, SlotRate, Three, TurnOf};
+use crate::rows::{
+    Bars, BarsRate, Cross, Distance, DistanceRate, Guided, GuidedRate, Reduced, ReducedRate,
+    SlotRate, Three, TurnOf,
+};
 use hodograph_base::geom::Vec2;
 use hodograph_mechanism::mechanism::{Core, Level};
 use hodograph_mechanism::position::Path;
@@ -69,9 +72,11 @@ impl Compiler<'_> {
         let mut solved = rows.iter().filter(|r| !matches!(r, LegCondition::Ram { .. }));
         let pair = match (solved.next(), solved.next(), solved.next()) {
             (Some(LegCondition::Carried { at }), None, _) => self.spot(*at, level)?,
-            (Some(LegCondition::Distance { far: a, bar: true, .. }), Some(LegCondition::Distance { far: b, bar: true, .. }), None) => {
-                self.two_bars(g, pin, *a, *b, level)?
-            }
+            (
+                Some(LegCondition::Distance { far: a, bar: true, .. }),
+                Some(LegCondition::Distance { far: b, bar: true, .. }),
+                None,
+            ) => self.two_bars(g, pin, *a, *b, level)?,
             (Some(first), Some(second), None) => match self.led_on_ground(first, second, level) {
                 Some(pair) => pair,
                 None => {
@@ -96,11 +101,25 @@ impl Compiler<'_> {
     }
 
     /// The RRR dyad, in one operation for each effect.
-    fn two_bars(&mut self, g: usize, pin: PointId, a: MovingPoint, b: MovingPoint, level: Level) -> Result<RegPair, NoKernel> {
-        let joint = self.joints.iter().find(|j| j.group == g).ok_or_else(|| self.without_kernel(g))?;
+    fn two_bars(
+        &mut self,
+        g: usize,
+        pin: PointId,
+        a: MovingPoint,
+        b: MovingPoint,
+        level: Level,
+    ) -> Result<RegPair, NoKernel> {
+        let joint =
+            self.joints.iter().find(|j| j.group == g).ok_or_else(|| self.without_kernel(g))?;
         let det = Reg(self.steps[P as usize][joint.step].out.0 + 2);
-        let bars =
-            Bars { c: self.point(pin, P)?, a: self.spot(a, P)?, b: self.spot(b, P)?, va: self.spot(a, V)?, vb: self.spot(b, V)?, det };
+        let bars = Bars {
+            c: self.point(pin, P)?,
+            a: self.spot(a, P)?,
+            b: self.spot(b, P)?,
+            va: self.spot(a, V)?,
+            vb: self.spot(b, V)?,
+            det,
+        };
         if level == V {
             let out = self.emit(V, bars, 3);
             return Ok(RegPair { x: out, y: Reg(out.0 + 1) });
@@ -114,8 +133,11 @@ impl Compiler<'_> {
     /// acceleration.
     fn link_at(&mut self, g: usize, link: LinkId, level: Level) -> Result<(), NoKernel> {
         let rows = self.rows[g].clone();
-        let turned = rows.iter().find_map(|r| if let LegCondition::Turning { of, rates } = r { Some((*of, *rates)) } else { None });
-        let held: Vec<LegCondition> = rows.into_iter().filter(|r| !matches!(r, LegCondition::Turning { .. })).collect();
+        let turned = rows.iter().find_map(|r| {
+            if let LegCondition::Turning { of, rates } = r { Some((*of, *rates)) } else { None }
+        });
+        let held: Vec<LegCondition> =
+            rows.into_iter().filter(|r| !matches!(r, LegCondition::Turning { .. })).collect();
         let slot = level as usize - 1;
         if let Some((of, rates)) = turned {
             let turning = self.turned(of, rates, level)?;
@@ -154,7 +176,8 @@ impl Compiler<'_> {
         }
         for &p in &self.m.groups[g].pins.clone() {
             let local = self.at.shapes.local(link, p).ok_or_else(|| self.without_kernel(g))?;
-            self.points[p.0][level as usize] = Some(self.spot(MovingPoint::Fixed(link, local), level)?);
+            self.points[p.0][level as usize] =
+                Some(self.spot(MovingPoint::Fixed(link, local), level)?);
         }
         Ok(())
     }
@@ -190,9 +213,16 @@ impl Compiler<'_> {
 
     /// The velocity or acceleration of a point led by a cam along a guide of the ground: the rate
     /// times the direction of the guide.
-    fn led_on_ground(&mut self, first: &LegCondition, second: &LegCondition, level: Level) -> Option<RegPair> {
-        let (LegCondition::Guided { on: a, rates: Rates::Even([0.0, 0.0]), .. }, LegCondition::Guided { on: b, n, rates, .. }) =
-            (first, second)
+    fn led_on_ground(
+        &mut self,
+        first: &LegCondition,
+        second: &LegCondition,
+        level: Level,
+    ) -> Option<RegPair> {
+        let (
+            LegCondition::Guided { on: a, rates: Rates::Even([0.0, 0.0]), .. },
+            LegCondition::Guided { on: b, n, rates, .. },
+        ) = (first, second)
         else {
             return None;
         };
@@ -202,7 +232,14 @@ impl Compiler<'_> {
     }
 
     /// Adds, for accelerations, the centripetal part to the row of a link's point: c + ω² n·r.
-    fn without_centripetal(&mut self, link: LinkId, n: RegPair, r: RegPair, c: Reg, level: Level) -> Result<Reg, NoKernel> {
+    fn without_centripetal(
+        &mut self,
+        link: LinkId,
+        n: RegPair,
+        r: RegPair,
+        c: Reg,
+        level: Level,
+    ) -> Result<Reg, NoKernel> {
         if level == V {
             return Ok(c);
         }
@@ -211,7 +248,12 @@ impl Compiler<'_> {
     }
 
     /// The row of a link's own point for a known angular velocity.
-    fn reduced(&mut self, row: &LegCondition, link: LinkId, level: Level) -> Result<(RegPair, Reg), NoKernel> {
+    fn reduced(
+        &mut self,
+        row: &LegCondition,
+        link: LinkId,
+        level: Level,
+    ) -> Result<(RegPair, Reg), NoKernel> {
         let (n, r, c) = self.row(row, Some(link), level)?;
         let Some(r) = r else { return Ok((n, c)) };
         let omega = self.turning(link, V)?;
@@ -227,10 +269,17 @@ impl Compiler<'_> {
 
     /// The normal n, the arm from the core link's own point to the point that the leg holds (with a
     /// core link), and c.
-    fn row(&mut self, row: &LegCondition, core: Option<LinkId>, level: Level) -> Result<(RegPair, Option<RegPair>, Reg), NoKernel> {
+    fn row(
+        &mut self,
+        row: &LegCondition,
+        core: Option<LinkId>,
+        level: Level,
+    ) -> Result<(RegPair, Option<RegPair>, Reg), NoKernel> {
         match *row {
             LegCondition::Distance { p, far, l, rates, .. } => {
-                let Rates::Even([rate, acceleration]) = rates else { unreachable!("no cam leads a cylinder") };
+                let Rates::Even([rate, acceleration]) = rates else {
+                    unreachable!("no cam leads a cylinder")
+                };
                 let n = self.between(far, p)?;
                 let r = self.arm_to(core, p)?;
                 let vf = self.spot(far, V)?;
@@ -249,16 +298,29 @@ impl Compiler<'_> {
                 // A guide on ground does not move; the start of its arm does not enter.
                 let (r, vo, omega) = match on == self.scene.ground {
                     true => (self.fixed(Vec2::ZERO), self.fixed(Vec2::ZERO), self.zero()),
-                    false => (self.between(MovingPoint::Own(on), p)?, self.spot(MovingPoint::Own(on), V)?, self.turning(on, V)?),
+                    false => (
+                        self.between(MovingPoint::Own(on), p)?,
+                        self.spot(MovingPoint::Own(on), V)?,
+                        self.turning(on, V)?,
+                    ),
                 };
                 let c = match level {
                     A => {
-                        let (vp, ao, alpha) = (self.spot(p, V)?, self.spot(MovingPoint::Own(on), A)?, self.turning(on, A)?);
-                        self.emit(A, GuidedRate { n, r, vp, vo, ao, omega, alpha, acceleration: rate }, 1)
+                        let (vp, ao, alpha) = (
+                            self.spot(p, V)?,
+                            self.spot(MovingPoint::Own(on), A)?,
+                            self.turning(on, A)?,
+                        );
+                        self.emit(
+                            A,
+                            GuidedRate { n, r, vp, vo, ao, omega, alpha, acceleration: rate },
+                            1,
+                        )
                     }
                     P | V => self.emit(V, Guided { n, r, vo, omega, rate }, 1),
                 };
-                let c = led.map_or(c, |led| self.emit(level, WeightedSum { a: c, b: led, k: 1.0 }, 1));
+                let c =
+                    led.map_or(c, |led| self.emit(level, WeightedSum { a: c, b: led, k: 1.0 }, 1));
                 Ok((n, reach, c))
             }
             LegCondition::Slot { link, over, n } => {
@@ -266,7 +328,11 @@ impl Compiler<'_> {
                 let vb = self.spot(over, V)?;
                 let c = match level {
                     A => {
-                        let (ab, vo, omega) = (self.spot(over, A)?, self.spot(MovingPoint::Own(link), V)?, self.turning(link, V)?);
+                        let (ab, vo, omega) = (
+                            self.spot(over, A)?,
+                            self.spot(MovingPoint::Own(link), V)?,
+                            self.turning(link, V)?,
+                        );
                         self.emit(A, SlotRate { n, r, vb, ab, vo, omega }, 1)
                     }
                     P | V => {
@@ -289,14 +355,20 @@ impl Compiler<'_> {
                 };
                 Ok((n, r, c))
             }
-            LegCondition::Carried { .. } | LegCondition::Turning { .. } | LegCondition::Ram { .. } => {
+            LegCondition::Carried { .. }
+            | LegCondition::Turning { .. }
+            | LegCondition::Ram { .. } => {
                 unreachable!("these are no rows of a place")
             }
         }
     }
 
     /// The arm from one spot to another, emitted once.
-    pub(super) fn between(&mut self, from: MovingPoint, to: MovingPoint) -> Result<RegPair, NoKernel> {
+    pub(super) fn between(
+        &mut self,
+        from: MovingPoint,
+        to: MovingPoint,
+    ) -> Result<RegPair, NoKernel> {
         let (from, to) = (self.spot(from, P)?, self.spot(to, P)?);
         let arm = Arm { from, to };
         if let Some(step) = self.steps[P as usize].iter().find(|s| s.op == Op::Arm(arm)) {
@@ -305,7 +377,11 @@ impl Compiler<'_> {
         Ok(self.emit_pair(P, arm))
     }
 
-    fn arm_to(&mut self, core: Option<LinkId>, p: MovingPoint) -> Result<Option<RegPair>, NoKernel> {
+    fn arm_to(
+        &mut self,
+        core: Option<LinkId>,
+        p: MovingPoint,
+    ) -> Result<Option<RegPair>, NoKernel> {
         match core {
             Some(l) if p != MovingPoint::Own(l) => Ok(Some(self.between(MovingPoint::Own(l), p)?)),
             _ => Ok(None),
@@ -324,7 +400,9 @@ impl Compiler<'_> {
         driver: usize,
         level: Level,
     ) -> Result<Reg, NoKernel> {
-        let Some(Path::Line { direction, .. }) = self.at.shapes.guides[guide.0] else { return Err(self.lost(link)) };
+        let Some(Path::Line { direction, .. }) = self.at.shapes.guides[guide.0] else {
+            return Err(self.lost(link));
+        };
         let [rate, acceleration] = self.even_rates(driver)?;
         let d = self.between(MovingPoint::Pin(far), MovingPoint::Pin(pin))?;
         let t = self.direction_on(link, direction)?;

@@ -1,9 +1,9 @@
 //! Operations for rolling pairs: the angles of trains, wheels and racks on straight tracks, points
 //! of contact.
 //!
-//! The links of a [`AngleTrain`] turn by a sum of angles: the driver's times a whole ratio ([`Geared`]),
-//! and those of lines that no train determines. Such a line turns by whole turns with the driver,
-//! found once by following it, and by less than half a turn besides ([`Against`]).
+//! The links of a [`AngleTrain`] turn by a sum of angles: the driver's times a whole ratio
+//! ([`Geared`]), and those of lines that no train determines. Such a line turns by whole turns with
+//! the driver, found once by following it, and by less than half a turn besides ([`Against`]).
 
 use super::{Compiler, MovingPoint, NoKernel};
 use crate::carry::{Arm, ArmSwing, Image, PointAlong, Product, SwingRate, Twist};
@@ -62,7 +62,15 @@ const ASIDE: f64 = 0.5;
 
 impl Trains {
     pub fn new(train: AngleTrain) -> Trains {
-        Trains { train, placed: Vec::new(), quarters: None, rotors: Vec::new(), wound: Vec::new(), turns: 1, fastest: 1.0 }
+        Trains {
+            train,
+            placed: Vec::new(),
+            quarters: None,
+            rotors: Vec::new(),
+            wound: Vec::new(),
+            turns: 1,
+            fastest: 1.0,
+        }
     }
 
     pub fn has_placed(&self, g: usize) -> bool {
@@ -80,7 +88,13 @@ impl Compiler<'_> {
             let rotor = self.rotor(&turned)?;
             let axis = self.at.poses[link.0].ok_or_else(|| self.lost(link))?.axis * self.unit;
             let arm = self.emit_pair(P, Twist { d: rotor, k: [axis.x, axis.y] });
-            self.known_by_turning(link, MovingPoint::Pin(pin), pin, Vec2::new(self.unit, 0.0), arm)?;
+            self.known_by_turning(
+                link,
+                MovingPoint::Pin(pin),
+                pin,
+                Vec2::new(self.unit, 0.0),
+                arm,
+            )?;
             self.pins_of(g, link, P)?;
         }
         self.trains.placed.push(g);
@@ -93,7 +107,9 @@ impl Compiler<'_> {
         let group = &self.m.groups[g];
         let forms = || group.constraints.iter().map(|&c| self.m.constraints[c].form());
         let pinned: Vec<(PointId, LinkId)> = forms().filter_map(|f| f.meets()).collect();
-        let others = forms().all(|f| matches!(f, PairForm::Meet { .. } | PairForm::Angles { .. } | PairForm::Related { .. }));
+        let others = forms().all(|f| {
+            matches!(f, PairForm::Meet { .. } | PairForm::Angles { .. } | PairForm::Related { .. })
+        });
         let rolls = forms().any(|f| matches!(f, PairForm::Related { .. }));
         let told = group.links.iter().all(|l| self.trains.train.of_link(*l).is_some());
         if !others || !rolls || !told || pinned.len() != group.links.len() + group.pins.len() {
@@ -102,8 +118,11 @@ impl Compiler<'_> {
         let mut hung: Vec<(LinkId, PointId)> = Vec::new();
         while hung.len() < group.links.len() {
             let is = |l: &LinkId| hung.iter().any(|(k, _)| k == l);
-            let placed = |p: &PointId| !group.pins.contains(p) || pinned.iter().any(|(q, l)| q == p && is(l));
-            let (pin, link) = pinned.iter().find(|(p, l)| group.links.contains(l) && !is(l) && placed(p))?;
+            let placed = |p: &PointId| {
+                !group.pins.contains(p) || pinned.iter().any(|(q, l)| q == p && is(l))
+            };
+            let (pin, link) =
+                pinned.iter().find(|(p, l)| group.links.contains(l) && !is(l) && placed(p))?;
             hung.push((*link, *pin));
         }
         Some(hung)
@@ -115,7 +134,8 @@ impl Compiler<'_> {
             if self.points[p.0][level as usize].is_none()
                 && let Some(local) = self.at.shapes.local(link, p)
             {
-                self.points[p.0][level as usize] = Some(self.spot(MovingPoint::Fixed(link, local), level)?);
+                self.points[p.0][level as usize] =
+                    Some(self.spot(MovingPoint::Fixed(link, local), level)?);
             }
         }
         Ok(())
@@ -198,15 +218,24 @@ impl Compiler<'_> {
                 let (way, _) = self.way(r)?;
                 let now = self.way_now(r)?;
                 let one = self.constant(1.0);
-                Wound { turns: AngleRatio::of(0, 1), rest: self.emit(P, WeightedSum { a: way, b: one, k: -now }, 1) }
+                Wound {
+                    turns: AngleRatio::of(0, 1),
+                    rest: self.emit(P, WeightedSum { a: way, b: one, k: -now }, 1),
+                }
             }
             AngleSource::Link(_) | AngleSource::Line(..) | AngleSource::Driver(_) => {
                 let d = match source {
-                    AngleSource::Line(a, b) => self.between(MovingPoint::Pin(a), MovingPoint::Pin(b))?,
+                    AngleSource::Line(a, b) => {
+                        self.between(MovingPoint::Pin(a), MovingPoint::Pin(b))?
+                    }
                     AngleSource::Link(l) => self.arm(l, P)?,
-                    AngleSource::Driver(_) | AngleSource::Way(_) => unreachable!("these turn with the driver, or do not turn"),
+                    AngleSource::Driver(_) | AngleSource::Way(_) => {
+                        unreachable!("these turn with the driver, or do not turn")
+                    }
                 };
-                let Some((turns, start, centre)) = self.winding(d) else { return Err(self.not_followed(source)) };
+                let Some((turns, start, centre)) = self.winding(d) else {
+                    return Err(self.not_followed(source));
+                };
                 let turn = match turns.is_zero() {
                     true => self.fixed(Vec2::new(1.0, 0.0)),
                     false => self.geared(turns).ok_or_else(|| self.not_followed(source))?,
@@ -226,10 +255,16 @@ impl Compiler<'_> {
                 let (a, b) = (self.scene.point_name(a), self.scene.point_name(b));
                 Diagnostic::note(
                     "no-kernel",
-                    both!("the turns of line {a}{b} cannot be counted beforehand", "直线 {a}{b} 的转数无法预先确定"),
+                    both!(
+                        "the turns of line {a}{b} cannot be counted beforehand",
+                        "直线 {a}{b} 的转数无法预先确定"
+                    ),
                 )
             }
-            AngleSource::Driver(d) => Diagnostic::note("no-kernel", both!("{} does not turn", "{} 不转动", self.scene.driver_name(d).0)),
+            AngleSource::Driver(d) => Diagnostic::note(
+                "no-kernel",
+                both!("{} does not turn", "{} 不转动", self.scene.driver_name(d).0),
+            ),
         }
     }
 
@@ -254,22 +289,33 @@ impl Compiler<'_> {
             fastest: 1.0,
             runs: Default::default(),
         };
-        let (now, per_value) = (position_now(self.scene, self.at, driver), angle_per_value(self.scene, self.at, driver));
+        let (now, per_value) = (
+            position_now(self.scene, self.at, driver),
+            angle_per_value(self.scene, self.at, driver),
+        );
         let turning = self.scene.drivers[driver].kind.turns();
         let line = |x: f64| {
             let (s, c) = (libm::sin(x * per_value), libm::cos(x * per_value));
             let mut registers = program.inputs(x, c, s, per_value);
             program.derive_steps(0..program.steps[0].len(), &mut registers);
-            Vec2::new(registers[d.x.0 as usize].value, registers[d.y.0 as usize].value).unit().filter(|v| v.is_finite())
+            Vec2::new(registers[d.x.0 as usize].value, registers[d.y.0 as usize].value)
+                .unit()
+                .filter(|v| v.is_finite())
         };
         let start = line(now)?;
         let reach = if turning { TAU * self.trains.turns as f64 } else { 2.0 * self.at.extent() };
-        let parts = if turning { STEPS * self.trains.turns as f64 * self.trains.fastest.ceil().min(16.0) } else { STEPS };
+        let parts = if turning {
+            STEPS * self.trains.turns as f64 * self.trains.fastest.ceil().min(16.0)
+        } else {
+            STEPS
+        };
         // The angle at each step as far as the line exists, and `true` if that is all the way.
         let follow = |way: f64| -> Option<(Vec<f64>, bool)> {
             let (mut angles, mut before) = (vec![0.0], start);
             for i in 1..=parts as usize {
-                let Some(next) = line(now + way * (i as f64 / parts)) else { return Some((angles, false)) };
+                let Some(next) = line(now + way * (i as f64 / parts)) else {
+                    return Some((angles, false));
+                };
                 let turned = next.divide_by(before).angle();
                 if turned.abs() > QUICK {
                     return None;
@@ -296,7 +342,8 @@ impl Compiler<'_> {
         }
         let (low, high) = angles.iter().fold((0.0f64, 0.0f64), |(l, h), a| (l.min(*a), h.max(*a)));
         let centre = 0.5 * (low + high);
-        (0.5 * (high - low) < PI - ASIDE).then(|| (turns, start.rotate_by(Vec2::from_angle(centre)), centre))
+        (0.5 * (high - low) < PI - ASIDE)
+            .then(|| (turns, start.rotate_by(Vec2::from_angle(centre)), centre))
     }
 
     /// Angular velocity or acceleration of a combination.
@@ -305,9 +352,13 @@ impl Compiler<'_> {
         let mut rates = Vec::new();
         for &(source, ratio) in turned {
             match source {
-                AngleSource::Driver(d) => driven += ratio.value * self.even_rates(d)?[level as usize - 1],
+                AngleSource::Driver(d) => {
+                    driven += ratio.value * self.even_rates(d)?[level as usize - 1]
+                }
                 AngleSource::Link(l) => rates.push((self.turning(l, level)?, ratio.value)),
-                AngleSource::Line(a, b) => rates.push((self.turning_of_line([a, b], level)?, ratio.value)),
+                AngleSource::Line(a, b) => {
+                    rates.push((self.turning_of_line([a, b], level)?, ratio.value))
+                }
                 AngleSource::Way(r) => rates.push((self.rate_of_way(r, level)?, ratio.value)),
             }
         }
@@ -328,10 +379,17 @@ impl Compiler<'_> {
     }
 
     /// The wheel's centre, the link with the track, the beginning of the track, and its direction.
-    fn on_track(&mut self, r: RollingId) -> Result<(PointId, LinkId, MovingPoint, RegPair), NoKernel> {
+    fn on_track(
+        &mut self,
+        r: RollingId,
+    ) -> Result<(PointId, LinkId, MovingPoint, RegPair), NoKernel> {
         let pair = &self.scene.rolling[r.0];
-        let Relation::Slide { centre, guide } = pair.relation() else { return Err(self.lost(pair.links[1])) };
-        let Some(Path::Line { through, direction }) = self.at.shapes.guides[guide.0] else { return Err(self.lost(pair.links[0])) };
+        let Relation::Slide { centre, guide } = pair.relation() else {
+            return Err(self.lost(pair.links[1]));
+        };
+        let Some(Path::Line { through, direction }) = self.at.shapes.guides[guide.0] else {
+            return Err(self.lost(pair.links[0]));
+        };
         let u = self.direction_on(pair.links[0], direction)?;
         Ok((centre, pair.links[0], MovingPoint::Fixed(pair.links[0], through), u))
     }
@@ -347,10 +405,16 @@ impl Compiler<'_> {
     /// The coordinate of a wheel's centre along its track at the instant (m).
     fn way_now(&mut self, r: RollingId) -> Result<f64, NoKernel> {
         let (centre, track, from, _) = self.on_track(r)?;
-        let Some(Path::Line { direction, .. }) = self.scene.rolling[r.0].guide().and_then(|g| self.at.shapes.guides[g.0]) else {
+        let Some(Path::Line { direction, .. }) =
+            self.scene.rolling[r.0].guide().and_then(|g| self.at.shapes.guides[g.0])
+        else {
             return Err(self.lost(track));
         };
-        let pose = if track == self.scene.ground { Pose::GROUND } else { self.at.poses[track.0].unwrap_or(Pose::GROUND) };
+        let pose = if track == self.scene.ground {
+            Pose::GROUND
+        } else {
+            self.at.poses[track.0].unwrap_or(Pose::GROUND)
+        };
         Ok(pose.turn(direction).dot(self.now(MovingPoint::Pin(centre)) - self.now(from)))
     }
 
@@ -373,7 +437,11 @@ impl Compiler<'_> {
     /// The line, square to the track, that contains the held point of a link with a known angle
     /// that rolls along a straight track or carries it: the point of the link, a point of the line
     /// and its direction.
-    pub(super) fn along_track(&mut self, link: LinkId, r: RollingId) -> Result<(MovingPoint, RegPair, RegPair), NoKernel> {
+    pub(super) fn along_track(
+        &mut self,
+        link: LinkId,
+        r: RollingId,
+    ) -> Result<(MovingPoint, RegPair, RegPair), NoKernel> {
         let pair = &self.scene.rolling[r.0];
         let [track, wheel] = pair.links;
         let rho = self.at.shapes.rolling[r.0][1];
@@ -430,7 +498,12 @@ impl Compiler<'_> {
     }
 
     /// The velocity, or acceleration, of a link at a point.
-    pub(super) fn of_link_at(&mut self, link: LinkId, place: RegPair, level: Level) -> Result<RegPair, NoKernel> {
+    pub(super) fn of_link_at(
+        &mut self,
+        link: LinkId,
+        place: RegPair,
+        level: Level,
+    ) -> Result<RegPair, NoKernel> {
         if link == self.scene.ground {
             return Ok(self.fixed(Vec2::ZERO));
         }

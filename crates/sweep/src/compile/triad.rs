@@ -37,7 +37,16 @@ impl Compiler<'_> {
         let held: [TrackLeg; 3] = held.try_into().map_err(|_| self.without_kernel(g))?;
         let step = self.steps[P as usize].len();
         let start = (pose.to_world(at), pose.axis);
-        self.tracks.push(LinkTrack { group: g, link, step, own, arm, unit: self.unit, held, start });
+        self.tracks.push(LinkTrack {
+            group: g,
+            link,
+            step,
+            own,
+            arm,
+            unit: self.unit,
+            held,
+            start,
+        });
         self.bodies[link.0] = Some(body);
         // The rows come after the track: they need the link's points.
         for hold in holds {
@@ -47,17 +56,27 @@ impl Compiler<'_> {
     }
 
     /// A leg of a followed link: its known quantities, in registers.
-    fn held_for_track(&mut self, g: usize, link: LinkId, body: &LinkReference, hold: &Hold) -> Result<TrackLeg, NoKernel> {
+    fn held_for_track(
+        &mut self,
+        g: usize,
+        link: LinkId,
+        body: &LinkReference,
+        hold: &Hold,
+    ) -> Result<TrackLeg, NoKernel> {
         // Local places are counted from the link's own point.
         let from_own = |local: Point| local - body.at;
         match *hold {
             Hold::Slot { pin, guide } => match self.at.shapes.guides[guide.0] {
-                Some(Path::Line { through, direction }) => {
-                    Ok(TrackLeg::Slot { through: from_own(through), direction, over: self.point(pin, P)? })
-                }
-                Some(Path::Arc { centre, radius }) => {
-                    Ok(TrackLeg::Circle { near: from_own(centre), far: self.point(pin, P)?, radius: self.constant(radius) })
-                }
+                Some(Path::Line { through, direction }) => Ok(TrackLeg::Slot {
+                    through: from_own(through),
+                    direction,
+                    over: self.point(pin, P)?,
+                }),
+                Some(Path::Arc { centre, radius }) => Ok(TrackLeg::Circle {
+                    near: from_own(centre),
+                    far: self.point(pin, P)?,
+                    radius: self.constant(radius),
+                }),
                 None => Err(self.without_kernel(g)),
             },
             // A gliding leg needs the link's own position at the instant, which is known before the
@@ -69,8 +88,12 @@ impl Compiler<'_> {
                 self.rows[g].truncate(rows);
                 let MovingPoint::Fixed(_, local) = spot else { return Err(self.without_kernel(g)) };
                 Ok(match locus {
-                    LegLocus::Circle { centre, radius, .. } => TrackLeg::Circle { near: from_own(local), far: centre, radius },
-                    LegLocus::Line { through, direction, .. } => TrackLeg::Line { near: from_own(local), through, direction },
+                    LegLocus::Circle { centre, radius, .. } => {
+                        TrackLeg::Circle { near: from_own(local), far: centre, radius }
+                    }
+                    LegLocus::Line { through, direction, .. } => {
+                        TrackLeg::Line { near: from_own(local), through, direction }
+                    }
                 })
             }
         }

@@ -56,7 +56,13 @@ impl Compiler<'_> {
             return Ok(reg);
         }
         let (d, v) = (self.arm(l, Level::Position)?, self.arm(l, Level::Velocity)?);
-        let reg = self.turning_of_arm(d, v, level, |c| c.arm(l, Level::Acceleration), |c| c.turning(l, Level::Velocity))?;
+        let reg = self.turning_of_arm(
+            d,
+            v,
+            level,
+            |c| c.arm(l, Level::Acceleration),
+            |c| c.turning(l, Level::Velocity),
+        )?;
         if let Some(body) = &mut self.bodies[l.0] {
             body.turning[slot] = Some(reg);
         }
@@ -83,12 +89,19 @@ impl Compiler<'_> {
 
     /// The angular velocity or acceleration of a passive link: a block turns with its guide, or
     /// with the radius to its pin; barrel and rod turn with the line of their cylinder.
-    fn turning_of_follower(&mut self, l: LinkId, passive: Passive, level: Level) -> Result<Reg, NoKernel> {
+    fn turning_of_follower(
+        &mut self,
+        l: LinkId,
+        passive: Passive,
+        level: Level,
+    ) -> Result<Reg, NoKernel> {
         let (from, to) = match passive {
             Passive::Block(g) => {
                 let guide = &self.scene.guides[g.0];
                 match (self.at.shapes.guides[g.0], guide.pin) {
-                    (Some(Path::Arc { centre, .. }), Some(pin)) => (MovingPoint::Fixed(guide.on, centre), MovingPoint::Pin(pin)),
+                    (Some(Path::Arc { centre, .. }), Some(pin)) => {
+                        (MovingPoint::Fixed(guide.on, centre), MovingPoint::Pin(pin))
+                    }
                     _ => return self.turning(guide.on, level),
                 }
             }
@@ -102,11 +115,22 @@ impl Compiler<'_> {
             Ok(c.emit_pair(level, Arm { from, to }))
         };
         let (d, v) = (arm(self, Level::Position)?, arm(self, Level::Velocity)?);
-        self.turning_of_arm(d, v, level, |c| arm(c, Level::Acceleration), |c| c.turning(l, Level::Velocity))
+        self.turning_of_arm(
+            d,
+            v,
+            level,
+            |c| arm(c, Level::Acceleration),
+            |c| c.turning(l, Level::Velocity),
+        )
     }
 
     /// The velocity or acceleration of the point of a link that coincides with a point.
-    pub(super) fn carried(&mut self, p: PointId, l: LinkId, level: Level) -> Result<RegPair, NoKernel> {
+    pub(super) fn carried(
+        &mut self,
+        p: PointId,
+        l: LinkId,
+        level: Level,
+    ) -> Result<RegPair, NoKernel> {
         if self.scene.links[l.0].points.contains(&p) || level == Level::Position {
             return self.point(p, level);
         }

@@ -38,13 +38,14 @@ impl Compiler<'_> {
                 self.vector_columns(A, force);
             }
             ByMotion::InertiaCouple(l) => {
-                let couple = match self.scene.loads.mass_of(l).and_then(|m| m.j.as_ref()).map(|j| j.value) {
-                    Some(j) if self.scene.has_inertia() => {
-                        let alpha = self.turning(l, A)?;
-                        self.negative(alpha, j)
-                    }
-                    _ => return Err(no_kernel(find)),
-                };
+                let couple =
+                    match self.scene.loads.mass_of(l).and_then(|m| m.j.as_ref()).map(|j| j.value) {
+                        Some(j) if self.scene.has_inertia() => {
+                            let alpha = self.turning(l, A)?;
+                            self.negative(alpha, j)
+                        }
+                        _ => return Err(no_kernel(find)),
+                    };
                 self.columns.push(couple);
             }
             ByMotion::Shaking => {
@@ -52,8 +53,14 @@ impl Compiler<'_> {
                     return Err(no_kernel(find));
                 }
                 let mut sum = self.fixed(Vec2::ZERO);
-                let links: Vec<LinkId> =
-                    self.scene.loads.masses.iter().filter(|m| m.m.is_some() && m.at.is_some()).map(|m| m.link).collect();
+                let links: Vec<LinkId> = self
+                    .scene
+                    .loads
+                    .masses
+                    .iter()
+                    .filter(|m| m.m.is_some() && m.at.is_some())
+                    .map(|m| m.link)
+                    .collect();
                 for l in links {
                     let force = self.inertia(l, find)?;
                     let add = |c: &mut Self, a, b| c.emit(A, WeightedSum { a, b, k: 1.0 }, 1);
@@ -68,7 +75,9 @@ impl Compiler<'_> {
     /// The inertia force −m a_S.
     fn inertia(&mut self, l: LinkId, find: &Find) -> Result<RegPair, NoKernel> {
         let mass = self.scene.loads.mass_of(l).filter(|_| self.scene.has_inertia());
-        let Some((m, s)) = mass.and_then(|mass| Some((mass.m.as_ref()?.value, mass.at?))) else { return Err(no_kernel(find)) };
+        let Some((m, s)) = mass.and_then(|mass| Some((mass.m.as_ref()?.value, mass.at?))) else {
+            return Err(no_kernel(find));
+        };
         let a = self.point(s, A)?;
         Ok(RegPair { x: self.negative(a.x, m), y: self.negative(a.y, m) })
     }
@@ -99,10 +108,22 @@ impl Compiler<'_> {
                 Some(s) => (self.point(s, V)?, if inertia { self.point(s, A)? } else { still }),
                 None => (still, still),
             };
-            let (omega, alpha) =
-                if inertia && j != 0.0 { (self.turning(mass.link, V)?, self.turning(mass.link, A)?) } else { (zero, zero) };
+            let (omega, alpha) = if inertia && j != 0.0 {
+                (self.turning(mass.link, V)?, self.turning(mass.link, A)?)
+            } else {
+                (zero, zero)
+            };
             let inert = if inertia { 1.0 } else { 0.0 };
-            let massive = Massive { v, a, omega, alpha, before: power, m: m * inert, j: j * inert, weight: [g.x * m, g.y * m] };
+            let massive = Massive {
+                v,
+                a,
+                omega,
+                alpha,
+                before: power,
+                m: m * inert,
+                j: j * inert,
+                weight: [g.x * m, g.y * m],
+            };
             power = self.emit(A, massive, 1);
         }
         for applied in &loads.applied {
@@ -115,7 +136,17 @@ impl Compiler<'_> {
             let d = self.emit_pair(P, Arm { from, to });
             let (from, to) = (self.vector(&at(p, a), V)?, self.vector(&at(q, b), V)?);
             let v = self.emit_pair(V, Arm { from, to });
-            power = self.emit(V, SpringPower { d, v, before: power, stiffness: spring.stiffness.value, free: spring.free.value }, 1);
+            power = self.emit(
+                V,
+                SpringPower {
+                    d,
+                    v,
+                    before: power,
+                    stiffness: spring.stiffness.value,
+                    free: spring.free.value,
+                },
+                1,
+            );
         }
         Ok(power)
     }
@@ -135,15 +166,23 @@ impl Compiler<'_> {
             }
             LoadSize::Directed { force, line, angle } => {
                 let v = velocity(self)?;
-                let turned = angle.as_ref().map_or(Vec2::unit_x(), |a| Vec2::from_angle(a.value.radians()));
+                let turned =
+                    angle.as_ref().map_or(Vec2::unit_x(), |a| Vec2::from_angle(a.value.radians()));
                 let u = match line {
                     None => self.fixed(turned),
                     Some((a, b)) => {
                         // A line of a link keeps its length.
-                        let carries = |l: &LinkId| self.at.shapes.local(*l, *a).is_some() && self.at.shapes.local(*l, *b).is_some();
+                        let carries = |l: &LinkId| {
+                            self.at.shapes.local(*l, *a).is_some()
+                                && self.at.shapes.local(*l, *b).is_some()
+                        };
                         let l = (0..self.scene.links.len()).map(LinkId).find(carries);
-                        let length = self.at.points[a.0].zip(self.at.points[b.0]).map(|(a, b)| a.distance(b));
-                        let (Some(_), Some(length)) = (l, length) else { return Err(no_kernel(find)) };
+                        let length = self.at.points[a.0]
+                            .zip(self.at.points[b.0])
+                            .map(|(a, b)| a.distance(b));
+                        let (Some(_), Some(length)) = (l, length) else {
+                            return Err(no_kernel(find));
+                        };
                         let (from, to) = (self.point(*a, P)?, self.point(*b, P)?);
                         let d = self.emit_pair(P, Arm { from, to });
                         self.emit_pair(P, Twist { d, k: [turned.x / length, turned.y / length] })
@@ -173,7 +212,12 @@ impl Compiler<'_> {
     }
 
     /// The amount of a load along its course; without a diagram `constant` within the course.
-    fn along_course(&mut self, course: &LoadCourse, constant: f64, find: &Find) -> Result<Reg, NoKernel> {
+    fn along_course(
+        &mut self,
+        course: &LoadCourse,
+        constant: f64,
+        find: &Find,
+    ) -> Result<Reg, NoKernel> {
         let (at, near, onward) = match &course.along {
             LoadTravel::Stroke { point, guide, .. } => {
                 let (Some(Ok([start, end])), Some(Path::Line { through, direction })) =
@@ -187,7 +231,8 @@ impl Compiler<'_> {
                 let way = direction * (end.value - start.value).signum();
                 let (u, place) = (self.fixed(way), self.point(*point, P)?);
                 let gone = self.emit(P, Dot { u, v: place }, 1);
-                let begin = through.to_vec2().dot(way) + start.value * (end.value - start.value).signum();
+                let begin =
+                    through.to_vec2().dot(way) + start.value * (end.value - start.value).signum();
                 let origin = self.constant(-begin * scale);
                 let v = self.point(*point, V)?;
                 let speed = self.emit(V, Dot { u, v }, 1);
@@ -200,7 +245,11 @@ impl Compiler<'_> {
                 let near = NEAR * 360.0;
                 let (quarters, _) = self.quarters(*driver);
                 let first = course.stations[0].at.value() - near;
-                (self.emit(P, Repeated { quarters, first, period: period.value.degrees() }, 1), near, None)
+                (
+                    self.emit(P, Repeated { quarters, first, period: period.value.degrees() }, 1),
+                    near,
+                    None,
+                )
             }
         };
         let mut amount = self.zero();
@@ -212,14 +261,26 @@ impl Compiler<'_> {
                 let slope = (value(k + 1) - value(k)) / (to - from);
                 let first = (0..k).all(|k| stations[k].at.value() >= stations[k + 1].at.value());
                 let begin = if first { from - near } else { from };
-                amount = self.emit(P, Ramp { at, before: amount, from: begin, origin: from, amount: value(k), slope }, 1);
+                amount = self.emit(
+                    P,
+                    Ramp { at, before: amount, from: begin, origin: from, amount: value(k), slope },
+                    1,
+                );
             }
         }
         let last = stations[stations.len() - 1].at.value() + near;
-        amount = self.emit(P, Ramp { at, before: amount, from: last.next_up(), origin: 0.0, amount: 0.0, slope: 0.0 }, 1);
+        amount = self.emit(
+            P,
+            Ramp { at, before: amount, from: last.next_up(), origin: 0.0, amount: 0.0, slope: 0.0 },
+            1,
+        );
         // The load does not act on the return stroke.
         Ok(match onward {
-            Some(speed) => self.emit(V, Forward { speed, number: amount, from: -ROUNDING * fastest(self.scene, self.at) }, 1),
+            Some(speed) => self.emit(
+                V,
+                Forward { speed, number: amount, from: -ROUNDING * fastest(self.scene, self.at) },
+                1,
+            ),
             None => amount,
         })
     }

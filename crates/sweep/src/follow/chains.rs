@@ -71,7 +71,9 @@ impl<F: Follow> Chains<F> {
     /// Prepares a course through `count` positions from the driver's value `start`.
     pub fn new(follow: F, start: f64, count: usize, values: ValueFunction) -> Chains<F> {
         let first = follow.start();
-        let chains = first.as_ref().map_or_else(Vec::new, |first| outward(first, start, 0..count, 0.0, values));
+        let chains = first
+            .as_ref()
+            .map_or_else(Vec::new, |first| outward(first, start, 0..count, 0.0, values));
         Chains { follow, start, first, chains }
     }
 
@@ -82,7 +84,13 @@ impl<F: Follow> Chains<F> {
 
     /// Shows the state at each of some positions, in any order, or the reason why there is none.
     /// Stops early and returns `false` if `stop` asks for it.
-    pub fn states(&mut self, part: Range<usize>, values: ValueFunction, stop: &dyn Fn() -> bool, visit: Visit<F::State>) -> bool {
+    pub fn states(
+        &mut self,
+        part: Range<usize>,
+        values: ValueFunction,
+        stop: &dyn Fn() -> bool,
+        visit: Visit<F::State>,
+    ) -> bool {
         let Some(first) = &self.first else {
             let why = self.follow.stopped(None, self.start);
             part.for_each(|p| visit(p, Err(&why)));
@@ -121,7 +129,13 @@ impl<F: Follow> Chains<F> {
 }
 
 /// The chains upward and downward from the start, through positions with ascending values.
-fn outward<S: Clone>(first: &S, start: f64, positions: Range<usize>, shift: f64, values: ValueFunction) -> Vec<Chain<S>> {
+fn outward<S: Clone>(
+    first: &S,
+    start: f64,
+    positions: Range<usize>,
+    shift: f64,
+    values: ValueFunction,
+) -> Vec<Chain<S>> {
     // The first position that is not below the start.
     let (mut low, mut high) = (positions.start, positions.end);
     while low < high {
@@ -155,7 +169,9 @@ impl<S: Clone> Chain<S> {
     /// The positions that are not reached, once the end is known.
     fn rest(&self) -> Option<Range<usize>> {
         let Range { start, end } = self.positions;
-        self.end.as_ref().map(|_| if self.backward { start..end - self.front.0 } else { start + self.front.0..end })
+        self.end.as_ref().map(|_| {
+            if self.backward { start..end - self.front.0 } else { start + self.front.0..end }
+        })
     }
 
     /// Follows as far as the requested positions, or repeats a part of the chain, and shows the
@@ -173,7 +189,11 @@ impl<S: Clone> Chain<S> {
             return true;
         }
         let Range { start, end } = self.positions;
-        let steps = if self.backward { end - mine.end..end - mine.start } else { mine.start - start..mine.end - start };
+        let steps = if self.backward {
+            end - mine.end..end - mine.start
+        } else {
+            mine.start - start..mine.end - start
+        };
         // Steps already passed are repeated from the last kept state.
         let (mut step, mut state) = match self.front.0 <= steps.start {
             true => self.front.clone(),

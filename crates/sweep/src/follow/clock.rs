@@ -59,7 +59,11 @@ impl Clock {
         let mut there = None;
         if let Some((laws, second)) = &self.laws {
             let mut scene = self.scene.clone();
-            laws.set(&mut scene, &[DimensionedValue { number: self.scene.instant() + t, ..*second }]).ok()?;
+            laws.set(
+                &mut scene,
+                &[DimensionedValue { number: self.scene.instant() + t, ..*second }],
+            )
+            .ok()?;
             there = Some(scene);
         }
         let of = |d: usize| {
@@ -67,13 +71,24 @@ impl Clock {
             if let (Some(scene), Some(_)) = (&there, &now.law) {
                 let driver = &scene.drivers[d];
                 let by = driver_position(scene, d)? - driver_position(&self.scene, d)?;
-                return Some(Gone { by, rate: driver.rate.value, acceleration: driver.acceleration.as_ref().map_or(0.0, |a| a.value) });
+                return Some(Gone {
+                    by,
+                    rate: driver.rate.value,
+                    acceleration: driver.acceleration.as_ref().map_or(0.0, |a| a.value),
+                });
             }
-            let (rate, acceleration) = (now.rate.value, now.acceleration.as_ref().map_or(0.0, |a| a.value));
-            Some(Gone { by: rate * t + 0.5 * acceleration * t * t, rate: rate + acceleration * t, acceleration })
+            let (rate, acceleration) =
+                (now.rate.value, now.acceleration.as_ref().map_or(0.0, |a| a.value));
+            Some(Gone {
+                by: rate * t + 0.5 * acceleration * t * t,
+                rate: rate + acceleration * t,
+                acceleration,
+            })
         };
         let gone: Vec<Gone> = (0..self.scene.drivers.len()).map(of).collect::<Option<_>>()?;
-        gone.iter().all(|g| g.by.is_finite() && g.rate.is_finite() && g.acceleration.is_finite()).then_some(gone)
+        gone.iter()
+            .all(|g| g.by.is_finite() && g.rate.is_finite() && g.acceleration.is_finite())
+            .then_some(gone)
     }
 
     /// Returns a scene at a time `t` after the instant (s): the drivers have their positions, rates
@@ -89,7 +104,8 @@ impl Clock {
                 GivenQuantity { value, radius: value.abs() * f64::EPSILON, text, span }
             };
             driver.rate = given(g.rate, ["rad/s", "m/s"]);
-            driver.acceleration = (g.acceleration != 0.0).then(|| given(g.acceleration, ["rad/s^2", "m/s^2"]));
+            driver.acceleration =
+                (g.acceleration != 0.0).then(|| given(g.acceleration, ["rad/s^2", "m/s^2"]));
             // The driver's rates decide on which side the followers of cams are placed.
             let position = driver_position(scene, d).unwrap_or(self.positions[d]);
             there = with_driver_at(&there, d, position + g.by);
@@ -107,7 +123,9 @@ impl Clock {
         if self.laws.is_some() && instant > 0.0 {
             return [instant, instant];
         }
-        let own = (0..self.scene.drivers.len()).filter(|d| !self.scene.is_led(*d)).map(|d| &self.scene.drivers[d]);
+        let own = (0..self.scene.drivers.len())
+            .filter(|d| !self.scene.is_led(*d))
+            .map(|d| &self.scene.drivers[d]);
         let (mut turns, mut slides) = (Vec::new(), 0.0_f64);
         for d in own.filter(|d| d.rate.value != 0.0) {
             match d.kind.turns() {
@@ -115,7 +133,9 @@ impl Clock {
                 false => slides = slides.max(extent / d.rate.value.abs()),
             }
         }
-        let [fastest, slowest] = turns.iter().fold([f64::INFINITY, 0.0_f64], |[least, most], t| [least.min(*t), most.max(*t)]);
+        let [fastest, slowest] = turns
+            .iter()
+            .fold([f64::INFINITY, 0.0_f64], |[least, most], t| [least.min(*t), most.max(*t)]);
         match (self.laws.is_some(), turns.is_empty()) {
             // A law at t = 0 gives no time by itself.
             (true, true) if slides == 0.0 => [0.0, 1.0],
@@ -127,13 +147,20 @@ impl Clock {
 
     /// Returns the number of steps in which no driver turns by more than 10° each.
     pub fn steps(&self, [before, after]: [f64; 2]) -> usize {
-        let turning: Vec<usize> = (0..self.scene.drivers.len()).filter(|d| self.scene.drivers[*d].kind.turns()).collect();
+        let turning: Vec<usize> =
+            (0..self.scene.drivers.len()).filter(|d| self.scene.drivers[*d].kind.turns()).collect();
         let mut turned = vec![0.0; turning.len()];
         let mut last: Option<Vec<Gone>> = None;
         for k in 0..=SAMPLES {
-            let Some(gone) = self.gone((before + after) * (k as f64 / SAMPLES as f64) - before) else { continue };
+            let Some(gone) = self.gone((before + after) * (k as f64 / SAMPLES as f64) - before)
+            else {
+                continue;
+            };
             if let Some(last) = &last {
-                turning.iter().zip(&mut turned).for_each(|(d, turned)| *turned += (gone[*d].by - last[*d].by).abs());
+                turning
+                    .iter()
+                    .zip(&mut turned)
+                    .for_each(|(d, turned)| *turned += (gone[*d].by - last[*d].by).abs());
             }
             last = Some(gone);
         }
@@ -177,12 +204,26 @@ mod tests {
             let scene = read(text).unwrap().value;
             let clock = clock(&scene);
             for t in [0.3, 1.7] {
-                let later = templates::instantiate(name, &[("t", &format!("{} s", scene.instant() + t))]).unwrap();
+                let later =
+                    templates::instantiate(name, &[("t", &format!("{} s", scene.instant() + t))])
+                        .unwrap();
                 let (there, meant) = (clock.scene_at(&scene, t), read(&later).unwrap().value);
                 for (a, b) in there.drivers.iter().zip(&meant.drivers) {
-                    assert!((a.kind.position().unwrap().value() - b.kind.position().unwrap().value()).abs() < 1e-13, "{name}");
-                    assert!((a.rate.value - b.rate.value).abs() < 1e-13, "{name}: {} against {}", a.rate.value, b.rate.value);
-                    let of = |d: &hodograph_scene::Driver| d.acceleration.as_ref().map_or(0.0, |a| a.value);
+                    assert!(
+                        (a.kind.position().unwrap().value() - b.kind.position().unwrap().value())
+                            .abs()
+                            < 1e-13,
+                        "{name}"
+                    );
+                    assert!(
+                        (a.rate.value - b.rate.value).abs() < 1e-13,
+                        "{name}: {} against {}",
+                        a.rate.value,
+                        b.rate.value
+                    );
+                    let of = |d: &hodograph_scene::Driver| {
+                        d.acceleration.as_ref().map_or(0.0, |a| a.value)
+                    };
                     assert!((of(a) - of(b)).abs() < 1e-13, "{name}: {} against {}", of(a), of(b));
                 }
             }

@@ -29,7 +29,12 @@ impl<'a> Compiled<'a> {
         count: usize,
         values: ValueFunction,
     ) -> Chains<Compiled<'a>> {
-        let tracked = Compiled { program, placed, driver, per_value: angle_per_value(placed.scene, &placed.at, driver) };
+        let tracked = Compiled {
+            program,
+            placed,
+            driver,
+            per_value: angle_per_value(placed.scene, &placed.at, driver),
+        };
         Chains::new(tracked, position_now(placed.scene, &placed.at, driver), count, values)
     }
 
@@ -47,7 +52,8 @@ impl Follow for Compiled<'_> {
     type State = FollowedState;
 
     fn start(&self) -> Option<FollowedState> {
-        self.program.start(position_now(self.placed.scene, &self.placed.at, self.driver), &|x| self.turn(x))
+        self.program
+            .start(position_now(self.placed.scene, &self.placed.at, self.driver), &|x| self.turn(x))
     }
 
     fn advance(&self, from: &FollowedState, value: f64) -> Result<FollowedState, FollowedState> {
@@ -57,10 +63,17 @@ impl Follow for Compiled<'_> {
     fn stopped(&self, last: Option<&FollowedState>, _toward: f64) -> Faults {
         let scene = self.placed.scene;
         let names: Vec<_> = self.program.tracks.iter().map(|t| scene.link_name(t.link)).collect();
-        let until = last.map_or(Both::default(), |last| both!(" beyond {}", "在 {} 以后", driver_words(scene, self.driver, last.value)));
+        let until = last.map_or(Both::default(), |last| {
+            both!(" beyond {}", "在 {} 以后", driver_words(scene, self.driver, last.value))
+        });
         Diagnostic::error(
             "limit",
-            both!("the group of link {} cannot be assembled{}", "构件 {} 所在杆组{}不能装配", Both::names(&names), until),
+            both!(
+                "the group of link {} cannot be assembled{}",
+                "构件 {} 所在杆组{}不能装配",
+                Both::names(&names),
+                until
+            ),
         )
         .into()
     }
@@ -80,14 +93,22 @@ pub(crate) fn states(
     stop: &dyn Fn() -> bool,
 ) -> Option<States> {
     let mut states: States = vec![Err(Faults::default()); part.len()];
-    let show = &mut |position, state: Result<&FollowedState, &Faults>| states[row(position)] = state.cloned().map_err(Clone::clone);
+    let show = &mut |position, state: Result<&FollowedState, &Faults>| {
+        states[row(position)] = state.cloned().map_err(Clone::clone)
+    };
     course.states(part, values, stop, show).then_some(states)
 }
 
 /// The states at stations in any order.
-pub(crate) fn follow(program: &SweepProgram, placed: &PlacedScene, driver: usize, stations: &Stations) -> States {
+pub(crate) fn follow(
+    program: &SweepProgram,
+    placed: &PlacedScene,
+    driver: usize,
+    stations: &Stations,
+) -> States {
     let order = stations.ascending();
     let values = |position: usize| stations.values[order[position]];
     let mut course = Compiled::course(program.clone(), placed, driver, order.len(), &values);
-    states(&mut course, 0..order.len(), &values, &|position| order[position], &|| false).unwrap_or_default()
+    states(&mut course, 0..order.len(), &values, &|position| order[position], &|| false)
+        .unwrap_or_default()
 }

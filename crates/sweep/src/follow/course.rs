@@ -20,7 +20,9 @@ use hodograph_mechanism::motion;
 use hodograph_mechanism::position::newton::{self, DriverValues};
 use hodograph_mechanism::position::{self, Configuration, Path, pieces};
 use hodograph_scene::cams::{FollowerCourse, FollowerSolver, FollowerState, HangsOn};
-use hodograph_scene::{Cam, GivenQuantity, GuideId, GuidePath, LinkId, Pieces, PointId, Scene, with_driver_at};
+use hodograph_scene::{
+    Cam, GivenQuantity, GuideId, GuidePath, LinkId, Pieces, PointId, Scene, with_driver_at,
+};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -100,10 +102,9 @@ impl Hangs {
         let touches = cam.follows.radius().map(|_| cam.follows.point());
         let told = |l: &LinkId| *l == scene.ground || scene.links[l.0].points.len() > 1;
         let points = &scene.links[cam.follower.0].points;
-        let (pivot, against) = points
-            .iter()
-            .filter(|p| touches != Some(**p))
-            .find_map(|p| Some((*p, scene.carriers(*p).find(|l| *l != cam.follower && *l != cam.cam && told(l))?)))?;
+        let (pivot, against) = points.iter().filter(|p| touches != Some(**p)).find_map(|p| {
+            Some((*p, scene.carriers(*p).find(|l| *l != cam.follower && *l != cam.cam && told(l))?))
+        })?;
         let other = points.iter().copied().find(|p| *p != pivot)?;
         Some(Hangs::Turns { follower: cam.follower, against, line: [pivot, other] })
     }
@@ -118,24 +119,46 @@ impl Hangs {
 
     fn coordinate<N: Real>(self, scene: &Scene, at: &Configuration<N>) -> Option<N> {
         match self {
-            Hangs::Slides { guide, pin, .. } => Some(at.guides[guide]?.coordinate_of(at.points[pin.0]?)),
+            Hangs::Slides { guide, pin, .. } => {
+                Some(at.guides[guide]?.coordinate_of(at.points[pin.0]?))
+            }
             Hangs::Turns { against, line: [a, b], .. } => {
-                let from = if against == scene.ground { Vec2::unit_x() } else { at.link_direction(scene, against)? };
+                let from = if against == scene.ground {
+                    Vec2::unit_x()
+                } else {
+                    at.link_direction(scene, against)?
+                };
                 Some((at.points[b.0]? - at.points[a.0]?).divide_by(from).angle())
             }
         }
     }
 
-    fn rates<N: Real>(self, scene: &Scene, at: &Configuration<N>, motion: &impl MotionSource<N>) -> Option<[N; 2]> {
-        let turning = |level, l| if l == scene.ground { Some(N::from_f64(0.0)) } else { motion.turning(level, l) };
+    fn rates<N: Real>(
+        self,
+        scene: &Scene,
+        at: &Configuration<N>,
+        motion: &impl MotionSource<N>,
+    ) -> Option<[N; 2]> {
+        let turning = |level, l| {
+            if l == scene.ground { Some(N::from_f64(0.0)) } else { motion.turning(level, l) }
+        };
         match self {
             Hangs::Slides { guide, on, pin } => {
                 let Path::Line { direction, .. } = at.guides[guide]? else { return None };
-                let seat = |level| if on == scene.ground { Some(Vec2::zero()) } else { motion.vector(level, pin, Some(on)) };
+                let seat = |level| {
+                    if on == scene.ground {
+                        Some(Vec2::zero())
+                    } else {
+                        motion.vector(level, pin, Some(on))
+                    }
+                };
                 let apart = |level| Some(motion.vector(level, pin, None)? - seat(level)?);
                 // The Coriolis term is square to the guide, so that only the sliding is left along
                 // it.
-                Some([direction.dot(apart(Level::Velocity)?), direction.dot(apart(Level::Acceleration)?)])
+                Some([
+                    direction.dot(apart(Level::Velocity)?),
+                    direction.dot(apart(Level::Acceleration)?),
+                ])
             }
             Hangs::Turns { follower, against, .. } => {
                 let apart = |level| Some(turning(level, follower)? - turning(level, against)?);
@@ -147,7 +170,9 @@ impl Hangs {
     /// The corresponding pair in a scene with the same links but other numbers of points.
     fn within(self, from: &Scene, to: &Scene) -> Option<Hangs> {
         Some(match self {
-            Hangs::Slides { guide, on, pin } => Hangs::Slides { guide, on, pin: named(from, to, pin)? },
+            Hangs::Slides { guide, on, pin } => {
+                Hangs::Slides { guide, on, pin: named(from, to, pin)? }
+            }
             Hangs::Turns { follower, against, line: [a, b] } => {
                 Hangs::Turns { follower, against, line: [named(from, to, a)?, named(from, to, b)?] }
             }
@@ -190,17 +215,35 @@ impl Handed {
         let demand = all_of(&own.mechanism);
         let at = position::configure(scene, &own.mechanism, &demand).ok()?.value;
         let on = |piece: usize| {
-            let variant = Variant::of(if piece == pieces.touched { scene } else { pieces.on(piece)? })?;
+            let variant =
+                Variant::of(if piece == pieces.touched { scene } else { pieces.on(piece)? })?;
             let hangs = hangs.within(scene, &variant.scene)?;
             Some((variant, hangs))
         };
         let variants = (0..pieces.segments.len()).map(on).collect();
         let drivers = newton::driver_values(scene, &at).0;
         let positions = (0..scene.drivers.len()).map(|d| position_now(scene, &at, d)).collect();
-        let step = |d: &hodograph_scene::Driver| if d.kind.turns() { STEP } else { PART * at.extent() };
+        let step =
+            |d: &hodograph_scene::Driver| if d.kind.turns() { STEP } else { PART * at.extent() };
         let steps = scene.drivers.iter().map(step).collect();
-        let start = ContactState { piece: pieces.touched, coordinate: hangs.coordinate(scene, &at)?, at, drivers };
-        Some((Handed { cam, variants, start, positions, steps, known: Mutex::default(), asked: Mutex::default() }, hangs.held()))
+        let start = ContactState {
+            piece: pieces.touched,
+            coordinate: hangs.coordinate(scene, &at)?,
+            at,
+            drivers,
+        };
+        Some((
+            Handed {
+                cam,
+                variants,
+                start,
+                positions,
+                steps,
+                known: Mutex::default(),
+                asked: Mutex::default(),
+            },
+            hangs.held(),
+        ))
     }
 
     /// The position a number of steps of a driver from the start, each reached from the one before
@@ -227,7 +270,8 @@ impl Handed {
 
     /// The configuration when the drivers have travelled by `gone` from the start.
     fn standing(&self, gone: &[f64]) -> Option<ContactState> {
-        let to: Vec<f64> = self.start.drivers.iter().zip(gone).map(|(from, by)| from + by).collect();
+        let to: Vec<f64> =
+            self.start.drivers.iter().zip(gone).map(|(from, by)| from + by).collect();
         let mut moving = gone.iter().enumerate().filter(|(_, by)| **by != 0.0);
         let from = match (moving.next(), moving.next()) {
             (Some((d, by)), None) => self.grid(d, libm::trunc(by / self.steps[d]) as i64)?,
@@ -283,23 +327,47 @@ impl Handed {
 
     /// Follows the way on one piece, as far as it leads on it; `most` is the greatest step, as a
     /// part of the way.
-    fn along(&self, state: ContactState, from: &[f64], to: &[f64], most: f64, extent: f64) -> Option<ContactState> {
+    fn along(
+        &self,
+        state: ContactState,
+        from: &[f64],
+        to: &[f64],
+        most: f64,
+        extent: f64,
+    ) -> Option<ContactState> {
         let (variant, hangs) = self.variants[state.piece].as_ref()?;
         let at = |part: f64| -> Vec<f64> {
-            if part == 1.0 { to.to_vec() } else { from.iter().zip(to).map(|(a, b)| a + (b - a) * part).collect() }
+            if part == 1.0 {
+                to.to_vec()
+            } else {
+                from.iter().zip(to).map(|(a, b)| a + (b - a) * part).collect()
+            }
         };
-        let closed = |part: f64, guess: &Configuration| newton::moved(&variant.scene, &variant.mechanism, guess, &DriverValues(at(part)));
+        let closed = |part: f64, guess: &Configuration| {
+            newton::moved(&variant.scene, &variant.mechanism, guess, &DriverValues(at(part)))
+        };
         let on = |now: &TravelPose, coordinate: f64| -> Option<ContactState> {
             let q = hangs.coordinate(&variant.scene, &now.configuration)?;
-            let q = if matches!(hangs, Hangs::Turns { .. }) { coordinate + in_half_turns(q - coordinate) } else { q };
-            Some(ContactState { piece: state.piece, at: now.configuration.clone(), drivers: at(now.travel), coordinate: q })
+            let q = if matches!(hangs, Hangs::Turns { .. }) {
+                coordinate + in_half_turns(q - coordinate)
+            } else {
+                q
+            };
+            Some(ContactState {
+                piece: state.piece,
+                at: now.configuration.clone(),
+                drivers: at(now.travel),
+                coordinate: q,
+            })
         };
-        let (mut before, mut now): (Option<TravelPose>, _) = (None, TravelPose { travel: 0.0, configuration: state.at.clone() });
+        let (mut before, mut now): (Option<TravelPose>, _) =
+            (None, TravelPose { travel: 0.0, configuration: state.at.clone() });
         let (mut step, mut coordinate) = (most, state.coordinate);
         while now.travel < 1.0 {
             let next = (now.travel + step).min(1.0);
             let guess = foretold(before.as_ref(), &now, next);
-            let Some(there) = closed(next, &guess).filter(|c| stray(c, &guess) < STRAY * extent) else {
+            let Some(there) = closed(next, &guess).filter(|c| stray(c, &guess) < STRAY * extent)
+            else {
                 step *= 0.5;
                 if step < SHORTEST {
                     return None;
@@ -341,7 +409,10 @@ impl Handed {
             if middle <= inside.travel || middle >= outside.travel {
                 return Some((inside, side));
             }
-            let pose = TravelPose { travel: middle, configuration: closed(middle, &foretold(Some(&inside), &outside, middle))? };
+            let pose = TravelPose {
+                travel: middle,
+                configuration: closed(middle, &foretold(Some(&inside), &outside, middle))?,
+            };
             match self.left(piece, &pose.configuration)? {
                 Some(beyond) => (outside, side) = (pose, beyond),
                 None => inside = pose,
@@ -352,16 +423,24 @@ impl Handed {
     /// The pose of a state, solved with the contact on the next piece.
     fn handed_over(&self, state: ContactState, side: i64) -> Option<ContactState> {
         let count = self.variants.len();
-        let next = if side > 0 { (state.piece + 1) % count } else { (state.piece + count - 1) % count };
+        let next =
+            if side > 0 { (state.piece + 1) % count } else { (state.piece + count - 1) % count };
         let (from, _) = self.variants[state.piece].as_ref()?;
         let (to, _) = self.variants[next].as_ref()?;
         let rough = self.on_another(from, to, &state.at, [state.piece, next])?;
-        let at = newton::moved(&to.scene, &to.mechanism, &rough, &DriverValues(state.drivers.clone()))?;
+        let at =
+            newton::moved(&to.scene, &to.mechanism, &rough, &DriverValues(state.drivers.clone()))?;
         Some(ContactState { piece: next, at, ..state })
     }
 
     /// Converts a pose of one variant into one of another.
-    fn on_another(&self, from: &Variant, to: &Variant, at: &Configuration, [piece, next]: [usize; 2]) -> Option<Configuration> {
+    fn on_another(
+        &self,
+        from: &Variant,
+        to: &Variant,
+        at: &Configuration,
+        [piece, next]: [usize; 2],
+    ) -> Option<Configuration> {
         let (cam, pieces) = from.cam(self.cam)?;
         let centre = pieces::centre(&from.scene, cam, pieces, at, next);
         // A new point is the centre of the piece.
@@ -376,10 +455,12 @@ impl Handed {
                 Some(q) => at.shapes.local(LinkId(l), q),
                 None => centre,
             };
-            *shape = to.scene.links[l].points.iter().filter_map(|p| Some((*p, local(*p)?))).collect();
+            *shape =
+                to.scene.links[l].points.iter().filter_map(|p| Some((*p, local(*p)?))).collect();
         }
         let contact = cam.contact?;
-        shapes.guides[contact.0] = Some(pieces::path_on(&from.scene, cam, pieces, at, [piece, next])?);
+        shapes.guides[contact.0] =
+            Some(pieces::path_on(&from.scene, cam, pieces, at, [piece, next])?);
         let closures = vec![0; to.mechanism.groups.len()];
         Some(Configuration { points, shapes, closures, ..at.clone() })
     }
@@ -397,7 +478,8 @@ struct Following<'a> {
 
 impl Handed {
     fn following(&self, drivers: &[[f64; 3]]) -> Option<Following<'_>> {
-        let gone: Vec<f64> = drivers.iter().zip(&self.positions).map(|([at, ..], from)| at - from).collect();
+        let gone: Vec<f64> =
+            drivers.iter().zip(&self.positions).map(|([at, ..], from)| at - from).collect();
         if !gone.iter().all(|by| by.is_finite()) {
             return None;
         }
@@ -407,9 +489,16 @@ impl Handed {
         for (driver, [_, rate, acceleration]) in scene.drivers.iter_mut().zip(drivers) {
             driver.rate.value = *rate;
             let span = driver.rate.span;
-            driver.acceleration = Some(GivenQuantity { value: *acceleration, radius: 0.0, text: String::new(), span });
+            driver.acceleration = Some(GivenQuantity {
+                value: *acceleration,
+                radius: 0.0,
+                text: String::new(),
+                span,
+            });
         }
-        let motion = analytic::solve(&scene, &variant.mechanism, &standing.at, &all_of(&variant.mechanism)).ok()?;
+        let motion =
+            analytic::solve(&scene, &variant.mechanism, &standing.at, &all_of(&variant.mechanism))
+                .ok()?;
         let rates = hangs.rates(&scene, &standing.at, &motion)?;
         Some(Following { standing, variant, hangs: *hangs, scene, rates })
     }
@@ -418,25 +507,40 @@ impl Handed {
 impl FollowerSolver for Handed {
     fn led(&self, drivers: &[[f64; 3]]) -> Option<FollowerState> {
         let Following { standing, rates: [rate, acceleration], .. } = self.following(drivers)?;
-        Some(FollowerState { place: [standing.coordinate, rate, acceleration], piece: standing.piece })
+        Some(FollowerState {
+            place: [standing.coordinate, rate, acceleration],
+            piece: standing.piece,
+        })
     }
 
     fn off(&self, drivers: &[[f64; 3]]) -> Option<[f64; 3]> {
         let Following { standing, variant, hangs, mut scene, rates } = self.following(drivers)?;
-        for (d, [at, ..]) in drivers.iter().enumerate().filter(|(d, [at, ..])| *at != self.positions[*d]) {
+        for (d, [at, ..]) in
+            drivers.iter().enumerate().filter(|(d, [at, ..])| *at != self.positions[*d])
+        {
             scene = with_driver_at(&scene, d, *at);
         }
         let demand = all_of(&variant.mechanism);
-        let at = position::recompute::<Ball<f64>>(&scene, &variant.mechanism, &demand, &standing.at).ok()?;
-        let [rate, acceleration] = hangs.rates(&scene, &at, &motion::solve(&scene, &variant.mechanism, &at, &demand))?;
+        let at =
+            position::recompute::<Ball<f64>>(&scene, &variant.mechanism, &demand, &standing.at)
+                .ok()?;
+        let [rate, acceleration] =
+            hangs.rates(&scene, &at, &motion::solve(&scene, &variant.mechanism, &at, &demand))?;
         let beside = |x: Ball<f64>, told: f64| x - Ball::from_f64(told);
         let place = beside(hangs.coordinate(&scene, &at)?, standing.coordinate);
         let place = if matches!(hangs, Hangs::Turns { .. }) { in_half_turns(place) } else { place };
-        Some([place, beside(rate, rates[0]), beside(acceleration, rates[1])].map(|x| x.approx().abs() + x.radius()))
+        Some(
+            [place, beside(rate, rates[0]), beside(acceleration, rates[1])]
+                .map(|x| x.approx().abs() + x.radius()),
+        )
     }
 }
 
 /// The demand for all groups, up to accelerations.
 fn all_of(m: &Mechanism) -> Demand {
-    Demand { groups: vec![Some(Level::Acceleration); m.groups.len()], level: Level::Acceleration, needs: Vec::new() }
+    Demand {
+        groups: vec![Some(Level::Acceleration); m.groups.len()],
+        level: Level::Acceleration,
+        needs: Vec::new(),
+    }
 }

@@ -31,7 +31,12 @@ pub(crate) struct TravelWalk<'a> {
 
 impl<'a> TravelWalk<'a> {
     /// Follows the mechanism. The scene's driver runs at unit speed, the others are at rest.
-    pub fn new(placed: &'a PlacedScene<'a>, driver: usize, follower: &'a PoseFollower<'a>, now: f64) -> TravelWalk<'a> {
+    pub fn new(
+        placed: &'a PlacedScene<'a>,
+        driver: usize,
+        follower: &'a PoseFollower<'a>,
+        now: f64,
+    ) -> TravelWalk<'a> {
         TravelWalk { placed, driver, follower, sweep: follower.sweep(SAMPLES), now }
     }
 
@@ -39,15 +44,25 @@ impl<'a> TravelWalk<'a> {
     /// no limit.
     pub fn range(&self) -> DriverRange {
         let (scene, poses) = (self.placed.scene, &self.sweep.poses);
-        let reach = if scene.drivers[self.driver].kind.turns() { self.sweep.period() } else { 2.0 * self.placed.at.extent() };
+        let reach = if scene.drivers[self.driver].kind.turns() {
+            self.sweep.period()
+        } else {
+            2.0 * self.placed.at.extent()
+        };
         let mut ends = [None, None];
-        for (end, (limit, pose)) in ends.iter_mut().zip(self.sweep.limits.iter().zip([poses.first(), poses.last()])) {
+        for (end, (limit, pose)) in
+            ends.iter_mut().zip(self.sweep.limits.iter().zip([poses.first(), poses.last()]))
+        {
             let (Some(travel), Some(pose)) = (limit, pose) else { continue };
             if !self.sweep.far(pose) {
-                let (moved, value) = (DrivenMechanism::new(self.placed, self.driver), self.now + travel);
+                let (moved, value) =
+                    (DrivenMechanism::new(self.placed, self.driver), self.now + travel);
                 // Halving comes as near to the fold as the root of the rounding.
                 let located = moved.limit(value, &pose.configuration);
-                *end = Some(located.unwrap_or_else(|| event(self.placed.mechanism, value, &pose.configuration)));
+                *end =
+                    Some(located.unwrap_or_else(|| {
+                        event(self.placed.mechanism, value, &pose.configuration)
+                    }));
             }
         }
         DriverRange { now: self.now, ends, changes: Vec::new(), reach }
@@ -57,7 +72,11 @@ impl<'a> TravelWalk<'a> {
     pub fn span(&self) -> [f64; 2] {
         let poses = &self.sweep.poses;
         let travel = |pose: Option<&super::TravelPose>| self.now + pose.map_or(0.0, |p| p.travel);
-        if self.sweep.full { [self.now, self.now + self.sweep.period()] } else { [travel(poses.first()), travel(poses.last())] }
+        if self.sweep.full {
+            [self.now, self.now + self.sweep.period()]
+        } else {
+            [travel(poses.first()), travel(poses.last())]
+        }
     }
 
     /// Returns the driver's angle after which the pose recurs, if all of it was followed.
@@ -85,8 +104,13 @@ impl<'a> TravelWalk<'a> {
         }
         // At a limit two assemblies meet: from there Newton's method may go to either, from this
         // side of it only to its own.
-        let inner = poses.iter().enumerate().filter(|(k, _)| !self.sweep.is_limit(*k)).map(|(_, pose)| pose);
-        let near = inner.min_by(|a, b| self.apart(a.travel, travel).total_cmp(&self.apart(b.travel, travel)))?;
+        let inner = poses
+            .iter()
+            .enumerate()
+            .filter(|(k, _)| !self.sweep.is_limit(*k))
+            .map(|(_, pose)| pose);
+        let near = inner
+            .min_by(|a, b| self.apart(a.travel, travel).total_cmp(&self.apart(b.travel, travel)))?;
         self.moving(&self.follower.at(&near.configuration, travel)?, travel, output)
     }
 
@@ -105,20 +129,37 @@ impl<'a> TravelWalk<'a> {
             Cow::Borrowed(self.placed.scene)
         };
         let scene: &Scene = &there;
-        let demand =
-            Demand { groups: vec![Some(Level::Acceleration); mechanism.groups.len()], level: Level::Acceleration, needs: Vec::new() };
+        let demand = Demand {
+            groups: vec![Some(Level::Acceleration); mechanism.groups.len()],
+            level: Level::Acceleration,
+            needs: Vec::new(),
+        };
         let solution = analytic::solve(scene, mechanism, at, &demand).ok()?;
         let all = match output {
             DrivenOutput::Turning(l) => {
                 let angle = at.direction(scene, l)?.angle();
-                [angle, solution.turning(Level::Velocity, l)?, solution.turning(Level::Acceleration, l)?]
+                [
+                    angle,
+                    solution.turning(Level::Velocity, l)?,
+                    solution.turning(Level::Acceleration, l)?,
+                ]
             }
             DrivenOutput::Sliding(g) => {
                 let guide = &scene.guides[g.0];
                 let Some(Path::Line { through, direction }) = at.guides[g.0] else { return None };
                 let runner = guide.pin.or_else(|| runner(scene, g.0))?;
-                let along = |level| Some(direction.dot(solution.vector(level, runner, guide.slider.filter(|_| guide.pin.is_none()))?));
-                [direction.dot(at.points[runner.0]? - through), along(Level::Velocity)?, along(Level::Acceleration)?]
+                let along = |level| {
+                    Some(direction.dot(solution.vector(
+                        level,
+                        runner,
+                        guide.slider.filter(|_| guide.pin.is_none()),
+                    )?))
+                };
+                [
+                    direction.dot(at.points[runner.0]? - through),
+                    along(Level::Velocity)?,
+                    along(Level::Acceleration)?,
+                ]
             }
         };
         all.iter().all(|x| x.is_finite()).then_some(all)
@@ -146,7 +187,8 @@ mod tests {
         for name in ["crank-rocker", "slider-crank", "shaper", "class-iii-six-bar", "five-bar"] {
             let scene = read(templates::get(name).unwrap()).unwrap().value;
             let m = Mechanism::new(&scene).unwrap().value;
-            let [compiled, walked]: [MotionLimits; 2] = [limits(&scene, &m, 0).unwrap(), limits_walked(&scene, &m, 0).unwrap()];
+            let [compiled, walked]: [MotionLimits; 2] =
+                [limits(&scene, &m, 0).unwrap(), limits_walked(&scene, &m, 0).unwrap()];
             for (a, b) in compiled.range.ends.iter().zip(&walked.range.ends) {
                 match (a, b) {
                     (None, None) => {}
@@ -158,7 +200,11 @@ mod tests {
                 }
             }
             for (a, b) in compiled.swings.iter().zip(&walked.swings) {
-                assert_eq!((a.output, a.extremes.len()), (b.output, b.extremes.len()), "{name}: {a:?}\n{b:?}");
+                assert_eq!(
+                    (a.output, a.extremes.len()),
+                    (b.output, b.extremes.len()),
+                    "{name}: {a:?}\n{b:?}"
+                );
                 if let (Some(a), Some(b)) = (a.stroke, b.stroke) {
                     close(name, a, b, 1e-6);
                 }

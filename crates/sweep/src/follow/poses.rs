@@ -116,7 +116,8 @@ impl<'a> PoseFollower<'a> {
 
     /// The position of a driver in the scene's own pose (rad or m).
     fn start(&self, driver: usize) -> f64 {
-        driver_position(&self.scene, driver).unwrap_or_else(|| position_now(&self.scene, self.base, driver))
+        driver_position(&self.scene, driver)
+            .unwrap_or_else(|| position_now(&self.scene, self.base, driver))
     }
 
     /// Returns a scene of the same drivers at a travel, as far as the scene gives their positions.
@@ -139,7 +140,9 @@ impl<'a> PoseFollower<'a> {
     pub fn reach(&self) -> [f64; 2] {
         let extent = self.base.extent();
         match &self.course {
-            SweptVariable::Driver(_) if self.turns() => [TAU * turns_seen(self.returns()) as f64; 2],
+            SweptVariable::Driver(_) if self.turns() => {
+                [TAU * turns_seen(self.returns()) as f64; 2]
+            }
             SweptVariable::Driver(_) => [2.0 * extent; 2],
             SweptVariable::Time(clock) => clock.reach(extent),
         }
@@ -165,14 +168,18 @@ impl<'a> PoseFollower<'a> {
         let seen = turns_seen(returns);
         let step = match &self.course {
             SweptVariable::Driver(_) => after / (seen as f64 * count as f64),
-            SweptVariable::Time(_) => (before + after) / count.max(self.steps([before, after])) as f64,
+            SweptVariable::Time(_) => {
+                (before + after) / count.max(self.steps([before, after])) as f64
+            }
         };
         let start = TravelPose { travel: 0.0, configuration: self.base.clone() };
         if step == 0.0 {
             return PoseSweep { poses: vec![start], full: false, limits: [None, None], turns: 1 };
         }
         let (mut up, high) = self.walk(step, after, None);
-        let back = |p: &TravelPose| self.stray(&p.configuration, self.base) < 1e-6 && self.rolled_back(&p.configuration);
+        let back = |p: &TravelPose| {
+            self.stray(&p.configuration, self.base) < 1e-6 && self.rolled_back(&p.configuration)
+        };
         if turns && high.is_none() && up.last().is_some_and(back) {
             up.pop();
             up.insert(0, start);
@@ -204,8 +211,13 @@ impl<'a> PoseFollower<'a> {
     ///
     /// # Errors
     /// `position-unproven`, those of the first position that breaks a statement.
-    pub fn proved<'c>(&self, positions: impl IntoIterator<Item = &'c Configuration>) -> Result<(), Faults> {
-        positions.into_iter().try_for_each(|at| stated::proved(&self.scene, self.mechanism, at, Moment::Later(self.base)))
+    pub fn proved<'c>(
+        &self,
+        positions: impl IntoIterator<Item = &'c Configuration>,
+    ) -> Result<(), Faults> {
+        positions.into_iter().try_for_each(|at| {
+            stated::proved(&self.scene, self.mechanism, at, Moment::Later(self.base))
+        })
     }
 
     /// Returns the number of turns of the driver after which the pose recurs; 0 if it never does.
@@ -217,14 +229,22 @@ impl<'a> PoseFollower<'a> {
     fn rolled_back(&self, at: &Configuration) -> bool {
         let axis = |c: &Configuration, l: LinkId| c.poses[l.0].map(|p| p.axis);
         let links = self.scene.rolling.iter().flat_map(|r| r.links);
-        links.filter_map(|l| Some((axis(at, l)? - axis(self.base, l)?).norm())).all(|off| off < 1e-6)
+        links
+            .filter_map(|l| Some((axis(at, l)? - axis(self.base, l)?).norm()))
+            .all(|off| off < 1e-6)
     }
 
     /// Poses from the scene's own on, in steps, as far as `reach`. If the motion ends before, the
     /// last pose is its end, which may be known.
-    fn walk(&self, step: f64, reach: f64, known: Option<TravelPose>) -> (Vec<TravelPose>, Option<f64>) {
+    fn walk(
+        &self,
+        step: f64,
+        reach: f64,
+        known: Option<TravelPose>,
+    ) -> (Vec<TravelPose>, Option<f64>) {
         let reach = known.as_ref().map_or(reach, |end| end.travel.abs());
-        let count = (((reach / step.abs()) * (1.0 - 1e-9)).ceil() as usize).max(usize::from(known.is_some()));
+        let count = (((reach / step.abs()) * (1.0 - 1e-9)).ceil() as usize)
+            .max(usize::from(known.is_some()));
         let start = TravelPose { travel: 0.0, configuration: self.base.clone() };
         let (mut before, mut now) = (None, start);
         let mut poses = Vec::new();
@@ -253,7 +273,12 @@ impl<'a> PoseFollower<'a> {
     }
 
     /// The next pose on the way to a travel: there, or at a part of the way where the motion bends.
-    fn next(&self, before: Option<&TravelPose>, now: &TravelPose, target: f64) -> Option<TravelPose> {
+    fn next(
+        &self,
+        before: Option<&TravelPose>,
+        now: &TravelPose,
+        target: f64,
+    ) -> Option<TravelPose> {
         let half = |travel: f64| now.travel + (travel - now.travel) / 2.0;
         let mut travel = target;
         let mut halvings = 0;
@@ -285,7 +310,10 @@ impl<'a> PoseFollower<'a> {
             }
             // Close to its limit a mechanism moves as the root of the distance: the pose is not
             // extrapolated, and nearness is judged broadly.
-            match self.at(&inside.configuration, middle).filter(|c| self.stray(c, &inside.configuration) < 10.0 * STRAY) {
+            match self
+                .at(&inside.configuration, middle)
+                .filter(|c| self.stray(c, &inside.configuration) < 10.0 * STRAY)
+            {
                 Some(configuration) => inside = TravelPose { travel: middle, configuration },
                 None => outside = middle,
             }
@@ -308,10 +336,14 @@ impl<'a> PoseFollower<'a> {
         if scene.lost_follower().is_some() {
             return None;
         }
-        let later = |meant: &Configuration| position::later(&scene, self.mechanism, self.demand, meant, self.base, time);
+        let later = |meant: &Configuration| {
+            position::later(&scene, self.mechanism, self.demand, meant, self.base, time)
+        };
         let mut best = match later(guess) {
             Ok(found) => found,
-            Err(faults) if faults.list.iter().any(|d| d.code == "pose-given") => return self.by_newton(guess, travel),
+            Err(faults) if faults.list.iter().any(|d| d.code == "pose-given") => {
+                return self.by_newton(guess, travel);
+            }
             Err(_) => return None,
         };
         // At a change point the closed forms of two motions change places.
@@ -319,7 +351,10 @@ impl<'a> PoseFollower<'a> {
         for g in 0..meant.closures.len() {
             let kept = meant.closures[g];
             meant.closures[g] = 1 - kept.min(1);
-            match later(&meant).ok().filter(|other| self.stray(other, guess) < self.stray(&best, guess)) {
+            match later(&meant)
+                .ok()
+                .filter(|other| self.stray(other, guess) < self.stray(&best, guess))
+            {
                 Some(other) => best = other,
                 None => meant.closures[g] = kept,
             }
@@ -331,7 +366,9 @@ impl<'a> PoseFollower<'a> {
     /// value.
     fn gone(&self, travel: f64) -> Option<Vec<f64>> {
         match &self.course {
-            SweptVariable::Driver(d) => Some((0..self.scene.drivers.len()).map(|k| if k == *d { travel } else { 0.0 }).collect()),
+            SweptVariable::Driver(d) => Some(
+                (0..self.scene.drivers.len()).map(|k| if k == *d { travel } else { 0.0 }).collect(),
+            ),
             SweptVariable::Time(clock) => Some(clock.gone(travel)?.iter().map(|g| g.by).collect()),
         }
     }
@@ -362,7 +399,9 @@ impl<'a> PoseFollower<'a> {
         if (0..self.scene.drivers.len()).any(|d| self.scene.is_on_a_course(d)) {
             let scene = scene.to_mut();
             scene.set_courses(&|d| Some(self.start(d) + gone[d]));
-            (0..self.scene.drivers.len()).filter(|d| self.scene.is_on_a_course(*d)).for_each(|d| set_rate(scene, d, 0.0));
+            (0..self.scene.drivers.len())
+                .filter(|d| self.scene.is_on_a_course(*d))
+                .for_each(|d| set_rate(scene, d, 0.0));
         }
         scene
     }
@@ -378,7 +417,8 @@ impl<'a> PoseFollower<'a> {
         }
         for k in (0..scene.drivers.len()).filter(|k| scene.is_led(*k)) {
             let place = |s: &Scene| driver_position(s, k);
-            values.0[k] += place(&scene).zip(place(&self.scene)).map_or(0.0, |(there, here)| there - here);
+            values.0[k] +=
+                place(&scene).zip(place(&self.scene)).map_or(0.0, |(there, here)| there - here);
         }
         newton::moved(&self.scene, self.mechanism, guess, &values)
     }
@@ -397,6 +437,7 @@ pub fn between(one: &TravelPose, other: &TravelPose, travel: f64) -> Configurati
 /// Gives a driver a constant rate (SI).
 fn set_rate(scene: &mut Scene, driver: usize, rate: f64) {
     let of = &mut scene.drivers[driver];
-    of.rate = GivenQuantity { value: rate, radius: 0.0, text: format!("{rate:?}"), span: of.rate.span };
+    of.rate =
+        GivenQuantity { value: rate, radius: 0.0, text: format!("{rate:?}"), span: of.rate.span };
     of.acceleration = None;
 }

@@ -25,12 +25,20 @@ pub(super) const STRAY: f64 = 0.03;
 
 /// The largest distance (m) of a joint in two poses.
 pub(super) fn stray(a: &Configuration, b: &Configuration) -> f64 {
-    a.points.iter().zip(&b.points).filter_map(|(a, b)| Some(a.as_ref()?.distance(*b.as_ref()?))).fold(0.0, f64::max)
+    a.points
+        .iter()
+        .zip(&b.points)
+        .filter_map(|(a, b)| Some(a.as_ref()?.distance(*b.as_ref()?)))
+        .fold(0.0, f64::max)
 }
 
 /// The predicted pose: the secant through the last two poses, extrapolated in the ratio of the
 /// travels.
-pub(super) fn foretold(before: Option<&TravelPose>, now: &TravelPose, travel: f64) -> Configuration {
+pub(super) fn foretold(
+    before: Option<&TravelPose>,
+    now: &TravelPose,
+    travel: f64,
+) -> Configuration {
     let mut guess = now.configuration.clone();
     let Some(before) = before else { return guess };
     let ratio = (travel - now.travel) / (now.travel - before.travel);
@@ -43,7 +51,10 @@ pub(super) fn foretold(before: Option<&TravelPose>, now: &TravelPose, travel: f6
     for (f, old) in guess.poses.iter_mut().zip(&before.configuration.poses) {
         if let (Some(f), Some(old)) = (f, old) {
             let turned = f.axis.divide_by(old.axis).angle();
-            *f = Frame { origin: ahead(old.origin, f.origin), axis: f.axis.rotate_by(Vec2::from_angle(turned * ratio)) };
+            *f = Frame {
+                origin: ahead(old.origin, f.origin),
+                axis: f.axis.rotate_by(Vec2::from_angle(turned * ratio)),
+            };
         }
     }
     guess

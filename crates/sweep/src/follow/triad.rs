@@ -118,19 +118,33 @@ impl SweepProgram {
     /// Returns the followed links at the instant, with the given value of the swept quantity;
     /// `None` if the pose does not fit.
     pub fn start(&self, value: f64, turn: TurnFunction) -> Option<FollowedState> {
-        let guess: Vec<Followed> =
-            self.tracks.iter().map(|t| Followed { own: t.start.0, axis: t.start.1, slope: (Vec2::ZERO, 0.0), det: 0.0 }).collect();
+        let guess: Vec<Followed> = self
+            .tracks
+            .iter()
+            .map(|t| Followed {
+                own: t.start.0,
+                axis: t.start.1,
+                slope: (Vec2::ZERO, 0.0),
+                det: 0.0,
+            })
+            .collect();
         self.settle(&FollowedState { value, links: guess }, value, turn).map(|(state, _)| state)
     }
 
     /// Advances to a value of the swept quantity; on failure returns the last state that was
     /// reached.
-    pub fn advance(&self, from: &FollowedState, value: f64, turn: TurnFunction) -> Result<FollowedState, FollowedState> {
+    pub fn advance(
+        &self,
+        from: &FollowedState,
+        value: f64,
+        turn: TurnFunction,
+    ) -> Result<FollowedState, FollowedState> {
         let scale = if self.angular { 1.0 } else { self.tracks.first().map_or(1.0, |t| t.unit) };
         let mut state = from.clone();
         let mut step = value - state.value;
         while state.value != value {
-            let next = if (value - state.value).abs() <= step.abs() { value } else { state.value + step };
+            let next =
+                if (value - state.value).abs() <= step.abs() { value } else { state.value + step };
             match self.settle(&state, next, turn) {
                 Some((reached, easy)) => {
                     state = reached;
@@ -150,7 +164,12 @@ impl SweepProgram {
     }
 
     /// Makes one guarded move; returns also `true` if it was so easy that the next may be longer.
-    fn settle(&self, from: &FollowedState, value: f64, turn: TurnFunction) -> Option<(FollowedState, bool)> {
+    fn settle(
+        &self,
+        from: &FollowedState,
+        value: f64,
+        turn: TurnFunction,
+    ) -> Option<(FollowedState, bool)> {
         let (cos, sin, per_value) = turn(value);
         let mut registers = self.inputs(value, cos, sin, per_value);
         let mut done = 0;
@@ -169,9 +188,20 @@ impl SweepProgram {
     }
 
     /// Writes the followed links of a state into a buffer's row.
-    pub fn show(&self, state: &FollowedState, fused: &crate::fuse::Fused, buffer: &mut crate::run::Buffer, row: usize) {
+    pub fn show(
+        &self,
+        state: &FollowedState,
+        fused: &crate::fuse::Fused,
+        buffer: &mut crate::run::Buffer,
+        row: usize,
+    ) {
         for (t, f) in self.tracks.iter().zip(&state.links) {
-            let numbers = [(t.own.x, f.own.x), (t.own.y, f.own.y), (t.arm.x, f.axis.x * t.unit), (t.arm.y, f.axis.y * t.unit)];
+            let numbers = [
+                (t.own.x, f.own.x),
+                (t.own.y, f.own.y),
+                (t.arm.x, f.axis.x * t.unit),
+                (t.arm.y, f.axis.y * t.unit),
+            ];
             for (reg, number) in numbers {
                 if let Some(place) = fused.place(reg) {
                     buffer.set(place, row, number);
@@ -194,7 +224,10 @@ impl SweepProgram {
         }
         let f = &at.links[track];
         // A leg holds the link along the gradient of its residual.
-        let along = t.legs(&registers).map(|l| l.gradient(f.own, f.axis, t.unit)).map(|g| Vec2::new(g[0], g[1]).unit());
+        let along = t
+            .legs(&registers)
+            .map(|l| l.gradient(f.own, f.axis, t.unit))
+            .map(|g| Vec2::new(g[0], g[1]).unit());
         let [Some(u), Some(v), Some(w)] = along else { return false };
         [u.cross(v), v.cross(w), w.cross(u)].iter().all(|sine| sine.abs() < PARALLEL)
     }
@@ -208,7 +241,9 @@ impl SweepProgram {
 impl LinkTrack {
     fn store(&self, f: &Followed, registers: &mut [Dual]) {
         let (v, omega) = f.slope;
-        let put = |registers: &mut [Dual], reg: Reg, value: f64, slope: f64| registers[reg.0 as usize] = Dual { value, slope };
+        let put = |registers: &mut [Dual], reg: Reg, value: f64, slope: f64| {
+            registers[reg.0 as usize] = Dual { value, slope }
+        };
         put(registers, self.own.x, f.own.x, v.x);
         put(registers, self.own.y, f.own.y, v.y);
         let (arm, rate) = (f.axis * self.unit, f.axis.perp() * (self.unit * omega));
@@ -221,11 +256,17 @@ impl LinkTrack {
         let number = |r: Reg| registers[r.0 as usize].value;
         let point = |p: RegPair| Point::new(number(p.x), number(p.y));
         self.held.map(|h| match h {
-            TrackLeg::Circle { near, far, radius } => TriadLeg::Circle { near: near.to_point(), far: point(far), radius: number(radius) },
-            TrackLeg::Line { near, through, direction } => {
-                TriadLeg::Line { near: near.to_point(), through: point(through), direction: point(direction).to_vec2() }
+            TrackLeg::Circle { near, far, radius } => {
+                TriadLeg::Circle { near: near.to_point(), far: point(far), radius: number(radius) }
             }
-            TrackLeg::Slot { through, direction, over } => TriadLeg::Slot { through: through.to_point(), direction, pin: point(over) },
+            TrackLeg::Line { near, through, direction } => TriadLeg::Line {
+                near: near.to_point(),
+                through: point(through),
+                direction: point(direction).to_vec2(),
+            },
+            TrackLeg::Slot { through, direction, over } => {
+                TriadLeg::Slot { through: through.to_point(), direction, pin: point(over) }
+            }
         })
     }
 
@@ -241,9 +282,12 @@ impl LinkTrack {
             }
             TrackLeg::Line { near, through, direction } => {
                 let d = own + near.rotate_by(axis) - vector(through, &number).to_point();
-                vector(direction, &slope).cross(d) - vector(direction, &number).cross(vector(through, &slope))
+                vector(direction, &slope).cross(d)
+                    - vector(direction, &number).cross(vector(through, &slope))
             }
-            TrackLeg::Slot { direction, over, .. } => -direction.rotate_by(axis).cross(vector(over, &slope)),
+            TrackLeg::Slot { direction, over, .. } => {
+                -direction.rotate_by(axis).cross(vector(over, &slope))
+            }
         })
     }
 
@@ -290,9 +334,12 @@ impl LinkTrack {
             // The tangent at the new place leads back to the old one, and the determinant changes
             // little: between two assemblies that come close to each other it passes through a
             // small value, or through two zeros.
-            let back = (own - slope.0 * moved - last.own).norm() / self.unit + (axis.divide_by(last.axis).angle() - slope.1 * moved).abs();
+            let back = (own - slope.0 * moved - last.own).norm() / self.unit
+                + (axis.divide_by(last.axis).angle() - slope.1 * moved).abs();
             let ratio = det / last.det;
-            if back > SLIGHT + LEAP * predicted.max(corrected) || !(1.0 / STEADY..=STEADY).contains(&ratio) {
+            if back > SLIGHT + LEAP * predicted.max(corrected)
+                || !(1.0 / STEADY..=STEADY).contains(&ratio)
+            {
                 return None;
             }
         }
@@ -323,7 +370,9 @@ impl SweepProgram {
             registers
         };
         let scale = if self.angular { 1.0 } else { t.unit };
-        let place = |q: [f64; 4]| (Point::new(q[0] * t.unit, q[1] * t.unit), Vec2::from_angle(q[2]), q[3] * scale);
+        let place = |q: [f64; 4]| {
+            (Point::new(q[0] * t.unit, q[1] * t.unit), Vec2::from_angle(q[2]), q[3] * scale)
+        };
         let det = |q: [f64; 4]| {
             let (own, axis, x) = place(q);
             let rows = t.legs(&registers(x)).map(|l| l.gradient(own, axis, t.unit));

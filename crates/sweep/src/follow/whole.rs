@@ -62,7 +62,9 @@ impl PoseHistory {
     /// The predicted configuration.
     fn ahead(&self, value: f64) -> Configuration {
         let step = |from: &TravelPose, to: f64| (to - from.travel).abs();
-        let near = |before: &&TravelPose| step(&self.now, value) <= FARTHEST * step(before, self.now.travel);
+        let near = |before: &&TravelPose| {
+            step(&self.now, value) <= FARTHEST * step(before, self.now.travel)
+        };
         foretold(self.before.as_ref().filter(near), &self.now, value)
     }
 
@@ -77,11 +79,22 @@ impl<'a> DrivenMechanism<'a> {
         let now = position_now(placed.scene, &placed.at, driver);
         let train = AngleTrain::of(placed.scene, placed.mechanism, &placed.at);
         let wheels = (train.fastest(), train.turns());
-        DrivenMechanism { placed, driver, now, wheels, drivers: newton::driver_values(placed.scene, &placed.at) }
+        DrivenMechanism {
+            placed,
+            driver,
+            now,
+            wheels,
+            drivers: newton::driver_values(placed.scene, &placed.at),
+        }
     }
 
     /// Prepares its course through `count` values.
-    pub fn course(placed: &'a PlacedScene<'a>, driver: usize, count: usize, values: ValueFunction) -> Chains<DrivenMechanism<'a>> {
+    pub fn course(
+        placed: &'a PlacedScene<'a>,
+        driver: usize,
+        count: usize,
+        values: ValueFunction,
+    ) -> Chains<DrivenMechanism<'a>> {
         let moved = DrivenMechanism::new(placed, driver);
         let now = moved.now;
         Chains::new(moved, now, count, values)
@@ -153,7 +166,8 @@ pub(crate) fn event(m: &Mechanism, value: f64, at: &Configuration) -> Event {
     // If no joint is found to lock, the last group that the driver moves is named, so that the
     // message always names one.
     let last = || m.groups.iter().rev().find(|g| g.class().is_some());
-    let toggle = Toggle::at(m, at).or_else(|| followed().or_else(last).map(|g| Toggle::Open(g.links.clone())));
+    let toggle = Toggle::at(m, at)
+        .or_else(|| followed().or_else(last).map(|g| Toggle::Open(g.links.clone())));
     let links = toggle.as_ref().map_or_else(Vec::new, Toggle::links);
     Event { value, kind: EventKind::Limit, links, pin: None, joint: None, toggle }
 }
@@ -168,7 +182,11 @@ impl Follow for DrivenMechanism<'_> {
     /// Advances in steps that each converge near by.
     fn advance(&self, from: &PoseHistory, to: f64) -> Result<PoseHistory, PoseHistory> {
         let p = self.placed;
-        let part = if self.is_turning() { PART_OF_A_TURN / self.wheels.0 } else { PART_OF_A_TURN * p.at.extent() };
+        let part = if self.is_turning() {
+            PART_OF_A_TURN / self.wheels.0
+        } else {
+            PART_OF_A_TURN * p.at.extent()
+        };
         // The number of steps starts anew for every part of the way, so that no end is out of reach
         // because it is far.
         let (mut state, mut left) = (from.clone(), MOST_STEPS);
@@ -189,8 +207,13 @@ impl Follow for DrivenMechanism<'_> {
             }
             let next = if (to - value).abs() <= step.abs() { to } else { value + step };
             let guess = state.ahead(next);
-            match newton::moved(p.scene, p.mechanism, &guess, &self.holding(next)).filter(|c| stray(c, &guess) < STRAY * extent) {
-                Some(configuration) => (state, step) = (state.on(TravelPose { travel: next, configuration }), step * 1.5),
+            match newton::moved(p.scene, p.mechanism, &guess, &self.holding(next))
+                .filter(|c| stray(c, &guess) < STRAY * extent)
+            {
+                Some(configuration) => {
+                    (state, step) =
+                        (state.on(TravelPose { travel: next, configuration }), step * 1.5)
+                }
                 None => step = 0.5 * (next - value),
             }
         }
@@ -200,11 +223,23 @@ impl Follow for DrivenMechanism<'_> {
     fn stopped(&self, last: Option<&PoseHistory>, toward: f64) -> Faults {
         let words = |value| general::driver_words(self.placed.scene, self.driver, value);
         let message = match last.map(|last| (last, self.end(last))) {
-            Some((_, Some(limit))) => both!("the mechanism cannot be assembled beyond {}", "机构在 {} 以后不能装配", words(limit.value)),
+            Some((_, Some(limit))) => both!(
+                "the mechanism cannot be assembled beyond {}",
+                "机构在 {} 以后不能装配",
+                words(limit.value)
+            ),
             Some((last, None)) => {
-                both!("the mechanism cannot be followed beyond {}", "机构的运动在 {} 以后无法跟踪", words(last.now.travel))
+                both!(
+                    "the mechanism cannot be followed beyond {}",
+                    "机构的运动在 {} 以后无法跟踪",
+                    words(last.now.travel)
+                )
             }
-            None => both!("the mechanism cannot be followed to {}", "机构的运动无法跟踪到 {}", words(toward)),
+            None => both!(
+                "the mechanism cannot be followed to {}",
+                "机构的运动无法跟踪到 {}",
+                words(toward)
+            ),
         };
         Diagnostic::error("limit", message).into()
     }
@@ -227,7 +262,8 @@ pub(crate) fn rows(
 ) -> Option<SweepRows> {
     let scene = general.scene();
     let n = stations.len();
-    let mut columns: Vec<Vec<f64>> = scene.find.iter().flat_map(ask::names).map(|_| vec![f64::NAN; n]).collect();
+    let mut columns: Vec<Vec<f64>> =
+        scene.find.iter().flat_map(ask::names).map(|_| vec![f64::NAN; n]).collect();
     let mut missing = BTreeMap::new();
     let done = course.states(part, values, stop, &mut |position, state| {
         let i = row(position);
@@ -248,12 +284,17 @@ pub(crate) fn ends(course: &Chains<DrivenMechanism>) -> Vec<Diagnostic> {
 }
 
 /// All rows of stations in any order, and one note for each limit on the way to them.
-pub(crate) fn follow(placed: &PlacedScene, driver: usize, stations: &Stations) -> (SweepRows, Vec<Diagnostic>) {
+pub(crate) fn follow(
+    placed: &PlacedScene,
+    driver: usize,
+    stations: &Stations,
+) -> (SweepRows, Vec<Diagnostic>) {
     let order = stations.ascending();
     let values = |position: usize| stations.values[order[position]];
     let mut course = DrivenMechanism::course(placed, driver, order.len(), &values);
     let general = General::new(placed, driver);
     let all = 0..order.len();
-    let rows = rows(&mut course, &general, all, stations, &values, &|position| order[position], &|| false);
+    let rows =
+        rows(&mut course, &general, all, stations, &values, &|position| order[position], &|| false);
     (rows.unwrap_or_default(), ends(&course))
 }

@@ -40,9 +40,12 @@ fn reader(all: &Ordered, crank: u32, wanted: &[Reg]) -> Option<(u32, FusedOp)> {
     if !is_crank(op) || outs.iter().any(|r| wanted.contains(r)) {
         return None;
     }
-    let mut readers = all.order.iter().filter(|unit| all.reads(**unit).iter().any(|r| outs.contains(r)));
+    let mut readers =
+        all.order.iter().filter(|unit| all.reads(**unit).iter().any(|r| outs.contains(r)));
     match (readers.next(), readers.next()) {
-        (Some(&unit), None) if all.reads(unit) == &outs[..] => Some((unit, joined(*op, all.units[unit as usize].op)?)),
+        (Some(&unit), None) if all.reads(unit) == &outs[..] => {
+            Some((unit, joined(*op, all.units[unit as usize].op)?))
+        }
         _ => None,
     }
 }

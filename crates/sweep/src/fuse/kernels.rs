@@ -121,8 +121,8 @@ pub struct LineTurning<const GROUND: bool, const LEVELS: usize> {
 /// with three levels α.
 ///
 /// # Source
-/// [`super::super::closure::SlotLever`] and [`super::super::rows::SlotRate`]: n·v_B = ω n·(r turned by
-/// 90°), r = B − A, n square to the slot.
+/// [`super::super::closure::SlotLever`] and [`super::super::rows::SlotRate`]: n·v_B = ω n·(r turned
+/// by 90°), r = B − A, n square to the slot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlottedLever<const LEVELS: usize> {
     /// The pin B.
@@ -197,7 +197,10 @@ impl<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool> Dyad<GROUND, 
         // The sign is applied outside of the root, so that nothing waits for it.
         let half = d2.constant(0.5 * self.sign) / d2;
         let (f, h) = (half * (sum * difference * self.sign) + 0.5, root * half);
-        (Vec2::new(a.x + d.x * f - d.y * h, a.y + d.y * f + d.x * h), d2.constant(2.0 * self.sign) / root)
+        (
+            Vec2::new(a.x + d.x * f - d.y * h, a.y + d.y * f + d.x * h),
+            d2.constant(2.0 * self.sign) / root,
+        )
     }
 
     #[inline(always)]
@@ -211,7 +214,11 @@ impl<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool> Dyad<GROUND, 
             let va = vector(&x, 1);
             let p = u.dot(va) * inverse;
             // For a point on ground q is zero.
-            out[1] = if GROUND { Vec2::new(p * w.y, -(p * w.x)) } else { crossed(u, w, p, w.dot(vector(&x, LEVELS + 1)) * inverse) };
+            out[1] = if GROUND {
+                Vec2::new(p * w.y, -(p * w.x))
+            } else {
+                crossed(u, w, p, w.dot(vector(&x, LEVELS + 1)) * inverse)
+            };
             if LEVELS > 2 {
                 let v = out[1];
                 let p = (u.dot(vector(&x, 2)) - (v - va).norm2()) * inverse;
@@ -248,13 +255,19 @@ impl<const LEVELS: usize, const EVEN: bool> Crank<LEVELS, EVEN> {
         }
         if LEVELS > 2 {
             let square = -(self.omega * self.omega);
-            out[2] = if EVEN { arm * arm.x.constant(square) } else { twisted(arm, [square, self.alpha]) };
+            out[2] = if EVEN {
+                arm * arm.x.constant(square)
+            } else {
+                twisted(arm, [square, self.alpha])
+            };
         }
         put(out)
     }
 }
 
-impl<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool> CoupledPoint<GROUND, LEVELS, LENGTHS> {
+impl<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool>
+    CoupledPoint<GROUND, LEVELS, LENGTHS>
+{
     #[inline(always)]
     fn solve<N: Lane, const IN: usize, const OUT: usize>(&self, x: [N; IN]) -> [N; OUT] {
         let mut out = [vector(&x, 0); LEVELS];

@@ -42,14 +42,17 @@ impl Matching<'_> {
         };
         let Some(rate) = later().find(swings) else { return };
         let mut b = Few::from_iter([lever.b, v]);
-        let mut outs = Outs::from_iter([arm.x, arm.y, self.steps[rate].out, pair(self.steps[rate].out).y]);
+        let mut outs =
+            Outs::from_iter([arm.x, arm.y, self.steps[rate].out, pair(self.steps[rate].out).y]);
         let mut done = ArrayVec::<usize, 5>::from_iter([i, turn, rate]);
         let third = later().find_map(|k| {
             let Op::TurnOf(turn) = &self.steps[k].op else { return None };
             let a = self.pin_acceleration(&slot, turn, omega, v)?;
             let alpha = self.steps[k].out;
             let rate = later().find(|&k| match &self.steps[k].op {
-                Op::SwingRate(SwingRate { a, r, omega: w, alpha: e }) => self.still(*a) && *r == arm && *w == omega && *e == alpha,
+                Op::SwingRate(SwingRate { a, r, omega: w, alpha: e }) => {
+                    self.still(*a) && *r == arm && *w == omega && *e == alpha
+                }
                 _ => false,
             })?;
             Some((k, rate, a))
@@ -82,17 +85,34 @@ impl Matching<'_> {
     }
 
     /// The acceleration a_B, if `turn` gives the α of the lever from its slot.
-    fn pin_acceleration(&self, slot: &LeverSlot, turn: &TurnOf, omega: Reg, v: RegPair) -> Option<RegPair> {
-        let Op::ReducedRate(ReducedRate { n, r, c, omega: w, alpha }) = *self.row(turn.c)? else { return None };
-        let Op::SlotRate(SlotRate { n: normal, r: arm, vb, ab, vo, omega: turning }) = *self.row(c)? else { return None };
-        let same = [turn.n, n, normal] == [slot.n; 3] && [r, arm] == [turn.r; 2] && [w, turning] == [omega; 2] && vb == v;
+    fn pin_acceleration(
+        &self,
+        slot: &LeverSlot,
+        turn: &TurnOf,
+        omega: Reg,
+        v: RegPair,
+    ) -> Option<RegPair> {
+        let Op::ReducedRate(ReducedRate { n, r, c, omega: w, alpha }) = *self.row(turn.c)? else {
+            return None;
+        };
+        let Op::SlotRate(SlotRate { n: normal, r: arm, vb, ab, vo, omega: turning }) =
+            *self.row(c)?
+        else {
+            return None;
+        };
+        let same = [turn.n, n, normal] == [slot.n; 3]
+            && [r, arm] == [turn.r; 2]
+            && [w, turning] == [omega; 2]
+            && vb == v;
         let rests = self.still(turn.v) && self.still(vo) && self.constant(alpha) == Some(0.0);
         (same && rests && self.reaches(slot, turn.r)).then_some(ab)
     }
 
     /// True if an arm leads from the lever's pivot to its pin.
     fn reaches(&self, slot: &LeverSlot, r: RegPair) -> bool {
-        self.op(r).is_some_and(|(_, op)| *op == Op::Arm(Arm { from: slot.lever.a, to: slot.lever.b })) && slot.arm != r
+        self.op(r)
+            .is_some_and(|(_, op)| *op == Op::Arm(Arm { from: slot.lever.a, to: slot.lever.b }))
+            && slot.arm != r
     }
 
     /// The operation that fills a single register.

@@ -87,7 +87,10 @@ impl<'a> Matching<'a> {
 
     fn single(&self, i: usize) -> FusedUnit {
         let step = &self.steps[i];
-        FusedUnit { op: Any::One(step.op), outs: (0..self.outs[i]).map(|k| Reg(step.out.0 + k)).collect() }
+        FusedUnit {
+            op: Any::One(step.op),
+            outs: (0..self.outs[i]).map(|k| Reg(step.out.0 + k)).collect(),
+        }
     }
 
     /// The needed steps, with those that belong together combined.
@@ -101,7 +104,9 @@ impl<'a> Matching<'a> {
             self.turning(i, &mut taken, &mut units);
             self.lever(i, &mut taken, &mut units);
         }
-        units.extend((0..self.steps.len()).filter(|&i| self.alive[i] && !taken[i]).map(|i| self.single(i)));
+        units.extend(
+            (0..self.steps.len()).filter(|&i| self.alive[i] && !taken[i]).map(|i| self.single(i)),
+        );
         units
     }
 
@@ -109,7 +114,8 @@ impl<'a> Matching<'a> {
     pub(super) fn op(&self, pair: RegPair) -> Option<(usize, &Op)> {
         let i = self.maker[pair.x.0 as usize];
         let step = self.steps.get(i as usize)?;
-        (self.alive[i as usize] && step.out == pair.x && pair.y.0 == pair.x.0 + 1).then_some((i as usize, &step.op))
+        (self.alive[i as usize] && step.out == pair.x && pair.y.0 == pair.x.0 + 1)
+            .then_some((i as usize, &step.op))
     }
 
     /// The step that fills a register.
@@ -135,7 +141,12 @@ impl<'a> Matching<'a> {
     }
 
     /// Combines position, velocity and acceleration of a point.
-    fn motion(&self, motion: &[Option<RegPair>; 3], taken: &mut [bool], units: &mut Vec<FusedUnit>) {
+    fn motion(
+        &self,
+        motion: &[Option<RegPair>; 3],
+        taken: &mut [bool],
+        units: &mut Vec<FusedUnit>,
+    ) {
         let (mut pairs, mut ops) = (Few::new(), Few::new());
         for pair in motion.iter().map_while(|p| *p) {
             let Some((i, op)) = self.op(pair).filter(|(i, _)| !taken[*i]) else { break };
@@ -146,8 +157,11 @@ impl<'a> Matching<'a> {
         for levels in (1..=pairs.len()).rev() {
             let kinds: Few<&Op> = ops[..levels].iter().map(|o| o.1).collect();
             let mut put = |measured: bool, made: KernelChoice| {
-                let lengths: Few<usize> = pairs[1..levels].iter().map(|p| self.length[p.x.0 as usize] as usize).collect();
-                let all = measured && levels > 1 && lengths.iter().all(|l| *l < self.steps.len() && !taken[*l]);
+                let lengths: Few<usize> =
+                    pairs[1..levels].iter().map(|p| self.length[p.x.0 as usize] as usize).collect();
+                let all = measured
+                    && levels > 1
+                    && lengths.iter().all(|l| *l < self.steps.len() && !taken[*l]);
                 let mut outs: Outs = pairs[..levels].iter().flat_map(|p| [p.x, p.y]).collect();
                 ops[..levels].iter().for_each(|o| taken[o.0] = true);
                 if all {
@@ -156,14 +170,22 @@ impl<'a> Matching<'a> {
                 }
                 units.push(FusedUnit { op: Any::Whole(made(levels, all)), outs });
             };
-            if self.dyad(&kinds, &pairs, &mut put) || self.image(&kinds, &mut put) || self.slider(&kinds, &pairs, &mut put) {
+            if self.dyad(&kinds, &pairs, &mut put)
+                || self.image(&kinds, &mut put)
+                || self.slider(&kinds, &pairs, &mut put)
+            {
                 return;
             }
         }
     }
 
     /// Matches two bars.
-    fn dyad(&self, ops: &[&Op], pairs: &[RegPair], put: &mut dyn FnMut(bool, KernelChoice)) -> bool {
+    fn dyad(
+        &self,
+        ops: &[&Op],
+        pairs: &[RegPair],
+        put: &mut dyn FnMut(bool, KernelChoice),
+    ) -> bool {
         let Op::Circles(c) = ops[0] else { return false };
         let (Some(r), Some(s)) = (self.constant(c.r), self.constant(c.s)) else { return false };
         let (mut a, mut b) = (Few::from_iter([c.a]), Few::from_iter([c.b]));
@@ -202,7 +224,9 @@ impl<'a> Matching<'a> {
             Some(at) => {
                 levels!(levels, lengths, Dyad { a, b: a, at, r, s, sign } => DyadGroundP DyadGroundV DyadGroundA DyadGroundVL DyadGroundAL)
             }
-            None => levels!(levels, lengths, Dyad { a, b, at: [0.0; 2], r, s, sign } => DyadP DyadV DyadA DyadVL DyadAL),
+            None => {
+                levels!(levels, lengths, Dyad { a, b, at: [0.0; 2], r, s, sign } => DyadP DyadV DyadA DyadVL DyadAL)
+            }
         });
         true
     }
@@ -231,7 +255,8 @@ impl<'a> Matching<'a> {
             });
             return true;
         }
-        let ends: Option<Few<RegPair>> = d.iter().zip(&o).map(|(d, o)| self.end_from(*d, *o)).collect();
+        let ends: Option<Few<RegPair>> =
+            d.iter().zip(&o).map(|(d, o)| self.end_from(*d, *o)).collect();
         let (o, d) = (motion_of(&o), motion_of(&d));
         match ends {
             Some(ends) => {
@@ -245,7 +270,10 @@ impl<'a> Matching<'a> {
                     }
                 });
             }
-            None => put(true, &|levels, lengths| levels!(levels, lengths, Images { o, d, k } => ImagesP ImagesV ImagesA ImagesVL ImagesAL)),
+            None => put(
+                true,
+                &|levels, lengths| levels!(levels, lengths, Images { o, d, k } => ImagesP ImagesV ImagesA ImagesVL ImagesAL),
+            ),
         }
         true
     }
@@ -263,13 +291,20 @@ impl<'a> Matching<'a> {
         let (_, Op::Twist(twist)) = self.op(d[0])? else { return None };
         let turn = RegPair { x: COS, y: SIN };
         let [p, q] = twist.k;
-        let mut crank = Crank { turn, o, k: [p * k[0] - q * k[1], p * k[1] + q * k[0]], omega: 0.0, alpha: 0.0 };
+        let mut crank = Crank {
+            turn,
+            o,
+            k: [p * k[0] - q * k[1], p * k[1] + q * k[0]],
+            omega: 0.0,
+            alpha: 0.0,
+        };
         if twist.d != turn {
             return None;
         }
         if let Some(v) = d.get(1) {
             let (_, Op::ArmSwing(swing)) = self.op(*v)? else { return None };
-            crank.omega = self.constant(swing.omega).filter(|_| swing.r == d[0] && self.still(swing.v))?;
+            crank.omega =
+                self.constant(swing.omega).filter(|_| swing.r == d[0] && self.still(swing.v))?;
             if let Some(a) = d.get(2) {
                 let (_, Op::SwingRate(rate)) = self.op(*a)? else { return None };
                 let same = rate.r == d[0] && rate.omega == swing.omega && self.still(rate.a);
@@ -280,7 +315,12 @@ impl<'a> Matching<'a> {
     }
 
     /// Matches a pin on a bar and on a fixed guide.
-    fn slider(&self, ops: &[&Op], pairs: &[RegPair], put: &mut dyn FnMut(bool, KernelChoice)) -> bool {
+    fn slider(
+        &self,
+        ops: &[&Op],
+        pairs: &[RegPair],
+        put: &mut dyn FnMut(bool, KernelChoice),
+    ) -> bool {
         self.sliding(ops, pairs).is_some_and(|s| {
             let Slider { a, r, q, t, sign } = s;
             put(
@@ -298,19 +338,25 @@ impl<'a> Matching<'a> {
         for (level, op) in ops.iter().enumerate().skip(1) {
             let Op::Cross(cross) = op else { return None };
             let (n, bar, square, guide) = self.rows_of(cross)?;
-            let along_bar = self.op(n).is_some_and(|(_, op)| *op == Op::Arm(Arm { from: c.a, to: pairs[0] }));
+            let along_bar =
+                self.op(n).is_some_and(|(_, op)| *op == Op::Arm(Arm { from: c.a, to: pairs[0] }));
             if !along_bar || self.fixed(square)? != [-t[1], t[0]] {
                 return None;
             }
             a.push(match (level, bar, guide) {
                 (1, Op::Distance(d), Op::Guided(g)) => {
-                    let rests = self.still(g.vo) && self.constant(g.omega) == Some(0.0) && g.rate == 0.0;
+                    let rests =
+                        self.still(g.vo) && self.constant(g.omega) == Some(0.0) && g.rate == 0.0;
                     (rests && d.rate == 0.0 && g.n == square).then_some(d.vf)?
                 }
                 (2, Op::DistanceRate(d), Op::GuidedRate(g)) => {
                     let turning = [g.omega, g.alpha].iter().any(|w| self.constant(*w) != Some(0.0));
-                    let rests = !turning && self.still(g.vo) && self.still(g.ao) && g.acceleration == 0.0;
-                    let same = d.vp == pairs[1] && a.last() == Some(&d.vf) && d.rate == 0.0 && d.acceleration == 0.0;
+                    let rests =
+                        !turning && self.still(g.vo) && self.still(g.ao) && g.acceleration == 0.0;
+                    let same = d.vp == pairs[1]
+                        && a.last() == Some(&d.vf)
+                        && d.rate == 0.0
+                        && d.acceleration == 0.0;
                     (rests && same).then_some(d.af)?
                 }
                 _ => return None,
@@ -345,7 +391,13 @@ impl<'a> Matching<'a> {
         let mut outs = Outs::from_iter([omega]);
         taken[i] = true;
         let rate = (i + 1..self.steps.len()).find(|&k| match &self.steps[k].op {
-            Op::TurningRate(rate) => self.alive[k] && !taken[k] && rate.omega == omega && rate.d == turning.d && rate.v == turning.v,
+            Op::TurningRate(rate) => {
+                self.alive[k]
+                    && !taken[k]
+                    && rate.omega == omega
+                    && rate.d == turning.d
+                    && rate.v == turning.v
+            }
             _ => false,
         });
         if let Some(k) = rate

@@ -55,7 +55,11 @@ struct Wires {
 }
 
 impl KernelRunner for Wires {
-    fn run<const IN: usize, const OUT: usize, K: super::kernel::Kernel<IN, OUT>>(&mut self, kernel: &K, _: Reg) {
+    fn run<const IN: usize, const OUT: usize, K: super::kernel::Kernel<IN, OUT>>(
+        &mut self,
+        kernel: &K,
+        _: Reg,
+    ) {
         self.ins.clear();
         self.ins.extend(kernel.inputs());
         self.outs = OUT as u32;
@@ -65,18 +69,27 @@ impl KernelRunner for Wires {
 impl SweepProgram {
     /// Returns the program for its answers.
     pub fn fused(&self) -> &Fused {
-        self.runs[0].get_or_init(|| Fused::of(self, Level::Acceleration, &self.answers().collect::<Vec<_>>()))
+        self.runs[0].get_or_init(|| {
+            Fused::of(self, Level::Acceleration, &self.answers().collect::<Vec<_>>())
+        })
     }
 
     /// Returns the program for the crossings of its joints: positions only.
     pub(super) fn fused_crossings(&self) -> &Fused {
-        self.runs[1].get_or_init(|| Fused::of(self, Level::Position, &self.crossings().collect::<Vec<_>>()))
+        self.runs[1]
+            .get_or_init(|| Fused::of(self, Level::Position, &self.crossings().collect::<Vec<_>>()))
     }
 
     /// Returns the program for its answers and the crossings of the joints that may have a change
     /// point.
     pub(super) fn fused_watched(&self) -> &Fused {
-        self.runs[2].get_or_init(|| Fused::of(self, Level::Acceleration, &self.answers().chain(self.suspects()).collect::<Vec<_>>()))
+        self.runs[2].get_or_init(|| {
+            Fused::of(
+                self,
+                Level::Acceleration,
+                &self.answers().chain(self.suspects()).collect::<Vec<_>>(),
+            )
+        })
     }
 
     fn answers(&self) -> impl Iterator<Item = Reg> {
@@ -99,7 +112,9 @@ impl Fused {
         let matching = Matching::new(program, &steps, wanted);
         let fused = Ordered::of(program.registers, matching.units(), wanted);
         // Fused operations might wait for one another in a circle; the list as compiled cannot.
-        let mut ordered = fused.or_else(|| Ordered::of(program.registers, matching.singles(), wanted)).unwrap_or_default();
+        let mut ordered = fused
+            .or_else(|| Ordered::of(program.registers, matching.singles(), wanted))
+            .unwrap_or_default();
         cranks::join(&mut ordered, wanted);
         ordered.placed(program, matching.constants, wanted)
     }
@@ -149,8 +164,12 @@ impl Ordered {
         let mut maker = vec![NONE; registers];
         let n = units.len();
         // A unit reads hardly more than a dozen registers.
-        let mut o =
-            Ordered { order: Vec::with_capacity(n), wires: Vec::with_capacity(12 * n), reads: Vec::with_capacity(n), units: Vec::new() };
+        let mut o = Ordered {
+            order: Vec::with_capacity(n),
+            wires: Vec::with_capacity(12 * n),
+            reads: Vec::with_capacity(n),
+            units: Vec::new(),
+        };
         let mut ins = Wires::default();
         for (i, unit) in units.iter().enumerate() {
             unit.outs.iter().for_each(|r| maker[r.0 as usize] = i as u32);
@@ -231,7 +250,8 @@ impl Ordered {
             f.steps.push(PlacedOperation { op: unit.op, end: f.wires.len(), out });
         }
         wanted.iter().for_each(|r| f.know(*r));
-        f.inputs = INPUTS.into_iter().filter(|r| f.wires.contains(r) || wanted.contains(r)).collect();
+        f.inputs =
+            INPUTS.into_iter().filter(|r| f.wires.contains(r) || wanted.contains(r)).collect();
         f
     }
 }
@@ -262,15 +282,23 @@ mod tests {
 
     fn program(name: &str, find: &[&str]) -> (SweepProgram, Stations) {
         let text = templates::get(name).unwrap();
-        let text = if find.is_empty() { text.to_owned() } else { edit::with_find(text, find).unwrap() };
+        let text =
+            if find.is_empty() { text.to_owned() } else { edit::with_find(text, find).unwrap() };
         let scene = read(&text).unwrap().value;
         let m = Mechanism::new(&scene).unwrap().value;
         let placed = PlacedScene::new(&scene, &m).unwrap();
         let now = station::position_now(&scene, &placed.at, 0);
-        let reach = 0.01 * if station::angle_per_value(&scene, &placed.at, 0) == 1.0 { 1.0 } else { placed.at.extent() };
-        let stations = Stations::slid(now, now + reach, 9, station::angle_per_value(&scene, &placed.at, 0));
+        let reach = 0.01
+            * if station::angle_per_value(&scene, &placed.at, 0) == 1.0 {
+                1.0
+            } else {
+                placed.at.extent()
+            };
+        let stations =
+            Stations::slid(now, now + reach, 9, station::angle_per_value(&scene, &placed.at, 0));
         // Questions seen from a frame have no kernel.
-        let has = |f: &&Find| compile(&scene, &m, &placed.at, Some(0), std::slice::from_ref(*f)).is_ok();
+        let has =
+            |f: &&Find| compile(&scene, &m, &placed.at, Some(0), std::slice::from_ref(*f)).is_ok();
         let find: Vec<Find> = scene.find.iter().filter(has).cloned().collect();
         assert!(!find.is_empty(), "{name}");
         (compile(&scene, &m, &placed.at, Some(0), &find).unwrap(), stations)
@@ -301,7 +329,8 @@ mod tests {
         for t in templates::list() {
             let (program, stations) = match t.name {
                 // Their followed links have numbers only once they are followed.
-                "class-iii-six-bar" | "class-iv-six-bar" | "double-butterfly" | "stephenson-six-bar" | "two-slots" => continue,
+                "class-iii-six-bar" | "class-iv-six-bar" | "double-butterfly"
+                | "stephenson-six-bar" | "two-slots" => continue,
                 // Friction has no kernel, and neither have several drivers.
                 name @ "compressor-friction" => program(name, &["v_C", "a_C"]),
                 name @ ("toggle-clamp" | "loader-forces") => program(name, &["v_D", "a_D"]),
@@ -311,12 +340,19 @@ mod tests {
             let mut steps: Vec<ProgramStep> = program.steps.concat();
             steps.sort_by_key(|s| s.out.0);
             let matching = Matching::new(&program, &steps, wanted);
-            let plain = Ordered::of(program.registers, matching.singles(), wanted).unwrap().placed(&program, matching.constants, wanted);
+            let plain = Ordered::of(program.registers, matching.singles(), wanted).unwrap().placed(
+                &program,
+                matching.constants,
+                wanted,
+            );
             let run = |fused: &Fused| -> Vec<Vec<f64>> {
                 let mut buffer = fused.buffer();
                 fused.load(&mut buffer, &stations, 0..stations.len());
                 fused.run(&mut buffer, Width::Widest);
-                wanted.iter().map(|r| (0..stations.len()).map(|i| fused.number(&buffer, *r, i)).collect()).collect()
+                wanted
+                    .iter()
+                    .map(|r| (0..stations.len()).map(|i| fused.number(&buffer, *r, i)).collect())
+                    .collect()
             };
             for ((a, b), column) in run(program.fused()).iter().zip(run(&plain)).zip(1..) {
                 let size = b.iter().fold(1.0f64, |m, x| m.max(x.abs()));

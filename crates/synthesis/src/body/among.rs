@@ -1,4 +1,5 @@
-//! Four positions without a line: pivots of the centre-point curve within a box, or at two inscribed angles.
+//! Four positions without a line: pivots of the centre-point curve within a box, or at two
+//! inscribed angles.
 //!
 //! The curve is intersected with lines across the box in both directions; the intersections inside
 //! it are the candidates for pivots. Pairs of them are ranked: those whose follower stays on one
@@ -38,9 +39,14 @@ pub(super) fn read(form: &TaskForm) -> Option<Option<Among>> {
         (true, true) => {
             let d = Diagnostic::error(
                 "wrong-given",
-                both!("\"box\" and \"angles\" are two ways to choose", "\"box\" 与 \"angles\" 是两种选法"),
+                both!(
+                    "\"box\" and \"angles\" are two ways to choose",
+                    "\"box\" 与 \"angles\" 是两种选法"
+                ),
             );
-            form.fault(d.at(form.span("angles")).help(both!("keep one of the two", "请保留其中一个")));
+            form.fault(
+                d.at(form.span("angles")).help(both!("keep one of the two", "请保留其中一个")),
+            );
             None
         }
         (true, false) => {
@@ -49,23 +55,37 @@ pub(super) fn read(form: &TaskForm) -> Option<Option<Among>> {
             let (p, q) = (corner("from"), corner("to"));
             let (p, q) = (p?, q?);
             if p.x == q.x || p.y == q.y {
-                let d = Diagnostic::error("out-of-range", both!("the box has no area", "方框面积为零"));
-                form.fault(d.at(form.span("box")).help(both!("\"from\" and \"to\" are opposite corners", "\"from\" 与 \"to\" 为对角")));
+                let d =
+                    Diagnostic::error("out-of-range", both!("the box has no area", "方框面积为零"));
+                form.fault(d.at(form.span("box")).help(both!(
+                    "\"from\" and \"to\" are opposite corners",
+                    "\"from\" 与 \"to\" 为对角"
+                )));
                 return None;
             }
-            Some(Some(Among::Box([Point::new(p.x.min(q.x), p.y.min(q.y)), Point::new(p.x.max(q.x), p.y.max(q.y))])))
+            Some(Some(Among::Box([
+                Point::new(p.x.min(q.x), p.y.min(q.y)),
+                Point::new(p.x.max(q.x), p.y.max(q.y)),
+            ])))
         }
         (false, true) => {
-            let [a, d] = form.several::<2>(form.node("angles")?, "angles", "[\"40 deg\", \"110 deg\"]")?;
+            let [a, d] =
+                form.several::<2>(form.node("angles")?, "angles", "[\"40 deg\", \"110 deg\"]")?;
             let within = |n| {
                 let angle = form.angle_of(n, "angles")?;
                 let inside = angle > 0.0 && angle < PI;
                 if !inside {
                     let d = Diagnostic::error(
                         "out-of-range",
-                        both!("an inscribed angle lies between 0° and 180°", "圆周角应在 0° 与 180° 之间"),
+                        both!(
+                            "an inscribed angle lies between 0° and 180°",
+                            "圆周角应在 0° 与 180° 之间"
+                        ),
                     );
-                    let help = both!("write \"angles\": [\"40 deg\", \"110 deg\"]", "请写 \"angles\": [\"40 deg\", \"110 deg\"]");
+                    let help = both!(
+                        "write \"angles\": [\"40 deg\", \"110 deg\"]",
+                        "请写 \"angles\": [\"40 deg\", \"110 deg\"]"
+                    );
                     form.fault(d.at(form.span("angles")).help(help));
                 }
                 inside.then_some(angle)
@@ -94,15 +114,27 @@ fn size(positions: &[BodyPose]) -> f64 {
 
 /// The centre points within a box.
 fn within(positions: &[BodyPose], [low, high]: [Point; 2]) -> Vec<BurmesterPair> {
-    let inside = |p: &BurmesterPair| p.centre.x >= low.x && p.centre.x <= high.x && p.centre.y >= low.y && p.centre.y <= high.y;
+    let inside = |p: &BurmesterPair| {
+        p.centre.x >= low.x && p.centre.x <= high.x && p.centre.y >= low.y && p.centre.y <= high.y
+    };
     let part = |k: usize| (k as f64 + 0.5) / LINES as f64;
-    let level = (0..LINES).map(|k| (Point::new(low.x, low.y + (high.y - low.y) * part(k)), Vec2::new(1.0, 0.0)));
-    let upright = (0..LINES).map(|k| (Point::new(low.x + (high.x - low.x) * part(k), low.y), Vec2::new(0.0, 1.0)));
-    level.chain(upright).flat_map(|(through, along)| on_line(positions, through, along)).filter(inside).collect()
+    let level = (0..LINES)
+        .map(|k| (Point::new(low.x, low.y + (high.y - low.y) * part(k)), Vec2::new(1.0, 0.0)));
+    let upright = (0..LINES)
+        .map(|k| (Point::new(low.x + (high.x - low.x) * part(k), low.y), Vec2::new(0.0, 1.0)));
+    level
+        .chain(upright)
+        .flat_map(|(through, along)| on_line(positions, through, along))
+        .filter(inside)
+        .collect()
 }
 
 /// The best pairs with distinct pivots.
-fn best(positions: &[BodyPose], all: &[BurmesterPair], [low, high]: [Point; 2]) -> Vec<[BurmesterPair; 2]> {
+fn best(
+    positions: &[BodyPose],
+    all: &[BurmesterPair],
+    [low, high]: [Point; 2],
+) -> Vec<[BurmesterPair; 2]> {
     let mut ranked: Vec<(bool, f64, [BurmesterPair; 2])> = Vec::new();
     for (i, p) in all.iter().enumerate() {
         for (j, q) in all.iter().enumerate() {
@@ -115,7 +147,8 @@ fn best(positions: &[BodyPose], all: &[BurmesterPair], [low, high]: [Point; 2]) 
     let apart = APART * low.distance(high);
     let mut told: Vec<[BurmesterPair; 2]> = Vec::new();
     for (_, _, pair) in ranked {
-        let near = |t: &[BurmesterPair; 2]| (0..2).all(|k| t[k].centre.distance(pair[k].centre) < apart);
+        let near =
+            |t: &[BurmesterPair; 2]| (0..2).all(|k| t[k].centre.distance(pair[k].centre) < apart);
         if !told.iter().any(near) {
             told.push(pair);
         }
@@ -129,8 +162,14 @@ fn best(positions: &[BodyPose], all: &[BurmesterPair], [low, high]: [Point; 2]) 
 /// True if C stays on one side of BD in the four positions, with the least transmission angle there
 /// (rad); `None` for a linkage that cannot be built.
 fn rank(positions: &[BodyPose], [p, q]: [&BurmesterPair; 2]) -> Option<(bool, f64)> {
-    let lengths = [p.centre.distance(p.pin), p.pin.distance(q.pin), q.pin.distance(q.centre), p.centre.distance(q.centre)];
-    let (least, most) = lengths.iter().fold((f64::INFINITY, 0.0_f64), |(l, m), x| (l.min(*x), m.max(*x)));
+    let lengths = [
+        p.centre.distance(p.pin),
+        p.pin.distance(q.pin),
+        q.pin.distance(q.centre),
+        p.centre.distance(q.centre),
+    ];
+    let (least, most) =
+        lengths.iter().fold((f64::INFINITY, 0.0_f64), |(l, m), x| (l.min(*x), m.max(*x)));
     if !(least > 0.0 && most < UNEVEN * least) {
         return None;
     }
@@ -158,14 +197,24 @@ pub(super) fn at_angle(positions: &[BodyPose], angle: f64) -> Vec<BurmesterPair>
             (centre, centre.distance(p))
         };
         let ((c, r), (d, s)) = (circle(pole(0, 1)?, pole(1, 2)?), circle(pole(0, 3)?, pole(2, 3)?));
-        Some([true, false].into_iter().filter_map(|left| meet(c, r, d, s, left)).collect::<Vec<_>>())
+        Some(
+            [true, false].into_iter().filter_map(|left| meet(c, r, d, s, left)).collect::<Vec<_>>(),
+        )
     };
-    let poles: Vec<Point> = [(0, 1), (1, 2), (0, 3), (2, 3)].into_iter().filter_map(|(i, j)| pole(i, j)).collect();
+    let poles: Vec<Point> =
+        [(0, 1), (1, 2), (0, 3), (2, 3)].into_iter().filter_map(|(i, j)| pole(i, j)).collect();
     let near = 1e-9 * size(positions);
     let on_curve = |m: Point| {
-        let all = [Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0)].into_iter().flat_map(|along| on_line(positions, m, along));
+        let all = [Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0)]
+            .into_iter()
+            .flat_map(|along| on_line(positions, m, along));
         all.min_by(|a, b| a.centre.distance(m).total_cmp(&b.centre.distance(m)))
     };
     // Where two poles coincide, both circles pass through them for any angle.
-    found().unwrap_or_default().into_iter().filter(|m| poles.iter().all(|p| p.distance(*m) > near)).filter_map(on_curve).collect()
+    found()
+        .unwrap_or_default()
+        .into_iter()
+        .filter(|m| poles.iter().all(|p| p.distance(*m) > near))
+        .filter_map(on_curve)
+        .collect()
 }

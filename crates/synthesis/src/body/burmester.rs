@@ -1,4 +1,5 @@
-//! Burmester's pairs: pins of a body that lie on one circle in four or five positions, with the centres of those circles.
+//! Burmester's pairs: pins of a body that lie on one circle in four or five positions, with the
+//! centres of those circles.
 //!
 //! A pin W (in position 1) stays at one distance from M if, for each position j, W·a_j(M) = c_j(M),
 //! with the displacement W_j = R_j W + t_j: a_j = R_jᵀ(t_j − M) + M and c_j = M·t_j − |t_j|²/2,
@@ -50,16 +51,24 @@ impl ScaledPositions {
     fn of(positions: &[BodyPose]) -> Option<ScaledPositions> {
         let origin = positions.first()?.origin;
         let far = positions.iter().map(|p| p.origin.distance(origin)).fold(0.0, f64::max);
-        let poles = positions[1..].iter().filter_map(|p| positions[0].pole(p)).map(|p| p.distance(origin)).fold(0.0, f64::max);
+        let poles = positions[1..]
+            .iter()
+            .filter_map(|p| positions[0].pole(p))
+            .map(|p| p.distance(origin))
+            .fold(0.0, f64::max);
         let unit = if far > 0.0 { far } else { poles };
         if unit <= 0.0 {
             return None;
         }
-        let mut frame = ScaledPositions { origin, unit, axis: Vec2::from_angle(ASKEW), moves: Vec::new() };
+        let mut frame =
+            ScaledPositions { origin, unit, axis: Vec2::from_angle(ASKEW), moves: Vec::new() };
         let first = positions[0];
         frame.moves = positions[1..]
             .iter()
-            .map(|p| Move { r: Vec2::from_angle(p.angle - first.angle), t: frame.inward(first.carry(p, origin)) })
+            .map(|p| Move {
+                r: Vec2::from_angle(p.angle - first.angle),
+                t: frame.inward(first.carry(p, origin)),
+            })
             .collect();
         Some(frame)
     }
@@ -85,7 +94,11 @@ impl ScaledPositions {
         let zero = [d(0.0), d(0.0)];
         let c0 = p[0] * tx + p[1] * ty - (tx * tx + ty * ty) * (one / d(2.0));
         let c1 = q[0] * tx + q[1] * ty;
-        [Poly::line(ax(p, [tx, ty]), ax(q, zero)), Poly::line(ay(p, [tx, ty]), ay(q, zero)), Poly::line(c0, c1)]
+        [
+            Poly::line(ax(p, [tx, ty]), ax(q, zero)),
+            Poly::line(ay(p, [tx, ty]), ay(q, zero)),
+            Poly::line(c0, c1),
+        ]
     }
 
     /// The centre-point cubic along a line M = p + s q, for position 1 and three displacements.
@@ -112,7 +125,8 @@ impl ScaledPositions {
             yc += a.y * c;
         }
         let det = xx * yy - xy * xy;
-        (det > 1e-18 * (xx + yy) * (xx + yy)).then(|| Vec2::new((xc * yy - yc * xy) / det, (yc * xx - xc * xy) / det))
+        (det > 1e-18 * (xx + yy) * (xx + yy))
+            .then(|| Vec2::new((xc * yy - yc * xy) / det, (yc * xx - xc * xy) / det))
     }
 
     fn pair(&self, m: Vec2) -> Option<BurmesterPair> {
@@ -136,7 +150,9 @@ pub fn on_line(positions: &[BodyPose], through: Point, direction: Vec2) -> Vec<B
 fn determinant<const N: usize>(mut m: [[Dd; N]; N]) -> Dd {
     let mut det = Dd::from_f64(1.0);
     for k in 0..N {
-        let pivot = (k..N).max_by(|&a, &b| m[a][k].approx().abs().total_cmp(&m[b][k].approx().abs())).unwrap_or(k);
+        let pivot = (k..N)
+            .max_by(|&a, &b| m[a][k].approx().abs().total_cmp(&m[b][k].approx().abs()))
+            .unwrap_or(k);
         if m[pivot][k].approx() == 0.0 {
             return Dd::from_f64(0.0);
         }
@@ -175,7 +191,9 @@ pub fn of_five(positions: &[BodyPose]) -> Vec<BurmesterPair> {
     let d = Dd::from_f64;
     let along_y = |x: Dd, last: usize| frame.cubic([0, 1, last], [x, d(0.0)], [d(0.0), d(1.0)]);
     // Eight values determine a polynomial of degree seven; Chebyshev points distribute them well.
-    let xs: Vec<Dd> = (0..8).map(|k| d(2.0 * libm::cos(std::f64::consts::PI * (2 * k + 1) as f64 / 16.0))).collect();
+    let xs: Vec<Dd> = (0..8)
+        .map(|k| d(2.0 * libm::cos(std::f64::consts::PI * (2 * k + 1) as f64 / 16.0)))
+        .collect();
     let ys: Vec<Dd> = xs.iter().map(|x| resultant(&along_y(*x, 2), &along_y(*x, 3))).collect();
     let mut p = Poly::through(&xs, &ys);
     let pairs = [(0, 1), (0, 2), (1, 2)];
@@ -225,6 +243,9 @@ impl ScaledPositions {
             }
         }
         // A pole solves three of the equations; there the steps do not converge.
-        (size < 1e-8).then(|| BurmesterPair { pin: self.outward(Vec2::new(x[2], x[3])), centre: self.outward(Vec2::new(x[0], x[1])) })
+        (size < 1e-8).then(|| BurmesterPair {
+            pin: self.outward(Vec2::new(x[2], x[3])),
+            centre: self.outward(Vec2::new(x[0], x[1])),
+        })
     }
 }

@@ -16,7 +16,8 @@ impl Body {
         let bodies = self.positions_drawn(board);
         match self.method() {
             Method::Bisectors => {
-                let ends = [self.side(draft, board, &bodies, 0)?, self.side(draft, board, &bodies, 1)?];
+                let ends =
+                    [self.side(draft, board, &bodies, 0)?, self.side(draft, board, &bodies, 1)?];
                 finished(board, ends)
             }
             Method::Curve | Method::Burmester => self.curve(draft, board, &bodies),
@@ -25,7 +26,11 @@ impl Body {
 
     /// A length that suits the drawing: a third of the body's greatest displacement (mm).
     fn reach(&self, board: &SynthesisBoard) -> f64 {
-        let far = self.positions.iter().map(|p| p.origin.distance(self.positions[0].origin)).fold(0.0, f64::max);
+        let far = self
+            .positions
+            .iter()
+            .map(|p| p.origin.distance(self.positions[0].origin))
+            .fold(0.0, f64::max);
         board.mm(if far > 0.0 { far / 3.0 } else { 0.05 })
     }
 
@@ -49,14 +54,22 @@ impl Body {
     }
 
     /// The pin in position 1 and the pivot of one side.
-    fn side(&self, draft: &Draft, board: &mut SynthesisBoard, bodies: &[[Point; 2]], side: usize) -> Option<[Point; 2]> {
+    fn side(
+        &self,
+        draft: &Draft,
+        board: &mut SynthesisBoard,
+        bodies: &[[Point; 2]],
+        side: usize,
+    ) -> Option<[Point; 2]> {
         let [pin, pivot] = [["B", "C"], ["A", "D"]].map(|n| n[side]);
         let (places, sought) = match self.moving[side] {
             Some(local) => {
                 let of_position = |(p, body): (&BodyPose, &[Point; 2])| {
-                    PaperLine::ray(body[0], p.angle).place(board.mm(local.x)) + Vec2::from_angle(p.angle).perp() * board.mm(local.y)
+                    PaperLine::ray(body[0], p.angle).place(board.mm(local.x))
+                        + Vec2::from_angle(p.angle).perp() * board.mm(local.y)
                 };
-                let places: Vec<Point> = self.positions.iter().zip(bodies).map(of_position).collect();
+                let places: Vec<Point> =
+                    self.positions.iter().zip(bodies).map(of_position).collect();
                 board.step(both!(
                     "Mark {pin} in all positions; the bisectors of its places meet at {pivot}",
                     "标出 {pin} 的各位置，其中垂线交于 {pivot}"
@@ -79,7 +92,10 @@ impl Body {
                     board.mark(&format!("{pivot}_{}'", k + 1), back);
                     places.push(back);
                 }
-                board.step(both!("The bisectors of these places meet at {pin}1", "这些点的中垂线交于 {pin}1"));
+                board.step(both!(
+                    "The bisectors of these places meet at {pin}1",
+                    "这些点的中垂线交于 {pin}1"
+                ));
                 (places, pin)
             }
         };
@@ -87,8 +103,18 @@ impl Body {
             [p, q, r] => board.centre(p, q, r)?,
             [p, q] => {
                 let line = board.bisector(p, q)?;
-                let name = if self.moving[side].is_some() { sought.to_owned() } else { format!("{sought}1") };
-                let of = |axis: &str| draft.numbers.iter().find(|n| n.name == format!("{name}_{axis}")).map(|n| n.value);
+                let name = if self.moving[side].is_some() {
+                    sought.to_owned()
+                } else {
+                    format!("{sought}1")
+                };
+                let of = |axis: &str| {
+                    draft
+                        .numbers
+                        .iter()
+                        .find(|n| n.name == format!("{name}_{axis}"))
+                        .map(|n| n.value)
+                };
                 // Any point of the bisector is a solution: the chosen one is laid off along it.
                 let chosen = board.at(Point::new(of("x")?, of("y")?));
                 line.place((chosen - line.at).dot(line.along))
@@ -96,29 +122,44 @@ impl Body {
             _ => return None,
         };
         let given = places[0];
-        let name = if self.moving[side].is_some() { sought.to_owned() } else { format!("{sought}_1") };
+        let name =
+            if self.moving[side].is_some() { sought.to_owned() } else { format!("{sought}_1") };
         board.mark(&name, found);
         board.read(["AB", "CD"][side], given, found);
         Some(if self.moving[side].is_some() { [given, found] } else { [found, given] })
     }
 
     /// A pole: the intersection of the bisectors of two points of the body.
-    fn pole(&self, board: &mut SynthesisBoard, bodies: &[[Point; 2]], [i, j]: [usize; 2]) -> Option<Point> {
+    fn pole(
+        &self,
+        board: &mut SynthesisBoard,
+        bodies: &[[Point; 2]],
+        [i, j]: [usize; 2],
+    ) -> Option<Point> {
         let (p, q) = (bodies.get(i)?, bodies.get(j)?);
         let (one, other) = (bisector(p[0], q[0])?, bisector(p[1], q[1])?);
         let at = one.cross(&other)?;
-        board.line(one.at, at, Weight::Thin).line(other.at, at, Weight::Thin).mark(&format!("P_{{{}{}}}", i + 1, j + 1), at);
+        board
+            .line(one.at, at, Weight::Thin)
+            .line(other.at, at, Weight::Thin)
+            .mark(&format!("P_{{{}{}}}", i + 1, j + 1), at);
         Some(at)
     }
 
     /// The centre-point curve by the opposite-pole quadrilateral: circles over P₁₂P₂₃ and P₁₄P₃₄
     /// with equal inscribed angles.
-    fn curve(&self, draft: &Draft, board: &mut SynthesisBoard, bodies: &[[Point; 2]]) -> Option<()> {
+    fn curve(
+        &self,
+        draft: &Draft,
+        board: &mut SynthesisBoard,
+        bodies: &[[Point; 2]],
+    ) -> Option<()> {
         board.step(both!(
             "Find the poles of the positions: in each two bisectors of the places of points of the body meet",
             "求各位置的转动极：连杆上两点对应位置的中垂线交点"
         ));
-        let [p12, p23, p14, p34, p13] = [[0, 1], [1, 2], [0, 3], [2, 3], [0, 2]].map(|of| self.pole(board, bodies, of));
+        let [p12, p23, p14, p34, p13] =
+            [[0, 1], [1, 2], [0, 3], [2, 3], [0, 2]].map(|of| self.pole(board, bodies, of));
         let quadrilateral = [p12?, p23?, p14?, p34?];
         board.step(both!("Circle over P12P23 and circle over P14P34 with the same inscribed angle intersect at centre points; as the angle varies they trace the centre-point curve", "在 P12P23 与 P14P34 上作圆周角相等的圆，交点为圆心点；令圆周角变化得圆心曲线"));
         let curve = centre_points(quadrilateral);
@@ -136,10 +177,14 @@ impl Body {
         };
         // The two pivots of the design are the ones sought.
         let wanted = |name: &str| {
-            let of = |axis: &str| draft.numbers.iter().find(|n| n.name == format!("{name}_{axis}")).map(|n| n.value);
+            let of = |axis: &str| {
+                draft.numbers.iter().find(|n| n.name == format!("{name}_{axis}")).map(|n| n.value)
+            };
             Some(board.at(Point::new(of("x")?, of("y")?)))
         };
-        let near = |at: Point| roots.iter().copied().min_by(|p, q| p.distance(at).total_cmp(&q.distance(at)));
+        let near = |at: Point| {
+            roots.iter().copied().min_by(|p, q| p.distance(at).total_cmp(&q.distance(at)))
+        };
         let (a, d) = (near(wanted("A")?)?, near(wanted("D")?)?);
         board.step(both!(
             "Moving pins: P12M and P13M turned about P12 and P13 by half the turning, backward, intersect at the pin of M",
@@ -160,10 +205,18 @@ impl Body {
     }
 
     /// The intersections of the curve with the given line.
-    fn on_the_line(&self, board: &mut SynthesisBoard, curve: &[Vec<CentrePoint>], poles: [Point; 4]) -> Option<Vec<Point>> {
+    fn on_the_line(
+        &self,
+        board: &mut SynthesisBoard,
+        curve: &[Vec<CentrePoint>],
+        poles: [Point; 4],
+    ) -> Option<Vec<Point>> {
         let (through, direction) = self.line?;
         let line = PaperLine { at: board.at(through), along: direction };
-        board.step(both!("The curve crosses the given line in the pivots", "曲线与给定直线的交点即固定铰链"));
+        board.step(both!(
+            "The curve crosses the given line in the pivots",
+            "曲线与给定直线的交点即固定铰链"
+        ));
         let off = |m: Point| line.along.cross(m - line.at);
         let roots = crossings(curve, poles, &off);
         let along = |m: &Point| line.along.dot(*m - line.at);
@@ -197,7 +250,11 @@ impl Body {
                 for k in 0..4 {
                     board.line(corners[k], corners[(k + 1) % 4], Weight::Given);
                 }
-                let heights = draft.numbers.iter().filter(|n| n.name == "A_y" || n.name == "D_y").map(|n| board.mm(n.value));
+                let heights = draft
+                    .numbers
+                    .iter()
+                    .filter(|n| n.name == "A_y" || n.name == "D_y")
+                    .map(|n| board.mm(n.value));
                 heights.flat_map(|y| crossings(curve, poles, &|m: Point| m.y - y)).collect()
             }
             Among::Angles(angles) => {
@@ -261,7 +318,8 @@ type CentrePoint = (f64, Point);
 /// radius.
 fn over(p: Point, q: Point, angle: f64) -> Option<(Point, f64)> {
     let lean = PI / 2.0 - angle;
-    let (one, other) = (PaperLine::ray(p, (q - p).angle() + lean), PaperLine::ray(q, (p - q).angle() - lean));
+    let (one, other) =
+        (PaperLine::ray(p, (q - p).angle() + lean), PaperLine::ray(q, (p - q).angle() - lean));
     let centre = one.cross(&other)?;
     Some((centre, centre.distance(p)))
 }
@@ -294,7 +352,11 @@ fn centre_points(poles: [Point; 4]) -> Vec<Vec<CentrePoint>> {
 }
 
 /// The points of the curve at which a function vanishes, by bisection of the inscribed angle.
-fn crossings(curve: &[Vec<CentrePoint>], poles: [Point; 4], off: &dyn Fn(Point) -> f64) -> Vec<Point> {
+fn crossings(
+    curve: &[Vec<CentrePoint>],
+    poles: [Point; 4],
+    off: &dyn Fn(Point) -> f64,
+) -> Vec<Point> {
     let mut out = Vec::new();
     for w in curve.iter().flat_map(|piece| piece.windows(2)) {
         let ((mut low, m), (mut high, n)) = (w[0], w[1]);
@@ -306,8 +368,15 @@ fn crossings(curve: &[Vec<CentrePoint>], poles: [Point; 4], off: &dyn Fn(Point) 
         for _ in 0..60 {
             let middle = (low + high) / 2.0;
             let Some(found) = at_angle(poles, middle) else { break };
-            let there = found.into_iter().min_by(|p, q| p.distance(at).total_cmp(&q.distance(at))).unwrap_or(at);
-            if (off(there) > 0.0) == (first > 0.0) { (low, at) = (middle, there) } else { (high, next) = (middle, there) }
+            let there = found
+                .into_iter()
+                .min_by(|p, q| p.distance(at).total_cmp(&q.distance(at)))
+                .unwrap_or(at);
+            if (off(there) > 0.0) == (first > 0.0) {
+                (low, at) = (middle, there)
+            } else {
+                (high, next) = (middle, there)
+            }
         }
         // A jump through infinity changes the sign without a root.
         if at.distance(next) < 1e-6 * (1.0 + at.to_vec2().norm()) {

@@ -1,4 +1,5 @@
-//! Body guidance as a problem, and the formulas of its proof: circles through three places, poles, Burmester's conditions.
+//! Body guidance as a problem, and the formulas of its proof: circles through three places, poles,
+//! Burmester's conditions.
 
 use super::among::Among;
 use super::{Body, Method};
@@ -26,17 +27,27 @@ impl Body {
             .collect();
         let mut wanted = Vec::new();
         for (side, [pin, pivot]) in [["B", "A"], ["C", "D"]].into_iter().enumerate() {
-            given
-                .extend(self.moving[side].map(|l| {
-                    both!("pin ${pin}$ on the body, from $E$: ${}$", "连杆上铰链 ${pin}$（相对 $E$）：${}$", place(l.to_point()))
-                }));
-            given.extend(self.ground[side].map(|p| both!("pivot ${pivot}$ at ${}$", "固定铰链 ${pivot}$：${}$", place(p))));
+            given.extend(self.moving[side].map(|l| {
+                both!(
+                    "pin ${pin}$ on the body, from $E$: ${}$",
+                    "连杆上铰链 ${pin}$（相对 $E$）：${}$",
+                    place(l.to_point())
+                )
+            }));
+            given.extend(
+                self.ground[side].map(|p| {
+                    both!("pivot ${pivot}$ at ${}$", "固定铰链 ${pivot}$：${}$", place(p))
+                }),
+            );
             if self.moving[side].is_some() {
                 wanted.push(both!("the fixed pivot ${pivot}$", "固定铰链 ${pivot}$"));
             } else if self.ground[side].is_some() {
                 wanted.push(both!("the pin ${pin}$ on the body", "连杆上的铰链 ${pin}$"));
             } else {
-                wanted.push(both!("the pin ${pin}$ and its pivot ${pivot}$", "铰链 ${pin}$ 及固定铰链 ${pivot}$"));
+                wanted.push(both!(
+                    "the pin ${pin}$ and its pivot ${pivot}$",
+                    "铰链 ${pin}$ 及固定铰链 ${pivot}$"
+                ));
             }
         }
         if let Some((through, direction)) = self.line {
@@ -71,10 +82,15 @@ impl Body {
     }
 
     pub(super) fn proved(&self, draft: &Draft) -> Vec<Proof> {
-        let at = |name: &str| Point::new(of(draft, &format!("{name}_x")), of(draft, &format!("{name}_y")));
-        let lengths = ["AB", "BC", "CD", "AD"].map(|n| format!("l_{{{n}}} = {}", length(of(draft, n))));
+        let at = |name: &str| {
+            Point::new(of(draft, &format!("{name}_x")), of(draft, &format!("{name}_y")))
+        };
+        let lengths =
+            ["AB", "BC", "CD", "AD"].map(|n| format!("l_{{{n}}} = {}", length(of(draft, n))));
         let mut out = match self.method() {
-            Method::Bisectors => vec![self.side_proved(0, at("A"), at("B1")), self.side_proved(1, at("D"), at("C1"))],
+            Method::Bisectors => {
+                vec![self.side_proved(0, at("A"), at("B1")), self.side_proved(1, at("D"), at("C1"))]
+            }
             Method::Curve | Method::Burmester => self.curve_proved(draft),
         };
         out.push(Proof::new(both!("So", "于是"), [lengths.join(" ,\\quad ")]));
@@ -95,7 +111,10 @@ impl Body {
                 ),
             ),
             None => (
-                self.positions.iter().map(|p| p.carry(&first, self.ground[side].unwrap_or(Point::ORIGIN))).collect(),
+                self.positions
+                    .iter()
+                    .map(|p| p.carry(&first, self.ground[side].unwrap_or(Point::ORIGIN)))
+                    .collect(),
                 format!("{pin_name}_1"),
                 pin,
                 both!(
@@ -107,7 +126,10 @@ impl Body {
         match places[..] {
             [p, q, r] => centre_of_three(what, [p, q, r], &sought, found),
             _ => Proof::new(
-                both!("With two positions any point of the bisector serves; taken:", "两个位置时中垂线上任一点均可；取："),
+                both!(
+                    "With two positions any point of the bisector serves; taken:",
+                    "两个位置时中垂线上任一点均可；取："
+                ),
                 [format!("{sought} = {}", place(found))],
             ),
         }
@@ -115,9 +137,18 @@ impl Body {
 
     fn curve_proved(&self, draft: &Draft) -> Vec<Proof> {
         let n = self.positions.len();
-        let poles: Vec<String> =
-            (1..n).filter_map(|j| Some(format!("P_{{1{}}} = {}", j + 1, place(self.positions[0].pole(&self.positions[j])?)))).collect();
-        let at = |name: &str| place(Point::new(of(draft, &format!("{name}_x")), of(draft, &format!("{name}_y"))));
+        let poles: Vec<String> = (1..n)
+            .filter_map(|j| {
+                Some(format!(
+                    "P_{{1{}}} = {}",
+                    j + 1,
+                    place(self.positions[0].pole(&self.positions[j])?)
+                ))
+            })
+            .collect();
+        let at = |name: &str| {
+            place(Point::new(of(draft, &format!("{name}_x")), of(draft, &format!("{name}_y"))))
+        };
         let conditions = match self.method() {
             Method::Bisectors | Method::Curve => both!(
                 "For a pivot $M$ these are three linear equations in the pin; they agree where a determinant of the third degree in $M$ vanishes: the centre-point curve. Of its points that are allowed:",

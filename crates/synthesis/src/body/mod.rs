@@ -73,7 +73,8 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
     let positions = positions::read(form);
     let moving = form.places("moving", &["B", "C"]);
     let ground = form.places("ground", &["A", "D"]);
-    let find = |all: &[(String, Point)], name: &str| all.iter().find(|(n, _)| n == name).map(|(_, p)| *p);
+    let find =
+        |all: &[(String, Point)], name: &str| all.iter().find(|(n, _)| n == name).map(|(_, p)| *p);
     let line = form.inner("line", &["through", "angle"]).map(|l| {
         l.need("through", "[\"0 mm\", \"40 mm\"]")?;
         let through = l.point("through");
@@ -102,7 +103,11 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
             "\"box\" and \"angles\" choose pivots of four positions, in the place of \"line\"",
             "\"box\" 与 \"angles\" 只用于四个位置，代替 \"line\""
         );
-        let d = Diagnostic::error("wrong-given", message).at(form.span(if form.has("box") { "box" } else { "angles" }));
+        let d = Diagnostic::error("wrong-given", message).at(form.span(if form.has("box") {
+            "box"
+        } else {
+            "angles"
+        }));
         form.fault(d.help(both!("leave it out", "请去掉它")));
         return None;
     }
@@ -113,7 +118,13 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
 }
 
 /// Returns true if the givens fit the number of positions; reports what is missing.
-fn enough(form: &TaskForm, count: usize, moving: &[Option<Vec2>; 2], ground: &[Option<Point>; 2], line: bool) -> bool {
+fn enough(
+    form: &TaskForm,
+    count: usize,
+    moving: &[Option<Vec2>; 2],
+    ground: &[Option<Point>; 2],
+    line: bool,
+) -> bool {
     let dyads = [0, 1].map(|i| (moving[i].is_some(), ground[i].is_some()));
     let (message, help) = match method(count) {
         Method::Bisectors if dyads.iter().all(|(m, g)| m != g) => return true,
@@ -153,7 +164,11 @@ fn enough(form: &TaskForm, count: usize, moving: &[Option<Vec2>; 2], ground: &[O
 
 impl Wish for Body {
     fn title(&self) -> Both {
-        both!("Four-bar for {} positions of its coupler", "实现连杆 {} 个位置的四杆机构", self.positions.len())
+        both!(
+            "Four-bar for {} positions of its coupler",
+            "实现连杆 {} 个位置的四杆机构",
+            self.positions.len()
+        )
     }
 
     fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
@@ -164,7 +179,8 @@ impl Wish for Body {
         let pairs = match self.method() {
             Method::Bisectors => vec![self.dyad(0, &mut notes)?, self.dyad(1, &mut notes)?],
             Method::Curve => {
-                let (through, direction) = self.line.unwrap_or((Point::ORIGIN, Vec2::new(1.0, 0.0)));
+                let (through, direction) =
+                    self.line.unwrap_or((Point::ORIGIN, Vec2::new(1.0, 0.0)));
                 burmester::on_line(&self.positions, through, direction)
             }
             Method::Burmester => burmester::of_five(&self.positions),
@@ -184,7 +200,11 @@ impl Wish for Body {
         }
         let mut numbers = self.poles();
         if !fixed {
-            numbers.push(DesignNumber::ratio("count", both!("pairs of pin and pivot", "动、固定铰链对数"), pairs.len() as f64));
+            numbers.push(DesignNumber::ratio(
+                "count",
+                both!("pairs of pin and pivot", "动、固定铰链对数"),
+                pairs.len() as f64,
+            ));
             numbers.extend(pairs.iter().enumerate().flat_map(|(k, p)| told(k + 1, p)));
         }
         Ok(TaskResult { drafts, numbers, notes })
@@ -205,13 +225,20 @@ impl Wish for Body {
 
 /// The numbers of a pair.
 fn told(k: usize, p: &BurmesterPair) -> Vec<DesignNumber> {
-    let (centre, pin) = (both!("pivot {k}", "固定铰链 {k}"), both!("pin {k} in position 1", "动铰链 {k}（位置 1）"));
+    let (centre, pin) = (
+        both!("pivot {k}", "固定铰链 {k}"),
+        both!("pin {k} in position 1", "动铰链 {k}（位置 1）"),
+    );
     vec![
         DesignNumber::length(&format!("centre_{k}_x"), centre.clone(), p.centre.x),
         DesignNumber::length(&format!("centre_{k}_y"), centre, p.centre.y),
         DesignNumber::length(&format!("pin_{k}_x"), pin.clone(), p.pin.x),
         DesignNumber::length(&format!("pin_{k}_y"), pin, p.pin.y),
-        DesignNumber::length(&format!("length_{k}"), both!("link {k}", "构件 {k}"), p.centre.distance(p.pin)),
+        DesignNumber::length(
+            &format!("length_{k}"),
+            both!("link {k}", "构件 {k}"),
+            p.centre.distance(p.pin),
+        ),
     ]
 }
 
@@ -222,7 +249,11 @@ impl Body {
         if pairs.is_empty() {
             return Err(self.none_among(among).into());
         }
-        let drafts = pairs.iter().enumerate().map(|(k, p)| self.draft(*p, [2 * k, 2 * k + 1], heading)).collect();
+        let drafts = pairs
+            .iter()
+            .enumerate()
+            .map(|(k, p)| self.draft(*p, [2 * k, 2 * k + 1], heading))
+            .collect();
         Ok(TaskResult { drafts, numbers: self.poles(), notes: Vec::new() })
     }
 
@@ -236,8 +267,13 @@ impl Body {
         for j in 1..self.positions.len() {
             for i in 0..j {
                 let Some(p) = self.positions[i].pole(&self.positions[j]) else { continue };
-                let what = both!("pole of positions {} and {}", "位置 {} 与 {} 的转动极", i + 1, j + 1);
-                out.push(DesignNumber::length(&format!("P{}{}_x", i + 1, j + 1), what.clone(), p.x));
+                let what =
+                    both!("pole of positions {} and {}", "位置 {} 与 {} 的转动极", i + 1, j + 1);
+                out.push(DesignNumber::length(
+                    &format!("P{}{}_x", i + 1, j + 1),
+                    what.clone(),
+                    p.x,
+                ));
                 out.push(DesignNumber::length(&format!("P{}{}_y", i + 1, j + 1), what, p.y));
             }
         }
@@ -268,7 +304,11 @@ impl Body {
             }
             _ => Point::ORIGIN,
         };
-        Ok(if moving { BurmesterPair { pin: places[0], centre: found } } else { BurmesterPair { pin: found, centre: places[0] } })
+        Ok(if moving {
+            BurmesterPair { pin: places[0], centre: found }
+        } else {
+            BurmesterPair { pin: found, centre: places[0] }
+        })
     }
 
     /// The point of a bisector that is taken for two positions: its intersection with the line if
@@ -281,13 +321,23 @@ impl Body {
                 return middle + across * ((through - middle).cross(direction) / slant);
             }
         }
-        let message =
-            both!("{sought} is free on a bisector: taken where the link turns by 60°", "{sought} 可在中垂线上任取：取构件转过 60° 处");
-        notes.push(Diagnostic::note("free-choice", message).help(both!("fix it by \"line\"", "可由 \"line\" 确定")));
+        let message = both!(
+            "{sought} is free on a bisector: taken where the link turns by 60°",
+            "{sought} 可在中垂线上任取：取构件转过 60° 处"
+        );
+        notes.push(
+            Diagnostic::note("free-choice", message)
+                .help(both!("fix it by \"line\"", "可由 \"line\" 确定")),
+        );
         middle + across * (3.0f64.sqrt() / 2.0)
     }
 
-    fn draft(&self, [one, other]: [BurmesterPair; 2], which: [usize; 2], heading: &Heading) -> Draft {
+    fn draft(
+        &self,
+        [one, other]: [BurmesterPair; 2],
+        which: [usize; 2],
+        heading: &Heading,
+    ) -> Draft {
         let first = self.positions[0];
         let (b, c) = (one.pin, other.pin);
         let axis = (c - b) * (1.0 / (c - b).norm());
@@ -299,19 +349,36 @@ impl Body {
             .iter()
             .map(|p| {
                 let (b, c) = (first.carry(p, one.pin), first.carry(p, other.pin));
-                WantedPosition { driver: (b - one.centre).angle(), places: vec![("B".into(), b), ("C".into(), c), ("E".into(), p.origin)] }
+                WantedPosition {
+                    driver: (b - one.centre).angle(),
+                    places: vec![("B".into(), b), ("C".into(), c), ("E".into(), p.origin)],
+                }
             })
             .collect();
         let mut numbers = named_lengths(four.lengths());
         for (name, at) in [("A", one.centre), ("B1", b), ("C1", c), ("D", other.centre)] {
-            numbers.push(DesignNumber::length(&format!("{name}_x"), both!("place of {name}", "{name} 的位置"), at.x));
-            numbers.push(DesignNumber::length(&format!("{name}_y"), both!("place of {name}", "{name} 的位置"), at.y));
+            numbers.push(DesignNumber::length(
+                &format!("{name}_x"),
+                both!("place of {name}", "{name} 的位置"),
+                at.x,
+            ));
+            numbers.push(DesignNumber::length(
+                &format!("{name}_y"),
+                both!("place of {name}", "{name} 的位置"),
+                at.y,
+            ));
         }
         let which = match self.method() {
             Method::Bisectors => both!("crank at A", "以 A 处构件为原动件"),
-            Method::Curve | Method::Burmester => both!("pivots {} and {}", "固定铰链 {} 与 {}", which[0] + 1, which[1] + 1),
+            Method::Curve | Method::Burmester => {
+                both!("pivots {} and {}", "固定铰链 {} 与 {}", which[0] + 1, which[1] + 1)
+            }
         };
-        Draft { ordered: true, remarks: remarks(&four), ..Draft::new(which, four.scene(heading), numbers, wanted) }
+        Draft {
+            ordered: true,
+            remarks: remarks(&four),
+            ..Draft::new(which, four.scene(heading), numbers, wanted)
+        }
     }
 }
 
@@ -320,7 +387,15 @@ fn remarks(four: &FourBar) -> Vec<Diagnostic> {
     let [ab, bc, cd, _] = four.lengths();
     let short = ab.min(bc).min(cd);
     let message = || {
-        both!("a link of {} beside one of {}: hardly to be built", "构件长 {} 与 {} 相差悬殊，难以制造", metres(short), metres(four.size()))
+        both!(
+            "a link of {} beside one of {}: hardly to be built",
+            "构件长 {} 与 {} 相差悬殊，难以制造",
+            metres(short),
+            metres(four.size())
+        )
     };
-    (short < 0.01 * four.size()).then(|| Diagnostic::warning("sizes", message())).into_iter().collect()
+    (short < 0.01 * four.size())
+        .then(|| Diagnostic::warning("sizes", message()))
+        .into_iter()
+        .collect()
 }

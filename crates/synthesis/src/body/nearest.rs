@@ -31,7 +31,11 @@ impl Body {
     pub(super) fn places(&self, side: usize) -> Vec<Point> {
         match (self.moving[side], self.ground[side]) {
             (Some(local), _) => self.positions.iter().map(|p| p.place(local)).collect(),
-            (None, at) => self.positions.iter().map(|p| p.carry(&self.positions[0], at.unwrap_or(Point::ORIGIN))).collect(),
+            (None, at) => self
+                .positions
+                .iter()
+                .map(|p| p.carry(&self.positions[0], at.unwrap_or(Point::ORIGIN)))
+                .collect(),
         }
     }
 
@@ -51,9 +55,14 @@ impl Body {
                 "{given} 反转到位置 1 后三点共线：{sought} 在无穷远处"
             ),
         };
-        let changes = [0, 1].into_iter().flat_map(|axis| [self.joint(side, given, axis), self.second(side, axis)]);
+        let changes = [0, 1]
+            .into_iter()
+            .flat_map(|axis| [self.joint(side, given, axis), self.second(side, axis)]);
         let nearest = changes.flatten().min_by(|a, b| a.0.total_cmp(&b.0)).map(|c| c.1);
-        let slider = both!("guide {given} on a straight line (a slider)", "可令 {given} 沿直线导路移动（滑块）");
+        let slider = both!(
+            "guide {given} on a straight line (a slider)",
+            "可令 {given} 沿直线导路移动（滑块）"
+        );
         let help = match nearest {
             Some(nearest) => both!("{}; else {}", "{}；或{}", nearest, slider),
             None => slider,
@@ -65,10 +74,17 @@ impl Body {
     /// a link.
     pub(super) fn still(&self, side: usize) -> Diagnostic {
         let given = if self.moving[side].is_some() { ["B", "C"] } else { ["A", "D"] }[side];
-        let own = self.moving[side].unwrap_or_else(|| self.ground[side].unwrap_or(Point::ORIGIN).to_vec2());
+        let own = self.moving[side]
+            .unwrap_or_else(|| self.ground[side].unwrap_or(Point::ORIGIN).to_vec2());
         let [x, y] = [own.x * 1e3 + self.scale(), own.y * 1e3].map(told);
-        let message = both!("{given} is the pole of the two positions: it does not move", "{given} 是两位置的转动极，没有移动");
-        let help = both!("\"{given}\": [\"{x} mm\", \"{y} mm\"] does", "\"{given}\": [\"{x} mm\", \"{y} mm\"] 时可以");
+        let message = both!(
+            "{given} is the pole of the two positions: it does not move",
+            "{given} 是两位置的转动极，没有移动"
+        );
+        let help = both!(
+            "\"{given}\": [\"{x} mm\", \"{y} mm\"] does",
+            "\"{given}\": [\"{x} mm\", \"{y} mm\"] 时可以"
+        );
         Diagnostic::error("no-real-solution", message).help(help)
     }
 
@@ -82,17 +98,25 @@ impl Body {
             (false, false) => return None,
         };
         let [p, q] = names;
-        let message = both!("{p} and {q} come out in one place: the two sides are one link", "{p} 与 {q} 重合：两侧成为同一构件");
-        let own = self.moving[1].unwrap_or_else(|| self.ground[1].unwrap_or(Point::ORIGIN).to_vec2());
+        let message = both!(
+            "{p} and {q} come out in one place: the two sides are one link",
+            "{p} 与 {q} 重合：两侧成为同一构件"
+        );
+        let own =
+            self.moving[1].unwrap_or_else(|| self.ground[1].unwrap_or(Point::ORIGIN).to_vec2());
         let given = if self.moving[1].is_some() { "C" } else { "D" };
         let [x, y] = [own.x * 1e3 + self.scale(), own.y * 1e3].map(told);
-        let help = both!("\"{given}\": [\"{x} mm\", \"{y} mm\"] does", "\"{given}\": [\"{x} mm\", \"{y} mm\"] 时可以");
+        let help = both!(
+            "\"{given}\": [\"{x} mm\", \"{y} mm\"] does",
+            "\"{given}\": [\"{x} mm\", \"{y} mm\"] 时可以"
+        );
         Some(Diagnostic::error("wrong-given", message).help(help))
     }
 
     /// The given joint moved along an axis to a place that works.
     fn joint(&self, side: usize, given: &str, axis: usize) -> Option<Change> {
-        let own = self.moving[side].unwrap_or_else(|| self.ground[side].unwrap_or(Point::ORIGIN).to_vec2());
+        let own = self.moving[side]
+            .unwrap_or_else(|| self.ground[side].unwrap_or(Point::ORIGIN).to_vec2());
         let mut at = [own.x * 1e3, own.y * 1e3];
         let from = at[axis];
         let with = |v: f64, mut at: [f64; 2]| {
@@ -107,8 +131,12 @@ impl Body {
             other
         };
         at[axis] = number(from, self.scale(), |v| with(v, at).round(side))?;
-        let said =
-            both!("\"{given}\": [\"{} mm\", \"{} mm\"] does", "\"{given}\": [\"{} mm\", \"{} mm\"] 时可以", told(at[0]), told(at[1]));
+        let said = both!(
+            "\"{given}\": [\"{} mm\", \"{} mm\"] does",
+            "\"{given}\": [\"{} mm\", \"{} mm\"] 时可以",
+            told(at[0]),
+            told(at[1])
+        );
         Some(((at[axis] - from).abs(), said))
     }
 
@@ -123,9 +151,13 @@ impl Body {
             other.positions[1].origin = Point::new(at[0] * 1e-3, at[1] * 1e-3);
             other
         };
-        at[axis] = number(from, self.scale(), |v| with(v, at).round(side) && with(v, at).round(1 - side))?;
+        at[axis] =
+            number(from, self.scale(), |v| with(v, at).round(side) && with(v, at).round(1 - side))?;
         let [x, y] = at.map(told);
-        let said = both!("position 2 at [\"{x} mm\", \"{y} mm\"] does", "位置 2 取 [\"{x} mm\", \"{y} mm\"] 时可以");
+        let said = both!(
+            "position 2 at [\"{x} mm\", \"{y} mm\"] does",
+            "位置 2 取 [\"{x} mm\", \"{y} mm\"] 时可以"
+        );
         Some(((at[axis] - from).abs(), said))
     }
 
@@ -205,9 +237,13 @@ impl Body {
         let (message, help) = match among {
             Among::Box([low, high]) => {
                 let grown = |mm: f64| {
-                    [low, high].map(|p| (p, if p == low { -mm } else { mm })).map(|(p, mm)| rounded(p + Vec2::new(mm, mm) * 1e-3))
+                    [low, high]
+                        .map(|p| (p, if p == low { -mm } else { mm }))
+                        .map(|(p, mm)| rounded(p + Vec2::new(mm, mm) * 1e-3))
                 };
-                let works = |mm: f64| mm > 0.0 && !among::pairs(&self.positions, Among::Box(grown(mm))).is_empty();
+                let works = |mm: f64| {
+                    mm > 0.0 && !among::pairs(&self.positions, Among::Box(grown(mm))).is_empty()
+                };
                 let larger = roughly(0.0, self.scale().max(low.distance(high) * 1e3), works).map(|mm| {
                     let [p, q] = grown(mm).map(|p| [p.x, p.y].map(|v| told(v * 1e3)));
                     both!(
@@ -239,7 +275,10 @@ impl Body {
             Among::Angles(angles) => {
                 let two = self.seen(angles);
                 (
-                    both!("the circles of one of these angles do not cross", "其中一个圆周角的两圆不相交"),
+                    both!(
+                        "the circles of one of these angles do not cross",
+                        "其中一个圆周角的两圆不相交"
+                    ),
                     two.unwrap_or(both!("give a \"box\"", "请给出 \"box\"")),
                 )
             }
@@ -259,9 +298,16 @@ impl Body {
         };
         let [p, q] = [near(angles[0])?, near(angles[1])?];
         // One angle may have one pivot only.
-        let both_found = |q: f64| !among::pairs(&self.positions, Among::Angles([p, q].map(f64::to_radians))).is_empty();
+        let both_found = |q: f64| {
+            !among::pairs(&self.positions, Among::Angles([p, q].map(f64::to_radians))).is_empty()
+        };
         let q = if both_found(q) { q } else { roughly(q, 45.0, |v| crosses(v) && both_found(v))? };
-        Some(both!("\"angles\": [\"{} deg\", \"{} deg\"] has some", "\"angles\": [\"{} deg\", \"{} deg\"] 时有解", told(p), told(q)))
+        Some(both!(
+            "\"angles\": [\"{} deg\", \"{} deg\"] has some",
+            "\"angles\": [\"{} deg\", \"{} deg\"] 时有解",
+            told(p),
+            told(q)
+        ))
     }
 }
 

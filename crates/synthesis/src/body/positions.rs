@@ -49,14 +49,23 @@ pub(super) fn read(form: &TaskForm) -> Option<GivenPositions> {
         return None;
     }
     let by_points = items.iter().all(|n| matches!(n.kind, NodeKind::Object(_)));
-    let told = if by_points { by_places(form, items)? } else { GivenPositions { all: by_angles(form, items)?, pins: None } };
+    let told = if by_points {
+        by_places(form, items)?
+    } else {
+        GivenPositions { all: by_angles(form, items)?, pins: None }
+    };
     apart(form, items, &told.all).then_some(told)
 }
 
 fn by_angles(form: &TaskForm, items: &[Node]) -> Option<Vec<BodyPose>> {
     let one = |n| {
-        let [x, y, angle] = form.several::<3>(n, "positions", "[\"12 mm\", \"8 mm\", \"20 deg\"]")?;
-        let (x, y, angle) = (form.length_of(x, "positions"), form.length_of(y, "positions"), form.angle_of(angle, "positions"));
+        let [x, y, angle] =
+            form.several::<3>(n, "positions", "[\"12 mm\", \"8 mm\", \"20 deg\"]")?;
+        let (x, y, angle) = (
+            form.length_of(x, "positions"),
+            form.length_of(y, "positions"),
+            form.angle_of(angle, "positions"),
+        );
         Some(BodyPose { origin: Point::new(x?, y?), angle: angle? })
     };
     let found: Vec<Option<BodyPose>> = items.iter().map(one).collect();
@@ -83,7 +92,10 @@ fn by_places(form: &TaskForm, items: &[Node]) -> Option<GivenPositions> {
             "B and C are {here} mm apart in position {k}, {all} mm on an average of all: they are no two points of one body",
             "位置 {k} 中 B、C 相距 {here} mm，各位置平均为 {all} mm：二者不是同一构件上的点"
         );
-        let help = both!("points of a rigid body keep their distance: check the coordinates", "刚体上两点距离不变：请检查坐标");
+        let help = both!(
+            "points of a rigid body keep their distance: check the coordinates",
+            "刚体上两点距离不变：请检查坐标"
+        );
         form.fault(Diagnostic::error("wrong-given", message).at(items[worst].span).help(help));
         return None;
     }
@@ -95,7 +107,8 @@ fn by_places(form: &TaskForm, items: &[Node]) -> Option<GivenPositions> {
         );
         form.fault(Diagnostic::note("rounded", message).at(form.span("positions")));
     }
-    let all = found.iter().map(|(b, c)| BodyPose { origin: *b, angle: (*c - *b).angle() }).collect();
+    let all =
+        found.iter().map(|(b, c)| BodyPose { origin: *b, angle: (*c - *b).angle() }).collect();
     Some(GivenPositions { all, pins: Some([Vec2::ZERO, Vec2::new(mean, 0.0)]) })
 }
 
@@ -103,14 +116,18 @@ fn by_places(form: &TaskForm, items: &[Node]) -> Option<GivenPositions> {
 fn apart(form: &TaskForm, items: &[Node], all: &[BodyPose]) -> bool {
     for (j, q) in all.iter().enumerate() {
         for (i, p) in all[..j].iter().enumerate() {
-            if p.origin.distance(q.origin) == 0.0 && libm::sin((p.angle - q.angle) / 2.0).abs() < 1e-12 {
+            if p.origin.distance(q.origin) == 0.0
+                && libm::sin((p.angle - q.angle) / 2.0).abs() < 1e-12
+            {
                 let (i, j) = (i + 1, j + 1);
-                let d =
-                    Diagnostic::error("precision-points-coincide", both!("positions {i} and {j} are the same", "位置 {i} 与位置 {j} 相同"));
-                form.fault(
-                    d.at(items[j - 1].span)
-                        .help(both!("leave one of them out: fewer positions have more solutions", "请去掉其中一个：位置越少，解越多")),
+                let d = Diagnostic::error(
+                    "precision-points-coincide",
+                    both!("positions {i} and {j} are the same", "位置 {i} 与位置 {j} 相同"),
                 );
+                form.fault(d.at(items[j - 1].span).help(both!(
+                    "leave one of them out: fewer positions have more solutions",
+                    "请去掉其中一个：位置越少，解越多"
+                )));
                 return false;
             }
         }

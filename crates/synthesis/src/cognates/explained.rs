@@ -32,9 +32,18 @@ impl CognatesTask {
                     length(b.distance(e)),
                     length(c.distance(e))
                 ),
-                both!("drawn with $A = {}$, $D = {}$, $B = {}$", "作图位置 $A = {}$，$D = {}$，$B = {}$", place(a), place(d), place(b)),
+                both!(
+                    "drawn with $A = {}$, $D = {}$, $B = {}$",
+                    "作图位置 $A = {}$，$D = {}$，$B = {}$",
+                    place(a),
+                    place(d),
+                    place(b)
+                ),
             ],
-            wanted: vec![both!("the third pivot $F$ and the lengths of both cognates", "第三个固定铰链 $F$ 及两个同源机构的杆长")],
+            wanted: vec![both!(
+                "the third pivot $F$ and the lengths of both cognates",
+                "第三个固定铰链 $F$ 及两个同源机构的杆长"
+            )],
             open_steps: 1,
         }
     }
@@ -44,8 +53,15 @@ impl CognatesTask {
         let ratio = (c.e - c.given.b).divide_by(c.given.c - c.given.b);
         vec![
             Proof::new(
-                both!("With the turn and stretch that carries $BC$ over to $BE$,", "记由 $BC$ 到 $BE$ 的旋转与伸缩为 $\\lambda$："),
-                [format!("\\lambda = \\frac{{BE}}{{BC}} = {}\\,\\angle\\,{}", number(ratio.norm()), angle(ratio.angle()))],
+                both!(
+                    "With the turn and stretch that carries $BC$ over to $BE$,",
+                    "记由 $BC$ 到 $BE$ 的旋转与伸缩为 $\\lambda$："
+                ),
+                [format!(
+                    "\\lambda = \\frac{{BE}}{{BC}} = {}\\,\\angle\\,{}",
+                    number(ratio.norm()),
+                    angle(ratio.angle())
+                )],
             ),
             Proof::new(
                 both!(
@@ -54,7 +70,11 @@ impl CognatesTask {
                 ),
                 [
                     format!("F = A + \\lambda\\,AD = {}", place(c.f)),
-                    format!("A_1 = A + BE = {} ,\\quad P_1 = A_1 + \\lambda\\,AB = {}", place(c.left[0]), place(c.left[1])),
+                    format!(
+                        "A_1 = A + BE = {} ,\\quad P_1 = A_1 + \\lambda\\,AB = {}",
+                        place(c.left[0]),
+                        place(c.left[1])
+                    ),
                 ],
             ),
             Proof::new(
@@ -62,11 +82,20 @@ impl CognatesTask {
                     "With $\\lambda' = CE/CB$ the right cognate $FP_2D_1D$ likewise:",
                     "同理，由 $\\lambda' = CE/CB$ 得右同源机构 $FP_2D_1D$："
                 ),
-                [format!("D_1 = D + CE = {} ,\\quad P_2 = D_1 + \\lambda'\\,DC = {}", place(c.right[0]), place(c.right[1]))],
+                [format!(
+                    "D_1 = D + CE = {} ,\\quad P_2 = D_1 + \\lambda'\\,DC = {}",
+                    place(c.right[0]),
+                    place(c.right[1])
+                )],
             ),
             Proof::new(
-                both!("The linkage of this candidate, in its own letters:", "本方案的机构（按其自身的字母）："),
-                [["AB", "BC", "CD", "AD", "BE", "CE"].map(|n| format!("l_{{{n}}} = {}", length(of(draft, n)))).join(" ,\\quad ")],
+                both!(
+                    "The linkage of this candidate, in its own letters:",
+                    "本方案的机构（按其自身的字母）："
+                ),
+                [["AB", "BC", "CD", "AD", "BE", "CE"]
+                    .map(|n| format!("l_{{{n}}} = {}", length(of(draft, n))))
+                    .join(" ,\\quad ")],
             ),
         ]
     }

@@ -18,7 +18,12 @@ impl Function {
         let compared = |i: usize| {
             let step = self.target.step(place(i))?;
             let wanted = g.start[1] + step[1];
-            Some(Compared { x: place(i), input: g.start[0] + step[0], wanted, real: wanted + g.deviation(step)? })
+            Some(Compared {
+                x: place(i),
+                input: g.start[0] + step[0],
+                wanted,
+                real: wanted + g.deviation(step)?,
+            })
         };
         (0..=count).filter_map(compared).collect()
     }
@@ -32,18 +37,31 @@ impl Function {
                 let step_of = |x: f64| self.target.step(x);
                 let places = extremes(g, *range, &step_of);
                 let value = |x: f64| self.target.step(x).and_then(|s| g.deviation(s));
-                let all: Vec<(f64, f64)> = places.iter().filter_map(|x| Some((*x, value(*x)?))).collect();
+                let all: Vec<(f64, f64)> =
+                    places.iter().filter_map(|x| Some((*x, value(*x)?))).collect();
                 // A function that is met everywhere has extremes of rounding only.
                 if all.iter().all(|(_, e)| e.abs() < NOTHING) {
-                    numbers.push(DesignNumber::angle("max_error", both!("greatest structural error", "最大结构误差"), 0.0));
+                    numbers.push(DesignNumber::angle(
+                        "max_error",
+                        both!("greatest structural error", "最大结构误差"),
+                        0.0,
+                    ));
                     return 0.0;
                 }
                 if let Some((x, e)) = all.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) {
-                    numbers.push(DesignNumber::angle("max_error", both!("greatest structural error", "最大结构误差"), *e));
+                    numbers.push(DesignNumber::angle(
+                        "max_error",
+                        both!("greatest structural error", "最大结构误差"),
+                        *e,
+                    ));
                     numbers.push(DesignNumber::ratio("x_max", both!("where it is", "所在处"), *x));
                 }
                 for (k, (x, e)) in all.iter().enumerate() {
-                    numbers.push(DesignNumber::ratio(&format!("x_{k}"), both!("place of an extreme deviation", "偏差极值处"), *x));
+                    numbers.push(DesignNumber::ratio(
+                        &format!("x_{k}"),
+                        both!("place of an extreme deviation", "偏差极值处"),
+                        *x,
+                    ));
                     numbers.push(DesignNumber::angle(&format!("error_{k}"), deviation.clone(), *e));
                 }
             }
@@ -53,11 +71,16 @@ impl Function {
                 numbers.push(DesignNumber::angle(
                     "max_error",
                     both!("greatest deviation at the pairs", "各对应位置的最大偏差"),
-                    all.iter().copied().fold(0.0, |m: f64, e| if e.abs() > m.abs() { e } else { m }),
+                    all.iter()
+                        .copied()
+                        .fold(0.0, |m: f64, e| if e.abs() > m.abs() { e } else { m }),
                 ));
                 numbers.push(DesignNumber::ratio(
                     "residual",
-                    both!("norm of the rests of Freudenstein's equation", "弗洛伊登斯坦方程残差的范数"),
+                    both!(
+                        "norm of the rests of Freudenstein's equation",
+                        "弗洛伊登斯坦方程残差的范数"
+                    ),
                     if rest < NOTHING { 0.0 } else { rest },
                 ));
             }

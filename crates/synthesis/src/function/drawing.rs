@@ -21,7 +21,10 @@ impl Function {
         let (a, d) = (Point::ORIGIN, Point::new(board.mm(number("AD")?), 0.0));
         let (crank, alpha, phi) = (board.mm(number("AB")?), number("alpha0")?, number("phi0")?);
         board.step(if self.steps.len() == 2 {
-            both!("Lay off the frame AD and the crank in its two positions AB1, AB2", "作机架 AD 及曲柄的两个位置 AB1、AB2")
+            both!(
+                "Lay off the frame AD and the crank in its two positions AB1, AB2",
+                "作机架 AD 及曲柄的两个位置 AB1、AB2"
+            )
         } else {
             both!(
                 "Lay off the frame AD and the crank in its first three positions AB1, AB2, AB3",
@@ -29,7 +32,8 @@ impl Function {
             )
         });
         board.line(a, d, Weight::Given).circle(a, crank, Weight::Thin).mark("A", a).mark("D", d);
-        let b: Vec<Point> = self.steps.iter().take(3).map(|s| a + Vec2::from_angle(alpha + s[0]) * crank).collect();
+        let b: Vec<Point> =
+            self.steps.iter().take(3).map(|s| a + Vec2::from_angle(alpha + s[0]) * crank).collect();
         for (k, at) in b.iter().enumerate() {
             board.line(a, *at, Weight::Given).mark(&format!("B_{}", k + 1), *at);
         }
@@ -42,7 +46,10 @@ impl Function {
                 "Turn DB{j} back about D by the follower's step ψ1{j} = {angle}°: B{j}'",
                 "将 DB{j} 绕 D 反转从动杆转角 ψ1{j} = {angle}°，得 B{j}'"
             ));
-            board.line(d, *at, Weight::Thin).line(d, back, Weight::Thin).mark(&format!("B_{j}'"), back);
+            board
+                .line(d, *at, Weight::Thin)
+                .line(d, back, Weight::Thin)
+                .mark(&format!("B_{j}'"), back);
             turned.push(back);
         }
         let c = match turned[..] {
@@ -58,7 +65,10 @@ impl Function {
                 c
             }
             _ => {
-                board.step(both!("The bisectors of B1, B2', B3' meet at C1", "B1、B2'、B3' 的中垂线交于 C1"));
+                board.step(both!(
+                    "The bisectors of B1, B2', B3' meet at C1",
+                    "B1、B2'、B3' 的中垂线交于 C1"
+                ));
                 board.centre(turned[0], turned[1], turned[2])?
             }
         };
@@ -67,7 +77,12 @@ impl Function {
             "Draw the linkage AB1C1D; C1 lies on the follower's first direction",
             "作位置 1 的机构 AB1C1D；C1 在从动杆第一位置的方向线上"
         ));
-        board.line(a, b[0], Weight::Result).line(b[0], c, Weight::Result).line(c, d, Weight::Result).read("BC", b[0], c).read("CD", c, d);
+        board
+            .line(a, b[0], Weight::Result)
+            .line(b[0], c, Weight::Result)
+            .line(c, d, Weight::Result)
+            .read("BC", b[0], c)
+            .read("CD", c, d);
         let first = phi + self.steps[0][1];
         let off = (c - d).angle() - first;
         board.read_angle("phi0", phi + libm::atan2(libm::sin(off), libm::cos(off)));

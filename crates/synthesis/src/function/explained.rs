@@ -1,4 +1,5 @@
-//! Function generation as a problem, and the formulas of its proof: Chebyshev's spacing, Freudenstein's equation with its numbers.
+//! Function generation as a problem, and the formulas of its proof: Chebyshev's spacing,
+//! Freudenstein's equation with its numbers.
 
 use super::{Function, FunctionTarget};
 use crate::candidate::Draft;
@@ -23,12 +24,27 @@ impl Function {
                     number(range[1])
                 ));
                 given.push(match self.minimax {
-                    true => both!("the greatest structural error is to be as small as possible", "最大结构误差应尽可能小"),
-                    false => both!("${}$ precision points in Chebyshev's spacing", "按切比雪夫间隔取 ${}$ 个插值结点", places.len()),
+                    true => both!(
+                        "the greatest structural error is to be as small as possible",
+                        "最大结构误差应尽可能小"
+                    ),
+                    false => both!(
+                        "${}$ precision points in Chebyshev's spacing",
+                        "按切比雪夫间隔取 ${}$ 个插值结点",
+                        places.len()
+                    ),
                 });
                 let [input, output] = *swings;
-                given.push(both!("swing of the crank $\\varphi_m = {}$", "输入连架杆摆角 $\\varphi_m = {}$", angle(input)));
-                given.push(both!("swing of the follower $\\psi_m = {}$", "输出连架杆摆角 $\\psi_m = {}$", angle(output)));
+                given.push(both!(
+                    "swing of the crank $\\varphi_m = {}$",
+                    "输入连架杆摆角 $\\varphi_m = {}$",
+                    angle(input)
+                ));
+                given.push(both!(
+                    "swing of the follower $\\psi_m = {}$",
+                    "输出连架杆摆角 $\\psi_m = {}$",
+                    angle(output)
+                ));
                 both!(
                     "Design a four-bar $ABCD$ that makes a function: the turning $\\varphi$ of the crank $AB$ stands for $x$, the turning $\\psi$ of the follower $DC$ for $y$.",
                     "按期望函数设计四杆机构 $ABCD$：连架杆 $AB$ 的转角 $\\varphi$ 对应 $x$，连架杆 $DC$ 的转角 $\\psi$ 对应 $y$。"
@@ -46,7 +62,11 @@ impl Function {
                     ));
                 }
                 if self.steps.len() > TOLD {
-                    given.push(both!("and {} pairs more, as in the file", "及文件中的其余 {} 对", self.steps.len() - TOLD));
+                    given.push(both!(
+                        "and {} pairs more, as in the file",
+                        "及文件中的其余 {} 对",
+                        self.steps.len() - TOLD
+                    ));
                 }
                 both!(
                     "Design a four-bar $ABCD$ whose two cranks $AB$ and $DC$ take these corresponding positions.",
@@ -54,25 +74,46 @@ impl Function {
                 )
             }
         };
-        given.extend(self.frame.map(|l| both!("frame $l_{{AD}} = {}$", "机架 $l_{{AD}} = {}$", length(l))));
-        given.extend(self.crank.map(|l| both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(l))));
+        given.extend(
+            self.frame.map(|l| both!("frame $l_{{AD}} = {}$", "机架 $l_{{AD}} = {}$", length(l))),
+        );
+        given.extend(
+            self.crank.map(|l| both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(l))),
+        );
         let mut wanted = vec![match self.crank {
             Some(_) => {
-                both!("the lengths $l_{{BC}}$ (coupler) and $l_{{CD}}$ (follower)", "杆长 $l_{{BC}}$（连杆）、$l_{{CD}}$（从动连架杆）")
+                both!(
+                    "the lengths $l_{{BC}}$ (coupler) and $l_{{CD}}$ (follower)",
+                    "杆长 $l_{{BC}}$（连杆）、$l_{{CD}}$（从动连架杆）"
+                )
             }
             None => crate::told::four_bar_wanted(),
         }];
-        for (i, start, names) in [(0, "\\alpha_0", ["crank", "曲柄"]), (1, "\\varphi_0", ["follower", "从动杆"])] {
+        for (i, start, names) in
+            [(0, "\\alpha_0", ["crank", "曲柄"]), (1, "\\varphi_0", ["follower", "从动杆"])]
+        {
             let [en, zh] = names;
             match self.start[i] {
                 Some(at) if matches!(self.target, FunctionTarget::Curve { .. }) => {
-                    given.push(both!("starting angle of the {en} ${start} = {}$", "{zh}初始角 ${start} = {}$", angle(at)));
+                    given.push(both!(
+                        "starting angle of the {en} ${start} = {}$",
+                        "{zh}初始角 ${start} = {}$",
+                        angle(at)
+                    ));
                 }
                 Some(_) => {}
-                None => wanted.push(both!("the starting angle ${start}$ of the {en}", "{zh}初始角 ${start}$")),
+                None => wanted.push(both!(
+                    "the starting angle ${start}$ of the {en}",
+                    "{zh}初始角 ${start}$"
+                )),
             }
         }
-        Statement { task, given, wanted, open_steps: usize::from(self.crank.is_some() && self.frame.is_some()) }
+        Statement {
+            task,
+            given,
+            wanted,
+            open_steps: usize::from(self.crank.is_some() && self.frame.is_some()),
+        }
     }
 
     pub(super) fn proved(&self, draft: &Draft) -> Vec<Proof> {
@@ -85,23 +126,34 @@ impl Function {
                 a = number(range[0]),
                 b = number(range[1])
             );
-            let told: Vec<String> =
-                places.iter().take(TOLD).enumerate().map(|(k, x)| format!("x_{{{}}} = {}", k + 1, number(*x))).collect();
+            let told: Vec<String> = places
+                .iter()
+                .take(TOLD)
+                .enumerate()
+                .map(|(k, x)| format!("x_{{{}}} = {}", k + 1, number(*x)))
+                .collect();
             let rows = told.chunks(4).map(|c| c.join(" ,\\quad "));
             out.push(Proof::new(self.spacing(), std::iter::once(spaced).chain(rows)));
         }
         let starts = [of(draft, "alpha0"), of(draft, "phi0")];
         let at = |k: usize| [0, 1].map(|i| starts[i] + self.steps[k][i]);
-        let turned = |i: usize| if of(draft, ["K1", "K2"][i]) < 0.0 { std::f64::consts::PI } else { 0.0 };
+        let turned =
+            |i: usize| if of(draft, ["K1", "K2"][i]) < 0.0 { std::f64::consts::PI } else { 0.0 };
         let equation = |k: usize| {
             // K belongs to the arms as the equations give them: a reversed arm counts from the
             // opposite direction.
             let [phi, psi] = at(k);
             let (phi, psi) = (phi - turned(0), psi - turned(1));
             let near = |v: f64| libm::atan2(libm::sin(v), libm::cos(v));
-            format!("{}\\,K_1 {}\\,K_2 + K_3 = {}", number(libm::cos(psi)), subtracted(libm::cos(phi)), number(libm::cos(near(phi - psi))))
+            format!(
+                "{}\\,K_1 {}\\,K_2 + K_3 = {}",
+                number(libm::cos(psi)),
+                subtracted(libm::cos(phi)),
+                number(libm::cos(near(phi - psi)))
+            )
         };
-        let mut formulas = vec!["K_1\\cos\\psi − K_2\\cos\\varphi + K_3 = \\cos(\\varphi − \\psi)".to_owned()];
+        let mut formulas =
+            vec!["K_1\\cos\\psi − K_2\\cos\\varphi + K_3 = \\cos(\\varphi − \\psi)".to_owned()];
         formulas.push(
             "K_1 = \\frac{l_{AD}}{l_{AB}} ,\\quad K_2 = \\frac{l_{AD}}{l_{CD}} ,\\quad K_3 = \\frac{l_{AB}^2 − l_{BC}^2 + l_{CD}^2 + l_{AD}^2}{2\\,l_{AB}\\,l_{CD}}".to_owned(),
         );
@@ -114,10 +166,18 @@ impl Function {
         ));
         let exact = draft.error == 0.0;
         let count = self.steps.len().min(EQUATIONS);
-        out.push(Proof::new(self.how(exact), if exact { (0..count).map(equation).collect::<Vec<_>>() } else { Vec::new() }));
+        out.push(Proof::new(
+            self.how(exact),
+            if exact { (0..count).map(equation).collect::<Vec<_>>() } else { Vec::new() },
+        ));
         let k = ["K1", "K2", "K3"].map(|n| number(of(draft, n)));
-        let mut results = vec![format!("K_1 = {} ,\\quad K_2 = {} ,\\quad K_3 = {}", k[0], k[1], k[2])];
-        results.push(format!("\\alpha_0 = {} ,\\quad \\varphi_0 = {}", angle(starts[0]), angle(starts[1])));
+        let mut results =
+            vec![format!("K_1 = {} ,\\quad K_2 = {} ,\\quad K_3 = {}", k[0], k[1], k[2])];
+        results.push(format!(
+            "\\alpha_0 = {} ,\\quad \\varphi_0 = {}",
+            angle(starts[0]),
+            angle(starts[1])
+        ));
         let l = ["AB", "BC", "CD", "AD"].map(|n| format!("l_{{{n}}} = {}", length(of(draft, n))));
         results.push(l.join(" ,\\quad "));
         out.push(Proof::new(both!("So", "解得"), results));
@@ -127,9 +187,14 @@ impl Function {
     fn spacing(&self) -> Both {
         match self.minimax {
             true => {
-                both!("The exchange begins from the five precision points in Chebyshev's spacing:", "交换法从五个切比雪夫插值结点开始：")
+                both!(
+                    "The exchange begins from the five precision points in Chebyshev's spacing:",
+                    "交换法从五个切比雪夫插值结点开始："
+                )
             }
-            false => both!("Precision points in Chebyshev's spacing:", "按切比雪夫间隔求插值结点："),
+            false => {
+                both!("Precision points in Chebyshev's spacing:", "按切比雪夫间隔求插值结点：")
+            }
         }
     }
 
@@ -145,7 +210,10 @@ impl Function {
                 "There are more pairs than unknowns: least squares of the output's deviations, by Gauss-Newton.",
                 "角度对多于未知量：用高斯–牛顿法使输出角偏差的平方和最小。"
             ),
-            (true, false) if free == 0 => both!("At the precision points these are linear equations:", "代入各结点得线性方程组："),
+            (true, false) if free == 0 => both!(
+                "At the precision points these are linear equations:",
+                "代入各结点得线性方程组："
+            ),
             (true, false) => both!(
                 "At the precision points, with the starting angles as unknowns too, solved by Newton's method; at the root they read:",
                 "代入各结点，初始角也是未知量，用牛顿法求解；在根处各式为："

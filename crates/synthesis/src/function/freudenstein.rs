@@ -1,4 +1,5 @@
-//! Freudenstein's equation K₁ cos ψ − K₂ cos θ + K₃ = cos(θ − ψ) with K₁ = d/a, K₂ = d/c, K₃ = (a² − b² + c² + d²)/2ac.
+//! Freudenstein's equation K₁ cos ψ − K₂ cos θ + K₃ = cos(θ − ψ) with K₁ = d/a, K₂ = d/c, K₃ = (a²
+//! − b² + c² + d²)/2ac.
 //!
 //! The equation is linear in K: three pairs of angles determine K, more do so by least squares.
 //! Unknown starting angles are solved for together with K by Newton's method from a grid of starts,
@@ -65,7 +66,10 @@ impl Generator {
         let by_output = -self.k[0] * libm::sin(p) - libm::sin(t - p);
         let by_input = self.k[1] * libm::sin(t) + libm::sin(t - p);
         let of = |d: f64| -d / by_output;
-        Some((self.deviation(step)?, [of(libm::cos(p)), of(-libm::cos(t)), of(1.0), of(by_input), -1.0]))
+        Some((
+            self.deviation(step)?,
+            [of(libm::cos(p)), of(-libm::cos(t)), of(1.0), of(by_input), -1.0],
+        ))
     }
 
     fn moved(&self, free: &[usize], by: &[f64]) -> Generator {
@@ -126,7 +130,9 @@ pub fn exact(start: [Option<f64>; 2], steps: &Steps) -> Vec<Generator> {
             let Some(g) = newton(g, &free, steps) else { continue };
             // With given starting angles a negative arm is kept: its sign is reported.
             let upright = if free.is_empty() { g } else { g.upright() };
-            let same = |f: &Generator| (0..2).all(|i| libm::sin((f.start[i] - upright.start[i]) / 2.0).abs() < 1e-7);
+            let same = |f: &Generator| {
+                (0..2).all(|i| libm::sin((f.start[i] - upright.start[i]) / 2.0).abs() < 1e-7)
+            };
             if !found.iter().any(same) {
                 found.push(upright);
             }
@@ -177,7 +183,9 @@ fn newton(mut g: Generator, free: &[usize], steps: &Steps) -> Option<Generator> 
 /// Gauss–Newton on the deviations of the output angle, from an initial guess.
 pub fn least_squares(mut g: Generator, free_start: [bool; 2], steps: &Steps) -> Option<Generator> {
     let places: Vec<usize> = (0..5).filter(|p| *p < 3 || free_start[p - 3]).collect();
-    let sum = |g: &Generator| steps.iter().map(|s| Some(g.deviation(*s)?.powi_two())).sum::<Option<f64>>();
+    let sum = |g: &Generator| {
+        steps.iter().map(|s| Some(g.deviation(*s)?.powi_two())).sum::<Option<f64>>()
+    };
     let mut best = sum(&g)?;
     for _ in 0..100 {
         let rows: Option<Vec<(f64, [f64; 5])>> = steps.iter().map(|s| g.slopes(*s)).collect();
@@ -217,7 +225,11 @@ impl Squared for f64 {
 
 /// The Remez exchange: all five parameters, six equal deviations of alternating sign. `step_of`
 /// gives the pair at a place of the range. Returns the linkage, the level, and the six places.
-pub fn minimax(first: Generator, range: [f64; 2], step_of: &dyn Fn(f64) -> Option<[f64; 2]>) -> Option<(Generator, f64, Vec<f64>)> {
+pub fn minimax(
+    first: Generator,
+    range: [f64; 2],
+    step_of: &dyn Fn(f64) -> Option<[f64; 2]>,
+) -> Option<(Generator, f64, Vec<f64>)> {
     let mut g = first;
     let mut places = extremes(&g, range, step_of);
     let mut last = f64::INFINITY;
@@ -248,7 +260,8 @@ pub fn minimax(first: Generator, range: [f64; 2], step_of: &dyn Fn(f64) -> Optio
             }
         }
         let next = extremes(&g, range, step_of);
-        let worst = next.iter().filter_map(|x| g.deviation(step_of(*x)?)).map(f64::abs).fold(0.0, f64::max);
+        let worst =
+            next.iter().filter_map(|x| g.deviation(step_of(*x)?)).map(f64::abs).fold(0.0, f64::max);
         places = next;
         let gap = worst / level.abs() - 1.0;
         if gap < 1e-13 || (gap < 1e-9 && gap >= last) {
@@ -261,7 +274,11 @@ pub fn minimax(first: Generator, range: [f64; 2], step_of: &dyn Fn(f64) -> Optio
 
 /// The places of the extreme deviations over a range, including its ends: sampled, then refined by
 /// Newton's method on central differences.
-pub fn extremes(g: &Generator, [from, to]: [f64; 2], step_of: &dyn Fn(f64) -> Option<[f64; 2]>) -> Vec<f64> {
+pub fn extremes(
+    g: &Generator,
+    [from, to]: [f64; 2],
+    step_of: &dyn Fn(f64) -> Option<[f64; 2]>,
+) -> Vec<f64> {
     const SAMPLES: usize = 720;
     let at = |x: f64| step_of(x).and_then(|s| g.deviation(s));
     let place = |i: usize| from + (to - from) * i as f64 / SAMPLES as f64;

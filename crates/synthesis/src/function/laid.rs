@@ -23,10 +23,13 @@ impl Function {
     fn compared(&self, numbers: &[DesignNumber]) -> Vec<(usize, [f64; 2])> {
         let all: Vec<(usize, [f64; 2])> = match &self.target {
             FunctionTarget::Curve { .. } => {
-                let place = |k: usize| numbers.iter().find(|n| n.name == format!("x_{k}")).map(|n| n.value);
+                let place =
+                    |k: usize| numbers.iter().find(|n| n.name == format!("x_{k}")).map(|n| n.value);
                 (0..).map_while(|k| Some((k, self.target.step(place(k)?)?))).collect()
             }
-            FunctionTarget::Pairs { .. } => self.steps.iter().enumerate().map(|(k, s)| (k + 1, *s)).collect(),
+            FunctionTarget::Pairs { .. } => {
+                self.steps.iter().enumerate().map(|(k, s)| (k + 1, *s)).collect()
+            }
         };
         shown(all.len()).into_iter().map(|k| all[k]).collect()
     }
@@ -34,8 +37,13 @@ impl Function {
     /// The follower's actual angles at the drawn positions.
     pub(super) fn outputs(&self, g: &Generator, numbers: &[DesignNumber]) -> Vec<DesignNumber> {
         let what = both!("real angle of the follower", "从动杆的实际角");
-        let real =
-            |(k, s): &(usize, [f64; 2])| Some(DesignNumber::angle(&format!("psi{k}"), what.clone(), g.output(s[0], g.start[1] + s[1])?));
+        let real = |(k, s): &(usize, [f64; 2])| {
+            Some(DesignNumber::angle(
+                &format!("psi{k}"),
+                what.clone(),
+                g.output(s[0], g.start[1] + s[1])?,
+            ))
+        };
         self.compared(numbers).iter().filter_map(real).collect()
     }
 
@@ -51,7 +59,11 @@ impl Function {
             "按计算所得杆长作机架 AD 及曲柄的各位置 {}",
             numbered("AB", &which)
         ));
-        board.line(laid.a, laid.d, Weight::Given).circle(laid.a, laid.crank, Weight::Thin).mark("A", laid.a).mark("D", laid.d);
+        board
+            .line(laid.a, laid.d, Weight::Given)
+            .circle(laid.a, laid.crank, Weight::Thin)
+            .mark("A", laid.a)
+            .mark("D", laid.d);
         for (k, s) in &all {
             let b = laid.b(alpha + s[0]);
             board.line(laid.a, b, Weight::Given).mark(&format!("B_{k}"), b);
@@ -62,7 +74,11 @@ impl Function {
         ));
         board.circle(laid.d, laid.follower, Weight::Thin);
         for (_, s) in &all {
-            board.line(laid.d, PaperLine::ray(laid.d, phi + s[1]).place(BEYOND * laid.follower), Weight::Given);
+            board.line(
+                laid.d,
+                PaperLine::ray(laid.d, phi + s[1]).place(BEYOND * laid.follower),
+                Weight::Given,
+            );
         }
         board.step(both!(
             "With BC as opening cut that arc about {}: {}; read the angles of DC, which miss the rays by the deviations",
@@ -72,10 +88,16 @@ impl Function {
         ));
         let mut drawn = Vec::new();
         for (k, s) in &all {
-            let near = draft.wanted.iter().min_by(|p, q| (p.driver - alpha - s[0]).abs().total_cmp(&(q.driver - alpha - s[0]).abs()))?;
+            let near = draft.wanted.iter().min_by(|p, q| {
+                (p.driver - alpha - s[0]).abs().total_cmp(&(q.driver - alpha - s[0]).abs())
+            })?;
             let pins = laid.at(board, alpha + s[0], side(near, d)?)?;
-            board.arc(pins.b, pins.c).line(laid.d, pins.c, Weight::Thin).mark(&format!("C_{k}"), pins.c);
-            let (wanted, off) = (phi + s[1], Vec2::from_angle((pins.c - laid.d).angle() - phi - s[1]).angle());
+            board
+                .arc(pins.b, pins.c)
+                .line(laid.d, pins.c, Weight::Thin)
+                .mark(&format!("C_{k}"), pins.c);
+            let (wanted, off) =
+                (phi + s[1], Vec2::from_angle((pins.c - laid.d).angle() - phi - s[1]).angle());
             board.read_angle(&format!("psi{k}"), wanted + off);
             drawn.push(pins);
         }

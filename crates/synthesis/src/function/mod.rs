@@ -29,7 +29,10 @@ use std::f64::consts::PI;
 /// Function generation as a kind of task.
 pub const KIND: KindOfTask = KindOfTask {
     name: "function",
-    what: ["the follower's angle as a function of the crank's", "按两连架杆的对应角位移（期望函数）设计"],
+    what: [
+        "the follower's angle as a function of the crank's",
+        "按两连架杆的对应角位移（期望函数）设计",
+    ],
     keys: &["function", "points", "fit", "input", "output", "pairs", "relative", "frame", "crank"],
     read,
 };
@@ -54,7 +57,14 @@ enum FunctionTarget {
     /// Pairs of angles; `zero` is the angle from which the first output angle is counted (rad).
     Pairs { zero: f64 },
     /// y(x) over a range, with the swings of input and output.
-    Curve { text: String, curve: Curve, range: [f64; 2], swings: [f64; 2], values: [f64; 2], places: Vec<f64> },
+    Curve {
+        text: String,
+        curve: Curve,
+        range: [f64; 2],
+        swings: [f64; 2],
+        values: [f64; 2],
+        places: Vec<f64>,
+    },
 }
 
 impl FunctionTarget {
@@ -72,24 +82,39 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
     let frame = if form.has("frame") { Some(form.size("frame")?) } else { None };
     let crank = if form.has("crank") { Some(form.size("crank")?) } else { None };
     if form.has("function") && form.has("pairs") {
-        let message =
-            both!("`function` and `pairs` are both given: each alone says what is wanted", "同时给出了 `function` 和 `pairs`，应只给其一");
+        let message = both!(
+            "`function` and `pairs` are both given: each alone says what is wanted",
+            "同时给出了 `function` 和 `pairs`，应只给其一"
+        );
         form.fault(
-            Diagnostic::error("wrong-given", message).at(form.span("pairs")).help(both!("leave one of the two out", "请去掉其中一个")),
+            Diagnostic::error("wrong-given", message)
+                .at(form.span("pairs"))
+                .help(both!("leave one of the two out", "请去掉其中一个")),
         );
         return None;
     }
     for (key, with) in [("points", "pairs"), ("relative", "function")] {
         if form.has(key) && form.has(with) {
-            let message = both!("`{key}` has no meaning beside `{with}`", "`{key}` 与 `{with}` 不能同时给出");
-            form.fault(Diagnostic::error("wrong-given", message).at(form.span(key)).help(both!("leave it out", "请去掉它")));
+            let message =
+                both!("`{key}` has no meaning beside `{with}`", "`{key}` 与 `{with}` 不能同时给出");
+            form.fault(
+                Diagnostic::error("wrong-given", message)
+                    .at(form.span(key))
+                    .help(both!("leave it out", "请去掉它")),
+            );
         }
     }
     let (target, steps, start) = match (form.has("function"), form.has("pairs")) {
         (true, false) => of_curve(form)?,
         (false, true) => of_pairs(form)?,
         _ => {
-            let d = Diagnostic::error("missing-key", both!("one of `function` and `pairs` is given", "应给出 `function` 与 `pairs` 之一"));
+            let d = Diagnostic::error(
+                "missing-key",
+                both!(
+                    "one of `function` and `pairs` is given",
+                    "应给出 `function` 与 `pairs` 之一"
+                ),
+            );
             form.fault(d.at(form.span("function")).help(both!(
                 "write \"function\": {{\"y\": \"ln(x)\", \"from\": 1, \"to\": 2}}",
                 "请写 \"function\": {{\"y\": \"ln(x)\", \"from\": 1, \"to\": 2}}"
@@ -99,22 +124,35 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
     };
     let minimax = fit == "minimax";
     if minimax && !matches!(target, FunctionTarget::Curve { .. }) {
-        let d = Diagnostic::error("wrong-given", both!("`minimax` wants a function, not pairs", "`minimax` 需要函数，而不是角度对"));
-        form.fault(
-            d.at(form.span("fit")).help(both!("leave \"fit\" out: pairs are met by least squares", "请去掉 \"fit\"：角度对用最小二乘")),
+        let d = Diagnostic::error(
+            "wrong-given",
+            both!("`minimax` wants a function, not pairs", "`minimax` 需要函数，而不是角度对"),
         );
+        form.fault(d.at(form.span("fit")).help(both!(
+            "leave \"fit\" out: pairs are met by least squares",
+            "请去掉 \"fit\"：角度对用最小二乘"
+        )));
         return None;
     }
     let unknowns = 3 + start.iter().filter(|s| s.is_none()).count();
     let two = steps.len() == 2;
     if two && (crank.is_none() || frame.is_none() || start.iter().any(Option::is_none)) {
-        let message = both!("two pairs leave more than crank and frame can fix", "两对位置时，须给出曲柄、机架及绝对角度");
-        let help =
-            both!("give \"crank\", \"frame\" and absolute angles, or a third pair", "请给出 \"crank\"、\"frame\" 与绝对角度，或第三对位置");
+        let message = both!(
+            "two pairs leave more than crank and frame can fix",
+            "两对位置时，须给出曲柄、机架及绝对角度"
+        );
+        let help = both!(
+            "give \"crank\", \"frame\" and absolute angles, or a third pair",
+            "请给出 \"crank\"、\"frame\" 与绝对角度，或第三对位置"
+        );
         form.fault(Diagnostic::error("wrong-given", message).at(form.span("pairs")).help(help));
         return None;
     }
-    let inverted = steps.len() == 3 && start[0].is_some() && start[1].is_none() && crank.is_some() && frame.is_some();
+    let inverted = steps.len() == 3
+        && start[0].is_some()
+        && start[1].is_none()
+        && crank.is_some()
+        && frame.is_some();
     if !minimax && !inverted && !two && steps.len() < unknowns {
         let (has, free) = (steps.len(), unknowns - 3);
         let message = both!(
@@ -142,7 +180,10 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
         return None;
     }
     if let Some((i, j)) = coincide(&steps) {
-        let message = both!("the input is the same at points {i} and {j}", "第 {i} 点与第 {j} 点的输入角相同");
+        let message = both!(
+            "the input is the same at points {i} and {j}",
+            "第 {i} 点与第 {j} 点的输入角相同"
+        );
         form.fault(
             Diagnostic::error("precision-points-coincide", message)
                 .at(form.span("pairs"))
@@ -155,7 +196,10 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
 
 fn coincide(steps: &Steps) -> Option<(usize, usize)> {
     let pairs = (0..steps.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
-    pairs.into_iter().find(|&(i, j)| libm::sin((steps[i][0] - steps[j][0]) / 2.0).abs() < 1e-12).map(|(i, j)| (i + 1, j + 1))
+    pairs
+        .into_iter()
+        .find(|&(i, j)| libm::sin((steps[i][0] - steps[j][0]) / 2.0).abs() < 1e-12)
+        .map(|(i, j)| (i + 1, j + 1))
 }
 
 type FunctionGivens = (FunctionTarget, Steps, [Option<f64>; 2]);
@@ -170,9 +214,19 @@ fn of_curve(form: &TaskForm) -> Option<FunctionGivens> {
     let (from, to) = (end("from"), end("to"));
     // A range of angles, such as 0 to 90 deg; zero needs no unit.
     let angle = from.zip(to).and_then(|(p, q)| p.1.or(q.1));
-    if let Some((p, q)) = from.zip(to).filter(|(p, q)| [p, q].iter().any(|v| v.1 != angle && v.0 != 0.0)) {
-        let message = both!("the range goes from {} to {}: of two kinds or units", "范围 {} 到 {} 的量纲或单位不同", p.0, q.0);
-        let help = both!("write both in degrees, both in radians, or both without a unit", "请两端都用度、都用弧度或都不带单位");
+    if let Some((p, q)) =
+        from.zip(to).filter(|(p, q)| [p, q].iter().any(|v| v.1 != angle && v.0 != 0.0))
+    {
+        let message = both!(
+            "the range goes from {} to {}: of two kinds or units",
+            "范围 {} 到 {} 的量纲或单位不同",
+            p.0,
+            q.0
+        );
+        let help = both!(
+            "write both in degrees, both in radians, or both without a unit",
+            "请两端都用度、都用弧度或都不带单位"
+        );
         form.fault(Diagnostic::error("dimension", message).at(f.span("to")).help(help));
         return None;
     }
@@ -194,8 +248,14 @@ fn of_curve(form: &TaskForm) -> Option<FunctionGivens> {
         let inner = form.inner(key, &["from", "swing"])?;
         let swing = inner.need_angle("swing", "\"60 deg\"")?;
         if swing == 0.0 {
-            let d = Diagnostic::error("out-of-range", both!("the swing of {key} is zero", "{key} 的摆角为零"));
-            form.fault(d.at(inner.span("swing")).help(both!("write \"swing\": \"60 deg\"", "请写 \"swing\": \"60 deg\"")));
+            let d = Diagnostic::error(
+                "out-of-range",
+                both!("the swing of {key} is zero", "{key} 的摆角为零"),
+            );
+            form.fault(
+                d.at(inner.span("swing"))
+                    .help(both!("write \"swing\": \"60 deg\"", "请写 \"swing\": \"60 deg\"")),
+            );
             return None;
         }
         Some((if inner.has("from") { Some(inner.angle("from")?) } else { None }, swing))
@@ -204,21 +264,33 @@ fn of_curve(form: &TaskForm) -> Option<FunctionGivens> {
     let (curve, from, to, n, input, output) = (curve?, from?, to?, n?, input?, output?);
     if from == to {
         let d = Diagnostic::error("out-of-range", both!("the range of x is empty", "x 的范围为空"));
-        form.fault(d.at(f.span("to")).help(both!("write \"to\": {}", "请写 \"to\": {}", from + 1.0)));
+        form.fault(d.at(f.span("to")).help(both!(
+            "write \"to\": {}",
+            "请写 \"to\": {}",
+            from + 1.0
+        )));
         return None;
     }
     let hint = if angle.is_some() || ["sin", "cos", "tan"].iter().any(|f| text.contains(f)) {
-        both!("where x is an angle, write the range so: \"from\": \"0 deg\"", "x 为角度时，请写 \"from\": \"0 deg\"")
+        both!(
+            "where x is an angle, write the range so: \"from\": \"0 deg\"",
+            "x 为角度时，请写 \"from\": \"0 deg\""
+        )
     } else {
         both!("take a range on which the function has a value everywhere", "请取函数处处有值的范围")
     };
     let value = |x: f64| {
-        let faulty = |d: Diagnostic| form.fault(if d.help.is_none() { d.help(hint.clone()) } else { d }.at(f.span("y")));
+        let faulty = |d: Diagnostic| {
+            form.fault(if d.help.is_none() { d.help(hint.clone()) } else { d }.at(f.span("y")))
+        };
         curve.at(x).map_err(faulty).ok()
     };
     let values = [value(from)?, value(to)?];
     if values[0] == values[1] {
-        let message = both!("y has the same value at both ends: the output's swing has no scale", "y 在两端的值相同：输出摆角无比例");
+        let message = both!(
+            "y has the same value at both ends: the output's swing has no scale",
+            "y 在两端的值相同：输出摆角无比例"
+        );
         form.fault(
             Diagnostic::error("out-of-range", message)
                 .at(f.span("y"))
@@ -230,14 +302,26 @@ fn of_curve(form: &TaskForm) -> Option<FunctionGivens> {
     for x in &places {
         value(*x)?;
     }
-    let target = FunctionTarget::Curve { text, curve, range: [from, to], swings: [input.1, output.1], values, places: places.clone() };
+    let target = FunctionTarget::Curve {
+        text,
+        curve,
+        range: [from, to],
+        swings: [input.1, output.1],
+        values,
+        places: places.clone(),
+    };
     let steps = places.iter().filter_map(|x| target.step(*x)).collect();
     Some((target, steps, [input.0, output.0]))
 }
 
 /// Precision points: the zeros of Chebyshev's polynomial over the range.
 pub fn chebyshev(from: f64, to: f64, n: usize) -> Vec<f64> {
-    (1..=n).map(|k| (from + to) / 2.0 - (to - from) / 2.0 * libm::cos((2 * k - 1) as f64 * PI / (2 * n) as f64)).collect()
+    (1..=n)
+        .map(|k| {
+            (from + to) / 2.0
+                - (to - from) / 2.0 * libm::cos((2 * k - 1) as f64 * PI / (2 * n) as f64)
+        })
+        .collect()
 }
 
 /// Reads pairs as written: absolute, or counted from a given start (`from`), or from an unknown one
@@ -251,7 +335,11 @@ fn of_pairs(form: &TaskForm) -> Option<FunctionGivens> {
     };
     let pairs: Vec<Option<[f64; 2]>> = items.iter().map(pair).collect();
     let pairs = pairs.into_iter().collect::<Option<Vec<_>>>()?;
-    let relative = if form.has("relative") { form.choice("relative", &["input", "output", "both"])? } else { "" };
+    let relative = if form.has("relative") {
+        form.choice("relative", &["input", "output", "both"])?
+    } else {
+        ""
+    };
     let free = [matches!(relative, "input" | "both"), matches!(relative, "output" | "both")];
     let mut start = [None; 2];
     let mut zero = [0.0; 2];
@@ -266,7 +354,8 @@ fn of_pairs(form: &TaskForm) -> Option<FunctionGivens> {
                     "the angles of the {key} count from an unknown start, and from a given one",
                     "{key} 的角度既从未知角又从给定角起算"
                 );
-                let help = both!("leave out \"relative\" or \"from\"", "请去掉 \"relative\" 或 \"from\"");
+                let help =
+                    both!("leave out \"relative\" or \"from\"", "请去掉 \"relative\" 或 \"from\"");
                 form.fault(Diagnostic::error("wrong-given", message).at(form.span(key)).help(help));
                 return None;
             }
@@ -285,9 +374,17 @@ fn of_pairs(form: &TaskForm) -> Option<FunctionGivens> {
 impl Wish for Function {
     fn title(&self) -> Both {
         if matches!(self.target, FunctionTarget::Pairs { .. }) {
-            return both!("Function generator for {} pairs of angles", "实现 {} 组对应角位置的函数机构", self.steps.len());
+            return both!(
+                "Function generator for {} pairs of angles",
+                "实现 {} 组对应角位置的函数机构",
+                self.steps.len()
+            );
         }
-        both!("Function generator with {} precision points", "{} 个插值结点的函数机构", self.steps.len())
+        both!(
+            "Function generator with {} precision points",
+            "{} 个插值结点的函数机构",
+            self.steps.len()
+        )
     }
 
     fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
@@ -296,10 +393,18 @@ impl Wish for Function {
         if let FunctionTarget::Curve { curve, places, .. } = &self.target {
             for ((k, x), [alpha, phi]) in places.iter().enumerate().zip(&self.steps) {
                 let named = |letter: &str| format!("{letter}{}", k + 1);
-                numbers.push(DesignNumber::ratio(&named("x"), both!("precision point", "插值结点"), *x));
-                numbers.extend(
-                    curve.at(*x).ok().map(|y| DesignNumber::ratio(&named("y"), both!("value at the precision point", "结点处的函数值"), y)),
-                );
+                numbers.push(DesignNumber::ratio(
+                    &named("x"),
+                    both!("precision point", "插值结点"),
+                    *x,
+                ));
+                numbers.extend(curve.at(*x).ok().map(|y| {
+                    DesignNumber::ratio(
+                        &named("y"),
+                        both!("value at the precision point", "结点处的函数值"),
+                        y,
+                    )
+                }));
                 numbers.push(DesignNumber::angle(
                     &named("alpha"),
                     both!("the input's turn from its start", "输入构件自初始位置的转角"),
@@ -312,10 +417,14 @@ impl Wish for Function {
                 ));
             }
         }
-        let none = |message: Both| Diagnostic::error("no-real-solution", message).help(self.nearest());
+        let none =
+            |message: Both| Diagnostic::error("no-real-solution", message).help(self.nearest());
         let generators = self.generators().map_err(none)?;
         let unit = self.unit(&mut notes);
-        let drafts: Vec<Draft> = generators.iter().filter_map(|(which, g)| self.draft(which, g, unit, heading)).collect();
+        let drafts: Vec<Draft> = generators
+            .iter()
+            .filter_map(|(which, g)| self.draft(which, g, unit, heading))
+            .collect();
         if drafts.is_empty() {
             let message = both!(
                 "the coupler's length comes out imaginary: no four-bar closes at these points",
@@ -346,17 +455,31 @@ impl Function {
             (Some(frame), _) => Some(frame),
             (None, Some(_)) => None,
             (None, None) => {
-                let message = both!("the size is free: a frame of {} is taken", "尺寸可任取：取机架长 {}", metres(USUAL_FRAME));
+                let message = both!(
+                    "the size is free: a frame of {} is taken",
+                    "尺寸可任取：取机架长 {}",
+                    metres(USUAL_FRAME)
+                );
                 notes.push(
-                    Diagnostic::note("free-choice", message).help(both!("give \"frame\" or \"crank\"", "可给出 \"frame\" 或 \"crank\"")),
+                    Diagnostic::note("free-choice", message).help(both!(
+                        "give \"frame\" or \"crank\"",
+                        "可给出 \"frame\" 或 \"crank\""
+                    )),
                 );
                 Some(USUAL_FRAME)
             }
         }
     }
 
-    fn draft(&self, which: &Both, g: &Generator, unit: Option<f64>, heading: &Heading) -> Option<Draft> {
-        let turned: Vec<&str> = ["AB", "DC"].into_iter().zip(g.k).filter(|(_, k)| *k < 0.0).map(|(n, _)| n).collect();
+    fn draft(
+        &self,
+        which: &Both,
+        g: &Generator,
+        unit: Option<f64>,
+        heading: &Heading,
+    ) -> Option<Draft> {
+        let turned: Vec<&str> =
+            ["AB", "DC"].into_iter().zip(g.k).filter(|(_, k)| *k < 0.0).map(|(n, _)| n).collect();
         let raw = *g;
         let g = g.upright();
         let [a, b, c] = g.lengths()?;
@@ -373,7 +496,10 @@ impl Function {
             .iter()
             .map(|s| {
                 let (b, c) = place(s)?;
-                Some(WantedPosition { driver: g.start[0] + s[0], places: vec![("B".into(), b), ("C".into(), c)] })
+                Some(WantedPosition {
+                    driver: g.start[0] + s[0],
+                    places: vec![("B".into(), b), ("C".into(), c)],
+                })
             })
             .collect();
         let wanted = wanted?;
@@ -389,12 +515,13 @@ impl Function {
         {
             numbers.push(DesignNumber::angle(name, what, g.start[i]));
         }
-        numbers.extend(
-            raw.k
-                .iter()
-                .enumerate()
-                .map(|(i, k)| DesignNumber::ratio(&format!("K{}", i + 1), both!("Freudenstein's constant", "弗洛伊登斯坦方程系数"), *k)),
-        );
+        numbers.extend(raw.k.iter().enumerate().map(|(i, k)| {
+            DesignNumber::ratio(
+                &format!("K{}", i + 1),
+                both!("Freudenstein's constant", "弗洛伊登斯坦方程系数"),
+                *k,
+            )
+        }));
         let exact = self.steps.iter().all(|s| g.rest(*s).abs() < 1e-9);
         let missed = self.deviations(&g, &mut numbers);
         let error = if exact { 0.0 } else { missed };
@@ -403,7 +530,11 @@ impl Function {
         }
         let mut remarks = Vec::new();
         if !turned.is_empty() {
-            let message = both!("{} comes out negative: the arm is turned by 180°", "{} 为负：该杆转过 180°", Both::names(&turned));
+            let message = both!(
+                "{} comes out negative: the arm is turned by 180°",
+                "{} 为负：该杆转过 180°",
+                Both::names(&turned)
+            );
             remarks.push(Diagnostic::note("turned-arm", message));
         }
         Some(Draft {

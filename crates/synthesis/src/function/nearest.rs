@@ -8,24 +8,40 @@ use hodograph_base::diag::{Both, both};
 impl Function {
     /// The nearest feasible task: another starting angle, output swing or last pair, or crank.
     pub(super) fn nearest(&self) -> Both {
-        let free = both!("leave a starting angle free, or take fewer points", "请让一个初始角待定，或减少点数");
+        let free = both!(
+            "leave a starting angle free, or take fewer points",
+            "请让一个初始角待定，或减少点数"
+        );
         self.of_output().or_else(|| self.of_crank()).unwrap_or(free)
     }
 
     /// The output angles with which a linkage exists.
     fn of_output(&self) -> Option<Both> {
-        let degrees = |at: f64, scale: f64, with: &dyn Fn(f64) -> Function| roughly(at, scale, |v| with(v).works()).map(told);
+        let degrees = |at: f64, scale: f64, with: &dyn Fn(f64) -> Function| {
+            roughly(at, scale, |v| with(v).works()).map(told)
+        };
         match (&self.target, self.start[1]) {
             (FunctionTarget::Curve { .. }, Some(from)) if !self.minimax => {
-                let with = |v: f64| Function { start: [self.start[0], Some(v.to_radians())], ..self.clone() };
+                let with = |v: f64| Function {
+                    start: [self.start[0], Some(v.to_radians())],
+                    ..self.clone()
+                };
                 let from = degrees(from.to_degrees(), 90.0, &with)?;
-                Some(both!("\"output\": {{\"from\": \"{} deg\"}} has one", "\"output\": {{\"from\": \"{} deg\"}} 时有解", from))
+                Some(both!(
+                    "\"output\": {{\"from\": \"{} deg\"}} has one",
+                    "\"output\": {{\"from\": \"{} deg\"}} 时有解",
+                    from
+                ))
             }
             (FunctionTarget::Curve { swings, .. }, _) => {
                 let own = swings[1].to_degrees();
                 let with = |v: f64| self.swung(v / own);
                 let swing = degrees(own, own.abs(), &with)?;
-                Some(both!("\"output\": {{\"swing\": \"{} deg\"}} has one", "\"output\": {{\"swing\": \"{} deg\"}} 时有解", swing))
+                Some(both!(
+                    "\"output\": {{\"swing\": \"{} deg\"}} has one",
+                    "\"output\": {{\"swing\": \"{} deg\"}} 时有解",
+                    swing
+                ))
             }
             (FunctionTarget::Pairs { zero }, _) => {
                 let last = self.steps.len() - 1;
@@ -36,7 +52,11 @@ impl Function {
                     other
                 };
                 let angle = degrees(own, 90.0, &with)?;
-                Some(both!("with {}° as the last output angle there is one", "最后一个输出角为 {}° 时有解", angle))
+                Some(both!(
+                    "with {}° as the last output angle there is one",
+                    "最后一个输出角为 {}° 时有解",
+                    angle
+                ))
             }
         }
     }
@@ -44,7 +64,8 @@ impl Function {
     /// The crank with which a linkage exists, if it is given together with the frame.
     fn of_crank(&self) -> Option<Both> {
         let own = self.crank? * 1e3;
-        let works = |mm: f64| mm > 0.0 && Function { crank: Some(mm * 1e-3), ..self.clone() }.works();
+        let works =
+            |mm: f64| mm > 0.0 && Function { crank: Some(mm * 1e-3), ..self.clone() }.works();
         let mm = roughly(own, own, works)?;
         Some(both!("\"crank\": \"{} mm\" has one", "\"crank\": \"{} mm\" 时有解", told(mm)))
     }
@@ -63,7 +84,8 @@ impl Function {
     fn works(&self) -> bool {
         let closes = |g: &Generator| {
             let up = g.upright();
-            up.lengths().is_some_and(|l| l.iter().all(|l| *l < MOST)) && self.steps.iter().all(|s| up.output(s[0], 0.0).is_some())
+            up.lengths().is_some_and(|l| l.iter().all(|l| *l < MOST))
+                && self.steps.iter().all(|s| up.output(s[0], 0.0).is_some())
         };
         self.generators().is_ok_and(|all| all.iter().any(|(_, g)| closes(g)))
     }

@@ -28,10 +28,14 @@ impl Function {
             return Ok(vec![found]);
         }
         let free = self.start.iter().filter(|s| s.is_none()).count();
-        if let (2, [Some(alpha), Some(phi)], Some(a), Some(d)) = (self.steps.len(), self.start, self.crank, self.frame) {
+        if let (2, [Some(alpha), Some(phi)], Some(a), Some(d)) =
+            (self.steps.len(), self.start, self.crank, self.frame)
+        {
             return self.two([alpha, phi], d / a);
         }
-        if let (3, [Some(alpha), None], Some(a), Some(d)) = (self.steps.len(), self.start, self.crank, self.frame) {
+        if let (3, [Some(alpha), None], Some(a), Some(d)) =
+            (self.steps.len(), self.start, self.crank, self.frame)
+        {
             return self.inverted(alpha, a / d);
         }
         if self.steps.len() == 3 + free {
@@ -45,10 +49,23 @@ impl Function {
                 ));
             }
             if all.is_empty() {
-                return Err(both!("no four-bar passes through these {} pairs", "没有四杆机构通过这 {} 对角度", self.steps.len()));
+                return Err(both!(
+                    "no four-bar passes through these {} pairs",
+                    "没有四杆机构通过这 {} 对角度",
+                    self.steps.len()
+                ));
             }
             let count = all.len();
-            let named = |(k, g)| (if count == 1 { both!("the only solution", "唯一解") } else { both!("root {}", "第 {} 个根", k + 1) }, g);
+            let named = |(k, g)| {
+                (
+                    if count == 1 {
+                        both!("the only solution", "唯一解")
+                    } else {
+                        both!("root {}", "第 {} 个根", k + 1)
+                    },
+                    g,
+                )
+            };
             return Ok(all.into_iter().enumerate().map(named).collect());
         }
         self.by_squares()
@@ -57,8 +74,12 @@ impl Function {
     /// More pairs than unknowns: linear least squares for K, then least squares of the angles.
     fn by_squares(&self) -> Result<Vec<(Both, Generator)>, Both> {
         let free = self.start.map(|s| s.is_none());
-        let grid = |given: Option<f64>| given.map_or_else(|| (0..24).map(|k| PI * k as f64 / 24.0).collect(), |a| vec![a]);
-        let sum = |g: &Generator| self.steps.iter().map(|s| g.deviation(*s).map(|d| d * d)).sum::<Option<f64>>();
+        let grid = |given: Option<f64>| {
+            given.map_or_else(|| (0..24).map(|k| PI * k as f64 / 24.0).collect(), |a| vec![a])
+        };
+        let sum = |g: &Generator| {
+            self.steps.iter().map(|s| g.deviation(*s).map(|d| d * d)).sum::<Option<f64>>()
+        };
         // Where the linear solution does not close at a pair, a slightly reduced swing gives one
         // that closes; least squares of the angles start from it.
         let mut linear_best: Option<(f64, Generator)> = None;
@@ -72,7 +93,11 @@ impl Function {
         for alpha in grid(self.start[0]) {
             for phi in grid(self.start[1]) {
                 for share in DRAWN_TOGETHER {
-                    let Some(g) = linear([alpha, phi], &self.drawn_together(share)).filter(|g| g.lengths().is_some()) else { continue };
+                    let Some(g) = linear([alpha, phi], &self.drawn_together(share))
+                        .filter(|g| g.lengths().is_some())
+                    else {
+                        continue;
+                    };
                     if share == 1.0 {
                         keep(&mut linear_best, g);
                     }
@@ -81,14 +106,22 @@ impl Function {
             }
         }
         let Some((_, first)) = best else {
-            return Err(both!("least squares leave no four-bar that closes at all pairs", "最小二乘解不能在各位置装配"));
+            return Err(both!(
+                "least squares leave no four-bar that closes at all pairs",
+                "最小二乘解不能在各位置装配"
+            ));
         };
         let mut all = Vec::new();
         if let (Some((_, g)), [false, false]) = (linear_best, free) {
-            all.push((both!("least squares of Freudenstein's equation", "弗洛伊登斯坦方程的最小二乘解"), g));
+            all.push((
+                both!("least squares of Freudenstein's equation", "弗洛伊登斯坦方程的最小二乘解"),
+                g,
+            ));
         }
         all.extend(
-            least_squares(first, free, &self.steps).map(|g| (both!("least squares of the output angles", "输出角偏差的最小二乘解"), g)),
+            least_squares(first, free, &self.steps).map(|g| {
+                (both!("least squares of the output angles", "输出角偏差的最小二乘解"), g)
+            }),
         );
         Ok(all)
     }
@@ -103,7 +136,10 @@ impl Function {
     /// angles.
     fn inverted(&self, alpha: f64, a: f64) -> Result<Vec<(Both, Generator)>, Both> {
         let d = Point::new(1.0, 0.0);
-        let back = |s: &[f64; 2]| d + ((Vec2::from_angle(alpha + s[0]) * a).to_point() - d).rotate_by(Vec2::from_angle(-s[1]));
+        let back = |s: &[f64; 2]| {
+            d + ((Vec2::from_angle(alpha + s[0]) * a).to_point() - d)
+                .rotate_by(Vec2::from_angle(-s[1]))
+        };
         let b: Vec<Point> = self.steps.iter().map(back).collect();
         let Some((c, _)) = centre(b[0], b[1], b[2]) else {
             return Err(both!(
@@ -112,14 +148,24 @@ impl Function {
             ));
         };
         let (reach, b_len) = (c.distance(d), c.distance(b[0]));
-        let k = [1.0 / a, 1.0 / reach, (a * a - b_len * b_len + reach * reach + 1.0) / (2.0 * a * reach)];
-        Ok(vec![(both!("C1 by inversion about D", "以 D 为中心反转求得 C1"), Generator { start: [alpha, (c - d).angle()], k })])
+        let k = [
+            1.0 / a,
+            1.0 / reach,
+            (a * a - b_len * b_len + reach * reach + 1.0) / (2.0 * a * reach),
+        ];
+        Ok(vec![(
+            both!("C1 by inversion about D", "以 D 为中心反转求得 C1"),
+            Generator { start: [alpha, (c - d).angle()], k },
+        )])
     }
 
     /// The best approximation, starting from the five Chebyshev points.
     fn best(&self) -> Result<Vec<(Both, Generator)>, Both> {
         let FunctionTarget::Curve { range, .. } = &self.target else { return Ok(Vec::new()) };
-        let steps: Steps = chebyshev(range[0], range[1], 5).into_iter().filter_map(|x| self.target.step(x)).collect();
+        let steps: Steps = chebyshev(range[0], range[1], 5)
+            .into_iter()
+            .filter_map(|x| self.target.step(x))
+            .collect();
         let step_of = |x: f64| self.target.step(x);
         let roots = exact([None, None], &steps);
         let found: Vec<_> = roots.iter().filter_map(|g| minimax(*g, *range, &step_of)).collect();
@@ -129,7 +175,10 @@ impl Function {
                 "没有过五个切比雪夫结点且偏差六次交错的机构可作初值"
             ));
         }
-        Ok(found.into_iter().map(|(g, ..)| (both!("least greatest deviation", "最大偏差最小"), g.upright())).collect())
+        Ok(found
+            .into_iter()
+            .map(|(g, ..)| (both!("least greatest deviation", "最大偏差最小"), g.upright()))
+            .collect())
     }
 
     /// A parallelogram with any cranks, where input and output rotate alike from the same
@@ -137,7 +186,9 @@ impl Function {
     fn parallelogram(&self) -> Option<(Both, Generator)> {
         let alike = self.steps.iter().all(|[t, p]| (t - p).abs() < ALIKE);
         let start = match self.start {
-            [Some(alpha), Some(phi)] if libm::sin((alpha - phi) / 2.0).abs() > ALIKE => return None,
+            [Some(alpha), Some(phi)] if libm::sin((alpha - phi) / 2.0).abs() > ALIKE => {
+                return None;
+            }
             [Some(start), _] | [None, Some(start)] => start,
             [None, None] => USUAL_START,
         };
@@ -145,7 +196,10 @@ impl Function {
             (Some(d), Some(a)) => d / a,
             _ => USUAL_RATIO,
         };
-        let which = both!("parallelogram: the two turn alike with cranks of any length", "平行四边形机构：两连架杆转角相等，曲柄长可任取");
+        let which = both!(
+            "parallelogram: the two turn alike with cranks of any length",
+            "平行四边形机构：两连架杆转角相等，曲柄长可任取"
+        );
         alike.then_some((which, Generator { start: [start; 2], k: [ratio, ratio, 1.0] }))
     }
 
@@ -164,7 +218,13 @@ impl Function {
                 "C 在无穷远处：B1B2' 的中垂线与从动杆方向平行"
             ));
         }
-        Ok(vec![(both!("C1 on the bisector of B1 B2' and on the follower's direction", "C1 为 B1B2' 中垂线与从动杆方向线的交点"), g)])
+        Ok(vec![(
+            both!(
+                "C1 on the bisector of B1 B2' and on the follower's direction",
+                "C1 为 B1B2' 中垂线与从动杆方向线的交点"
+            ),
+            g,
+        )])
     }
 }
 
@@ -173,5 +233,6 @@ impl Function {
 fn bounded(g: &Generator) -> bool {
     let Some([a, b, c]) = g.lengths().map(|l| l.map(f64::abs)) else { return true };
     let all = [a, b, c, 1.0];
-    all.iter().copied().fold(0.0, f64::max) <= MOST * all.iter().copied().fold(f64::INFINITY, f64::min)
+    all.iter().copied().fold(0.0, f64::max)
+        <= MOST * all.iter().copied().fold(f64::INFINITY, f64::min)
 }

@@ -53,7 +53,10 @@ impl Press {
                     "The limits lie alike above and below the level: $EF$ stands alike in both, and the chord of $E$ is the stroke:",
                     "两极限位置对称于水平线，$EF$ 姿态相同，$E$ 的弦长等于行程："
                 ),
-                [format!("l_{{DE}} = \\frac{{H}}{{2\\sin((\\psi'' − \\psi')/2)}} = {}", length(of(draft, "DE")))],
+                [format!(
+                    "l_{{DE}} = \\frac{{H}}{{2\\sin((\\psi'' − \\psi')/2)}} = {}",
+                    length(of(draft, "DE"))
+                )],
             ),
             false => Proof::new(
                 both!(
@@ -61,21 +64,30 @@ impl Press {
                     "两极限位置上 $F$ 均在导路上，高度差等于行程，由此方程求 $l_{{DE}}$："
                 ),
                 [
-                    "y_F = l_{DE}\\cos\\psi − \\sqrt{l_{EF}^2 − (x_2 − l_{DE}\\sin\\psi)^2}".to_owned(),
+                    "y_F = l_{DE}\\cos\\psi − \\sqrt{l_{EF}^2 − (x_2 − l_{DE}\\sin\\psi)^2}"
+                        .to_owned(),
                     format!("l_{{DE}} = {}", length(of(draft, "DE"))),
                 ],
             ),
         };
-        let ac = self.angles.map(|a| self.a.distance((from_vertical(a) * of(draft, "CD")).to_point()));
+        let ac =
+            self.angles.map(|a| self.a.distance((from_vertical(a) * of(draft, "CD")).to_point()));
         vec![
             stroke,
             Proof::new(
                 both!("The given ratios divide it:", "按给定比例："),
-                [format!("l_{{CD}} = {} ,\\quad l_{{EF}} = {}", length(of(draft, "CD")), length(of(draft, "EF")))],
+                [format!(
+                    "l_{{CD}} = {} ,\\quad l_{{EF}} = {}",
+                    length(of(draft, "CD")),
+                    length(of(draft, "EF"))
+                )],
             ),
             half_difference(ac, of(draft, "AB"), of(draft, "BC")),
             Proof::new(
-                both!("The crank angle between the limits and the time ratio:", "极位夹角与行程速度变化系数："),
+                both!(
+                    "The crank angle between the limits and the time ratio:",
+                    "极位夹角与行程速度变化系数："
+                ),
                 [format!(
                     "\\theta = \\angle C_1AC_2 = {} ,\\quad K = \\frac{{180\\degree + \\theta}}{{180\\degree − \\theta}} = {}",
                     angle(of(draft, "theta")),

@@ -44,13 +44,18 @@ pub(super) fn rocker(form: &TaskForm) -> Option<Box<dyn Wish>> {
     if form.has("places") {
         return by_places(form, true);
     }
-    let (rocker, frame) = (form.need_size("rocker", "\"500 mm\""), form.need_size("frame", "\"1000 mm\""));
+    let (rocker, frame) =
+        (form.need_size("rocker", "\"500 mm\""), form.need_size("frame", "\"1000 mm\""));
     let example = "[\"80 deg\", \"100 deg\"]";
     let angles = form.need("angles", example).and_then(|n| form.several::<2>(n, "angles", example));
-    let angles = angles.and_then(|[p, q]| form.angle_of(p, "angles").zip(form.angle_of(q, "angles")));
+    let angles =
+        angles.and_then(|[p, q]| form.angle_of(p, "angles").zip(form.angle_of(q, "angles")));
     let (rocker, frame, (p, q)) = (rocker?, frame?, angles?);
     if !(0.0 < p.min(q) && p.max(q) < PI && p != q) {
-        let message = both!("the limits are two different angles between 0° and 180°", "两极限角应为 0° 与 180° 之间的两个不同角度");
+        let message = both!(
+            "the limits are two different angles between 0° and 180°",
+            "两极限角应为 0° 与 180° 之间的两个不同角度"
+        );
         let help = both!(
             "they are the rocker's angles with the frame, ∠ADC1 and ∠ADC2: write \"angles\": {example}",
             "即摇杆与机架的夹角 ∠ADC1、∠ADC2：请写 \"angles\": {example}"
@@ -73,24 +78,34 @@ fn by_places(form: &TaskForm, rocker: bool) -> Option<Box<dyn Wish>> {
     let at = |key: &str| inner.point_of(inner.need(key, "[\"0 mm\", \"0 mm\"]")?, key);
     let (a, c1, c2) = (at("A"), at("C1"), at("C2"));
     let own = if rocker && inner.has("D") { Some(inner.point("D")?) } else { None };
-    let by_length = if rocker && own.is_none() { Some(form.need_size("rocker", "\"75 mm\"")?) } else { None };
+    let by_length =
+        if rocker && own.is_none() { Some(form.need_size("rocker", "\"75 mm\"")?) } else { None };
     let (a, c) = (a?, [c1?, c2?]);
     let fault = |message: Both, help: Both| {
         form.fault(Diagnostic::error("wrong-given", message).at(form.span("places")).help(help));
         None
     };
     if c[0] == c[1] {
-        return fault(both!("C1 and C2 are one place", "C1 与 C2 重合"), both!("give two limit places of C", "请给出 C 的两个极限位置"));
+        return fault(
+            both!("C1 and C2 are one place", "C1 与 C2 重合"),
+            both!("give two limit places of C", "请给出 C 的两个极限位置"),
+        );
     }
     let pivots = match (own, by_length) {
         (Some(d), _) => {
             let (p, q) = (d.distance(c[0]), d.distance(c[1]));
             if (p - q).abs() > WRITTEN * p.max(q) {
                 let (p, q) = (significant(p * 1e3, 4), significant(q * 1e3, 4));
-                let message = both!("D is {p} mm from C1 and {q} mm from C2", "D 距 C1 为 {p} mm，距 C2 为 {q} mm");
+                let message = both!(
+                    "D is {p} mm from C1 and {q} mm from C2",
+                    "D 距 C1 为 {p} mm，距 C2 为 {q} mm"
+                );
                 return fault(
                     message,
-                    both!("a rocker has one length: move D onto the bisector of C1C2", "摇杆长不变：请把 D 移到 C1C2 的中垂线上"),
+                    both!(
+                        "a rocker has one length: move D onto the bisector of C1C2",
+                        "摇杆长不变：请把 D 移到 C1C2 的中垂线上"
+                    ),
                 );
             }
             // Moved onto the bisector, because coordinates are rounded.
@@ -98,10 +113,15 @@ fn by_places(form: &TaskForm, rocker: bool) -> Option<Box<dyn Wish>> {
             vec![d - along * along.dot(d - middle)]
         }
         (None, Some(l)) => {
-            let both_sides: Vec<Point> = [true, false].into_iter().filter_map(|left| meet(c[0], l, c[1], l, left)).collect();
+            let both_sides: Vec<Point> =
+                [true, false].into_iter().filter_map(|left| meet(c[0], l, c[1], l, left)).collect();
             if both_sides.is_empty() {
-                let message = both!("the rocker is shorter than half of C1C2", "摇杆长小于 C1C2 的一半");
-                return fault(message, both!("take a longer one, or give D", "请加长摇杆，或给出 D"));
+                let message =
+                    both!("the rocker is shorter than half of C1C2", "摇杆长小于 C1C2 的一半");
+                return fault(
+                    message,
+                    both!("take a longer one, or give D", "请加长摇杆，或给出 D"),
+                );
             }
             both_sides
         }
@@ -115,7 +135,11 @@ impl TwoPlaces {
     fn by_angles(rocker: f64, frame: f64, angles: [f64; 2]) -> TwoPlaces {
         let d = Point::new(frame, 0.0);
         let c = angles.map(|q| d + Vec2::from_angle(PI - q) * rocker);
-        TwoPlaces { a: Point::ORIGIN, c, output: Output::Rocker { pivots: vec![d], angles: Some(angles) } }
+        TwoPlaces {
+            a: Point::ORIGIN,
+            c,
+            output: Output::Rocker { pivots: vec![d], angles: Some(angles) },
+        }
     }
 
     /// The distances AC₁ and AC₂ (m).
@@ -146,7 +170,9 @@ impl TwoPlaces {
                 let (cd, ad) = (d.distance(self.c[0]), d.distance(self.a));
                 let longest = bc.max(cd).max(ad);
                 let sides = self.c.map(|c| (*d - self.a).cross(c - self.a));
-                ab < bc.min(cd).min(ad) && 2.0 * (ab + longest) < ab + bc + cd + ad && sides[0] * sides[1] > 0.0
+                ab < bc.min(cd).min(ad)
+                    && 2.0 * (ab + longest) < ab + bc + cd + ad
+                    && sides[0] * sides[1] > 0.0
             }),
             Output::Slider => {
                 let along = self.c[1] - self.c[0];
@@ -161,20 +187,34 @@ impl TwoPlaces {
             && let Some(frame) = pivots.first().map(|d| d.x)
         {
             let rocker = self.c[0].distance(pivots[0]);
-            let works = |mm: f64| mm > 0.0 && TwoPlaces::by_angles(rocker, mm * 1e-3, *angles).turns();
+            let works =
+                |mm: f64| mm > 0.0 && TwoPlaces::by_angles(rocker, mm * 1e-3, *angles).turns();
             if let Some(mm) = number(frame * 1e3, frame * 1e3, works) {
-                return both!("\"frame\": \"{} mm\" has one", "\"frame\": \"{} mm\" 时有解", told(mm));
+                return both!(
+                    "\"frame\": \"{} mm\" has one",
+                    "\"frame\": \"{} mm\" 时有解",
+                    told(mm)
+                );
             }
             return both!("take angles nearer to one another", "请使两极限角更接近");
         }
         let scale = self.c[0].distance(self.c[1]) * 1e3;
         let moved = |at: Point| TwoPlaces { a: at, ..self.clone() }.turns();
-        let x = number(self.a.x * 1e3, scale, |mm| moved(Point::new(mm * 1e-3, self.a.y))).map(|mm| [mm, self.a.y * 1e3]);
-        let y = number(self.a.y * 1e3, scale, |mm| moved(Point::new(self.a.x, mm * 1e-3))).map(|mm| [self.a.x * 1e3, mm]);
+        let x = number(self.a.x * 1e3, scale, |mm| moved(Point::new(mm * 1e-3, self.a.y)))
+            .map(|mm| [mm, self.a.y * 1e3]);
+        let y = number(self.a.y * 1e3, scale, |mm| moved(Point::new(self.a.x, mm * 1e-3)))
+            .map(|mm| [self.a.x * 1e3, mm]);
         let far = |to: &[f64; 2]| (to[0] - self.a.x * 1e3).abs() + (to[1] - self.a.y * 1e3).abs();
         match x.into_iter().chain(y).min_by(|p, q| far(p).total_cmp(&far(q))) {
-            Some([x, y]) => both!("A at [\"{} mm\", \"{} mm\"] has one", "A 取 [\"{} mm\", \"{} mm\"] 时有解", told(x), told(y)),
-            None => both!("take A farther from the bisector of C1C2", "请使 A 离 C1C2 的中垂线更远"),
+            Some([x, y]) => both!(
+                "A at [\"{} mm\", \"{} mm\"] has one",
+                "A 取 [\"{} mm\", \"{} mm\"] 时有解",
+                told(x),
+                told(y)
+            ),
+            None => {
+                both!("take A farther from the bisector of C1C2", "请使 A 离 C1C2 的中垂线更远")
+            }
         }
     }
 
@@ -186,7 +226,10 @@ impl TwoPlaces {
             // folded.
             let sense = if reach[i] > reach[1 - i] { 1.0 } else { -1.0 };
             let crank = (self.c[i] - self.a) * (sense / reach[i]);
-            WantedPosition { driver: crank.angle(), places: vec![("B".into(), self.a + crank * ab), ("C".into(), self.c[i])] }
+            WantedPosition {
+                driver: crank.angle(),
+                places: vec![("B".into(), self.a + crank * ab), ("C".into(), self.c[i])],
+            }
         };
         vec![at(0), at(1)]
     }
@@ -200,30 +243,46 @@ impl TwoPlaces {
                 let four = FourBar { a: self.a, b, c: self.c[0], d, e: None };
                 let [u, v] = self.c.map(|c| c - d);
                 let swing = libm::atan2(u.cross(v).abs(), u.dot(v));
-                let mut numbers = named_lengths([ab, bc, d.distance(self.c[0]), d.distance(self.a)]);
-                numbers.push(DesignNumber::angle("psi", both!("swing of the rocker", "摇杆摆角"), swing));
+                let mut numbers =
+                    named_lengths([ab, bc, d.distance(self.c[0]), d.distance(self.a)]);
+                numbers.push(DesignNumber::angle(
+                    "psi",
+                    both!("swing of the rocker", "摇杆摆角"),
+                    swing,
+                ));
                 (numbers, four.scene(heading), Demand::Swing(swing))
             }
             None => {
                 let way = self.c[0] - self.c[1];
-                let (stroke, off) = (way.norm(), (way.cross(self.a - self.c[1]) / way.norm()).abs());
+                let (stroke, off) =
+                    (way.norm(), (way.cross(self.a - self.c[1]) / way.norm()).abs());
                 let numbers = vec![
                     DesignNumber::length("AB", both!("crank", "曲柄"), ab),
                     DesignNumber::length("BC", both!("rod", "连杆"), bc),
                     DesignNumber::length("e", both!("offset", "偏距"), off),
                     DesignNumber::length("H", both!("stroke", "行程"), stroke),
                 ];
-                (numbers, self.slider_scene([ab, bc], wanted[0].driver, heading), Demand::Stroke(stroke))
+                (
+                    numbers,
+                    self.slider_scene([ab, bc], wanted[0].driver, heading),
+                    Demand::Stroke(stroke),
+                )
             }
         };
-        numbers.push(DesignNumber::angle("theta", both!("crank angle between the limit positions", "极位夹角"), theta));
+        numbers.push(DesignNumber::angle(
+            "theta",
+            both!("crank angle between the limit positions", "极位夹角"),
+            theta,
+        ));
         numbers.push(DesignNumber::ratio("K", both!("time ratio", "行程速度变化系数"), k));
         let which = match (d, &self.output) {
             (Some((side, _)), Output::Rocker { pivots, .. }) if pivots.len() > 1 => match side {
                 0 => both!("D left of C1C2", "D 在 C1C2 左侧"),
                 _ => both!("D right of C1C2", "D 在 C1C2 右侧"),
             },
-            (Some(_) | None, Output::Rocker { .. } | Output::Slider) => both!("the only solution", "唯一解"),
+            (Some(_) | None, Output::Rocker { .. } | Output::Slider) => {
+                both!("the only solution", "唯一解")
+            }
         };
         let demands = vec![Demand::FullTurn, Demand::TimeRatio(k), moved];
         let remarks = vec![slow_stroke(wanted[0].driver, wanted[1].driver, heading.omega)];
@@ -238,7 +297,10 @@ impl TwoPlaces {
         scene.insert("points".into(), json!({"A": place(self.a)}));
         scene.insert("lengths".into(), json!({"AB": mm(ab), "BC": mm(bc)}));
         scene.insert("guides".into(), json!([{"pin": "C", "slider": "3", "on": "4", "through": place(self.c[1]), "angle": deg(way)}]));
-        scene.insert("driver".into(), json!({"link": "1", "angle": deg(driver), "omega": omega(heading.omega)}));
+        scene.insert(
+            "driver".into(),
+            json!({"link": "1", "angle": deg(driver), "omega": omega(heading.omega)}),
+        );
         scene.insert("sketch".into(), sketch(&[("C", self.c[0])]));
         scene.insert("find".into(), json!(["v_C", "a_C", "omega_2"]));
         Json::Object(scene)
@@ -248,15 +310,24 @@ impl TwoPlaces {
 impl Wish for TwoPlaces {
     fn title(&self) -> Both {
         match self.output {
-            Output::Rocker { .. } => both!("Crank-rocker by the limit positions of its rocker", "按摇杆两极限位置设计的曲柄摇杆机构"),
-            Output::Slider => both!("Slider-crank by the limit positions of its slider", "按滑块两极限位置设计的曲柄滑块机构"),
+            Output::Rocker { .. } => both!(
+                "Crank-rocker by the limit positions of its rocker",
+                "按摇杆两极限位置设计的曲柄摇杆机构"
+            ),
+            Output::Slider => both!(
+                "Slider-crank by the limit positions of its slider",
+                "按滑块两极限位置设计的曲柄滑块机构"
+            ),
         }
     }
 
     fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
         let [ab, bc] = self.bars();
         if ab <= NO_CRANK * bc {
-            let message = both!("AC1 and AC2 are equal: the crank would have no length", "AC1 与 AC2 相等：曲柄长为零");
+            let message = both!(
+                "AC1 and AC2 are equal: the crank would have no length",
+                "AC1 与 AC2 相等：曲柄长为零"
+            );
             return Err(Diagnostic::error("no-real-solution", message).help(self.nearest()).into());
         }
         let mut notes = Vec::new();
@@ -268,7 +339,9 @@ impl Wish for TwoPlaces {
             notes.push(Diagnostic::warning("not-a-crank", message).help(self.nearest()));
         }
         let drafts = match &self.output {
-            Output::Rocker { pivots, .. } => pivots.iter().enumerate().map(|(k, d)| self.draft(Some((k, *d)), heading)).collect(),
+            Output::Rocker { pivots, .. } => {
+                pivots.iter().enumerate().map(|(k, d)| self.draft(Some((k, *d)), heading)).collect()
+            }
             Output::Slider => vec![self.draft(None, heading)],
         };
         Ok(TaskResult { drafts, notes, ..TaskResult::default() })
@@ -278,21 +351,36 @@ impl Wish for TwoPlaces {
         let (a, [c1, c2]) = (board.at(self.a), self.c.map(|c| board.at(c)));
         match &self.output {
             Output::Rocker { pivots, .. } => {
-                board.step(both!("Lay off the frame AD and the rocker in its limits DC1 and DC2", "作机架 AD 及摇杆的两极限位置 DC1、DC2"));
+                board.step(both!(
+                    "Lay off the frame AD and the rocker in its limits DC1 and DC2",
+                    "作机架 AD 及摇杆的两极限位置 DC1、DC2"
+                ));
                 let cd = of(draft, "AD");
                 let d = pivots.iter().min_by(|p, q| {
                     let off = |at: &Point| (at.distance(self.a) - cd).abs();
                     off(p).total_cmp(&off(q))
                 })?;
                 let d = board.at(*d);
-                board.line(a, d, Weight::Given).line(d, c1, Weight::Given).line(d, c2, Weight::Given).mark("D", d).read("CD", d, c1);
+                board
+                    .line(a, d, Weight::Given)
+                    .line(d, c1, Weight::Given)
+                    .line(d, c2, Weight::Given)
+                    .mark("D", d)
+                    .read("CD", d, c1);
             }
             Output::Slider => {
-                board.step(both!("Lay off A and the slider's limits C1, C2 on the guide", "作出 A 及导路上滑块的两极限位置 C1、C2"));
+                board.step(both!(
+                    "Lay off A and the slider's limits C1, C2 on the guide",
+                    "作出 A 及导路上滑块的两极限位置 C1、C2"
+                ));
                 board.line(c1, c2, Weight::Given).read("H", c1, c2);
             }
         }
-        board.mark("A", a).mark("C_1", c1).mark("C_2", c2).line(a, c1, Weight::Thin).line(a, c2, Weight::Thin);
+        board.mark("A", a).mark("C_1", c1).mark("C_2", c2).line(a, c1, Weight::Thin).line(
+            a,
+            c2,
+            Weight::Thin,
+        );
         board.halve(a, [c1, c2])
     }
 
@@ -305,7 +393,11 @@ impl Wish for TwoPlaces {
                     "设计曲柄摇杆机构 $ABCD$，使摇杆 $CD$ 在两给定极限位置之间摆动。"
                 );
                 let d = pivots.first().copied().unwrap_or(Point::ORIGIN);
-                let rocker = both!("rocker $l_{{CD}} = {}$", "摇杆 $l_{{CD}} = {}$", length(d.distance(self.c[0])));
+                let rocker = both!(
+                    "rocker $l_{{CD}} = {}$",
+                    "摇杆 $l_{{CD}} = {}$",
+                    length(d.distance(self.c[0]))
+                );
                 let given = match angles {
                     Some([p, q]) => vec![
                         rocker,
@@ -318,7 +410,11 @@ impl Wish for TwoPlaces {
                         ),
                     ],
                     None => {
-                        let places = both!("$A = {}$, $C_1 = {c1}$, $C_2 = {c2}$", "$A = {}$，$C_1 = {c1}$，$C_2 = {c2}$", shown(self.a));
+                        let places = both!(
+                            "$A = {}$, $C_1 = {c1}$, $C_2 = {c2}$",
+                            "$A = {}$，$C_1 = {c1}$，$C_2 = {c2}$",
+                            shown(self.a)
+                        );
                         let pivot = both!("$D = {}$", "$D = {}$", shown(d));
                         vec![places, if pivots.len() > 1 { rocker } else { pivot }]
                     }
@@ -330,11 +426,18 @@ impl Wish for TwoPlaces {
                     "Design a slider-crank $ABC$ whose slider $C$ runs to and fro between two given places.",
                     "设计曲柄滑块机构 $ABC$，使滑块 $C$ 在两给定位置之间往复运动。"
                 ),
-                vec![both!("$A = {}$, $C_1 = {c1}$, $C_2 = {c2}$", "$A = {}$，$C_1 = {c1}$，$C_2 = {c2}$", shown(self.a))],
+                vec![both!(
+                    "$A = {}$, $C_1 = {c1}$, $C_2 = {c2}$",
+                    "$A = {}$，$C_1 = {c1}$，$C_2 = {c2}$",
+                    shown(self.a)
+                )],
             ),
         };
         let wanted = vec![
-            both!("the lengths of crank $l_{{AB}}$ and coupler $l_{{BC}}$", "曲柄 $l_{{AB}}$ 与连杆 $l_{{BC}}$ 的长度"),
+            both!(
+                "the lengths of crank $l_{{AB}}$ and coupler $l_{{BC}}$",
+                "曲柄 $l_{{AB}}$ 与连杆 $l_{{BC}}$ 的长度"
+            ),
             both!("the time ratio $K$", "行程速度变化系数 $K$"),
         ];
         Statement { task, given, wanted, open_steps: 1 }
@@ -348,7 +451,13 @@ impl Wish for TwoPlaces {
         );
         vec![
             half_difference(self.reach(), of(draft, "AB"), of(draft, "BC")),
-            Proof::new(both!("The crank angle between the limits and the time ratio:", "极位夹角与行程速度变化系数："), [k]),
+            Proof::new(
+                both!(
+                    "The crank angle between the limits and the time ratio:",
+                    "极位夹角与行程速度变化系数："
+                ),
+                [k],
+            ),
         ]
     }
 }

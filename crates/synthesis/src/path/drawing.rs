@@ -8,14 +8,28 @@ use hodograph_base::geom::{Point, Vec2};
 
 /// Crank and BE given: B at the intersection of two circles, and D, if not given, without a
 /// construction. Arguments in metres.
-pub fn by_lengths(board: &mut SynthesisBoard, e: &[Point], [a, d]: [Point; 2], [crank, be]: [f64; 2], sides: &[bool]) -> Option<()> {
+pub fn by_lengths(
+    board: &mut SynthesisBoard,
+    e: &[Point],
+    [a, d]: [Point; 2],
+    [crank, be]: [f64; 2],
+    sides: &[bool],
+) -> Option<()> {
     let (a, e) = (board.at(a), e.iter().map(|p| board.at(*p)).collect::<Vec<Point>>());
-    board.step(both!("Lay off A, D, the places of E and the crank circle", "作出 A、D、E 的各位置及曲柄圆"));
+    board.step(both!(
+        "Lay off A, D, the places of E and the crank circle",
+        "作出 A、D、E 的各位置及曲柄圆"
+    ));
     let radius = board.mm(crank);
     board.circle(a, radius, Weight::Given);
     let d = laid(board, a, d, &e);
     let [centres, pins] = ["E", "B"].map(|letter| numbered(letter, "", 1..=e.len()));
-    board.step(both!("With BE as opening about {} cut the crank circle: {}", "分别以 {} 为圆心、BE 为半径截曲柄圆得 {}", centres, pins));
+    board.step(both!(
+        "With BE as opening about {} cut the crank circle: {}",
+        "分别以 {} 为圆心、BE 为半径截曲柄圆得 {}",
+        centres,
+        pins
+    ));
     let opening = board.mm(be);
     let mut b = Vec::new();
     for (k, (at, left)) in e.iter().zip(sides).enumerate() {
@@ -28,15 +42,31 @@ pub fn by_lengths(board: &mut SynthesisBoard, e: &[Point], [a, d]: [Point; 2], [
 }
 
 /// The crank's rotations given: E turned back about A, B₁ the centre of its places.
-pub fn by_turns(board: &mut SynthesisBoard, e: &[Point], [a, d]: [Point; 2], turns: &[f64]) -> Option<()> {
+pub fn by_turns(
+    board: &mut SynthesisBoard,
+    e: &[Point],
+    [a, d]: [Point; 2],
+    turns: &[f64],
+) -> Option<()> {
     let (a, e) = (board.at(a), e.iter().map(|p| board.at(*p)).collect::<Vec<Point>>());
     board.step(both!("Lay off A, D and the places of E", "作出 A、D 及 E 的各位置"));
     let d = laid(board, a, d, &e);
-    let by: Vec<String> = turns[1..].iter().map(|t| format!("{}°", significant((t - turns[0]).to_degrees(), 5))).collect();
+    let by: Vec<String> = turns[1..]
+        .iter()
+        .map(|t| format!("{}°", significant((t - turns[0]).to_degrees(), 5)))
+        .collect();
     let by = Both::names(&by);
     let (places, back) = (numbered("E", "", 2..=e.len()), numbered("E", "'", 2..=e.len()));
-    board.step(both!("Turn {} about A back with the crank, by {}: {}", "{} 随曲柄绕 A 分别反转 {}，得 {}", places, by, back));
-    let turned: Vec<Point> = (1..e.len()).map(|k| a + (e[k] - a).rotate_by(Vec2::from_angle(turns[0] - turns[k]))).collect();
+    board.step(both!(
+        "Turn {} about A back with the crank, by {}: {}",
+        "{} 随曲柄绕 A 分别反转 {}，得 {}",
+        places,
+        by,
+        back
+    ));
+    let turned: Vec<Point> = (1..e.len())
+        .map(|k| a + (e[k] - a).rotate_by(Vec2::from_angle(turns[0] - turns[k])))
+        .collect();
     for (k, at) in turned.iter().enumerate() {
         board.arc(a, *at).mark(&format!("E_{}'", k + 2), *at);
     }
@@ -50,7 +80,8 @@ pub fn by_turns(board: &mut SynthesisBoard, e: &[Point], [a, d]: [Point; 2], tur
     for further in turned.iter().skip(2) {
         board.read("BE", first, *further);
     }
-    let b: Vec<Point> = turns.iter().map(|t| a + (first - a).rotate_by(Vec2::from_angle(t - turns[0]))).collect();
+    let b: Vec<Point> =
+        turns.iter().map(|t| a + (first - a).rotate_by(Vec2::from_angle(t - turns[0]))).collect();
     board.circle(a, a.distance(first), Weight::Thin).read("BE", first, e[0]);
     for (k, pin) in b.iter().enumerate() {
         board.line(*pin, e[k], Weight::Given).mark(&format!("B_{}", k + 1), *pin);
@@ -76,7 +107,12 @@ fn laid(board: &mut SynthesisBoard, a: Point, d: Point, e: &[Point]) -> Point {
 
 /// D moved back with the coupler; the circle through its first three places, on which any further
 /// place lies.
-fn follower(board: &mut SynthesisBoard, [a, d]: [Point; 2], e: &[Point], b: &[Point]) -> Option<()> {
+fn follower(
+    board: &mut SynthesisBoard,
+    [a, d]: [Point; 2],
+    e: &[Point],
+    b: &[Point],
+) -> Option<()> {
     board.step(both!(
         "Carry D back with the coupler BE into position 1: {}",
         "把 D 随连杆 BE 反转到位置 1，得 {}",
@@ -96,6 +132,11 @@ fn follower(board: &mut SynthesisBoard, [a, d]: [Point; 2], e: &[Point], b: &[Po
     }
     board.step(both!("Draw the linkage AB1C1D with E1", "作位置 1 的机构 AB1C1D 及 E1"));
     board.line(a, b[0], Weight::Result).line(b[0], c, Weight::Result).line(c, d, Weight::Result);
-    board.line(b[0], e[0], Weight::Result).line(e[0], c, Weight::Result).read("BC", b[0], c).read("CE", c, e[0]).read("AB", a, b[0]);
+    board
+        .line(b[0], e[0], Weight::Result)
+        .line(e[0], c, Weight::Result)
+        .read("BC", b[0], c)
+        .read("CE", c, e[0])
+        .read("AB", a, b[0]);
     Some(())
 }

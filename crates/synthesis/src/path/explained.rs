@@ -21,7 +21,11 @@ impl PathTask {
             };
             let mut out: Vec<Both> = all.iter().take(TOLD).enumerate().map(one).collect();
             if all.len() > TOLD {
-                out.push(both!("and {} places more, as in the file", "及文件中的其余 {} 个点", all.len() - TOLD));
+                out.push(both!(
+                    "and {} places more, as in the file",
+                    "及文件中的其余 {} 个点",
+                    all.len() - TOLD
+                ));
             }
             out
         };
@@ -132,7 +136,9 @@ impl PathTask {
                 out
             }
             PathTask::Prescribed(wish) => by_burmester(&wish.points, &wish.turns, draft),
-            PathTask::Many { points, timing: Some(turns), .. } if super::is_met(draft) => by_burmester(points, turns, draft),
+            PathTask::Many { points, timing: Some(turns), .. } if super::is_met(draft) => {
+                by_burmester(points, turns, draft)
+            }
             PathTask::Several { points, .. } => several(points, draft),
             PathTask::Many { points, timing, .. } => many(points.len(), timing.is_some(), draft),
         }
@@ -156,9 +162,16 @@ fn by_burmester(e: &[Point], turns: &[f64], draft: &Draft) -> Vec<Proof> {
 /// B₁ from the places turned back with the crank.
 fn first_pin(e: &[Point], a: Point, turns: &[f64], draft: &Draft) -> Vec<Proof> {
     let back = turned_back(e, a, turns);
-    let [Some(second), Some(third)] = [1, 2].map(|k| back.get(k).copied()) else { return Vec::new() };
+    let [Some(second), Some(third)] = [1, 2].map(|k| back.get(k).copied()) else {
+        return Vec::new();
+    };
     let b1 = Point::new(of(draft, "B1_x"), of(draft, "B1_y"));
-    let places: Vec<String> = back.iter().enumerate().skip(1).map(|(k, p)| format!("E_{}' = {}", k + 1, place(*p))).collect();
+    let places: Vec<String> = back
+        .iter()
+        .enumerate()
+        .skip(1)
+        .map(|(k, p)| format!("E_{}' = {}", k + 1, place(*p)))
+        .collect();
     vec![
         Proof::new(
             both!(
@@ -181,14 +194,22 @@ fn first_pin(e: &[Point], a: Point, turns: &[f64], draft: &Draft) -> Vec<Proof> 
 
 /// The crank's rotations from the first place; of many, the first.
 fn turns_told(turns: &[f64]) -> Both {
-    let turned: Vec<String> = turns.iter().skip(1).take(TOLD - 1).map(|t| angle(t - turns[0])).collect();
+    let turned: Vec<String> =
+        turns.iter().skip(1).take(TOLD - 1).map(|t| angle(t - turns[0])).collect();
     let more = if turns.len() > TOLD { ", ..." } else { "" };
-    both!("turns of the crank from $E_1$: ${}{more}$", "曲柄自 $E_1$ 的转角：${}{more}$", turned.join(" ,\\quad "))
+    both!(
+        "turns of the crank from $E_1$: ${}{more}$",
+        "曲柄自 $E_1$ 的转角：${}{more}$",
+        turned.join(" ,\\quad ")
+    )
 }
 
 fn on_line(letter: &str, (through, along): Ray) -> Both {
     let (at, angle) = (place(through), angle(along.angle()));
-    both!("${letter}$ on the line through ${at}$ under ${angle}$", "${letter}$ 在过 ${at}$、倾角为 ${angle}$ 的直线上")
+    both!(
+        "${letter}$ on the line through ${at}$ under ${angle}$",
+        "${letter}$ 在过 ${at}$、倾角为 ${angle}$ 的直线上"
+    )
 }
 
 fn pivots_told(a: Point, d: Point) -> Both {
@@ -213,7 +234,8 @@ fn several(e: &[Point], draft: &Draft) -> Vec<Proof> {
     if b.len() != e.len() {
         return Vec::new();
     }
-    let [d, c] = ["D", "C1"].map(|n| Point::new(of(draft, &format!("{n}_x")), of(draft, &format!("{n}_y"))));
+    let [d, c] =
+        ["D", "C1"].map(|n| Point::new(of(draft, &format!("{n}_x")), of(draft, &format!("{n}_y"))));
     let listed = |letter: &str, all: Vec<Point>, from: usize, dash: &str| {
         let one = |(k, p): (usize, &Point)| format!("{letter}_{}{dash} = {}", k + from, place(*p));
         all.iter().enumerate().map(one).collect::<Vec<_>>().join(" ,\\quad ")
@@ -222,7 +244,10 @@ fn several(e: &[Point], draft: &Draft) -> Vec<Proof> {
     let far: Vec<String> = back.iter().map(|p| length(p.distance(c))).collect();
     vec![
         Proof::new(
-            both!("$B_i$ lies on the crank's circle and at $l_{{BE}}$ from $E_i$:", "$B_i$ 在曲柄圆上，且到 $E_i$ 的距离为 $l_{{BE}}$："),
+            both!(
+                "$B_i$ lies on the crank's circle and at $l_{{BE}}$ from $E_i$:",
+                "$B_i$ 在曲柄圆上，且到 $E_i$ 的距离为 $l_{{BE}}$："
+            ),
             [listed("B", b.clone(), 1, "")],
         ),
         Proof::new(
@@ -236,7 +261,12 @@ fn several(e: &[Point], draft: &Draft) -> Vec<Proof> {
                 format!("l_{{CD}} = {} ,\\quad {}", length(of(draft, "CD")), far.join(" ,\\quad ")),
             ],
         ),
-        Proof::new(both!("So", "于是"), [["BC", "CE", "CD"].map(|n| format!("l_{{{n}}} = {}", length(of(draft, n)))).join(" ,\\quad ")]),
+        Proof::new(
+            both!("So", "于是"),
+            [["BC", "CE", "CD"]
+                .map(|n| format!("l_{{{n}}} = {}", length(of(draft, n))))
+                .join(" ,\\quad ")],
+        ),
     ]
 }
 
@@ -247,7 +277,10 @@ fn three(e: &[Point; 3], d: Point, draft: &Draft) -> Vec<Proof> {
     let crank = |k: usize| format!("B_{} = {}", k + 1, place(b[k]));
     vec![
         Proof::new(
-            both!("$B_i$ lies on the crank's circle and at $l_{{BE}}$ from $E_i$:", "$B_i$ 在曲柄圆上，且到 $E_i$ 的距离为 $l_{{BE}}$："),
+            both!(
+                "$B_i$ lies on the crank's circle and at $l_{{BE}}$ from $E_i$:",
+                "$B_i$ 在曲柄圆上，且到 $E_i$ 的距离为 $l_{{BE}}$："
+            ),
             [format!("{} ,\\quad {} ,\\quad {}", crank(0), crank(1), crank(2))],
         ),
         Proof::new(
@@ -269,12 +302,23 @@ fn three(e: &[Point; 3], d: Point, draft: &Draft) -> Vec<Proof> {
             "C_1",
             c1,
         ),
-        Proof::new(both!("So", "于是"), [["BC", "CE", "CD"].map(|n| format!("l_{{{n}}} = {}", length(of(draft, n)))).join(" ,\\quad ")]),
+        Proof::new(
+            both!("So", "于是"),
+            [["BC", "CE", "CD"]
+                .map(|n| format!("l_{{{n}}} = {}", length(of(draft, n))))
+                .join(" ,\\quad ")],
+        ),
     ]
 }
 
 fn many_wanted() -> Vec<Both> {
-    vec![four_bar_wanted(), both!("the frame $AD$ and the place of $E$ on the coupler", "机架 $AD$ 及 $E$ 在连杆上的位置")]
+    vec![
+        four_bar_wanted(),
+        both!(
+            "the frame $AD$ and the place of $E$ on the coupler",
+            "机架 $AD$ 及 $E$ 在连杆上的位置"
+        ),
+    ]
 }
 
 fn many(count: usize, timed: bool, draft: &Draft) -> Vec<Proof> {
@@ -296,8 +340,14 @@ fn many(count: usize, timed: bool, draft: &Draft) -> Vec<Proof> {
         Proof::new(
             how,
             [
-                format!("d_k = |E({at}) − E_k| ,\\quad d = \\sqrt{{(d_1^2 + d_2^2 + ... + d_{{{count}}}^2)/{count}}}"),
-                format!("d = {} ,\\quad d_{{\\text{{max}}}} = {}", length(of(draft, "rms")), length(of(draft, "max"))),
+                format!(
+                    "d_k = |E({at}) − E_k| ,\\quad d = \\sqrt{{(d_1^2 + d_2^2 + ... + d_{{{count}}}^2)/{count}}}"
+                ),
+                format!(
+                    "d = {} ,\\quad d_{{\\text{{max}}}} = {}",
+                    length(of(draft, "rms")),
+                    length(of(draft, "max"))
+                ),
             ],
         ),
         Proof::new(

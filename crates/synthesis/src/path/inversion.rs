@@ -24,11 +24,21 @@ use hodograph_base::geom::{Point, Vec2};
 const SAME: f64 = 1e-6;
 
 /// B at each place, for crank and BE.
-pub(super) fn pins(e: &[Point], a: Point, [crank, be]: [f64; 2], sides: &[bool]) -> Result<Vec<Point>, Both> {
+pub(super) fn pins(
+    e: &[Point],
+    a: Point,
+    [crank, be]: [f64; 2],
+    sides: &[bool],
+) -> Result<Vec<Point>, Both> {
     let one = |(k, (at, left)): (usize, (&Point, &bool))| {
         meet(a, crank, *at, be, *left).ok_or_else(|| {
             let far = metres(a.distance(*at));
-            both!("E{} is {} from A: crank and BE do not reach it", "E{} 距 A {}：曲柄与 BE 够不到", k + 1, far)
+            both!(
+                "E{} is {} from A: crank and BE do not reach it",
+                "E{} 距 A {}：曲柄与 BE 够不到",
+                k + 1,
+                far
+            )
         })
     };
     e.iter().zip(sides).enumerate().map(one).collect()
@@ -36,7 +46,10 @@ pub(super) fn pins(e: &[Point], a: Point, [crank, be]: [f64; 2], sides: &[bool])
 
 /// The places of E turned back about A to the first position of the crank.
 pub(super) fn turned_back(e: &[Point], a: Point, turns: &[f64]) -> Vec<Point> {
-    e.iter().zip(turns).map(|(e, t)| a + (*e - a).rotate_by(Vec2::from_angle(turns[0] - t))).collect()
+    e.iter()
+        .zip(turns)
+        .map(|(e, t)| a + (*e - a).rotate_by(Vec2::from_angle(turns[0] - t)))
+        .collect()
 }
 
 /// B at three places that the crank reaches at given rotations.
@@ -49,7 +62,10 @@ pub(super) fn turned_pins(e: &[Point; 3], a: Point, turns: &[f64; 3]) -> Result<
         ));
     };
     if b.distance(a) <= SAME * b.distance(e[0]) {
-        return Err(both!("E turns about A with the crank: the crank would have no length", "E 随曲柄绕 A 转动：曲柄长为零"));
+        return Err(both!(
+            "E turns about A with the crank: the crank would have no length",
+            "E 随曲柄绕 A 转动：曲柄长为零"
+        ));
     }
     Ok((0..3).map(|k| a + (b - a).rotate_by(Vec2::from_angle(turns[k] - turns[0]))).collect())
 }
@@ -66,24 +82,42 @@ pub(super) fn follower(e: &[Point], b: &[Point], d: Point) -> Result<Point, Both
     let [d2, d3] = [1, 2].map(|k| back_to_first(d, b, e, k));
     let found = centre(d, d2, d3);
     found.map(|c| c.0).ok_or_else(|| {
-        both!("D, carried back into position 1, lies in line: C would be infinitely far", "D 反转到位置 1 后三点共线：C 在无穷远处")
+        both!(
+            "D, carried back into position 1, lies in line: C would be infinitely far",
+            "D 反转到位置 1 后三点共线：C 在无穷远处"
+        )
     })
 }
 
 /// The pivots D and pins C: of four positions on a line, or of five.
-pub(super) fn followers(e: &[Point], b: &[Point], a: Point, line: Option<(Point, Vec2)>) -> Vec<BurmesterPair> {
-    let positions: Vec<BodyPose> = e.iter().zip(b).map(|(e, b)| BodyPose { origin: *e, angle: (*e - *b).angle() }).collect();
+pub(super) fn followers(
+    e: &[Point],
+    b: &[Point],
+    a: Point,
+    line: Option<(Point, Vec2)>,
+) -> Vec<BurmesterPair> {
+    let positions: Vec<BodyPose> =
+        e.iter().zip(b).map(|(e, b)| BodyPose { origin: *e, angle: (*e - *b).angle() }).collect();
     let found = match line {
         Some((through, along)) => burmester::on_line(&positions, through, along),
         None => burmester::of_five(&positions),
     };
     let size = a.distance(e[0]).max(a.distance(b[0]));
-    let own = |p: &BurmesterPair| p.centre.distance(a) <= SAME * size && p.pin.distance(b[0]) <= SAME * size;
+    let own = |p: &BurmesterPair| {
+        p.centre.distance(a) <= SAME * size && p.pin.distance(b[0]) <= SAME * size
+    };
     found.into_iter().filter(|p| !own(p)).collect()
 }
 
 /// The linkage in the positions of its coupler, with C given in the first.
-pub(super) fn draft(e: &[Point], b: &[Point], [a, d]: [Point; 2], c: Point, which: Both, heading: &Heading) -> Draft {
+pub(super) fn draft(
+    e: &[Point],
+    b: &[Point],
+    [a, d]: [Point; 2],
+    c: Point,
+    which: Both,
+    heading: &Heading,
+) -> Draft {
     let direction = |k: usize| e[k] - b[k];
     let carried = |k: usize| b[k] + (c - b[0]).divide_by(direction(0)).rotate_by(direction(k));
     let axis = (c - b[0]) * (1.0 / (c - b[0]).norm());
@@ -103,45 +137,82 @@ pub(super) fn draft(e: &[Point], b: &[Point], [a, d]: [Point; 2], c: Point, whic
         places.push(("D", d));
     }
     for (name, at) in places {
-        numbers.push(DesignNumber::length(&format!("{name}_x"), both!("place of {name}", "{name} 的位置"), at.x));
-        numbers.push(DesignNumber::length(&format!("{name}_y"), both!("place of {name}", "{name} 的位置"), at.y));
+        numbers.push(DesignNumber::length(
+            &format!("{name}_x"),
+            both!("place of {name}", "{name} 的位置"),
+            at.x,
+        ));
+        numbers.push(DesignNumber::length(
+            &format!("{name}_y"),
+            both!("place of {name}", "{name} 的位置"),
+            at.y,
+        ));
     }
-    numbers.extend(
-        b.iter()
-            .enumerate()
-            .map(|(k, b)| DesignNumber::angle(&format!("crank_{}", k + 1), both!("crank angle", "曲柄转角"), (*b - a).angle())),
-    );
+    numbers.extend(b.iter().enumerate().map(|(k, b)| {
+        DesignNumber::angle(
+            &format!("crank_{}", k + 1),
+            both!("crank angle", "曲柄转角"),
+            (*b - a).angle(),
+        )
+    }));
     Draft { ordered: true, ..Draft::new(which, four.scene(heading), numbers, wanted) }
 }
 
 /// Three places with crank and BE given.
-pub(super) fn three(e: &[Point; 3], [a, d]: [Point; 2], lengths: [f64; 2], sides: &[bool], heading: &Heading) -> Result<Draft, Both> {
+pub(super) fn three(
+    e: &[Point; 3],
+    [a, d]: [Point; 2],
+    lengths: [f64; 2],
+    sides: &[bool],
+    heading: &Heading,
+) -> Result<Draft, Both> {
     let b = pins(e, a, lengths, sides)?;
     let c = follower(e, &b, d)?;
     Ok(draft(e, &b, [a, d], c, sides_told(sides), heading))
 }
 
 /// Three places at given rotations of the crank.
-pub(super) fn turned(e: &[Point; 3], [a, d]: [Point; 2], turns: &[f64; 3], heading: &Heading) -> Result<Draft, Both> {
+pub(super) fn turned(
+    e: &[Point; 3],
+    [a, d]: [Point; 2],
+    turns: &[f64; 3],
+    heading: &Heading,
+) -> Result<Draft, Both> {
     let b = turned_pins(e, a, turns)?;
     let c = follower(e, &b, d)?;
     Ok(draft(e, &b, [a, d], c, both!("the only solution", "唯一解"), heading))
 }
 
 /// The nearest BE, else the nearest crank, with which the linkage reaches three places.
-pub(super) fn nearest(e: &[Point; 3], pivots: [Point; 2], [crank, be]: [f64; 2], sides: &Sides, heading: &Heading) -> Both {
+pub(super) fn nearest(
+    e: &[Point; 3],
+    pivots: [Point; 2],
+    [crank, be]: [f64; 2],
+    sides: &Sides,
+    heading: &Heading,
+) -> Both {
     let works = |lengths: [f64; 2]| {
         // A pivot of C farther away than a hundred times the frame does not count.
-        let near =
-            |draft: Draft| draft.numbers.iter().all(|n| n.name != "CD" || n.value < 100.0 * pivots[0].distance(pivots[1]).max(crank));
-        lengths.iter().all(|l| *l > 0.0) && sides.all.iter().any(|s| three(e, pivots, lengths, s, heading).is_ok_and(near))
+        let near = |draft: Draft| {
+            draft.numbers.iter().all(|n| {
+                n.name != "CD" || n.value < 100.0 * pivots[0].distance(pivots[1]).max(crank)
+            })
+        };
+        lengths.iter().all(|l| *l > 0.0)
+            && sides.all.iter().any(|s| three(e, pivots, lengths, s, heading).is_ok_and(near))
     };
     let scale = (pivots[0].distance(pivots[1]) + pivots[0].distance(e[0])) * 1e3;
     nearest_lengths(e, pivots[0], [crank, be], scale, works)
 }
 
 /// The nearest BE, crank, or both, for which a task works.
-pub(super) fn nearest_lengths(e: &[Point], a: Point, [crank, be]: [f64; 2], scale: f64, works: impl Fn([f64; 2]) -> bool) -> Both {
+pub(super) fn nearest_lengths(
+    e: &[Point],
+    a: Point,
+    [crank, be]: [f64; 2],
+    scale: f64,
+    works: impl Fn([f64; 2]) -> bool,
+) -> Both {
     if let Some(mm) = number(be * 1e3, scale, |mm| works([crank, mm * 1e-3])) {
         return both!("\"BE\": \"{} mm\" does", "\"BE\": \"{} mm\" 时可以", told(mm));
     }
@@ -159,6 +230,9 @@ pub(super) fn nearest_lengths(e: &[Point], a: Point, [crank, be]: [f64; 2], scal
             told(mm),
             told(middle)
         ),
-        None => both!("move the pivots: both crank and BE must reach all places", "请移动固定铰链：曲柄与 BE 须能到达各位置"),
+        None => both!(
+            "move the pivots: both crank and BE must reach all places",
+            "请移动固定铰链：曲柄与 BE 须能到达各位置"
+        ),
     }
 }

@@ -18,7 +18,10 @@ const APART_MM: f64 = 1.0;
 pub fn distances(far: &[f64], extent: f64) -> Vec<DesignNumber> {
     let what = both!("distance of E from the place", "E 到给定点的距离");
     let told = |v: f64| if v < NOTHING * extent { 0.0 } else { v };
-    shown(far.len()).into_iter().map(|k| DesignNumber::length(&format!("delta{}", k + 1), what.clone(), told(far[k]))).collect()
+    shown(far.len())
+        .into_iter()
+        .map(|k| DesignNumber::length(&format!("delta{}", k + 1), what.clone(), told(far[k])))
+        .collect()
 }
 
 /// Lays off the computed lengths, with the crank at its angle for each place, and reads the
@@ -26,7 +29,8 @@ pub fn distances(far: &[f64], extent: f64) -> Vec<DesignNumber> {
 pub fn drawn(board: &mut SynthesisBoard, draft: &Draft) -> Option<()> {
     let a = Point::new(of(draft, "A_x"), of(draft, "A_y"));
     let d = a + Vec2::from_angle(of(draft, "phi")) * of(draft, "AD");
-    let laid = LaidFourBar::off(board, draft, [a, d], Some(Vec2::new(of(draft, "u"), of(draft, "v"))));
+    let laid =
+        LaidFourBar::off(board, draft, [a, d], Some(Vec2::new(of(draft, "u"), of(draft, "v"))));
     let all = shown(draft.targets.len());
     let which: Vec<usize> = all.iter().map(|k| k + 1).collect();
     board.step(both!("Lay off the wanted places {}", "作出给定点 {}", numbered("P", &which)));
@@ -38,7 +42,11 @@ pub fn drawn(board: &mut SynthesisBoard, draft: &Draft) -> Option<()> {
         "Lay off the computed lengths: A and D, the crank circle AB and the follower's circle CD",
         "按计算所得尺寸作 A、D、曲柄圆 AB 及从动杆圆 CD"
     ));
-    board.line(laid.a, laid.d, Weight::Given).circle(laid.a, laid.crank, Weight::Thin).circle(laid.d, laid.follower, Weight::Thin);
+    board.line(laid.a, laid.d, Weight::Given).circle(laid.a, laid.crank, Weight::Thin).circle(
+        laid.d,
+        laid.follower,
+        Weight::Thin,
+    );
     board.mark("A", laid.a).mark("D", laid.d);
     board.step(both!(
         "For each place draw the crank at its angle, C with BC as opening about B, E by the set square on BC: {}",
@@ -49,7 +57,11 @@ pub fn drawn(board: &mut SynthesisBoard, draft: &Draft) -> Option<()> {
     for (k, target) in all.iter().zip(&targets) {
         let wanted = draft.wanted.get(*k)?;
         let pins = laid.at(board, wanted.driver, side(wanted, d)?)?;
-        board.arc(pins.b, pins.c).arc(laid.d, pins.c).line(pins.b, pins.c, Weight::Thin).line(pins.b, pins.e, Weight::Thin);
+        board.arc(pins.b, pins.c).arc(laid.d, pins.c).line(pins.b, pins.c, Weight::Thin).line(
+            pins.b,
+            pins.e,
+            Weight::Thin,
+        );
         board.line(pins.c, pins.e, Weight::Thin).mark(&format!("B_{}", k + 1), pins.b);
         if pins.e.distance(*target) > APART_MM {
             board.mark(&format!("E_{}", k + 1), pins.e);

@@ -44,7 +44,13 @@ enum PathTask {
     /// Four places at given crank angles.
     Prescribed(Prescribed),
     /// Four places with a line for D, or five; with crank and BE given.
-    Several { points: Vec<Point>, a: Point, lengths: [f64; 2], sides: Sides, line: Option<(Point, Vec2)> },
+    Several {
+        points: Vec<Point>,
+        a: Point,
+        lengths: [f64; 2],
+        sides: Sides,
+        line: Option<(Point, Vec2)>,
+    },
     /// Many places, with the crank angles at them if given (rad).
     Many { points: Vec<Point>, timing: Option<Vec<f64>>, seed: u64 },
 }
@@ -56,17 +62,27 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
             let k = j + 1;
             let d = Diagnostic::error(
                 "precision-points-coincide",
-                both!("point {k} of the path repeats an earlier one", "轨迹上第 {k} 点与前面的点重复"),
+                both!(
+                    "point {k} of the path repeats an earlier one",
+                    "轨迹上第 {k} 点与前面的点重复"
+                ),
             );
             form.fault(d.at(form.span("points")).help(both!("leave it out", "请去掉该点")));
             return None;
         }
     }
-    let given: Vec<&str> = ["ground", "crank", "BE", "side", "line", "line_A"].into_iter().filter(|k| form.has(k)).collect();
+    let given: Vec<&str> = ["ground", "crank", "BE", "side", "line", "line_A"]
+        .into_iter()
+        .filter(|k| form.has(k))
+        .collect();
     match <[Point; 3]>::try_from(points) {
         Ok(points) => three(form, points),
-        Err(points) if points.len() == 4 && form.has("timing") => Some(Box::new(PathTask::Prescribed(prescribed::read(form, points)?))),
-        Err(points) if points.len() == 4 || points.len() == 5 && !given.is_empty() => several(form, points),
+        Err(points) if points.len() == 4 && form.has("timing") => {
+            Some(Box::new(PathTask::Prescribed(prescribed::read(form, points)?)))
+        }
+        Err(points) if points.len() == 4 || points.len() == 5 && !given.is_empty() => {
+            several(form, points)
+        }
         Err(points) if given.is_empty() => {
             let seed = if form.has("seed") { form.count("seed", 0, 1_000_000_000)? } else { 1 };
             let timing = if form.has("timing") { Some(timing(form, points.len())?) } else { None };
@@ -82,7 +98,9 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
                 "give five points at most with ground, crank and BE, or the points alone",
                 "请给至多五个点及 ground、crank、BE，或只给各点"
             );
-            form.fault(Diagnostic::error("wrong-given", message).at(form.span("points")).help(help));
+            form.fault(
+                Diagnostic::error("wrong-given", message).at(form.span("points")).help(help),
+            );
             None
         }
     }
@@ -90,7 +108,8 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
 
 /// The crank angles at the places (rad): one for each, no two of them equal modulo a full turn.
 fn timing(form: &TaskForm, places: usize) -> Option<Vec<f64>> {
-    let angles: Vec<Option<f64>> = form.items("timing", TIMING, 1)?.iter().map(|n| form.angle_of(n, "timing")).collect();
+    let angles: Vec<Option<f64>> =
+        form.items("timing", TIMING, 1)?.iter().map(|n| form.angle_of(n, "timing")).collect();
     let angles: Vec<f64> = angles.into_iter().collect::<Option<_>>()?;
     if angles.len() != places {
         let message = both!(
@@ -99,7 +118,10 @@ fn timing(form: &TaskForm, places: usize) -> Option<Vec<f64>> {
             angles.len(),
             places
         );
-        let help = both!("write one angle of the crank for each point; only their differences count", "请为每点写一个曲柄转角；只计其差值");
+        let help = both!(
+            "write one angle of the crank for each point; only their differences count",
+            "请为每点写一个曲柄转角；只计其差值"
+        );
         form.fault(Diagnostic::error("wrong-count", message).at(form.span("timing")).help(help));
         return None;
     }
@@ -116,7 +138,11 @@ fn timing(form: &TaskForm, places: usize) -> Option<Vec<f64>> {
                 "give every point an angle of its own within a turn, or leave out one of the two",
                 "请在一周内为每点写不同的转角，或去掉其中一点"
             );
-            form.fault(Diagnostic::error("precision-points-coincide", message).at(form.span("timing")).help(help));
+            form.fault(
+                Diagnostic::error("precision-points-coincide", message)
+                    .at(form.span("timing"))
+                    .help(help),
+            );
             return None;
         }
     }
@@ -137,7 +163,10 @@ fn three(form: &TaskForm, points: [Point; 3]) -> Option<Box<dyn Wish>> {
     let (a, d) = (pivot("A"), pivot("D"));
     if form.has("timing") {
         if let Some(key) = ["crank", "BE", "side"].into_iter().find(|k| form.has(k)) {
-            let message = both!("with `timing` three places fix `{key}` by themselves", "给出 `timing` 时三个位置已确定 `{key}`");
+            let message = both!(
+                "with `timing` three places fix `{key}` by themselves",
+                "给出 `timing` 时三个位置已确定 `{key}`"
+            );
             let help = both!("leave it out, or leave `timing` out", "请去掉它，或去掉 `timing`");
             form.fault(Diagnostic::error("wrong-given", message).at(form.span(key)).help(help));
             return None;
@@ -158,17 +187,30 @@ fn several(form: &TaskForm, points: Vec<Point>) -> Option<Box<dyn Wish>> {
                 "`timing` is given for three or four places, or for five and more alone",
                 "`timing` 只用于三、四个点，或单独给出的五个以上的点"
             ),
-            _ => both!("`seed` belongs to a search; four and five places are met exactly", "`seed` 用于搜索；四、五个位置可精确实现"),
+            _ => both!(
+                "`seed` belongs to a search; four and five places are met exactly",
+                "`seed` 用于搜索；四、五个位置可精确实现"
+            ),
         };
-        form.fault(Diagnostic::error("wrong-given", message).at(form.span(key)).help(both!("leave it out", "请去掉它")));
+        form.fault(
+            Diagnostic::error("wrong-given", message)
+                .at(form.span(key))
+                .help(both!("leave it out", "请去掉它")),
+        );
         return None;
     }
     form.need("ground", "{\"A\": [\"0 mm\", \"0 mm\"]}")?;
     let inner = form.inner("ground", &["A", "D"])?;
     let a = inner.point_of(inner.need("A", "[\"0 mm\", \"0 mm\"]")?, "A");
     if inner.has("D") {
-        let message = both!("with four or five places D follows: it lies on the centre-point curve", "四、五个位置时 D 由圆心曲线确定");
-        let help = both!("leave D out; for four places give the \"line\" on which it lies", "请去掉 D；四个位置时请给出 D 所在的 \"line\"");
+        let message = both!(
+            "with four or five places D follows: it lies on the centre-point curve",
+            "四、五个位置时 D 由圆心曲线确定"
+        );
+        let help = both!(
+            "leave D out; for four places give the \"line\" on which it lies",
+            "请去掉 D；四个位置时请给出 D 所在的 \"line\""
+        );
         form.fault(Diagnostic::error("wrong-given", message).at(inner.span("D")).help(help));
         return None;
     }
@@ -191,46 +233,87 @@ impl Wish for PathTask {
     fn title(&self) -> Both {
         match self {
             PathTask::Three { .. } | PathTask::Turned { .. } => {
-                both!("Four-bar whose coupler point passes three places", "连杆点通过三个位置的四杆机构")
+                both!(
+                    "Four-bar whose coupler point passes three places",
+                    "连杆点通过三个位置的四杆机构"
+                )
             }
             PathTask::Prescribed(Prescribed { points, .. }) | PathTask::Several { points, .. } => {
-                both!("Four-bar whose coupler point passes {} places", "连杆点通过 {} 个位置的四杆机构", points.len())
+                both!(
+                    "Four-bar whose coupler point passes {} places",
+                    "连杆点通过 {} 个位置的四杆机构",
+                    points.len()
+                )
             }
             PathTask::Many { points, .. } => {
-                both!("Four-bar whose coupler point passes near {} places", "连杆点逼近 {} 个位置的四杆机构", points.len())
+                both!(
+                    "Four-bar whose coupler point passes near {} places",
+                    "连杆点逼近 {} 个位置的四杆机构",
+                    points.len()
+                )
             }
         }
     }
 
     fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
         let drafts = match self {
-            PathTask::Three { points, pivots, lengths, sides } => of_three(points, *pivots, *lengths, sides, heading)?,
+            PathTask::Three { points, pivots, lengths, sides } => {
+                of_three(points, *pivots, *lengths, sides, heading)?
+            }
             PathTask::Turned { points, pivots, turns } => {
                 let found = inversion::turned(points, *pivots, turns, heading);
-                vec![found.map_err(|message| Diagnostic::error("no-real-solution", message).help(unturned()))?]
+                vec![found.map_err(|message| {
+                    Diagnostic::error("no-real-solution", message).help(unturned())
+                })?]
             }
             PathTask::Prescribed(wish) => wish.solve(heading)?,
-            PathTask::Several { points, a, lengths, sides, line } => of_several(points, *a, *lengths, sides, *line, heading)?,
-            PathTask::Many { points, timing, seed } => return searched(points, timing.as_deref(), *seed, heading),
+            PathTask::Several { points, a, lengths, sides, line } => {
+                of_several(points, *a, *lengths, sides, *line, heading)?
+            }
+            PathTask::Many { points, timing, seed } => {
+                return searched(points, timing.as_deref(), *seed, heading);
+            }
         };
         Ok(TaskResult { drafts, ..TaskResult::default() })
     }
 
     fn construct(&self, draft: &Draft, board: &mut SynthesisBoard) -> Option<()> {
         // D, and A if not given, come from centre-point curves.
-        let found =
-            |letter: &str| Point::new(super::told::of(draft, &format!("{letter}_x")), super::told::of(draft, &format!("{letter}_y")));
-        let by_sides = |board: &mut SynthesisBoard, points: &[Point], pivots: [Point; 2], lengths: [f64; 2], sides: &Sides| {
-            let ways: Vec<_> =
-                sides.all.iter().map(|s| move |b: &mut SynthesisBoard| drawing::by_lengths(b, points, pivots, lengths, s)).collect();
-            let ways: Vec<&super::board::ConstructionVariant> = ways.iter().map(|w| w as &super::board::ConstructionVariant).collect();
+        let found = |letter: &str| {
+            Point::new(
+                super::told::of(draft, &format!("{letter}_x")),
+                super::told::of(draft, &format!("{letter}_y")),
+            )
+        };
+        let by_sides = |board: &mut SynthesisBoard,
+                        points: &[Point],
+                        pivots: [Point; 2],
+                        lengths: [f64; 2],
+                        sides: &Sides| {
+            let ways: Vec<_> = sides
+                .all
+                .iter()
+                .map(|s| {
+                    move |b: &mut SynthesisBoard| drawing::by_lengths(b, points, pivots, lengths, s)
+                })
+                .collect();
+            let ways: Vec<&super::board::ConstructionVariant> =
+                ways.iter().map(|w| w as &super::board::ConstructionVariant).collect();
             board.meant(draft, &ways)
         };
         match self {
-            PathTask::Three { points, pivots, lengths, sides } => by_sides(board, points, *pivots, *lengths, sides),
-            PathTask::Turned { points, pivots, turns } => drawing::by_turns(board, points, *pivots, turns),
-            PathTask::Prescribed(wish) => drawing::by_turns(board, &wish.points, [found("A"), found("D")], &wish.turns),
-            PathTask::Several { points, a, lengths, sides, .. } => by_sides(board, points, [*a, found("D")], *lengths, sides),
+            PathTask::Three { points, pivots, lengths, sides } => {
+                by_sides(board, points, *pivots, *lengths, sides)
+            }
+            PathTask::Turned { points, pivots, turns } => {
+                drawing::by_turns(board, points, *pivots, turns)
+            }
+            PathTask::Prescribed(wish) => {
+                drawing::by_turns(board, &wish.points, [found("A"), found("D")], &wish.turns)
+            }
+            PathTask::Several { points, a, lengths, sides, .. } => {
+                by_sides(board, points, [*a, found("D")], *lengths, sides)
+            }
             PathTask::Many { points, timing: Some(turns), .. } if is_met(draft) => {
                 drawing::by_turns(board, points, [found("A"), found("D")], turns)
             }
@@ -253,7 +336,13 @@ fn is_met(draft: &Draft) -> bool {
 }
 
 /// Three places with crank and BE: a linkage for each choice of sides that reaches them.
-fn of_three(e: &[Point; 3], pivots: [Point; 2], lengths: [f64; 2], sides: &Sides, heading: &Heading) -> Result<Vec<Draft>, Faults> {
+fn of_three(
+    e: &[Point; 3],
+    pivots: [Point; 2],
+    lengths: [f64; 2],
+    sides: &Sides,
+    heading: &Heading,
+) -> Result<Vec<Draft>, Faults> {
     let mut drafts = Vec::new();
     let mut told: Vec<Both> = Vec::new();
     for s in &sides.all {
@@ -291,8 +380,11 @@ fn of_several(
             match inversion::pins(e, a, lengths, s) {
                 Ok(b) => {
                     let pairs = inversion::followers(e, &b, a, line);
-                    let told = |k: usize| both!("{}, pivot {}", "{}，固定铰链 {}", sides::told(s), k + 1);
-                    drafts.extend(pairs.iter().enumerate().map(|(k, p)| inversion::draft(e, &b, [a, p.centre], p.pin, told(k), heading)));
+                    let told =
+                        |k: usize| both!("{}, pivot {}", "{}，固定铰链 {}", sides::told(s), k + 1);
+                    drafts.extend(pairs.iter().enumerate().map(|(k, p)| {
+                        inversion::draft(e, &b, [a, p.centre], p.pin, told(k), heading)
+                    }));
                 }
                 Err(message) => unreached = Some(message),
             }
@@ -303,18 +395,27 @@ fn of_several(
         }
     };
     let scale = a.distance(e[0]) * 1e3;
-    let works = |l: [f64; 2]| l.iter().all(|x| *x > 0.0) && found(l).is_ok_and(|all| !all.is_empty());
+    let works =
+        |l: [f64; 2]| l.iter().all(|x| *x > 0.0) && found(l).is_ok_and(|all| !all.is_empty());
     let message = match found(lengths) {
         Ok(drafts) if !drafts.is_empty() => return Ok(drafts),
         Ok(_) => match line {
             Some(_) => {
-                both!("the line does not meet the centre-point curve of the coupler's positions", "直线与连杆各位置的圆心曲线不相交")
+                both!(
+                    "the line does not meet the centre-point curve of the coupler's positions",
+                    "直线与连杆各位置的圆心曲线不相交"
+                )
             }
-            None => both!("the coupler's positions have no further Burmester point", "连杆各位置没有其他实布尔梅斯特点"),
+            None => both!(
+                "the coupler's positions have no further Burmester point",
+                "连杆各位置没有其他实布尔梅斯特点"
+            ),
         },
         Err(message) => message,
     };
-    Err(Diagnostic::error("no-real-solution", message).help(inversion::nearest_lengths(e, a, lengths, scale, works)).into())
+    Err(Diagnostic::error("no-real-solution", message)
+        .help(inversion::nearest_lengths(e, a, lengths, scale, works))
+        .into())
 }
 
 fn unturned() -> Both {
@@ -322,7 +423,12 @@ fn unturned() -> Both {
 }
 
 /// Many places: the best optima of a search.
-fn searched(points: &[Point], timing: Option<&[f64]>, seed: u64, heading: &Heading) -> Result<TaskResult, Faults> {
+fn searched(
+    points: &[Point],
+    timing: Option<&[f64]>,
+    seed: u64,
+    heading: &Heading,
+) -> Result<TaskResult, Faults> {
     let found = match timing {
         None => search::search(points, seed),
         Some(turns) => timed::search(points, turns, seed),
@@ -338,20 +444,39 @@ fn searched(points: &[Point], timing: Option<&[f64]>, seed: u64, heading: &Headi
     let met = match timing {
         Some(turns) if points.len() == 5 => {
             let wish = Prescribed { points: points.to_vec(), turns: turns.to_vec(), lines: None };
-            let longest = |d: &Draft| ["AB", "BC", "CD", "AD", "BE"].map(|n| super::told::of(d, n)).into_iter().fold(0.0, f64::max);
-            wish.linkages(heading).into_iter().filter(|d| longest(d) <= search::LARGEST * extent).collect()
+            let longest = |d: &Draft| {
+                ["AB", "BC", "CD", "AD", "BE"]
+                    .map(|n| super::told::of(d, n))
+                    .into_iter()
+                    .fold(0.0, f64::max)
+            };
+            wish.linkages(heading)
+                .into_iter()
+                .filter(|d| longest(d) <= search::LARGEST * extent)
+                .collect()
         }
         Some(_) | None => Vec::new(),
     };
-    let near = found.fits.iter().filter(|f| met.is_empty() || f.rms > MET * extent).filter_map(told);
+    let near =
+        found.fits.iter().filter(|f| met.is_empty() || f.rms > MET * extent).filter_map(told);
     let drafts: Vec<Draft> = met.iter().cloned().chain(near).collect();
     let numbers = vec![
-        DesignNumber::ratio("evaluations", both!("positions evaluated", "计算的位置数"), found.evaluations as f64),
+        DesignNumber::ratio(
+            "evaluations",
+            both!("positions evaluated", "计算的位置数"),
+            found.evaluations as f64,
+        ),
         DesignNumber::ratio("restarts", both!("runs of the search", "搜索次数"), found.runs as f64),
     ];
     if drafts.is_empty() {
-        let message = both!("the search found no crank-rocker near these places", "没有找到逼近这些点的曲柄摇杆机构");
-        let help = both!("order the points along the path, or try another \"seed\"", "请按轨迹次序排列各点，或换一个 \"seed\"");
+        let message = both!(
+            "the search found no crank-rocker near these places",
+            "没有找到逼近这些点的曲柄摇杆机构"
+        );
+        let help = both!(
+            "order the points along the path, or try another \"seed\"",
+            "请按轨迹次序排列各点，或换一个 \"seed\""
+        );
         return Err(Diagnostic::error("no-real-solution", message).help(help).into());
     }
     Ok(TaskResult { drafts, numbers, notes: Vec::new() })
@@ -361,30 +486,56 @@ fn searched(points: &[Point], timing: Option<&[f64]>, seed: u64, heading: &Headi
 /// actually has; their distances from the given places are numbers.
 fn of_fit(points: &[Point], fit: &Fit, heading: &Heading) -> Option<Draft> {
     let l = &fit.linkage;
-    let at: Vec<search::PositionPoints> = fit.cranks.iter().map(|t| l.place(*t)).collect::<Option<_>>()?;
+    let at: Vec<search::PositionPoints> =
+        fit.cranks.iter().map(|t| l.place(*t)).collect::<Option<_>>()?;
     let first = at.first()?;
     let four = FourBar { a: l.a, b: first.b, c: first.c, d: l.d(), e: Some(l.e) };
     let wanted = fit
         .cranks
         .iter()
         .zip(&at)
-        .map(|(t, p)| WantedPosition { driver: *t, places: vec![("B".into(), p.b), ("C".into(), p.c), ("E".into(), p.e)] })
+        .map(|(t, p)| WantedPosition {
+            driver: *t,
+            places: vec![("B".into(), p.b), ("C".into(), p.c), ("E".into(), p.e)],
+        })
         .collect();
     let far: Vec<f64> = points.iter().zip(&at).map(|(p, q)| p.distance(q.e)).collect();
     let mut numbers = named_lengths(four.lengths());
     numbers.push(DesignNumber::length("A_x", both!("place of A", "A 的位置"), l.a.x));
     numbers.push(DesignNumber::length("A_y", both!("place of A", "A 的位置"), l.a.y));
-    numbers.push(DesignNumber::angle("phi", both!("direction of the frame", "机架方向"), l.phi - TAU * libm::rint(l.phi / TAU)));
+    numbers.push(DesignNumber::angle(
+        "phi",
+        both!("direction of the frame", "机架方向"),
+        l.phi - TAU * libm::rint(l.phi / TAU),
+    ));
     numbers.push(DesignNumber::length("u", both!("E along BC from B", "E 沿 BC 的坐标"), l.e.x));
-    numbers.push(DesignNumber::length("v", both!("E to the left of BC", "E 在 BC 左侧的距离"), l.e.y));
+    numbers.push(DesignNumber::length(
+        "v",
+        both!("E to the left of BC", "E 在 BC 左侧的距离"),
+        l.e.y,
+    ));
     numbers.push(DesignNumber::angle(
         "crank_1",
         both!("crank angle at place 1", "位置 1 的曲柄转角"),
         fit.cranks[0] - TAU * libm::rint(fit.cranks[0] / TAU),
     ));
-    numbers.push(DesignNumber::length("rms", both!("root mean square distance", "均方根距离"), fit.rms));
-    numbers.push(DesignNumber::length("max", both!("greatest distance", "最大距离"), far.iter().copied().fold(0.0, f64::max)));
+    numbers.push(DesignNumber::length(
+        "rms",
+        both!("root mean square distance", "均方根距离"),
+        fit.rms,
+    ));
+    numbers.push(DesignNumber::length(
+        "max",
+        both!("greatest distance", "最大距离"),
+        far.iter().copied().fold(0.0, f64::max),
+    ));
     numbers.extend(laid::distances(&far, search::extent(points).1));
-    let which = both!("root mean square distance {} mm", "均方根距离 {} mm", significant(fit.rms * 1e3, 4));
-    Some(Draft { ordered: true, error: fit.rms, targets: points.to_vec(), ..Draft::new(which, four.scene(heading), numbers, wanted) })
+    let which =
+        both!("root mean square distance {} mm", "均方根距离 {} mm", significant(fit.rms * 1e3, 4));
+    Some(Draft {
+        ordered: true,
+        error: fit.rms,
+        targets: points.to_vec(),
+        ..Draft::new(which, four.scene(heading), numbers, wanted)
+    })
 }

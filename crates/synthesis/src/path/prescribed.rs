@@ -65,10 +65,19 @@ pub(super) fn read(form: &TaskForm, points: Vec<Point>) -> Option<Prescribed> {
 impl Prescribed {
     /// The pivots A, each with B at all places.
     fn cranks(&self) -> Vec<(Point, Vec<Point>)> {
-        let positions: Vec<BodyPose> = self.points.iter().zip(&self.turns).map(|(e, t)| BodyPose { origin: *e, angle: *t }).collect();
+        let positions: Vec<BodyPose> = self
+            .points
+            .iter()
+            .zip(&self.turns)
+            .map(|(e, t)| BodyPose { origin: *e, angle: *t })
+            .collect();
         let crank = |pair: burmester::BurmesterPair| {
             let (a, w) = (pair.centre, self.points[0] - pair.pin);
-            let b: Vec<Point> = self.turns.iter().map(|t| a + w.rotate_by(Vec2::from_angle(t - self.turns[0]))).collect();
+            let b: Vec<Point> = self
+                .turns
+                .iter()
+                .map(|t| a + w.rotate_by(Vec2::from_angle(t - self.turns[0])))
+                .collect();
             let far = self.points.iter().map(|e| e.distance(a)).fold(0.0, f64::max);
             (w.norm() > NONE * far && self.points[0].distance(b[0]) > NONE * far).then_some((a, b))
         };
@@ -85,10 +94,19 @@ impl Prescribed {
         let of_crank = |(i, (a, b)): (usize, &(Point, Vec<Point>))| -> Vec<Draft> {
             let pairs = inversion::followers(e, b, *a, self.lines.map(|l| l[1]));
             let one = |(k, p): (usize, &burmester::BurmesterPair)| {
-                let which = both!("pivot A {}, pivot D {}", "固定铰链 A 之 {}，D 之 {}", i + 1, k + 1);
+                let which =
+                    both!("pivot A {}, pivot D {}", "固定铰链 A 之 {}，D 之 {}", i + 1, k + 1);
                 let mut draft = inversion::draft(e, b, [*a, p.centre], p.pin, which, heading);
-                draft.numbers.push(DesignNumber::length("A_x", both!("place of A", "A 的位置"), a.x));
-                draft.numbers.push(DesignNumber::length("A_y", both!("place of A", "A 的位置"), a.y));
+                draft.numbers.push(DesignNumber::length(
+                    "A_x",
+                    both!("place of A", "A 的位置"),
+                    a.x,
+                ));
+                draft.numbers.push(DesignNumber::length(
+                    "A_y",
+                    both!("place of A", "A 的位置"),
+                    a.y,
+                ));
                 draft
             };
             pairs.iter().enumerate().map(one).collect()
@@ -108,7 +126,10 @@ impl Prescribed {
                 "A 的直线与满足各转角的固定铰链曲线不相交"
             )
         } else {
-            both!("the line of D does not meet the centre-point curve of the coupler's positions", "D 的直线与连杆各位置的圆心曲线不相交")
+            both!(
+                "the line of D does not meet the centre-point curve of the coupler's positions",
+                "D 的直线与连杆各位置的圆心曲线不相交"
+            )
         };
         Err(Diagnostic::error("no-real-solution", message).help(self.shifted()).into())
     }
@@ -117,20 +138,33 @@ impl Prescribed {
     fn shifted(&self) -> Both {
         let size = self.points.iter().map(|p| p.distance(self.points[0])).fold(0.0, f64::max);
         let moved = |by: f64| {
-            let lines = self.lines.map(|both| both.map(|(through, along)| (through + along.perp() * by, along)));
+            let lines = self
+                .lines
+                .map(|both| both.map(|(through, along)| (through + along.perp() * by, along)));
             let wish = Prescribed { lines, ..self.clone() };
-            let follows = |(a, b): &(Point, Vec<Point>)| !inversion::followers(&wish.points, b, *a, lines.map(|l| l[1])).is_empty();
+            let follows = |(a, b): &(Point, Vec<Point>)| {
+                !inversion::followers(&wish.points, b, *a, lines.map(|l| l[1])).is_empty()
+            };
             wish.cranks().iter().any(follows)
         };
         // Twentieths of the path, up to twice its size to either side.
-        let found = (1..=40).flat_map(|k| [f64::from(k), -f64::from(k)]).map(|k| k * size / 20.0).find(|by| moved(*by));
+        let found = (1..=40)
+            .flat_map(|k| [f64::from(k), -f64::from(k)])
+            .map(|k| k * size / 20.0)
+            .find(|by| moved(*by));
         match found {
             Some(by) => {
                 let told = hodograph_base::digits::significant(by.abs() * 1e3, 4);
                 if by > 0.0 {
-                    both!("moved {told} mm to its left the line does", "直线向左平移 {told} mm 时可以")
+                    both!(
+                        "moved {told} mm to its left the line does",
+                        "直线向左平移 {told} mm 时可以"
+                    )
                 } else {
-                    both!("moved {told} mm to its right the line does", "直线向右平移 {told} mm 时可以")
+                    both!(
+                        "moved {told} mm to its right the line does",
+                        "直线向右平移 {told} mm 时可以"
+                    )
                 }
             }
             None => both!("give another line, or other turns", "请换一条直线或改变转角"),

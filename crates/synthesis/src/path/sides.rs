@@ -33,8 +33,16 @@ pub(super) fn read(form: &TaskForm, places: usize) -> Option<Sides> {
     let sides: Vec<Option<bool>> = items.iter().map(word).collect();
     let sides: Vec<bool> = sides.into_iter().collect::<Option<_>>()?;
     if sides.len() != places {
-        let message = both!("\"B\" names {} sides for {} places", "\"B\" 有 {} 个侧向，而有 {} 个点", sides.len(), places);
-        let help = both!("write one side for all, or one for each place", "请为全部写一个，或为每点写一个");
+        let message = both!(
+            "\"B\" names {} sides for {} places",
+            "\"B\" 有 {} 个侧向，而有 {} 个点",
+            sides.len(),
+            places
+        );
+        let help = both!(
+            "write one side for all, or one for each place",
+            "请为全部写一个，或为每点写一个"
+        );
         form.fault(Diagnostic::error("wrong-count", message).at(node.span).help(help));
         return None;
     }
@@ -43,7 +51,9 @@ pub(super) fn read(form: &TaskForm, places: usize) -> Option<Sides> {
 
 /// All choices: those with one side first, then by the number of changes of side.
 fn every(places: usize) -> Vec<Vec<bool>> {
-    let mut all: Vec<Vec<bool>> = (0..1_usize << places).map(|bits| (0..places).map(|k| bits >> k & 1 == 0).collect()).collect();
+    let mut all: Vec<Vec<bool>> = (0..1_usize << places)
+        .map(|bits| (0..places).map(|k| bits >> k & 1 == 0).collect())
+        .collect();
     let changes = |s: &Vec<bool>| s.windows(2).filter(|w| w[0] != w[1]).count();
     all.sort_by_key(changes);
     all
@@ -53,7 +63,9 @@ fn every(places: usize) -> Vec<Vec<bool>> {
 pub(super) fn told(sides: &[bool]) -> Both {
     let word = |left: &bool| if *left { both!("left", "左") } else { both!("right", "右") };
     match sides {
-        [first, rest @ ..] if rest.iter().all(|s| s == first) => both!("B {} of AE", "B 在 AE {}侧", word(first)),
+        [first, rest @ ..] if rest.iter().all(|s| s == first) => {
+            both!("B {} of AE", "B 在 AE {}侧", word(first))
+        }
         _ => {
             let all: Vec<Both> = sides.iter().map(word).collect();
             both!("B {} of AE", "B 依次在 AE {}侧", Both::join(&all, ", ", "、"))

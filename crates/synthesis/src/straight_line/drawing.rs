@@ -80,7 +80,11 @@ impl StraightLineTask {
     fn begins_dead(&self) -> bool {
         match self.linkage {
             Linkage::Chebyshev => true,
-            Linkage::Watt | Linkage::Roberts | Linkage::Hoeken | Linkage::ScottRussell | Linkage::Peaucellier => false,
+            Linkage::Watt
+            | Linkage::Roberts
+            | Linkage::Hoeken
+            | Linkage::ScottRussell
+            | Linkage::Peaucellier => false,
         }
     }
 
@@ -88,7 +92,9 @@ impl StraightLineTask {
         Some(match self.linkage {
             Linkage::Watt => four_bar(draft, board, &super::watt(of(draft, "AB") / 5.0)),
             Linkage::Chebyshev => four_bar(draft, board, &super::chebyshev(of(draft, "AB") / 5.0)),
-            Linkage::Roberts => four_bar(draft, board, &super::roberts(of(draft, "AB") / super::ROBERTS)),
+            Linkage::Roberts => {
+                four_bar(draft, board, &super::roberts(of(draft, "AB") / super::ROBERTS))
+            }
             Linkage::Hoeken => four_bar(draft, board, &super::hoeken(of(draft, "AB"), self.ratios)),
             Linkage::ScottRussell => scott_russell(draft, board),
             Linkage::Peaucellier => peaucellier(draft, board),
@@ -121,7 +127,10 @@ fn measured(board: &mut SynthesisBoard, all: &[LinkagePose], level: bool) {
     let across = line.square(first.e);
     let ends = |of: &PaperLine| {
         let on = |p: &LinkagePose| of.along.dot(p.e - of.at);
-        let (low, high) = all.iter().map(on).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+        let (low, high) = all
+            .iter()
+            .map(on)
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
         [of.place(low), of.place(high)]
     };
     let ([from, to], [low, high]) = (ends(&line), ends(&across));
@@ -142,11 +151,20 @@ fn four_bar(draft: &Draft, board: &SynthesisBoard, l: &FourBar) -> Sheet {
     let left = (l.d - l.b).cross(l.c - l.b) > 0.0;
     let at = move |board: &SynthesisBoard, crank: f64| {
         let pins = opened.at(board, crank, left)?;
-        let links = vec![[opened.a, pins.b], [pins.b, pins.c], [pins.c, opened.d], [pins.c, pins.e], [pins.b, pins.e]];
+        let links = vec![
+            [opened.a, pins.b],
+            [pins.b, pins.c],
+            [pins.c, opened.d],
+            [pins.c, pins.e],
+            [pins.b, pins.e],
+        ];
         Some(LinkagePose { e: pins.e, links, pins: vec![("B", pins.b), ("C", pins.c)] })
     };
     Sheet {
-        laid: both!("Lay off A and D, the circles of AB about A and of CD about D", "作 A、D 及以 A 为圆心的 AB 圆、以 D 为圆心的 CD 圆"),
+        laid: both!(
+            "Lay off A and D, the circles of AB about A and of CD about D",
+            "作 A、D 及以 A 为圆心的 AB 圆、以 D 为圆心的 CD 圆"
+        ),
         fixed: vec![("A", opened.a), ("D", opened.d)],
         circles: vec![(opened.a, opened.crank), (opened.d, opened.follower)],
         guide: None,
@@ -175,7 +193,10 @@ fn scott_russell(draft: &Draft, board: &SynthesisBoard) -> Sheet {
         Some(LinkagePose { e, links: vec![[a, b], [c, e]], pins: vec![("B", b), ("C", c)] })
     };
     Sheet {
-        laid: both!("Lay off A, the guide through it and the crank circle", "作 A、过 A 的导路及曲柄圆"),
+        laid: both!(
+            "Lay off A, the guide through it and the crank circle",
+            "作 A、过 A 的导路及曲柄圆"
+        ),
         fixed: vec![("A", a)],
         circles: vec![(a, crank)],
         // C moves out to twice the crank's length.
@@ -194,12 +215,18 @@ fn peaucellier(draft: &Draft, board: &SynthesisBoard) -> Sheet {
     let at = move |board: &SynthesisBoard, angle: f64| {
         let c = k + Vec2::from_angle(angle) * crank;
         let [x, y] = board.circles(o, long, c, short)?;
-        let e = board.circles(x, short, y, short)?.into_iter().max_by(|p, q| p.distance(c).total_cmp(&q.distance(c)))?;
+        let e = board
+            .circles(x, short, y, short)?
+            .into_iter()
+            .max_by(|p, q| p.distance(c).total_cmp(&q.distance(c)))?;
         let links = vec![[k, c], [o, x], [o, y], [c, x], [c, y], [x, e], [y, e]];
         Some(LinkagePose { e, links, pins: vec![("C", c), ("X", x), ("Y", y)] })
     };
     Sheet {
-        laid: both!("Lay off O and K, and about K the circle through O", "作 O、K 及以 K 为圆心过 O 的圆"),
+        laid: both!(
+            "Lay off O and K, and about K the circle through O",
+            "作 O、K 及以 K 为圆心过 O 的圆"
+        ),
         fixed: vec![("O", o), ("K", k)],
         circles: vec![(k, crank), (o, long)],
         guide: None,

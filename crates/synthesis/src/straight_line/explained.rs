@@ -9,10 +9,18 @@ use hodograph_base::diag::{Both, both};
 
 impl StraightLineTask {
     pub(super) fn stated(&self) -> Statement {
-        let mut given = vec![both!("length of the straight stretch $l = {}$", "直线段长 $l = {}$", length(self.length))];
+        let mut given = vec![both!(
+            "length of the straight stretch $l = {}$",
+            "直线段长 $l = {}$",
+            length(self.length)
+        )];
         match self.linkage {
             Linkage::Watt | Linkage::ScottRussell | Linkage::Peaucellier => {
-                given.push(both!("swing of the driver ${}$", "原动件摆角 ${}$", angle(2.0 * self.swing)));
+                given.push(both!(
+                    "swing of the driver ${}$",
+                    "原动件摆角 ${}$",
+                    angle(2.0 * self.swing)
+                ));
             }
             Linkage::Chebyshev | Linkage::Roberts | Linkage::Hoeken => {}
         }
@@ -23,20 +31,34 @@ impl StraightLineTask {
                 self.name()
             ),
             given,
-            wanted: vec![both!("the lengths, and how far $E$ is from a straight line", "各杆长及 $E$ 偏离直线的大小")],
+            wanted: vec![both!(
+                "the lengths, and how far $E$ is from a straight line",
+                "各杆长及 $E$ 偏离直线的大小"
+            )],
             open_steps: 0,
         }
     }
 
     pub(super) fn proved(&self, draft: &Draft) -> Vec<Proof> {
-        let lengths: Vec<String> =
-            draft.numbers.iter().take_while(|n| n.name != "length").map(|n| format!("l_{{{}}} = {}", n.name, length(n.value))).collect();
+        let lengths: Vec<String> = draft
+            .numbers
+            .iter()
+            .take_while(|n| n.name != "length")
+            .map(|n| format!("l_{{{}}} = {}", n.name, length(n.value)))
+            .collect();
         vec![
             Proof::new(self.proportions(), lengths.chunks(4).map(|c| c.join(" ,\\quad "))),
             Proof::new(
-                both!("Swept, with the extremes located, the finished scene has", "对所得机构连续计算并求出极值："),
+                both!(
+                    "Swept, with the extremes located, the finished scene has",
+                    "对所得机构连续计算并求出极值："
+                ),
                 [
-                    format!("l = {} ,\\quad \\Delta = {}", length(of(draft, "length")), length(of(draft, "deviation"))),
+                    format!(
+                        "l = {} ,\\quad \\Delta = {}",
+                        length(of(draft, "length")),
+                        length(of(draft, "deviation"))
+                    ),
                     format!("\\frac{{\\Delta}}{{l}} = {}", number(of(draft, "relative"))),
                 ],
             ),

@@ -1,8 +1,8 @@
 //! Crank-rockers by K, the chord C₁C₂ and the crank or the coupler: from A both limits of C appear
 //! under θ, at the sum and the difference of the two bars.
 //!
-//! By the law of cosines L² = AC₁² + AC₂² − 2 AC₁ AC₂ cos θ with AC = BC ± AB and the chord L = C₁C₂:
-//! 2 AB² (1 + cos θ) + 2 BC² (1 − cos θ) = L².
+//! By the law of cosines L² = AC₁² + AC₂² − 2 AC₁ AC₂ cos θ with AC = BC ± AB and the chord L =
+//! C₁C₂: 2 AB² (1 + cos θ) + 2 BC² (1 − cos θ) = L².
 
 use crate::board::{PaperLine, SynthesisBoard, Weight};
 use crate::told::length;
@@ -46,15 +46,23 @@ impl GivenBar {
     pub(super) fn told(self) -> Both {
         match self {
             GivenBar::Crank(l) => both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(l)),
-            GivenBar::Coupler(l) => both!("coupler $l_{{BC}} = {}$", "连杆 $l_{{BC}} = {}$", length(l)),
+            GivenBar::Coupler(l) => {
+                both!("coupler $l_{{BC}} = {}$", "连杆 $l_{{BC}} = {}$", length(l))
+            }
         }
     }
 
     /// The name of the other bar, and its formula.
     pub(super) fn formula(self) -> [&'static str; 2] {
         match self {
-            GivenBar::Crank(_) => ["BC", "l_{BC}^2 = \\frac{l_{C_1C_2}^2 − 2\\,l_{AB}^2(1 + \\cos\\theta)}{2(1 − \\cos\\theta)}"],
-            GivenBar::Coupler(_) => ["AB", "l_{AB}^2 = \\frac{l_{C_1C_2}^2 − 2\\,l_{BC}^2(1 − \\cos\\theta)}{2(1 + \\cos\\theta)}"],
+            GivenBar::Crank(_) => [
+                "BC",
+                "l_{BC}^2 = \\frac{l_{C_1C_2}^2 − 2\\,l_{AB}^2(1 + \\cos\\theta)}{2(1 − \\cos\\theta)}",
+            ],
+            GivenBar::Coupler(_) => [
+                "AB",
+                "l_{AB}^2 = \\frac{l_{C_1C_2}^2 − 2\\,l_{BC}^2(1 − \\cos\\theta)}{2(1 + \\cos\\theta)}",
+            ],
         }
     }
 
@@ -75,7 +83,8 @@ impl GivenBar {
             GivenBar::Crank(l) => [l * l, (chord * chord - l * l * plus) / minus],
             GivenBar::Coupler(l) => [(chord * chord - l * l * minus) / plus, l * l],
         };
-        (cosine < 1.0 && bc2.is_finite() && ab2 > 0.0 && bc2 > ab2).then(|| [ab2.sqrt(), bc2.sqrt()])
+        (cosine < 1.0 && bc2.is_finite() && ab2 > 0.0 && bc2 > ab2)
+            .then(|| [ab2.sqrt(), bc2.sqrt()])
     }
 
     /// A by ruler and compasses on the circle over C₁C₂ with the inscribed angle θ, on one side of
@@ -105,7 +114,11 @@ impl GivenBar {
         board.circle(c1, opening, Weight::Thin);
         let h = board.circles(c1, opening, other, wide)?[k];
         board.mark(letter, h);
-        board.step(both!("The line C1{} meets the first circle again at A", "直线 C1{} 与第一个圆再交于 A", letter));
+        board.step(both!(
+            "The line C1{} meets the first circle again at A",
+            "直线 C1{} 与第一个圆再交于 A",
+            letter
+        ));
         let crossings = board.cut(&PaperLine::through(c1, h)?, centre, radius)?;
         crossings.into_iter().max_by(|p, q| p.distance(c1).total_cmp(&q.distance(c1)))
     }

@@ -82,42 +82,66 @@ pub(super) fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
     let way = match (form.has("limit"), form.has("swing")) {
         (true, false) => {
             let frame = form.need_size("frame", "\"100 mm\"");
-            within(form, "limit").zip(frame).map(|(angle, frame)| RockerGivens::Limit { frame, angle })
+            within(form, "limit")
+                .zip(frame)
+                .map(|(angle, frame)| RockerGivens::Limit { frame, angle })
         }
         (false, true) if form.has("gamma") => {
-            let gamma = form.angle("gamma").filter(|g| {
-                let inside = *g > 0.0 && *g < FRAC_PI_2;
-                if !inside {
-                    let d = Diagnostic::error("out-of-range", both!("`gamma` lies between 0° and 90°", "`gamma` 应在 0° 与 90° 之间"));
-                    form.fault(d.at(form.span("gamma")).help(both!("write \"gamma\": \"40 deg\"", "请写 \"gamma\": \"40 deg\"")));
-                }
-                inside
-            });
-            within(form, "swing").zip(gamma).map(|(swing, gamma)| RockerGivens::Gamma { swing, gamma })
+            let gamma =
+                form.angle("gamma").filter(|g| {
+                    let inside = *g > 0.0 && *g < FRAC_PI_2;
+                    if !inside {
+                        let d = Diagnostic::error(
+                            "out-of-range",
+                            both!("`gamma` lies between 0° and 90°", "`gamma` 应在 0° 与 90° 之间"),
+                        );
+                        form.fault(d.at(form.span("gamma")).help(both!(
+                            "write \"gamma\": \"40 deg\"",
+                            "请写 \"gamma\": \"40 deg\""
+                        )));
+                    }
+                    inside
+                });
+            within(form, "swing")
+                .zip(gamma)
+                .map(|(swing, gamma)| RockerGivens::Gamma { swing, gamma })
         }
         (false, true) if form.has("line") && (form.has("frame") || best.is_some()) => {
-            let message =
-                both!("\"line\", \"frame\" and \"best\" are three ways to place A", "\"line\"、\"frame\"、\"best\" 是确定 A 的三种方法");
-            form.fault(Diagnostic::error("wrong-given", message).at(form.span("line")).help(both!("keep one of them", "请保留其中一个")));
+            let message = both!(
+                "\"line\", \"frame\" and \"best\" are three ways to place A",
+                "\"line\"、\"frame\"、\"best\" 是确定 A 的三种方法"
+            );
+            form.fault(
+                Diagnostic::error("wrong-given", message)
+                    .at(form.span("line"))
+                    .help(both!("keep one of them", "请保留其中一个")),
+            );
             None
         }
-        (false, true) if form.has("line") => {
-            within(form, "swing").zip(choice::line(form)).map(|(swing, line)| RockerGivens::Line { swing, line })
-        }
-        (false, true) if form.has("frame") && best.is_none() => {
-            within(form, "swing").zip(form.size("frame")).map(|(swing, frame)| RockerGivens::Swing { swing, frame })
-        }
-        (false, true) if form.has("crank") && best.is_none() => {
-            within(form, "swing").zip(form.size("crank")).map(|(swing, crank)| RockerGivens::Bar { swing, bar: GivenBar::Crank(crank) })
-        }
+        (false, true) if form.has("line") => within(form, "swing")
+            .zip(choice::line(form))
+            .map(|(swing, line)| RockerGivens::Line { swing, line }),
+        (false, true) if form.has("frame") && best.is_none() => within(form, "swing")
+            .zip(form.size("frame"))
+            .map(|(swing, frame)| RockerGivens::Swing { swing, frame }),
+        (false, true) if form.has("crank") && best.is_none() => within(form, "swing")
+            .zip(form.size("crank"))
+            .map(|(swing, crank)| RockerGivens::Bar { swing, bar: GivenBar::Crank(crank) }),
         (false, true) if form.has("coupler") && best.is_none() => within(form, "swing")
             .zip(form.size("coupler"))
             .map(|(swing, coupler)| RockerGivens::Bar { swing, bar: GivenBar::Coupler(coupler) }),
-        (false, true) => within(form, "swing").map(|swing| RockerGivens::Best { swing, chosen: best.is_none() }),
+        (false, true) => {
+            within(form, "swing").map(|swing| RockerGivens::Best { swing, chosen: best.is_none() })
+        }
         (both_given, _) => {
             let message = match both_given {
-                true => both!("`limit` and `swing` are two ways to fix the linkage", "`limit` 与 `swing` 是两种给法，只能取一种"),
-                false => both!("neither `limit` nor `swing` is given", "`limit` 与 `swing` 均未给出"),
+                true => both!(
+                    "`limit` and `swing` are two ways to fix the linkage",
+                    "`limit` 与 `swing` 是两种给法，只能取一种"
+                ),
+                false => {
+                    both!("neither `limit` nor `swing` is given", "`limit` 与 `swing` 均未给出")
+                }
             };
             let help = both!(
                 "give \"limit\": \"45 deg\" (the rocker's angle with the frame in one limit position, with \"frame\"), or \"swing\": \"40 deg\"",
@@ -136,7 +160,10 @@ fn within(form: &TaskForm, key: &str) -> Option<f64> {
     if angle > 0.0 && angle < PI {
         return Some(angle);
     }
-    let d = Diagnostic::error("out-of-range", both!("`{key}` lies between 0° and 180°", "`{key}` 应在 0° 与 180° 之间"));
+    let d = Diagnostic::error(
+        "out-of-range",
+        both!("`{key}` lies between 0° and 180°", "`{key}` 应在 0° 与 180° 之间"),
+    );
     form.fault(d.at(form.span(key)));
     None
 }
@@ -150,13 +177,20 @@ struct Limits {
 
 impl Wish for CrankRocker {
     fn title(&self) -> Both {
-        both!("Crank-rocker with time ratio {}", "行程速度变化系数为 {} 的曲柄摇杆机构", significant(self.ratio.k, 4))
+        both!(
+            "Crank-rocker with time ratio {}",
+            "行程速度变化系数为 {} 的曲柄摇杆机构",
+            significant(self.ratio.k, 4)
+        )
     }
 
     fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
         let mut notes = self.ratio.notes();
         let found = match self.way {
-            RockerGivens::Limit { .. } | RockerGivens::Swing { .. } | RockerGivens::Bar { .. } | RockerGivens::Line { .. } => {
+            RockerGivens::Limit { .. }
+            | RockerGivens::Swing { .. }
+            | RockerGivens::Bar { .. }
+            | RockerGivens::Line { .. } => {
                 let all = self.all();
                 if all.is_empty() {
                     return Err(self.none());
@@ -183,7 +217,8 @@ impl Wish for CrankRocker {
             }
             RockerGivens::Gamma { swing, gamma } => self.at_gamma(swing, gamma)?,
         };
-        let drafts = found.iter().map(|l| self.sized(l)).map(|(own, l)| own.draft(&l, heading)).collect();
+        let drafts =
+            found.iter().map(|l| self.sized(l)).map(|(own, l)| own.draft(&l, heading)).collect();
         Ok(TaskResult { drafts, notes, ..TaskResult::default() })
     }
 
@@ -210,14 +245,28 @@ impl CrankRocker {
         let senses: &[f64] = if self.ratio.theta == 0.0 { &[1.0] } else { &[1.0, -1.0] };
         for &sense in senses {
             let ray = Vec2::from_angle(c1.to_vec2().angle() + sense * self.ratio.theta);
-            for (k, at) in cross_circle(Point::ORIGIN, ray, d, self.rocker).into_iter().flatten().enumerate() {
+            for (k, at) in
+                cross_circle(Point::ORIGIN, ray, d, self.rocker).into_iter().flatten().enumerate()
+            {
                 let c2 = Point::ORIGIN + ray * at;
                 // The ray starts at A; with K = 1 it meets the circle in C₁ again.
                 if at > 0.0 && c2.distance(c1) > 1e-9 * self.rocker {
-                    let side = if sense > 0.0 { both!("counter-clockwise", "逆时针") } else { both!("clockwise", "顺时针") };
-                    let place = if k == 0 { both!("the nearer", "近") } else { both!("the farther", "远") };
-                    let which =
-                        both!("C2 on the ray AC1 turned {} by θ, {} crossing", "AC1 {}转 θ 所得射线与圆弧的{}交点为 C2", side, place);
+                    let side = if sense > 0.0 {
+                        both!("counter-clockwise", "逆时针")
+                    } else {
+                        both!("clockwise", "顺时针")
+                    };
+                    let place = if k == 0 {
+                        both!("the nearer", "近")
+                    } else {
+                        both!("the farther", "远")
+                    };
+                    let which = both!(
+                        "C2 on the ray AC1 turned {} by θ, {} crossing",
+                        "AC1 {}转 θ 所得射线与圆弧的{}交点为 C2",
+                        side,
+                        place
+                    );
                     found.push(Limits { which, d, c: [c1, c2] });
                 }
             }
@@ -227,7 +276,8 @@ impl CrankRocker {
 
     /// C₁ and C₂ for a swing, with D at the origin and symmetrical about the upward axis.
     fn swung(&self, swing: f64) -> [Point; 2] {
-        [1.0, -1.0].map(|s| Point::ORIGIN + Vec2::from_angle(FRAC_PI_2 + s * swing / 2.0) * self.rocker)
+        [1.0, -1.0]
+            .map(|s| Point::ORIGIN + Vec2::from_angle(FRAC_PI_2 + s * swing / 2.0) * self.rocker)
     }
 
     /// The linkages with A on the circle over C₁C₂ with the inscribed angle θ, at the distance of
@@ -302,8 +352,10 @@ impl CrankRocker {
     fn best(&self, swing: f64, notes: &mut Vec<Diagnostic>) -> Result<Vec<Limits>, Faults> {
         let theta = self.ratio.theta;
         if theta == 0.0 {
-            let message =
-                both!("with K = 1 A lies anywhere on the line C1C2: the frame is free", "K = 1 时 A 可在 C1C2 连线上任取：机架长未定");
+            let message = both!(
+                "with K = 1 A lies anywhere on the line C1C2: the frame is free",
+                "K = 1 时 A 可在 C1C2 连线上任取：机架长未定"
+            );
             let d = Diagnostic::error("free-choice", message).help(both!(
                 "give \"frame\", longer than {}",
                 "请给出大于 {} 的 \"frame\"",
@@ -320,7 +372,9 @@ impl CrankRocker {
                 significant(swing.to_degrees(), 4)
             );
             let help = match most_k(swing, 1.0) {
-                k if k > 1.0 => both!("K is below {} for this swing", "此摆角下 K 应小于 {}", told(k)),
+                k if k > 1.0 => {
+                    both!("K is below {} for this swing", "此摆角下 K 应小于 {}", told(k))
+                }
                 _ => both!("take a smaller swing", "请减小摆角"),
             };
             return Err(Diagnostic::error("no-real-solution", message).help(help).into());
@@ -341,8 +395,14 @@ impl CrankRocker {
         let beta = family.golden(beta - step, beta + step, toward_d).approx();
         let a = family.place(beta, toward_d, self.rocker);
         let which = match toward_d {
-            true => both!("greatest least transmission angle, A on the side of D", "最小传动角最大，A 在 D 一侧"),
-            false => both!("greatest least transmission angle, A beyond C1C2", "最小传动角最大，A 在 C1C2 之外"),
+            true => both!(
+                "greatest least transmission angle, A on the side of D",
+                "最小传动角最大，A 在 D 一侧"
+            ),
+            false => both!(
+                "greatest least transmission angle, A beyond C1C2",
+                "最小传动角最大，A 在 C1C2 之外"
+            ),
         };
         Ok(vec![self.laid(which, a, self.swung(swing))])
     }
@@ -378,13 +438,29 @@ impl CrankRocker {
         let swing = (l.c[0] - l.d).cross(l.c[1] - l.d).abs();
         let swing = libm::atan2(swing, (l.c[0] - l.d).dot(l.c[1] - l.d));
         let mut numbers = named_lengths([ab, bc, self.rocker, l.d.x]);
-        numbers.push(DesignNumber::angle("theta", both!("crank angle between the limit positions", "极位夹角"), self.ratio.theta));
+        numbers.push(DesignNumber::angle(
+            "theta",
+            both!("crank angle between the limit positions", "极位夹角"),
+            self.ratio.theta,
+        ));
         numbers.push(DesignNumber::angle("psi", both!("swing of the rocker", "摇杆摆角"), swing));
         let beta = |from: Vec2, to: Vec2| libm::atan2(from.cross(to).abs(), from.dot(to));
-        numbers.push(DesignNumber::angle("beta", both!("angle C1C2A", "角 C1C2A"), beta(l.c[0] - l.c[1], Point::ORIGIN - l.c[1])));
-        numbers.push(DesignNumber::ratio("K", both!("time ratio", "行程速度变化系数"), self.ratio.k));
+        numbers.push(DesignNumber::angle(
+            "beta",
+            both!("angle C1C2A", "角 C1C2A"),
+            beta(l.c[0] - l.c[1], Point::ORIGIN - l.c[1]),
+        ));
+        numbers.push(DesignNumber::ratio(
+            "K",
+            both!("time ratio", "行程速度变化系数"),
+            self.ratio.k,
+        ));
         let demands = vec![Demand::FullTurn, Demand::TimeRatio(self.ratio.k), Demand::Swing(swing)];
         let remarks = vec![super::slow_stroke(limit(0).0, limit(1).0, heading.omega)];
-        Draft { demands, remarks, ..Draft::new(l.which.clone(), four.scene(heading), numbers, wanted.into()) }
+        Draft {
+            demands,
+            remarks,
+            ..Draft::new(l.which.clone(), four.scene(heading), numbers, wanted.into())
+        }
     }
 }

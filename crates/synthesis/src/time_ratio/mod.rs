@@ -19,8 +19,8 @@ pub const KIND: KindOfTask = KindOfTask {
     name: "time-ratio",
     what: ["linkages with a quick return, from the time ratio K", "按行程速度变化系数 K 设计"],
     keys: &[
-        "linkage", "K", "theta", "rocker", "frame", "limit", "swing", "gamma", "best", "line", "stroke", "offset", "crank", "coupler",
-        "rod", "link",
+        "linkage", "K", "theta", "rocker", "frame", "limit", "swing", "gamma", "best", "line",
+        "stroke", "offset", "crank", "coupler", "rod", "link",
     ],
     read,
 };
@@ -58,18 +58,26 @@ pub(super) struct StrokeRatio {
 impl StrokeRatio {
     fn read(form: &TaskForm) -> Option<StrokeRatio> {
         if form.has("K") && form.has("theta") {
-            let d = Diagnostic::error("given-twice", both!("`K` and `theta` say the same", "`K` 与 `theta` 重复"));
-            form.fault(d.at(form.span("theta")).help(both!("keep one of the two", "请保留其中一个")));
+            let d = Diagnostic::error(
+                "given-twice",
+                both!("`K` and `theta` say the same", "`K` 与 `theta` 重复"),
+            );
+            form.fault(
+                d.at(form.span("theta")).help(both!("keep one of the two", "请保留其中一个")),
+            );
             return None;
         }
         if form.has("theta") {
             let theta = form.angle("theta")?;
             if !(0.0..PI).contains(&theta) {
-                let d = Diagnostic::error("out-of-range", both!("`theta` lies from 0° to less than 180°", "`theta` 应在 0° 到 180° 之间"));
-                form.fault(
-                    d.at(form.span("theta"))
-                        .help(both!("write \"theta\": \"30 deg\", or \"K\": 1.4", "请写 \"theta\": \"30 deg\" 或 \"K\": 1.4")),
+                let d = Diagnostic::error(
+                    "out-of-range",
+                    both!("`theta` lies from 0° to less than 180°", "`theta` 应在 0° 到 180° 之间"),
                 );
+                form.fault(d.at(form.span("theta")).help(both!(
+                    "write \"theta\": \"30 deg\", or \"K\": 1.4",
+                    "请写 \"theta\": \"30 deg\" 或 \"K\": 1.4"
+                )));
                 return None;
             }
             return Some(StrokeRatio { k: (PI + theta) / (PI - theta), theta, turned: false });
@@ -77,8 +85,14 @@ impl StrokeRatio {
         form.need("K", "1.5")?;
         let k = form.number("K")?;
         if k <= 0.0 {
-            let d = Diagnostic::error("not-positive", both!("`K` must be greater than zero", "`K` 应大于零"));
-            form.fault(d.at(form.span("K")).help(both!("write \"K\": 1.4; 1 is no quick return", "请写 \"K\": 1.4；1 表示无急回")));
+            let d = Diagnostic::error(
+                "not-positive",
+                both!("`K` must be greater than zero", "`K` 应大于零"),
+            );
+            form.fault(d.at(form.span("K")).help(both!(
+                "write \"K\": 1.4; 1 is no quick return",
+                "请写 \"K\": 1.4；1 表示无急回"
+            )));
             return None;
         }
         let (k, turned) = if k < 1.0 { (1.0 / k, true) } else { (k, false) };
@@ -87,7 +101,10 @@ impl StrokeRatio {
 
     /// Notes on the ratio.
     pub fn notes(self) -> Vec<Diagnostic> {
-        let message = both!("K is below one: taken as 1/K, the slow stroke is the other one", "K 小于 1：按 1/K 计算，慢行程为另一行程");
+        let message = both!(
+            "K is below one: taken as 1/K, the slow stroke is the other one",
+            "K 小于 1：按 1/K 计算，慢行程为另一行程"
+        );
         self.turned.then(|| Diagnostic::note("K-below-one", message)).into_iter().collect()
     }
 }
@@ -100,10 +117,17 @@ const ALIKE: f64 = 1e-9;
 pub(super) fn slow_stroke(first: f64, second: f64, omega: f64) -> Diagnostic {
     let way = (if omega < 0.0 { first - second } else { second - first }).rem_euclid(2.0 * PI);
     if (way - PI).abs() < ALIKE {
-        return Diagnostic::note("slow-stroke", both!("both strokes take the same time", "两个行程所需时间相同"));
+        return Diagnostic::note(
+            "slow-stroke",
+            both!("both strokes take the same time", "两个行程所需时间相同"),
+        );
     }
     let (from, to) = if way >= PI { (1, 2) } else { (2, 1) };
-    let sense = if omega < 0.0 { both!("clockwise", "顺时针") } else { both!("counter-clockwise", "逆时针") };
+    let sense = if omega < 0.0 {
+        both!("clockwise", "顺时针")
+    } else {
+        both!("counter-clockwise", "逆时针")
+    };
     Diagnostic::note(
         "slow-stroke",
         both!(

@@ -75,7 +75,9 @@ pub(super) fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
 fn best_offset(h: f64, t: f64) -> f64 {
     const STEPS: usize = 400;
     let most = h / (2.0 * t);
-    let lengths = |e: f64| [(h * (h / 4.0 - e * t / 2.0)).max(0.0).sqrt(), (h * (h / 4.0 + e / (2.0 * t))).sqrt()];
+    let lengths = |e: f64| {
+        [(h * (h / 4.0 - e * t / 2.0)).max(0.0).sqrt(), (h * (h / 4.0 + e / (2.0 * t))).sqrt()]
+    };
     let sine = |e: f64| {
         let [a, b] = lengths(e);
         (a + e) / b
@@ -97,12 +99,20 @@ fn best_offset(h: f64, t: f64) -> f64 {
 
 impl Wish for SliderCrank {
     fn title(&self) -> Both {
-        both!("Slider-crank with time ratio {}", "行程速度变化系数为 {} 的偏置曲柄滑块机构", significant(self.ratio.k, 4))
+        both!(
+            "Slider-crank with time ratio {}",
+            "行程速度变化系数为 {} 的偏置曲柄滑块机构",
+            significant(self.ratio.k, 4)
+        )
     }
 
     fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
         let [a, b, e] = self.lengths()?;
-        Ok(TaskResult { drafts: vec![self.draft([a, b, e], heading)], notes: self.ratio.notes(), ..TaskResult::default() })
+        Ok(TaskResult {
+            drafts: vec![self.draft([a, b, e], heading)],
+            notes: self.ratio.notes(),
+            ..TaskResult::default()
+        })
     }
 
     fn construct(&self, draft: &Draft, board: &mut SynthesisBoard) -> Option<()> {
@@ -144,7 +154,8 @@ impl SliderCrank {
         };
         let a = match bar {
             Some(bar) => {
-                let a = bar.place(board, [c1, c2], (self.ratio.theta, true), (centre, radius), k)?;
+                let a =
+                    bar.place(board, [c1, c2], (self.ratio.theta, true), (centre, radius), k)?;
                 let foot = Point::new(a.x, 0.0);
                 board.line(a, foot, Weight::Thin).mark("A", a).read("e", a, foot);
                 a
@@ -157,7 +168,9 @@ impl SliderCrank {
                     "在偏距 {} 处作导路的平行线，与圆交于 A",
                     metres(offset)
                 ));
-                board.line(level.place(a.x.min(0.0)), level.place(a.x.max(0.0)), Weight::Thin).mark("A", a);
+                board
+                    .line(level.place(a.x.min(0.0)), level.place(a.x.max(0.0)), Weight::Thin)
+                    .mark("A", a);
                 a
             }
         };
@@ -181,16 +194,30 @@ impl SliderCrank {
         let most = h / (2.0 * t);
         let off = e.abs();
         let a2 = h * (h / 4.0 - off * t / 2.0);
-        if e == 0.0 || a2 <= 0.0 || matches!(self.third, ThirdGiven::Crank(_) | ThirdGiven::Rod(_)) && e < 0.0 {
+        if e == 0.0
+            || a2 <= 0.0
+            || matches!(self.third, ThirdGiven::Crank(_) | ThirdGiven::Rod(_)) && e < 0.0
+        {
             let message = match self.third {
                 ThirdGiven::Offset(_) if e == 0.0 => {
-                    both!("without an offset the slider has no quick return: K would be 1", "偏距为零时无急回：K 只能为 1")
+                    both!(
+                        "without an offset the slider has no quick return: K would be 1",
+                        "偏距为零时无急回：K 只能为 1"
+                    )
                 }
                 ThirdGiven::Offset(_) => {
-                    both!("with the offset {} the square of the crank comes out negative", "偏距为 {} 时曲柄长的平方为负", metres(off))
+                    both!(
+                        "with the offset {} the square of the crank comes out negative",
+                        "偏距为 {} 时曲柄长的平方为负",
+                        metres(off)
+                    )
                 }
                 ThirdGiven::Crank(_) | ThirdGiven::Rod(_) | ThirdGiven::Best => {
-                    both!("no offset gives this length: its value would be {}", "没有偏距能给出此长度：偏距将为 {}", metres(e))
+                    both!(
+                        "no offset gives this length: its value would be {}",
+                        "没有偏距能给出此长度：偏距将为 {}",
+                        metres(e)
+                    )
                 }
             };
             let (key, range) = match self.third {
@@ -213,12 +240,19 @@ impl SliderCrank {
     fn centric(&self) -> Result<[f64; 3], Faults> {
         match self.third {
             ThirdGiven::Rod(b) if b > self.stroke / 2.0 => Ok([self.stroke / 2.0, b, 0.0]),
-            ThirdGiven::Offset(_) | ThirdGiven::Crank(_) | ThirdGiven::Rod(_) | ThirdGiven::Best => {
+            ThirdGiven::Offset(_)
+            | ThirdGiven::Crank(_)
+            | ThirdGiven::Rod(_)
+            | ThirdGiven::Best => {
                 let message = both!(
                     "with K = 1 the slider-crank is centric: the crank is half the stroke, the rod is free",
                     "K = 1 时为对心曲柄滑块机构：曲柄为行程之半，连杆长可任取"
                 );
-                let help = both!("give \"rod\", longer than {}", "请给出大于 {} 的 \"rod\"", metres(self.stroke / 2.0));
+                let help = both!(
+                    "give \"rod\", longer than {}",
+                    "请给出大于 {} 的 \"rod\"",
+                    metres(self.stroke / 2.0)
+                );
                 Err(Diagnostic::error("free-choice", message).help(help).into())
             }
         }
@@ -230,7 +264,10 @@ impl SliderCrank {
         let wanted = [(b + a, 1.0), (b - a, -1.0)].map(|(reach, sense)| {
             let c = at(reach);
             let crank = c.to_vec2() * (sense / reach);
-            WantedPosition { driver: crank.angle(), places: vec![("B".into(), (crank * a).to_point()), ("C".into(), c)] }
+            WantedPosition {
+                driver: crank.angle(),
+                places: vec![("B".into(), (crank * a).to_point()), ("C".into(), c)],
+            }
         });
         let (off, swing) = (e.abs(), ((a + e.abs()) / b).min(1.0));
         let numbers = vec![
@@ -238,21 +275,34 @@ impl SliderCrank {
             DesignNumber::length("BC", both!("rod", "连杆"), b),
             DesignNumber::length("e", both!("offset", "偏距"), off),
             DesignNumber::length("H", both!("stroke", "行程"), self.stroke),
-            DesignNumber::angle("theta", both!("crank angle between the limit positions", "极位夹角"), self.ratio.theta),
+            DesignNumber::angle(
+                "theta",
+                both!("crank angle between the limit positions", "极位夹角"),
+                self.ratio.theta,
+            ),
             DesignNumber::angle(
                 "alpha_max",
-                both!("greatest pressure angle, the crank square to the guide", "最大压力角（曲柄垂直于导路）"),
+                both!(
+                    "greatest pressure angle, the crank square to the guide",
+                    "最大压力角（曲柄垂直于导路）"
+                ),
                 libm::asin(swing),
             ),
             DesignNumber::ratio("K", both!("time ratio", "行程速度变化系数"), self.ratio.k),
         ];
-        let demands = vec![Demand::FullTurn, Demand::TimeRatio(self.ratio.k), Demand::Stroke(self.stroke)];
+        let demands =
+            vec![Demand::FullTurn, Demand::TimeRatio(self.ratio.k), Demand::Stroke(self.stroke)];
         let slow = super::slow_stroke(wanted[0].driver, wanted[1].driver, heading.omega);
         let driver = wanted[0].driver;
         Draft {
             demands,
             remarks: vec![slow],
-            ..Draft::new(both!("the only solution", "唯一解"), scene([a, b, e], driver, at(b + a), heading), numbers, wanted.into())
+            ..Draft::new(
+                both!("the only solution", "唯一解"),
+                scene([a, b, e], driver, at(b + a), heading),
+                numbers,
+                wanted.into(),
+            )
         }
     }
 }
@@ -264,7 +314,10 @@ fn scene([a, b, e]: [f64; 3], crank: f64, c: Point, heading: &Heading) -> Json {
     scene.insert("points".into(), json!({"A": [0, 0]}));
     scene.insert("lengths".into(), json!({"AB": mm(a), "BC": mm(b)}));
     scene.insert("guides".into(), json!([{"pin": "C", "slider": "3", "on": "4", "through": "A", "angle": "0 deg", "offset": mm(e)}]));
-    scene.insert("driver".into(), json!({"link": "1", "angle": deg(crank), "omega": omega(heading.omega)}));
+    scene.insert(
+        "driver".into(),
+        json!({"link": "1", "angle": deg(crank), "omega": omega(heading.omega)}),
+    );
     scene.insert("sketch".into(), sketch(&[("C", c)]));
     scene.insert("find".into(), json!(["v_C", "a_C", "omega_2"]));
     Json::Object(scene)

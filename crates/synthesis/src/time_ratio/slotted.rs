@@ -108,7 +108,10 @@ fn read(
     let one = one_of(form, ["crank", "frame"]);
     let (ratio, (key, size)) = (ratio?, one?);
     if ratio.theta == 0.0 {
-        let d = Diagnostic::error("no-real-solution", both!("with K = 1 a slotted lever has no quick return", "K = 1 时导杆机构没有急回"));
+        let d = Diagnostic::error(
+            "no-real-solution",
+            both!("with K = 1 a slotted lever has no quick return", "K = 1 时导杆机构没有急回"),
+        );
         form.fault(d.at(form.span("K")).help(both!("K is greater than one", "K 应大于 1")));
         return None;
     }
@@ -125,7 +128,11 @@ fn short_link(stroke: f64, half: f64, notes: &mut Vec<Diagnostic>) -> f64 {
     let lever = stroke / (2.0 * libm::sin(half));
     let rise = lever * (1.0 - libm::cos(half)) / 2.0;
     let link = (0.3 * lever).max(5.0 * rise);
-    let message = both!("the link to the ram is free: {} is taken", "连接滑枕的连杆长可任取：取 {}", metres(link));
+    let message = both!(
+        "the link to the ram is free: {} is taken",
+        "连接滑枕的连杆长可任取：取 {}",
+        metres(link)
+    );
     let help = both!("give \"link\", longer than {}", "可给出大于 {} 的 \"link\"", metres(rise));
     notes.push(Diagnostic::note("free-choice", message).help(help));
     link
@@ -134,16 +141,28 @@ fn short_link(stroke: f64, half: f64, notes: &mut Vec<Diagnostic>) -> f64 {
 /// A default stroke for Whitworth's slider: the diameter of the crank's circle.
 fn chosen_stroke(crank: f64, notes: &mut Vec<Diagnostic>) -> f64 {
     let stroke = 2.0 * crank;
-    let message = both!("the stroke of the slider is free: {} is taken", "滑块行程可任取：取 {}", metres(stroke));
-    notes.push(Diagnostic::note("free-choice", message).help(both!("give \"stroke\"", "可给出 \"stroke\"")));
+    let message = both!(
+        "the stroke of the slider is free: {} is taken",
+        "滑块行程可任取：取 {}",
+        metres(stroke)
+    );
+    notes.push(
+        Diagnostic::note("free-choice", message)
+            .help(both!("give \"stroke\"", "可给出 \"stroke\"")),
+    );
     stroke
 }
 
 /// A default link for Whitworth's slider: three times the lever's arm.
 fn chosen_link(stroke: f64, notes: &mut Vec<Diagnostic>) -> f64 {
     let link = 1.5 * stroke;
-    let message = both!("the link to the slider is free: {} is taken", "连接滑块的连杆长可任取：取 {}", metres(link));
-    let help = both!("give \"link\", longer than {}", "可给出大于 {} 的 \"link\"", metres(stroke / 2.0));
+    let message = both!(
+        "the link to the slider is free: {} is taken",
+        "连接滑块的连杆长可任取：取 {}",
+        metres(link)
+    );
+    let help =
+        both!("give \"link\", longer than {}", "可给出大于 {} 的 \"link\"", metres(stroke / 2.0));
     notes.push(Diagnostic::note("free-choice", message).help(help));
     link
 }
@@ -155,7 +174,8 @@ fn one_of(form: &TaskForm, keys: [&'static str; 2]) -> Option<(&'static str, f64
         [false, true] => Some((keys[1], form.size(keys[1])?)),
         _ => {
             let [one, other] = keys;
-            let message = both!("one of `{one}` and `{other}` is given", "应给出 `{one}` 与 `{other}` 之一");
+            let message =
+                both!("one of `{one}` and `{other}` is given", "应给出 `{one}` 与 `{other}` 之一");
             form.fault(
                 Diagnostic::error("missing-key", message)
                     .at(form.span("linkage"))
@@ -170,9 +190,17 @@ impl Wish for Slotted {
     fn title(&self) -> Both {
         let k = significant(self.ratio.k, 4);
         match self.kind {
-            SlottedKind::Lever { .. } => both!("Slotted lever with time ratio {}", "行程速度变化系数为 {} 的摆动导杆机构", k),
-            SlottedKind::Shaper { .. } => both!("Shaper with time ratio {}", "行程速度变化系数为 {} 的牛头刨床机构", k),
-            SlottedKind::Whitworth { .. } => both!("Whitworth quick return with time ratio {}", "行程速度变化系数为 {} 的转动导杆机构", k),
+            SlottedKind::Lever { .. } => {
+                both!("Slotted lever with time ratio {}", "行程速度变化系数为 {} 的摆动导杆机构", k)
+            }
+            SlottedKind::Shaper { .. } => {
+                both!("Shaper with time ratio {}", "行程速度变化系数为 {} 的牛头刨床机构", k)
+            }
+            SlottedKind::Whitworth { .. } => both!(
+                "Whitworth quick return with time ratio {}",
+                "行程速度变化系数为 {} 的转动导杆机构",
+                k
+            ),
         }
     }
 
@@ -207,7 +235,11 @@ impl Slotted {
         vec![
             DesignNumber::length("AB", both!("crank", "曲柄"), self.crank),
             DesignNumber::length("AC", both!("frame", "机架"), self.frame),
-            DesignNumber::angle("theta", both!("crank angle between the limit positions", "极位夹角"), self.ratio.theta),
+            DesignNumber::angle(
+                "theta",
+                both!("crank angle between the limit positions", "极位夹角"),
+                self.ratio.theta,
+            ),
             DesignNumber::ratio("K", both!("time ratio", "行程速度变化系数"), self.ratio.k),
         ]
     }
@@ -218,7 +250,11 @@ impl Slotted {
         let half = self.ratio.theta / 2.0;
         [1.0, -1.0].map(|side| {
             let crank = Vec2::new(side * libm::cos(half), -libm::sin(half));
-            (crank.angle(), (crank * self.crank).to_point(), Vec2::new(side * libm::sin(half), libm::cos(half)))
+            (
+                crank.angle(),
+                (crank * self.crank).to_point(),
+                Vec2::new(side * libm::sin(half), libm::cos(half)),
+            )
         })
     }
 
@@ -241,7 +277,10 @@ impl Slotted {
         }
         scene.insert("lengths".into(), lengths);
         scene.insert("guides".into(), json!([guide]));
-        scene.insert("driver".into(), json!({"link": "1", "angle": deg(driver), "omega": omega(heading.omega)}));
+        scene.insert(
+            "driver".into(),
+            json!({"link": "1", "angle": deg(driver), "omega": omega(heading.omega)}),
+        );
         scene.insert("find".into(), json!(["omega_3", "alpha_3", "vr_B3B2"]));
         scene
     }
@@ -255,15 +294,23 @@ impl Slotted {
         heading: &Heading,
     ) -> Draft {
         let remarks = vec![super::slow_stroke(wanted[0].driver, wanted[1].driver, heading.omega)];
-        let demands = vec![Demand::FullTurn, Demand::TimeRatio(self.ratio.k), Demand::Stroke(stroke)];
-        Draft { demands, remarks, ..Draft::new(both!("the only solution", "唯一解"), Json::Object(scene), numbers, wanted) }
+        let demands =
+            vec![Demand::FullTurn, Demand::TimeRatio(self.ratio.k), Demand::Stroke(stroke)];
+        Draft {
+            demands,
+            remarks,
+            ..Draft::new(both!("the only solution", "唯一解"), Json::Object(scene), numbers, wanted)
+        }
     }
 
     fn lever(&self, lever: Option<f64>, heading: &Heading) -> Draft {
         let limits = self.limits();
         let wanted = limits.map(|(driver, b, direction)| {
             let d = lever.map(|l| ("D".to_owned(), self.c() + direction * l));
-            WantedPosition { driver, places: std::iter::once(("B".to_owned(), b)).chain(d).collect() }
+            WantedPosition {
+                driver,
+                places: std::iter::once(("B".to_owned(), b)).chain(d).collect(),
+            }
         });
         let (driver, _, direction) = limits[0];
         let scene = self.scene(heading, driver, lever.map(|l| (l, self.c() + direction * l)));
@@ -278,8 +325,13 @@ impl Slotted {
         let height = lever * (1.0 + libm::cos(half)) / 2.0;
         let off = (lever - height) / link;
         if off >= 1.0 {
-            let message = both!("the link of {} does not reach from D to the ram", "长 {} 的连杆不能由 D 到达滑枕", metres(link));
-            let help = both!("\"link\" is longer than {}", "\"link\" 应大于 {}", metres(lever - height));
+            let message = both!(
+                "the link of {} does not reach from D to the ram",
+                "长 {} 的连杆不能由 D 到达滑枕",
+                metres(link)
+            );
+            let help =
+                both!("\"link\" is longer than {}", "\"link\" 应大于 {}", metres(lever - height));
             return Err(Diagnostic::error("no-real-solution", message).help(help).into());
         }
         let limits = self.limits();
@@ -290,7 +342,10 @@ impl Slotted {
         };
         let wanted = limits.map(|(driver, b, direction)| {
             let d = self.c() + direction * lever;
-            WantedPosition { driver, places: vec![("B".into(), b), ("D".into(), d), ("E".into(), ram(d))] }
+            WantedPosition {
+                driver,
+                places: vec![("B".into(), b), ("D".into(), d), ("E".into(), ram(d))],
+            }
         });
         let d = self.c() + limits[0].2 * lever;
         let mut scene = self.scene(heading, limits[0].0, Some((lever, d)));
@@ -298,16 +353,28 @@ impl Slotted {
         let mut numbers = self.numbers();
         numbers.push(DesignNumber::length("CD", both!("lever", "导杆"), lever));
         numbers.push(DesignNumber::length("DE", both!("link to the ram", "连接滑枕的连杆"), link));
-        numbers.push(DesignNumber::length("y", both!("height of the ram's guide over C", "导路到 C 的距离"), height));
+        numbers.push(DesignNumber::length(
+            "y",
+            both!("height of the ram's guide over C", "导路到 C 的距离"),
+            height,
+        ));
         numbers.push(DesignNumber::length("H", both!("stroke", "行程"), stroke));
-        numbers.push(DesignNumber::angle("alpha_max", both!("greatest pressure angle of DE", "DE 的最大压力角"), libm::asin(off)));
+        numbers.push(DesignNumber::angle(
+            "alpha_max",
+            both!("greatest pressure angle of DE", "DE 的最大压力角"),
+            libm::asin(off),
+        ));
         Ok(self.draft(scene, numbers, wanted.into(), stroke, heading))
     }
 
     fn whitworth(&self, stroke: f64, link: f64, heading: &Heading) -> Result<Draft, Faults> {
         let arm = stroke / 2.0;
         if link <= arm {
-            let message = both!("the link of {} is too short for the slider's stroke", "长 {} 的连杆不足以满足滑块行程", metres(link));
+            let message = both!(
+                "the link of {} is too short for the slider's stroke",
+                "长 {} 的连杆不足以满足滑块行程",
+                metres(link)
+            );
             let help = both!("\"link\" is longer than {}", "\"link\" 应大于 {}", metres(arm));
             return Err(Diagnostic::error("no-real-solution", message).help(help).into());
         }
@@ -320,7 +387,11 @@ impl Slotted {
             let d = Point::new(side * arm, c.y);
             WantedPosition {
                 driver: b.to_vec2().angle(),
-                places: vec![("B".into(), b), ("D".into(), d), ("E".into(), Point::new(d.x - link, c.y))],
+                places: vec![
+                    ("B".into(), b),
+                    ("D".into(), d),
+                    ("E".into(), Point::new(d.x - link, c.y)),
+                ],
             }
         });
         let (d, e) = (Point::new(arm, c.y), Point::new(arm - link, c.y));
@@ -329,7 +400,11 @@ impl Slotted {
         self.add_slider(&mut scene, link, c.y, &[("D", d), ("E", e)]);
         let mut numbers = self.numbers();
         numbers.push(DesignNumber::length("CD", both!("arm of the lever", "导杆上的臂长"), arm));
-        numbers.push(DesignNumber::length("DE", both!("link to the slider", "连接滑块的连杆"), link));
+        numbers.push(DesignNumber::length(
+            "DE",
+            both!("link to the slider", "连接滑块的连杆"),
+            link,
+        ));
         numbers.push(DesignNumber::length("H", both!("stroke", "行程"), stroke));
         numbers.push(DesignNumber::angle(
             "alpha_return",
@@ -351,7 +426,13 @@ impl Slotted {
     }
 
     /// Adds the link DE and its slider on a horizontal guide.
-    fn add_slider(&self, scene: &mut Map<String, Json>, link: f64, level: f64, rough: &[(&str, Point)]) {
+    fn add_slider(
+        &self,
+        scene: &mut Map<String, Json>,
+        link: f64,
+        level: f64,
+        rough: &[(&str, Point)],
+    ) {
         scene["links"]["4"] = json!(["D", "E"]);
         scene["lengths"]["DE"] = mm(link);
         if let Some(guides) = scene["guides"].as_array_mut() {

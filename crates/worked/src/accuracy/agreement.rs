@@ -50,14 +50,23 @@ pub const ROUNDING: f64 = STEPS * f64::EPSILON;
 /// `scale` is the largest vector (or rate) of its level; `magnification` is the factor by which the
 /// worst crossing magnifies rounding there (see
 /// [`hodograph_board::construct::PlanDrawing::magnified`]).
-pub fn compare(drawn: AnswerValue, computed: AnswerValue, scale: f64, magnification: f64) -> Agreement {
+pub fn compare(
+    drawn: AnswerValue,
+    computed: AnswerValue,
+    scale: f64,
+    magnification: f64,
+) -> Agreement {
     let difference = drawn.apart(&computed).unwrap_or(f64::INFINITY);
     // A place is counted from a chosen origin: its distance from there has no relation to its
     // error.
     let least = if computed.form() == ValueForm::Point { scale } else { scale * 1e-3 };
     let reference = computed.magnitude().max(least);
     let difference = if difference == 0.0 { 0.0 } else { difference / reference };
-    Agreement { difference, bound: WELL_CONDITIONED.max(STEPS * f64::EPSILON * magnification), noise: ROUNDING * scale }
+    Agreement {
+        difference,
+        bound: WELL_CONDITIONED.max(STEPS * f64::EPSILON * magnification),
+        noise: ROUNDING * scale,
+    }
 }
 
 #[cfg(test)]
@@ -69,21 +78,30 @@ mod tests {
     fn zero_answers_are_judged_by_their_polygon() {
         let a = compare(AnswerValue::Scalar(1e-15), AnswerValue::Scalar(0.0), 1.0, 1.0);
         assert!(a.holds() && (a.difference - 1e-12).abs() < 1e-20);
-        assert!(!compare(AnswerValue::Scalar(1.0), AnswerValue::Scalar(1.0 + 1e-9), 1.0, 10.0).holds());
+        assert!(
+            !compare(AnswerValue::Scalar(1.0), AnswerValue::Scalar(1.0 + 1e-9), 1.0, 10.0).holds()
+        );
         // Without a common digit there is no agreement, for any crossing.
         assert!(!compare(AnswerValue::Scalar(1.0), AnswerValue::Scalar(1.1), 1.0, 1e18).holds());
-        assert!(!compare(AnswerValue::Scalar(f64::NAN), AnswerValue::Scalar(1.0), 1.0, 10.0).holds());
+        assert!(
+            !compare(AnswerValue::Scalar(f64::NAN), AnswerValue::Scalar(1.0), 1.0, 10.0).holds()
+        );
     }
 
     #[test]
     fn places_agree_by_their_distance() {
         let agree = |off: f64| {
-            let (a, b) = (AnswerValue::Point(Point::new(1e-9, off)), AnswerValue::Point(Point::new(1e-9, 0.0)));
+            let (a, b) = (
+                AnswerValue::Point(Point::new(1e-9, off)),
+                AnswerValue::Point(Point::new(1e-9, 0.0)),
+            );
             compare(a, b, 0.5, 1.0)
         };
         // A place near the origin is as certain as elsewhere.
         assert!(agree(1e-13).holds() && !agree(1e-10).holds());
         assert_eq!(agree(1e-3).difference, 2e-3);
-        assert!(!compare(AnswerValue::Point(Point::ORIGIN), AnswerValue::Scalar(0.0), 1.0, 1.0).holds());
+        assert!(
+            !compare(AnswerValue::Point(Point::ORIGIN), AnswerValue::Scalar(0.0), 1.0, 1.0).holds()
+        );
     }
 }

@@ -83,7 +83,16 @@ pub fn bad_angles(drawn: &DraftedConstruction, pencil_mm: f64) -> Vec<BadAngle> 
         return Vec::new();
     }
     if crossings(drawn.construction, pencil_mm).len() > MANY {
-        return bad.into_iter().map(|crossing| BadAngle { crossing, pencil_mm, larger: None, special: None, pose: None }).collect();
+        return bad
+            .into_iter()
+            .map(|crossing| BadAngle {
+                crossing,
+                pencil_mm,
+                larger: None,
+                special: None,
+                pose: None,
+            })
+            .collect();
     }
     let tolerances = drafting(drawn, pencil_mm).tolerances;
     let larger = larger(&tolerances);
@@ -109,31 +118,53 @@ fn larger(tolerances: &[Option<Tolerance>]) -> Option<f64> {
 
 /// The worst relative tolerance; infinite if one is not known.
 fn worst(tolerances: &[Option<Tolerance>]) -> f64 {
-    tolerances.iter().map(|t| t.as_ref().map_or(f64::INFINITY, |t| t.relative.unwrap_or(0.0))).fold(0.0, f64::max)
+    tolerances
+        .iter()
+        .map(|t| t.as_ref().map_or(f64::INFINITY, |t| t.relative.unwrap_or(0.0)))
+        .fold(0.0, f64::max)
 }
 
 /// The velocities drawn exactly in a configuration; their lines cross under the same angles as
 /// those of the accelerations.
-fn redrawn(drawn: &DraftedConstruction, at: &Configuration, layout: &Layout) -> Option<PlanDrawing> {
-    let layout = Layout { scales: layout.scales.clone().with(Kind::Acceleration, None), ..layout.clone() };
+fn redrawn(
+    drawn: &DraftedConstruction,
+    at: &Configuration,
+    layout: &Layout,
+) -> Option<PlanDrawing> {
+    let layout =
+        Layout { scales: layout.scales.clone().with(Kind::Acceleration, None), ..layout.clone() };
     drawn.construction.acts.draw(drawn.scene, at, drawn.plan, &layout, &mut Exact).ok()
 }
 
-fn other_point(drawn: &DraftedConstruction, target: VertexId, pencil_mm: f64, present: f64) -> Option<OtherPoint> {
+fn other_point(
+    drawn: &DraftedConstruction,
+    target: VertexId,
+    pencil_mm: f64,
+    present: f64,
+) -> Option<OtherPoint> {
     let layout = Layout::of(drawn.construction);
     let finds = |steps: &[PlanStep], v: VertexId| {
         steps.iter().any(|s| matches!(s, PlanStep::Equation { target, .. } | PlanStep::Trials { target, .. } if *target == v))
     };
     let chosen = |g: usize| drawn.construction.acts.chosen[g];
-    let steps =
-        drawn.plan.steps(DiagramKind::Velocity).iter().find(|s| s.alternatives.get(chosen(s.group)).is_some_and(|a| finds(a, target)))?;
+    let steps = drawn
+        .plan
+        .steps(DiagramKind::Velocity)
+        .iter()
+        .find(|s| s.alternatives.get(chosen(s.group)).is_some_and(|a| finds(a, target)))?;
     let group = steps.group;
     let mut best: Option<OtherPoint> = None;
-    for (k, alternative) in steps.alternatives.iter().enumerate().filter(|(k, _)| *k != chosen(group)) {
+    for (k, alternative) in
+        steps.alternatives.iter().enumerate().filter(|(k, _)| *k != chosen(group))
+    {
         let mut other = drawn.construction.acts.chosen.clone();
         other[group] = k;
         let acts = Acts::of(drawn.scene, drawn.mechanism, drawn.plan, &other);
-        let Ok(paper) = acts.draw(drawn.scene, drawn.configuration, drawn.plan, &layout, &mut Exact) else { continue };
+        let Ok(paper) =
+            acts.draw(drawn.scene, drawn.configuration, drawn.plan, &layout, &mut Exact)
+        else {
+            continue;
+        };
         let own = crossings(&paper, 0.0).into_iter().filter(|c| finds(alternative, c.target));
         let worst_deg = own.map(|c| c.angle_deg()).fold(90.0, f64::min);
         let legs = alternative.iter().find_map(|s| match s {
@@ -143,8 +174,17 @@ fn other_point(drawn: &DraftedConstruction, target: VertexId, pencil_mm: f64, pr
         if let Some(legs) = legs
             && worst_deg >= BAD_DEG
             && best.is_none_or(|b| worst_deg > b.worst_deg)
-            && worst(&drafting(&DraftedConstruction { construction: &paper, equilibrium: None, ..drawn.clone() }, pencil_mm).tolerances)
-                < present
+            && worst(
+                &drafting(
+                    &DraftedConstruction {
+                        construction: &paper,
+                        equilibrium: None,
+                        ..drawn.clone()
+                    },
+                    pencil_mm,
+                )
+                .tolerances,
+            ) < present
         {
             best = Some(OtherPoint { group, legs, worst_deg });
         }
@@ -176,14 +216,25 @@ const SENSES: [f64; 2] = [1.0, -1.0];
 
 impl<'a> BadAngleSearch<'a> {
     fn new(drawn: &'a DraftedConstruction<'a>) -> BadAngleSearch<'a> {
-        let was = crossings(drawn.construction, 0.0).into_iter().map(|c| ((c.on, c.target.0), c.sine)).collect();
+        let was = crossings(drawn.construction, 0.0)
+            .into_iter()
+            .map(|c| ((c.on, c.target.0), c.sine))
+            .collect();
         let turning = |driver: &usize| drawn.scene.drivers[*driver].kind.turns();
         let steps = (SEARCH_DEG / SEARCH_STEP_DEG) as usize;
         let drivers = (0..drawn.scene.drivers.len()).filter(turning);
-        let mut ahead: Vec<_> =
-            drivers.flat_map(|d| (1..=steps).flat_map(move |k| (0..SENSES.len()).map(move |way| (d, k, way)))).collect();
+        let mut ahead: Vec<_> = drivers
+            .flat_map(|d| {
+                (1..=steps).flat_map(move |k| (0..SENSES.len()).map(move |way| (d, k, way)))
+            })
+            .collect();
         ahead.reverse();
-        let ways = drawn.scene.drivers.iter().map(|_| SENSES.map(|_| Some(drawn.configuration.clone()))).collect();
+        let ways = drawn
+            .scene
+            .drivers
+            .iter()
+            .map(|_| SENSES.map(|_| Some(drawn.configuration.clone())))
+            .collect();
         BadAngleSearch { drawn, was, ahead, ways, tried: Vec::new() }
     }
 
@@ -194,16 +245,31 @@ impl<'a> BadAngleSearch<'a> {
             while k == self.tried.len() {
                 let (driver, step, way) = self.ahead.pop()?;
                 let turn_deg = SENSES[way] * step as f64 * SEARCH_STEP_DEG;
-                let there = self.step(driver, way).map(|crossings| SearchPose { driver, turn_deg, crossings });
+                let there = self.step(driver, way).map(|crossings| SearchPose {
+                    driver,
+                    turn_deg,
+                    crossings,
+                });
                 self.tried.extend(there);
             }
             let SearchPose { driver, turn_deg, crossings } = &self.tried[k];
-            let here = crossings.iter().find(|c| (c.on, c.target) == (crossing.on, crossing.target)).map(|c| c.angle_deg());
+            let here = crossings
+                .iter()
+                .find(|c| (c.on, c.target) == (crossing.on, crossing.target))
+                .map(|c| c.angle_deg());
             if let Some(crossing_deg) = here.filter(|here| *here >= GOOD_DEG)
                 && crossings.iter().all(|c| c.angle_deg() >= BAD_DEG)
             {
-                let to_deg = self.drawn.scene.drivers[*driver].kind.angle().map(|a| a.value.degrees() + turn_deg);
-                return Some(NearbyPose { driver: *driver, turn_deg: *turn_deg, to_deg, crossing_deg });
+                let to_deg = self.drawn.scene.drivers[*driver]
+                    .kind
+                    .angle()
+                    .map(|a| a.value.degrees() + turn_deg);
+                return Some(NearbyPose {
+                    driver: *driver,
+                    turn_deg: *turn_deg,
+                    to_deg,
+                    crossing_deg,
+                });
             }
             k += 1;
         }
@@ -219,7 +285,10 @@ impl<'a> BadAngleSearch<'a> {
         let at = moved(drawn.scene, drawn.mechanism, &from, &values)?;
         let paper = redrawn(drawn, &at, &Layout::of(drawn.construction))?;
         let now = crossings(&paper, 0.0);
-        if !now.iter().all(|c| self.was.get(&(c.on, c.target.0)).is_some_and(|was| was * c.sine > 0.0)) {
+        if !now
+            .iter()
+            .all(|c| self.was.get(&(c.on, c.target.0)).is_some_and(|was| was * c.sine > 0.0))
+        {
             return None;
         }
         self.ways[driver][way] = Some(at);
@@ -238,7 +307,10 @@ fn near(drawn: &DraftedConstruction, c: &CrossingTolerance) -> Both {
     let terms = edges.into_iter().flatten().filter_map(|e| polygon.edges[*e].terms.first());
     let words: Vec<Both> = terms.map(|t| held_by(drawn.scene, drawn.plan, t)).collect();
     if words.is_empty() {
-        return both!("the lines of two trials are nearly parallel, and ", "两次试作的直线接近平行，");
+        return both!(
+            "the lines of two trials are nearly parallel, and ",
+            "两次试作的直线接近平行，"
+        );
     }
     both!("{} are near a dead centre, and ", "{} 接近死点，", Both::join(&words, " and ", "与"))
 }
@@ -274,7 +346,12 @@ impl BadAngle {
                 p.legs.0 + 1,
                 p.legs.1 + 1
             );
-            help.push(both!("{}, where the lines cross under {}° or more", "{}，交角不小于 {}°", point, significant(p.worst_deg, 2)));
+            help.push(both!(
+                "{}, where the lines cross under {}° or more",
+                "{}，交角不小于 {}°",
+                point,
+                significant(p.worst_deg, 2)
+            ));
         }
         if let Some(p) = self.pose {
             let angle = significant(p.crossing_deg, 2);

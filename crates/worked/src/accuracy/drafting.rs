@@ -47,7 +47,8 @@ impl DraftedConstruction<'_> {
         }
         match self.construction.polygon(on) {
             Some(p) => p.extent().map(|s| s / p.mu),
-            None => scale::size(self.scene, self.configuration).map(|s| s / self.construction.diagram.mu),
+            None => scale::size(self.scene, self.configuration)
+                .map(|s| s / self.construction.diagram.mu),
         }
     }
 
@@ -56,18 +57,32 @@ impl DraftedConstruction<'_> {
     ///
     /// # Errors
     /// Two lines that the pencil made parallel.
-    pub fn read_with<P: Pencil>(&self, layout: &Layout, pencil: &mut P) -> Result<Vec<Option<AnswerValue>>, Faults> {
+    pub fn read_with<P: Pencil>(
+        &self,
+        layout: &Layout,
+        pencil: &mut P,
+    ) -> Result<Vec<Option<AnswerValue>>, Faults> {
         let (scene, m, plan) = (self.scene, self.mechanism, self.plan);
-        let (paper, shown) = by_hand(&self.construction.acts, scene, self.configuration, plan, layout, pencil)?;
+        let (paper, shown) =
+            by_hand(&self.construction.acts, scene, self.configuration, plan, layout, pencil)?;
         let mut read = read_by_hand(scene, m, &shown, plan, &paper, pencil);
         if let Some(equilibrium) = self.equilibrium {
             let motion = source(scene, m, plan, &paper);
-            let forces = equilibrium.by_hand(scene, m, self.configuration, &motion, pencil).map(Reactions);
-            for (find, value) in scene.find.iter().zip(&mut read).filter(|(f, _)| matches!(f.what, Asked::Force(_))) {
-                *value = forces.as_ref().and_then(|drawn| evaluate(scene, self.configuration, drawn, &find.what));
+            let forces =
+                equilibrium.by_hand(scene, m, self.configuration, &motion, pencil).map(Reactions);
+            for (find, value) in
+                scene.find.iter().zip(&mut read).filter(|(f, _)| matches!(f.what, Asked::Force(_)))
+            {
+                *value = forces
+                    .as_ref()
+                    .and_then(|drawn| evaluate(scene, self.configuration, drawn, &find.what));
             }
         }
-        Ok(read.into_iter().zip(&self.values).map(|(r, v)| if v.is_some() { r } else { None }).collect())
+        Ok(read
+            .into_iter()
+            .zip(&self.values)
+            .map(|(r, v)| if v.is_some() { r } else { None })
+            .collect())
     }
 }
 
@@ -183,7 +198,11 @@ pub fn drafting(drawn: &DraftedConstruction, pencil_mm: f64) -> Drafting {
         let larger = relative.map(|r| larger(&drawn.scene.paper, drawn, &layout, r, &parts));
         absolute.is_finite().then_some(Tolerance { absolute, relative, parts, larger })
     });
-    Drafting { pencil_mm, tolerances: tolerances.collect(), crossings: crossings(drawn.construction, pencil_mm) }
+    Drafting {
+        pencil_mm,
+        tolerances: tolerances.collect(),
+        crossings: crossings(drawn.construction, pencil_mm),
+    }
 }
 
 /// A pencil that displaces one mark, or only records the drawing of each mark.
@@ -221,7 +240,11 @@ const MOST_MARKS: usize = 1000;
 
 /// The covariances of the answers for marks that miss by `deviation_mm` in x and in y; `None` if a
 /// displaced mark undoes the drawing, or if there are more than [`MOST_MARKS`].
-fn spreads(drawn: &DraftedConstruction, layout: &Layout, deviation_mm: f64) -> Option<Vec<Option<Spread>>> {
+fn spreads(
+    drawn: &DraftedConstruction,
+    layout: &Layout,
+    deviation_mm: f64,
+) -> Option<Vec<Option<Spread>>> {
     let mut first = DisplacedPencil { marks: Vec::new(), count: 0, displaced: None };
     let base = drawn.read_with(layout, &mut first).ok()?;
     if first.marks.len() > MOST_MARKS {
@@ -241,7 +264,8 @@ fn spreads(drawn: &DraftedConstruction, layout: &Layout, deviation_mm: f64) -> O
         }
         for axis in [Vec2::new(h, 0.0), Vec2::new(0.0, h)] {
             let at = |by: Vec2| {
-                let mut pencil = DisplacedPencil { marks: Vec::new(), count: 0, displaced: Some((mark, by)) };
+                let mut pencil =
+                    DisplacedPencil { marks: Vec::new(), count: 0, displaced: Some((mark, by)) };
                 drawn.read_with(layout, &mut pencil).ok()
             };
             let (ahead, behind) = (at(axis)?, at(-axis)?);
@@ -261,9 +285,13 @@ pub(super) fn difference(what: &Asked, a: AnswerValue, b: AnswerValue) -> Vec2 {
     match (a, b) {
         (AnswerValue::Vector(a), AnswerValue::Vector(b)) => a - b,
         (AnswerValue::Point(a), AnswerValue::Point(b)) => a - b,
-        (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) if what.kind() == Kind::Angle => Vec2::new(Vec2::from_angle(a - b).angle(), 0.0),
+        (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) if what.kind() == Kind::Angle => {
+            Vec2::new(Vec2::from_angle(a - b).angle(), 0.0)
+        }
         (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => Vec2::new(a - b, 0.0),
-        (AnswerValue::Vector(_) | AnswerValue::Scalar(_) | AnswerValue::Point(_), _) => Vec2::new(f64::INFINITY, 0.0),
+        (AnswerValue::Vector(_) | AnswerValue::Scalar(_) | AnswerValue::Point(_), _) => {
+            Vec2::new(f64::INFINITY, 0.0)
+        }
     }
 }
 
@@ -278,7 +306,11 @@ impl Spread {
     }
 
     fn total(&self) -> Covariance {
-        self.0.values().fold(Covariance::default(), |a, b| Covariance { xx: a.xx + b.xx, xy: a.xy + b.xy, yy: a.yy + b.yy })
+        self.0.values().fold(Covariance::default(), |a, b| Covariance {
+            xx: a.xx + b.xx,
+            xy: a.xy + b.xy,
+            yy: a.yy + b.yy,
+        })
     }
 }
 
@@ -307,7 +339,8 @@ impl Covariance {
     /// than any power.
     fn radius(&self, p: f64) -> f64 {
         const STEPS: usize = 32;
-        let (mean, half) = (0.5 * (self.xx + self.yy), libm::hypot(0.5 * (self.xx - self.yy), self.xy));
+        let (mean, half) =
+            (0.5 * (self.xx + self.yy), libm::hypot(0.5 * (self.xx - self.yy), self.xy));
         let (large, small) = (mean + half, (mean - half).max(0.0));
         if large == 0.0 || !large.is_finite() {
             return large.sqrt();

@@ -10,8 +10,13 @@ use hodograph_scene::{ByKind, DiagramKind, Kind, Paper};
 const WANTED: f64 = 0.01;
 
 /// ISO 216 sheets, upright, in mm, the smallest first.
-const SHEETS: [(&str, [f64; 2]); 5] =
-    [("A4", [210.0, 297.0]), ("A3", [297.0, 420.0]), ("A2", [420.0, 594.0]), ("A1", [594.0, 841.0]), ("A0", [841.0, 1189.0])];
+const SHEETS: [(&str, [f64; 2]); 5] = [
+    ("A4", [210.0, 297.0]),
+    ("A3", [297.0, 420.0]),
+    ("A2", [420.0, 594.0]),
+    ("A1", [594.0, 841.0]),
+    ("A0", [841.0, 1189.0]),
+];
 
 /// The margin on each side of a sheet (mm).
 const BORDER_MM: f64 = 10.0;
@@ -49,14 +54,24 @@ impl Larger {
 }
 
 /// The enlargement for a relative tolerance; `parts` is positive for the drawings that matter.
-pub(super) fn larger(paper: &Paper, drawn: &DraftedConstruction, layout: &Layout, relative: f64, parts: &ByKind) -> Larger {
+pub(super) fn larger(
+    paper: &Paper,
+    drawn: &DraftedConstruction,
+    layout: &Layout,
+    relative: f64,
+    parts: &ByKind,
+) -> Larger {
     let factor = relative / WANTED;
     let mut present = layout.scales.clone().with(Kind::Length, Some(layout.mu));
     present.set(Kind::Force, drawn.equilibrium.map(Equilibrium::mu));
     let mut scales = ByKind::default();
     let mut size_mm = [0.0f64; 2];
     for on in DiagramKind::ALL {
-        let Some(now) = present.get(on.kind()).filter(|_| parts.get(on.kind()).is_some_and(|part| part > 0.0)) else { continue };
+        let Some(now) =
+            present.get(on.kind()).filter(|_| parts.get(on.kind()).is_some_and(|part| part > 0.0))
+        else {
+            continue;
+        };
         let then = if factor > 1.0 { finer(paper.unit(on.kind()), now, factor) } else { now };
         let on_paper = drawn.size_mm(on).map(|mm| mm * now / then);
         if on_paper[0].max(on_paper[1]) > size_mm[0].max(size_mm[1]) {

@@ -13,7 +13,9 @@ mod written;
 
 pub use agreement::{Agreement, ROUNDING, compare};
 pub use bad_angle::{BAD_DEG, BadAngle, NearbyPose, OtherPoint, bad_angles};
-pub use drafting::{CrossingTolerance, DraftedConstruction, Drafting, Tolerance, crossings, drafting};
+pub use drafting::{
+    CrossingTolerance, DraftedConstruction, Drafting, Tolerance, crossings, drafting,
+};
 pub use larger::Larger;
 pub use near::{ComparedMethods, KeptDigits, estimated, kept};
 pub use places::{settled, settled_finely};

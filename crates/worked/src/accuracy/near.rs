@@ -52,11 +52,16 @@ pub fn kept<S: Fn(Level, &AnswerValue) -> f64>(
     let truth = truth.or_else(|| regular(scene, m, demand, at, &scene.find))?;
     let error = |i: usize, value: Option<AnswerValue>| {
         let (level, true_value) = (scene.find[i].what.level(), truth.values[i]?);
-        (level > Level::Position).then_some(compare(value?, true_value, (ways.scale)(level, &true_value), 1.0).difference)
+        (level > Level::Position).then_some(
+            compare(value?, true_value, (ways.scale)(level, &true_value), 1.0).difference,
+        )
     };
-    let computed: Vec<Option<f64>> =
-        (0..scene.find.len()).map(|i| error(i, ways.solution.answer(scene, at, &scene.find[i].what))).collect();
-    let errors = (0..scene.find.len()).map(|i| computed[i].into_iter().chain(error(i, ways.drawn[i])).reduce(f64::max)).collect();
+    let computed: Vec<Option<f64>> = (0..scene.find.len())
+        .map(|i| error(i, ways.solution.answer(scene, at, &scene.find[i].what)))
+        .collect();
+    let errors = (0..scene.find.len())
+        .map(|i| computed[i].into_iter().chain(error(i, ways.drawn[i])).reduce(f64::max))
+        .collect();
     Some(KeptDigits { truth, errors, computed })
 }
 
@@ -99,7 +104,11 @@ impl KeptDigits {
 /// that are printed.
 pub fn estimated(near: &NearSingular, condition: f64) -> Option<Diagnostic> {
     let digits = (-libm::log10(10.0 * near.loss)).floor();
-    let left = if digits < 1.0 { both!("no digit", "不到一位") } else { both!("about {digits} digits", "约 {digits} 位") };
+    let left = if digits < 1.0 {
+        both!("no digit", "不到一位")
+    } else {
+        both!("about {digits} digits", "约 {digits} 位")
+    };
     (digits < PRINTED).then(|| {
         Diagnostic::warning(
             "near-singular",

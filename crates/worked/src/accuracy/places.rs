@@ -35,12 +35,23 @@ pub fn settled(scene: &Scene, m: &Mechanism, demand: &Demand, at: Configuration)
 
 /// Returns the configuration to the last digit, for a pose in which even rounding is magnified
 /// beyond the allowed error.
-pub fn settled_finely(scene: &Scene, m: &Mechanism, demand: &Demand, at: Configuration) -> Configuration {
+pub fn settled_finely(
+    scene: &Scene,
+    m: &Mechanism,
+    demand: &Demand,
+    at: Configuration,
+) -> Configuration {
     settled_beyond(scene, m, demand, at, [0.0, f64::EPSILON / 4.0])
 }
 
 /// The configuration for the thresholds `plain` and `least`, see [`PLAIN`] and [`OFF`].
-fn settled_beyond(scene: &Scene, m: &Mechanism, demand: &Demand, at: Configuration, [plain, least]: [f64; 2]) -> Configuration {
+fn settled_beyond(
+    scene: &Scene,
+    m: &Mechanism,
+    demand: &Demand,
+    at: Configuration,
+    [plain, least]: [f64; 2],
+) -> Configuration {
     let extent = at.extent();
     let places = PlaceRounding { scene, m, demand, at: &at, extent };
     let mut last = None;
@@ -162,7 +173,12 @@ impl Rounding {
     }
 
     /// Rounds an optional value; both options must have a value, or neither.
-    fn option<A, B>(&mut self, here: &mut Option<A>, there: &Option<B>, each: impl Fn(&mut Self, &mut A, &B) -> Option<()>) -> Option<()> {
+    fn option<A, B>(
+        &mut self,
+        here: &mut Option<A>,
+        there: &Option<B>,
+        each: impl Fn(&mut Self, &mut A, &B) -> Option<()>,
+    ) -> Option<()> {
         match (here, there) {
             (Some(here), Some(there)) => each(self, here, there),
             (None, None) => Some(()),

@@ -21,7 +21,8 @@ impl Rung {
     /// All rungs, the cheapest first. The last has more digits than any request loses by the depth
     /// of a dead centre written with twenty decimals; beyond it only ties and poses that are
     /// singular as written remain.
-    pub const LADDER: [Rung; 5] = [Rung::Double, Rung::DoubleDouble, Rung::Long(192), Rung::Long(384), Rung::Long(768)];
+    pub const LADDER: [Rung; 5] =
+        [Rung::Double, Rung::DoubleDouble, Rung::Long(192), Rung::Long(384), Rung::Long(768)];
 
     /// The last rung: beyond it nothing is tried.
     pub const LAST: Rung = Rung::LADDER[Rung::LADDER.len() - 1];

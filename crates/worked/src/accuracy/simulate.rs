@@ -22,7 +22,12 @@ pub struct DrawingErrors {
 /// The error of a vector is the length of the difference, so that a wrong direction counts too. A
 /// drawing in which the pencil made two lines parallel has an infinite error. The same seed gives
 /// the same numbers.
-pub fn simulate(drawn: &DraftedConstruction, pencil_mm: f64, runs: usize, seed: u64) -> Vec<Option<DrawingErrors>> {
+pub fn simulate(
+    drawn: &DraftedConstruction,
+    pencil_mm: f64,
+    runs: usize,
+    seed: u64,
+) -> Vec<Option<DrawingErrors>> {
     let layout = Layout::of(drawn.construction);
     let mut pencil = Blunt::new(pencil_mm, seed);
     let mut errors: Vec<Vec<f64>> = vec![Vec::with_capacity(runs); drawn.values.len()];
@@ -36,16 +41,23 @@ pub fn simulate(drawn: &DraftedConstruction, pencil_mm: f64, runs: usize, seed: 
             });
         }
     }
-    let of = |(list, value): (Vec<f64>, &Option<hodograph_mechanism::answer::AnswerValue>)| summary(list, (*value)?.magnitude());
+    let of = |(list, value): (Vec<f64>, &Option<hodograph_mechanism::answer::AnswerValue>)| {
+        summary(list, (*value)?.magnitude())
+    };
     errors.into_iter().zip(&drawn.values).map(of).collect()
 }
 
 fn summary(mut errors: Vec<f64>, size: f64) -> Option<DrawingErrors> {
     errors.sort_by(f64::total_cmp);
     // The smallest error that the part `p` of the drawings does not exceed.
-    let within = |p: f64| errors.get(((p * errors.len() as f64).ceil() as usize).saturating_sub(1)).copied();
+    let within =
+        |p: f64| errors.get(((p * errors.len() as f64).ceil() as usize).saturating_sub(1)).copied();
     let (median, within_95) = (within(0.5)?, within(0.95)?);
-    Some(DrawingErrors { median, within_95, relative: (size > 0.0).then(|| [median / size, within_95 / size]) })
+    Some(DrawingErrors {
+        median,
+        within_95,
+        relative: (size > 0.0).then(|| [median / size, within_95 / size]),
+    })
 }
 
 #[cfg(test)]

@@ -28,10 +28,18 @@ pub struct Regular {
 /// Returns the answers to some questions with the given demand, if on some rung every group
 /// certainly has one motion. Returns `None` if the pose is singular as written, does not close, or
 /// is not the written one but one to which the mechanism was followed.
-pub fn regular(scene: &Scene, m: &Mechanism, demand: &Demand, at: &Configuration, questions: &[Find]) -> Option<Regular> {
+pub fn regular(
+    scene: &Scene,
+    m: &Mechanism,
+    demand: &Demand,
+    at: &Configuration,
+    questions: &[Find],
+) -> Option<Regular> {
     let extent = at.extent();
     let given = |p: usize| match &scene.points[p].place {
-        PointPlace::At([x, y]) => at.points[p].is_none_or(|here| libm::hypot(here.x - x.value, here.y - y.value) <= SAME_POSE * extent),
+        PointPlace::At([x, y]) => at.points[p].is_none_or(|here| {
+            libm::hypot(here.x - x.value, here.y - y.value) <= SAME_POSE * extent
+        }),
         PointPlace::Unknown | PointPlace::InLink { .. } | PointPlace::Polar { .. } => true,
     };
     if !(0..scene.points.len()).all(given) {
@@ -86,7 +94,8 @@ impl Climb for RungAnswers<'_> {
         if !motion.singular.is_empty() {
             return None;
         }
-        let answers: Vec<Option<AnswerValue<N>>> = self.questions.iter().map(|f| evaluate(self.scene, &at, &motion, &f.what)).collect();
+        let answers: Vec<Option<AnswerValue<N>>> =
+            self.questions.iter().map(|f| evaluate(self.scene, &at, &motion, &f.what)).collect();
         let form = |i: usize| answers[i].map(|v| v.form());
         let largest = |i: usize| {
             let of_kind = (0..answers.len()).filter(|k| form(*k) == form(i));
@@ -106,7 +115,9 @@ impl Climb for RungAnswers<'_> {
             // itself.
             values.push(answer.map(|value| match value {
                 AnswerValue::Vector(v) => value.map(|x| number(x, v.approx().norm())),
-                AnswerValue::Scalar(_) | AnswerValue::Point(_) => value.map(|x| number(x, x.approx().abs())),
+                AnswerValue::Scalar(_) | AnswerValue::Point(_) => {
+                    value.map(|x| number(x, x.approx().abs()))
+                }
             }));
         }
         let decided = values.iter().flatten().all(|v| v.magnitude().is_finite());

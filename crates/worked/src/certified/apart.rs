@@ -5,7 +5,8 @@ use hodograph_base::diag::Diagnostic;
 use hodograph_mechanism::mechanism::Demand;
 
 /// A function that evaluates some answers together.
-type AnswerEvaluation<'a, T> = &'a dyn Fn(&[usize]) -> Result<Vec<Result<T, MissingDigits>>, Diagnostic>;
+type AnswerEvaluation<'a, T> =
+    &'a dyn Fn(&[usize]) -> Result<Vec<Result<T, MissingDigits>>, Diagnostic>;
 
 /// Evaluates some answers together. One group that does not close must not remove the answers of
 /// the others: the first such group is found by halving, because those before it close; answers
@@ -78,19 +79,32 @@ mod tests {
                 let closes = |demand: &Demand| {
                     tried.set(tried.get() + 1);
                     let wanted = demand.groups.get(bad).copied().flatten();
-                    wanted.map_or(Ok(()), |_| Err(Diagnostic::error("cannot-assemble", Both::same(format!("group {bad}")))))
+                    wanted.map_or(Ok(()), |_| {
+                        Err(Diagnostic::error(
+                            "cannot-assemble",
+                            Both::same(format!("group {bad}")),
+                        ))
+                    })
                 };
-                let look = |open: &[usize]| closes(&demand(open)).map(|()| open.iter().map(|k| Ok(*k)).collect());
+                let look = |open: &[usize]| {
+                    closes(&demand(open)).map(|()| open.iter().map(|k| Ok(*k)).collect())
+                };
                 let open: Vec<usize> = (0..n).collect();
                 let seen = apart(&open, &look, &demand, &closes);
                 for (k, seen) in seen.iter().enumerate() {
                     match seen {
                         Ok(_) => assert!(k < bad, "{n} groups, {bad} does not close: {k} is told"),
-                        Err(MissingDigits::Refused(d)) => assert!(k >= bad && d.message.en == format!("group {bad}"), "{d}"),
+                        Err(MissingDigits::Refused(d)) => {
+                            assert!(k >= bad && d.message.en == format!("group {bad}"), "{d}")
+                        }
                         Err(why) => panic!("{why:?}"),
                     }
                 }
-                assert!(tried.get() <= 4 + n.ilog2() as usize + 1, "{n} groups, {bad} does not close: {} trials", tried.get());
+                assert!(
+                    tried.get() <= 4 + n.ilog2() as usize + 1,
+                    "{n} groups, {bad} does not close: {} trials",
+                    tried.get()
+                );
             }
         }
     }

@@ -69,7 +69,10 @@ impl CertifiedNumber {
         let (e, digits) = self.scientific(digits)?;
         let (mantissa, exponent) = e.split_once('e')?;
         let exponent: i32 = exponent.parse().ok()?;
-        Some((digits::plain(&format!("{mantissa}e{}", if self.zero { 0 } else { exponent + shift })), digits))
+        Some((
+            digits::plain(&format!("{mantissa}e{}", if self.zero { 0 } else { exponent + shift })),
+            digits,
+        ))
     }
 
     /// Returns the sign: −1, 0 or 1.
@@ -133,20 +136,32 @@ impl MissingDigits {
     /// Returns the reason in words, for brackets after the number.
     pub fn words(&self, lang: Lang) -> String {
         match (self, lang) {
-            (MissingDigits::TooClose, Lang::En) => "the pose is too close to a dead centre for more".into(),
+            (MissingDigits::TooClose, Lang::En) => {
+                "the pose is too close to a dead centre for more".into()
+            }
             (MissingDigits::TooClose, Lang::Zh) => "该位置过于接近死点".into(),
-            (MissingDigits::Tie, Lang::En) => "the next digit is a tie, or the value cannot be told from zero".into(),
+            (MissingDigits::Tie, Lang::En) => {
+                "the next digit is a tie, or the value cannot be told from zero".into()
+            }
             (MissingDigits::Tie, Lang::Zh) => "下一位恰在舍入分界上，或数值与零无法区分".into(),
-            (MissingDigits::Singular(links), Lang::En) => format!("the equations of links {} may be singular in this pose", links.en),
-            (MissingDigits::Singular(links), Lang::Zh) => format!("构件 {} 的方程在该位置可能奇异", links.zh),
-            (MissingDigits::NextOrder(_), Lang::En) => "singular pose, from the next order of the loop equations".into(),
+            (MissingDigits::Singular(links), Lang::En) => {
+                format!("the equations of links {} may be singular in this pose", links.en)
+            }
+            (MissingDigits::Singular(links), Lang::Zh) => {
+                format!("构件 {} 的方程在该位置可能奇异", links.zh)
+            }
+            (MissingDigits::NextOrder(_), Lang::En) => {
+                "singular pose, from the next order of the loop equations".into()
+            }
             (MissingDigits::NextOrder(_), Lang::Zh) => "奇异位置，由高一阶封闭矢量方程求得".into(),
             (MissingDigits::NoValue, Lang::En) => "it has no value in this pose".into(),
             (MissingDigits::NoValue, Lang::Zh) => "该位置无确定值".into(),
             (MissingDigits::Double, Lang::En) => "it is computed in double precision only".into(),
             (MissingDigits::Double, Lang::Zh) => "仅按双精度计算".into(),
             (MissingDigits::Refused(d), Lang::En) => d.message.en.clone(),
-            (MissingDigits::Refused(d), Lang::Zh) => format!("按所给数值未能证明：{}", d.message.zh),
+            (MissingDigits::Refused(d), Lang::Zh) => {
+                format!("按所给数值未能证明：{}", d.message.zh)
+            }
         }
     }
 }
@@ -181,22 +196,33 @@ pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> 
     let mut out: Vec<Certified> = worked
         .results
         .iter()
-        .map(|_| Certified { rung: Rung::Double, parts: Vec::new(), reading: None, why: Some(MissingDigits::NoValue) })
+        .map(|_| Certified {
+            rung: Rung::Double,
+            parts: Vec::new(),
+            reading: None,
+            why: Some(MissingDigits::NoValue),
+        })
         .collect();
     // Longer numbers do not help in a singular pose; if it is singular within the rounding of its
     // lengths, the ladder would give the motion of another pose.
-    for (c, known) in out.iter_mut().zip(&worked.results).filter_map(|(c, r)| Some((c, r.next_order?))) {
+    for (c, known) in
+        out.iter_mut().zip(&worked.results).filter_map(|(c, r)| Some((c, r.next_order?)))
+    {
         c.why = Some(MissingDigits::NextOrder(known));
     }
     let m = &worked.mechanism;
-    let mut open: Vec<usize> = (0..out.len()).filter(|i| !matches!(out[*i].why, Some(MissingDigits::NextOrder(_)))).collect();
+    let mut open: Vec<usize> = (0..out.len())
+        .filter(|i| !matches!(out[*i].why, Some(MissingDigits::NextOrder(_))))
+        .collect();
     for rung in Rung::LADDER {
         let last = rung == Rung::LAST;
         let find = |i: &usize| &scene.find[worked.results[*i].find];
         // Only the open answers, and only their groups: the other groups are neither placed nor
         // solved again.
         let demand = |open: &[usize]| Demand::of_questions(scene, m, open.iter().map(find));
-        let look = |open: &[usize]| rung.climb(&RungEvaluation { scene, worked, demand: &demand(open), open, digits });
+        let look = |open: &[usize]| {
+            rung.climb(&RungEvaluation { scene, worked, demand: &demand(open), open, digits })
+        };
         let closes = |demand: &Demand| rung.climb(&Closes { scene, worked, demand });
         let seen = apart(&open, &look, &demand, &closes);
         for (i, seen) in open.iter().zip(seen) {
@@ -204,8 +230,10 @@ pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> 
             c.rung = rung;
             match seen {
                 Ok((parts, reading)) => {
-                    let mut read = reading.iter().flat_map(|r| std::iter::once(&r.length_mm).chain(&r.arm));
-                    let whole = parts.iter().all(|(_, n)| n.holds(digits, last)) && read.all(|n| n.holds(READING_DIGITS, last));
+                    let mut read =
+                        reading.iter().flat_map(|r| std::iter::once(&r.length_mm).chain(&r.arm));
+                    let whole = parts.iter().all(|(_, n)| n.holds(digits, last))
+                        && read.all(|n| n.holds(READING_DIGITS, last));
                     c.why = match whole {
                         true => None,
                         false if last => Some(MissingDigits::Tie),
@@ -244,7 +272,12 @@ impl Climb for Closes<'_> {
     type Found = Result<(), Diagnostic>;
 
     fn with<N: Certain + MotionNumber>(&self) -> Self::Found {
-        let placed = position::recompute::<N>(self.scene, &self.worked.mechanism, self.demand, &self.worked.configuration);
+        let placed = position::recompute::<N>(
+            self.scene,
+            &self.worked.mechanism,
+            self.demand,
+            &self.worked.configuration,
+        );
         placed.map(drop).map_err(not_closed)
     }
 }
@@ -252,7 +285,10 @@ impl Climb for Closes<'_> {
 /// The reason why a group does not close.
 fn not_closed(faults: Faults) -> Diagnostic {
     faults.list.into_iter().next().unwrap_or_else(|| {
-        Diagnostic::error("not-closed", both!("a group does not close in longer numbers", "有杆组在高精度计算中不能装配"))
+        Diagnostic::error(
+            "not-closed",
+            both!("a group does not close in longer numbers", "有杆组在高精度计算中不能装配"),
+        )
     })
 }
 
@@ -271,7 +307,8 @@ impl Climb for RungEvaluation<'_> {
 
     fn with<N: Certain + MotionNumber>(&self) -> Self::Found {
         let (scene, m) = (self.scene, &self.worked.mechanism);
-        let at = position::recompute::<N>(scene, m, self.demand, &self.worked.configuration).map_err(not_closed)?;
+        let at = position::recompute::<N>(scene, m, self.demand, &self.worked.configuration)
+            .map_err(not_closed)?;
         let motion = motion::solve(scene, m, &at, self.demand);
         let seen = |i: &usize| {
             let r = &self.worked.results[*i];
@@ -283,7 +320,8 @@ impl Climb for RungEvaluation<'_> {
                     .map(|list| (list, reading(scene, &at, r, value))),
                 None => Err(match motion.singular.first() {
                     Some(&g) => {
-                        let names: Vec<_> = m.groups[g].links.iter().map(|l| scene.link_name(*l)).collect();
+                        let names: Vec<_> =
+                            m.groups[g].links.iter().map(|l| scene.link_name(*l)).collect();
                         MissingDigits::Singular(Both::names(&names))
                     }
                     None => MissingDigits::Double,
@@ -298,7 +336,8 @@ impl Climb for RungEvaluation<'_> {
 pub type AnswerParts = Result<Vec<(AnswerPart, CertifiedNumber)>, MissingDigits>;
 
 /// The parts of an answer with the reading.
-type CertifiedParts = Result<(Vec<(AnswerPart, CertifiedNumber)>, Option<CertifiedReading>), MissingDigits>;
+type CertifiedParts =
+    Result<(Vec<(AnswerPart, CertifiedNumber)>, Option<CertifiedReading>), MissingDigits>;
 
 /// True if an answer is certainly no more than the size that drawing and loop equations cannot
 /// distinguish from zero next to the largest of its kind. A place has no such size: it is counted
@@ -313,7 +352,10 @@ fn is_nothing<N: Certain>(noise: f64, value: AnswerValue<N>) -> bool {
 }
 
 /// The numbers of an answer, all zero if the answer is; a zero vector has no direction.
-fn none_of_nothing(nothing: bool, mut list: Vec<(AnswerPart, CertifiedNumber)>) -> Vec<(AnswerPart, CertifiedNumber)> {
+fn none_of_nothing(
+    nothing: bool,
+    mut list: Vec<(AnswerPart, CertifiedNumber)>,
+) -> Vec<(AnswerPart, CertifiedNumber)> {
     if nothing {
         list.retain(|(part, _)| *part != AnswerPart::Direction);
         list.iter_mut().for_each(|(_, n)| n.zero = true);
@@ -322,7 +364,12 @@ fn none_of_nothing(nothing: bool, mut list: Vec<(AnswerPart, CertifiedNumber)>) 
 }
 
 /// The reading of the ruler: |v|/μ, or |ω| l/μ for an angular rate measured on a line of length l.
-fn reading<N: Certain>(scene: &Scene, at: &Configuration<N>, r: &Outcome, value: AnswerValue<N>) -> Option<CertifiedReading> {
+fn reading<N: Certain>(
+    scene: &Scene,
+    at: &Configuration<N>,
+    r: &Outcome,
+    value: AnswerValue<N>,
+) -> Option<CertifiedReading> {
     let m = r.drawn.as_ref()?.measured.as_ref()?;
     let mu: N = scale::number(m.mu);
     let number = |x: N| x.enclosure().map(CertifiedNumber::new);
@@ -338,8 +385,12 @@ fn reading<N: Certain>(scene: &Scene, at: &Configuration<N>, r: &Outcome, value:
     let mut length_mm = number(size / mu)?;
     // Less than a thousandth of a millimetre is no reading of a ruler; if the interval excludes
     // zero, it is given.
-    length_mm.zero = length_mm.enclosure.contains_zero() && length_mm.enclosure.largest() < 1e-3 || is_nothing(r.noise, value);
-    Some(CertifiedReading { length_mm, arm: arm.and_then(|arm| number(scene.book.in_chosen(Kind::Length, arm))) })
+    length_mm.zero = length_mm.enclosure.contains_zero() && length_mm.enclosure.largest() < 1e-3
+        || is_nothing(r.noise, value);
+    Some(CertifiedReading {
+        length_mm,
+        arm: arm.and_then(|arm| number(scene.book.in_chosen(Kind::Length, arm))),
+    })
 }
 
 /// Returns the numbers of one answer in their printed form; `scale` is the size against which it is
@@ -347,13 +398,19 @@ fn reading<N: Certain>(scene: &Scene, at: &Configuration<N>, r: &Outcome, value:
 ///
 /// # Errors
 /// An answer whose equations may be singular.
-pub fn parts<N: Certain>(kind: Kind, value: AnswerValue<N>, scale: f64, digits: usize) -> AnswerParts {
+pub fn parts<N: Certain>(
+    kind: Kind,
+    value: AnswerValue<N>,
+    scale: f64,
+    digits: usize,
+) -> AnswerParts {
     // Ten digits below the last requested one.
     let nothing = libm::exp10(-(digits as f64 + 10.0));
     let number = |x: N, against: f64| -> Result<CertifiedNumber, MissingDigits> {
         let enclosure = x.enclosure().ok_or(MissingDigits::TooClose)?;
         // Without a driver in motion nothing moves: a possible zero is zero.
-        let zero = enclosure.contains_zero() && (against == 0.0 || enclosure.largest() <= nothing * against);
+        let zero = enclosure.contains_zero()
+            && (against == 0.0 || enclosure.largest() <= nothing * against);
         Ok(CertifiedNumber { enclosure, zero })
     };
     match value {
@@ -364,11 +421,14 @@ pub fn parts<N: Certain>(kind: Kind, value: AnswerValue<N>, scale: f64, digits: 
             }
             Ok(list)
         }
-        AnswerValue::Point(p) => Ok(vec![(AnswerPart::X, number(p.x, scale)?), (AnswerPart::Y, number(p.y, scale)?)]),
+        AnswerValue::Point(p) => {
+            Ok(vec![(AnswerPart::X, number(p.x, scale)?), (AnswerPart::Y, number(p.y, scale)?)])
+        }
         AnswerValue::Vector(v) => {
             let magnitude = number(v.norm(), scale)?;
             let size = magnitude.enclosure.approx;
-            let mut list = vec![(AnswerPart::X, number(v.x, size)?), (AnswerPart::Y, number(v.y, size)?)];
+            let mut list =
+                vec![(AnswerPart::X, number(v.x, size)?), (AnswerPart::Y, number(v.y, size)?)];
             if magnitude.zero {
                 for (_, n) in &mut list {
                     n.zero = true;
@@ -377,8 +437,8 @@ pub fn parts<N: Certain>(kind: Kind, value: AnswerValue<N>, scale: f64, digits: 
                 let mut direction = number(direction, 1.0)?;
                 // A direction is relative to the whole turn: one that is certainly below its last
                 // decimal is zero.
-                direction.zero =
-                    direction.enclosure.contains_zero() && direction.enclosure.largest() <= libm::exp10(-(digits as f64 + 4.0));
+                direction.zero = direction.enclosure.contains_zero()
+                    && direction.enclosure.largest() <= libm::exp10(-(digits as f64 + 4.0));
                 list.push((AnswerPart::Direction, direction));
             }
             list.push((AnswerPart::Magnitude, magnitude));

@@ -81,10 +81,15 @@ impl Certified {
     pub fn prints(&self, part: AnswerPart) -> bool {
         let has = |part| self.part(part).is_some();
         match part {
-            AnswerPart::X | AnswerPart::Y => !has(AnswerPart::Magnitude) && !has(AnswerPart::PrintedX),
+            AnswerPart::X | AnswerPart::Y => {
+                !has(AnswerPart::Magnitude) && !has(AnswerPart::PrintedX)
+            }
             AnswerPart::Scalar => !has(AnswerPart::Degrees) && !has(AnswerPart::Printed),
             AnswerPart::Magnitude | AnswerPart::Degrees => !has(AnswerPart::Printed),
-            AnswerPart::Direction | AnswerPart::Printed | AnswerPart::PrintedX | AnswerPart::PrintedY => true,
+            AnswerPart::Direction
+            | AnswerPart::Printed
+            | AnswerPart::PrintedX
+            | AnswerPart::PrintedY => true,
         }
     }
 }

@@ -93,8 +93,14 @@ impl CertifiedSteps {
 
     /// Returns a function for each crossing of a drawing that gives its numbers, in the order of
     /// [`PlanDrawing::crossings`].
-    pub fn crossings<'a>(&'a self, paper: &PlanDrawing, on: DiagramKind) -> Vec<impl Fn(StepNumber) -> Option<String> + 'a> {
-        let crossed = |(i, a): (usize, &Action)| matches!(a, Action::Cross { .. } | Action::Trials { .. }).then_some(i);
+    pub fn crossings<'a>(
+        &'a self,
+        paper: &PlanDrawing,
+        on: DiagramKind,
+    ) -> Vec<impl Fn(StepNumber) -> Option<String> + 'a> {
+        let crossed = |(i, a): (usize, &Action)| {
+            matches!(a, Action::Cross { .. } | Action::Trials { .. }).then_some(i)
+        };
         let at: Vec<usize> = match paper.polygon(on) {
             Some(p) => p.actions.iter().enumerate().filter_map(crossed).collect(),
             None => (0..paper.crossings(on).len()).collect(),
@@ -103,7 +109,12 @@ impl CertifiedSteps {
     }
 
     /// Returns a number of an action on a diagram, with its interval.
-    pub fn number(&self, on: DiagramKind, action: usize, what: StepNumber) -> Option<&CertifiedNumber> {
+    pub fn number(
+        &self,
+        on: DiagramKind,
+        action: usize,
+        what: StepNumber,
+    ) -> Option<&CertifiedNumber> {
         self.numbers.get(&Key::Step(on, action, what)).map(|n| &n.0)
     }
 
@@ -176,10 +187,18 @@ impl Climb for Redrawn<'_> {
 }
 
 /// All numbers that the sentences on a drawing use; `None` for those without a value.
-fn numbers<N: Certain>(book: &Book, paper: &PlanDrawing<N>, pencil_mm: Option<f64>) -> Vec<(Key, Option<CertifiedNumber>)> {
+fn numbers<N: Certain>(
+    book: &Book,
+    paper: &PlanDrawing<N>,
+    pencil_mm: Option<f64>,
+) -> Vec<(Key, Option<CertifiedNumber>)> {
     let mut out = Vec::new();
     for (i, c) in paper.diagram.crossed.iter().enumerate() {
-        let told = crossing(c.sine, |moved| book.in_chosen(Kind::Length, moved * scale::number(paper.diagram.mu)), pencil_mm);
+        let told = crossing(
+            c.sine,
+            |moved| book.in_chosen(Kind::Length, moved * scale::number(paper.diagram.mu)),
+            pencil_mm,
+        );
         out.extend(told.into_iter().map(|(what, n)| (Key::Step(DiagramKind::Plane, i, what), n)));
     }
     for on in DiagramKind::POLYGONS {
@@ -189,14 +208,16 @@ fn numbers<N: Certain>(book: &Book, paper: &PlanDrawing<N>, pencil_mm: Option<f6
         let rates = paper.rates.iter().filter(|r| r.on == on);
         let largest = rates.map(|r| r.value.approx().abs()).fold(0.0, f64::max);
         for (i, action) in p.actions.iter().enumerate() {
-            let mut tell = |what, number: Option<CertifiedNumber>| out.push((Key::Step(on, i, what), number));
+            let mut tell =
+                |what, number: Option<CertifiedNumber>| out.push((Key::Step(on, i, what), number));
             match action {
                 Action::LayOff(e) => {
                     tell(StepNumber::Length(0), length(span(&p.edges[*e])));
                     // A given vector is a number in the equations.
                     if let PolygonMark::Image(v) = p.edges[*e].to.0 {
                         let nothing = from_pole(p, v).and_then(length).is_some_and(|l| l.zero);
-                        let size = from_pole(p, v).and_then(|drawn| some(vector((drawn * scale::number(p.mu)).norm())));
+                        let size = from_pole(p, v)
+                            .and_then(|drawn| some(vector((drawn * scale::number(p.mu)).norm())));
                         out.push((Key::Vector(on, v), size.map(|n| n.or_zero(nothing))));
                     }
                 }
@@ -204,13 +225,19 @@ fn numbers<N: Certain>(book: &Book, paper: &PlanDrawing<N>, pencil_mm: Option<f6
                     for (k, e) in edges.iter().enumerate() {
                         tell(StepNumber::Length(k), length(span(&p.edges[*e])));
                     }
-                    crossing(*sine, |moved| vector(moved * scale::number(p.mu)), pencil_mm).into_iter().for_each(|(what, n)| tell(what, n));
+                    crossing(*sine, |moved| vector(moved * scale::number(p.mu)), pencil_mm)
+                        .into_iter()
+                        .for_each(|(what, n)| tell(what, n));
                 }
                 Action::Trials { target, sine, .. } => {
                     tell(StepNumber::Length(0), from_pole(p, *target).and_then(length));
-                    crossing(*sine, |moved| vector(moved * scale::number(p.mu)), pencil_mm).into_iter().for_each(|(what, n)| tell(what, n));
+                    crossing(*sine, |moved| vector(moved * scale::number(p.mu)), pencil_mm)
+                        .into_iter()
+                        .for_each(|(what, n)| tell(what, n));
                 }
-                Action::Reach(v) | Action::Copy { target: v, .. } => tell(StepNumber::Length(0), from_pole(p, *v).and_then(length)),
+                Action::Reach(v) | Action::Copy { target: v, .. } => {
+                    tell(StepNumber::Length(0), from_pole(p, *v).and_then(length))
+                }
                 Action::Join(e) => tell(StepNumber::Length(0), length(span(&p.edges[*e]))),
                 Action::Perpendicular { edges, .. } => {
                     for (k, e) in edges.iter().enumerate() {
@@ -219,7 +246,10 @@ fn numbers<N: Certain>(book: &Book, paper: &PlanDrawing<N>, pencil_mm: Option<f6
                 }
                 Action::Rate(r) => {
                     let r = &paper.rates[*r];
-                    let small = |n: &CertifiedNumber| n.enclosure().contains_zero() && n.enclosure().largest() <= NOTHING * largest;
+                    let small = |n: &CertifiedNumber| {
+                        n.enclosure().contains_zero()
+                            && n.enclosure().largest() <= NOTHING * largest
+                    };
                     let zero = match r.measured {
                         Some(m) => {
                             let mm = length_of(m.length);
@@ -241,7 +271,11 @@ fn numbers<N: Certain>(book: &Book, paper: &PlanDrawing<N>, pencil_mm: Option<f6
 
 /// The numbers of a crossing with this sine; `off` converts millimetres of its drawing to printed
 /// units.
-fn crossing<N: Certain>(sine: N, off: impl Fn(N) -> N, pencil_mm: Option<f64>) -> Vec<(StepNumber, Option<CertifiedNumber>)> {
+fn crossing<N: Certain>(
+    sine: N,
+    off: impl Fn(N) -> N,
+    pencil_mm: Option<f64>,
+) -> Vec<(StepNumber, Option<CertifiedNumber>)> {
     let mut told = vec![(StepNumber::Angle, some(angle_deg(sine)))];
     if let Some(e) = pencil_mm {
         let moved = scale::number::<N>(e) / sine.magnitude();

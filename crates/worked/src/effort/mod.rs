@@ -61,7 +61,10 @@ impl Work {
         let at = &worked.configuration;
         Work {
             groups_placed: groups()
-                .filter(|g| g.links.iter().all(|l| at.poses[l.0].is_some()) && g.pins.iter().all(|p| at.points[p.0].is_some()))
+                .filter(|g| {
+                    g.links.iter().all(|l| at.poses[l.0].is_some())
+                        && g.pins.iter().all(|p| at.points[p.0].is_some())
+                })
                 .count(),
             velocity: motion(worked, Level::Velocity),
             acceleration: motion(worked, Level::Acceleration),
@@ -74,7 +77,10 @@ impl Work {
 
     /// Returns the number of levels reached: none, positions, velocities, accelerations.
     pub fn levels(&self) -> usize {
-        [self.groups_placed, self.velocity.unknowns, self.acceleration.unknowns].iter().filter(|n| **n > 0).count()
+        [self.groups_placed, self.velocity.unknowns, self.acceleration.unknowns]
+            .iter()
+            .filter(|n| **n > 0)
+            .count()
     }
 
     /// Adds the number of certified numbers.
@@ -103,7 +109,8 @@ fn motion(worked: &Worked, level: Level) -> MotionWork {
         [] => g.pins.iter().all(|p| solution.reaches_pin(level, *p)),
         _ => g.links.iter().all(|l| solution.reaches(level, *l)),
     });
-    let written = worked.plan.steps(on).iter().flat_map(|g| g.steps(g.drawn(paper.acts.chosen[g.group])));
+    let written =
+        worked.plan.steps(on).iter().flat_map(|g| g.steps(g.drawn(paper.acts.chosen[g.group])));
     let mut done = MotionWork {
         groups: solved.count(),
         equations_planned: written.filter(|s| matches!(s, PlanStep::Equation { .. })).count(),
@@ -123,7 +130,9 @@ fn motion(worked: &Worked, level: Level) -> MotionWork {
                 | Action::Trials { .. }
                 | Action::Reach(_)
                 | Action::Join(_)
-                | Action::Perpendicular { .. } => done.equations_closed += usize::from(closes(p, action)),
+                | Action::Perpendicular { .. } => {
+                    done.equations_closed += usize::from(closes(p, action))
+                }
             }
         }
     }

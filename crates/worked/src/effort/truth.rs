@@ -61,7 +61,8 @@ impl<N: Real> MotionSource<N> for Differences<N> {
     }
 
     fn turning(&self, level: Level, link: LinkId) -> Option<N> {
-        // Angles are counted from the pose at the instant, so that no turn is lost and none is large.
+        // Angles are counted from the pose at the instant, so that no turn is lost and none is
+        // large.
         let start = self.now.poses[link.0]?.axis;
         let angles = self.each(|c| {
             let axis = c.poses[link.0]?.axis;
@@ -79,7 +80,11 @@ impl<N: Real> MotionSource<N> for Differences<N> {
 /// [`position::later`].
 pub fn answers(scene: &Scene, worked: &Worked) -> Result<Vec<Option<AnswerValue<Big>>>, Faults> {
     let source = differences(scene, worked)?;
-    Ok(worked.results.iter().map(|r| evaluate(scene, &source.now, &source, &scene.find[r.find].what)).collect())
+    Ok(worked
+        .results
+        .iter()
+        .map(|r| evaluate(scene, &source.now, &source, &scene.find[r.find].what))
+        .collect())
 }
 
 /// Returns the configurations for [`answers`]; it must be called within such a region too.

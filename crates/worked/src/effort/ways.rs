@@ -140,14 +140,26 @@ pub struct Watch<'a> {
 ///
 /// # Errors
 /// A pose without a truth: it is singular as written, or a group is not proved.
-pub fn measure(scene: &Scene, worked: &Worked, watch: Watch) -> Result<Vec<MethodMeasurement>, Faults> {
+pub fn measure(
+    scene: &Scene,
+    worked: &Worked,
+    watch: Watch,
+) -> Result<Vec<MethodMeasurement>, Faults> {
     of_ways(scene, worked, &WAYS, watch)
 }
 
 /// The ways that a series of poses compares.
 const SERIES: [AnswerMethod; 7] = {
     use AnswerMethod::*;
-    [Drawing, Loops(1e-8), Differences(1e-5), Closed, Certified(Rung::Double), ClosedDouble, Certified(Rung::DoubleDouble)]
+    [
+        Drawing,
+        Loops(1e-8),
+        Differences(1e-5),
+        Closed,
+        Certified(Rung::Double),
+        ClosedDouble,
+        Certified(Rung::DoubleDouble),
+    ]
 };
 
 /// One pose of a series.
@@ -176,12 +188,15 @@ pub fn toward_toggle(scene: &Scene, watch: Watch) -> Result<Vec<TogglePose>, Fau
         } else {
             both!("the driver turns fully, nothing stops it", "原动件可整周转动，没有极限位置")
         };
-        return Err(Diagnostic::error("no-toggle", both!("there is no toggle to approach: {}", "没有可趋近的极限位置：{}", why))
-            .help(both!(
-                "drive another link, for instance the rocker of a crank-rocker, and give its angle",
-                "请换原动件，如曲柄摇杆机构的摇杆，并给出其角度"
-            ))
-            .into());
+        return Err(Diagnostic::error(
+            "no-toggle",
+            both!("there is no toggle to approach: {}", "没有可趋近的极限位置：{}", why),
+        )
+        .help(both!(
+            "drive another link, for instance the rocker of a crank-rocker, and give its angle",
+            "请换原动件，如曲柄摇杆机构的摇杆，并给出其角度"
+        ))
+        .into());
     };
     let unit = if scene.drivers[0].kind.turns() { 1.0 } else { (start - limit).abs() };
     let mut series = Vec::new();
@@ -198,10 +213,19 @@ pub fn toward_toggle(scene: &Scene, watch: Watch) -> Result<Vec<TogglePose>, Fau
     Ok(series)
 }
 
-fn of_ways(scene: &Scene, worked: &Worked, ways: &[AnswerMethod], watch: Watch) -> Result<Vec<MethodMeasurement>, Faults> {
+fn of_ways(
+    scene: &Scene,
+    worked: &Worked,
+    ways: &[AnswerMethod],
+    watch: Watch,
+) -> Result<Vec<MethodMeasurement>, Faults> {
     let truth = truth(scene, worked)?;
     if truth.iter().all(Option::is_none) {
-        return Err(Diagnostic::error("no-truth", both!("no answer has a value in this pose", "该位置各量都无确定值")).into());
+        return Err(Diagnostic::error(
+            "no-truth",
+            both!("no answer has a value in this pose", "该位置各量都无确定值"),
+        )
+        .into());
     }
     Ok(ways.iter().map(|way| one(scene, worked, &truth, *way, watch)).collect())
 }
@@ -228,13 +252,22 @@ fn kept(value: AnswerValue<Big>) -> Option<LongAnswer> {
 type AnswerValues<N> = Vec<Option<AnswerValue<N>>>;
 
 /// Positions, motions and answers group by group.
-fn closed<N: motion::MotionNumber>(scene: &Scene, worked: &Worked) -> Result<AnswerValues<N>, Faults> {
-    let at = position::recompute::<N>(scene, &worked.mechanism, &worked.demand, &worked.configuration)?;
+fn closed<N: motion::MotionNumber>(
+    scene: &Scene,
+    worked: &Worked,
+) -> Result<AnswerValues<N>, Faults> {
+    let at =
+        position::recompute::<N>(scene, &worked.mechanism, &worked.demand, &worked.configuration)?;
     let motion = motion::solve(scene, &worked.mechanism, &at, &worked.demand);
     Ok(asked(scene, worked, &at, &motion))
 }
 
-fn asked<N: Real>(scene: &Scene, worked: &Worked, at: &Configuration<N>, source: &impl MotionSource<N>) -> AnswerValues<N> {
+fn asked<N: Real>(
+    scene: &Scene,
+    worked: &Worked,
+    at: &Configuration<N>,
+    source: &impl MotionSource<N>,
+) -> AnswerValues<N> {
     worked.results.iter().map(|r| evaluate(scene, at, source, &scene.find[r.find].what)).collect()
 }
 
@@ -258,8 +291,16 @@ fn timed<T>(watch: Watch, mut run: impl FnMut() -> T) -> (T, f64) {
     (last, times[times.len() / 2].as_secs_f64())
 }
 
-fn one(scene: &Scene, worked: &Worked, truth: &[Option<LongAnswer>], way: AnswerMethod, watch: Watch) -> MethodMeasurement {
-    let lift = |answers: Option<AnswerValues<f64>>| answers.map(|list| list.into_iter().map(lifted).collect::<Vec<_>>());
+fn one(
+    scene: &Scene,
+    worked: &Worked,
+    truth: &[Option<LongAnswer>],
+    way: AnswerMethod,
+    watch: Watch,
+) -> MethodMeasurement {
+    let lift = |answers: Option<AnswerValues<f64>>| {
+        answers.map(|list| list.into_iter().map(lifted).collect::<Vec<_>>())
+    };
     let mut within_95 = [None, None];
     let in_double = |f: &dyn Fn() -> Option<AnswerValues<f64>>| {
         let (answers, seconds) = timed(watch, f);
@@ -271,7 +312,10 @@ fn one(scene: &Scene, worked: &Worked, truth: &[Option<LongAnswer>], way: Answer
             let errors = simulate(&drawn, mm, DRAWINGS, 1);
             let of = |pick: fn(&DrawingErrors) -> f64| {
                 by_level(scene, worked, |i| {
-                    errors[worked.results[i].find].as_ref().map(|e| pick(e) / size(worked, i)).unwrap_or(f64::INFINITY)
+                    errors[worked.results[i].find]
+                        .as_ref()
+                        .map(|e| pick(e) / size(worked, i))
+                        .unwrap_or(f64::INFINITY)
                 })
             };
             within_95 = of(|e| e.within_95);
@@ -279,12 +323,24 @@ fn one(scene: &Scene, worked: &Worked, truth: &[Option<LongAnswer>], way: Answer
         }
         AnswerMethod::DrawingSingle => {
             let drawn = worked.drawn(scene);
-            in_double(&|| Some(of_results(worked, drawn.read_with(&Layout::of(&worked.construction), &mut Single).ok()?)))
+            in_double(&|| {
+                Some(of_results(
+                    worked,
+                    drawn.read_with(&Layout::of(&worked.construction), &mut Single).ok()?,
+                ))
+            })
         }
         AnswerMethod::Drawing => in_double(&|| {
-            let at = position::recompute::<f64>(scene, &worked.mechanism, &worked.demand, &worked.configuration).ok()?;
+            let at = position::recompute::<f64>(
+                scene,
+                &worked.mechanism,
+                &worked.demand,
+                &worked.configuration,
+            )
+            .ok()?;
             let boxes = Boxes::of(&scene.paper, &worked.plan);
-            let paper = construct::construct(scene, &worked.mechanism, &at, &worked.plan, &boxes).ok()?;
+            let paper =
+                construct::construct(scene, &worked.mechanism, &at, &worked.plan, &boxes).ok()?;
             let read = construct::read(scene, &worked.mechanism, &at, &worked.plan, &paper);
             Some(of_results(worked, read.into_iter().map(|a| a.map(|a| a.value)).collect()))
         }),
@@ -298,13 +354,20 @@ fn one(scene: &Scene, worked: &Worked, truth: &[Option<LongAnswer>], way: Answer
         AnswerMethod::ClosedDouble => {
             let (answers, seconds) = timed(watch, || closed::<Dd>(scene, worked).ok());
             let long = |x: Dd| Big::from_f64(x.parts().0) + Big::from_f64(x.parts().1);
-            let answers =
-                within(TRUTH_BITS, || answers.map(|l| l.into_iter().map(|v| v.and_then(|v| kept(v.map(long)))).collect::<Vec<_>>()));
+            let answers = within(TRUTH_BITS, || {
+                answers.map(|l| {
+                    l.into_iter().map(|v| v.and_then(|v| kept(v.map(long)))).collect::<Vec<_>>()
+                })
+            });
             (worst(scene, worked, truth, answers), Some(seconds))
         }
         AnswerMethod::ClosedLong(bits) => {
             let (answers, seconds) = timed(watch, || {
-                within(bits, || closed::<Big>(scene, worked).ok().map(|l| l.into_iter().map(|v| v.and_then(kept)).collect::<Vec<_>>()))
+                within(bits, || {
+                    closed::<Big>(scene, worked)
+                        .ok()
+                        .map(|l| l.into_iter().map(|v| v.and_then(kept)).collect::<Vec<_>>())
+                })
             });
             (worst(scene, worked, truth, answers), Some(seconds))
         }
@@ -312,20 +375,28 @@ fn one(scene: &Scene, worked: &Worked, truth: &[Option<LongAnswer>], way: Answer
             Some(start) => in_double(&|| {
                 let drivers = newton::driver_values(scene, &worked.configuration);
                 let at = newton::moved_to(scene, &worked.mechanism, &start, &drivers, tolerance)?;
-                let solution = analytic::solve(scene, &worked.mechanism, &at, &worked.demand).ok()?;
+                let solution =
+                    analytic::solve(scene, &worked.mechanism, &at, &worked.demand).ok()?;
                 Some(asked(scene, worked, &at, &solution))
             }),
             None => (by_level(scene, worked, |_| f64::INFINITY), None),
         },
         AnswerMethod::Differences(h) => in_double(&|| {
             let [before, after] = [off(scene, worked, -h)?, off(scene, worked, h)?];
-            let source = Differences { before, now: worked.configuration.clone(), after, step: h / pace(scene)? };
+            let source = Differences {
+                before,
+                now: worked.configuration.clone(),
+                after,
+                step: h / pace(scene)?,
+            };
             Some(asked(scene, worked, &source.now, &source))
         }),
         AnswerMethod::Certified(rung) => {
             let mut bounds: Vec<Option<f64>> = Vec::new();
             let (_, seconds) = timed(watch, || bounds = certified(scene, worked, rung));
-            let bound = |i: usize| bounds.get(i).copied().flatten().map_or(f64::INFINITY, |b| b / size(worked, i));
+            let bound = |i: usize| {
+                bounds.get(i).copied().flatten().map_or(f64::INFINITY, |b| b / size(worked, i))
+            };
             (by_level(scene, worked, bound), Some(seconds))
         }
     };
@@ -334,7 +405,10 @@ fn one(scene: &Scene, worked: &Worked, truth: &[Option<LongAnswer>], way: Answer
 
 /// The radius of each answer in one rung.
 fn certified(scene: &Scene, worked: &Worked, rung: Rung) -> Vec<Option<f64>> {
-    fn radii<M: hodograph_base::number::ball::Middle>(scene: &Scene, worked: &Worked) -> Vec<Option<f64>>
+    fn radii<M: hodograph_base::number::ball::Middle>(
+        scene: &Scene,
+        worked: &Worked,
+    ) -> Vec<Option<f64>>
     where
         Ball<M>: motion::MotionNumber,
     {
@@ -342,7 +416,9 @@ fn certified(scene: &Scene, worked: &Worked, rung: Rung) -> Vec<Option<f64>> {
             (s, None) => s.radius(),
             (x, Some(y)) => libm::hypot(x.radius(), y.radius()),
         };
-        closed::<Ball<M>>(scene, worked).map(|l| l.into_iter().map(|v| v.map(radius)).collect()).unwrap_or_default()
+        closed::<Ball<M>>(scene, worked)
+            .map(|l| l.into_iter().map(|v| v.map(radius)).collect())
+            .unwrap_or_default()
     }
     match rung {
         Rung::Double => radii::<f64>(scene, worked),
@@ -383,17 +459,29 @@ fn size(worked: &Worked, i: usize) -> f64 {
 /// The worst error of each level; `None` if no question is of the level.
 fn by_level(scene: &Scene, worked: &Worked, error: impl Fn(usize) -> f64) -> [Option<f64>; 2] {
     Level::RATES.map(|level| {
-        let of_level = (0..worked.results.len()).filter(|&i| scene.find[worked.results[i].find].what.level() == level);
+        let of_level = (0..worked.results.len())
+            .filter(|&i| scene.find[worked.results[i].find].what.level() == level);
         of_level.map(&error).map(|e| if e.is_nan() { f64::INFINITY } else { e }).reduce(f64::max)
     })
 }
 
-fn worst(scene: &Scene, worked: &Worked, truth: &[Option<LongAnswer>], answers: Option<Vec<Option<LongAnswer>>>) -> [Option<f64>; 2] {
+fn worst(
+    scene: &Scene,
+    worked: &Worked,
+    truth: &[Option<LongAnswer>],
+    answers: Option<Vec<Option<LongAnswer>>>,
+) -> [Option<f64>; 2] {
     let answers = answers.unwrap_or_default();
     within(TRUTH_BITS, || {
         by_level(scene, worked, |i| {
-            let (Some(Some(a)), Some(t)) = (answers.get(i), &truth[i]) else { return f64::INFINITY };
-            let difference = a.iter().zip(t).map(|(a, t)| (a.take() - t.take()).approx().abs()).fold(0.0, libm::hypot);
+            let (Some(Some(a)), Some(t)) = (answers.get(i), &truth[i]) else {
+                return f64::INFINITY;
+            };
+            let difference = a
+                .iter()
+                .zip(t)
+                .map(|(a, t)| (a.take() - t.take()).approx().abs())
+                .fold(0.0, libm::hypot);
             difference / size(worked, i)
         })
     })

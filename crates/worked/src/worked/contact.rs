@@ -16,7 +16,8 @@ pub fn name(scene: &Scene, cam: usize) -> String {
     let own = |i: usize| scene.cams[cam].touch == Some(PointId(i));
     let taken = |n: &str| scene.points.iter().enumerate().any(|(i, p)| p.name == n && !own(i));
     let own = scene.cams[cam].at.clone().filter(|n| !taken(n));
-    let free = || ["E", "K", "T", "U", "W"].into_iter().find(|n| !taken(n)).unwrap_or("E_").to_owned();
+    let free =
+        || ["E", "K", "T", "U", "W"].into_iter().find(|n| !taken(n)).unwrap_or("E_").to_owned();
     own.unwrap_or_else(free)
 }
 
@@ -33,7 +34,12 @@ pub fn with_contact(
     let pose = at.poses[owner.0]?;
     let (name, span) = (name(&scene, index), scene.cams[index].span);
     let own = scene.cams[index].touch.take().unwrap_or_else(|| {
-        scene.points.push(hodograph_scene::NamedPoint { name, place: PointPlace::Unknown, sketch: None, span });
+        scene.points.push(hodograph_scene::NamedPoint {
+            name,
+            place: PointPlace::Unknown,
+            sketch: None,
+            span,
+        });
         at.points.push(None);
         PointId(scene.points.len() - 1)
     });

@@ -21,7 +21,9 @@ const BEYOND: f64 = 1e12;
 /// comparison.
 pub(super) fn is_nowhere(what: &Asked, value: &AnswerValue, extent_m: f64) -> bool {
     match (what, value) {
-        (Asked::InstantCentre(_), AnswerValue::Point(p)) => extent_m > 0.0 && p.to_vec2().norm() > BEYOND * extent_m,
+        (Asked::InstantCentre(_), AnswerValue::Point(p)) => {
+            extent_m > 0.0 && p.to_vec2().norm() > BEYOND * extent_m
+        }
         (_, AnswerValue::Point(_) | AnswerValue::Vector(_) | AnswerValue::Scalar(_)) => false,
     }
 }
@@ -69,14 +71,26 @@ pub struct InfiniteCentre {
 }
 
 /// The centre of a question, if it is at infinity.
-pub(super) fn far(scene: &Scene, solution: &Solution, at: &Configuration, find: usize) -> Option<InfiniteCentre> {
+pub(super) fn far(
+    scene: &Scene,
+    solution: &Solution,
+    at: &Configuration,
+    find: usize,
+) -> Option<InfiniteCentre> {
     let Asked::InstantCentre(centre) = scene.find[find].what else { return None };
     let base = centre.links.iter().find_map(|(_, p)| at.points[(*p)?.0])?;
     let motion = |(link, point): (LinkId, Option<PointId>)| {
         let Some(point) = point else { return Some((Vec2::ZERO, 0.0)) };
-        let of = OnLink { point, link: Some(link).filter(|l| !scene.links[l.0].points.contains(&point)) };
+        let of = OnLink {
+            point,
+            link: Some(link).filter(|l| !scene.links[l.0].points.contains(&point)),
+        };
         let v = solution.answer(scene, at, &PointMotion { rate: Rate::Velocity, of }.into())?;
-        let AnswerValue::Scalar(omega) = solution.answer(scene, at, &Turning { rate: Rate::Velocity, of: link, against: None }.into())?
+        let AnswerValue::Scalar(omega) = solution.answer(
+            scene,
+            at,
+            &Turning { rate: Rate::Velocity, of: link, against: None }.into(),
+        )?
         else {
             return None;
         };

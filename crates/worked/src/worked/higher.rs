@@ -9,7 +9,9 @@ use hodograph_scene::{DiagramKind, Scene};
 
 /// The groups without a core that a plan draws.
 pub(super) fn drawn(mechanism: &Mechanism, plan: &Plan) -> Vec<usize> {
-    let higher = |g: &usize| matches!(mechanism.groups[*g].core, Core::Higher) && !plan.undrawable.contains(g);
+    let higher = |g: &usize| {
+        matches!(mechanism.groups[*g].core, Core::Higher) && !plan.undrawable.contains(g)
+    };
     (0..mechanism.groups.len()).filter(higher).collect()
 }
 
@@ -17,9 +19,20 @@ pub(super) fn drawn(mechanism: &Mechanism, plan: &Plan) -> Vec<usize> {
 /// made.
 pub(super) fn worst_sine(g: usize, plan: &Plan, drawing: &Result<PlanDrawing, Faults>) -> f64 {
     let Ok(drawing) = drawing else { return 0.0 };
-    let steps: Vec<&PlanStep> = plan.steps(DiagramKind::Velocity).iter().filter(|s| s.group == g).flat_map(|s| s.steps(0)).collect();
-    let own = |v: VertexId| plan.special(v).is_some_and(|s| s.group == g) || steps.iter().any(|s| s.target() == v);
-    crossings(drawing, 0.0).iter().filter(|c| own(c.target)).map(|c| c.sine.abs()).fold(1.0, f64::min)
+    let steps: Vec<&PlanStep> = plan
+        .steps(DiagramKind::Velocity)
+        .iter()
+        .filter(|s| s.group == g)
+        .flat_map(|s| s.steps(0))
+        .collect();
+    let own = |v: VertexId| {
+        plan.special(v).is_some_and(|s| s.group == g) || steps.iter().any(|s| s.target() == v)
+    };
+    crossings(drawing, 0.0)
+        .iter()
+        .filter(|c| own(c.target))
+        .map(|c| c.sine.abs())
+        .fold(1.0, f64::min)
 }
 
 /// The wheels of a group that roll on one another while neither is known.
@@ -29,14 +42,23 @@ fn contacts(scene: &Scene, mechanism: &Mechanism, group: &Group) -> Vec<Both> {
         PairItem::Pin(..) | PairItem::Guide(_) | PairItem::Driver(_) => None,
     });
     let inner = pairs.filter(|links| links.iter().all(|l| group.links.contains(l)));
-    inner.map(|[a, b]| both!("{} and {}", "{} 与 {} ", scene.link_name(a), scene.link_name(b))).collect()
+    inner
+        .map(|[a, b]| both!("{} and {}", "{} 与 {} ", scene.link_name(a), scene.link_name(b)))
+        .collect()
 }
 
 /// The notes on the required groups higher than class III: the means of drawing them, or that they
 /// are not drawn.
 pub(super) fn notes(scene: &Scene, mechanism: &Mechanism, plan: &Plan) -> Vec<Diagnostic> {
-    let planned = |g: usize| plan.undrawable.contains(&g) || plan.steps(DiagramKind::Velocity).iter().any(|s| s.group == g);
-    let groups = mechanism.groups.iter().enumerate().filter(|(g, group)| matches!(group.core, Core::Higher) && planned(*g));
+    let planned = |g: usize| {
+        plan.undrawable.contains(&g)
+            || plan.steps(DiagramKind::Velocity).iter().any(|s| s.group == g)
+    };
+    let groups = mechanism
+        .groups
+        .iter()
+        .enumerate()
+        .filter(|(g, group)| matches!(group.core, Core::Higher) && planned(*g));
     let note = |(g, group): (usize, &Group)| {
         let names: Vec<_> = group.links.iter().map(|l| scene.link_name(*l)).collect();
         let names = Both::names(&names);
@@ -65,7 +87,11 @@ pub(super) fn notes(scene: &Scene, mechanism: &Mechanism, plan: &Plan) -> Vec<Di
                 "links {} form a group higher than class III: it is drawn by {}",
                 "构件 {} 组成高于Ⅲ级的杆组：用{}作图",
                 names,
-                if plan.is_tried(g) { both!("trial polygons", "试凑多边形") } else { both!("special points", "特殊点") }
+                if plan.is_tried(g) {
+                    both!("trial polygons", "试凑多边形")
+                } else {
+                    both!("special points", "特殊点")
+                }
             )
         };
         Diagnostic::note("higher-group", message)

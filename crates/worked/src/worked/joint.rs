@@ -31,7 +31,11 @@ struct InstantMotion {
 impl InstantMotion {
     fn of(scene: &Scene) -> Option<InstantMotion> {
         let m = Mechanism::new(scene).ok()?.value;
-        let demand = Demand { groups: vec![Some(Level::Acceleration); m.groups.len()], level: Level::Acceleration, needs: Vec::new() };
+        let demand = Demand {
+            groups: vec![Some(Level::Acceleration); m.groups.len()],
+            level: Level::Acceleration,
+            needs: Vec::new(),
+        };
         let at = position::configure(scene, &m, &demand).ok()?.value;
         let solution = analytic::solve(scene, &m, &at, &demand).ok()?;
         Some(InstantMotion { at, solution })
@@ -49,8 +53,18 @@ impl InstantMotion {
             (false, false) => return None,
         };
         let of = |link| self.solution.vector(Level::Velocity, cam.follows.point(), Some(link));
-        let turning = |link| if link == scene.ground { Some(0.0) } else { self.solution.turning(Level::Velocity, link) };
-        let along = if cam.follows.radius().is_some() { of(cam.follower)? - of(cam.cam)? } else { Default::default() };
+        let turning = |link| {
+            if link == scene.ground {
+                Some(0.0)
+            } else {
+                self.solution.turning(Level::Velocity, link)
+            }
+        };
+        let along = if cam.follows.radius().is_some() {
+            of(cam.follower)? - of(cam.cam)?
+        } else {
+            Default::default()
+        };
         let onward = meeting.onward(piece, along, turning(cam.follower)? - turning(cam.cam)?);
         Some((beside, if after { onward > 0.0 } else { onward < 0.0 }))
     }
@@ -61,7 +75,9 @@ impl InstantMotion {
 /// returns the scene itself.
 pub fn instant(scene: Scene) -> Warned<Scene> {
     match at_joint(&scene) {
-        Some(ProfileJunction { next: Some(next), note }) => Warned { value: next, notes: vec![note] },
+        Some(ProfileJunction { next: Some(next), note }) => {
+            Warned { value: next, notes: vec![note] }
+        }
         Some(ProfileJunction { next: None, note }) => Warned { value: scene, notes: vec![note] },
         None => Warned { value: scene, notes: Vec::new() },
     }
@@ -74,7 +90,12 @@ pub fn instant(scene: Scene) -> Warned<Scene> {
 pub(super) fn goes_on(scene: &Scene) -> Result<(), Faults> {
     let Some(ProfileJunction { next: Some(_), note }) = at_joint(scene) else { return Ok(()) };
     let d = Diagnostic { severity: Severity::Error, ..note };
-    Err(d.help(both!("take the scene by `worked::instant`, which chooses the piece", "请先用 `worked::instant` 取定所接触的廓线段")).into())
+    Err(d
+        .help(both!(
+            "take the scene by `worked::instant`, which chooses the piece",
+            "请先用 `worked::instant` 取定所接触的廓线段"
+        ))
+        .into())
 }
 
 /// A pose in which two pieces of a profile meet.
@@ -108,7 +129,10 @@ fn at_joint(scene: &Scene) -> Option<ProfileJunction> {
         Both::join(&jumps, ", ", "、")
     );
     let note = Diagnostic::note("joint", message).at(cam.span);
-    Some(ProfileJunction { next: if onward { Some(taken_over(scene, index, beside)?) } else { None }, note })
+    Some(ProfileJunction {
+        next: if onward { Some(taken_over(scene, index, beside)?) } else { None },
+        note,
+    })
 }
 
 /// The scene on another piece of a cam, with the rest of the pieces.
@@ -132,12 +156,19 @@ fn jumps([before, after]: &[(&Scene, &InstantMotion); 2]) -> Vec<Both> {
     let jump = |f: &Find| {
         let (was, is) = (value(before, &f.text)?, value(after, &f.text)?);
         let (off, size) = match (was, is) {
-            (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => ((a - b).abs(), a.abs().max(b.abs())),
-            (AnswerValue::Vector(a), AnswerValue::Vector(b)) => ((a - b).norm(), a.norm().max(b.norm())),
-            (AnswerValue::Scalar(_) | AnswerValue::Vector(_) | AnswerValue::Point(_), _) => return None,
+            (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => {
+                ((a - b).abs(), a.abs().max(b.abs()))
+            }
+            (AnswerValue::Vector(a), AnswerValue::Vector(b)) => {
+                ((a - b).norm(), a.norm().max(b.norm()))
+            }
+            (AnswerValue::Scalar(_) | AnswerValue::Vector(_) | AnswerValue::Point(_), _) => {
+                return None;
+            }
         };
         let [was, is] = [was, is].map(|v| words(after.0, f.what.kind(), v));
-        (off > ONE * size).then(|| both!("{} jumps from {} to {}", "{} 由 {} 跃变为 {}", f.text, was, is))
+        (off > ONE * size)
+            .then(|| both!("{} jumps from {} to {}", "{} 由 {} 跃变为 {}", f.text, was, is))
     };
     after.0.find.iter().filter(accelerates).filter_map(jump).collect()
 }
@@ -147,7 +178,9 @@ fn words(scene: &Scene, kind: Kind, value: AnswerValue) -> String {
     let text = |x: f64| scene.book.text(kind, &significant(scene.book.value(kind, x), 4));
     match value {
         AnswerValue::Scalar(x) => text(x),
-        AnswerValue::Vector(v) => format!("{} ({}°)", text(v.norm()), significant(v.angle().to_degrees(), 4)),
+        AnswerValue::Vector(v) => {
+            format!("{} ({}°)", text(v.norm()), significant(v.angle().to_degrees(), 4))
+        }
         AnswerValue::Point(p) => format!("({}, {})", text(p.x), text(p.y)),
     }
 }

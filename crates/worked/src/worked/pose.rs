@@ -8,7 +8,8 @@
 use super::higher;
 use super::sizes::PoseSizes;
 use crate::accuracy::{
-    self, Agreement, BAD_DEG, KeptDigits, Regular, compare, estimated, groups_of_question, kept, regular, settled_finely,
+    self, Agreement, BAD_DEG, KeptDigits, Regular, compare, estimated, groups_of_question, kept,
+    regular, settled_finely,
 };
 use hodograph_analytic::{self as analytic, Solution};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
@@ -65,11 +66,16 @@ pub(super) struct DecidedPose {
 ///
 /// # Errors
 /// Those of the loop equations and of the drawing.
-pub(super) fn pose(given: PoseInput, configuration: Configuration, measured: bool) -> Result<DecidedPose, Faults> {
+pub(super) fn pose(
+    given: PoseInput,
+    configuration: Configuration,
+    measured: bool,
+) -> Result<DecidedPose, Faults> {
     let mut posed = trial(given, configuration)?;
     let mut lost = if measured { posed.judge(given) } else { Vec::new() };
     if !lost.is_empty() {
-        let finer = settled_finely(given.scene, given.mechanism, given.demand, posed.configuration.clone());
+        let finer =
+            settled_finely(given.scene, given.mechanism, given.demand, posed.configuration.clone());
         if finer != posed.configuration {
             let before = posed.drawings;
             posed = trial(given, finer)?;
@@ -83,7 +89,8 @@ pub(super) fn pose(given: PoseInput, configuration: Configuration, measured: boo
     if let (Some(worst), None) = (posed.solution.near.first(), &posed.written) {
         let told = estimated(worst, posed.solution.condition);
         let condition = posed.solution.condition;
-        let note = told.map(|told| posed.near.as_ref().map_or(told, |near| near.note(worst, condition)));
+        let note =
+            told.map(|told| posed.near.as_ref().map_or(told, |near| near.note(worst, condition)));
         posed.notes.extend(note);
     }
     Ok(posed)
@@ -94,25 +101,49 @@ fn trial(given: PoseInput, configuration: Configuration) -> Result<DecidedPose, 
     let PoseInput { scene, mechanism, demand } = given;
     let mut solution = analytic::solve(scene, mechanism, &configuration, demand)?;
     let singular = singular_groups(scene, mechanism, &solution);
-    let written = if singular.is_empty() { None } else { regular(scene, mechanism, demand, &configuration, &scene.find) };
+    let written = if singular.is_empty() {
+        None
+    } else {
+        regular(scene, mechanism, demand, &configuration, &scene.find)
+    };
     if let Some(written) = &written {
         solution.taken_for_singular(|words| near_singular(words, written));
     }
     let mut drawings = 0;
     let drawing = draw(given, &configuration, &singular, &mut drawings)?;
-    Ok(DecidedPose { configuration, solution, singular, written, near: None, drawing, drawings, notes: Vec::new() })
+    Ok(DecidedPose {
+        configuration,
+        solution,
+        singular,
+        written,
+        near: None,
+        drawing,
+        drawings,
+        notes: Vec::new(),
+    })
 }
 
 /// The drawing without some groups; adds the number of evaluations to `drawings`.
 ///
 /// A group of higher class is drawn by the first way in which no lines cross under a bad angle,
 /// else by the way with the best angles. If none can be drawn, it is left to the loop equations.
-fn draw(given: PoseInput, configuration: &Configuration, without: &[usize], drawings: &mut usize) -> Result<DrawnAnswers, Faults> {
+fn draw(
+    given: PoseInput,
+    configuration: &Configuration,
+    without: &[usize],
+    drawings: &mut usize,
+) -> Result<DrawnAnswers, Faults> {
     let PoseInput { scene, mechanism, demand } = given;
     let mut constructed = |ways: &GroupChoices| {
         *drawings += TRIAL_AND_DRAWING;
         let plan = plan::plan_with(scene, mechanism, demand, ways);
-        let drawing = construct::construct(scene, mechanism, configuration, &plan, &Boxes::of(&scene.paper, &plan));
+        let drawing = construct::construct(
+            scene,
+            mechanism,
+            configuration,
+            &plan,
+            &Boxes::of(&scene.paper, &plan),
+        );
         (plan, drawing)
     };
     let mut ways = GroupChoices { left_out: without.to_vec(), ..GroupChoices::default() };
@@ -140,7 +171,10 @@ fn draw(given: PoseInput, configuration: &Configuration, without: &[usize], draw
                 return Err(faults);
             }
             let drawing;
-            (plan, drawing) = constructed(&GroupChoices { left_out: [without, &higher].concat(), ..GroupChoices::default() });
+            (plan, drawing) = constructed(&GroupChoices {
+                left_out: [without, &higher].concat(),
+                ..GroupChoices::default()
+            });
             drawing?
         }
     };
@@ -161,7 +195,8 @@ impl DrawnAnswers {
 }
 
 impl DecidedPose {
-    /// Measures the digits that both ways keep next to a singular pose. Returns the groups whose digits are lost.
+    /// Measures the digits that both ways keep next to a singular pose. Returns the groups whose
+    /// digits are lost.
     fn judge(&mut self, given: PoseInput) -> Vec<usize> {
         if self.written.is_none() && self.solution.near.is_empty() {
             return Vec::new();
@@ -174,11 +209,19 @@ impl DecidedPose {
         let agreed = |i: usize| -> Option<Agreement> {
             let (level, read) = (scene.find[i].what.level(), read[i]?);
             let computed = self.solution.answer(scene, &self.configuration, &scene.find[i].what)?;
-            (level > Level::Position).then(|| compare(read, computed, sizes.against(level, &computed), self.drawing.magnified(level)))
+            (level > Level::Position).then(|| {
+                compare(
+                    read,
+                    computed,
+                    sizes.against(level, &computed),
+                    self.drawing.magnified(level),
+                )
+            })
         };
         // Questions that longer numbers already answer are not lost.
         let open = |i: &usize| read[*i].is_some() || self.written.is_none();
-        let lost: Vec<usize> = (0..scene.find.len()).filter(open).filter(|i| near.lost(*i, agreed(*i))).collect();
+        let lost: Vec<usize> =
+            (0..scene.find.len()).filter(open).filter(|i| near.lost(*i, agreed(*i))).collect();
         lost_groups(scene, mechanism, &self.solution, &lost)
     }
 
@@ -186,19 +229,23 @@ impl DecidedPose {
         let PoseInput { scene, mechanism, demand } = given;
         let sizes = PoseSizes::of(scene, &self.drawing.construction, &self.configuration);
         let scale = |level, value: &AnswerValue| sizes.against(level, value);
-        let ways = accuracy::ComparedMethods { solution: &self.solution, drawn: &self.drawing.values(), scale };
-        self.near = kept(scene, (mechanism, demand), &self.configuration, &ways, self.written.clone());
+        let ways = accuracy::ComparedMethods {
+            solution: &self.solution,
+            drawn: &self.drawing.values(),
+            scale,
+        };
+        self.near =
+            kept(scene, (mechanism, demand), &self.configuration, &ways, self.written.clone());
     }
 
     /// Leaves groups out of the drawing, with the answers of longer numbers; the other groups are
     /// judged by the remaining drawing.
     fn leave_out(&mut self, given: PoseInput, lost: &[usize]) -> Result<(), Faults> {
         if let Some(near) = &self.near {
-            let words = self
-                .solution
-                .near
-                .first()
-                .map_or_else(|| both!("the links lie nearly as in a singular pose", "各构件接近奇异位置"), |worst| worst.words.clone());
+            let words = self.solution.near.first().map_or_else(
+                || both!("the links lie nearly as in a singular pose", "各构件接近奇异位置"),
+                |worst| worst.words.clone(),
+            );
             self.notes.extend(self.written.is_none().then(|| near_singular(&words, &near.truth)));
             self.singular.extend(lost);
             self.written = Some(near.truth.clone());
@@ -212,7 +259,8 @@ impl DecidedPose {
 /// The nearly singular groups of answers that double precision has lost; for an answer without such
 /// a group, all groups that it depends on.
 fn lost_groups(scene: &Scene, m: &Mechanism, solution: &Solution, lost: &[usize]) -> Vec<usize> {
-    let near: Vec<usize> = solution.near.iter().flat_map(|n| groups_of(scene, m, (&n.links, &n.pins))).collect();
+    let near: Vec<usize> =
+        solution.near.iter().flat_map(|n| groups_of(scene, m, (&n.links, &n.pins))).collect();
     let mut groups: Vec<usize> = Vec::new();
     for i in lost {
         let all = groups_of_question(scene, m, &scene.find[*i]);
@@ -251,9 +299,16 @@ fn singular_groups(scene: &Scene, m: &Mechanism, solution: &Solution) -> Vec<usi
 
 /// The groups of links and pins; a link that follows others has no group of its own and counts as
 /// its pins.
-pub(super) fn groups_of(scene: &Scene, m: &Mechanism, (links, pins): (&[LinkId], &[PointId])) -> Vec<usize> {
-    let of_pins = |pins: &[PointId]| pins.iter().filter_map(|p| m.group_of_pin[p.0]).collect::<Vec<usize>>();
-    let of_link = |l: &LinkId| m.group_of_link[l.0].map_or_else(|| of_pins(&scene.links[l.0].points), |g| vec![g]);
+pub(super) fn groups_of(
+    scene: &Scene,
+    m: &Mechanism,
+    (links, pins): (&[LinkId], &[PointId]),
+) -> Vec<usize> {
+    let of_pins =
+        |pins: &[PointId]| pins.iter().filter_map(|p| m.group_of_pin[p.0]).collect::<Vec<usize>>();
+    let of_link = |l: &LinkId| {
+        m.group_of_link[l.0].map_or_else(|| of_pins(&scene.links[l.0].points), |g| vec![g])
+    };
     let mut groups: Vec<usize> = links.iter().flat_map(of_link).chain(of_pins(pins)).collect();
     groups.sort_unstable();
     groups.dedup();

@@ -40,7 +40,11 @@ fn is_of_motion(scene: &Scene) -> bool {
 ///
 /// # Errors
 /// Those of [`work_placed`].
-pub fn work_pose(scene: &Scene, of: (&Mechanism, &Demand), at: &Configuration) -> Result<(Scene, Worked), Faults> {
+pub fn work_pose(
+    scene: &Scene,
+    of: (&Mechanism, &Demand),
+    at: &Configuration,
+) -> Result<(Scene, Worked), Faults> {
     if let Some(read) = read_again(scene, at) {
         return Ok(read);
     }
@@ -55,14 +59,22 @@ fn read_again(scene: &Scene, at: &Configuration) -> Option<(Scene, Worked)> {
     if !is_of_motion(scene) {
         return None;
     }
-    let mut there = instant(scene.read_again(&|name| at.named(scene, name).map(|p| [p.x, p.y])).ok()?).value;
+    let mut there =
+        instant(scene.read_again(&|name| at.named(scene, name).map(|p| [p.x, p.y])).ok()?).value;
     there.paper = scene.paper.clone();
     let mechanism = Mechanism::new(&there).ok()?.value;
     let demand = Demand::of(&there, &mechanism).with_all_positions();
     let placed = position::configure(&there, &mechanism, &demand).ok()?.value;
     let near = SAME_PLACE * at.extent();
-    let of_cam =
-        |p: PointId| there.cams.iter().any(|c| there.links.iter().enumerate().all(|(l, link)| c.cam.0 == l || !link.points.contains(&p)));
+    let of_cam = |p: PointId| {
+        there.cams.iter().any(|c| {
+            there
+                .links
+                .iter()
+                .enumerate()
+                .all(|(l, link)| c.cam.0 == l || !link.points.contains(&p))
+        })
+    };
     let is_same = |p: PointId| {
         let [one, other] = [at.named(scene, there.point_name(p)), placed.points[p.0]];
         one.zip(other).is_none_or(|(a, b)| a.distance(b) <= near)

@@ -11,8 +11,15 @@ use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::quantity::{ROUNDING, Wrench};
 use hodograph_scene::{Applied, Asked, Find, Guide, Kind, Loads, Rub, Scene};
 
-/// The reason for which forces have no value: the links of the group whose reactions no finite force balances.
-pub(super) fn unbalanced(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, find: &Find) -> Option<Both> {
+/// The reason for which forces have no value: the links of the group whose reactions no finite
+/// force balances.
+pub(super) fn unbalanced(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    demand: &Demand,
+    find: &Find,
+) -> Option<Both> {
     if !matches!(find.what, Asked::Force(_)) {
         return None;
     }
@@ -27,7 +34,8 @@ pub(super) fn unbalanced(scene: &Scene, m: &Mechanism, at: &Configuration, deman
                 "摩擦取决于反力，而反力不确定：有构件或运动副只重复其余的约束，或带的拉力未知"
             ));
         }
-        let smooth = Scene { loads: Loads { friction: Vec::new(), ..scene.loads.clone() }, ..scene.clone() };
+        let smooth =
+            Scene { loads: Loads { friction: Vec::new(), ..scene.loads.clone() }, ..scene.clone() };
         let told = !scene.loads.friction.is_empty() && rubbing(scene, at, &solved).is_some();
         let locked = told && motion::solve::<f64>(&smooth, m, at, demand).forces().is_some();
         return (locked && solved.forces().is_none()).then(|| {
@@ -47,12 +55,12 @@ pub(super) fn unbalanced(scene: &Scene, m: &Mechanism, at: &Configuration, deman
     ))
 }
 
-/// Remarks on loads: a resistance whose point is at rest has no direction; a load over a part of the motion does not act elsewhere.
+/// Remarks on loads: a resistance whose point is at rest has no direction; a load over a part of
+/// the motion does not act elsewhere.
 pub(super) fn of_loads(scene: &Scene, at: &Configuration, solution: &Solution) -> Vec<Diagnostic> {
     let resting = |load: &Load| match load.cause {
-        Cause::Applied(k) if load.wrench == Wrench::zero() => {
-            Some(&scene.loads.applied[k]).filter(|a| a.size.is_against_motion() || a.course.is_some())
-        }
+        Cause::Applied(k) if load.wrench == Wrench::zero() => Some(&scene.loads.applied[k])
+            .filter(|a| a.size.is_against_motion() || a.course.is_some()),
         _ => None,
     };
     let note = |a: &Applied| {
@@ -70,16 +78,29 @@ pub(super) fn of_loads(scene: &Scene, at: &Configuration, solution: &Solution) -
         );
         Diagnostic::note("load-at-rest", message).at(a.span)
     };
-    let mut notes: Vec<Diagnostic> = loads(scene, at, solution).unwrap_or_default().iter().filter_map(resting).map(note).collect();
+    let mut notes: Vec<Diagnostic> = loads(scene, at, solution)
+        .unwrap_or_default()
+        .iter()
+        .filter_map(resting)
+        .map(note)
+        .collect();
     notes.extend(of_friction(scene, at, solution));
     notes.extend(of_guides(scene, at, solution));
-    notes.extend(faults_of_strokes(scene).into_iter().map(|d| Diagnostic { severity: Severity::Warning, ..d }));
+    notes.extend(
+        faults_of_strokes(scene)
+            .into_iter()
+            .map(|d| Diagnostic { severity: Severity::Warning, ..d }),
+    );
     notes
 }
 
 /// Remarks on friction: a pair in which nothing moves, and a mechanism that locks itself.
 fn of_friction(scene: &Scene, at: &Configuration, solution: &Solution) -> Vec<Diagnostic> {
-    let Some((rubbing, mut still)) = rubbing(scene, at, solution).filter(|_| !scene.loads.friction.is_empty()) else { return Vec::new() };
+    let Some((rubbing, mut still)) =
+        rubbing(scene, at, solution).filter(|_| !scene.loads.friction.is_empty())
+    else {
+        return Vec::new();
+    };
     still.dedup();
     let rest = |k: usize| {
         let message = both!(
@@ -92,7 +113,9 @@ fn of_friction(scene: &Scene, at: &Configuration, solution: &Solution) -> Vec<Di
     let mut notes: Vec<Diagnostic> = still.into_iter().map(rest).collect();
     let forces = solution.forces();
     let eta = forces.and_then(|f| f.efficiency());
-    let worst = rubbing.iter().max_by(|a, b| forces.map_or(0.0, |f| a.power(f)).total_cmp(&forces.map_or(0.0, |f| b.power(f))));
+    let worst = rubbing.iter().max_by(|a, b| {
+        forces.map_or(0.0, |f| a.power(f)).total_cmp(&forces.map_or(0.0, |f| b.power(f)))
+    });
     if let (Some(eta), Some(worst)) = (eta.filter(|eta| *eta <= 0.0), worst) {
         let message = both!(
             "the mechanism locks itself: η = {}; most is lost in {}",
@@ -100,7 +123,9 @@ fn of_friction(scene: &Scene, at: &Configuration, solution: &Solution) -> Vec<Di
             significant(eta, 4),
             pair_words(scene, worst.friction)
         );
-        notes.push(Diagnostic::note("self-locking", message).at(scene.loads.friction[worst.friction].span));
+        notes.push(
+            Diagnostic::note("self-locking", message).at(scene.loads.friction[worst.friction].span),
+        );
     }
     notes
 }
@@ -115,8 +140,13 @@ fn of_guides(scene: &Scene, at: &Configuration, solution: &Solution) -> Vec<Diag
         let normal = direction.perp().dot(wrench.force);
         // Moments about the other corner.
         let corners = [1.0, -1.0].map(|side| normal / 2.0 + side * wrench.couple / length.value);
-        let tilts = corners[0] * corners[1] < 0.0 && corners.iter().all(|force| force.abs() > ROUNDING * forces.largest);
-        let newtons = |force: f64| scene.book.text(Kind::Force, &significant(scene.book.value(Kind::Force, force.abs()), 4));
+        let tilts = corners[0] * corners[1] < 0.0
+            && corners.iter().all(|force| force.abs() > ROUNDING * forces.largest);
+        let newtons = |force: f64| {
+            scene
+                .book
+                .text(Kind::Force, &significant(scene.book.value(Kind::Force, force.abs()), 4))
+        };
         let message = both!(
             "slider {} tilts in its guide: the force of the guide acts outside the length {}; its corners press with {} and {}, in opposite senses",
             "滑块 {} 在导路中歪斜：导路反力作用在长度 {} 之外，两角的压力为 {} 和 {}，方向相反",
@@ -137,7 +167,9 @@ fn pair_words(scene: &Scene, friction: usize) -> Both {
         Rub::Guide { guide, .. } => {
             let own = &scene.guides[guide.0];
             match (own.slider, own.pin) {
-                (Some(slider), _) => both!("the guide of link {}", "构件 {} 的导路", scene.link_name(slider)),
+                (Some(slider), _) => {
+                    both!("the guide of link {}", "构件 {} 的导路", scene.link_name(slider))
+                }
                 (None, Some(pin)) => both!("the slot of {}", "{} 处的滑槽", scene.point_name(pin)),
                 (None, None) => both!("a guide", "导路"),
             }

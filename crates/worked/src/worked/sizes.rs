@@ -34,20 +34,29 @@ impl PoseSizes {
         // A driver that starts from rest has no speed yet; its speed after a radian, or after the
         // mechanism's size, is the measure.
         let driven = |d: &Driver| {
-            let (rate, a) = (d.rate.value.abs(), d.acceleration.as_ref().map_or(0.0, |a| a.value.abs()));
+            let (rate, a) =
+                (d.rate.value.abs(), d.acceleration.as_ref().map_or(0.0, |a| a.value.abs()));
             if d.kind.turns() { rate.max(a.sqrt()) * extent } else { rate.max((a * extent).sqrt()) }
         };
         let largest = |on| paper.polygon(on).map_or(0.0, construct::Polygon::largest);
         let speed = scene.drivers.iter().map(driven).fold(largest(DiagramKind::Velocity), f64::max);
         let acceleration = largest(DiagramKind::Acceleration);
-        let acceleration = if extent > 0.0 { acceleration.max(speed * speed / extent) } else { acceleration };
+        let acceleration =
+            if extent > 0.0 { acceleration.max(speed * speed / extent) } else { acceleration };
         let size = |on, vector: f64| {
             let rates = paper.rates.iter().filter(|r| r.on == on);
             let largest = rates.clone().map(|r| r.value.abs()).fold(0.0, f64::max);
             let arm = rates.filter_map(|r| r.measured).map(|m| m.arm).fold(extent, f64::min);
-            LevelSize { vector, turning: if arm > 0.0 { largest.max(vector / arm) } else { largest } }
+            LevelSize {
+                vector,
+                turning: if arm > 0.0 { largest.max(vector / arm) } else { largest },
+            }
         };
-        PoseSizes { extent, velocity: size(DiagramKind::Velocity, speed), acceleration: size(DiagramKind::Acceleration, acceleration) }
+        PoseSizes {
+            extent,
+            velocity: size(DiagramKind::Velocity, speed),
+            acceleration: size(DiagramKind::Acceleration, acceleration),
+        }
     }
 
     /// Returns the reference size for an answer of a level.

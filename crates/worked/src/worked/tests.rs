@@ -8,7 +8,13 @@ use hodograph_scene::{read, templates};
 
 fn values(source: &str) -> Vec<AnswerValue> {
     let scene = read(source).unwrap_or_else(|f| panic!("{f}")).value;
-    work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}")).value.results.iter().map(|r| r.value()).collect()
+    work(&scene, Scope::Questions)
+        .unwrap_or_else(|f| panic!("{f}"))
+        .value
+        .results
+        .iter()
+        .map(|r| r.value())
+        .collect()
 }
 
 fn notes(source: &str) -> Vec<Diagnostic> {
@@ -51,12 +57,22 @@ fn notes_speak_in_the_units_of_the_scene() {
     };
     for unit in ["in", "ft", "m", "cm", "mm", "km"] {
         let said = notes(&in_unit(unit));
-        let note = said.iter().find(|d| d.code == "assembly-by-default").unwrap_or_else(|| panic!("{said:?}"));
-        assert!(note.message.en.contains(&format!("C at (2.737 {unit}, 1.983 {unit})")), "{unit}: {note}");
+        let note = said
+            .iter()
+            .find(|d| d.code == "assembly-by-default")
+            .unwrap_or_else(|| panic!("{said:?}"));
+        assert!(
+            note.message.en.contains(&format!("C at (2.737 {unit}, 1.983 {unit})")),
+            "{unit}: {note}"
+        );
     }
     // Bare numbers have the unit of the table.
     let bare = in_unit("#").replace(" #", "").replacen('{', r#"{"units": {"length": "in"}, "#, 1);
-    assert!(notes(&bare).iter().any(|d| d.message.en.contains("(2.737 in, 1.983 in)")), "{:?}", notes(&bare));
+    assert!(
+        notes(&bare).iter().any(|d| d.message.en.contains("(2.737 in, 1.983 in)")),
+        "{:?}",
+        notes(&bare)
+    );
     let far = in_unit("in").replace("3 in", "9 in");
     let scene = read(&far).unwrap().value;
     let said = work(&scene, Scope::Questions).unwrap_err().to_string();
@@ -67,10 +83,16 @@ fn notes_speak_in_the_units_of_the_scene() {
 fn a_side_that_fits_all_assemblies_does_not_decide() {
     // D is to the right of AB in both assemblies; C is above AD in one of them only.
     let side = |said: &str| {
-        notes(&four_bar(said, LENGTHS)).into_iter().filter(|d| d.code.contains("side") || d.code.contains("assembly")).collect()
+        notes(&four_bar(said, LENGTHS))
+            .into_iter()
+            .filter(|d| d.code.contains("side") || d.code.contains("assembly"))
+            .collect()
     };
     let idle: Vec<Diagnostic> = side(r#"{"D": "right of AB", "E": "left of BC"}"#);
-    assert!(idle.iter().any(|d| d.code == "assembly-by-default"), "a side of what the group does not move says nothing of it: {idle:?}");
+    assert!(
+        idle.iter().any(|d| d.code == "assembly-by-default"),
+        "a side of what the group does not move says nothing of it: {idle:?}"
+    );
     let decided: Vec<Diagnostic> = side(r#"{"C": "left of AD", "E": "left of BC"}"#);
     assert!(decided.is_empty(), "{decided:?}");
     // A long coupler puts C beyond AB in both.
@@ -94,10 +116,22 @@ fn another_assembly_is_tried_where_the_first_does_not_close() {
     let scene = read(text).unwrap().value;
     let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}"));
     // P moves on a straight line square to OQ, at k²/(2·OQ) from O with k² = OA² − AC².
-    let AnswerValue::Vector(v) = worked.value.results[0].value() else { panic!("a velocity is a vector") };
-    let AnswerValue::Scalar(x) = worked.value.results[1].value() else { panic!("a coordinate is a number") };
-    assert!(v.x.abs() < 1e-12 * v.norm() && (x - (0.18f64.powi(2) - 0.08f64.powi(2)) / 0.12).abs() < 1e-12, "{v:?} {x}");
-    assert!(worked.notes.iter().any(|d| d.code == "assembly-by-default"), "what was chosen is said: {:?}", worked.notes);
+    let AnswerValue::Vector(v) = worked.value.results[0].value() else {
+        panic!("a velocity is a vector")
+    };
+    let AnswerValue::Scalar(x) = worked.value.results[1].value() else {
+        panic!("a coordinate is a number")
+    };
+    assert!(
+        v.x.abs() < 1e-12 * v.norm()
+            && (x - (0.18f64.powi(2) - 0.08f64.powi(2)) / 0.12).abs() < 1e-12,
+        "{v:?} {x}"
+    );
+    assert!(
+        worked.notes.iter().any(|d| d.code == "assembly-by-default"),
+        "what was chosen is said: {:?}",
+        worked.notes
+    );
     assert!(worked.value.solution.singular.iter().all(|s| s.kind != SingularKind::ChangePoint));
     // If none closes, the first fault is reported, with the remedy.
     let apart = text.replace(r#""AP": "80 mm", "PB": "80 mm""#, r#""AP": "1 mm", "PB": "1 mm""#);
@@ -109,7 +143,8 @@ fn another_assembly_is_tried_where_the_first_does_not_close() {
 fn answers_have_the_form_that_the_table_says() {
     for t in templates::list() {
         let scene = read(templates::get(t.name).unwrap()).unwrap().value;
-        let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{}: {f}", t.name)).value;
+        let worked =
+            work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{}: {f}", t.name)).value;
         for r in &worked.results {
             let find = &scene.find[r.find];
             let entry = find.what.entry();
@@ -118,7 +153,12 @@ fn answers_have_the_form_that_the_table_says() {
                 assert_eq!(value.columns().len(), entry.form.columns().len());
             }
             // A quantity answered by a formula is known to be required.
-            assert!(find.what.needs().iter().any(|n| n.1 == entry.level), "{} {}", t.name, find.text);
+            assert!(
+                find.what.needs().iter().any(|n| n.1 == entry.level),
+                "{} {}",
+                t.name,
+                find.text
+            );
         }
     }
 }
@@ -128,12 +168,22 @@ fn ratios_are_those_of_the_teeth() {
     // Sun 2 of 40 teeth, planet 4 of 20, ring 1 of 80 fixed, arm 3.
     let text = templates::get("planetary-gear").unwrap();
     let asking = |find: &str| text.replace(r#""find": ["#, &format!(r#""find": ["{find}", "#));
-    for (find, expected) in
-        [("i_2,3", 3.0), ("i_3/2", 1.0 / 3.0), ("i_24", -1.0), ("i_24/3", -0.5), ("i_21/3", -2.0), ("i_41/3", 4.0), ("i_14/3", 0.25)]
-    {
+    for (find, expected) in [
+        ("i_2,3", 3.0),
+        ("i_3/2", 1.0 / 3.0),
+        ("i_24", -1.0),
+        ("i_24/3", -0.5),
+        ("i_21/3", -2.0),
+        ("i_41/3", 4.0),
+        ("i_14/3", 0.25),
+    ] {
         let scene = read(asking(find)).unwrap_or_else(|f| panic!("{find}: {f}")).value;
         let worked = work(&scene, Scope::Questions).unwrap().value;
-        let outcome = worked.results.iter().find(|r| r.find == 0).unwrap_or_else(|| panic!("{find} is not answered"));
+        let outcome = worked
+            .results
+            .iter()
+            .find(|r| r.find == 0)
+            .unwrap_or_else(|| panic!("{find} is not answered"));
         for value in [outcome.drawn.as_ref().map(|d| d.value), Some(outcome.computed)] {
             let Some(AnswerValue::Scalar(i)) = value else { panic!("{find}: {value:?}") };
             assert!((i - expected).abs() < 1e-13, "{find}: {i}");
@@ -141,7 +191,10 @@ fn ratios_are_those_of_the_teeth() {
     }
     for wrong in ["i_22", "i_1,2", "i_24/4", "i_3", "i_24/9"] {
         let faults = read(asking(wrong)).unwrap_err();
-        assert!(faults.list.iter().all(|d| d.code == "find" || d.help.is_some()), "{wrong}: {faults}");
+        assert!(
+            faults.list.iter().all(|d| d.code == "find" || d.help.is_some()),
+            "{wrong}: {faults}"
+        );
     }
     // A link at rest divides nothing.
     let still = text.replace("240 rpm", "0 rpm").replace(r#""find": ["#, r#""find": ["i_24", "#);
@@ -149,7 +202,9 @@ fn ratios_are_those_of_the_teeth() {
     let worked = work(&scene, Scope::Questions).unwrap().value;
     let found: Vec<usize> = worked.unanswered.iter().map(|u| u.find).collect();
     assert!(
-        found.contains(&0) && worked.results.len() > 2 && found.len() + worked.results.len() == scene.find.len(),
+        found.contains(&0)
+            && worked.results.len() > 2
+            && found.len() + worked.results.len() == scene.find.len(),
         "{:?}",
         worked.unanswered
     );
@@ -163,21 +218,38 @@ fn what_rest_leaves_undefined_is_one_answer_of_many() {
     for template in ["crank-rocker", "planetary-gear", "disc-on-rod"] {
         let text = templates::get(template).unwrap();
         let mut json: serde_json::Value = serde_json::from_str(text).unwrap();
-        let own: Vec<String> = json["find"].as_array().unwrap().iter().map(|f| f.as_str().unwrap().to_owned()).collect();
+        let own: Vec<String> = json["find"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|f| f.as_str().unwrap().to_owned())
+            .collect();
         let scene = read(text).unwrap().value;
-        let (points, links) = (scene.points.iter().map(|p| &p.name), scene.links.iter().map(|l| &l.name));
+        let (points, links) =
+            (scene.points.iter().map(|p| &p.name), scene.links.iter().map(|l| &l.name));
         let (points, links): (Vec<_>, Vec<_>) = (points.collect(), links.collect());
-        let pairs = |of: &[&String]| of.iter().flat_map(|a| of.iter().map(move |b| format!("{a},{b}"))).collect::<Vec<_>>();
+        let pairs = |of: &[&String]| {
+            of.iter().flat_map(|a| of.iter().map(move |b| format!("{a},{b}"))).collect::<Vec<_>>()
+        };
         let mut asked = own.clone();
-        for symbol in ["i", "rho", "O", "J", "d", "K", "u", "p", "P", "an", "at", "vr", "aen", "aet", "arn", "art"] {
-            let names = points.iter().chain(&links).map(|n| n.to_string()).chain(pairs(&points)).chain(pairs(&links));
+        for symbol in [
+            "i", "rho", "O", "J", "d", "K", "u", "p", "P", "an", "at", "vr", "aen", "aet", "arn",
+            "art",
+        ] {
+            let names = points
+                .iter()
+                .chain(&links)
+                .map(|n| n.to_string())
+                .chain(pairs(&points))
+                .chain(pairs(&links));
             let framed = points.iter().flat_map(|p| links.iter().map(move |l| format!("{p}/{l}")));
             asked.extend(names.chain(framed).map(|n| format!("{symbol}_{n}")));
         }
         // The questions that apply to the scene.
         asked.retain(|q| {
             json["find"] = serde_json::json!([q]);
-            read(json.to_string()).is_ok_and(|s| hodograph_scene::quantity::undefined(&s.value).list.is_empty())
+            read(json.to_string())
+                .is_ok_and(|s| hodograph_scene::quantity::undefined(&s.value).list.is_empty())
         });
         json["find"] = serde_json::json!(asked);
         let mut scene = read(json.to_string()).unwrap_or_else(|f| panic!("{template}: {f}")).value;
@@ -185,8 +257,13 @@ fn what_rest_leaves_undefined_is_one_answer_of_many() {
             d.rate.value = 0.0;
             d.acceleration = None;
         }
-        let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{template}: {f}")).value;
-        assert_eq!(worked.results.len() + worked.unanswered.len() + worked.at_infinity.len(), scene.find.len(), "{template}");
+        let worked =
+            work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{template}: {f}")).value;
+        assert_eq!(
+            worked.results.len() + worked.unanswered.len() + worked.at_infinity.len(),
+            scene.find.len(),
+            "{template}"
+        );
         assert!(worked.results.len() >= own.len().min(2), "{template} answers nothing");
         undefined += worked.unanswered.len();
     }

@@ -3,19 +3,30 @@
 use super::{LawCoefficient, LawPiece};
 
 /// S = x.
-pub(super) const UNIFORM: &[LawPiece] =
-    &[LawPiece { end: 1.0, polynomial: &[LawCoefficient::plain(0.0, "0"), LawCoefficient::plain(1.0, "1")], wave: None }];
+pub(super) const UNIFORM: &[LawPiece] = &[LawPiece {
+    end: 1.0,
+    polynomial: &[LawCoefficient::plain(0.0, "0"), LawCoefficient::plain(1.0, "1")],
+    wave: None,
+}];
 
 /// S = 2x², then 1 − 2(1 − x)².
 pub(super) const PARABOLIC: &[LawPiece] = &[
     LawPiece {
         end: 0.5,
-        polynomial: &[LawCoefficient::plain(0.0, "0"), LawCoefficient::plain(0.0, "0"), LawCoefficient::plain(2.0, "2")],
+        polynomial: &[
+            LawCoefficient::plain(0.0, "0"),
+            LawCoefficient::plain(0.0, "0"),
+            LawCoefficient::plain(2.0, "2"),
+        ],
         wave: None,
     },
     LawPiece {
         end: 1.0,
-        polynomial: &[LawCoefficient::plain(-1.0, "-1"), LawCoefficient::plain(4.0, "4"), LawCoefficient::plain(-2.0, "-2")],
+        polynomial: &[
+            LawCoefficient::plain(-1.0, "-1"),
+            LawCoefficient::plain(4.0, "4"),
+            LawCoefficient::plain(-2.0, "-2"),
+        ],
         wave: None,
     },
 ];

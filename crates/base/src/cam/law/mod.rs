@@ -243,13 +243,22 @@ mod tests {
     fn a_law_begins_at_zero_and_ends_at_one_without_a_gap() {
         for law in MotionLaw::ALL {
             let ends = [law.at(0.0, PieceSide::After)[0], law.at(1.0, PieceSide::Before)[0]];
-            assert!(ends[0].abs() < 1e-15 && (ends[1] - 1.0).abs() < 1e-14, "{}: {ends:?}", law.name());
+            assert!(
+                ends[0].abs() < 1e-15 && (ends[1] - 1.0).abs() < 1e-14,
+                "{}: {ends:?}",
+                law.name()
+            );
             for joint in law.pieces().iter().map(|p| p.end).filter(|e| *e < 1.0) {
-                let [before, after] = [PieceSide::Before, PieceSide::After].map(|s| law.at(joint, s));
+                let [before, after] =
+                    [PieceSide::Before, PieceSide::After].map(|s| law.at(joint, s));
                 // S and S′ are continuous; S″ jumps inside for the parabolic law only.
                 let orders = if law == MotionLaw::Parabolic { 2 } else { 3 };
                 for k in 0..orders {
-                    assert!((before[k] - after[k]).abs() < 1e-12, "{} at {joint}, order {k}: {before:?} {after:?}", law.name());
+                    assert!(
+                        (before[k] - after[k]).abs() < 1e-12,
+                        "{} at {joint}, order {k}: {before:?} {after:?}",
+                        law.name()
+                    );
                 }
             }
         }
@@ -263,7 +272,11 @@ mod tests {
                 let [low, here, high] = [x - h, x, x + h].map(|x| law.at(x, PieceSide::After));
                 for k in 0..3 {
                     let slope = (high[k] - low[k]) / (2.0 * h);
-                    assert!((slope - here[k + 1]).abs() < 1e-6 * (1.0 + slope.abs()), "{} {x} {k}: {slope} {here:?}", law.name());
+                    assert!(
+                        (slope - here[k + 1]).abs() < 1e-6 * (1.0 + slope.abs()),
+                        "{} {x} {k}: {slope} {here:?}",
+                        law.name()
+                    );
                 }
             }
         }
@@ -275,15 +288,29 @@ mod tests {
         for (law, v, a, j) in [
             (MotionLaw::Uniform, 1.0, 0.0, 0.0),
             (MotionLaw::Parabolic, 2.0, 4.0, 0.0),
-            (MotionLaw::Harmonic, std::f64::consts::FRAC_PI_2, 4.934_802_200_544_68, 15.503_138_340_149_9),
+            (
+                MotionLaw::Harmonic,
+                std::f64::consts::FRAC_PI_2,
+                4.934_802_200_544_68,
+                15.503_138_340_149_9,
+            ),
             (MotionLaw::Cycloidal, 2.0, std::f64::consts::TAU, 39.478_417_604_357_4),
             (MotionLaw::Poly345, 1.875, 5.773_502_691_896_26, 60.0),
             (MotionLaw::Poly4567, 2.1875, 7.513_188_404_399_29, 52.5),
-            (MotionLaw::ModifiedSine, 1.759_603_385_953_77, 5.527_957_070_544_09, 69.466_357_288_724_3),
+            (
+                MotionLaw::ModifiedSine,
+                1.759_603_385_953_77,
+                5.527_957_070_544_09,
+                69.466_357_288_724_3,
+            ),
             (MotionLaw::ModifiedTrapezoidal, 2.0, 4.888_123_762_813_26, 61.425_974_812_367_3),
         ] {
             for (got, exact) in law.peaks().into_iter().zip([v, a, j]) {
-                assert!((got - exact).abs() <= 1e-7 * exact.max(1.0), "{}: {got} {exact}", law.name());
+                assert!(
+                    (got - exact).abs() <= 1e-7 * exact.max(1.0),
+                    "{}: {got} {exact}",
+                    law.name()
+                );
             }
         }
     }

@@ -3,7 +3,8 @@
 
 use super::{LawCoefficient, LawPiece};
 
-/// (πx − sin(4πx)/4)/(4 + π), then (2 + πx − (9/4) sin(4πx/3 + π/3))/(4 + π), then (4 + πx − sin(4πx)/4)/(4 + π).
+/// (πx − sin(4πx)/4)/(4 + π), then (2 + πx − (9/4) sin(4πx/3 + π/3))/(4 + π), then (4 + πx −
+/// sin(4πx)/4)/(4 + π).
 pub(super) const SINE: &[LawPiece] = &[
     LawPiece { end: 0.125, polynomial: &[NONE, SLOPE], wave: Some((QUARTER, 720.0, 0.0)) },
     LawPiece {
@@ -11,7 +12,11 @@ pub(super) const SINE: &[LawPiece] = &[
         polynomial: &[of_sine([2.0, 0.0, 0.0], "2/(4+pi)"), SLOPE],
         wave: Some((of_sine([-2.25, 0.0, 0.0], "-9/4/(4+pi)"), 240.0, 60.0)),
     },
-    LawPiece { end: 1.0, polynomial: &[of_sine([4.0, 0.0, 0.0], "4/(4+pi)"), SLOPE], wave: Some((QUARTER, 720.0, 0.0)) },
+    LawPiece {
+        end: 1.0,
+        polynomial: &[of_sine([4.0, 0.0, 0.0], "4/(4+pi)"), SLOPE],
+        wave: Some((QUARTER, 720.0, 0.0)),
+    },
 ];
 const NONE: LawCoefficient = LawCoefficient::plain(0.0, "0");
 const SLOPE: LawCoefficient = of_sine([0.0, 1.0, 0.0], "pi/(4+pi)");
@@ -37,7 +42,10 @@ pub(super) const TRAPEZOIDAL: &[LawPiece] = &[
     },
     LawPiece {
         end: 0.625,
-        polynomial: &[of_trapezoid([0.0, -0.5, 0.0], "-pi/2/(2+pi)"), of_trapezoid([2.0, 2.0, 0.0], "(2+2*pi)/(2+pi)")],
+        polynomial: &[
+            of_trapezoid([0.0, -0.5, 0.0], "-pi/2/(2+pi)"),
+            of_trapezoid([2.0, 2.0, 0.0], "(2+2*pi)/(2+pi)"),
+        ],
         wave: Some((of_trapezoid([0.0, 0.0, 0.5], "1/(2*pi)/(2+pi)"), 720.0, 0.0)),
     },
     LawPiece {
@@ -49,7 +57,11 @@ pub(super) const TRAPEZOIDAL: &[LawPiece] = &[
         ],
         wave: None,
     },
-    LawPiece { end: 1.0, polynomial: &[of_trapezoid([0.0, 1.0, 0.0], "pi/(2+pi)"), ENDS], wave: Some((FALL, 720.0, 0.0)) },
+    LawPiece {
+        end: 1.0,
+        polynomial: &[of_trapezoid([0.0, 1.0, 0.0], "pi/(2+pi)"), ENDS],
+        wave: Some((FALL, 720.0, 0.0)),
+    },
 ];
 const ENDS: LawCoefficient = of_trapezoid([2.0, 0.0, 0.0], "2/(2+pi)");
 const FALL: LawCoefficient = of_trapezoid([0.0, 0.0, -0.5], "-1/(2*pi)/(2+pi)");

@@ -84,7 +84,9 @@ impl PairForm {
         match *self {
             PairForm::Meet { pin, link } => (GraphNode::Pin(pin), GraphNode::Link(link)),
             PairForm::Angles { of, against, .. } => (GraphNode::Link(of), GraphNode::Link(against)),
-            PairForm::OnPath { runner, on, .. } | PairForm::AlongPath { runner, on, .. } => (runner.node(), GraphNode::Link(on)),
+            PairForm::OnPath { runner, on, .. } | PairForm::AlongPath { runner, on, .. } => {
+                (runner.node(), GraphNode::Link(on))
+            }
             PairForm::Distance { from, to, .. } => (GraphNode::Pin(from), GraphNode::Pin(to)),
             PairForm::Related { links: [a, b], .. } => (GraphNode::Link(a), GraphNode::Link(b)),
         }
@@ -158,7 +160,10 @@ impl PairForm {
     pub fn path(&self) -> Option<GuideId> {
         match *self {
             PairForm::OnPath { guide, .. } | PairForm::AlongPath { guide, .. } => Some(guide),
-            PairForm::Meet { .. } | PairForm::Angles { .. } | PairForm::Distance { .. } | PairForm::Related { .. } => None,
+            PairForm::Meet { .. }
+            | PairForm::Angles { .. }
+            | PairForm::Distance { .. }
+            | PairForm::Related { .. } => None,
         }
     }
 }

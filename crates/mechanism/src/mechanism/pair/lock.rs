@@ -9,8 +9,12 @@ use hodograph_scene::GuidePath;
 
 pub(super) const LOCK: PairKind = PairKind {
     form: Demands::Guide(|_, g| match g.path {
-        GuidePath::Line { .. } => Some(PairForm::Angles { of: g.slider?, against: g.on, driver: None }),
+        GuidePath::Line { .. } => {
+            Some(PairForm::Angles { of: g.slider?, against: g.on, driver: None })
+        }
         GuidePath::Arc { .. } => None,
     }),
-    words: |scene, slider, on| both!("slider {} on link {}", "构件 {1} 上的滑块 {0}", slider.name(scene), on.name(scene)),
+    words: |scene, slider, on| {
+        both!("slider {} on link {}", "构件 {1} 上的滑块 {0}", slider.name(scene), on.name(scene))
+    },
 };

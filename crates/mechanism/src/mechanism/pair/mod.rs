@@ -95,14 +95,21 @@ pub fn constraints_of(scene: &Scene, item: PairItem) -> impl Iterator<Item = Con
     let demanded = move |kind: &PairKind| match (&kind.form, item) {
         (Demands::Pin(form), PairItem::Pin(p, l)) => form(p, l),
         (Demands::Guide(form), PairItem::Guide(g)) => form(g, &scene.guides[g.0]),
-        (Demands::Driver(driver), PairItem::Driver(d)) => (driver.form)(d, &scene.drivers[d].kind, scene),
+        (Demands::Driver(driver), PairItem::Driver(d)) => {
+            (driver.form)(d, &scene.drivers[d].kind, scene)
+        }
         (Demands::Rolling { kind, .. }, PairItem::Rolling(pair)) => {
             let of = &scene.rolling[pair.0];
             (of.kind == *kind).then_some(PairForm::Related { pair, links: of.links })
         }
-        (Demands::Pin(_) | Demands::Guide(_) | Demands::Driver(_) | Demands::Rolling { .. }, _) => None,
+        (Demands::Pin(_) | Demands::Guide(_) | Demands::Driver(_) | Demands::Rolling { .. }, _) => {
+            None
+        }
     };
-    KINDS.iter().enumerate().filter_map(move |(kind, k)| Some(Constraint { kind, item, form: demanded(k)? }))
+    KINDS
+        .iter()
+        .enumerate()
+        .filter_map(move |(kind, k)| Some(Constraint { kind, item, form: demanded(k)? }))
 }
 
 /// Returns the name of an item with one constraint.
@@ -130,7 +137,11 @@ pub fn moved_words(scene: &Scene, driver: usize) -> Both {
     driver_words(scene, driver, |d| d.moved)
 }
 
-fn driver_words(scene: &Scene, driver: usize, words: impl Fn(&DriverForm) -> fn(&Scene, GraphNode, GraphNode) -> Both) -> Both {
+fn driver_words(
+    scene: &Scene,
+    driver: usize,
+    words: impl Fn(&DriverForm) -> fn(&Scene, GraphNode, GraphNode) -> Both,
+) -> Both {
     let of = |c: Constraint| match &KINDS[c.kind].form {
         Demands::Driver(driver) => Some(words(driver)(scene, c.ends().0, c.ends().1)),
         Demands::Pin(_) | Demands::Guide(_) | Demands::Rolling { .. } => None,

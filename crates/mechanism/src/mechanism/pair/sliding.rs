@@ -11,12 +11,18 @@ pub(super) const SLIDING: PairKind = PairKind {
         },
         mover: |scene, runner, _| match runner {
             GraphNode::Pin(_) => both!("the drive of {}", "{} 处的原动件", runner.name(scene)),
-            GraphNode::Link(_) => both!("the drive of link {}", "构件 {} 的原动件", runner.name(scene)),
+            GraphNode::Link(_) => {
+                both!("the drive of link {}", "构件 {} 的原动件", runner.name(scene))
+            }
         },
         moved: |scene, runner, _| both!("slider {}", "滑块 {}", runner.name(scene)),
     }),
     words: |scene, runner, _| match runner {
-        GraphNode::Pin(_) => both!("the sliding driver at {}", "{} 处的移动原动件", runner.name(scene)),
-        GraphNode::Link(_) => both!("the sliding driver of link {}", "构件 {} 的移动原动件", runner.name(scene)),
+        GraphNode::Pin(_) => {
+            both!("the sliding driver at {}", "{} 处的移动原动件", runner.name(scene))
+        }
+        GraphNode::Link(_) => {
+            both!("the sliding driver of link {}", "构件 {} 的移动原动件", runner.name(scene))
+        }
     },
 };

@@ -4,6 +4,15 @@ use super::{Demands, PairForm, PairKind, Runner};
 use hodograph_base::diag::both;
 
 pub(super) const SLOT: PairKind = PairKind {
-    form: Demands::Guide(|guide, g| Some(PairForm::OnPath { runner: Runner::Pin(g.pin?), guide, on: g.on })),
-    words: |scene, pin, on| both!("pin {} in the guide on link {}", "构件 {1} 导路中的销 {0}", pin.name(scene), on.name(scene)),
+    form: Demands::Guide(|guide, g| {
+        Some(PairForm::OnPath { runner: Runner::Pin(g.pin?), guide, on: g.on })
+    }),
+    words: |scene, pin, on| {
+        both!(
+            "pin {} in the guide on link {}",
+            "构件 {1} 导路中的销 {0}",
+            pin.name(scene),
+            on.name(scene)
+        )
+    },
 };

@@ -65,7 +65,10 @@ impl<N: Real> Conditions<N> {
     /// the reactions upstream is added to `acting`.
     ///
     /// `None` if a pivot may be zero: the reactions are unbounded or not determined.
-    pub(in crate::motion) fn reactions(&self, acting: &mut ActingForces<N>) -> Option<Vec<(usize, Reaction<N>)>> {
+    pub(in crate::motion) fn reactions(
+        &self,
+        acting: &mut ActingForces<N>,
+    ) -> Option<Vec<(usize, Reaction<N>)>> {
         let (n, zero, scale) = (self.unknowns, N::from_f64(0.0), N::from_f64(self.scale));
         if self.list.len() != n {
             return None;
@@ -89,7 +92,8 @@ impl<N: Real> Conditions<N> {
         let mut out = Vec::with_capacity(n);
         for ((condition, of), l) in self.list.iter().zip(&self.of).zip(lambda) {
             let reaction = match condition {
-                MotionCondition::Along { p, q, k: u, .. } | MotionCondition::Distance { p, q, u, .. } => {
+                MotionCondition::Along { p, q, k: u, .. }
+                | MotionCondition::Distance { p, q, u, .. } => {
                     let force = *u * (l * scale);
                     p.passed_on(force, acting);
                     q.passed_on(-force, acting);
@@ -117,7 +121,10 @@ impl<N: Real> Conditions<N> {
             let wrench = acting.about(*l, *at);
             [-(wrench.force.x * back), -(wrench.force.y * back), -wrench.couple]
         });
-        let of_pins = self.pins.iter().flat_map(|p| [-(acting.pins[p.0].x * back), -(acting.pins[p.0].y * back)]);
+        let of_pins = self
+            .pins
+            .iter()
+            .flat_map(|p| [-(acting.pins[p.0].x * back), -(acting.pins[p.0].y * back)]);
         of_links.chain(of_pins).collect()
     }
 }
@@ -126,7 +133,9 @@ impl<N: Real> ConditionPoint<N> {
     /// Adds a force on the point to the forces that act upstream.
     fn passed_on(&self, force: Vec2<N>, acting: &mut ActingForces<N>) {
         match *self {
-            ConditionPoint::Known(at, GraphNode::Link(link)) => acting.on_link(link, at.at, Wrench { force, ..Wrench::zero() }),
+            ConditionPoint::Known(at, GraphNode::Link(link)) => {
+                acting.on_link(link, at.at, Wrench { force, ..Wrench::zero() })
+            }
             ConditionPoint::Known(_, GraphNode::Pin(pin)) => acting.on_pin(pin, force),
             ConditionPoint::Link(..) | ConditionPoint::Pin(_) => {}
         }

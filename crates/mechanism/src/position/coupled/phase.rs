@@ -26,13 +26,21 @@ impl<N: Real> CoupledGroup<'_, N> {
         match (self.assembly.scene.rolling[r.0].relation(), self.assembly.instant) {
             (Relation::Turnings(centres), Some(then)) => self.turned_since(view, r, centres, then),
             (Relation::Turnings(centres), None) => self.in_phase(view, r, centres),
-            (Relation::Slide { centre, guide }, Some(then)) => self.gone_since(view, r, (centre, guide), then),
+            (Relation::Slide { centre, guide }, Some(then)) => {
+                self.gone_since(view, r, (centre, guide), then)
+            }
             (Relation::Slide { .. }, None) => None,
         }
     }
 
     /// Returns the equation of two circles since the instant.
-    fn turned_since(&self, view: &PlacedGroup<N>, r: RollingId, centres: [PointId; 2], then: &Configuration<N>) -> Option<Slip<N>> {
+    fn turned_since(
+        &self,
+        view: &PlacedGroup<N>,
+        r: RollingId,
+        centres: [PointId; 2],
+        then: &Configuration<N>,
+    ) -> Option<Slip<N>> {
         let pair = &self.assembly.scene.rolling[r.0];
         let [a, b] = self.turned(view, r, then)?;
         let line = self.line(view, pair.links, centres)?;
@@ -42,20 +50,39 @@ impl<N: Real> CoupledGroup<'_, N> {
     }
 
     /// Returns the equation of two circles in their phase.
-    fn in_phase(&self, view: &PlacedGroup<N>, r: RollingId, centres: [PointId; 2]) -> Option<Slip<N>> {
+    fn in_phase(
+        &self,
+        view: &PlacedGroup<N>,
+        r: RollingId,
+        centres: [PointId; 2],
+    ) -> Option<Slip<N>> {
         let a = self.assembly;
         let pair = &a.scene.rolling[r.0];
         let (s, c) = a.inputs.sin_cos(pair.phase.as_ref()?);
         let line = self.line(view, pair.links, centres)?;
         // Measured from the line of centres.
-        let angle = |k: usize| Some(a.mark(pair.links[k])?.rotate_by(view.pose(pair.links[k])?.axis).divide_by(line).angle());
-        let mut slip = self.of_circles(view, r, centres, [angle(0)?, angle(1)?, N::from_f64(0.0)])?;
+        let angle = |k: usize| {
+            Some(
+                a.mark(pair.links[k])?
+                    .rotate_by(view.pose(pair.links[k])?.axis)
+                    .divide_by(line)
+                    .angle(),
+            )
+        };
+        let mut slip =
+            self.of_circles(view, r, centres, [angle(0)?, angle(1)?, N::from_f64(0.0)])?;
         slip.off = whole(slip.off - Vec2::new(c, s).angle(), 0.0);
         Some(slip)
     }
 
     /// Returns the equation of (φ₂ − β) + (φ₁ − β) ρ₁/ρ₂.
-    fn of_circles(&self, view: &PlacedGroup<N>, r: RollingId, centres: [PointId; 2], [a, b, line]: [N; 3]) -> Option<Slip<N>> {
+    fn of_circles(
+        &self,
+        view: &PlacedGroup<N>,
+        r: RollingId,
+        centres: [PointId; 2],
+        [a, b, line]: [N; 3],
+    ) -> Option<Slip<N>> {
         let pair = &self.assembly.scene.rolling[r.0];
         let [r1, r2] = pair.sizes(&self.assembly.inputs);
         let ratio = r1 / r2;
@@ -96,19 +123,38 @@ impl<N: Real> CoupledGroup<'_, N> {
     }
 
     /// Returns the rotations of both links since the instant.
-    fn turned(&self, view: &PlacedGroup<N>, r: RollingId, then: &Configuration<N>) -> Option<[N; 2]> {
+    fn turned(
+        &self,
+        view: &PlacedGroup<N>,
+        r: RollingId,
+        then: &Configuration<N>,
+    ) -> Option<[N; 2]> {
         let links = self.assembly.scene.rolling[r.0].links;
-        let of = |k: usize| Some(whole(view.pose(links[k])?.axis.divide_by(then.poses[links[k].0]?.axis).angle(), self.near(r)[k]));
+        let of = |k: usize| {
+            Some(whole(
+                view.pose(links[k])?.axis.divide_by(then.poses[links[k].0]?.axis).angle(),
+                self.near(r)[k],
+            ))
+        };
         Some([of(0)?, of(1)?])
     }
 
     /// Returns the rotations of links and line in the known pose.
     fn near(&self, r: RollingId) -> [f64; 3] {
-        self.meant.rolled.get(r.0).and_then(Option::as_ref).map_or([0.0; 3], |rolled| rolled.turned())
+        self.meant
+            .rolled
+            .get(r.0)
+            .and_then(Option::as_ref)
+            .map_or([0.0; 3], |rolled| rolled.turned())
     }
 
     /// Returns the vector from the first centre to the second.
-    fn line(&self, view: &PlacedGroup<N>, links: [LinkId; 2], centres: [PointId; 2]) -> Option<Vec2<N>> {
+    fn line(
+        &self,
+        view: &PlacedGroup<N>,
+        links: [LinkId; 2],
+        centres: [PointId; 2],
+    ) -> Option<Vec2<N>> {
         Some(self.centre(view, links[1], centres[1])? - self.centre(view, links[0], centres[0])?)
     }
 
@@ -122,7 +168,14 @@ impl<N: Real> CoupledGroup<'_, N> {
     }
 
     /// Adds ±k·(motion of a centre).
-    fn add_centre(&self, view: &PlacedGroup<N>, row: &mut [N], link: LinkId, centre: PointId, k: Vec2<N>) -> Option<()> {
+    fn add_centre(
+        &self,
+        view: &PlacedGroup<N>,
+        row: &mut [N],
+        link: LinkId,
+        centre: PointId,
+        k: Vec2<N>,
+    ) -> Option<()> {
         match view.local(link, centre) {
             Some(_) => self.add_link(view.at, row, link, self.centre(view, link, centre)?, k),
             None => self.add_pin(row, centre, k),

@@ -12,7 +12,9 @@ fn whole_turns_are_those_of_what_is_known_roughly() {
             let near = rough + TAU * f64::from(turns);
             let angle: f64 = whole(wrapped, near);
             assert!(
-                (angle - near).abs() < 0.1 && ((angle - wrapped) / TAU - libm::round((angle - wrapped) / TAU)).abs() < 1e-12,
+                (angle - near).abs() < 0.1
+                    && ((angle - wrapped) / TAU - libm::round((angle - wrapped) / TAU)).abs()
+                        < 1e-12,
                 "{near}: {angle}"
             );
         }
@@ -48,13 +50,16 @@ fn normals_point_from_the_first_contour_to_the_second() {
             let text = pair(links, centres, &more);
             let scene = scene::read(&text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
             let m = Mechanism::new(&scene).unwrap().value;
-            let at = configure(&scene, &m, &Demand::of(&scene, &m).with_all_positions()).unwrap().value;
+            let at =
+                configure(&scene, &m, &Demand::of(&scene, &m).with_all_positions()).unwrap().value;
             let (n, [r1, r2]) = (at.normal(&scene, RollingId(0)).unwrap(), at.shapes.rolling[0]);
             let contact = at.point(scene.rolling[0].at[0]);
             let [p, q] = scene.rolling[0].centres().map(|c| at.point(c.unwrap()));
             // For teeth alone the distance determines the radii.
             let unit = p.distance(q) / (r1 + r2).abs();
-            let off = (contact - n * (r1 * unit)).distance(p).max((contact + n * (r2 * unit)).distance(q));
+            let off = (contact - n * (r1 * unit))
+                .distance(p)
+                .max((contact + n * (r2 * unit)).distance(q));
             assert!(off < 1e-15, "{off} m with radii {r1} and {r2}\n{text}");
         }
     }

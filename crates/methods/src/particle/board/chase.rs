@@ -58,7 +58,10 @@ impl PursuitPaths {
     /// Returns the course of a drawing at another instant.
     fn again(drawn: &MotionDrawing) -> Option<PursuitPaths> {
         let Views::Chase { course, until, meets, .. } = &drawn.views else { return None };
-        let places = course.iter().map(|pair| pair.map(|p| (p.to_vec2() * drawn.mu[0]).to_point())).collect();
+        let places = course
+            .iter()
+            .map(|pair| pair.map(|p| (p.to_vec2() * drawn.mu[0]).to_point()))
+            .collect();
         Some(PursuitPaths { places, until: *until, meets: *meets })
     }
 
@@ -66,7 +69,9 @@ impl PursuitPaths {
     /// round number in a unit (m).
     fn scale(&self, now: [Point; 2], unit: f64) -> f64 {
         let all = || self.places.iter().flatten().copied().chain(now);
-        let most = |f: fn(Point) -> f64| all().map(f).fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], x| [l.min(x), h.max(x)]);
+        let most = |f: fn(Point) -> f64| {
+            all().map(f).fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], x| [l.min(x), h.max(x)])
+        };
         let ([x0, x1], [y0, y1]) = (most(|p| p.x), most(|p| p.y));
         choose_in(unit, [x1 - x0, y1 - y0], COURSE_MM)
     }
@@ -86,11 +91,14 @@ pub(super) fn draw(
     let speed = laws.law(chase.speed)?;
     let (b, v_b) = (Point::new(x[0], y[0]), Vec2::new(x[1], y[1]));
     let a = b - Vec2::new(here.d[0], here.d[1]);
-    let run = known.and_then(PursuitPaths::again).map_or_else(|| PursuitPaths::of(&chase, t), Ok)?;
+    let run =
+        known.and_then(PursuitPaths::again).map_or_else(|| PursuitPaths::of(&chase, t), Ok)?;
     let mu_l = problem.paper.scale(scene::Kind::Length, |unit| run.scale([a, b], unit));
-    let (on_paper_a, on_paper_b) = ((a.to_vec2() * (1.0 / mu_l)).to_point(), (b.to_vec2() * (1.0 / mu_l)).to_point());
+    let (on_paper_a, on_paper_b) =
+        ((a.to_vec2() * (1.0 / mu_l)).to_point(), (b.to_vec2() * (1.0 / mu_l)).to_point());
     let Some(along) = (on_paper_b - on_paper_a).unit() else { return Ok(None) };
-    let mu_v = fitted(&problem.paper, scene::Kind::Velocity, most(&[v_b, along * speed[0]]), ROOM_MM);
+    let mu_v =
+        fitted(&problem.paper, scene::Kind::Velocity, most(&[v_b, along * speed[0]]), ROOM_MM);
     let (tip_a, tip_b) = (along * (speed[0] / mu_v), v_b * (1.0 / mu_v));
     // The perpendicular from b to the line of v_A.
     let foot = along * along.dot(tip_b);
@@ -103,11 +111,15 @@ pub(super) fn draw(
     let omega = rate * mu_v / (arm * mu_l) * if along.cross(tip_b) < 0.0 { -1.0 } else { 1.0 };
     let (a_t, a_n) = (speed[1], tip_a.norm() * mu_v * omega);
     let whole = along * a_t + along.perp() * a_n;
-    let mu_a = fitted(&problem.paper, scene::Kind::Acceleration, most(&[whole, along * a_t]), ROOM_MM);
+    let mu_a =
+        fitted(&problem.paper, scene::Kind::Acceleration, most(&[whole, along * a_t]), ROOM_MM);
     let (tip_t, tip_n) = (along * (a_t / mu_a), along.perp() * (a_n / mu_a));
-    let velocities =
-        vec![arrow(&format!("v_{}", m.point), Point::ORIGIN, tip_a, true, 1), arrow(&format!("v_{target}"), Point::ORIGIN, tip_b, true, 1)];
-    let mut accelerations = vec![arrow(&format!("a_{}", m.point), Point::ORIGIN, tip_t + tip_n, true, 3)];
+    let velocities = vec![
+        arrow(&format!("v_{}", m.point), Point::ORIGIN, tip_a, true, 1),
+        arrow(&format!("v_{target}"), Point::ORIGIN, tip_b, true, 1),
+    ];
+    let mut accelerations =
+        vec![arrow(&format!("a_{}", m.point), Point::ORIGIN, tip_t + tip_n, true, 3)];
     if a_t != 0.0 {
         accelerations.push(arrow("a^t", Point::ORIGIN, tip_t, false, 3));
         accelerations.push(arrow("a^n", tip_t.to_point(), tip_n, false, 3));
@@ -168,7 +180,10 @@ pub(super) fn draw(
         },
     ];
     let (v, acc) = (tip_a * mu_v, (tip_t + tip_n) * mu_a);
-    let mut readings = vec![(ParticleQuantity::Distance(k), vec![arm * mu_l]), (ParticleQuantity::Velocity(k), vec![v.x, v.y])];
+    let mut readings = vec![
+        (ParticleQuantity::Distance(k), vec![arm * mu_l]),
+        (ParticleQuantity::Velocity(k), vec![v.x, v.y]),
+    ];
     if seen {
         readings.push((ParticleQuantity::LineOmega(k), vec![omega]));
         readings.push((ParticleQuantity::Curvature(k), vec![(tip_a.norm() * mu_v / omega).abs()]));
@@ -181,7 +196,11 @@ pub(super) fn draw(
     }
     let unread = (!seen).then(|| nearly_straight(&m.point, target));
     let views = Views::Chase {
-        course: run.places.iter().map(|pair| pair.map(|p| (p.to_vec2() * (1.0 / mu_l)).to_point())).collect(),
+        course: run
+            .places
+            .iter()
+            .map(|pair| pair.map(|p| (p.to_vec2() * (1.0 / mu_l)).to_point()))
+            .collect(),
         until: run.until,
         meets: run.meets,
         places: [on_paper_a, on_paper_b],
@@ -190,7 +209,15 @@ pub(super) fn draw(
         accelerations,
     };
     let steps = steps.into_iter().map(Both::sentence).collect();
-    Ok(Some(MotionDrawing { motion: k, mu: [mu_l, mu_v, mu_a], steps, readings, calculated: false, unread, views }))
+    Ok(Some(MotionDrawing {
+        motion: k,
+        mu: [mu_l, mu_v, mu_a],
+        steps,
+        readings,
+        calculated: false,
+        unread,
+        views,
+    }))
 }
 
 /// Returns the note for a target that moves along the line of sight, or deviates from it by less

@@ -39,7 +39,8 @@ impl Ink {
 
     /// Returns the box around both.
     pub fn union(self, other: Ink) -> Ink {
-        let each = |a: [f64; 2], b: [f64; 2], f: fn(f64, f64) -> f64| [f(a[0], b[0]), f(a[1], b[1])];
+        let each =
+            |a: [f64; 2], b: [f64; 2], f: fn(f64, f64) -> f64| [f(a[0], b[0]), f(a[1], b[1])];
         Ink { min: each(self.min, other.min, f64::min), max: each(self.max, other.max, f64::max) }
     }
 
@@ -83,9 +84,12 @@ impl Outline {
     pub(super) fn of(font: &FontRef, glyph: GlyphId, em: f64) -> Option<Outline> {
         let mut sink = Sink { segments: Vec::new(), ink: Ink::NONE, em };
         if let Some(outline) = font.outline_glyphs().get(glyph) {
-            outline.draw(DrawSettings::unhinted(Size::unscaled(), LocationRef::default()), &mut sink).ok()?;
+            outline
+                .draw(DrawSettings::unhinted(Size::unscaled(), LocationRef::default()), &mut sink)
+                .ok()?;
         }
-        let reach = sink.ink.min.iter().chain(&sink.ink.max).fold(0.0_f64, |most, v| most.max(v.abs()));
+        let reach =
+            sink.ink.min.iter().chain(&sink.ink.max).fold(0.0_f64, |most, v| most.max(v.abs()));
         let sound = sink.segments.len() <= MOST_SEGMENTS && (!sink.ink.any() || reach <= MOST_EM);
         sound.then_some(Outline { segments: sink.segments, ink: sink.ink })
     }

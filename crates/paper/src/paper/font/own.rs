@@ -42,28 +42,45 @@ impl Own {
     fn read(name: &str, bytes: Vec<u8>) -> Result<Own, Diagnostic> {
         let fault = |what: Both| Diagnostic::error("font", what);
         if bytes.len() > LARGEST {
-            return Err(fault(both!("{name} is larger than {} MiB", "{name} 超过 {} MiB", LARGEST >> 20))
-                .help(both!("give a font of the usual size", "请用通常大小的字体")));
+            return Err(fault(both!(
+                "{name} is larger than {} MiB",
+                "{name} 超过 {} MiB",
+                LARGEST >> 20
+            ))
+            .help(both!("give a font of the usual size", "请用通常大小的字体")));
         }
         let key = fingerprint(&bytes);
         let bytes: Bytes = Arc::new(bytes);
         let Some(loaded) = LoadedFont::try_new(Arc::clone(&bytes)) else {
-            return Err(fault(both!("{name} is no font that can be read", "{name} 不是可读的字体"))
-                .help(both!("give an OpenType or TrueType file (.otf, .ttf)", "请用 OpenType 或 TrueType 文件（.otf、.ttf）")));
+            return Err(fault(both!(
+                "{name} is no font that can be read",
+                "{name} 不是可读的字体"
+            ))
+            .help(both!(
+                "give an OpenType or TrueType file (.otf, .ttf)",
+                "请用 OpenType 或 TrueType 文件（.otf、.ttf）"
+            )));
         };
         let cut = match loaded.font().attributes().style {
             Style::Normal => Cut::Upright,
             _ => Cut::Slanted,
         };
         let sound = |c: &char| super::drawn(&loaded, *c).is_some();
-        if !('a'..='z').chain('A'..='Z').chain('0'..='9').chain("的速度".chars()).any(|c| sound(&c)) {
-            return Err(fault(both!("{name} has no letter and no digit that can be drawn", "{name} 没有可绘制的字母和数字"))
-                .help(both!("give a text font", "请用文字字体")));
+        if !('a'..='z').chain('A'..='Z').chain('0'..='9').chain("的速度".chars()).any(|c| sound(&c))
+        {
+            return Err(fault(both!(
+                "{name} has no letter and no digit that can be drawn",
+                "{name} 没有可绘制的字母和数字"
+            ))
+            .help(both!("give a text font", "请用文字字体")));
         }
         // The name is written to files unescaped: only characters that cannot end an attribute are
         // kept.
         let named = loaded.font().localized_strings(StringId::FAMILY_NAME).english_or_first();
-        let letters = named.iter().flat_map(|n| n.chars().take(64)).filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-'));
+        let letters = named
+            .iter()
+            .flat_map(|n| n.chars().take(64))
+            .filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-'));
         let family = letters.collect::<String>();
         Ok(Own(Arc::new(FontFile { cut, loaded, bytes, family, key })))
     }
@@ -96,7 +113,9 @@ impl Own {
 /// Returns the FNV-1a hash in 64 bits (Fowler, Noll, Vo), which distinguishes the few fonts of a
 /// program.
 fn fingerprint(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, b| (hash ^ u64::from(*b)).wrapping_mul(0x0000_0100_0000_01b3))
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, b| {
+        (hash ^ u64::from(*b)).wrapping_mul(0x0000_0100_0000_01b3)
+    })
 }
 
 impl fmt::Debug for Own {
@@ -163,8 +182,14 @@ impl Fonts {
         let cut = own.cut();
         let mut cuts = self.cuts().map(Option::<&Own>::cloned);
         if cuts[cut as usize].replace(own).is_some() {
-            let d = Diagnostic::error("font", both!("{name} is the second {} font", "{name} 是第二个 {} 字体", cut.name()));
-            return Err(d.help(both!("give one upright and one slanted (italic) font at most", "正体和斜体字体至多各一个")));
+            let d = Diagnostic::error(
+                "font",
+                both!("{name} is the second {} font", "{name} 是第二个 {} 字体", cut.name()),
+            );
+            return Err(d.help(both!(
+                "give one upright and one slanted (italic) font at most",
+                "正体和斜体字体至多各一个"
+            )));
         }
         Ok(Fonts::of(cuts))
     }
@@ -207,8 +232,17 @@ impl Fonts {
         let lacking = self.0.as_ref()?.lacking.lock().unwrap_or_else(PoisonError::into_inner);
         let named: Vec<String> = lacking.iter().take(NAMED_MAX).map(char::to_string).collect();
         let more = lacking.len().saturating_sub(NAMED_MAX);
-        let more = if more > 0 { both!(" and {more} more", " 等另 {more} 个字符") } else { Both::default() };
-        let message = both!("the font has no {}{}: set in the bundled fonts", "字体中没有 {}{}：改用内置字体", named.join(" "), more);
+        let more = if more > 0 {
+            both!(" and {more} more", " 等另 {more} 个字符")
+        } else {
+            Both::default()
+        };
+        let message = both!(
+            "the font has no {}{}: set in the bundled fonts",
+            "字体中没有 {}{}：改用内置字体",
+            named.join(" "),
+            more
+        );
         (!named.is_empty()).then(|| Diagnostic::note("font-lacks", message))
     }
 }
@@ -234,7 +268,11 @@ mod tests {
         let song = Fonts::default().with("song.otf", bytes(&Face::Song)).unwrap();
         assert_ne!(italic, song);
         assert!(matches!(Face::of('v', Slant::Italic, &italic), Some(Face::Own(_))));
-        assert_eq!(Face::of('v', Slant::Italic, &song), Some(Face::Italic), "an upright font writes no quantities");
+        assert_eq!(
+            Face::of('v', Slant::Italic, &song),
+            Some(Face::Italic),
+            "an upright font writes no quantities"
+        );
         assert_eq!(Face::of('α', Slant::Upright, &song), Some(Face::Roman));
         assert!(song.lacking().unwrap().message.en.contains('α') && italic.lacking().is_none());
         let both = italic.over(&song);
@@ -255,7 +293,9 @@ mod tests {
         // A linear congruential generator (Knuth, MMIX): the same damage on every run.
         let mut state: u64 = 1;
         let mut random = |n: usize| {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             (state >> 33) as usize % n
         };
         for face in [Face::Roman, Face::Song] {
@@ -270,7 +310,15 @@ mod tests {
                 let Ok(own) = Own::read("damaged.ttf", bytes) else { continue };
                 for c in ('!'..='~').chain("αβω速度".chars()) {
                     if let Some(outline) = super::super::drawn(own.loaded(), c) {
-                        assert!(!outline.ink.any() || outline.ink.max.iter().chain(&outline.ink.min).all(|v| v.abs() <= 8.0));
+                        assert!(
+                            !outline.ink.any()
+                                || outline
+                                    .ink
+                                    .max
+                                    .iter()
+                                    .chain(&outline.ink.min)
+                                    .all(|v| v.abs() <= 8.0)
+                        );
                     }
                 }
             }

@@ -15,7 +15,9 @@ impl Plans {
         // A thread that panics here leaves the list consistent.
         let mut plans = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let wanted = (text.direction(), text.script());
-        if let Some(plan) = plans.iter().find(|p| (p.direction(), p.script().unwrap_or(script::UNKNOWN)) == wanted) {
+        if let Some(plan) =
+            plans.iter().find(|p| (p.direction(), p.script().unwrap_or(script::UNKNOWN)) == wanted)
+        {
             return Arc::clone(plan);
         }
         let script = Some(text.script()).filter(|s| *s != script::UNKNOWN);

@@ -40,7 +40,13 @@ impl Parser<'_> {
             "see the label language: v_{{B3B2}}^r, \\omega_1, b'_2, \\text{{words}}",
             "标注的写法：v_{{B3B2}}^r、\\omega_1、b'_2、\\text{{words}}"
         );
-        self.faults.push(Diagnostic::error("label-syntax", both!("label `{}`: {}", "标注 `{}`：{}", self.source, what)).help(help));
+        self.faults.push(
+            Diagnostic::error(
+                "label-syntax",
+                both!("label `{}`: {}", "标注 `{}`：{}", self.source, what),
+            )
+            .help(help),
+        );
     }
 
     fn take_while(&mut self, keep: impl Fn(char) -> bool) -> String {
@@ -79,7 +85,9 @@ impl Parser<'_> {
                 c if c.is_ascii_digit() => {
                     // A dot belongs to the number if a digit follows it.
                     let mut text = self.take_while(|c| c.is_ascii_digit());
-                    while self.peek() == Some('.') && self.chars.get(self.at + 1).is_some_and(char::is_ascii_digit) {
+                    while self.peek() == Some('.')
+                        && self.chars.get(self.at + 1).is_some_and(char::is_ascii_digit)
+                    {
                         self.at += 1;
                         text.push('.');
                         text += &self.take_while(|c| c.is_ascii_digit());
@@ -115,7 +123,12 @@ impl Parser<'_> {
                 row.push(LabelNode::new("", Slant::Upright, Role::Ordinary));
             }
             // A script belongs to one letter: in `AB_1` to B.
-            Some(last) if last.slant == Slant::Italic && last.sub.is_empty() && last.sup.is_empty() && last.primes == 0 => {
+            Some(last)
+                if last.slant == Slant::Italic
+                    && last.sub.is_empty()
+                    && last.sup.is_empty()
+                    && last.primes == 0 =>
+            {
                 if let Some((i, c)) = last.text.char_indices().next_back().filter(|&(i, _)| i > 0) {
                     last.text.truncate(i);
                     row.push(LabelNode::new(c, Slant::Italic, Role::Ordinary));
@@ -175,7 +188,8 @@ impl Parser<'_> {
             row.push(LabelNode::space(WORD_EM));
         } else if row.last().is_some_and(ends_a_number) && last.is_ascii_digit() {
             let micro = self.chars[self.at..].starts_with(&['\\', 'm', 'u', ' ']);
-            if next.is_ascii_alphabetic() || matches!(next, '(' | '°' | 'µ' | 'μ' | '%') || micro {
+            if next.is_ascii_alphabetic() || matches!(next, '(' | '°' | 'µ' | 'μ' | '%') || micro
+            {
                 row.push(LabelNode::space(WORD_EM));
                 self.unit(row);
             }
@@ -183,7 +197,10 @@ impl Parser<'_> {
     }
 
     fn unit(&mut self, row: &mut Vec<LabelNode>) {
-        let is_unit = |c: char| c.is_ascii_alphanumeric() || matches!(c, '/' | '(' | ')' | '·' | '⋅' | '°' | 'µ' | 'μ' | '%' | '²' | '³');
+        let is_unit = |c: char| {
+            c.is_ascii_alphanumeric()
+                || matches!(c, '/' | '(' | ')' | '·' | '⋅' | '°' | 'µ' | 'μ' | '%' | '²' | '³')
+        };
         loop {
             let text = self.take_while(is_unit);
             if !text.is_empty() {
@@ -237,14 +254,23 @@ impl Parser<'_> {
                 if letters.chars().all(|c| c.is_ascii_alphabetic()) {
                     row.push(LabelNode::new(letters, Slant::Bold, Role::Ordinary));
                 } else {
-                    self.fault(both!("\\bm takes letters, not `{letters}`", "\\bm 的参数应为字母，而不是 `{letters}`"));
+                    self.fault(both!(
+                        "\\bm takes letters, not `{letters}`",
+                        "\\bm 的参数应为字母，而不是 `{letters}`"
+                    ));
                 }
             }
             "quad" => row.push(LabelNode::space(1.0)),
-            "sin" | "cos" | "tan" | "arctan" | "arcsin" | "arccos" => row.push(LabelNode::new(name, Slant::Upright, Role::Function)),
+            "sin" | "cos" | "tan" | "arctan" | "arcsin" | "arccos" => {
+                row.push(LabelNode::new(name, Slant::Upright, Role::Function))
+            }
             _ => match named(&name) {
-                Some((c, CharKind::Letter)) => row.push(LabelNode::new(c, Slant::Italic, Role::Ordinary)),
-                Some((c, CharKind::Capital)) => row.push(LabelNode::new(c, Slant::Upright, Role::Ordinary)),
+                Some((c, CharKind::Letter)) => {
+                    row.push(LabelNode::new(c, Slant::Italic, Role::Ordinary))
+                }
+                Some((c, CharKind::Capital)) => {
+                    row.push(LabelNode::new(c, Slant::Upright, Role::Ordinary))
+                }
                 Some((c, CharKind::Sign)) => row.push(symbol(c, row)),
                 None => {
                     self.fault(both!("unknown command \\{name}", "未知命令 \\{name}"));
@@ -281,19 +307,28 @@ fn is_cjk(c: char) -> bool {
 /// Returns a sign as an atom; an operator with no operand before it is the sign of a number and
 /// gets no space.
 fn symbol(c: char, before: &[LabelNode]) -> LabelNode {
-    let opens = |n: &LabelNode| matches!(n.role, Role::Binary | Role::Relation | Role::Punctuation) || n.text.ends_with(['(', '∠']);
+    let opens = |n: &LabelNode| {
+        matches!(n.role, Role::Binary | Role::Relation | Role::Punctuation)
+            || n.text.ends_with(['(', '∠'])
+    };
     let starts = before.last().is_none_or(opens);
     match c {
-        '+' | '-' | '−' | '±' if starts => LabelNode::new(if c == '-' { '−' } else { c }, Slant::Symbol, Role::Ordinary),
+        '+' | '-' | '−' | '±' if starts => {
+            LabelNode::new(if c == '-' { '−' } else { c }, Slant::Symbol, Role::Ordinary)
+        }
         '-' => LabelNode::new('−', Slant::Symbol, Role::Binary),
-        '+' | '−' | '±' | '×' | '÷' | '·' | '⋅' => LabelNode::new(c, Slant::Symbol, Role::Binary),
+        '+' | '−' | '±' | '×' | '÷' | '·' | '⋅' => {
+            LabelNode::new(c, Slant::Symbol, Role::Binary)
+        }
         '=' | '<' | '>' | '≈' | '≠' | '≤' | '≥' | '→' | '←' | '↔' | '∝' | '≡' => {
             LabelNode::new(c, Slant::Symbol, Role::Relation)
         }
         ',' | ';' => LabelNode::new(c, Slant::Upright, Role::Punctuation),
         '✓' | '✔' => LabelNode::new('✓', Slant::Symbol, Role::Ordinary),
         '⟂' => LabelNode::new('⊥', Slant::Symbol, Role::Ordinary),
-        '⊥' | '∥' | '∠' | '√' | '∞' | '∼' | '∽' => LabelNode::new(c, Slant::Symbol, Role::Ordinary),
+        '⊥' | '∥' | '∠' | '√' | '∞' | '∼' | '∽' => {
+            LabelNode::new(c, Slant::Symbol, Role::Ordinary)
+        }
         '①'..='⑳' => LabelNode::new(c, Slant::Symbol, Role::Ordinary),
         _ => LabelNode::new(c, Slant::Upright, Role::Ordinary),
     }

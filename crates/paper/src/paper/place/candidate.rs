@@ -69,11 +69,21 @@ const LEADERS: [(f64, f64); 3] = [(5.0, 3.5), (8.0, 4.2), (12.0, 5.0)];
 const LONG_LEADERS: [(f64, f64); 2] = [(17.0, 5.8), (22.0, 6.6)];
 
 /// Lengths and costs of leader lines in the directions between those of [`DIRECTIONS`].
-const BETWEEN: [(f64, f64); 6] = [(3.5, 3.6), (6.5, 4.0), (10.0, 4.7), (14.0, 5.4), (19.0, 6.1), (26.0, 7.2)];
+const BETWEEN: [(f64, f64); 6] =
+    [(3.5, 3.6), (6.5, 4.0), (10.0, 4.7), (14.0, 5.4), (19.0, 6.1), (26.0, 7.2)];
 
 /// Lengths and costs of leader lines for a label that still covers something: spaced as closely as
 /// places are distinguishable, and as long as a sheet allows.
-const ANYWHERE: [(f64, f64); 8] = [(4.5, 5.0), (7.0, 5.4), (10.5, 5.8), (14.0, 6.2), (18.0, 6.6), (22.0, 7.0), (27.0, 7.5), (33.0, 7.9)];
+const ANYWHERE: [(f64, f64); 8] = [
+    (4.5, 5.0),
+    (7.0, 5.4),
+    (10.5, 5.8),
+    (14.0, 6.2),
+    (18.0, 6.6),
+    (22.0, 7.0),
+    (27.0, 7.5),
+    (33.0, 7.9),
+];
 /// Number of directions for [`ANYWHERE`], and the positions of these leader lines' ends on a line
 /// or an arc.
 const MANY_DIRECTIONS: usize = 32;
@@ -102,14 +112,19 @@ pub(super) fn near(wanted: &MeasuredRequest) -> Vec<CandidatePlace> {
             // A segment of length zero has no sides; the label goes above or below it.
             let along = (to - from).unit().unwrap_or(Vec2::new(1.0, 0.0));
             let normal = along.perp();
-            let half = normal.x.abs() * wanted.half_width_mm + normal.y.abs() * wanted.half_height_mm;
+            let half =
+                normal.x.abs() * wanted.half_width_mm + normal.y.abs() * wanted.half_height_mm;
             let mut all = Vec::with_capacity(2 * STATIONS.len() * LINE_GAPS.len());
             for (gap, base) in LINE_GAPS {
                 for t in STATIONS {
                     for side in [normal, -normal] {
                         let on = from + (to - from) * t;
                         let rect = wanted.rect(on + side * (half + clear_mm + gap));
-                        all.push(CandidatePlace::new(rect, None, base + STATION_COST * (t - 0.5).abs() + side_cost(side, wanted)));
+                        all.push(CandidatePlace::new(
+                            rect,
+                            None,
+                            base + STATION_COST * (t - 0.5).abs() + side_cost(side, wanted),
+                        ));
                     }
                 }
             }
@@ -123,11 +138,15 @@ pub(super) fn near(wanted: &MeasuredRequest) -> Vec<CandidatePlace> {
                     let outside = reach(u, wanted, radius_mm + clear_mm + gap);
                     // Inside, the farthest corner of the box must stay in the circle; half the
                     // diagonal as distance guarantees this.
-                    let inside = radius_mm - clear_mm - gap - libm::hypot(wanted.half_width_mm, wanted.half_height_mm);
+                    let inside = radius_mm
+                        - clear_mm
+                        - gap
+                        - libm::hypot(wanted.half_width_mm, wanted.half_height_mm);
                     for (t_mm, side, off) in [(outside, u, 0.0), (inside, -u, INSIDE_COST)] {
                         let rect = wanted.rect(centre + u * t_mm);
                         let base = base + off + STATION_COST * (t - 0.5).abs();
-                        let wish = if wanted.prefer.is_some() { side_cost(side, wanted) } else { 0.0 };
+                        let wish =
+                            if wanted.prefer.is_some() { side_cost(side, wanted) } else { 0.0 };
                         all.push(CandidatePlace::new(rect, None, base + wish));
                     }
                 }
@@ -149,21 +168,34 @@ pub(super) fn farthest(wanted: &MeasuredRequest) -> Vec<CandidatePlace> {
 
 /// Returns places with a leader line in intermediate directions, for a label without a clear place.
 pub(super) fn between(wanted: &MeasuredRequest) -> Vec<CandidatePlace> {
-    static ALL: LazyLock<[Vec2; DIRECTIONS]> =
-        LazyLock::new(|| std::array::from_fn(|k| Vec2::from_angle((k as f64 + 0.5) * TAU / DIRECTIONS as f64)));
+    static ALL: LazyLock<[Vec2; DIRECTIONS]> = LazyLock::new(|| {
+        std::array::from_fn(|k| Vec2::from_angle((k as f64 + 0.5) * TAU / DIRECTIONS as f64))
+    });
     match wanted.target {
         Target::Point { .. } => led(wanted, &BETWEEN, &*ALL),
         Target::Segment { from, to, .. } => {
             let along = (to - from).unit().unwrap_or(Vec2::ZERO);
             let mut all = led(wanted, &BETWEEN, &across(along, &*ALL));
             let aside = across(along, directions());
-            all.extend(ASIDE.iter().flat_map(|t| led_from(from + (to - from) * *t, 0.0, wanted, &LEADERS, &aside)));
+            all.extend(
+                ASIDE
+                    .iter()
+                    .flat_map(|t| led_from(from + (to - from) * *t, 0.0, wanted, &LEADERS, &aside)),
+            );
             all
         }
         Target::Arc { centre, radius_mm, from_rad, to_rad, .. } => {
             let mut all = led(wanted, &BETWEEN, &*ALL);
             let off = |t: f64| Vec2::from_angle(from_rad + (to_rad - from_rad) * t);
-            let aside = |t: f64| led_from(centre + off(t) * radius_mm, 0.0, wanted, &LEADERS, &across(off(t).perp(), directions()));
+            let aside = |t: f64| {
+                led_from(
+                    centre + off(t) * radius_mm,
+                    0.0,
+                    wanted,
+                    &LEADERS,
+                    &across(off(t).perp(), directions()),
+                )
+            };
             all.extend(ASIDE.iter().flat_map(|t| aside(*t)));
             all
         }
@@ -173,17 +205,29 @@ pub(super) fn between(wanted: &MeasuredRequest) -> Vec<CandidatePlace> {
 /// Returns places with a leader line to any part of the target, for a label that would cover a
 /// thick line or have a barred leader line.
 pub(super) fn anywhere(wanted: &MeasuredRequest) -> Vec<CandidatePlace> {
-    static ALL: LazyLock<[Vec2; MANY_DIRECTIONS]> =
-        LazyLock::new(|| std::array::from_fn(|k| Vec2::from_angle((k as f64 + 0.5) * TAU / MANY_DIRECTIONS as f64)));
+    static ALL: LazyLock<[Vec2; MANY_DIRECTIONS]> = LazyLock::new(|| {
+        std::array::from_fn(|k| Vec2::from_angle((k as f64 + 0.5) * TAU / MANY_DIRECTIONS as f64))
+    });
     match wanted.target {
         Target::Point { .. } => led(wanted, &ANYWHERE, &*ALL),
         Target::Segment { from, to, .. } => {
             let aside = across((to - from).unit().unwrap_or(Vec2::ZERO), &*ALL);
-            ALL_ALONG.iter().flat_map(|t| led_from(from + (to - from) * *t, 0.0, wanted, &ANYWHERE, &aside)).collect()
+            ALL_ALONG
+                .iter()
+                .flat_map(|t| led_from(from + (to - from) * *t, 0.0, wanted, &ANYWHERE, &aside))
+                .collect()
         }
         Target::Arc { centre, radius_mm, from_rad, to_rad, .. } => {
             let off = |t: f64| Vec2::from_angle(from_rad + (to_rad - from_rad) * t);
-            let aside = |t: f64| led_from(centre + off(t) * radius_mm, 0.0, wanted, &ANYWHERE, &across(off(t).perp(), &*ALL));
+            let aside = |t: f64| {
+                led_from(
+                    centre + off(t) * radius_mm,
+                    0.0,
+                    wanted,
+                    &ANYWHERE,
+                    &across(off(t).perp(), &*ALL),
+                )
+            };
             ALL_ALONG.iter().flat_map(|t| aside(*t)).collect()
         }
     }
@@ -194,20 +238,36 @@ fn across(line: Vec2, directions: &[Vec2]) -> Vec<Vec2> {
     directions.iter().copied().filter(|u| u.dot(line).abs() < ACROSS).collect()
 }
 
-fn led(wanted: &MeasuredRequest, leaders: &[(f64, f64)], directions: &[Vec2]) -> Vec<CandidatePlace> {
+fn led(
+    wanted: &MeasuredRequest,
+    leaders: &[(f64, f64)],
+    directions: &[Vec2],
+) -> Vec<CandidatePlace> {
     let (at, clear_mm) = match wanted.target {
         Target::Point { at, clear_mm } => (at, clear_mm),
         Target::Segment { from, to, .. } => (from + (to - from) * 0.5, 0.0),
         Target::Arc { centre, radius_mm, from_rad, to_rad, .. } => {
             let out = Vec2::from_angle((from_rad + to_rad) / 2.0);
-            return led_from(centre + out * radius_mm, 0.0, wanted, leaders, &across(out.perp(), directions));
+            return led_from(
+                centre + out * radius_mm,
+                0.0,
+                wanted,
+                leaders,
+                &across(out.perp(), directions),
+            );
         }
     };
     led_from(at, clear_mm, wanted, leaders, directions)
 }
 
 /// Returns places with leader lines that end `clear_mm` from a point.
-fn led_from(at: Point, clear_mm: f64, wanted: &MeasuredRequest, leaders: &[(f64, f64)], directions: &[Vec2]) -> Vec<CandidatePlace> {
+fn led_from(
+    at: Point,
+    clear_mm: f64,
+    wanted: &MeasuredRequest,
+    leaders: &[(f64, f64)],
+    directions: &[Vec2],
+) -> Vec<CandidatePlace> {
     let mut all = Vec::with_capacity(DIRECTIONS * leaders.len());
     for &(length, base) in leaders {
         for &u in directions {
@@ -224,8 +284,9 @@ fn led_from(at: Point, clear_mm: f64, wanted: &MeasuredRequest, leaders: &[(f64,
 }
 
 fn directions() -> &'static [Vec2; DIRECTIONS] {
-    static ALL: LazyLock<[Vec2; DIRECTIONS]> =
-        LazyLock::new(|| std::array::from_fn(|k| Vec2::from_angle(k as f64 * TAU / DIRECTIONS as f64)));
+    static ALL: LazyLock<[Vec2; DIRECTIONS]> = LazyLock::new(|| {
+        std::array::from_fn(|k| Vec2::from_angle(k as f64 * TAU / DIRECTIONS as f64))
+    });
     &ALL
 }
 
@@ -246,7 +307,9 @@ fn reach(u: Vec2, wanted: &MeasuredRequest, clear_mm: f64) -> f64 {
 }
 
 fn side_cost(u: Vec2, wanted: &MeasuredRequest) -> f64 {
-    let (side, cost) = wanted.prefer.map_or((Vec2::from_angle(FRAC_PI_4), DEFAULT_COST), |side| (side, PREFER_COST));
+    let (side, cost) = wanted
+        .prefer
+        .map_or((Vec2::from_angle(FRAC_PI_4), DEFAULT_COST), |side| (side, PREFER_COST));
     cost * (1.0 - u.dot(side)) / 2.0
 }
 

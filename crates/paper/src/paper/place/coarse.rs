@@ -33,7 +33,8 @@ const PER_MM2: f64 = 2.0;
 fn cost_of(raster: &mut InkRaster, place: &CandidatePlace, paper: Rect) -> f64 {
     let (lines, heavy) = raster.covered(place.rect);
     let area = raster.cell_mm() * raster.cell_mm();
-    let covered = |cells: usize| if cells > 0 { cost::TOUCH + PER_MM2 * cells as f64 * area } else { 0.0 };
+    let covered =
+        |cells: usize| if cells > 0 { cost::TOUCH + PER_MM2 * cells as f64 * area } else { 0.0 };
     place.base + covered(lines) + HEAVIER * covered(heavy) + cost::outside(place.rect, paper)
 }
 
@@ -48,7 +49,8 @@ pub(super) fn place(
     let mut raster = InkRaster::of(obstacles, paper);
     let mut out = vec![None; requests.len()];
     // Optional names take the space that the others leave.
-    let (last, first): (Vec<usize>, Vec<usize>) = (0..requests.len()).partition(|i| requests[*i].optional);
+    let (last, first): (Vec<usize>, Vec<usize>) =
+        (0..requests.len()).partition(|i| requests[*i].optional);
     for i in first.into_iter().chain(last) {
         spend();
         let wanted = MeasuredRequest::new(&requests[i]);
@@ -71,7 +73,13 @@ pub(super) fn place(
 
 /// Returns the cheapest place of a label, the first among equals; far places are considered only if
 /// all near ones cover something.
-fn best(raster: &mut InkRaster, wanted: &MeasuredRequest, paper: Rect, stood: Option<usize>, near_only: bool) -> ChosenPlace {
+fn best(
+    raster: &mut InkRaster,
+    wanted: &MeasuredRequest,
+    paper: Rect,
+    stood: Option<usize>,
+    near_only: bool,
+) -> ChosenPlace {
     let near = candidate::near(wanted);
     let count = near.len();
     let mut best: Option<(ChosenPlace, f64)> = None;
@@ -106,14 +114,27 @@ mod tests {
 
     /// Points on a spiral at the closest spacing, with a line from each to the next.
     fn crowd(n: usize, side_mm: f64) -> (Vec<LabelRequest>, Obstacles, Rect) {
-        let at = |k: usize| Point::ORIGIN + Vec2::from_angle(2.4 * k as f64) * (0.5 * side_mm * (k as f64 / n as f64).sqrt());
+        let at = |k: usize| {
+            Point::ORIGIN
+                + Vec2::from_angle(2.4 * k as f64) * (0.5 * side_mm * (k as f64 / n as f64).sqrt())
+        };
         let mut obstacles = Obstacles::default();
         for k in 0..n {
-            obstacles.bars.push(super::super::Bar { from: at(k), to: at(k + 1), half_width_mm: 0.2, owner: None, faint: false });
+            obstacles.bars.push(super::super::Bar {
+                from: at(k),
+                to: at(k + 1),
+                half_width_mm: 0.2,
+                owner: None,
+                faint: false,
+            });
             obstacles.discs.push(super::super::InkDisc { centre: at(k), radius_mm: 0.6 });
         }
-        let requests =
-            (0..n).map(|k| LabelRequest::at_point(Label::math(format!("P_{k}")), 3.6, at(k), 0.8).optional(k % 3 == 0)).collect();
+        let requests = (0..n)
+            .map(|k| {
+                LabelRequest::at_point(Label::math(format!("P_{k}")), 3.6, at(k), 0.8)
+                    .optional(k % 3 == 0)
+            })
+            .collect();
         (requests, obstacles, Rect::new(at(0), at(0)).grown(0.5 * side_mm + 20.0))
     }
 
@@ -128,7 +149,9 @@ mod tests {
                 assert_eq!(placed.len(), n);
                 let each = touched as f64 / n as f64;
                 // A line of this crowd is as long as the crowd is wide.
-                let lines = obstacles.bars.iter().map(|b| b.from.distance(b.to) / CELL_MM).sum::<f64>() / n as f64;
+                let lines =
+                    obstacles.bars.iter().map(|b| b.from.distance(b.to) / CELL_MM).sum::<f64>()
+                        / n as f64;
                 let each = each - 9.0 * lines;
                 assert!(
                     last.is_none_or(|last| each < 1.3 * last.max(1000.0)),

@@ -97,16 +97,37 @@ struct NearbyLine<'a> {
 
 impl<'a> Around<'a> {
     /// Collects all obstacles that can make one of these places costlier.
-    pub(super) fn new(places: &[CandidatePlace], wanted: &'a MeasuredRequest, obstacles: &'a Obstacles, paper: Rect) -> Around<'a> {
-        let looks = places.iter().map(|c| c.reach.union(c.rect.grown(own_distance(c.rect, wanted.target) + NEARER_MARGIN_MM)));
+    pub(super) fn new(
+        places: &[CandidatePlace],
+        wanted: &'a MeasuredRequest,
+        obstacles: &'a Obstacles,
+        paper: Rect,
+    ) -> Around<'a> {
+        let looks = places.iter().map(|c| {
+            c.reach.union(c.rect.grown(own_distance(c.rect, wanted.target) + NEARER_MARGIN_MM))
+        });
         let Some(reach) = looks.reduce(Rect::union).map(|r| r.grown(AIR_MM)) else {
-            return Around { wanted, paper, bars: vec![], heads: vec![], discs: vec![], rects: vec![], barred: vec![], rivals: vec![] };
+            return Around {
+                wanted,
+                paper,
+                bars: vec![],
+                heads: vec![],
+                discs: vec![],
+                rects: vec![],
+                barred: vec![],
+                rivals: vec![],
+            };
         };
         let led = places.iter().any(|c| c.leader.is_some());
         let near = |bar: &&Bar| !far_apart(reach.grown(bar.half_width_mm), bar);
         let line = |bar: &'a Bar| {
             let own = bar.owner.is_some() && bar.owner == wanted.owner;
-            NearbyLine { bar, bounds: Rect::new(bar.from, bar.to), own, meets: !own && meets(bar, wanted.target) }
+            NearbyLine {
+                bar,
+                bounds: Rect::new(bar.from, bar.to),
+                own,
+                meets: !own && meets(bar, wanted.target),
+            }
         };
         let touched = |d: &&InkDisc| nearest(reach, d.centre).distance(d.centre) <= d.radius_mm;
         Around {
@@ -117,7 +138,9 @@ impl<'a> Around<'a> {
             discs: obstacles.discs.iter().filter(touched).collect(),
             rects: obstacles.rects.iter().filter(|r| r.overlap_mm2(reach) > 0.0).collect(),
             barred: obstacles.barred.iter().filter(|bar| led && near(bar)).collect(),
-            rivals: rivals(wanted, obstacles).filter(|p| nearest(reach, *p).distance(*p) <= reach.width_mm()).collect(),
+            rivals: rivals(wanted, obstacles)
+                .filter(|p| nearest(reach, *p).distance(*p) <= reach.width_mm())
+                .collect(),
         }
     }
 
@@ -134,7 +157,10 @@ impl<'a> Around<'a> {
                 let own = own_distance(rect, self.wanted.target);
                 let rival = |l: &&NearbyLine| !l.own && !l.meets && l.bar.half_width_mm >= clear_mm;
                 let near = |l: &NearbyLine| touch(rect.grown(own + l.bar.half_width_mm), l.bounds);
-                self.bars.iter().filter(rival).any(|l| near(l) && distance(rect, l.bar) - l.bar.half_width_mm < own - TIE_MM)
+                self.bars
+                    .iter()
+                    .filter(rival)
+                    .any(|l| near(l) && distance(rect, l.bar) - l.bar.half_width_mm < own - TIE_MM)
             }
             Target::Arc { .. } => false,
         }
@@ -151,7 +177,8 @@ impl<'a> Around<'a> {
             if !touch(grown.grown(look - nearer), *bounds) {
                 continue;
             }
-            let covered = if touch(grown, *bounds) { clipped_mm(bar.from, bar.to, grown) } else { 0.0 };
+            let covered =
+                if touch(grown, *bounds) { clipped_mm(bar.from, bar.to, grown) } else { 0.0 };
             if covered > 0.0 {
                 let factor = match (*own, bar.half_width_mm >= THICK_HALF_MM) {
                     (true, false) => OWN_FACTOR,
@@ -179,7 +206,8 @@ impl<'a> Around<'a> {
             }
         }
         for disc in &self.discs {
-            let depth = disc.radius_mm + AIR_MM - nearest(c.rect, disc.centre).distance(disc.centre);
+            let depth =
+                disc.radius_mm + AIR_MM - nearest(c.rect, disc.centre).distance(disc.centre);
             if depth > 0.0 {
                 cost += TOUCH + PER_DEPTH * depth;
             }
@@ -201,7 +229,9 @@ impl<'a> Around<'a> {
         let crossed = near.filter(|l| crosses(a, b, l.bar.from, l.bar.to));
         let texts = self.rects.iter().filter(|r| clipped_mm(a, b, ***r) > 0.0);
         let barred = self.barred.iter().any(|bar| is_barred((a, b), bar));
-        LEADER_CROSSES * crossed.count() as f64 + TOUCH * texts.count() as f64 + if barred { BARRED } else { 0.0 }
+        LEADER_CROSSES * crossed.count() as f64
+            + TOUCH * texts.count() as f64
+            + if barred { BARRED } else { 0.0 }
     }
 }
 
@@ -217,7 +247,11 @@ fn rivals(wanted: &MeasuredRequest, obstacles: &Obstacles) -> impl Iterator<Item
         Target::Point { at, .. } => Some(at),
         Target::Segment { .. } | Target::Arc { .. } => None,
     };
-    obstacles.marks.iter().copied().filter(move |p| own.is_some_and(|at| at.distance(*p) > ONE_MARK_MM))
+    obstacles
+        .marks
+        .iter()
+        .copied()
+        .filter(move |p| own.is_some_and(|at| at.distance(*p) > ONE_MARK_MM))
 }
 
 /// Returns true if a label at this place would make an object illegible, or be made so by it: an
@@ -238,17 +272,28 @@ pub(super) fn hides(rect: Rect, wanted: &MeasuredRequest, obstacles: &Obstacles)
 
 /// Returns true if a label at this place would be read as the name of another line, because one as
 /// thick as its own is nearer. False with a leader line, which makes the target clear.
-pub(super) fn strays(c: Rect, leader: bool, wanted: &MeasuredRequest, obstacles: &Obstacles) -> bool {
+pub(super) fn strays(
+    c: Rect,
+    leader: bool,
+    wanted: &MeasuredRequest,
+    obstacles: &Obstacles,
+) -> bool {
     let Target::Segment { clear_mm, .. } = wanted.target else { return false };
     let c = wanted.ink(c);
     let own = own_distance(c, wanted.target);
     let reach = c.grown(own);
     let rival = |bar: &Bar| {
         let foreign = bar.owner.is_none() || bar.owner != wanted.owner;
-        foreign && bar.half_width_mm >= clear_mm && touch(reach.grown(bar.half_width_mm), Rect::new(bar.from, bar.to))
+        foreign
+            && bar.half_width_mm >= clear_mm
+            && touch(reach.grown(bar.half_width_mm), Rect::new(bar.from, bar.to))
     };
     !leader
-        && obstacles.bars.iter().any(|bar| rival(bar) && !meets(bar, wanted.target) && distance(c, bar) - bar.half_width_mm < own - TIE_MM)
+        && obstacles.bars.iter().any(|bar| {
+            rival(bar)
+                && !meets(bar, wanted.target)
+                && distance(c, bar) - bar.half_width_mm < own - TIE_MM
+        })
 }
 
 /// Returns the cost of leaving the paper.
@@ -292,7 +337,8 @@ pub(super) fn is_beside(a: Rect, b: Rect) -> bool {
 fn across([a, b]: [&CandidatePlace; 2], [ra, rb]: [Rect; 2]) -> f64 {
     let mut cost = 0.0;
     for (leader, rect) in [(a.leader, rb), (b.leader, ra)] {
-        if leader.is_some_and(|(p, q)| touch(rect, Rect::new(p, q)) && inside(p, q, rect).is_some()) {
+        if leader.is_some_and(|(p, q)| touch(rect, Rect::new(p, q)) && inside(p, q, rect).is_some())
+        {
             cost += OVERLAP;
         }
     }
@@ -314,7 +360,9 @@ pub(super) fn close(a: Rect, b: Rect) -> bool {
 /// target.
 fn meets(bar: &Bar, target: Target) -> bool {
     match target {
-        Target::Point { at, clear_mm } => to_segment(at, bar.from, bar.to) <= clear_mm + bar.half_width_mm,
+        Target::Point { at, clear_mm } => {
+            to_segment(at, bar.from, bar.to) <= clear_mm + bar.half_width_mm
+        }
         // Another line between the same points, such as the one under a vector.
         Target::Segment { from, to, clear_mm } => {
             let slack = clear_mm + bar.half_width_mm;
@@ -328,10 +376,13 @@ fn own_distance(rect: Rect, target: Target) -> f64 {
     match target {
         Target::Point { at, clear_mm } => (nearest(rect, at).distance(at) - clear_mm).max(0.0),
         Target::Segment { from, to, clear_mm } => {
-            (distance(rect, &Bar { from, to, half_width_mm: 0.0, owner: None, faint: false }) - clear_mm).max(0.0)
+            (distance(rect, &Bar { from, to, half_width_mm: 0.0, owner: None, faint: false })
+                - clear_mm)
+                .max(0.0)
         }
         Target::Arc { centre, radius_mm, clear_mm, .. } => {
-            let (near, mid) = (nearest(rect, centre).distance(centre), rect.centre().distance(centre));
+            let (near, mid) =
+                (nearest(rect, centre).distance(centre), rect.centre().distance(centre));
             // Outside the circle the near side counts; inside, the far side, which is half a
             // diagonal beyond the centre of the box.
             let far = mid + rect.min.distance(rect.max) / 2.0;
@@ -363,7 +414,9 @@ pub(super) fn clipped(a: Point, b: Point, rect: Rect) -> Option<(Point, Point)> 
 fn inside(a: Point, b: Point, rect: Rect) -> Option<[f64; 2]> {
     let d = b - a;
     let (mut t0, mut t1) = (0.0_f64, 1.0_f64);
-    for (p, lo, hi) in [(d.x, rect.min.x - a.x, rect.max.x - a.x), (d.y, rect.min.y - a.y, rect.max.y - a.y)] {
+    for (p, lo, hi) in
+        [(d.x, rect.min.x - a.x, rect.max.x - a.x), (d.y, rect.min.y - a.y, rect.max.y - a.y)]
+    {
         // Exactly parallel to the side: entirely outside, or not bounded by it. Any other slope
         // divides safely.
         if p == 0.0 {
@@ -384,8 +437,15 @@ fn distance(rect: Rect, bar: &Bar) -> f64 {
     if clipped_mm(bar.from, bar.to, rect) > 0.0 {
         return 0.0;
     }
-    let corners = [rect.min, rect.max, Point::new(rect.min.x, rect.max.y), Point::new(rect.max.x, rect.min.y)];
-    let by_end = [bar.from, bar.to].into_iter().fold(f64::INFINITY, |least, p| least.min((nearest(rect, p) - p).norm2()));
+    let corners = [
+        rect.min,
+        rect.max,
+        Point::new(rect.min.x, rect.max.y),
+        Point::new(rect.max.x, rect.min.y),
+    ];
+    let by_end = [bar.from, bar.to]
+        .into_iter()
+        .fold(f64::INFINITY, |least, p| least.min((nearest(rect, p) - p).norm2()));
     corners.into_iter().fold(by_end, |least, c| least.min(to_segment2(c, bar.from, bar.to))).sqrt()
 }
 
@@ -394,7 +454,8 @@ pub(super) fn bars_apart(a: &Bar, b: &Bar) -> f64 {
     if crosses(a.from, a.to, b.from, b.to) {
         return f64::NEG_INFINITY;
     }
-    let middles = [(a.from, b), (a.to, b), (b.from, a), (b.to, a)].map(|(p, bar)| to_segment(p, bar.from, bar.to));
+    let middles = [(a.from, b), (a.to, b), (b.from, a), (b.to, a)]
+        .map(|(p, bar)| to_segment(p, bar.from, bar.to));
     middles.into_iter().fold(f64::INFINITY, f64::min) - a.half_width_mm - b.half_width_mm
 }
 

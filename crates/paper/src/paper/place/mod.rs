@@ -115,7 +115,13 @@ impl LabelRequest {
     }
 
     /// Returns the request of a label along a line.
-    pub fn along(label: Label, size_mm: f64, from: Point, to: Point, clear_mm: f64) -> LabelRequest {
+    pub fn along(
+        label: Label,
+        size_mm: f64,
+        from: Point,
+        to: Point,
+        clear_mm: f64,
+    ) -> LabelRequest {
         LabelRequest {
             label,
             size_mm,
@@ -128,9 +134,30 @@ impl LabelRequest {
     }
 
     /// Returns the request of a label along an arc of a circle.
-    pub fn along_arc(label: Label, size_mm: f64, centre: Point, radius_mm: f64, angles_rad: [f64; 2], clear_mm: f64) -> LabelRequest {
-        let target = Target::Arc { centre, radius_mm, from_rad: angles_rad[0], to_rad: angles_rad[1], clear_mm };
-        LabelRequest { label, size_mm, target, owner: None, prefer: None, reads: Reads::Alone, optional: false }
+    pub fn along_arc(
+        label: Label,
+        size_mm: f64,
+        centre: Point,
+        radius_mm: f64,
+        angles_rad: [f64; 2],
+        clear_mm: f64,
+    ) -> LabelRequest {
+        let target = Target::Arc {
+            centre,
+            radius_mm,
+            from_rad: angles_rad[0],
+            to_rad: angles_rad[1],
+            clear_mm,
+        };
+        LabelRequest {
+            label,
+            size_mm,
+            target,
+            owner: None,
+            prefer: None,
+            reads: Reads::Alone,
+            optional: false,
+        }
     }
 
     /// Width of the label.
@@ -189,8 +216,14 @@ pub const CROWDED: f64 = cost::TOUCH;
 
 impl Placement {
     /// Returns the label as an item, after the items of its leader line if it has one.
-    pub fn items(&self, request: &LabelRequest, class: &str, leader: LineStroke) -> Vec<FigureItem> {
-        let line = self.leader.map(|(from, to)| FigureItem::new("leader", pointer(from, to, leader)));
+    pub fn items(
+        &self,
+        request: &LabelRequest,
+        class: &str,
+        leader: LineStroke,
+    ) -> Vec<FigureItem> {
+        let line =
+            self.leader.map(|(from, to)| FigureItem::new("leader", pointer(from, to, leader)));
         let label = Shape::Label {
             at: self.at,
             label: request.label.clone(),
@@ -214,7 +247,12 @@ fn pointer(from: Point, to: Point, stroke: LineStroke) -> Shape {
     // Both arcs of the dot start at an angle independent of the leader's direction: between the
     // frames of a lesson all numbers of the dot then change alike, which takes no space in the
     // file.
-    let half = |from_rad| PathPiece::Arc { centre: to, radius_mm: LEADER_DOT_MM, from_rad, to_rad: from_rad + PI };
+    let half = |from_rad| PathPiece::Arc {
+        centre: to,
+        radius_mm: LEADER_DOT_MM,
+        from_rad,
+        to_rad: from_rad + PI,
+    };
     Shape::Path {
         start: to + Vec2::new(LEADER_DOT_MM, 0.0),
         pieces: vec![half(0.0), half(PI), PathPiece::Move(to), PathPiece::Line(from)],
@@ -236,11 +274,21 @@ pub fn place(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rect) -> 
 ///
 /// A label with a [`Placement::index`] in `before` keeps that place beside its target unless
 /// something obstructs it.
-pub fn place_after(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rect, before: &[Option<usize>]) -> Vec<Placement> {
+pub fn place_after(
+    requests: &[LabelRequest],
+    obstacles: &Obstacles,
+    bounds: Rect,
+    before: &[Option<usize>],
+) -> Vec<Placement> {
     if is_coarse(requests.len()) {
-        let none_left: Vec<LabelRequest> = requests.iter().map(|r| r.clone().optional(false)).collect();
+        let none_left: Vec<LabelRequest> =
+            requests.iter().map(|r| r.clone().optional(false)).collect();
         let habits: Vec<Option<Habit>> = before.iter().map(|b| b.map(Habit::At)).collect();
-        return coarse::place(&none_left, obstacles, bounds, &habits).0.into_iter().flatten().collect();
+        return coarse::place(&none_left, obstacles, bounds, &habits)
+            .0
+            .into_iter()
+            .flatten()
+            .collect();
     }
     let labels: Vec<MeasuredRequest> = requests.iter().map(MeasuredRequest::new).collect();
     let mut offers: Vec<Offer> = labels.iter().map(|w| Offer::new(w, obstacles, bounds)).collect();
@@ -267,7 +315,10 @@ pub fn free_places(request: &LabelRequest, obstacles: &Obstacles) -> usize {
 }
 
 /// Returns the first element with [`ROOM`] free places, else the one with the most.
-pub fn roomiest<T: Clone>(all: impl IntoIterator<Item = T>, free: impl Fn(T) -> usize) -> Option<T> {
+pub fn roomiest<T: Clone>(
+    all: impl IntoIterator<Item = T>,
+    free: impl Fn(T) -> usize,
+) -> Option<T> {
     let mut best: Option<(T, usize)> = None;
     for one in all {
         let room = free(one.clone());
@@ -332,19 +383,32 @@ pub fn place_or_leave(
             Some(Habit::At(index)) => Some(index),
             _ => None,
         };
-        let habits: Vec<Option<usize>> = if before.is_empty() { Vec::new() } else { kept.iter().map(stood).collect() };
+        let habits: Vec<Option<usize>> =
+            if before.is_empty() { Vec::new() } else { kept.iter().map(stood).collect() };
         let found = search::run(&mut offers, &kept, &habits, leads);
-        let places: Vec<Placement> = found.into_iter().zip(&kept).map(|(found, &i)| labels[i].placement(found)).collect();
+        let places: Vec<Placement> =
+            found.into_iter().zip(&kept).map(|(found, &i)| labels[i].placement(found)).collect();
         let hides = |k: usize| {
             let (own, here) = (&labels[kept[k]], places[k].bounds);
-            let through = |other: Rect| places[k].leader.is_some_and(|(a, b)| cost::clipped_mm(a, b, other) > 0.0);
-            let mut others = places.iter().enumerate().filter(|(j, _)| *j != k).map(|(_, p)| p.bounds);
-            cost::hides(here, own, obstacles) || others.any(|other| other.overlap_mm2(here) > 0.0 || through(other))
+            let through = |other: Rect| {
+                places[k].leader.is_some_and(|(a, b)| cost::clipped_mm(a, b, other) > 0.0)
+            };
+            let mut others =
+                places.iter().enumerate().filter(|(j, _)| *j != k).map(|(_, p)| p.bounds);
+            cost::hides(here, own, obstacles)
+                || others.any(|other| other.overlap_mm2(here) > 0.0 || through(other))
         };
-        let strays = |k: usize| cost::strays(places[k].bounds, places[k].leader.is_some(), &labels[kept[k]], obstacles);
-        let barred = |k: usize| places[k].leader.is_some_and(|l| obstacles.barred.iter().any(|bar| cost::is_barred(l, bar)));
+        let strays = |k: usize| {
+            cost::strays(places[k].bounds, places[k].leader.is_some(), &labels[kept[k]], obstacles)
+        };
+        let barred = |k: usize| {
+            places[k]
+                .leader
+                .is_some_and(|l| obstacles.barred.iter().any(|bar| cost::is_barred(l, bar)))
+        };
         let poor = |k: usize| places[k].cost >= CROWDED && (hides(k) || barred(k)) || strays(k);
-        let mut crowded: Vec<usize> = (0..kept.len()).filter(|&k| requests[kept[k]].optional && poor(k)).collect();
+        let mut crowded: Vec<usize> =
+            (0..kept.len()).filter(|&k| requests[kept[k]].optional && poor(k)).collect();
         if crowded.is_empty() {
             kept.iter().zip(places).for_each(|(&i, place)| out[i] = Some(place));
             break;
@@ -406,7 +470,10 @@ impl MeasuredRequest {
     /// Returns the extent of the ink within a box of the label.
     fn ink(&self, rect: Rect) -> Rect {
         let [left, right] = self.bearing_mm;
-        Rect { min: Point::new(rect.min.x + left, rect.min.y), max: Point::new(rect.max.x - right, rect.max.y) }
+        Rect {
+            min: Point::new(rect.min.x + left, rect.min.y),
+            max: Point::new(rect.max.x - right, rect.max.y),
+        }
     }
 
     fn rect(&self, centre: Point) -> Rect {

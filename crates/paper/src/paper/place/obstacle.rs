@@ -91,15 +91,25 @@ impl Obstacles {
     pub fn met_by(&self, others: &Obstacles, air_mm: f64) -> usize {
         // Most of a drawing is far away: boxes exclude it, first one box around all the others,
         // then one for each.
-        let boxes: Vec<Rect> =
-            others.bars.iter().map(|o| Rect::new(o.from, o.to).grown(o.half_width_mm + air_mm.max(0.0) + SLACK_MM)).collect();
+        let boxes: Vec<Rect> = others
+            .bars
+            .iter()
+            .map(|o| Rect::new(o.from, o.to).grown(o.half_width_mm + air_mm.max(0.0) + SLACK_MM))
+            .collect();
         let Some(all) = boxes.iter().copied().reduce(Rect::union) else { return 0 };
         let any = |own: Rect, meets: &dyn Fn(&Bar) -> bool| {
-            overlap(&own, &all) && boxes.iter().zip(&others.bars).any(|(b, o)| overlap(&own, b) && meets(o))
+            overlap(&own, &all)
+                && boxes.iter().zip(&others.bars).any(|(b, o)| overlap(&own, b) && meets(o))
         };
-        let met = |bar: &&Bar| any(Rect::new(bar.from, bar.to).grown(bar.half_width_mm), &|o| super::cost::bars_apart(bar, o) < air_mm);
+        let met = |bar: &&Bar| {
+            any(Rect::new(bar.from, bar.to).grown(bar.half_width_mm), &|o| {
+                super::cost::bars_apart(bar, o) < air_mm
+            })
+        };
         let disc = |d: &&InkDisc| {
-            any(Rect::new(d.centre, d.centre).grown(d.radius_mm), &|o| super::cost::to_bar(d.centre, o) < d.radius_mm + air_mm)
+            any(Rect::new(d.centre, d.centre).grown(d.radius_mm), &|o| {
+                super::cost::to_bar(d.centre, o) < d.radius_mm + air_mm
+            })
         };
         self.bars.iter().filter(met).count() + self.discs.iter().filter(disc).count()
     }
@@ -113,13 +123,22 @@ impl Obstacles {
             // The barbs extend back beyond the notch, where the shaft becomes visible.
             for (head, [left, right]) in self.heads[heads..].iter().zip(&self.barbs[heads..]) {
                 let edges = [(*left, head.to), (*right, head.to), (*left, *right)];
-                self.barred.extend(edges.map(|(from, to)| Bar { from, to, half_width_mm: 0.0, ..*head }));
+                self.barred.extend(edges.map(|(from, to)| Bar {
+                    from,
+                    to,
+                    half_width_mm: 0.0,
+                    ..*head
+                }));
             }
         } else if is("hatch") {
             // From tip to tip: a leader line between two strokes of hatching is lost among them as
             // well.
             let next = |w: &&[Bar]| w[0].to.distance(w[1].to) < 2.0 * w[0].from.distance(w[0].to);
-            let tips = self.bars[bars..].windows(2).filter(next).map(|w| Bar { from: w[0].to, to: w[1].to, ..w[0] });
+            let tips = self.bars[bars..].windows(2).filter(next).map(|w| Bar {
+                from: w[0].to,
+                to: w[1].to,
+                ..w[0]
+            });
             self.barred.extend(tips);
             self.barred.extend_from_slice(&self.bars[bars..]);
         }
@@ -138,7 +157,8 @@ impl Obstacles {
                 for w in points.windows(2) {
                     self.bar(w[0], w[1], half(stroke), owner);
                 }
-                if let (true, Some(&first), Some(&last)) = (*closed, points.first(), points.last()) {
+                if let (true, Some(&first), Some(&last)) = (*closed, points.first(), points.last())
+                {
                     self.bar(last, first, half(stroke), owner);
                 }
             }
@@ -194,7 +214,15 @@ impl Obstacles {
         self.bars.push(Bar { from, to, half_width_mm, owner, faint: false });
     }
 
-    fn arc(&mut self, centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64, half_width_mm: f64, owner: Option<u32>) {
+    fn arc(
+        &mut self,
+        centre: Point,
+        radius_mm: f64,
+        from_rad: f64,
+        to_rad: f64,
+        half_width_mm: f64,
+        owner: Option<u32>,
+    ) {
         let n = ((to_rad - from_rad).abs() / CHORD_RAD).ceil().max(1.0);
         let point = |k: f64| on_circle(centre, radius_mm, from_rad + (to_rad - from_rad) * k / n);
         for k in 0..n as usize {
@@ -204,7 +232,13 @@ impl Obstacles {
 
     fn head(&mut self, corners: &[Point], owner: Option<u32>) {
         if let &[tip, left, notch, right] = corners {
-            self.heads.push(Bar { from: notch, to: tip, half_width_mm: left.distance(right) / 2.0, owner, faint: false });
+            self.heads.push(Bar {
+                from: notch,
+                to: tip,
+                half_width_mm: left.distance(right) / 2.0,
+                owner,
+                faint: false,
+            });
             self.barbs.push([left, right]);
         }
     }
@@ -220,7 +254,9 @@ mod tests {
     fn what_is_met_is_counted_as_without_boxes() {
         let mut state = 7_u64;
         let mut random = |size: f64| {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             (state >> 40) as f64 / (1u64 << 24) as f64 * size
         };
         let mut counts = [0; 2];
@@ -243,8 +279,18 @@ mod tests {
             };
             let (drawn, others) = (some(40, 90.0), some(3, 30.0));
             for air in [-0.2, 0.0, 0.1, 3.0] {
-                let met = drawn.bars.iter().filter(|b| others.bars.iter().any(|o| bars_apart(b, o) < air)).count()
-                    + drawn.discs.iter().filter(|d| others.bars.iter().any(|o| to_bar(d.centre, o) < d.radius_mm + air)).count();
+                let met = drawn
+                    .bars
+                    .iter()
+                    .filter(|b| others.bars.iter().any(|o| bars_apart(b, o) < air))
+                    .count()
+                    + drawn
+                        .discs
+                        .iter()
+                        .filter(|d| {
+                            others.bars.iter().any(|o| to_bar(d.centre, o) < d.radius_mm + air)
+                        })
+                        .count();
                 assert_eq!(drawn.met_by(&others, air), met, "{drawn:?} {others:?} {air}");
                 counts[usize::from(met > 0)] += 1;
             }

@@ -29,10 +29,22 @@ pub(super) struct Offer<'a> {
 
 impl<'a> Offer<'a> {
     /// Returns the places of a label among the obstacles.
-    pub(super) fn new(wanted: &'a MeasuredRequest, obstacles: &'a Obstacles, paper: Rect) -> Offer<'a> {
+    pub(super) fn new(
+        wanted: &'a MeasuredRequest,
+        obstacles: &'a Obstacles,
+        paper: Rect,
+    ) -> Offer<'a> {
         spend();
         let around = std::array::from_fn(|_| None);
-        let mut offer = Offer { wanted, obstacles, paper, places: Vec::new(), ends: Vec::new(), costs: Vec::new(), around };
+        let mut offer = Offer {
+            wanted,
+            obstacles,
+            paper,
+            places: Vec::new(),
+            ends: Vec::new(),
+            costs: Vec::new(),
+            around,
+        };
         offer.up_to(0);
         offer
     }
@@ -40,7 +52,8 @@ impl<'a> Offer<'a> {
     /// Returns the number of places up to the end of a ring.
     pub(super) fn up_to(&mut self, ring: usize) -> usize {
         for further in &RINGS[self.ends.len().min(ring + 1)..=ring] {
-            self.places.extend(further(self.wanted).into_iter().map(|c| c.read_as(self.wanted.reads)));
+            self.places
+                .extend(further(self.wanted).into_iter().map(|c| c.read_as(self.wanted.reads)));
             self.ends.push(self.places.len());
         }
         self.costs.resize(self.places.len(), None);
@@ -61,7 +74,8 @@ impl<'a> Offer<'a> {
         }
         let (ring, alike) = self.ring(k);
         let alike = &self.places[alike];
-        let around = self.around[ring].get_or_insert_with(|| Around::new(alike, self.wanted, self.obstacles, self.paper));
+        let around = self.around[ring]
+            .get_or_insert_with(|| Around::new(alike, self.wanted, self.obstacles, self.paper));
         let cost = around.fixed(&self.places[k]);
         self.costs[k] = Some(cost);
         cost
@@ -70,7 +84,10 @@ impl<'a> Offer<'a> {
     /// Returns the cost of a place; efficient if few others are requested.
     pub(super) fn cost_alone(&mut self, k: usize) -> f64 {
         let here = &self.places[k];
-        let found = || Around::new(std::slice::from_ref(here), self.wanted, self.obstacles, self.paper).fixed(here);
+        let found = || {
+            Around::new(std::slice::from_ref(here), self.wanted, self.obstacles, self.paper)
+                .fixed(here)
+        };
         *self.costs[k].get_or_insert_with(found)
     }
 }

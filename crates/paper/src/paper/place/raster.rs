@@ -39,7 +39,14 @@ impl InkRaster {
         let cell_mm = CELL_MM.max(side / ACROSS as f64);
         let count = |mm: f64| (mm / cell_mm).ceil().clamp(1.0, ACROSS as f64 + 1.0) as usize;
         let (columns, rows) = (count(paper.width_mm()), count(paper.height_mm()));
-        InkRaster { corner: paper.min, cell_mm, columns, rows, cells: vec![0; columns * rows], touched: 0 }
+        InkRaster {
+            corner: paper.min,
+            cell_mm,
+            columns,
+            rows,
+            cells: vec![0; columns * rows],
+            touched: 0,
+        }
     }
 
     /// Returns the raster of a paper with these obstacles.
@@ -89,7 +96,10 @@ impl InkRaster {
         for row in low..high {
             let y = self.corner.y + (row as f64 + 0.5) * self.cell_mm;
             let half = (radius_mm * radius_mm - (y - centre.y) * (y - centre.y)).max(0.0).sqrt();
-            self.fill(Rect::new(Point::new(centre.x - half, y), Point::new(centre.x + half, y)), AREA);
+            self.fill(
+                Rect::new(Point::new(centre.x - half, y), Point::new(centre.x + half, y)),
+                AREA,
+            );
         }
     }
 
@@ -121,7 +131,8 @@ impl InkRaster {
         self.touched += 1;
         let d = p - self.corner;
         let (column, row) = ((d.x / self.cell_mm).floor(), (d.y / self.cell_mm).floor());
-        let on_paper = column >= 0.0 && row >= 0.0 && column < self.columns as f64 && row < self.rows as f64;
+        let on_paper =
+            column >= 0.0 && row >= 0.0 && column < self.columns as f64 && row < self.rows as f64;
         if on_paper { self.cells[row as usize * self.columns + column as usize] } else { 0 }
     }
 
@@ -153,15 +164,24 @@ impl InkRaster {
     }
 
     fn paper(&self) -> Rect {
-        Rect { min: self.corner, max: self.corner + Vec2::new(self.columns as f64, self.rows as f64) * self.cell_mm }
+        Rect {
+            min: self.corner,
+            max: self.corner + Vec2::new(self.columns as f64, self.rows as f64) * self.cell_mm,
+        }
     }
 
     /// Returns the cells of a box that are on the paper: columns and rows, end exclusive.
     fn range(&self, rect: Rect) -> [usize; 4] {
-        let index = |mm: f64, most: usize| (mm / self.cell_mm).floor().max(0.0).min(most as f64) as usize;
+        let index =
+            |mm: f64, most: usize| (mm / self.cell_mm).floor().max(0.0).min(most as f64) as usize;
         let [a, b] = [rect.min, rect.max].map(|p| p - self.corner);
         let end = |mm: f64, most: usize| if mm < 0.0 { 0 } else { (index(mm, most) + 1).min(most) };
-        [index(a.x, self.columns), end(b.x, self.columns), index(a.y, self.rows), end(b.y, self.rows)]
+        [
+            index(a.x, self.columns),
+            end(b.x, self.columns),
+            index(a.y, self.rows),
+            end(b.y, self.rows),
+        ]
     }
 
     pub(super) fn fill(&mut self, rect: Rect, with: u8) {

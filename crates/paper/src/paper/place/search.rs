@@ -1,8 +1,8 @@
 //! Chooses one place for each label: coordinate descent, then joint moves of labels in conflict.
 //!
 //! Nothing is computed twice. The individual cost of a place is kept in its [`Offer`]; its cost
-//! beside a neighbour is kept until the neighbour moves ([`NeighbourCosts`]); a pair that could not be
-//! improved is tried again only after something around it has moved.
+//! beside a neighbour is kept until the neighbour moves ([`NeighbourCosts`]); a pair that could not
+//! be improved is tried again only after something around it has moved.
 
 use crate::paper::extent::Rect;
 use hodograph_base::budget::spend;
@@ -65,7 +65,12 @@ struct NeighbourCosts {
 
 impl NeighbourCosts {
     /// Updates the costs for another label at its `index`th place.
-    fn turn_to(&mut self, places: &[CandidatePlace], j: usize, (index, place): (usize, &CandidatePlace)) {
+    fn turn_to(
+        &mut self,
+        places: &[CandidatePlace],
+        j: usize,
+        (index, place): (usize, &CandidatePlace),
+    ) {
         let before = self.stand[j].replace(index);
         if before == Some(index) {
             return;
@@ -105,7 +110,18 @@ impl<'c, 'a> LabelChoice<'c, 'a> {
         let reach = around(&offer.places[..count]);
         let (fixed, known) = (vec![f64::INFINITY; count], vec![true; count]);
         let (neighbours, beside) = (Vec::new(), NeighbourCosts::default());
-        let mut choice = LabelChoice { offer, fixed, known, picked: 0, before, open: false, reach, neighbours, beside, moved: 0 };
+        let mut choice = LabelChoice {
+            offer,
+            fixed,
+            known,
+            picked: 0,
+            before,
+            open: false,
+            reach,
+            neighbours,
+            beside,
+            moved: 0,
+        };
         if let Some(b) = before {
             choice.picked = b;
             choice.fixed[b] = choice.offer.cost_alone(b);
@@ -188,10 +204,17 @@ impl<'c, 'a> LabelChoice<'c, 'a> {
 
 /// Returns for each of these labels (in their order) its place, the cost, and the index of the
 /// place; `before` contains the indices in the previous figure.
-pub(super) fn run(offers: &mut [Offer], of: &[usize], before: &[Option<usize>], leads: LeaderReach) -> Vec<ChosenPlace> {
+pub(super) fn run(
+    offers: &mut [Offer],
+    of: &[usize],
+    before: &[Option<usize>],
+    leads: LeaderReach,
+) -> Vec<ChosenPlace> {
     let stood = |i: usize| before.get(i).copied().flatten();
     let wanted = offers.iter_mut().enumerate().filter(|(k, _)| of.binary_search(k).is_ok());
-    let mut search = PlaceSearch::new(wanted.enumerate().map(|(i, (_, offer))| LabelChoice::new(offer, stood(i))).collect());
+    let mut search = PlaceSearch::new(
+        wanted.enumerate().map(|(i, (_, offer))| LabelChoice::new(offer, stood(i))).collect(),
+    );
     // In a series the previous figure has settled the places: one descent resolves new
     // obstructions.
     let rounds = if before.is_empty() { ROUNDS_MAX } else { 0 };
@@ -218,16 +241,24 @@ pub(super) fn run(offers: &mut [Offer], of: &[usize], before: &[Option<usize>], 
             search.settle(rounds);
         }
     }
-    let found = |(i, c): (usize, &LabelChoice)| (*c.place(), search.total(i) - c.leave(c.picked), c.picked);
+    let found =
+        |(i, c): (usize, &LabelChoice)| (*c.place(), search.total(i) - c.leave(c.picked), c.picked);
     search.choices.iter().enumerate().map(found).collect()
 }
 
 /// Returns the best place near its target for a label beside others that stay in place.
-pub(super) fn beside_placed(wanted: &MeasuredRequest, obstacles: &Obstacles, paper: Rect, placed: &[Placement]) -> Option<ChosenPlace> {
+pub(super) fn beside_placed(
+    wanted: &MeasuredRequest,
+    obstacles: &Obstacles,
+    paper: Rect,
+    placed: &[Placement],
+) -> Option<ChosenPlace> {
     let places = candidate::near(wanted);
     let around = Around::new(&places, wanted, obstacles, paper);
-    let others: Vec<CandidatePlace> = placed.iter().map(|p| CandidatePlace::new(p.bounds, p.leader, 0.0)).collect();
-    let cost = |c: &CandidatePlace| around.fixed(c) + others.iter().map(|o| cost::pair(c, o)).sum::<f64>();
+    let others: Vec<CandidatePlace> =
+        placed.iter().map(|p| CandidatePlace::new(p.bounds, p.leader, 0.0)).collect();
+    let cost =
+        |c: &CandidatePlace| around.fixed(c) + others.iter().map(|o| cost::pair(c, o)).sum::<f64>();
     let costs: Vec<f64> = places.iter().map(cost).collect();
     let best = argmin(&costs);
     Some((*places.get(best)?, costs[best], best))
@@ -260,7 +291,8 @@ impl<'c, 'a> PlaceSearch<'c, 'a> {
     /// Returns the cost of a label at its current place.
     fn total(&self, i: usize) -> f64 {
         let me = &self.choices[i];
-        let beside: f64 = me.neighbours.iter().map(|&j| cost::pair(me.place(), self.choices[j].place())).sum();
+        let beside: f64 =
+            me.neighbours.iter().map(|&j| cost::pair(me.place(), self.choices[j].place())).sum();
         me.fixed[me.picked] + beside
     }
 
@@ -287,7 +319,8 @@ impl<'c, 'a> PlaceSearch<'c, 'a> {
     fn meet(&mut self) {
         let reach: Vec<Rect> = self.choices.iter().map(|c| c.reach).collect();
         for (i, choice) in self.choices.iter_mut().enumerate() {
-            choice.neighbours = (0..reach.len()).filter(|&j| j != i && cost::close(reach[i], reach[j])).collect();
+            choice.neighbours =
+                (0..reach.len()).filter(|&j| j != i && cost::close(reach[i], reach[j])).collect();
         }
     }
 
@@ -364,7 +397,8 @@ impl<'c, 'a> PlaceSearch<'c, 'a> {
         let me = &mut self.choices[i];
         me.know_up_to(bound);
         let better = me.beside.rows.iter().zip(&me.fixed).filter(|(_, fixed)| **fixed < bound);
-        let mut found: Vec<usize> = better.flat_map(|(row, _)| row.iter().map(|(j, _)| *j)).collect();
+        let mut found: Vec<usize> =
+            better.flat_map(|(row, _)| row.iter().map(|(j, _)| *j)).collect();
         found.sort_unstable();
         found.dedup();
         found
@@ -426,7 +460,11 @@ impl<'c, 'a> PlaceSearch<'c, 'a> {
 impl LabelChoice<'_, '_> {
     /// Returns the cost of place `k` beside its neighbours, or all of them but one.
     fn total(&self, k: usize, without: Option<usize>) -> f64 {
-        let beside: f64 = self.beside.rows[k].iter().filter(|(j, _)| Some(*j) != without).map(|(_, cost)| cost).sum();
+        let beside: f64 = self.beside.rows[k]
+            .iter()
+            .filter(|(j, _)| Some(*j) != without)
+            .map(|(_, cost)| cost)
+            .sum();
         self.fixed[k] + beside
     }
 
@@ -435,8 +473,10 @@ impl LabelChoice<'_, '_> {
     fn cheap_first(&mut self, without: usize, enough: f64) -> Vec<(usize, f64)> {
         self.know_up_to(enough);
         let affordable = (0..self.count()).filter(|&k| self.fixed[k] <= enough);
-        let mut list: Vec<(usize, f64)> =
-            affordable.map(|k| (k, self.total(k, Some(without)))).filter(|(_, cost)| *cost <= enough).collect();
+        let mut list: Vec<(usize, f64)> = affordable
+            .map(|k| (k, self.total(k, Some(without))))
+            .filter(|(_, cost)| *cost <= enough)
+            .collect();
         list.sort_by(|a, b| a.1.total_cmp(&b.1));
         list
     }

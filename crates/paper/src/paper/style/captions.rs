@@ -53,7 +53,9 @@ impl Captions {
         let Some(f) = Fields::open(node, "\"captions\"", &keys, faults) else { return };
         for (key, what) in ALL {
             let Some(node) = f.get(key) else { continue };
-            let texts = localized(node, key, LONGEST, faults).unwrap_or_default().map(|word| word.and_then(|w| sound(w, faults)));
+            let texts = localized(node, key, LONGEST, faults)
+                .unwrap_or_default()
+                .map(|word| word.and_then(|w| sound(w, faults)));
             for (lang, text) in [Lang::En, Lang::Zh].into_iter().zip(texts) {
                 let Some(text) = text else { continue };
                 self.0.retain(|(w, l, _)| (*w, *l) != (what, lang));
@@ -74,12 +76,18 @@ fn usual(lang: Lang, what: Captioned) -> &'static str {
 
 /// Returns the caption if it can be typeset, and reports it otherwise.
 fn sound(word: Word, faults: &mut Faults) -> Option<String> {
-    let Some(fault) = text::set(&Phrase::new(&word.text).label()).faults.first().cloned() else { return Some(word.text) };
+    let Some(fault) = text::set(&Phrase::new(&word.text).label()).faults.first().cloned() else {
+        return Some(word.text);
+    };
     // A text for both languages is reported once.
     let told = |d: &Diagnostic| d.code == "caption" && d.span == Some(word.span);
     if faults.list.iter().any(told) {
         return None;
     }
-    faults.push(Diagnostic::error("caption", fault.message).at(word.span).help(both!("write another caption", "请换一个图名")));
+    faults.push(
+        Diagnostic::error("caption", fault.message)
+            .at(word.span)
+            .help(both!("write another caption", "请换一个图名")),
+    );
     None
 }

@@ -62,12 +62,28 @@ const TEXT: &[StyleLength] = &[
     ("small", |s| &mut s.small_mm, [3.2, 15.0]),
 ];
 
-const SECTIONS: &[(&str, &str, &[StyleLength])] =
-    &[("lines", "\"lines\"", LINES), ("heads", "\"heads\"", HEADS), ("symbols", "\"symbols\"", SYMBOLS), ("text", "\"text\"", TEXT)];
-const KEYS: &[&str] = &["name", "base", "lines", "heads", "symbols", "text", "fonts", "colours", "notation", "captions"];
+const SECTIONS: &[(&str, &str, &[StyleLength])] = &[
+    ("lines", "\"lines\"", LINES),
+    ("heads", "\"heads\"", HEADS),
+    ("symbols", "\"symbols\"", SYMBOLS),
+    ("text", "\"text\"", TEXT),
+];
+const KEYS: &[&str] = &[
+    "name", "base", "lines", "heads", "symbols", "text", "fonts", "colours", "notation", "captions",
+];
 const COLOURS: &[&str] = &["paper", "ink", "plate", "links"];
-const MARKS: &[&str] =
-    &["pole", "coriolis", "tangential", "sliding", "known", "unknown", "similar", "normal_end", "coriolis_end", "vectors"];
+const MARKS: &[&str] = &[
+    "pole",
+    "coriolis",
+    "tangential",
+    "sliding",
+    "known",
+    "unknown",
+    "similar",
+    "normal_end",
+    "coriolis_end",
+    "vectors",
+];
 /// Largest number of link colours: more cannot be distinguished, and the bound limits the memory
 /// that a file can take.
 const LINKS_MAX: usize = 64;
@@ -103,12 +119,19 @@ pub fn read_with(source: &[u8], open: &mut FontOpener) -> Result<Style, Faults> 
 pub(super) fn nothing(name: &str) -> Result<Vec<u8>, Diagnostic> {
     Err(Diagnostic::error(
         "font",
-        both!("{name} cannot be read: this style is read without other files", "不能读取 {name}：此样式不另读文件"),
+        both!(
+            "{name} cannot be read: this style is read without other files",
+            "不能读取 {name}：此样式不另读文件"
+        ),
     ))
 }
 
 /// Reads a style file that is based on `usual` if it names no base.
-pub(super) fn read_onto(source: &[u8], usual: Style, open: &mut FontOpener) -> Result<Style, Faults> {
+pub(super) fn read_onto(
+    source: &[u8],
+    usual: Style,
+    open: &mut FontOpener,
+) -> Result<Style, Faults> {
     let mut faults = Faults::default();
     let (_, root) = json::parse(source, &mut faults)?;
     let style = style(&root, usual, open, &mut faults);
@@ -122,8 +145,16 @@ fn style(root: &Node, usual: Style, open: &mut FontOpener, faults: &mut Faults) 
         Some(node) => {
             let base = word(node, "\"base\"", faults)?;
             Style::named(&base.text).or_else(|| {
-                let d = Diagnostic::error("unknown-style", both!("there is no style `{}`", "没有样式 `{}`", base.text)).at(base.span);
-                faults.push(d.help(suggest(&base.text, Style::names().into_iter(), both!("the styles are", "样式有"))));
+                let d = Diagnostic::error(
+                    "unknown-style",
+                    both!("there is no style `{}`", "没有样式 `{}`", base.text),
+                )
+                .at(base.span);
+                faults.push(d.help(suggest(
+                    &base.text,
+                    Style::names().into_iter(),
+                    both!("the styles are", "样式有"),
+                )));
                 None
             })?
         }
@@ -158,12 +189,21 @@ fn style(root: &Node, usual: Style, open: &mut FontOpener, faults: &mut Faults) 
 
 fn length(node: &Node, key: &str, [least, most]: [f64; 2], faults: &mut Faults) -> Option<f64> {
     let NodeKind::Number(text) = &node.kind else {
-        return wrong(node, &format!("`{key}`"), both!("a number of millimetres", "毫米数"), faults);
+        return wrong(
+            node,
+            &format!("`{key}`"),
+            both!("a number of millimetres", "毫米数"),
+            faults,
+        );
     };
     match text.parse::<f64>() {
         Ok(mm) if (least..=most).contains(&mm) => Some(mm),
         _ => {
-            let d = Diagnostic::error("out-of-range", both!("`{key}` is {text} mm", "`{key}` 为 {text} mm")).at(node.span);
+            let d = Diagnostic::error(
+                "out-of-range",
+                both!("`{key}` is {text} mm", "`{key}` 为 {text} mm"),
+            )
+            .at(node.span);
             faults.push(d.help(both!("give {least} to {most} mm", "请取 {least} 到 {most} mm")));
             None
         }
@@ -203,15 +243,22 @@ fn colours(node: &Node, style: &mut Style, faults: &mut Faults) {
         );
         return faults.push(Diagnostic::error("too-many", message).at(node.span));
     }
-    style.palette.links = items.iter().filter_map(|n| colour(n, both!("`a colour of a link`", "构件的颜色"), faults)).collect();
+    style.palette.links = items
+        .iter()
+        .filter_map(|n| colour(n, both!("`a colour of a link`", "构件的颜色"), faults))
+        .collect();
 }
 
 fn colour(node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<Colour> {
     let text = word(node, what, faults)?;
-    let digits = text.text.strip_prefix('#').filter(|d| d.len() == 6 && d.bytes().all(|b| b.is_ascii_hexdigit()));
+    let digits = text
+        .text
+        .strip_prefix('#')
+        .filter(|d| d.len() == 6 && d.bytes().all(|b| b.is_ascii_hexdigit()));
     let value = digits.and_then(|d| u32::from_str_radix(d, 16).ok());
     if value.is_none() {
-        let d = Diagnostic::error("colour", both!("`{}` is no colour", "`{}` 不是颜色", text.text)).at(text.span);
+        let d = Diagnostic::error("colour", both!("`{}` is no colour", "`{}` 不是颜色", text.text))
+            .at(text.span);
         faults.push(d.help(both!(
             "write red, green and blue in two hexadecimal digits each, such as \"#1f6fd0\"",
             "请把红、绿、蓝各写成两位十六进制数，如 \"#1f6fd0\""
@@ -223,17 +270,28 @@ fn colour(node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Op
 fn marks(node: &Node, marks: &mut Marks, faults: &mut Faults) {
     let Some(f) = Fields::open(node, "\"notation\"", MARKS, faults) else { return };
     let mut one = |key: &str, place: &mut Option<String>| {
-        let Some(text) = f.get(key).and_then(|n| word(n, &format!("`{key}`"), faults)) else { return };
+        let Some(text) = f.get(key).and_then(|n| word(n, &format!("`{key}`"), faults)) else {
+            return;
+        };
         if text.text.chars().count() > MARK_MAX {
-            let d = Diagnostic::error("mark", both!("`{key}` has more than {MARK_MAX} characters", "`{key}` 超过 {MARK_MAX} 个字符"))
-                .at(text.span);
+            let d = Diagnostic::error(
+                "mark",
+                both!(
+                    "`{key}` has more than {MARK_MAX} characters",
+                    "`{key}` 超过 {MARK_MAX} 个字符"
+                ),
+            )
+            .at(text.span);
             return faults.push(d.help(both!("write another mark", "请换一个记号")));
         }
         let label = Label::math(text.text.as_str());
         let set = text::set(&label);
         match set.faults.first() {
-            Some(fault) => faults
-                .push(Diagnostic::error("mark", fault.message.clone()).at(text.span).help(both!("write another mark", "请另写一个记号"))),
+            Some(fault) => faults.push(
+                Diagnostic::error("mark", fault.message.clone())
+                    .at(text.span)
+                    .help(both!("write another mark", "请另写一个记号")),
+            ),
             None => *place = Some(text.text),
         }
     };
@@ -249,8 +307,16 @@ fn marks(node: &Node, marks: &mut Marks, faults: &mut Faults) {
     if let Some(word) = f.get("vectors").and_then(|n| word(n, "`vectors`", faults)) {
         let known = Vectors::ALL.into_iter().find(|(name, _)| *name == word.text);
         if known.is_none() {
-            let d = Diagnostic::error("mark", both!("`vectors` is `{}`", "`vectors` 为 `{}`", word.text)).at(word.span);
-            faults.push(d.help(suggest(&word.text, Vectors::ALL.into_iter().map(|(name, _)| name), both!("it is", "可取"))));
+            let d = Diagnostic::error(
+                "mark",
+                both!("`vectors` is `{}`", "`vectors` 为 `{}`", word.text),
+            )
+            .at(word.span);
+            faults.push(d.help(suggest(
+                &word.text,
+                Vectors::ALL.into_iter().map(|(name, _)| name),
+                both!("it is", "可取"),
+            )));
         }
         marks.vectors = known.map(|(_, vectors)| vectors);
     }
@@ -271,7 +337,10 @@ mod tests {
         let of = |what, lang| style.captions.of(what, lang);
         assert_eq!(of(Captioned::Drawing(DiagramKind::Velocity), Lang::En), "Plan $v$");
         assert_eq!(of(Captioned::Drawing(DiagramKind::Velocity), Lang::Zh), "Plan $v$");
-        assert_eq!((of(Captioned::Results, Lang::En), of(Captioned::Results, Lang::Zh)), ("Results", "结论"));
+        assert_eq!(
+            (of(Captioned::Results, Lang::En), of(Captioned::Results, Lang::Zh)),
+            ("Results", "结论")
+        );
         assert_eq!(of(Captioned::Equations(DiagramKind::Acceleration), Lang::En), "Accelerations");
         assert_eq!(style.marks.vectors, Some(Vectors::Bold));
         let long = "x".repeat(81);
@@ -282,7 +351,10 @@ mod tests {
         let faults = read(wrong.as_bytes()).unwrap_err();
         let mut codes: Vec<&str> = faults.list.iter().map(|d| d.code).collect();
         codes.sort_unstable();
-        assert_eq!(codes, ["caption", "mark", "too-long", "unknown-key", "unknown-key", "wrong-type"]);
+        assert_eq!(
+            codes,
+            ["caption", "mark", "too-long", "unknown-key", "unknown-key", "wrong-type"]
+        );
         assert!(faults.list.iter().all(|d| d.span.is_some()));
     }
 
@@ -292,7 +364,18 @@ mod tests {
             "colours": { "ink": "black", "links": ["#12345", "#0072b2"] }, "notation": { "pole": "\\nosuch" } }"##;
         let faults = read(source).unwrap_err();
         let codes: Vec<&str> = faults.list.iter().map(|d| d.code).collect();
-        assert_eq!(codes, ["unknown-key", "unknown-key", "out-of-range", "wrong-type", "colour", "colour", "mark"]);
+        assert_eq!(
+            codes,
+            [
+                "unknown-key",
+                "unknown-key",
+                "out-of-range",
+                "wrong-type",
+                "colour",
+                "colour",
+                "mark"
+            ]
+        );
         assert!(faults.list.iter().all(|d| d.span.is_some()));
         assert!(faults.list[2].help.as_ref().unwrap().en.contains("0.1 to 2 mm"));
     }
@@ -305,7 +388,11 @@ mod tests {
             std::fs::read(format!("{}/fonts/{name}", env!("CARGO_MANIFEST_DIR")))
                 .map_err(|e| Diagnostic::error("cannot-read", Both::same(e.to_string())))
         };
-        let style = read_with(br#"{ "base": "dark", "fonts": ["tinos-italic.ttf", "tinos-normal.ttf"] }"#, &mut open).unwrap();
+        let style = read_with(
+            br#"{ "base": "dark", "fonts": ["tinos-italic.ttf", "tinos-normal.ttf"] }"#,
+            &mut open,
+        )
+        .unwrap();
         assert!(!style.fonts.is_empty() && style != Style::named("dark").unwrap());
         let faults = read_with(br#"{ "fonts": ["tinos-italic.ttf", "nosuch.ttf", "README.md", "tinos-italic.ttf", 3] }"#, &mut open);
         let faults = faults.unwrap_err();
@@ -321,14 +408,19 @@ mod tests {
         let mut print = Style::default();
         for (section, _, lengths) in SECTIONS {
             for (key, place, [least, most]) in *lengths {
-                assert!((*least..=*most).contains(place(&mut print)), "{section}.{key} is missing in print.json");
+                assert!(
+                    (*least..=*most).contains(place(&mut print)),
+                    "{section}.{key} is missing in print.json"
+                );
             }
         }
     }
 
     #[test]
     fn what_is_not_said_is_that_of_the_base() {
-        let style = read(br#"{ "base": "slides", "lines": { "thin": 0.2 }, "notation": { "pole": "P" } }"#).unwrap();
+        let style =
+            read(br#"{ "base": "slides", "lines": { "thin": 0.2 }, "notation": { "pole": "P" } }"#)
+                .unwrap();
         let base = Style::named("slides").unwrap();
         assert_eq!(style.thin.width_mm, 0.2);
         assert_eq!((style.link, &style.palette), (base.link, &base.palette));

@@ -140,8 +140,11 @@ impl Marks {
 }
 
 /// The bundled styles, the default one first.
-const BUNDLED: [(&str, &str); 3] =
-    [("print", include_str!("print.json")), ("slides", include_str!("slides.json")), ("dark", include_str!("dark.json"))];
+const BUNDLED: [(&str, &str); 3] = [
+    ("print", include_str!("print.json")),
+    ("slides", include_str!("slides.json")),
+    ("dark", include_str!("dark.json")),
+];
 
 impl Style {
     /// Returns the names of the bundled styles.
@@ -154,14 +157,19 @@ impl Style {
     pub fn named(name: &str) -> Option<Style> {
         let (_, source) = BUNDLED.iter().find(|(n, _)| *n == name)?;
         let print = name == BUNDLED[0].0;
-        let read = if print { file::read_onto(source.as_bytes(), Style::blank(), &mut file::nothing) } else { read(source.as_bytes()) };
+        let read = if print {
+            file::read_onto(source.as_bytes(), Style::blank(), &mut file::nothing)
+        } else {
+            read(source.as_bytes())
+        };
         Some(read.expect("bundled styles are read by a test"))
     }
 
     /// Returns a style without measures, the base of `print`: its file sets all of them (a test
     /// checks each).
     fn blank() -> Style {
-        let (none, head) = (LineStroke::new(0.0), |notch| ArrowHead { length_mm: 0.0, width_mm: 0.0, notch });
+        let (none, head) =
+            (LineStroke::new(0.0), |notch| ArrowHead { length_mm: 0.0, width_mm: 0.0, notch });
         Style {
             name: String::new(),
             link: none.round(),

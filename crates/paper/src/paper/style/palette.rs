@@ -52,10 +52,15 @@ impl Palette {
         let change = |c: &mut Colour| *c = self.mixed(full, *c);
         let line = |s: &mut LineStroke| s.colour = self.mixed(full, s.colour);
         match &mut item.shape {
-            Shape::Line { stroke, .. } | Shape::Arc { stroke, .. } | Shape::Arrow { stroke, .. } | Shape::ArcArrow { stroke, .. } => {
+            Shape::Line { stroke, .. }
+            | Shape::Arc { stroke, .. }
+            | Shape::Arrow { stroke, .. }
+            | Shape::ArcArrow { stroke, .. } => {
                 line(stroke);
             }
-            Shape::Polyline { stroke, fill, .. } | Shape::Path { stroke, fill, .. } | Shape::Circle { stroke, fill, .. } => {
+            Shape::Polyline { stroke, fill, .. }
+            | Shape::Path { stroke, fill, .. }
+            | Shape::Circle { stroke, fill, .. } => {
                 stroke.as_mut().map(line);
                 fill.as_mut().map(change);
             }
@@ -70,7 +75,8 @@ impl Palette {
             return c;
         }
         let part = u32::from(c.r);
-        let mix = |a: u8, b: u8| ((u32::from(a) * (255 - part) + u32::from(b) * part + 127) / 255) as u8;
+        let mix =
+            |a: u8, b: u8| ((u32::from(a) * (255 - part) + u32::from(b) * part + 127) / 255) as u8;
         Colour::rgb(mix(full.r, self.paper.r), mix(full.g, self.paper.g), mix(full.b, self.paper.b))
     }
 }
@@ -103,11 +109,25 @@ mod tests {
     fn seen(c: Colour) -> [[f64; 3]; 4] {
         const KINDS: [[[f64; 3]; 3]; 4] = [
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-            [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
-            [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]],
-            [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.303900]],
+            [
+                [0.152286, 1.052583, -0.204868],
+                [0.114503, 0.786281, 0.099216],
+                [-0.003882, -0.048116, 1.051998],
+            ],
+            [
+                [0.367322, 0.860646, -0.227968],
+                [0.280085, 0.672501, 0.047413],
+                [-0.011820, 0.042940, 0.968881],
+            ],
+            [
+                [1.255528, -0.076749, -0.178779],
+                [-0.078411, 0.930809, 0.147602],
+                [0.004733, 0.691367, 0.303900],
+            ],
         ];
-        let times = |m: &[[f64; 3]; 3], v: [f64; 3]| m.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2]);
+        let times = |m: &[[f64; 3]; 3], v: [f64; 3]| {
+            m.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
+        };
         KINDS.map(|kind| {
             let rgb = times(&kind, linear(c)).map(|v| v.max(0.0));
             let lms = times(
@@ -141,7 +161,10 @@ mod tests {
                 // WCAG requires a contrast of 3 for graphical objects.
                 assert!(contrast(*a, p.paper) >= 3.2, "{style} {a:?}: {}", contrast(*a, p.paper));
                 for b in &all[..k] {
-                    let apart = seen(*a).into_iter().zip(seen(*b)).map(|(x, y)| (0..3).map(|i| (x[i] - y[i]).powi(2)).sum::<f64>().sqrt());
+                    let apart = seen(*a)
+                        .into_iter()
+                        .zip(seen(*b))
+                        .map(|(x, y)| (0..3).map(|i| (x[i] - y[i]).powi(2)).sum::<f64>().sqrt());
                     let worst = apart.fold(f64::INFINITY, f64::min);
                     // A just noticeable difference is about 0.02; the palette of Okabe and Ito has
                     // 0.076.
@@ -153,7 +176,11 @@ mod tests {
 
     #[test]
     fn black_is_the_link_white_the_paper_grey_between() {
-        let p = Palette { paper: Colour::rgb(0, 0, 0), ink: Colour::rgb(200, 200, 200), links: vec![Colour::rgb(255, 0, 100)] };
+        let p = Palette {
+            paper: Colour::rgb(0, 0, 0),
+            ink: Colour::rgb(200, 200, 200),
+            links: vec![Colour::rgb(255, 0, 100)],
+        };
         assert_eq!(p.mixed(p.link(Some(3)), Colour::BLACK), Colour::rgb(255, 0, 100));
         assert_eq!(p.mixed(p.link(None), Colour::WHITE), p.paper);
         assert_eq!(p.mixed(p.link(None), Colour::grey(204)), Colour::rgb(40, 40, 40));

@@ -8,7 +8,12 @@ use hodograph_base::geom::{Point, Vec2};
 pub fn link(style: &Style, points: &[Point]) -> Vec<FigureItem> {
     let shape = match *points {
         [from, to] => Shape::Line { from, to, stroke: style.link },
-        _ => Shape::Polyline { points: points.to_vec(), closed: false, stroke: Some(style.link), fill: None },
+        _ => Shape::Polyline {
+            points: points.to_vec(),
+            closed: false,
+            stroke: Some(style.link),
+            fill: None,
+        },
     };
     vec![FigureItem::new("link", shape)]
 }
@@ -18,7 +23,9 @@ pub fn dashed(items: Vec<FigureItem>) -> Vec<FigureItem> {
     let dashed = |stroke: LineStroke| LineStroke { cap: Cap::Butt, ..stroke.dashed(Dash::Dashed) };
     let change = |shape| match shape {
         Shape::Line { from, to, stroke } => Shape::Line { from, to, stroke: dashed(stroke) },
-        Shape::Polyline { points, closed, stroke, fill } => Shape::Polyline { points, closed, stroke: stroke.map(dashed), fill },
+        Shape::Polyline { points, closed, stroke, fill } => {
+            Shape::Polyline { points, closed, stroke: stroke.map(dashed), fill }
+        }
         other @ (Shape::Path { .. }
         | Shape::Circle { .. }
         | Shape::Arc { .. }
@@ -32,18 +39,28 @@ pub fn dashed(items: Vec<FigureItem>) -> Vec<FigureItem> {
 
 /// A link with three or more joints: a plate filled with light grey.
 pub fn plate(style: &Style, points: &[Point]) -> Vec<FigureItem> {
-    let shape = Shape::Polyline { points: points.to_vec(), closed: true, stroke: Some(style.link), fill: Some(style.plate) };
+    let shape = Shape::Polyline {
+        points: points.to_vec(),
+        closed: true,
+        stroke: Some(style.link),
+        fill: Some(style.plate),
+    };
     vec![FigureItem::new("link plate", shape)]
 }
 
 /// The mark of a rigid corner: the angle between two bars of one link, filled. Empty if the bars
 /// have no direction or no angle between them.
 pub fn weld(style: &Style, corner: Point, one: Point, other: Point) -> Vec<FigureItem> {
-    let (Some(a), Some(b)) = ((one - corner).unit(), (other - corner).unit()) else { return Vec::new() };
+    let (Some(a), Some(b)) = ((one - corner).unit(), (other - corner).unit()) else {
+        return Vec::new();
+    };
     // The mark must extend well beyond the two thick lines to be visible.
     let leg = 3.2 * style.pin_radius_mm;
     let points = vec![corner, corner + a * leg, corner + b * leg];
-    vec![FigureItem::new("link weld", Shape::Polyline { points, closed: true, stroke: None, fill: Some(Colour::BLACK) })]
+    vec![FigureItem::new(
+        "link weld",
+        Shape::Polyline { points, closed: true, stroke: None, fill: Some(Colour::BLACK) },
+    )]
 }
 
 /// Pitch of a spring's windings at its default length, and their half width.
@@ -62,7 +79,15 @@ pub fn spring(style: &Style, from: Point, to: Point) -> Vec<FigureItem> {
         let side = if k.is_multiple_of(2) { HALF_WIDTH_MM } else { -HALF_WIDTH_MM };
         from + along * (STRAIGHT + coil * (k as f64 + 0.5) / corners as f64) + across * side
     };
-    let points = [from, from + along * STRAIGHT].into_iter().chain((0..corners).map(corner)).chain([to + along * -STRAIGHT, to]);
-    let shape = Shape::Polyline { points: points.collect(), closed: false, stroke: Some(style.thin), fill: None };
+    let points = [from, from + along * STRAIGHT]
+        .into_iter()
+        .chain((0..corners).map(corner))
+        .chain([to + along * -STRAIGHT, to]);
+    let shape = Shape::Polyline {
+        points: points.collect(),
+        closed: false,
+        stroke: Some(style.thin),
+        fill: None,
+    };
     vec![FigureItem::new("spring", shape)]
 }

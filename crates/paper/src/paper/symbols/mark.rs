@@ -7,20 +7,53 @@ use hodograph_base::geom::{Point, Vec2};
 
 /// The arrow of a rotation around `centre`, with its head at `to_rad`; counter-clockwise if
 /// `to_rad` > `from_rad`.
-pub fn rotation(style: &Style, centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) -> Vec<FigureItem> {
-    vec![FigureItem::new("rotation", Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke: style.vector, head: style.head })]
+pub fn rotation(
+    style: &Style,
+    centre: Point,
+    radius_mm: f64,
+    from_rad: f64,
+    to_rad: f64,
+) -> Vec<FigureItem> {
+    vec![FigureItem::new(
+        "rotation",
+        Shape::ArcArrow {
+            centre,
+            radius_mm,
+            from_rad,
+            to_rad,
+            stroke: style.vector,
+            head: style.head,
+        },
+    )]
 }
 
 /// An angle at `centre` from a reference line, which is drawn, to an existing line; the head is at
 /// the latter.
-pub fn angle(style: &Style, centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) -> Vec<FigureItem> {
+pub fn angle(
+    style: &Style,
+    centre: Point,
+    radius_mm: f64,
+    from_rad: f64,
+    to_rad: f64,
+) -> Vec<FigureItem> {
     // The reference line extends a third beyond the arc: an angle is legible only if the lines
     // cross.
     let along = Vec2::from_angle(from_rad);
-    let (from, to) = (centre + along * style.pin_radius_mm, centre + along * (radius_mm * 4.0 / 3.0));
+    let (from, to) =
+        (centre + along * style.pin_radius_mm, centre + along * (radius_mm * 4.0 / 3.0));
     vec![
         FigureItem::new("angle reference", Shape::Line { from, to, stroke: style.thin }),
-        FigureItem::new("angle", Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke: style.thin, head: style.thin_head }),
+        FigureItem::new(
+            "angle",
+            Shape::ArcArrow {
+                centre,
+                radius_mm,
+                from_rad,
+                to_rad,
+                stroke: style.thin,
+                head: style.thin_head,
+            },
+        ),
     ]
 }
 
@@ -40,7 +73,8 @@ pub fn dimension(style: &Style, from: Point, to: Point, offset_mm: f64) -> Vec<F
     // line.
     let (gap, past) = (out * (style.pin_radius_mm + 0.6), out * 1.2);
     let middle = a + along * (a.distance(b) / 2.0);
-    let arrow = |to: Point| Shape::Arrow { from: middle, to, stroke: style.thin, head: style.thin_head };
+    let arrow =
+        |to: Point| Shape::Arrow { from: middle, to, stroke: style.thin, head: style.thin_head };
     vec![
         FigureItem::new("dimension extension", line(from + gap, a + past)),
         FigureItem::new("dimension extension", line(to + gap, b + past)),
@@ -51,10 +85,18 @@ pub fn dimension(style: &Style, from: Point, to: Point, offset_mm: f64) -> Vec<F
 
 /// A graphic scale: a line of `length_mm` with a label at each end, which stays valid when the
 /// sheet is enlarged.
-pub fn scale_bar(style: &Style, from: Point, length_mm: f64, zero: Label, end: Label) -> Vec<FigureItem> {
+pub fn scale_bar(
+    style: &Style,
+    from: Point,
+    length_mm: f64,
+    zero: Label,
+    end: Label,
+) -> Vec<FigureItem> {
     let tick = Vec2::new(0.0, 1.1);
     let to = from + Vec2::new(length_mm, 0.0);
-    let line = |from: Point, to: Point| FigureItem::new("scale", Shape::Line { from, to, stroke: style.outline });
+    let line = |from: Point, to: Point| {
+        FigureItem::new("scale", Shape::Line { from, to, stroke: style.outline })
+    };
     let text = |at: Point, label: Label| {
         let shape = Shape::Label {
             at: at + tick + Vec2::new(0.0, 0.9),
@@ -65,5 +107,11 @@ pub fn scale_bar(style: &Style, from: Point, length_mm: f64, zero: Label, end: L
         };
         FigureItem::new("scale label", shape)
     };
-    vec![line(from, to), line(from - tick, from + tick), line(to - tick, to + tick), text(from, zero), text(to, end)]
+    vec![
+        line(from, to),
+        line(from - tick, from + tick),
+        line(to - tick, to + tick),
+        text(from, zero),
+        text(to, end),
+    ]
 }

@@ -34,9 +34,14 @@ fn pivot_stands_on_the_side_it_is_told() {
 fn slot_is_as_wide_as_it_says_in_every_direction() {
     let h = boxed(&slot(&STYLE, Point::ORIGIN, Point::new(20.0, 0.0)));
     let ink = STYLE.outline.width_mm;
-    assert!((h.height_mm() - STYLE.slot_width_mm - ink).abs() < 1e-9 && (h.width_mm() - 20.0 - STYLE.slot_width_mm - ink).abs() < 1e-9);
+    assert!(
+        (h.height_mm() - STYLE.slot_width_mm - ink).abs() < 1e-9
+            && (h.width_mm() - 20.0 - STYLE.slot_width_mm - ink).abs() < 1e-9
+    );
     let v = boxed(&slot(&STYLE, Point::new(0.0, 20.0), Point::ORIGIN));
-    assert!((v.width_mm() - h.height_mm()).abs() < 1e-9 && (v.height_mm() - h.width_mm()).abs() < 1e-9);
+    assert!(
+        (v.width_mm() - h.height_mm()).abs() < 1e-9 && (v.height_mm() - h.width_mm()).abs() < 1e-9
+    );
 }
 
 /// Checks that each arc begins at the current point of the path: SVG draws from there, whatever
@@ -51,7 +56,10 @@ fn slots_are_joined_without_a_gap() {
             match *piece {
                 PathPiece::Move(p) | PathPiece::Line(p) => here = p,
                 PathPiece::Arc { centre, radius_mm, from_rad, to_rad } => {
-                    assert!(here.distance(centre + Vec2::from_angle(from_rad) * radius_mm) < 1e-9, "{piece:?} begins elsewhere");
+                    assert!(
+                        here.distance(centre + Vec2::from_angle(from_rad) * radius_mm) < 1e-9,
+                        "{piece:?} begins elsewhere"
+                    );
                     here = centre + Vec2::from_angle(to_rad) * radius_mm;
                 }
             }
@@ -66,7 +74,10 @@ fn piston_stays_in_the_barrel() {
         let items = cylinder(&STYLE, Point::ORIGIN, Point::new(reach, 0.0), 18.0);
         let barrel = items.iter().find(|i| i.class == "cylinder").unwrap().bounds().unwrap();
         let piston = items.iter().find(|i| i.class.contains("piston")).unwrap().bounds().unwrap();
-        assert!(piston.min.x > barrel.min.x && piston.max.x < barrel.max.x, "{reach}: {piston:?} in {barrel:?}");
+        assert!(
+            piston.min.x > barrel.min.x && piston.max.x < barrel.max.x,
+            "{reach}: {piston:?} in {barrel:?}"
+        );
     }
 }
 

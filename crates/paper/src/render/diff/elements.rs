@@ -12,7 +12,9 @@ const NODES: u32 = 300_000;
 /// Largest nesting depth: figures have three levels, and drawing is recursive.
 const DEEPEST: usize = 64;
 /// Elements of figures. Of these only a use can multiply what is drawn; uses are checked.
-const KNOWN: &[&str] = &["svg", "title", "desc", "defs", "g", "path", "line", "rect", "circle", "use", "text", "tspan"];
+const KNOWN: &[&str] = &[
+    "svg", "title", "desc", "defs", "g", "path", "line", "rect", "circle", "use", "text", "tspan",
+];
 /// Millimetres per CSS pixel.
 const PIXEL_MM: f64 = 25.4 / 96.0;
 
@@ -55,18 +57,31 @@ impl SvgDocument {
     /// Reads an SVG.
     pub fn read(text: &str) -> Result<SvgDocument, Diagnostic> {
         let options = ParsingOptions { nodes_limit: NODES, ..ParsingOptions::default() };
-        let document = roxmltree::Document::parse_with_options(text, options)
-            .map_err(|e| super::refused(both!("the SVG cannot be read: {e}", "不能读取 SVG：{e}")))?;
+        let document = roxmltree::Document::parse_with_options(text, options).map_err(|e| {
+            super::refused(both!("the SVG cannot be read: {e}", "不能读取 SVG：{e}"))
+        })?;
         let root = document.root_element();
         refuse_foreign(root)?;
         let size_mm = ["width", "height"].map(|side| root.attribute(side).and_then(length_mm));
         let [Some(width), Some(height)] = size_mm else {
             return Err(super::refused(both!("the SVG has no width and height", "SVG 没有宽和高")));
         };
-        let said = |name: &str| root.children().find(|n| n.tag_name().name() == name).and_then(|n| n.text()).unwrap_or_default().to_owned();
+        let said = |name: &str| {
+            root.children()
+                .find(|n| n.tag_name().name() == name)
+                .and_then(|n| n.text())
+                .unwrap_or_default()
+                .to_owned()
+        };
         let elements = named(root)?;
         let by_id = elements.iter().enumerate().rev().map(|(k, e)| (e.id.clone(), k)).collect();
-        Ok(SvgDocument { size_mm: [width, height], title: said("title"), desc: said("desc"), elements, by_id })
+        Ok(SvgDocument {
+            size_mm: [width, height],
+            title: said("title"),
+            desc: said("desc"),
+            elements,
+            by_id,
+        })
     }
 
     /// Returns the element with an id.
@@ -78,11 +93,15 @@ impl SvgDocument {
 /// Returns the outermost elements with ids, in order.
 fn named(root: Node) -> Result<Vec<SvgElement>, Diagnostic> {
     let mut out = Vec::new();
-    let mut left: Vec<(Node, usize)> = root.children().filter(|n| n.tag_name().name() != "defs").map(|n| (n, 1)).collect();
+    let mut left: Vec<(Node, usize)> =
+        root.children().filter(|n| n.tag_name().name() != "defs").map(|n| (n, 1)).collect();
     left.reverse();
     while let Some((node, depth)) = left.pop() {
         if depth > DEEPEST {
-            return Err(super::refused(both!("the SVG is nested more than {DEEPEST} deep", "SVG 的嵌套超过 {DEEPEST} 层")));
+            return Err(super::refused(both!(
+                "the SVG is nested more than {DEEPEST} deep",
+                "SVG 的嵌套超过 {DEEPEST} 层"
+            )));
         }
         match element(node) {
             Some(element) => out.push(element),
@@ -99,14 +118,20 @@ fn refuse_foreign(root: Node) -> Result<(), Diagnostic> {
     for node in root.descendants().filter(Node::is_element) {
         let name = node.tag_name().name();
         if !KNOWN.contains(&name) {
-            return Err(super::refused(both!("the SVG has an element <{name}>, which no figure has", "SVG 含有图形中没有的元素 <{name}>")));
+            return Err(super::refused(both!(
+                "the SVG has an element <{name}>, which no figure has",
+                "SVG 含有图形中没有的元素 <{name}>"
+            )));
         }
         if let Some(id) = node.attribute("id") {
             drawn_once.insert(id, name == "path");
         }
     }
     for node in root.descendants().filter(|n| n.tag_name().name() == "use") {
-        let target = node.attribute(("http://www.w3.org/1999/xlink", "href")).or_else(|| node.attribute("href")).unwrap_or_default();
+        let target = node
+            .attribute(("http://www.w3.org/1999/xlink", "href"))
+            .or_else(|| node.attribute("href"))
+            .unwrap_or_default();
         if !drawn_once.get(target.trim_start_matches('#')).copied().unwrap_or(false) {
             return Err(super::refused(both!(
                 "the SVG uses `{target}`, which is not the outline of a letter",
@@ -130,7 +155,15 @@ fn element(node: Node) -> Option<SvgElement> {
     let number = |key: &str| node.attribute(key).and_then(|v| v.parse::<f64>().ok());
     let name = node.attribute("data-name").unwrap_or_default().to_owned();
     let text = node.attribute("data-text").map(str::to_owned);
-    Some(SvgElement { id, name, mm: number("data-mm"), si: number("data-si"), text, paint: paint(node), geometry: geometry(node) })
+    Some(SvgElement {
+        id,
+        name,
+        mm: number("data-mm"),
+        si: number("data-si"),
+        text,
+        paint: paint(node),
+        geometry: geometry(node),
+    })
 }
 
 fn paint(node: Node) -> String {
@@ -155,8 +188,12 @@ fn geometry(node: Node) -> Geometry {
     let (mut form, mut numbers) = (String::new(), Vec::new());
     for n in node.descendants().filter(Node::is_element) {
         form.push_str(n.tag_name().name());
-        for key in ["x", "y", "width", "height", "x1", "y1", "x2", "y2", "cx", "cy", "r", "d", "transform"] {
-            n.attribute(key).into_iter().for_each(|value| take_apart(value, &mut form, &mut numbers));
+        for key in
+            ["x", "y", "width", "height", "x1", "y1", "x2", "y2", "cx", "cy", "r", "d", "transform"]
+        {
+            n.attribute(key)
+                .into_iter()
+                .for_each(|value| take_apart(value, &mut form, &mut numbers));
         }
         // The position of a label is sufficient: its letters are determined by its text.
         if n.has_attribute("data-text") {
@@ -181,8 +218,14 @@ fn arrow(node: Node) -> Option<[[f64; 2]; 2]> {
 fn take_apart(value: &str, form: &mut String, numbers: &mut Vec<f64>) {
     let mut rest = value;
     while let Some(c) = rest.chars().next() {
-        let inside = |(k, c): &(usize, char)| c.is_ascii_digit() || *c == '.' || *k == 0 && *c == '-';
-        let end = rest.char_indices().take_while(inside).map(|(k, c)| k + c.len_utf8()).last().unwrap_or(0);
+        let inside =
+            |(k, c): &(usize, char)| c.is_ascii_digit() || *c == '.' || *k == 0 && *c == '-';
+        let end = rest
+            .char_indices()
+            .take_while(inside)
+            .map(|(k, c)| k + c.len_utf8())
+            .last()
+            .unwrap_or(0);
         match rest[..end].parse::<f64>() {
             Ok(number) => {
                 numbers.push(number);

@@ -53,7 +53,8 @@ impl Picture {
         if bytes.starts_with(raster::SIGNATURE) {
             return Ok(Picture::Png(Raster::of_png(&bytes)?));
         }
-        let text = String::from_utf8(bytes).map_err(|_| refused(both!("it is neither an SVG nor a PNG", "不是 SVG 或 PNG")))?;
+        let text = String::from_utf8(bytes)
+            .map_err(|_| refused(both!("it is neither an SVG nor a PNG", "不是 SVG 或 PNG")))?;
         SvgDocument::read(&text)?;
         Ok(Picture::Svg(text))
     }
@@ -131,7 +132,14 @@ pub struct Difference {
 impl Difference {
     /// Returns true if the figures are equal within the tolerances.
     pub fn is_empty(&self) -> bool {
-        let lists = [self.vectors.len(), self.moved.len(), self.restyled.len(), self.added.len(), self.removed.len(), self.texts.len()];
+        let lists = [
+            self.vectors.len(),
+            self.moved.len(),
+            self.restyled.len(),
+            self.added.len(),
+            self.removed.len(),
+            self.texts.len(),
+        ];
         lists.iter().all(|n| *n == 0) && !self.pixels_differ
     }
 
@@ -163,15 +171,16 @@ impl Difference {
         out.extend(self.restyled.iter().map(|id| both!("restyled {id}", "线型或颜色不同 {id}")));
         out.extend(self.removed.iter().map(|id| both!("removed {id}", "缺少 {id}")));
         out.extend(self.added.iter().map(|id| both!("added {id}", "新增 {id}")));
-        out.extend(
-            self.texts
-                .iter()
-                .map(|Text { id, old, new }| both!("text {id}: `{old}`, now `{new}`", "文字 {id}：原为 `{old}`，现为 `{new}`")),
-        );
+        out.extend(self.texts.iter().map(|Text { id, old, new }| {
+            both!("text {id}: `{old}`, now `{new}`", "文字 {id}：原为 `{old}`，现为 `{new}`")
+        }));
         let Pixels { over, largest, bounds, sizes: [old, new] } = self.pixels;
         if old != new {
             let ([a, b], [c, d]) = (old, new);
-            out.push(both!("size: {a} by {b} pixels, now {c} by {d}", "大小：原为 {a} × {b} 像素，现为 {c} × {d}"));
+            out.push(both!(
+                "size: {a} by {b} pixels, now {c} by {d}",
+                "大小：原为 {a} × {b} 像素，现为 {c} × {d}"
+            ));
         }
         if let Some([left, top, right, bottom]) = bounds {
             out.push(both!(
@@ -199,7 +208,8 @@ impl Difference {
 /// ```
 pub fn compare(old: &Picture, new: &Picture, options: &Options) -> Result<Difference, Diagnostic> {
     let ([a, b], documents) = rasters(old, new)?;
-    let mut found = documents.map_or_else(Difference::default, |[a, b]| by_elements(&a, &b, options));
+    let mut found =
+        documents.map_or_else(Difference::default, |[a, b]| by_elements(&a, &b, options));
     found.pixels = raster::compare(&a, &b, options.channel);
     let resized = found.pixels.sizes[0] != found.pixels.sizes[1];
     found.pixels_differ = resized || options.pixels.is_some_and(|most| found.pixels.over > most);
@@ -208,7 +218,10 @@ pub fn compare(old: &Picture, new: &Picture, options: &Options) -> Result<Differ
 
 /// Returns the pixels of two figures of one kind; SVG files at one resolution and with their
 /// elements.
-fn rasters(old: &Picture, new: &Picture) -> Result<([Raster; 2], Option<[SvgDocument; 2]>), Diagnostic> {
+fn rasters(
+    old: &Picture,
+    new: &Picture,
+) -> Result<([Raster; 2], Option<[SvgDocument; 2]>), Diagnostic> {
     match (old, new) {
         (Picture::Svg(a), Picture::Svg(b)) => {
             let documents = [SvgDocument::read(a)?, SvgDocument::read(b)?];
@@ -217,8 +230,11 @@ fn rasters(old: &Picture, new: &Picture) -> Result<([Raster; 2], Option<[SvgDocu
         }
         (Picture::Png(a), Picture::Png(b)) => Ok(([a.clone(), b.clone()], None)),
         (Picture::Svg(_), Picture::Png(_)) | (Picture::Png(_), Picture::Svg(_)) => {
-            Err(Diagnostic::error("diff-kinds", both!("an SVG and a PNG cannot be compared", "SVG 与 PNG 不能比较"))
-                .help(both!("name two files of one kind", "请指定两个同类文件")))
+            Err(Diagnostic::error(
+                "diff-kinds",
+                both!("an SVG and a PNG cannot be compared", "SVG 与 PNG 不能比较"),
+            )
+            .help(both!("name two files of one kind", "请指定两个同类文件")))
         }
     }
 }
@@ -236,7 +252,8 @@ fn by_elements(old: &SvgDocument, new: &SvgDocument, options: &Options) -> Diffe
             None => out.removed.push(a.id.clone()),
         }
     }
-    out.added = new.elements.iter().filter(|b| old.find(&b.id).is_none()).map(|b| b.id.clone()).collect();
+    out.added =
+        new.elements.iter().filter(|b| old.find(&b.id).is_none()).map(|b| b.id.clone()).collect();
     out
 }
 
@@ -261,7 +278,9 @@ fn element(a: &SvgElement, b: &SvgElement, options: &Options, out: &mut Differen
                 out.vectors.push(Vector { id: id(), name: a.name.clone(), moved_mm, mm, si });
             }
         }
-        (Geometry::Lines(form, p), Geometry::Lines(other, q)) if form == other && p.len() == q.len() => {
+        (Geometry::Lines(form, p), Geometry::Lines(other, q))
+            if form == other && p.len() == q.len() =>
+        {
             let mm = p.iter().zip(q).map(|(p, q)| (p - q).abs()).fold(0.0, f64::max);
             if mm > options.tolerance_mm {
                 out.moved.push(Moved { id: id(), mm: Some(mm) });
@@ -275,6 +294,8 @@ fn element(a: &SvgElement, b: &SvgElement, options: &Options, out: &mut Differen
 }
 
 fn refused(why: Both) -> Diagnostic {
-    Diagnostic::error("diff-input", why)
-        .help(both!("figures are SVG as `hodograph` writes them, or PNG", "可比较的图形是 `hodograph` 写出的 SVG，或 PNG"))
+    Diagnostic::error("diff-input", why).help(both!(
+        "figures are SVG as `hodograph` writes them, or PNG",
+        "可比较的图形是 `hodograph` 写出的 SVG，或 PNG"
+    ))
 }

@@ -44,7 +44,9 @@ impl Raster {
 
     /// Reads the pixels of a PNG of any kind.
     pub(super) fn of_png(bytes: &[u8]) -> Result<Raster, Diagnostic> {
-        let bad = |e: png::DecodingError| super::refused(both!("the PNG cannot be read: {e}", "不能读取 PNG：{e}"));
+        let bad = |e: png::DecodingError| {
+            super::refused(both!("the PNG cannot be read: {e}", "不能读取 PNG：{e}"))
+        };
         let mut decoder = png::Decoder::new(Cursor::new(bytes));
         decoder.set_transformations(png::Transformations::normalize_to_color8());
         let mut reader = decoder.read_info().map_err(bad)?;
@@ -60,7 +62,9 @@ impl Raster {
         let mut samples = vec![0; reader.output_buffer_size().ok_or_else(too_large)?];
         let info = reader.next_frame(&mut samples).map_err(bad)?;
         let channels = info.color_type.samples();
-        let over_white = |c: u8, alpha: u8| ((u32::from(c) * u32::from(alpha) + 255 * (255 - u32::from(alpha)) + 127) / 255) as u8;
+        let over_white = |c: u8, alpha: u8| {
+            ((u32::from(c) * u32::from(alpha) + 255 * (255 - u32::from(alpha)) + 127) / 255) as u8
+        };
         let pixel = |p: &[u8]| match *p {
             [grey] => [grey; 3],
             [grey, alpha] => [over_white(grey, alpha); 3],

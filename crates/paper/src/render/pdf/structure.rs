@@ -20,13 +20,22 @@ pub(super) struct OpenList {
 impl PdfWriter<'_> {
     /// Draws members of a list. Members that start at 0 again, or change the numbering, start
     /// another list.
-    pub(super) fn list(&mut self, surface: &mut Surface, paper: PdfPaper, items: &[FigureItem], numbered: bool, members: &[usize]) {
+    pub(super) fn list(
+        &mut self,
+        surface: &mut Surface,
+        paper: PdfPaper,
+        items: &[FigureItem],
+        numbered: bool,
+        members: &[usize],
+    ) {
         let mut rest = items;
         for run in members.chunk_by(|a, b| a == b) {
             let (these, others) = rest.split_at(run.len().min(rest.len()));
             rest = others;
             let (member, content) = (run[0], self.content(surface, paper, these));
-            let goes_on = |l: &OpenList| l.numbered == numbered && l.members.last().is_some_and(|(last, _)| *last <= member);
+            let goes_on = |l: &OpenList| {
+                l.numbered == numbered && l.members.last().is_some_and(|(last, _)| *last <= member)
+            };
             if !self.list.as_ref().is_some_and(goes_on) {
                 self.end_list();
             }
@@ -40,7 +49,11 @@ impl PdfWriter<'_> {
 
     pub(super) fn end_list(&mut self) {
         let Some(OpenList { numbered, members }) = self.list.take() else { return };
-        let mut list = TagGroup::new(Tag::L(if numbered { ListNumbering::Decimal } else { ListNumbering::None }));
+        let mut list = TagGroup::new(Tag::L(if numbered {
+            ListNumbering::Decimal
+        } else {
+            ListNumbering::None
+        }));
         for (_, contents) in members {
             let mut body = TagGroup::new(Tag::LBody);
             contents.into_iter().for_each(|c| body.push(c));
@@ -52,7 +65,13 @@ impl PdfWriter<'_> {
     }
 
     /// Draws a table: each row has all columns, and each header cell its scope.
-    pub(super) fn table(&self, surface: &mut Surface, paper: PdfPaper, items: &[FigureItem], cells: &[[usize; 2]]) -> TagGroup {
+    pub(super) fn table(
+        &self,
+        surface: &mut Surface,
+        paper: PdfPaper,
+        items: &[FigureItem],
+        cells: &[[usize; 2]],
+    ) -> TagGroup {
         let count = |k: usize| cells.iter().map(|at| at[k] + 1).max().unwrap_or(0);
         let (written, rules) = items.split_at(cells.len().min(items.len()));
         let mut written = written.iter().zip(cells).peekable();

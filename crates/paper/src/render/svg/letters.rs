@@ -25,10 +25,21 @@ pub(super) fn letters(set: &Typeset) -> Vec<(LetterGlyph, [i32; 2])> {
     for run in &set.runs {
         let mut pen = run.x_em;
         for glyph in &run.glyphs {
-            let at = [pen + glyph.offset_em[0] * run.size_em, run.y_em + glyph.offset_em[1] * run.size_em].map(milli);
+            let at = [
+                pen + glyph.offset_em[0] * run.size_em,
+                run.y_em + glyph.offset_em[1] * run.size_em,
+            ]
+            .map(milli);
             pen += glyph.advance_em * run.size_em;
             if run.face.outline(glyph.id).ink.any() {
-                out.push((LetterGlyph { face: run.face.clone(), glyph: glyph.id, size: milli(run.size_em) }, at));
+                out.push((
+                    LetterGlyph {
+                        face: run.face.clone(),
+                        glyph: glyph.id,
+                        size: milli(run.size_em),
+                    },
+                    at,
+                ));
             }
         }
     }
@@ -39,7 +50,8 @@ pub(super) fn letters(set: &Typeset) -> Vec<(LetterGlyph, [i32; 2])> {
 pub(super) fn editable(set: &Typeset, size_mm: f64) -> String {
     let mut out = format!("<text xml:space=\"preserve\" font-family=\"{}\">", family(&Face::Roman));
     for run in &set.runs {
-        let (x, y, size) = (mm(run.x_em * size_mm), mm(-run.y_em * size_mm), mm(run.size_em * size_mm));
+        let (x, y, size) =
+            (mm(run.x_em * size_mm), mm(-run.y_em * size_mm), mm(run.size_em * size_mm));
         let _ = write!(out, "<tspan x=\"{x}\" y=\"{y}\" font-size=\"{size}\"");
         match &run.face {
             Face::Roman => {}
@@ -50,7 +62,8 @@ pub(super) fn editable(set: &Typeset, size_mm: f64) -> String {
             }
             Face::Own(own) => {
                 let style = if own.cut() == Cut::Slanted { " font-style=\"italic\"" } else { "" };
-                let _ = write!(out, " font-family=\"'{}',{}\"{style}", own.family(), family(&run.face));
+                let _ =
+                    write!(out, " font-family=\"'{}',{}\"{style}", own.family(), family(&run.face));
             }
         }
         let _ = write!(out, ">{}</tspan>", escaped(&run.text));
@@ -62,7 +75,9 @@ pub(super) fn editable(set: &Typeset, size_mm: f64) -> String {
 /// Returns font families similar to the embedded font, the font itself first.
 fn family(face: &Face) -> &'static str {
     match face {
-        Face::Roman | Face::Italic | Face::Bold | Face::Own(_) => "Tinos,'Times New Roman','Liberation Serif',serif",
+        Face::Roman | Face::Italic | Face::Bold | Face::Own(_) => {
+            "Tinos,'Times New Roman','Liberation Serif',serif"
+        }
         Face::Math => "'STIX Two Math','Cambria Math',Tinos,'Times New Roman',serif",
         Face::Song => "'Noto Serif CJK SC','Source Han Serif SC',SimSun,serif",
     }
@@ -78,7 +93,12 @@ impl LetterGlyph {
     /// Returns the outline, in 1/1000 em of the label.
     pub fn contours(&self) -> Vec<OutlineSegment<i32>> {
         let size = f64::from(self.size) / 1000.0;
-        self.face.outline(self.glyph).segments.iter().map(|s| s.map(|p| p.map(|em| milli(em * size)))).collect()
+        self.face
+            .outline(self.glyph)
+            .segments
+            .iter()
+            .map(|s| s.map(|p| p.map(|em| milli(em * size))))
+            .collect()
     }
 
     pub fn name(&self) -> String {
@@ -92,7 +112,11 @@ impl LetterGlyph {
             Face::Own(_) => 'p',
         };
         // Two figures of a page may have different author's fonts.
-        let own = if let Face::Own(own) = &self.face { format!("{:08x}-", own.key() as u32) } else { String::new() };
+        let own = if let Face::Own(own) = &self.face {
+            format!("{:08x}-", own.key() as u32)
+        } else {
+            String::new()
+        };
         let size = if self.size == 1000 { String::new() } else { format!("-{}", self.size) };
         format!("g{face}{own}{}{size}", self.glyph)
     }

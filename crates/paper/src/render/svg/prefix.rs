@@ -18,10 +18,14 @@ impl IdPrefix {
     /// `id-prefix` for a text that cannot start an id.
     pub fn new(text: &str) -> Result<IdPrefix, Diagnostic> {
         let starts = text.chars().next().is_none_or(|c| c.is_ascii_alphabetic());
-        if starts && text.len() <= LONGEST && text.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '-' | '_')) {
+        if starts
+            && text.len() <= LONGEST
+            && text.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '-' | '_'))
+        {
             return Ok(IdPrefix(text.to_owned()));
         }
-        let message = both!("`{text}` cannot begin the ids of a figure", "`{text}` 不能作图中 id 的前缀");
+        let message =
+            both!("`{text}` cannot begin the ids of a figure", "`{text}` 不能作图中 id 的前缀");
         Err(Diagnostic::error("id-prefix", message).help(both!(
             "an ASCII letter first, then letters, digits, - or _, at most {LONGEST} of them, such as fig1-",
             "以 ASCII 字母开头，后接字母、数字、- 或 _，至多 {LONGEST} 个字符，如 fig1-"
@@ -59,7 +63,9 @@ impl IdPrefix {
             if before.ends_with(" id=\"") {
                 out.push_str(&self.0);
                 out.push_str(value);
-            } else if let Some(id) = value.strip_prefix('#').filter(|_| before.ends_with(" xlink:href=\"")) {
+            } else if let Some(id) =
+                value.strip_prefix('#').filter(|_| before.ends_with(" xlink:href=\""))
+            {
                 out.push('#');
                 out.push_str(&self.0);
                 out.push_str(id);

@@ -28,20 +28,36 @@ impl CrankRocker {
                 places.push((through + along * ((middle - through.y) / along.y), true));
             }
         } else {
-            let (radius, rise) = (chord / (2.0 * libm::sin(theta)), chord / (2.0 * libm::tan(theta)));
+            let (radius, rise) =
+                (chord / (2.0 * libm::sin(theta)), chord / (2.0 * libm::tan(theta)));
             for above in [true, false] {
                 let centre = Point::new(0.0, middle + if above { rise } else { -rise });
-                let crossings = cross_circle(through, along, centre, radius).into_iter().flatten().map(|at| through + along * at);
+                let crossings = cross_circle(through, along, centre, radius)
+                    .into_iter()
+                    .flatten()
+                    .map(|at| through + along * at);
                 // The arc on the far side of the chord has the angle 180° − θ.
-                places.extend(crossings.filter(|a| if above { a.y > middle } else { a.y < middle }).map(|a| (a, above)));
+                places.extend(
+                    crossings
+                        .filter(|a| if above { a.y > middle } else { a.y < middle })
+                        .map(|a| (a, above)),
+                );
             }
         }
         // On the axis of symmetry AC₁ = AC₂: the crank has zero length.
         places.retain(|(a, _)| (a.distance(c[0]) - a.distance(c[1])).abs() > 1e-6 * self.rocker);
         let named = |(k, (a, above)): (usize, &(Point, bool))| {
             let which = match above {
-                true => both!("crossing {} of the line, beyond C1C2", "直线的第 {} 个交点，在 C1C2 之外", k + 1),
-                false => both!("crossing {} of the line, on the side of D", "直线的第 {} 个交点，在 D 一侧", k + 1),
+                true => both!(
+                    "crossing {} of the line, beyond C1C2",
+                    "直线的第 {} 个交点，在 C1C2 之外",
+                    k + 1
+                ),
+                false => both!(
+                    "crossing {} of the line, on the side of D",
+                    "直线的第 {} 个交点，在 D 一侧",
+                    k + 1
+                ),
             };
             self.laid(which, *a, c)
         };
@@ -51,8 +67,13 @@ impl CrankRocker {
     /// The linkages with A where AC₁ and AC₂ are sum and difference of the two bars.
     pub(super) fn by_bar(&self, swing: f64, bar: GivenBar) -> Vec<Limits> {
         let c = self.swung(swing);
-        let Some([crank, coupler]) = bar.both(c[0].distance(c[1]), libm::cos(self.ratio.theta)) else { return Vec::new() };
-        let Some(both_sides) = cross_circles(c[0], coupler + crank, c[1], coupler - crank) else { return Vec::new() };
+        let Some([crank, coupler]) = bar.both(c[0].distance(c[1]), libm::cos(self.ratio.theta))
+        else {
+            return Vec::new();
+        };
+        let Some(both_sides) = cross_circles(c[0], coupler + crank, c[1], coupler - crank) else {
+            return Vec::new();
+        };
         let middle = self.rocker * libm::cos(swing / 2.0);
         let named = |a: Point| {
             let which = if a.y > middle {
@@ -79,7 +100,8 @@ impl CrankRocker {
     /// The linkages of the family with the wanted least transmission angle.
     pub(super) fn at_gamma(&self, swing: f64, gamma: f64) -> Result<Vec<Limits>, Faults> {
         let family = Family::of(self.ratio.theta, swing);
-        let found = if self.ratio.theta > 0.0 { family.at(libm::cos(gamma), 1440) } else { Vec::new() };
+        let found =
+            if self.ratio.theta > 0.0 { family.at(libm::cos(gamma), 1440) } else { Vec::new() };
         if found.is_empty() {
             let (k, psi, wanted) = (self.ratio.k, swing.to_degrees(), gamma.to_degrees());
             let [k, psi, wanted] = [k, psi, wanted].map(|v| significant(v, 4));
@@ -99,8 +121,16 @@ impl CrankRocker {
         }
         let told = |(beta, toward_d): (f64, bool)| {
             let which = match toward_d {
-                true => both!("A on the side of D, β = {}°", "A 在 D 一侧，β = {}°", significant(beta.to_degrees(), 4)),
-                false => both!("A beyond C1C2, β = {}°", "A 在 C1C2 之外，β = {}°", significant(beta.to_degrees(), 4)),
+                true => both!(
+                    "A on the side of D, β = {}°",
+                    "A 在 D 一侧，β = {}°",
+                    significant(beta.to_degrees(), 4)
+                ),
+                false => both!(
+                    "A beyond C1C2, β = {}°",
+                    "A 在 C1C2 之外，β = {}°",
+                    significant(beta.to_degrees(), 4)
+                ),
             };
             self.laid(which, family.place(beta, toward_d, self.rocker), self.swung(swing))
         };
@@ -111,7 +141,8 @@ impl CrankRocker {
                 let far = l.c.map(|c| c.to_vec2().norm());
                 [far[0].min(far[1]), far[0].max(far[1]), l.d.x]
             };
-            let same = |m: &Limits| reach(m).iter().zip(reach(&l)).all(|(p, q)| (p - q).abs() <= 1e-9 * q);
+            let same =
+                |m: &Limits| reach(m).iter().zip(reach(&l)).all(|(p, q)| (p - q).abs() <= 1e-9 * q);
             if !all.iter().any(same) {
                 all.push(l);
             }
@@ -143,20 +174,37 @@ impl CrankRocker {
         let own = self.ratio.k;
         let (way, other) = match self.way {
             RockerGivens::Limit { frame, angle } => {
-                let works = |mm: f64| mm > 0.0 && self.works(RockerGivens::Limit { frame: mm * 1e-3, angle }, own);
-                (RockerGivens::Limit { frame, angle }, number(frame * 1e3, frame * 1e3, works).map(frame_told))
+                let works = |mm: f64| {
+                    mm > 0.0 && self.works(RockerGivens::Limit { frame: mm * 1e-3, angle }, own)
+                };
+                (
+                    RockerGivens::Limit { frame, angle },
+                    number(frame * 1e3, frame * 1e3, works).map(frame_told),
+                )
             }
             RockerGivens::Swing { swing, frame } => {
-                let works = |mm: f64| mm > 0.0 && self.works(RockerGivens::Swing { swing, frame: mm * 1e-3 }, own);
+                let works = |mm: f64| {
+                    mm > 0.0 && self.works(RockerGivens::Swing { swing, frame: mm * 1e-3 }, own)
+                };
                 // The range that works may be narrower than the steps: the best of all linkages is
                 // in it.
                 let best = || self.best(swing, &mut Vec::new()).ok()?.first().map(|l| l.d.x * 1e3);
-                (RockerGivens::Swing { swing, frame }, number(frame * 1e3, frame * 1e3, works).or_else(best).map(frame_told))
+                (
+                    RockerGivens::Swing { swing, frame },
+                    number(frame * 1e3, frame * 1e3, works).or_else(best).map(frame_told),
+                )
             }
             RockerGivens::Bar { swing, bar } => {
-                let works = |mm: f64| mm > 0.0 && self.works(RockerGivens::Bar { swing, bar: bar.with(mm) }, own);
-                let said = |mm: f64| both!("with \"{}\": \"{} mm\"", "取 \"{}\": \"{} mm\"", bar.key(), told(mm));
-                (RockerGivens::Bar { swing, bar }, number(bar.length() * 1e3, bar.length() * 1e3, works).map(said))
+                let works = |mm: f64| {
+                    mm > 0.0 && self.works(RockerGivens::Bar { swing, bar: bar.with(mm) }, own)
+                };
+                let said = |mm: f64| {
+                    both!("with \"{}\": \"{} mm\"", "取 \"{}\": \"{} mm\"", bar.key(), told(mm))
+                };
+                (
+                    RockerGivens::Bar { swing, bar },
+                    number(bar.length() * 1e3, bar.length() * 1e3, works).map(said),
+                )
             }
             RockerGivens::Line { swing, line } => {
                 let place = |[x, y]: [f64; 2]| Point::new(x * 1e-3, y * 1e-3);
@@ -169,21 +217,36 @@ impl CrankRocker {
                 let moved = |axis: usize| {
                     let works = |v: f64| {
                         let from = place(shifted(axis, v));
-                        self.works(RockerGivens::Line { swing, line: [from, from + (line[1] - line[0])] }, own)
+                        self.works(
+                            RockerGivens::Line { swing, line: [from, from + (line[1] - line[0])] },
+                            own,
+                        )
                     };
-                    number(through[axis], self.rocker * 1e3, works).map(|v| ((v - through[axis]).abs(), shifted(axis, v)))
+                    number(through[axis], self.rocker * 1e3, works)
+                        .map(|v| ((v - through[axis]).abs(), shifted(axis, v)))
                 };
                 let best = [0, 1].into_iter().filter_map(moved).min_by(|a, b| a.0.total_cmp(&b.0));
                 let said = |(_, [x, y]): (f64, [f64; 2])| {
-                    both!("with \"through\": [\"{} mm\", \"{} mm\"]", "取 \"through\": [\"{} mm\", \"{} mm\"]", told(x), told(y))
+                    both!(
+                        "with \"through\": [\"{} mm\", \"{} mm\"]",
+                        "取 \"through\": [\"{} mm\", \"{} mm\"]",
+                        told(x),
+                        told(y)
+                    )
                 };
                 (RockerGivens::Line { swing, line }, best.map(said))
             }
             RockerGivens::Best { .. } | RockerGivens::Gamma { .. } => return Both::default(),
         };
-        let k = number(own, own, |k| self.works(way.clone(), k)).map(|k| both!("with \"K\": {}", "取 \"K\": {}", told(k)));
+        let k = number(own, own, |k| self.works(way.clone(), k))
+            .map(|k| both!("with \"K\": {}", "取 \"K\": {}", told(k)));
         match (other, k) {
-            (Some(one), Some(two)) => both!("there is one {}; or, all else as given, {}", "{}时有解；或其余不变，{}时有解", one, two),
+            (Some(one), Some(two)) => both!(
+                "there is one {}; or, all else as given, {}",
+                "{}时有解；或其余不变，{}时有解",
+                one,
+                two
+            ),
             (Some(one), None) | (None, Some(one)) => both!("there is one {}", "{}时有解", one),
             (None, None) => both!(
                 "leave \"frame\", \"limit\" and \"line\" out and give \"swing\" alone: the linkage with the best transmission angle is taken",

@@ -24,13 +24,19 @@ impl CrankRocker {
     pub(super) fn drawn(&self, draft: &Draft, board: &mut SynthesisBoard) -> Option<()> {
         match self.way {
             RockerGivens::Limit { frame, angle } => {
-                let ray = |sense: f64, k: usize| move |board: &mut SynthesisBoard| self.by_ray(board, [frame, angle], sense, k);
+                let ray = |sense: f64, k: usize| {
+                    move |board: &mut SynthesisBoard| self.by_ray(board, [frame, angle], sense, k)
+                };
                 let (a, b, c, d) = (ray(1.0, 0), ray(1.0, 1), ray(-1.0, 0), ray(-1.0, 1));
                 board.meant(draft, &[&a, &b, &c, &d])
             }
-            RockerGivens::Swing { swing, frame } => self.on_arc(draft, board, swing, Fixed::Frame(frame)),
+            RockerGivens::Swing { swing, frame } => {
+                self.on_arc(draft, board, swing, Fixed::Frame(frame))
+            }
             RockerGivens::Bar { swing, bar } => self.on_arc(draft, board, swing, Fixed::Bar(bar)),
-            RockerGivens::Line { swing, line } => self.on_arc(draft, board, swing, Fixed::Line(line)),
+            RockerGivens::Line { swing, line } => {
+                self.on_arc(draft, board, swing, Fixed::Line(line))
+            }
             RockerGivens::Best { swing, .. } | RockerGivens::Gamma { swing, .. } => {
                 self.on_arc(draft, board, swing, Fixed::Beta(of(draft, "beta")))
             }
@@ -38,8 +44,15 @@ impl CrankRocker {
     }
 
     /// Draws C₂ at the intersection of the ray AC₁, turned by θ, with the rocker's circle.
-    fn by_ray(&self, board: &mut SynthesisBoard, [frame, angle]: [f64; 2], sense: f64, k: usize) -> Option<()> {
-        let (a, d, radius) = (Point::ORIGIN, Point::new(board.mm(frame), 0.0), board.mm(self.rocker));
+    fn by_ray(
+        &self,
+        board: &mut SynthesisBoard,
+        [frame, angle]: [f64; 2],
+        sense: f64,
+        k: usize,
+    ) -> Option<()> {
+        let (a, d, radius) =
+            (Point::ORIGIN, Point::new(board.mm(frame), 0.0), board.mm(self.rocker));
         let c1 = PaperLine::ray(d, PI - angle).place(radius);
         board.step(both!(
             "Lay off the frame AD and the rocker DC1 under the given angle; draw the circle about D through C1",
@@ -62,24 +75,52 @@ impl CrankRocker {
             "Draw AC1 and turn it about A by θ = {theta}°: the ray meets the circle at C2",
             "连 AC1，绕 A 转过 θ = {theta}°，射线与圆交于 C2"
         ));
-        board.line(a, c1, Weight::Thin).line(a, c2, Weight::Thin).line(d, c2, Weight::Given).mark("C_2", c2);
+        board
+            .line(a, c1, Weight::Thin)
+            .line(a, c2, Weight::Thin)
+            .line(d, c2, Weight::Given)
+            .mark("C_2", c2);
         board.halve(a, [c1, c2])
     }
 
     /// Draws A on the circle over C₁C₂ with the inscribed angle θ: at the frame's length from D, on
     /// a line, by a bar, or under the chosen angle β.
-    fn on_arc(&self, draft: &Draft, board: &mut SynthesisBoard, swing: f64, fixed: Fixed) -> Option<()> {
+    fn on_arc(
+        &self,
+        draft: &Draft,
+        board: &mut SynthesisBoard,
+        swing: f64,
+        fixed: Fixed,
+    ) -> Option<()> {
         // Where another length determines the size, the rocker follows from the shape.
         let (d, radius) = (Point::ORIGIN, board.mm(of(draft, "CD")));
-        let [c1, c2] = [1.0, -1.0].map(|s| PaperLine::ray(d, FRAC_PI_2 + s * swing / 2.0).place(radius));
-        board.step(both!("Lay off the rocker in its limits DC1 and DC2 under the swing ψ", "按摆角 ψ 作摇杆的两极限位置 DC1、DC2"));
-        board.line(d, c1, Weight::Given).line(d, c2, Weight::Given).mark("D", d).mark("C_1", c1).mark("C_2", c2);
-        let way = |beyond: bool, k: usize| move |board: &mut SynthesisBoard| self.arc(board, [d, c1, c2], fixed, beyond, k);
+        let [c1, c2] =
+            [1.0, -1.0].map(|s| PaperLine::ray(d, FRAC_PI_2 + s * swing / 2.0).place(radius));
+        board.step(both!(
+            "Lay off the rocker in its limits DC1 and DC2 under the swing ψ",
+            "按摆角 ψ 作摇杆的两极限位置 DC1、DC2"
+        ));
+        board
+            .line(d, c1, Weight::Given)
+            .line(d, c2, Weight::Given)
+            .mark("D", d)
+            .mark("C_1", c1)
+            .mark("C_2", c2);
+        let way = |beyond: bool, k: usize| {
+            move |board: &mut SynthesisBoard| self.arc(board, [d, c1, c2], fixed, beyond, k)
+        };
         let (p, q, r, s) = (way(true, 0), way(true, 1), way(false, 0), way(false, 1));
         board.meant(draft, &[&p, &q, &r, &s])
     }
 
-    fn arc(&self, board: &mut SynthesisBoard, [d, c1, c2]: [Point; 3], fixed: Fixed, beyond: bool, k: usize) -> Option<()> {
+    fn arc(
+        &self,
+        board: &mut SynthesisBoard,
+        [d, c1, c2]: [Point; 3],
+        fixed: Fixed,
+        beyond: bool,
+        k: usize,
+    ) -> Option<()> {
         let theta = self.ratio.theta;
         let named = significant(theta.to_degrees(), 4);
         if theta == 0.0 {
@@ -96,8 +137,10 @@ impl CrankRocker {
                 }
                 Fixed::Line(given) => {
                     let a = line.cross(&through(board, given)?)?;
-                    board
-                        .step(both!("θ = 0: A lies where the line C1C2 meets the given line", "θ = 0：A 为 C1C2 的延长线与给定直线的交点"));
+                    board.step(both!(
+                        "θ = 0: A lies where the line C1C2 meets the given line",
+                        "θ = 0：A 为 C1C2 的延长线与给定直线的交点"
+                    ));
                     board.line(board.at(given[0]), a, Weight::Thin);
                     a
                 }
@@ -117,7 +160,10 @@ impl CrankRocker {
         let a = match fixed {
             Fixed::Frame(frame) => {
                 let opening = board.mm(frame);
-                board.step(both!("With the frame AD as opening about D cut the circle: A", "以 D 为圆心、机架长为半径截该圆得 A"));
+                board.step(both!(
+                    "With the frame AD as opening about D cut the circle: A",
+                    "以 D 为圆心、机架长为半径截该圆得 A"
+                ));
                 board.circle(d, opening, Weight::Thin);
                 board.circles(d, opening, centre, radius)?[k]
             }
@@ -133,7 +179,9 @@ impl CrankRocker {
                 let ray = PaperLine::ray(c2, (c1 - c2).angle() + side * beta);
                 let text = significant(beta.to_degrees(), 5);
                 let why = match self.way {
-                    RockerGivens::Gamma { .. } => both!("the wanted transmission angle", "给定的传动角"),
+                    RockerGivens::Gamma { .. } => {
+                        both!("the wanted transmission angle", "给定的传动角")
+                    }
                     RockerGivens::Limit { .. }
                     | RockerGivens::Swing { .. }
                     | RockerGivens::Bar { .. }
@@ -148,7 +196,9 @@ impl CrankRocker {
                     why
                 ));
                 let crossings = board.cut(&ray, centre, radius)?;
-                let far = crossings.into_iter().max_by(|p, q| p.distance(c2).total_cmp(&q.distance(c2)))?;
+                let far = crossings
+                    .into_iter()
+                    .max_by(|p, q| p.distance(c2).total_cmp(&q.distance(c2)))?;
                 (k == 0).then_some(far)?
             }
         };
@@ -156,7 +206,12 @@ impl CrankRocker {
         if (c1 - a).dot(c2 - a) * libm::cos(theta) < 0.0 {
             return None;
         }
-        board.line(d, a, Weight::Result).line(a, c1, Weight::Thin).line(a, c2, Weight::Thin).mark("A", a).read("AD", a, d);
+        board
+            .line(d, a, Weight::Result)
+            .line(a, c1, Weight::Thin)
+            .line(a, c2, Weight::Thin)
+            .mark("A", a)
+            .read("AD", a, d);
         board.halve(a, [c1, c2])
     }
 }

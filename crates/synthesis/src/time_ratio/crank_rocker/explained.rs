@@ -13,9 +13,15 @@ impl CrankRocker {
         let mut given = vec![
             both!("time ratio $K = {}$", "行程速度变化系数 $K = {}$", number(self.ratio.k)),
             match self.size {
-                SizeBasis::Rocker => both!("rocker $l_{{CD}} = {}$", "摇杆 $l_{{CD}} = {}$", length(self.rocker)),
-                SizeBasis::Frame(frame) => both!("frame $l_{{AD}} = {}$", "机架 $l_{{AD}} = {}$", length(frame)),
-                SizeBasis::Crank(crank) => both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(crank)),
+                SizeBasis::Rocker => {
+                    both!("rocker $l_{{CD}} = {}$", "摇杆 $l_{{CD}} = {}$", length(self.rocker))
+                }
+                SizeBasis::Frame(frame) => {
+                    both!("frame $l_{{AD}} = {}$", "机架 $l_{{AD}} = {}$", length(frame))
+                }
+                SizeBasis::Crank(crank) => {
+                    both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(crank))
+                }
             },
         ];
         match self.way {
@@ -28,15 +34,27 @@ impl CrankRocker {
                 ));
             }
             RockerGivens::Swing { swing, frame } => {
-                given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
+                given.push(both!(
+                    "swing of the rocker $\\psi = {}$",
+                    "摇杆摆角 $\\psi = {}$",
+                    angle(swing)
+                ));
                 given.push(both!("frame $l_{{AD}} = {}$", "机架 $l_{{AD}} = {}$", length(frame)));
             }
             RockerGivens::Bar { swing, bar } => {
-                given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
+                given.push(both!(
+                    "swing of the rocker $\\psi = {}$",
+                    "摇杆摆角 $\\psi = {}$",
+                    angle(swing)
+                ));
                 given.push(bar.told());
             }
             RockerGivens::Line { swing, line: [through, end] } => {
-                given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
+                given.push(both!(
+                    "swing of the rocker $\\psi = {}$",
+                    "摇杆摆角 $\\psi = {}$",
+                    angle(swing)
+                ));
                 given.push(both!(
                     "$A$ on the line through ${}$ under ${}$ ($D$ the origin, the swing even about the upward axis)",
                     "$A$ 在过 ${}$、倾角为 ${}$ 的直线上（$D$ 为原点，摆角关于竖直轴对称）",
@@ -45,7 +63,11 @@ impl CrankRocker {
                 ));
             }
             RockerGivens::Gamma { swing, gamma } => {
-                given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
+                given.push(both!(
+                    "swing of the rocker $\\psi = {}$",
+                    "摇杆摆角 $\\psi = {}$",
+                    angle(swing)
+                ));
                 given.push(both!(
                     "least transmission angle $\\gamma_{{\\text{{min}}}} = {}$",
                     "最小传动角 $\\gamma_{{\\text{{min}}}} = {}$",
@@ -53,31 +75,43 @@ impl CrankRocker {
                 ));
             }
             RockerGivens::Best { swing, .. } => {
-                given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
+                given.push(both!(
+                    "swing of the rocker $\\psi = {}$",
+                    "摇杆摆角 $\\psi = {}$",
+                    angle(swing)
+                ));
                 given.push(both!(
                     "the least transmission angle $\\gamma_{{\\text{{min}}}}$ is to be as great as possible",
                     "最小传动角 $\\gamma_{{\\text{{min}}}}$ 应尽可能大"
                 ));
             }
         }
-        let crank_given = matches!(self.way, RockerGivens::Bar { bar: GivenBar::Crank(_), .. }) || matches!(self.size, SizeBasis::Crank(_));
-        let mut wanted = vec![if let RockerGivens::Bar { bar: GivenBar::Coupler(_), .. } = self.way {
-            both!("the length of the crank $l_{{AB}}$", "曲柄 $l_{{AB}}$ 的长度")
-        } else if crank_given {
-            both!("the length of the coupler $l_{{BC}}$", "连杆 $l_{{BC}}$ 的长度")
-        } else {
-            both!("the lengths of crank $l_{{AB}}$ and coupler $l_{{BC}}$", "曲柄 $l_{{AB}}$ 与连杆 $l_{{BC}}$ 的长度")
-        }];
+        let crank_given = matches!(self.way, RockerGivens::Bar { bar: GivenBar::Crank(_), .. })
+            || matches!(self.size, SizeBasis::Crank(_));
+        let mut wanted =
+            vec![if let RockerGivens::Bar { bar: GivenBar::Coupler(_), .. } = self.way {
+                both!("the length of the crank $l_{{AB}}$", "曲柄 $l_{{AB}}$ 的长度")
+            } else if crank_given {
+                both!("the length of the coupler $l_{{BC}}$", "连杆 $l_{{BC}}$ 的长度")
+            } else {
+                both!(
+                    "the lengths of crank $l_{{AB}}$ and coupler $l_{{BC}}$",
+                    "曲柄 $l_{{AB}}$ 与连杆 $l_{{BC}}$ 的长度"
+                )
+            }];
         if self.size != SizeBasis::Rocker {
             wanted.push(both!("the rocker $l_{{CD}}$", "摇杆 $l_{{CD}}$ 的长度"));
         }
-        let framed =
-            matches!(self.way, RockerGivens::Limit { .. } | RockerGivens::Swing { .. }) || matches!(self.size, SizeBasis::Frame(_));
+        let framed = matches!(self.way, RockerGivens::Limit { .. } | RockerGivens::Swing { .. })
+            || matches!(self.size, SizeBasis::Frame(_));
         if !framed {
             wanted.push(both!("the frame $l_{{AD}}$", "机架 $l_{{AD}}$ 的长度"));
         }
         if !matches!(self.way, RockerGivens::Gamma { .. }) {
-            wanted.push(both!("the least transmission angle $\\gamma_{{\\text{{min}}}}$", "最小传动角 $\\gamma_{{\\text{{min}}}}$"));
+            wanted.push(both!(
+                "the least transmission angle $\\gamma_{{\\text{{min}}}}$",
+                "最小传动角 $\\gamma_{{\\text{{min}}}}$"
+            ));
         }
         let task = both!(
             "Design a crank-rocker $ABCD$ with a quick return: crank $AB$, coupler $BC$, rocker $CD$, frame $AD$.",
@@ -89,7 +123,13 @@ impl CrankRocker {
     pub(super) fn proved(&self, draft: &Draft) -> Vec<Proof> {
         let mut out = vec![angle_of_limits(self.ratio.k, self.ratio.theta)];
         // The frame lies along x, A at the origin.
-        let limits: Vec<Point> = draft.wanted.iter().flat_map(|w| &w.places).filter(|(n, _)| n == "C").map(|(_, p)| *p).collect();
+        let limits: Vec<Point> = draft
+            .wanted
+            .iter()
+            .flat_map(|w| &w.places)
+            .filter(|(n, _)| n == "C")
+            .map(|(_, p)| *p)
+            .collect();
         let [c1, c2] = limits[..] else { return out };
         let ac = [c1, c2].map(|c| c.to_vec2().norm());
         out.push(self.second_limit(draft, ac));
@@ -124,7 +164,8 @@ impl CrankRocker {
                     "$C_2$ 在 $AC_1$ 转过 $\\theta$ 的射线与摇杆圆弧上：记 $\\delta = \\angle C_2AD$，由余弦定理得 $l_{{AC_2}}$ 的二次方程"
                 ),
                 [
-                    "l_{AC_2}^2 − 2\\,l_{AC_2}\\,l_{AD}\\cos\\delta + l_{AD}^2 = l_{CD}^2".to_owned(),
+                    "l_{AC_2}^2 − 2\\,l_{AC_2}\\,l_{AD}\\cos\\delta + l_{AD}^2 = l_{CD}^2"
+                        .to_owned(),
                     format!("l_{{AC_1}} = {} ,\\quad l_{{AC_2}} = {}", length(ac1), length(ac2)),
                 ],
             ),
@@ -137,13 +178,23 @@ impl CrankRocker {
                         "两极限位置 $l_{{AC}} = l_{{BC}} \\pm l_{{AB}}$，在 $AC_1C_2$ 中由余弦定理得另一杆长"
                     ),
                     [
-                        format!("l_{{C_1C_2}} = 2\\,l_{{CD}}\\sin\\frac{{\\psi}}{{2}} = {}", length(chord)),
+                        format!(
+                            "l_{{C_1C_2}} = 2\\,l_{{CD}}\\sin\\frac{{\\psi}}{{2}} = {}",
+                            length(chord)
+                        ),
                         format!("{formula} ,\\quad l_{{{other}}} = {}", length(of(draft, other))),
-                        format!("l_{{AC_1}} = {} ,\\quad l_{{AC_2}} = {}", length(ac1), length(ac2)),
+                        format!(
+                            "l_{{AC_1}} = {} ,\\quad l_{{AC_2}} = {}",
+                            length(ac1),
+                            length(ac2)
+                        ),
                     ],
                 )
             }
-            RockerGivens::Swing { .. } | RockerGivens::Line { .. } | RockerGivens::Best { .. } | RockerGivens::Gamma { .. } => {
+            RockerGivens::Swing { .. }
+            | RockerGivens::Line { .. }
+            | RockerGivens::Best { .. }
+            | RockerGivens::Gamma { .. } => {
                 let chord = 2.0 * of(draft, "CD") * libm::sin(of(draft, "psi") / 2.0);
                 Proof::new(
                     both!(
@@ -151,7 +202,10 @@ impl CrankRocker {
                         "$A$ 在以 $C_1C_2$ 为弦、圆周角为 $\\theta$ 的圆上；记 $\\beta = \\angle C_1C_2A$，由正弦定理得"
                     ),
                     [
-                        format!("l_{{C_1C_2}} = 2\\,l_{{CD}}\\sin\\frac{{\\psi}}{{2}} = {}", length(chord)),
+                        format!(
+                            "l_{{C_1C_2}} = 2\\,l_{{CD}}\\sin\\frac{{\\psi}}{{2}} = {}",
+                            length(chord)
+                        ),
                         format!(
                             "l_{{AC_1}} = \\frac{{l_{{C_1C_2}}\\sin\\beta}}{{\\sin\\theta}} = {} ,\\quad l_{{AC_2}} = \\frac{{l_{{C_1C_2}}\\sin(\\beta + \\theta)}}{{\\sin\\theta}} = {}",
                             length(ac1),

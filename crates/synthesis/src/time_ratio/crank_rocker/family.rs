@@ -46,7 +46,11 @@ impl Family {
                 }
                 for _ in 0..80 {
                     let middle = (low + high) / 2.0;
-                    if off(middle).is_some_and(|m| (m > 0.0) == (p > 0.0)) { low = middle } else { high = middle }
+                    if off(middle).is_some_and(|m| (m > 0.0) == (p > 0.0)) {
+                        low = middle
+                    } else {
+                        high = middle
+                    }
                 }
                 found.push(((low + high) / 2.0, side));
             }
@@ -58,8 +62,12 @@ impl Family {
     /// whether A is on the side of D.
     pub(super) fn scanned(&self, steps: usize) -> Option<(f64, f64, bool)> {
         let to = PI - self.theta.approx();
-        let sides = [true, false].into_iter().flat_map(|side| (0..steps).map(move |i| (to * (i as f64 + 0.5) / steps as f64, side)));
-        let all = sides.filter_map(|(beta, side)| Some((self.worst(Dd::from_f64(beta), side)?.approx(), beta, side)));
+        let sides = [true, false]
+            .into_iter()
+            .flat_map(|side| (0..steps).map(move |i| (to * (i as f64 + 0.5) / steps as f64, side)));
+        let all = sides.filter_map(|(beta, side)| {
+            Some((self.worst(Dd::from_f64(beta), side)?.approx(), beta, side))
+        });
         all.min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
@@ -88,7 +96,9 @@ impl Family {
         let (x, y) = (ac2 * cos_beta - chord / two, ac2 * sin_beta);
         let down = if toward_d { y - cos_half } else { y + cos_half };
         let d = (x * x + down * down).sqrt();
-        let crank = a.approx() < b.approx().min(1.0).min(d.approx()) && a.approx() > 1e-6 && self.joined(beta.approx(), toward_d);
+        let crank = a.approx() < b.approx().min(1.0).min(d.approx())
+            && a.approx() > 1e-6
+            && self.joined(beta.approx(), toward_d);
         let longest = b.approx().max(1.0).max(d.approx());
         let rest = a.approx() + b.approx() + 1.0 + d.approx();
         (crank && 2.0 * (a.approx() + longest) < rest).then_some([a, b, d])

@@ -10,19 +10,34 @@ impl SliderCrank {
     pub(super) fn stated(&self) -> Statement {
         let third = match self.third {
             ThirdGiven::Offset(e) => both!("offset $e = {}$", "偏距 $e = {}$", length(e)),
-            ThirdGiven::Crank(a) => both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(a)),
+            ThirdGiven::Crank(a) => {
+                both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(a))
+            }
             ThirdGiven::Rod(b) => both!("rod $l_{{BC}} = {}$", "连杆 $l_{{BC}} = {}$", length(b)),
-            ThirdGiven::Best => both!("the greatest pressure angle is to be as small as possible", "最大压力角应尽可能小"),
+            ThirdGiven::Best => both!(
+                "the greatest pressure angle is to be as small as possible",
+                "最大压力角应尽可能小"
+            ),
         };
         let wanted = match self.third {
             ThirdGiven::Offset(_) => {
-                both!("the lengths of crank $l_{{AB}}$ and rod $l_{{BC}}$", "曲柄 $l_{{AB}}$ 与连杆 $l_{{BC}}$ 的长度")
+                both!(
+                    "the lengths of crank $l_{{AB}}$ and rod $l_{{BC}}$",
+                    "曲柄 $l_{{AB}}$ 与连杆 $l_{{BC}}$ 的长度"
+                )
             }
-            ThirdGiven::Crank(_) => both!("the rod $l_{{BC}}$ and the offset $e$", "连杆 $l_{{BC}}$ 与偏距 $e$"),
+            ThirdGiven::Crank(_) => {
+                both!("the rod $l_{{BC}}$ and the offset $e$", "连杆 $l_{{BC}}$ 与偏距 $e$")
+            }
             ThirdGiven::Best => {
-                both!("the crank $l_{{AB}}$, the rod $l_{{BC}}$ and the offset $e$", "曲柄 $l_{{AB}}$、连杆 $l_{{BC}}$ 与偏距 $e$")
+                both!(
+                    "the crank $l_{{AB}}$, the rod $l_{{BC}}$ and the offset $e$",
+                    "曲柄 $l_{{AB}}$、连杆 $l_{{BC}}$ 与偏距 $e$"
+                )
             }
-            ThirdGiven::Rod(_) => both!("the crank $l_{{AB}}$ and the offset $e$", "曲柄 $l_{{AB}}$ 与偏距 $e$"),
+            ThirdGiven::Rod(_) => {
+                both!("the crank $l_{{AB}}$ and the offset $e$", "曲柄 $l_{{AB}}$ 与偏距 $e$")
+            }
         };
         Statement {
             task: both!(
@@ -36,7 +51,10 @@ impl SliderCrank {
             ],
             wanted: vec![
                 wanted,
-                both!("the greatest pressure angle $\\alpha_{{\\text{{max}}}}$", "最大压力角 $\\alpha_{{\\text{{max}}}}$"),
+                both!(
+                    "the greatest pressure angle $\\alpha_{{\\text{{max}}}}$",
+                    "最大压力角 $\\alpha_{{\\text{{max}}}}$"
+                ),
             ],
             open_steps: 1,
         }
@@ -45,16 +63,24 @@ impl SliderCrank {
     pub(super) fn proved(&self, draft: &Draft) -> Vec<Proof> {
         let (a, b, e) = (of(draft, "AB"), of(draft, "BC"), of(draft, "e"));
         let pressure = Proof::new(
-            both!("The pressure angle is greatest when the crank is square to the guide:", "曲柄垂直于导路时压力角最大："),
+            both!(
+                "The pressure angle is greatest when the crank is square to the guide:",
+                "曲柄垂直于导路时压力角最大："
+            ),
             [format!(
                 "\\sin\\alpha_{{\\text{{max}}}} = \\frac{{l_{{AB}} + e}}{{l_{{BC}}}} ,\\quad \\alpha_{{\\text{{max}}}} = {}",
                 angle(of(draft, "alpha_max"))
             )],
         );
         if self.ratio.theta == 0.0 {
-            let centric =
-                both!("Without a quick return the offset is zero and the crank half the stroke:", "无急回时偏距为零，曲柄长为行程之半：");
-            return vec![Proof::new(centric, [format!("l_{{AB}} = \\frac{{H}}{{2}} = {}", length(a))]), pressure];
+            let centric = both!(
+                "Without a quick return the offset is zero and the crank half the stroke:",
+                "无急回时偏距为零，曲柄长为行程之半："
+            );
+            return vec![
+                Proof::new(centric, [format!("l_{{AB}} = \\frac{{H}}{{2}} = {}", length(a))]),
+                pressure,
+            ];
         }
         vec![
             angle_of_limits(self.ratio.k, self.ratio.theta),

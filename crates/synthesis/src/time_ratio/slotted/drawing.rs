@@ -30,7 +30,11 @@ impl Slotted {
             let b = PaperLine::ray(a, -half).place(radius);
             let c = PaperLine::ray(b, lever).cross(&PaperLine::ray(a, -FRAC_PI_2))?;
             board.step(both!("Draw the crank circle about A; lay off θ/2 = {named}° below the horizontal: B1; the tangent there meets the vertical through A at C", "以 A 为圆心作曲柄圆；由水平线向下量 θ/2 = {named}° 得 B1；过 B1 的切线与过 A 的铅垂线交于 C"));
-            board.circle(a, radius, Weight::Given).line(a, b, Weight::Given).line(c, b, Weight::Thin).line(a, c, Weight::Thin);
+            board
+                .circle(a, radius, Weight::Given)
+                .line(a, b, Weight::Given)
+                .line(c, b, Weight::Thin)
+                .line(a, c, Weight::Thin);
             board.mark("A", a).mark("B_1", b).mark("C", c).read("AC", a, c);
             return Some((c, b));
         }
@@ -41,8 +45,17 @@ impl Slotted {
             "Lay off the frame AC; under θ/2 = {named}° from it draw the lever's limit; the perpendicular from A meets it at B1",
             "作机架 AC；在 C 处与其成 θ/2 = {named}° 作导杆极限位置；由 A 作垂线，垂足为 B1"
         ));
-        board.line(a, c, Weight::Given).line(c, b, Weight::Thin).line(a, b, Weight::Result).mark("A", a).mark("B_1", b).mark("C", c);
-        board.step(both!("The crank circle about A touches the lever in B1", "以 A 为圆心作曲柄圆，与导杆切于 B1"));
+        board
+            .line(a, c, Weight::Given)
+            .line(c, b, Weight::Thin)
+            .line(a, b, Weight::Result)
+            .mark("A", a)
+            .mark("B_1", b)
+            .mark("C", c);
+        board.step(both!(
+            "The crank circle about A touches the lever in B1",
+            "以 A 为圆心作曲柄圆，与导杆切于 B1"
+        ));
         board.circle(a, a.distance(b), Weight::Thin).read("AB", a, b);
         Some((c, b))
     }
@@ -75,10 +88,23 @@ impl Slotted {
             board.circle(a, a.distance(b[0]), Weight::Thin);
             (b, c)
         };
-        board.line(a, b[0], Weight::Thin).line(a, b[1], Weight::Thin).line(b[0], b[1], Weight::Thin).line(a, c, Weight::Result);
-        board.mark("A", a).mark("B_1", b[0]).mark("B_2", b[1]).mark("C", c).read("AB", a, b[0]).read("AC", a, c);
+        board
+            .line(a, b[0], Weight::Thin)
+            .line(a, b[1], Weight::Thin)
+            .line(b[0], b[1], Weight::Thin)
+            .line(a, c, Weight::Result);
+        board
+            .mark("A", a)
+            .mark("B_1", b[0])
+            .mark("B_2", b[1])
+            .mark("C", c)
+            .read("AB", a, b[0])
+            .read("AC", a, c);
         let [p, q] = [0.0, board.mm(stroke)].map(|x| Point::new(c.x + x, c.y));
-        board.step(both!("Lay the stroke off from C and halve it: the arm CD of the lever", "由 C 量取行程并平分，得导杆臂长 CD"));
+        board.step(both!(
+            "Lay the stroke off from C and halve it: the arm CD of the lever",
+            "由 C 量取行程并平分，得导杆臂长 CD"
+        ));
         board.line(p, q, Weight::Thin);
         let d = board.middle(p, q)?;
         board.line(c, d, Weight::Result).mark("D", d).read("CD", c, d);
@@ -111,7 +137,11 @@ fn ram(board: &mut SynthesisBoard, c: Point, b: Point, stroke: f64) -> Option<()
     ));
     board.circle(c, c.distance(d1), Weight::Thin);
     let middle = board.middle(foot, top)?;
-    board.line(Point::new(middle.x - 1.3 * half, middle.y), Point::new(middle.x + 1.3 * half, middle.y), Weight::Result);
+    board.line(
+        Point::new(middle.x - 1.3 * half, middle.y),
+        Point::new(middle.x + 1.3 * half, middle.y),
+        Weight::Result,
+    );
     board.mark("E", middle).read("y", c, middle);
     Some(())
 }

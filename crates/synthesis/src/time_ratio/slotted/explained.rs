@@ -9,7 +9,8 @@ use hodograph_base::diag::both;
 
 impl Slotted {
     pub(super) fn stated(&self) -> Statement {
-        let mut given = vec![both!("time ratio $K = {}$", "行程速度变化系数 $K = {}$", number(self.ratio.k))];
+        let mut given =
+            vec![both!("time ratio $K = {}$", "行程速度变化系数 $K = {}$", number(self.ratio.k))];
         given.push(match self.by_crank {
             true => both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(self.crank)),
             false => both!("frame $l_{{AC}} = {}$", "机架 $l_{{AC}} = {}$", length(self.frame)),
@@ -22,7 +23,10 @@ impl Slotted {
         }];
         let task = match self.kind {
             SlottedKind::Lever { lever } => {
-                given.extend(lever.map(|l| both!("lever $l_{{CD}} = {}$", "导杆 $l_{{CD}} = {}$", length(l))));
+                given
+                    .extend(lever.map(|l| {
+                        both!("lever $l_{{CD}} = {}$", "导杆 $l_{{CD}} = {}$", length(l))
+                    }));
                 both!(
                     "Design a slotted lever: the crank $AB$ turns fully, its pin $B$ slides on the lever, which swings about $C$.",
                     "设计摆动导杆机构：曲柄 $AB$ 整周转动，滑块 $B$ 沿导杆滑动，导杆绕 $C$ 摆动。"
