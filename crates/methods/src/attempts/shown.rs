@@ -57,9 +57,7 @@ impl EquationPart {
         };
         let all = plan.steps(on).iter().flat_map(|g| g.steps(0));
         // An equation with unknowns shows more than one with known terms only.
-        let step = all
-            .filter(|s| !terms(s).is_empty())
-            .max_by_key(|s| (s.chains().len() == 2, std::cmp::Reverse(0)))?;
+        let step = all.filter(|s| !terms(s).is_empty()).max_by_key(|s| s.chains().len() == 2)?;
         Some(EquationPart { on, step: step.clone(), side, framed: terms(step), missing: None })
     }
 }

@@ -19,7 +19,7 @@ use hodograph_mechanism::answer::{AnswerValue, MotionSource, evaluate};
 use hodograph_mechanism::mechanism::Level;
 use hodograph_mechanism::position::{Configuration, newton};
 use hodograph_mechanism::{motion, position};
-use hodograph_scene::{Scene, driver_position, with_driver_at};
+use hodograph_scene::{DriverKind, Scene, driver_position, with_driver_at};
 use hodograph_sweep::extreme::ends;
 use std::hint::black_box;
 use std::time::Duration;
@@ -387,7 +387,7 @@ fn one(
                 before,
                 now: worked.configuration.clone(),
                 after,
-                step: h / pace(scene)?,
+                step: h / pace(scene, worked)?,
             };
             Some(asked(scene, worked, &source.now, &source))
         }),
@@ -427,17 +427,23 @@ fn certified(scene: &Scene, worked: &Worked, rung: Rung) -> Vec<Option<f64>> {
     }
 }
 
-/// The distance of the pose at which the loop equations start: radians of the driver, or metres.
+/// The distance of the pose at which the loop equations start: radians of the driver, or sizes of
+/// the mechanism.
 const OFF: f64 = 0.035;
 
-/// The rate of the first driver that moves, in radians or metres per second.
-fn pace(scene: &Scene) -> Option<f64> {
-    scene.drivers.iter().map(|d| d.rate.value.abs()).find(|r| *r > 0.0)
+/// The rate of the first driver that moves, in radians or sizes of the mechanism per second.
+fn pace(scene: &Scene, worked: &Worked) -> Option<f64> {
+    let first = scene.drivers.iter().find(|d| d.rate.value != 0.0)?;
+    let unit = match first.kind {
+        DriverKind::Turn { .. } => 1.0,
+        DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => worked.configuration.extent(),
+    };
+    Some(first.rate.value.abs() / unit)
 }
 
 /// The configuration after the first moving driver has advanced by `h`, and the others with it.
 fn off(scene: &Scene, worked: &Worked, h: f64) -> Option<Configuration> {
-    let t = h / pace(scene)?;
+    let t = h / pace(scene, worked)?;
     let mut drivers = newton::driver_values(scene, &worked.configuration);
     for (value, d) in drivers.0.iter_mut().zip(&scene.drivers) {
         *value += d.rate.value * t + 0.5 * d.acceleration.as_ref().map_or(0.0, |a| a.value) * t * t;
