@@ -19,7 +19,7 @@ use hodograph_mechanism::answer::{AnswerValue, MotionSource, evaluate};
 use hodograph_mechanism::mechanism::Level;
 use hodograph_mechanism::position::{Configuration, newton};
 use hodograph_mechanism::{motion, position};
-use hodograph_scene::{DriverKind, Scene, driver_position, with_driver_at};
+use hodograph_scene::{Scene, driver_position, with_driver_at};
 use hodograph_sweep::extreme::ends;
 use std::hint::black_box;
 use std::time::Duration;
@@ -434,10 +434,7 @@ const OFF: f64 = 0.035;
 /// The rate of the first driver that moves, in radians or sizes of the mechanism per second.
 fn pace(scene: &Scene, worked: &Worked) -> Option<f64> {
     let first = scene.drivers.iter().find(|d| d.rate.value != 0.0)?;
-    let unit = match first.kind {
-        DriverKind::Turn { .. } => 1.0,
-        DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => worked.configuration.extent(),
-    };
+    let unit = if first.kind.turns() { 1.0 } else { worked.configuration.extent() };
     Some(first.rate.value.abs() / unit)
 }
 
