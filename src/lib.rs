@@ -214,8 +214,8 @@
 //!                             in mechanism/pair; its section (scene/decode), its sentence
 //!                             (report/given), its writing (inversions), its symbol (figure/mechanism)
 //! a new kind of contact       also: its points (position/rolling.rs, belt.rs), motion/conditions.rs,
-//!                             plan/contact.rs and locus.rs, construct/special.rs and measure.rs,
-//!                             sweep/compile/rolling.rs
+//!                             plan/contact.rs and locus.rs, construct/special.rs,
+//!                             construction/measure.rs, sweep/compile/rolling.rs
 //! a new form                  also: its equation (position/equations.rs), coefficients
 //!                             (position/coupled.rs), motion (motion/conditions.rs), rows
 //!                             (analytic/rows.rs), legs (mechanism/groups.rs, plan/reduce.rs),
