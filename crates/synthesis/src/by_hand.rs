@@ -1,14 +1,12 @@
 //! Tolerances of a construction drawn with pencil and ruler, by repeated drawing with errors.
 //!
 //! Every place laid off, opening of the compasses, intersection of bisectors, rotated place and
-//! reading has the pencil's error, as marks of scenes do ([`Blunt`]); given angles are laid off
+//! reading has the pencil's error, as marks of scenes do ([`Blunt`](hodograph_board::construct::pencil::Blunt)); given angles are laid off
 //! exactly. The tolerance of a reading is the bound that contains 95 of 100 drawings.
 
+use super::board::PaperReading;
 use super::{DesignCandidate, SynthesisBoard, Task};
-use hodograph_board::construct::pencil::{Blunt, USUAL_MM, bound};
-
-/// The number of drawings: it gives the 95 % bound to about a tenth of itself.
-const DRAWINGS: u64 = 200;
+use hodograph_board::construct::pencil::{USUAL_MM, bounds};
 
 /// Returns the tolerances of a board's readings in their order (m or rad), which contain 95 of 100
 /// drawings with this pencil. `None` where too many drawings fail, because circles that just meet
@@ -18,21 +16,16 @@ pub fn tolerances(
     candidate: &DesignCandidate,
     board: &SynthesisBoard,
 ) -> Vec<Option<f64>> {
-    let pencil_mm = pencil_mm(task);
-    let drawn = |seed: u64| {
-        let mut hand = SynthesisBoard::by_hand(board.mu_l, Blunt::new(pencil_mm, seed));
-        task.wish.construct(&candidate.draft, &mut hand).map(|()| hand)
-    };
-    let all: Vec<Option<SynthesisBoard>> = (1..=DRAWINGS).map(drawn).collect();
-    let of = |k: usize| {
-        let exact = &board.readings[k];
-        let off = |hand: &Option<SynthesisBoard>| {
-            let read = hand.as_ref()?.readings.get(k).filter(|r| r.name == exact.name)?;
-            Some((board.value(read) - board.value(exact)).abs())
+    bounds(pencil_mm(task), board.readings.len(), |pencil| {
+        let mut hand = SynthesisBoard::by_hand(board.mu_l, pencil);
+        if task.wish.construct(&candidate.draft, &mut hand).is_none() {
+            return Vec::new();
+        }
+        let error = |(exact, read): (&PaperReading, &PaperReading)| {
+            (read.name == exact.name).then(|| (board.value(read) - board.value(exact)).abs())
         };
-        bound(all.iter().map(|hand| off(hand).unwrap_or(f64::INFINITY)).collect())
-    };
-    (0..board.readings.len()).map(of).collect()
+        board.readings.iter().zip(&hand.readings).map(error).collect()
+    })
 }
 
 /// The pencil error of a task's paper, else the usual one (mm).
@@ -45,6 +38,7 @@ mod tests {
     use super::*;
     use crate::{KINDS, construct, read, solve, templates};
     use hodograph_base::geom::Point;
+    use hodograph_board::construct::pencil::Blunt;
 
     /// A point has one mark, however often the construction uses it.
     #[test]

@@ -107,12 +107,28 @@ impl Pencil for Blunt {
     }
 }
 
-/// Returns the bound that contains the share [`WITHIN`] of some errors; `None` without errors, and
-/// for an infinite bound.
-pub fn bound(mut errors: Vec<f64>) -> Option<f64> {
-    errors.sort_by(f64::total_cmp);
-    let within = ((WITHIN * errors.len() as f64).ceil() as usize).saturating_sub(1);
-    errors.get(within).copied().filter(|v| v.is_finite())
+/// Number of repeated drawings: it gives the 95 % bound to about a tenth of itself.
+const DRAWINGS: u64 = 200;
+
+/// Draws a construction again and again with a pencil of an error (mm), and returns for each reading
+/// the bound that contains the share [`WITHIN`] of its errors. `errors` draws once and returns the
+/// error of each reading, `None` for a reading that fails. A bound is `None` if more readings fail
+/// than it may leave out.
+pub fn bounds(
+    pencil_mm: f64,
+    readings: usize,
+    errors: impl Fn(Blunt) -> Vec<Option<f64>>,
+) -> Vec<Option<f64>> {
+    let all: Vec<_> = (1..=DRAWINGS).map(|seed| errors(Blunt::new(pencil_mm, seed))).collect();
+    let bound = |reading: usize| {
+        let error = |drawn: &Vec<Option<f64>>| drawn.get(reading).copied().flatten();
+        let mut sorted: Vec<f64> =
+            all.iter().map(|drawn| error(drawn).unwrap_or(f64::INFINITY)).collect();
+        sorted.sort_by(f64::total_cmp);
+        let within = (WITHIN * sorted.len() as f64).ceil() as usize - 1;
+        Some(sorted[within]).filter(|v| v.is_finite())
+    };
+    (0..readings).map(bound).collect()
 }
 
 /// A hand that draws on the mechanism's paper: exactly, or with a pencil that misses. It marks

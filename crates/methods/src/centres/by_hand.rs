@@ -2,11 +2,8 @@
 
 use super::lines::CentrePlace;
 use super::velocities::Velocities;
-use super::{Centres, locate};
-use hodograph_board::construct::pencil::{Blunt, Hand, USUAL_MM, bound};
-
-/// Number of drawings: it gives the 95 % bound to a tenth.
-const DRAWINGS: u64 = 200;
+use super::{Centre, Centres, locate};
+use hodograph_board::construct::pencil::{Hand, USUAL_MM, bounds};
 
 /// Bounds within which the centres of 95 of 100 drawings by hand fall.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,9 +20,9 @@ impl Centres {
     pub fn with_drafting(mut self) -> Centres {
         let pencil_mm = self.scene.paper.pencil_mm.unwrap_or(USUAL_MM);
         let velocities = Velocities::of(&self.scene, &self.worked);
-        let mut errors: Vec<Vec<f64>> = vec![Vec::new(); self.list.len()];
-        for seed in 1..=DRAWINGS {
-            let hand = Hand::with(Blunt::new(pencil_mm, seed), self.worked.construction.diagram.mu);
+        let mu_l = self.worked.construction.diagram.mu;
+        let centres = bounds(pencil_mm, self.list.len(), |pencil| {
+            let hand = Hand::with(pencil, mu_l);
             let drawn = locate::again(
                 &self.scene,
                 &self.worked,
@@ -34,16 +31,12 @@ impl Centres {
                 &self.list,
                 &hand,
             );
-            for ((list, exact), drawn) in errors.iter_mut().zip(&self.list).zip(drawn) {
-                let off = match (exact.place, drawn) {
-                    (Some(CentrePlace::At(p)), Some(CentrePlace::At(q))) => p.distance(q),
-                    _ => f64::INFINITY,
-                };
-                list.push(off);
-            }
-        }
-        self.by_hand =
-            Some(HandTolerances { pencil_mm, centres: errors.into_iter().map(bound).collect() });
+            let error = |(exact, drawn): (&Centre, Option<CentrePlace>)| {
+                Some(exact.place?.point()?.distance(drawn?.point()?))
+            };
+            self.list.iter().zip(drawn).map(error).collect()
+        });
+        self.by_hand = Some(HandTolerances { pencil_mm, centres });
         self
     }
 }

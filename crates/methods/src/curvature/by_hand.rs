@@ -2,12 +2,8 @@
 
 use super::drawing::Traced;
 use super::known::CurvaturePlaces;
-use super::plane::PlanePoint;
 use super::{LinkCurvatures, OfLink};
-use hodograph_board::construct::pencil::{Blunt, Hand, USUAL_MM, bound};
-
-/// Number of drawings: it gives the 95 % bound to a tenth.
-const DRAWINGS: u64 = 200;
+use hodograph_board::construct::pencil::{Hand, USUAL_MM, bounds};
 
 /// Bounds within which 95 of 100 drawings by hand fall (m); `None` if more than 5 of 100 fail.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,9 +35,7 @@ impl LinkCurvatures {
         let pencil_mm = self.scene.paper.pencil_mm.unwrap_or(USUAL_MM);
         let (pole, normal) = of.drawing.pole()?;
         let ball = of.drawing.ball();
-        let radius = |centre: Option<PlanePoint>, at| {
-            centre.and_then(PlanePoint::at).map(|c| c.distance(at))
-        };
+        let radius = |t: Traced| t.centre.at().map(|c| c.distance(t.at));
         let exact = Hand::default();
         let drawn_by = |hand: &Hand| {
             let places = CurvaturePlaces {
@@ -56,30 +50,23 @@ impl LinkCurvatures {
             (drawing, traced)
         };
         drawn_by(&exact);
-        let mut errors: Vec<Vec<f64>> = vec![Vec::new(); 4 + of.points.len()];
-        for seed in 1..=DRAWINGS {
-            let (drawing, traced) = drawn_by(
-                &exact.again(Blunt::new(pencil_mm, seed), self.worked.construction.diagram.mu),
-            );
+        let mu_l = self.worked.construction.diagram.mu;
+        let mut bounds = bounds(pencil_mm, 4 + of.points.len(), |pencil| {
+            let (drawing, traced) = drawn_by(&exact.again(pencil, mu_l));
             let drawn = drawing.pole();
-            let off = [
+            let of_pole = [
                 drawn.map(|(p, _)| p.distance(pole)),
                 drawn.map(|(p, n)| (p + n).distance(pole + normal)),
                 drawn.map(|(_, n)| (n.norm() - normal.norm()).abs()),
                 drawing.ball().zip(ball).map(|(p, q)| p.distance(q)),
             ];
             let radii = of.points.iter().zip(traced).map(|(p, traced)| {
-                let (by_hand, exact) = (
-                    radius(traced.map(|t| t.centre), traced?.at),
-                    radius(p.drawn.map(|d| d.centre), p.at),
-                );
-                Some((by_hand? - exact?).abs())
+                let (by_hand, exact) = (traced?, p.drawn?);
+                Some((radius(by_hand)? - radius(exact)?).abs())
             });
-            for (list, error) in errors.iter_mut().zip(off.into_iter().chain(radii)) {
-                list.push(error.unwrap_or(f64::INFINITY));
-            }
-        }
-        let mut bounds = errors.into_iter().map(bound);
+            of_pole.into_iter().chain(radii).collect()
+        })
+        .into_iter();
         let mut next = || bounds.next().flatten();
         let [pole, inflection_pole, diameter, ball] = [next(), next(), next(), next()];
         Some(ByHand { pencil_mm, pole, inflection_pole, diameter, ball, radii: bounds.collect() })
