@@ -108,7 +108,7 @@
 //! - [`cli`]: the only module that prints, reads arguments or touches files.
 //! - [`templates`](problem::templates): the texts of the files under `templates/`, by their
 //!   names.
-//! - Small shared ones: [`geom`], [`trig`], [`digits`], [`diag`], [`budget`],
+//! - Small shared ones: [`geom`], [`linear`], [`trig`], [`digits`], [`diag`], [`budget`],
 //!   [`json`](hodograph_base::json), [`kind`], [`diagram`], [`lang`], [`notation`].
 //!
 //! # Crates
@@ -119,7 +119,7 @@
 //! folder `templates/` is a crate, and the fonts are in `crates/paper`.
 //! ```text
 //! templates  templates
-//! base       diag budget json digits trig number geom cam kind diagram lang notation
+//! base       diag budget json digits trig number geom linear cam kind diagram lang notation
 //! scene      scene
 //! mechanism  mechanism position stated answer force motion
 //! board      plan construction construct equilibrium
@@ -150,10 +150,11 @@
 //! trig       -
 //! number     budget trig
 //! geom       number
+//! linear     -
 //! cam        number geom
 //! scene      templates diag json diagram kind lang digits trig number geom cam
 //! mechanism  diag scene
-//! position   diag budget digits trig number geom cam scene mechanism
+//! position   diag budget digits trig number geom linear cam scene mechanism
 //! stated     diag digits trig geom cam scene mechanism position
 //! answer     number geom scene mechanism position
 //! force      diag trig number geom scene mechanism position answer
@@ -162,7 +163,7 @@
 //! construction budget diagram digits kind number geom
 //! construct  diag budget number geom scene mechanism position answer plan construction
 //! equilibrium diag diagram geom kind scene mechanism position answer force construct construction
-//! analytic   diag budget geom cam scene mechanism position answer force
+//! analytic   diag budget geom linear cam scene mechanism position answer force
 //! sweep      diag budget digits trig number geom cam scene mechanism position stated answer force motion analytic
 //! paper      diag budget json notation diagram lang geom
 //! render     diag geom paper
@@ -244,7 +245,7 @@
 
 pub use hodograph_analytic as analytic;
 pub use hodograph_base::{
-    budget, cam, diag, diagram, digits, geom, kind, lang, notation, number, trig,
+    budget, cam, diag, diagram, digits, geom, kind, lang, linear, notation, number, trig,
 };
 pub use hodograph_board::{construct, construction, equilibrium, plan};
 pub use hodograph_figure as figure;

@@ -45,12 +45,13 @@ pub use third::third;
 use hodograph_base::budget::spend;
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::linear::LinearSystem;
 use hodograph_mechanism::answer::MotionSource;
 use hodograph_mechanism::mechanism::{Demand, Level, Mechanism, Passive};
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::quantity::Forces;
 use hodograph_scene::{LinkId, PointId, Scene};
-use nalgebra::{DMatrix, DVector, Dyn, LU};
+use nalgebra::{DMatrix, DVector};
 use pose::PosedLayout;
 use singular::Blocks;
 use staged::{LARGE, StagedFactors};
@@ -211,7 +212,7 @@ struct LoopSystem {
 
 /// A decomposed Jacobian.
 enum Factors {
-    Whole { jacobian: DMatrix<f64>, lu: LU<f64, Dyn, Dyn> },
+    Whole(LinearSystem),
     Staged(StagedFactors),
 }
 
@@ -252,21 +253,20 @@ impl LoopSystem {
                 jacobian[(i, k)] += c;
             }
         }
-        let lu = jacobian.clone().lu();
-        let solve_transposed = transposed(&lu);
-        let condition =
-            one_norm(&jacobian) * inverse_one_norm(&|b| lu.solve(b), &solve_transposed, n);
-        Ok(LoopSystem { rows, factors: Factors::Whole { jacobian, lu }, condition })
+        let system = LinearSystem::new(jacobian);
+        let condition = one_norm(system.matrix())
+            * inverse_one_norm(&|b| system.solve(b), &|b| system.solve_transposed(b), n);
+        Ok(LoopSystem { rows, factors: Factors::Whole(system), condition })
     }
 
     /// Solves and refines once; the result is then as accurate as the data even if the matrix is
     /// badly scaled.
     fn solve(&self, b: &DVector<f64>) -> Option<DVector<f64>> {
         let x = match &self.factors {
-            Factors::Whole { jacobian, lu } => {
-                let x = lu.solve(b)?;
-                let r = b - jacobian * &x;
-                x + lu.solve(&r)?
+            Factors::Whole(system) => {
+                let x = system.solve(b)?;
+                let r = b - system.matrix() * &x;
+                x + system.solve(&r)?
             }
             Factors::Staged(staged) => {
                 let x = staged.solve(b)?;
@@ -280,11 +280,10 @@ impl LoopSystem {
     /// Solves Jᵀ y = b, refined once.
     fn solve_transposed(&self, b: &DVector<f64>) -> Option<DVector<f64>> {
         let y = match &self.factors {
-            Factors::Whole { jacobian, lu } => {
-                let solve = transposed(lu);
-                let y = solve(b)?;
-                let r = b - jacobian.tr_mul(&y);
-                y + solve(&r)?
+            Factors::Whole(system) => {
+                let y = system.solve_transposed(b)?;
+                let r = b - system.matrix().tr_mul(&y);
+                y + system.solve_transposed(&r)?
             }
             Factors::Staged(staged) => staged.solve_transposed(b)?,
         };
@@ -294,16 +293,6 @@ impl LoopSystem {
     /// Returns the right-hand side of the accelerations at the given rates.
     fn gamma(&self, rates: &DVector<f64>) -> DVector<f64> {
         DVector::from_iterator(self.rows.len(), self.rows.iter().map(|r| r.acceleration(rates)))
-    }
-}
-
-/// Returns a function that solves Jᵀ y = b, from a decomposed J.
-fn transposed(lu: &LU<f64, Dyn, Dyn>) -> impl Fn(&DVector<f64>) -> Option<DVector<f64>> + use<> {
-    let (l, u, p) = (lu.l(), lu.u(), lu.p().clone());
-    move |b| {
-        let mut y = u.tr_solve_upper_triangular(b).and_then(|y| l.tr_solve_lower_triangular(&y))?;
-        p.inv_permute_rows(&mut y);
-        Some(y)
     }
 }
 

@@ -6,7 +6,8 @@
 
 use super::blocks::{EquationBlock, blocks};
 use super::relation::EquationRow;
-use nalgebra::{DMatrix, DVector, Dyn, LU, PermutationSequence};
+use hodograph_base::linear::LinearSystem;
+use nalgebra::{DMatrix, DVector};
 
 /// Number of unknowns (some fifty links) from which a system is solved in stages.
 pub(super) const LARGE: usize = 150;
@@ -20,10 +21,7 @@ pub(super) struct StagedFactors {
 /// A block and its factors.
 struct StagedBlock {
     block: EquationBlock,
-    lu: LU<f64, Dyn, Dyn>,
-    l: DMatrix<f64>,
-    u: DMatrix<f64>,
-    p: PermutationSequence<Dyn>,
+    system: LinearSystem,
 }
 
 impl StagedBlock {
@@ -37,9 +35,7 @@ impl StagedBlock {
                 }
             }
         }
-        let lu = a.lu();
-        let (l, u, p) = (lu.l(), lu.u(), lu.p().clone());
-        StagedBlock { block, lu, l, u, p }
+        StagedBlock { block, system: LinearSystem::new(a) }
     }
 
     fn has(&self, unknown: usize) -> bool {
@@ -85,7 +81,7 @@ impl StagedFactors {
                 part.block.rows.len(),
                 part.block.rows.iter().map(|row| b[*row] - known(*row)),
             );
-            let found = part.lu.solve(&rhs)?;
+            let found = part.system.solve(&rhs)?;
             part.block.unknowns.iter().zip(found.iter()).for_each(|(k, v)| x[*k] = *v);
         }
         Some(x)
@@ -99,11 +95,7 @@ impl StagedFactors {
                 part.block.unknowns.len(),
                 part.block.unknowns.iter().map(|k| rest[*k]),
             );
-            let mut found = part
-                .u
-                .tr_solve_upper_triangular(&rhs)
-                .and_then(|z| part.l.tr_solve_lower_triangular(&z))?;
-            part.p.inv_permute_rows(&mut found);
+            let found = part.system.solve_transposed(&rhs)?;
             for (row, v) in part.block.rows.iter().zip(found.iter()) {
                 y[*row] = *v;
                 self.coefficients[*row]

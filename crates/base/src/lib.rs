@@ -4,9 +4,9 @@
 //! Modules: [`number`] (numbers of several precisions behind one trait), [`trig`] (sine and cosine,
 //! exact reduction of angles), [`geom`] (points and vectors of the plane), [`cam`] (disc cams as
 //! plane geometry), [`digits`] (formatting of numbers for people), [`diag`] (diagnostics), [`json`]
-//! (JSON values with their spans), [`budget`] (a limit on the time of a computation), [`kind`]
-//! (kinds of quantities), [`diagram`] (kinds of diagrams), [`lang`] (the languages), [`notation`]
-//! (marks that differ between textbooks).
+//! (JSON values with their spans), [`budget`] (a limit on the time of a computation), [`linear`]
+//! (linear systems), [`kind`] (kinds of quantities), [`diagram`] (kinds of diagrams), [`lang`] (the
+//! languages), [`notation`] (marks that differ between textbooks).
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -26,6 +26,7 @@ pub mod geom;
 pub mod json;
 pub mod kind;
 pub mod lang;
+pub mod linear;
 pub mod notation;
 pub mod number;
 pub mod trig;

@@ -274,9 +274,17 @@ fn walked(placed: &PlacedScene, driver: usize, found: &[DrivenOutput]) -> Motion
     let stations =
         Stations::slid(low, high, samples, angle_per_value(placed.scene, &placed.at, driver));
     let joints = joints(placed.scene, driver);
-    let swing_of = |output: &DrivenOutput| {
-        let samples: Vec<Option<[f64; 3]>> =
-            stations.values.iter().map(|x| walk.at(*x, *output)).collect();
+    // A motion is solved once for all outputs.
+    let at_stations: Vec<Vec<Option<[f64; 3]>>> = stations
+        .values
+        .iter()
+        .map(|x| {
+            let motion = walk.at(*x);
+            found.iter().map(|output| motion.as_ref()?.of(*output)).collect()
+        })
+        .collect();
+    let swing_of = |(k, output): (usize, &DrivenOutput)| {
+        let samples: Vec<Option<[f64; 3]>> = at_stations.iter().map(|all| all[k]).collect();
         let column = |level: usize| -> Vec<f64> {
             samples.iter().map(|s| s.map_or(f64::NAN, |s| s[level])).collect()
         };
@@ -290,9 +298,9 @@ fn walked(placed: &PlacedScene, driver: usize, found: &[DrivenOutput]) -> Motion
             period: walk.period(),
             joints: &joints,
         };
-        swing(*output, [&column(0), &column(1)], &missing, &course, &|x| walk.at(x, *output))
+        swing(*output, [&column(0), &column(1)], &missing, &course, &|x| walk.at(x)?.of(*output))
     };
-    let swings = found.iter().map(swing_of).collect();
+    let swings = found.iter().enumerate().map(swing_of).collect();
     let (turns, seen) = if range.full() { (walk.returns(), walk.turns()) } else { (1, 1) };
     MotionLimits {
         range,

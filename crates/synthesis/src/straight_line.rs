@@ -22,7 +22,8 @@ use hodograph_base::digits::{metres, significant};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_scene as scene;
-use hodograph_sweep::{PlacedScene, Stations, Width, of_values, run, zoom};
+use hodograph_sweep::zoom::{self, SoughtExtreme, extreme_row};
+use hodograph_sweep::{PlacedScene, Stations, Width, of_values, run};
 use serde_json::{Value as Json, json};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -521,30 +522,23 @@ fn measure(made: &ScaledLinkage, wanted: f64) -> Result<MeasuredStretch, Faults>
     let table = run(&placed, 0, &Stations::of_values(values.clone(), 1.0), Width::One)?;
     let at = &table.columns[0].values;
     let swept_at = |values| of_values(&placed, 0, values);
-    let extreme = |axis: char, highest: bool| -> Option<(f64, f64)> {
-        let name = format!("{axis}_E");
-        let column = &table.column(&name)?.values;
-        let better = |a: &usize, b: &usize| {
-            if highest {
-                column[*a].total_cmp(&column[*b])
-            } else {
-                column[*b].total_cmp(&column[*a])
-            }
-        };
-        let k = (0..column.len()).max_by(better)?;
-        let around = [at[k.saturating_sub(1)], at[(k + 1).min(at.len() - 1)]];
-        let beats = |v: f64| if highest { v > column[k] } else { v < column[k] };
-        zoom::extreme(&swept_at, &name, around, highest)
-            .filter(|(_, v)| beats(*v))
-            .or(Some((at[k], column[k])))
-    };
     let across = if made.along == 'x' { 'y' } else { 'x' };
-    let four = [
-        extreme(made.along, false),
-        extreme(made.along, true),
-        extreme(across, false),
-        extreme(across, true),
-    ];
+    let names = [made.along, across].map(|axis| format!("{axis}_E"));
+    let columns: Vec<&[f64]> =
+        names.iter().filter_map(|n| Some(&table.column(n)?.values[..])).collect();
+    let ends = names.iter().zip(&columns).flat_map(|(name, column)| {
+        let row = |highest| extreme_row(column, highest).map(|row| (row, highest));
+        let sought =
+            move |(row, highest)| (SoughtExtreme { column: name, row, highest }, column[row]);
+        [false, true].into_iter().filter_map(row).map(sought)
+    });
+    let (sought, at_rows): (Vec<SoughtExtreme>, Vec<f64>) = ends.unzip();
+    let found = zoom::extremes(&table, &swept_at, &sought);
+    let four: [Option<(f64, f64)>; 4] = std::array::from_fn(|k| {
+        let (one, in_row) = (sought.get(k)?, at_rows[k]);
+        let beats = |v: f64| if one.highest { v > in_row } else { v < in_row };
+        found[k].filter(|(_, v)| beats(*v)).or(Some((at[one.row], in_row)))
+    });
     let [Some(a), Some(b), Some(low), Some(high)] = four else {
         return Err(Diagnostic::error(
             "no-motion",

@@ -4,8 +4,9 @@ use crate::sheet::swept_symbol;
 use hodograph_base::notation::Notation;
 use hodograph_report::amount::symbol;
 use hodograph_scene::quantity::Of;
-use hodograph_scene::{Asked, DiagramKind, Kind, Scene, Swept};
-use hodograph_sweep::{PlacedScene, Table, of_values, zoom};
+use hodograph_scene::{Asked, DiagramKind, Find, Kind, Scene, Swept};
+use hodograph_sweep::zoom::{self, SoughtExtreme, extreme_row};
+use hodograph_sweep::{PlacedScene, Table, of_values};
 use std::f64::consts::TAU;
 
 /// The degree, upright in the label language: its axes have special tick steps.
@@ -101,61 +102,60 @@ impl CurveDiagram {
         let (driver_unit, factor) = scene.book.fine(moves);
         let si: &[f64] = first.map_or(&[], |c| &c.values);
         let places = si.iter().map(|v| v * factor).collect();
-        let mut panels: Vec<((DiagramKind, bool, Kind), Panel)> = Vec::new();
+        let mut shown = Vec::new();
         for find in &scene.find {
-            let (order, kind) = (order(&find.what), find.what.kind());
-            let (unit, times) = scene.book.fine(kind);
-            let turning = kind == Kind::Angle;
             let parts = [".x", ".y"].map(|part| format!("{}{part}", find.text));
             let own = symbol(find, notation);
             // Components and magnitudes are named as such: both appear in one panel. A position has
             // no magnitude, only coordinates.
-            let [x, y] = [0, 1].map(|k| (parts[k].as_str(), component(&own, ['x', 'y'][k])));
+            let [x, y] = [0, 1].map(|k| (parts[k].clone(), component(&own, ['x', 'y'][k])));
             let wanted = match parts.each_ref().map(|p| column(p)) {
                 [Some(_), Some(_)] if column(&find.text).is_none() => vec![x, y],
                 [Some(a), Some(b)] if vanishes(&b, &a) => vec![x],
                 [Some(a), Some(b)] if vanishes(&a, &b) => vec![y],
-                [Some(_), Some(_)] => vec![(find.text.as_str(), format!("|{own}|"))],
-                [_, None] | [None, _] => vec![(find.text.as_str(), own)],
+                [Some(_), Some(_)] => vec![(find.text.clone(), format!("|{own}|"))],
+                [_, None] | [None, _] => vec![(find.text.clone(), own)],
             };
-            for (name, named) in wanted {
-                let Some(values) = column(name) else { continue };
-                let most = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
-                let shown: Vec<f64> = values.iter().map(|v| v * times).collect();
-                let shown = if turning { unwound(&shown, TAU * times) } else { shown };
-                let mut extremes = Vec::new();
-                for highest in [true, false] {
-                    let by = |a: &usize, b: &usize| {
-                        if highest {
-                            shown[*a].total_cmp(&shown[*b])
-                        } else {
-                            shown[*b].total_cmp(&shown[*a])
-                        }
-                    };
-                    let Some(k) = (0..shown.len()).max_by(by) else { continue };
-                    let around = [si[k.saturating_sub(1)], si[(k + 1).min(si.len() - 1)]];
+            shown.extend(wanted.into_iter().filter_map(|(name, symbol)| {
+                let values = column(&name)?;
+                Some(ShownColumn::new(scene, find, name, symbol, values))
+            }));
+        }
+        let sought: Vec<SoughtExtreme> = shown.iter().flat_map(ShownColumn::extremes).collect();
+        let mut found = zoom::extremes(table, swept_at, &sought).into_iter().zip(&sought);
+        let mut panels: Vec<((DiagramKind, bool, Kind), Panel)> = Vec::new();
+        for column in &shown {
+            let ShownColumn { find, symbol, values, times, line, .. } = column;
+            let most = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+            let mut extremes: Vec<(f64, f64)> = found
+                .by_ref()
+                .take(column.extremes().count())
+                .map(|(found, &SoughtExtreme { row, .. })| {
                     // The extreme of an angle is sought on the turn of the line, not across its
                     // jump.
-                    let found = zoom::extreme(swept_at, name, around, highest)
-                        .filter(|(_, v)| !turning || (v - values[k]).abs() < 1.0);
-                    let (at, value) = found.unwrap_or((si[k], values[k]));
+                    let found =
+                        found.filter(|(_, v)| !column.turning || (v - values[row]).abs() < 1.0);
+                    let (at, value) = found.unwrap_or((si[row], values[row]));
                     let value = if value.abs() < ZERO * most { 0.0 } else { value };
-                    extremes.push((at * factor, shown[k] + (value - values[k]) * times));
-                }
-                // A constant curve has one value.
-                if extremes.len() == 2 && extremes[0].1 - extremes[1].1 <= ZERO * most * times.abs()
-                {
-                    extremes.pop();
-                }
-                let curve = DiagramCurve {
-                    symbol: named,
-                    values: shown,
-                    extremes,
-                    link: link(scene, &find.what),
-                };
-                match panels.iter_mut().find(|(o, _)| *o == order) {
-                    Some((_, panel)) => panel.curves.push(curve),
-                    None => panels.push((order, Panel { unit: unit.clone(), curves: vec![curve] })),
+                    (at * factor, line[row] + (value - values[row]) * times)
+                })
+                .collect();
+            // A constant curve has one value.
+            if extremes.len() == 2 && extremes[0].1 - extremes[1].1 <= ZERO * most * times.abs() {
+                extremes.pop();
+            }
+            let curve = DiagramCurve {
+                symbol: symbol.clone(),
+                values: line.clone(),
+                extremes,
+                link: link(scene, &find.what),
+            };
+            let order = order(&find.what);
+            match panels.iter_mut().find(|(o, _)| *o == order) {
+                Some((_, panel)) => panel.curves.push(curve),
+                None => {
+                    let unit = column.unit.clone();
+                    panels.push((order, Panel { unit, curves: vec![curve] }));
                 }
             }
         }
@@ -165,6 +165,46 @@ impl CurveDiagram {
             places,
             panels: panels.into_iter().map(|p| p.1).collect(),
         }
+    }
+}
+
+/// A column of a table that becomes a curve.
+struct ShownColumn<'a> {
+    find: &'a Find,
+    name: String,
+    symbol: String,
+    /// The column itself, in SI.
+    values: Vec<f64>,
+    unit: String,
+    /// The factor from SI to the unit.
+    times: f64,
+    turning: bool,
+    /// The curve, in the unit; an angle without jumps.
+    line: Vec<f64>,
+}
+
+impl<'a> ShownColumn<'a> {
+    fn new(
+        scene: &Scene,
+        find: &'a Find,
+        name: String,
+        symbol: String,
+        values: Vec<f64>,
+    ) -> ShownColumn<'a> {
+        let kind = find.what.kind();
+        let (unit, times) = scene.book.fine(kind);
+        let turning = kind == Kind::Angle;
+        let line: Vec<f64> = values.iter().map(|v| v * times).collect();
+        let line = if turning { unwound(&line, TAU * times) } else { line };
+        ShownColumn { find, name, symbol, values, unit, times, turning, line }
+    }
+
+    /// Returns its highest and lowest row.
+    fn extremes(&self) -> impl Iterator<Item = SoughtExtreme<'_>> {
+        [true, false].into_iter().filter_map(|highest| {
+            let row = extreme_row(&self.line, highest)?;
+            Some(SoughtExtreme { column: &self.name, row, highest })
+        })
     }
 }
 

@@ -2,10 +2,11 @@
 //! without a closed form, and for small motions of a placed mechanism.
 //!
 //! The unknowns are the poses of the chosen links (x, y, angle each) and the positions of pins that
-//! are on none of them. The residuals are written for all kinds of constraint. Their derivatives
-//! are differences, which are independent of the analytic check; for each unknown they are taken
-//! only in the equations of the constraints of its link or pin, since the other equations do not
-//! change.
+//! are on none of them. They are solved group by group in the order of solution: the equations of a
+//! group contain its own bodies and those of groups before it, so that a chain of n groups costs n
+//! small systems. The residuals are written for all kinds of constraint. Their derivatives are
+//! differences, which are independent of the analytic check; for each unknown they are taken only
+//! in the equations of the constraints of its link or pin, since the other equations do not change.
 
 use super::equations::{self, FormMeasure, FormValue, PartPositions};
 use super::rolling::{self, RollingPose, RollingRecord};
@@ -13,8 +14,10 @@ use super::{Configuration, Path, Pose, Shapes};
 use crate::mechanism::{GraphNode, Group, Mechanism, PairForm, PairItem, constraints_of};
 use hodograph_base::budget::spend;
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::linear::LinearSystem;
 use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
 use nalgebra::{DMatrix, DVector};
+use std::ops::Range;
 
 /// Poses of all links and positions of all points, as far as they are known.
 pub type SolvedPoses = (Vec<Option<Pose>>, Vec<Option<Point>>);
@@ -32,6 +35,7 @@ pub struct System<'a> {
     pins: Vec<PointId>,
     /// Each form with its value at the start, unless a driver gives the value.
     forms: Vec<(PairForm, FormValue<f64>)>,
+    blocks: Vec<GroupBlock>,
     /// The rolling of each pair at the start.
     rolled: Vec<Option<RollingRecord>>,
     /// Deviation of each rolling pair from the phase in the scene at the start, as an angle of its
@@ -41,6 +45,16 @@ pub struct System<'a> {
     poses: Vec<Option<Pose>>,
     points: Vec<Option<Point>>,
     scale: f64,
+}
+
+/// The unknowns and equations of one group in a [`System`].
+struct GroupBlock {
+    /// Indices into [`System::links`].
+    links: Range<usize>,
+    /// Indices into [`System::pins`].
+    pins: Range<usize>,
+    /// Indices into [`System::forms`].
+    forms: Range<usize>,
 }
 
 impl<'a> System<'a> {
@@ -56,15 +70,19 @@ impl<'a> System<'a> {
         let mut links = Vec::new();
         let mut pins = Vec::new();
         let mut forms = Vec::new();
+        let mut blocks = Vec::new();
         for &g in groups {
-            links.extend(&mechanism.groups[g].links);
-            pins.extend(&mechanism.groups[g].pins);
-            forms.extend(
-                mechanism.groups[g]
-                    .constraints
-                    .iter()
-                    .map(|&c| (mechanism.constraints[c].form(), FormValue::Nothing)),
-            );
+            let group = &mechanism.groups[g];
+            let begin = [links.len(), pins.len(), forms.len()];
+            links.extend(&group.links);
+            pins.extend(&group.pins);
+            let of_group = group.constraints.iter().map(|&c| mechanism.constraints[c].form());
+            forms.extend(of_group.map(|form| (form, FormValue::Nothing)));
+            blocks.push(GroupBlock {
+                links: begin[0]..links.len(),
+                pins: begin[1]..pins.len(),
+                forms: begin[2]..forms.len(),
+            });
         }
         let mut system = System {
             scene,
@@ -72,6 +90,7 @@ impl<'a> System<'a> {
             links,
             pins,
             forms,
+            blocks,
             rolled: vec![None; scene.rolling.len()],
             out_of_phase: vec![0.0; scene.rolling.len()],
             poses: start.poses.clone(),
@@ -134,51 +153,63 @@ impl<'a> System<'a> {
 
     pub(super) fn unpack(&self, x: &DVector<f64>) -> SolvedPoses {
         let mut solved = (self.poses.clone(), self.points.clone());
-        for i in 0..self.links.len() + self.pins.len() {
-            self.put(i, |k| x[k], &mut solved);
+        for (body, first) in self.bodies() {
+            self.put(body, |k| x[first + k], &mut solved);
         }
         solved
     }
 
-    /// Returns the index of the first unknown of a body (a link, or after all links a pin), and the
-    /// number of its unknowns.
-    fn unknowns(&self, body: usize) -> (usize, usize) {
-        match body.checked_sub(self.links.len()) {
-            None => (3 * body, 3),
-            Some(pin) => (3 * self.links.len() + 2 * pin, 2),
-        }
+    pub(super) fn pack(&self, start: &Configuration) -> Option<DVector<f64>> {
+        let bodies = self.bodies().map(|(body, _)| self.coordinates(body, start));
+        Some(DVector::from_vec(bodies.collect::<Option<Vec<_>>>()?.concat()))
     }
 
-    /// Writes the pose or position of a body.
+    /// Returns all bodies (a link by its index, a pin by its index after all links), each with the
+    /// index of its first unknown in the whole system.
+    fn bodies(&self) -> impl Iterator<Item = (usize, usize)> {
+        let links = self.links.len();
+        (0..links + self.pins.len()).map(move |body| match body.checked_sub(links) {
+            None => (body, 3 * body),
+            Some(pin) => (body, 3 * links + 2 * pin),
+        })
+    }
+
+    /// Writes the pose or position of a body, whose k-th unknown is `x(k)`.
     fn put(&self, body: usize, x: impl Fn(usize) -> f64, to: &mut SolvedPoses) {
-        let (k, _) = self.unknowns(body);
-        let origin = Point::new(x(k) * self.scale, x(k + 1) * self.scale);
+        let origin = Point::new(x(0) * self.scale, x(1) * self.scale);
         match body.checked_sub(self.links.len()) {
-            None => {
-                to.0[self.links[body].0] = Some(Pose { origin, axis: Vec2::from_angle(x(k + 2)) })
-            }
+            None => to.0[self.links[body].0] = Some(Pose { origin, axis: Vec2::from_angle(x(2)) }),
             Some(pin) => to.1[self.pins[pin].0] = Some(origin),
         }
     }
 
-    pub(super) fn pack(&self, start: &Configuration) -> Option<DVector<f64>> {
-        let mut x = Vec::new();
-        for l in &self.links {
-            let p = start.poses[l.0]?;
-            x.extend([p.origin.x / self.scale, p.origin.y / self.scale, p.axis.angle()]);
-        }
-        for p in &self.pins {
-            let at = start.points[p.0]?;
-            x.extend([at.x / self.scale, at.y / self.scale]);
-        }
-        Some(DVector::from_vec(x))
+    /// Returns the unknowns of a body in a configuration: two coordinates and, of a link, an angle.
+    fn coordinates(&self, body: usize, at: &Configuration) -> Option<Vec<f64>> {
+        let scaled = |p: Point| [p.x / self.scale, p.y / self.scale];
+        Some(match body.checked_sub(self.links.len()) {
+            None => {
+                let pose = at.poses[self.links[body].0]?;
+                let [x, y] = scaled(pose.origin);
+                vec![x, y, pose.axis.angle()]
+            }
+            Some(pin) => scaled(at.points[self.pins[pin].0]?).to_vec(),
+        })
     }
 
     /// Returns the residuals, each a length or an angle divided by the mechanism's size or one
     /// radian.
     pub(super) fn residuals(&self, at: &SolvedPoses, drivers: &DriverValues) -> DVector<f64> {
-        let mut r = Vec::with_capacity(2 * self.forms.len());
-        self.forms.iter().for_each(|f| self.residual(f, at, drivers, |v| r.push(v)));
+        self.residuals_of(&self.forms, at, drivers)
+    }
+
+    fn residuals_of(
+        &self,
+        forms: &[(PairForm, FormValue<f64>)],
+        at: &SolvedPoses,
+        drivers: &DriverValues,
+    ) -> DVector<f64> {
+        let mut r = Vec::with_capacity(2 * forms.len());
+        forms.iter().for_each(|f| self.residual(f, at, drivers, |v| r.push(v)));
         DVector::from_vec(r)
     }
 
@@ -208,29 +239,6 @@ impl<'a> System<'a> {
         }
     }
 
-    /// Returns for each body (see [`System::unknowns`]) the forms (index) in which it occurs, with
-    /// the index of the first of their equations.
-    fn touching(&self) -> Vec<Vec<(usize, usize)>> {
-        let mut touching = vec![Vec::new(); self.links.len() + self.pins.len()];
-        let mut row = 0;
-        for (i, (form, _)) in self.forms.iter().enumerate() {
-            let (one, other) = form.ends();
-            for node in [one, other] {
-                let body = match node {
-                    GraphNode::Link(l) => self.links.iter().position(|m| *m == l),
-                    GraphNode::Pin(p) => {
-                        self.pins.iter().position(|q| *q == p).map(|i| self.links.len() + i)
-                    }
-                };
-                if let Some(body) = body {
-                    touching[body].push((i, row));
-                }
-            }
-            row += form.equations();
-        }
-        touching
-    }
-
     /// Solves from the poses of `start` for the given driver values; `None` if Newton's method does
     /// not converge.
     ///
@@ -248,18 +256,49 @@ impl<'a> System<'a> {
         drivers: &DriverValues,
         tolerance: f64,
     ) -> Option<SolvedPoses> {
-        let mut x = self.pack(start)?;
-        let mut at = self.unpack(&x);
-        let touching = self.touching();
+        // The bodies of later groups keep their places at the start until their turn comes.
+        let mut at = (start.poses.clone(), start.points.clone());
+        for block in &self.blocks {
+            self.solve_block(block, start, &mut at, drivers, tolerance)?;
+        }
+        Some(at)
+    }
+
+    /// Moves the bodies of one group in `at` to the solution; those of groups before it are there.
+    fn solve_block(
+        &self,
+        block: &GroupBlock,
+        start: &Configuration,
+        at: &mut SolvedPoses,
+        drivers: &DriverValues,
+        tolerance: f64,
+    ) -> Option<()> {
+        let pins = block.pins.clone().map(|pin| self.links.len() + pin);
+        let mut x = Vec::new();
+        let mut bodies = Vec::new();
+        for body in block.links.clone().chain(pins) {
+            let coordinates = self.coordinates(body, start)?;
+            bodies.push(BlockBody {
+                body,
+                unknowns: x.len()..x.len() + coordinates.len(),
+                equations: self.equations_with(body, block),
+            });
+            x.extend(coordinates);
+        }
+        let mut x = DVector::from_vec(x);
+        let put_all = |x: &DVector<f64>, at: &mut SolvedPoses| {
+            bodies.iter().for_each(|b| self.put(b.body, |k| x[b.unknowns.start + k], at));
+        };
+        put_all(&x, at);
         let mut last = f64::INFINITY;
         for _ in 0..60 {
             spend();
-            let r = self.residuals(&at, drivers);
+            let r = self.residuals_of(&self.forms[block.forms.clone()], at, drivers);
             if r.len() != x.len() || r.iter().any(|v| !v.is_finite()) {
                 return None;
             }
-            let jacobian = self.jacobian(&x, &mut at, &touching, drivers);
-            let step = jacobian.lu().solve(&(-r))?;
+            let jacobian = self.jacobian(&x, at, &bodies, drivers);
+            let step = LinearSystem::new(jacobian).solve(&(-r))?;
             let size = step.amax();
             if !size.is_finite() {
                 return None;
@@ -268,34 +307,53 @@ impl<'a> System<'a> {
             // half the mechanism) is shortened.
             let damp = if size > 0.5 { 0.5 / size } else { 1.0 };
             x += step * damp;
-            at = self.unpack(&x);
+            put_all(&x, at);
             if size < tolerance || (size < 1e-9 && size >= last) {
-                return Some(at);
+                return Some(());
             }
             last = size;
         }
-        (last < 1e-9).then_some(at)
+        (last < 1e-9).then_some(())
     }
 
-    /// Returns the Jacobian by central differences with a step of 2^-17: the residuals are at worst
-    /// quadratic near the solution, so that the error of the derivative (about 1e-11) only slows
-    /// the last step of the iteration and does not change its result. `at` contains the poses for
-    /// `x`.
+    /// Returns the forms (index) of a group in which a body occurs, each with the index of its
+    /// first equation in the group.
+    fn equations_with(&self, body: usize, block: &GroupBlock) -> Vec<(usize, usize)> {
+        let node = match body.checked_sub(self.links.len()) {
+            None => GraphNode::Link(self.links[body]),
+            Some(pin) => GraphNode::Pin(self.pins[pin]),
+        };
+        let mut found = Vec::new();
+        let mut row = 0;
+        for i in block.forms.clone() {
+            let form = self.forms[i].0;
+            let (one, other) = form.ends();
+            found.extend([one, other].iter().filter(|n| **n == node).map(|_| (i, row)));
+            row += form.equations();
+        }
+        found
+    }
+
+    /// Returns the Jacobian of a group by central differences with a step of 2^-17: the residuals
+    /// are at worst quadratic near the solution, so that the error of the derivative (about 1e-11)
+    /// only slows the last step of the iteration and does not change its result. `at` contains the
+    /// poses for `x`.
     fn jacobian(
         &self,
         x: &DVector<f64>,
         at: &mut SolvedPoses,
-        touching: &[Vec<(usize, usize)>],
+        bodies: &[BlockBody],
         drivers: &DriverValues,
     ) -> DMatrix<f64> {
         const STEP: f64 = 1.0 / 131_072.0;
         let mut j = DMatrix::zeros(x.len(), x.len());
-        for (body, forms) in touching.iter().enumerate() {
-            let (first, count) = self.unknowns(body);
-            for k in first..first + count {
+        for BlockBody { body, unknowns, equations } in bodies {
+            let first = unknowns.start;
+            for k in unknowns.clone() {
                 for (step, sign) in [(STEP, 1.0), (-STEP, -1.0)] {
-                    self.put(body, |n| if n == k { x[n] + step } else { x[n] }, at);
-                    for &(form, row) in forms {
+                    let varied = |n: usize| x[first + n] + if first + n == k { step } else { 0.0 };
+                    self.put(*body, varied, at);
+                    for &(form, row) in equations {
                         let mut row = row;
                         self.residual(&self.forms[form], at, drivers, |v| {
                             j[(row, k)] += sign * v;
@@ -304,7 +362,7 @@ impl<'a> System<'a> {
                     }
                 }
             }
-            self.put(body, |n| x[n], at);
+            self.put(*body, |n| x[first + n], at);
         }
         j *= 0.5 / STEP;
         j
@@ -335,6 +393,15 @@ pub(super) fn slopes(
         })
         .collect();
     DMatrix::from_columns(&columns)
+}
+
+/// A body of a group: a link by its index in the system, or a pin by its index after all links.
+struct BlockBody {
+    body: usize,
+    /// Its unknowns in the group.
+    unknowns: Range<usize>,
+    /// The forms in which it occurs, see [`System::equations_with`].
+    equations: Vec<(usize, usize)>,
 }
 
 /// A system with its links and pins in a given pose.

@@ -94,13 +94,12 @@ impl<'a> TravelWalk<'a> {
         self.follower.returns()
     }
 
-    /// Returns position, rate and acceleration of an output at a position of the driver; `None`
-    /// where it has none.
-    pub fn at(&self, value: f64, output: DrivenOutput) -> Option<[f64; 3]> {
+    /// Returns the pose and the motion at a position of the driver; `None` where it has none.
+    pub fn at(&self, value: f64) -> Option<WalkedMotion<'a>> {
         let travel = value - self.now;
         let poses = &self.sweep.poses;
         if let Some(pose) = poses.iter().find(|p| p.travel == travel) {
-            return self.moving(&pose.configuration, travel, output);
+            return self.moving(pose.configuration.clone(), travel);
         }
         // At a limit two assemblies meet: from there Newton's method may go to either, from this
         // side of it only to its own.
@@ -111,7 +110,7 @@ impl<'a> TravelWalk<'a> {
             .map(|(_, pose)| pose);
         let near = inner
             .min_by(|a, b| self.apart(a.travel, travel).total_cmp(&self.apart(b.travel, travel)))?;
-        self.moving(&self.follower.at(&near.configuration, travel)?, travel, output)
+        self.moving(self.follower.at(&near.configuration, travel)?, travel)
     }
 
     /// The distance of two positions of the driver; on a full turn the end is the beginning.
@@ -121,20 +120,34 @@ impl<'a> TravelWalk<'a> {
         if self.sweep.full { (d % period).min(period - d % period) } else { d }
     }
 
-    fn moving(&self, at: &Configuration, travel: f64, output: DrivenOutput) -> Option<[f64; 3]> {
+    fn moving(&self, at: Configuration, travel: f64) -> Option<WalkedMotion<'a>> {
         let mechanism = self.placed.mechanism;
-        let there = if self.placed.scene.has_laws(self.driver) {
+        let scene = if self.placed.scene.has_laws(self.driver) {
             Cow::Owned(self.follower.scene_at(self.placed.scene, travel))
         } else {
             Cow::Borrowed(self.placed.scene)
         };
-        let scene: &Scene = &there;
         let demand = Demand {
             groups: vec![Some(Level::Acceleration); mechanism.groups.len()],
             level: Level::Acceleration,
             needs: Vec::new(),
         };
-        let solution = analytic::solve(scene, mechanism, at, &demand).ok()?;
+        let solution = analytic::solve(&scene, mechanism, &at, &demand).ok()?;
+        Some(WalkedMotion { scene, at, solution })
+    }
+}
+
+/// The pose and the motion of the whole mechanism at one position of its driver.
+pub(crate) struct WalkedMotion<'a> {
+    scene: Cow<'a, Scene>,
+    at: Configuration,
+    solution: analytic::Solution,
+}
+
+impl WalkedMotion<'_> {
+    /// Returns position, rate and acceleration of an output; `None` if it has none.
+    pub fn of(&self, output: DrivenOutput) -> Option<[f64; 3]> {
+        let WalkedMotion { scene, at, solution } = self;
         let all = match output {
             DrivenOutput::Turning(l) => {
                 let angle = at.direction(scene, l)?.angle();
