@@ -23,8 +23,9 @@ const ALIGN: usize = 64;
 /// Length of magic bytes, version and, in version 2, the length of the header.
 const BEFORE_HEADER: usize = 12;
 
-/// Number of records that one thread writes at a time.
-const ROWS: usize = 4096;
+/// Number of records that one thread writes at a time, column after column: they stay in the
+/// processor's cache meanwhile.
+const ROWS: usize = 256;
 
 impl Npy {
     /// Returns the format for a table with this head.
@@ -76,20 +77,17 @@ impl RowFormat for Npy {
         // The old bytes are kept: all are overwritten.
         let mut parts = used.parts;
         parts.resize_with(1, Vec::new);
+        let width = columns.len() * 8;
         let bytes = &mut parts[0];
-        bytes.resize(rows * columns.len() * 8, 0);
-        bytes.par_chunks_mut(ROWS * columns.len().max(1) * 8).enumerate().for_each(|(k, part)| {
-            for (i, record) in part.chunks_exact_mut(columns.len() * 8).enumerate() {
-                for ((column, heading), place) in
-                    columns.iter().zip(&self.head.columns).zip(record.chunks_exact_mut(8))
-                {
-                    let number = column[k * ROWS + i];
-                    let number = if heading.whole {
-                        (number as i64).to_le_bytes()
-                    } else {
-                        number.to_le_bytes()
-                    };
-                    place.copy_from_slice(&number);
+        bytes.resize(rows * width, 0);
+        bytes.par_chunks_mut((ROWS * width).max(1)).enumerate().for_each(|(k, records)| {
+            let first = k * ROWS;
+            for (c, (column, heading)) in columns.iter().zip(&self.head.columns).enumerate() {
+                for (record, number) in records.chunks_exact_mut(width).zip(&column[first..]) {
+                    record[8 * c..][..8].copy_from_slice(&match heading.whole {
+                        true => (*number as i64).to_le_bytes(),
+                        false => number.to_le_bytes(),
+                    });
                 }
             }
         });
