@@ -57,12 +57,14 @@ pub fn json(found: &Centres, notes: &[Diagnostic]) -> Json {
             json!({"symbol": symbol, "unit": kind.si(), "centres": value, "drawing": drawing, "analysis": analysis})
         })
         .collect();
+    let [by_theorem, by_velocities] = found.closure.found_by();
     json!({
         "title": {"en": scene.title.en, "zh": scene.title.zh},
         "links": found.closure.links.iter().map(|l| scene.link_name(*l)).collect::<Vec<_>>(),
         "count": found.closure.steps.len(),
         "primary": found.closure.primary,
-        "by_theorem": found.closure.by_theorem,
+        "by_theorem": by_theorem,
+        "by_velocities": by_velocities,
         "stalled": found.closure.stalled(),
         "centres": centres,
         "steps": {"en": w.steps(), "zh": CentreWords::new(found, Lang::Zh).steps()},

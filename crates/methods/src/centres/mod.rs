@@ -29,7 +29,7 @@ mod task;
 mod uses;
 mod velocities;
 
-pub use by_hand::HandTolerances;
+pub use by_hand::CentreTolerances;
 pub use lines::CentrePlace;
 pub use locate::{Centre, Origin, Undetermined};
 pub use normals::VelocityNormal as ByVelocity;
@@ -71,7 +71,7 @@ pub struct Centres {
     /// True if all drivers are at rest in the file, so that unit rates are assumed.
     pub at_rest: bool,
     /// The tolerances of hand drawing, if [`Centres::with_drafting`] was called.
-    pub by_hand: Option<HandTolerances>,
+    pub by_hand: Option<CentreTolerances>,
 }
 
 impl Centres {
@@ -241,7 +241,7 @@ fn remarks(scene: &Scene, closure: &CentreClosure, list: &[Centre]) -> Vec<Diagn
     let taken: Vec<String> =
         list.iter().filter(|c| c.step.how == CentreMethod::Velocities).map(name).collect();
     if !taken.is_empty() {
-        let (found, all, taken) = (closure.by_theorem, closure.steps.len(), Both::names(&taken));
+        let (found, all, taken) = (closure.alone, closure.steps.len(), Both::names(&taken));
         notes.push(if closure.freedoms == 1 {
             Diagnostic::note(
                 "centre-stalled",

@@ -91,8 +91,9 @@ pub struct CentreClosure {
     pub steps: Vec<CentreStep>,
     /// The number of primary centres.
     pub primary: usize,
-    /// The number of centres that the theorem finds alone, primary ones included.
-    pub by_theorem: usize,
+    /// The number of centres that are known before one is taken from velocities: the primary ones
+    /// and those that the theorem finds alone.
+    pub alone: usize,
     /// Degrees of freedom.
     pub freedoms: usize,
 }
@@ -104,9 +105,16 @@ impl CentreClosure {
         if rank(a) <= rank(b) { LinkPair { i: a, j: b } } else { LinkPair { i: b, j: a } }
     }
 
+    /// Returns the number of centres that the theorem finds and of those from velocities; with the
+    /// primary ones they are all.
+    pub fn found_by(&self) -> [usize; 2] {
+        let taken = self.steps.iter().filter(|s| s.how == CentreMethod::Velocities).count();
+        [self.steps.len() - self.primary - taken, taken]
+    }
+
     /// True if the theorem stalls on a mechanism of one degree of freedom.
     pub fn stalled(&self) -> bool {
-        self.freedoms == 1 && self.by_theorem < self.steps.len()
+        self.freedoms == 1 && self.alone < self.steps.len()
     }
 }
 
@@ -130,7 +138,7 @@ pub(super) fn closure(scene: &Scene, freedoms: usize) -> CentreClosure {
     }
     steps.iter().for_each(|s: &CentreStep| open.take(s));
     let primary = steps.len();
-    let mut by_theorem = None;
+    let mut alone = None;
     for round in 1.. {
         let found: Vec<CentreStep> = pairs
             .iter()
@@ -140,12 +148,12 @@ pub(super) fn closure(scene: &Scene, freedoms: usize) -> CentreClosure {
                     *pair,
                     round,
                     CentreMethod::Lines(open.lines(*pair)?),
-                    by_theorem.is_some() && freedoms > 1,
+                    alone.is_some() && freedoms > 1,
                 ))
             })
             .collect();
         let found = if found.is_empty() {
-            by_theorem.get_or_insert(steps.len());
+            alone.get_or_insert(steps.len());
             // Any missing centre serves: the first absolute one, otherwise the first.
             let missing = || pairs.iter().filter(|pair| open.of(pair.i, pair.j).is_none());
             let Some(pair) =
@@ -160,7 +168,7 @@ pub(super) fn closure(scene: &Scene, freedoms: usize) -> CentreClosure {
         found.iter().for_each(|s| open.take(s));
         steps.extend(found);
     }
-    CentreClosure { by_theorem: by_theorem.unwrap_or(steps.len()), links, steps, primary, freedoms }
+    CentreClosure { alone: alone.unwrap_or(steps.len()), links, steps, primary, freedoms }
 }
 
 /// A known centre, as far as topology distinguishes it from others.
