@@ -5,7 +5,7 @@
 mod figures;
 
 use hodograph::construct::pencil::{Blunt, Hand};
-use hodograph::curvature::by_hand::ByHand;
+use hodograph::curvature::by_hand::CurvatureTolerances;
 use hodograph::curvature::drawing::{CurvatureDrawing, RayMethod};
 use hodograph::curvature::known::CurvaturePlaces;
 use hodograph::curvature::motion::{Bend, PlaneState};
@@ -152,7 +152,7 @@ fn tolerances_of_hand_drawing_go_with_the_pencil() {
         let (fine, blunt) = (with(0.01), with(0.02));
         for (a, b) in fine.list.iter().zip(&blunt.list) {
             let (Some(a), Some(b)) = (&a.by_hand, &b.by_hand) else { continue };
-            let bounds = |t: &ByHand| {
+            let bounds = |t: &CurvatureTolerances| {
                 [t.pole, t.inflection_pole, t.diameter, t.ball]
                     .into_iter()
                     .chain(t.radii.clone())

@@ -5,7 +5,7 @@
 use crate::budget::here;
 use serde_json::{Value, json};
 
-use crate::construct::pencil::USUAL_MM;
+use crate::construct::pencil_mm;
 use crate::diag::Faults;
 use crate::geom::Point;
 use crate::mechanism::Mechanism;
@@ -113,7 +113,7 @@ pub fn page(
         "cut": frames.cut,
         "handle": handle(frames, options.swept.lead(scene)),
         "scales": scales,
-        "pencil": scene.paper.pencil_mm.unwrap_or(USUAL_MM),
+        "pencil": pencil_mm(&scene.paper),
         "marks": marks,
         "drawings": told_drawings,
         "steps": steps,

@@ -9,6 +9,7 @@ use super::speak::Speak;
 use super::{
     Document, DocumentBlock, DocumentTable, TableKind, WorksheetOptions, WorksheetSides, one_line,
 };
+use crate::construct::pencil_mm;
 use crate::diag::{Both, Faults};
 use crate::digits::{inked, shortest, significant};
 use crate::figure::synthesis::{self as figure, Set};
@@ -22,7 +23,7 @@ use crate::report::symbols::symbols;
 use crate::report::synthesis::{motion, taken, value};
 use crate::scene::{Kind, Lang};
 use crate::synthesis::board::{PaperReading, SynthesisBoard};
-use crate::synthesis::by_hand::{pencil_mm, tolerances};
+use crate::synthesis::by_hand::tolerances;
 use crate::synthesis::candidate::{letters, symbol};
 use crate::synthesis::{Compared, Design, DesignCandidate, Proof, Task};
 
@@ -164,14 +165,14 @@ impl DesignMaker<'_> {
                 "measured".into(),
                 format!("times $\\mu_l = {}\\,\\text{{m/mm}}$", inked(&shortest(board.mu_l))),
                 "closed formula".to_owned(),
-                format!("by hand ({} mm)", shortest(pencil_mm(self.task))),
+                format!("by hand ({} mm)", shortest(pencil_mm(&self.task.paper))),
             ],
             Lang::Zh => [
                 "量".into(),
                 "量取".into(),
                 format!("乘以 $\\mu_l = {}\\,\\text{{m/mm}}$", inked(&shortest(board.mu_l))),
                 "公式".to_owned(),
-                format!("手工作图误差 ({} mm)", shortest(pencil_mm(self.task))),
+                format!("手工作图误差 ({} mm)", shortest(pencil_mm(&self.task.paper))),
             ],
         };
         let mut rows = vec![head.iter().map(|h: &String| Phrase::new(h)).collect::<Vec<_>>()];

@@ -6,7 +6,8 @@
 
 use super::board::PaperReading;
 use super::{DesignCandidate, SynthesisBoard, Task};
-use hodograph_board::construct::pencil::{USUAL_MM, bounds};
+use hodograph_board::construct::pencil::bounds;
+use hodograph_board::construct::pencil_mm;
 
 /// Returns the tolerances of a board's readings in their order (m or rad), which contain 95 of 100
 /// drawings with this pencil. `None` where too many drawings fail, because circles that just meet
@@ -16,7 +17,7 @@ pub fn tolerances(
     candidate: &DesignCandidate,
     board: &SynthesisBoard,
 ) -> Vec<Option<f64>> {
-    bounds(pencil_mm(task), board.readings.len(), |pencil| {
+    bounds(pencil_mm(&task.paper), board.readings.len(), |pencil| {
         let mut hand = SynthesisBoard::by_hand(board.mu_l, pencil);
         if task.wish.construct(&candidate.draft, &mut hand).is_none() {
             return Vec::new();
@@ -26,11 +27,6 @@ pub fn tolerances(
         };
         board.readings.iter().zip(&hand.readings).map(error).collect()
     })
-}
-
-/// The pencil error of a task's paper, else the usual one (mm).
-pub fn pencil_mm(task: &Task) -> f64 {
-    task.paper.pencil_mm.unwrap_or(USUAL_MM)
 }
 
 #[cfg(test)]

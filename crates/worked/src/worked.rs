@@ -108,13 +108,8 @@ impl Worked {
 
     /// Returns the tolerances of hand drawing, for the scene's pencil or the usual one.
     pub fn by_hand(&self, scene: &Scene) -> Drafting {
-        drafting(&self.drawn(scene), pencil_mm(scene))
+        drafting(&self.drawn(scene), construct::pencil_mm(&scene.paper))
     }
-}
-
-/// The pencil error of a scene (mm).
-fn pencil_mm(scene: &Scene) -> f64 {
-    scene.paper.pencil_mm.unwrap_or(construct::pencil::USUAL_MM)
 }
 
 /// The answers to one question.
@@ -195,7 +190,7 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
         stages(scene, mechanism, demand, configuration, true)?;
     notes.extend(more);
     let drawn = worked.drawn(scene);
-    let bad_angles = bad_angles(&drawn, pencil_mm(scene));
+    let bad_angles = bad_angles(&drawn, construct::pencil_mm(&scene.paper));
     notes.extend(bad_angles.iter().map(|b| b.diagnostic(&drawn)));
     worked.bad_angles = bad_angles;
     // Links that repeat others only approximately make two mechanisms of one: the drawing and the

@@ -31,8 +31,13 @@ pub use readings::{DrawnVector, FindAnswer, MeasuredDistance, ShownAs, read, rea
 use crate::plan::{Plan, Term, TurningBody, VertexId};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
-use hodograph_scene::{ByKind, DiagramKind};
+use hodograph_scene::{ByKind, DiagramKind, Paper};
 use std::sync::Arc;
+
+/// Returns the pencil error (mm) of a paper: its own, else the usual one.
+pub fn pencil_mm(paper: &Paper) -> f64 {
+    paper.pencil_mm.unwrap_or(pencil::USUAL_MM)
+}
 
 /// The mechanism drawn to scale.
 #[derive(Clone, Debug, PartialEq)]

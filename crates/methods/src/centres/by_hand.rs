@@ -3,11 +3,12 @@
 use super::lines::CentrePlace;
 use super::velocities::Velocities;
 use super::{Centre, Centres, locate};
-use hodograph_board::construct::pencil::{Hand, USUAL_MM, bounds};
+use hodograph_board::construct::pencil::{Hand, bounds};
+use hodograph_board::construct::pencil_mm;
 
 /// Bounds within which the centres of 95 of 100 drawings by hand fall.
 #[derive(Clone, Debug, PartialEq)]
-pub struct HandTolerances {
+pub struct CentreTolerances {
     /// The pencil error (mm).
     pub pencil_mm: f64,
     /// Displacement of each centre (m) in the order of [`Centres::list`]; `None` for centres at
@@ -18,7 +19,7 @@ pub struct HandTolerances {
 impl Centres {
     /// Adds the tolerances of hand drawing, for the scene's pencil or the usual one.
     pub fn with_drafting(mut self) -> Centres {
-        let pencil_mm = self.scene.paper.pencil_mm.unwrap_or(USUAL_MM);
+        let pencil_mm = pencil_mm(&self.scene.paper);
         let velocities = Velocities::of(&self.scene, &self.worked);
         let mu_l = self.worked.construction.diagram.mu;
         let centres = bounds(pencil_mm, self.list.len(), |pencil| {
@@ -36,7 +37,7 @@ impl Centres {
             };
             self.list.iter().zip(drawn).map(error).collect()
         });
-        self.by_hand = Some(HandTolerances { pencil_mm, centres });
+        self.by_hand = Some(CentreTolerances { pencil_mm, centres });
         self
     }
 }

@@ -3,11 +3,12 @@
 use super::drawing::Traced;
 use super::known::CurvaturePlaces;
 use super::{LinkCurvatures, OfLink};
-use hodograph_board::construct::pencil::{Hand, USUAL_MM, bounds};
+use hodograph_board::construct::pencil::{Hand, bounds};
+use hodograph_board::construct::pencil_mm;
 
 /// Bounds within which 95 of 100 drawings by hand fall (m); `None` if more than 5 of 100 fail.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ByHand {
+pub struct CurvatureTolerances {
     /// The pencil error (mm).
     pub pencil_mm: f64,
     /// Displacement of the pole.
@@ -25,14 +26,15 @@ pub struct ByHand {
 impl LinkCurvatures {
     /// Adds the tolerances of hand drawing, for the scene's pencil or the usual one.
     pub fn with_drafting(mut self) -> LinkCurvatures {
-        let all: Vec<Option<ByHand>> = self.list.iter().map(|of| self.by_hand(of)).collect();
+        let all: Vec<Option<CurvatureTolerances>> =
+            self.list.iter().map(|of| self.by_hand(of)).collect();
         self.list.iter_mut().zip(all).for_each(|(of, by_hand)| of.by_hand = by_hand);
         self
     }
 
     /// Returns the tolerances of a link's drawing; `None` if it finds no pole.
-    fn by_hand(&self, of: &OfLink) -> Option<ByHand> {
-        let pencil_mm = self.scene.paper.pencil_mm.unwrap_or(USUAL_MM);
+    fn by_hand(&self, of: &OfLink) -> Option<CurvatureTolerances> {
+        let pencil_mm = pencil_mm(&self.scene.paper);
         let (pole, normal) = of.drawing.pole()?;
         let ball = of.drawing.ball();
         let radius = |t: Traced| t.centre.at().map(|c| c.distance(t.at));
@@ -69,6 +71,13 @@ impl LinkCurvatures {
         .into_iter();
         let mut next = || bounds.next().flatten();
         let [pole, inflection_pole, diameter, ball] = [next(), next(), next(), next()];
-        Some(ByHand { pencil_mm, pole, inflection_pole, diameter, ball, radii: bounds.collect() })
+        Some(CurvatureTolerances {
+            pencil_mm,
+            pole,
+            inflection_pole,
+            diameter,
+            ball,
+            radii: bounds.collect(),
+        })
     }
 }

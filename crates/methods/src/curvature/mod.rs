@@ -27,7 +27,7 @@ pub mod motion;
 pub mod plane;
 
 use crate::centres::moving_at_all;
-use by_hand::ByHand;
+use by_hand::CurvatureTolerances;
 use drawing::{CurvatureDrawing, Traced};
 use hodograph_analytic::third;
 use hodograph_base::diag::{Diagnostic, Faults, Severity, Warned, both};
@@ -85,7 +85,7 @@ pub struct OfLink {
     /// ω and α read from the polygons; they serve to draw acceleration pole and pole velocity.
     pub read: Option<[f64; 2]>,
     /// The tolerances of hand drawing, if [`LinkCurvatures::with_drafting`] was called.
-    pub by_hand: Option<ByHand>,
+    pub by_hand: Option<CurvatureTolerances>,
 }
 
 /// The curvature of a point's path.
