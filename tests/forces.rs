@@ -16,6 +16,7 @@ use hodograph::answer::{AnswerValue, MotionSource};
 use hodograph::certified::ladder::{AnswerPart, certify};
 use hodograph::diag::Warned;
 use hodograph::digits::significant;
+use hodograph::equilibrium::ForceTerm;
 use hodograph::force::{is_determined, rubbing};
 use hodograph::geom::Vec2;
 use hodograph::mechanism::Mechanism;
@@ -416,6 +417,30 @@ fn a_rod_is_told_as_two_masses() {
     ] {
         assert!(told.contains(part), "{part} is missing in\n{told}");
     }
+}
+
+/// At a pin two links may be loaded: each force has the name of its link, and a single load only
+/// that of its point.
+#[test]
+fn loads_of_two_links_at_one_pin_have_two_names() {
+    let symbols = |forces: Json| -> Vec<String> {
+        let mut json: Json =
+            serde_json::from_str(templates::get("four-bar-forces").unwrap()).unwrap();
+        json["forces"] = forces;
+        let scene = scene::read(&json.to_string()).unwrap_or_else(|f| panic!("{f}")).value;
+        let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}")).value;
+        let (notation, of) = (Notation::of_language(Lang::En), worked.equilibrium.unwrap());
+        let w = ForceWriter { scene: &scene, notation: &notation, lang: Lang::En, of: &of };
+        let loads = (0..of.loads.len()).map(|k| w.plain(ForceTerm::Load(k)));
+        loads.filter(|symbol| symbol.starts_with("F_C")).collect()
+    };
+    let at_c =
+        |link: &str, angle: &str| json!({"on": link, "at": "C", "F": "50 N", "angle": angle});
+    let of_two = json!([at_c("2", "0 deg"), at_c("3", "90 deg")]);
+    assert_eq!(symbols(of_two), ["F_C2", "F_C3"]);
+    let of_three = json!([at_c("2", "0 deg"), at_c("3", "90 deg"), at_c("3", "20 deg")]);
+    assert_eq!(symbols(of_three), ["F_C2", "F_C3,2", "F_C3,3"]);
+    assert_eq!(symbols(json!([at_c("2", "0 deg")])), ["F_C"]);
 }
 
 /// A couple on a slider shifts the force of its guide off its pin: beyond the length of the slider

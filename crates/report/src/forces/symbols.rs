@@ -68,14 +68,14 @@ impl ForceWriter<'_> {
             }
             Cause::Applied(a) => {
                 let applied = &self.scene.loads.applied[a];
-                let same = |other: &&hodograph_scene::Applied| {
-                    other.at == applied.at && other.link == applied.link
-                };
-                let twins = self.scene.loads.applied.iter().filter(same).count();
+                let here = || self.scene.loads.applied.iter().filter(|o| o.at == applied.at);
+                let twins = here().filter(|other| other.link == applied.link).count();
                 let number = if twins > 1 { format!(",{}", a + 1) } else { String::new() };
+                // At a pin two links may be loaded.
+                let by_link = if twins < here().count() { link.as_str() } else { "" };
                 match (applied.at, &applied.size) {
-                    (Some(_), LoadSize::AgainstMotion(_)) => ('F', format!("r{number}")),
-                    (Some(p), _) => ('F', format!("{}{number}", at(p))),
+                    (Some(_), LoadSize::AgainstMotion(_)) => ('F', format!("r{by_link}{number}")),
+                    (Some(p), _) => ('F', format!("{}{by_link}{number}", at(p))),
                     (None, _) => ('M', format!("{link}{number}")),
                 }
             }
