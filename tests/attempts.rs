@@ -3,10 +3,13 @@
 
 use hodograph::answer::AnswerValue;
 use hodograph::attempts::{Attempt, sites, wanted};
+use hodograph::certified::certify;
 use hodograph::composite::{ChoicePlace, ContactScene};
 use hodograph::mechanism::Level;
+use hodograph::notation::Notation;
+use hodograph::report::attempts::{AttemptWords, text};
 use hodograph::scene::quantity::composite::CompositePart;
-use hodograph::scene::{self, Mistake, PointId, templates};
+use hodograph::scene::{self, Lang, Mistake, PointId, templates};
 use hodograph::worked::{Scope, Worked, work};
 use std::collections::BTreeSet;
 
@@ -144,6 +147,26 @@ fn every_mistake_is_there() {
         }
     }
     assert_eq!(met.into_iter().collect::<Vec<_>>(), Mistake::ALL.to_vec());
+}
+
+/// A text without frames says what its brackets mean.
+#[test]
+fn brackets_of_a_text_are_explained() {
+    let (scene, worked, all) = all("shaper");
+    let notation = Notation::of_language(Lang::En);
+    let certified = certify(&scene, &worked, 6);
+    let words = AttemptWords {
+        scene: &scene,
+        worked: &worked,
+        certified: &certified,
+        notation: &notation,
+        digits: 6,
+        lang: Lang::En,
+    };
+    let said = text(&words, &all);
+    let equation = "    a_A3^n + a_A3^t = a_A2 + [a_A3A2^c] + a_A3A2^rel\n";
+    assert!(said.contains(&format!("{equation}    in brackets: often left out\n")), "{said}");
+    assert!(!said.contains("framed"), "{said}");
 }
 
 #[test]

@@ -160,15 +160,25 @@ impl AttemptWords<'_> {
         Some(Phrase::new(&image))
     }
 
-    /// Returns the legend of the frame.
-    pub fn frame(&self, a: &Attempt) -> &'static str {
+    /// Returns the legend of a frame in a figure.
+    pub fn frame(&self, a: &Attempt) -> String {
+        self.tr("framed: ", "框内：").to_owned() + self.fault(a)
+    }
+
+    /// Returns the legend of the brackets that replace the frame in plain text.
+    fn brackets(&self, a: &Attempt) -> String {
+        self.tr("in brackets: ", "方括号内：").to_owned() + self.fault(a)
+    }
+
+    /// Returns the fault of the framed part.
+    fn fault(&self, a: &Attempt) -> &'static str {
         let missing =
             matches!((&a.shown.missing, a.shown.side), (Some(_), _) | (None, SolutionSide::Right));
         match (missing, printed(a)) {
-            (true, true) => self.tr("framed: left out in print", "框内：原解漏掉的项"),
-            (false, true) => self.tr("framed: wrong in print", "框内：原解中错误的部分"),
-            (true, false) => self.tr("framed: often left out", "框内：常被漏掉的项"),
-            (false, false) => self.tr("framed: often taken wrongly", "框内：常被取错的部分"),
+            (true, true) => self.tr("left out in print", "原解漏掉的项"),
+            (false, true) => self.tr("wrong in print", "原解中错误的部分"),
+            (true, false) => self.tr("often left out", "常被漏掉的项"),
+            (false, false) => self.tr("often taken wrongly", "常被取错的部分"),
         }
     }
 
@@ -397,15 +407,10 @@ pub fn text(words: &AttemptWords, all: &[Attempt]) -> String {
                 }
             };
             let formula = columns.iter().map(part).collect::<Vec<_>>().join(" ");
-            let frame = words.frame(a);
-            lines.push(format!(
-                "    {formula}    {}",
-                if words.lang == Lang::Zh {
-                    format!("（{frame}）")
-                } else {
-                    format!("({frame})")
-                }
-            ));
+            lines.push(format!("    {formula}"));
+            if columns.iter().any(|f| f.framed) {
+                lines.push(format!("    {}", words.brackets(a)));
+            }
         }
         lines.extend(words.statement(a).map(|p| format!("    {}", p.plain())));
         lines.extend(a.rows.iter().map(|r| format!("    {}", words.plain_row(r))));

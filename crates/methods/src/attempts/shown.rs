@@ -40,7 +40,8 @@ pub struct EquationPart {
 
 impl EquationPart {
     /// Finds a step of a polygon with a term for which `wrong` holds, and all such terms of it.
-    /// Steps with two chains take precedence; among equal steps the last is taken.
+    /// Steps with two chains take precedence, which show more than one with known terms only; among
+    /// equal steps the first is taken, in which the mistake has its effect alone.
     pub fn with(
         plan: &Plan,
         on: DiagramKind,
@@ -55,9 +56,13 @@ impl EquationPart {
                 .copied()
                 .collect()
         };
-        let all = plan.steps(on).iter().flat_map(|g| g.steps(0));
-        // An equation with unknowns shows more than one with known terms only.
-        let step = all.filter(|s| !terms(s).is_empty()).max_by_key(|s| s.chains().len() == 2)?;
-        Some(EquationPart { on, step: step.clone(), side, framed: terms(step), missing: None })
+        let all: Vec<&PlanStep> = plan
+            .steps(on)
+            .iter()
+            .flat_map(|g| g.steps(0))
+            .filter(|s| !terms(s).is_empty())
+            .collect();
+        let step = all.iter().find(|s| s.chains().len() == 2).or(all.first())?;
+        Some(EquationPart { on, step: (*step).clone(), side, framed: terms(step), missing: None })
     }
 }
