@@ -3,7 +3,7 @@
 
 use super::columns::columns;
 use super::drafting;
-use hodograph_base::digits::{direction_degrees, significant};
+use hodograph_base::digits::{direction_degrees, legible};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::plan::names::{name_label, point_label};
 use hodograph_methods::curvature::drawing::CurvatureDrawing;
@@ -199,16 +199,13 @@ impl CurvatureWords<'_> {
         let (name, per_metre) = self.unit();
         let m =
             if m.abs() <= ROUNDING * self.found.worked.configuration.extent() { 0.0 } else { m };
-        format!("{} {name}", significant(m * per_metre, DIGITS))
+        format!("{} {name}", legible(m * per_metre, DIGITS))
     }
 
     /// Returns the bound of a reading by hand: `± 12 mm`, `–` if there is none.
     fn tolerance(&self, bound: Option<f64>) -> String {
         let (unit, per_metre) = self.unit();
-        bound.map_or_else(
-            || "–".to_owned(),
-            |m| format!("± {} {unit}", significant(m * per_metre, 2)),
-        )
+        bound.map_or_else(|| "–".to_owned(), |m| format!("± {} {unit}", legible(m * per_metre, 2)))
     }
 
     /// Returns the meaning of the tolerances, if there are any.
@@ -223,7 +220,7 @@ impl CurvatureWords<'_> {
 
     /// Returns a length as read off the drawing: `25.23 mm`.
     pub(super) fn on_paper(&self, m: f64) -> String {
-        format!("{} mm", significant(m / self.mu_l(), 4))
+        format!("{} mm", legible(m / self.mu_l(), 4))
     }
 
     fn place(&self, p: Point) -> String {
@@ -233,11 +230,11 @@ impl CurvatureWords<'_> {
     fn velocity(&self, v: Vec2) -> String {
         let book = &self.scene().book;
         let size =
-            book.text(Kind::Velocity, &significant(book.value(Kind::Velocity, v.norm()), DIGITS));
+            book.text(Kind::Velocity, &legible(book.value(Kind::Velocity, v.norm()), DIGITS));
         if v == Vec2::ZERO {
             size
         } else {
-            format!("{size} ∠ {}°", significant(direction_degrees(v.angle()), 5))
+            format!("{size} ∠ {}°", legible(direction_degrees(v.angle()), 5))
         }
     }
 
@@ -251,7 +248,7 @@ impl CurvatureWords<'_> {
                 out.push(tr(lang, "the link is at rest in this pose: it has no pole", "该位置构件静止，没有瞬心").to_owned())
             }
             PlaneState::Translation(v) => {
-                let direction = significant(direction_degrees(v.perp().angle()), 5);
+                let direction = legible(direction_degrees(v.perp().angle()), 5);
                 out.push(match lang {
                     Lang::En => format!("the link translates at this instant: ${pole}$ lies at infinity, toward {direction}°; points whose path is straight lie on a line, not on a circle"),
                     Lang::Zh => format!("该瞬时构件作平动：${pole}$ 在 {direction}° 方向的无穷远处；轨迹为直的点在一条直线上，不构成圆"),
@@ -286,6 +283,20 @@ impl CurvatureWords<'_> {
             "pole, inflection circle and centres of curvature are shown where they are calculated",
             "图中速度瞬心、拐点圆和曲率中心的位置由计算得到",
         ))
+    }
+
+    /// Returns the note on names of the steps that a figure does not show.
+    pub fn undrawn(&self, names: &[String]) -> Option<Phrase> {
+        let marked: Vec<String> = names.iter().map(|name| format!("${name}$")).collect();
+        (!marked.is_empty()).then(|| {
+            Phrase::new(&match self.lang {
+                Lang::En => format!(
+                    "not drawn, as their construction leaves the paper: {}",
+                    marked.join(", ")
+                ),
+                Lang::Zh => format!("作图超出图纸而未画出：{}", marked.join("、")),
+            })
+        })
     }
 
     /// Returns the reason if there is no drawing.
@@ -377,7 +388,7 @@ impl CurvatureWords<'_> {
             self.length(pole.diameter()),
         );
         let tangent = |u: Vec2| {
-            format!("{}°", significant(direction_degrees(u.angle()).rem_euclid(180.0), DIGITS))
+            format!("{}°", legible(direction_degrees(u.angle()).rem_euclid(180.0), DIGITS))
         };
         row(
             "t".into(),
@@ -455,7 +466,7 @@ impl CurvatureWords<'_> {
             let book = &scene.book;
             let u = book.text(
                 Kind::Velocity,
-                &significant(book.value(Kind::Velocity, pole.pole_velocity.norm()), 4),
+                &legible(book.value(Kind::Velocity, pole.pole_velocity.norm()), 4),
             );
             parts.push(format!("${}$ = {u}", self.letter("u", of)));
         }

@@ -4,6 +4,7 @@
 use super::construction::CurvatureOverlay;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_methods::curvature::drawing::{BallPoint, Rays};
+use hodograph_methods::curvature::known::CurvatureRay;
 use hodograph_methods::curvature::plane::PlanePoint;
 use hodograph_paper::paper::item::Dash;
 use hodograph_scene::PointId;
@@ -26,10 +27,17 @@ impl CurvatureOverlay<'_, '_> {
     /// Draws the construction of Ball's point with the letters of its steps, if the paper holds all
     /// of it: lines that lead off the paper explain nothing.
     pub(super) fn ball(&mut self, rays: &Rays, ball: &BallPoint) {
+        let corner = |known: &CurvatureRay| {
+            self.words.below(self.words.corner(), known.why.moving().unwrap_or(PointId(0)))
+        };
+        let corners = rays.known.each_ref().map(corner);
         if !places(rays).iter().all(|p| self.board.holds(self.at(*p))) {
+            corners.iter().for_each(|name| self.leave_out(name));
+            self.leave_out(self.words.corner());
+            self.leave_out(self.words.foot());
             return;
         }
-        for (known, corner) in rays.known.iter().zip(ball.corners) {
+        for ((known, name), corner) in rays.known.iter().zip(corners).zip(ball.corners) {
             let PlanePoint::At(moving) = known.moving else { continue };
             let [on_tangent, corner, on_normal] = rectangle(rays, corner).map(|p| self.at(p));
             let moving = self.at(moving);
@@ -38,8 +46,6 @@ impl CurvatureOverlay<'_, '_> {
             for side in [on_tangent, on_normal] {
                 self.segment("ball-rectangle", [side, corner], Dash::Dashed);
             }
-            let name =
-                self.words.below(self.words.corner(), known.why.moving().unwrap_or(PointId(0)));
             self.spot(&name, corner);
         }
         let [g, h] = ball.corners.map(|p| self.at(p));

@@ -63,8 +63,9 @@ pub fn figure(w: &FigureInput, found: &LinkCurvatures, of: &OfLink) -> Figure {
     let (_, mu) = maker.caption(DiagramKind::Plane);
     let caption =
         Label::text(format!("{} – ", maker.words().curvature)).then(words.heading_set(of).label());
-    let mut drawing = maker.titled(part(w, &words, of), caption, &mu, "curvature");
-    let mut below = text(w, &words, of);
+    let (drawn, undrawn) = part(w, &words, of);
+    let mut drawing = maker.titled(drawn, caption, &mu, "curvature");
+    let mut below = text(w, &words, of, &undrawn);
     drawing.stand_at(Point::ORIGIN);
     below.stand_at(Point::new(
         (drawing.bounds.width_mm() - below.bounds.width_mm()).max(0.0) / 2.0,
@@ -79,8 +80,8 @@ pub fn figure(w: &FigureInput, found: &LinkCurvatures, of: &OfLink) -> Figure {
     figure
 }
 
-/// Steps and values as wrapped text.
-fn text(w: &FigureInput, words: &CurvatureWords, of: &OfLink) -> DrawingPart {
+/// Steps and values as wrapped text, with the names of the steps that the drawing lacks.
+fn text(w: &FigureInput, words: &CurvatureWords, of: &OfLink, undrawn: &[String]) -> DrawingPart {
     let style = &w.options.style;
     let mut lines: Vec<Label> = Vec::new();
     let mut add =
@@ -99,6 +100,7 @@ fn text(w: &FigureInput, words: &CurvatureWords, of: &OfLink) -> DrawingPart {
                 .collect(),
         ));
     }
+    words.undrawn(undrawn).iter().for_each(&mut add);
     words.told(of).iter().for_each(&mut add);
     words.legend(of).iter().for_each(&mut add);
     let row = |(k, label): (usize, Label)| {
@@ -114,8 +116,8 @@ fn text(w: &FigureInput, words: &CurvatureWords, of: &OfLink) -> DrawingPart {
     DrawingPart::of(grid::set(&lines.into_iter().enumerate().map(row).collect::<Vec<_>>(), 0.0))
 }
 
-/// The drawing.
-fn part(w: &FigureInput, words: &CurvatureWords, of: &OfLink) -> DrawingPart {
+/// The drawing, and the names of places that the paper does not hold.
+fn part(w: &FigureInput, words: &CurvatureWords, of: &OfLink) -> (DrawingPart, Vec<String>) {
     let diagram = &w.worked.construction.diagram;
     let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu)).to_point();
     let mut d = mechanism::numbered(&w.options.style, w.scene, w.worked, &w.options.notation);
@@ -141,9 +143,10 @@ fn part(w: &FigureInput, words: &CurvatureWords, of: &OfLink) -> DrawingPart {
         to_paper: &to_paper,
         board,
         thin: w.options.style.thin.coloured(LINES),
+        undrawn: Vec::new(),
     };
     over.everything();
-    over.board.d.finish()
+    (over.board.d.finish(), over.undrawn)
 }
 
 /// In a large mechanism keeps only the names that the construction uses: the link, its joints, and
@@ -211,6 +214,8 @@ pub(super) struct CurvatureOverlay<'a, 'b> {
     to_paper: &'a dyn Fn(Point) -> Point,
     pub(super) board: CurvatureBoard<'a>,
     pub(super) thin: LineStroke,
+    /// Names of places that the paper does not hold, in the order of the steps.
+    undrawn: Vec<String>,
 }
 
 impl CurvatureOverlay<'_, '_> {
@@ -251,10 +256,22 @@ impl CurvatureOverlay<'_, '_> {
             .any(|p| self.at(p).distance(at) < 0.1)
     }
 
+    /// Names a place, or notes that the paper does not hold it.
     pub(super) fn spot(&mut self, label: &str, at: Point) {
+        if !self.board.holds(at) {
+            self.leave_out(label);
+            return;
+        }
         let joint = self.is_joint(at);
         let name = Label::math(label).plain();
         self.board.spot(&name, Label::math(label), at, joint);
+    }
+
+    /// Notes a name of the steps that is not drawn.
+    pub(super) fn leave_out(&mut self, label: &str) {
+        if !self.undrawn.iter().any(|l| l == label) {
+            self.undrawn.push(label.to_owned());
+        }
     }
 
     /// Draws a line from the first to the last of some collinear places, extended a little.
@@ -512,11 +529,11 @@ impl CurvatureOverlay<'_, '_> {
                 && let PlanePoint::At(h) = drawn.helper
             {
                 let h = self.at(h);
-                // Only if the paper holds it: a distant auxiliary point explains nothing.
-                if self.board.holds(h)
-                    && h.distance(p) > 1.0
-                    && matches!(self.of.drawing, Ruler::Rays(_) | Ruler::Rolling(_))
-                {
+                // Lines to a distant auxiliary point explain nothing.
+                let stepped = matches!(self.of.drawing, Ruler::Rays(_) | Ruler::Rolling(_));
+                if stepped && !self.board.holds(h) {
+                    self.leave_out(self.words.helper());
+                } else if stepped && h.distance(p) > 1.0 {
                     self.chain("helper", &[p, h]);
                     let to_j = self.board.cut(e, j);
                     let toward = if (h - e).dot(j - e) >= 0.0 && h.distance(e) > j.distance(e) {
