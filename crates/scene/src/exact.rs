@@ -240,9 +240,7 @@ impl<'a, N: Real> Inputs<'a, N> {
     fn read(&self, text: &str) -> Option<DimensionedValue<N>> {
         let names: Vec<&str> = self.parameters.iter().map(|p| p.0).collect();
         let expr = expr::parse(text, &names).ok()?;
-        // If a name is declared twice, the last one counts, as in the reader.
-        let lookup =
-            |name: &str| self.parameters.iter().rev().find(|p| p.0 == name).and_then(|p| p.1);
+        let lookup = |name: &str| self.parameters.iter().find(|p| p.0 == name).and_then(|p| p.1);
         evaluate(&expr, &lookup).ok()
     }
 }

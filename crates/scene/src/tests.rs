@@ -338,6 +338,13 @@ fn what_is_said_about_bad_scenes() {
             ),
         ),
         (
+            "length of no slider in a straight guide",
+            with(
+                "guides",
+                r#"[{"pin": "A", "on": "2", "line": "BC", "length": "1 m"}, {"pin": "D", "on": "2", "centre": "B", "radius": "1 m", "length": "1 m"}]"#,
+            ),
+        ),
+        (
             "find",
             with(
                 "find",

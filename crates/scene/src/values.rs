@@ -104,7 +104,8 @@ impl<'a> Values<'a> {
                 values.known.insert(&name.text, None);
             } else {
                 values.names.push(&name.text);
-                values.known.insert(&name.text, value);
+                // Of two parameters of one name, a fault of its own, the first counts.
+                values.known.entry(&name.text).or_insert(value);
             }
             if let Some(ParameterValue { value, ball }) = value {
                 let given = GivenQuantity {
