@@ -264,7 +264,7 @@ fn wheels_that_wait_for_one_another_are_drawn_from_their_contact() {
             .iter()
             .find(|d| d.code == "higher-group")
             .unwrap_or_else(|| panic!("{kind}: {:?}", worked.notes));
-        assert!(note.message.en.contains("special points"), "{kind}: {note:?}");
+        assert!(note.message.en.contains("the special point method"), "{kind}: {note:?}");
         agree(&scene, &worked.value);
         for r in &worked.value.results {
             assert!(r.drawn.is_some(), "{kind}: {} is not drawn", scene.find[r.find].text);

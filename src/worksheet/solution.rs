@@ -261,7 +261,7 @@ impl SheetMaker<'_> {
             (Method::Coincident, Lang::Zh) => "重合点法",
             (Method::Strand, Lang::En) => "the ends of a strand, which does not slip",
             (Method::Strand, Lang::Zh) => "带（链）段两端的点，不打滑",
-            (Method::Special, Lang::En) => "special point",
+            (Method::Special, Lang::En) => "special point method",
             (Method::Special, Lang::Zh) => "特殊点法",
             (Method::Trial, Lang::En) => "trial polygon",
             (Method::Trial, Lang::Zh) => "试作多边形",

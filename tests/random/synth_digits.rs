@@ -31,8 +31,11 @@ fn texts(book: &Book, n: &DesignNumber, truth: Big) -> Option<[String; 2]> {
     if printed.ends_with(" m") {
         return None;
     }
-    let bare =
-        printed.trim_end_matches('°').trim_end_matches(" mm").trim_start_matches('-').to_owned();
+    let bare = printed
+        .trim_end_matches('°')
+        .trim_end_matches(" mm")
+        .trim_start_matches(['-', '−'])
+        .to_owned();
     // A difference of 10⁻⁹ of its terms or less is zero, or has no digit.
     let truth = match n.kind {
         Some(Kind::Length) => truth * Big::from_f64(1000.0),
@@ -42,7 +45,7 @@ fn texts(book: &Book, n: &DesignNumber, truth: Big) -> Option<[String; 2]> {
     let ball = Ball::new(truth, 1e-60);
     let all = parts(Kind::Number, AnswerValue::Scalar(ball), 0.0, DIGITS).ok()?;
     let (text, _) = all[0].1.text(DIGITS).unwrap_or_else(|| ("0".into(), DIGITS));
-    Some([bare, text.trim_start_matches('-').to_owned()])
+    Some([bare, text.trim_start_matches(['-', '−']).to_owned()])
 }
 
 /// True if a number is midway between two values of the last digit, one of which is printed.

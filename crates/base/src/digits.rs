@@ -30,6 +30,17 @@ fn unbounded(value: f64) -> &'static str {
     }
 }
 
+/// Returns a number for people: [`significant`] with the sign of [`minus`].
+pub fn legible(value: f64, digits: usize) -> String {
+    minus(&significant(value, digits))
+}
+
+/// Returns a plain number with a minus sign as long as a plus sign: `−2.5`. An exponent keeps its
+/// hyphen. Scene files may contain either sign.
+pub fn minus(text: &str) -> String {
+    text.strip_prefix('-').map_or_else(|| text.to_owned(), |rest| format!("−{rest}"))
+}
+
 /// Converts a number from e notation: without an exponent between 1e-4 and 1e6, its digits kept.
 pub fn plain(scientific: &str) -> String {
     let Some((mantissa, exponent)) = scientific.split_once('e') else { return scientific.into() };
@@ -124,6 +135,12 @@ mod tests {
             ["∞", "-∞", "—"]
         );
         assert_eq!(shortest(f64::INFINITY), "∞");
+    }
+
+    #[test]
+    fn numbers_for_people_have_a_long_minus_sign() {
+        assert_eq!([-12.3456, -1.5e-9, 2.0].map(|x| legible(x, 3)), ["−12.3", "−1.50e-9", "2.00"]);
+        assert_eq!(legible(-f64::INFINITY, 3), "−∞");
     }
 
     #[test]

@@ -4,7 +4,7 @@ use super::construction;
 use super::drafting;
 use hodograph_analytic::{Decided, RefusalReason as Refusal, SingularKind, Singularity};
 use hodograph_base::diag::Diagnostic;
-use hodograph_base::digits::{direction_degrees, shortest, significant};
+use hodograph_base::digits::{direction_degrees, legible, minus, shortest, significant};
 use hodograph_base::notation::Notation;
 use hodograph_board::construct::MeasuredDistance;
 use hodograph_board::plan::text::PlanWriter;
@@ -150,7 +150,7 @@ pub fn at_infinity(far: &InfiniteCentre, lang: Lang) -> String {
     match far.direction_deg {
         Some(degrees) => fill(
             tr(lang, "at infinity, ∠ {}°", "无穷远处，∠ {}°"),
-            &[("", &significant(degrees, DIRECTION_DIGITS))],
+            &[("", &legible(degrees, DIRECTION_DIGITS))],
         ),
         None => tr(lang, "everywhere: no relative motion", "任意点：无相对运动").to_owned(),
     }
@@ -177,10 +177,10 @@ pub fn value_words(
         .part(part)
         .and_then(|n| n.text(digits))
     {
-        Some((text, _)) => text,
+        Some((text, _)) => minus(&text),
         None => match c.rough_digits(digits) {
-            (known, true) => significant(rough, known),
-            (known, false) => format!("≈ {}", significant(rough, known)),
+            (known, true) => legible(rough, known),
+            (known, false) => format!("≈ {}", legible(rough, known)),
         },
     };
     // The certified number in the unit in which it is printed.
@@ -221,7 +221,7 @@ pub fn value_words(
         AnswerValue::Scalar(s) if kind.turns() => {
             let sign = c.part(AnswerPart::Scalar).map_or(s, |n| n.sign());
             let sense = if sign == 0.0 { String::new() } else { format!(" {}", sense(lang, sign)) };
-            format!("{}{sense}", amount(s, "-"))
+            format!("{}{sense}", amount(s, "−"))
         }
         AnswerValue::Scalar(s) => amount(s, ""),
         AnswerValue::Point(p) => {

@@ -10,7 +10,7 @@ use hodograph_base::cam::{
     PieceSide, Shock, StageMotion, in_turn, round,
 };
 use hodograph_base::diag::{Both, Diagnostic, both};
-use hodograph_base::digits::significant;
+use hodograph_base::digits::legible;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{Cam, Follows, Kind, Lang, Scene, TurningCam};
 use serde_json::{Value as Json, json};
@@ -516,7 +516,7 @@ fn in_degrees(text: &str) -> String {
 /// Returns an angle in degrees from double precision, used if no certified value exists.
 fn degrees(radians: f64) -> String {
     // Rounds to 1e-8°, which restores values that are written in degrees.
-    in_degrees(&significant((radians.to_degrees() * 1e8).round() / 1e8 + 0.0, DIGITS))
+    in_degrees(&legible((radians.to_degrees() * 1e8).round() / 1e8 + 0.0, DIGITS))
 }
 
 /// Returns the type of the cam in words.

@@ -3,11 +3,11 @@
 use super::columns::columns;
 use super::drafting;
 use super::writing::PointForm;
-use hodograph_base::digits::{direction_degrees, line_degrees, significant};
+use hodograph_base::digits::{direction_degrees, legible, line_degrees};
 use hodograph_mechanism::answer::AnswerValue;
 use hodograph_methods::centres::{
-    Centre, CentreMethod, CentreMotion, CentreMotionSource, CentrePlace, Centres, LinkPair,
-    RelativeMotion, Speed, omega, velocity,
+    Centre, CentreMotion, CentreMotionSource, CentrePlace, Centres, LinkPair, RelativeMotion,
+    Speed, omega, velocity,
 };
 use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{Kind, Lang, LinkId, Scene};
@@ -72,9 +72,8 @@ impl<'a> CentreWords<'a> {
     /// Returns the number of centres and how they are found.
     pub fn counts(&self) -> String {
         let c = &self.found.closure;
-        let taken = c.steps.iter().filter(|s| s.how == CentreMethod::Velocities).count();
-        let (n, all, primary) = (c.links.len(), c.steps.len(), c.primary);
-        let more = all - primary - taken;
+        let (n, all, primary, [more, taken]) =
+            (c.links.len(), c.steps.len(), c.primary, c.found_by());
         match (self.lang, taken) {
             (Lang::En, 0) => format!(
                 "{n} links, {all} centres: {primary} at the pairs, {more} by the theorem of three centres"
@@ -112,7 +111,7 @@ impl<'a> CentreWords<'a> {
         let (name, per_metre) = self.unit();
         let m =
             if m.abs() <= ROUNDING * self.found.worked.configuration.extent() { 0.0 } else { m };
-        format!("{} {name}", significant(m * per_metre, DIGITS))
+        format!("{} {name}", legible(m * per_metre, DIGITS))
     }
 
     fn table(&self) -> Vec<Vec<String>> {
@@ -123,7 +122,7 @@ impl<'a> CentreWords<'a> {
         let number = |x: f64, c: &Centre| {
             // A value within rounding of zero is written as zero.
             let zero = x.abs() <= 1e-12 * size.max(far(c));
-            significant(if zero { 0.0 } else { x * per_metre }, DIGITS)
+            legible(if zero { 0.0 } else { x * per_metre }, DIGITS)
         };
         let mut rows = vec![vec![
             tr(lang, "centre", "瞬心").to_owned(),
@@ -140,12 +139,12 @@ impl<'a> CentreWords<'a> {
                 Some(CentrePlace::At(p)) => row.extend([number(p.x, c), number(p.y, c)]),
                 Some(CentrePlace::Infinity(u)) => row.extend([
                     tr(lang, "at infinity", "无穷远").to_owned(),
-                    format!("∠ {}°", significant(line_degrees(u.angle()), DIGITS)),
+                    format!("∠ {}°", legible(line_degrees(u.angle()), DIGITS)),
                 ]),
                 None => row.extend([tr(lang, "not determined", "不定").to_owned(), String::new()]),
             }
             row.extend(by_hand.map(|t| {
-                t.centres[k].map_or_else(|| "–".to_owned(), |m| significant(m * per_metre, 2))
+                t.centres[k].map_or_else(|| "–".to_owned(), |m| legible(m * per_metre, 2))
             }));
             rows.push(row);
         }
@@ -163,7 +162,7 @@ impl<'a> CentreWords<'a> {
         let found = self.found;
         let to = |off: f64| match off {
             off if off < ROUNDING => tr(self.lang, "to rounding", "只差舍入误差").to_owned(),
-            off => format!("{} {}", tr(self.lang, "to", "相对差"), significant(off, 2)),
+            off => format!("{} {}", tr(self.lang, "to", "相对差"), legible(off, 2)),
         };
         let (residual, triple) = (to(found.worst_residual()), to(found.worst_triple));
         let none = found.list.iter().all(|c| c.residual.is_none());
@@ -187,12 +186,12 @@ impl<'a> CentreWords<'a> {
 
     fn omega(&self, value: f64) -> String {
         let book = &self.scene.book;
-        book.text(Kind::Omega, &significant(book.value(Kind::Omega, value), DIGITS))
+        book.text(Kind::Omega, &legible(book.value(Kind::Omega, value), DIGITS))
     }
 
     fn velocity(&self, value: f64) -> String {
         let book = &self.scene.book;
-        book.text(Kind::Velocity, &significant(book.value(Kind::Velocity, value), DIGITS))
+        book.text(Kind::Velocity, &legible(book.value(Kind::Velocity, value), DIGITS))
     }
 
     /// Returns the symbol of a link's ω relative to the frame.
@@ -281,7 +280,7 @@ impl<'a> CentreWords<'a> {
         };
         let rate_words = format!("{}{}", self.omega(rate.abs()), self.sense(rate));
         let slides = |v: hodograph_base::geom::Vec2| {
-            let along = significant(direction_degrees(v.angle()), DIGITS);
+            let along = legible(direction_degrees(v.angle()), DIGITS);
             format!("{} ∠ {along}°", self.velocity(v.norm()))
         };
         let own = self.symbol(t.link);
@@ -317,7 +316,7 @@ impl<'a> CentreWords<'a> {
                     (Lang::Zh, p) if p > 0.0 => format!("；{x} 在 {c}{o} 之外：转向相同"),
                     (Lang::Zh, _) => format!("；{x} 在 {c}{o} 之间：转向相反"),
                 };
-                let ratio = significant(if rate == 0.0 { 0.0 } else { of_other / arm }, DIGITS);
+                let ratio = legible(if rate == 0.0 { 0.0 } else { of_other / arm }, DIGITS);
                 let (over, then) = if frame == self.scene.ground {
                     ("/", tr(lang, "; ", "；"))
                 } else {

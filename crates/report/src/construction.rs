@@ -220,24 +220,8 @@ fn sentence(
         }
         Action::Reach(v) => {
             let (image, vector) = (w.image(on, *v), w.vector(on, *v));
-            if let Some((from, method)) = touched(w, on, *v) {
-                let why = match method {
-                    Method::Strand => tr(
-                        w.lang,
-                        "As the strand does not slip, its two ends have one velocity",
-                        "带（链）段不打滑，两端点速度相同",
-                    ),
-                    Method::Coincident
-                    | Method::Driven
-                    | Method::SameLink
-                    | Method::Cylinder
-                    | Method::Special
-                    | Method::Trial => tr(
-                        w.lang,
-                        "At the contact the two points have one velocity",
-                        "接触点处两点速度相同",
-                    ),
-                };
+            if let Some((from, connection)) = touched(w, on, *v) {
+                let why = equal_velocities(w, *v, connection);
                 let (other, length) = (w.image(on, from), from_pole(*v));
                 return match w.lang {
                     Lang::En => {
@@ -369,8 +353,31 @@ fn sentence(
     }
 }
 
-/// Returns the point of the other link at a contact or strand without slip from which a point has
-/// its velocity, and the kind of the connection.
+/// Returns the reason why the point of a vertex has the velocity of the point from which it is
+/// found: a strand or a contact without slip, or a point that belongs to two links.
+fn equal_velocities(w: &PlanWriter, v: VertexId, connection: Method) -> String {
+    let common = w.plan.special(v).and_then(|s| Some([s.link, s.with?]));
+    match (connection, common, w.lang) {
+        (Method::Strand, _, Lang::En) => {
+            "As the strand does not slip, its two ends have one velocity".into()
+        }
+        (Method::Strand, _, Lang::Zh) => "带（链）段不打滑，两端点速度相同".into(),
+        (_, Some(links), lang) => {
+            let (point, [a, b]) = (w.spot(v), links.map(|l| w.scene.link_name(l)));
+            match lang {
+                Lang::En => format!(
+                    "As ${point}$ is a common point of links {a} and {b}, it has one velocity on both"
+                ),
+                Lang::Zh => format!("${point}$ 为构件 {a} 与 {b} 的公共点，在两构件上速度相同"),
+            }
+        }
+        (_, None, Lang::En) => "At the contact the two points have one velocity".into(),
+        (_, None, Lang::Zh) => "接触点处两点速度相同".into(),
+    }
+}
+
+/// Returns the point of the other link from which a point has its velocity (at a contact, a strand
+/// without slip or a common point of two links), and the kind of the connection.
 fn touched(w: &PlanWriter, on: DiagramKind, v: VertexId) -> Option<(VertexId, Method)> {
     let moves = !w.plan.rest.is_all();
     let alike = |s: &PlanStep| match s {
@@ -425,5 +432,44 @@ fn moved(lang: Lang, pencil_mm: f64, by: &str) -> String {
     match lang {
         Lang::En => format!(", where a pencil error of {e} mm moves it by {by} mm"),
         Lang::Zh => format!("（{e} mm 的作图误差使交点偏移 {by} mm）"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::forces::ForceWriter;
+    use hodograph_base::notation::Notation;
+    use hodograph_scene::{read, templates};
+    use hodograph_worked::certified::steps;
+    use hodograph_worked::worked::{Scope, work};
+
+    /// The steps of a group of class IV: a common point of two links touches nothing, and no formula
+    /// that is continued on a new line has its sign stuck to the next force.
+    #[test]
+    fn steps_of_a_class_iv_group_are_those_of_its_common_point() {
+        let scene = read(templates::get("class-iv-six-bar").unwrap()).unwrap().value;
+        let worked = work(&scene, Scope::Questions).unwrap().value;
+        let reasons = [
+            "As U is a common point of links 2 and 5, it has one velocity on both: u_2 falls on u_5",
+            "U 为构件 2 与 5 的公共点，在两构件上速度相同：u_2 与 u_5 重合",
+        ];
+        for (lang, reason) in [Lang::En, Lang::Zh].into_iter().zip(reasons) {
+            let notation = Notation::of_language(lang);
+            let w = PlanWriter { scene: &scene, plan: &worked.plan, notation: &notation, lang };
+            let said = text(&w, &worked.construction, &steps(&scene, &worked, None));
+            assert!(said.contains(reason), "{said}");
+            assert!(!said.contains("contact") && !said.contains("接触"), "{said}");
+            let plan = crate::plan::text(&scene, &worked.mechanism, &w, None);
+            let method = tr(
+                lang,
+                "a_U2(1) — special point method, α_2(1) = 0 chosen",
+                "a_U2(1) — 特殊点法，取 α_2(1) = 0",
+            );
+            assert!(plan.contains(method) && !plan.contains(tr(lang, "trial", "试作")), "{plan}");
+            let of = worked.equilibrium.as_ref().unwrap();
+            let forces = ForceWriter { scene: &scene, notation: &notation, lang, of }.text();
+            assert!(forces.contains("65^t + F_"), "{forces}");
+        }
     }
 }

@@ -123,7 +123,8 @@ impl ForceWriter<'_> {
             sides.iter().map(|s| self.notation.vectors.write(self.symbol(s.term))).collect();
         let lines: Vec<String> =
             symbols.chunks(4 * TOGETHER).map(|line| line.join(" + ")).collect();
-        format!("{} = 0", lines.join(&format!("{BREAK}+ ")))
+        // A sign at the start of a formula has no space around it.
+        format!("{} = 0", lines.join(&format!("{BREAK}+\\,")))
     }
 
     /// Returns the table of an equation.
@@ -223,7 +224,7 @@ impl ForceWriter<'_> {
                 let ([a, b], point) = (of.map(|t| self.symbol(t)), self.about(m.about));
                 match self.lang {
                     Lang::En => format!("${point}$, where the lines of ${a}$ and ${b}$ cross"),
-                    Lang::Zh => format!("${a}$ 与 ${b}$ 作用线的交点 ${point}$ "),
+                    Lang::Zh => format!("${a}$ 与 ${b}$ 作用线的交点 ${point}$"),
                 }
             }
         };

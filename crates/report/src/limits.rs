@@ -5,7 +5,7 @@ pub mod balanced;
 pub mod ranges;
 
 use hodograph_base::diag::{Both, both};
-use hodograph_base::digits::significant;
+use hodograph_base::digits::legible;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{Book, Kind, Lang, LinkId, PointId, Scene};
 use hodograph_sweep::extreme::{DrivenOutput, Grashof, MotionLimits, OutputExtreme, Swing};
@@ -276,7 +276,7 @@ impl<'a> LimitWords<'a> {
             format!(
                 "{} K = {} (θ = {})",
                 tr(lang, ", time ratio", "，行程速度变化系数"),
-                significant(k, 6),
+                legible(k, 6),
                 angle(&self.scene.book, theta)
             )
         });
@@ -333,12 +333,12 @@ fn angle(book: &Book, rad: f64) -> String {
     // A value within rounding of zero is zero; the angle is a square root, hence the wide
     // tolerance.
     let rad = if rad.abs() < 1e-7 { 0.0 } else { rad };
-    book.text(Kind::Angle, &significant(book.value(Kind::Angle, rad), 6))
+    book.text(Kind::Angle, &legible(book.value(Kind::Angle, rad), 6))
 }
 
 fn length(book: &Book, m: f64) -> String {
     match book.chosen(Kind::Length) {
-        Some(unit) => book.text(Kind::Length, &significant(unit.of(m), 6)),
-        None => format!("{} mm", significant(m * 1e3, 6)),
+        Some(unit) => book.text(Kind::Length, &legible(unit.of(m), 6)),
+        None => format!("{} mm", legible(m * 1e3, 6)),
     }
 }

@@ -3,6 +3,7 @@
 
 use super::plan::{dyad, grade, group_words};
 use hodograph_base::diag::{Both, both};
+use hodograph_base::digits::minus;
 use hodograph_board::plan::names::name_label;
 use hodograph_mechanism::mechanism::{
     Assur, Counts, ForDrivers, Local, MobilitySurvey, Opened, PairItem,
@@ -172,7 +173,7 @@ fn local_words(l: &Local) -> Both {
 /// Returns F = 3n − (2 p_l + p_h − p′) − F′ with its numbers.
 fn formula(c: &Counts, repeated: usize, local: usize) -> String {
     let Counts { moving, lower, higher } = *c;
-    let f = c.freedom(repeated, local).to_string().replace('-', "−");
+    let f = minus(&c.freedom(repeated, local).to_string());
     format!(
         "F = 3n − (2p_l + p_h − p′) − F′ = 3·{moving} − (2·{lower} + {higher} − {repeated}) − {local} = {f}"
     )

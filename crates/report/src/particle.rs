@@ -4,7 +4,7 @@
 use super::answers::diagnostic;
 use crate::amount::scale_formula;
 use hodograph_base::diag::{Both, Diagnostic};
-use hodograph_base::digits::{plain, significant};
+use hodograph_base::digits::{legible, minus, plain};
 use hodograph_base::notation::Notation;
 use hodograph_base::number::Ball;
 use hodograph_base::number::decimal::{Certain, Enclosure};
@@ -100,7 +100,7 @@ pub fn value(
 ) -> String {
     let unit = unit(book, what);
     let told = |e: &Enclosure, size: f64| {
-        number(&enclosed(book, what, e), in_unit(book, what, size), digits)
+        minus(&number(&enclosed(book, what, e), in_unit(book, what, size), digits))
     };
     match value {
         ParticleValue::None(d) => format!("{} ({})", tr(lang, "none", "无"), lang.of(&d.message)),
@@ -160,7 +160,7 @@ pub fn text(
     lang: Lang,
 ) -> String {
     let mut out = format!("{}\n", lang.of(&problem.title));
-    out += &format!("t = {} s\n\n", significant(problem.instant(), 6));
+    out += &format!("t = {} s\n\n", legible(problem.instant(), 6));
     let wide = problem.find.iter().map(|f| f.text.chars().count()).max().unwrap_or(0);
     for answer in &solved.answers {
         let find = &problem.find[answer.find];

@@ -2,6 +2,7 @@
 
 use crate::equation::mate;
 use crate::forces::ForceWriter;
+use hodograph_base::digits::minus;
 use hodograph_board::plan::names::name_label;
 use hodograph_board::plan::text::{EquationColumn, PlanWriter};
 use hodograph_board::plan::{
@@ -33,7 +34,7 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &PlanWriter, forces: Option<&ForceW
         f.moving,
         f.lower,
         f.higher,
-        f.freedom,
+        minus(&f.freedom.to_string()),
         tr(lang, "; ", "；"),
         match (lang, scene.own_drivers()) {
             (Lang::En, 1) => "1 driver".to_string(),
@@ -379,7 +380,12 @@ fn step_lines(
         PlanStep::Equation { target, chains, method } => {
             *equation += 1;
             let why = method_words(*method, lang);
-            let mut out = vec![format!("({equation}) {} — {why}", formula(&w.vector(on, *target)))];
+            let chosen = w.choice(on, *target).map_or_else(String::new, |rate| match lang {
+                Lang::En => format!(", {} chosen", formula(&rate)),
+                Lang::Zh => format!("，取 {}", formula(&rate)),
+            });
+            let vector = formula(&w.vector(on, *target));
+            let mut out = vec![format!("({equation}) {vector} — {why}{chosen}")];
             if let Some(special) = w.plan.introduced(step) {
                 out.push(format!("    {}", special_words(w, special, &formula(&w.spot(*target)))));
             }
@@ -436,7 +442,7 @@ pub(super) fn method_words(method: Method, lang: Lang) -> &'static str {
         }
         Method::Coincident => tr(lang, "coincident points", "重合点法"),
         Method::Strand => tr(lang, "ends of a strand, without slip", "带（链）段两端的点，不打滑"),
-        Method::Special => tr(lang, "special point", "特殊点法"),
+        Method::Special => tr(lang, "special point method", "特殊点法"),
         Method::Trial => tr(lang, "trial polygon", "试作多边形"),
     }
 }

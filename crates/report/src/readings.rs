@@ -1,7 +1,7 @@
 //! The table of readings: for each interpretation of the problem the answers, correct and by the
 //! wrong equations that the scene names, compared with the printed values.
 
-use hodograph_base::digits::{direction_degrees, significant};
+use hodograph_base::digits::{direction_degrees, legible};
 use hodograph_mechanism::answer::AnswerValue;
 use hodograph_methods::attempts::Attempt;
 use hodograph_paper::paper::phrase::tr;
@@ -78,17 +78,17 @@ fn gives(printed: f64, value: AnswerValue) -> bool {
 fn value_words(scene: &Scene, find: &Find, value: AnswerValue) -> String {
     let (kind, book) = (find.what.kind(), &scene.book);
     match value {
-        AnswerValue::Scalar(s) => book.text(kind, &significant(book.value(kind, s), DIGITS)),
+        AnswerValue::Scalar(s) => book.text(kind, &legible(book.value(kind, s), DIGITS)),
         AnswerValue::Vector(v) => {
-            let size = book.text(kind, &significant(book.value(kind, v.norm()), DIGITS));
+            let size = book.text(kind, &legible(book.value(kind, v.norm()), DIGITS));
             if v.norm() == 0.0 {
                 size
             } else {
-                format!("{size} ∠ {}°", significant(direction_degrees(v.angle()), DIGITS))
+                format!("{size} ∠ {}°", legible(direction_degrees(v.angle()), DIGITS))
             }
         }
         AnswerValue::Point(p) => {
-            let number = |c: f64| significant(book.value(kind, c), DIGITS);
+            let number = |c: f64| legible(book.value(kind, c), DIGITS);
             book.text(kind, &format!("({}, {})", number(p.x), number(p.y)))
         }
     }

@@ -3,7 +3,7 @@
 
 use super::limits::grashof_words;
 use hodograph_base::diag::{Both, Diagnostic};
-use hodograph_base::digits::{metres, shortest, significant};
+use hodograph_base::digits::{legible, metres, minus, shortest};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
 use hodograph_mechanism::position::{self, Configuration, Path};
@@ -101,15 +101,14 @@ pub fn motion(c: &DesignCandidate, lang: Lang) -> String {
         .to_owned(),
     );
     if let Some((angle, at)) = j.transmission {
-        let (angle, at) =
-            (significant(angle.to_degrees(), 5), significant(turn(at.to_degrees()), 5));
+        let (angle, at) = (legible(angle.to_degrees(), 5), legible(turn(at.to_degrees()), 5));
         parts.push(match lang {
             Lang::En => format!("least γ = {angle}° at {at}°"),
             Lang::Zh => format!("原动件转至 {at}° 时传动角最小，γ = {angle}°"),
         });
     }
     if let Some(k) = j.time_ratio {
-        parts.push(format!("K = {}", significant(k, 6)));
+        parts.push(format!("K = {}", legible(k, 6)));
     }
     if !c.draft.wanted.is_empty() {
         parts.push(lang.of(&judge::accuracy(c)).to_owned());
@@ -129,15 +128,15 @@ pub fn value(book: &Book, n: &DesignNumber) -> String {
         // Values with a unit requested by the file.
         Some(kind @ (Kind::Length | Kind::Angle)) if book.chosen(kind).is_some() => book.text(
             kind,
-            &significant(book.value(kind, if n.value.abs() < 1e-12 { 0.0 } else { n.value }), 6),
+            &legible(book.value(kind, if n.value.abs() < 1e-12 { 0.0 } else { n.value }), 6),
         ),
         Some(Kind::Length) => metres_fine(n.value),
         Some(Kind::Angle) => format!(
             "{}°",
-            significant(if n.value.abs() < 1e-12 { 0.0 } else { n.value.to_degrees() }, 6)
+            legible(if n.value.abs() < 1e-12 { 0.0 } else { n.value.to_degrees() }, 6)
         ),
         // A count has no decimals.
-        None if n.value.fract() == 0.0 && n.value.abs() < 1e15 => format!("{}", n.value),
+        None if n.value.fract() == 0.0 && n.value.abs() < 1e15 => minus(&format!("{}", n.value)),
         Some(
             Kind::Velocity
             | Kind::Acceleration
@@ -149,15 +148,15 @@ pub fn value(book: &Book, n: &DesignNumber) -> String {
             | Kind::Time
             | Kind::Number,
         )
-        | None => significant(n.value, 6),
+        | None => legible(n.value, 6),
     }
 }
 
 fn metres_fine(value_m: f64) -> String {
     if value_m.abs() >= 10.0 {
-        metres(value_m)
+        minus(&metres(value_m))
     } else {
-        format!("{} mm", significant(value_m * 1e3, 6))
+        format!("{} mm", legible(value_m * 1e3, 6))
     }
 }
 
@@ -360,7 +359,7 @@ pub fn steps(candidate: &DesignCandidate, board: &SynthesisBoard, lang: Lang) ->
         let at = |p: Point| {
             [p.x, p.y]
                 .map(|x| {
-                    significant(
+                    legible(
                         if (x * board.mu_l).abs() < 1e-12 { 0.0 } else { x * board.mu_l * 1e3 },
                         6,
                     )
@@ -383,16 +382,16 @@ pub fn steps(candidate: &DesignCandidate, board: &SynthesisBoard, lang: Lang) ->
         let Some(formula) = candidate.number(&r.name) else { continue };
         // The error of a value of zero is relative to the size of the linkage.
         let scale = if formula != 0.0 { formula.abs() } else { candidate.judged.size_m };
-        let off = significant((board.value(r) - formula.abs()).abs() / scale, 2);
+        let off = legible((board.value(r) - formula.abs()).abs() / scale, 2);
         let formula = if r.angle {
-            format!("{}°", significant(formula.abs().to_degrees(), 6))
+            format!("{}°", legible(formula.abs().to_degrees(), 6))
         } else {
             metres_fine(formula)
         };
         let drawn = match r.angle {
-            true => format!("{}°", significant(board.value(r).to_degrees(), 6)),
+            true => format!("{}°", legible(board.value(r).to_degrees(), 6)),
             false => {
-                format!("{} mm · μ_l = {}", significant(r.measured, 4), metres_fine(board.value(r)))
+                format!("{} mm · μ_l = {}", legible(r.measured, 4), metres_fine(board.value(r)))
             }
         };
         let name = printed(&r.name);

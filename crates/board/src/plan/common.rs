@@ -89,11 +89,11 @@ impl PlanBuilder<'_> {
                 level,
                 with_zero,
                 vec![TermChain { start: pivots[0], known: normal, unknown: Vec::new() }],
-                Method::Trial,
+                Method::Special,
             );
             let legs =
                 common.legs.map(|leg| self.along_leg(level, leg, links, [with_zero, by_legs]));
-            self.equation(level, by_legs, legs.to_vec(), Method::Trial);
+            self.equation(level, by_legs, legs.to_vec(), Method::Special);
             chains[0] = TermChain {
                 start: by_legs,
                 known: Vec::new(),

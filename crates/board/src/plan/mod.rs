@@ -142,7 +142,7 @@ pub enum Method {
     Coincident,
     /// The two ends of a strand of a belt or chain, on its wheels.
     Strand,
-    /// The special point of a triad, or of a link of a higher group.
+    /// The special point of a triad, of a link of a higher group, or common to two of its links.
     Special,
     /// A point of a trial polygon.
     Trial,
@@ -411,7 +411,9 @@ impl Plan {
     /// equation is neither part of a trial nor transferred from another link.
     pub fn introduced(&self, step: &PlanStep) -> Option<&Special> {
         match step {
-            PlanStep::Equation { target, method: Method::Special, .. } => self.special(*target),
+            PlanStep::Equation { target, method: Method::Special, .. } => {
+                self.special(*target).filter(|_| self.vertex(*target).trial.is_none())
+            }
             PlanStep::Equation { .. }
             | PlanStep::Image { .. }
             | PlanStep::Trials { .. }

@@ -10,8 +10,8 @@ use super::names::{
     special_name,
 };
 use super::{
-    Method, Plan, PlanStep, Term, TermChain, TermConnection, TermKind, TurningBody, VertexId,
-    VertexPlace, VertexTrial,
+    Plan, PlanStep, Term, TermChain, TermConnection, TermKind, TurningBody, VertexId, VertexPlace,
+    VertexTrial,
 };
 use hodograph_base::diag::{Both, both};
 use hodograph_base::notation::Notation;
@@ -475,7 +475,9 @@ impl PlanWriter<'_> {
         let (own, run) = (self.plan.vertex(v), self.plan.vertex(v).trial?.run);
         let steps = || self.plan.steps(on).iter().flat_map(|g| g.steps(0));
         let begins = |step: &PlanStep| match step {
-            PlanStep::Equation { target, chains, method: Method::Trial } if chains.len() == 1 => {
+            PlanStep::Equation { target, chains, .. }
+                if chains.len() == 1 && self.plan.vertex(*target).trial.is_some() =>
+            {
                 Some((*target, chains[0].known.clone()))
             }
             PlanStep::Equation { .. }

@@ -41,10 +41,10 @@ fn a_place_is_told_by_its_coordinates() {
         |text: &str, sheet: &str, json: &str| (text.to_owned(), sheet.to_owned(), json.to_owned());
     assert_eq!(
         near(&asking("")),
-        told("(-0.123457, 6.83000) m", "(−123.5, 6830)\\,\\text{mm}", "null")
+        told("(−0.123457, 6.83000) m", "(−123.5, 6830)\\,\\text{mm}", "null")
     );
     let inches = asking(r#", "answers": {"length": "in"}"#);
     let json = r#"{"unit":"in","x":-4.860503503937008,"y":268.8976377952756,"text":"(-4.86050, 268.898)"}"#;
-    assert_eq!(near(&inches), told("(-4.86050, 268.898) in", "(−4.861, 268.9)\\,\\text{in}", json));
+    assert_eq!(near(&inches), told("(−4.86050, 268.898) in", "(−4.861, 268.9)\\,\\text{in}", json));
     assert_eq!(value(AnswerValue::Point(place)).to_string(), r#"{"x":-0.123456789,"y":6.83}"#);
 }

@@ -4,7 +4,7 @@ use super::{DIGITS, Report};
 use hodograph_base::cam::{
     CamExtreme, CamMotion, ExactCam, Follower, FollowerTip, StageMotion, whole_turns,
 };
-use hodograph_base::digits::significant;
+use hodograph_base::digits::{legible, minus};
 use hodograph_base::number::Real;
 use hodograph_base::number::decimal::{Certain, Enclosure};
 use hodograph_scene::{Kind, Scene, TurningCam};
@@ -247,8 +247,10 @@ impl Report<'_> {
     /// Returns [`Report::told`] to the digits of the report; if nothing is certain, the approximate
     /// value from double precision.
     pub(super) fn digits(&self, which: CamNumber, unit: PrintedUnit, rough_si: f64) -> String {
-        self.told(which, unit, DIGITS)
-            .unwrap_or_else(|| format!("≈ {}", significant(self.in_unit(unit, rough_si), 2)))
+        self.told(which, unit, DIGITS).map_or_else(
+            || format!("≈ {}", legible(self.in_unit(unit, rough_si), 2)),
+            |text| minus(&text),
+        )
     }
 
     /// Returns the nearest double of a number in SI, as JSON; the value of double precision if it

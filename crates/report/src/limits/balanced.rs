@@ -1,7 +1,7 @@
 //! Mean balancing moment, surplus energy and flywheel.
 
 use super::LimitWords;
-use hodograph_base::digits::significant;
+use hodograph_base::digits::legible;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{Kind, Lang, Scene};
 use hodograph_sweep::energy::Energy;
@@ -24,15 +24,14 @@ impl BalancedEnergy {
     /// Returns the lines of text.
     pub fn text(&self, scene: &Scene, driver: usize, limits: &MotionLimits, lang: Lang) -> String {
         let w = LimitWords::new(scene, driver, limits, lang);
-        let of =
-            |kind: Kind, x: f64| scene.book.text(kind, &significant(scene.book.value(kind, x), 6));
+        let of = |kind: Kind, x: f64| scene.book.text(kind, &legible(scene.book.value(kind, x), 6));
         let e = &self.energy;
         let mut out = format!(
             "{}{}\n",
             tr(lang, "mean balancing moment ", "平均平衡力矩 "),
             of(Kind::Moment, e.mean)
         );
-        let surplus = significant(e.surplus, 6);
+        let surplus = legible(e.surplus, 6);
         out += &match lang {
             Lang::En => format!(
                 "  greatest surplus of energy ΔW = {surplus} J: slowest{}, fastest{}\n",
@@ -46,15 +45,12 @@ impl BalancedEnergy {
             ),
         };
         if let Some(delta) = self.delta {
-            let inertia = significant(e.flywheel(self.rate, delta), 6);
+            let inertia = legible(e.flywheel(self.rate, delta), 6);
             let rpm = |part: f64| {
-                significant(
-                    (self.rate.abs() * (1.0 + part * delta)) * 30.0 / std::f64::consts::PI,
-                    6,
-                )
+                legible((self.rate.abs() * (1.0 + part * delta)) * 30.0 / std::f64::consts::PI, 6)
             };
             let (slow, fast) = (rpm(-0.5), rpm(0.5));
-            let delta = significant(delta, 6);
+            let delta = legible(delta, 6);
             out += &match lang {
                 Lang::En => format!(
                     "  flywheel for δ = {delta}: J_F = ΔW/(ω²δ) = {inertia} kg·m²; {slow} to {fast} r/min\n"

@@ -88,9 +88,9 @@ pub(super) fn notes(scene: &Scene, mechanism: &Mechanism, plan: &Plan) -> Vec<Di
                 "构件 {} 组成高于Ⅲ级的杆组：用{}作图",
                 names,
                 if plan.is_tried(g) {
-                    both!("trial polygons", "试凑多边形")
+                    both!("trial polygons", "试作多边形")
                 } else {
-                    both!("special points", "特殊点")
+                    both!("the special point method", "特殊点法")
                 }
             )
         };
