@@ -12,7 +12,7 @@ use crate::figure::curves::{self, CurveDiagram};
 use crate::mechanism::Mechanism;
 use crate::position::Path;
 use crate::scene::quantity::Meaning;
-use crate::scene::{LinkId, PointId, Scene, Swept};
+use crate::scene::{LinkId, OnLink, PointId, Scene, Swept};
 use crate::sweep::pieces::gather;
 use crate::sweep::{self, PlacedScene, Table, Width};
 use std::process::ExitCode;
@@ -118,26 +118,16 @@ fn with_positions(input: &SceneInput) -> Result<Vec<String>, Failure> {
     let somewhere = input.file.notes.iter().all(|n| n.code != "free-centre");
     let mut words: Vec<String> = Vec::new();
     for find in &scene.find {
-        match find.what.meaning(scene) {
-            Some(Meaning::Turning(l, None)) if somewhere && has_line(scene, l) => {
-                words.push(format!("phi_{}", scene.link_name(l)))
-            }
-            Some(Meaning::Vector(p)) if p.link.is_none() => {
-                words.extend(
-                    axes(&placed, p.point)
-                        .iter()
-                        .map(|axis| format!("{axis}_{}", scene.point_name(p.point))),
-                );
-            }
-            Some(
-                Meaning::Turning(..)
-                | Meaning::Ratio(..)
-                | Meaning::Vector(_)
-                | Meaning::Relative(..)
-                | Meaning::Seen(..)
-                | Meaning::Place(_),
-            )
-            | None => {}
+        let meaning = find.what.meaning(scene);
+        if let Some(l) = meaning.and_then(Meaning::turning_of)
+            && somewhere
+            && has_line(scene, l)
+        {
+            words.push(format!("phi_{}", scene.link_name(l)));
+        }
+        if let Some(OnLink { point, link: None }) = meaning.and_then(Meaning::vector_of) {
+            let axes = axes(&placed, point);
+            words.extend(axes.iter().map(|axis| format!("{axis}_{}", scene.point_name(point))));
         }
         words.push(find.text.clone());
     }

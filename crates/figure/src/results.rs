@@ -12,7 +12,6 @@ use hodograph_paper::paper::phrase::{Phrase, fill};
 use hodograph_report::answers::{AnswerLine, at_infinity, lines as by_question, reason, verdict};
 use hodograph_report::centres as report_of_centres;
 use hodograph_report::drafting::{self, ToleranceAmount};
-use hodograph_scene::quantity::Meaning;
 use hodograph_scene::{Asked, Book, DiagramKind, Find, Kind, Lang, Scene};
 use hodograph_worked::certified::ladder::{
     Certified, CertifiedNumber, MissingDigits, READING_DIGITS,
@@ -423,7 +422,7 @@ fn tolerance(book: &Book, worked: &Worked, r: &Outcome, find: &Find) -> Option<L
 
 /// `ω_2`, for a link that turns with the same angular velocity as another.
 fn as_another(answers: &ResultsContent, find: &Find) -> Option<Label> {
-    let Some(Meaning::Turning(link, None)) = find.what.meaning(answers.scene) else { return None };
+    let link = find.what.meaning(answers.scene)?.turning_of()?;
     let on = find.what.diagram();
     let other = answers.worked.plan.steps(on).iter().flat_map(|g| &g.rates).find_map(
         |(body, rate)| match (body, rate) {

@@ -20,7 +20,6 @@ use hodograph_board::plan::text::PlanWriter;
 use hodograph_board::plan::{
     PlanStep, Term, TermConnection, TermKind, TurningBody, VertexId, VertexPlace,
 };
-use hodograph_scene::quantity::Meaning;
 
 use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::item::{Colour, Shape};
@@ -160,16 +159,9 @@ impl PolygonDraft<'_> {
     /// with.
     fn needed(&self) -> Vec<String> {
         let (w, on) = (self.w, self.p.on);
-        let asked = w.scene.find.iter().filter(|f| f.what.diagram() == on).filter_map(|f| match f
-            .what
-            .meaning(w.scene)?
-        {
-            Meaning::Vector(p) => w.plan.find_vertex(w.scene, p.point, p.link),
-            Meaning::Relative(..)
-            | Meaning::Seen(..)
-            | Meaning::Turning(..)
-            | Meaning::Ratio(..)
-            | Meaning::Place(_) => None,
+        let asked = w.scene.find.iter().filter(|f| f.what.diagram() == on).filter_map(|f| {
+            let p = f.what.meaning(w.scene)?.vector_of()?;
+            w.plan.find_vertex(w.scene, p.point, p.link)
         });
         let steps =
             w.plan.steps(on).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further));

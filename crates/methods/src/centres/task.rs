@@ -2,7 +2,6 @@
 
 use super::{Centres, centres};
 use hodograph_mechanism::mechanism::Level;
-use hodograph_scene::quantity::Meaning;
 use hodograph_scene::{Asked, Find, OnLink, Scene};
 
 /// A task that asks for centres.
@@ -30,20 +29,11 @@ impl CentreTask {
 impl Centres {
     /// Returns the answer by centres to a question of ω or v; for a vector, the magnitude.
     pub fn value(&self, scene: &Scene, find: &Find) -> Option<f64> {
-        match find.what.meaning(scene)? {
-            _ if find.what.level() != Level::Velocity => None,
-            Meaning::Turning(link, None) => {
-                self.uses.links.iter().find(|t| t.link == link).map(|t| t.omega)
-            }
-            Meaning::Vector(OnLink { point, link: None }) => {
-                self.uses.points.iter().find(|s| s.point == point).map(|s| s.velocity.norm())
-            }
-            Meaning::Vector(_)
-            | Meaning::Turning(..)
-            | Meaning::Ratio(..)
-            | Meaning::Relative(..)
-            | Meaning::Seen(..)
-            | Meaning::Place(_) => None,
+        let meaning = find.what.meaning(scene).filter(|_| find.what.level() == Level::Velocity)?;
+        if let Some(link) = meaning.turning_of() {
+            return self.uses.links.iter().find(|t| t.link == link).map(|t| t.omega);
         }
+        let OnLink { point, link: None } = meaning.vector_of()? else { return None };
+        self.uses.points.iter().find(|s| s.point == point).map(|s| s.velocity.norm())
     }
 }

@@ -10,7 +10,6 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::answer::MotionSource;
 use hodograph_mechanism::mechanism::Level;
 use hodograph_mechanism::position::Path;
-use hodograph_scene::quantity::Meaning;
 use hodograph_scene::{DriverKind, LinkId, PointId, Scene};
 use hodograph_worked::worked::Worked;
 
@@ -140,14 +139,8 @@ pub(super) fn uses(
     }
     chain.go_on();
     chain.against_ground();
-    let points = scene.find.iter().filter_map(|f| match f.what.meaning(scene)? {
-        Meaning::Vector(p) => chain.speed(p.point),
-        Meaning::Turning(..)
-        | Meaning::Ratio(..)
-        | Meaning::Relative(..)
-        | Meaning::Seen(..)
-        | Meaning::Place(_) => None,
-    });
+    let points =
+        scene.find.iter().filter_map(|f| chain.speed(f.what.meaning(scene)?.vector_of()?.point));
     let points = points.collect();
     Uses { frame, links: chain.known, points }
 }

@@ -48,6 +48,16 @@ pub enum RelativeComponent {
 }
 
 impl Meaning {
+    /// Returns the point whose vector from the pole is asked for.
+    pub fn vector_of(self) -> Option<OnLink> {
+        if let Meaning::Vector(p) = self { Some(p) } else { None }
+    }
+
+    /// Returns the link whose turning relative to the ground is asked for.
+    pub fn turning_of(self) -> Option<LinkId> {
+        if let Meaning::Turning(l, None) = self { Some(l) } else { None }
+    }
+
     /// Returns the value by the formulas of relative motion; `None` if data are unknown, or if no
     /// joint of the two points fits the part.
     pub(super) fn value<N: Real, K: FormulaInputs<N>>(
