@@ -37,7 +37,7 @@
 //! of a later one. [`worked::work`] calls them all; [`problem::solve()`] does it for every kind of
 //! file.
 //!
-//! # Rooms
+//! # Modules
 //! The modules of all crates:
 //! - [`scene`]: the scene file. JSON with places → raw mirror → valid [`scene::Scene`]; scenes
 //!   without JSON ([`scene::build`]); units, expressions, templates, schema; the questions, one

@@ -235,7 +235,7 @@ fn imports_are_those_of_the_map() {
 fn the_map_lists_every_room() {
     let rooms = rooms();
     let mut faults = Vec::new();
-    let map = chapter("# Rooms");
+    let map = chapter("# Modules");
     let listed: BTreeSet<String> =
         map.split("[`").skip(1).filter_map(|l| l.split("`]").next()).map(str::to_owned).collect();
     faults.extend(
