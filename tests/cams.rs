@@ -386,7 +386,7 @@ fn roller(angle: f64, left: bool) -> hodograph::geom::Vec2 {
 /// by the line to the centre of the disc; the rise takes the angle through which the cam turns
 /// while the roller moves outward.
 #[test]
-fn an_arm_lies_on_its_side_however_that_is_told() {
+fn an_arm_lies_on_its_side_however_that_is_written() {
     let find = ["Phi_3", "pressure_3", "psi_3", "phi_3"];
     for left in [true, false] {
         let out = |k: usize| roller(0.1 * k as f64, left).norm();

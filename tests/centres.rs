@@ -277,7 +277,7 @@ fn codes(notes: &[hodograph::diag::Diagnostic]) -> Vec<&'static str> {
 }
 
 #[test]
-fn a_stalled_closure_is_told() {
+fn a_stalled_closure_is_reported() {
     let case = std::fs::read_to_string(concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/tests/cases/double-butterfly.json"

@@ -484,7 +484,7 @@ fn the_moving_centrode_of_a_planet_is_one_dashed_circle() {
 
 /// Messages where a point or centre does not exist.
 #[test]
-fn degenerate_poses_are_told() {
+fn degenerate_poses_are_reported() {
     let state = |name: &str, values: &[(&str, &str)]| {
         let scene = template(name, values);
         let found = all(&scene);

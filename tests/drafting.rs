@@ -163,7 +163,7 @@ fn bad_four_bar() -> String {
 }
 
 #[test]
-fn a_bad_angle_is_told_with_a_pose_that_is_better() {
+fn a_bad_angle_is_reported_with_a_pose_that_is_better() {
     let (scene, w) = worked(&bad_four_bar());
     let [bad] = &w.bad_angles[..] else { panic!("{:?}", w.bad_angles) };
     assert!(

@@ -243,7 +243,7 @@ fn the_flywheel_of_an_engine() {
 /// A load over a part of a stroke acts there only, whether given in parts, in lengths, by a
 /// diagram, or by the slower stroke.
 #[test]
-fn loads_act_where_they_are_told_to() {
+fn loads_act_where_they_are_stated() {
     let moment = |load: &Json, angle: &str| {
         let scene = scene::read(press(load, angle)).unwrap().value;
         let worked = work(&scene, Scope::Questions).unwrap().value;
@@ -389,7 +389,7 @@ fn links_press_on_each_other_alike() {
 /// `khurmi-15-two-mass` of docs/cases.md: the rod as a mass at the gudgeon pin and another at its
 /// centre of percussion, or as masses at both pins with a couple.
 #[test]
-fn a_rod_is_told_as_two_masses() {
+fn a_rod_is_reported_as_two_masses() {
     let scene = json!({
         "links": {"1": ["O", "B"], "2": ["C", "B", "S"], "3": ["C"], "4": ["O"]}, "ground": "4", "points": {"O": [0, 0], "S": {"base": "CB", "x": "100 mm", "y": 0}},
         "lengths": {"OB": "60 mm", "BC": "250 mm"}, "guides": [{"pin": "C", "slider": "3", "on": "4", "through": "O", "angle": "0 deg"}],

@@ -192,7 +192,7 @@ fn types_follow_grashofs_rule() {
 }
 
 #[test]
-fn what_cannot_be_inverted_is_told() {
+fn what_cannot_be_inverted_is_reported() {
     for (name, code, told) in [
         ("cam-valve-train", "inversion-pairs", "touched piece"),
         ("cam-offset-roller", "inversion-pairs", "touched piece"),

@@ -56,7 +56,7 @@ fn every_dependency_may_be_used() {
 }
 
 #[test]
-fn what_may_not_be_used_is_told() {
+fn what_may_not_be_used_is_reported() {
     let allowed = ["MIT".to_owned(), "Zlib".to_owned()];
     let package = |licence: serde_json::Value, source: &str| serde_json::json!({"name": "n", "version": "1", "source": source, "license": licence});
     let registry = "registry+https://github.com/rust-lang/crates.io-index";

@@ -223,7 +223,7 @@ fn every_kind_of_repetition_has_its_words() {
 
 /// Two drivers of a four-bar: one is reported as too many, not a redundant coupler.
 #[test]
-fn a_driver_too_many_is_told_as_one() {
+fn a_driver_too_many_is_reported_as_one() {
     let text = r#"{"units":{"length":"mm"},"links":{"1":["A","D"],"2":["A","B"],"3":["B","C"],"4":["C","D"]},"ground":"1","points":{"A":[0,0],"B":[20,20],"C":[100,60],"D":[100,0]},
       "driver":[{"link":"2","omega":"5 rad/s"},{"link":"4","omega":"3 rad/s"}],"find":["omega_3"]}"#;
     assert_eq!(errors(&Mechanism::new(&read(text)).unwrap_err()), ["too-many-constraints"]);

@@ -160,7 +160,7 @@ fn what_follows_at_the_instant_is_that_of_differences() {
 }
 
 #[test]
-fn a_slower_pursuer_is_told_apart() {
+fn a_slower_pursuer_is_distinguished() {
     let text = templates::get("pursuit").unwrap().replace("\"5 m/s\"", "\"3 m/s\"");
     let (_, found) = solved(&text);
     let hodograph::particle::ParticleValue::None(d) = &found.answers[0].value else { panic!() };
@@ -340,7 +340,7 @@ fn places_that_are_asked_for_are_points_at_rest() {
 
 /// All faults are reported with their places.
 #[test]
-fn faults_are_told_with_their_places() {
+fn faults_are_reported_with_their_places() {
     for (text, codes) in [
         (r#"{"motions": []}"#, vec!["wrong-count"]),
         (
@@ -426,7 +426,7 @@ fn pursuits_of_nearly_equal_speed_are_followed() {
 
 /// Faults in shape, names and questions are reported in one list.
 #[test]
-fn all_faults_of_a_file_are_told_at_once() {
+fn all_faults_of_a_file_are_reported_at_once() {
     let text = r#"{"motions": [{"point": "B", "angle": "0 deg", "s": "4 m"}, {"point": "A", "toward": "C", "speed": "5 furlong"}, {"point": "D", "toward": "E", "speed": "5 m/s"}],
         "points": {"A": [0, 0], "B": [0, "3 km"], "D": [1, 0]}, "find": ["v_B", "x_B", "a_A"]}"#;
     let faults = read(text).unwrap_err();

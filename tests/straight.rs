@@ -189,7 +189,7 @@ fn the_others_have_the_wanted_length() {
 }
 
 #[test]
-fn bad_wishes_are_told() {
+fn bad_wishes_are_reported() {
     for (task, code) in [
         (
             r#"{"synthesis": "straight-line", "linkage": "hoecken", "length": "1 m"}"#,

@@ -237,7 +237,7 @@ fn a_random_linkage_is_found_from_what_it_does() {
 }
 
 #[test]
-fn bad_wishes_are_told_with_the_nearest_that_works() {
+fn bad_wishes_are_reported_with_the_nearest_that_works() {
     let mm = |p: &[[f64; 3]]| {
         p.iter()
             .map(|[x, y, a]| json!([format!("{x} mm"), format!("{y} mm"), format!("{a} deg")]))
@@ -295,7 +295,7 @@ fn bad_wishes_are_told_with_the_nearest_that_works() {
 }
 
 #[test]
-fn a_hopeless_time_ratio_is_told_with_one_that_works() {
+fn a_hopeless_time_ratio_is_reported_with_one_that_works() {
     let task = json!({"synthesis": "time-ratio", "linkage": "crank-rocker", "K": 3, "rocker": "50 mm", "swing": "10 deg"});
     let notes = design(&task).unwrap().notes;
     let note = notes.iter().find(|n| n.code == "poor-transmission").unwrap();
@@ -353,7 +353,7 @@ fn the_course_design_of_ln_x() {
 
 /// Precision points by Chebyshev's spacing, with their values and rotations.
 #[test]
-fn precision_points_are_told_with_their_turns() {
+fn precision_points_are_reported_with_their_turns() {
     let told = |y: &str, [from, to]: [f64; 2], swings: [&str; 2]| {
         let task = json!({"synthesis": "function", "function": {"y": y, "from": from, "to": to}, "points": 3,
             "input": {"from": "86 deg", "swing": swings[0]}, "output": {"from": "24 deg", "swing": swings[1]}});

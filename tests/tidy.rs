@@ -204,7 +204,7 @@ fn no_function_of_the_platform_decides_a_bit() {
 
 /// Clippy knows types; it has the same list of functions.
 #[test]
-fn clippy_is_told_of_the_same_functions() {
+fn clippy_refuses_the_same_functions() {
     let told = std::fs::read_to_string(root().join("clippy.toml")).unwrap();
     for f in PLATFORM_FUNCTIONS {
         assert!(told.contains(&format!("\"f64::{f}\"")), "clippy.toml does not disallow f64::{f}");

@@ -68,7 +68,7 @@ fn planetary(planets: &[f64]) -> String {
 }
 
 #[test]
-fn further_planets_are_solved_and_told() {
+fn further_planets_are_solved_and_reported() {
     for count in [2, 3, 4, 5] {
         let text = planetary(&vec![25.0; count]);
         let scene = read(&text);

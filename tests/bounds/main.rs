@@ -59,7 +59,7 @@ fn run(arguments: &[&str], scene: &Path, output: &Path) -> (Option<i32>, String)
 
 /// Its scenes stay in `target/tmp`, to measure the largest sizes of `docs/reliability.md`.
 #[test]
-fn large_mechanisms_are_drawn_and_coarse_labels_are_told() {
+fn large_mechanisms_are_drawn_and_coarse_labels_are_reported() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
     for (name, scene, coarse) in [
         ("chain-8", chain(8), false),
@@ -85,7 +85,7 @@ fn large_mechanisms_are_drawn_and_coarse_labels_are_told() {
 /// A problem's figure with many dimensions places them coarsely, which a note reports; all
 /// documents contain them.
 #[test]
-fn worksheets_over_many_points_are_written_and_told() {
+fn worksheets_over_many_points_are_written_and_reported() {
     let folder = tempfile::tempdir().unwrap();
     for (n, coarse) in [(3, false), (60, true), (400, true)] {
         let scene = written(folder.path(), "points.json", &points_on_a_link(n));

@@ -253,7 +253,7 @@ fn the_construction_of_a_design_for_programs() {
 }
 
 #[test]
-fn a_function_beside_pairs_is_told_as_what_it_is() {
+fn a_function_beside_pairs_is_reported_as_what_it_is() {
     let task = r#"{"synthesis": "function", "function": {"y": "ln(x)", "from": 1, "to": 2}, "points": 3, "pairs": [["0 deg", "0 deg"]],
         "input": {"from": "86 deg", "swing": "60 deg"}, "output": {"from": "24 deg", "swing": "85 deg"}, "frame": "100 mm"}"#;
     let run = hodograph().args(["synth", "-"]).write_stdin(task).assert().code(2);
@@ -295,7 +295,7 @@ fn the_point_of_a_face_says_on_which_side_it_lies() {
 /// A contact that does not occur is reported as a contact, not as the pin and guide that replace
 /// it.
 #[test]
-fn a_missed_contact_is_told_in_the_words_of_the_scene() {
+fn a_missed_contact_is_reported_in_the_words_of_the_scene() {
     let run = hodograph()
         .args(["solve", "-"])
         .write_stdin(lever(r#""angle": "atan(7/24)", "offset": "6.7 mm""#, ""))

@@ -3,7 +3,7 @@
 use super::{hodograph, text};
 
 #[test]
-fn a_cam_is_told_drawn_and_written_out() {
+fn a_cam_is_reported_drawn_and_written_out() {
     let out = tempfile::tempdir().unwrap();
     let run = hodograph()
         .args(["cam", "templates/cam-offset-roller.json", "--lang", "zh", "--dpi", "40", "-o"])
@@ -105,7 +105,7 @@ fn a_cam_for_programs() {
 }
 
 #[test]
-fn what_does_not_work_is_told() {
+fn what_does_not_work_is_reported() {
     let run = |args: &[&str]| text(&hodograph().arg("cam").args(args).output().unwrap().stderr);
     // Case cam-undercut: the pitch curve has a radius of 19 mm at the end of the rise, the roller
     // one of 25 mm.

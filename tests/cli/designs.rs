@@ -49,7 +49,7 @@ fn worksheets_and_lessons_are_written_for_every_kind_in_both_languages() {
 }
 
 #[test]
-fn any_candidate_is_drawn_and_one_that_is_not_there_is_told() {
+fn any_candidate_is_drawn_and_one_that_is_not_there_is_reported() {
     let folder = folder();
     let draw = |pick: &str, out: &str| {
         hodograph()
@@ -91,7 +91,7 @@ fn any_candidate_is_drawn_and_one_that_is_not_there_is_told() {
 
 /// Ranges of the lengths of a four-bar, and the refusal of other mechanisms.
 #[test]
-fn ranges_of_lengths_are_told() {
+fn ranges_of_lengths_are_reported() {
     let run = hodograph()
         .args(["limits", &super::templates_path("crank-rocker"), "--ranges"])
         .assert()

@@ -86,7 +86,7 @@ fn faults_of_broken_scenes_are_one_document_of_the_schema() {
 }
 
 #[test]
-fn whatever_is_told_on_standard_error_is_the_document() {
+fn whatever_is_reported_on_standard_error_is_the_document() {
     let schema = schema("--diagnostics");
     let shaper = templates_path("shaper");
     let both = ["sweep", &shaper, "--set", "nothing=1", "--set", "other"];

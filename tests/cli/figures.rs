@@ -281,7 +281,7 @@ fn a_font_of_ones_own_sets_the_figures() {
 }
 
 #[test]
-fn what_is_no_font_is_told() {
+fn what_is_no_font_is_reported() {
     let out = tempfile::tempdir().unwrap();
     let italic = "crates/paper/fonts/tinos-italic.ttf";
     for fonts in [vec!["templates/shaper.json"], vec!["nosuch.ttf"], vec![italic, italic]] {
@@ -323,7 +323,7 @@ fn a_worksheet_in_each_format() {
 }
 
 #[test]
-fn a_worksheet_that_cannot_be_is_told() {
+fn a_worksheet_that_cannot_be_is_reported() {
     let out = tempfile::tempdir().unwrap();
     for name in ["sheet", "sheet.docx", "sheet.PDF.", "-"] {
         let run = hodograph()
@@ -433,7 +433,7 @@ fn gears_and_wheels_have_line_diagrams() {
 
 /// A drawing without a figure is refused: the requested figure has no step.
 #[test]
-fn no_figure_is_told() {
+fn no_figure_is_reported() {
     let out = tempfile::tempdir().unwrap();
     for target in ["dir/", "steps.pdf"] {
         let target = out.path().join(target);

@@ -33,7 +33,7 @@ fn killed(out: &Path) {
 }
 
 #[test]
-fn of_two_batches_to_one_file_one_is_told_and_the_other_is_whole() {
+fn of_two_batches_to_one_file_one_is_reported_and_the_other_is_whole() {
     let folder = tempfile::tempdir().unwrap();
     let (whole, out) = (folder.path().join("whole.csv"), folder.path().join("out.csv"));
     hodograph().args(batch("8000", &whole)).assert().success();

@@ -32,7 +32,7 @@ fn english(text: &str) -> Option<&str> {
 }
 
 #[test]
-fn a_fault_is_told_in_the_language_of_the_command_line_or_of_the_scene() {
+fn a_fault_is_reported_in_the_language_of_the_command_line_or_of_the_scene() {
     let scene = |language: &str| {
         format!("{{{language}\"links\": {{\"1\": [\"A\", \"B\"]}}, \"gruond\": \"1\"}}")
     };
@@ -150,7 +150,7 @@ fn the_help_is_in_the_language_of_the_machine() {
 }
 
 #[test]
-fn faults_of_arguments_are_told_in_chinese() {
+fn faults_of_arguments_are_reported_in_chinese() {
     for line in [
         "solv",
         "solve",

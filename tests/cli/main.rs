@@ -160,7 +160,7 @@ fn a_plan_as_json_counts_the_work() {
 }
 
 #[test]
-fn unknown_template_and_parameter_are_told_with_the_nearest_name() {
+fn unknown_template_and_parameter_are_reported_with_the_nearest_name() {
     let run = hodograph().args(["new", "shapper"]).assert().code(2);
     assert!(text(&run.get_output().stderr).contains("shaper"));
     let run = hodograph().args(["new", "shaper", "--set", "l_AC"]).assert().code(2);
@@ -437,7 +437,7 @@ fn accuracy_tells_every_way_and_what_it_costs() {
 /// A group of class IV has a range and strokes; a link on three legs stops where its legs intersect
 /// in one point.
 #[test]
-fn limits_of_higher_groups_are_told() {
+fn limits_of_higher_groups_are_reported() {
     let scene = r#"{"links": {"1": ["O","A"], "2": ["A","B","C"], "3": ["B","D"], "4": ["C","E"], "5": ["D","E","G"], "6": ["O","G"]},
         "ground": "6", "find": ["v_D"], "units": {"length": "m"}, "driver": {"link": "1", "omega": "2 rad/s"},
         "points": {"O": [0,0], "A": [1,2], "B": [3,4], "C": [4,1.5], "D": [6,5], "E": [7,2], "G": [9,1]}}"#;
@@ -455,7 +455,7 @@ fn limits_of_higher_groups_are_told() {
 }
 
 #[test]
-fn curvature_and_inversions_are_told() {
+fn curvature_and_inversions_are_reported() {
     let scene = templates_path("crank-rocker");
     let run = hodograph().args(["curvature", &scene, "--steps", "--point", "E"]).assert().success();
     let said = text(&run.get_output().stdout);
@@ -535,7 +535,7 @@ fn cognates_take_a_scene_file_beside_the_task() {
 }
 
 #[test]
-fn centres_are_told_with_how_they_are_found() {
+fn centres_are_reported_with_how_they_are_found() {
     let shaper = templates_path("shaper");
     let run = hodograph().args(["centres", &shaper]).assert().success();
     let said = text(&run.get_output().stdout);

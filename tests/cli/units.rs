@@ -208,7 +208,7 @@ fn around(text: &str, at: usize) -> String {
 }
 
 #[test]
-fn what_is_no_unit_is_told_those_that_fit() {
+fn what_is_no_unit_is_answered_by_those_that_fit() {
     let mut scene = scenes().remove(0);
     scene["answers"] =
         json!({"velocity": "mm", "omega": "rmp", "alpha": "2*rad/s^2", "speed": "m/s"});

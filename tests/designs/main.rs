@@ -261,7 +261,7 @@ fn four_positions_find_a_linkage_by_the_inscribed_angles_of_its_pivots() {
 
 /// Impossible demands on pivots are reported.
 #[test]
-fn boxes_and_angles_that_cannot_be_are_told() {
+fn boxes_and_angles_that_cannot_be_are_reported() {
     let l = [40.0, 120.0, 100.0, 130.0];
     for (extra, code) in [
         (

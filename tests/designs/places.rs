@@ -184,7 +184,7 @@ fn positions_by_two_points_are_those_by_angles() {
 
 /// Each of these is refused, with the possible input, in both languages.
 #[test]
-fn limits_and_places_that_cannot_be_are_told() {
+fn limits_and_places_that_cannot_be_are_reported() {
     let zero = json!([mm(0.0), mm(0.0)]);
     let places = json!([
         coupler_point([40.0, 120.0, 100.0, 130.0], 0.5, [30.0, 40.0]),

@@ -73,7 +73,7 @@ fn the_crank_may_turn_clockwise() {
 }
 
 #[test]
-fn a_timing_that_cannot_be_is_told() {
+fn a_timing_that_cannot_be_is_reported() {
     let points: Vec<Json> =
         (0..6).map(|k| json!([mm(10.0 * f64::from(k)), mm(f64::from(k * k))])).collect();
     let with = |points: &[Json], timing: Json| json!({"synthesis": "path", "points": points, "timing": timing});

@@ -323,7 +323,7 @@ fn formulas_stand_beside_their_tables() {
 /// A point on a line is not described as 0 beside it, and no length is negative where words give
 /// the side.
 #[test]
-fn places_are_told_in_words() {
+fn places_are_reported_in_words() {
     let told = |name: &str, lang| {
         let (scene, worked) = worked(name);
         markdown::markdown(&document(&scene, &worked, lang, WorksheetSides::Problem), "x")

@@ -350,7 +350,7 @@ const BESIDE: [(&str, &str, &str); 5] = [
 ];
 
 #[test]
-fn what_is_written_is_told_from_the_exact_dead_centre() {
+fn what_is_written_is_distinguished_from_the_exact_dead_centre() {
     for (name, first, text) in BESIDE {
         let mut last: Option<f64> = None;
         for k in 8..=30 {

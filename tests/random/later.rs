@@ -174,7 +174,7 @@ fn an_assembly_that_falls_together_is_not_meant() {
 /// If the scene does not choose an assembly, a note names the one taken and another one, by a point
 /// and its two places.
 #[test]
-fn an_assembly_by_default_is_told_beside_another_one() {
+fn an_assembly_by_default_is_reported_beside_another_one() {
     let four_bar = r#"{"links": {"1": ["A", "B"], "2": ["B", "C"], "3": ["D", "C"], "0": ["A", "D"]}, "ground": "0", "units": {"length": "m"},
         "lengths": {"AB": 1, "BC": 2.5, "CD": 2, "AD": 3}, "driver": {"link": "1", "angle": "60 deg", "omega": "1 rad/s"}, "find": ["x_C", "y_C"]}"#;
     let slider = r#"{"links": {"1": ["A", "B"], "2": ["B", "C"], "0": ["A"]}, "ground": "0", "units": {"length": "m"}, "points": {"A": [0, 0]},

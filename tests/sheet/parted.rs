@@ -59,7 +59,7 @@ fn over_one_another(scene: &Scene) -> Vec<String> {
 }
 
 #[test]
-fn links_over_one_another_are_told_apart() {
+fn links_over_one_another_are_distinguished() {
     let mut faults = Vec::new();
     for t in templates::list() {
         let scene = scene::read(templates::get(t.name).unwrap()).unwrap().value;

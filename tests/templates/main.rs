@@ -114,7 +114,7 @@ fn answers_are_as_expected() {
 
 /// Two different ends of vectors in one polygon never have one name, in either notation.
 #[test]
-fn marks_are_told_apart() {
+fn marks_are_distinguished() {
     use hodograph::construct::PolygonMark;
     use hodograph::notation::Notation;
     use hodograph::plan::text::PlanWriter;

@@ -73,7 +73,7 @@ const KINDS: &[Kinds] = &[
 ];
 
 #[test]
-fn kinds_are_told_apart_where_the_list_says() {
+fn kinds_are_distinguished_where_the_list_says() {
     let mut faults = Vec::new();
     for (of, kinds, told, ask) in KINDS {
         let mut idle = told.to_vec();

@@ -83,7 +83,7 @@ fn each_package_holds_what_it_includes() {
 }
 
 #[test]
-fn what_a_package_lacks_is_told() {
+fn what_a_package_lacks_is_reported() {
     let package = BTreeSet::from(["src/a/b.rs".to_owned(), "fonts/a.ttf".to_owned()]);
     let told = |path: &str| {
         faults(

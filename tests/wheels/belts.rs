@@ -286,7 +286,7 @@ fn errors(f: &Faults) -> Vec<&'static str> {
 }
 
 #[test]
-fn belts_that_cannot_be_are_told() {
+fn belts_that_cannot_be_are_reported() {
     let belts = |entry: &str| {
         format!(
             r#"{{"units": {{"length": "mm"}}, "links": {{"1": ["O", "A", "B"], "2": ["O"], "3": ["A"], "4": ["B", "C"], "5": ["C"]}}, "ground": "1",
