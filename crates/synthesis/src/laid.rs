@@ -8,7 +8,7 @@
 
 use super::board::{PaperLine, SynthesisBoard, Weight};
 use super::candidate::{Draft, WantedPosition};
-use super::told::of;
+use super::statement::of;
 use hodograph_base::diag::Both;
 use hodograph_base::geom::{Point, Vec2};
 

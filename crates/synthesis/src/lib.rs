@@ -47,15 +47,15 @@ mod order;
 pub mod path;
 mod poly;
 pub mod schema;
+pub(crate) mod statement;
 pub mod straight_line;
 pub mod templates;
 pub mod time_ratio;
-pub(crate) mod told;
 
 pub use board::SynthesisBoard;
 pub use candidate::{Compared, DesignCandidate, DesignNumber, Draft, WantedPosition};
 pub use fourbar::{FourBar, Heading};
-pub use told::{Proof, Statement};
+pub use statement::{Proof, Statement};
 
 use form::TaskForm;
 use hodograph_base::diag::{Both, Diagnostic, Faults, Warned, both};

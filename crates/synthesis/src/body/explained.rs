@@ -4,7 +4,7 @@
 use super::among::Among;
 use super::{Body, Method};
 use crate::candidate::Draft;
-use crate::told::{angle, centre_of_three, length, of, place};
+use crate::statement::{angle, centre_of_three, length, of, place};
 use crate::{Proof, Statement};
 use hodograph_base::diag::{Both, both};
 use hodograph_base::geom::Point;

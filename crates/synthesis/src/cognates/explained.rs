@@ -3,7 +3,7 @@
 use super::CognatesTask;
 use crate::candidate::Draft;
 use crate::fourbar::FourBar;
-use crate::told::{angle, length, number, of, place};
+use crate::statement::{angle, length, number, of, place};
 use crate::{Proof, Statement};
 use hodograph_base::diag::both;
 

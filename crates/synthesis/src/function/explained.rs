@@ -3,7 +3,7 @@
 
 use super::{Function, FunctionTarget};
 use crate::candidate::Draft;
-use crate::told::{angle, length, number, of, subtracted};
+use crate::statement::{angle, length, number, of, subtracted};
 use crate::{Proof, Statement};
 use hodograph_base::diag::{Both, both};
 
@@ -87,7 +87,7 @@ impl Function {
                     "杆长 $l_{{BC}}$（连杆）、$l_{{CD}}$（从动连架杆）"
                 )
             }
-            None => crate::told::four_bar_wanted(),
+            None => crate::statement::four_bar_wanted(),
         }];
         for (i, start, names) in
             [(0, "\\alpha_0", ["crank", "曲柄"]), (1, "\\varphi_0", ["follower", "从动杆"])]

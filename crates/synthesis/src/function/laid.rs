@@ -10,7 +10,7 @@ use super::{Function, FunctionTarget};
 use crate::board::{PaperLine, SynthesisBoard, Weight};
 use crate::candidate::{DesignNumber, Draft};
 use crate::laid::{LaidFourBar, numbered, shown, side};
-use crate::told::of;
+use crate::statement::of;
 use hodograph_base::diag::both;
 use hodograph_base::geom::{Point, Vec2};
 

@@ -2,7 +2,7 @@
 
 use super::{Press, from_vertical};
 use crate::candidate::Draft;
-use crate::told::{angle, half_difference, length, number, of};
+use crate::statement::{angle, half_difference, length, number, of};
 use crate::{Proof, Statement};
 use hodograph_base::diag::both;
 

@@ -10,8 +10,8 @@ use crate::candidate::{Demand, DesignNumber, Draft, WantedPosition, deg, mm, pla
 use crate::form::TaskForm;
 use crate::fourbar::{FourBar, Heading, headed, meet, named_lengths, omega};
 use crate::nearest::{number, told};
+use crate::statement::{angle, half_difference, length, number as ratio, of, place as shown};
 use crate::time_ratio::{sketch, slow_stroke};
-use crate::told::{angle, half_difference, length, number as ratio, of, place as shown};
 use crate::{Proof, Statement, TaskResult, Wish};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::significant;

@@ -4,7 +4,7 @@ use super::PathTask;
 use super::inversion::{back_to_first, turned_back};
 use super::prescribed::{Prescribed, Ray};
 use crate::candidate::Draft;
-use crate::told::{angle, centre_of_three, four_bar_wanted, length, of, place};
+use crate::statement::{angle, centre_of_three, four_bar_wanted, length, of, place};
 use crate::{Proof, Statement};
 use hodograph_base::diag::{Both, both};
 use hodograph_base::geom::Point;

@@ -4,7 +4,7 @@
 use crate::board::{SynthesisBoard, Weight};
 use crate::candidate::{DesignNumber, Draft};
 use crate::laid::{LaidFourBar, numbered, shown, side};
-use crate::told::of;
+use crate::statement::of;
 use hodograph_base::diag::both;
 use hodograph_base::geom::{Point, Vec2};
 

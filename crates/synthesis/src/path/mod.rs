@@ -281,8 +281,8 @@ impl Wish for PathTask {
         // D, and A if not given, come from centre-point curves.
         let found = |letter: &str| {
             Point::new(
-                super::told::of(draft, &format!("{letter}_x")),
-                super::told::of(draft, &format!("{letter}_y")),
+                super::statement::of(draft, &format!("{letter}_x")),
+                super::statement::of(draft, &format!("{letter}_y")),
             )
         };
         let by_sides = |board: &mut SynthesisBoard,
@@ -446,7 +446,7 @@ fn searched(
             let wish = Prescribed { points: points.to_vec(), turns: turns.to_vec(), lines: None };
             let longest = |d: &Draft| {
                 ["AB", "BC", "CD", "AD", "BE"]
-                    .map(|n| super::told::of(d, n))
+                    .map(|n| super::statement::of(d, n))
                     .into_iter()
                     .fold(0.0, f64::max)
             };

@@ -6,7 +6,7 @@ use crate::board::{PaperLine, SynthesisBoard, Weight};
 use crate::candidate::Draft;
 use crate::fourbar::{FourBar, Heading};
 use crate::laid::{LaidFourBar, numbered};
-use crate::told::of;
+use crate::statement::of;
 use hodograph_base::diag::{Both, both};
 use hodograph_base::geom::{Point, Vec2};
 

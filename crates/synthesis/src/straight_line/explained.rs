@@ -3,7 +3,7 @@
 
 use super::{Linkage, StraightLineTask};
 use crate::candidate::Draft;
-use crate::told::{angle, length, number, of};
+use crate::statement::{angle, length, number, of};
 use crate::{Proof, Statement};
 use hodograph_base::diag::{Both, both};
 

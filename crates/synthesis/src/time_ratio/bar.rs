@@ -5,7 +5,7 @@
 //! C₁C₂: 2 AB² (1 + cos θ) + 2 BC² (1 − cos θ) = L².
 
 use crate::board::{PaperLine, SynthesisBoard, Weight};
-use crate::told::length;
+use crate::statement::length;
 use hodograph_base::diag::{Both, both};
 use hodograph_base::digits::significant;
 use hodograph_base::geom::Point;

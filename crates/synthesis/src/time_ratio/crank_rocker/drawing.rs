@@ -5,7 +5,7 @@ use super::super::bar::GivenBar;
 use super::{CrankRocker, RockerGivens};
 use crate::board::{PaperLine, SynthesisBoard, Weight};
 use crate::candidate::Draft;
-use crate::told::of;
+use crate::statement::of;
 use hodograph_base::diag::both;
 use hodograph_base::digits::significant;
 use hodograph_base::geom::Point;

@@ -3,7 +3,7 @@
 use super::super::bar::GivenBar;
 use super::{CrankRocker, RockerGivens, SizeBasis};
 use crate::candidate::Draft;
-use crate::told::{angle, angle_of_limits, half_difference, length, number, of, place};
+use crate::statement::{angle, angle_of_limits, half_difference, length, number, of, place};
 use crate::{Proof, Statement};
 use hodograph_base::diag::both;
 use hodograph_base::geom::Point;

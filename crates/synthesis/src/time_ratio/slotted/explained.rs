@@ -3,7 +3,7 @@
 
 use super::{Slotted, SlottedKind};
 use crate::candidate::Draft;
-use crate::told::{angle, angle_of_limits, length, number, of};
+use crate::statement::{angle, angle_of_limits, length, number, of};
 use crate::{Proof, Statement};
 use hodograph_base::diag::both;
 
