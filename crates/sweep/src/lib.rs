@@ -14,7 +14,7 @@
 //! out, with the reason in the notes.
 //!
 //! [`long`] sweeps, sweeps of parameters ([`vary`]) and sweeps through time ([`timed`]) run piece
-//! by piece ([`pieces`]), [`batch`]es block by block. [`stood`] answers questions that have no
+//! by piece ([`pieces`]), [`batch`]es block by block. [`positions`] answers questions that have no
 //! kernel in mechanisms whose positions have a program. [`follow`] returns whole configurations
 //! instead of columns, for drawings; [`zoom`] finds extremes between stations.
 //!
@@ -48,6 +48,7 @@ pub mod limit;
 pub mod long;
 pub mod pieces;
 pub mod points;
+mod positions;
 mod program;
 mod reading;
 #[cfg(test)]
@@ -56,7 +57,6 @@ mod rows;
 mod run;
 mod sampled;
 pub mod station;
-mod stood;
 mod suspect;
 mod swing;
 pub mod table;
@@ -83,10 +83,10 @@ use hodograph_mechanism::mechanism::{Demand, Mechanism};
 use hodograph_mechanism::position::{self, Configuration};
 use hodograph_scene::Scene;
 use limit::Probe;
+use positions::Stood;
 use program::SweepProgram;
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
-use stood::Stood;
 
 /// A scene placed at its instant, ready to be swept.
 pub struct PlacedScene<'a> {

@@ -7,9 +7,9 @@ use super::follow::compiled::{self, Compiled};
 use super::follow::whole::{self, DrivenMechanism};
 use super::general::{self, General};
 use super::pieces::{Gaps, StopSignal, SweepPieces};
+use super::positions::Stood;
 use super::program::SweepProgram;
 use super::sampled::proved;
-use super::stood::Stood;
 use super::{
     FallbackMethod, PlacedScene, StationSteps, Stations, Width, beside, change_notes,
     change_points, compile, compiled, each, ends, span, stretches,

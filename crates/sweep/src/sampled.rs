@@ -3,8 +3,8 @@
 use super::chunks::run_parts;
 use super::general::General;
 use super::lane::Width;
+use super::positions::Stood;
 use super::station::Stations;
-use super::stood::Stood;
 use super::{PlacedScene, branches};
 use hodograph_base::diag::Faults;
 use hodograph_mechanism::position::Configuration;
