@@ -1,9 +1,9 @@
 //! Reports of a cam over a full turn, as text and JSON: stages, strokes, extremes, shocks, pressure
 //! angle, curvature, and faults.
 
-mod told;
+mod numbers;
 
-pub use told::{CamNumber, Now, PrintedUnit};
+pub use numbers::{CamNumber, Now, PrintedUnit};
 
 use hodograph_base::cam::{
     CamExtreme, CamMotion, CamSurvey, Disc, Fault, Follower, FollowerTip, Jump, MotionLaw,
