@@ -18,8 +18,8 @@ use hodograph_worked::worked::{InfiniteCentre, NoAnswer, Outcome, Unanswered, Wo
 use serde_json::{Value as Json, json};
 use unicode_width::UnicodeWidthStr;
 
-mod elsewhere;
 mod none;
+mod other_figures;
 
 pub use none::{reason, verdict};
 
@@ -345,7 +345,7 @@ pub fn json(
 ) -> Json {
     let notation = Notation::of_language(Lang::En);
     let w = PlanWriter { scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
-    let elsewhere = elsewhere::drawn(scene, worked);
+    let elsewhere = other_figures::drawn(scene, worked);
     let answers: Vec<Json> = lines(worked, certified)
         .into_iter()
         .map(|line| {
