@@ -12,14 +12,13 @@
 // links.
 #![allow(rustdoc::private_intra_doc_links)]
 
-mod again;
 pub mod book;
 pub mod build;
 pub mod cams;
 mod decode;
 mod driver;
+mod driver_at;
 pub mod edit;
-mod elsewhere;
 pub mod eval;
 pub mod exact;
 pub mod expr;
@@ -38,21 +37,21 @@ pub mod readings;
 mod resolve;
 pub mod rolling;
 pub mod schema;
+mod source;
 pub mod statement;
 mod swept;
 pub mod templates;
 #[cfg(test)]
 mod tests;
-mod told;
 pub mod units;
 mod values;
+mod words;
 mod write;
 mod written;
 
-pub use again::Source;
 pub use book::Book;
 pub use driver::{Position, PositionSlot};
-pub use elsewhere::{driver_position, with_driver_at};
+pub use driver_at::{driver_position, with_driver_at};
 pub use hodograph_base::diagram::DiagramKind;
 pub use hodograph_base::kind::{ByKind, Kind};
 pub use hodograph_base::lang::Lang;
@@ -61,6 +60,7 @@ pub use quantity::{Asked, Axis};
 pub use rolling::{
     Contours, Flanks, Normal, Relation, Rolling, RollingId, RollingKind, Sizes, Touch,
 };
+pub use source::Source;
 pub use swept::Swept;
 pub use write::write;
 pub use written::QuantityText;

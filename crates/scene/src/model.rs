@@ -4,10 +4,10 @@
 //! order of the file. Whether the data determine the mechanism is *not* decided here but in
 //! `mechanism` and `position`.
 
-use super::again::Source;
 use super::book::Book;
 use super::quantity::{Asked, Frame};
 use super::rolling::{Rolling, RollingId};
+use super::source::Source;
 use super::statement::Statement;
 use super::units::Unit;
 use hodograph_base::diag::Span;

@@ -26,6 +26,7 @@ mod carrier;
 mod course;
 pub(super) mod decode;
 pub(super) mod expand;
+mod for_count;
 mod geared;
 mod law;
 pub(super) mod marked;
@@ -36,7 +37,6 @@ pub(super) mod raw;
 mod reckoned;
 pub(super) mod rollers;
 mod texts;
-mod untold;
 
 pub use course::{FollowerCourse, FollowerSolver, FollowerState, HangsOn};
 pub use texts::{MotionTexts, Texts};

@@ -22,12 +22,12 @@ mod places;
 mod rolling;
 mod statement;
 
-use super::again::Source;
 use super::book::Book;
 use super::cams::{expand, marked, rollers};
 use super::model::*;
 use super::names::Names;
 use super::raw::*;
+use super::source::Source;
 use super::units::RequiredQuantity;
 use super::values::Values;
 use hodograph_base::diag::{Both, Diagnostic, Faults, Span, both};
