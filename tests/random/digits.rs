@@ -4,7 +4,7 @@
 use crate::emit::{Ask, Pose, scene as emitted};
 use crate::properties::{mechanism, seeds, style};
 use crate::rng::Rng;
-use crate::told::told;
+use crate::step_numbers::told;
 use crate::wide::every;
 use hodograph::answer::AnswerValue;
 use hodograph::certified::ladder::{AnswerPart, certify, parts};

@@ -39,9 +39,9 @@ mod rng;
 mod rolling;
 mod singular;
 mod speeds;
+mod step_numbers;
 mod synth_digits;
 mod synth_truth;
-mod told;
 mod wheel_digits;
 mod wheel_truth;
 #[path = "../wide/mod.rs"]
