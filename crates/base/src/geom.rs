@@ -41,6 +41,11 @@ impl<N: Copy> Point<N> {
     pub const fn to_vec2(self) -> Vec2<N> {
         Vec2::new(self.x, self.y)
     }
+
+    /// Returns the point with both coordinates changed by the same function.
+    pub fn map<M>(self, number: impl Fn(N) -> M) -> Point<M> {
+        Point { x: number(self.x), y: number(self.y) }
+    }
 }
 
 impl<N: Real> Point<N> {
@@ -61,7 +66,7 @@ impl<N: Real> Point<N> {
 
     /// Returns the nearest point with `f64` coordinates.
     pub fn approx(self) -> Point {
-        Point::new(self.x.approx(), self.y.approx())
+        self.map(N::approx)
     }
 }
 
@@ -79,6 +84,11 @@ impl<N: Copy> Vec2<N> {
     /// Returns the point with this vector as position vector.
     pub const fn to_point(self) -> Point<N> {
         Point::new(self.x, self.y)
+    }
+
+    /// Returns the vector with both components changed by the same function.
+    pub fn map<M>(self, number: impl Fn(N) -> M) -> Vec2<M> {
+        Vec2 { x: number(self.x), y: number(self.y) }
     }
 }
 
@@ -164,21 +174,21 @@ impl<N: Real> Vec2<N> {
 
     /// Returns the nearest vector with `f64` components.
     pub fn approx(self) -> Vec2 {
-        Vec2::new(self.x.approx(), self.y.approx())
+        self.map(N::approx)
     }
 }
 
 impl Vec2 {
     /// Converts the components to another number type.
     pub fn lift<N: Real>(self) -> Vec2<N> {
-        Vec2::new(N::from_f64(self.x), N::from_f64(self.y))
+        self.map(N::from_f64)
     }
 }
 
 impl Point {
     /// Converts the coordinates to another number type.
     pub fn lift<N: Real>(self) -> Point<N> {
-        self.to_vec2().lift().to_point()
+        self.map(N::from_f64)
     }
 }
 

@@ -14,6 +14,7 @@ mod dd;
 pub mod decimal;
 mod float;
 pub mod jet;
+mod taped;
 #[cfg(test)]
 mod turns;
 
@@ -21,6 +22,7 @@ pub use ball::Ball;
 pub use big::{Big, RegionCopy, within};
 pub use dd::Dd;
 pub use jet::Jet;
+pub use taped::{Slopes, Tape, Taped};
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
