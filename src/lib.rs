@@ -162,7 +162,7 @@
 //! plan       diag notation scene mechanism
 //! construction budget diagram digits kind number geom
 //! construct  diag budget number geom scene mechanism position answer plan construction
-//! equilibrium diag diagram geom kind scene mechanism position answer force construct construction
+//! equilibrium diag number diagram geom kind scene mechanism position answer force construct construction
 //! analytic   diag budget geom linear cam scene mechanism position answer force
 //! sweep      diag budget digits trig number geom cam scene mechanism position stated answer force motion analytic
 //! paper      diag budget json notation diagram lang geom

@@ -55,6 +55,14 @@ pub struct Load<N = f64> {
     pub wrench: Wrench<N>,
 }
 
+impl Load {
+    /// Converts the load to another number type.
+    pub fn lift<N: Real>(&self) -> Load<N> {
+        let Load { cause, link, at, place, wrench } = *self;
+        Load { cause, link, at, place: place.lift(), wrench: wrench.lift() }
+    }
+}
+
 /// Returns all loads at an instant, in the order weight, inertia, applied, springs. Inertia uses
 /// the accelerations of `motion`.
 ///

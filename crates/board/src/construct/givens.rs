@@ -56,7 +56,7 @@ impl<'a, N: Real> PosedInputs<'a, N> {
 
 /// Returns the place (m) at the origin of the mechanism's drawing: the first placed joint of the
 /// ground, otherwise of any link.
-pub(super) fn origin<N: Real>(scene: &Scene, at: &Configuration<N>) -> Point<N> {
+pub(crate) fn origin<N: Real>(scene: &Scene, at: &Configuration<N>) -> Point<N> {
     let of_ground = scene.links[scene.ground.0].points.iter();
     let first =
         of_ground.chain(scene.links.iter().flat_map(|l| &l.points)).find_map(|p| at.points[p.0]);

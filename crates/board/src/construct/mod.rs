@@ -12,7 +12,7 @@ mod board;
 mod checks;
 mod choices;
 mod drawing;
-mod givens;
+pub(crate) mod givens;
 mod known;
 mod layout;
 mod readings;

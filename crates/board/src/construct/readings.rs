@@ -20,11 +20,11 @@ use hodograph_scene::{Asked, DiagramKind, Find, Kind, LinkId, OnLink, PointId, S
 
 /// The answer to one question.
 #[derive(Clone, Debug, PartialEq)]
-pub struct FindAnswer {
+pub struct FindAnswer<N = f64> {
     /// Index into the scene's `find` list.
     pub find: usize,
     /// The value.
-    pub value: AnswerValue,
+    pub value: AnswerValue<N>,
     /// The measurement; `None` for given values, for positions, and if the drawing shows nothing
     /// because the quantity vanishes for topological reasons or because a driver is at rest.
     pub measured: Option<MeasuredDistance>,
@@ -169,8 +169,8 @@ impl<N: Real> MotionSource<N> for OnPaper<'_, N> {
 
 /// Returns the points at the ends of a line, if the arm is their distance (a special point is not a
 /// point of the scene, and some arms begin in a centre of curvature).
-fn points_of(
-    at: &Configuration,
+fn points_of<N: Real>(
+    at: &Configuration<N>,
     plan: &Plan,
     (of, to): (VertexId, VertexId),
     arm: f64,
@@ -180,7 +180,7 @@ fn points_of(
     else {
         return None;
     };
-    let off = at.points[a.0]?.distance(at.points[b.0]?) - arm;
+    let off = at.points[a.0]?.distance(at.points[b.0]?).approx() - arm;
     // The two distances agree to rounding, or are different altogether.
     (off.abs() < 1e-9 * arm).then_some((a, b))
 }
@@ -196,20 +196,20 @@ fn vanishes(m: &Mechanism, what: &Asked, scene: &Scene) -> bool {
 
 /// Returns the answers from the drawing board; `None` for vectors that are not drawn
 /// ([`Plan::undrawable`]).
-pub fn read(
+pub fn read<N: Real>(
     scene: &Scene,
     m: &Mechanism,
-    at: &Configuration,
+    at: &Configuration<N>,
     plan: &Plan,
-    paper: &PlanDrawing,
-) -> Vec<Option<FindAnswer>> {
+    paper: &PlanDrawing<N>,
+) -> Vec<Option<FindAnswer<N>>> {
     let source = OnPaper { scene, m, plan, paper };
     scene.find.iter().enumerate().map(|(find, f)| source.answer(at, find, &f.what)).collect()
 }
 
-impl OnPaper<'_, f64> {
+impl<N: Real> OnPaper<'_, N> {
     /// Returns the answer to a question.
-    fn answer(&self, at: &Configuration, find: usize, what: &Asked) -> Option<FindAnswer> {
+    fn answer(&self, at: &Configuration<N>, find: usize, what: &Asked) -> Option<FindAnswer<N>> {
         let on = what.diagram();
         // A combination of two quantities is drawn if both are.
         if let Asked::Combined(c) = what {
@@ -232,13 +232,13 @@ impl OnPaper<'_, f64> {
                     .find(|r| r.on == on && r.body == body_of(self.scene, self.m, l));
                 let measured = reading.zip(self.paper.polygon(on)).and_then(|(r, p)| {
                     let m = r.measured?;
-                    let arm_of = points_of(at, self.plan, m.line, m.arm);
+                    let arm = m.arm.approx();
                     Some(MeasuredDistance {
-                        length_mm: m.length,
+                        length_mm: m.length.approx(),
                         mu: p.mu,
-                        arm_m: Some(m.arm),
-                        arm_of,
-                        marks: m.marks,
+                        arm_m: Some(arm),
+                        arm_of: points_of(at, self.plan, m.line, arm),
+                        marks: m.marks.map(|(mark, at)| (mark, at.approx())),
                         shown: None,
                     })
                 });
@@ -258,9 +258,9 @@ impl OnPaper<'_, f64> {
             }
             Some(Meaning::Ratio(links, arm)) => {
                 let of = |l| self.turning(on, l);
-                let arm = arm.map_or(Some(0.0), of)?;
+                let arm = arm.map_or(Some(N::from_f64(0.0)), of)?;
                 let value = (of(links[0])? - arm) / (of(links[1])? - arm);
-                return value.is_finite().then_some(FindAnswer {
+                return value.is_decided().then_some(FindAnswer {
                     find,
                     value: AnswerValue::Scalar(value),
                     measured: None,
@@ -284,27 +284,27 @@ impl OnPaper<'_, f64> {
             (Some(FoundVector { marks, shown }), Some(p)) => {
                 let drawn = marks[1].1 - marks[0].1;
                 let measured = MeasuredDistance {
-                    length_mm: drawn.norm(),
+                    length_mm: drawn.norm().approx(),
                     mu: p.mu,
                     arm_m: None,
                     arm_of: None,
-                    marks,
+                    marks: marks.map(|(mark, at)| (mark, at.approx())),
                     shown: Some(shown),
                 };
                 FindAnswer {
                     find,
-                    value: AnswerValue::Vector(drawn * p.mu),
+                    value: AnswerValue::Vector(drawn * N::from_f64(p.mu)),
                     measured: Some(measured),
                 }
             }
             // Both images exist, without an edge between them: this part vanishes.
-            _ => FindAnswer { find, value: AnswerValue::Vector(Vec2::ZERO), measured: None },
+            _ => FindAnswer { find, value: AnswerValue::Vector(Vec2::zero()), measured: None },
         })
     }
 
     /// Returns a_rⁿ and a_rᵗ if no pair gives the relative path: by the perpendicular from the tip
     /// of a_r to the line of v_r, both of which are drawn.
-    fn dropped(&self, at: &Configuration, find: usize, what: &Asked) -> Option<FindAnswer> {
+    fn dropped(&self, at: &Configuration<N>, find: usize, what: &Asked) -> Option<FindAnswer<N>> {
         let Asked::Composite(c) = what else { return None };
         let of = |part| match self.answer(at, find, &Composite { part, ..*c }.into())?.value {
             AnswerValue::Vector(v) => Some(v),
@@ -318,7 +318,7 @@ impl OnPaper<'_, f64> {
             of(CompositePart::RelativeVelocity)?,
             of(CompositePart::TransportVelocity)?,
         ];
-        let way = v_r.unit().filter(|_| v_r.norm() > SHORT * v_e.norm())?;
+        let way = v_r.unit().filter(|_| v_r.approx().norm() > SHORT * v_e.approx().norm())?;
         let along = way * way.dot(whole);
         let value = if c.part == CompositePart::RelativeTangential { along } else { whole - along };
         Some(FindAnswer { find, value: AnswerValue::Vector(value), measured: None })
@@ -328,37 +328,40 @@ impl OnPaper<'_, f64> {
 /// Returns the answers that are read from a drawing made [`by_hand`](super::by_hand), each length
 /// with the same pencil; positions are measured on the diagram. `shown` is the configuration that
 /// belongs to the drawing.
-pub fn read_by_hand<P: Pencil>(
+pub fn read_by_hand<N: Real, P: Pencil<N>>(
     scene: &Scene,
     m: &Mechanism,
-    shown: &Configuration,
+    shown: &Configuration<N>,
     plan: &Plan,
-    paper: &PlanDrawing,
+    paper: &PlanDrawing<N>,
     pencil: &mut P,
-) -> Vec<Option<AnswerValue>> {
+) -> Vec<Option<AnswerValue<N>>> {
     let mu = paper.diagram.mu;
+    let [mu_l, per_m] = [mu, 1.0 / mu].map(N::from_f64);
     let drawn = read(scene, m, shown, plan, paper);
-    let mut measure = |find: &Find, answer: Option<FindAnswer>| -> Option<AnswerValue> {
+    let mut measure = |find: &Find, answer: Option<FindAnswer<N>>| -> Option<AnswerValue<N>> {
         // Combinations of two quantities are calculated.
         if matches!(find.what, Asked::Combined(_)) {
             return Some(answer?.value);
         }
         let on = find.what.diagram();
         Some(match (answer?.value, paper.polygon(on)) {
-            (AnswerValue::Vector(v), Some(p)) => {
-                AnswerValue::Vector(pencil.read(on, v * (1.0 / p.mu)) * p.mu)
-            }
+            (AnswerValue::Vector(v), Some(p)) => AnswerValue::Vector(
+                pencil.read(on, v * N::from_f64(1.0 / p.mu)) * N::from_f64(p.mu),
+            ),
             // Rates were read when they were first needed; the difference of two rates is
             // calculated.
             (value @ (AnswerValue::Scalar(_) | AnswerValue::Point(_)), Some(_))
             | (value @ AnswerValue::Vector(_), None) => value,
             (AnswerValue::Point(p), None) => {
-                AnswerValue::Point((pencil.read(on, p.to_vec2() * (1.0 / mu)) * mu).to_point())
+                AnswerValue::Point((pencil.read(on, p.to_vec2() * per_m) * mu_l).to_point())
             }
             (AnswerValue::Scalar(s), None) => AnswerValue::Scalar(match find.what.of() {
                 Of::Link(l) if find.what.kind() == Kind::Angle => {
-                    let apart =
-                        shown.link_direction(scene, l).map_or(shown.extent(), Vec2::norm) / mu;
+                    let apart = shown
+                        .link_direction(scene, l)
+                        .map_or(shown.extent(), |along| along.approx().norm())
+                        / mu;
                     pencil.ruler(on, Vec2::from_angle(s), apart).angle()
                 }
                 Of::Point(_)
@@ -367,7 +370,7 @@ pub fn read_by_hand<P: Pencil>(
                 | Of::Links(..)
                 | Of::Line(..)
                 | Of::Seen(..)
-                | Of::Mechanism => pencil.read(on, Vec2::new(s / mu, 0.0)).x * mu,
+                | Of::Mechanism => pencil.read(on, Vec2::unit_x() * (s / mu_l)).x * mu_l,
             }),
         })
     };

@@ -40,6 +40,7 @@ use crate::construction::{Construction, DiagramId, DrawnPlaces, MarkId, NumberId
 use hodograph_base::diag::Both;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::kind::{ByKind, Kind};
+use hodograph_base::number::Real;
 use hodograph_mechanism::answer::MotionSource;
 use hodograph_mechanism::force::{
     Cause, Load, Rubbing, completed, is_determined, loads, rubbing, settled, unit_balance,
@@ -311,27 +312,26 @@ impl Equilibrium {
     /// polygons drawn with it. Friction keeps its forces.
     ///
     /// `None` if a load is unknown, or if the pencil made two lines parallel.
-    pub fn by_hand<P: Pencil>(
+    pub fn by_hand<N: Real, P: Pencil<N>>(
         &self,
         scene: &Scene,
         m: &Mechanism,
-        at: &Configuration,
-        motion: &impl MotionSource<f64>,
+        at: &Configuration<N>,
+        motion: &impl MotionSource<N>,
         pencil: &mut P,
-    ) -> Option<Forces> {
+    ) -> Option<Forces<N>> {
         let mut given = loads(scene, at, motion)?.into_iter();
-        let loads: Vec<Load> = self
-            .loads
-            .iter()
-            .map(|l| if matches!(l.cause, Cause::Friction(_)) { Some(*l) } else { given.next() })
-            .collect::<Option<_>>()?;
+        let kept = |l: &Load| matches!(l.cause, Cause::Friction(_)).then(|| l.lift());
+        let loads: Vec<Load<N>> =
+            self.loads.iter().map(|l| kept(l).or_else(|| given.next())).collect::<Option<_>>()?;
+        let rubbing: Vec<Rubbing<N>> = self.rubbing.iter().map(Rubbing::lift).collect();
         let givens =
             LoadedPose { scene, at, loads: &loads, senses: &self.senses, extent: at.extent() };
         let drawn = draw(&self.construction, &givens, &self.scales, pencil).ok()?;
         let forces = read(scene, m, at, &loads, &self.answers, &drawn)?;
         Some(Forces {
-            guides: with_friction(forces.guides.clone(), &self.rubbing),
-            smooth: self.forces.smooth,
+            guides: with_friction(forces.guides.clone(), &rubbing),
+            smooth: self.forces.smooth.map(N::from_f64),
             ..forces
         })
     }
@@ -445,16 +445,17 @@ fn extent_of(group: &GroupForces, drawn: &DrawnPlaces) -> [f64; 2] {
 }
 
 /// Returns the forces that the drawing gives. Reactions of groups that are not drawn are missing.
-fn read(
+fn read<N: Real>(
     scene: &Scene,
     m: &Mechanism,
-    at: &Configuration,
-    loads: &[Load],
+    at: &Configuration<N>,
+    loads: &[Load<N>],
     answers: &Answers,
-    drawn: &DrawnPlaces,
-) -> Option<Forces> {
+    drawn: &DrawnPlaces<N>,
+) -> Option<Forces<N>> {
+    let zero = N::from_f64(0.0);
     let vector = |n: &NumberId| drawn.vector(*n);
-    let mut pins: Vec<(PointId, LinkId, Vec2)> =
+    let mut pins: Vec<(PointId, LinkId, Vec2<N>)> =
         answers.pins.iter().filter_map(|(p, l, n)| Some((*p, *l, vector(n)?))).collect();
     // The last link on a pin of several links bears the forces of the others on the pin.
     for p in (0..scene.points.len())
@@ -467,15 +468,15 @@ fn read(
         let missing: Vec<LinkId> = scene.carriers(p).filter(|l| force(*l).is_none()).collect();
         if let [last] = missing[..] {
             let sum =
-                scene.carriers(p).filter_map(force).fold(Vec2::ZERO, |sum, force| sum - force);
+                scene.carriers(p).filter_map(force).fold(Vec2::zero(), |sum, force| sum - force);
             pins.push((p, last, sum));
         }
     }
-    let guides: Vec<(GuideId, Wrench)> = answers
+    let guides: Vec<(GuideId, Wrench<N>)> = answers
         .guides
         .iter()
         .filter_map(|(g, force, couple)| {
-            let couple = couple.map_or(Some(0.0), |c| drawn.number(c))?;
+            let couple = couple.map_or(Some(zero), |c| drawn.number(c))?;
             Some((*g, Wrench { force: vector(force)?, couple }))
         })
         .collect();
@@ -483,9 +484,9 @@ fn read(
     // friction: both are one force.
     let held = |r: RollingId| match m.path_of(scene, r) {
         Some(guide) => guides.iter().find(|(own, _)| *own == guide).map(|(_, w)| w.force),
-        None => Some(Vec2::ZERO),
+        None => Some(Vec2::zero()),
     };
-    let pressed: Vec<(RollingId, Vec2)> =
+    let pressed: Vec<(RollingId, Vec2<N>)> =
         answers.rolling.iter().filter_map(|(r, n)| Some((*r, vector(n)?))).collect();
     let rolling = pressed.iter().filter_map(|(r, force)| Some((*r, *force + held(*r)?))).collect();
     let mut drivers = Vec::new();
@@ -494,8 +495,8 @@ fn read(
         drivers.push(drawn.number(*n)?);
     }
     let whole = drivers.len() == scene.drivers.len();
-    let power: f64 = scene.drivers.iter().zip(&drivers).map(|(d, x)| x * d.rate.value).sum();
-    let power = if whole { power } else { f64::NAN };
+    let powers = scene.drivers.iter().zip(&drivers).map(|(d, x)| *x * N::from_f64(d.rate.value));
+    let power = if whole { powers.fold(-zero, |sum, x| sum + x) } else { N::from_f64(f64::NAN) };
     let balance = answers.balance.and_then(|n| drawn.number(n));
     let mut loads = loads.to_vec();
     if let Some((unit, size)) = unit_balance(scene, at).zip(balance) {
@@ -504,7 +505,7 @@ fn read(
             ..unit
         });
         // With a balancing force the drivers exert no force.
-        drivers.fill(0.0);
+        drivers.fill(zero);
     }
     let reactions = Forces {
         determinate: is_determined(scene, m),

@@ -1,31 +1,33 @@
 //! The givens of a construction of forces.
 
+use crate::construct::givens::origin;
 use crate::construction::{Givens, Key, Track};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::Real;
 use hodograph_mechanism::force::{Load, pressure_angle, unit_balance};
 use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::{RollingId, Scene};
 
 /// The places, loads, guides and lines of action.
-pub(super) struct LoadedPose<'a> {
+pub(super) struct LoadedPose<'a, N> {
     pub scene: &'a Scene,
-    pub at: &'a Configuration,
-    pub loads: &'a [Load],
+    pub at: &'a Configuration<N>,
+    pub loads: &'a [Load<N>],
     /// The sense in which each rolling pair presses along its tangent.
     pub senses: &'a [f64],
     pub extent: f64,
 }
 
-impl Givens<f64> for LoadedPose<'_> {
-    fn place(&self, key: Key) -> Option<Point> {
+impl<N: Real> Givens<N> for LoadedPose<'_, N> {
+    fn place(&self, key: Key) -> Option<Point<N>> {
         self.at.points[key.index()]
     }
 
-    fn number(&self, key: Key) -> f64 {
+    fn number(&self, key: Key) -> N {
         self.loads[key.index()].wrench.couple
     }
 
-    fn vector(&self, key: Key) -> Option<Vec2> {
+    fn vector(&self, key: Key) -> Option<Vec2<N>> {
         match key.index().checked_sub(self.loads.len()) {
             None => Some(self.loads[key.index()].wrench.force),
             Some(0) => Some(unit_balance(self.scene, self.at)?.wrench.force),
@@ -33,12 +35,12 @@ impl Givens<f64> for LoadedPose<'_> {
                 let rolling = RollingId(k - 1);
                 let n = self.at.normal(self.scene, rolling)?;
                 let angle = pressure_angle(&self.scene.rolling[rolling.0]);
-                (n.perp() + n * (self.senses[rolling.0] * libm::tan(angle))).unit()
+                (n.perp() + n * N::from_f64(self.senses[rolling.0] * libm::tan(angle))).unit()
             }
         }
     }
 
-    fn path(&self, key: Key) -> Option<Track<f64>> {
+    fn path(&self, key: Key) -> Option<Track<N>> {
         Some(match self.at.guides[key.index()]? {
             Path::Line { direction, .. } => Track::Line(direction),
             Path::Arc { centre, radius } => Track::Arc { centre, radius },
@@ -49,10 +51,8 @@ impl Givens<f64> for LoadedPose<'_> {
         self.extent
     }
 
-    fn origin(&self) -> Point {
-        let of_ground = self.scene.links[self.scene.ground.0].points.iter();
-        let mut all = of_ground.chain(self.scene.links.iter().flat_map(|l| &l.points));
-        all.find_map(|p| self.at.points[p.0]).unwrap_or(Point::ORIGIN)
+    fn origin(&self) -> Point<N> {
+        origin(self.scene, self.at)
     }
 
     fn extent(&self) -> f64 {

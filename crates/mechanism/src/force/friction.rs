@@ -132,6 +132,14 @@ pub fn rubbing<N: Real>(
     Some((out, still))
 }
 
+impl Rubbing {
+    /// Converts the pair to another number type.
+    pub fn lift<N: Real>(&self) -> Rubbing<N> {
+        let Rubbing { friction, links, pair, at, place, unit, takes } = *self;
+        Rubbing { friction, links, pair, at, place: place.lift(), unit: unit.lift(), takes }
+    }
+}
+
 impl<N: Real> Rubbing<N> {
     /// Returns the reaction (N) that presses the links on each other.
     fn pressure(

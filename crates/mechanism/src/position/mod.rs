@@ -61,7 +61,7 @@ impl Pose {
 impl Pose {
     /// Converts the pose to another number type.
     pub fn lift<N: Real>(&self) -> Pose<N> {
-        Pose { origin: self.origin.lift(), axis: self.axis.lift() }
+        self.map(&N::from_f64)
     }
 }
 
@@ -73,7 +73,11 @@ impl<N: Real> Pose<N> {
 
     /// Returns the nearest pose in `f64`.
     pub fn approx(&self) -> Pose {
-        Pose { origin: self.origin.approx(), axis: self.axis.approx() }
+        self.map(&N::approx)
+    }
+
+    fn map<M>(&self, number: &impl Fn(N) -> M) -> Pose<M> {
+        Pose { origin: self.origin.map(number), axis: self.axis.map(number) }
     }
 
     /// Converts a point from the link to the plane.
@@ -131,12 +135,16 @@ pub enum Path<N = f64> {
 impl<N: Real> Path<N> {
     /// Returns the nearest path in `f64`.
     pub fn approx(&self) -> Path {
+        self.map(&N::approx)
+    }
+
+    fn map<M>(&self, number: &impl Fn(N) -> M) -> Path<M> {
         match *self {
             Path::Line { through, direction } => {
-                Path::Line { through: through.approx(), direction: direction.approx() }
+                Path::Line { through: through.map(number), direction: direction.map(number) }
             }
             Path::Arc { centre, radius } => {
-                Path::Arc { centre: centre.approx(), radius: radius.approx() }
+                Path::Arc { centre: centre.map(number), radius: number(radius) }
             }
         }
     }
@@ -215,6 +223,13 @@ impl<N: Real> Shapes<N> {
     }
 }
 
+impl Configuration {
+    /// Converts the configuration to another number type.
+    pub fn lift<N: Real>(&self) -> Configuration<N> {
+        self.map(&N::from_f64)
+    }
+}
+
 impl<N: Real> Configuration<N> {
     /// Returns the position of a point by its name; `None` if the scene has no such point or the
     /// point is not placed.
@@ -240,21 +255,22 @@ impl<N: Real> Configuration<N> {
 
     /// Returns the nearest configuration in `f64`.
     pub fn approx(&self) -> Configuration {
+        self.map(&N::approx)
+    }
+
+    fn map<M>(&self, number: &impl Fn(N) -> M) -> Configuration<M> {
         let guides =
-            |list: &[Option<Path<N>>]| list.iter().map(|g| g.map(|g| g.approx())).collect();
+            |list: &[Option<Path<N>>]| list.iter().map(|g| g.map(|g| g.map(number))).collect();
+        let shape =
+            |s: &Vec<(PointId, Point<N>)>| s.iter().map(|(p, at)| (*p, at.map(number))).collect();
         Configuration {
-            points: self.points.iter().map(|p| p.map(Point::approx)).collect(),
-            poses: self.poses.iter().map(|p| p.map(|p| p.approx())).collect(),
+            points: self.points.iter().map(|p| p.map(|p| p.map(number))).collect(),
+            poses: self.poses.iter().map(|p| p.map(|p| p.map(number))).collect(),
             guides: guides(&self.guides),
             shapes: Shapes {
-                points: self
-                    .shapes
-                    .points
-                    .iter()
-                    .map(|s| s.iter().map(|(p, at)| (*p, at.approx())).collect())
-                    .collect(),
+                points: self.shapes.points.iter().map(shape).collect(),
                 guides: guides(&self.shapes.guides),
-                rolling: self.shapes.rolling.iter().map(|r| r.map(Real::approx)).collect(),
+                rolling: self.shapes.rolling.iter().map(|r| r.map(number)).collect(),
             },
             closures: self.closures.clone(),
             rolled: self.rolled.clone(),

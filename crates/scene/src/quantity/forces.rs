@@ -15,6 +15,13 @@ pub struct Wrench<N = f64> {
     pub couple: N,
 }
 
+impl Wrench {
+    /// Converts the wrench to another number type.
+    pub fn lift<N: Real>(self) -> Wrench<N> {
+        Wrench { force: self.force.lift(), couple: N::from_f64(self.couple) }
+    }
+}
+
 impl<N: Real> Wrench<N> {
     /// Returns the zero wrench.
     pub fn zero() -> Self {
