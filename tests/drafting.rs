@@ -2,6 +2,8 @@
 
 #[path = "drafting/board.rs"]
 mod board;
+#[path = "drafting/differences.rs"]
+mod differences;
 
 use hodograph::accuracy::{self, DraftedConstruction, drafting, simulate};
 use hodograph::construct::pencil::{Exact, Single};

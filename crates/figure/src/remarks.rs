@@ -4,7 +4,7 @@
 use hodograph_analytic::SingularKind;
 use hodograph_base::diag::Both;
 use hodograph_base::digits::{shortest, significant};
-use hodograph_board::construct::conditions;
+use hodograph_board::construct::{conditions, pencil_mm};
 use hodograph_board::plan::names::name_label;
 use hodograph_board::plan::text::{point_label, vertex_name};
 use hodograph_mechanism::mechanism::{Core, Opened};
@@ -13,7 +13,7 @@ use hodograph_paper::paper::phrase::{Phrase, fill};
 use hodograph_report::answers::worst;
 use hodograph_report::drafting;
 use hodograph_scene::{DiagramKind, Scene};
-use hodograph_worked::accuracy::BadAngle;
+use hodograph_worked::accuracy::{BadAngle, relative_tolerances};
 use hodograph_worked::worked::{Outcome, Worked};
 
 use super::results::ResultsContent;
@@ -43,13 +43,10 @@ pub(crate) fn pencil(answers: &ResultsContent) -> Vec<Phrase> {
     if worked.drafting.is_some() {
         return Vec::new();
     }
-    let hand = worked.by_hand(scene);
-    let mm = shortest(hand.pencil_mm);
-    let told = scene
-        .find
-        .iter()
-        .zip(&hand.tolerances)
-        .filter_map(|(find, t)| Some((find, t.as_ref()?.relative?)));
+    let pencil_mm = pencil_mm(&scene.paper);
+    let mm = shortest(pencil_mm);
+    let tolerances = relative_tolerances(&worked.drawn(scene), pencil_mm);
+    let told = scene.find.iter().zip(tolerances).filter_map(|(find, t)| Some((find, t?)));
     let (read, lost): (Vec<_>, Vec<_>) = told.partition(|(_, part)| *part < 1.0);
     let worst = read.into_iter().filter(|(_, part)| *part > 0.0).max_by(|a, b| a.1.total_cmp(&b.1));
     let worst = worst.map(|(find, part)| {

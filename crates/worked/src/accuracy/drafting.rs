@@ -1,7 +1,8 @@
 //! The accuracy of drawing by hand: the tolerance of every reading, derived step by step.
 //!
-//! Each mark of the construction is displaced by itself while all other steps are repeated exactly;
-//! the change of the answers is the sensitivity to that mark. Marks miss independently and normally
+//! The construction is drawn once in numbers that record their operations ([`Taped`]). The
+//! derivatives of an answer by all marks follow from the record: each is the sensitivity to a mark
+//! that is displaced by itself while all other steps are exact. Marks miss independently and normally
 //! ([`Blunt`](hodograph_board::construct::pencil::Blunt)), so the variances of their effects add up
 //! (the square root of the sum of squares), and the tolerance is the radius within which 95 % of
 //! the answers fall. It is of first order: true while it is small relative to the answer, and a
@@ -10,6 +11,7 @@
 use super::larger::{Larger, larger};
 use hodograph_base::diag::Faults;
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::number::{Real, Tape, Taped};
 use hodograph_board::construct::pencil::{Pencil, WITHIN, radius_in_deviations};
 use hodograph_board::construct::{Layout, PlanDrawing, by_hand, read_by_hand, scale, source};
 use hodograph_board::equilibrium::Equilibrium;
@@ -18,7 +20,8 @@ use hodograph_mechanism::answer::{AnswerValue, MotionSource, evaluate};
 use hodograph_mechanism::mechanism::{Level, Mechanism};
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::quantity::Forces;
-use hodograph_scene::{Asked, ByKind, DiagramKind, Kind, LinkId, PointId, Scene};
+use hodograph_scene::{Asked, ByKind, DiagramKind, Find, LinkId, PointId, Scene};
+use std::sync::LazyLock;
 
 /// A finished construction with everything that is needed to draw it again.
 #[derive(Clone, Debug)]
@@ -62,20 +65,26 @@ impl DraftedConstruction<'_> {
         layout: &Layout,
         pencil: &mut P,
     ) -> Result<Vec<Option<AnswerValue>>, Faults> {
+        self.read_in(self.configuration, layout, pencil)
+    }
+
+    /// Draws and reads in the numbers of `at`, the true positions.
+    fn read_in<N: Real, P: Pencil<N>>(
+        &self,
+        at: &Configuration<N>,
+        layout: &Layout,
+        pencil: &mut P,
+    ) -> Result<Vec<Option<AnswerValue<N>>>, Faults> {
         let (scene, m, plan) = (self.scene, self.mechanism, self.plan);
-        let (paper, shown) =
-            by_hand(&self.construction.acts, scene, self.configuration, plan, layout, pencil)?;
+        let (paper, shown) = by_hand(&self.construction.acts, scene, at, plan, layout, pencil)?;
         let mut read = read_by_hand(scene, m, &shown, plan, &paper, pencil);
         if let Some(equilibrium) = self.equilibrium {
             let motion = source(scene, m, plan, &paper);
-            let forces =
-                equilibrium.by_hand(scene, m, self.configuration, &motion, pencil).map(Reactions);
+            let forces = equilibrium.by_hand(scene, m, at, &motion, pencil).map(Reactions);
             for (find, value) in
                 scene.find.iter().zip(&mut read).filter(|(f, _)| matches!(f.what, Asked::Force(_)))
             {
-                *value = forces
-                    .as_ref()
-                    .and_then(|drawn| evaluate(scene, self.configuration, drawn, &find.what));
+                *value = forces.as_ref().and_then(|drawn| evaluate(scene, at, drawn, &find.what));
             }
         }
         Ok(read
@@ -87,18 +96,18 @@ impl DraftedConstruction<'_> {
 }
 
 /// The forces of one drawing as a source of answers.
-struct Reactions(Forces);
+struct Reactions<N>(Forces<N>);
 
-impl MotionSource<f64> for Reactions {
-    fn vector(&self, _: Level, _: PointId, _: Option<LinkId>) -> Option<Vec2> {
+impl<N> MotionSource<N> for Reactions<N> {
+    fn vector(&self, _: Level, _: PointId, _: Option<LinkId>) -> Option<Vec2<N>> {
         None
     }
 
-    fn turning(&self, _: Level, _: LinkId) -> Option<f64> {
+    fn turning(&self, _: Level, _: LinkId) -> Option<N> {
         None
     }
 
-    fn forces(&self) -> Option<&Forces> {
+    fn forces(&self) -> Option<&Forces<N>> {
         Some(&self.0)
     }
 }
@@ -108,8 +117,8 @@ impl MotionSource<f64> for Reactions {
 pub struct Drafting {
     /// The pencil error: 95 % of the marks fall within it (mm).
     pub pencil_mm: f64,
-    /// The tolerance for each question; `None` if it is not drawn, if nothing moves, or if a mark's
-    /// error may undo the drawing; `None` for all questions in a drawing of more than a thousand
+    /// The tolerance for each question; `None` if it is not drawn, if nothing moves, or if it has no
+    /// finite derivative by a mark; `None` for all questions in a drawing of more than a thousand
     /// marks.
     pub tolerances: Vec<Option<Tolerance>>,
     /// Every crossing, in drawing order.
@@ -178,25 +187,15 @@ pub fn crossings(paper: &PlanDrawing, pencil_mm: f64) -> Vec<CrossingTolerance> 
 }
 
 /// Returns the tolerances of all readings for a pencil error (mm).
-///
-/// The cost is four drawings for each mark: some hundred microseconds for a four-bar, some
-/// milliseconds for ten links.
 pub fn drafting(drawn: &DraftedConstruction, pencil_mm: f64) -> Drafting {
     let layout = Layout::of(drawn.construction);
-    let spreads = spreads(drawn, &layout, pencil_mm / radius_in_deviations());
-    let tolerances = drawn.values.iter().enumerate().map(|(find, value)| {
-        // Without motion there is no polygon, no scale, and nothing to read.
-        if drawn.size_mm(drawn.scene.find[find].what.diagram()) == [0.0, 0.0] {
-            return None;
-        }
-        let spread = spreads.as_ref()?[find].as_ref()?;
-        let value = (*value)?;
-        let absolute = spread.total().radius(WITHIN);
-        let free = drawn.scene.find[find].what.entry().from_origin;
-        let relative = (!free && value.magnitude() > 0.0).then(|| absolute / value.magnitude());
+    let tolerances = Spread::of_readings(drawn, &layout, pencil_mm).into_iter().enumerate();
+    let tolerances = tolerances.map(|(find, spread)| {
+        let spread = spread?;
+        let (absolute, relative) = spread.tolerance(drawn, find)?;
         let parts = spread.0.map(|c| c.radius(WITHIN));
         let larger = relative.map(|r| larger(&drawn.scene.paper, drawn, &layout, r, &parts));
-        absolute.is_finite().then_some(Tolerance { absolute, relative, parts, larger })
+        Some(Tolerance { absolute, relative, parts, larger })
     });
     Drafting {
         pencil_mm,
@@ -205,104 +204,84 @@ pub fn drafting(drawn: &DraftedConstruction, pencil_mm: f64) -> Drafting {
     }
 }
 
-/// A pencil that displaces one mark, or only records the drawing of each mark.
-struct DisplacedPencil {
-    marks: Vec<DiagramKind>,
-    count: usize,
-    displaced: Option<(usize, Vec2)>,
+/// Returns [`Tolerance::relative`] of all readings for a pencil error (mm).
+pub fn relative_tolerances(drawn: &DraftedConstruction, pencil_mm: f64) -> Vec<Option<f64>> {
+    let spreads = Spread::of_readings(drawn, &Layout::of(drawn.construction), pencil_mm);
+    let relative = |(find, spread): (usize, Option<Spread>)| spread?.tolerance(drawn, find)?.1;
+    spreads.into_iter().enumerate().map(relative).collect()
 }
 
-impl Pencil for DisplacedPencil {
+/// A pencil that puts every mark at its intended place, with a variable displacement.
+struct TapedPencil<'a> {
+    tape: &'a Tape,
+    /// The displacements of the marks.
+    marks: Vec<(DiagramKind, Vec2<Taped<'a>>)>,
+}
+
+impl<'a> Pencil<Taped<'a>> for TapedPencil<'a> {
     const EXACT: bool = false;
 
-    fn mark(&mut self, on: DiagramKind, at: Point) -> Point {
-        let here = self.count;
-        self.count += 1;
-        match self.displaced {
-            None => {
-                self.marks.push(on);
-                at
-            }
-            Some((step, by)) if step == here => at + by,
-            Some(_) => at,
-        }
+    fn mark(&mut self, on: DiagramKind, at: Point<Taped<'a>>) -> Point<Taped<'a>> {
+        let displaced = Vec2::ZERO.map(|zero| self.tape.variable(zero));
+        self.marks.push((on, displaced));
+        at + displaced
     }
 }
 
-/// The displacement of a mark for the derivatives, as a part (2⁻²⁰) of its drawing's larger side.
-/// It is small enough for linear answers even at flat crossings, and the rounding of the drawing,
-/// 1e-16 of that side, leaves ten digits.
-const STEP: f64 = 1.0 / 1_048_576.0;
-
-/// The greatest number of marks. Each mark is displaced by itself and the rest drawn again: the
-/// work grows with the square of the marks. Ten links have some hundred.
+/// The greatest number of marks; ten links have some hundred. The work grows with marks times
+/// answers.
 const MOST_MARKS: usize = 1000;
-
-/// The covariances of the answers for marks that miss by `deviation_mm` in x and in y; `None` if a
-/// displaced mark undoes the drawing, or if there are more than [`MOST_MARKS`].
-fn spreads(
-    drawn: &DraftedConstruction,
-    layout: &Layout,
-    deviation_mm: f64,
-) -> Option<Vec<Option<Spread>>> {
-    let mut first = DisplacedPencil { marks: Vec::new(), count: 0, displaced: None };
-    let base = drawn.read_with(layout, &mut first).ok()?;
-    if first.marks.len() > MOST_MARKS {
-        return None;
-    }
-    let mut all: Vec<Option<Spread>> = base.iter().map(|v| v.map(|_| Spread::default())).collect();
-    let step_mm = |on: DiagramKind| {
-        let [w, h] = drawn.size_mm(on);
-        (on.kind(), w.max(h) * STEP)
-    };
-    let steps_mm: ByKind = DiagramKind::ALL.into_iter().map(step_mm).collect();
-    for (mark, on) in first.marks.iter().enumerate() {
-        let h = steps_mm.get(on.kind()).unwrap_or(0.0);
-        // A drawing that is a single point (nothing moves) has no marks.
-        if h == 0.0 {
-            continue;
-        }
-        for axis in [Vec2::new(h, 0.0), Vec2::new(0.0, h)] {
-            let at = |by: Vec2| {
-                let mut pencil =
-                    DisplacedPencil { marks: Vec::new(), count: 0, displaced: Some((mark, by)) };
-                drawn.read_with(layout, &mut pencil).ok()
-            };
-            let (ahead, behind) = (at(axis)?, at(-axis)?);
-            for (find, spread) in all.iter_mut().enumerate() {
-                if let (Some(spread), Some(a), Some(b)) = (spread, ahead[find], behind[find]) {
-                    let change = difference(&drawn.scene.find[find].what, a, b);
-                    spread.on(*on).add(change * (0.5 * deviation_mm / h));
-                }
-            }
-        }
-    }
-    Some(all)
-}
-
-/// The difference of two answers, a number as a vector along x; angles by the shorter way round.
-pub(super) fn difference(what: &Asked, a: AnswerValue, b: AnswerValue) -> Vec2 {
-    match (a, b) {
-        (AnswerValue::Vector(a), AnswerValue::Vector(b)) => a - b,
-        (AnswerValue::Point(a), AnswerValue::Point(b)) => a - b,
-        (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) if what.kind() == Kind::Angle => {
-            Vec2::new(Vec2::from_angle(a - b).angle(), 0.0)
-        }
-        (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => Vec2::new(a - b, 0.0),
-        (AnswerValue::Vector(_) | AnswerValue::Scalar(_) | AnswerValue::Point(_), _) => {
-            Vec2::new(f64::INFINITY, 0.0)
-        }
-    }
-}
 
 /// The covariances of one answer, by the drawing on which the marks were made.
 #[derive(Clone, Debug, Default)]
 struct Spread(ByKind<Covariance>);
 
 impl Spread {
-    /// The covariance of one drawing.
-    fn on(&mut self, on: DiagramKind) -> &mut Covariance {
-        self.0.entry(on.kind())
+    /// Returns the covariances of all readings for marks with a pencil error (mm). All are `None`
+    /// if the drawing has more than [`MOST_MARKS`].
+    fn of_readings(
+        drawn: &DraftedConstruction,
+        layout: &Layout,
+        pencil_mm: f64,
+    ) -> Vec<Option<Spread>> {
+        let tape = Tape::default();
+        let mut pencil = TapedPencil { tape: &tape, marks: Vec::new() };
+        let read = drawn.read_in(&drawn.configuration.lift(), layout, &mut pencil);
+        let mut marks = pencil.marks;
+        let Some(read) = read.ok().filter(|_| marks.len() <= MOST_MARKS) else {
+            return vec![None; drawn.values.len()];
+        };
+        // A drawing that is a single point (nothing moves) has no marks, no scale, and nothing to
+        // read.
+        let drawings = DiagramKind::ALL.map(|on| (on, drawn.size_mm(on) != [0.0, 0.0]));
+        let is_drawn = |on: DiagramKind| drawings.contains(&(on, true));
+        marks.retain(|(on, _)| is_drawn(*on));
+        let deviation_mm = pencil_mm / radius_in_deviations();
+        let spread = |value: AnswerValue<Taped>| {
+            let (x, y) = value.numbers();
+            let (x, y) = (x.slopes(), y.map(Taped::slopes));
+            let effect = |of: Taped| Vec2::new(x.by(of), y.as_ref().map_or(0.0, |y| y.by(of)));
+            let mut spread = Spread::default();
+            for (on, displaced) in &marks {
+                let covariance = spread.0.entry(on.kind());
+                covariance.add(effect(displaced.x) * deviation_mm);
+                covariance.add(effect(displaced.y) * deviation_mm);
+            }
+            spread
+        };
+        let of_find = |(find, value): (&Find, Option<AnswerValue<Taped>>)| {
+            value.filter(|_| is_drawn(find.what.diagram())).map(spread)
+        };
+        drawn.scene.find.iter().zip(read).map(of_find).collect()
+    }
+
+    /// Returns the tolerance of a reading and [`Tolerance::relative`].
+    fn tolerance(&self, drawn: &DraftedConstruction, find: usize) -> Option<(f64, Option<f64>)> {
+        let size = drawn.values[find]?.magnitude();
+        let absolute = self.total().radius(WITHIN);
+        let free = drawn.scene.find[find].what.entry().from_origin;
+        let relative = (!free && size > 0.0).then(|| absolute / size);
+        absolute.is_finite().then_some((absolute, relative))
     }
 
     fn total(&self) -> Covariance {
@@ -338,7 +317,6 @@ impl Covariance {
     /// Rayleigh's law. The mean over equal steps of a smooth periodic function converges faster
     /// than any power.
     fn radius(&self, p: f64) -> f64 {
-        const STEPS: usize = 32;
         let (mean, half) =
             (0.5 * (self.xx + self.yy), libm::hypot(0.5 * (self.xx - self.yy), self.xy));
         let (large, small) = (mean + half, (mean - half).max(0.0));
@@ -346,23 +324,43 @@ impl Covariance {
             return large.sqrt();
         }
         let ratio = small / large;
-        let outside = |r: f64| -> f64 {
-            let at = |k: usize| {
-                let c = libm::cos((k as f64 + 0.5) * std::f64::consts::FRAC_PI_2 / STEPS as f64);
-                libm::exp(-0.5 * r * r / (c * c + ratio * (1.0 - c * c)))
-            };
-            (0..STEPS).map(at).sum::<f64>() / STEPS as f64
-        };
-        // In units of s₁ the radius is between that of an error along one line and that of one
-        // equal in all directions.
-        let (mut lo, mut hi) = (0.0, (-2.0 * libm::log(1.0 - p)).sqrt());
-        for _ in 0..52 {
-            let mid = 0.5 * (lo + hi);
-            if outside(mid) > 1.0 - p { lo = mid } else { hi = mid }
+        let rates = COS2.map(|c| 1.0 / (c + ratio * (1.0 - c)));
+        // In units of s₁, with t = R²/2: the logarithm of the part outside is convex in t, so that
+        // Newton's steps from the radius of an error equal in all directions, which is too large,
+        // go too far once at most and then approach the root from one side.
+        let wanted = libm::log(1.0 - p);
+        let mut t = -wanted;
+        for _ in 0..MOST_STEPS {
+            let (mut outside, mut slope) = (0.0, 0.0);
+            for rate in rates {
+                let part = libm::exp(-t * rate);
+                outside += part;
+                slope += part * rate;
+            }
+            let step = (libm::log(outside / STEPS as f64) - wanted) * outside / slope;
+            t = (t + step).max(0.25 * t);
+            // The error of the next step is the square of this one's.
+            if step.abs() <= 1e-9 * t {
+                break;
+            }
         }
-        0.5 * (lo + hi) * large.sqrt()
+        (2.0 * t * large).sqrt()
     }
 }
+
+/// The greatest number of Newton's steps; five are usual.
+const MOST_STEPS: usize = 60;
+
+/// The number of steps over a quarter turn.
+const STEPS: usize = 32;
+
+/// The squares of the cosines at the middles of the steps.
+static COS2: LazyLock<[f64; STEPS]> = LazyLock::new(|| {
+    std::array::from_fn(|k| {
+        let c = libm::cos((k as f64 + 0.5) * std::f64::consts::FRAC_PI_2 / STEPS as f64);
+        c * c
+    })
+});
 
 #[cfg(test)]
 mod tests {

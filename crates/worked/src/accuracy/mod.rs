@@ -15,6 +15,7 @@ pub use agreement::{Agreement, ROUNDING, compare};
 pub use bad_angle::{BAD_DEG, BadAngle, NearbyPose, OtherPoint, bad_angles};
 pub use drafting::{
     CrossingTolerance, DraftedConstruction, Drafting, Tolerance, crossings, drafting,
+    relative_tolerances,
 };
 pub use larger::Larger;
 pub use near::{ComparedMethods, KeptDigits, estimated, kept};

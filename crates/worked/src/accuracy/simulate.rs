@@ -1,8 +1,11 @@
 //! Repeated drawing with a blunt pencil, and the errors of the readings.
 
-use super::drafting::{DraftedConstruction, difference};
+use super::drafting::DraftedConstruction;
+use hodograph_base::geom::Vec2;
 use hodograph_board::construct::Layout;
 use hodograph_board::construct::pencil::Blunt;
+use hodograph_mechanism::answer::AnswerValue;
+use hodograph_scene::{Asked, Kind};
 
 /// The errors of one answer over many drawings.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,10 +44,23 @@ pub fn simulate(
             });
         }
     }
-    let of = |(list, value): (Vec<f64>, &Option<hodograph_mechanism::answer::AnswerValue>)| {
-        summary(list, (*value)?.magnitude())
-    };
+    let of = |(list, value): (Vec<f64>, &Option<AnswerValue>)| summary(list, (*value)?.magnitude());
     errors.into_iter().zip(&drawn.values).map(of).collect()
+}
+
+/// The difference of two answers, a number as a vector along x; angles by the shorter way round.
+fn difference(what: &Asked, a: AnswerValue, b: AnswerValue) -> Vec2 {
+    match (a, b) {
+        (AnswerValue::Vector(a), AnswerValue::Vector(b)) => a - b,
+        (AnswerValue::Point(a), AnswerValue::Point(b)) => a - b,
+        (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) if what.kind() == Kind::Angle => {
+            Vec2::new(Vec2::from_angle(a - b).angle(), 0.0)
+        }
+        (AnswerValue::Scalar(a), AnswerValue::Scalar(b)) => Vec2::new(a - b, 0.0),
+        (AnswerValue::Vector(_) | AnswerValue::Scalar(_) | AnswerValue::Point(_), _) => {
+            Vec2::new(f64::INFINITY, 0.0)
+        }
+    }
 }
 
 fn summary(mut errors: Vec<f64>, size: f64) -> Option<DrawingErrors> {
