@@ -380,7 +380,8 @@ fn cams_look_as_accepted() {
     let scene = scene::read(templates::get(CAM).unwrap()).unwrap().value;
     let cam = &scene.cams[0];
     let turning = cam.disc.as_ref().unwrap();
-    let report = Report { scene: &scene, cam, turning, survey: &CamSurvey::of(&turning.disc) };
+    let survey = CamSurvey::of(&turning.disc);
+    let report = Report::new(&scene, cam, turning, &survey);
     for (lang, _) in LANGS {
         for (kind, figure) in [
             ("motion", motion::figure(&report, &Style::default(), lang)),

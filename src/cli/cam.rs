@@ -28,7 +28,7 @@ pub fn run(a: args::CamArgs) -> CommandResult {
     let chosen = chosen(&input, a.cam).map_err(|f| input.failed(f))?;
     let report = |k: usize| {
         let (cam, turning) = chosen[k];
-        Report { scene: &input.scene, cam, turning, survey: turning.survey.of(&turning.disc) }
+        Report::new(&input.scene, cam, turning, turning.survey.of(&turning.disc))
     };
     let reports: Vec<Report> = (0..chosen.len()).map(report).collect();
     let mut all = Together::default();

@@ -166,12 +166,8 @@ fn printed_digits_are_true_of_cams_over_a_turn() {
         let scene = scene.value;
         let Some(turning) = &scene.cams[0].disc else { continue };
         let Profile::Law(stages) = &cam.profile else { continue };
-        let report = Report {
-            scene: &scene,
-            cam: &scene.cams[0],
-            turning,
-            survey: turning.survey.of(&turning.disc),
-        };
+        let survey = turning.survey.of(&turning.disc);
+        let report = Report::new(&scene, &scene.cams[0], turning, survey);
         scenes += 1;
         within(BITS, || {
             let law = ByLaw { cam: &cam, stages, base: cam.base.metres() };

@@ -78,7 +78,7 @@ fn figures_of_cams_can_be_read() {
             for cam in &pose.cams {
                 let Some(turning) = &cam.disc else { continue };
                 let survey = CamSurvey::of(&turning.disc);
-                let report = Report { scene: pose, cam, turning, survey: &survey };
+                let report = Report::new(pose, cam, turning, &survey);
                 for lang in [Lang::En, Lang::Zh] {
                     let style = SheetOptions::of_language(lang).style;
                     for (what, figure) in [
@@ -114,8 +114,8 @@ fn legends_of_cams_name_what_is_drawn() {
         let scene = scene::read(templates::get(t.name).unwrap()).unwrap().value;
         for cam in &scene.cams {
             let Some(turning) = &cam.disc else { continue };
-            let report =
-                Report { scene: &scene, cam, turning, survey: &CamSurvey::of(&turning.disc) };
+            let survey = CamSurvey::of(&turning.disc);
+            let report = Report::new(&scene, cam, turning, &survey);
             for (l, lang) in [Lang::En, Lang::Zh].into_iter().enumerate() {
                 let figure =
                     inversion::figure(&report, &SheetOptions::of_language(lang).style, lang);

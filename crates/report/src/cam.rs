@@ -7,7 +7,7 @@ pub use numbers::{CamNumber, Now, PrintedUnit};
 
 use hodograph_base::cam::{
     CamExtreme, CamMotion, CamSurvey, Disc, Fault, Follower, FollowerTip, Jump, MotionLaw,
-    PieceSide, Shock, StageMotion, in_turn, round,
+    PieceSide, Shock, StageMotion, in_turn, stations,
 };
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::digits::legible;
@@ -29,6 +29,19 @@ pub struct Report<'a> {
     pub turning: &'a TurningCam,
     /// Survey of a full turn.
     pub survey: &'a CamSurvey,
+    exact: told::KnownCams,
+}
+
+impl<'a> Report<'a> {
+    /// Creates the report of a cam with its survey.
+    pub fn new(
+        scene: &'a Scene,
+        cam: &'a Cam,
+        turning: &'a TurningCam,
+        survey: &'a CamSurvey,
+    ) -> Self {
+        Report { scene, cam, turning, survey, exact: told::KnownCams::default() }
+    }
 }
 
 impl Report<'_> {
@@ -174,7 +187,7 @@ impl Report<'_> {
         ));
         if let CamMotion::Law { program, .. } = &self.disc().motion {
             let (joints, outer) = (program.joints(), program.outer());
-            for (k, stage) in program.stages.iter().enumerate() {
+            for (k, stage) in program.stages().iter().enumerate() {
                 let [from, to] = [k, k + 1]
                     .map(|k| self.say(CamNumber::Start(k), PrintedUnit::Degrees, joints[k]));
                 line(format!("  {from:>8} – {to:<8} {}", self.stage(k, stage.way, outer[k], lang)));
@@ -473,8 +486,8 @@ impl Report<'_> {
         ];
         let mut columns: Vec<Vec<f64>> = vec![Vec::new(); names.len()];
         let factor = if self.swings() { 180.0 / std::f64::consts::PI } else { 1e3 };
-        for (phi, side) in round(self.disc(), steps) {
-            let Some(s) = self.disc().station(phi, side) else { continue };
+        for (s, side) in stations(self.disc(), steps) {
+            let phi = s.phi;
             // One row for each angle: at a joint the values after it.
             if side == PieceSide::Before && phi < TAU - 1e-9 {
                 continue;

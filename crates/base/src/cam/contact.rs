@@ -10,7 +10,7 @@
 use super::disc::{BESIDE, CamMotion, Disc, Follower, FollowerTip};
 use super::jet::CamJet;
 use super::outline::ProfileSegment;
-use super::{PieceSide, in_turn};
+use super::{PieceSide, PreparedDisc, in_turn};
 use crate::geom::Vec2;
 use crate::number::Real;
 
@@ -86,15 +86,15 @@ impl<N: Real> Disc<N> {
     }
 }
 
-impl Disc {
+impl PreparedDisc<'_> {
     /// Returns the stretches of a turn in which one piece of the profile is touched: the angle at
     /// which each begins, from 0 on, and the piece; `None` where nothing is touched. A single
     /// stretch without joints, or a cam given by a law, begins at 0; otherwise the last stretch
     /// continues through 0.
     pub fn stretches(&self) -> Vec<(f64, Option<usize>)> {
-        let joints = match &self.motion {
-            CamMotion::Profile(segments) if segments.len() > 1 => self.changes(segments),
-            CamMotion::Profile(_) | CamMotion::Law { .. } => Vec::new(),
+        let joints = match &self.disc().motion {
+            CamMotion::Profile(_) => self.corners(),
+            CamMotion::Law { .. } => Vec::new(),
         };
         if joints.is_empty() {
             return vec![(0.0, self.touched(0.0, PieceSide::After))];
@@ -107,7 +107,7 @@ impl Disc {
     pub(super) fn changes(&self, segments: &[ProfileSegment]) -> Vec<f64> {
         let mut ends: Vec<f64> = segments
             .iter()
-            .flat_map(|s| self.ends(s))
+            .flat_map(|s| self.disc().ends(s))
             .filter(|phi| phi.is_finite())
             .map(in_turn)
             .collect();

@@ -8,7 +8,7 @@
 
 use super::jet::{CamJet, Plane};
 use super::outline::ProfileSegment;
-use super::{PieceSide, StageProgram, in_half_turns};
+use super::{PieceSide, PreparedDisc, StageProgram, in_half_turns};
 use crate::geom::Vec2;
 use crate::number::Real;
 
@@ -306,7 +306,8 @@ impl<N: Real> Disc<N> {
         Some(CamStation { rho, rho_pitch, rho_slope, ..station })
     }
 
-    fn station_of(&self, q: CamJet<N>, phi: N) -> CamStation<N> {
+    /// Returns the state at an angle with the follower at a coordinate.
+    pub(super) fn station_of(&self, q: CamJet<N>, phi: N) -> CamStation<N> {
         let back = CamJet::variable(phi).signed(-self.sense);
         let ContactGeometry { pitch, contact, normal, turning, rho, rho_pitch, rho_slope } =
             match self.touch {
@@ -426,70 +427,26 @@ impl Disc {
     /// Returns the piece of the profile that is touched; among several, the one that holds the
     /// follower farthest out. `None` for a law, and if no piece is touched.
     pub fn touched(&self, phi: f64, side: PieceSide) -> Option<usize> {
-        let CamMotion::Profile(segments) = &self.motion else { return None };
-        let beside = match side {
-            PieceSide::Before => phi - BESIDE,
-            PieceSide::After => phi + BESIDE,
-        };
-        // If the follower leaves its cam here, nothing is touched beside the pose on that side, but
-        // a piece is touched in the pose.
-        self.farthest(segments, self.sense * beside)
-            .or_else(|| self.farthest(segments, self.sense * phi))
-    }
-
-    /// Returns the piece that holds the follower farthest out when the cam is turned by `turn`
-    /// (rad).
-    fn farthest(&self, segments: &[ProfileSegment], turn: f64) -> Option<usize> {
-        let mut best: Option<(usize, f64)> = None;
-        for (i, segment) in segments.iter().enumerate() {
-            let q = segment.coordinate(&self.follower, &self.touch, CamJet::constant(turn)).value();
-            if q.is_finite()
-                && segment.holds(&self.follower, &self.touch, turn, q)
-                && best.is_none_or(|b| q > b.1)
-            {
-                best = Some((i, q));
-            }
-        }
-        best.map(|b| b.0)
+        PreparedDisc::bare(self).touched(phi, side)
     }
 
     /// Returns the formula that applies at an angle; `None` if nothing is touched.
     pub fn branch(&self, phi: f64, side: PieceSide) -> Option<Branch> {
-        match &self.motion {
-            CamMotion::Law { program, .. } => {
-                program.branch(phi, side).map(|(stage, piece)| Branch::Stage(stage, piece))
-            }
-            CamMotion::Profile(_) => self.touched(phi, side).map(Branch::Piece),
-        }
+        PreparedDisc::bare(self).branch(phi, side)
     }
 
     /// Returns the follower's coordinate with its derivatives by φ; `None` if it touches nothing.
     pub fn coordinate(&self, phi: f64, side: PieceSide) -> Option<CamJet> {
-        match &self.motion {
-            CamMotion::Law { base, program } => {
-                let q = program.lift(phi, side) + CamJet::constant(self.rest(*base));
-                q.0.iter().all(|x| x.is_finite()).then_some(q)
-            }
-            CamMotion::Profile(_) => {
-                self.coordinate_on(Branch::Piece(self.touched(phi, side)?), phi)
-            }
-        }
+        PreparedDisc::bare(self).coordinate(phi, side)
     }
 
-    /// Returns the state at one angle.
+    /// Returns the state at one angle; for many angles see [`PreparedDisc`].
     pub fn station(&self, phi: f64, side: PieceSide) -> Option<CamStation> {
-        match self.motion {
-            CamMotion::Law { .. } => Some(self.station_of(self.coordinate(phi, side)?, phi)),
-            CamMotion::Profile(_) => self.station_on(self.branch(phi, side)?, phi),
-        }
+        PreparedDisc::bare(self).station(phi, side)
     }
-
-    /// Returns the angles of the cam at which pieces of its law or of its profile meet, from 0 on.
-    pub fn corners(&self) -> Vec<f64> {
-        match &self.motion {
-            CamMotion::Law { program, .. } => program.corners(),
-            CamMotion::Profile(segments) if segments.len() > 1 => self.changes(segments),
-            CamMotion::Profile(_) => Vec::new(),
-        }
+    /// Returns the stretches of a turn in which one piece is touched; see
+    /// [`PreparedDisc::stretches`].
+    pub fn stretches(&self) -> Vec<(f64, Option<usize>)> {
+        PreparedDisc::of(self).stretches()
     }
 }

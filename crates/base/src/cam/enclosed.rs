@@ -1,12 +1,13 @@
 //! Extremes, shocks and least sizes over a turn in any kind of number: the angles found in double
 //! precision are solved again as roots, and the values follow from them.
 
-use super::exact::{is_at, root};
-use super::survey::{least_base, sharpest};
+use super::exact::{ExactDisc, is_at, root};
+use super::least::least_base;
+use super::survey::sharpest;
 use super::turn::{DividedTurn, Peak};
 use super::{
-    Branch, CamMotion, CamStation, Disc, ExactCam, Follower, FollowerTip, PieceSide,
-    ProfileSegment, round,
+    Branch, CamMotion, CamStation, Disc, ExactCam, Follower, FollowerTip, PieceSide, PreparedDisc,
+    ProfileSegment, stations,
 };
 use crate::number::Real;
 
@@ -34,7 +35,7 @@ const BETWEEN_SAMPLES: f64 = 1e-3;
 impl<N: Real> ExactCam<'_, N> {
     /// Returns the cam in these numbers.
     pub fn disc(&self) -> &Disc<N> {
-        &self.disc
+        &self.exact.disc
     }
 
     /// Returns the angle and the value of an extreme.
@@ -66,7 +67,8 @@ impl<N: Real> ExactCam<'_, N> {
         value: &dyn Fn(&CamStation<N>) -> N,
     ) -> Option<[N; 2]> {
         let place = self.located(peak.phi, peak.side, slope)?;
-        let station = self.disc.station_on(self.double.branch(peak.phi, peak.side)?, place)?;
+        let station =
+            self.exact.disc.station_on(self.double.branch(peak.phi, peak.side)?, place)?;
         Some([place, value(&station)])
     }
 
@@ -76,7 +78,7 @@ impl<N: Real> ExactCam<'_, N> {
         let place = self.joint(jump.phi)?;
         let on = |side: PieceSide| {
             Some(
-                self.disc.coordinate_on(self.double.branch(jump.phi, side)?, place)?.0
+                self.exact.disc.coordinate_on(self.double.branch(jump.phi, side)?, place)?.0
                     [jump.shock.order()],
             )
         };
@@ -87,7 +89,7 @@ impl<N: Real> ExactCam<'_, N> {
     /// end, and the radius of the hollow (negative).
     pub fn hollow(&self) -> Option<[N; 2]> {
         let (CamMotion::Profile(segments), FollowerTip::Point { radius }) =
-            (&self.disc.motion, self.disc.touch)
+            (&self.exact.disc.motion, self.exact.disc.touch)
         else {
             return None;
         };
@@ -99,13 +101,13 @@ impl<N: Real> ExactCam<'_, N> {
     /// Returns the radius of the base circle; for a profile, the least distance of the touched
     /// points from the axis.
     pub fn base(&self) -> Option<N> {
-        let segments = match &self.disc.motion {
+        let segments = match &self.exact.disc.motion {
             CamMotion::Law { base, .. } => return Some(*base),
             CamMotion::Profile(segments) => segments,
         };
-        let near = round(self.double, SAMPLES).into_iter().filter_map(|(phi, side)| {
-            self.double.station(phi, side).map(|s| (s.contact.norm(), phi, side))
-        });
+        let near = stations(self.double, SAMPLES)
+            .into_iter()
+            .map(|(s, side)| (s.contact.norm(), s.phi, side));
         let (least, phi, side) = near.min_by(|a, b| a.0.total_cmp(&b.0))?;
         let Branch::Piece(piece) = self.double.branch(phi, side)? else { return None };
         // On the normal through the axis, or at an end of the piece.
@@ -121,7 +123,8 @@ impl<N: Real> ExactCam<'_, N> {
         all.into_iter().find(is).or_else(|| {
             let branch = self.double.branch(phi, side)?;
             Some(
-                self.disc
+                self.exact
+                    .disc
                     .station_on(branch, self.located(phi, side, &|s| s.q.0[1])?)?
                     .contact
                     .norm(),
@@ -150,7 +153,7 @@ impl<N: Real> ExactCam<'_, N> {
     pub fn least_base(&self) -> Option<N> {
         let near = least_base(self.double)?;
         let zero = N::from_f64(0.0);
-        let (radius, reach) = match (self.disc.touch, self.disc.follower) {
+        let (radius, reach) = match (self.exact.disc.touch, self.exact.disc.follower) {
             (FollowerTip::Flat { .. }, _) => (zero, None),
             (FollowerTip::Point { radius }, Follower::Translating { offset, .. }) => {
                 (radius, Some(offset))
@@ -164,12 +167,14 @@ impl<N: Real> ExactCam<'_, N> {
             return Some(reach);
         }
         let double = with_base(self.double, near)?;
-        let peak = sharpest(&double, &DividedTurn::of(&double))?;
+        let peak = sharpest(&DividedTurn::of(&PreparedDisc::of(&double)))?;
         root(near, BESIDE * near, &|base| {
-            let disc = with_base(&self.disc, base)?;
-            let place =
-                ExactCam { disc: disc.clone(), ..*self }
-                    .located(peak.phi, peak.side, &|s| s.rho_slope)?;
+            let disc = with_base(&self.exact.disc, base)?;
+            let place = ExactCam { exact: ExactDisc::new(disc.clone()), ..*self }.located(
+                peak.phi,
+                peak.side,
+                &|s| s.rho_slope,
+            )?;
             Some(
                 disc.station_on(self.double.branch(peak.phi, peak.side)?, place)?.rho_pitch
                     - radius,

@@ -15,12 +15,37 @@ use super::{
 };
 use crate::number::Real;
 use std::f64::consts::TAU;
+use std::sync::{Arc, OnceLock};
 
 /// A cam in one kind of number, with the same cam in double precision.
 pub struct ExactCam<'a, N> {
     pub(super) double: &'a Disc,
     pub(super) survey: &'a Surveyed,
+    pub(super) exact: Arc<ExactDisc<N>>,
+}
+
+/// A disc in one kind of number, with the angles of its joints once they are asked for.
+pub struct ExactDisc<N> {
     pub(super) disc: Disc<N>,
+    ends: OnceLock<Vec<N>>,
+}
+
+impl<N: Real> ExactDisc<N> {
+    /// Creates the disc.
+    pub fn new(disc: Disc<N>) -> Arc<Self> {
+        Arc::new(ExactDisc { disc, ends: OnceLock::new() })
+    }
+
+    /// Returns the angles at which stages and pieces of their laws begin, or at which the follower's
+    /// position matches an end of a piece of the profile.
+    fn ends(&self) -> &[N] {
+        self.ends.get_or_init(|| match &self.disc.motion {
+            CamMotion::Law { program, .. } => program.corners(),
+            CamMotion::Profile(segments) => {
+                segments.iter().flat_map(|s| self.disc.ends(s)).collect()
+            }
+        })
+    }
 }
 
 /// An angle closer to a joint than this (rad) is the joint: both are found in double precision.
@@ -34,8 +59,13 @@ const THE_SAME: f64 = 1e-8;
 impl<'a, N: Real> ExactCam<'a, N> {
     /// Creates a cam in one kind of number; `double` is the same cam in double precision, with its
     /// survey.
-    pub fn new(double: &'a Disc, survey: &'a Surveyed, disc: Disc<N>) -> Self {
-        ExactCam { double, survey, disc }
+    pub fn new(double: &'a Disc, survey: &'a Surveyed, exact: Arc<ExactDisc<N>>) -> Self {
+        ExactCam { double, survey, exact }
+    }
+
+    /// Returns the disc, to be kept for the same cam.
+    pub fn exact(&self) -> Arc<ExactDisc<N>> {
+        Arc::clone(&self.exact)
     }
 
     /// The survey in double precision.
@@ -46,22 +76,22 @@ impl<'a, N: Real> ExactCam<'a, N> {
     /// Returns the state at an angle, seen from a side, by the formula that applies there in double
     /// precision.
     pub fn station(&self, (near, side): (f64, PieceSide), phi: N) -> Option<CamStation<N>> {
-        self.disc.station_on(self.double.branch(near, side)?, phi)
+        self.exact.disc.station_on(self.double.branch(near, side)?, phi)
     }
 
     /// Returns the lift: the follower's coordinate less its value on the base circle.
     pub fn lift(&self, (near, side): (f64, PieceSide), phi: N) -> Option<N> {
-        match (&self.disc.motion, self.double.branch(near, side)?) {
+        match (&self.exact.disc.motion, self.double.branch(near, side)?) {
             (CamMotion::Law { program, .. }, Branch::Stage(stage, piece)) => {
                 program.lift_in((stage, piece), phi).map(|s| s.value())
             }
-            (_, branch) => Some(self.disc.coordinate_on(branch, phi)?.value() - self.end(0)?),
+            (_, branch) => Some(self.exact.disc.coordinate_on(branch, phi)?.value() - self.end(0)?),
         }
     }
 
     /// Returns the greatest lift.
     pub fn stroke(&self) -> Option<N> {
-        match &self.disc.motion {
+        match &self.exact.disc.motion {
             CamMotion::Law { program, .. } => Some(program.stroke()),
             CamMotion::Profile(_) => Some(self.end(1)? - self.end(0)?),
         }
@@ -71,7 +101,7 @@ impl<'a, N: Real> ExactCam<'a, N> {
     fn end(&self, which: usize) -> Option<N> {
         let Peak { phi, side, .. } = self.survey().ends?[which];
         let place = self.located(phi, side, &|s| s.q.0[1])?;
-        self.disc.coordinate_on(self.double.branch(phi, side)?, place).map(|q| q.value())
+        self.exact.disc.coordinate_on(self.double.branch(phi, side)?, place).map(|q| q.value())
     }
 
     /// Returns the sum of the angles of the phases of a kind: see [`CamSurvey::angle`].
@@ -90,11 +120,14 @@ impl<'a, N: Real> ExactCam<'a, N> {
     pub fn least_rho(&self) -> Option<N> {
         let Peak { phi, side, .. } = self.survey().sharpest?;
         let branch = self.double.branch(phi, side)?;
-        if let (CamMotion::Profile(segments), Branch::Piece(piece)) = (&self.disc.motion, branch) {
+        if let (CamMotion::Profile(segments), Branch::Piece(piece)) =
+            (&self.exact.disc.motion, branch)
+        {
             return segments.get(piece).map(|s| s.radius());
         }
-        let station = self.disc.station_on(branch, self.located(phi, side, &|s| s.rho_slope)?)?;
-        Some(match self.disc.touch {
+        let station =
+            self.exact.disc.station_on(branch, self.located(phi, side, &|s| s.rho_slope)?)?;
+        Some(match self.exact.disc.touch {
             FollowerTip::Point { radius } => station.rho_pitch - radius,
             FollowerTip::Flat { .. } => station.rho,
         })
@@ -113,25 +146,21 @@ impl<'a, N: Real> ExactCam<'a, N> {
         }
         let branch = self.double.branch(phi, side)?;
         // A derivative that is zero throughout has no isolated root: the angle is taken as it is.
-        root(phi, STEP, &|x| self.disc.station_on(branch, x).map(|s| slope(&s))).or_else(|| {
-            let station = self.disc.station_on(branch, N::from_f64(phi))?;
-            let still = slope(&station);
-            (still.approx() == 0.0 && still.radius() == 0.0).then(|| N::from_f64(phi))
-        })
+        root(phi, STEP, &|x| self.exact.disc.station_on(branch, x).map(|s| slope(&s))).or_else(
+            || {
+                let station = self.exact.disc.station_on(branch, N::from_f64(phi))?;
+                let still = slope(&station);
+                (still.approx() == 0.0 && still.radius() == 0.0).then(|| N::from_f64(phi))
+            },
+        )
     }
 
     /// Returns the exact angle of a joint: an end of a stage, of a piece of its law, or of a piece
     /// of the profile; otherwise the angle at which two pieces hold the follower equally far out.
     pub(super) fn joint(&self, phi: f64) -> Option<N> {
-        let ends: Vec<N> = match &self.disc.motion {
-            CamMotion::Law { program, .. } => program.corners(),
-            CamMotion::Profile(segments) => {
-                segments.iter().flat_map(|s| self.disc.ends(s)).collect()
-            }
-        };
         let off = |x: &N| in_half_turns(x.approx() - phi).abs();
+        let ends = self.exact.ends().iter().copied();
         let end = ends
-            .into_iter()
             .filter(|x| x.is_decided() && off(x) <= THE_SAME)
             .min_by(|a, b| off(a).total_cmp(&off(b)));
         if let Some(x) = end {
@@ -140,7 +169,7 @@ impl<'a, N: Real> ExactCam<'a, N> {
         let [before, after] =
             [PieceSide::Before, PieceSide::After].map(|side| self.double.branch(phi, side));
         let (before, after) = (before?, after?);
-        let of = |branch: Branch, x: N| self.disc.coordinate_on(branch, x).map(|q| q.value());
+        let of = |branch: Branch, x: N| self.exact.disc.coordinate_on(branch, x).map(|q| q.value());
         root(phi, STEP, &|x| Some(of(before, x)? - of(after, x)?))
     }
 }

@@ -17,7 +17,9 @@ pub mod enclosed;
 pub mod exact;
 pub mod jet;
 pub mod law;
+pub mod least;
 pub mod outline;
+pub mod prepared;
 pub mod program;
 mod round;
 pub mod survey;
@@ -27,13 +29,15 @@ mod turn;
 
 pub use disc::{Branch, CamMotion, CamStation, Disc, Follower, FollowerTip};
 pub use enclosed::CamExtreme;
-pub use exact::ExactCam;
+pub use exact::{ExactCam, ExactDisc};
 pub use jet::CamJet;
 pub use law::MotionLaw;
+pub use least::least_base;
 pub use outline::ProfileSegment;
+pub use prepared::PreparedDisc;
 pub use program::{Jump, Shock, Stage, StageMotion, StageProgram, in_turn_of};
-pub use round::round;
-pub use survey::{CamSurvey, Fault, Surveyed, least_base};
+pub use round::{round, stations};
+pub use survey::{CamSurvey, Fault, Surveyed};
 pub use turn::Peak;
 
 use crate::number::Real;

@@ -45,10 +45,11 @@ impl<N: Real> Stage<N> {
 }
 
 /// The stages of a turn, from the start of the law.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct StageProgram<N = f64> {
-    /// The stages, in order.
-    pub stages: Vec<Stage<N>>,
+    stages: Vec<Stage<N>>,
+    /// The angle of the cam and the lift at which each stage begins, and those after the last.
+    starts: Vec<[N; 2]>,
 }
 
 /// The derivative of the lift that jumps.
@@ -85,20 +86,31 @@ pub struct Jump {
 const ONE_PLACE: f64 = 1e-11;
 
 impl<N: Real> StageProgram<N> {
+    /// Creates the program of some stages, in order.
+    pub fn new(stages: Vec<Stage<N>>) -> Self {
+        let mut start = [N::from_f64(0.0); 2];
+        let ends = stages.iter().map(|s| {
+            start = [start[0] + s.over, start[1] + s.gain()];
+            start
+        });
+        let starts = std::iter::once([N::from_f64(0.0); 2]).chain(ends).collect();
+        StageProgram { stages, starts }
+    }
+
+    /// Returns the stages, in order.
+    pub fn stages(&self) -> &[Stage<N>] {
+        &self.stages
+    }
+
     /// Returns the angles at which the stages begin, and the end of the last stage.
     pub fn joints(&self) -> Vec<N> {
-        let mut at = N::from_f64(0.0);
-        let ends = self.stages.iter().map(|s| {
-            at = at + s.over;
-            at
-        });
-        std::iter::once(N::from_f64(0.0)).chain(ends).collect()
+        self.starts.iter().map(|[at, _]| *at).collect()
     }
 
     /// Returns all angles at which pieces of the laws meet.
     pub fn corners(&self) -> Vec<N> {
         let mut out = Vec::new();
-        for (stage, start) in self.stages.iter().zip(self.joints()) {
+        for (stage, &[start, _]) in self.stages.iter().zip(&self.starts) {
             out.push(start);
             let pieces = stage.law().map_or(&[][..], MotionLaw::pieces);
             out.extend(
@@ -114,9 +126,7 @@ impl<N: Real> StageProgram<N> {
 
     /// Returns the greatest lift.
     pub fn stroke(&self) -> N {
-        let mut lift = N::from_f64(0.0);
-        self.stages.iter().fold(lift, |most, s| {
-            lift = lift + s.gain();
+        self.starts.iter().fold(N::from_f64(0.0), |most, &[_, lift]| {
             if lift.approx() > most.approx() { lift } else { most }
         })
     }
@@ -124,11 +134,8 @@ impl<N: Real> StageProgram<N> {
     /// Returns s, s′, s″, s‴ by the formula of a piece of the law of a stage; whole turns of φ do
     /// not count. The piece of a dwell is 0.
     pub fn lift_in(&self, (stage, piece): (usize, usize), phi: N) -> Option<CamJet<N>> {
-        let before = self.stages.get(..stage)?;
-        let [start, lift] = before
-            .iter()
-            .fold([N::from_f64(0.0); 2], |[at, lift], s| [at + s.over, lift + s.gain()]);
-        let stage = &self.stages[stage];
+        let [start, lift] = *self.starts.get(stage)?;
+        let stage = self.stages.get(stage)?;
         let Some(law) = stage.law() else { return Some(CamJet::constant(lift)) };
         let from_start = phi - start;
         // An angle that rounding puts before the start is not moved to the end of the turn.
@@ -171,19 +178,14 @@ impl StageProgram {
     /// joint the stage on the given side.
     pub fn stage(&self, phi: f64, side: PieceSide) -> Option<(usize, f64, f64)> {
         let turn = in_turn_of(phi, side);
-        let (mut at, mut lift) = (0.0, 0.0);
-        for (i, stage) in self.stages.iter().enumerate() {
-            let end = at + stage.over;
-            let within = match side {
-                PieceSide::Before => turn <= end + ONE_PLACE,
-                PieceSide::After => turn < end - ONE_PLACE,
-            };
-            if within || i + 1 == self.stages.len() {
-                return Some((i, at, lift));
-            }
-            (at, lift) = (end, lift + stage.gain());
-        }
-        None
+        let behind = |[end, _]: &[f64; 2]| match side {
+            PieceSide::Before => turn > end + ONE_PLACE,
+            PieceSide::After => turn >= end - ONE_PLACE,
+        };
+        let last = self.stages.len().checked_sub(1)?;
+        let i = self.starts[1..].partition_point(behind).min(last);
+        let [at, lift] = self.starts[i];
+        Some((i, at, lift))
     }
 
     /// Returns s, s′, s″, s‴ at an angle of the cam.
@@ -248,7 +250,7 @@ mod tests {
             stage(StageMotion::Return(20.0, MotionLaw::Harmonic), 120.0),
             stage(StageMotion::Dwell, 60.0),
         ];
-        StageProgram { stages }
+        StageProgram::new(stages)
     }
 
     /// Rounding at the boundary between two turns is no jump of the lift.

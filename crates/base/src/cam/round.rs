@@ -1,14 +1,29 @@
 //! Sampling of a whole turn of a cam: angles, points of its profile, its base circle.
 
-use super::{CamMotion, Disc, PieceSide};
+use super::{CamMotion, CamStation, Disc, PieceSide, PreparedDisc};
 use crate::geom::Vec2;
 
 /// Returns angles of the cam from 0 to a whole turn: equal steps and, at every joint, both sides.
 pub fn round(disc: &Disc, steps: usize) -> Vec<(f64, PieceSide)> {
+    around(&PreparedDisc::of(disc), steps)
+}
+
+/// Returns the states at the angles of [`round`] at which the follower touches the cam, with the
+/// side from which each is seen.
+pub fn stations(disc: &Disc, steps: usize) -> Vec<(CamStation, PieceSide)> {
+    let disc = PreparedDisc::of(disc);
+    let seen = |(phi, side)| Some((disc.station(phi, side)?, side));
+    around(&disc, steps).into_iter().filter_map(seen).collect()
+}
+
+fn around(disc: &PreparedDisc, steps: usize) -> Vec<(f64, PieceSide)> {
     let tau = std::f64::consts::TAU;
     let corners = disc.corners();
     // A step that coincides with a joint within rounding is the joint.
-    let apart = |phi: f64| corners.iter().all(|c| (c - phi).abs() > 1e-7);
+    let apart = |phi: f64| {
+        let k = corners.partition_point(|c| *c < phi);
+        corners[k.saturating_sub(1)..].iter().take(2).all(|c| (c - phi).abs() > 1e-7)
+    };
     let even = (0..steps)
         .map(|k| tau * k as f64 / steps as f64)
         .filter(|phi| *phi == 0.0 || apart(*phi))
@@ -38,11 +53,9 @@ impl Disc {
                 let most = std::f64::consts::TAU / steps as f64;
                 segments.iter().flat_map(|s| s.points(most)).collect()
             }
-            CamMotion::Law { .. } => round(self, steps)
-                .into_iter()
-                .filter_map(|(phi, side)| self.station(phi, side))
-                .map(|s| s.contact)
-                .collect(),
+            CamMotion::Law { .. } => {
+                stations(self, steps).into_iter().map(|(s, _)| s.contact).collect()
+            }
         }
     }
 
@@ -52,9 +65,8 @@ impl Disc {
         match &self.motion {
             CamMotion::Law { base, .. } => *base,
             CamMotion::Profile(_) => {
-                let near =
-                    round(self, 720).into_iter().filter_map(|(phi, side)| self.station(phi, side));
-                near.map(|s| s.contact.norm()).fold(f64::INFINITY, f64::min)
+                let near = stations(self, 720).into_iter().map(|(s, _)| s.contact.norm());
+                near.fold(f64::INFINITY, f64::min)
             }
         }
     }

@@ -1,9 +1,10 @@
 //! A survey of a whole turn of a cam: strokes and their angles, extremes, shocks, least radius of
 //! curvature, undercut and the base circle that avoids it.
 
+use super::least::least_base_of;
 use super::program::{Jump, Shock};
-use super::turn::{DividedTurn, Peak, sampled, zero};
-use super::{CamMotion, CamStation, Disc, FollowerTip, PieceSide};
+use super::turn::{DividedTurn, Ends, Peak, greatest, zero};
+use super::{CamMotion, CamStation, Disc, FollowerTip, PieceSide, PreparedDisc};
 use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
 
@@ -127,21 +128,17 @@ impl CamSurvey {
     /// Surveys a whole turn.
     pub fn of(disc: &Disc) -> CamSurvey {
         let mut faults = Vec::new();
-        let turn = DividedTurn::of(disc);
-        let lift = |phi: f64, side: PieceSide| disc.coordinate(phi, side);
-        let samples: Vec<(f64, PieceSide)> = turn.spans.iter().flat_map(|s| sampled(*s)).collect();
-        let known: Vec<CamStation> =
-            samples.iter().filter_map(|(phi, side)| disc.station(*phi, *side)).collect();
-        if let Some((phi, _)) =
-            samples.iter().find(|(phi, side)| disc.station(*phi, *side).is_none())
-        {
+        let prepared = PreparedDisc::of(disc);
+        let turn = DividedTurn::of(&prepared);
+        let known: Vec<&CamStation> =
+            turn.samples().filter_map(|(.., station)| station.as_ref()).collect();
+        if let Some((phi, ..)) = turn.samples().find(|(.., station)| station.is_none()) {
             faults.push(Fault::NoContact { phi: *phi });
         }
         let most = |k: usize| known.iter().fold(0.0f64, |m, s| m.max(s.q.0[k].abs()));
         let (v_most, a_most) = (most(1), most(2));
         let peak = |k: usize, sign: f64| {
-            let found =
-                turn.best(|phi, side| lift(phi, side).map(|q| [sign * q.0[k], sign * q.0[k + 1]]))?;
+            let found = turn.best(&|s| Some([sign * s.q.0[k], sign * s.q.0[k + 1]]))?;
             Some(Peak { value: sign * found.value, ..found })
         };
         let fastest = [1, 2].map(|k| [-1.0, 1.0].map(|sign| peak(k, sign)));
@@ -152,18 +149,17 @@ impl CamSurvey {
             CamMotion::Law { base, .. } => disc.rest(*base),
             CamMotion::Profile(_) => low,
         };
-        let jumps = jumps(disc, &turn.corners, [v_most, a_most]);
-        let phases = phases(disc, &known, &turn.spans, v_most);
+        let jumps = jumps(&prepared, &turn.corners, [v_most, a_most]);
+        let phases = phases(&turn, &known, v_most);
         let steepest = [1, -1].map(|way| match disc.touch {
             FollowerTip::Flat { .. } => None,
             FollowerTip::Point { .. } => {
-                greatest_pressure(disc, &turn, phases.iter().filter(|p| p.way == way))
+                greatest_pressure(&turn, phases.iter().filter(|p| p.way == way))
             }
         });
-        let sharpest = sharpest(disc, &turn);
-        let of_hollow = |s: CamStation| Some([s.rho_pitch, s.rho_slope]).filter(|r| r[0] < 0.0);
-        let hollow =
-            turn.best(|phi, side| disc.station(phi, side).and_then(of_hollow)).map(Peak::extreme);
+        let sharpest = sharpest(&turn);
+        let of_hollow = |s: &CamStation| Some([s.rho_pitch, s.rho_slope]).filter(|r| r[0] < 0.0);
+        let hollow = turn.best(&of_hollow).map(Peak::extreme);
         let mut survey = CamSurvey {
             rest,
             stroke: high - rest,
@@ -177,11 +173,11 @@ impl CamSurvey {
             fastest,
             steepest,
             ends,
-            corners: turn.corners,
+            corners: turn.corners.clone(),
             hollow,
             faults,
         };
-        survey.judge(disc);
+        survey.judge(disc, &turn);
         survey
     }
 
@@ -215,17 +211,17 @@ impl CamSurvey {
     }
 
     /// Collects the faults.
-    fn judge(&mut self, disc: &Disc) {
+    fn judge(&mut self, disc: &Disc, turn: &DividedTurn) {
         let law = matches!(disc.motion, CamMotion::Law { .. });
         match disc.touch {
             FollowerTip::Point { radius } if law => {
                 if let Some((phi, rho)) = self.least_rho.filter(|(_, rho)| *rho <= radius) {
-                    self.faults.push(Fault::Undercut { phi, rho, least_base: least_base(disc) });
+                    self.faults.push(Fault::Undercut { phi, rho, least_base: least_base_of(turn) });
                 }
             }
             FollowerTip::Flat { .. } if law => {
                 if let Some((phi, rho)) = self.least_rho.filter(|(_, rho)| *rho <= 0.0) {
-                    self.faults.push(Fault::Undercut { phi, rho, least_base: least_base(disc) });
+                    self.faults.push(Fault::Undercut { phi, rho, least_base: least_base_of(turn) });
                 }
             }
             FollowerTip::Point { radius } => {
@@ -269,86 +265,49 @@ impl CamSurvey {
 /// Returns the pressure angle of the greatest magnitude in some phases; the start and the end of a
 /// phase belong to it.
 fn greatest_pressure<'p>(
-    disc: &Disc,
     turn: &DividedTurn,
     phases: impl Iterator<Item = &'p FollowerPhase>,
 ) -> Option<Peak> {
-    let cut = |p: &FollowerPhase| {
-        let within = |c: &f64| *c > p.from + 1e-10 && *c < p.to - 1e-10;
-        let mut at: Vec<f64> = turn
-            .corners
-            .iter()
-            .flat_map(|c| [*c, c + TAU])
-            .filter(within)
-            .chain([p.from, p.to])
-            .collect();
-        at.sort_by(f64::total_cmp);
-        at.windows(2).map(|w| [w[0], w[1]]).collect::<Vec<_>>()
-    };
-    let spans: Vec<[f64; 2]> = phases.flat_map(cut).collect();
-    // The ends of a phase count as ends, with or without corners.
-    let moving = DividedTurn { corners: vec![spans.first()?[0]], spans };
-    let magnitude = |s: CamStation| [s.pressure.abs(), s.pressure_slope * s.pressure.signum()];
-    let found = moving.best(|phi, side| disc.station(phi, side).map(magnitude))?;
-    disc.station(found.phi, found.side).map(|s| Peak { value: s.pressure, ..found })
+    // A phase may pass the start of the turn.
+    let corners: Vec<f64> =
+        turn.corners.iter().copied().chain(turn.corners.iter().map(|c| c + TAU)).collect();
+    let magnitude =
+        |s: &CamStation| Some([s.pressure.abs(), s.pressure_slope * s.pressure.signum()]);
+    let mut most = None;
+    let mut any = false;
+    for p in phases {
+        let first = corners.partition_point(|c| *c <= p.from + 1e-10);
+        let within = corners[first..].iter().copied().take_while(|c| *c < p.to - 1e-10);
+        let mut from = p.from;
+        for to in within.chain([p.to]) {
+            let samples = turn.samples_of([from, to]);
+            // The ends of a phase count as ends, with or without corners.
+            most = greatest(turn.disc, &samples, Ends::Apart, &magnitude, most);
+            (from, any) = (to, true);
+        }
+    }
+    let found = most.or_else(|| any.then(|| turn.first(&magnitude)).flatten())?;
+    turn.disc.station(found.phi, found.side).map(|s| Peak { value: s.pressure, ..found })
 }
 
 /// Returns the least convex radius of the pitch curve for a round end, the least radius of the
 /// profile for a flat face.
-pub(super) fn sharpest(disc: &Disc, turn: &DividedTurn) -> Option<Peak> {
-    let of = |s: CamStation| match disc.touch {
-        FollowerTip::Point { .. } => {
-            Some([-s.rho_pitch, -s.rho_slope]).filter(|r| r[0].is_finite() && r[0] < 0.0)
-        }
-        FollowerTip::Flat { .. } => Some([-s.rho_pitch, -s.rho_slope]).filter(|r| r[0].is_finite()),
-    };
-    let found = turn.best(|phi, side| disc.station(phi, side).and_then(of))?;
+pub(super) fn sharpest(turn: &DividedTurn) -> Option<Peak> {
+    let found = turn.best(&|s| sharpness(turn.disc.disc().touch, s))?;
     Some(Peak { value: -found.value, ..found })
 }
 
-/// Returns the radius of the least base circle without undercut, by bisection: the radii of
-/// curvature grow with the base circle. `None` if the profile is given, or if no base circle avoids
-/// undercut.
-pub fn least_base(disc: &Disc) -> Option<f64> {
-    let CamMotion::Law { base, program } = &disc.motion else { return None };
-    let with = |base: f64| Disc {
-        motion: CamMotion::Law { base, program: program.clone() },
-        ..disc.clone()
+/// Returns the negative radius of curvature that counts for [`sharpest`], with its derivative.
+pub(super) fn sharpness(touch: FollowerTip, s: &CamStation) -> Option<[f64; 2]> {
+    let convex = match touch {
+        FollowerTip::Point { .. } => s.rho_pitch > 0.0,
+        FollowerTip::Flat { .. } => true,
     };
-    let good = |base: f64| {
-        let disc = with(base);
-        let least = match disc.touch {
-            FollowerTip::Point { radius } => radius,
-            FollowerTip::Flat { .. } => 0.0,
-        };
-        sharpest(&disc, &DividedTurn::of(&disc)).is_none_or(|p| p.value >= least)
-    };
-    let holds = good(*base);
-    let mut high = *base;
-    for _ in 0..40 {
-        high *= if holds { 1.0 } else { 1.5 };
-        if disc_holds(&with(high)) && good(high) {
-            let mut low = if holds { 0.0 } else { *base };
-            for _ in 0..44 {
-                let middle = 0.5 * (low + high);
-                if disc_holds(&with(middle)) && good(middle) { high = middle } else { low = middle }
-            }
-            return Some(high);
-        }
-    }
-    None
-}
-
-/// Returns true if the follower reaches the base circle.
-fn disc_holds(disc: &Disc) -> bool {
-    match &disc.motion {
-        CamMotion::Law { base, .. } => disc.rest(*base).is_finite(),
-        CamMotion::Profile(_) => true,
-    }
+    (convex && s.rho_pitch.is_finite()).then_some([-s.rho_pitch, -s.rho_slope])
 }
 
 /// Returns the jumps of s′ and s″.
-fn jumps(disc: &Disc, corners: &[f64], most: [f64; 2]) -> Vec<Jump> {
+fn jumps(disc: &PreparedDisc, corners: &[f64], most: [f64; 2]) -> Vec<Jump> {
     let mut out = Vec::new();
     for &phi in corners {
         let sides = [PieceSide::Before, PieceSide::After].map(|side| disc.coordinate(phi, side));
@@ -365,12 +324,7 @@ fn jumps(disc: &Disc, corners: &[f64], most: [f64; 2]) -> Vec<Jump> {
 }
 
 /// Returns rises, dwells and returns, in order from the first rise.
-fn phases(
-    disc: &Disc,
-    known: &[CamStation],
-    spans: &[[f64; 2]],
-    v_most: f64,
-) -> Vec<FollowerPhase> {
+fn phases(turn: &DividedTurn, known: &[&CamStation], v_most: f64) -> Vec<FollowerPhase> {
     let mut out: Vec<FollowerPhase> = Vec::new();
     let way =
         |s: &CamStation| if s.q.0[1].abs() <= JUMP * v_most { 0 } else { s.q.0[1].signum() as i8 };
@@ -395,7 +349,7 @@ fn phases(
     // A phase across the start of the turn.
     if out.len() > 1
         && out[0].way == out[out.len() - 1].way
-        && (spans[0][0] + TAU - out[out.len() - 1].to).abs() < 1e-9
+        && (turn.spans[0].0[0] + TAU - out[out.len() - 1].to).abs() < 1e-9
     {
         let last = out.pop().unwrap_or(out[0]);
         out[0].from = last.from - TAU;
@@ -404,7 +358,7 @@ fn phases(
     for k in 0..out.len() {
         let next = (k + 1) % out.len();
         if out[k].way * out[next].way == -1 {
-            let at = turning(disc, known, out[k].to);
+            let at = turning(turn.disc, known, out[k].to);
             let shift = out[next].from - out[k].to;
             (out[k].to, out[next].from) = (at, at + shift);
         }
@@ -425,10 +379,13 @@ fn phases(
 }
 
 /// Returns the zero of the velocity next to an angle, between the surrounding samples.
-fn turning(disc: &Disc, known: &[CamStation], near: f64) -> f64 {
-    let around =
-        known.windows(2).filter(|w| w[1].phi > w[0].phi && w[0].q.0[1] * w[1].q.0[1] <= 0.0);
-    let closest = around.min_by(|a, b| (a[0].phi - near).abs().total_cmp(&(b[0].phi - near).abs()));
+fn turning(disc: &PreparedDisc, known: &[&CamStation], near: f64) -> f64 {
+    let reverses = |w: &&[&CamStation]| w[1].phi > w[0].phi && w[0].q.0[1] * w[1].q.0[1] <= 0.0;
+    let k = known.partition_point(|s| s.phi < near);
+    let before = known[..(k + 1).min(known.len())].windows(2).rev().find(reverses);
+    let after = known[k..].windows(2).find(reverses);
+    let off = |w: &&[&CamStation]| (w[0].phi - near).abs();
+    let closest = before.into_iter().chain(after).min_by(|a, b| off(a).total_cmp(&off(b)));
     closest.map_or(near, |w| {
         let sign = if w[0].q.0[1] > 0.0 || w[1].q.0[1] < 0.0 { 1.0 } else { -1.0 };
         zero([w[0].phi, w[1].phi], |phi| {

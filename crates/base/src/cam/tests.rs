@@ -14,9 +14,9 @@ fn near(got: f64, exact: f64, what: &str) {
 }
 
 fn program(stages: &[(StageMotion, f64)]) -> StageProgram {
-    StageProgram {
-        stages: stages.iter().map(|(way, over)| Stage { way: *way, over: deg(*over) }).collect(),
-    }
+    StageProgram::new(
+        stages.iter().map(|(way, over)| Stage { way: *way, over: deg(*over) }).collect(),
+    )
 }
 
 fn upward(offset: f64) -> Follower {
@@ -306,7 +306,7 @@ fn longer_numbers_find_the_same_places() {
                 };
                 CamMotion::Law {
                     base: number(*base),
-                    program: StageProgram { stages: program.stages.iter().map(stage).collect() },
+                    program: StageProgram::new(program.stages().iter().map(stage).collect()),
                 }
             }
             CamMotion::Profile(segments) => {
@@ -325,8 +325,11 @@ fn longer_numbers_find_the_same_places() {
                 CamMotion::Profile(segments.iter().map(segment).collect())
             }
         };
-        let exact =
-            ExactCam::new(disc, survey, Disc { follower, touch, motion, sense: disc.sense });
+        let exact = ExactCam::new(
+            disc,
+            survey,
+            ExactDisc::new(Disc { follower, touch, motion, sense: disc.sense }),
+        );
         let at = |phi: f64| (phi, PieceSide::After);
         let mut out =
             vec![exact.stroke(), exact.angle(1, false), exact.angle(0, false), exact.least_rho()];
@@ -444,4 +447,94 @@ fn an_eccentric_disc_moves_a_face_harmonically() {
     near(survey.stroke, 24.0, "stroke");
     assert!((survey.angle(1, false).to_degrees() - 180.0).abs() < 1e-6, "{:?}", survey.phases);
     assert!(survey.jumps.is_empty());
+}
+
+/// A profile of circles on an oval, with tangents or flanks of a radius between them.
+fn oval(circles: usize, between: ProfilePart) -> Vec<ProfileSegment> {
+    let circle = |k: usize| {
+        let at = Vec2::from_angle(std::f64::consts::TAU * k as f64 / circles as f64);
+        ProfilePart::Circle(Vec2::new(60.0 * at.x + 7.0, 45.0 * at.y), 5.0)
+    };
+    let parts: Vec<ProfilePart> = (0..circles).flat_map(|k| [circle(k), between]).collect();
+    segments(&parts).unwrap()
+}
+
+/// The pieces that a prepared disc leaves out are nowhere touched, for each kind of follower and of
+/// piece.
+#[test]
+fn a_prepared_disc_touches_the_same_pieces() {
+    let pivot = Vec2::new(110.0, 20.0);
+    let swings = |arm: f64, sense: f64| Follower::Oscillating { pivot, arm, sense };
+    let (point, flat) =
+        (|radius| FollowerTip::Point { radius }, |lever| FollowerTip::Flat { lever });
+    let ends = [
+        (upward(0.0), point(9.0)),
+        (upward(-12.0), point(0.0)),
+        (upward(40.0), point(3.0)),
+        (swings(95.0, 1.0), point(9.0)),
+        (swings(80.0, -1.0), point(0.5)),
+        (swings(140.0, 1.0), point(4.0)),
+        (upward(5.0), flat(0.0)),
+        (swings(0.0, -1.0), flat(-8.0)),
+        (swings(0.0, 1.0), flat(15.0)),
+    ];
+    let mut seen = std::collections::BTreeSet::new();
+    for (k, between) in
+        [ProfilePart::Tangent, ProfilePart::Flank(300.0), ProfilePart::Flank(-150.0)]
+            .into_iter()
+            .enumerate()
+    {
+        for (follower, touch) in ends {
+            for sense in [1.0, -1.0] {
+                let motion = CamMotion::Profile(oval(9, between));
+                let disc = Disc { follower, touch, motion, sense };
+                let prepared = PreparedDisc::of(&disc);
+                let corners = prepared.corners();
+                let beside = corners.iter().flat_map(|c| [c - 1e-9, *c, c + 1e-9]);
+                for phi in (0..2000).map(|i| 0.005 * f64::from(i) - 2.0).chain(beside) {
+                    for side in [PieceSide::Before, PieceSide::After] {
+                        let piece = disc.touched(phi, side);
+                        assert_eq!(prepared.touched(phi, side), piece, "{phi} {disc:?}");
+                        seen.extend(piece.map(|i| (k, i)));
+                    }
+                }
+            }
+        }
+    }
+    assert!(seen.len() >= 3 * 17, "nearly all pieces are touched somewhere: {}", seen.len());
+}
+
+/// Many equal stages need the base circle of one of them; a stage that needs more decides.
+#[test]
+fn the_stage_that_needs_most_decides_on_the_least_base() {
+    let least = |stages: &[(StageMotion, f64)], touch: FollowerTip| {
+        let motion = CamMotion::Law { base: 30.0, program: program(stages) };
+        least_base(&Disc { follower: upward(0.0), touch, motion, sense: 1.0 }).unwrap()
+    };
+    let pair = |h: f64, over: f64| {
+        [
+            (StageMotion::Rise(h, MotionLaw::Cycloidal), over),
+            (StageMotion::Return(h, MotionLaw::Cycloidal), over),
+        ]
+    };
+    for touch in [FollowerTip::Flat { lever: 0.0 }, FollowerTip::Point { radius: 6.0 }] {
+        let one: Vec<_> = pair(1.0, 9.0).into_iter().chain([(StageMotion::Dwell, 342.0)]).collect();
+        let many: Vec<_> = (0..20).flat_map(|_| pair(1.0, 9.0)).collect();
+        let more: Vec<_> =
+            (0..20).flat_map(|k| pair(if k == 7 { 1.5 } else { 1.0 }, 9.0)).collect();
+        near(least(&many, touch), least(&one, touch), "equal stages");
+        assert!(least(&more, touch) > 1.1 * least(&one, touch), "{touch:?}");
+        // min(s + s″) of a cycloidal return: s″ = −2πh/β² sin 2πx, at its end part.
+        let exact = (1..200_000)
+            .map(|i| {
+                let (x, b) = (f64::from(i) / 200_000.0, deg(9.0));
+                let angle = std::f64::consts::TAU * x;
+                let s = x - libm::sin(angle) / std::f64::consts::TAU;
+                -(s + std::f64::consts::TAU / (b * b) * libm::sin(angle))
+            })
+            .fold(0.0, f64::max);
+        if matches!(touch, FollowerTip::Flat { .. }) {
+            assert!((least(&many, touch) / exact - 1.0).abs() < 1e-9, "{exact}");
+        }
+    }
 }

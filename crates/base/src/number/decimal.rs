@@ -82,7 +82,7 @@ enum IntervalEnds {
 }
 
 /// A ball of the precision ladder.
-pub trait Certain: Real {
+pub trait Certain: Real + 'static {
     /// Returns the ball as an independent interval; `None` if undecided.
     fn enclosure(self) -> Option<Enclosure>;
 }

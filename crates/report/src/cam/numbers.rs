@@ -2,7 +2,7 @@
 
 use super::{DIGITS, Report};
 use hodograph_base::cam::{
-    CamExtreme, CamMotion, ExactCam, Follower, FollowerTip, StageMotion, whole_turns,
+    CamExtreme, CamMotion, ExactCam, ExactDisc, Follower, FollowerTip, StageMotion, whole_turns,
 };
 use hodograph_base::digits::{legible, minus};
 use hodograph_base::number::Real;
@@ -10,6 +10,9 @@ use hodograph_base::number::decimal::{Certain, Enclosure};
 use hodograph_scene::{Kind, Scene, TurningCam};
 use hodograph_worked::accuracy::{Climb, Rung};
 use serde_json::{Value as Json, json};
+use std::any::Any;
+use std::cell::RefCell;
+use std::sync::Arc;
 
 /// A number of a cam.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,9 +93,10 @@ fn in_turn<N: Real>(angle: N) -> N {
 
 impl CamNumber {
     /// Returns the number in SI; cam angles are reduced to one turn.
-    pub fn of<N: Real>(self, scene: &Scene, turning: &TurningCam) -> Option<N> {
-        let (cam, phi) = turning.exact::<N>(scene)?;
-        let [w, a] = turning.rates_in::<N>(scene);
+    fn of<N: Certain>(self, report: &Report) -> Option<N> {
+        let turning = report.turning;
+        let KnownCam { exact, phi, rates: [w, a] } = report.exact.of::<N>(report.scene, turning)?;
+        let cam = ExactCam::new(&turning.disc, &turning.survey, exact);
         let speed = |order: usize| (0..order).fold(N::from_f64(1.0), |s, _| s * w.magnitude());
         let disc = cam.disc();
         let program = || match &disc.motion {
@@ -121,7 +125,7 @@ impl CamNumber {
             CamNumber::Stroke => cam.stroke(),
             CamNumber::Phase(way, out) => cam.angle(way, out),
             CamNumber::Start(k) => program()?.joints().get(k).copied(),
-            CamNumber::Gain(k) => match program()?.stages.get(k)?.way {
+            CamNumber::Gain(k) => match program()?.stages().get(k)?.way {
                 StageMotion::Rise(h, _) | StageMotion::Return(h, _) => Some(h),
                 StageMotion::Dwell => None,
             },
@@ -173,6 +177,32 @@ fn at_the_instant<N: Real>(
     })
 }
 
+/// A cam in one kind of number at the instant: the disc, φ, and the rate and acceleration of φ.
+struct KnownCam<N> {
+    exact: Arc<ExactDisc<N>>,
+    phi: N,
+    rates: [N; 2],
+}
+
+/// The cam of a report in the kinds of number that its numbers need: the texts of a long law are
+/// read once for each kind.
+#[derive(Default)]
+pub(super) struct KnownCams(RefCell<Vec<Box<dyn Any>>>);
+
+impl KnownCams {
+    fn of<N: Certain>(&self, scene: &Scene, turning: &TurningCam) -> Option<KnownCam<N>> {
+        let copied = |known: &KnownCam<N>| KnownCam { exact: Arc::clone(&known.exact), ..*known };
+        if let Some(known) = self.0.borrow().iter().find_map(|k| k.downcast_ref()) {
+            return Some(copied(known));
+        }
+        let (cam, phi) = turning.exact::<N>(scene)?;
+        let known = KnownCam { exact: cam.exact(), phi, rates: turning.rates_in(scene) };
+        let out = copied(&known);
+        self.0.borrow_mut().push(Box::new(known));
+        Some(out)
+    }
+}
+
 /// A number of a report, to be evaluated in any number format, in its unit.
 struct EnclosedNumber<'a, 'b> {
     report: &'b Report<'a>,
@@ -184,7 +214,7 @@ impl Climb for EnclosedNumber<'_, '_> {
     type Found = Option<Enclosure>;
 
     fn with<N: Certain + hodograph_mechanism::motion::MotionNumber>(&self) -> Self::Found {
-        let si: N = self.which.of(self.report.scene, self.report.turning)?;
+        let si: N = self.which.of(self.report)?;
         self.report.in_unit(self.unit, si).enclosure()
     }
 }

@@ -50,7 +50,7 @@ impl GivenSentences<'_> {
                 let gain = |h: f64| if swings { degrees(h) } else { length(h) };
                 let law = |l: MotionLaw| self.tr(l.name(), l.name_zh());
                 let over = |a: f64| degrees(a);
-                let stages = program.stages.iter().zip(program.outer()).map(|(s, out)| {
+                let stages = program.stages().iter().zip(program.outer()).map(|(s, out)| {
                     match (s.way, self.lang()) {
                         (StageMotion::Rise(h, l), Lang::En) => {
                             format!("rise {} over {} ({})", gain(h), over(s.over), law(l))

@@ -35,8 +35,7 @@ impl CamReplacement<'_> {
             Some(q) => self.number_text(q, RequiredQuantity::Angle, faults),
             None => Some(NumberText { value: 0.0, text: "0 deg".into() }),
         };
-        let (mut texts, mut program) = (Vec::new(), StageProgram::default());
-        let mut lift = 0.0f64;
+        let (mut texts, mut read) = (Vec::new(), Vec::new());
         for stage in stages {
             let over = self.number_text(&stage.over, RequiredQuantity::Angle, faults);
             if let Some(over) = over.as_ref().filter(|o| o.value.is_nan() || o.value <= 0.0) {
@@ -73,15 +72,15 @@ impl CamReplacement<'_> {
                 }
             };
             let (Some(way), Some(over)) = (way, over) else { continue };
-            let stage = Stage { way, over: over.value };
-            lift += stage.gain();
-            program.stages.push(stage);
+            read.push(Stage { way, over: over.value });
             texts.push(StageText { gain: text, over: over.text });
         }
         if faults.list.len() > before {
             return None;
         }
-        let sum: f64 = program.stages.iter().map(|s| s.over).sum();
+        let program = StageProgram::new(read);
+        let sum: f64 = program.stages().iter().map(|s| s.over).sum();
+        let lift: f64 = program.stages().iter().map(Stage::gain).sum();
         let open = |message: Both, help: Both, faults: &mut Faults| {
             faults.push(Diagnostic::error("law-open", message).at(self.raw.span).help(help));
         };

@@ -101,7 +101,7 @@ impl<'a> StageTexts<'a> {
     ) -> Option<StageTexts<'a>> {
         let unit = if matches!(at.carried, CarriedFollower::Pivot { .. }) { "deg" } else { "mm" };
         let (i, _, _) = program.stage(phi, side)?;
-        let stage = &program.stages[i];
+        let stage = &program.stages()[i];
         let out = if outward(at.carried, &disc.follower) < 0.0 { "-" } else { "+" };
         let mut t = StageTexts {
             at,
@@ -123,7 +123,7 @@ impl<'a> StageTexts<'a> {
         let turns = libm::rint((phi - in_turn) / std::f64::consts::TAU);
         let mut before = String::new();
         let mut lift = String::from("0 ") + unit;
-        for (text, stage) in law.stages.iter().zip(&program.stages).take(i) {
+        for (text, stage) in law.stages.iter().zip(program.stages()).take(i) {
             before += &format!("-({})", text.over);
             match (&text.gain, stage.way) {
                 (Some(gain), StageMotion::Rise(..)) => lift += &format!("+({})", gain.text),
@@ -418,7 +418,7 @@ pub(super) fn written(
     (phi, side): (f64, PieceSide),
     name: &str,
 ) -> Option<ContactReplacement> {
-    let dwells = program.stage(phi, side).is_none_or(|(i, ..)| program.stages[i].law().is_none());
+    let dwells = program.stage(phi, side).is_none_or(|(i, ..)| program.stages()[i].law().is_none());
     let apart = |s: &CamStation| (s.contact - s.normal * s.rho).norm() > NEAR * s.contact.norm();
     let told = |s: &CamStation| {
         matches!(disc.touch, FollowerTip::Point { .. }) || is_about_pivot(disc, dwells) || apart(s)

@@ -13,8 +13,8 @@ use super::place::{CarriedFollower, NumberText, OnPivot, apart};
 use super::{Cam, Pieces, TurningCam};
 use hodograph_base::cam::outline::{ProfilePart, segments};
 use hodograph_base::cam::{
-    CamMotion, Disc, ExactCam, Follower, FollowerTip, ProfileSegment, Stage, StageMotion,
-    StageProgram,
+    CamMotion, Disc, ExactCam, ExactDisc, Follower, FollowerTip, ProfileSegment, Stage,
+    StageMotion, StageProgram,
 };
 use hodograph_base::geom::Vec2;
 use hodograph_base::json::Word;
@@ -204,8 +204,8 @@ impl TurningCam {
                         Some(Stage { way, over: inputs.text(over)? })
                     };
                 let stages =
-                    program.stages.iter().zip(stages).map(stage).collect::<Option<Vec<_>>>()?;
-                CamMotion::Law { base: inputs.text(base)?, program: StageProgram { stages } }
+                    program.stages().iter().zip(stages).map(stage).collect::<Option<Vec<_>>>()?;
+                CamMotion::Law { base: inputs.text(base)?, program: StageProgram::new(stages) }
             }
             (CamMotion::Profile(_), texts) => CamMotion::Profile(texts.segments(&inputs)?),
             (CamMotion::Law { .. }, MotionTexts::Profile(_)) => return None,
@@ -228,7 +228,7 @@ impl TurningCam {
             told.filter(|phi| (phi.approx() - self.phi).abs() <= rounding)
                 .unwrap_or_else(|| N::from_f64(self.phi).widened(rounding))
         };
-        Some((ExactCam::new(&self.disc, &self.survey, disc), phi))
+        Some((ExactCam::new(&self.disc, &self.survey, ExactDisc::new(disc)), phi))
     }
 }
 

@@ -405,7 +405,7 @@ impl Terms {
     fn of(law: &Law, base: f64, outward: f64) -> Vec<Terms> {
         let mut out = Vec::new();
         let mut lift = 0.0;
-        for (stage, start) in law.stages.iter().zip(law.joints()) {
+        for (stage, start) in law.stages().iter().zip(law.joints()) {
             let still = base + outward * lift;
             let gain = outward * stage.gain();
             match stage.way {

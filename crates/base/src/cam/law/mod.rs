@@ -73,7 +73,11 @@ impl LawPiece {
         let mut c: Vec<N> = self.polynomial.iter().map(LawCoefficient::value).collect();
         for value in &mut out {
             *value = c.iter().rev().fold(zero, |sum, c| sum * x + *c);
-            c = c.iter().enumerate().skip(1).map(|(i, c)| N::from_f64(i as f64) * *c).collect();
+            // The coefficients of the derivative.
+            for i in 1..c.len() {
+                c[i - 1] = N::from_f64(i as f64) * c[i];
+            }
+            c.pop();
         }
         if let Some((amplitude, k, phase)) = &self.wave {
             let (s, c) = (N::from_f64(*k) * x + N::from_f64(*phase)).sin_cos_degrees();
