@@ -286,6 +286,10 @@ impl Report<'_> {
     /// Returns the nearest double of a number in SI, as JSON; the value of double precision if it
     /// is not enclosed.
     pub(super) fn nearest(&self, which: CamNumber, rough: f64) -> Json {
+        // Longer numbers have no infinity: the radius of a straight flank is not climbed for.
+        if !rough.is_finite() {
+            return Json::Null;
+        }
         let told = self
             .enclosed(which, PrintedUnit::Si, 17)
             .filter(|e| e.radius <= 1e-15 * e.approx.abs().max(NOTHING));
