@@ -162,6 +162,7 @@ pub fn of_worked(
     );
     let sweep = follower.sweep(options.positions.clamp(8, 360));
     follower.proved(sweep.poses.iter().map(|p| &p.configuration))?;
+    notes.extend(follower.shortened());
     if let Some(task) = CentreTask::of(scene).filter(|t| t.alone) {
         let page = centres::lesson(scene, (worked, &task), options, (&follower, &sweep))?;
         return Ok(Warned { value: page, notes });

@@ -96,14 +96,15 @@ pub fn figure(
         &wanted.points,
         wanted.marks.clamp(1, MOST_MARKS),
     );
-    PoseFollower::new(
+    let follower = PoseFollower::new(
         scene,
         &worked.mechanism,
         &worked.demand,
         &worked.configuration,
         wanted.swept,
-    )
-    .proved(moved.moments.iter().chain(&moved.marks).map(|m| &m.configuration))?;
+    );
+    let shortened = follower.shortened();
+    follower.proved(moved.moments.iter().chain(&moved.marks).map(|m| &m.configuration))?;
     if moved.moments.len() < 2 {
         let d = Diagnostic::error(
             "no-motion",
@@ -151,7 +152,7 @@ pub fn figure(
     let mut drawings = vec![page.mechanism(poses)];
     drawings.extend(page.hodographs(&boxes));
     let text = page.text();
-    let mut notes = Vec::new();
+    let mut notes = Vec::from_iter(shortened);
     if scene.own_drivers() > 1 && wanted.swept != Swept::Time {
         notes.push(Diagnostic::note(
             "path-driver",

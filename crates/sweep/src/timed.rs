@@ -36,7 +36,7 @@ pub struct TimedSweep<'a> {
 
 impl<'a> TimedSweep<'a> {
     /// Follows a placed scene between two times (s); times that are not given are the ends of its
-    /// usual range ([`PoseFollower::reach`]).
+    /// usual range ([`PoseFollower::usual_reach`]).
     ///
     /// # Errors
     /// `range`: more turns of the drivers than are followed.
@@ -52,7 +52,7 @@ impl<'a> TimedSweep<'a> {
             &placed.at,
             Swept::Time,
         );
-        let [before, after] = follower.reach();
+        let [before, after] = follower.usual_reach();
         let [from, to] = [from.unwrap_or(now - before), to.unwrap_or(now + after)];
         let reach = [now - from.min(to), from.max(to) - now].map(|way| way.max(0.0));
         if !(reach[0] + reach[1]).is_finite() || follower.steps(reach) > MOST_STEPS {

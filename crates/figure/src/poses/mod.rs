@@ -80,6 +80,7 @@ struct Poses {
     full: bool,
     moved: Option<PathMotion>,
     scales: SeriesScales,
+    shortened: Option<Diagnostic>,
 }
 
 impl Poses {
@@ -161,11 +162,11 @@ impl Poses {
                 0,
             )
         });
-        Ok(Poses { rows, full: sweep.full, moved, scales })
+        Ok(Poses { rows, full: sweep.full, moved, scales, shortened: follower.shortened() })
     }
 
     fn table<'a>(&'a self, options: &'a SheetOptions, swept: Swept, still: bool) -> PoseTable<'a> {
-        let Poses { rows, full, moved, scales } = self;
+        let Poses { rows, full, moved, scales, .. } = self;
         PoseTable {
             options,
             rows,
@@ -180,7 +181,7 @@ impl Poses {
     /// Notes about the requested poses.
     fn notes(&self, scene: &Scene, wanted: &PosesContent) -> Vec<Diagnostic> {
         let rows = &self.rows;
-        let mut notes = Vec::new();
+        let mut notes = Vec::from_iter(self.shortened.clone());
         if rows.len() < wanted.count {
             notes.push(Diagnostic::note(
                 "poses",

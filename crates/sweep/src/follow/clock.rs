@@ -16,6 +16,8 @@ use std::f64::consts::TAU;
 const TURNS_SEEN: f64 = 3.0;
 /// The number of times at which the angles of drivers are sampled.
 const SAMPLES: usize = 256;
+/// The number of times that a shorter range is sampled anew: finer samples may find more travel.
+const ROUNDS: usize = 8;
 /// A step of a driver (rad): 10°.
 const STEP: f64 = std::f64::consts::PI / 18.0;
 
@@ -113,12 +115,64 @@ impl Clock {
         there
     }
 
-    /// Returns the times before and after the instant for which the motion is shown (s): with laws
+    /// Returns the times before and after the instant for which the motion is shown (s): those of
+    /// [`Clock::usual_reach`], but on either side at most three turns of actual travel of the
+    /// driver that turns farthest.
+    pub fn reach(&self, extent: f64) -> [f64; 2] {
+        let [before, after] = self.usual_reach(extent);
+        [-self.within_turns(-before), self.within_turns(after)]
+    }
+
+    /// Returns the part of the time from the instant to `to` (s) in which no driver travels more
+    /// than three turns, to and fro.
+    fn within_turns(&self, mut to: f64) -> f64 {
+        for _ in 0..ROUNDS {
+            match self.three_turns(to) {
+                Some(sooner) if sooner != to => to = sooner,
+                Some(_) | None => break,
+            }
+        }
+        to
+    }
+
+    /// Returns the time on the way to another one (s) at which the first driver has travelled three
+    /// turns; `None` if none does.
+    fn three_turns(&self, to: f64) -> Option<f64> {
+        const MOST: f64 = TURNS_SEEN * TAU;
+        let turning = self.turning();
+        let mut turned = vec![0.0; turning.len()];
+        let (mut last, mut from) = (self.gone(0.0)?, 0.0);
+        for k in 1..=SAMPLES {
+            let t = to * (k as f64 / SAMPLES as f64);
+            let Some(gone) = self.gone(t) else { continue };
+            let mut sooner = f64::INFINITY;
+            for (d, turned) in turning.iter().zip(&mut turned) {
+                let more = (gone[*d].by - last[*d].by).abs();
+                // Three turns at constant rate are three turns but for rounding.
+                if *turned + more > MOST * (1.0 + 1e-9) {
+                    sooner = sooner.min((MOST - *turned).max(0.0) / more);
+                }
+                *turned += more;
+            }
+            if sooner.is_finite() {
+                return Some(from + (t - from) * sooner);
+            }
+            (last, from) = (gone, t);
+        }
+        None
+    }
+
+    /// The turning drivers.
+    fn turning(&self) -> Vec<usize> {
+        (0..self.scene.drivers.len()).filter(|d| self.scene.drivers[*d].kind.turns()).collect()
+    }
+
+    /// Returns the usual times before and after the instant (s): with laws
     /// from t = 0 to twice the instant; without them, or at t = 0, onward through a turn of the
     /// slowest turning driver, but at most three of the fastest. If all drivers slide, the time of
     /// travel through the mechanism's size: in both directions, with laws onward only; with laws
     /// and no motion, one second.
-    pub fn reach(&self, extent: f64) -> [f64; 2] {
+    pub fn usual_reach(&self, extent: f64) -> [f64; 2] {
         let instant = self.scene.instant();
         if self.laws.is_some() && instant > 0.0 {
             return [instant, instant];
@@ -147,8 +201,7 @@ impl Clock {
 
     /// Returns the number of steps in which no driver turns by more than 10° each.
     pub fn steps(&self, [before, after]: [f64; 2]) -> usize {
-        let turning: Vec<usize> =
-            (0..self.scene.drivers.len()).filter(|d| self.scene.drivers[*d].kind.turns()).collect();
+        let turning = self.turning();
         let mut turned = vec![0.0; turning.len()];
         let mut last: Option<Vec<Gone>> = None;
         for k in 0..=SAMPLES {
@@ -228,6 +281,38 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// Returns the travel of a driver from the instant to a time, to and fro, from many samples.
+    fn travel(clock: &Clock, driver: usize, to: f64) -> f64 {
+        let at = |k: usize| clock.gone(to * k as f64 / 20_000.0).unwrap()[driver].by;
+        (0..20_000).map(|k| (at(k + 1) - at(k)).abs()).sum()
+    }
+
+    /// The motion by laws is shown for three turns of travel on either side, however late the
+    /// instant is and however slow the driver is at the instant.
+    #[test]
+    fn motions_through_time_show_at_most_three_turns_on_either_side() {
+        for (name, values) in
+            [("plate-by-law", [("t", "10 s")]), ("robot-arm", [("w_3", "0.2 rad/s")])]
+        {
+            let text = templates::instantiate(name, &values).unwrap();
+            let scene = read(&text).unwrap().value;
+            let clock = clock(&scene);
+            let extent = 1.0;
+            let [before, after] = clock.reach(extent);
+            let usual = clock.usual_reach(extent);
+            assert!(before <= usual[0] && after < usual[1], "{name}: {before} {after} {usual:?}");
+            let most = |to: f64| {
+                clock.turning().into_iter().map(|d| travel(&clock, d, to)).fold(0.0, f64::max)
+            };
+            assert!((most(after) / TAU - TURNS_SEEN).abs() < 0.02, "{name}: {}", most(after) / TAU);
+            assert!(most(-before) / TAU < TURNS_SEEN + 0.02, "{name}: {}", most(-before) / TAU);
+            assert!(clock.steps([before, after]) <= 217, "{name}");
+        }
+        let scene = read(templates::get("plate-by-law").unwrap()).unwrap().value;
+        let clock = clock(&scene);
+        assert_eq!(clock.reach(1.0), clock.usual_reach(1.0), "less than three turns");
     }
 
     /// Without laws each driver keeps its acceleration.

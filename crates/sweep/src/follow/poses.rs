@@ -10,7 +10,8 @@ use hodograph_base::budget::here;
 use std::borrow::Cow;
 use std::f64::consts::TAU;
 
-use hodograph_base::diag::Faults;
+use hodograph_base::diag::{Diagnostic, Faults, both};
+use hodograph_base::digits::significant;
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
 use hodograph_mechanism::position::{self, Configuration, newton};
 use hodograph_mechanism::stated::{self, Moment};
@@ -146,6 +147,37 @@ impl<'a> PoseFollower<'a> {
             SweptVariable::Driver(_) => [2.0 * extent; 2],
             SweptVariable::Time(clock) => clock.reach(extent),
         }
+    }
+
+    /// Returns the usual range of the motion: that of [`PoseFollower::reach`], but through time
+    /// without a bound of the drivers' turns
+    /// ([`Clock::usual_reach`](super::clock::Clock::usual_reach)).
+    pub fn usual_reach(&self) -> [f64; 2] {
+        match &self.course {
+            SweptVariable::Driver(_) => self.reach(),
+            SweptVariable::Time(clock) => clock.usual_reach(self.base.extent()),
+        }
+    }
+
+    /// Returns a note if [`PoseFollower::reach`] is less than the usual range.
+    pub fn shortened(&self) -> Option<Diagnostic> {
+        let [before, after] = self.reach();
+        if self.usual_reach() == [before, after] {
+            return None;
+        }
+        let now = self.scene.instant();
+        let [from, to] = [now - before, now + after].map(|t| significant(t, 4));
+        let note = Diagnostic::note(
+            "three-turns",
+            both!(
+                "the motion is shown from t = {from} s to {to} s: there a driver has made three turns",
+                "运动只演示 t = {from} s 至 {to} s：原动件至此已转过三周"
+            ),
+        );
+        Some(note.help(both!(
+            "for other times give another instant, or `sweep --over t` with --from and --to",
+            "如需其他时间，请改变瞬时，或用 `sweep --over t` 及 --from、--to"
+        )))
     }
 
     /// Returns the least number of steps through time in which no driver turns by much.
