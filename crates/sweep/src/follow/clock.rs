@@ -16,6 +16,8 @@ use std::f64::consts::TAU;
 const TURNS_SEEN: f64 = 3.0;
 /// The number of times at which the angles of drivers are sampled.
 const SAMPLES: usize = 256;
+/// The number of halvings of the time between two samples.
+const HALVINGS: usize = 50;
 /// The number of times that a shorter range is sampled anew: finer samples may find more travel.
 const ROUNDS: usize = 8;
 /// A step of a driver (rad): 10°.
@@ -145,18 +147,24 @@ impl Clock {
         for k in 1..=SAMPLES {
             let t = to * (k as f64 / SAMPLES as f64);
             let Some(gone) = self.gone(t) else { continue };
-            let mut sooner = f64::INFINITY;
-            for (d, turned) in turning.iter().zip(&mut turned) {
-                let more = (gone[*d].by - last[*d].by).abs();
-                // Three turns at constant rate are three turns but for rounding.
-                if *turned + more > MOST * (1.0 + 1e-9) {
-                    sooner = sooner.min((MOST - *turned).max(0.0) / more);
+            let more = |gone: &[Gone], d: usize| (gone[d].by - last[d].by).abs();
+            // Three turns at constant rate are three turns but for rounding.
+            let passes = |gone: &[Gone]| {
+                let mut all = turning.iter().zip(&turned);
+                all.any(|(d, turned)| turned + more(gone, *d) > MOST * (1.0 + 1e-9))
+            };
+            if passes(&gone) {
+                let mut outside = t;
+                for _ in 0..HALVINGS {
+                    let middle = 0.5 * (from + outside);
+                    match self.gone(middle) {
+                        Some(gone) if !passes(&gone) => from = middle,
+                        Some(_) | None => outside = middle,
+                    }
                 }
-                *turned += more;
+                return Some(from);
             }
-            if sooner.is_finite() {
-                return Some(from + (t - from) * sooner);
-            }
+            turning.iter().zip(&mut turned).for_each(|(d, turned)| *turned += more(&gone, *d));
             (last, from) = (gone, t);
         }
         None
@@ -310,6 +318,14 @@ mod tests {
             assert!(most(-before) / TAU < TURNS_SEEN + 0.02, "{name}: {}", most(-before) / TAU);
             assert!(clock.steps([before, after]) <= 217, "{name}");
         }
+        // Nearly at rest at the instant, the driver speeds up.
+        let text = r#"{"links":{"1":["O"],"2":["O","A"]},"ground":"1","points":{"O":[0,0]},
+            "lengths":{"OA":"1 m"},"find":["v_A"],"driver":{"link":"2","angle":"20 deg",
+            "omega":"0.0001 rad/s","alpha":"3 rad/s^2"}}"#;
+        let scene = read(text).unwrap().value;
+        let clock_at_rest = clock(&scene);
+        let [before, after] = clock_at_rest.reach(1.0);
+        assert!(before == 0.0 && (travel(&clock_at_rest, 0, after) / TAU - 3.0).abs() < 1e-6);
         let scene = read(templates::get("plate-by-law").unwrap()).unwrap().value;
         let clock = clock(&scene);
         assert_eq!(clock.reach(1.0), clock.usual_reach(1.0), "less than three turns");
