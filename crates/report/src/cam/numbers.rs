@@ -5,12 +5,12 @@ use hodograph_base::cam::{
     CamExtreme, CamMotion, ExactCam, ExactDisc, Follower, FollowerTip, StageMotion, whole_turns,
 };
 use hodograph_base::digits::{legible, minus};
-use hodograph_base::number::Real;
 use hodograph_base::number::decimal::{Certain, Enclosure};
+use hodograph_base::number::{Ball, Big, Real};
 use hodograph_scene::{Kind, Scene, TurningCam};
 use hodograph_worked::accuracy::{Climb, Rung};
 use serde_json::{Value as Json, json};
-use std::any::Any;
+use std::any::{Any, TypeId};
 use std::cell::RefCell;
 use std::sync::Arc;
 
@@ -185,7 +185,8 @@ struct KnownCam<N> {
 }
 
 /// The cam of a report in the kinds of number that its numbers need: the texts of a long law are
-/// read once for each kind.
+/// read once for each kind. Long numbers are not kept, since they have no meaning outside the work
+/// in which they are made.
 #[derive(Default)]
 pub(super) struct KnownCams(RefCell<Vec<Box<dyn Any>>>);
 
@@ -197,6 +198,9 @@ impl KnownCams {
         }
         let (cam, phi) = turning.exact::<N>(scene)?;
         let known = KnownCam { exact: cam.exact(), phi, rates: turning.rates_in(scene) };
+        if TypeId::of::<N>() == TypeId::of::<Ball<Big>>() {
+            return Some(known);
+        }
         let out = copied(&known);
         self.0.borrow_mut().push(Box::new(known));
         Some(out)
