@@ -47,7 +47,7 @@ pub mod statement;
 #[doc(hidden)]
 pub mod symbols;
 pub mod synthesis;
-#[cfg(feature = "tables")]
+#[cfg(feature = "csv")]
 pub mod table;
 pub mod trains;
 mod writing;

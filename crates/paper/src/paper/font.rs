@@ -9,7 +9,7 @@
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
-use std::sync::{Arc, LazyLock};
+use std::sync::{Arc, LazyLock, OnceLock};
 
 use harfrust::{ShapeOptions, ShaperData, UnicodeBuffer};
 use skrifa::raw::TableProvider;
@@ -156,7 +156,23 @@ static ROMAN: LazyLock<LoadedFont> = LazyLock::new(|| LoadedFont::new(&Face::Rom
 static ITALIC: LazyLock<LoadedFont> = LazyLock::new(|| LoadedFont::new(&Face::Italic));
 static BOLD: LazyLock<LoadedFont> = LazyLock::new(|| LoadedFont::new(&Face::Bold));
 static MATH: LazyLock<LoadedFont> = LazyLock::new(|| LoadedFont::new(&Face::Math));
-static SONG: LazyLock<LoadedFont> = LazyLock::new(|| LoadedFont::new(&Face::Song));
+/// The Chinese font, once it is there ([`song`]).
+static SONG: OnceLock<LoadedFont> = OnceLock::new();
+
+/// Returns the Chinese font; `None` where it is not embedded and [`give_song`] has not given it.
+fn song() -> Option<&'static LoadedFont> {
+    #[cfg(feature = "fonts-cjk")]
+    return Some(SONG.get_or_init(|| LoadedFont::new(&Face::Song)));
+    #[cfg(not(feature = "fonts-cjk"))]
+    SONG.get()
+}
+
+/// Takes the file of the Chinese font, `fonts/song-gb1-cff.otf`, which is not embedded without the
+/// feature `fonts-cjk`. Returns false if it is no font. Only the first font is used.
+pub fn give_song(bytes: Vec<u8>) -> bool {
+    let read = LoadedFont::try_new(Arc::new(bytes));
+    read.is_some_and(|font| SONG.set(font).is_ok() || song().is_some())
+}
 
 /// The upright font of HTML pages as WOFF2, with the constants that browsers use to lay out
 /// formulas.
@@ -200,7 +216,12 @@ impl Face {
             Face::Italic => include_bytes!("../../fonts/tinos-italic.ttf"),
             Face::Bold => include_bytes!("../../fonts/tinos-bold-italic.ttf"),
             Face::Math => include_bytes!("../../fonts/stix-math-sub.ttf"),
+            #[cfg(feature = "fonts-cjk")]
             Face::Song => include_bytes!("../../fonts/song-gb1-cff.otf"),
+            #[cfg(not(feature = "fonts-cjk"))]
+            Face::Song => {
+                return SONG.get().map_or_else(|| Face::Roman.bytes(), |f| Arc::clone(&f.bytes));
+            }
             Face::Own(own) => return own.bytes(),
         };
         Arc::new(embedded)
@@ -212,7 +233,7 @@ impl Face {
             Face::Italic => &ITALIC,
             Face::Bold => &BOLD,
             Face::Math => &MATH,
-            Face::Song => &SONG,
+            Face::Song => song().unwrap_or(&ROMAN),
             Face::Own(own) => own.loaded(),
         }
     }
@@ -227,7 +248,11 @@ impl Face {
             Slant::Symbol => &MATH_FIRST,
         };
         fonts.face_of(c, slant).or_else(|| {
-            order.iter().find(|face| face.known(c, |loaded| loaded.glyph(c).is_some())).cloned()
+            let has = |face: &&Face| {
+                (**face != Face::Song || song().is_some())
+                    && face.known(c, |loaded| loaded.glyph(c).is_some())
+            };
+            order.iter().find(has).cloned()
         })
     }
 

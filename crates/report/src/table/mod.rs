@@ -14,11 +14,13 @@
 mod csv;
 mod json;
 mod npy;
+#[cfg(feature = "tables")]
 mod parquet;
 
 pub use self::csv::Csv;
 pub use self::json::json;
 pub use self::npy::Npy;
+#[cfg(feature = "tables")]
 pub use self::parquet::Parquet;
 
 use hodograph_base::diag::Diagnostic;

@@ -1,0 +1,60 @@
+//! The functions that the page's worker calls.
+//!
+//! Bytes go in by [`input`] and come out by [`output`]; both are buffers of this module, so the
+//! worker neither allocates nor frees. The only unsafe part is the export of the names: no other
+//! code of the module may have them.
+
+use crate::Engine;
+use hodograph::paper::font::give_song;
+use std::cell::RefCell;
+
+#[derive(Default)]
+struct Desk {
+    engine: Engine,
+    input: Vec<u8>,
+    output: Vec<u8>,
+}
+
+thread_local! {
+    static DESK: RefCell<Desk> = RefCell::default();
+}
+
+/// Makes room for a message of `length` bytes; returns the address for its bytes.
+// SAFETY: the name belongs to this crate alone.
+#[allow(unsafe_code)]
+#[unsafe(no_mangle)]
+pub extern "C" fn input(length: usize) -> *mut u8 {
+    DESK.with_borrow_mut(|desk| {
+        desk.input.clear();
+        desk.input.resize(length, 0);
+        desk.input.as_mut_ptr()
+    })
+}
+
+/// Answers the message in the input; returns the number of bytes of the answer.
+// SAFETY: the name belongs to this crate alone.
+#[allow(unsafe_code)]
+#[unsafe(no_mangle)]
+pub extern "C" fn call() -> usize {
+    DESK.with_borrow_mut(|desk| {
+        let message = String::from_utf8_lossy(&desk.input).into_owned();
+        desk.output = desk.engine.answer(&message).into_bytes();
+        desk.output.len()
+    })
+}
+
+/// Takes the Chinese font from the input; returns 1 if it is a font, else 0.
+// SAFETY: the name belongs to this crate alone.
+#[allow(unsafe_code)]
+#[unsafe(no_mangle)]
+pub extern "C" fn font() -> u32 {
+    DESK.with_borrow_mut(|desk| u32::from(give_song(std::mem::take(&mut desk.input))))
+}
+
+/// Returns the address of the answer.
+// SAFETY: the name belongs to this crate alone.
+#[allow(unsafe_code)]
+#[unsafe(no_mangle)]
+pub extern "C" fn output() -> *const u8 {
+    DESK.with_borrow(|desk| desk.output.as_ptr())
+}

@@ -1,0 +1,84 @@
+//! Documents of an opened file: worksheets, lesson, text, tables.
+
+use crate::file::OpenFile;
+use crate::words::{diagnostics, failed, look};
+use hodograph::diag::{Diagnostic, Faults, Warned, both};
+use hodograph::problem::{self, Kind, Lesson, Options};
+use hodograph::report::table::{Csv, RowFormat, TableHead, TablePiece};
+use hodograph::scene::Swept;
+use hodograph::worksheet::{CompanionFile, WorksheetSides, html, markdown, typst};
+use serde_json::{Value as Json, json};
+
+impl OpenFile {
+    /// Answers `export`: the files of a `form`, the first of which is the document; their names
+    /// begin with `stem`.
+    pub fn export(&self, message: &Json) -> Json {
+        let stem = message["stem"].as_str().unwrap_or("scene");
+        match self.document(message, stem) {
+            Ok(Warned { value, notes }) => {
+                let files = value.iter().map(|f| json!({"name": f.name, "text": f.text}));
+                json!({"ok": true, "files": files.collect::<Vec<_>>(), "notes": diagnostics(&notes, &self.text)})
+            }
+            Err(faults) => failed(&faults, &self.text),
+        }
+    }
+
+    fn document(&self, message: &Json, stem: &str) -> Result<Warned<Vec<CompanionFile>>, Faults> {
+        let look = look(message);
+        let one = |ending: &str, text: String| {
+            let name = format!("{stem}.{ending}");
+            Warned { value: vec![CompanionFile { name, text }], notes: Vec::new() }
+        };
+        let sides = match message["sides"].as_str() {
+            Some("problem") => WorksheetSides::Problem,
+            Some("solution") => WorksheetSides::Solution,
+            _ => WorksheetSides::Both,
+        };
+        let sheet = || self.solved.worksheet(sides, message["mistake"].as_str(), &look);
+        let beside = |ending: &str, (text, drawings): (String, Vec<CompanionFile>)| {
+            let mut all = one(ending, text);
+            all.value.extend(drawings);
+            all
+        };
+        Ok(match message["form"].as_str().unwrap_or_default() {
+            "html" => one("html", html::html(&sheet()?)?),
+            "md" => beside("md", markdown::markdown(&sheet()?, stem)?),
+            "typ" => beside("typ", typst::typst(&sheet()?, stem)?),
+            "text" => one("txt", self.solved.text(&look, true)),
+            "json" => {
+                let told = self.solved.json(&look, false, &[]);
+                one("json", format!("{told:#}\n"))
+            }
+            "lesson" => {
+                let options = Options { whole_motion: true, ..Options::with_figures() };
+                let solved = problem::solve(&self.problem, &options)?;
+                let swept = self.swept.unwrap_or(Swept::Driver(0));
+                let page = solved.lesson(&Lesson { swept, ..Lesson::default() }, &look)?;
+                let notes = page.notes;
+                Warned { notes, ..one("html", page.value) }
+            }
+            "csv" => {
+                let table = self.table()?;
+                let lang = look.lang.unwrap_or_default();
+                let title = self.scene().map_or("", |s| s.title.get(lang));
+                let format = Csv::new(TableHead::of(title, &table).in_language(lang));
+                let columns: Vec<&[f64]> =
+                    table.columns.iter().map(|c| c.values.as_slice()).collect();
+                let rows = table.columns.first().map_or(0, |c| c.values.len());
+                let mut out = format.begin(rows as u64, &table.notes);
+                // Writing to memory does not fail.
+                if let Ok(piece) = format.piece_in(&columns, TablePiece::default()) {
+                    piece.parts.iter().for_each(|p| out.extend_from_slice(p));
+                }
+                let notes = table.notes;
+                Warned { notes, ..one("csv", String::from_utf8_lossy(&out).into_owned()) }
+            }
+            form => return Err(no_form(form, self.kind()).into()),
+        })
+    }
+}
+
+fn no_form(form: &str, kind: Kind) -> Diagnostic {
+    let word = kind.word();
+    Diagnostic::error("format", both!("no `{form}` of a {word}", "没有 `{form}` 格式（{word}）"))
+}

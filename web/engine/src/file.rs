@@ -1,0 +1,247 @@
+//! An opened file: its problem, and its solution in its own pose.
+
+use crate::words::{diagnostics, failed};
+use hodograph::diag::{Diagnostic, Faults, Warned};
+use hodograph::figure::list::{self, FigureEntry, Pages};
+use hodograph::problem::{self, Kind, Look, Options, Pictures, Problem, Solved, Verdict};
+use hodograph::render::svg;
+use hodograph::scene::{DriverKind, Scene, Swept};
+use hodograph::sweep::follow::PoseFollower;
+use serde_json::{Value as Json, json};
+
+/// A file under a handle.
+pub struct OpenFile {
+    /// Its text.
+    pub text: String,
+    /// Its problem.
+    pub problem: Problem,
+    /// Its solution with all positions; the cams guide over the whole turn if `moving`.
+    pub solved: Solved,
+    /// The moving quantity of a scene.
+    pub swept: Option<Swept>,
+    notes: Vec<Diagnostic>,
+}
+
+/// Scales of the file's own pose, which the whole motion keeps.
+fn hold_scales(scene: &mut Scene, base: &Solved) {
+    let Some((_, worked)) = base.mechanism() else { return };
+    let drawn = &worked.construction;
+    let polygons = hodograph::scene::DiagramKind::POLYGONS.into_iter();
+    let scales = polygons.filter_map(|on| Some((on.kind(), drawn.polygon(on)?.mu)));
+    let plane = (hodograph::kind::Kind::Length, drawn.diagram.mu);
+    for (kind, mu) in scales.chain([plane]) {
+        let held = scene.paper.scales.get(kind).unwrap_or(mu);
+        scene.paper.scales.set(kind, Some(held));
+    }
+}
+
+impl OpenFile {
+    /// Reads and solves a file; candidate `pick` (from 0) of a task.
+    ///
+    /// # Errors
+    /// Those of reading and solving.
+    pub fn read(text: &str, pick: usize) -> Result<OpenFile, Faults> {
+        let Warned { value: problem, mut notes } = problem::read(text)?;
+        let options = Options { candidate: pick, ..Options::with_figures() };
+        let solved = problem::solve(&problem, &options)?;
+        notes.extend(solved.notes.iter().cloned());
+        let swept = match &problem {
+            Problem::Scene(scene) if !scene.drivers.is_empty() => Some(Swept::usual(scene)),
+            _ => None,
+        };
+        Ok(OpenFile { text: text.to_owned(), problem, solved, swept, notes })
+    }
+
+    /// Returns the description of the file: kind, title, drivers, names, remarks.
+    pub fn told(&self, look: &Look) -> Json {
+        let scene = self.scene();
+        let names = |scene: &Scene| {
+            json!({
+                "points": scene.points.iter().map(|p| &p.name).collect::<Vec<_>>(),
+                "links": (0..scene.links.len()).map(|l| scene.link_name(hodograph::scene::LinkId(l))).collect::<Vec<_>>(),
+                "parameters": scene.parameters.iter().map(|(name, _)| name).collect::<Vec<_>>(),
+            })
+        };
+        json!({
+            "ok": true,
+            "kind": self.problem.kind().word(),
+            "title": scene.map(|s| s.title.get(look.of(s.language, None).0)),
+            "language": self.language(look),
+            "drivers": scene.map(|s| drivers(s)),
+            "swept": self.swept.map(|s| match s { Swept::Driver(d) => json!(d), Swept::Time => json!("t") }),
+            "names": scene.map(names),
+            "candidates": self.solved.design().map(|d| d.candidates.len()),
+            "diagnostics": diagnostics(&self.notes, &self.text),
+            "verdict": verdict(&self.solved),
+        })
+    }
+
+    /// Language in which the file is shown.
+    fn language(&self, look: &Look) -> &'static str {
+        let own = match &self.problem {
+            Problem::Scene(scene) => scene.language,
+            Problem::Motion(problem) => problem.language,
+            _ => None,
+        };
+        match look.of(own, None).0 {
+            hodograph::scene::Lang::En => "en",
+            hodograph::scene::Lang::Zh => "zh",
+        }
+    }
+
+    /// The scene, if the file is one.
+    pub fn scene(&self) -> Option<&Scene> {
+        match &self.problem {
+            Problem::Scene(scene) => Some(scene),
+            _ => None,
+        }
+    }
+
+    /// Returns the solution at a travel (rad, m or s) of the moving quantity from the file's own
+    /// pose, in the scales of that pose.
+    ///
+    /// # Errors
+    /// Those of solving.
+    pub fn at(&self, travel: f64) -> Result<Solved, Faults> {
+        let options = Options { whole_motion: true, ..Options::with_figures() };
+        let (Some(scene), Some(swept)) = (self.scene(), self.swept) else {
+            return problem::solve(&self.problem, &options);
+        };
+        let Some((_, worked)) = self.solved.mechanism() else {
+            return problem::solve(&self.problem, &options);
+        };
+        let follower = PoseFollower::new(
+            scene,
+            &worked.mechanism,
+            &worked.demand,
+            &worked.configuration,
+            swept,
+        );
+        let mut moved = follower.scene_at(scene, travel);
+        hold_scales(&mut moved, &self.solved);
+        problem::solve(&Problem::Scene(Box::new(moved)), &options)
+    }
+
+    /// Answers `frame`: the figures `what` (`["sheet"]` without), and the answers.
+    pub fn frame(&self, message: &Json) -> Json {
+        let look = crate::words::look(message);
+        let there;
+        let solved = match message["travel"].as_f64() {
+            Some(travel) => match self.at(travel) {
+                Ok(solved) => {
+                    there = solved;
+                    &there
+                }
+                Err(faults) => return failed(&faults, &self.text),
+            },
+            None => &self.solved,
+        };
+        let entries: Vec<&'static FigureEntry> = match message["what"].as_array() {
+            Some(names) => {
+                names.iter().filter_map(|n| list::named(n.as_str().unwrap_or_default())).collect()
+            }
+            None => vec![list::USUAL],
+        };
+        let (mut figures, mut missing) = (Vec::new(), Vec::new());
+        for entry in entries {
+            match self.drawn(solved, entry, &look) {
+                Ok(drawn) => figures.extend(drawn),
+                Err(faults) => missing.extend(faults.list),
+            }
+        }
+        if message["prefix"] == json!(true) {
+            figures.iter_mut().enumerate().for_each(|(k, page)| put_before(k, page));
+        }
+        json!({
+            "ok": true,
+            "figures": figures,
+            "missing": diagnostics(&missing, &self.text),
+            "answers": if message["answers"] == json!(true) { answers(solved, &look) } else { Json::Null },
+            "verdict": verdict(solved),
+        })
+    }
+
+    /// Draws one figure of a solution.
+    fn drawn(
+        &self,
+        solved: &Solved,
+        entry: &'static FigureEntry,
+        look: &Look,
+    ) -> Result<Vec<Json>, Faults> {
+        let pictures = Pictures { figures: &[entry], ..Pictures::default() };
+        let Warned { value, notes } = solved.figures(&pictures, look)?;
+        let mut written = self.written(value)?;
+        if let (Some(first), false) = (written.first_mut(), notes.is_empty()) {
+            first["notes"] = diagnostics(&notes, &self.text);
+        }
+        for page in &mut written {
+            page["figure"] = json!(entry.name);
+        }
+        Ok(written)
+    }
+
+    fn written(&self, pages: Pages) -> Result<Vec<Json>, Faults> {
+        let one = |(name, figure)| {
+            let Warned { value, notes } = svg::write(&figure)?;
+            Ok(json!({"name": name, "svg": value, "notes": diagnostics(&notes, &self.text)}))
+        };
+        pages.into_iter().map(one).collect()
+    }
+
+    /// Answers `steps`: a picture for each step of the construction.
+    pub fn steps(&self, message: &Json) -> Json {
+        let look = crate::words::look(message);
+        let pictures = Pictures { steps: true, ..Pictures::default() };
+        let drawn = self.solved.figures(&pictures, &look).and_then(|p| self.written(p.value));
+        match drawn {
+            Ok(pages) => json!({"ok": true, "figures": pages}),
+            Err(faults) => failed(&faults, &self.text),
+        }
+    }
+
+    /// The kind of the file.
+    pub fn kind(&self) -> Kind {
+        self.problem.kind()
+    }
+}
+
+/// Makes the ids of a page different from those of other figures on the screen.
+fn put_before(k: usize, page: &mut Json) {
+    if let (Ok(prefix), Some(svg)) =
+        (svg::IdPrefix::new(&format!("p{k}-")), page["svg"].as_str().map(str::to_owned))
+    {
+        page["svg"] = json!(prefix.put_before(&svg));
+    }
+}
+
+fn drivers(scene: &Scene) -> Json {
+    let one = |d: usize| {
+        let driver = &scene.drivers[d];
+        json!({
+            "name": scene.driver_name(d).0,
+            "turns": driver.kind.turns(),
+            "position": hodograph::scene::driver_position(scene, d),
+            "rate": driver.rate.value,
+            "led": scene.is_led(d),
+            "kind": match driver.kind {
+                DriverKind::Turn { .. } => "turn",
+                DriverKind::Slide { .. } => "slide",
+                DriverKind::Cylinder { .. } => "cylinder",
+            },
+        })
+    };
+    (0..scene.drivers.len()).map(one).collect()
+}
+
+fn answers(solved: &Solved, look: &Look) -> Json {
+    let one = |a: problem::Answer| json!({"find": a.find, "text": a.text, "answered": a.value.is_some(), "difference": a.difference});
+    solved.answers(look).into_iter().map(one).collect()
+}
+
+fn verdict(solved: &Solved) -> &'static str {
+    match solved.verdict() {
+        Verdict::Answered => "answered",
+        Verdict::Disagree => "disagree",
+        _ => "unanswered",
+    }
+}

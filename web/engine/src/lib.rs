@@ -1,0 +1,21 @@
+//! The engine of the web page: the calls of [`hodograph::problem`] as messages in JSON.
+//!
+//! [`abi`] is the interface to the page's worker, without imports: it exchanges bytes. [`Engine`]
+//! answers messages: `open` reads a file and keeps it under a handle, `frame` draws it at a place
+//! of its motion, `steps` draws the construction, `motion` follows the driver, `place` gives the
+//! edit that puts a driver into the text, `export` writes documents, `close` forgets the file.
+//! `templates`, `template` and `schema` need no file.
+
+#![deny(unsafe_code)]
+#![warn(missing_docs)]
+// clippy.toml lists the functions of f64 whose last bit the platform decides; tests may use them.
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
+pub mod abi;
+mod engine;
+mod export;
+mod file;
+mod motion;
+mod words;
+
+pub use engine::Engine;

@@ -1,0 +1,612 @@
+// The page: text, engine, drawings, and what the user does with them. The text is the only state that lasts.
+
+import { element } from './dom'
+import { Editor } from './editor'
+import { Ended, Engine, Refused, type Diagnostic, type Frame, type Motion, type Opened, type Page } from './engine'
+import type { Schema } from './complete'
+import { Gallery } from './gallery'
+import { Course } from './motion'
+import { Pane } from './panes'
+import { fragment, save, shared } from './share'
+import { formula, isWord, word, type Lang, type Word } from './words'
+
+/** The figures that move together in the first tab. */
+const LIVE = ['mechanism', 'velocity', 'acceleration']
+/** Tabs of single figures, each shown if the file calls for it. */
+const SINGLE = [
+  'sheet', 'equations', 'results', 'centres', 'composite', 'curvature', 'centrodes', 'forces', 'lever', 'gears', 'kutzbach',
+  'attempts', 'plates', 'inversions', 'cognates',
+]
+const FORMS: [Word, string, string?][] = [
+  ['as_svg', 'svg'], ['as_problem', 'html', 'problem'], ['as_solution', 'html', 'solution'], ['as_md', 'md'], ['as_typ', 'typ'],
+  ['as_lesson', 'lesson'], ['as_csv', 'csv'], ['as_text', 'text'], ['as_json', 'json'], ['as_scene', 'scene'],
+]
+/** The first template. */
+const FIRST = 'shaper'
+/** Largest text that is taken for a scene. */
+const LARGEST = 1 << 20
+/** Seconds of a turn while the mechanism plays. */
+const TURN = 8
+
+export class App {
+  readonly engine = new Engine()
+  readonly editor: Editor
+  /** The file in the engine; null before the first, and after the engine was ended. */
+  opened: Opened | null = null
+  tab = 'live'
+  travel = 0
+  course: Course | null = null
+  lang: Lang = (localStorage.getItem('lang') as Lang | null) ?? (navigator.language.startsWith('zh') ? 'zh' : 'en')
+  private dark = localStorage.getItem('theme') ? localStorage.getItem('theme') === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches
+  private schemas: Record<string, Schema> | null = null
+  private panes = new Map<string, Pane>()
+  private pages = new Map<string, Page[]>()
+  private steps: Page[] | null = null
+  private stepAt = 0
+  private absent = new Set<string>()
+  private name = FIRST
+  private playing = false
+  private wanted = false
+  private drawing = false
+  private generation = 0
+  private timer = 0
+  private gallery = new Gallery((name) => void this.template(name))
+
+  private bar = element('header', { class: 'bar' })
+  private tabs = element('nav', { class: 'tabs', role: 'tablist' })
+  private stage = element('div', { class: 'stage' })
+  private note = element('p', { class: 'note', role: 'status', 'aria-live': 'polite' })
+  private transport = element('div', { class: 'transport' })
+  private slider = element('input', { type: 'range', min: '0', max: '1', step: 'any' })
+  private reading = element('output', { class: 'reading' })
+  private table = element('div', { class: 'answers' })
+  private faults = element('ul', { class: 'faults' })
+  private text = element('div', { class: 'text' })
+
+  constructor(root: HTMLElement) {
+    root.append(
+      this.bar,
+      element('main', { class: 'work' }, this.tabs, this.stage, this.note, this.transport),
+      element('aside', { class: 'side' }, this.table, this.faults, this.text),
+    )
+    this.editor = new Editor({
+      parent: this.text,
+      label: 'JSON',
+      schema: () => this.schemas?.[this.opened?.kind ?? 'scene'] ?? null,
+      names: () => this.opened?.names ?? null,
+      changed: (atOnce) => this.changed(atOnce),
+    })
+    this.engine.onBusy = (busy) => document.body.classList.toggle('busy', busy)
+    this.engine.onEnd = (trap) => {
+      this.opened = null
+      this.say(trap === null ? 'cancelled' : 'trapped')
+    }
+    this.slider.addEventListener('input', () => this.go(Number(this.slider.value)))
+    this.slider.addEventListener('change', () => void this.settle())
+    this.stage.addEventListener('pointerdown', (event) => this.grab(event))
+    document.addEventListener('keydown', (event) => this.key(event))
+    this.dropping()
+    this.dress()
+  }
+
+  async start(): Promise<void> {
+    let text: string | null = null
+    try {
+      text = await shared(location.hash)
+    } catch {
+      this.say('unreadable')
+    }
+    window.addEventListener('hashchange', () => void shared(location.hash).then((t) => t !== null && t !== this.editor.text && this.editor.begin(t), () => this.say('unreadable')))
+    if (text !== null) {
+      this.name = 'scene'
+      this.editor.begin(text)
+    } else await this.template(FIRST)
+    this.schemas = await this.engine.ask<Record<string, Schema>>({ do: 'schema' }).catch(() => null)
+  }
+
+  /** Begins with a template. */
+  async template(name: string): Promise<void> {
+    const { text } = await this.engine.ask<{ text: string }>({ do: 'template', name })
+    this.name = name
+    history.replaceState(null, '', location.pathname + location.search)
+    this.editor.begin(text)
+  }
+
+  // --- The text, and what the engine says of it ---
+
+  private changed(atOnce: boolean): void {
+    clearTimeout(this.timer)
+    this.buttons()
+    this.timer = window.setTimeout(() => void this.open(), atOnce ? 0 : 300)
+  }
+
+  /** Reads the text anew and draws it. */
+  async open(): Promise<void> {
+    const generation = ++this.generation
+    const text = this.editor.text
+    this.pause()
+    try {
+      const opened = await this.engine.ask<Opened>({ do: 'open', text, lang: this.lang })
+      if (generation !== this.generation) {
+        void this.engine.ask({ do: 'close', handle: opened.handle }).catch(() => {})
+        return
+      }
+      if (this.opened) void this.engine.ask({ do: 'close', handle: this.opened.handle }).catch(() => {})
+      this.opened = opened
+      this.travel = 0
+      this.course = null
+      this.pages.clear()
+      this.steps = null
+      this.absent.clear()
+      this.stage.classList.remove('stale')
+      document.title = opened.title ? `${opened.title} · hodograph` : 'hodograph'
+      this.tell(opened.diagnostics)
+      if (opened.kind !== 'scene' && this.tab === 'live') this.tab = 'sheet'
+      if (opened.kind === 'scene' && this.tab !== 'live' && this.tab !== 'steps' && this.tab !== 'sheet') this.tab = 'live'
+      this.dressTabs()
+      await this.draw(false)
+      this.dressTransport()
+      void this.idle(generation)
+    } catch (fault) {
+      if (generation !== this.generation) return
+      this.stage.classList.add('stale')
+      if (fault instanceof Refused) this.tell(fault.diagnostics, true)
+      else if (!(fault instanceof Ended)) throw fault
+    }
+  }
+
+  /** Follows the motion, then tries which figures there are, while nothing else is asked. */
+  private async idle(generation: number): Promise<void> {
+    const here = () => generation === this.generation && this.opened !== null
+    const ask = <T>(message: Record<string, unknown>) => this.engine.ask<T>({ handle: this.opened!.handle, lang: this.lang, ...message })
+    try {
+      if (here() && this.opened!.swept !== null) {
+        const motion = await ask<Motion>({ do: 'motion' })
+        if (!here()) return
+        this.course = new Course(motion)
+        this.dressTransport()
+      }
+      for (const name of SINGLE) {
+        while (here() && (this.playing || this.wanted || this.engine.busy)) await new Promise((r) => setTimeout(r, 200))
+        if (!here()) return
+        if (this.pages.has(name) || this.absent.has(name)) continue
+        await this.single(name).catch(() => this.absent.add(name))
+        if (here()) this.dressTabs()
+      }
+    } catch (fault) {
+      if (!(fault instanceof Ended) && !(fault instanceof Refused)) throw fault
+    }
+  }
+
+  /** The pages of a single figure in the pose of the text. */
+  private async single(name: string): Promise<Page[]> {
+    const known = this.pages.get(name)
+    if (known) return known
+    const generation = this.generation
+    const frame = await this.frame([name], null, false)
+    if (generation === this.generation) {
+      if (frame.figures.length) this.pages.set(name, frame.figures)
+      else this.absent.add(name)
+    }
+    return frame.figures
+  }
+
+  private frame(what: string[], travel: number | null, answers: boolean): Promise<Frame> {
+    const message: Record<string, unknown> = { do: 'frame', handle: this.opened!.handle, what, lang: this.lang, answers, prefix: true }
+    if (this.dark) message.style = 'dark'
+    if (travel !== null) message.travel = travel
+    return this.engine.ask<Frame>(message)
+  }
+
+  /** Draws the tab at the driver's place. */
+  private async draw(moving: boolean): Promise<void> {
+    if (!this.opened) return
+    const generation = this.generation
+    const travel = moving || this.travel !== 0 ? this.travel : null
+    try {
+      if (this.tab === 'steps') {
+        await this.drawSteps()
+        const { answers } = await this.frame([], null, true)
+        if (answers && generation === this.generation) this.answer({ figures: [], missing: [], answers, verdict: this.opened.verdict })
+        return
+      }
+      const what = this.tab === 'live' ? LIVE : [this.tab]
+      const frame = await this.frame(what, travel, true)
+      if (generation !== this.generation) return
+      this.answer(frame)
+      const pages = frame.figures
+      if (!pages.length) this.hint(this.say_missing(frame.missing))
+      this.show(pages, moving)
+    } catch (fault) {
+      if (fault instanceof Refused) this.hint(fault.diagnostics[0]?.message[this.lang] ?? fault.message)
+      else if (!(fault instanceof Ended)) throw fault
+    }
+  }
+
+  private say_missing(missing: Diagnostic[]): string {
+    return missing[0]?.message[this.lang] ?? word('none', this.lang)
+  }
+
+  private show(pages: Page[], moving: boolean): void {
+    const names = pages.map((p) => `${p.figure ?? ''}/${p.name}`)
+    for (const [name, pane] of this.panes) {
+      if (names.includes(name)) continue
+      pane.root.remove()
+      this.panes.delete(name)
+    }
+    pages.forEach((page, k) => {
+      let pane = this.panes.get(names[k]!)
+      if (!pane) {
+        pane = new Pane(page.figure ?? '')
+        this.panes.set(names[k]!, pane)
+      }
+      if (pane.root.parentElement !== this.stage || this.stage.children[k] !== pane.root) this.stage.insertBefore(pane.root, this.stage.children[k] ?? null)
+      pane.show(page, moving)
+    })
+    this.stage.dataset.tab = this.tab
+    this.stage.dataset.count = String(pages.length)
+    if (moving) this.hint('')
+  }
+
+  private async drawSteps(): Promise<void> {
+    const generation = this.generation
+    if (!this.steps) {
+      const message: Record<string, unknown> = { do: 'steps', handle: this.opened!.handle, lang: this.lang }
+      if (this.dark) message.style = 'dark'
+      const { figures } = await this.engine.ask<{ figures: Page[] }>(message)
+      if (generation !== this.generation) return
+      this.steps = figures
+      this.stepAt = 0
+    }
+    this.showStep()
+  }
+
+  private showStep(): void {
+    const steps = this.steps ?? []
+    this.stepAt = Math.min(Math.max(this.stepAt, 0), steps.length - 1)
+    const page = steps[this.stepAt]
+    if (page) this.show([{ ...page, name: 'step', figure: 'step' }], true)
+    this.dressTransport()
+  }
+
+  // --- The driver ---
+
+  /** Moves the driver; the newest place wins. */
+  go(travel: number): void {
+    if (!this.course) return
+    this.travel = this.course.within(travel)
+    this.readPlace()
+    this.wanted = true
+    if (this.drawing) return
+    this.drawing = true
+    const loop = async () => {
+      while (this.wanted) {
+        this.wanted = false
+        await this.draw(true)
+      }
+      this.drawing = false
+    }
+    void loop()
+  }
+
+  /** Puts the driver's place into the text. */
+  async settle(): Promise<void> {
+    if (!this.opened || this.travel === 0) return
+    const generation = this.generation
+    type Placed = { edit?: { from: number; to: number; insert: string }; text?: string }
+    const placed = await this.engine.ask<Placed>({ do: 'place', handle: this.opened.handle, travel: this.travel }).catch(() => ({}) as Placed)
+    if (generation !== this.generation) return
+    if (placed.edit) this.editor.change(placed.edit)
+    else if (placed.text) this.editor.replace(placed.text)
+  }
+
+  private play(): void {
+    if (!this.course?.can) return
+    this.playing = true
+    const { low, high, motion } = this.course
+    const rate = ((high - low) / TURN) * (motion.back ? -1 : 1)
+    let sense = 1
+    let before = performance.now()
+    const tick = (now: number) => {
+      if (!this.playing || !this.course) return
+      const by = rate * sense * Math.min((now - before) / 1000, 0.1)
+      before = now
+      const next = this.travel + by
+      if (!motion.full && (next > high || next < low)) sense = -sense
+      else this.go(next)
+      requestAnimationFrame(tick)
+    }
+    requestAnimationFrame(tick)
+    this.dressTransport()
+  }
+
+  pause(): void {
+    if (!this.playing) return
+    this.playing = false
+    this.dressTransport()
+  }
+
+  private grab(event: PointerEvent): void {
+    const svg = (event.target as Element).closest<HTMLElement>('.pane[data-figure="mechanism"]')?.querySelector('svg')
+    const { course } = this
+    if (!svg || !course?.can || event.button !== 0) return
+    this.pause()
+    const place = (e: PointerEvent): [number, number] => {
+      const now = this.panes.get('mechanism/mechanism')?.svg ?? svg
+      const at = new DOMPoint(e.clientX, e.clientY).matrixTransform(now.getScreenCTM()!.inverse())
+      const box = now.viewBox.baseVal
+      return [at.x - box.x, box.y - at.y]
+    }
+    const first = place(event)
+    const grip = course.grip(this.travel)
+    if (!grip) return
+    event.preventDefault()
+    this.stage.setPointerCapture(event.pointerId)
+    const move = (e: PointerEvent) => {
+      const now = place(e)
+      this.go(course.nearest([grip[0] + now[0] - first[0], grip[1] + now[1] - first[1]], this.travel))
+    }
+    const end = () => {
+      this.stage.removeEventListener('pointermove', move)
+      this.stage.removeEventListener('pointerup', end)
+      this.stage.removeEventListener('pointercancel', end)
+      void this.settle()
+    }
+    this.stage.addEventListener('pointermove', move)
+    this.stage.addEventListener('pointerup', end)
+    this.stage.addEventListener('pointercancel', end)
+  }
+
+  private key(event: KeyboardEvent): void {
+    const inside = (event.target as Element).closest('.cm-editor, input, dialog')
+    if (inside || event.ctrlKey || event.metaKey || event.altKey) return
+    if (event.key === ' ' && !(event.target as Element).closest('button, select')) {
+      event.preventDefault()
+      if (this.playing) this.stop()
+      else this.play()
+    } else if (event.key === 'ArrowRight' || event.key === 'ArrowLeft') {
+      const by = event.key === 'ArrowRight' ? 1 : -1
+      if (this.tab === 'steps') {
+        this.stepAt += by
+        this.showStep()
+      } else if (this.course) this.go(this.travel + (by * (this.course.high - this.course.low)) / 360)
+    } else if (event.key === 'Escape') this.classroom(false)
+  }
+
+  private stop(): void {
+    this.pause()
+    void this.settle()
+  }
+
+  // --- What is around the drawings ---
+
+  private answer(frame: Frame): void {
+    if (!frame.answers) return
+    const rows = frame.answers.map((a) =>
+      element('tr', { class: a.answered ? '' : 'none' }, element('th', { scope: 'row' }, formula(a.find)), element('td', {}, a.text)),
+    )
+    const off = frame.answers.reduce((most, a) => Math.max(most, a.difference ?? 0), 0)
+    const compared = frame.answers.some((a) => a.difference !== null)
+    let verdict = ''
+    if (frame.verdict === 'disagree') verdict = word('disagree', this.lang)
+    else if (frame.verdict === 'unanswered') verdict = word('unanswered', this.lang)
+    else if (compared) verdict = `${word('agree', this.lang)} ${bound(off)}`
+    this.table.replaceChildren(
+      element('h2', {}, word('answers', this.lang)),
+      element('table', {}, element('tbody', {}, ...rows)),
+      element('p', { class: `verdict ${frame.verdict}` }, verdict),
+    )
+    this.table.hidden = !rows.length
+  }
+
+  /** Shows diagnostics in the text and below the answers. */
+  private tell(list: Diagnostic[], stale = false): void {
+    this.editor.mark(list, this.lang)
+    const items = list.slice(0, 20).map((d) => {
+      const go = () => d.place && this.editor.show(d.place)
+      const help = d.help && element('span', { class: 'help' }, d.help[this.lang])
+      return element('li', { class: d.severity }, element('button', { class: 'quiet', click: go }, d.message[this.lang]), help)
+    })
+    this.faults.replaceChildren(...items)
+    this.hint(stale ? word('stale', this.lang) : '')
+  }
+
+  private hint(text: string): void {
+    this.note.textContent = text
+  }
+
+  private say(key: Word): void {
+    this.hint(word(key, this.lang))
+  }
+
+  private dress(): void {
+    document.documentElement.lang = this.lang === 'zh' ? 'zh-CN' : 'en'
+    document.documentElement.dataset.theme = this.dark ? 'dark' : 'light'
+    this.bar.replaceChildren(
+      element('h1', {}, 'hodograph'),
+      this.button('gallery', () => void this.gallery.open(this.lang), word('gallery', this.lang)),
+      element('span', { class: 'space' }),
+      this.button('cancel', () => this.cancel(), word('cancel', this.lang)),
+      this.button('undo', () => this.editor.undo(), '↶'),
+      this.button('redo', () => this.editor.redo(), '↷'),
+      this.saves(),
+      this.button('share', () => void this.share(), word('share', this.lang)),
+      this.button('classroom', () => this.classroom(true), word('classroom', this.lang)),
+      this.button('leave', () => this.classroom(false), '✕'),
+      this.button('text', () => document.body.classList.toggle('texted'), '{ }'),
+      this.button('theme', () => this.setTheme(!this.dark), '◐'),
+      this.button('other', () => this.setLang(this.lang === 'en' ? 'zh' : 'en'), word('other', this.lang)),
+    )
+    this.buttons()
+    this.dressTabs()
+    this.dressTransport()
+  }
+
+  private button(key: Word, click: () => void, shown: string): HTMLButtonElement {
+    const title = word(key, this.lang)
+    return element('button', { class: `b-${key}`, click, title, 'aria-label': title }, shown)
+  }
+
+  private buttons(): void {
+    const { undo, redo } = this.editor.can
+    for (const [key, can] of [['undo', undo], ['redo', redo]] as const) {
+      const button = this.bar.querySelector<HTMLButtonElement>(`.b-${key}`)
+      if (button) button.disabled = !can
+    }
+  }
+
+  private dressTabs(): void {
+    const scene = this.opened?.kind !== 'task' && this.opened?.kind !== 'motion'
+    const singles = SINGLE.filter((name) => this.pages.has(name) || name === 'sheet' || name === this.tab)
+    const names = scene ? ['live', 'steps', ...singles] : singles
+    const tab = (name: string) =>
+      element(
+        'button',
+        { role: 'tab', 'aria-selected': String(name === this.tab), 'data-tab': name, click: () => void this.choose(name) },
+        isWord(name) ? word(name, this.lang) : name,
+      )
+    this.tabs.replaceChildren(...names.map(tab))
+  }
+
+  async choose(name: string): Promise<void> {
+    this.tab = name
+    this.hint('')
+    this.dressTabs()
+    this.tabs.querySelector('[aria-selected="true"]')?.scrollIntoView({ block: 'nearest', inline: 'nearest' })
+    const known = this.travel === 0 ? this.pages.get(name) : undefined
+    if (known) this.show(known, false)
+    else await this.draw(false)
+    this.dressTransport()
+  }
+
+  private dressTransport(): void {
+    const t = (key: Word) => word(key, this.lang)
+    if (this.tab === 'steps') {
+      const count = this.steps?.length ?? 0
+      const go = (by: number) => () => {
+        this.stepAt += by
+        this.showStep()
+      }
+      this.transport.replaceChildren(
+        element('button', { click: go(-1), 'aria-label': t('previous'), title: t('previous') }, '◀'),
+        element('output', { class: 'reading' }, `${t('step')} ${count ? this.stepAt + 1 : 0} / ${count}`),
+        element('button', { click: go(1), 'aria-label': t('next'), title: t('next') }, '▶'),
+      )
+      this.transport.hidden = !count
+      return
+    }
+    this.transport.hidden = !this.course?.can
+    if (!this.course) return
+    const label = t(this.playing ? 'pause' : 'play')
+    const play = element('button', { click: () => (this.playing ? this.stop() : this.play()), 'aria-label': label, title: label, class: 'play' }, this.playing ? '❚❚' : '▶')
+    this.slider.min = String(this.course.low)
+    this.slider.max = String(this.course.high)
+    this.slider.setAttribute('aria-label', t('position'))
+    this.transport.replaceChildren(play, this.slider, this.reading)
+    this.readPlace()
+  }
+
+  private readPlace(): void {
+    if (!this.course) return
+    this.slider.value = String(this.travel)
+    const driver = typeof this.opened?.swept === 'number' ? this.opened.drivers?.[this.opened.swept] : undefined
+    this.reading.textContent = this.course.text(this.travel, driver?.turns ?? true, driver?.name ?? 'φ')
+  }
+
+  // --- Acts ---
+
+  cancel(): void {
+    this.engine.cancel()
+    this.pause()
+  }
+
+  private saves(): HTMLElement {
+    const list = FORMS.map(([key, form, sides]) => element('button', { role: 'menuitem', 'data-form': form + (sides ? `-${sides}` : ''), click: () => {
+      menu.open = false
+      void this.export(form, sides)
+    } }, word(key, this.lang)))
+    const menu: HTMLDetailsElement = element('details', { class: 'menu' }, element('summary', {}, word('save', this.lang)), element('div', { role: 'menu' }, ...list))
+    menu.addEventListener('focusout', (event) => {
+      if (!menu.contains(event.relatedTarget as Node | null)) menu.open = false
+    })
+    return menu
+  }
+
+  /** The files of a form. */
+  async files(form: string, sides?: string): Promise<{ name: string; text: string }[]> {
+    if (form === 'scene') return [{ name: `${this.name}.json`, text: this.editor.text }]
+    if (!this.opened) return []
+    const { handle } = this.opened
+    if (form === 'svg') {
+      const what = this.tab === 'live' || this.tab === 'steps' ? ['sheet'] : [this.tab]
+      const message: Record<string, unknown> = { do: 'frame', handle, what, lang: this.lang }
+      if (this.travel !== 0) message.travel = this.travel
+      const { figures } = await this.engine.ask<Frame>(message)
+      return figures.map((f) => ({ name: `${this.name}${f.name ? `-${f.name}` : ''}.svg`, text: f.svg }))
+    }
+    const { files } = await this.engine.ask<{ files: { name: string; text: string }[] }>({ do: 'export', handle, form, sides, stem: this.name, lang: this.lang })
+    return files
+  }
+
+  private async export(form: string, sides?: string): Promise<void> {
+    try {
+      for (const file of await this.files(form, sides)) save(file.name, file.text)
+    } catch (fault) {
+      if (fault instanceof Refused) this.hint(fault.diagnostics[0]?.message[this.lang] ?? fault.message)
+      else if (!(fault instanceof Ended)) throw fault
+    }
+  }
+
+  private async share(): Promise<void> {
+    history.replaceState(null, '', await fragment(this.editor.text))
+    try {
+      await navigator.clipboard.writeText(location.href)
+    } catch {
+      // The address bar has it.
+    }
+    this.say('shared')
+  }
+
+  private classroom(on: boolean): void {
+    document.body.classList.toggle('classroom', on)
+    if (on) void document.documentElement.requestFullscreen?.().catch(() => {})
+    else if (document.fullscreenElement) void document.exitFullscreen()
+  }
+
+  setLang(lang: Lang): void {
+    this.lang = lang
+    localStorage.setItem('lang', lang)
+    this.dress()
+    void this.open()
+  }
+
+  setTheme(dark: boolean): void {
+    this.dark = dark
+    localStorage.setItem('theme', dark ? 'dark' : 'light')
+    this.dress()
+    this.pages.clear()
+    this.steps = null
+    void this.draw(false)
+  }
+
+  private dropping(): void {
+    window.addEventListener('dragover', (event) => event.preventDefault())
+    window.addEventListener('drop', (event) => {
+      const file = event.dataTransfer?.files[0]
+      if (!file) return
+      event.preventDefault()
+      if (file.size > LARGEST) return this.say('rejected')
+      void file.text().then((text) => {
+        this.name = file.name.replace(/\.json$/, '')
+        this.editor.begin(text)
+      })
+    })
+  }
+}
+
+/** A relative difference as a power of ten that it does not exceed. */
+function bound(off: number): string {
+  if (off === 0) return '0'
+  const power = Math.ceil(Math.log10(off))
+  return `10${[...String(power)].map((c) => (c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(c)])).join('')}`
+}

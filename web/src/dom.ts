@@ -1,0 +1,23 @@
+// Elements in one call.
+
+type Children = (Node | string | null | undefined | false)[]
+
+export function element<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: Record<string, string | boolean | ((event: Event) => void)> = {},
+  ...children: Children
+): HTMLElementTagNameMap[K] {
+  const made = document.createElement(tag)
+  for (const [name, value] of Object.entries(attributes)) {
+    if (typeof value === 'function') made.addEventListener(name, value)
+    else if (value === true) made.setAttribute(name, '')
+    else if (value !== false) made.setAttribute(name, value)
+  }
+  made.append(...children.filter((c): c is Node | string => c !== null && c !== undefined && c !== false))
+  return made
+}
+
+/** A picture from its text, as an element; scripts in it are not run. */
+export function picture(svg: string): SVGSVGElement {
+  return document.importNode(new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement, true) as unknown as SVGSVGElement
+}

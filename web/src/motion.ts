@@ -1,0 +1,68 @@
+// The motion: where the driver is, playing it, and dragging it by its grip.
+
+import type { Motion } from './engine'
+
+export class Course {
+  constructor(readonly motion: Motion) {}
+
+  get can(): boolean {
+    return this.motion.poses.length > 1
+  }
+
+  get low(): number {
+    return this.motion.poses[0]?.travel ?? 0
+  }
+
+  get high(): number {
+    const { poses, full, period } = this.motion
+    return full ? this.low + (period ?? 0) : (poses.at(-1)?.travel ?? 0)
+  }
+
+  /** A travel brought into the range: around for a full turn, else at its ends. */
+  within(travel: number): number {
+    const { low, high } = this
+    if (!this.motion.full) return Math.min(Math.max(travel, low), high)
+    const turn = high - low
+    return turn > 0 ? low + ((((travel - low) % turn) + turn) % turn) : low
+  }
+
+  /** The place of the grip (mm, y up) at a travel. */
+  grip(travel: number): [number, number] | null {
+    const { poses } = this.motion
+    const at = this.within(travel)
+    let k = poses.findIndex((p) => p.travel > at)
+    if (k < 0) k = poses.length
+    const [a, b] = [poses[Math.max(k - 1, 0)], poses[k] ?? (this.motion.full ? poses[0] : poses.at(-1))]
+    if (!a?.grip || !b?.grip) return null
+    const end = b.travel > a.travel ? b.travel : this.high
+    const part = end > a.travel ? (at - a.travel) / (end - a.travel) : 0
+    return [a.grip[0] + (b.grip[0] - a.grip[0]) * part, a.grip[1] + (b.grip[1] - a.grip[1]) * part]
+  }
+
+  /** The travel near `from` at which the grip is nearest to a place. */
+  nearest(place: [number, number], from: number): number {
+    const { poses } = this.motion
+    const span = this.high - this.low
+    const reach = span / 5
+    const step = span / Math.max(poses.length * 6, 1)
+    let best = from
+    let least = Infinity
+    for (let travel = from - reach; travel <= from + reach; travel += step) {
+      const at = this.grip(travel)
+      if (!at) return from
+      const off = Math.hypot(at[0] - place[0], at[1] - place[1]) + Math.abs(travel - from) * 1e-6
+      if (off < least) [best, least] = [travel, off]
+    }
+    return this.within(best)
+  }
+
+  /** The position of the driver in its unit, as text. */
+  text(travel: number, turns: boolean, name: string): string {
+    const at = this.motion.start + this.within(travel)
+    if (this.motion.time) return `t = ${at.toFixed(3)} s`
+    const symbol = name.replace(/^phi_/, 'φ_').replace('_', '')
+    if (!turns) return `${symbol} = ${(at * 1e3).toFixed(1)} mm`
+    const degrees = (at * 180) / Math.PI
+    return `${symbol} = ${(((degrees % 360) + 360) % 360).toFixed(1)}°`
+  }
+}

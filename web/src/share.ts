@@ -1,0 +1,34 @@
+// A link that holds the scene, and files for the user.
+
+const KEY = '#s='
+
+async function through(bytes: Uint8Array<ArrayBuffer>, stream: GenericTransformStream): Promise<Uint8Array<ArrayBuffer>> {
+  return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream as ReadableWritablePair)).arrayBuffer())
+}
+
+/** The fragment of a link: the text deflated, in base64 for addresses. */
+export async function fragment(text: string): Promise<string> {
+  const packed = await through(new TextEncoder().encode(text), new CompressionStream('deflate-raw'))
+  let raw = ''
+  for (const byte of packed) raw += String.fromCharCode(byte)
+  return KEY + btoa(raw).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '')
+}
+
+/** The text that a fragment holds; null if it holds none. */
+export async function shared(hash: string): Promise<string | null> {
+  if (!hash.startsWith(KEY)) return null
+  const raw = atob(hash.slice(KEY.length).replaceAll('-', '+').replaceAll('_', '/'))
+  const bytes = Uint8Array.from(raw, (c) => c.charCodeAt(0))
+  return new TextDecoder('utf-8', { fatal: true }).decode(await through(bytes, new DecompressionStream('deflate-raw')))
+}
+
+/** Offers a file for saving. */
+export function save(name: string, text: string): void {
+  const type = name.endsWith('.svg') ? 'image/svg+xml' : name.endsWith('.html') ? 'text/html' : 'text/plain'
+  const url = URL.createObjectURL(new Blob([text], { type: `${type};charset=utf-8` }))
+  const link = document.createElement('a')
+  link.href = url
+  link.download = name
+  link.click()
+  setTimeout(() => URL.revokeObjectURL(url), 10_000)
+}

@@ -1,0 +1,45 @@
+// The engine's thread: answers messages one after the other; a trap ends it.
+
+interface Exports {
+  memory: WebAssembly.Memory
+  input(length: number): number
+  call(): number
+  font(): number
+  output(): number
+}
+
+let engine: Exports | undefined
+
+function put(bytes: Uint8Array): void {
+  const of = engine!
+  const address = of.input(bytes.length)
+  new Uint8Array(of.memory.buffer, address, bytes.length).set(bytes)
+}
+
+function answer(message: string): string {
+  const of = engine!
+  put(new TextEncoder().encode(message))
+  const length = of.call()
+  return new TextDecoder().decode(new Uint8Array(of.memory.buffer, of.output(), length))
+}
+
+// One after the other: the engine is there before the first message is answered.
+let before: Promise<void> = Promise.resolve()
+self.onmessage = (event: MessageEvent) => {
+  before = before.then(() => handled(event.data))
+}
+
+interface Message { id: number; module?: WebAssembly.Module; font?: ArrayBuffer; message?: string }
+
+async function handled({ id, module, font, message }: Message): Promise<void> {
+  try {
+    if (module) engine = (await WebAssembly.instantiate(module, {})).exports as unknown as Exports
+    if (font) {
+      put(new Uint8Array(font))
+      engine!.font()
+    }
+    self.postMessage({ id, answer: message ? answer(message) : '{"ok":true}' })
+  } catch (fault) {
+    self.postMessage({ id, trap: String(fault) })
+  }
+}

@@ -1,0 +1,243 @@
+// The page in Chromium. `npm test` after `npm run build`; HODOGRAPH_QUICK=1 takes a part of the templates.
+import assert from 'node:assert/strict'
+import { execFileSync } from 'node:child_process'
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs'
+import { createServer } from 'node:http'
+import { tmpdir } from 'node:os'
+import { extname, join } from 'node:path'
+import { after, before, test } from 'node:test'
+import { fileURLToPath } from 'node:url'
+import { chromium } from 'playwright-core'
+import { TOPICS } from '../topics.js'
+
+const dist = fileURLToPath(new URL('../dist/', import.meta.url))
+const program = process.env.HODOGRAPH ?? fileURLToPath(new URL('../../target/debug/hodograph', import.meta.url))
+const quick = process.env.HODOGRAPH_QUICK === '1'
+const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm', '.json': 'application/json', '.svg': 'image/svg+xml' }
+
+let browser, server, address
+
+before(async () => {
+  server = createServer((request, response) => {
+    const name = new URL(request.url, 'http://x').pathname.replace(/\/$/, '/index.html')
+    try {
+      const body = readFileSync(join(dist, name))
+      response.writeHead(200, { 'content-type': TYPES[extname(name)] ?? 'application/octet-stream' }).end(body)
+    } catch {
+      response.writeHead(404).end()
+    }
+  })
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve))
+  address = `http://127.0.0.1:${server.address().port}/`
+  browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+    args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
+  })
+})
+
+after(async () => {
+  await browser?.close()
+  server?.close()
+})
+
+/** A new page without faults in its console, opened and drawn. */
+async function opened(url = address, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, locale: 'en-GB', ...options })
+  const page = await context.newPage()
+  page.setDefaultTimeout(60_000)
+  const faults = []
+  page.on('console', (m) => m.type() === 'error' && faults.push(m.text()))
+  page.on('pageerror', (e) => faults.push(String(e)))
+  await page.goto(url)
+  await drawn(page)
+  return { page, context, faults }
+}
+
+const drawn = (page) => page.waitForSelector('.stage:not(.stale) .pane svg path')
+const text = (page) => page.evaluate(() => window.hodograph.editor.text)
+const begin = (page, scene) => page.evaluate((t) => window.hodograph.editor.begin(t), scene)
+const ask = (page, message) => page.evaluate((m) => window.hodograph.engine.ask(m), message)
+const motionKnown = (page) => page.waitForFunction(() => window.hodograph.course?.can)
+
+test('opens cold with the shaper, its polygons and its answers', async () => {
+  const { page, context, faults } = await opened()
+  await page.waitForSelector('.stage[data-count="3"]')
+  assert.match(await page.title(), /Shaper/)
+  assert.match(await page.textContent('.answers'), /0\.4615 m\/s/)
+  assert.match(await page.textContent('.verdict'), /agree to 10⁻1[0-9]|agree to 10⁻¹/)
+  assert.deepEqual(faults, [])
+  await context.close()
+})
+
+test('each template has a topic and a picture', async () => {
+  const { page, context } = await opened()
+  const { templates } = await ask(page, { do: 'templates' })
+  const topics = TOPICS.flatMap((t) => t.names)
+  assert.deepEqual(topics.toSorted(), templates.map((t) => t.name).toSorted())
+  await page.click('.b-gallery')
+  await page.fill('.gallery input', 'geneva')
+  assert.equal(await page.locator('.card').count(), 0)
+  await page.fill('.gallery input', '凸轮')
+  assert.ok((await page.locator('.card').count()) >= 5)
+  await page.fill('.gallery input', 'whitworth')
+  await page.click('.card')
+  await page.waitForFunction(() => /Whitworth/.test(document.title))
+  await context.close()
+})
+
+test('every template is drawn, byte for byte as by the program', async () => {
+  const { page, context, faults } = await opened()
+  const { templates } = await ask(page, { do: 'templates' })
+  const folder = mkdtempSync(join(tmpdir(), 'hodograph-'))
+  const differ = []
+  for (const { name } of templates.filter((_, k) => !quick || k % 8 === 0)) {
+    const { text } = await ask(page, { do: 'template', name })
+    const file = join(folder, `${name}.json`)
+    writeFileSync(file, text)
+    for (const lang of quick ? ['en'] : ['en', 'zh']) {
+      const { handle } = await ask(page, { do: 'open', text, lang })
+      const { figures } = await ask(page, { do: 'frame', handle, lang })
+      await ask(page, { do: 'close', handle })
+      const out = join(folder, `${name}.svg`)
+      execFileSync(program, ['draw', file, '-o', out, '--lang', lang], { stdio: ['ignore', 'ignore', 'ignore'] })
+      if (figures[0].svg !== readFileSync(out, 'utf8')) differ.push(`${name}.${lang}`)
+    }
+  }
+  assert.deepEqual(differ, [])
+  assert.deepEqual(faults, [])
+  await context.close()
+})
+
+test('the mechanism is dragged, polygons and answers follow, and undo gives the first bytes again', async () => {
+  const { page, context } = await opened()
+  await motionKnown(page)
+  const before = [await text(page), await page.textContent('.answers'), await page.locator('.pane[data-figure="velocity"] svg').innerHTML()]
+  const pin = await page.locator('.pane[data-figure="mechanism"] [id$="mechanism-pin-A"]').first().boundingBox()
+  await page.mouse.move(pin.x + pin.width / 2, pin.y + pin.height / 2)
+  await page.mouse.down()
+  await page.mouse.move(pin.x + 25, pin.y + 12, { steps: 4 })
+  await page.mouse.move(pin.x + 30, pin.y + 30, { steps: 4 })
+  await page.waitForFunction((was) => document.querySelector('.answers').textContent !== was, before[1])
+  await page.mouse.up()
+  await page.waitForFunction((was) => window.hodograph.editor.text !== was, before[0])
+  await page.waitForFunction(() => window.hodograph.travel === 0)
+  assert.notEqual(await page.locator('.pane[data-figure="velocity"] svg').innerHTML(), before[2])
+  await page.click('.b-undo')
+  await page.waitForFunction((was) => document.querySelector('.answers').textContent === was, before[1])
+  assert.equal(await text(page), before[0])
+  await page.waitForFunction((was) => document.querySelector('.pane[data-figure="velocity"] svg').innerHTML === was, before[2])
+  await context.close()
+})
+
+test('it plays, and the answers change', async () => {
+  const { page, context } = await opened()
+  await motionKnown(page)
+  const first = await page.textContent('.answers')
+  await page.click('.play')
+  await page.waitForFunction((was) => document.querySelector('.answers').textContent !== was, first)
+  await page.click('.play')
+  await context.close()
+})
+
+test('an error is underlined at its place, with its help', async () => {
+  const { page, context } = await opened()
+  const scene = (await text(page)).replace('"mm"', '"mm"')
+  await begin(page, scene.replace('"find"', '"fiind"'))
+  await page.waitForSelector('.cm-lintRange-error')
+  assert.match(await page.textContent('.cm-lintRange-error'), /fiind/)
+  assert.match(await page.textContent('.faults'), /find/)
+  assert.equal(await page.locator('.stage.stale').count(), 1)
+  await begin(page, scene)
+  await page.waitForSelector('.stage:not(.stale)')
+  assert.equal(await page.locator('.cm-lintRange-error').count(), 0)
+  await context.close()
+})
+
+test('keys and names are completed', async () => {
+  const { page, context } = await opened()
+  await page.waitForFunction(() => window.hodograph.schemas !== null)
+  await page.click('.cm-content')
+  await page.keyboard.press('Control+Home')
+  await page.keyboard.press('ArrowRight')
+  await page.keyboard.type('"fric')
+  await page.waitForSelector('.cm-tooltip-autocomplete')
+  assert.match(await page.textContent('.cm-tooltip-autocomplete'), /friction/)
+  await context.close()
+})
+
+test('a link holds the scene', async () => {
+  const { page, context } = await opened()
+  const scene = (await text(page)).replace('{', '{\n ')
+  await begin(page, scene)
+  await page.click('.b-share')
+  await page.waitForFunction(() => location.hash.length > 100)
+  const link = page.url()
+  await context.close()
+  const other = await opened(link)
+  assert.equal(await text(other.page), scene)
+  await other.context.close()
+})
+
+test('works with the network cut', async () => {
+  const { page, context } = await opened()
+  await page.evaluate(() => navigator.serviceWorker.ready)
+  await page.waitForFunction(async () => (await Promise.all((await caches.keys()).map(async (k) => (await (await caches.open(k)).keys()).length))).some((n) => n >= 6))
+  await context.setOffline(true)
+  server.closeAllConnections()
+  await page.reload()
+  await drawn(page)
+  await page.click('.b-other')
+  await page.waitForFunction(() => document.documentElement.lang === 'zh-CN' && /牛头刨床/.test(document.title))
+  await context.close()
+})
+
+test('survives a trap in the engine', async () => {
+  const { page, context } = await opened()
+  const told = await page.evaluate(async () => {
+    const { handle } = window.hodograph.opened
+    return window.hodograph.engine.ask({ do: 'trap', handle }).then(() => 'no trap', (fault) => fault.trap)
+  })
+  assert.match(told, /unreachable/i)
+  assert.match(await page.textContent('.note'), /started again/)
+  await begin(page, (await ask(page, { do: 'template', name: 'crank-rocker' })).text)
+  await page.waitForFunction(() => /Crank-rocker/.test(document.title))
+  await context.close()
+})
+
+test('documents are those of the program', async () => {
+  const { page, context } = await opened()
+  await begin(page, (await ask(page, { do: 'template', name: 'crank-rocker' })).text)
+  await page.waitForFunction(() => /Crank-rocker/.test(document.title))
+  const folder = mkdtempSync(join(tmpdir(), 'hodograph-'))
+  const file = join(folder, 'scene.json')
+  writeFileSync(file, await text(page))
+  const runs = [
+    ['worksheet', 'html', 'problem', '--problem-only'], ['worksheet', 'html', 'solution', '--solution'], ['worksheet', 'md'], ['worksheet', 'typ'],
+    ['lesson', 'lesson'], ['sweep', 'csv'],
+  ]
+  for (const [command, form, sides, ...more] of runs) {
+    await page.evaluate(() => { window.hodograph.name = 'scene' })
+    const files = await page.evaluate(([f, s]) => window.hodograph.files(f, s), [form, sides])
+    const out = join(folder, files[0].name)
+    execFileSync(program, [command, file, '-o', out, '--lang', 'en', ...more], { stdio: ['ignore', 'ignore', 'ignore'] })
+    for (const made of files) assert.equal(made.text, readFileSync(join(folder, made.name), 'utf8'), `${command} ${made.name}`)
+  }
+  await context.close()
+})
+
+test('the single file opens from a disk', async () => {
+  const { page, context, faults } = await opened(`file://${join(dist, 'hodograph.html')}`)
+  assert.match(await page.textContent('.answers'), /0\.4615 m\/s/)
+  await page.click('.b-other')
+  await page.waitForFunction(() => /牛头刨床/.test(document.title))
+  await page.click('.b-gallery')
+  assert.ok((await page.locator('.card').count()) > 60)
+  assert.deepEqual(faults, [])
+  await context.close()
+})
+
+test('on a phone nothing is wider than the screen', async () => {
+  const { page, context } = await opened(address, { viewport: { width: 390, height: 844 }, hasTouch: true })
+  assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390)
+  await context.close()
+})
