@@ -32,7 +32,10 @@ async function gallery() {
 
 /** A picture without what only programs read. */
 function bare(svg) {
-  const kept = svg
+  // Without caption and scale below the drawing.
+  const below = /<g[^>]*id="caption-[^"]*"[^>]*translate\([\d.]+ ([\d.]+)\)/.exec(svg)
+  const cut = below ? svg.replace(/viewBox="0 0 ([\d.]+) [\d.]+"/, `viewBox="0 0 $1 ${below[1] - 4}"`).replace(/ (width|height)="[\d.]+mm"/g, '') : svg
+  const kept = cut
     .replace(/<title>.*?<\/title>|<desc>.*?<\/desc>/gs, '')
     .replace(/ (data-[a-z]+|aria-label|class|role|lang)="[^"]*"/g, '')
     .replace(/ id="(?!g)[^"]*"/g, '')

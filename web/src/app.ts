@@ -6,7 +6,7 @@ import { Ended, Engine, Refused, type Diagnostic, type Frame, type Motion, type 
 import type { Schema } from './complete'
 import { Gallery } from './gallery'
 import { Course } from './motion'
-import { Pane } from './panes'
+import { arrange, Pane } from './panes'
 import { fragment, save, shared } from './share'
 import { formula, isWord, word, type Lang, type Word } from './words'
 
@@ -15,7 +15,7 @@ const LIVE = ['mechanism', 'velocity', 'acceleration']
 /** Tabs of single figures, each shown if the file calls for it. */
 const SINGLE = [
   'sheet', 'equations', 'results', 'centres', 'composite', 'curvature', 'centrodes', 'forces', 'lever', 'gears', 'kutzbach',
-  'attempts', 'plates', 'inversions', 'cognates',
+  'attempts', 'mobility', 'plates', 'inversions', 'cognates',
 ]
 const FORMS: [Word, string, string?][] = [
   ['as_svg', 'svg'], ['as_problem', 'html', 'problem'], ['as_solution', 'html', 'solution'], ['as_md', 'md'], ['as_typ', 'typ'],
@@ -54,7 +54,7 @@ export class App {
 
   private bar = element('header', { class: 'bar' })
   private tabs = element('nav', { class: 'tabs', role: 'tablist' })
-  private stage = element('div', { class: 'stage' })
+  private stage = element('div', { class: 'stage', role: 'tabpanel' })
   private note = element('p', { class: 'note', role: 'status', 'aria-live': 'polite' })
   private transport = element('div', { class: 'transport' })
   private slider = element('input', { type: 'range', min: '0', max: '1', step: 'any' })
@@ -62,6 +62,7 @@ export class App {
   private table = element('div', { class: 'answers' })
   private faults = element('ul', { class: 'faults' })
   private text = element('div', { class: 'text' })
+  private title = element('span', { class: 'title' })
 
   constructor(root: HTMLElement) {
     root.append(
@@ -79,12 +80,14 @@ export class App {
     this.engine.onBusy = (busy) => document.body.classList.toggle('busy', busy)
     this.engine.onEnd = (trap) => {
       this.opened = null
+      if (trap !== null) console.warn(trap)
       this.say(trap === null ? 'cancelled' : 'trapped')
     }
     this.slider.addEventListener('input', () => this.go(Number(this.slider.value)))
     this.slider.addEventListener('change', () => void this.settle())
     this.stage.addEventListener('pointerdown', (event) => this.grab(event))
     document.addEventListener('keydown', (event) => this.key(event))
+    new ResizeObserver(() => this.arrange()).observe(this.stage)
     this.dropping()
     this.dress()
   }
@@ -139,6 +142,7 @@ export class App {
       this.steps = null
       this.absent.clear()
       this.stage.classList.remove('stale')
+      this.title.textContent = opened.title
       document.title = opened.title ? `${opened.title} · hodograph` : 'hodograph'
       this.tell(opened.diagnostics)
       if (opened.kind !== 'scene' && this.tab === 'live') this.tab = 'sheet'
@@ -166,7 +170,7 @@ export class App {
         this.course = new Course(motion)
         this.dressTransport()
       }
-      for (const name of SINGLE) {
+      for (const name of this.opened?.kind === 'scene' ? SINGLE : []) {
         while (here() && (this.playing || this.wanted || this.engine.busy)) await new Promise((r) => setTimeout(r, 200))
         if (!here()) return
         if (this.pages.has(name) || this.absent.has(name)) continue
@@ -245,7 +249,17 @@ export class App {
     })
     this.stage.dataset.tab = this.tab
     this.stage.dataset.count = String(pages.length)
+    this.arrange()
     if (moving) this.hint('')
+  }
+
+  /** The panes that move together have one scale; a single figure has the width of the stage. */
+  private arrange(): void {
+    if (!this.panes.size) return
+    const alone = this.tab !== 'live' && this.tab !== 'steps'
+    const narrow = alone || matchMedia('(max-width: 820px)').matches
+    const large = document.body.classList.contains('classroom') ? 4 : undefined
+    arrange(this.stage, [...this.panes.values()], narrow, alone ? Infinity : innerHeight / 2, large)
   }
 
   private async drawSteps(): Promise<void> {
@@ -425,7 +439,7 @@ export class App {
     this.bar.replaceChildren(
       element('h1', {}, 'hodograph'),
       this.button('gallery', () => void this.gallery.open(this.lang), word('gallery', this.lang)),
-      element('span', { class: 'space' }),
+      this.title,
       this.button('cancel', () => this.cancel(), word('cancel', this.lang)),
       this.button('undo', () => this.editor.undo(), '↶'),
       this.button('redo', () => this.editor.redo(), '↷'),
@@ -458,7 +472,7 @@ export class App {
   private dressTabs(): void {
     const scene = this.opened?.kind !== 'task' && this.opened?.kind !== 'motion'
     const singles = SINGLE.filter((name) => this.pages.has(name) || name === 'sheet' || name === this.tab)
-    const names = scene ? ['live', 'steps', ...singles] : singles
+    const names = scene ? ['live', 'steps', ...singles] : ['sheet']
     const tab = (name: string) =>
       element(
         'button',
@@ -510,7 +524,7 @@ export class App {
     if (!this.course) return
     this.slider.value = String(this.travel)
     const driver = typeof this.opened?.swept === 'number' ? this.opened.drivers?.[this.opened.swept] : undefined
-    this.reading.textContent = this.course.text(this.travel, driver?.turns ?? true, driver?.name ?? 'φ')
+    this.reading.replaceChildren(...this.course.text(this.travel, driver?.turns ?? true, driver?.name ?? 'φ'))
   }
 
   // --- Acts ---

@@ -1,6 +1,7 @@
 // The motion: where the driver is, playing it, and dragging it by its grip.
 
 import type { Motion } from './engine'
+import { formula } from './words'
 
 export class Course {
   constructor(readonly motion: Motion) {}
@@ -56,13 +57,12 @@ export class Course {
     return this.within(best)
   }
 
-  /** The position of the driver in its unit, as text. */
-  text(travel: number, turns: boolean, name: string): string {
+  /** The position of the driver in its unit, as a formula. */
+  text(travel: number, turns: boolean, name: string): (Node | string)[] {
     const at = this.motion.start + this.within(travel)
-    if (this.motion.time) return `t = ${at.toFixed(3)} s`
-    const symbol = name.replace(/^phi_/, 'φ_').replace('_', '')
-    if (!turns) return `${symbol} = ${(at * 1e3).toFixed(1)} mm`
+    if (this.motion.time) return [formula('t'), ` = ${at.toFixed(3)} s`]
+    if (!turns) return [formula(name), ` = ${(at * 1e3).toFixed(1)} mm`]
     const degrees = (at * 180) / Math.PI
-    return `${symbol} = ${(((degrees % 360) + 360) % 360).toFixed(1)}°`
+    return [formula(name), ` = ${(((degrees % 360) + 360) % 360).toFixed(1)}°`]
   }
 }

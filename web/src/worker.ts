@@ -6,6 +6,8 @@ interface Exports {
   call(): number
   font(): number
   output(): number
+  fault(): number
+  fault_length(): number
 }
 
 let engine: Exports | undefined
@@ -14,6 +16,12 @@ function put(bytes: Uint8Array): void {
   const of = engine!
   const address = of.input(bytes.length)
   new Uint8Array(of.memory.buffer, address, bytes.length).set(bytes)
+}
+
+/** The message of the panic that ended the engine. */
+function told(): string {
+  const length = engine?.fault_length() ?? 0
+  return length ? new TextDecoder().decode(new Uint8Array(engine!.memory.buffer, engine!.fault(), length)) : ''
 }
 
 function answer(message: string): string {
@@ -40,6 +48,6 @@ async function handled({ id, module, font, message }: Message): Promise<void> {
     }
     self.postMessage({ id, answer: message ? answer(message) : '{"ok":true}' })
   } catch (fault) {
-    self.postMessage({ id, trap: String(fault) })
+    self.postMessage({ id, trap: `${fault} ${told()}` })
   }
 }

@@ -7,6 +7,7 @@
 use crate::Engine;
 use hodograph::paper::font::give_song;
 use std::cell::RefCell;
+use std::sync::Once;
 
 #[derive(Default)]
 struct Desk {
@@ -17,13 +18,21 @@ struct Desk {
 
 thread_local! {
     static DESK: RefCell<Desk> = RefCell::default();
+    /// The message of a panic, which ends the engine.
+    static FAULT: RefCell<String> = RefCell::default();
 }
+
+/// Keeps the messages of panics for [`fault`].
+static LISTENING: Once = Once::new();
 
 /// Makes room for a message of `length` bytes; returns the address for its bytes.
 // SAFETY: the name belongs to this crate alone.
 #[allow(unsafe_code)]
 #[unsafe(no_mangle)]
 pub extern "C" fn input(length: usize) -> *mut u8 {
+    LISTENING.call_once(|| {
+        std::panic::set_hook(Box::new(|info| FAULT.set(info.to_string())));
+    });
     DESK.with_borrow_mut(|desk| {
         desk.input.clear();
         desk.input.resize(length, 0);
@@ -57,4 +66,20 @@ pub extern "C" fn font() -> u32 {
 #[unsafe(no_mangle)]
 pub extern "C" fn output() -> *const u8 {
     DESK.with_borrow(|desk| desk.output.as_ptr())
+}
+
+/// Returns the address of the message of a panic.
+// SAFETY: the name belongs to this crate alone.
+#[allow(unsafe_code)]
+#[unsafe(no_mangle)]
+pub extern "C" fn fault() -> *const u8 {
+    FAULT.with_borrow(|text| text.as_ptr())
+}
+
+/// Returns the length of the message of a panic, 0 if there was none.
+// SAFETY: the name belongs to this crate alone.
+#[allow(unsafe_code)]
+#[unsafe(no_mangle)]
+pub extern "C" fn fault_length() -> usize {
+    FAULT.with_borrow(String::len)
 }

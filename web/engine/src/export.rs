@@ -3,7 +3,7 @@
 use crate::file::OpenFile;
 use crate::words::{diagnostics, failed, look};
 use hodograph::diag::{Diagnostic, Faults, Warned, both};
-use hodograph::problem::{self, Kind, Lesson, Options};
+use hodograph::problem::{self, Kind, Lesson, Look, Options};
 use hodograph::report::table::{Csv, RowFormat, TableHead, TablePiece};
 use hodograph::scene::Swept;
 use hodograph::worksheet::{CompanionFile, WorksheetSides, html, markdown, typst};
@@ -25,6 +25,7 @@ impl OpenFile {
 
     fn document(&self, message: &Json, stem: &str) -> Result<Warned<Vec<CompanionFile>>, Faults> {
         let look = look(message);
+        let answers = Look { digits: Look::default().digits, ..look.clone() };
         let one = |ending: &str, text: String| {
             let name = format!("{stem}.{ending}");
             Warned { value: vec![CompanionFile { name, text }], notes: Vec::new() }
@@ -44,9 +45,9 @@ impl OpenFile {
             "html" => one("html", html::html(&sheet()?)?),
             "md" => beside("md", markdown::markdown(&sheet()?, stem)?),
             "typ" => beside("typ", typst::typst(&sheet()?, stem)?),
-            "text" => one("txt", self.solved.text(&look, true)),
+            "text" => one("txt", self.solved.text(&answers, true)),
             "json" => {
-                let told = self.solved.json(&look, false, &[]);
+                let told = self.solved.json(&answers, false, &[]);
                 one("json", format!("{told:#}\n"))
             }
             "lesson" => {

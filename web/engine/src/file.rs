@@ -1,7 +1,8 @@
 //! An opened file: its problem, and its solution in its own pose.
 
 use crate::words::{diagnostics, failed};
-use hodograph::diag::{Diagnostic, Faults, Warned};
+use hodograph::diag::{Both, Diagnostic, Faults, Warned};
+use hodograph::figure::groups;
 use hodograph::figure::list::{self, FigureEntry, Pages};
 use hodograph::problem::{self, Kind, Look, Options, Pictures, Problem, Solved, Verdict};
 use hodograph::render::svg;
@@ -21,6 +22,9 @@ pub struct OpenFile {
     pub swept: Option<Swept>,
     notes: Vec<Diagnostic>,
 }
+
+/// The name of the figure of groups drawn apart, which is none of [`list::LIST`].
+const MOBILITY: &str = "mobility";
 
 /// Scales of the file's own pose, which the whole motion keeps.
 fn hold_scales(scene: &mut Scene, base: &Solved) {
@@ -65,7 +69,7 @@ impl OpenFile {
         json!({
             "ok": true,
             "kind": self.problem.kind().word(),
-            "title": scene.map(|s| s.title.get(look.of(s.language, None).0)),
+            "title": self.title(look),
             "language": self.language(look),
             "drivers": scene.map(|s| drivers(s)),
             "swept": self.swept.map(|s| match s { Swept::Driver(d) => json!(d), Swept::Time => json!("t") }),
@@ -74,6 +78,16 @@ impl OpenFile {
             "diagnostics": diagnostics(&self.notes, &self.text),
             "verdict": verdict(&self.solved),
         })
+    }
+
+    fn title(&self, look: &Look) -> String {
+        let both = |title: &Both, own| look.of(own, None).0.of(title).to_owned();
+        match &self.problem {
+            Problem::Scene(scene) => scene.title.get(look.of(scene.language, None).0).to_owned(),
+            Problem::Motion(problem) => both(&problem.title, problem.language),
+            Problem::Task(task) => both(&task.heading.title, task.language),
+            _ => String::new(),
+        }
     }
 
     /// Language in which the file is shown.
@@ -149,6 +163,9 @@ impl OpenFile {
                 Err(faults) => missing.extend(faults.list),
             }
         }
+        if message["what"].as_array().is_some_and(|names| names.contains(&json!(MOBILITY))) {
+            figures.extend(self.groups(solved, &look));
+        }
         if message["prefix"] == json!(true) {
             figures.iter_mut().enumerate().for_each(|(k, page)| put_before(k, page));
         }
@@ -178,6 +195,17 @@ impl OpenFile {
             page["figure"] = json!(entry.name);
         }
         Ok(written)
+    }
+
+    /// Draws the groups of a mechanism apart.
+    fn groups(&self, solved: &Solved, look: &Look) -> Vec<Json> {
+        let Some((scene, worked)) = solved.mechanism() else { return Vec::new() };
+        let (lang, notation) = look.of(scene.language, scene.notation.as_deref());
+        let notation = look.style.marks.over(&notation);
+        let figure = groups::figure(scene, worked, &look.style, &notation, lang);
+        let mut pages = self.written(vec![(MOBILITY.to_owned(), figure)]).unwrap_or_default();
+        pages.iter_mut().for_each(|page| page["figure"] = json!(MOBILITY));
+        pages
     }
 
     fn written(&self, pages: Pages) -> Result<Vec<Json>, Faults> {
@@ -234,7 +262,12 @@ fn drivers(scene: &Scene) -> Json {
 }
 
 fn answers(solved: &Solved, look: &Look) -> Json {
-    let one = |a: problem::Answer| json!({"find": a.find, "text": a.text, "answered": a.value.is_some(), "difference": a.difference});
+    // As many digits as `solve` prints.
+    let look = &Look { digits: Look::default().digits, ..look.clone() };
+    let one = |a: problem::Answer| {
+        let answered = a.value.is_some();
+        json!({"find": a.find, "text": a.text, "answered": answered, "difference": a.difference})
+    };
     solved.answers(look).into_iter().map(one).collect()
 }
 

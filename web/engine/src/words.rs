@@ -1,6 +1,7 @@
 //! Diagnostics and choices as the page writes and reads them.
 
 use hodograph::diag::{Diagnostic, Faults, Span};
+use hodograph::figure::results::DIGITS;
 use hodograph::notation::Notation;
 use hodograph::paper::style::Style;
 use hodograph::problem::Look;
@@ -41,15 +42,15 @@ pub fn failed(faults: &Faults, text: &str) -> Json {
     json!({"ok": false, "diagnostics": diagnostics(&faults.list, text)})
 }
 
-/// Returns the look that a message asks for: `lang`, `notation`, `style`, each of which may be
-/// missing.
+/// Returns the look of figures and documents that a message asks for: `lang`, `notation`, `style`,
+/// each of which may be missing.
 pub fn look(message: &Json) -> Look {
     let word = |key: &str| message[key].as_str();
     Look {
         lang: word("lang").and_then(Lang::named),
         notation: word("notation").and_then(Notation::named),
         style: word("style").and_then(Style::named).unwrap_or_default(),
-        ..Look::default()
+        digits: DIGITS,
     }
 }
 
