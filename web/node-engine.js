@@ -13,9 +13,12 @@ export async function engine(path, font) {
     put(await readFile(font))
     if (!of.font()) throw new Error(`${font} is no font`)
   }
-  return (message) => {
+  const ask = (message) => {
     put(new TextEncoder().encode(JSON.stringify(message)))
     const length = of.call()
     return JSON.parse(new TextDecoder().decode(new Uint8Array(of.memory.buffer, of.output(), length)))
   }
+  // The message of the panic that ended the engine.
+  ask.fault = () => new TextDecoder().decode(new Uint8Array(of.memory.buffer, of.fault(), of.fault_length()))
+  return ask
 }

@@ -307,11 +307,10 @@ export class App {
   async settle(): Promise<void> {
     if (!this.opened || this.travel === 0) return
     const generation = this.generation
-    type Placed = { edit?: { from: number; to: number; insert: string }; text?: string }
+    type Placed = { edit?: { from: number; to: number; insert: string } }
     const placed = await this.engine.ask<Placed>({ do: 'place', handle: this.opened.handle, travel: this.travel }).catch(() => ({}) as Placed)
     if (generation !== this.generation) return
     if (placed.edit) this.editor.change(placed.edit)
-    else if (placed.text) this.editor.replace(placed.text)
   }
 
   private play(): void {

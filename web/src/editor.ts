@@ -95,10 +95,6 @@ export class Editor {
     this.view.dispatch({ changes: edit, annotations: atOnce.of(true), userEvent: 'input.place' })
   }
 
-  replace(text: string): void {
-    this.change({ from: 0, to: this.view.state.doc.length, insert: text })
-  }
-
   /** Shows diagnostics at their places; those without one are at the beginning. */
   mark(list: Diagnostic[], lang: Lang): void {
     const length = this.view.state.doc.length

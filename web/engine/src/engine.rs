@@ -131,14 +131,10 @@ mod tests {
         let (mut engine, told) = opened("crank-rocker");
         let place =
             ask(&mut engine, json!({"do": "place", "handle": told["handle"], "travel": 0.1}));
-        let new = place["text"].as_str().map(str::to_owned).or_else(|| {
-            let text = templates::text("crank-rocker", &[]).unwrap();
-            let at = |key: &str| place["edit"][key].as_u64().unwrap() as usize;
-            let mut new = text;
-            new.replace_range(at("from")..at("to"), place["edit"]["insert"].as_str()?);
-            Some(new)
-        });
-        let again = ask(&mut engine, json!({"do": "open", "text": new.unwrap()}));
+        let at = |key: &str| place["edit"][key].as_u64().unwrap() as usize;
+        let mut new = templates::text("crank-rocker", &[]).unwrap();
+        new.replace_range(at("from")..at("to"), place["edit"]["insert"].as_str().unwrap());
+        let again = ask(&mut engine, json!({"do": "open", "text": new}));
         let position = |told: &Json| told["drivers"][0]["position"].as_f64().unwrap();
         assert!((position(&again) - position(&told) - 0.1).abs() < 1e-5, "{place}");
     }

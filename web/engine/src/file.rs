@@ -1,5 +1,6 @@
 //! An opened file: its problem, and its solution in its own pose.
 
+use crate::motion::exact;
 use crate::words::{diagnostics, failed};
 use hodograph::diag::{Both, Diagnostic, Faults, Warned};
 use hodograph::figure::groups;
@@ -16,7 +17,7 @@ pub struct OpenFile {
     pub text: String,
     /// Its problem.
     pub problem: Problem,
-    /// Its solution with all positions; the cams guide over the whole turn if `moving`.
+    /// Its solution with all positions.
     pub solved: Solved,
     /// The moving quantity of a scene.
     pub swept: Option<Swept>,
@@ -112,28 +113,28 @@ impl OpenFile {
     }
 
     /// Returns the solution at a travel (rad, m or s) of the moving quantity from the file's own
-    /// pose, in the scales of that pose.
+    /// pose, in the scales of that pose: that of the text with this place of the driver, if the
+    /// text gives one.
     ///
     /// # Errors
-    /// Those of solving.
+    /// Those of reading and solving.
     pub fn at(&self, travel: f64) -> Result<Solved, Faults> {
-        let options = Options { whole_motion: true, ..Options::with_figures() };
-        let (Some(scene), Some(swept)) = (self.scene(), self.swept) else {
-            return problem::solve(&self.problem, &options);
+        let options = Options::with_figures();
+        let moved = match self.text_at(travel, exact) {
+            Some(text) => problem::read(text)?.value,
+            None => {
+                let (Some((scene, worked)), Some(swept)) = (self.solved.mechanism(), self.swept)
+                else {
+                    return problem::solve(&self.problem, &options);
+                };
+                let (of, at) = (&worked.mechanism, &worked.configuration);
+                let follower = PoseFollower::new(scene, of, &worked.demand, at, swept);
+                Problem::Scene(Box::new(follower.scene_at(scene, travel)))
+            }
         };
-        let Some((_, worked)) = self.solved.mechanism() else {
-            return problem::solve(&self.problem, &options);
-        };
-        let follower = PoseFollower::new(
-            scene,
-            &worked.mechanism,
-            &worked.demand,
-            &worked.configuration,
-            swept,
-        );
-        let mut moved = follower.scene_at(scene, travel);
-        hold_scales(&mut moved, &self.solved);
-        problem::solve(&Problem::Scene(Box::new(moved)), &options)
+        let Problem::Scene(mut scene) = moved else { return problem::solve(&moved, &options) };
+        hold_scales(&mut scene, &self.solved);
+        problem::solve(&Problem::Scene(scene), &options)
     }
 
     /// Answers `frame`: the figures `what` (`["sheet"]` without), and the answers.

@@ -2,12 +2,12 @@
 //! that puts a place of the driver into the text.
 
 use crate::file::OpenFile;
-use crate::words::place;
-use hodograph::diag::Faults;
+use crate::words::{failed, place};
+use hodograph::diag::{Faults, Span};
 use hodograph::mechanism::Mechanism;
 use hodograph::position::Configuration;
-use hodograph::problem::whole_motion;
-use hodograph::scene::{DriverKind, PointId, Scene, Swept, edit};
+use hodograph::problem::{self, Options, whole_motion};
+use hodograph::scene::{DriverKind, PointId, Position, Scene, Swept, driver_position, edit};
 use hodograph::sweep::follow::PoseFollower;
 use hodograph::sweep::long::LongSweep;
 use hodograph::sweep::station::{DriverSpan, angle_per_value, now};
@@ -42,26 +42,23 @@ impl OpenFile {
     /// Answers `motion`: for each pose its travel and the place of the grip (mm on the paper of the
     /// mechanism, y up), the paper's extent over all poses, and whether the motion closes.
     pub fn motion(&self) -> Json {
-        let (Some(scene), Some(swept)) = (self.scene(), self.swept) else {
-            return json!({"ok": true, "poses": []});
+        let still = || json!({"ok": true, "poses": []});
+        let Some(swept) = self.swept else { return still() };
+        // Pairs that replace cams at the instant do not take part in the motion.
+        let options = Options { whole_motion: true, ..Options::with_figures() };
+        let solved = match problem::solve(&self.problem, &options) {
+            Ok(solved) => solved,
+            Err(faults) => return failed(&faults, &self.text),
         };
-        let scene = whole_motion(scene.clone()).value;
-        let Some((_, worked)) = self.solved.mechanism() else {
-            return json!({"ok": true, "poses": []});
-        };
-        let follower = PoseFollower::new(
-            &scene,
-            &worked.mechanism,
-            &worked.demand,
-            &worked.configuration,
-            swept,
-        );
+        let Some((scene, worked)) = solved.mechanism() else { return still() };
+        let (of, at) = (&worked.mechanism, &worked.configuration);
+        let follower = PoseFollower::new(scene, of, &worked.demand, at, swept);
         let sweep = follower.sweep(POSES);
         let driver = match swept {
             Swept::Driver(d) => d,
             Swept::Time => 0,
         };
-        let grip = grip(&scene, driver, &worked.configuration);
+        let grip = grip(scene, driver, at);
         let diagram = &worked.construction.diagram;
         let paper = |p: hodograph::geom::Point| {
             let v = (p - diagram.origin) * (1.0 / diagram.mu);
@@ -71,8 +68,8 @@ impl OpenFile {
             .poses
             .iter()
             .map(|pose| {
-                let at = grip.and_then(|p| pose.configuration.points[p.0]).map(paper);
-                json!({"travel": pose.travel, "grip": at})
+                let place = grip.and_then(|p| pose.configuration.points[p.0]).map(paper);
+                json!({"travel": pose.travel, "grip": place})
             })
             .collect();
         json!({
@@ -82,36 +79,44 @@ impl OpenFile {
             "period": if sweep.full { json!(sweep.period()) } else { Json::Null },
             "back": follower.goes_back(),
             "grip": grip.map(|p| scene.point_name(p)),
-            "start": now(&scene, &worked.configuration, swept),
+            "start": now(scene, at, swept),
             "time": swept == Swept::Time,
         })
     }
 
-    /// Answers `place`: the edit of the text that puts the driver at a travel; `null` if the text
-    /// gives its place in another way.
+    /// Answers `place`: the text with the driver at a travel, to three decimals of degrees or
+    /// millimetres, as an edit; nothing if the text gives its place in another way.
     pub fn place(&self, travel: f64) -> Json {
-        let edited = || {
-            let (scene, Swept::Driver(driver)) = (self.scene()?, self.swept?) else { return None };
-            let (span, written, turns) = match scene.drivers.get(driver)?.kind.position()? {
-                hodograph::scene::Position::Angle(angle) => (angle.span, angle.text.clone(), true),
-                hodograph::scene::Position::Length(x) => (x.span, x.text.clone(), false),
-            };
-            let value = hodograph::scene::driver_position(scene, driver)? + travel;
-            // A parameter alone is changed where it has its value.
-            if scene.parameters.iter().any(|(name, _)| *name == written) {
-                let value = quantity(value, turns);
-                let new = edit::with_parameters(&self.text, &[(&written, &value)]).ok()?;
-                return Some(json!({"ok": true, "text": new}));
-            }
-            let old = self.text.get(span.start..span.end)?;
-            if !old.starts_with('"') {
-                return None;
-            }
-            let mut told = place(span, &self.text);
-            told["insert"] = json!(format!("\"{}\"", quantity(value, turns)));
-            Some(json!({"ok": true, "edit": told}))
+        let Some(new) = self.text_at(travel, rounded) else { return json!({"ok": true}) };
+        let same = self.text.bytes().zip(new.bytes()).take_while(|(a, b)| a == b).count();
+        let tail = |text: &str| text.len() - same;
+        let back = self.text.bytes().rev().zip(new.bytes().rev()).take_while(|(a, b)| a == b);
+        let back = back.count().min(tail(&self.text)).min(tail(&new));
+        let mut edit = place(Span::new(same, self.text.len() - back), &self.text);
+        // The quantities are ASCII, and so are the letters where the texts differ.
+        edit["insert"] = json!(new.get(same..new.len() - back));
+        json!({"ok": true, "edit": edit})
+    }
+
+    /// Returns the text with the driver at a travel; `None` if the text gives its place neither as
+    /// a quantity nor as a parameter.
+    pub fn text_at(&self, travel: f64, written: fn(f64) -> f64) -> Option<String> {
+        let (scene, Swept::Driver(driver)) = (self.scene()?, self.swept?) else { return None };
+        let (span, text, turns) = match scene.drivers.get(driver)?.kind.position()? {
+            Position::Angle(angle) => (angle.span, &angle.text, true),
+            Position::Length(x) => (x.span, &x.text, false),
         };
-        edited().unwrap_or_else(|| json!({"ok": true}))
+        let value = driver_position(scene, driver)? + travel;
+        let (number, unit) = if turns { (value.to_degrees(), "deg") } else { (value * 1e3, "mm") };
+        let quantity = format!("{} {unit}", written(number));
+        // A parameter is changed where it has its value.
+        if scene.parameters.iter().any(|(name, _)| name == text) {
+            return edit::with_parameters(&self.text, &[(text, &quantity)]).ok();
+        }
+        let quoted = self.text.get(span.start..span.end)?.starts_with('"');
+        let mut new = self.text.clone();
+        new.replace_range(span.start..span.end, &format!("\"{quantity}\""));
+        quoted.then_some(new)
     }
 
     /// Returns the table of the whole motion.
@@ -150,10 +155,12 @@ impl OpenFile {
     }
 }
 
-/// A quantity as a teacher writes it: degrees or millimetres to three decimals.
-fn quantity(value: f64, turns: bool) -> String {
-    let (number, unit) = if turns { (value.to_degrees(), "deg") } else { (value * 1e3, "mm") };
-    let rounded = (number * 1e3).round() / 1e3;
-    // No negative zero.
-    format!("{} {unit}", rounded + 0.0)
+/// A number to three decimals, without a negative zero.
+fn rounded(number: f64) -> f64 {
+    (number * 1e3).round() / 1e3 + 0.0
+}
+
+/// A number as it is.
+pub fn exact(number: f64) -> f64 {
+    number
 }
