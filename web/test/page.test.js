@@ -104,9 +104,11 @@ test('every template is drawn, byte for byte as by the program', async () => {
       const { handle } = await ask(page, { do: 'open', text, lang })
       const { figures } = await ask(page, { do: 'frame', handle, lang })
       await ask(page, { do: 'close', handle })
-      const out = join(folder, `${name}.svg`)
-      run(['draw', file, '-o', out, '--lang', lang])
-      if (figures[0].svg !== readFileSync(out, 'utf8')) differ.push(`${name}.${lang}`)
+      run(['draw', file, '-o', `${folder}/`, '--format', 'svg', '--lang', lang])
+      for (const page of figures) {
+        const out = join(folder, `${name}${page.name ? `-${page.name}` : ''}.svg`)
+        if (page.svg !== readFileSync(out, 'utf8')) differ.push(`${name}.${page.name}.${lang}`)
+      }
     }
   }
   assert.deepEqual(differ, [])
