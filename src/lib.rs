@@ -104,7 +104,8 @@
 //! - [`worksheet`]: problem and solution as a document, and its writers: HTML with MathML,
 //!   Markdown, Typst, pages for PDF.
 //! - [`webfont`]: the embedded fonts of every page.
-//! - [`problem`]: every kind of file through one call: read, solve, and write the answers.
+//! - [`problem`]: every kind of file through one call: read, solve, and write the answers; a figure
+//!   that is drawn again while drivers are dragged ([`problem::Live`]).
 //! - [`cli`]: the only module that prints, reads arguments or touches files.
 //! - [`templates`](problem::templates): the texts of the files under `templates/`, by their
 //!   names.
@@ -186,7 +187,7 @@
 //! webfont    paper
 //! worksheet  diag notation digits geom scene mechanism answer plan construct paper render worked certified centres attempts synthesis particle report figure webfont
 //! lesson     diag budget notation digits geom scene mechanism position plan construct construction equilibrium sweep paper render worked certified centres synthesis particle report figure webfont
-//! problem    diag json notation geom scene answer plan sweep paper worked certified attempts synthesis particle report figure worksheet lesson
+//! problem    diag json notation geom scene mechanism position answer plan sweep paper render worked certified attempts synthesis particle report figure worksheet lesson
 //! cli        diag json notation digits geom cam scene mechanism position plan sweep paper render worked certified effort centres composite attempts curvature inversions report figure worksheet lesson problem
 //! ```
 //!

@@ -5,9 +5,12 @@
 //! and bindings call only these. No caller depends on the kind of file, except through
 //! [`Kind::grants`].
 //!
+//! A [`Live`] figure is drawn again for each position while its drivers are dragged.
+//!
 //! A new kind of file needs one file here that implements [`Answered`], a variant of [`Problem`]
 //! and [`Kind`], and a row in [`Kind::grants`].
 
+mod live;
 mod motion;
 mod scene;
 mod task;
@@ -28,6 +31,7 @@ use crate::worked::{Worked, instant};
 use crate::worksheet::{Document, WorksheetSides};
 use serde_json::{Value as Json, json};
 
+pub use live::Live;
 pub use scene::whole_motion;
 pub use task::included;
 pub use wish::{Kind, Wish};

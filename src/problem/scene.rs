@@ -21,9 +21,9 @@ use serde_json::Value as Json;
 
 /// A scene with its solution.
 #[derive(Debug)]
-struct SceneSolution {
-    scene: Scene,
-    worked: Worked,
+pub(super) struct SceneSolution {
+    pub scene: Scene,
+    pub worked: Worked,
 }
 
 pub(super) fn solve(given: &Scene, options: &Options) -> Result<Solved, Faults> {

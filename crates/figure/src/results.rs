@@ -235,7 +235,9 @@ fn block(
         &[Row { cells: vec![Some(heading)], height_mm: -style.leading(HEADING_MM) }],
         0.0,
     ));
-    let others = pencil(answers).into_iter().chain(remarks(answers)).enumerate();
+    // Tolerances take longer than the rest of a figure that moves.
+    let tolerances = if style.memory.is_none() { pencil(answers) } else { Vec::new() };
+    let others = tolerances.into_iter().chain(remarks(answers)).enumerate();
     lines.extend(others.map(|(k, remark)| ("remark", format!("remark-{}", k + 1), remark)));
     lines.extend(
         centres

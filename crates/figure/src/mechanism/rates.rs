@@ -144,7 +144,7 @@ impl MechanismDraft<'_> {
             all.map(|(out, turn)| (cost(out, turn), place(out, turn))).collect();
         priced.sort_by(|a, b| a.0.total_cmp(&b.0));
         let cheapest = priced[0];
-        let in_series = !self.course.supports.is_empty();
+        let in_series = !self.course.supports.is_empty() || self.style.memory.is_some();
         let room = |(radius, [from, to]): (f64, [f64; 2])| {
             let mut drawn = self.d.obstacles().clone();
             drawn.add(&sym::rotation(self.style, centre, radius, from, to), Some(OWN));

@@ -307,7 +307,13 @@ impl Drawing {
     /// Places the labels and returns the finished part.
     pub fn finish(self) -> DrawingPart {
         let room = self.room();
-        self.placed(&mut Habits::new(), room, LeaderReach::Long)
+        match self.style.memory.clone() {
+            None => self.placed(&mut Habits::new(), room, LeaderReach::Long),
+            Some(memory) => memory.next(self.kind, |habits| {
+                let reach = if habits.is_empty() { LeaderReach::Short } else { LeaderReach::Kept };
+                self.placed(habits, room, reach)
+            }),
+        }
     }
 
     /// Places the labels of a drawing in a series and returns the finished part.

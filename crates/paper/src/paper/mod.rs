@@ -13,6 +13,7 @@ pub mod grid;
 pub mod item;
 pub mod label;
 pub mod lines;
+pub mod memory;
 pub mod phrase;
 pub mod place;
 pub mod shown;

@@ -30,8 +30,10 @@ use super::number::{mm, si};
 use letters::{LetterGlyph, LetterKey, editable, letters, outline_data, scale};
 
 mod letters;
+mod live;
 mod prefix;
 
+pub use live::{Delta, LiveFigure};
 pub use prefix::IdPrefix;
 
 /// The version of the contract of ids, classes and data attributes, which the root element states
@@ -72,8 +74,28 @@ pub fn write_editable(figure: &Figure) -> Result<Warned<String>, Faults> {
 }
 
 fn document(figure: &Figure, writing: LetterForm) -> Result<Warned<String>, Faults> {
-    let mut writer = SvgWriter { writing, ..SvgWriter::new(figure.height_mm) };
-    writer.data = true;
+    let mut writer = SvgWriter { writing, data: true, ..SvgWriter::new(figure.height_mm) };
+    let mut document = root(figure)?;
+    let mut items: Vec<Box<dyn Node>> = Vec::with_capacity(figure.items.len());
+    for item in &figure.items {
+        items.extend(writer.finite(item));
+    }
+    if !writer.letters.is_empty() {
+        document = with_letters(document, writer.definitions());
+    }
+    for item in items {
+        document.append(item);
+    }
+    if writer.faults.has_errors() {
+        return Err(writer.faults);
+    }
+    let mut value = document.to_string();
+    value.push('\n');
+    Ok(Warned { value, notes: writer.faults.list.into_iter().chain(figure.remarks()).collect() })
+}
+
+/// The document of a figure without its items.
+fn root(figure: &Figure) -> Result<Document, Faults> {
     if !(figure.width_mm.is_finite() && figure.height_mm.is_finite()) {
         return Err(not_finite(both!(
             "the paper is {} mm by {} mm",
@@ -101,23 +123,14 @@ fn document(figure: &Figure, writing: LetterForm) -> Result<Warned<String>, Faul
             .set("fill", hex(figure.paper));
         document = document.add(paper);
     }
-    let mut items: Vec<Box<dyn Node>> = Vec::with_capacity(figure.items.len());
-    for item in &figure.items {
-        items.extend(writer.finite(item));
-    }
-    if !writer.letters.is_empty() {
-        document =
-            document.set("xmlns:xlink", "http://www.w3.org/1999/xlink").add(writer.definitions());
-    }
-    for item in items {
-        document.append(item);
-    }
-    if writer.faults.has_errors() {
-        return Err(writer.faults);
-    }
-    let mut value = document.to_string();
-    value.push('\n');
-    Ok(Warned { value, notes: writer.faults.list.into_iter().chain(figure.remarks()).collect() })
+    Ok(document)
+}
+
+/// Adds the outlines of letters.
+fn with_letters(document: Document, outlines: impl Into<Box<dyn Node>>) -> Document {
+    let mut document = document.set("xmlns:xlink", "http://www.w3.org/1999/xlink");
+    document.append(outlines);
+    document
 }
 
 /// Items as elements, one string each, for pages that assemble documents themselves. They have no

@@ -346,6 +346,8 @@ pub enum LeaderReach {
     Short,
     /// Twice as long: for a single figure.
     Long,
+    /// The place in the figure before, for a figure that is drawn again while something moves.
+    Kept,
 }
 
 /// The state of a label in the previous figure of a series.
@@ -370,6 +372,9 @@ pub fn place_or_leave(
     (bounds, leads): (Rect, LeaderReach),
     before: &[Option<Habit>],
 ) -> Vec<Option<Placement>> {
+    if leads == LeaderReach::Kept {
+        return kept(requests, obstacles, bounds, before);
+    }
     if is_coarse(requests.len()) {
         return coarse::place(requests, obstacles, bounds, before).0;
     }
@@ -426,6 +431,35 @@ pub fn place_or_leave(
         let placed: Vec<Placement> = out.iter().flatten().copied().collect();
         let found = search::beside_placed(&labels[i], obstacles, bounds, &placed);
         out[i] = found.map(|found| labels[i].placement(found)).filter(|p| p.cost < CROWDED);
+    }
+    out
+}
+
+/// Leaves every label at its place beside its target, and places the new ones beside those.
+fn kept(
+    requests: &[LabelRequest],
+    obstacles: &Obstacles,
+    bounds: Rect,
+    before: &[Option<Habit>],
+) -> Vec<Option<Placement>> {
+    let labels: Vec<MeasuredRequest> = requests.iter().map(MeasuredRequest::new).collect();
+    let stays = |(i, label): (usize, &MeasuredRequest)| match before.get(i).copied().flatten() {
+        Some(Habit::At(index)) => {
+            let mut offer = Offer::new(label, obstacles, bounds);
+            Some(label.placement((offer.place(index)?, 0.0, index)))
+        }
+        Some(Habit::LeftOut) | None => None,
+    };
+    let mut out: Vec<Option<Placement>> = labels.iter().enumerate().map(stays).collect();
+    for (i, label) in labels.iter().enumerate() {
+        if out[i].is_some() || before.get(i) == Some(&Some(Habit::LeftOut)) {
+            continue;
+        }
+        let placed: Vec<Placement> = out.iter().flatten().copied().collect();
+        let found = search::beside_placed(label, obstacles, bounds, &placed);
+        out[i] = found
+            .map(|found| label.placement(found))
+            .filter(|p| !requests[i].optional || p.cost < CROWDED);
     }
     out
 }

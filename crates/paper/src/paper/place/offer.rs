@@ -60,6 +60,18 @@ impl<'a> Offer<'a> {
         self.ends[ring]
     }
 
+    /// Returns a place by its index, if there is one.
+    pub(super) fn place(&mut self, index: usize) -> Option<CandidatePlace> {
+        let mut ring = 0;
+        while index >= self.up_to(ring) {
+            ring += 1;
+            if ring == RINGS.len() {
+                return None;
+            }
+        }
+        Some(self.places[index])
+    }
+
     /// Returns the ring of a place, and the range of that ring's places.
     fn ring(&self, k: usize) -> (usize, std::ops::Range<usize>) {
         let ring = self.ends.partition_point(|end| *end <= k);

@@ -230,7 +230,7 @@ pub(super) fn run(
         search.settle(rounds);
     }
     let rings: &[(usize, f64)] = match leads {
-        LeaderReach::Short => &[(1, POOR)],
+        LeaderReach::Short | LeaderReach::Kept => &[(1, POOR)],
         LeaderReach::Long => &[(1, POOR), (2, CROWDED), (3, STRAYED), (4, COVERED)],
     };
     for &(ring, enough) in rings {

@@ -6,6 +6,7 @@
 use super::arrow::ArrowHead;
 use super::font::own::Fonts;
 use super::item::{Colour, LineStroke};
+use super::memory::LabelMemory;
 use hodograph_base::notation::{Notation, Vectors};
 
 mod captions;
@@ -76,6 +77,9 @@ pub struct Style {
     pub captions: Captions,
     /// The author's fonts, which take precedence over the embedded ones.
     pub fonts: Fonts,
+    /// The places of labels in the figure before, for a figure that is drawn again while something
+    /// moves.
+    pub memory: Option<LabelMemory>,
 }
 
 /// Marks of a notation profile that a style replaces; `None` for marks that it keeps.
@@ -196,6 +200,7 @@ impl Style {
             marks: Marks::default(),
             captions: Captions::default(),
             fonts: Fonts::default(),
+            memory: None,
         }
     }
 }
