@@ -12,7 +12,7 @@ use super::drawing::Habits;
 #[derive(Clone, Debug, Default)]
 pub struct LabelMemory(Arc<Mutex<Places>>);
 
-/// A figure has several drawings of a kind, which are told apart by their order.
+/// The drawings of one kind in a figure are distinguished by their order.
 #[derive(Debug, Default)]
 struct Places {
     drawings: BTreeMap<(&'static str, usize), Habits>,
