@@ -4,7 +4,7 @@
 
 use hodograph::analytic::third;
 use hodograph::answer::AnswerValue;
-use hodograph::cam::{CamJet, MotionLaw, PieceSide};
+use hodograph::cam::{CamJet, MotionLaw, PieceSide, PreparedDisc};
 use hodograph::mechanism::Mechanism;
 use hodograph::scene::{self, Angle, Scene};
 use hodograph::sweep::{self, PlacedScene, Stations, Width};
@@ -313,7 +313,7 @@ fn the_third_derivative_of_a_follower_is_that_of_its_law() {
 fn at_a_joint_one_velocity_and_two_accelerations() {
     for kind in ["tangent", "edge", "flat"] {
         let disc = scene(kind, "10 deg").cams[0].disc.clone().unwrap().disc;
-        let joints = disc.corners();
+        let joints = PreparedDisc::of(&disc).corners();
         assert!(joints.len() >= 4, "{kind}: {joints:?}");
         for phi in joints {
             let [before, after] = [PieceSide::Before, PieceSide::After]

@@ -427,7 +427,7 @@ fn loads_of_two_links_at_one_pin_have_two_names() {
         let mut json: Json =
             serde_json::from_str(templates::get("four-bar-forces").unwrap()).unwrap();
         json["forces"] = forces;
-        let scene = scene::read(&json.to_string()).unwrap_or_else(|f| panic!("{f}")).value;
+        let scene = scene::read(json.to_string()).unwrap_or_else(|f| panic!("{f}")).value;
         let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}")).value;
         let (notation, of) = (Notation::of_language(Lang::En), worked.equilibrium.unwrap());
         let w = ForceWriter { scene: &scene, notation: &notation, lang: Lang::En, of: &of };

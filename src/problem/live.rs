@@ -252,7 +252,7 @@ mod tests {
             }
             let mut fresh = live(&problem).unwrap();
             if figure.values() != start {
-                fresh.redraw(&figure.values().to_vec()).unwrap();
+                fresh.redraw(figure.values()).unwrap();
                 assert_eq!(identities(&fresh.svg()), identities(&figure.svg()), "{name}");
             }
         }

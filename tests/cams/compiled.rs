@@ -4,7 +4,7 @@
 use crate::{PROFILES, scene};
 use hodograph::analytic;
 use hodograph::answer::AnswerValue;
-use hodograph::cam::{CamMotion, MotionLaw};
+use hodograph::cam::{CamMotion, MotionLaw, PreparedDisc};
 use hodograph::mechanism::{Demand, Mechanism};
 use hodograph::position;
 use hodograph::scene::{Scene, with_driver_at};
@@ -30,7 +30,7 @@ fn reversed(scene: &Scene) -> Scene {
 /// fifths of it.
 fn angles(scene: &Scene) -> Vec<f64> {
     let t = scene.cams[0].disc.as_ref().unwrap();
-    let mut joints = t.disc.corners();
+    let mut joints = PreparedDisc::of(&t.disc).corners();
     if matches!(t.disc.motion, CamMotion::Profile(_)) {
         assert_eq!(joints, t.disc.stretches().iter().map(|s| s.0).collect::<Vec<_>>());
     }

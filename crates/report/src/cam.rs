@@ -29,7 +29,7 @@ pub struct Report<'a> {
     pub turning: &'a TurningCam,
     /// Survey of a full turn.
     pub survey: &'a CamSurvey,
-    exact: told::KnownCams,
+    exact: numbers::KnownCams,
 }
 
 impl<'a> Report<'a> {
@@ -40,7 +40,7 @@ impl<'a> Report<'a> {
         turning: &'a TurningCam,
         survey: &'a CamSurvey,
     ) -> Self {
-        Report { scene, cam, turning, survey, exact: told::KnownCams::default() }
+        Report { scene, cam, turning, survey, exact: numbers::KnownCams::default() }
     }
 }
 
