@@ -2,11 +2,11 @@
 //! without a closed form, and for small motions of a placed mechanism.
 //!
 //! The unknowns are the poses of the chosen links (x, y, angle each) and the positions of pins that
-//! are on none of them. They are solved group by group in the order of solution: the equations of a
-//! group contain its own bodies and those of groups before it, so that a chain of n groups costs n
-//! small systems. The residuals are written for all kinds of constraint. Their derivatives are
-//! differences, which are independent of the analytic check; for each unknown they are taken only
-//! in the equations of the constraints of its link or pin, since the other equations do not change.
+//! are on none of them. The equations of a group contain its own bodies and those of groups before
+//! it: their matrix is block triangular, and a step on a chain of n groups costs n small systems.
+//! The residuals are written for all kinds of constraint. Their derivatives are differences, which
+//! are independent of the analytic check; for each unknown they are taken only in the equations of
+//! the constraints of its link or pin, since the other equations do not change.
 
 use super::equations::{self, FormMeasure, FormValue, PartPositions};
 use super::rolling::{self, RollingPose, RollingRecord};
@@ -167,11 +167,17 @@ impl<'a> System<'a> {
     /// Returns all bodies (a link by its index, a pin by its index after all links), each with the
     /// index of its first unknown in the whole system.
     fn bodies(&self) -> impl Iterator<Item = (usize, usize)> {
-        let links = self.links.len();
-        (0..links + self.pins.len()).map(move |body| match body.checked_sub(links) {
-            None => (body, 3 * body),
-            Some(pin) => (body, 3 * links + 2 * pin),
+        let mut unknowns = 0;
+        (0..self.links.len() + self.pins.len()).map(move |body| {
+            let first = unknowns;
+            unknowns += self.unknowns(body);
+            (body, first)
         })
+    }
+
+    /// Returns the number of unknowns of a body.
+    fn unknowns(&self, body: usize) -> usize {
+        if body < self.links.len() { 3 } else { 2 }
     }
 
     /// Writes the pose or position of a body, whose k-th unknown is `x(k)`.
@@ -199,17 +205,8 @@ impl<'a> System<'a> {
     /// Returns the residuals, each a length or an angle divided by the mechanism's size or one
     /// radian.
     pub(super) fn residuals(&self, at: &SolvedPoses, drivers: &DriverValues) -> DVector<f64> {
-        self.residuals_of(&self.forms, at, drivers)
-    }
-
-    fn residuals_of(
-        &self,
-        forms: &[(PairForm, FormValue<f64>)],
-        at: &SolvedPoses,
-        drivers: &DriverValues,
-    ) -> DVector<f64> {
-        let mut r = Vec::with_capacity(2 * forms.len());
-        forms.iter().for_each(|f| self.residual(f, at, drivers, |v| r.push(v)));
+        let mut r = Vec::with_capacity(2 * self.forms.len());
+        self.forms.iter().for_each(|f| self.residual(f, at, drivers, |v| r.push(v)));
         DVector::from_vec(r)
     }
 
@@ -256,49 +253,26 @@ impl<'a> System<'a> {
         drivers: &DriverValues,
         tolerance: f64,
     ) -> Option<SolvedPoses> {
-        // The bodies of later groups keep their places at the start until their turn comes.
-        let mut at = (start.poses.clone(), start.points.clone());
-        for block in &self.blocks {
-            self.solve_block(block, start, &mut at, drivers, tolerance)?;
-        }
-        Some(at)
-    }
-
-    /// Moves the bodies of one group in `at` to the solution; those of groups before it are there.
-    fn solve_block(
-        &self,
-        block: &GroupBlock,
-        start: &Configuration,
-        at: &mut SolvedPoses,
-        drivers: &DriverValues,
-        tolerance: f64,
-    ) -> Option<()> {
-        let pins = block.pins.clone().map(|pin| self.links.len() + pin);
+        let blocks = self.group_systems();
+        let bodies = || blocks.iter().flat_map(|b| &b.bodies);
         let mut x = Vec::new();
-        let mut bodies = Vec::new();
-        for body in block.links.clone().chain(pins) {
-            let coordinates = self.coordinates(body, start)?;
-            bodies.push(BlockBody {
-                body,
-                unknowns: x.len()..x.len() + coordinates.len(),
-                equations: self.equations_with(body, block),
-            });
-            x.extend(coordinates);
+        for b in bodies() {
+            x.extend(self.coordinates(b.body, start)?);
         }
         let mut x = DVector::from_vec(x);
+        let mut at = (start.poses.clone(), start.points.clone());
         let put_all = |x: &DVector<f64>, at: &mut SolvedPoses| {
-            bodies.iter().for_each(|b| self.put(b.body, |k| x[b.unknowns.start + k], at));
+            bodies().for_each(|b| self.put(b.body, |k| x[b.first + k], at));
         };
-        put_all(&x, at);
+        put_all(&x, &mut at);
         let mut last = f64::INFINITY;
         for _ in 0..60 {
             spend();
-            let r = self.residuals_of(&self.forms[block.forms.clone()], at, drivers);
+            let r = self.residuals(&at, drivers);
             if r.len() != x.len() || r.iter().any(|v| !v.is_finite()) {
                 return None;
             }
-            let jacobian = self.jacobian(&x, at, &bodies, drivers);
-            let step = LinearSystem::new(jacobian).solve(&(-r))?;
+            let step = self.step(&x, &r, &mut at, &blocks, drivers)?;
             let size = step.amax();
             if !size.is_finite() {
                 return None;
@@ -307,65 +281,108 @@ impl<'a> System<'a> {
             // half the mechanism) is shortened.
             let damp = if size > 0.5 { 0.5 / size } else { 1.0 };
             x += step * damp;
-            put_all(&x, at);
+            put_all(&x, &mut at);
             if size < tolerance || (size < 1e-9 && size >= last) {
-                return Some(());
+                return Some(at);
             }
             last = size;
         }
-        (last < 1e-9).then_some(())
+        (last < 1e-9).then_some(at)
     }
 
-    /// Returns the forms (index) of a group in which a body occurs, each with the index of its
-    /// first equation in the group.
-    fn equations_with(&self, body: usize, block: &GroupBlock) -> Vec<(usize, usize)> {
-        let node = match body.checked_sub(self.links.len()) {
-            None => GraphNode::Link(self.links[body]),
-            Some(pin) => GraphNode::Pin(self.pins[pin]),
-        };
-        let mut found = Vec::new();
+    /// Returns the unknowns and equations of each group. Both are numbered through all groups, in
+    /// the order of solution.
+    fn group_systems(&self) -> Vec<GroupSystem> {
+        let mut unknowns = 0;
         let mut row = 0;
-        for i in block.forms.clone() {
-            let form = self.forms[i].0;
-            let (one, other) = form.ends();
-            found.extend([one, other].iter().filter(|n| **n == node).map(|_| (i, row)));
-            row += form.equations();
-        }
-        found
-    }
-
-    /// Returns the Jacobian of a group by central differences with a step of 2^-17: the residuals
-    /// are at worst quadratic near the solution, so that the error of the derivative (about 1e-11)
-    /// only slows the last step of the iteration and does not change its result. `at` contains the
-    /// poses for `x`.
-    fn jacobian(
-        &self,
-        x: &DVector<f64>,
-        at: &mut SolvedPoses,
-        bodies: &[BlockBody],
-        drivers: &DriverValues,
-    ) -> DMatrix<f64> {
-        const STEP: f64 = 1.0 / 131_072.0;
-        let mut j = DMatrix::zeros(x.len(), x.len());
-        for BlockBody { body, unknowns, equations } in bodies {
-            let first = unknowns.start;
-            for k in unknowns.clone() {
-                for (step, sign) in [(STEP, 1.0), (-STEP, -1.0)] {
-                    let varied = |n: usize| x[first + n] + if first + n == k { step } else { 0.0 };
-                    self.put(*body, varied, at);
-                    for &(form, row) in equations {
-                        let mut row = row;
-                        self.residual(&self.forms[form], at, drivers, |v| {
-                            j[(row, k)] += sign * v;
-                            row += 1;
-                        });
+        let mut systems: Vec<GroupSystem> = Vec::with_capacity(self.blocks.len());
+        for block in &self.blocks {
+            let begin = [unknowns, row];
+            let mut bodies = Vec::new();
+            let pins = block.pins.clone().map(|pin| self.links.len() + pin);
+            for body in block.links.clone().chain(pins) {
+                bodies.push(GroupBody { body, first: unknowns, equations: Vec::new() });
+                unknowns += self.unknowns(body);
+            }
+            systems.push(GroupSystem { bodies, unknowns: begin[0]..unknowns, rows: row..row });
+            for form in block.forms.clone() {
+                let (one, other) = self.forms[form].0.ends();
+                for node in [one, other] {
+                    let body = systems
+                        .iter_mut()
+                        .flat_map(|s| &mut s.bodies)
+                        .find(|b| self.node(b.body) == node);
+                    if let Some(body) = body {
+                        body.equations.push((form, row));
                     }
                 }
+                row += self.forms[form].0.equations();
             }
-            self.put(*body, |n| x[first + n], at);
+            if let Some(system) = systems.last_mut() {
+                system.rows = begin[1]..row;
+            }
         }
-        j *= 0.5 / STEP;
-        j
+        systems
+    }
+
+    fn node(&self, body: usize) -> GraphNode {
+        match body.checked_sub(self.links.len()) {
+            None => GraphNode::Link(self.links[body]),
+            Some(pin) => GraphNode::Pin(self.pins[pin]),
+        }
+    }
+
+    /// Returns a step of Newton's method on all equations. Their matrix is block triangular: the
+    /// step of a group follows from those of the groups before it.
+    ///
+    /// The derivatives are central differences with a step of 2^-17: the residuals are at worst
+    /// quadratic near the solution, so that the error of the derivative (about 1e-11) only slows
+    /// the last step of the iteration and does not change its result. `at` contains the poses for
+    /// `x`.
+    fn step(
+        &self,
+        x: &DVector<f64>,
+        r: &DVector<f64>,
+        at: &mut SolvedPoses,
+        systems: &[GroupSystem],
+        drivers: &DriverValues,
+    ) -> Option<DVector<f64>> {
+        const STEP: f64 = 1.0 / 131_072.0;
+        let mut step = DVector::zeros(x.len());
+        let mut rest = -r;
+        for GroupSystem { bodies, unknowns, rows } in systems {
+            let n = unknowns.len();
+            if rows.len() != n {
+                return None;
+            }
+            let mut matrix = DMatrix::zeros(n, n);
+            // Coefficients of the group's unknowns in the equations of later groups.
+            let mut later: Vec<(usize, usize, f64)> = Vec::new();
+            for GroupBody { body, first, equations } in bodies {
+                for k in 0..self.unknowns(*body) {
+                    for (by, sign) in [(STEP, 0.5 / STEP), (-STEP, -0.5 / STEP)] {
+                        self.put(*body, |n| x[first + n] + if n == k { by } else { 0.0 }, at);
+                        for &(form, row) in equations {
+                            let mut row = row;
+                            self.residual(&self.forms[form], at, drivers, |v| {
+                                if rows.contains(&row) {
+                                    matrix[(row - rows.start, first + k - unknowns.start)] +=
+                                        sign * v;
+                                } else {
+                                    later.push((row, first + k, sign * v));
+                                }
+                                row += 1;
+                            });
+                        }
+                    }
+                }
+                self.put(*body, |n| x[first + n], at);
+            }
+            let own = LinearSystem::new(matrix).solve(&rest.rows(rows.start, n).into_owned())?;
+            step.rows_mut(unknowns.start, n).copy_from(&own);
+            later.iter().for_each(|(row, k, c)| rest[*row] -= c * step[*k]);
+        }
+        Some(step)
     }
 
     /// Returns the unit of lengths (m): the mechanism's size.
@@ -395,12 +412,19 @@ pub(super) fn slopes(
     DMatrix::from_columns(&columns)
 }
 
-/// A body of a group: a link by its index in the system, or a pin by its index after all links.
-struct BlockBody {
-    body: usize,
-    /// Its unknowns in the group.
+/// The unknowns and equations of a group, see [`System::group_systems`].
+struct GroupSystem {
+    bodies: Vec<GroupBody>,
     unknowns: Range<usize>,
-    /// The forms in which it occurs, see [`System::equations_with`].
+    rows: Range<usize>,
+}
+
+/// A body of a group: a link by its index in the system, or a pin by its index after all links.
+struct GroupBody {
+    body: usize,
+    /// Its first unknown.
+    first: usize,
+    /// The forms (index) in which it occurs, each with its first equation.
     equations: Vec<(usize, usize)>,
 }
 
