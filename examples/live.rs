@@ -1,7 +1,7 @@
 //! Drags the crank of a template through a quarter of a turn, and prints the time and the changes
 //! of each picture: `cargo run --release --example live -- shaper`.
 
-use hodograph::problem::{Live, Look, Options, Pictures, read, templates};
+use hodograph::problem::{Live, Look, Options, PageDelta, Pictures, read, templates};
 use std::time::Instant;
 
 fn main() -> Result<(), hodograph::diag::Faults> {
@@ -16,8 +16,9 @@ fn main() -> Result<(), hodograph::diag::Faults> {
             *first += f64::from(k) * 0.01745;
         }
         let before = Instant::now();
-        let delta = live.redraw(&values)?;
-        let [changed, moved] = [delta.changed.len(), delta.moved.len()];
+        let pages = live.redraw(&values)?;
+        let count = |of: fn(&PageDelta) -> usize| pages.iter().map(of).sum::<usize>();
+        let [changed, moved] = [count(|p| p.delta.changed.len()), count(|p| p.delta.moved.len())];
         println!("{k}: {:?}, {changed} elements redrawn, {moved} moved", before.elapsed());
     }
     Ok(())

@@ -31,7 +31,7 @@ use crate::worked::{Worked, instant};
 use crate::worksheet::{Document, WorksheetSides};
 use serde_json::{Value as Json, json};
 
-pub use live::Live;
+pub use live::{Live, PageDelta};
 pub use scene::whole_motion;
 pub use task::included;
 pub use wish::{Kind, Wish};

@@ -48,6 +48,10 @@ export class App {
   private playing = false
   private wanted = false
   private drawing = false
+  /** True while the panes show moving figures, whose changes the engine knows. */
+  private moving = false
+  /** True while the next drawing is of the same mechanism. */
+  private hold = false
   private generation = 0
   private timer = 0
   private gallery = new Gallery((name) => void this.template(name))
@@ -99,10 +103,9 @@ export class App {
     } catch {
       this.say('unreadable')
     }
-    window.addEventListener('hashchange', () => void shared(location.hash).then((t) => t !== null && t !== this.editor.text && this.editor.begin(t), () => this.say('unreadable')))
+    window.addEventListener('hashchange', () => void shared(location.hash).then((t) => t !== null && t !== this.editor.text && this.begin(t, 'scene'), () => this.say('unreadable')))
     if (text !== null) {
-      this.name = 'scene'
-      this.editor.begin(text)
+      this.begin(text, 'scene')
     } else await this.template(FIRST)
     this.schemas = await this.engine.ask<Record<string, Schema>>({ do: 'schema' }).catch(() => null)
   }
@@ -110,8 +113,14 @@ export class App {
   /** Begins with a template. */
   async template(name: string): Promise<void> {
     const { text } = await this.engine.ask<{ text: string }>({ do: 'template', name })
-    this.name = name
     history.replaceState(null, '', location.pathname + location.search)
+    this.begin(text, name)
+  }
+
+  /** Begins with a text; `name` is the stem of its files. */
+  private begin(text: string, name: string): void {
+    this.name = name
+    this.hold = false
     this.editor.begin(text)
   }
 
@@ -149,6 +158,7 @@ export class App {
       if (opened.kind === 'scene' && this.tab !== 'live' && this.tab !== 'steps' && this.tab !== 'sheet') this.tab = 'live'
       this.dressTabs()
       await this.draw(false)
+      this.hold = true
       this.dressTransport()
       void this.idle(generation)
     } catch (fault) {
@@ -169,6 +179,8 @@ export class App {
         if (!here()) return
         this.course = new Course(motion)
         this.dressTransport()
+        // The figures with room for the whole motion, before anything moves.
+        if (this.tab === 'live' && this.course.can) await this.draw(true)
       }
       for (const name of this.opened?.kind === 'scene' ? SINGLE : []) {
         while (here() && (this.playing || this.wanted || this.engine.busy)) await new Promise((r) => setTimeout(r, 200))
@@ -195,17 +207,23 @@ export class App {
     return frame.figures
   }
 
+  /** Figures in the pose of the text, or after a travel: then their changes since the last travel. */
   private frame(what: string[], travel: number | null, answers: boolean): Promise<Frame> {
     const message: Record<string, unknown> = { do: 'frame', handle: this.opened!.handle, what, lang: this.lang, answers, prefix: true }
     if (this.dark) message.style = 'dark'
-    if (travel !== null) message.travel = travel
-    return this.engine.ask<Frame>(message)
+    if (travel === null) {
+      this.moving = false
+      return this.engine.ask<Frame>(message)
+    }
+    const whole = !this.moving
+    this.moving = true
+    return this.engine.ask<Frame>({ ...message, do: 'move', travel, whole })
   }
 
   /** Draws the tab at the driver's place. */
   private async draw(moving: boolean): Promise<void> {
     if (!this.opened) return
-    const generation = this.generation
+    const { generation, tab } = this
     const travel = moving || this.travel !== 0 ? this.travel : null
     try {
       if (this.tab === 'steps') {
@@ -214,13 +232,14 @@ export class App {
         if (answers && generation === this.generation) this.answer({ figures: [], missing: [], answers, verdict: this.opened.verdict })
         return
       }
-      const what = this.tab === 'live' ? LIVE : [this.tab]
+      const what = tab === 'live' ? LIVE : [tab]
       const frame = await this.frame(what, travel, true)
-      if (generation !== this.generation) return
+      if (generation !== this.generation || tab !== this.tab) return
       this.answer(frame)
       const pages = frame.figures
       if (!pages.length) this.hint(this.say_missing(frame.missing))
-      this.show(pages, moving)
+      this.show(pages, travel === null && this.hold)
+      if (moving) this.hint('')
     } catch (fault) {
       if (fault instanceof Refused) this.hint(fault.diagnostics[0]?.message[this.lang] ?? fault.message)
       else if (!(fault instanceof Ended)) throw fault
@@ -231,7 +250,7 @@ export class App {
     return missing[0]?.message[this.lang] ?? word('none', this.lang)
   }
 
-  private show(pages: Page[], moving: boolean): void {
+  private show(pages: Page[], hold: boolean): void {
     const names = pages.map((p) => `${p.figure ?? ''}/${p.name}`)
     for (const [name, pane] of this.panes) {
       if (names.includes(name)) continue
@@ -245,12 +264,11 @@ export class App {
         this.panes.set(names[k]!, pane)
       }
       if (pane.root.parentElement !== this.stage || this.stage.children[k] !== pane.root) this.stage.insertBefore(pane.root, this.stage.children[k] ?? null)
-      pane.show(page, moving)
+      pane.show(page, hold)
     })
     this.stage.dataset.tab = this.tab
     this.stage.dataset.count = String(pages.length)
     this.arrange()
-    if (moving) this.hint('')
   }
 
   /** The panes that move together have one scale; a single figure has the width of the stage. */
@@ -344,11 +362,11 @@ export class App {
     const { course } = this
     if (!svg || !course?.can || event.button !== 0) return
     this.pause()
+    const pane = this.panes.get('mechanism/mechanism')!
     const place = (e: PointerEvent): [number, number] => {
-      const now = this.panes.get('mechanism/mechanism')?.svg ?? svg
-      const at = new DOMPoint(e.clientX, e.clientY).matrixTransform(now.getScreenCTM()!.inverse())
-      const box = now.viewBox.baseVal
-      return [at.x - box.x, box.y - at.y]
+      const at = new DOMPoint(e.clientX, e.clientY).matrixTransform((pane.svg ?? svg).getScreenCTM()!.inverse())
+      const [x, y] = pane.fixed
+      return [at.x - x, y - at.y]
     }
     const first = place(event)
     const grip = course.grip(this.travel)
@@ -487,7 +505,7 @@ export class App {
     this.dressTabs()
     this.tabs.querySelector('[aria-selected="true"]')?.scrollIntoView({ block: 'nearest', inline: 'nearest' })
     const known = this.travel === 0 ? this.pages.get(name) : undefined
-    if (known) this.show(known, false)
+    if (known) this.show(known, this.hold)
     else await this.draw(false)
     this.dressTransport()
   }
@@ -552,9 +570,9 @@ export class App {
     const { handle } = this.opened
     if (form === 'svg') {
       const what = this.tab === 'live' || this.tab === 'steps' ? ['sheet'] : [this.tab]
-      const message: Record<string, unknown> = { do: 'frame', handle, what, lang: this.lang }
-      if (this.travel !== 0) message.travel = this.travel
-      const { figures } = await this.engine.ask<Frame>(message)
+      this.moving = false
+      const message = this.travel === 0 ? { do: 'frame' } : { do: 'move', travel: this.travel, whole: true }
+      const { figures } = await this.engine.ask<Frame>({ ...message, handle, what, lang: this.lang })
       return figures.map((f) => ({ name: `${this.name}${f.name ? `-${f.name}` : ''}.svg`, text: f.svg }))
     }
     const { files } = await this.engine.ask<{ files: { name: string; text: string }[] }>({ do: 'export', handle, form, sides, stem: this.name, lang: this.lang })
@@ -610,8 +628,7 @@ export class App {
       event.preventDefault()
       if (file.size > LARGEST) return this.say('rejected')
       void file.text().then((text) => {
-        this.name = file.name.replace(/\.json$/, '')
-        this.editor.begin(text)
+        this.begin(text, file.name.replace(/\.json$/, ''))
       })
     })
   }

@@ -21,3 +21,10 @@ export function element<K extends keyof HTMLElementTagNameMap>(
 export function picture(svg: string): SVGSVGElement {
   return document.importNode(new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement, true) as unknown as SVGSVGElement
 }
+
+/** Elements of a picture from their text. */
+export function parts(svg: string): Element[] {
+  const within = document.createElementNS('http://www.w3.org/2000/svg', 'svg')
+  within.innerHTML = svg
+  return [...within.children]
+}

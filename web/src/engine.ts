@@ -27,7 +27,18 @@ export interface Opened {
   verdict: Verdict
 }
 export type Verdict = 'answered' | 'disagree' | 'unanswered'
-export interface Page { name: string; figure?: string; svg: string; notes: Diagnostic[] }
+/** A page: its document, or while it moves the changes of its document. */
+export interface Page { name: string; figure?: string; svg: string; notes: Diagnostic[]; delta?: Delta }
+/** Changes of a document's elements, counted from 0 after the definitions: removed, then added, then changed and moved. */
+export interface Delta {
+  size: [number, number] | null
+  desc: string | null
+  letters: string | null
+  removed: number[]
+  added: [number, string][]
+  changed: [number, string][]
+  moved: [number, string][]
+}
 export interface Answer { find: string; text: string; answered: boolean; difference: number | null }
 export interface Frame { figures: Page[]; missing: Diagnostic[]; answers: Answer[] | null; verdict: Verdict }
 export interface Motion {

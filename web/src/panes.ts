@@ -1,7 +1,7 @@
 // The drawings: one pane for each, which keeps its place and size while the mechanism moves.
 
-import { element, picture } from './dom'
-import type { Page } from './engine'
+import { element, parts, picture } from './dom'
+import type { Delta, Page } from './engine'
 
 interface Box { x0: number; y0: number; x1: number; y1: number }
 
@@ -42,36 +42,75 @@ export class Pane {
   svg?: SVGSVGElement
   /** Width and height (mm). */
   size: [number, number] = [1, 1]
+  /** The shown part of the plane about the fixed point. */
   private box?: Box
+  /** The elements after the definitions. */
+  private elements: Element[] = []
 
   constructor(readonly name: string) {
     this.root.dataset.figure = name
   }
 
-  /** Shows a picture; in motion its fixed point stays where it is. */
-  show(page: Page, moving: boolean): void {
-    const svg = picture(page.svg)
+  /** Shows a page, or its changes. With `hold`, the shown part of the plane stays. */
+  show(page: Page, hold: boolean): void {
+    if (page.delta && this.svg) this.change(page.delta)
+    else this.replace(page.svg, hold)
+  }
+
+  /** The middle of the fixed point in the document (mm, y down): a pivot on the ground, or the pole. */
+  get fixed(): [number, number] {
+    const circle = this.svg?.querySelector('circle[id*="-mark-pole"], circle[id*="mechanism-pivot-"]')
+    return circle ? [Number(circle.getAttribute('cx') ?? 0), Number(circle.getAttribute('cy') ?? 0)] : [0, 0]
+  }
+
+  private replace(text: string, hold: boolean): void {
+    const svg = picture(text)
+    const [, , width, height] = svg.getAttribute('viewBox')!.split(' ').map(Number) as [number, number, number, number]
     svg.removeAttribute('width')
     svg.removeAttribute('height')
-    const [, , width, height] = svg.getAttribute('viewBox')!.split(' ').map(Number) as [number, number, number, number]
     this.svg?.remove()
     this.root.append(svg)
     this.svg = svg
-    const fixed = this.fixed(svg)
-    const box = { x0: -fixed[0], y0: -fixed[1], x1: width - fixed[0], y1: height - fixed[1] }
-    const old = this.box
-    this.box = moving && old
-      ? { x0: Math.min(old.x0, box.x0), y0: Math.min(old.y0, box.y0), x1: Math.max(old.x1, box.x1), y1: Math.max(old.y1, box.y1) }
-      : box
-    const { x0, y0, x1, y1 } = this.box
-    svg.setAttribute('viewBox', `${x0 + fixed[0]} ${y0 + fixed[1]} ${x1 - x0} ${y1 - y0}`)
-    this.size = [x1 - x0, y1 - y0]
-    svg.style.setProperty('--mm', String(x1 - x0))
+    this.elements = [...svg.children].filter((e) => !['title', 'desc', 'defs'].includes(e.tagName) && !e.matches('rect.paper'))
+    this.fit(width, height, hold)
   }
 
-  /** A point that does not move: a pivot on the ground, or the pole. */
-  private fixed(svg: SVGSVGElement): [number, number] {
-    const circle = svg.querySelector('circle[id*="-mark-pole"], circle[id*="mechanism-pivot-"]')
-    return circle ? [Number(circle.getAttribute('cx') ?? 0), Number(circle.getAttribute('cy') ?? 0)] : [0, 0]
+  private change(delta: Delta): void {
+    const svg = this.svg!
+    for (const k of delta.removed) this.elements.splice(k, 1)[0]?.remove()
+    const texts = [...delta.added, ...delta.changed].map(([, text]) => text)
+    const made = parts(texts.join(''))
+    delta.added.forEach(([k], n) => {
+      svg.insertBefore(made[n]!, this.elements[k] ?? null)
+      this.elements.splice(k, 0, made[n]!)
+    })
+    delta.changed.forEach(([k], n) => {
+      const next = made[delta.added.length + n]!
+      this.elements[k]!.replaceWith(next)
+      this.elements[k] = next
+    })
+    for (const [k, place] of delta.moved) this.elements[k]!.setAttribute('transform', place)
+    if (delta.desc !== null) svg.querySelector('desc')!.textContent = delta.desc
+    if (delta.letters !== null) {
+      svg.querySelector('defs')?.remove()
+      svg.insertBefore(parts(delta.letters)[0]!, this.elements[0] ?? null)
+    }
+    if (delta.size) this.fit(...delta.size, false)
+  }
+
+  private fit(width: number, height: number, hold: boolean): void {
+    const svg = this.svg!
+    const [x, y] = this.fixed
+    const own = { x0: -x, y0: -y, x1: width - x, y1: height - y }
+    const old = this.box
+    this.box = hold && old
+      ? { x0: Math.min(old.x0, own.x0), y0: Math.min(old.y0, own.y0), x1: Math.max(old.x1, own.x1), y1: Math.max(old.y1, own.y1) }
+      : own
+    const { x0, y0, x1, y1 } = this.box
+    svg.setAttribute('viewBox', `${x0 + x} ${y0 + y} ${x1 - x0} ${y1 - y0}`)
+    const paper = svg.querySelector('rect.paper')
+    for (const [name, value] of [['x', x0 + x], ['y', y0 + y], ['width', x1 - x0], ['height', y1 - y0]] as const) paper?.setAttribute(name, String(value))
+    this.size = [x1 - x0, y1 - y0]
+    svg.style.setProperty('--mm', String(x1 - x0))
   }
 }

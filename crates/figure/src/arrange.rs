@@ -6,6 +6,7 @@ use hodograph_base::geom::Point;
 
 use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::item::FigureItem;
+use hodograph_paper::paper::style::Style;
 
 /// The parts of a sheet.
 pub(super) struct SheetPieces {
@@ -19,6 +20,21 @@ pub(super) struct SheetPieces {
     pub results: DrawingPart,
     /// For each group of forces: the separated links, the force polygon and the text.
     pub forces: Vec<[DrawingPart; 3]>,
+}
+
+impl SheetPieces {
+    /// In a figure of a series, gives each part the room of the figures before.
+    pub fn held(mut self, style: &Style) -> SheetPieces {
+        let Some(memory) = &style.memory else { return self };
+        let equations = self
+            .equations
+            .iter_mut()
+            .flat_map(|(heading, lines)| std::iter::once(heading).chain(lines));
+        let all = self.title.iter_mut().chain(&mut self.drawings).chain(equations);
+        let all = all.chain([&mut self.results]).chain(self.forces.iter_mut().flatten());
+        all.for_each(|part| memory.hold("sheet", part));
+        self
+    }
 }
 
 /// Gap between drawings, and between drawings and text.

@@ -371,18 +371,12 @@ impl Smaller {
         scene.paper.size_mm = None;
         let options = SheetOptions { style: w.options.style.reduced(part), ..w.options.clone() };
         if part < 1.0 {
-            let drawn = |on: DiagramKind| match on {
-                DiagramKind::Force => w.worked.equilibrium.as_ref().map(|of| of.mu()),
-                DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Acceleration => {
-                    w.worked.construction.scale(on)
-                }
-            };
             for on in DiagramKind::ALL {
                 let (kind, paper) = (on.kind(), &scene.paper);
                 let part = others.get(kind).unwrap_or(part);
                 let coarser =
                     |mu| if part < 1.0 { coarser(paper.unit(kind), mu, 1.0 / part) } else { mu };
-                let mu = paper.scales.get(kind).or_else(|| drawn(on).map(coarser));
+                let mu = paper.scales.get(kind).or_else(|| w.worked.scale(on).map(coarser));
                 scene.paper.scales.set(kind, mu);
             }
         }

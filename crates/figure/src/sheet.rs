@@ -78,7 +78,7 @@ pub fn sheet(scene: &Scene, worked: &Worked, options: &SheetOptions) -> Result<F
     let results = results::results(&options.style, &maker.answers());
     let pieces =
         SheetPieces { title, drawings, equations, results, forces: forces::pieces(&maker, None) };
-    let (items, size) = arrange(pieces, scene.paper.size_mm, MARGIN_MM)?;
+    let (items, size) = arrange(pieces.held(&options.style), scene.paper.size_mm, MARGIN_MM)?;
     Ok(maker.figure(items, size))
 }
 
@@ -164,7 +164,7 @@ pub fn sheet_in(
         out.push(both!("the forces", "受力分析"));
     }
     let pieces = SheetPieces { title, drawings, equations, results, forces };
-    let (items, size) = arrange_in(pieces, width_mm);
+    let (items, size) = arrange_in(pieces.held(&options.style), width_mm);
     (maker.figure(items, size), out)
 }
 
@@ -348,6 +348,9 @@ impl SheetDrafter<'_> {
 
     /// A part alone on its paper.
     pub fn alone(&self, mut part: DrawingPart) -> Figure {
+        if let Some(memory) = &self.options.style.memory {
+            memory.hold("alone", &mut part);
+        }
         let size =
             [part.bounds.width_mm() + 2.0 * MARGIN_MM, part.bounds.height_mm() + 2.0 * MARGIN_MM];
         part.stand_at(Point::new(MARGIN_MM, size[1] - MARGIN_MM));
@@ -495,8 +498,9 @@ pub(super) fn titled(
         style.small_mm,
         "scale",
     ));
-    let (placements, left_out) = (part.placements, part.left_out);
-    DrawingPart { placements, left_out, ..DrawingPart::of(part.items) }
+    let DrawingPart { items, bounds, placements, left_out } = part;
+    let all = DrawingPart::of(items);
+    DrawingPart { bounds: all.bounds.union(bounds), placements, left_out, ..all }
 }
 
 /// Returns the symbol of the quantity that changes from pose to pose, in the label language, and

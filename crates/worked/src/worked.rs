@@ -35,7 +35,7 @@ use hodograph_mechanism::mechanism::{Demand, Level, Mechanism, Need};
 use hodograph_mechanism::position::redundant::RedundancyVerdict;
 use hodograph_mechanism::position::{self, Configuration};
 use hodograph_mechanism::stated::{self, Moment};
-use hodograph_scene::{Asked, Find, LinkId, Scene};
+use hodograph_scene::{Asked, DiagramKind, Find, LinkId, Scene};
 
 /// The extent of the work beyond the scene's questions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -83,6 +83,17 @@ pub struct Worked {
 }
 
 impl Worked {
+    /// Returns the scale of the mechanism or of its polygons (SI per mm); `None` for polygons that
+    /// are not drawn.
+    pub fn scale(&self, on: DiagramKind) -> Option<f64> {
+        match on {
+            DiagramKind::Force => self.equilibrium.as_ref().map(Equilibrium::mu),
+            DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Acceleration => {
+                self.construction.scale(on)
+            }
+        }
+    }
+
     /// Returns everything that is needed to draw the construction again with another pencil.
     pub fn drawn<'a>(&'a self, scene: &'a Scene) -> DraftedConstruction<'a> {
         let mut values = vec![None; scene.find.len()];

@@ -39,9 +39,10 @@ impl Engine {
             _ => {}
         }
         let Some(handle) = message["handle"].as_u64() else { return refused("no handle") };
-        let Some(file) = self.files.get(&handle) else { return refused("no such handle") };
+        let Some(file) = self.files.get_mut(&handle) else { return refused("no such handle") };
         match message["do"].as_str().unwrap_or_default() {
             "frame" => file.frame(message),
+            "move" => file.move_to(message),
             "steps" => file.steps(message),
             "motion" => file.motion(),
             "place" => file.place(message["travel"].as_f64().unwrap_or_default()),
@@ -113,7 +114,15 @@ mod tests {
             ask(json!({"do": "frame", "handle": handle, "what": ["mechanism"], "answers": true}));
         assert!(drawn["figures"][0]["svg"].as_str().unwrap().starts_with("<svg"));
         let moved = ask(
-            json!({"do": "frame", "handle": handle, "what": ["velocity"], "travel": 0.3, "answers": true}),
+            json!({"do": "move", "handle": handle, "what": ["velocity"], "travel": 0.3, "answers": true}),
+        );
+        assert!(moved["figures"][0]["svg"].as_str().unwrap().starts_with("<svg"));
+        let further =
+            ask(json!({"do": "move", "handle": handle, "what": ["velocity"], "travel": 0.31}));
+        let delta = &further["figures"][0]["delta"];
+        assert!(
+            delta["changed"].as_array().unwrap().len() > 3 && delta["size"].is_null(),
+            "{further}"
         );
         assert_ne!(moved["answers"], drawn["answers"]);
         let motion = ask(json!({"do": "motion", "handle": handle}));

@@ -1,6 +1,6 @@
 //! An opened file: its problem, and its solution in its own pose.
 
-use crate::motion::exact;
+use crate::moving::MovingFigures;
 use crate::words::{diagnostics, failed};
 use hodograph::diag::{Both, Diagnostic, Faults, Warned};
 use hodograph::figure::groups;
@@ -8,7 +8,6 @@ use hodograph::figure::list::{self, FigureEntry, Pages};
 use hodograph::problem::{self, Kind, Look, Options, Pictures, Problem, Solved, Verdict};
 use hodograph::render::svg;
 use hodograph::scene::{DriverKind, Scene, Swept};
-use hodograph::sweep::follow::PoseFollower;
 use serde_json::{Value as Json, json};
 
 /// A file under a handle.
@@ -21,24 +20,13 @@ pub struct OpenFile {
     pub solved: Solved,
     /// The moving quantity of a scene.
     pub swept: Option<Swept>,
+    /// The figures in motion.
+    pub moving: Option<MovingFigures>,
     notes: Vec<Diagnostic>,
 }
 
 /// The name of the figure of groups drawn apart, which is none of [`list::LIST`].
 const MOBILITY: &str = "mobility";
-
-/// Scales of the file's own pose, which the whole motion keeps.
-fn hold_scales(scene: &mut Scene, base: &Solved) {
-    let Some((_, worked)) = base.mechanism() else { return };
-    let drawn = &worked.construction;
-    let polygons = hodograph::scene::DiagramKind::POLYGONS.into_iter();
-    let scales = polygons.filter_map(|on| Some((on.kind(), drawn.polygon(on)?.mu)));
-    let plane = (hodograph::kind::Kind::Length, drawn.diagram.mu);
-    for (kind, mu) in scales.chain([plane]) {
-        let held = scene.paper.scales.get(kind).unwrap_or(mu);
-        scene.paper.scales.set(kind, Some(held));
-    }
-}
 
 impl OpenFile {
     /// Reads and solves a file; candidate `pick` (from 0) of a task.
@@ -54,7 +42,7 @@ impl OpenFile {
             Problem::Scene(scene) if !scene.drivers.is_empty() => Some(Swept::usual(scene)),
             _ => None,
         };
-        Ok(OpenFile { text: text.to_owned(), problem, solved, swept, notes })
+        Ok(OpenFile { text: text.to_owned(), problem, solved, swept, moving: None, notes })
     }
 
     /// Returns the description of the file: kind, title, drivers, names, remarks.
@@ -112,82 +100,35 @@ impl OpenFile {
         }
     }
 
-    /// Returns the solution at a travel (rad, m or s) of the moving quantity from the file's own
-    /// pose, in the scales of that pose: that of the text with this place of the driver, if the
-    /// text gives one.
-    ///
-    /// # Errors
-    /// Those of reading and solving.
-    pub fn at(&self, travel: f64) -> Result<Solved, Faults> {
-        let options = Options::with_figures();
-        let moved = match self.text_at(travel, exact) {
-            Some(text) => problem::read(text)?.value,
-            None => {
-                let (Some((scene, worked)), Some(swept)) = (self.solved.mechanism(), self.swept)
-                else {
-                    return problem::solve(&self.problem, &options);
-                };
-                let (of, at) = (&worked.mechanism, &worked.configuration);
-                let follower = PoseFollower::new(scene, of, &worked.demand, at, swept);
-                Problem::Scene(Box::new(follower.scene_at(scene, travel)))
-            }
-        };
-        let Problem::Scene(mut scene) = moved else { return problem::solve(&moved, &options) };
-        hold_scales(&mut scene, &self.solved);
-        problem::solve(&Problem::Scene(scene), &options)
-    }
-
     /// Answers `frame`: the figures `what` (`["sheet"]` without), and the answers.
     pub fn frame(&self, message: &Json) -> Json {
         let look = crate::words::look(message);
-        let there;
-        let solved = match message["travel"].as_f64() {
-            Some(travel) => match self.at(travel) {
-                Ok(solved) => {
-                    there = solved;
-                    &there
-                }
-                Err(faults) => return failed(&faults, &self.text),
-            },
-            None => &self.solved,
-        };
-        let entries: Vec<&'static FigureEntry> = match message["what"].as_array() {
-            Some(names) => {
-                names.iter().filter_map(|n| list::named(n.as_str().unwrap_or_default())).collect()
-            }
-            None => vec![list::USUAL],
-        };
         let (mut figures, mut missing) = (Vec::new(), Vec::new());
-        for entry in entries {
-            match self.drawn(solved, entry, &look) {
+        for entry in wanted(message) {
+            match self.drawn(entry, &look) {
                 Ok(drawn) => figures.extend(drawn),
                 Err(faults) => missing.extend(faults.list),
             }
         }
         if message["what"].as_array().is_some_and(|names| names.contains(&json!(MOBILITY))) {
-            figures.extend(self.groups(solved, &look));
+            figures.extend(self.groups(&look));
         }
         if message["prefix"] == json!(true) {
-            figures.iter_mut().enumerate().for_each(|(k, page)| put_before(k, page));
+            figures.iter_mut().for_each(put_before);
         }
         json!({
             "ok": true,
             "figures": figures,
             "missing": diagnostics(&missing, &self.text),
-            "answers": if message["answers"] == json!(true) { answers(solved, &look) } else { Json::Null },
-            "verdict": verdict(solved),
+            "answers": if message["answers"] == json!(true) { answers(&self.solved, &look) } else { Json::Null },
+            "verdict": verdict(&self.solved),
         })
     }
 
-    /// Draws one figure of a solution.
-    fn drawn(
-        &self,
-        solved: &Solved,
-        entry: &'static FigureEntry,
-        look: &Look,
-    ) -> Result<Vec<Json>, Faults> {
+    /// Draws one figure.
+    fn drawn(&self, entry: &'static FigureEntry, look: &Look) -> Result<Vec<Json>, Faults> {
         let pictures = Pictures { figures: &[entry], ..Pictures::default() };
-        let Warned { value, notes } = solved.figures(&pictures, look)?;
+        let Warned { value, notes } = self.solved.figures(&pictures, look)?;
         let mut written = self.written(value)?;
         if let (Some(first), false) = (written.first_mut(), notes.is_empty()) {
             first["notes"] = diagnostics(&notes, &self.text);
@@ -199,8 +140,8 @@ impl OpenFile {
     }
 
     /// Draws the groups of a mechanism apart.
-    fn groups(&self, solved: &Solved, look: &Look) -> Vec<Json> {
-        let Some((scene, worked)) = solved.mechanism() else { return Vec::new() };
+    fn groups(&self, look: &Look) -> Vec<Json> {
+        let Some((scene, worked)) = self.solved.mechanism() else { return Vec::new() };
         let (lang, notation) = look.of(scene.language, scene.notation.as_deref());
         let notation = look.style.marks.over(&notation);
         let figure = groups::figure(scene, worked, &look.style, &notation, lang);
@@ -234,12 +175,24 @@ impl OpenFile {
     }
 }
 
-/// Makes the ids of a page different from those of other figures on the screen.
-fn put_before(k: usize, page: &mut Json) {
-    if let (Ok(prefix), Some(svg)) =
-        (svg::IdPrefix::new(&format!("p{k}-")), page["svg"].as_str().map(str::to_owned))
-    {
-        page["svg"] = json!(prefix.put_before(&svg));
+/// The figures that a message asks for: those named in `what`, or the sheet.
+pub fn wanted(message: &Json) -> Vec<&'static FigureEntry> {
+    match message["what"].as_array() {
+        Some(names) => {
+            names.iter().filter_map(|n| list::named(n.as_str().unwrap_or_default())).collect()
+        }
+        None => vec![list::USUAL],
+    }
+}
+
+/// The prefix that makes the ids of a page different from those of other pages on the screen.
+pub fn prefix(page: &str) -> svg::IdPrefix {
+    svg::IdPrefix::new(&format!("p-{page}-")).unwrap_or_default()
+}
+
+fn put_before(page: &mut Json) {
+    if let (Some(name), Some(svg)) = (page["name"].as_str(), page["svg"].as_str()) {
+        page["svg"] = json!(prefix(name).put_before(svg));
     }
 }
 
@@ -262,7 +215,8 @@ fn drivers(scene: &Scene) -> Json {
     (0..scene.drivers.len()).map(one).collect()
 }
 
-fn answers(solved: &Solved, look: &Look) -> Json {
+/// Answers of a solution, for `answers`.
+pub fn answers(solved: &Solved, look: &Look) -> Json {
     // As many digits as `solve` prints.
     let look = &Look { digits: Look::default().digits, ..look.clone() };
     let one = |a: problem::Answer| {
@@ -272,7 +226,8 @@ fn answers(solved: &Solved, look: &Look) -> Json {
     solved.answers(look).into_iter().map(one).collect()
 }
 
-fn verdict(solved: &Solved) -> &'static str {
+/// The word for the outcome of a solution.
+pub fn verdict(solved: &Solved) -> &'static str {
     match solved.verdict() {
         Verdict::Answered => "answered",
         Verdict::Disagree => "disagree",

@@ -16,6 +16,7 @@ mod engine;
 mod export;
 mod file;
 mod motion;
+mod moving;
 mod words;
 
 pub use engine::Engine;

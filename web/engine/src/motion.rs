@@ -2,6 +2,7 @@
 //! that puts a place of the driver into the text.
 
 use crate::file::OpenFile;
+use crate::moving::no_driver;
 use crate::words::{failed, place};
 use hodograph::diag::{Faults, Span};
 use hodograph::mechanism::Mechanism;
@@ -87,7 +88,7 @@ impl OpenFile {
     /// Answers `place`: the text with the driver at a travel, to three decimals of degrees or
     /// millimetres, as an edit; nothing if the text gives its place in another way.
     pub fn place(&self, travel: f64) -> Json {
-        let Some(new) = self.text_at(travel, rounded) else { return json!({"ok": true}) };
+        let Some(new) = self.text_at(travel) else { return json!({"ok": true}) };
         let same = self.text.bytes().zip(new.bytes()).take_while(|(a, b)| a == b).count();
         let tail = |text: &str| text.len() - same;
         let back = self.text.bytes().rev().zip(new.bytes().rev()).take_while(|(a, b)| a == b);
@@ -100,7 +101,7 @@ impl OpenFile {
 
     /// Returns the text with the driver at a travel; `None` if the text gives its place neither as
     /// a quantity nor as a parameter.
-    pub fn text_at(&self, travel: f64, written: fn(f64) -> f64) -> Option<String> {
+    fn text_at(&self, travel: f64) -> Option<String> {
         let (scene, Swept::Driver(driver)) = (self.scene()?, self.swept?) else { return None };
         let (span, text, turns) = match scene.drivers.get(driver)?.kind.position()? {
             Position::Angle(angle) => (angle.span, &angle.text, true),
@@ -108,7 +109,7 @@ impl OpenFile {
         };
         let value = driver_position(scene, driver)? + travel;
         let (number, unit) = if turns { (value.to_degrees(), "deg") } else { (value * 1e3, "mm") };
-        let quantity = format!("{} {unit}", written(number));
+        let quantity = format!("{} {unit}", rounded(number));
         // A parameter is changed where it has its value.
         if scene.parameters.iter().any(|(name, _)| name == text) {
             return edit::with_parameters(&self.text, &[(text, &quantity)]).ok();
@@ -125,11 +126,7 @@ impl OpenFile {
     /// Those of the sweep.
     pub fn table(&self) -> Result<hodograph::sweep::Table, Faults> {
         let (Some(scene), Some(swept)) = (self.scene(), self.swept) else {
-            return Err(hodograph::diag::Diagnostic::error(
-                "no-driver",
-                hodograph::diag::both!("the scene has no driver", "机构文件没有原动件"),
-            )
-            .into());
+            return Err(no_driver());
         };
         let scene = whole_motion(scene.clone()).value;
         let of: Mechanism = mechanism(&scene)?;
@@ -158,9 +155,4 @@ impl OpenFile {
 /// A number to three decimals, without a negative zero.
 fn rounded(number: f64) -> f64 {
     (number * 1e3).round() / 1e3 + 0.0
-}
-
-/// A number as it is.
-pub fn exact(number: f64) -> f64 {
-    number
 }

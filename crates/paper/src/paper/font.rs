@@ -174,6 +174,11 @@ pub fn give_song(bytes: Vec<u8>) -> bool {
     read.is_some_and(|font| SONG.set(font).is_ok() || song().is_some())
 }
 
+/// Returns true if there is a Chinese font.
+pub(super) fn has_song() -> bool {
+    cfg!(feature = "fonts-cjk") || SONG.get().is_some()
+}
+
 /// The upright font of HTML pages as WOFF2, with the constants that browsers use to lay out
 /// formulas.
 pub const PAGE_UPRIGHT: &[u8] = include_bytes!("../../fonts/page-upright.woff2");

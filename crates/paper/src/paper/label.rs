@@ -14,32 +14,56 @@
 
 use hodograph_base::diag::Diagnostic;
 
-use super::font::{Slant, own::Fonts};
+use super::font::{Slant, has_song, own::Fonts};
 use super::text::Typeset;
+use std::cell::RefCell;
+use std::collections::HashMap;
 use std::sync::{Arc, OnceLock};
 
 mod parse;
 
 pub use parse::greek;
 
-/// A text on a figure.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Label {
+/// A text on a figure. Clones share the text and its typeset form.
+#[derive(Clone, Debug)]
+pub struct Label(Arc<LabelContent>);
+
+#[derive(Clone, Debug)]
+struct LabelContent {
     source: String,
     row: Vec<LabelNode>,
     faults: Vec<Diagnostic>,
     fonts: Fonts,
-    kept: TypesetCache,
+    /// The typeset label, kept after the first request.
+    kept: OnceLock<Arc<Typeset>>,
 }
 
-/// The typeset label, kept after the first request; it does not take part in comparisons of labels.
-#[derive(Clone, Debug, Default)]
-struct TypesetCache(OnceLock<Arc<Typeset>>);
-
-impl PartialEq for TypesetCache {
-    fn eq(&self, _: &TypesetCache) -> bool {
-        true
+impl PartialEq for Label {
+    fn eq(&self, other: &Label) -> bool {
+        let (one, two) = (&*self.0, &*other.0);
+        Arc::ptr_eq(&self.0, &other.0)
+            || one.source == two.source
+                && one.row == two.row
+                && one.faults == two.faults
+                && one.fonts == two.fonts
     }
+}
+
+/// Largest number of labels that a thread keeps, and the longest of them (bytes): those of a few
+/// sheets. The bounds keep memory constant in a batch of thousands of sheets.
+const MOST_LABELS: usize = 2048;
+const LONGEST_LABEL: usize = 200;
+
+/// The labels of formulas that a thread has made.
+#[derive(Default)]
+struct Formulas {
+    labels: HashMap<String, Label>,
+    /// True if they were typeset with the Chinese font.
+    with_song: bool,
+}
+
+thread_local! {
+    static FORMULAS: RefCell<Formulas> = RefCell::default();
 }
 
 /// The effect of an atom on the space around it, as in TeX.
@@ -99,71 +123,95 @@ impl Label {
     /// [`Label::faults`].
     pub fn math(source: impl Into<String>) -> Label {
         let source = source.into();
+        if source.len() > LONGEST_LABEL {
+            return Label::parsed(source);
+        }
+        FORMULAS.with_borrow_mut(|formulas| {
+            let with_song = has_song();
+            if formulas.with_song != with_song || formulas.labels.len() >= MOST_LABELS {
+                *formulas = Formulas { with_song, ..Formulas::default() };
+            }
+            if let Some(known) = formulas.labels.get(&source) {
+                return known.clone();
+            }
+            let label = Label::parsed(source.clone());
+            formulas.labels.insert(source, label.clone());
+            label
+        })
+    }
+
+    fn parsed(source: String) -> Label {
         let (row, faults) = parse::formula(&source);
-        Label { source, row, faults, fonts: Fonts::default(), kept: TypesetCache::default() }
+        Label::of(source, row, faults)
+    }
+
+    fn of(source: String, row: Vec<LabelNode>, faults: Vec<Diagnostic>) -> Label {
+        let (fonts, kept) = (Fonts::default(), OnceLock::new());
+        Label(Arc::new(LabelContent { source, row, faults, fonts, kept }))
     }
 
     /// Returns a label of a sentence: every character upright and unchanged.
     pub fn text(source: impl Into<String>) -> Label {
         let source = source.into();
         let row = vec![LabelNode::new(source.as_str(), Slant::Upright, Role::Ordinary)];
-        Label {
-            source,
-            row,
-            faults: Vec::new(),
-            fonts: Fonts::default(),
-            kept: TypesetCache::default(),
-        }
+        Label::of(source, row, Vec::new())
     }
 
     /// Returns the label typeset in the author's fonts; the figure passes the fonts of its style.
     pub fn in_fonts(mut self, fonts: &Fonts) -> Label {
-        if self.fonts != *fonts {
-            self.fonts = fonts.clone();
-            self.kept = TypesetCache::default();
+        if self.0.fonts != *fonts {
+            let content = self.content();
+            content.fonts = fonts.clone();
         }
         self
     }
 
     /// Returns this label followed by another, such as a caption's words followed by a formula.
     pub fn then(mut self, other: Label) -> Label {
-        self.source.push_str(&other.source);
-        self.row.extend(other.row);
-        self.faults.extend(other.faults);
-        self.kept = TypesetCache::default();
+        let content = self.content();
+        content.source.push_str(&other.0.source);
+        content.row.extend(other.0.row.iter().cloned());
+        content.faults.extend(other.0.faults.iter().cloned());
         self
+    }
+
+    /// The content to be changed, not yet typeset.
+    fn content(&mut self) -> &mut LabelContent {
+        let content = Arc::make_mut(&mut self.0);
+        content.kept = OnceLock::new();
+        content
     }
 
     /// The cell in which [`super::text::set`] keeps its result.
     pub(super) fn kept(&self) -> &OnceLock<Arc<Typeset>> {
-        &self.kept.0
+        &self.0.kept
     }
 
     /// The author's fonts for this label.
     pub fn fonts(&self) -> &Fonts {
-        &self.fonts
+        &self.0.fonts
     }
 
     /// Source text of the label.
     pub fn source(&self) -> &str {
-        &self.source
+        &self.0.source
     }
 
     /// The row of atoms.
     pub fn row(&self) -> &[LabelNode] {
-        &self.row
+        &self.0.row
     }
 
     /// Faults of the source (`label-syntax`).
     pub fn faults(&self) -> &[Diagnostic] {
-        &self.faults
+        &self.0.faults
     }
 
     /// Returns the label in one line of plain characters, for screen readers and text reports:
     /// `ω_1^2 l_AB`, `3 m/s²`.
     pub fn plain(&self) -> String {
         let mut out = String::new();
-        plain_row(&self.row, &mut out);
+        plain_row(self.row(), &mut out);
         out
     }
 }

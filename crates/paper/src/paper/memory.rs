@@ -1,22 +1,38 @@
-//! The places of the labels in all drawings of a figure that is drawn again while something moves.
+//! The arrangement of a figure that is drawn again while something moves.
 //!
 //! A [`Style`](super::style::Style) with a memory makes a drawing one of a series: its labels keep
-//! their places, and everything that is only worth its time in a single figure is left out.
+//! their places, each part of the paper keeps its room, and everything that is only worth its time
+//! in a single figure is left out.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::drawing::Habits;
+use super::drawing::{DrawingPart, Habits};
+use super::extent::Rect;
 
-/// The places of the labels of one figure; clones share them.
+/// Largest part for which the next figures keep room, if the first is not larger: beside a singular
+/// pose a polygon grows without bound.
+const LARGEST_MM: f64 = 400.0;
+/// Width of the strip around a part's room into which the next part may reach: less than the air
+/// around it. A label at the edge does not shift everything.
+const STRIP_MM: f64 = 5.0;
+
+/// The places of the labels and the rooms of the parts of one figure; clones share them.
 #[derive(Clone, Debug, Default)]
 pub struct LabelMemory(Arc<Mutex<Places>>);
 
-/// The drawings of one kind in a figure are distinguished by their order.
+/// The parts of one kind in a figure are distinguished by their order.
 #[derive(Debug, Default)]
 struct Places {
-    drawings: BTreeMap<(&'static str, usize), Habits>,
+    parts: BTreeMap<(&'static str, usize), PartMemory>,
     counts: BTreeMap<&'static str, usize>,
+}
+
+#[derive(Debug, Default)]
+struct PartMemory {
+    habits: Habits,
+    /// The boxes of the first part, and of all.
+    rooms: Option<[Rect; 2]>,
 }
 
 impl LabelMemory {
@@ -25,13 +41,47 @@ impl LabelMemory {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).counts.clear();
     }
 
-    /// Finishes the next drawing of a kind with the places of its labels in the figure before.
-    pub(super) fn next<T>(&self, kind: &'static str, finish: impl FnOnce(&mut Habits) -> T) -> T {
+    /// Gives a part the room of all parts of its kind and order in the figures before.
+    pub fn hold(&self, kind: &'static str, part: &mut DrawingPart) {
+        self.with_next(kind, |of| of.hold(part));
+    }
+
+    /// Finishes the next drawing of a kind with the places of its labels and the room of the
+    /// figures before.
+    pub(super) fn next(
+        &self,
+        kind: &'static str,
+        finish: impl FnOnce(&mut Habits) -> DrawingPart,
+    ) -> DrawingPart {
+        self.with_next(kind, |of| {
+            let mut part = finish(&mut of.habits);
+            of.hold(&mut part);
+            part
+        })
+    }
+
+    fn with_next<T>(&self, kind: &'static str, act: impl FnOnce(&mut PartMemory) -> T) -> T {
         let mut places = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let count = places.counts.entry(kind).or_default();
         *count += 1;
         let key = (kind, *count);
-        finish(places.drawings.entry(key).or_default())
+        act(places.parts.entry(key).or_default())
+    }
+}
+
+impl PartMemory {
+    fn hold(&mut self, part: &mut DrawingPart) {
+        let Some([first, room]) = self.rooms else {
+            self.rooms = Some([part.bounds; 2]);
+            return;
+        };
+        let strip = room.grown(STRIP_MM);
+        let all = if strip.union(part.bounds) == strip { room } else { room.union(part.bounds) };
+        let side = |r: Rect| r.width_mm().max(r.height_mm());
+        if side(all) <= LARGEST_MM.max(side(first)) {
+            self.rooms = Some([first, all]);
+        }
+        part.bounds = all;
     }
 }
 

@@ -33,7 +33,7 @@ mod letters;
 mod live;
 mod prefix;
 
-pub use live::{Delta, LiveFigure};
+pub use live::{Delta, LiveFigure, PreparedFigure};
 pub use prefix::IdPrefix;
 
 /// The version of the contract of ids, classes and data attributes, which the root element states

@@ -8,7 +8,7 @@ use super::{SvgWriter, mm, root, with_letters};
 use crate::paper::extent::anchor_shift_em;
 use crate::paper::item::{Figure, FigureItem, Shape};
 use crate::paper::text;
-use hodograph_base::diag::{Diagnostic, Faults, Warned};
+use hodograph_base::diag::{Diagnostic, Faults};
 
 /// The changes from one document to the next.
 ///
@@ -39,45 +39,39 @@ pub struct Delta {
 pub struct LiveFigure {
     figure: Figure,
     markup: Vec<String>,
+    /// Number of letters that the document defines.
+    letters: usize,
     /// The letters of all figures so far.
     writer: SvgWriter,
 }
 
+/// The next state of a [`LiveFigure`].
+pub struct PreparedFigure {
+    figure: Figure,
+    markup: Vec<String>,
+    delta: Delta,
+}
+
 impl LiveFigure {
-    /// Writes a figure for the first time; its document is that of [`super::write()`].
+    /// Returns an empty document for a first figure; written there, its document is that of
+    /// [`super::write()`].
+    pub fn blank(figure: &Figure) -> LiveFigure {
+        let writer = SvgWriter { data: true, ..SvgWriter::new(figure.height_mm) };
+        let blank = Figure { items: Vec::new(), ..figure.clone() };
+        LiveFigure { figure: blank, markup: Vec::new(), letters: 0, writer }
+    }
+
+    /// Writes the next figure without replacing this one. Items with the same id, or without one
+    /// with the same class, are one element as long as their order is kept.
     ///
     /// # Errors
     /// As [`super::write()`].
-    pub fn new(figure: Figure) -> Result<Warned<LiveFigure>, Faults> {
-        root(&figure)?;
-        let writer = SvgWriter { data: true, ..SvgWriter::new(figure.height_mm) };
-        let blank = Figure { items: Vec::new(), ..figure.clone() };
-        let mut live = LiveFigure { figure: blank, markup: Vec::new(), writer };
-        let notes = live.redraw(figure)?.notes;
-        Ok(Warned { value: live, notes })
-    }
-
-    /// Replaces the figure. Items with the same id, or without one with the same class, are one
-    /// element as long as their order is kept.
-    ///
-    /// # Errors
-    /// As [`super::write()`]; the figure then remains as it is.
-    pub fn redraw(&mut self, next: Figure) -> Result<Delta, Faults> {
+    pub fn prepare(&mut self, next: Figure) -> Result<PreparedFigure, Faults> {
         root(&next)?;
         let same_paper = self.figure.height_mm == next.height_mm;
-        let letters = self.writer.letters.len();
-        let before = std::mem::replace(&mut self.writer.height_mm, next.height_mm);
+        self.writer.height_mm = next.height_mm;
         let mut delta = Delta::default();
-        let mut places: HashMap<(&str, usize), usize> = HashMap::new();
-        for (k, name) in names(&self.figure.items).into_iter().enumerate() {
-            places.insert(name, k);
-        }
-        let mut from = 0;
-        let mut kept = vec![None; next.items.len()];
-        for (k, name) in names(&next.items).into_iter().enumerate() {
-            let Some(&old) = places.get(&name).filter(|old| **old >= from) else { continue };
-            (kept[k], from) = (Some(old), old + 1);
-        }
+        let kept = kept(&self.figure.items, &next.items);
         let mut stays = vec![false; self.markup.len()];
         kept.iter().flatten().for_each(|&old| stays[old] = true);
         delta.removed = (0..stays.len()).rev().filter(|k| !stays[*k]).collect();
@@ -111,7 +105,6 @@ impl LiveFigure {
         }
         let faults = std::mem::take(&mut self.writer.faults);
         if faults.has_errors() {
-            self.writer.height_mm = before;
             return Err(faults);
         }
         delta.notes = faults.list;
@@ -121,11 +114,17 @@ impl LiveFigure {
         let size = |f: &Figure| [f.width_mm, f.height_mm];
         delta.size_mm = Some(size(&next)).filter(|new| *new != size(&self.figure));
         delta.desc = Some(&next.desc).filter(|new| **new != self.figure.desc).cloned();
-        if self.writer.letters.len() > letters {
+        if self.writer.letters.len() > self.letters {
             delta.letters = Some(self.writer.definitions().to_string());
         }
-        (self.figure, self.markup) = (next, markup);
-        Ok(delta)
+        Ok(PreparedFigure { figure: next, markup, delta })
+    }
+
+    /// Replaces the figure; returns the changes of the document.
+    pub fn show(&mut self, next: PreparedFigure) -> Delta {
+        self.letters = self.writer.letters.len();
+        (self.figure, self.markup) = (next.figure, next.markup);
+        next.delta
     }
 
     /// Returns the whole document.
@@ -142,34 +141,50 @@ impl LiveFigure {
     }
 }
 
-/// The name of each item, or its class where it has none, with the number of those before it that
-/// are alike.
+/// The id of an item, or its class where it has none.
+fn word(item: &FigureItem) -> &str {
+    if item.id.is_empty() { &item.class } else { &item.id }
+}
+
+/// For each of the next items the index of the earlier one with its id or class, in one order.
+fn kept(items: &[FigureItem], next: &[FigureItem]) -> Vec<Option<usize>> {
+    if items.len() == next.len() && items.iter().zip(next).all(|(a, b)| word(a) == word(b)) {
+        return (0..next.len()).map(Some).collect();
+    }
+    let places: HashMap<(&str, usize), usize> =
+        names(items).into_iter().enumerate().map(|(k, name)| (name, k)).collect();
+    let mut from = 0;
+    let mut kept = vec![None; next.len()];
+    for (k, name) in names(next).into_iter().enumerate() {
+        let Some(&old) = places.get(&name).filter(|old| **old >= from) else { continue };
+        (kept[k], from) = (Some(old), old + 1);
+    }
+    kept
+}
+
+/// The name of each item, with the number of those before it that are alike.
 fn names(items: &[FigureItem]) -> Vec<(&str, usize)> {
     let mut counts: HashMap<&str, usize> = HashMap::new();
-    items
-        .iter()
-        .map(|item| {
-            let word = if item.id.is_empty() { item.class.as_str() } else { item.id.as_str() };
-            let count = counts.entry(word).or_default();
-            *count += 1;
-            (word, *count)
-        })
-        .collect()
+    let named = |item| {
+        let count = counts.entry(word(item)).or_default();
+        *count += 1;
+        (word(item), *count)
+    };
+    items.iter().map(named).collect()
 }
 
 /// The place of the left end of a label that differs from an earlier one only by its place.
 fn moved(one: &FigureItem, item: &FigureItem) -> Option<[f64; 2]> {
-    let (Shape::Label { .. }, Shape::Label { at, label, size_mm, anchor, .. }) =
-        (&one.shape, &item.shape)
+    let FigureItem { id, class, link, shown, shape } = item;
+    let Shape::Label { at, label, size_mm, anchor, colour } = shape else { return None };
+    let Shape::Label { at: _, label: text, size_mm: size, anchor: side, colour: ink } = &one.shape
     else {
         return None;
     };
-    let mut alike = one.clone();
-    if let Shape::Label { at: there, .. } = &mut alike.shape {
-        *there = *at;
-    }
+    let is_alike = (text, size, side, ink) == (label, size_mm, anchor, colour)
+        && (&one.id, &one.class, &one.link, &one.shown) == (id, class, link, shown);
     let left = || at.x - anchor_shift_em(*anchor, text::set(label).width_em) * size_mm;
-    (alike == *item).then(|| [left(), at.y])
+    is_alike.then(|| [left(), at.y])
 }
 
 /// Markup divided about the value of its first `transform`.
