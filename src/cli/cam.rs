@@ -14,7 +14,7 @@ use crate::geom::Vec2;
 use crate::render::dxf::{Entity, dxf};
 use crate::report::cam::Report;
 use crate::report::table::{Csv, RowFormat as _, TableHead, TablePiece};
-use crate::scene::{Cam, TurningCam};
+use crate::scene::Cam;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -26,11 +26,8 @@ pub fn run(a: args::CamArgs) -> CommandResult {
     let mut input = SceneInput::read(&a.common)?.drawn_in(&style);
     let (lang, _) = choices(&input.scene, &a.common);
     let chosen = chosen(&input, a.cam).map_err(|f| input.failed(f))?;
-    let report = |k: usize| {
-        let (cam, turning) = chosen[k];
-        Report::new(&input.scene, cam, turning, turning.survey.of(&turning.disc))
-    };
-    let reports: Vec<Report> = (0..chosen.len()).map(report).collect();
+    let reports: Vec<Report> =
+        chosen.iter().filter_map(|cam| Report::of(&input.scene, cam)).collect();
     let mut all = Together::default();
     let mut written = String::new();
     let mut notes = Vec::new();
@@ -133,7 +130,7 @@ pub fn run(a: args::CamArgs) -> CommandResult {
 }
 
 /// Returns the cams that can be surveyed, or the one at a place in the list.
-fn chosen(input: &SceneInput, which: Option<usize>) -> Result<Vec<(&Cam, &TurningCam)>, Faults> {
+fn chosen(input: &SceneInput, which: Option<usize>) -> Result<Vec<&Cam>, Faults> {
     let cams = &input.scene.cams;
     if cams.is_empty() {
         let d = Diagnostic::error("no-cam", both!("the scene has no cam", "机构文件中没有凸轮"));
@@ -156,8 +153,8 @@ fn chosen(input: &SceneInput, which: Option<usize>) -> Result<Vec<(&Cam, &Turnin
         return Err(d.into());
     }
     let named = cams.iter().enumerate().filter(|(i, _)| which.is_none_or(|k| k == i + 1));
-    let all: Vec<(&Cam, &TurningCam)> =
-        named.clone().filter_map(|(_, c)| Some((c, c.disc.as_ref()?))).collect();
+    let all: Vec<&Cam> =
+        named.clone().map(|(_, cam)| cam).filter(|cam| cam.disc.is_some()).collect();
     if !all.is_empty() {
         return Ok(all);
     }

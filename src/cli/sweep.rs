@@ -7,6 +7,7 @@ use super::values::TableFormat;
 use super::{CommandResult, Failure, SceneInput, SourceFaults, choices, files, tables};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::mechanism::Mechanism;
+use crate::problem::whole::{STEPS, over_a_table};
 use crate::report::limits as report;
 use crate::scene::{self, Angle, Scene, Swept, edit};
 use crate::sweep::extreme;
@@ -17,9 +18,6 @@ use crate::sweep::timed::TimedSweep;
 use crate::sweep::vary::{ParameterSpan, Variation, Varied};
 use crate::sweep::{self, PlacedScene, StationSteps, Stations};
 use std::process::ExitCode;
-
-/// Default number of steps: one for each degree of a turn.
-pub const STEPS: usize = 360;
 
 pub fn sweep(a: SweepArgs) -> CommandResult {
     let mut input = SceneInput::read(&a.common)?;
@@ -36,13 +34,11 @@ pub fn sweep(a: SweepArgs) -> CommandResult {
 }
 
 impl SceneInput {
-    /// Changes the scene to its whole motion for a table. The rows follow every piece of a profile;
-    /// where no driver moves the cam, the scene is read again for each row.
+    /// Changes the scene to its whole motion for a table.
     pub(super) fn over_a_table(&mut self) {
-        self.over_a_turn();
-        if self.scene.is_told_everywhere() {
-            self.file.notes.retain(|d| d.code != "cam-piece");
-        }
+        let Warned { value, notes } = over_a_table(self.scene.clone());
+        self.scene = value;
+        self.file.notes.extend(notes);
     }
 }
 

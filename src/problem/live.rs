@@ -5,23 +5,26 @@ use super::{Look, Options, Pictures, Problem, Solved, whole_motion};
 use crate::construct::scale::Boxes;
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::list::{FigureEntry, Pages};
-use crate::figure::series::SeriesScales;
+use crate::figure::series::size;
 use crate::mechanism::{Demand, Mechanism};
 use crate::paper::memory::LabelMemory;
 use crate::position::{self, Configuration};
 use crate::render::svg::{Delta, LiveFigure};
-use crate::scene::{ByKind, DiagramKind, Kind, Scene, Swept};
-use crate::sweep::follow::{PoseFollower, TravelPose};
+use crate::scene::{ByKind, DiagramKind, Scene, Swept};
+use crate::sweep::follow::PoseFollower;
 use crate::sweep::station::position_now;
 use crate::worked::{Scope, Worked, work, work_pose};
 
+/// Parts of its box that a polygon fills at least and at most before it gets another scale.
+const LEAST_FILLED: f64 = 0.25;
+const MOST_FILLED: f64 = 1.0 + 1e-9;
 /// Poses of a turn for which [`Live::make_room`] draws.
 const ROOM_POSES: usize = 24;
 
 /// Figures of a mechanism, prepared to be drawn again for other positions of its drivers.
 ///
-/// Scales and arrangement stay, every label keeps its place beside its object, every element its
-/// id. Tolerances of drawing by hand are left out, and lines are not broken below labels;
+/// The arrangement stays; so does the scale of a polygon as long as it fills its box well. Every
+/// label keeps its place beside its object, every element its id. Tolerances of drawing by hand are left out, and lines are not broken below labels;
 /// everything else is that of [`Solved::figures`].
 ///
 /// ```
@@ -72,17 +75,18 @@ struct LivePictures {
 }
 
 impl LivePictures {
-    /// Begins a new series.
-    fn forget(&mut self) {
-        self.memory = LabelMemory::default();
-        self.look.style.memory = Some(self.memory.clone());
-    }
-
     /// Draws all pages.
     fn draw(&self, solved: &Solved) -> Result<Warned<Pages>, Faults> {
         self.memory.restart();
         let pictures = Pictures { figures: &self.figures, ..self.pictures.clone() };
         solved.figures(&pictures, &self.look)
+    }
+}
+
+/// Leaves the scales of the polygons open that the file does not fix.
+fn free_scales(scene: &mut Scene, own: &ByKind) {
+    for on in DiagramKind::VECTORS {
+        scene.paper.scales.set(on.kind(), own.get(on.kind()));
     }
 }
 
@@ -199,57 +203,29 @@ impl Live {
         Ok(changes)
     }
 
-    /// Chooses scales for the whole motion of a driver, or for all times, and makes room for it, so
-    /// that nothing shifts when the figures are drawn again; returns the changes of all pages.
-    /// Polygons next to a limit, which grow without bound, get no room.
+    /// Makes room for the figures over the whole motion of a driver, or over time, so that nothing
+    /// fixed shifts when they are drawn again; returns the changes of all pages.
     ///
     /// # Errors
     /// Those of the drawings at the positions of the figures.
     pub fn make_room(&mut self, swept: Swept) -> Result<Vec<PageDelta>, Faults> {
-        let Live { scene, mechanism, demand, base, .. } = self;
-        scene.paper.scales = self.own_scales.clone();
+        let Live { scene, mechanism, demand, base, wanted, .. } = self;
         let follower = PoseFollower::new(scene, mechanism, demand, base, swept);
-        let sweep = follower.sweep(ROOM_POSES);
-        let solve = |scene: &Scene, pose: &TravelPose| {
-            let there = follower.scene_at(scene, pose.travel);
-            work_pose(&there, (mechanism, demand), &pose.configuration).ok()
-        };
-        let trials: Vec<(&TravelPose, Worked)> =
-            sweep.poses.iter().filter_map(|pose| Some((pose, solve(scene, pose)?.1))).collect();
-        let sized: Vec<(f64, &Worked)> = trials.iter().map(|(p, w)| (p.travel, w)).collect();
-        let own = sized.iter().find(|(travel, _)| *travel == 0.0).map(|(_, worked)| *worked);
-        let boxes = own.map_or(Boxes::default(), |w| Boxes::of(&scene.paper, &w.plan));
-        let scales = SeriesScales::of(&scene.paper, &sized, sweep.is_unlimited(), boxes);
-        let mut scaled = scene.clone();
-        scales.fix(&mut scaled.paper);
-        // Cams and wheels need more than the joints.
-        let plane = own.and_then(|w| w.scale(DiagramKind::Plane));
-        let lengths = [scales.mu.get(Kind::Length), plane].into_iter().flatten().reduce(f64::max);
-        scaled.paper.scales.set(Kind::Length, lengths);
-        let is_held = |worked: &Worked| {
-            let mut drawn =
-                DiagramKind::POLYGONS.into_iter().filter(|on| worked.scale(*on).is_some());
-            drawn.all(|on| scales.holds(worked, on))
-        };
-        self.wanted.forget();
-        // The labels find their places in the figures' own pose.
-        let (own, others): (Vec<_>, Vec<_>) = trials.iter().partition(|(p, _)| p.travel == 0.0);
-        for (pose, worked) in own.into_iter().chain(others) {
-            if is_held(worked)
-                && let Some(read) = solve(&scaled, pose)
-            {
+        for pose in follower.sweep(ROOM_POSES).poses {
+            let mut there = follower.scene_at(scene, pose.travel);
+            free_scales(&mut there, &self.own_scales);
+            if let Ok(read) = work_pose(&there, (mechanism, demand), &pose.configuration) {
                 // Only the memory of the drawing is wanted; a pose without one needs no room.
-                let _ = self.wanted.draw(&solution(read));
+                let _ = wanted.draw(&solution(read));
             }
         }
-        self.scene = scaled;
-        let values = self.values.clone();
-        self.redraw(&values)
+        let drawn = wanted.draw(&self.solved)?;
+        self.show(drawn.value)
     }
 
     fn redraw_at(&mut self, moves: &[(Swept, f64)]) -> Result<Vec<PageDelta>, Faults> {
         let (scene, at) = self.placed(moves)?;
-        let solved = solution(work_pose(&scene, (&self.mechanism, &self.demand), &at)?);
+        let solved = solution(self.to_scale(scene, &at)?);
         let drawn = self.wanted.draw(&solved)?;
         let mut changes = self.show(drawn.value)?;
         if let Some(first) = changes.first_mut() {
@@ -257,6 +233,37 @@ impl Live {
         }
         (self.at, self.solved) = (at, solved);
         Ok(changes)
+    }
+
+    /// Solves a pose to the scales of the figures, or to new ones for polygons that become too large
+    /// or too small for their boxes.
+    fn to_scale(
+        &mut self,
+        mut scene: Scene,
+        at: &Configuration,
+    ) -> Result<(Scene, Worked), Faults> {
+        let of = (&self.mechanism, &self.demand);
+        let read = work_pose(&scene, of, at)?;
+        let boxes = Boxes::of(&scene.paper, &read.1.plan);
+        let fills = |on| {
+            let part = size(&read.1, on, &boxes)? / read.1.scale(on)?;
+            (part > 0.0).then_some(part)
+        };
+        let is_free = |on: &DiagramKind| self.own_scales.get(on.kind()).is_none();
+        let ill = |on: &DiagramKind| {
+            fills(*on).is_some_and(|part| !(LEAST_FILLED..=MOST_FILLED).contains(&part))
+        };
+        let again: Vec<DiagramKind> =
+            DiagramKind::VECTORS.into_iter().filter(is_free).filter(ill).collect();
+        if again.is_empty() {
+            return Ok(read);
+        }
+        again.iter().for_each(|on| scene.paper.scales.set(on.kind(), None));
+        let read = work_pose(&scene, of, at)?;
+        for on in again {
+            self.scene.paper.scales.set(on.kind(), read.1.scale(on));
+        }
+        Ok(read)
     }
 
     /// Returns the document of a page.
@@ -430,7 +437,7 @@ mod tests {
     }
 
     /// Once there is room for the whole motion, the paper keeps its size, and pivots, poles and
-    /// captions their places, in each pose that is not beside a singular one.
+    /// captions their places.
     #[test]
     fn with_room_nothing_fixed_moves() {
         let figures = ["mechanism", "velocity", "acceleration"].map(|n| list::named(n).unwrap());

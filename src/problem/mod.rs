@@ -15,6 +15,7 @@ mod motion;
 mod scene;
 mod task;
 pub mod templates;
+pub mod whole;
 mod wish;
 
 use crate::answer::AnswerValue;

@@ -15,8 +15,10 @@ const LIVE = ['mechanism', 'velocity', 'acceleration']
 /** Tabs of single figures, each shown if the file calls for it. */
 const SINGLE = [
   'sheet', 'equations', 'results', 'centres', 'composite', 'curvature', 'centrodes', 'forces', 'lever', 'gears', 'kutzbach',
-  'attempts', 'mobility', 'plates', 'inversions', 'cognates',
+  'cam', 'attempts', 'groups', 'plates', 'inversions', 'cognates', 'curves',
 ]
+/** Figures that take long: drawn when their tab is chosen. */
+const SLOW = ['curves']
 const FORMS: [Word, string, string?][] = [
   ['as_svg', 'svg'], ['as_problem', 'html', 'problem'], ['as_solution', 'html', 'solution'], ['as_md', 'md'], ['as_typ', 'typ'],
   ['as_lesson', 'lesson'], ['as_csv', 'csv'], ['as_text', 'text'], ['as_json', 'json'], ['as_scene', 'scene'],
@@ -179,13 +181,14 @@ export class App {
         if (!here()) return
         this.course = new Course(motion)
         this.dressTransport()
+        this.dressTabs()
         // The figures with room for the whole motion, before anything moves.
         if (this.tab === 'live' && this.course.can) await this.draw(true)
       }
       for (const name of this.opened?.kind === 'scene' ? SINGLE : []) {
         while (here() && (this.playing || this.wanted || this.engine.busy)) await new Promise((r) => setTimeout(r, 200))
         if (!here()) return
-        if (this.pages.has(name) || this.absent.has(name)) continue
+        if (this.pages.has(name) || this.absent.has(name) || SLOW.includes(name)) continue
         await this.single(name).catch(() => this.absent.add(name))
         if (here()) this.dressTabs()
       }
@@ -488,7 +491,7 @@ export class App {
 
   private dressTabs(): void {
     const scene = this.opened?.kind !== 'task' && this.opened?.kind !== 'motion'
-    const singles = SINGLE.filter((name) => this.pages.has(name) || name === 'sheet' || name === this.tab)
+    const singles = SINGLE.filter((name) => this.pages.has(name) || name === 'sheet' || name === this.tab || (SLOW.includes(name) && this.course?.can))
     const names = scene ? ['live', 'steps', ...singles] : ['sheet']
     const tab = (name: string) =>
       element(

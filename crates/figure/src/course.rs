@@ -15,6 +15,7 @@ use hodograph_scene::{Guide, LinkId, Scene};
 use hodograph_worked::worked::Worked;
 
 use super::mechanism::SeriesFeatures;
+use hodograph_paper::paper::memory::LabelMemory;
 use hodograph_paper::paper::style::Style;
 
 /// Returns the course of each pose.
@@ -51,6 +52,38 @@ pub fn courses(
         hatched: scene.guides.iter().map(|g| guides[&Runs::of(scene, g)].1).collect(),
     };
     poses.iter().enumerate().map(of_pose).collect()
+}
+
+/// Returns the features of the next pose of a series that is not known beforehand: the sides of its
+/// first pose, the travel so far.
+pub fn remembered(
+    memory: &LabelMemory,
+    style: &Style,
+    scene: &Scene,
+    worked: &Worked,
+    notation: &Notation,
+) -> SeriesFeatures {
+    let alone = SeriesFeatures::of_one(style, scene, worked, notation);
+    let named = |guide: &Guide| {
+        let Runs { pin, slider, on } = Runs::of(scene, guide);
+        format!("guide {pin:?} {slider:?} {on:?}")
+    };
+    let travel = |guide: &Guide| {
+        let Some((s, round)) = place(scene, worked, Runs::of(scene, guide)) else {
+            return [0.0; 2];
+        };
+        memory.span(&named(guide), s, round).map(|end| end - s)
+    };
+    let hatched = |(guide, side): (&Guide, &Option<Vec2>)| {
+        side.map(|side| memory.first_side(&named(guide), side))
+    };
+    SeriesFeatures {
+        travel_mm: scene.guides.iter().map(travel).collect(),
+        supports: std::iter::zip(&scene.points, &alone.supports)
+            .map(|(point, side)| memory.first_side(&point.name, *side))
+            .collect(),
+        hatched: scene.guides.iter().zip(&alone.hatched).map(hatched).collect(),
+    }
 }
 
 /// Pin and block of a guide, and the link that carries it: together they identify the guide in

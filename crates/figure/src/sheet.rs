@@ -17,6 +17,7 @@ use hodograph_worked::worked::Worked;
 use hodograph_report::amount::scale_formula;
 
 use super::arrange::{SheetPieces, Tree, arrange, arrange_in, column, put_together};
+use super::course::remembered;
 use super::described::described;
 use super::mechanism::{Overlay, SeriesFeatures, dimensions};
 use super::results::ResultsContent;
@@ -294,13 +295,12 @@ impl SheetDrafter<'_> {
     }
 
     pub fn mechanism(&self) -> DrawingPart {
-        let mut d = mechanism::drawing(
-            &self.options.style,
-            self.scene,
-            self.worked,
-            &self.options.notation,
-            &SeriesFeatures::default(),
-        );
+        let SheetOptions { style, notation, .. } = self.options;
+        let course = match &style.memory {
+            Some(memory) => remembered(memory, style, self.scene, self.worked, notation),
+            None => SeriesFeatures::default(),
+        };
+        let mut d = mechanism::drawing(style, self.scene, self.worked, notation, &course);
         forces::given_loads(self.scene, self.worked, self.options, &mut d);
         d.finish()
     }

@@ -42,6 +42,13 @@ impl<'a> Report<'a> {
     ) -> Self {
         Report { scene, cam, turning, survey, exact: numbers::KnownCams::default() }
     }
+
+    /// Returns the report of a cam; `None` for a cam without a profile over the whole turn, which
+    /// is carried by a moving link.
+    pub fn of(scene: &'a Scene, cam: &'a Cam) -> Option<Self> {
+        let turning = cam.disc.as_ref()?;
+        Some(Report::new(scene, cam, turning, turning.survey.of(&turning.disc)))
+    }
 }
 
 impl Report<'_> {

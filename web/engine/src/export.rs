@@ -3,7 +3,7 @@
 use crate::file::OpenFile;
 use crate::words::{diagnostics, failed, look};
 use hodograph::diag::{Diagnostic, Faults, Warned, both};
-use hodograph::problem::{self, Kind, Lesson, Look, Options};
+use hodograph::problem::{self, Kind, Lesson, Look, Options, whole};
 use hodograph::report::table::{Csv, RowFormat, TableHead, TablePiece};
 use hodograph::scene::Swept;
 use hodograph::worksheet::{CompanionFile, WorksheetSides, html, markdown, typst};
@@ -59,9 +59,12 @@ impl OpenFile {
                 Warned { notes, ..one("html", page.value) }
             }
             "csv" => {
-                let table = self.table()?;
+                let Some(scene) = self.scene() else {
+                    return Err(no_form("csv", self.kind()).into());
+                };
+                let Warned { value: table, notes } = whole::table(scene)?;
                 let lang = look.lang.unwrap_or_default();
-                let title = self.scene().map_or("", |s| s.title.get(lang));
+                let title = scene.title.get(lang);
                 let format = Csv::new(TableHead::of(title, &table).in_language(lang));
                 let columns: Vec<&[f64]> =
                     table.columns.iter().map(|c| c.values.as_slice()).collect();
@@ -71,7 +74,7 @@ impl OpenFile {
                 if let Ok(piece) = format.piece_in(&columns, TablePiece::default()) {
                     piece.parts.iter().for_each(|p| out.extend_from_slice(p));
                 }
-                let notes = table.notes;
+                let notes = notes.into_iter().chain(table.notes).collect();
                 Warned { notes, ..one("csv", String::from_utf8_lossy(&out).into_owned()) }
             }
             form => return Err(no_form(form, self.kind()).into()),

@@ -3,9 +3,8 @@
 use crate::moving::MovingFigures;
 use crate::words::{diagnostics, failed};
 use hodograph::diag::{Both, Diagnostic, Faults, Warned};
-use hodograph::figure::groups;
 use hodograph::figure::list::{self, FigureEntry, Pages};
-use hodograph::problem::{self, Kind, Look, Options, Pictures, Problem, Solved, Verdict};
+use hodograph::problem::{self, Kind, Look, Options, Pictures, Problem, Solved, Verdict, whole};
 use hodograph::render::svg;
 use hodograph::scene::{DriverKind, Scene, Swept};
 use serde_json::{Value as Json, json};
@@ -25,8 +24,8 @@ pub struct OpenFile {
     notes: Vec<Diagnostic>,
 }
 
-/// The name of the figure of groups drawn apart, which is none of [`list::LIST`].
-const MOBILITY: &str = "mobility";
+/// The name of the diagrams over the whole motion, which are none of [`list::LIST`].
+const CURVES: &str = "curves";
 
 impl OpenFile {
     /// Reads and solves a file; candidate `pick` (from 0) of a task.
@@ -110,8 +109,11 @@ impl OpenFile {
                 Err(faults) => missing.extend(faults.list),
             }
         }
-        if message["what"].as_array().is_some_and(|names| names.contains(&json!(MOBILITY))) {
-            figures.extend(self.groups(&look));
+        if message["what"].as_array().is_some_and(|names| names.contains(&json!(CURVES))) {
+            match self.curves(&look) {
+                Ok(pages) => figures.extend(pages),
+                Err(faults) => missing.extend(faults.list),
+            }
         }
         if message["prefix"] == json!(true) {
             figures.iter_mut().for_each(put_before);
@@ -126,43 +128,36 @@ impl OpenFile {
     }
 
     /// Draws one figure.
-    fn drawn(&self, entry: &'static FigureEntry, look: &Look) -> Result<Vec<Json>, Faults> {
+    pub fn drawn(&self, entry: &'static FigureEntry, look: &Look) -> Result<Vec<Json>, Faults> {
         let pictures = Pictures { figures: &[entry], ..Pictures::default() };
-        let Warned { value, notes } = self.solved.figures(&pictures, look)?;
-        let mut written = self.written(value)?;
-        if let (Some(first), false) = (written.first_mut(), notes.is_empty()) {
-            first["notes"] = diagnostics(&notes, &self.text);
-        }
-        for page in &mut written {
-            page["figure"] = json!(entry.name);
+        self.written(entry.name, self.solved.figures(&pictures, look)?)
+    }
+
+    /// Draws the answers over the whole motion.
+    fn curves(&self, look: &Look) -> Result<Vec<Json>, Faults> {
+        self.written(CURVES, whole::curves(self.text.as_bytes(), look)?)
+    }
+
+    fn written(&self, figure: &str, pages: Warned<Pages>) -> Result<Vec<Json>, Faults> {
+        let one = |(name, drawn)| {
+            let Warned { value, notes } = svg::write(&drawn)?;
+            Ok(
+                json!({"name": name, "figure": figure, "svg": value, "notes": diagnostics(&notes, &self.text)}),
+            )
+        };
+        let mut written: Vec<Json> =
+            pages.value.into_iter().map(one).collect::<Result<_, Faults>>()?;
+        if let (Some(first), false) = (written.first_mut(), pages.notes.is_empty()) {
+            first["notes"] = diagnostics(&pages.notes, &self.text);
         }
         Ok(written)
-    }
-
-    /// Draws the groups of a mechanism apart.
-    fn groups(&self, look: &Look) -> Vec<Json> {
-        let Some((scene, worked)) = self.solved.mechanism() else { return Vec::new() };
-        let (lang, notation) = look.of(scene.language, scene.notation.as_deref());
-        let notation = look.style.marks.over(&notation);
-        let figure = groups::figure(scene, worked, &look.style, &notation, lang);
-        let mut pages = self.written(vec![(MOBILITY.to_owned(), figure)]).unwrap_or_default();
-        pages.iter_mut().for_each(|page| page["figure"] = json!(MOBILITY));
-        pages
-    }
-
-    fn written(&self, pages: Pages) -> Result<Vec<Json>, Faults> {
-        let one = |(name, figure)| {
-            let Warned { value, notes } = svg::write(&figure)?;
-            Ok(json!({"name": name, "svg": value, "notes": diagnostics(&notes, &self.text)}))
-        };
-        pages.into_iter().map(one).collect()
     }
 
     /// Answers `steps`: a picture for each step of the construction.
     pub fn steps(&self, message: &Json) -> Json {
         let look = crate::words::look(message);
         let pictures = Pictures { steps: true, ..Pictures::default() };
-        let drawn = self.solved.figures(&pictures, &look).and_then(|p| self.written(p.value));
+        let drawn = self.solved.figures(&pictures, &look).and_then(|p| self.written("step", p));
         match drawn {
             Ok(pages) => json!({"ok": true, "figures": pages}),
             Err(faults) => failed(&faults, &self.text),

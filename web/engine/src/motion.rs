@@ -2,24 +2,17 @@
 //! that puts a place of the driver into the text.
 
 use crate::file::OpenFile;
-use crate::moving::no_driver;
 use crate::words::{failed, place};
-use hodograph::diag::{Faults, Span};
-use hodograph::mechanism::Mechanism;
+use hodograph::diag::Span;
 use hodograph::position::Configuration;
-use hodograph::problem::{self, Options, whole_motion};
+use hodograph::problem::{self, Options};
 use hodograph::scene::{DriverKind, PointId, Position, Scene, Swept, driver_position, edit};
 use hodograph::sweep::follow::PoseFollower;
-use hodograph::sweep::long::LongSweep;
-use hodograph::sweep::station::{DriverSpan, angle_per_value, now};
-use hodograph::sweep::timed::TimedSweep;
-use hodograph::sweep::{PlacedScene, StationSteps, extreme, mechanism, pieces};
+use hodograph::sweep::station::now;
 use serde_json::{Value as Json, json};
 
 /// Least number of poses of a turn that the page gets.
 const POSES: usize = 72;
-/// Steps of a table: one for each degree.
-const STEPS: usize = 360;
 
 /// The dragged point of a driver.
 fn grip(scene: &Scene, driver: usize, at: &Configuration) -> Option<PointId> {
@@ -118,37 +111,6 @@ impl OpenFile {
         let mut new = self.text.clone();
         new.replace_range(span.start..span.end, &format!("\"{quantity}\""));
         quoted.then_some(new)
-    }
-
-    /// Returns the table of the whole motion.
-    ///
-    /// # Errors
-    /// Those of the sweep.
-    pub fn table(&self) -> Result<hodograph::sweep::Table, Faults> {
-        let (Some(scene), Some(swept)) = (self.scene(), self.swept) else {
-            return Err(no_driver());
-        };
-        let scene = whole_motion(scene.clone()).value;
-        let of: Mechanism = mechanism(&scene)?;
-        let placed = PlacedScene::new(&scene, &of)?;
-        let Swept::Driver(driver) = swept else {
-            let (timed, range) = TimedSweep::new(&placed, [None, None])?;
-            return Ok(pieces::gather(&mut timed.steps(range, STEPS)));
-        };
-        let way = if scene.drivers[driver].kind.turns() {
-            let [from, to] = edit::angles("0", "360")?;
-            DriverSpan::Turn(from, to)
-        } else {
-            let limits = extreme::limits(&scene, &of, driver)?;
-            let [from, to] = limits.range.bounds();
-            let per_value = angle_per_value(&scene, &placed.at, driver);
-            DriverSpan::Slide { from, to, per_value }
-        };
-        Ok(pieces::gather(&mut LongSweep::new(
-            &placed,
-            driver,
-            StationSteps { way, steps: STEPS },
-        )?))
     }
 }
 

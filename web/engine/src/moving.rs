@@ -2,10 +2,14 @@
 
 use crate::file::{OpenFile, answers, prefix, verdict, wanted};
 use crate::words::{diagnostics, failed, look};
-use hodograph::diag::{Diagnostic, Faults, both};
-use hodograph::problem::{Live, Options, PageDelta, Pictures};
+use hodograph::diag::Faults;
+use hodograph::figure::list::FigureEntry;
+use hodograph::problem::{Live, Look, Options, PageDelta, Pictures, whole};
 use hodograph::render::svg::{Delta, IdPrefix};
 use serde_json::{Value as Json, json};
+
+/// Enlargement of type and symbols: with room for the whole motion, a figure is small on the screen.
+const LARGER: f64 = 1.4;
 
 /// The figures in motion of an opened file.
 pub struct MovingFigures {
@@ -20,7 +24,7 @@ fn asked(message: &Json) -> [Json; 4] {
 }
 
 impl OpenFile {
-    /// Answers `move`: the figures `what` after a `travel` of the driver, with room for the whole
+    /// Answers `move`: the figures `what`, as far as the file calls for them, after a `travel` of the driver, with room for the whole
     /// motion. Each page has its document in `svg` if it is new or the message asks for the `whole`,
     /// else its changes in `delta`.
     pub fn move_to(&mut self, message: &Json) -> Json {
@@ -31,18 +35,25 @@ impl OpenFile {
     }
 
     fn moved(&mut self, message: &Json) -> Result<Json, Faults> {
-        let Some(swept) = self.swept else { return Err(no_driver()) };
+        let swept = whole::usual(&self.problem.clone().into_scene()?)?;
         let (look, asked) = (look(message), asked(message));
         let figures = wanted(message);
-        let begins = self.moving.as_ref().is_none_or(|m| m.asked != asked);
-        let whole = begins || message["whole"] == json!(true);
-        if begins {
-            let pictures = Pictures { figures: &figures, ..Pictures::default() };
-            let mut live = Live::new(&self.problem, &Options::default(), &pictures, &look)?;
-            live.make_room(swept)?;
-            self.moving = Some(MovingFigures { live, asked });
-        }
-        let Some(MovingFigures { live, .. }) = &mut self.moving else { return Err(no_driver()) };
+        let known = self.moving.take().filter(|moving| moving.asked == asked);
+        let whole = known.is_none() || message["whole"] == json!(true);
+        let MovingFigures { live, .. } = match known {
+            Some(known) => self.moving.insert(known),
+            None => {
+                let is_there = |entry: &&'static FigureEntry| {
+                    self.drawn(entry, &look).is_ok_and(|pages| !pages.is_empty())
+                };
+                let there: Vec<_> = figures.iter().copied().filter(is_there).collect();
+                let pictures = Pictures { figures: &there, ..Pictures::default() };
+                let larger = Look { style: look.style.enlarged(LARGER), ..look.clone() };
+                let mut live = Live::new(&self.problem, &Options::default(), &pictures, &larger)?;
+                live.make_room(swept)?;
+                self.moving.insert(MovingFigures { live, asked })
+            }
+        };
         let changes = live.redraw_after(swept, message["travel"].as_f64().unwrap_or_default())?;
         let page = |change: &PageDelta| {
             let PageDelta { name, delta, .. } = change;
@@ -85,9 +96,4 @@ fn written(delta: &Delta, prefix: &IdPrefix) -> Json {
         "changed": marked(&delta.changed),
         "moved": delta.moved,
     })
-}
-
-/// The fault of a file without anything that moves.
-pub fn no_driver() -> Faults {
-    Diagnostic::error("no-driver", both!("the scene has no driver", "机构文件没有原动件")).into()
 }

@@ -3,10 +3,12 @@
 //! A new figure needs a file that draws it and gives its name, and an entry in [`LIST`]. The
 //! command line takes its choices and their help from this list.
 
+mod cam;
 mod drawings;
 mod equations;
 mod forces;
 mod gears;
+mod groups;
 mod kutzbach;
 mod plates;
 mod results;
@@ -55,6 +57,8 @@ pub const LIST: &[&FigureEntry] = &[
     &centres::ENTRY,
     &kutzbach::ENTRY,
     &gears::ENTRY,
+    &cam::ENTRY,
+    &groups::ENTRY,
     &composite::ENTRY,
     &attempts::ENTRY,
     &curvature::ENTRY,

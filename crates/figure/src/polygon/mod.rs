@@ -98,6 +98,10 @@ pub fn polygon(style: &Style, w: &PlanWriter, p: &Polygon) -> DrawingPart {
     };
     let (drawing, names) = draft.draw(&style, &[]);
     let part = finished(drawing);
+    if style.memory.is_some() {
+        // In a series, insets would appear and disappear from figure to figure.
+        return part;
+    }
     let insets = draft.insets(|arrow| part.left_out.contains(&names[arrow]));
     if insets.is_empty() { part } else { finished(draft.draw(&style, &insets).0) }
 }

@@ -9,6 +9,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::drawing::{DrawingPart, Habits};
 use super::extent::Rect;
+use hodograph_base::geom::Vec2;
 
 /// Largest part for which the next figures keep room, if the first is not larger: beside a singular
 /// pose a polygon grows without bound.
@@ -17,7 +18,7 @@ const LARGEST_MM: f64 = 400.0;
 /// around it. A label at the edge does not shift everything.
 const STRIP_MM: f64 = 5.0;
 
-/// The places of the labels and the rooms of the parts of one figure; clones share them.
+/// The places of the labels, the rooms of the parts and the ground of one figure; clones share them.
 #[derive(Clone, Debug, Default)]
 pub struct LabelMemory(Arc<Mutex<Places>>);
 
@@ -26,6 +27,8 @@ pub struct LabelMemory(Arc<Mutex<Places>>);
 struct Places {
     parts: BTreeMap<(&'static str, usize), PartMemory>,
     counts: BTreeMap<&'static str, usize>,
+    sides: BTreeMap<String, Vec2>,
+    spans: BTreeMap<String, [f64; 2]>,
 }
 
 #[derive(Debug, Default)]
@@ -39,6 +42,23 @@ impl LabelMemory {
     /// Begins the figure again.
     pub fn restart(&self) {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).counts.clear();
+    }
+
+    /// Returns the side of an object of the ground in the first figure; `side` is that of this one.
+    pub fn first_side(&self, name: &str, side: Vec2) -> Vec2 {
+        let mut places = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        *places.sides.entry(name.to_owned()).or_insert(side)
+    }
+
+    /// Returns the least and the greatest coordinate of a moving object in all figures; `at` is that
+    /// of this one, plus any number of periods, if it has a `period`.
+    pub fn span(&self, name: &str, at: f64, period: Option<f64>) -> [f64; 2] {
+        let mut places = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let span = places.spans.entry(name.to_owned()).or_insert([at; 2]);
+        let middle = 0.5 * (span[0] + span[1]);
+        let turns = period.map_or(0.0, |round| ((middle - at) / round).round() * round);
+        *span = [span[0].min(at + turns), span[1].max(at + turns)];
+        span.map(|s| s - turns)
     }
 
     /// Gives a part the room of all parts of its kind and order in the figures before.

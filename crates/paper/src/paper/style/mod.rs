@@ -228,29 +228,44 @@ impl Style {
         for mm in [&mut style.label_mm, &mut style.caption_mm, &mut style.small_mm] {
             *mm = mm.min((*mm * part).max(LEAST_TYPE_MM));
         }
-        let k = part.clamp(LEAST_INK, 1.0);
-        for stroke in [&mut style.link, &mut style.outline, &mut style.thin, &mut style.vector] {
+        style.scale_ink(part.clamp(LEAST_INK, 1.0));
+        style
+    }
+
+    /// Returns the style for a drawing whose type and symbols are larger by this factor: for a
+    /// screen that shows the drawing smaller than it is.
+    pub fn enlarged(&self, by: f64) -> Style {
+        let mut style = self.clone();
+        for mm in [&mut style.label_mm, &mut style.caption_mm, &mut style.small_mm] {
+            *mm *= by;
+        }
+        style.scale_ink(by);
+        style
+    }
+
+    /// Scales symbols by a factor, and widths of lines by its root.
+    fn scale_ink(&mut self, k: f64) {
+        for stroke in [&mut self.link, &mut self.outline, &mut self.thin, &mut self.vector] {
             stroke.width_mm *= k.sqrt();
         }
         for mm in [
-            &mut style.pin_radius_mm,
-            &mut style.dot_radius_mm,
-            &mut style.pivot_height_mm,
-            &mut style.pivot_half_base_mm,
-            &mut style.ground_half_mm,
-            &mut style.hatch_pitch_mm,
-            &mut style.hatch_depth_mm,
-            &mut style.block_length_mm,
-            &mut style.block_width_mm,
-            &mut style.slot_width_mm,
-            &mut style.head.length_mm,
-            &mut style.head.width_mm,
-            &mut style.thin_head.length_mm,
-            &mut style.thin_head.width_mm,
+            &mut self.pin_radius_mm,
+            &mut self.dot_radius_mm,
+            &mut self.pivot_height_mm,
+            &mut self.pivot_half_base_mm,
+            &mut self.ground_half_mm,
+            &mut self.hatch_pitch_mm,
+            &mut self.hatch_depth_mm,
+            &mut self.block_length_mm,
+            &mut self.block_width_mm,
+            &mut self.slot_width_mm,
+            &mut self.head.length_mm,
+            &mut self.head.width_mm,
+            &mut self.thin_head.length_mm,
+            &mut self.thin_head.width_mm,
         ] {
             *mm *= k;
         }
-        style
     }
 }
 

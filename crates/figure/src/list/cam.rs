@@ -1,0 +1,30 @@
+//! Each cam over its turn: the motion of its follower, and its profile by inversion.
+
+use crate::cam::{inversion, motion};
+use hodograph_base::diag::{Faults, Warned};
+use hodograph_report::cam::Report;
+
+use super::{FigureEntry, FigureInput, Pages};
+
+/// Diagrams of the follower, and the profile by inversion 反转法.
+pub const ENTRY: FigureEntry = FigureEntry {
+    name: "cam",
+    about: [
+        "Cams: motion of the follower over a turn, and the profile by inversion",
+        "凸轮：从动件位移、类速度、类加速度线图和反转法作廓线",
+    ],
+    draw,
+};
+
+fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
+    let reports: Vec<Report> =
+        w.scene.cams.iter().filter_map(|cam| Report::of(w.scene, cam)).collect();
+    let (style, lang) = (&w.options.style, w.options.lang);
+    let mut pages = Pages::new();
+    for (k, report) in reports.iter().enumerate() {
+        let number = if reports.len() > 1 { format!("-{}", k + 1) } else { String::new() };
+        pages.push((format!("cam-motion{number}"), motion::figure(report, style, lang)));
+        pages.push((format!("cam-profile{number}"), inversion::figure(report, style, lang)));
+    }
+    Ok(Warned { value: pages, notes: Vec::new() })
+}

@@ -1,0 +1,170 @@
+//! Tables and diagrams of the whole motion, in the usual range and steps.
+
+use super::{Look, whole_motion};
+use crate::diag::{Diagnostic, Faults, Warned, both};
+use crate::figure::curves::{self, CurveDiagram};
+use crate::figure::list::Pages;
+use crate::mechanism::Mechanism;
+use crate::position::Path;
+use crate::scene::quantity::Meaning;
+use crate::scene::{self, LinkId, OnLink, PointId, Scene, Swept, edit};
+use crate::sweep::long::LongSweep;
+use crate::sweep::pieces::gather;
+use crate::sweep::station::{DriverSpan, angle_per_value};
+use crate::sweep::timed::TimedSweep;
+use crate::sweep::{self, PlacedScene, StationSteps, Table, extreme};
+
+/// Default number of steps: one for each degree of a turn.
+pub const STEPS: usize = 360;
+
+/// Largest deviation (sine) of a guide from an axis that counts as rounding of its angle.
+const ALONG: f64 = 1e-9;
+
+/// Returns a scene for a table of its whole motion, as [`whole_motion`] does. The rows follow every
+/// piece of a profile; where no driver moves the cam, the scene is read again for each row, and no
+/// piece is assumed.
+pub fn over_a_table(scene: Scene) -> Warned<Scene> {
+    let mut whole = whole_motion(scene);
+    if whole.value.is_told_everywhere() {
+        whole.notes.retain(|d| d.code != "cam-piece");
+    }
+    whole
+}
+
+/// Returns the answers over a full turn of the usual driver in steps of a degree, over the whole
+/// travel of a slider, or over the usual time.
+///
+/// # Errors
+/// `no-driver` for a scene without one; those of the sweep.
+pub fn table(scene: &Scene) -> Result<Warned<Table>, Faults> {
+    let Warned { value: scene, notes } = over_a_table(scene.clone());
+    let mechanism = sweep::mechanism(&scene)?;
+    let placed = PlacedScene::new(&scene, &mechanism)?;
+    let swept = usual(&scene)?;
+    Ok(Warned { value: rows(&placed, swept)?, notes })
+}
+
+/// Draws displacements, velocities and accelerations over the whole motion of [`table`]. The
+/// displacement of each questioned link or slider is added to the questions of the file.
+///
+/// # Errors
+/// `no-curve` if no question has a curve; those of [`table`].
+pub fn curves(source: &[u8], look: &Look) -> Result<Warned<Pages>, Faults> {
+    let Warned { value, notes } = scene::read(source)?;
+    let somewhere = notes.iter().all(|n| n.code != "free-centre");
+    let asked = with_positions(&value, somewhere)?.join(",");
+    let Warned { value: scene, mut notes } =
+        over_a_table(scene::read_asking(source, &asked)?.value);
+    let mechanism = sweep::mechanism(&scene)?;
+    let placed = PlacedScene::new(&scene, &mechanism)?;
+    let swept = usual(&scene)?;
+    let table = rows(&placed, swept)?;
+    let (lang, notation) = look.of(scene.language, scene.notation.as_deref());
+    let notation = look.style.marks.over(&notation);
+    let diagram = match swept {
+        Swept::Driver(driver) => CurveDiagram::of(&placed, driver, &table, &notation),
+        Swept::Time => {
+            let (timed, _) = TimedSweep::new(&placed, [None, None])?;
+            let again = |times| Some(timed.table(times));
+            CurveDiagram::swept(&scene, swept, &table, &again, &notation)
+        }
+    };
+    if diagram.is_empty() {
+        return Err(no_curve().into());
+    }
+    notes.extend(table.notes);
+    let figure = curves::figure(&scene, &diagram, &look.style, lang);
+    Ok(Warned { value: vec![("curves".to_owned(), figure)], notes })
+}
+
+/// The fault of a scene whose questions have no curve.
+pub fn no_curve() -> Diagnostic {
+    Diagnostic::error(
+        "no-curve",
+        both!("nothing that is asked has a curve", "所求各量均无曲线可画"),
+    )
+}
+
+/// Returns the quantity that moves where none is named.
+///
+/// # Errors
+/// `no-driver` for a scene without a driver.
+pub fn usual(scene: &Scene) -> Result<Swept, Faults> {
+    if scene.drivers.is_empty() {
+        let message = both!("the scene has no driver", "机构文件没有原动件");
+        return Err(Diagnostic::error("no-driver", message).into());
+    }
+    Ok(Swept::usual(scene))
+}
+
+fn rows(placed: &PlacedScene, swept: Swept) -> Result<Table, Faults> {
+    let Swept::Driver(driver) = swept else {
+        let (timed, range) = TimedSweep::new(placed, [None, None])?;
+        return Ok(gather(&mut timed.steps(range, STEPS)));
+    };
+    let way = if placed.scene.drivers[driver].kind.turns() {
+        let [from, to] = edit::angles("0", "360")?;
+        DriverSpan::Turn(from, to)
+    } else {
+        let limits = extreme::limits(placed.scene, placed.mechanism, driver)?;
+        let [from, to] = limits.range.bounds();
+        let per_value = angle_per_value(placed.scene, &placed.at, driver);
+        DriverSpan::Slide { from, to, per_value }
+    };
+    Ok(gather(&mut LongSweep::new(placed, driver, StationSteps { way, steps: STEPS })?))
+}
+
+/// Returns the scene's questions, each preceded by its displacement: the angle of a link, or the
+/// coordinates in which a slider on the ground moves. A point that moves freely has no such
+/// coordinate; a gear train without given centres (not `somewhere`) has no angles.
+///
+/// # Errors
+/// Those of the mechanism and its positions.
+pub fn with_positions(scene: &Scene, somewhere: bool) -> Result<Vec<String>, Faults> {
+    let mechanism = Mechanism::new(scene)?.value;
+    let placed = PlacedScene::new(scene, &mechanism)?;
+    let mut words: Vec<String> = Vec::new();
+    for find in &scene.find {
+        let meaning = find.what.meaning(scene);
+        if let Some(l) = meaning.and_then(Meaning::turning_of)
+            && somewhere
+            && has_line(scene, l)
+        {
+            words.push(format!("phi_{}", scene.link_name(l)));
+        }
+        if let Some(OnLink { point, link: None }) = meaning.and_then(Meaning::vector_of) {
+            let axes = axes(&placed, point);
+            words.extend(axes.iter().map(|axis| format!("{axis}_{}", scene.point_name(point))));
+        }
+        words.push(find.text.clone());
+    }
+    let mut seen: Vec<String> = Vec::new();
+    for word in words {
+        if !seen.contains(&word) {
+            seen.push(word);
+        }
+    }
+    Ok(seen)
+}
+
+/// Returns true if a link has an angle of its own; a wheel that consists of its centre alone has
+/// none.
+fn has_line(scene: &Scene, link: LinkId) -> bool {
+    let guided = scene
+        .guides
+        .iter()
+        .any(|g| g.rolling.is_none() && (g.on == link || g.slider == Some(link)));
+    guided || scene.links[link.0].points.len() >= 2
+}
+
+/// Returns the coordinates in which a pin on a straight guide of the ground moves.
+fn axes(placed: &PlacedScene, point: PointId) -> &'static [&'static str] {
+    let guides = placed.scene.guides.iter().zip(&placed.at.guides);
+    let on_ground = guides.filter(|(g, _)| g.pin == Some(point) && g.on == placed.scene.ground);
+    match on_ground.map(|(_, path)| path).next() {
+        Some(Some(Path::Line { direction, .. })) if direction.y.abs() < ALONG => &["x"],
+        Some(Some(Path::Line { direction, .. })) if direction.x.abs() < ALONG => &["y"],
+        Some(Some(Path::Line { .. })) => &["x", "y"],
+        _ => &[],
+    }
+}
