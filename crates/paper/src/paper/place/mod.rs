@@ -346,7 +346,8 @@ pub enum LeaderReach {
     Short,
     /// Twice as long: for a single figure.
     Long,
-    /// The place in the figure before, for a figure that is drawn again while something moves.
+    /// The place in the figure before unless it is covered, for a figure that is drawn again while
+    /// something moves.
     Kept,
 }
 
@@ -435,7 +436,9 @@ pub fn place_or_leave(
     out
 }
 
-/// Leaves every label at its place beside its target, and places the new ones beside those.
+/// Leaves every label at its place beside its target, unless something covers it there: then it
+/// moves to the best near place, if that is better. New labels are placed beside those. An optional
+/// label without a clear place is left out until it has one.
 fn kept(
     requests: &[LabelRequest],
     obstacles: &Obstacles,
@@ -446,20 +449,32 @@ fn kept(
     let stays = |(i, label): (usize, &MeasuredRequest)| match before.get(i).copied().flatten() {
         Some(Habit::At(index)) => {
             let mut offer = Offer::new(label, obstacles, bounds);
-            Some(label.placement((offer.place(index)?, 0.0, index)))
+            let place = offer.place(index)?;
+            Some(label.placement((place, offer.cost_alone(index), index)))
         }
         Some(Habit::LeftOut) | None => None,
     };
     let mut out: Vec<Option<Placement>> = labels.iter().enumerate().map(stays).collect();
     for (i, label) in labels.iter().enumerate() {
-        if out[i].is_some() || before.get(i) == Some(&Some(Habit::LeftOut)) {
+        let own = out[i].take();
+        let others: Vec<Placement> = out.iter().flatten().copied().collect();
+        let cost = own.map_or(f64::INFINITY, |p| p.cost + search::cost_beside(&p, &others));
+        if cost < search::LEAVE {
+            out[i] = own;
             continue;
         }
-        let placed: Vec<Placement> = out.iter().flatten().copied().collect();
-        let found = search::beside_placed(label, obstacles, bounds, &placed);
-        out[i] = found
-            .map(|found| label.placement(found))
-            .filter(|p| !requests[i].optional || p.cost < CROWDED);
+        let found = search::beside_placed(label, obstacles, bounds, &others);
+        let found = found.map(|found| label.placement(found));
+        let most = match before.get(i) {
+            Some(Some(Habit::LeftOut)) => search::LEAVE,
+            _ if requests[i].optional => CROWDED,
+            _ => f64::INFINITY,
+        };
+        out[i] = match found {
+            Some(better) if better.cost + search::LEAVE < cost => Some(better),
+            _ => own.map(|p| Placement { cost, ..p }),
+        };
+        out[i] = out[i].filter(|p| p.cost < most);
     }
     out
 }

@@ -246,6 +246,13 @@ pub(super) fn run(
     search.choices.iter().enumerate().map(found).collect()
 }
 
+/// Returns the cost of a place beside those of other labels.
+pub(super) fn cost_beside(place: &Placement, others: &[Placement]) -> f64 {
+    let candidate = |p: &Placement| CandidatePlace::new(p.bounds, p.leader, 0.0);
+    let own = candidate(place);
+    others.iter().map(|other| cost::pair(&own, &candidate(other))).sum()
+}
+
 /// Returns the best place near its target for a label beside others that stay in place.
 pub(super) fn beside_placed(
     wanted: &MeasuredRequest,
