@@ -18,8 +18,8 @@ use crate::worked::{Scope, Worked, work, work_pose};
 /// Parts of its box that a polygon fills at least and at most before it gets another scale.
 const LEAST_FILLED: f64 = 0.25;
 const MOST_FILLED: f64 = 1.0 + 1e-9;
-/// Poses of a turn for which [`Live::make_room`] draws.
-const ROOM_POSES: usize = 24;
+/// Poses of a turn for which [`Live::reserve`] draws.
+const RESERVED_POSES: usize = 24;
 
 /// Figures of a mechanism, prepared to be drawn again for other positions of its drivers.
 ///
@@ -203,19 +203,19 @@ impl Live {
         Ok(changes)
     }
 
-    /// Makes room for the figures over the whole motion of a driver, or over time, so that nothing
+    /// Reserves space for the figures over the whole motion of a driver, or over time, so that nothing
     /// fixed shifts when they are drawn again; returns the changes of all pages.
     ///
     /// # Errors
     /// Those of the drawings at the positions of the figures.
-    pub fn make_room(&mut self, swept: Swept) -> Result<Vec<PageDelta>, Faults> {
+    pub fn reserve(&mut self, swept: Swept) -> Result<Vec<PageDelta>, Faults> {
         let Live { scene, mechanism, demand, base, wanted, .. } = self;
         let follower = PoseFollower::new(scene, mechanism, demand, base, swept);
-        for pose in follower.sweep(ROOM_POSES).poses {
+        for pose in follower.sweep(RESERVED_POSES).poses {
             let mut there = follower.scene_at(scene, pose.travel);
             free_scales(&mut there, &self.own_scales);
             if let Ok(read) = work_pose(&there, (mechanism, demand), &pose.configuration) {
-                // Only the memory of the drawing is wanted; a pose without one needs no room.
+                // Only the memory of the drawing is wanted; a pose without one needs no space.
                 let _ = wanted.draw(&solution(read));
             }
         }
@@ -436,10 +436,10 @@ mod tests {
         assert!(moved > 30, "{moved}");
     }
 
-    /// Once there is room for the whole motion, the paper keeps its size, and pivots, poles and
+    /// Once space is reserved for the whole motion, the paper keeps its size, and pivots, poles and
     /// captions their places.
     #[test]
-    fn with_room_nothing_fixed_moves() {
+    fn with_reserved_space_nothing_fixed_moves() {
         let figures = ["mechanism", "velocity", "acceleration"].map(|n| list::named(n).unwrap());
         let fixed = |svg: &str| -> Vec<String> {
             let is_fixed = |e: &&String| {
@@ -458,7 +458,7 @@ mod tests {
             let problem = read(templates::text(name, &[]).unwrap()).unwrap().value;
             let mut live =
                 Live::new(&problem, &Options::default(), &pictures, &Look::default()).unwrap();
-            live.make_room(Swept::Driver(0)).unwrap();
+            live.reserve(Swept::Driver(0)).unwrap();
             let pages: Vec<String> = live.pages.iter().map(|(page, _)| page.clone()).collect();
             let before: Vec<String> = pages.iter().map(|page| live.svg(page).unwrap()).collect();
             for k in 1..=12 {

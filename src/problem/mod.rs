@@ -318,6 +318,8 @@ pub enum Verdict {
 pub struct Answer {
     /// The question as the file writes it.
     pub find: String,
+    /// Symbol of the quantity in the label language, such as `a^{c}_{A3A2}`.
+    pub symbol: String,
     /// The SI unit.
     pub unit: &'static str,
     /// The value (SI); `None` if the question has no answer.

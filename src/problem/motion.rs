@@ -68,12 +68,14 @@ fn in_plane(parts: &[f64]) -> Option<Told> {
 impl Answered for MotionSolution {
     fn answers(&self, look: &Look) -> Vec<Answer> {
         let lang = self.lang(look);
+        let notation = look.notation.clone().unwrap_or_else(|| Notation::of_language(lang));
         let answer = |a: &particle::ParticleAnswer| {
             let find = &self.problem.find[a.find];
             let size = report::largest(&self.problem, &self.solved, find.what);
             let parts = a.value.vector().or_else(|| a.value.scalar().map(|s| vec![s]));
             Answer {
                 find: find.text.clone(),
+                symbol: report::symbol(&self.problem, find.what, &notation),
                 unit: report::kind(find.what).map_or("", |q| q.si()),
                 value: parts.as_deref().and_then(in_plane),
                 text: report::value(

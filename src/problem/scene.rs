@@ -10,6 +10,7 @@ use crate::figure::list::{self, FigureEntry, FigureInput, Pages};
 use crate::lesson;
 use crate::notation::Notation;
 use crate::plan::text::PlanWriter;
+use crate::report::amount::symbol;
 use crate::report::answers::{self, AnswerLine};
 use crate::report::forces::ForceWriter;
 use crate::report::{construction, drafting, trains};
@@ -92,12 +93,14 @@ impl SceneSolution {
 
 impl Answered for SceneSolution {
     fn answers(&self, look: &Look) -> Vec<Answer> {
-        let (lang, _) = self.look(look);
+        let (lang, notation) = self.look(look);
+        let notation = look.style.marks.over(&notation);
         let certified = self.certified(look);
         let without = |find: usize, text: String| {
             let find = &self.scene.find[find];
             Answer {
                 find: find.text.clone(),
+                symbol: symbol(find, &notation),
                 unit: find.what.kind().si(),
                 value: None,
                 text,

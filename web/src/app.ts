@@ -1,6 +1,6 @@
 // The page: text, engine, drawings, and what the user does with them. The text is the only state that lasts.
 
-import { element } from './dom'
+import { element, markup } from './dom'
 import { Editor } from './editor'
 import { Ended, Engine, Refused, type Diagnostic, type Frame, type Motion, type Opened, type Page } from './engine'
 import type { Schema } from './complete'
@@ -8,7 +8,7 @@ import { Gallery } from './gallery'
 import { Course } from './motion'
 import { arrange, Pane } from './panes'
 import { fragment, save, shared } from './share'
-import { formula, isWord, word, type Lang, type Word } from './words'
+import { isWord, word, type Lang, type Word } from './words'
 
 /** The figures that move together in the first tab. */
 const LIVE = ['mechanism', 'velocity', 'acceleration']
@@ -182,7 +182,7 @@ export class App {
         this.course = new Course(motion)
         this.dressTransport()
         this.dressTabs()
-        // The figures with room for the whole motion, before anything moves.
+        // The figures with space for the whole motion, before anything moves.
         if (this.tab === 'live' && this.course.can) await this.draw(true)
       }
       for (const name of this.opened?.kind === 'scene' ? SINGLE : []) {
@@ -417,7 +417,7 @@ export class App {
   private answer(frame: Frame): void {
     if (!frame.answers) return
     const rows = frame.answers.map((a) =>
-      element('tr', { class: a.answered ? '' : 'none' }, element('th', { scope: 'row' }, formula(a.find)), element('td', {}, a.text)),
+      element('tr', { class: a.answered ? '' : 'none' }, element('th', { scope: 'row' }, markup(a.symbol)), element('td', {}, a.text)),
     )
     const off = frame.answers.reduce((most, a) => Math.max(most, a.difference ?? 0), 0)
     const compared = frame.answers.some((a) => a.difference !== null)

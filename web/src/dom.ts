@@ -28,3 +28,10 @@ export function parts(svg: string): Element[] {
   within.innerHTML = svg
   return [...within.children]
 }
+
+/** A fragment of the engine's markup. */
+export function markup(html: string): DocumentFragment {
+  const within = document.createElement('template')
+  within.innerHTML = html
+  return within.content
+}

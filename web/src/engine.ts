@@ -39,7 +39,8 @@ export interface Delta {
   changed: [number, string][]
   moved: [number, string][]
 }
-export interface Answer { find: string; text: string; answered: boolean; difference: number | null }
+/** An answer; its symbol is MathML. */
+export interface Answer { find: string; symbol: string; text: string; answered: boolean; difference: number | null }
 export interface Frame { figures: Page[]; missing: Diagnostic[]; answers: Answer[] | null; verdict: Verdict }
 export interface Motion {
   poses: { travel: number; grip: [number, number] | null }[]

@@ -23,7 +23,7 @@ pub(super) struct SheetPieces {
 }
 
 impl SheetPieces {
-    /// In a figure of a series, gives each part the room of the figures before.
+    /// In a figure of a series, gives each part the space of the figures before.
     pub fn held(mut self, style: &Style) -> SheetPieces {
         let Some(memory) = &style.memory else { return self };
         let equations = self

@@ -4,8 +4,10 @@ use crate::moving::MovingFigures;
 use crate::words::{diagnostics, failed};
 use hodograph::diag::{Both, Diagnostic, Faults, Warned};
 use hodograph::figure::list::{self, FigureEntry, Pages};
+use hodograph::paper::label::Label;
 use hodograph::problem::{self, Kind, Look, Options, Pictures, Problem, Solved, Verdict, whole};
 use hodograph::render::svg;
+use hodograph::report::math::mathml;
 use hodograph::scene::{DriverKind, Scene, Swept};
 use serde_json::{Value as Json, json};
 
@@ -216,7 +218,8 @@ pub fn answers(solved: &Solved, look: &Look) -> Json {
     let look = &Look { digits: Look::default().digits, ..look.clone() };
     let one = |a: problem::Answer| {
         let answered = a.value.is_some();
-        json!({"find": a.find, "text": a.text, "answered": answered, "difference": a.difference})
+        let symbol = mathml(&Label::math(a.symbol));
+        json!({"find": a.find, "symbol": symbol, "text": a.text, "answered": answered, "difference": a.difference})
     };
     solved.answers(look).into_iter().map(one).collect()
 }

@@ -8,7 +8,7 @@ use hodograph::problem::{Live, Look, Options, PageDelta, Pictures, whole};
 use hodograph::render::svg::{Delta, IdPrefix};
 use serde_json::{Value as Json, json};
 
-/// Enlargement of type and symbols: with room for the whole motion, a figure is small on the screen.
+/// Enlargement of type and symbols: with space for the whole motion, a figure is small on the screen.
 const LARGER: f64 = 1.4;
 
 /// The figures in motion of an opened file.
@@ -24,7 +24,7 @@ fn asked(message: &Json) -> [Json; 4] {
 }
 
 impl OpenFile {
-    /// Answers `move`: the figures `what`, as far as the file calls for them, after a `travel` of the driver, with room for the whole
+    /// Answers `move`: the figures `what`, as far as the file calls for them, after a `travel` of the driver, with space for the whole
     /// motion. Each page has its document in `svg` if it is new or the message asks for the `whole`,
     /// else its changes in `delta`.
     pub fn move_to(&mut self, message: &Json) -> Json {
@@ -50,7 +50,7 @@ impl OpenFile {
                 let pictures = Pictures { figures: &there, ..Pictures::default() };
                 let larger = Look { style: look.style.enlarged(LARGER), ..look.clone() };
                 let mut live = Live::new(&self.problem, &Options::default(), &pictures, &larger)?;
-                live.make_room(swept)?;
+                live.reserve(swept)?;
                 self.moving.insert(MovingFigures { live, asked })
             }
         };

@@ -1,7 +1,7 @@
 //! The arrangement of a figure that is drawn again while something moves.
 //!
 //! A [`Style`](super::style::Style) with a memory makes a drawing one of a series: its labels keep
-//! their places, each part of the paper keeps its room, and everything that is only worth its time
+//! their places, each part of the paper keeps its space, and everything that is only worth its time
 //! in a single figure is left out.
 
 use std::collections::BTreeMap;
@@ -11,14 +11,14 @@ use super::drawing::{DrawingPart, Habits};
 use super::extent::Rect;
 use hodograph_base::geom::Vec2;
 
-/// Largest part for which the next figures keep room, if the first is not larger: beside a singular
+/// Largest part for which the next figures keep space, if the first is not larger: beside a singular
 /// pose a polygon grows without bound.
 const LARGEST_MM: f64 = 400.0;
-/// Width of the strip around a part's room into which the next part may reach: less than the air
+/// Width of the strip around a part's space into which the next part may reach: less than the air
 /// around it. A label at the edge does not shift everything.
 const STRIP_MM: f64 = 5.0;
 
-/// The places of the labels, the rooms of the parts and the ground of one figure; clones share them.
+/// The places of the labels, the spaces of the parts and the ground of one figure; clones share them.
 #[derive(Clone, Debug, Default)]
 pub struct LabelMemory(Arc<Mutex<Places>>);
 
@@ -35,7 +35,7 @@ struct Places {
 struct PartMemory {
     habits: Habits,
     /// The boxes of the first part, and of all.
-    rooms: Option<[Rect; 2]>,
+    spaces: Option<[Rect; 2]>,
 }
 
 impl LabelMemory {
@@ -61,12 +61,12 @@ impl LabelMemory {
         span.map(|s| s - turns)
     }
 
-    /// Gives a part the room of all parts of its kind and order in the figures before.
+    /// Gives a part the space of all parts of its kind and order in the figures before.
     pub fn hold(&self, kind: &'static str, part: &mut DrawingPart) {
         self.with_next(kind, |of| of.hold(part));
     }
 
-    /// Finishes the next drawing of a kind with the places of its labels and the room of the
+    /// Finishes the next drawing of a kind with the places of its labels and the space of the
     /// figures before.
     pub(super) fn next(
         &self,
@@ -91,15 +91,15 @@ impl LabelMemory {
 
 impl PartMemory {
     fn hold(&mut self, part: &mut DrawingPart) {
-        let Some([first, room]) = self.rooms else {
-            self.rooms = Some([part.bounds; 2]);
+        let Some([first, space]) = self.spaces else {
+            self.spaces = Some([part.bounds; 2]);
             return;
         };
-        let strip = room.grown(STRIP_MM);
-        let all = if strip.union(part.bounds) == strip { room } else { room.union(part.bounds) };
+        let strip = space.grown(STRIP_MM);
+        let all = if strip.union(part.bounds) == strip { space } else { space.union(part.bounds) };
         let side = |r: Rect| r.width_mm().max(r.height_mm());
         if side(all) <= LARGEST_MM.max(side(first)) {
-            self.rooms = Some([first, all]);
+            self.spaces = Some([first, all]);
         }
         part.bounds = all;
     }
