@@ -27,11 +27,22 @@ export interface Opened {
   verdict: Verdict
 }
 export type Verdict = 'answered' | 'disagree' | 'unanswered'
-export interface Page { name: string; figure?: string; svg: string; notes: Diagnostic[] }
+/** A drawing; `paper` is that of the mechanism: millimetres for a metre, and where (mm, y down) the origin of the plane is. */
+export interface Page { name: string; figure?: string; svg: string; notes: Diagnostic[]; paper?: { scale: number; origin: [number, number] } | null }
 export interface Answer { find: string; text: string; answered: boolean; difference: number | null }
-export interface Frame { figures: Page[]; missing: Diagnostic[]; answers: Answer[] | null; verdict: Verdict }
+export interface Frame { figures: Page[]; missing: Diagnostic[]; answers: Answer[] | null; verdict: Verdict; plane?: Plane | null }
+/** The mechanism in its plane (m). */
+export interface Plane {
+  ground: string
+  points: { name: string; at: [number, number] | null; links: string[] }[]
+  links: { name: string; points: string[] }[]
+  guides: { pin: string | null; slider: string | null; on: string; at: [number, number]; direction: [number, number] }[]
+}
+export interface Pose { travel: number; grip: [number, number] | null; places: ([number, number] | null)[] }
 export interface Motion {
-  poses: { travel: number; grip: [number, number] | null }[]
+  poses: Pose[]
+  /** The points whose places the poses give; none where nothing moves. */
+  points?: string[]
   full: boolean
   period: number | null
   back: boolean
@@ -41,7 +52,7 @@ export interface Motion {
 
 /** The engine refused a message: its diagnostics say why. */
 export class Refused extends Error {
-  constructor(readonly diagnostics: Diagnostic[], why?: string) {
+  constructor(readonly diagnostics: Diagnostic[], why?: string, readonly names: Names | null = null) {
     super(why ?? diagnostics[0]?.message.en ?? 'refused')
   }
 }
@@ -90,7 +101,7 @@ export class Engine {
 
   private async told<T>(message: Record<string, unknown>): Promise<T> {
     const answer = JSON.parse(await this.post({ message: JSON.stringify(message) }))
-    if (!answer.ok) throw new Refused(answer.diagnostics, answer.refused)
+    if (!answer.ok) throw new Refused(answer.diagnostics, answer.refused, answer.names)
     return answer as T
   }
 

@@ -1,6 +1,7 @@
 //! The messages, and the opened files.
 
 use crate::file::OpenFile;
+use crate::plane;
 use crate::words::{failed, look};
 use hodograph::problem::{Kind, schema, templates};
 use serde_json::{Value as Json, json};
@@ -36,6 +37,10 @@ impl Engine {
                 };
             }
             "schema" => return schemas(),
+            "values" => {
+                let wanted = message["of"].as_array().map_or(&[][..], Vec::as_slice);
+                return json!({"ok": true, "values": plane::values(text, wanted)});
+            }
             _ => {}
         }
         let Some(handle) = message["handle"].as_u64() else { return refused("no handle") };
@@ -67,7 +72,11 @@ impl Engine {
                 self.files.insert(self.last, file);
                 told
             }
-            Err(faults) => failed(&faults, text),
+            Err(faults) => {
+                let mut told = failed(&faults, text);
+                told["names"] = plane::names_of(text);
+                told
+            }
         }
     }
 }
@@ -137,6 +146,40 @@ mod tests {
         let again = ask(&mut engine, json!({"do": "open", "text": new}));
         let position = |told: &Json| told["drivers"][0]["position"].as_f64().unwrap();
         assert!((position(&again) - position(&told) - 0.1).abs() < 1e-5, "{place}");
+    }
+
+    #[test]
+    fn the_mechanism_is_told_in_its_plane() {
+        let (mut engine, told) = opened("geared-five-bar");
+        let told = ask(
+            &mut engine,
+            json!({"do": "frame", "handle": told["handle"], "what": ["mechanism"], "plane": true}),
+        );
+        let plane = &told["plane"];
+        let b = plane["points"].as_array().unwrap().iter().find(|p| p["name"] == "B").unwrap();
+        assert_eq!(b["links"], json!(["2", "3"]));
+        assert!((b["at"][0].as_f64().unwrap() - 0.025 / 2f64.sqrt()).abs() < 1e-12, "{plane}");
+        // Both pivots are where the picture has them.
+        let (paper, svg) = (&told["figures"][0]["paper"], told["figures"][0]["svg"].as_str());
+        let [x, y] = [0, 1].map(|k| paper["origin"][k].as_f64().unwrap());
+        let e = x + 0.09 * paper["scale"].as_f64().unwrap();
+        for [x, y] in [[x, y], [e, y]] {
+            let circle =
+                format!("cx=\"{}\" cy=\"{}\"", (x * 1e3).round() / 1e3, (y * 1e3).round() / 1e3);
+            assert!(svg.unwrap().contains(&circle), "{circle}");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_solved_has_its_names_and_quantities() {
+        let mut engine = Engine::default();
+        let text = r#"{"parameters": {"d": "2*r", "r": "30 mm"}, "links": {"1": ["A", "D"], "2": ["A", "B"]}, "ground": "1"}"#;
+        let told = ask(&mut engine, json!({"do": "open", "text": text}));
+        assert_eq!(told["names"]["links"], json!(["1", "2"]), "{told}");
+        let of = json!(["d + 1 cm", "90 deg", 0, "none"]);
+        let told = ask(&mut engine, json!({"do": "values", "text": text, "of": of}));
+        assert_eq!(told["values"], json!([0.07, std::f64::consts::FRAC_PI_2, 0.0, null]));
+        assert_eq!(ask(&mut engine, json!({"do": "open", "text": "{"}))["names"], Json::Null);
     }
 
     #[test]

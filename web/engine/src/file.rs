@@ -1,6 +1,7 @@
 //! An opened file: its problem, and its solution in its own pose.
 
 use crate::motion::exact;
+use crate::plane;
 use crate::words::{diagnostics, failed};
 use hodograph::diag::{Both, Diagnostic, Faults, Warned};
 use hodograph::figure::groups;
@@ -60,13 +61,6 @@ impl OpenFile {
     /// Returns the description of the file: kind, title, drivers, names, remarks.
     pub fn told(&self, look: &Look) -> Json {
         let scene = self.scene();
-        let names = |scene: &Scene| {
-            json!({
-                "points": scene.points.iter().map(|p| &p.name).collect::<Vec<_>>(),
-                "links": (0..scene.links.len()).map(|l| scene.link_name(hodograph::scene::LinkId(l))).collect::<Vec<_>>(),
-                "parameters": scene.parameters.iter().map(|(name, _)| name).collect::<Vec<_>>(),
-            })
-        };
         json!({
             "ok": true,
             "kind": self.problem.kind().word(),
@@ -74,7 +68,7 @@ impl OpenFile {
             "language": self.language(look),
             "drivers": scene.map(|s| drivers(s)),
             "swept": self.swept.map(|s| match s { Swept::Driver(d) => json!(d), Swept::Time => json!("t") }),
-            "names": scene.map(names),
+            "names": scene.map(plane::names),
             "candidates": self.solved.design().map(|d| d.candidates.len()),
             "diagnostics": diagnostics(&self.notes, &self.text),
             "verdict": verdict(&self.solved),
@@ -113,12 +107,12 @@ impl OpenFile {
     }
 
     /// Returns the solution at a travel (rad, m or s) of the moving quantity from the file's own
-    /// pose, in the scales of that pose: that of the text with this place of the driver, if the
-    /// text gives one.
+    /// pose, in the scales of that pose, or with the mechanism in the scale `mu`: that of the text
+    /// with this place of the driver, if the text gives one.
     ///
     /// # Errors
     /// Those of reading and solving.
-    pub fn at(&self, travel: f64) -> Result<Solved, Faults> {
+    pub fn at(&self, travel: f64, mu: Option<f64>) -> Result<Solved, Faults> {
         let options = Options::with_figures();
         let moved = match self.text_at(travel, exact) {
             Some(text) => problem::read(text)?.value,
@@ -132,17 +126,33 @@ impl OpenFile {
                 Problem::Scene(Box::new(follower.scene_at(scene, travel)))
             }
         };
-        let Problem::Scene(mut scene) = moved else { return problem::solve(&moved, &options) };
+        self.scaled(moved, mu)
+    }
+
+    /// Returns the solution of the file in another pose or scale of the mechanism.
+    fn scaled(&self, problem: Problem, mu: Option<f64>) -> Result<Solved, Faults> {
+        let options = Options::with_figures();
+        let Problem::Scene(mut scene) = problem else { return problem::solve(&problem, &options) };
         hold_scales(&mut scene, &self.solved);
+        if mu.is_some_and(|mu| mu.is_finite() && mu > 0.0) {
+            scene.paper.scales.set(hodograph::kind::Kind::Length, mu);
+        }
         problem::solve(&Problem::Scene(scene), &options)
     }
 
-    /// Answers `frame`: the figures `what` (`["sheet"]` without), and the answers.
+    /// Answers `frame`: the figures `what` (`["sheet"]` without), and the answers; with `plane` the
+    /// places of the mechanism, with `mu` the mechanism in that scale (m per mm).
     pub fn frame(&self, message: &Json) -> Json {
         let look = crate::words::look(message);
         let there;
-        let solved = match message["travel"].as_f64() {
-            Some(travel) => match self.at(travel) {
+        let mu = message["mu"].as_f64();
+        let at = match (message["travel"].as_f64(), mu) {
+            (None, None) => None,
+            (None, mu) => Some(self.scaled(self.problem.clone(), mu)),
+            (Some(travel), mu) => Some(self.at(travel, mu)),
+        };
+        let solved = match at {
+            Some(told) => match told {
                 Ok(solved) => {
                     there = solved;
                     &there
@@ -176,6 +186,7 @@ impl OpenFile {
             "missing": diagnostics(&missing, &self.text),
             "answers": if message["answers"] == json!(true) { answers(solved, &look) } else { Json::Null },
             "verdict": verdict(solved),
+            "plane": if message["plane"] == json!(true) { plane::plane(solved) } else { Json::Null },
         })
     }
 
@@ -188,12 +199,14 @@ impl OpenFile {
     ) -> Result<Vec<Json>, Faults> {
         let pictures = Pictures { figures: &[entry], ..Pictures::default() };
         let Warned { value, notes } = solved.figures(&pictures, look)?;
+        let papers: Vec<Json> = value.iter().map(|(_, f)| plane::paper(solved, f)).collect();
         let mut written = self.written(value)?;
         if let (Some(first), false) = (written.first_mut(), notes.is_empty()) {
             first["notes"] = diagnostics(&notes, &self.text);
         }
-        for page in &mut written {
+        for (page, paper) in written.iter_mut().zip(papers) {
             page["figure"] = json!(entry.name);
+            page["paper"] = paper;
         }
         Ok(written)
     }

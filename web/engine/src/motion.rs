@@ -2,6 +2,7 @@
 //! that puts a place of the driver into the text.
 
 use crate::file::OpenFile;
+use crate::plane;
 use crate::words::{failed, place};
 use hodograph::diag::{Faults, Span};
 use hodograph::mechanism::Mechanism;
@@ -39,8 +40,8 @@ fn grip(scene: &Scene, driver: usize, at: &Configuration) -> Option<PointId> {
 }
 
 impl OpenFile {
-    /// Answers `motion`: for each pose its travel and the place of the grip (mm on the paper of the
-    /// mechanism, y up), the paper's extent over all poses, and whether the motion closes.
+    /// Answers `motion`: for each pose its travel, the place of the grip (mm on the paper of the
+    /// mechanism, y up) and the places of all `points` (m), and whether the motion closes.
     pub fn motion(&self) -> Json {
         let still = || json!({"ok": true, "poses": []});
         let Some(swept) = self.swept else { return still() };
@@ -69,7 +70,8 @@ impl OpenFile {
             .iter()
             .map(|pose| {
                 let place = grip.and_then(|p| pose.configuration.points[p.0]).map(paper);
-                json!({"travel": pose.travel, "grip": place})
+                let places = plane::places(&pose.configuration);
+                json!({"travel": pose.travel, "grip": place, "places": places})
             })
             .collect();
         json!({
@@ -79,6 +81,7 @@ impl OpenFile {
             "period": if sweep.full { json!(sweep.period()) } else { Json::Null },
             "back": follower.goes_back(),
             "grip": grip.map(|p| scene.point_name(p)),
+            "points": scene.points.iter().map(|p| &p.name).collect::<Vec<_>>(),
             "start": now(scene, at, swept),
             "time": swept == Swept::Time,
         })
