@@ -290,7 +290,8 @@ export class Act {
       const link = target.link ?? this.turning(target.point)
       if (link === null) return null
       const line = outline.line(link)?.map((p) => outline.places.get(p))
-      const angle = line?.[0] && line[1] ? angleOf(minus(line[1], line[0])) : 0
+      // A wheel or cam has no line: any angle will do.
+      const angle = line?.[0] && line[1] ? angleOf(minus(line[1], line[0])) : Math.PI / 6
       made = { link, angle: this.grain.angle(angle), omega: '10 rad/s' }
     }
     const old = this.draft.at(['driver'])
@@ -321,6 +322,7 @@ export class Act {
     const from = outline.places.get(point)
     if (!from) return null
     const at = this.allowed(point, from, to)
+    if (!at) return null
     const before = draft.text
     const length = (path: JSONPath, metres: number) => putLength(outline, draft, path, metres, grain)
     for (const { key, ends } of outline.lengths()) {
@@ -333,16 +335,22 @@ export class Act {
     else if (own) this.moveInLink(point, own, at)
     if (draft.at(['sketch', point])) [0, 1].forEach((k) => length(['sketch', point, k], at[k]!))
     this.moveGuide(point, from, at)
-    if (draft.text === before && distance(from, at) >= grain.step) return null
     this.turn(point, at)
     this.sides(point, at)
-    return at
+    return draft.text === before && distance(from, at) >= grain.step ? null : at
   }
 
-  /** The place nearest to the wanted one that the text can say. */
-  private allowed(point: string, from: XY, to: XY): XY {
+  /** The place nearest to the wanted one that the text can say; null if it can say no other. */
+  private allowed(point: string, from: XY, to: XY): XY | null {
     const { outline } = this
-    if (outline.fixed(point) && outline.json.points?.[point] === undefined) return [to[0], from[1]]
+    const meshed = outline.list('gears').some((g) => (g.radii ?? g.module) !== undefined && g.centres?.length === 2 && g.centres.includes(point))
+    if (meshed) return null
+    if (outline.fixed(point) && outline.json.points?.[point] === undefined) {
+      // Two pivots with a length: the first is the origin, the other is on the axis.
+      const other = outline.links.get(outline.ground!)!.indexOf(point) > 0
+      const axis = outline.lengths().some(({ ends }) => ends.includes(point) && ends.every((p) => outline.fixed(p)))
+      return other && axis ? [to[0], from[1]] : null
+    }
     const guide = outline.guides.find((g) => g.pin === point && g.on === outline.ground && g.direction)
     const entry = guide && outline.list('guides')[guide.k]
     // A line through a point, without an offset, stays.

@@ -137,7 +137,7 @@ export class Board {
     }
     if (!width || !height) return
     if (places.length < 2) {
-      this.view = { scale: this.view.scale, x: Math.round(width * 0.28), y: Math.round(height * 0.66) }
+      this.view = { scale: this.view.scale, x: Math.round(width * 0.28), y: Math.round(height * 0.6) }
       return
     }
     const range = (k: 0 | 1): [number, number] => [Math.min(...places.map((p) => p[k])), Math.max(...places.map((p) => p[k]))]

@@ -388,7 +388,8 @@ export class Builder {
       return false
     }
     const text = renamed(outline, selected.name, name)
-    if (outline.solved && !(await this.solves(text))) {
+    const faults = await Promise.all([outline.text, text].map((t) => this.faults(t)))
+    if (faults[0] !== faults[1]) {
       this.say('unrenamed')
       return false
     }
@@ -398,13 +399,14 @@ export class Builder {
     return true
   }
 
-  private async solves(text: string): Promise<boolean> {
+  /** The codes of the faults of a text; none if it can be solved. */
+  private async faults(text: string): Promise<string> {
     try {
       const { handle } = await this.site.engine.ask<Opened>({ do: 'open', text })
       void this.site.engine.ask({ do: 'close', handle }).catch(() => {})
-      return true
+      return ''
     } catch (fault) {
-      if (fault instanceof Refused) return false
+      if (fault instanceof Refused) return fault.diagnostics.map((d) => d.code).sort().join()
       throw fault
     }
   }

@@ -47,8 +47,10 @@ export function word(...parts: string[]): string {
 
 /** A sliding pair, with its place and direction where they are known. */
 export interface Guided { k: number; pin?: string; slider?: string; on: string; at?: XY; direction?: XY }
-/** The pitch circle of a link. */
-export interface Wheel { link: string; centre: string; radius: number }
+/** The circle of a link: the pitch circle of a gear, a wheel that rolls, the base circle of a cam, a roller. */
+export interface Wheel { link: string; centre: string; radius: number; kind: 'gear' | 'wheel' | 'cam' | 'roller' }
+/** A straight track, hatched where it is the ground's. */
+export interface Track { at: XY; direction: XY; fixed: boolean }
 
 export class Outline {
   /** The whole text; empty where it is no object. */
@@ -60,6 +62,7 @@ export class Outline {
   readonly places = new Map<string, XY>()
   readonly guides: Guided[] = []
   readonly wheels: Wheel[] = []
+  readonly tracks: Track[] = []
   /** True if the engine gave the places. */
   solved = false
   /** Links driven to turn. */
@@ -195,7 +198,7 @@ export class Outline {
         const from = line && places.get(line[0])
         if (from && length) set(line[1], plus(from, toward(this.value(driver.angle) ?? 1), length))
       }
-      for (const p of this.points.filter((q) => !places.has(q))) set(p, this.closed(p, lengths))
+      for (const p of this.points.filter((q) => !places.has(q))) set(p, this.closed(p, lengths) ?? this.onCam(p))
       more = places.size > before
     }
   }
@@ -232,6 +235,15 @@ export class Outline {
     return isLeft === (side?.[1] !== 'right') ? one : other
   }
 
+  /** The place of a roller on the base circle of its cam, in the direction of its guide. */
+  private onCam(point: string): XY | null {
+    const cam = this.list('cams').find((c) => c.roller?.pin === point)
+    const guide = this.list('guides').find((g) => g.pin === point)
+    const centre = cam && this.places.get(this.links.get(cam.cam)?.[0] ?? '')
+    const reach = cam && (this.value(cam.profile?.base) ?? 0) + (this.value(cam.roller.radius) ?? 0)
+    return centre && guide ? plus(centre, toward(this.value(guide.angle) ?? 0), reach) : null
+  }
+
   private pairs(): void {
     this.list('guides').forEach((guide, k) => {
       const on = typeof guide.on === 'string' ? guide.on : this.ground
@@ -256,17 +268,23 @@ export class Outline {
       const radii = this.radii(gear)
       centres.forEach((centre: string, n: number) => {
         const link = gear.links?.[n]
-        if (radii[n] && typeof link === 'string') this.wheels.push({ link, centre, radius: radii[n]! })
+        if (radii[n] && typeof link === 'string') this.wheels.push({ link, centre, radius: radii[n]!, kind: 'gear' })
       })
     }
     for (const wheel of this.list('rolling')) {
       const radius = this.value(wheel.radius)
-      if (radius && typeof wheel.wheel === 'string') this.wheels.push({ link: wheel.wheel, centre: wheel.centre, radius })
+      if (!radius || typeof wheel.wheel !== 'string') continue
+      this.wheels.push({ link: wheel.wheel, centre: wheel.centre, radius, kind: 'wheel' })
+      const [centre, [a, b]] = [this.places.get(wheel.centre), (this.names(wheel.line) ?? []).map((p) => this.places.get(p))]
+      const direction = toward((a && b ? angleOf(minus(b, a)) : 0) + (this.value(wheel.angle) ?? 0))
+      if (centre && wheel.track === undefined) this.tracks.push({ at: plus(centre, left(direction), -radius), direction, fixed: (wheel.on ?? this.ground) === this.ground })
     }
     for (const cam of this.list('cams')) {
       const base = this.value(cam.profile?.base)
       const centre = this.links.get(cam.cam)?.[0]
-      if (base && centre !== undefined) this.wheels.push({ link: cam.cam, centre, radius: base })
+      if (base && centre !== undefined) this.wheels.push({ link: cam.cam, centre, radius: base, kind: 'cam' })
+      const roller = this.value(cam.roller?.radius)
+      if (roller && typeof cam.roller.pin === 'string') this.wheels.push({ link: cam.follower, centre: cam.roller.pin, radius: roller, kind: 'roller' })
     }
   }
 

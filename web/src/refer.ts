@@ -7,8 +7,10 @@ import type { Grain } from './quantities'
 
 /** Keys whose strings are no names. */
 const PROSE = new Set(['title', 'statement', 'parameters', 'units', 'answers', 'paper', 'language', 'notation', 'gravity', 'time'])
-/** Keys whose strings are questions. */
-const ASKING = new Set(['find', 'composite', 'attempts', 'readings'])
+/** True if a string of the scene is a question; `key` is true for the key of a member. */
+function asks(path: JSONPath, key: boolean): boolean {
+  return path[0] === 'composite' || path.slice(0, key ? -1 : undefined).includes(key ? 'printed' : 'find')
+}
 
 interface Names { points: string[]; links: string[] }
 
@@ -37,16 +39,18 @@ function asked(text: string, old: string, now: string, of: Names): string {
   })
 }
 
-function reworded(text: string, path: JSONPath, old: string, now: string, of: Names): string {
-  const key = String(path[0])
-  if (key === 'statement') {
-    return text.replace(/\$[^$]*\$/g, (formula) => formula.replace(/[A-Z][A-Z0-9]*/g, (w) => (of.points.includes(old) ? exchanged(w, old, now, of) : w)))
+/** A string at its path with one name exchanged. */
+function reworded(text: string, path: JSONPath, key: boolean, old: string, now: string, of: Names): string {
+  if (path[0] === 'statement') {
+    // Values of parameters are in braces.
+    const word = (w: string) => (w.startsWith('{') || !of.points.includes(old) ? w : exchanged(w, old, now, of))
+    return text.replace(/\$[^$]*\$/g, (formula) => formula.replace(/\{[^}]*\}|[A-Z][A-Z0-9]*/g, word))
   }
-  if (PROSE.has(key)) return text
+  if (PROSE.has(String(path[0])) || (key && path.length !== 2 && !asks(path, true))) return text
   const side = /^(left of |right of )(.+)$/.exec(text)
   if (side) return side[1] + exchanged(side[2]!, old, now, of)
   const plain = exchanged(text, old, now, of)
-  return plain === text && ASKING.has(key) ? asked(text, old, now, of) : plain
+  return plain === text && asks(path, key) ? asked(text, old, now, of) : plain
 }
 
 /** All strings of a text, keys too, with the path of what they are in. */
@@ -64,11 +68,11 @@ function strings(text: string): { node: Node; path: JSONPath; key: boolean }[] {
   return all
 }
 
-/** Keys that are names: those in an object of the scene, and further in where questions are. */
-const named = (path: JSONPath) => path.length === 2 || (path.length > 2 && ASKING.has(String(path[0])))
-
 const of = (outline: Outline): Names => ({ points: [...outline.points, ...contacts(outline)], links: [...outline.links.keys()] })
-const contacts = (outline: Outline): string[] => ['gears', 'rolling', 'cams', 'belts', 'chains', 'ropes'].flatMap((key) => outline.list(key).flatMap((e) => e.at ?? []))
+/** Lists whose entries name points that are on no link: contacts, and points that move by a law. */
+const NAMING = ['gears', 'rolling', 'cams', 'belts', 'chains', 'ropes', 'motions']
+const made = (entry: any): string[] => [entry.at ?? [], entry.s !== undefined ? (entry.point ?? []) : []].flat()
+const contacts = (outline: Outline): string[] => NAMING.flatMap((key) => outline.list(key).flatMap(made))
 
 /** True if a name is in use. */
 export function taken(outline: Outline, name: string): boolean {
@@ -80,8 +84,7 @@ export function taken(outline: Outline, name: string): boolean {
 export function renamed(outline: Outline, old: string, now: string): string {
   let text = outline.text
   for (const { node, path, key } of strings(text).reverse()) {
-    if (key && !named(path)) continue
-    const value = reworded(node.value, path, old, now, of(outline))
+    const value = reworded(node.value, path, key, old, now, of(outline))
     if (value !== node.value) text = text.slice(0, node.offset) + JSON.stringify(value) + text.slice(node.offset + node.length)
   }
   return text
@@ -90,16 +93,17 @@ export function renamed(outline: Outline, old: string, now: string): string {
 const PROBE = '\u{10ffff}'
 
 /** True if a value of the scene mentions a name. */
-function mentions(value: unknown, key: string, name: string, all: Names): boolean {
-  if (typeof value === 'string') return reworded(value, [key], name, PROBE, all) !== value
+function mentions(value: unknown, path: JSONPath, name: string, all: Names): boolean {
+  const does = (text: string, at: JSONPath, key: boolean) => reworded(text, at, key, name, PROBE, all) !== text
+  if (typeof value === 'string') return does(value, path, false)
   if (value === null || typeof value !== 'object') return false
-  return Object.entries(value).some(([k, v]) => mentions(v, key, name, all) || (!Array.isArray(value) && mentions(k, key, name, all)))
+  return Object.entries(value).some(([k, v]) => (!Array.isArray(value) && does(k, [...path, k], true)) || mentions(v, [...path, k], name, all))
 }
 
 /** The keys of the text that still mention a name. */
 function remaining(text: string, name: string, all: Names): string[] {
-  const found = strings(text).filter(({ node, path, key }) => (!key || named(path)) && reworded(node.value, path, name, PROBE, all) !== node.value)
-  return [...new Set(found.map(({ path }) => String(path[0])).filter((key) => key !== 'statement'))]
+  const found = strings(text).filter(({ node, path, key }) => path[0] !== 'statement' && reworded(node.value, path, key, name, PROBE, all) !== node.value)
+  return [...new Set(found.map(({ path }) => String(path[0])))]
 }
 
 /** The text without a point or a link and what refers to it; or what must be removed before. */
@@ -116,10 +120,21 @@ export function removed(outline: Outline, name: string, kind: 'point' | 'link', 
       if (points.length <= 2 && (points.length < 2 || !carries(outline, link))) gone.add(link)
     }
   }
-  const left = new Map([...outline.links].filter(([link]) => !gone.has(link)).map(([link, points]) => [link, points.filter((p) => !gone.has(p))]))
-  // Points that no link has any more go too.
-  const pins = outline.guides.filter((g) => !gone.has(g.on) && !(g.slider !== undefined && gone.has(g.slider))).map((g) => g.pin)
-  for (const p of outline.points) if (![...left.values()].some((points) => points.includes(p)) && !pins.includes(p)) gone.add(p)
+  const hit = (v: unknown, ...path: JSONPath) => [...gone].some((n) => mentions(v, path, n, all))
+  // With a link go points that are on nothing else, with a guide its block, with a contact its name.
+  let left = new Map<string, string[]>()
+  for (let before = 0; before !== gone.size; ) {
+    before = gone.size
+    left = new Map([...outline.links].filter(([link]) => !gone.has(link)).map(([link, points]) => [link, points.filter((p) => !gone.has(p))]))
+    const dead = (key: string) => outline.list(key).filter((entry) => hit(entry, key))
+    const guides = outline.list('guides').filter((guide) => !hit(guide, 'guides'))
+    for (const { slider } of dead('guides')) if (typeof slider === 'string' && outline.json.links?.[slider] === undefined) gone.add(slider)
+    for (const entry of NAMING.flatMap(dead)) made(entry).forEach((name) => gone.add(name))
+    const runs = (p: string) => guides.filter((g) => g.pin === p)
+    for (const p of outline.points) {
+      if (![...left.values()].some((points) => points.includes(p)) && !runs(p).some((g) => g.slider !== undefined) && runs(p).length < 2) gone.add(p)
+    }
+  }
   const together = (...points: string[]) => [...left.values()].some((list) => points.every((p) => list.includes(p)))
   for (const [link, points] of outline.links) {
     if (outline.json.links?.[link] === undefined) continue
@@ -139,10 +154,9 @@ export function removed(outline: Outline, name: string, kind: 'point' | 'link', 
   const json = new Draft(draft.text).at([])
   for (const [key, value] of Object.entries<any>(json)) {
     if (['links', 'lengths', 'points', 'ground'].includes(key) || PROSE.has(key) || value === null || typeof value !== 'object') continue
-    const hit = (v: unknown) => [...gone].some((n) => mentions(v, key, n, all))
-    if (Array.isArray(value)) for (const [k, one] of [...value.entries()].reverse()) hit(one) && draft.drop([key, k])
-    else if (key === 'driver' || key === 'balance') hit(value) && draft.drop([key])
-    else for (const [k, v] of Object.entries(value)) if (hit(k) || hit(v)) draft.drop([key, k])
+    if (Array.isArray(value)) for (const [k, one] of [...value.entries()].reverse()) hit(one, key) && draft.drop([key, k])
+    else if (key === 'driver' || key === 'balance') hit(value, key) && draft.drop([key])
+    else for (const [k, v] of Object.entries(value)) if (hit({ [k]: v }, key)) draft.drop([key, k])
   }
   const kept = [...gone].flatMap((n) => remaining(draft.text, n, all))
   return kept.length ? { kept: [...new Set(kept)] } : { text: draft.text }

@@ -47,7 +47,14 @@ export function sketch(outline: Outline, view: View, mm: number): SVGElement {
   }
   for (const wheel of outline.wheels) {
     const centre = at(wheel.centre)
-    if (centre) add('circle', { class: 'wheel', cx: centre[0], cy: centre[1], r: wheel.radius * view.scale, 'stroke-width': line, 'stroke-dasharray': [4, 0.8, 0.4, 0.8].map((d) => d * mm).join(' ') })
+    const dash: Record<string, string> = wheel.kind === 'gear' ? { 'stroke-dasharray': [4, 0.8, 0.4, 0.8].map((d) => d * mm).join(' ') } : {}
+    if (centre) add('circle', { class: 'wheel', cx: centre[0], cy: centre[1], r: wheel.radius * view.scale, 'stroke-width': line, ...dash })
+  }
+  for (const track of outline.tracks) {
+    const [place, u]: XY[] = [onScreen(view, track.at), [track.direction[0], -track.direction[1]]]
+    // The wheel is to the left: the ground is on the other side.
+    if (track.fixed) hatched(plus(place!, u!, -10 * mm), u!, 20 * mm, left([-u![0], -u![1]]).map((v) => -v) as XY)
+    else add('path', { class: 'line', d: path([plus(place!, u!, -10 * mm), plus(place!, u!, 10 * mm)]), 'stroke-width': line })
   }
   for (const guide of outline.guides) {
     const place = guide.at && onScreen(view, guide.at)
