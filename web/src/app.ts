@@ -174,7 +174,7 @@ export class App {
     this.table.hidden = true
     this.title.textContent = ''
     this.dressTransport()
-    await this.builder.refused()
+    await this.builder.refused().catch(ended)
   }
 
   /** Follows the motion, then tries which figures there are, while nothing else is asked. */
@@ -622,6 +622,11 @@ export class App {
       })
     })
   }
+}
+
+/** Lets pass that the engine was ended. */
+function ended(fault: unknown): void {
+  if (!(fault instanceof Ended)) throw fault
 }
 
 /** A relative difference as a power of ten that it does not exceed. */

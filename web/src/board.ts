@@ -26,6 +26,8 @@ export class Board {
   readonly root = element('div', { class: 'board', tabindex: '0' })
   view: View = { scale: 1200, x: 0, y: 0 }
   outline: Outline | null = null
+  /** What is drawn while a joint is dragged. */
+  trial: Outline | null = null
   grain: Grain | null = null
   /** The place of the pointer (m), snapped, and what is there. */
   pointer: Target | null = null
@@ -96,7 +98,8 @@ export class Board {
   }
 
   private drawMarks(): void {
-    const { view, outline, marks, pointer } = this
+    const { view, marks, pointer } = this
+    const outline = this.trial ?? this.outline
     const made: SVGElement[] = []
     const dot = (at: XY, cls: string, r = 8) => {
       const [x, y] = onScreen(view, at)

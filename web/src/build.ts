@@ -17,7 +17,9 @@ import { TOOLS, type Tool, type ToolName } from './tools'
 import { word, type Word } from './words'
 
 /** The part of the page that the builder sees. */
-type Site = Pick<App, 'engine' | 'editor' | 'lang' | 'dark' | 'tab' | 'course' | 'travel' | 'go' | 'settle' | 'pause' | 'answer' | 'hint' | 'draw'>
+type Site = Pick<App, 'engine' | 'editor' | 'lang' | 'dark' | 'tab' | 'course' | 'travel' | 'go' | 'settle' | 'pause' | 'answer' | 'hint' | 'draw' | 'build'>
+
+const NARROW = matchMedia('(max-width: 820px)')
 
 export class Builder {
   on = false
@@ -49,6 +51,7 @@ export class Builder {
     this.inspector = new Inspector({
       type: async (path, text, usual) => (await this.then(() => this.type(path, text, usual))) ?? false,
       choose: (path, value) => void this.then(() => this.edit((draft) => draft.put(path, value))),
+      drop: (path) => void this.then(() => this.edit((draft) => draft.drop(path))),
       rename: async (name) => (await this.then(() => this.rename(name))) ?? false,
       remove: () => void this.then(() => this.remove(this.selected)),
       drive: () => void this.then(() => this.selected && this.act((act) => void act.driver({ link: this.selected!.name, at: [0, 0] }))),
@@ -66,6 +69,8 @@ export class Builder {
       this.again()
     }, { passive: false })
     document.addEventListener('keydown', (event) => this.key(event), { capture: true })
+    // On a narrow screen there are no tools: what can be solved is seen as without them.
+    NARROW.addEventListener('change', () => NARROW.matches && this.on && this.page && site.build(false))
     new ResizeObserver(() => {
       if (!this.fitted) this.fit()
       this.board.refresh()
@@ -139,6 +144,7 @@ export class Builder {
   private async read(text: string, plane: Plane | null): Promise<void> {
     const { board } = this
     const same = plane !== null && board.outline?.text === text && board.outline.solved
+    board.trial = null
     const outline = same ? board.outline!.moved(plane) : await Outline.read(text, this.site.engine, this.known, plane)
     board.outline = outline
     for (const [name, at] of outline.places) this.known.set(name, at)
@@ -171,6 +177,8 @@ export class Builder {
     board.grain = Grain.of(outline.text, view.scale)
     if (page?.paper) {
       const svg = picture(page.svg)
+      // The grid is seen through the paper.
+      svg.querySelector(':scope > rect.paper')?.remove()
       const [, , width, height] = svg.getAttribute('viewBox')!.split(' ').map(Number) as [number, number, number, number]
       const mm = view.scale / page.paper.scale
       const [x, y] = onScreen(view, [0, 0])
@@ -223,7 +231,7 @@ export class Builder {
 
   /** Says what the next click does. */
   private guide(): void {
-    if (!this.on) return
+    if (!this.on || NARROW.matches) return
     const key: Word = this.armed ? 'step_more' : (this.tool.steps[this.steps.length] ?? this.tool.steps[0]!)
     this.site.hint(`${word(`tool_${this.tool.name}`, this.site.lang)}: ${word(key, this.site.lang)}`)
   }
@@ -242,7 +250,7 @@ export class Builder {
   /** One thing after the other, each on the newest drawing. */
   private then<T>(what: () => T | Promise<T>): Promise<T | undefined> {
     const done = this.queue.then(async () => {
-      while (this.text !== this.site.editor.text) {
+      while (this.on && this.text !== this.site.editor.text) {
         await new Promise<void>((done) => {
           this.waiting.push(done)
           setTimeout(done, 15_000)
@@ -439,7 +447,7 @@ export class Builder {
     event.preventDefault()
     if (document.activeElement instanceof HTMLInputElement) document.activeElement.blur()
     board.root.setPointerCapture(event.pointerId)
-    const target = event.button === 0 ? board.target(first, true) : { at: [0, 0] as XY }
+    const target: Target = event.button === 0 && !NARROW.matches ? board.target(first, true) : { at: [0, 0] }
     const point = target.point
     const along = event.altKey && site.course?.can
     let last = first
@@ -493,13 +501,10 @@ export class Builder {
   }
 
   /** The engine's drawing of a text that is not yet in the editor. */
-  private async drawn(text: string): Promise<Frame> {
+  private drawn(text: string): Promise<Frame> {
     const { engine, lang, dark } = this.site
-    const { handle } = await engine.ask<Opened>({ do: 'open', text, lang })
     const style = dark ? { style: 'dark' } : {}
-    const frame = await engine.ask<Frame>({ do: 'frame', handle, what: LIVE, lang, answers: true, prefix: true, plane: true, mu: this.mu, ...style })
-    void engine.ask({ do: 'close', handle }).catch(() => {})
-    return frame
+    return engine.ask<Frame>({ do: 'trial', text, what: LIVE, lang, answers: true, prefix: true, plane: true, mu: this.mu, ...style })
   }
 
   /** Draws the newest candidate of a drag. */
@@ -515,15 +520,16 @@ export class Builder {
       })
       if (this.text !== this.site.editor.text) break
       const page = frame?.figures.find((f) => f.figure === 'mechanism')
+      const trial = await Outline.read(text, this.site.engine, this.known, frame?.plane)
+      if (this.text !== this.site.editor.text) break
+      this.board.trial = trial
       if (frame && page) {
         this.page = page
         this.polygon(frame.figures.filter((f) => f !== page))
         this.site.answer(frame)
         this.redraw()
-      } else {
-        const trial = await Outline.read(text, this.site.engine, this.known)
-        this.board.show(sketch(trial, this.board.view, MILLIMETRE))
-      }
+      } else this.board.show(sketch(trial, this.board.view, MILLIMETRE))
+      this.inspector.show(trial, this.selected, this.site.lang)
     }
     this.trying = false
   }

@@ -13,6 +13,8 @@ export interface InspectorInput {
   type(path: JSONPath, text: string, usual: string): Promise<boolean>
   /** Sets a word that was chosen. */
   choose(path: JSONPath, value: string): void
+  /** Removes a part of the text. */
+  drop(path: JSONPath): void
   rename(name: string): Promise<boolean>
   remove(): void
   drive(): void
@@ -80,6 +82,21 @@ export class Inspector {
     return all.length ? [element('h3', {}, this.t(title)), ...all] : []
   }
 
+  /** A group that is one entry of the text, with a button that removes it. */
+  private entry(title: Word, path: JSONPath, ...rows: (HTMLElement | null)[]): HTMLElement[] {
+    const label = `${this.t('delete')}: ${this.t(title)}`
+    const remove = element('button', { class: 'quiet remove', title: label, 'aria-label': label, click: () => this.input.drop(path) }, '✕')
+    const [head, ...rest] = this.group(title, ...rows)
+    head?.append(remove)
+    return head ? [head, ...rest] : [element('h3', {}, this.t(title), remove)]
+  }
+
+  private select(label: Word, chosen: string | undefined, options: [string, string][], choose: (value: string) => void): HTMLElement {
+    const select = element('select', { 'aria-label': this.t(label) }, ...options.map(([value, text]) => element('option', { value, selected: value === chosen }, text)))
+    select.addEventListener('change', () => choose(select.value))
+    return element('label', {}, element('span', {}, this.t(label)), select)
+  }
+
   private chips(finds: string[]): HTMLElement[] {
     const list: unknown[] = this.outline.list('find').length || Array.isArray(this.outline.json.find) ? this.outline.json.find : []
     const chip = (find: string) =>
@@ -109,7 +126,7 @@ export class Inspector {
     const guides = outline.guides.filter((g) => g.slider === name || (g.on === name && name !== outline.ground)).flatMap((g) => this.guide(g.k))
     const gears = outline.list('gears').flatMap((gear, k) => (gear.links?.includes(name) ? this.gear(gear, k) : []))
     const wheels = outline.list('rolling').flatMap((w, k) =>
-      w.wheel === name ? this.group('wheel', this.row(this.t('radius'), ['rolling', k, 'radius'], 'mm'), w.angle === undefined ? null : this.row(this.t('angle'), ['rolling', k, 'angle'], 'deg')) : [],
+      w.wheel === name ? this.entry('wheel', ['rolling', k], this.row(this.t('radius'), ['rolling', k, 'radius'], 'mm'), w.angle === undefined ? null : this.row(this.t('angle'), ['rolling', k, 'angle'], 'deg')) : [],
     )
     const cams = outline.list('cams').flatMap((cam, k) => (cam.cam === name || cam.follower === name ? this.cam(cam, k) : []))
     const moving = name !== outline.ground
@@ -125,18 +142,18 @@ export class Inspector {
     const path: JSONPath = Array.isArray(json.driver) ? ['driver', k] : ['driver']
     const driver = this.outline.drivers()[k]
     const n = driver.link ?? driver.slide ?? ''
-    if (driver.cylinder !== undefined) return this.group('driver', this.row(this.t('length'), [...path, 'length'], 'mm'), this.row(this.t('rate'), [...path, 'rate'], 'm/s'))
+    if (driver.cylinder !== undefined) return this.entry('driver', path, this.row(this.t('length'), [...path, 'length'], 'mm'), this.row(this.t('rate'), [...path, 'rate'], 'm/s'))
     if (driver.slide !== undefined) {
-      return this.group('driver', this.row(formula(`s_${n}`), [...path, 'position'], 'mm'), this.row(formula(`v_${n}`), [...path, 'velocity'], 'm/s'), this.row(formula(`a_${n}`), [...path, 'acceleration'], 'm/s^2'))
+      return this.entry('driver', path, this.row(formula(`s_${n}`), [...path, 'position'], 'mm'), this.row(formula(`v_${n}`), [...path, 'velocity'], 'm/s'), this.row(formula(`a_${n}`), [...path, 'acceleration'], 'm/s^2'))
     }
-    return this.group('driver', this.row(formula(`phi_${n}`), [...path, 'angle'], 'deg'), this.row(formula(`omega_${n}`), [...path, 'omega'], 'rad/s'), this.row(formula(`alpha_${n}`), [...path, 'alpha'], 'rad/s^2'))
+    return this.entry('driver', path, this.row(formula(`phi_${n}`), [...path, 'angle'], 'deg'), this.row(formula(`omega_${n}`), [...path, 'omega'], 'rad/s'), this.row(formula(`alpha_${n}`), [...path, 'alpha'], 'rad/s^2'))
   }
 
   private guide(k: number): HTMLElement[] {
     const guide = this.outline.list('guides')[k]
     const at: JSONPath = ['guides', k]
     const through = Array.isArray(guide.through) ? [this.row(formula('x'), [...at, 'through', 0], 'mm'), this.row(formula('y'), [...at, 'through', 1], 'mm')] : []
-    return this.group('guide', this.row(this.t('angle'), [...at, 'angle'], 'deg'), ...through, this.row(this.t('offset'), [...at, 'offset'], 'mm'))
+    return this.entry('guide', at, this.row(this.t('angle'), [...at, 'angle'], 'deg'), ...through, this.row(this.t('offset'), [...at, 'offset'], 'mm'))
   }
 
   private gear(gear: any, k: number): HTMLElement[] {
@@ -144,7 +161,12 @@ export class Inspector {
       (Array.isArray(gear[key]) ? gear[key] : []).map((_: unknown, n: number) => this.row(formula(`${label}_${gear.links?.[n] ?? n + 1}`), ['gears', k, key, n], usual))
     const angle = gear.rack === undefined ? null : this.row(this.t('angle'), ['gears', k, 'angle'], 'deg')
     const phase = gear.phase === undefined ? null : this.row(this.t('phase'), ['gears', k, 'phase'], 'deg')
-    return this.group('gear', ...sizes('teeth', 'z', ''), ...sizes('radii', 'r', 'mm'), angle, phase)
+    const links: string[] = gear.rack === undefined && gear.links?.length === 2 ? gear.links : []
+    const ring = links.length
+      ? this.select('ring', gear.ring ?? '', [['', this.t('outside')], ...links.map((l): [string, string] => [l, `${this.t('ring_of')} ${l}`])], (value) =>
+          value ? this.input.choose(['gears', k, 'ring'], value) : this.input.drop(['gears', k, 'ring']))
+      : null
+    return this.entry('gear', ['gears', k], ...sizes('teeth', 'z', ''), ...sizes('radii', 'r', 'mm'), ring, angle, phase)
   }
 
   private cam(cam: any, k: number): HTMLElement[] {
@@ -154,12 +176,12 @@ export class Inspector {
       const kind = (['rise', 'return', 'dwell'] as const).find((key) => stage[key] !== undefined)
       if (!kind) return []
       if (kind === 'dwell') return [this.row(this.t('dwell'), [...path, 'dwell'], 'deg')]
-      const select = element('select', { 'aria-label': this.t('law') }, ...Object.keys(LAWS).map((law) => element('option', { value: law, selected: law === stage.law }, this.lang === 'zh' ? LAWS[law]! : law)))
-      select.addEventListener('change', () => this.input.choose([...path, 'law'], select.value))
-      return [this.row(this.t(kind), [...path, kind], 'mm'), this.row(this.t('over'), [...path, 'over'], 'deg'), element('label', {}, element('span', {}, this.t('law')), select)]
+      const laws = Object.entries(LAWS).map(([law, zh]): [string, string] => [law, this.lang === 'zh' ? zh : law])
+      const law = this.select('law', stage.law, laws, (value) => this.input.choose([...path, 'law'], value))
+      return [this.row(this.t(kind), [...path, kind], 'mm'), this.row(this.t('over'), [...path, 'over'], 'deg'), law]
     })
     const base = cam.profile?.base === undefined ? null : this.row(this.t('base'), [...at, 'profile', 'base'], 'mm')
     const roller = cam.roller?.radius === undefined ? null : this.row(this.t('roller'), [...at, 'roller', 'radius'], 'mm')
-    return this.group('cam', base, roller, ...stages)
+    return this.entry('cam', at, base, roller, ...stages)
   }
 }

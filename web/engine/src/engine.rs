@@ -28,6 +28,7 @@ impl Engine {
         let text = message["text"].as_str().unwrap_or_default();
         match message["do"].as_str().unwrap_or_default() {
             "open" => return self.open(text, message),
+            "trial" => return trial(text, message),
             "templates" => return list(),
             "template" => {
                 let name = message["name"].as_str().unwrap_or_default();
@@ -64,7 +65,7 @@ impl Engine {
 
     fn open(&mut self, text: &str, message: &Json) -> Json {
         let pick = message["pick"].as_u64().and_then(|n| usize::try_from(n).ok());
-        match OpenFile::read(text, pick.unwrap_or_default()) {
+        match OpenFile::read(text, pick.unwrap_or_default(), None) {
             Ok(file) => {
                 let mut told = file.told(&look(message));
                 self.last += 1;
@@ -78,6 +79,18 @@ impl Engine {
                 told
             }
         }
+    }
+}
+
+/// Answers `trial`: the frame of a text that is not kept.
+fn trial(text: &str, message: &Json) -> Json {
+    match OpenFile::read(text, 0, message["mu"].as_f64()) {
+        Ok(file) => {
+            let mut wanted = message.clone();
+            wanted["mu"] = Json::Null;
+            file.frame(&wanted)
+        }
+        Err(faults) => failed(&faults, text),
     }
 }
 
@@ -141,8 +154,11 @@ mod tests {
         let place =
             ask(&mut engine, json!({"do": "place", "handle": told["handle"], "travel": 0.1}));
         let at = |key: &str| place["edit"][key].as_u64().unwrap() as usize;
-        let mut new = templates::text("crank-rocker", &[]).unwrap();
-        new.replace_range(at("from")..at("to"), place["edit"]["insert"].as_str().unwrap());
+        let mut new: Vec<u16> =
+            templates::text("crank-rocker", &[]).unwrap().encode_utf16().collect();
+        let insert = place["edit"]["insert"].as_str().unwrap().encode_utf16();
+        new.splice(at("from")..at("to"), insert);
+        let new = String::from_utf16(&new).unwrap();
         let again = ask(&mut engine, json!({"do": "open", "text": new}));
         let position = |told: &Json| told["drivers"][0]["position"].as_f64().unwrap();
         assert!((position(&again) - position(&told) - 0.1).abs() < 1e-5, "{place}");
@@ -171,14 +187,28 @@ mod tests {
     }
 
     #[test]
+    fn a_trial_is_drawn_in_a_scale_and_not_kept() {
+        let mut engine = Engine::default();
+        let text = templates::text("crank-rocker", &[]).unwrap();
+        let trial = json!({"do": "trial", "text": text, "what": ["mechanism"], "mu": 0.003});
+        let told = ask(&mut engine, trial);
+        assert_eq!(told["figures"][0]["paper"]["scale"], 1.0 / 0.003, "{told}");
+        let (mut opened, file) = opened("crank-rocker");
+        let scaled =
+            json!({"do": "frame", "handle": file["handle"], "what": ["mechanism"], "mu": 0.003});
+        assert_eq!(ask(&mut opened, scaled)["figures"], told["figures"]);
+        assert!(engine.files.is_empty());
+    }
+
+    #[test]
     fn what_cannot_be_solved_has_its_names_and_quantities() {
         let mut engine = Engine::default();
         let text = r#"{"parameters": {"d": "2*r", "r": "30 mm"}, "links": {"1": ["A", "D"], "2": ["A", "B"]}, "ground": "1"}"#;
         let told = ask(&mut engine, json!({"do": "open", "text": text}));
         assert_eq!(told["names"]["links"], json!(["1", "2"]), "{told}");
-        let of = json!(["d + 1 cm", "90 deg", 0, "none"]);
+        let of = json!(["d/2", "90 deg", 0, "none"]);
         let told = ask(&mut engine, json!({"do": "values", "text": text, "of": of}));
-        assert_eq!(told["values"], json!([0.07, std::f64::consts::FRAC_PI_2, 0.0, null]));
+        assert_eq!(told["values"], json!([0.03, std::f64::consts::FRAC_PI_2, 0.0, null]));
         assert_eq!(ask(&mut engine, json!({"do": "open", "text": "{"}))["names"], Json::Null);
     }
 

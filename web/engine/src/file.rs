@@ -41,13 +41,24 @@ fn hold_scales(scene: &mut Scene, base: &Solved) {
     }
 }
 
+/// Gives the mechanism a scale (m per mm), if it is one.
+fn hold_plane(scene: &mut Scene, mu: Option<f64>) {
+    if mu.is_some_and(|mu| mu.is_finite() && mu > 0.0) {
+        scene.paper.scales.set(hodograph::kind::Kind::Length, mu);
+    }
+}
+
 impl OpenFile {
-    /// Reads and solves a file; candidate `pick` (from 0) of a task.
+    /// Reads and solves a file: candidate `pick` (from 0) of a task, a mechanism in the scale `mu`
+    /// (m per mm), if one is given.
     ///
     /// # Errors
     /// Those of reading and solving.
-    pub fn read(text: &str, pick: usize) -> Result<OpenFile, Faults> {
-        let Warned { value: problem, mut notes } = problem::read(text)?;
+    pub fn read(text: &str, pick: usize, mu: Option<f64>) -> Result<OpenFile, Faults> {
+        let Warned { value: mut problem, mut notes } = problem::read(text)?;
+        if let Problem::Scene(scene) = &mut problem {
+            hold_plane(scene, mu);
+        }
         let options = Options { candidate: pick, ..Options::with_figures() };
         let solved = problem::solve(&problem, &options)?;
         notes.extend(solved.notes.iter().cloned());
@@ -134,9 +145,7 @@ impl OpenFile {
         let options = Options::with_figures();
         let Problem::Scene(mut scene) = problem else { return problem::solve(&problem, &options) };
         hold_scales(&mut scene, &self.solved);
-        if mu.is_some_and(|mu| mu.is_finite() && mu > 0.0) {
-            scene.paper.scales.set(hodograph::kind::Kind::Length, mu);
-        }
+        hold_plane(&mut scene, mu);
         problem::solve(&Problem::Scene(scene), &options)
     }
 
