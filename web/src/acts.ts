@@ -23,8 +23,7 @@ export class Act {
   constructor(readonly outline: Outline, readonly grain: Grain) {
     this.draft = new Draft(outline.text)
     if (outline.json.links === undefined) this.draft.put(['links'], {})
-    const contacts = ['gears', 'rolling', 'cams', 'belts', 'chains', 'ropes'].flatMap((key) => outline.list(key).flatMap((e) => e.at ?? []))
-    this.points = new Set([...outline.points, ...contacts])
+    this.points = new Set([...outline.points, ...outline.unlinked()])
     this.links = new Set(outline.links.keys())
     this.places = new Map(outline.places)
     this.own = new Map([...outline.links].map(([name, points]) => [name, [...points]]))
@@ -408,7 +407,7 @@ export class Act {
       const phase = outline.value(gear.phase)
       const [r, s] = outline.radii(gear)
       if (phase === null || !r || !s) return
-      const [one, other] = [0, 1].map((n) => turned(outline.line(gear.links[n]))) as [number, number]
+      const [one, other] = [0, 1].map((n) => turned(outline.line(gear.links?.[n]))) as [number, number]
       const by = other + ((gear.ring === undefined ? 1 : -1) * one * r) / s
       if (by) putAngle(outline, draft, ['gears', k, 'phase'], phase + by, grain)
     })
@@ -418,15 +417,14 @@ export class Act {
   private sides(point: string, at: XY): void {
     const { outline } = this
     const now = new Map(outline.places).set(point, at)
-    for (const [name, text] of Object.entries(outline.json.side ?? {})) {
-      const told = /^(left|right) of (.+)$/.exec(String(text))
-      const line = outline.names(told?.[2])
-      if (!told || line?.length !== 2 || ![name, ...line].includes(point)) continue
+    for (const name of Object.keys(outline.json.side ?? {})) {
+      const told = outline.side(name)
+      if (!told || ![name, ...told.line].includes(point)) continue
       const side = (places: Map<string, XY>) => {
-        const [p, a, b] = [name, ...line].map((n) => places.get(n))
+        const [p, a, b] = [name, ...told.line].map((n) => places.get(n))
         return p && a && b ? Math.sign(dot(left(minus(b, a)), minus(p, a))) : 0
       }
-      if (side(outline.places) * side(now) < 0) this.draft.put(['side', name], `${told[1] === 'left' ? 'right' : 'left'} of ${told[2]}`)
+      if (side(outline.places) * side(now) < 0) this.draft.put(['side', name], `${told.left ? 'right' : 'left'} of ${told.text}`)
     }
   }
 }

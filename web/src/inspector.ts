@@ -26,6 +26,8 @@ const LAWS: Record<string, string> = {
   'modified-sine': '修正正弦', 'modified-trapezoidal': '修正梯形',
 }
 
+const links = (gear: any): string[] => (Array.isArray(gear.links) ? gear.links.filter((l: unknown) => typeof l === 'string') : [])
+
 export class Inspector {
   readonly root = element('section', { class: 'inspector' })
   private outline!: Outline
@@ -124,7 +126,7 @@ export class Inspector {
     const lengths = outline.lengths().filter(({ ends }) => ends.every((p) => points.includes(p))).map(({ key }) => this.row(key, ['lengths', key], 'mm'))
     const drivers = outline.drivers().flatMap((d, k) => (d.link === name || (d.slide !== undefined && d.slide === name) ? this.driver(k) : []))
     const guides = outline.guides.filter((g) => g.slider === name || (g.on === name && name !== outline.ground)).flatMap((g) => this.guide(g.k))
-    const gears = outline.list('gears').flatMap((gear, k) => (gear.links?.includes(name) ? this.gear(gear, k) : []))
+    const gears = outline.list('gears').flatMap((gear, k) => (links(gear).includes(name) ? this.gear(gear, k) : []))
     const wheels = outline.list('rolling').flatMap((w, k) =>
       w.wheel === name ? this.entry('wheel', ['rolling', k], this.row(this.t('radius'), ['rolling', k, 'radius'], 'mm'), w.angle === undefined ? null : this.row(this.t('angle'), ['rolling', k, 'angle'], 'deg')) : [],
     )
@@ -158,12 +160,12 @@ export class Inspector {
 
   private gear(gear: any, k: number): HTMLElement[] {
     const sizes = (key: 'teeth' | 'radii', label: string, usual: string) =>
-      (Array.isArray(gear[key]) ? gear[key] : []).map((_: unknown, n: number) => this.row(formula(`${label}_${gear.links?.[n] ?? n + 1}`), ['gears', k, key, n], usual))
+      (Array.isArray(gear[key]) ? gear[key] : []).map((_: unknown, n: number) => this.row(formula(`${label}_${links(gear)[n] ?? n + 1}`), ['gears', k, key, n], usual))
     const angle = gear.rack === undefined ? null : this.row(this.t('angle'), ['gears', k, 'angle'], 'deg')
     const phase = gear.phase === undefined ? null : this.row(this.t('phase'), ['gears', k, 'phase'], 'deg')
-    const links: string[] = gear.rack === undefined && gear.links?.length === 2 ? gear.links : []
-    const ring = links.length
-      ? this.select('ring', gear.ring ?? '', [['', this.t('outside')], ...links.map((l): [string, string] => [l, `${this.t('ring_of')} ${l}`])], (value) =>
+    const both = gear.rack === undefined && links(gear).length === 2 ? links(gear) : []
+    const ring = both.length
+      ? this.select('ring', gear.ring ?? '', [['', this.t('outside')], ...both.map((l): [string, string] => [l, `${this.t('ring_of')} ${l}`])], (value) =>
           value ? this.input.choose(['gears', k, 'ring'], value) : this.input.drop(['gears', k, 'ring']))
       : null
     return this.entry('gear', ['gears', k], ...sizes('teeth', 'z', ''), ...sizes('radii', 'r', 'mm'), ring, angle, phase)
@@ -173,7 +175,7 @@ export class Inspector {
     const at: JSONPath = ['cams', k]
     const stages = (Array.isArray(cam.profile?.law) ? cam.profile.law : []).flatMap((stage: any, n: number) => {
       const path: JSONPath = [...at, 'profile', 'law', n]
-      const kind = (['rise', 'return', 'dwell'] as const).find((key) => stage[key] !== undefined)
+      const kind = (['rise', 'return', 'dwell'] as const).find((key) => stage?.[key] !== undefined)
       if (!kind) return []
       if (kind === 'dwell') return [this.row(this.t('dwell'), [...path, 'dwell'], 'deg')]
       const laws = Object.entries(LAWS).map(([law, zh]): [string, string] => [law, this.lang === 'zh' ? zh : law])

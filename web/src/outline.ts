@@ -45,6 +45,12 @@ export function word(...parts: string[]): string {
   return parts.join(parts.every((p) => p.length === 1) ? '' : ',')
 }
 
+/** Lists whose entries name points that are on no link: contacts, and points that move by a law. */
+export const NAMING = ['gears', 'rolling', 'cams', 'belts', 'chains', 'ropes', 'motions']
+/** The points that an entry of these lists makes. */
+export const made = (entry: any): string[] =>
+  [entry.at, entry.s === undefined ? undefined : entry.point].flat().filter((name) => typeof name === 'string' && name !== '')
+
 /** A sliding pair, with its place and direction where they are known. */
 export interface Guided { k: number; pin?: string; slider?: string; on: string; at?: XY; direction?: XY }
 /** The circle of a link: the pitch circle of a gear, a wheel that rolls, the base circle of a cam, a roller. */
@@ -154,6 +160,11 @@ export class Outline {
     })
   }
 
+  /** The points that are on no link. */
+  unlinked(): string[] {
+    return NAMING.flatMap((key) => this.list(key).flatMap(made))
+  }
+
   /** The links that carry a point. */
   carriers(point: string): string[] {
     return [...this.links].filter(([, points]) => points.includes(point)).map(([name]) => name)
@@ -166,6 +177,14 @@ export class Outline {
 
   fixed(point: string): boolean {
     return this.ground !== null && (this.links.get(this.ground)?.includes(point) ?? false)
+  }
+
+  /** The side on which the text has a point. */
+  side(point: string): { left: boolean; line: [string, string]; text: string } | null {
+    const text: unknown = this.json.side?.[point]
+    const told = typeof text === 'string' ? /^(left|right) of (.+)$/.exec(text) : null
+    const line = told && this.names(told[2])
+    return line?.length === 2 ? { left: told![1] === 'left', line: line as [string, string], text: told![2]! } : null
   }
 
   /** The line of a driver or gear: as named, else the first two points of the link. */
@@ -229,10 +248,10 @@ export class Outline {
     const along = (between ** 2 + p.value ** 2 - q.value ** 2) / (2 * between)
     const across = Math.sqrt(Math.max(p.value ** 2 - along ** 2, 0))
     const [one, other] = [1, -1].map((s) => plus(plus(p.at, u, along), left(u), across * s)) as [XY, XY]
-    const side = /^(left|right) of (.+)$/.exec(String(this.json.side?.[point] ?? ''))
-    const [a, b] = (this.names(side?.[2]) ?? []).map((n) => this.places.get(n))
+    const side = this.side(point)
+    const [a, b] = (side?.line ?? []).map((n) => this.places.get(n))
     const isLeft = a && b ? dot(left(minus(b, a)), minus(one, a)) > 0 : true
-    return isLeft === (side?.[1] !== 'right') ? one : other
+    return isLeft === (side?.left ?? true) ? one : other
   }
 
   /** The place of a roller on the base circle of its cam, in the direction of its guide. */
@@ -268,7 +287,7 @@ export class Outline {
       const radii = this.radii(gear)
       centres.forEach((centre: string, n: number) => {
         const link = gear.links?.[n]
-        if (radii[n] && typeof link === 'string') this.wheels.push({ link, centre, radius: radii[n]!, kind: 'gear' })
+        if (radii[n] && typeof link === 'string' && typeof centre === 'string') this.wheels.push({ link, centre, radius: radii[n]!, kind: 'gear' })
       })
     }
     for (const wheel of this.list('rolling')) {
@@ -302,7 +321,7 @@ export class Outline {
     const teeth: (number | null)[] = Array.isArray(gear.teeth) ? gear.teeth.map((z: unknown) => (typeof z === 'number' ? z : this.value(z))) : []
     const module = this.value(gear.module)
     if (module) return teeth.map((z) => z && (module * z) / 2)
-    const [a, b] = (gear.centres ?? []).map((p: string) => this.places.get(p)) as (XY | undefined)[]
+    const [a, b] = (Array.isArray(gear.centres) ? gear.centres : []).map((p: string) => this.places.get(p)) as (XY | undefined)[]
     const [z, y] = teeth
     if (!a || !b || !z || !y) return []
     const sum = gear.ring === undefined ? z + y : Math.abs(z - y)

@@ -26,13 +26,13 @@ export class Grain {
   static of(text: string, scale: number): Grain {
     const unit = lengthUnit(text)
     const factor = UNITS[unit]!
-    // About a pixel, and about twelve of them, as round numbers of the unit.
+    // The grid has about twelve pixels, the least length at most two, both a round number of the unit.
     const round = (least: number) => {
       const ten = 10 ** Math.floor(Math.log10(least) + 1e-9)
       return ten * ([1, 2, 5, 10].find((n) => n * ten >= least * 0.999) ?? 10)
     }
     const grid = round(12 / scale / factor) * factor
-    return new Grain(unit, Math.min(10 ** Math.floor(Math.log10(grid / factor / 4)), 10) * factor, grid)
+    return new Grain(unit, 10 ** Math.floor(Math.log10(2 / scale / factor)) * factor, grid)
   }
 
   snap(at: XY, fine: boolean): XY {
@@ -96,7 +96,7 @@ export function putAngle(outline: Outline, draft: Draft, path: JSONPath, radians
 export function shown(outline: Outline, quantity: unknown): string {
   const name = parameterOf(outline, quantity)
   const value = name === null ? quantity : outline.json.parameters[name]
-  return value === undefined ? '' : String(value)
+  return typeof value === 'string' || typeof value === 'number' ? String(value) : ''
 }
 
 /** Writes what was typed; a bare number takes the unit of what it replaces. */

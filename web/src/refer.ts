@@ -2,7 +2,7 @@
 
 import { getNodePath, parseTree, type JSONPath, type Node } from 'jsonc-parser'
 import { Draft } from './edits'
-import { joined, names, type Outline } from './outline'
+import { joined, made, names, NAMING, type Outline } from './outline'
 import type { Grain } from './quantities'
 
 /** Keys whose strings are no names. */
@@ -68,11 +68,7 @@ function strings(text: string): { node: Node; path: JSONPath; key: boolean }[] {
   return all
 }
 
-const of = (outline: Outline): Names => ({ points: [...outline.points, ...contacts(outline)], links: [...outline.links.keys()] })
-/** Lists whose entries name points that are on no link: contacts, and points that move by a law. */
-const NAMING = ['gears', 'rolling', 'cams', 'belts', 'chains', 'ropes', 'motions']
-const made = (entry: any): string[] => [entry.at ?? [], entry.s !== undefined ? (entry.point ?? []) : []].flat()
-const contacts = (outline: Outline): string[] => NAMING.flatMap((key) => outline.list(key).flatMap(made))
+const of = (outline: Outline): Names => ({ points: [...outline.points, ...outline.unlinked()], links: [...outline.links.keys()] })
 
 /** True if a name is in use. */
 export function taken(outline: Outline, name: string): boolean {
