@@ -41,6 +41,8 @@ export class App {
   private stepAt = 0
   private absent = new Set<string>()
   name = FIRST
+  /** The text of the opened file. */
+  private read = ''
   /** The names of the text, as far as it can be read. */
   private names: Names | null = null
   private playing = false
@@ -137,6 +139,7 @@ export class App {
       }
       if (this.opened) void this.engine.ask({ do: 'close', handle: this.opened.handle }).catch(() => {})
       this.opened = opened
+      this.read = text
       this.names = opened.names
       this.travel = 0
       this.course = null
@@ -223,7 +226,8 @@ export class App {
   /** Draws the tab at the driver's place. */
   async draw(moving: boolean): Promise<void> {
     if (this.builder.on && this.stage.classList.contains('stale')) return this.unsolved()
-    if (!this.opened) return
+    // Tools work on what is drawn: not on a text that is no longer there.
+    if (!this.opened || (this.builder.on && this.read !== this.editor.text)) return
     const generation = this.generation
     const travel = moving || this.travel !== 0 ? this.travel : null
     try {

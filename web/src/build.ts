@@ -552,6 +552,7 @@ export class Builder {
     else if (board.root === place && /^Arrow/.test(event.key)) this.step(event)
     else if (board.root === place && (event.key === 'Enter' || event.key === ' ') && board.pointer) {
       const pixel = onScreen(board.view, board.pointer.at)
+      this.hover(pixel)
       if (this.wanted !== 'pointer') void this.then(() => this.click(pixel, false))
       else if (board.pointer.point !== undefined) this.select('point', board.pointer.point)
       else if (board.pointer.link !== undefined) this.select('link', board.pointer.link)
