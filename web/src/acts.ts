@@ -288,6 +288,7 @@ export class Act {
     } else {
       const link = target.link ?? this.turning(target.point)
       if (link === null) return null
+      if (outline.driven.includes(link)) return { kind: 'link', name: link }
       const line = outline.line(link)?.map((p) => outline.places.get(p))
       // A wheel or cam has no line: any angle will do.
       const angle = line?.[0] && line[1] ? angleOf(minus(line[1], line[0])) : Math.PI / 6

@@ -447,6 +447,13 @@ export class Builder {
     event.preventDefault()
     if (document.activeElement instanceof HTMLInputElement) document.activeElement.blur()
     board.root.setPointerCapture(event.pointerId)
+    const label = event.button === 0 ? /mechanism-label-(angle|rotation|number)-(.+)$/.exec((event.target as Element).closest('[id]')?.id ?? '') : null
+    if (label && board.outline?.links.has(label[2]!)) {
+      this.select('link', label[2]!)
+      this.properties()
+      this.inspector.focus(label[1] === 'angle' ? 'angle' : label[1] === 'rotation' ? 'omega' : 'name')
+      return
+    }
     const target: Target = event.button === 0 && !NARROW.matches ? board.target(first, true) : { at: [0, 0] }
     const point = target.point
     const along = event.altKey && site.course?.can

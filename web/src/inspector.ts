@@ -52,6 +52,11 @@ export class Inspector {
     if (focused) this.root.querySelector<HTMLElement>(`[data-path='${focused}']`)?.focus()
   }
 
+  /** Puts the cursor into the field of a quantity. */
+  focus(ending: string): void {
+    this.root.querySelector<HTMLInputElement>(`[data-path$='${ending}']`)?.select()
+  }
+
   private t(key: Word): string {
     return word(key, this.lang)
   }

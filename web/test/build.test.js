@@ -309,6 +309,9 @@ test('a value is typed with its unit; what is none is refused', async () => {
   await h.type('lengths.AB', '12 cm')
   assert.deepEqual(changed(first, await text(page)), ['/parameters/l_AB'])
   assert.match(await text(page), /"l_AB": "12 cm"/)
+  await page.click('.screen [id$="mechanism-label-rotation-1"]')
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.path), 'driver.omega')
+  await h.joint('B')
   await h.type('lengths.AB', 'long')
   assert.match(await text(page), /"l_AB": "12 cm"/)
   assert.equal(await page.getAttribute('[data-path="lengths.AB"]', 'aria-invalid'), 'true')
@@ -400,6 +403,13 @@ test('the drawing takes the place of the sketch, in its scale', async () => {
   await page.keyboard.press('l')
   for (const at of [[0, 0], [60, 80], [60, 80], [220, 130], [220, 130], [200, 0]]) await h.click(...at)
   await h.still()
+  // Its joints are dragged in the sketch too.
+  await page.keyboard.press('v')
+  const before = await text(page)
+  await h.drag('D', 230, 140)
+  assert.deepEqual(changed(before, await text(page)), ['/lengths/CD', '/lengths/BD', '/sketch/D/0', '/sketch/D/1'])
+  await h.drag('B', 190, 0)
+  assert.deepEqual(JSON.parse(await text(page)).points.B, ['190 mm', 0])
   const middle = async (locator) => {
     const box = await locator.boundingBox()
     return [box.x + box.width / 2, box.y + box.height / 2, box.width]
