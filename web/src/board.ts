@@ -136,7 +136,9 @@ export class Board {
     const places = [...(outline?.places.values() ?? [])]
     for (const w of outline?.wheels ?? []) {
       const c = outline!.places.get(w.centre)
-      if (c) places.push([c[0] - w.radius, c[1] - w.radius], [c[0] + w.radius, c[1] + w.radius])
+      // A cam reaches beyond its base circle, and so does the guide of its follower.
+      const r = w.radius * (w.kind === 'cam' ? 1.8 : w.kind === 'roller' ? 3 : 1)
+      if (c) places.push([c[0] - r, c[1] - r], [c[0] + r, c[1] + r])
     }
     if (!width || !height) return
     if (places.length < 2) {

@@ -221,6 +221,6 @@ mod tests {
         let key = all.iter().find(|d| d["code"] == "unknown-key").unwrap();
         // é is two bytes and one unit of UTF-16.
         assert_eq!(key["place"], json!({"from": 1, "to": 8}), "{told}");
-        assert_eq!(engine.answer("{").contains("false"), true);
+        assert!(engine.answer("{").contains("false"));
     }
 }

@@ -77,7 +77,7 @@ impl OpenFile {
             "kind": self.problem.kind().word(),
             "title": self.title(look),
             "language": self.language(look),
-            "drivers": scene.map(|s| drivers(s)),
+            "drivers": scene.map(drivers),
             "swept": self.swept.map(|s| match s { Swept::Driver(d) => json!(d), Swept::Time => json!("t") }),
             "names": scene.map(plane::names),
             "candidates": self.solved.design().map(|d| d.candidates.len()),
