@@ -68,6 +68,16 @@ export class Board {
     return link === undefined ? { at: snapped } : { link, at }
   }
 
+  /** True if a pixel is on the support of a pivot. */
+  onGround(pixel: XY): boolean {
+    const { outline, view } = this
+    return (outline?.points ?? []).some((p) => {
+      const place = outline!.fixed(p) ? outline!.places.get(p) : undefined
+      const [x, y] = place ? minus(pixel, onScreen(view, place)) : [Infinity, 0]
+      return Math.abs(x) < 6 * MILLIMETRE && y > 0 && y < 7 * MILLIMETRE
+    })
+  }
+
   /** Shows a drawing: the engine's, or a sketch. */
   show(drawing: SVGElement): void {
     this.drawing.replaceChildren(drawing)

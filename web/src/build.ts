@@ -51,6 +51,7 @@ export class Builder {
     this.inspector = new Inspector({
       type: async (path, text, usual) => (await this.then(() => this.type(path, text, usual))) ?? false,
       choose: (path, value) => void this.then(() => this.edit((draft) => draft.put(path, value))),
+      block: (k) => void this.then(() => this.act((act) => act.draft.put(['guides', k, 'slider'], act.number()))),
       drop: (path) => void this.then(() => this.edit((draft) => draft.drop(path))),
       rename: async (name) => (await this.then(() => this.rename(name))) ?? false,
       remove: () => void this.then(() => this.remove(this.selected)),
@@ -462,6 +463,7 @@ export class Builder {
     let text: string | null = null
     if (point !== undefined) this.select('point', point)
     else if (target.link !== undefined) this.select('link', target.link)
+    else if (event.button === 0 && board.onGround(first) && board.outline?.ground) this.select('link', board.outline.ground)
     else if (event.button === 0) this.selected = null
     if (along) site.pause()
     this.properties()

@@ -13,6 +13,8 @@ export interface InspectorInput {
   type(path: JSONPath, text: string, usual: string): Promise<boolean>
   /** Sets a word that was chosen. */
   choose(path: JSONPath, value: string): void
+  /** Gives the pin in a guide a block with a number. */
+  block(guide: number): void
   /** Removes a part of the text. */
   drop(path: JSONPath): void
   rename(name: string): Promise<boolean>
@@ -160,7 +162,12 @@ export class Inspector {
     const guide = this.outline.list('guides')[k]
     const at: JSONPath = ['guides', k]
     const through = Array.isArray(guide.through) ? [this.row(formula('x'), [...at, 'through', 0], 'mm'), this.row(formula('y'), [...at, 'through', 1], 'mm')] : []
-    return this.entry('guide', at, this.row(this.t('angle'), [...at, 'angle'], 'deg'), ...through, this.row(this.t('offset'), [...at, 'offset'], 'mm'))
+    // A block that is more than its pin remains.
+    const own = guide.pin !== undefined && this.outline.json.links?.[guide.slider] === undefined
+    const runs = own
+      ? this.select('runs', guide.slider === undefined ? 'pin' : 'block', [['block', this.t('block')], ['pin', this.t('bare')]], (value) => (value === 'pin' ? this.input.drop([...at, 'slider']) : this.input.block(k)))
+      : null
+    return this.entry('guide', at, runs, this.row(this.t('angle'), [...at, 'angle'], 'deg'), ...through, this.row(this.t('offset'), [...at, 'offset'], 'mm'))
   }
 
   private gear(gear: any, k: number): HTMLElement[] {
