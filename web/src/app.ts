@@ -1,17 +1,17 @@
 // The page: text, engine, drawings, and what the user does with them. The text is the only state that lasts.
 
+import { Builder } from './build'
 import { element, markup } from './dom'
 import { Editor } from './editor'
-import { Ended, Engine, Refused, type Diagnostic, type Frame, type Motion, type Opened, type Page } from './engine'
+import { Ended, Engine, Refused, type Diagnostic, type Frame, type Motion, type Names, type Opened, type Page } from './engine'
 import type { Schema } from './complete'
 import { Gallery } from './gallery'
-import { Course } from './motion'
+import { Course, LIVE } from './motion'
 import { arrange, Pane } from './panes'
-import { fragment, save, shared } from './share'
+import { Saves } from './saves'
+import { fragment, shared } from './share'
 import { isWord, word, type Lang, type Word } from './words'
 
-/** The figures that move together in the first tab. */
-const LIVE = ['mechanism', 'velocity', 'acceleration']
 /** Tabs of single figures, each shown if the file calls for it. */
 const SINGLE = [
   'sheet', 'equations', 'results', 'centres', 'composite', 'curvature', 'centrodes', 'forces', 'lever', 'gears', 'kutzbach',
@@ -19,10 +19,6 @@ const SINGLE = [
 ]
 /** Figures that take long: drawn when their tab is chosen. */
 const SLOW = ['curves']
-const FORMS: [Word, string, string?][] = [
-  ['as_svg', 'svg'], ['as_problem', 'html', 'problem'], ['as_solution', 'html', 'solution'], ['as_md', 'md'], ['as_typ', 'typ'],
-  ['as_lesson', 'lesson'], ['as_csv', 'csv'], ['as_text', 'text'], ['as_json', 'json'], ['as_scene', 'scene'],
-]
 /** The first template. */
 const FIRST = 'shaper'
 /** Largest text that is taken for a scene. */
@@ -39,14 +35,18 @@ export class App {
   travel = 0
   course: Course | null = null
   lang: Lang = (localStorage.getItem('lang') as Lang | null) ?? (navigator.language.startsWith('zh') ? 'zh' : 'en')
-  private dark = localStorage.getItem('theme') ? localStorage.getItem('theme') === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches
+  dark = localStorage.getItem('theme') ? localStorage.getItem('theme') === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches
   private schemas: Record<string, Schema> | null = null
   private panes = new Map<string, Pane>()
   private pages = new Map<string, Page[]>()
   private steps: Page[] | null = null
   private stepAt = 0
   private absent = new Set<string>()
-  private name = FIRST
+  name = FIRST
+  /** The text of the opened file. */
+  private read = ''
+  /** The names of the text, as far as it can be read. */
+  private names: Names | null = null
   private playing = false
   private wanted = false
   private drawing = false
@@ -56,6 +56,8 @@ export class App {
   private hold = false
   private generation = 0
   private timer = 0
+  private saves = new Saves(this)
+  private builder: Builder
   private gallery = new Gallery((name) => void this.template(name))
 
   private bar = element('header', { class: 'bar' })
@@ -71,16 +73,17 @@ export class App {
   private title = element('span', { class: 'title' })
 
   constructor(root: HTMLElement) {
+    this.builder = new Builder(this)
     root.append(
       this.bar,
-      element('main', { class: 'work' }, this.tabs, this.stage, this.note, this.transport),
+      element('main', { class: 'work' }, this.tabs, this.stage, this.builder.root, this.note, this.transport),
       element('aside', { class: 'side' }, this.table, this.faults, this.text),
     )
     this.editor = new Editor({
       parent: this.text,
       label: 'JSON',
       schema: () => this.schemas?.[this.opened?.kind ?? 'scene'] ?? null,
-      names: () => this.opened?.names ?? null,
+      names: () => this.names,
       changed: (atOnce) => this.changed(atOnce),
     })
     this.engine.onBusy = (busy) => document.body.classList.toggle('busy', busy)
@@ -147,6 +150,8 @@ export class App {
       }
       if (this.opened) void this.engine.ask({ do: 'close', handle: this.opened.handle }).catch(() => {})
       this.opened = opened
+      this.read = text
+      this.names = opened.names
       this.travel = 0
       this.course = null
       this.pages.clear()
@@ -165,10 +170,26 @@ export class App {
       void this.idle(generation)
     } catch (fault) {
       if (generation !== this.generation) return
+      if (!(fault instanceof Refused || fault instanceof Ended)) throw fault
       this.stage.classList.add('stale')
-      if (fault instanceof Refused) this.tell(fault.diagnostics, true)
-      else if (!(fault instanceof Ended)) throw fault
+      if (fault instanceof Refused) {
+        this.names = fault.names
+        this.tell(fault.diagnostics, !this.builder.on)
+      }
+      // Nothing else is there to be seen.
+      if (!this.opened && !this.builder.on && text.includes('"links"')) this.builder.open(true)
+      await this.unsolved()
     }
+  }
+
+  /** While building, a text that is refused is shown as a sketch. */
+  private async unsolved(): Promise<void> {
+    if (!this.builder.on) return
+    this.course = null
+    this.table.hidden = true
+    this.title.textContent = ''
+    this.dressTransport()
+    await this.builder.refused().catch(ended)
   }
 
   /** Follows the motion, then tries which figures there are, while nothing else is asked. */
@@ -212,11 +233,11 @@ export class App {
 
   /** Figures in the pose of the text, or after a travel: then their changes since the last travel. */
   private frame(what: string[], travel: number | null, answers: boolean): Promise<Frame> {
-    const message: Record<string, unknown> = { do: 'frame', handle: this.opened!.handle, what, lang: this.lang, answers, prefix: true }
+    const message: Record<string, unknown> = { do: 'frame', handle: this.opened!.handle, what, lang: this.lang, answers, prefix: true, plane: this.builder.on, mu: this.builder.mu }
     if (this.dark) message.style = 'dark'
-    if (travel === null) {
+    if (travel === null || this.builder.on) {
       this.moving = false
-      return this.engine.ask<Frame>(message)
+      return this.engine.ask<Frame>(travel === null ? message : { ...message, travel })
     }
     const whole = !this.moving
     this.moving = true
@@ -224,8 +245,10 @@ export class App {
   }
 
   /** Draws the tab at the driver's place. */
-  private async draw(moving: boolean): Promise<void> {
-    if (!this.opened) return
+  async draw(moving: boolean): Promise<void> {
+    if (this.builder.on && this.stage.classList.contains('stale')) return this.unsolved()
+    // Tools work on what is drawn: not on a text that is no longer there.
+    if (!this.opened || (this.builder.on && this.read !== this.editor.text)) return
     const { generation, tab } = this
     const travel = moving || this.travel !== 0 ? this.travel : null
     try {
@@ -239,6 +262,7 @@ export class App {
       const frame = await this.frame(what, travel, true)
       if (generation !== this.generation || tab !== this.tab) return
       this.answer(frame)
+      if (this.builder.on && this.tab === 'live') return await this.builder.show(frame)
       const pages = frame.figures
       if (!pages.length) this.hint(this.say_missing(frame.missing))
       this.show(pages, travel === null && this.hold)
@@ -414,7 +438,7 @@ export class App {
 
   // --- What is around the drawings ---
 
-  private answer(frame: Frame): void {
+  answer(frame: Frame): void {
     if (!frame.answers) return
     const rows = frame.answers.map((a) =>
       element('tr', { class: a.answered ? '' : 'none' }, element('th', { scope: 'row' }, markup(a.symbol)), element('td', {}, a.text)),
@@ -445,7 +469,7 @@ export class App {
     this.hint(stale ? word('stale', this.lang) : '')
   }
 
-  private hint(text: string): void {
+  hint(text: string): void {
     this.note.textContent = text
   }
 
@@ -459,11 +483,13 @@ export class App {
     this.bar.replaceChildren(
       element('h1', {}, 'hodograph'),
       this.button('gallery', () => void this.gallery.open(this.lang), word('gallery', this.lang)),
+      this.button('create', () => this.create(), word('create', this.lang)),
+      this.button('build', () => this.build(!this.builder.on), word('build', this.lang)),
       this.title,
       this.button('cancel', () => this.cancel(), word('cancel', this.lang)),
       this.button('undo', () => this.editor.undo(), '↶'),
       this.button('redo', () => this.editor.redo(), '↷'),
-      this.saves(),
+      this.saves.menu(),
       this.button('share', () => void this.share(), word('share', this.lang)),
       this.button('classroom', () => this.classroom(true), word('classroom', this.lang)),
       this.button('leave', () => this.classroom(false), '✕'),
@@ -474,6 +500,7 @@ export class App {
     this.buttons()
     this.dressTabs()
     this.dressTransport()
+    this.builder.dress()
   }
 
   private button(key: Word, click: () => void, shown: string): HTMLButtonElement {
@@ -483,6 +510,7 @@ export class App {
 
   private buttons(): void {
     const { undo, redo } = this.editor.can
+    this.bar.querySelector('.b-build')?.setAttribute('aria-pressed', String(this.builder.on))
     for (const [key, can] of [['undo', undo], ['redo', redo]] as const) {
       const button = this.bar.querySelector<HTMLButtonElement>(`.b-${key}`)
       if (button) button.disabled = !can
@@ -490,6 +518,7 @@ export class App {
   }
 
   private dressTabs(): void {
+    document.body.dataset.tab = this.tab
     const scene = this.opened?.kind !== 'task' && this.opened?.kind !== 'motion'
     const singles = SINGLE.filter((name) => this.pages.has(name) || name === 'sheet' || name === this.tab || (SLOW.includes(name) && this.course?.can))
     const names = scene ? ['live', 'steps', ...singles] : ['sheet']
@@ -554,41 +583,23 @@ export class App {
     this.pause()
   }
 
-  private saves(): HTMLElement {
-    const list = FORMS.map(([key, form, sides]) => element('button', { role: 'menuitem', 'data-form': form + (sides ? `-${sides}` : ''), click: () => {
-      menu.open = false
-      void this.export(form, sides)
-    } }, word(key, this.lang)))
-    const menu: HTMLDetailsElement = element('details', { class: 'menu' }, element('summary', {}, word('save', this.lang)), element('div', { role: 'menu' }, ...list))
-    menu.addEventListener('focusout', (event) => {
-      if (!menu.contains(event.relatedTarget as Node | null)) menu.open = false
-    })
-    return menu
-  }
-
   /** The files of a form. */
-  async files(form: string, sides?: string): Promise<{ name: string; text: string }[]> {
-    if (form === 'scene') return [{ name: `${this.name}.json`, text: this.editor.text }]
-    if (!this.opened) return []
-    const { handle } = this.opened
-    if (form === 'svg') {
-      const what = this.tab === 'live' || this.tab === 'steps' ? ['sheet'] : [this.tab]
-      this.moving = false
-      const message = this.travel === 0 ? { do: 'frame' } : { do: 'move', travel: this.travel, whole: true }
-      const { figures } = await this.engine.ask<Frame>({ ...message, handle, what, lang: this.lang })
-      return figures.map((f) => ({ name: `${this.name}${f.name ? `-${f.name}` : ''}.svg`, text: f.svg }))
-    }
-    const { files } = await this.engine.ask<{ files: { name: string; text: string }[] }>({ do: 'export', handle, form, sides, stem: this.name, lang: this.lang })
-    return files
+  readonly files = (form: string, sides?: string) => this.saves.files(form, sides)
+
+  /** Begins with an empty scene. */
+  private create(): void {
+    this.name = 'scene'
+    history.replaceState(null, '', location.pathname + location.search)
+    this.tab = 'live'
+    this.builder.begin()
+    this.dress()
   }
 
-  private async export(form: string, sides?: string): Promise<void> {
-    try {
-      for (const file of await this.files(form, sides)) save(file.name, file.text)
-    } catch (fault) {
-      if (fault instanceof Refused) this.hint(fault.diagnostics[0]?.message[this.lang] ?? fault.message)
-      else if (!(fault instanceof Ended)) throw fault
-    }
+  /** Opens and closes the tools of building. */
+  build(on: boolean): void {
+    this.builder.open(on)
+    this.buttons()
+    void this.choose('live')
   }
 
   private async share(): Promise<void> {
@@ -635,6 +646,11 @@ export class App {
       })
     })
   }
+}
+
+/** Lets pass that the engine was ended. */
+function ended(fault: unknown): void {
+  if (!(fault instanceof Ended)) throw fault
 }
 
 /** A relative difference as a power of ten that it does not exceed. */

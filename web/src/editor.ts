@@ -1,7 +1,7 @@
 // The text of the scene, which is the only state of the page: all changes go through its history.
 
 import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from '@codemirror/autocomplete'
-import { defaultKeymap, history, historyKeymap, indentWithTab, redo, redoDepth, undo, undoDepth } from '@codemirror/commands'
+import { defaultKeymap, history, historyKeymap, indentWithTab, isolateHistory, redo, redoDepth, undo, undoDepth } from '@codemirror/commands'
 import { json } from '@codemirror/lang-json'
 import { bracketMatching, HighlightStyle, indentOnInput, syntaxHighlighting } from '@codemirror/language'
 import { lintGutter, lintKeymap, setDiagnostics, type Diagnostic as Mark } from '@codemirror/lint'
@@ -90,9 +90,9 @@ export class Editor {
     this.input.changed(true)
   }
 
-  /** Changes the text so that it can be undone. */
+  /** Changes the text in one step of the history. */
   change(edit: Place & { insert: string }): void {
-    this.view.dispatch({ changes: edit, annotations: atOnce.of(true), userEvent: 'input.place' })
+    this.view.dispatch({ changes: edit, annotations: [atOnce.of(true), isolateHistory.of('full')], userEvent: 'input.place' })
   }
 
   /** Shows diagnostics at their places; those without one are at the beginning. */

@@ -28,7 +28,15 @@ export interface Opened {
 }
 export type Verdict = 'answered' | 'disagree' | 'unanswered'
 /** A page: its document, or while it moves the changes of its document. */
-export interface Page { name: string; figure?: string; svg: string; notes: Diagnostic[]; delta?: Delta }
+export interface Page {
+  name: string
+  figure?: string
+  svg: string
+  notes: Diagnostic[]
+  delta?: Delta
+  /** Of the mechanism: millimetres for a metre, and where (mm, y down) the origin of the plane is. */
+  paper?: { scale: number; origin: [number, number] } | null
+}
 /** Changes of a document's elements, counted from 0 after the definitions: removed, then added, then changed and moved. */
 export interface Delta {
   size: [number, number] | null
@@ -41,9 +49,19 @@ export interface Delta {
 }
 /** An answer; its symbol is MathML. */
 export interface Answer { find: string; symbol: string; text: string; answered: boolean; difference: number | null }
-export interface Frame { figures: Page[]; missing: Diagnostic[]; answers: Answer[] | null; verdict: Verdict }
+export interface Frame { figures: Page[]; missing: Diagnostic[]; answers: Answer[] | null; verdict: Verdict; plane?: Plane | null }
+/** The mechanism in its plane (m). */
+export interface Plane {
+  ground: string
+  points: { name: string; at: [number, number] | null; links: string[] }[]
+  links: { name: string; points: string[] }[]
+  guides: { pin: string | null; slider: string | null; on: string; at: [number, number]; direction: [number, number] }[]
+}
+export interface Pose { travel: number; grip: [number, number] | null; places: ([number, number] | null)[] }
 export interface Motion {
-  poses: { travel: number; grip: [number, number] | null }[]
+  poses: Pose[]
+  /** The points whose places the poses give; none where nothing moves. */
+  points?: string[]
   full: boolean
   period: number | null
   back: boolean
@@ -53,7 +71,7 @@ export interface Motion {
 
 /** The engine refused a message: its diagnostics say why. */
 export class Refused extends Error {
-  constructor(readonly diagnostics: Diagnostic[], why?: string) {
+  constructor(readonly diagnostics: Diagnostic[], why?: string, readonly names: Names | null = null) {
     super(why ?? diagnostics[0]?.message.en ?? 'refused')
   }
 }
@@ -102,7 +120,7 @@ export class Engine {
 
   private async told<T>(message: Record<string, unknown>): Promise<T> {
     const answer = JSON.parse(await this.post({ message: JSON.stringify(message) }))
-    if (!answer.ok) throw new Refused(answer.diagnostics, answer.refused)
+    if (!answer.ok) throw new Refused(answer.diagnostics, answer.refused, answer.names)
     return answer as T
   }
 

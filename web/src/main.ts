@@ -1,6 +1,7 @@
 import { App } from './app'
 import { single } from './assets'
 import './style.css'
+import './build.css'
 
 const app = new App(document.getElementById('page')!)
 void app.start()

@@ -1,7 +1,10 @@
 // The motion: where the driver is, playing it, and dragging it by its grip.
 
-import type { Motion } from './engine'
+import type { Motion, Pose } from './engine'
 import { formula } from './words'
+
+/** The figures that move together in the first tab. */
+export const LIVE = ['mechanism', 'velocity', 'acceleration']
 
 export class Course {
   constructor(readonly motion: Motion) {}
@@ -29,19 +32,35 @@ export class Course {
 
   /** The place of the grip (mm, y up) at a travel. */
   grip(travel: number): [number, number] | null {
+    return this.between(travel, (pose) => pose.grip)
+  }
+
+  /** A place that moves, at a travel. */
+  private between(travel: number, of: (pose: Pose) => [number, number] | null): [number, number] | null {
     const { poses } = this.motion
     const at = this.within(travel)
     let k = poses.findIndex((p) => p.travel > at)
     if (k < 0) k = poses.length
     const [a, b] = [poses[Math.max(k - 1, 0)], poses[k] ?? (this.motion.full ? poses[0] : poses.at(-1))]
-    if (!a?.grip || !b?.grip) return null
+    const [from, to] = [a && of(a), b && of(b)]
+    if (!a || !b || !from || !to) return null
     const end = b.travel > a.travel ? b.travel : this.high
     const part = end > a.travel ? (at - a.travel) / (end - a.travel) : 0
-    return [a.grip[0] + (b.grip[0] - a.grip[0]) * part, a.grip[1] + (b.grip[1] - a.grip[1]) * part]
+    return [from[0] + (to[0] - from[0]) * part, from[1] + (to[1] - from[1]) * part]
   }
 
   /** The travel near `from` at which the grip is nearest to a place. */
   nearest(place: [number, number], from: number): number {
+    return this.closest(place, from, (travel) => this.grip(travel)) ?? from
+  }
+
+  /** The travel near `from` at which a point is nearest to a place (m); null if it has none. */
+  nearestOf(point: string, place: [number, number], from: number): number | null {
+    const k = this.motion.points?.indexOf(point) ?? -1
+    return k < 0 ? null : this.closest(place, from, (travel) => this.between(travel, (pose) => pose.places[k] ?? null))
+  }
+
+  private closest(place: [number, number], from: number, where: (travel: number) => [number, number] | null): number | null {
     const { poses } = this.motion
     const span = this.high - this.low
     const reach = span / 5
@@ -49,8 +68,8 @@ export class Course {
     let best = from
     let least = Infinity
     for (let travel = from - reach; travel <= from + reach; travel += step) {
-      const at = this.grip(travel)
-      if (!at) return from
+      const at = where(travel)
+      if (!at) return null
       const off = Math.hypot(at[0] - place[0], at[1] - place[1]) + Math.abs(travel - from) * 1e-6
       if (off < least) [best, least] = [travel, off]
     }

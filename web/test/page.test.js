@@ -2,68 +2,21 @@
 import assert from 'node:assert/strict'
 import { spawnSync } from 'node:child_process'
 import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs'
-import { createServer } from 'node:http'
 import { tmpdir } from 'node:os'
-import { extname, join } from 'node:path'
-import { after, before, test } from 'node:test'
+import { join } from 'node:path'
+import { test } from 'node:test'
 import { fileURLToPath } from 'node:url'
-import { chromium } from 'playwright-core'
 import { TOPICS } from '../topics.js'
+import { address, ask, begin, dist, drawn, motionKnown, opened, server, text } from './shared.js'
 
-const dist = fileURLToPath(new URL('../dist/', import.meta.url))
 const program = process.env.HODOGRAPH ?? fileURLToPath(new URL('../../target/debug/hodograph', import.meta.url))
 const quick = process.env.HODOGRAPH_QUICK === '1'
-const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm', '.json': 'application/json', '.svg': 'image/svg+xml' }
-
-let browser, server, address
-
-before(async () => {
-  server = createServer((request, response) => {
-    const name = new URL(request.url, 'http://x').pathname.replace(/\/$/, '/index.html')
-    try {
-      const body = readFileSync(join(dist, name))
-      response.writeHead(200, { 'content-type': TYPES[extname(name)] ?? 'application/octet-stream' }).end(body)
-    } catch {
-      response.writeHead(404).end()
-    }
-  })
-  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve))
-  address = `http://127.0.0.1:${server.address().port}/`
-  browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-    args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
-  })
-})
-
-after(async () => {
-  await browser?.close()
-  server?.close()
-})
-
-/** A new page without faults in its console, opened and drawn. */
-async function opened(url = address, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, locale: 'en-GB', ...options })
-  const page = await context.newPage()
-  page.setDefaultTimeout(60_000)
-  const faults = []
-  page.on('console', (m) => m.type() === 'error' && faults.push(m.text()))
-  page.on('pageerror', (e) => faults.push(String(e)))
-  await page.goto(url)
-  await drawn(page)
-  return { page, context, faults }
-}
 
 /** Runs the program; 4 is its code for answers that do not exist. */
 function run(args) {
   const { status, stderr } = spawnSync(program, args, { encoding: 'utf8' })
   assert.ok(status === 0 || status === 4, `${args.join(' ')}: ${status} ${stderr}`)
 }
-
-const drawn = (page) => page.waitForSelector('.stage:not(.stale) .pane svg')
-const text = (page) => page.evaluate(() => window.hodograph.editor.text)
-const begin = (page, scene) => page.evaluate((t) => window.hodograph.editor.begin(t), scene)
-const ask = (page, message) => page.evaluate((m) => window.hodograph.engine.ask(m), message)
-const motionKnown = (page) => page.waitForFunction(() => window.hodograph.course?.can)
 
 test('opens cold with the shaper, its polygons and its answers', async () => {
   const { page, context, faults } = await opened()

@@ -1,6 +1,7 @@
 //! The messages, and the opened files.
 
 use crate::file::OpenFile;
+use crate::plane;
 use crate::words::{failed, look};
 use hodograph::problem::{Kind, schema, templates};
 use serde_json::{Value as Json, json};
@@ -27,6 +28,7 @@ impl Engine {
         let text = message["text"].as_str().unwrap_or_default();
         match message["do"].as_str().unwrap_or_default() {
             "open" => return self.open(text, message),
+            "trial" => return trial(text, message),
             "templates" => return list(),
             "template" => {
                 let name = message["name"].as_str().unwrap_or_default();
@@ -36,6 +38,10 @@ impl Engine {
                 };
             }
             "schema" => return schemas(),
+            "values" => {
+                let wanted = message["of"].as_array().map_or(&[][..], Vec::as_slice);
+                return json!({"ok": true, "values": plane::values(text, wanted)});
+            }
             _ => {}
         }
         let Some(handle) = message["handle"].as_u64() else { return refused("no handle") };
@@ -60,7 +66,7 @@ impl Engine {
 
     fn open(&mut self, text: &str, message: &Json) -> Json {
         let pick = message["pick"].as_u64().and_then(|n| usize::try_from(n).ok());
-        match OpenFile::read(text, pick.unwrap_or_default()) {
+        match OpenFile::read(text, pick.unwrap_or_default(), None) {
             Ok(file) => {
                 let mut told = file.told(&look(message));
                 self.last += 1;
@@ -68,8 +74,24 @@ impl Engine {
                 self.files.insert(self.last, file);
                 told
             }
-            Err(faults) => failed(&faults, text),
+            Err(faults) => {
+                let mut told = failed(&faults, text);
+                told["names"] = plane::names_of(text);
+                told
+            }
         }
+    }
+}
+
+/// Answers `trial`: the frame of a text that is not kept.
+fn trial(text: &str, message: &Json) -> Json {
+    match OpenFile::read(text, 0, message["mu"].as_f64()) {
+        Ok(file) => {
+            let mut wanted = message.clone();
+            wanted["mu"] = Json::Null;
+            file.frame(&wanted)
+        }
+        Err(faults) => failed(&faults, text),
     }
 }
 
@@ -141,11 +163,62 @@ mod tests {
         let place =
             ask(&mut engine, json!({"do": "place", "handle": told["handle"], "travel": 0.1}));
         let at = |key: &str| place["edit"][key].as_u64().unwrap() as usize;
-        let mut new = templates::text("crank-rocker", &[]).unwrap();
-        new.replace_range(at("from")..at("to"), place["edit"]["insert"].as_str().unwrap());
+        let mut new: Vec<u16> =
+            templates::text("crank-rocker", &[]).unwrap().encode_utf16().collect();
+        let insert = place["edit"]["insert"].as_str().unwrap().encode_utf16();
+        new.splice(at("from")..at("to"), insert);
+        let new = String::from_utf16(&new).unwrap();
         let again = ask(&mut engine, json!({"do": "open", "text": new}));
         let position = |told: &Json| told["drivers"][0]["position"].as_f64().unwrap();
         assert!((position(&again) - position(&told) - 0.1).abs() < 1e-5, "{place}");
+    }
+
+    #[test]
+    fn the_mechanism_is_told_in_its_plane() {
+        let (mut engine, told) = opened("geared-five-bar");
+        let told = ask(
+            &mut engine,
+            json!({"do": "frame", "handle": told["handle"], "what": ["mechanism"], "plane": true}),
+        );
+        let plane = &told["plane"];
+        let b = plane["points"].as_array().unwrap().iter().find(|p| p["name"] == "B").unwrap();
+        assert_eq!(b["links"], json!(["2", "3"]));
+        assert!((b["at"][0].as_f64().unwrap() - 0.025 / 2f64.sqrt()).abs() < 1e-12, "{plane}");
+        // Both pivots are where the picture has them.
+        let (paper, svg) = (&told["figures"][0]["paper"], told["figures"][0]["svg"].as_str());
+        let [x, y] = [0, 1].map(|k| paper["origin"][k].as_f64().unwrap());
+        let e = x + 0.09 * paper["scale"].as_f64().unwrap();
+        for [x, y] in [[x, y], [e, y]] {
+            let circle =
+                format!("cx=\"{}\" cy=\"{}\"", (x * 1e3).round() / 1e3, (y * 1e3).round() / 1e3);
+            assert!(svg.unwrap().contains(&circle), "{circle}");
+        }
+    }
+
+    #[test]
+    fn a_trial_is_drawn_in_a_scale_and_not_kept() {
+        let mut engine = Engine::default();
+        let text = templates::text("crank-rocker", &[]).unwrap();
+        let trial = json!({"do": "trial", "text": text, "what": ["mechanism"], "mu": 0.003});
+        let told = ask(&mut engine, trial);
+        assert_eq!(told["figures"][0]["paper"]["scale"], 1.0 / 0.003, "{told}");
+        let (mut opened, file) = opened("crank-rocker");
+        let scaled =
+            json!({"do": "frame", "handle": file["handle"], "what": ["mechanism"], "mu": 0.003});
+        assert_eq!(ask(&mut opened, scaled)["figures"], told["figures"]);
+        assert!(engine.files.is_empty());
+    }
+
+    #[test]
+    fn what_cannot_be_solved_has_its_names_and_quantities() {
+        let mut engine = Engine::default();
+        let text = r#"{"parameters": {"d": "2*r", "r": "30 mm"}, "links": {"1": ["A", "D"], "2": ["A", "B"]}, "ground": "1"}"#;
+        let told = ask(&mut engine, json!({"do": "open", "text": text}));
+        assert_eq!(told["names"]["links"], json!(["1", "2"]), "{told}");
+        let of = json!(["d/2", "90 deg", 0, "none"]);
+        let told = ask(&mut engine, json!({"do": "values", "text": text, "of": of}));
+        assert_eq!(told["values"], json!([0.03, std::f64::consts::FRAC_PI_2, 0.0, null]));
+        assert_eq!(ask(&mut engine, json!({"do": "open", "text": "{"}))["names"], Json::Null);
     }
 
     #[test]
@@ -157,6 +230,6 @@ mod tests {
         let key = all.iter().find(|d| d["code"] == "unknown-key").unwrap();
         // é is two bytes and one unit of UTF-16.
         assert_eq!(key["place"], json!({"from": 1, "to": 8}), "{told}");
-        assert_eq!(engine.answer("{").contains("false"), true);
+        assert!(engine.answer("{").contains("false"));
     }
 }

@@ -1,6 +1,8 @@
 //! An opened file: its problem, and its solution in its own pose.
 
+use crate::motion::exact;
 use crate::moving::MovingFigures;
+use crate::plane;
 use crate::words::{diagnostics, failed};
 use hodograph::diag::{Both, Diagnostic, Faults, Warned};
 use hodograph::figure::list::{self, FigureEntry, Pages};
@@ -8,7 +10,8 @@ use hodograph::paper::label::Label;
 use hodograph::problem::{self, Kind, Look, Options, Pictures, Problem, Solved, Verdict, whole};
 use hodograph::render::svg;
 use hodograph::report::math::mathml;
-use hodograph::scene::{DriverKind, Scene, Swept};
+use hodograph::scene::{DiagramKind, DriverKind, Scene, Swept};
+use hodograph::sweep::follow::PoseFollower;
 use serde_json::{Value as Json, json};
 
 /// A file under a handle.
@@ -29,13 +32,33 @@ pub struct OpenFile {
 /// The name of the diagrams over the whole motion, which are none of [`list::LIST`].
 const CURVES: &str = "curves";
 
+/// Scales of the file's own pose, which the whole motion keeps.
+fn hold_scales(scene: &mut Scene, base: &Solved) {
+    let Some((_, worked)) = base.mechanism() else { return };
+    for on in DiagramKind::ALL {
+        let held = scene.paper.scales.get(on.kind()).or_else(|| worked.scale(on));
+        scene.paper.scales.set(on.kind(), held);
+    }
+}
+
+/// Gives the mechanism a scale (m per mm), if it is one.
+fn hold_plane(scene: &mut Scene, mu: Option<f64>) {
+    if mu.is_some_and(|mu| mu.is_finite() && mu > 0.0) {
+        scene.paper.scales.set(hodograph::kind::Kind::Length, mu);
+    }
+}
+
 impl OpenFile {
-    /// Reads and solves a file; candidate `pick` (from 0) of a task.
+    /// Reads and solves a file: candidate `pick` (from 0) of a task, a mechanism in the scale `mu`
+    /// (m per mm), if one is given.
     ///
     /// # Errors
     /// Those of reading and solving.
-    pub fn read(text: &str, pick: usize) -> Result<OpenFile, Faults> {
-        let Warned { value: problem, mut notes } = problem::read(text)?;
+    pub fn read(text: &str, pick: usize, mu: Option<f64>) -> Result<OpenFile, Faults> {
+        let Warned { value: mut problem, mut notes } = problem::read(text)?;
+        if let Problem::Scene(scene) = &mut problem {
+            hold_plane(scene, mu);
+        }
         let options = Options { candidate: pick, ..Options::with_figures() };
         let solved = problem::solve(&problem, &options)?;
         notes.extend(solved.notes.iter().cloned());
@@ -49,21 +72,14 @@ impl OpenFile {
     /// Returns the description of the file: kind, title, drivers, names, remarks.
     pub fn told(&self, look: &Look) -> Json {
         let scene = self.scene();
-        let names = |scene: &Scene| {
-            json!({
-                "points": scene.points.iter().map(|p| &p.name).collect::<Vec<_>>(),
-                "links": (0..scene.links.len()).map(|l| scene.link_name(hodograph::scene::LinkId(l))).collect::<Vec<_>>(),
-                "parameters": scene.parameters.iter().map(|(name, _)| name).collect::<Vec<_>>(),
-            })
-        };
         json!({
             "ok": true,
             "kind": self.problem.kind().word(),
             "title": self.title(look),
             "language": self.language(look),
-            "drivers": scene.map(|s| drivers(s)),
+            "drivers": scene.map(drivers),
             "swept": self.swept.map(|s| match s { Swept::Driver(d) => json!(d), Swept::Time => json!("t") }),
-            "names": scene.map(names),
+            "names": scene.map(plane::names),
             "candidates": self.solved.design().map(|d| d.candidates.len()),
             "diagnostics": diagnostics(&self.notes, &self.text),
             "verdict": verdict(&self.solved),
@@ -101,12 +117,62 @@ impl OpenFile {
         }
     }
 
-    /// Answers `frame`: the figures `what` (`["sheet"]` without), and the answers.
+    /// Returns the solution at a travel (rad, m or s) of the moving quantity from the file's own
+    /// pose, in the scales of that pose, or with the mechanism in the scale `mu`: that of the text
+    /// with this place of the driver, if the text gives one.
+    ///
+    /// # Errors
+    /// Those of reading and solving.
+    pub fn at(&self, travel: f64, mu: Option<f64>) -> Result<Solved, Faults> {
+        let options = Options::with_figures();
+        let moved = match self.text_at(travel, exact) {
+            Some(text) => problem::read(text)?.value,
+            None => {
+                let (Some((scene, worked)), Some(swept)) = (self.solved.mechanism(), self.swept)
+                else {
+                    return problem::solve(&self.problem, &options);
+                };
+                let (of, at) = (&worked.mechanism, &worked.configuration);
+                let follower = PoseFollower::new(scene, of, &worked.demand, at, swept);
+                Problem::Scene(Box::new(follower.scene_at(scene, travel)))
+            }
+        };
+        self.scaled(moved, mu)
+    }
+
+    /// Returns the solution of the file in another pose or scale of the mechanism.
+    fn scaled(&self, problem: Problem, mu: Option<f64>) -> Result<Solved, Faults> {
+        let options = Options::with_figures();
+        let Problem::Scene(mut scene) = problem else { return problem::solve(&problem, &options) };
+        hold_scales(&mut scene, &self.solved);
+        hold_plane(&mut scene, mu);
+        problem::solve(&Problem::Scene(scene), &options)
+    }
+
+    /// Answers `frame`: the figures `what` (`["sheet"]` without), and the answers; with `plane` the
+    /// places of the mechanism, with `mu` the mechanism in that scale (m per mm).
     pub fn frame(&self, message: &Json) -> Json {
         let look = crate::words::look(message);
+        let there;
+        let mu = message["mu"].as_f64();
+        let at = match (message["travel"].as_f64(), mu) {
+            (None, None) => None,
+            (None, mu) => Some(self.scaled(self.problem.clone(), mu)),
+            (Some(travel), mu) => Some(self.at(travel, mu)),
+        };
+        let solved = match at {
+            Some(told) => match told {
+                Ok(solved) => {
+                    there = solved;
+                    &there
+                }
+                Err(faults) => return failed(&faults, &self.text),
+            },
+            None => &self.solved,
+        };
         let (mut figures, mut missing) = (Vec::new(), Vec::new());
         for entry in wanted(message) {
-            match self.drawn(entry, &look) {
+            match self.drawn(solved, entry, &look) {
                 Ok(drawn) => figures.extend(drawn),
                 Err(faults) => missing.extend(faults.list),
             }
@@ -124,15 +190,27 @@ impl OpenFile {
             "ok": true,
             "figures": figures,
             "missing": diagnostics(&missing, &self.text),
-            "answers": if message["answers"] == json!(true) { answers(&self.solved, &look) } else { Json::Null },
-            "verdict": verdict(&self.solved),
+            "answers": if message["answers"] == json!(true) { answers(solved, &look) } else { Json::Null },
+            "verdict": verdict(solved),
+            "plane": if message["plane"] == json!(true) { plane::plane(solved) } else { Json::Null },
         })
     }
 
-    /// Draws one figure.
-    pub fn drawn(&self, entry: &'static FigureEntry, look: &Look) -> Result<Vec<Json>, Faults> {
+    /// Draws one figure of a solution.
+    pub fn drawn(
+        &self,
+        solved: &Solved,
+        entry: &'static FigureEntry,
+        look: &Look,
+    ) -> Result<Vec<Json>, Faults> {
         let pictures = Pictures { figures: &[entry], ..Pictures::default() };
-        self.written(entry.name, self.solved.figures(&pictures, look)?)
+        let drawn = solved.figures(&pictures, look)?;
+        let papers: Vec<Json> = drawn.value.iter().map(|(_, f)| plane::paper(solved, f)).collect();
+        let mut written = self.written(entry.name, drawn)?;
+        for (page, paper) in written.iter_mut().zip(papers) {
+            page["paper"] = paper;
+        }
+        Ok(written)
     }
 
     /// Draws the answers over the whole motion.

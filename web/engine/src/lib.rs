@@ -4,7 +4,8 @@
 //! answers messages: `open` reads a file and keeps it under a handle, `frame` draws it at a place
 //! of its motion, `steps` draws the construction, `motion` follows the driver, `place` gives the
 //! edit that puts a driver into the text, `export` writes documents, `close` forgets the file.
-//! `templates`, `template` and `schema` need no file.
+//! `templates`, `template`, `schema`, `values` (of quantities of a text) and
+//! `trial` (the frame of a text that is not kept) need no file.
 
 #![deny(unsafe_code)]
 #![warn(missing_docs)]
@@ -17,6 +18,7 @@ mod export;
 mod file;
 mod motion;
 mod moving;
+mod plane;
 mod words;
 
 pub use engine::Engine;

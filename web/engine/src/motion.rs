@@ -2,6 +2,7 @@
 //! that puts a place of the driver into the text.
 
 use crate::file::OpenFile;
+use crate::plane;
 use crate::words::{failed, place};
 use hodograph::diag::Span;
 use hodograph::position::Configuration;
@@ -33,8 +34,8 @@ fn grip(scene: &Scene, driver: usize, at: &Configuration) -> Option<PointId> {
 }
 
 impl OpenFile {
-    /// Answers `motion`: for each pose its travel and the place of the grip (mm on the paper of the
-    /// mechanism, y up), the paper's extent over all poses, and whether the motion closes.
+    /// Answers `motion`: for each pose its travel, the place of the grip (mm on the paper of the
+    /// mechanism, y up) and the places of all `points` (m), and whether the motion closes.
     pub fn motion(&self) -> Json {
         let still = || json!({"ok": true, "poses": []});
         let Some(swept) = self.swept else { return still() };
@@ -63,7 +64,8 @@ impl OpenFile {
             .iter()
             .map(|pose| {
                 let place = grip.and_then(|p| pose.configuration.points[p.0]).map(paper);
-                json!({"travel": pose.travel, "grip": place})
+                let places = plane::places(&pose.configuration);
+                json!({"travel": pose.travel, "grip": place, "places": places})
             })
             .collect();
         json!({
@@ -73,6 +75,7 @@ impl OpenFile {
             "period": if sweep.full { json!(sweep.period()) } else { Json::Null },
             "back": follower.goes_back(),
             "grip": grip.map(|p| scene.point_name(p)),
+            "points": scene.points.iter().map(|p| &p.name).collect::<Vec<_>>(),
             "start": now(scene, at, swept),
             "time": swept == Swept::Time,
         })
@@ -81,7 +84,7 @@ impl OpenFile {
     /// Answers `place`: the text with the driver at a travel, to three decimals of degrees or
     /// millimetres, as an edit; nothing if the text gives its place in another way.
     pub fn place(&self, travel: f64) -> Json {
-        let Some(new) = self.text_at(travel) else { return json!({"ok": true}) };
+        let Some(new) = self.text_at(travel, rounded) else { return json!({"ok": true}) };
         let same = self.text.bytes().zip(new.bytes()).take_while(|(a, b)| a == b).count();
         let tail = |text: &str| text.len() - same;
         let back = self.text.bytes().rev().zip(new.bytes().rev()).take_while(|(a, b)| a == b);
@@ -94,7 +97,7 @@ impl OpenFile {
 
     /// Returns the text with the driver at a travel; `None` if the text gives its place neither as
     /// a quantity nor as a parameter.
-    fn text_at(&self, travel: f64) -> Option<String> {
+    pub fn text_at(&self, travel: f64, written: fn(f64) -> f64) -> Option<String> {
         let (scene, Swept::Driver(driver)) = (self.scene()?, self.swept?) else { return None };
         let (span, text, turns) = match scene.drivers.get(driver)?.kind.position()? {
             Position::Angle(angle) => (angle.span, &angle.text, true),
@@ -102,7 +105,7 @@ impl OpenFile {
         };
         let value = driver_position(scene, driver)? + travel;
         let (number, unit) = if turns { (value.to_degrees(), "deg") } else { (value * 1e3, "mm") };
-        let quantity = format!("{} {unit}", rounded(number));
+        let quantity = format!("{} {unit}", written(number));
         // A parameter is changed where it has its value.
         if scene.parameters.iter().any(|(name, _)| name == text) {
             return edit::with_parameters(&self.text, &[(text, &quantity)]).ok();
@@ -117,4 +120,9 @@ impl OpenFile {
 /// A number to three decimals, without a negative zero.
 fn rounded(number: f64) -> f64 {
     (number * 1e3).round() / 1e3 + 0.0
+}
+
+/// A number as it is.
+pub fn exact(number: f64) -> f64 {
+    number
 }

@@ -44,7 +44,7 @@ impl OpenFile {
             Some(known) => self.moving.insert(known),
             None => {
                 let is_there = |entry: &&'static FigureEntry| {
-                    self.drawn(entry, &look).is_ok_and(|pages| !pages.is_empty())
+                    self.drawn(&self.solved, entry, &look).is_ok_and(|pages| !pages.is_empty())
                 };
                 let there: Vec<_> = figures.iter().copied().filter(is_there).collect();
                 let pictures = Pictures { figures: &there, ..Pictures::default() };

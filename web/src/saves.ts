@@ -1,0 +1,57 @@
+// What the user takes away: figures, worksheets, tables, the scene.
+
+import type { App } from './app'
+import { element } from './dom'
+import { Ended, Refused, type Frame } from './engine'
+import { save } from './share'
+import { word, type Word } from './words'
+
+const FORMS: [Word, string, string?][] = [
+  ['as_svg', 'svg'], ['as_problem', 'html', 'problem'], ['as_solution', 'html', 'solution'], ['as_md', 'md'], ['as_typ', 'typ'],
+  ['as_lesson', 'lesson'], ['as_csv', 'csv'], ['as_text', 'text'], ['as_json', 'json'], ['as_scene', 'scene'],
+]
+
+export interface SavedFile { name: string; text: string }
+
+export class Saves {
+  constructor(private site: Pick<App, 'engine' | 'editor' | 'opened' | 'lang' | 'tab' | 'travel' | 'name' | 'hint'>) {}
+
+  menu(): HTMLElement {
+    const { lang } = this.site
+    const list = FORMS.map(([key, form, sides]) => element('button', { role: 'menuitem', 'data-form': form + (sides ? `-${sides}` : ''), click: () => {
+      menu.open = false
+      void this.export(form, sides)
+    } }, word(key, lang)))
+    const menu: HTMLDetailsElement = element('details', { class: 'menu' }, element('summary', {}, word('save', lang)), element('div', { role: 'menu' }, ...list))
+    menu.addEventListener('focusout', (event) => {
+      if (!menu.contains(event.relatedTarget as Node | null)) menu.open = false
+    })
+    return menu
+  }
+
+  /** The files of a form. */
+  async files(form: string, sides?: string): Promise<SavedFile[]> {
+    const { opened, engine, editor, name, tab, lang, travel } = this.site
+    if (form === 'scene') return [{ name: `${name}.json`, text: editor.text }]
+    if (!opened) return []
+    const { handle } = opened
+    if (form === 'svg') {
+      const what = tab === 'live' || tab === 'steps' ? ['sheet'] : [tab]
+      const message: Record<string, unknown> = { do: 'frame', handle, what, lang }
+      if (travel !== 0) message.travel = travel
+      const { figures } = await engine.ask<Frame>(message)
+      return figures.map((f) => ({ name: `${name}${f.name ? `-${f.name}` : ''}.svg`, text: f.svg }))
+    }
+    const { files } = await engine.ask<{ files: SavedFile[] }>({ do: 'export', handle, form, sides, stem: name, lang })
+    return files
+  }
+
+  private async export(form: string, sides?: string): Promise<void> {
+    try {
+      for (const file of await this.files(form, sides)) save(file.name, file.text)
+    } catch (fault) {
+      if (fault instanceof Refused) this.site.hint(fault.diagnostics[0]?.message[this.site.lang] ?? fault.message)
+      else if (!(fault instanceof Ended)) throw fault
+    }
+  }
+}
