@@ -32,7 +32,7 @@ export class Board {
   /** The place of the pointer (m), snapped, and what is there. */
   pointer: Target | null = null
   marks: Marks = { pending: [], band: false, tool: false }
-  private grid = svg('g', { class: 'grid' })
+  private grid = svg('g', { class: 'lines' })
   private drawing = svg('g', {})
   private over = svg('g', { class: 'over' })
   private screen = svg('svg', { class: 'screen', 'aria-hidden': 'true' }, this.grid, this.drawing, this.over)
