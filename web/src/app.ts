@@ -204,7 +204,7 @@ export class App {
         this.dressTransport()
         this.dressTabs()
         // The figures with space for the whole motion, before anything moves.
-        if (this.tab === 'live' && this.course.can) await this.draw(true)
+        if (this.tab === 'live' && this.course.can && !this.builder.on) await this.draw(true)
       }
       for (const name of this.opened?.kind === 'scene' ? SINGLE : []) {
         while (here() && (this.playing || this.wanted || this.engine.busy)) await new Promise((r) => setTimeout(r, 200))
