@@ -441,7 +441,7 @@ export class App {
   answer(frame: Frame): void {
     if (!frame.answers) return
     const rows = frame.answers.map((a) =>
-      element('tr', { class: a.answered ? '' : 'none' }, element('th', { scope: 'row' }, markup(a.symbol)), element('td', {}, a.text)),
+      element('tr', { class: a.answered ? '' : 'none' }, element('th', { scope: 'row' }, markup(a.symbol), element('span', { class: 'unseen' }, a.find)), element('td', {}, a.text)),
     )
     const off = frame.answers.reduce((most, a) => Math.max(most, a.difference ?? 0), 0)
     const compared = frame.answers.some((a) => a.difference !== null)

@@ -19,13 +19,21 @@ export function element<K extends keyof HTMLElementTagNameMap>(
 
 /** A picture from its text, as an element; scripts in it are not run. */
 export function picture(svg: string): SVGSVGElement {
-  return document.importNode(new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement, true) as unknown as SVGSVGElement
+  const made = document.importNode(new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement, true) as unknown as SVGSVGElement
+  made.querySelectorAll('[aria-label]').forEach(unlabelled)
+  return made
+}
+
+/** A picture is read by its title and description; its parts have no names of their own there. */
+function unlabelled(part: Element): void {
+  part.removeAttribute('aria-label')
 }
 
 /** Elements of a picture from their text. */
 export function parts(svg: string): Element[] {
   const within = document.createElementNS('http://www.w3.org/2000/svg', 'svg')
   within.innerHTML = svg
+  within.querySelectorAll('[aria-label]').forEach(unlabelled)
   return [...within.children]
 }
 

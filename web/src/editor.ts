@@ -57,7 +57,7 @@ export class Editor {
           if (!told) return null
           return { pos: told.from, end: told.to, create: () => ({ dom: Object.assign(document.createElement('div'), { className: 'hover', textContent: told.text }) }) }
         }),
-        EditorView.contentAttributes.of({ 'aria-label': label, spellcheck: 'false' }),
+        EditorView.contentAttributes.of({ 'aria-label': label, spellcheck: 'false', tabindex: '0' }),
         keymap.of([...closeBracketsKeymap, ...defaultKeymap, ...historyKeymap, ...completionKeymap, ...lintKeymap, indentWithTab]),
         EditorView.updateListener.of((update) => {
           if (!update.docChanged) return

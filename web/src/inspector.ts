@@ -88,7 +88,7 @@ export class Inspector {
 
   private group(title: Word, ...rows: (HTMLElement | null)[]): HTMLElement[] {
     const all = rows.filter((r) => r !== null)
-    return all.length ? [element('h3', {}, this.t(title)), ...all] : []
+    return all.length ? [element('h2', {}, this.t(title)), ...all] : []
   }
 
   /** A group that is one entry of the text, with a button that removes it. */
@@ -97,7 +97,7 @@ export class Inspector {
     const remove = element('button', { class: 'quiet remove', title: label, 'aria-label': label, click: () => this.input.drop(path) }, '✕')
     const [head, ...rest] = this.group(title, ...rows)
     head?.append(remove)
-    return head ? [head, ...rest] : [element('h3', {}, this.t(title), remove)]
+    return head ? [head, ...rest] : [element('h2', {}, this.t(title), remove)]
   }
 
   private select(label: Word, chosen: string | undefined, options: [string, string][], choose: (value: string) => void): HTMLElement {
@@ -110,7 +110,7 @@ export class Inspector {
     const list: unknown[] = this.outline.list('find').length || Array.isArray(this.outline.json.find) ? this.outline.json.find : []
     const chip = (find: string) =>
       element('button', { class: 'chip', 'aria-pressed': String(list.includes(find)), 'data-find': find, click: () => this.input.ask(find) }, formula(find))
-    return [element('h3', {}, this.t('ask')), element('div', { class: 'chips' }, ...finds.map(chip)), Array.isArray(this.outline.json.find) ? null : element('p', {}, this.t('all_asked'))].filter((e) => e !== null)
+    return [element('h2', {}, this.t('ask')), element('div', { class: 'chips' }, ...finds.map(chip)), Array.isArray(this.outline.json.find) ? null : element('p', {}, this.t('all_asked'))].filter((e) => e !== null)
   }
 
   private point(name: string): HTMLElement[] {

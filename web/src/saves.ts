@@ -3,15 +3,18 @@
 import type { App } from './app'
 import { element } from './dom'
 import { Ended, Refused, type Frame } from './engine'
-import { save } from './share'
+import { pixels, save } from './share'
 import { word, type Word } from './words'
 
 const FORMS: [Word, string, string?][] = [
-  ['as_svg', 'svg'], ['as_problem', 'html', 'problem'], ['as_solution', 'html', 'solution'], ['as_md', 'md'], ['as_typ', 'typ'],
+  ['as_svg', 'svg'], ['as_png', 'png'], ['as_problem', 'html', 'problem'], ['as_solution', 'html', 'solution'], ['as_md', 'md'], ['as_typ', 'typ'],
   ['as_lesson', 'lesson'], ['as_csv', 'csv'], ['as_text', 'text'], ['as_json', 'json'], ['as_scene', 'scene'],
 ]
 
 export interface SavedFile { name: string; text: string }
+
+/** Dots per inch of pictures. */
+const DPI = 300
 
 export class Saves {
   constructor(private site: Pick<App, 'engine' | 'editor' | 'opened' | 'lang' | 'tab' | 'travel' | 'name' | 'hint'>) {}
@@ -48,6 +51,10 @@ export class Saves {
 
   private async export(form: string, sides?: string): Promise<void> {
     try {
+      if (form === 'png') {
+        for (const { name, text } of await this.files('svg')) save(name.replace(/svg$/, 'png'), await pixels(text, DPI))
+        return
+      }
       for (const file of await this.files(form, sides)) save(file.name, file.text)
     } catch (fault) {
       if (fault instanceof Refused) this.site.hint(fault.diagnostics[0]?.message[this.site.lang] ?? fault.message)

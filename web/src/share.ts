@@ -23,12 +23,29 @@ export async function shared(hash: string): Promise<string | null> {
 }
 
 /** Offers a file for saving. */
-export function save(name: string, text: string): void {
+export function save(name: string, content: string | Blob): void {
   const type = name.endsWith('.svg') ? 'image/svg+xml' : name.endsWith('.html') ? 'text/html' : 'text/plain'
-  const url = URL.createObjectURL(new Blob([text], { type: `${type};charset=utf-8` }))
+  const blob = typeof content === 'string' ? new Blob([content], { type: `${type};charset=utf-8` }) : content
+  const url = URL.createObjectURL(blob)
   const link = document.createElement('a')
   link.href = url
   link.download = name
   link.click()
   setTimeout(() => URL.revokeObjectURL(url), 10_000)
+}
+
+/** A figure as PNG, at dots per inch; the letters are outlines, so that no font is needed. */
+export async function pixels(svg: string, dpi: number): Promise<Blob> {
+  const picture = new Image()
+  picture.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}`
+  await picture.decode()
+  const side = (name: string) => Number(new RegExp(` ${name}="([\\d.]+)mm"`).exec(svg)![1])
+  const canvas = document.createElement('canvas')
+  canvas.width = Math.round((side('width') / 25.4) * dpi)
+  canvas.height = Math.round((side('height') / 25.4) * dpi)
+  const context = canvas.getContext('2d')!
+  context.fillStyle = '#fff'
+  context.fillRect(0, 0, canvas.width, canvas.height)
+  context.drawImage(picture, 0, 0, canvas.width, canvas.height)
+  return new Promise((resolve, reject) => canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('PNG'))), 'image/png'))
 }

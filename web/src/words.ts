@@ -60,6 +60,7 @@ const WORDS = {
   inversions: ['Inversions', '倒置'],
   cognates: ['Cognates', '同源机构'],
   as_svg: ['This figure (SVG)', '当前图（SVG）'],
+  as_png: ['This figure (PNG)', '当前图（PNG）'],
   as_problem: ['Worksheet, problem (HTML)', '习题（HTML）'],
   as_solution: ['Worksheet, solution (HTML)', '解答（HTML）'],
   as_md: ['Worksheet (Markdown)', '习题与解答（Markdown）'],

@@ -511,7 +511,7 @@ test('a driver is removed where it is shown, and the scene is a sketch again', a
   const { page, context, faults, ...h } = await built('crank-rocker')
   await h.still()
   const first = await text(page)
-  await page.click('.inspector h3 .remove')
+  await page.click('.inspector h2 .remove')
   await h.still()
   assert.equal(JSON.parse(await text(page)).driver, undefined)
   assert.equal(await page.locator('.sketch').count(), 1)

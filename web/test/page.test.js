@@ -1,5 +1,6 @@
 // The page in Chromium. `npm test` after `npm run build`; HODOGRAPH_QUICK=1 takes a part of the templates.
 import assert from 'node:assert/strict'
+import axe from 'axe-core'
 import { spawnSync } from 'node:child_process'
 import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
@@ -186,6 +187,20 @@ test('documents are those of the program', async () => {
   await context.close()
 })
 
+test('a figure is saved as PNG, at 300 dots per inch', async () => {
+  const { page, context } = await opened()
+  const { figures: [sheet] } = await page.evaluate(() => window.hodograph.engine.ask({ do: 'frame', handle: window.hodograph.opened.handle, lang: 'en' }))
+  const [width, height] = ['width', 'height'].map((side) => Number(new RegExp(` ${side}="([\\d.]+)mm"`).exec(sheet.svg)[1]))
+  const download = page.waitForEvent('download')
+  await page.click('.menu summary')
+  await page.click('[data-form="png"]')
+  const bytes = readFileSync(await (await download).path())
+  assert.equal(bytes.toString('latin1', 1, 4), 'PNG')
+  const [x, y] = [16, 20].map((at) => bytes.readUInt32BE(at))
+  assert.deepEqual([x, y], [width, height].map((mm) => Math.round((mm / 25.4) * 300)))
+  await context.close()
+})
+
 test('the single file opens from a disk', async () => {
   const { page, context, faults } = await opened(`file://${join(dist, 'hodograph.html')}`)
   assert.match(await page.textContent('.answers'), /0\.461501 m\/s/)
@@ -194,6 +209,31 @@ test('the single file opens from a disk', async () => {
   await page.click('.b-gallery')
   assert.ok((await page.locator('.card').count()) > 60)
   assert.deepEqual(faults, [])
+  await context.close()
+})
+
+test('no rule of axe is broken: drawing, tools, gallery, dark, in both languages', async () => {
+  const { page, context } = await opened()
+  await page.evaluate(axe.source)
+  const broken = async (where) => {
+    const { violations } = await page.evaluate(() => window.axe.run())
+    return violations.map((v) => `${where}: ${v.id} ${v.nodes.map((n) => n.target.join(' ') + ' ' + n.html.slice(0, 90)).slice(0, 3)}`)
+  }
+  await motionKnown(page)
+  const all = await broken('drawing')
+  await page.click('.b-build')
+  await page.waitForSelector('.board')
+  all.push(...(await broken('tools')))
+  await page.click('.b-build')
+  await page.click('.b-theme')
+  await page.click('.b-other')
+  await page.waitForFunction(() => document.documentElement.lang === 'zh-CN')
+  await drawn(page)
+  all.push(...(await broken('dark')))
+  await page.click('.b-gallery')
+  await page.waitForSelector('.card')
+  all.push(...(await broken('gallery')))
+  assert.deepEqual(all, [])
   await context.close()
 })
 
