@@ -35,15 +35,15 @@ pub(super) fn later<'a, N: Real>(
     now: &'a Configuration<N>,
     t: N,
 ) -> Result<Configuration<N>, Faults> {
-    let moving = |p: &PointId| !scene.links[scene.ground.0].points.contains(p);
-    let posed = (0..scene.points.len())
-        .map(PointId)
-        .find(|p| moving(p) && matches!(scene.points[p.0].place, PointPlace::At(_)));
+    let mut moving = vec![true; scene.points.len()];
+    scene.links[scene.ground.0].points.iter().for_each(|p| moving[p.0] = false);
+    let mut moving = scene.points.iter().zip(moving).filter(|(_, moving)| *moving);
+    let posed = moving.any(|(p, _)| matches!(p.place, PointPlace::At(_)));
     let silent = scene.drivers.iter().any(|d| d.kind.position().is_none());
     // A link that only glides, without a point, has an arbitrary position along its guide.
     let pointless =
         mechanism.groups.iter().flat_map(|g| &g.links).any(|l| scene.links[l.0].points.is_empty());
-    if posed.is_some() || silent || pointless {
+    if posed || silent || pointless {
         return Err(Diagnostic::error(
             "pose-given",
             both!(
