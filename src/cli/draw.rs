@@ -11,6 +11,7 @@ use super::{
 };
 use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
 use crate::figure::list::{Extras, FigureEntry};
+use crate::figure::steps::StepFigures;
 use crate::paper::font::own::Fonts;
 use crate::paper::item::Figure;
 use crate::paper::style::{self, Style};
@@ -55,31 +56,45 @@ pub fn run(a: args::DrawArgs) -> CommandResult {
         Some((scene, worked)) if !a.steps => extras(scene, worked, &a)?,
         Some(_) | None => Extras::default(),
     };
-    let pictures = Pictures { figures: &a.figure, extras, steps: a.steps, width_mm };
     let look = look_of(&a.common, style, a.digits);
-    let Warned { value, notes } = solved.figures(&pictures, &look).map_err(|f| file.failed(f))?;
-    file.notes.extend(notes);
-    let notes = put(&a, &file.name, value, |f| file.failed(f))?;
+    let options = solved.mechanism().map(|(scene, _)| look.sheet_of(scene));
+    // Each is written before the next is drawn: a figure of a late step repeats all earlier ones.
+    let steps = match (solved.mechanism(), &options) {
+        (Some((scene, worked)), Some(options)) if a.steps && width_mm.is_none() => {
+            Some(StepFigures::of(scene, worked, options, None)).filter(|s| !s.words().is_empty())
+        }
+        _ => None,
+    };
+    let notes = match steps {
+        Some(steps) => put(&a, &file.name, &steps.words(), steps.figures(), |f| file.failed(f))?,
+        None => {
+            let pictures = Pictures { figures: &a.figure, extras, steps: a.steps, width_mm };
+            let made = solved.figures(&pictures, &look).map_err(|f| file.failed(f))?;
+            file.notes.extend(made.notes);
+            let (words, figures): (Vec<_>, Vec<_>) = made.value.into_iter().unzip();
+            put(&a, &file.name, &words, figures.into_iter(), |f| file.failed(f))?
+        }
+    };
     file.notes.extend(notes.into_iter().filter(|n| !file.notes.contains(n)).collect::<Vec<_>>());
     file.say_notes();
     Ok(verdict(solved.verdict()))
 }
 
-/// Writes figures, each with its name: a document with one page each, or files in all requested
+/// Writes figures with these names: a document with one page each, or files in all requested
 /// formats, all of them or none. Returns the notes, each once; letters that the embedded fonts lack
 /// are noted for any format.
 fn put(
     a: &args::DrawArgs,
     name: &str,
-    figures: Vec<(String, Figure)>,
+    words: &[String],
+    figures: impl Iterator<Item = Figure>,
     failed: impl Fn(Faults) -> Failure,
 ) -> Result<Vec<Diagnostic>, Failure> {
     let formats = formats(a)?;
     if formats == [FigureFormat::Pdf]
         && (is_stream(&a.output) || of_name(&a.output) == Some(FigureFormat::Pdf))
     {
-        let pages: Vec<Figure> = figures.into_iter().map(|(_, f)| f).collect();
-        let file = pdf::pdf(&pages).map_err(&failed)?;
+        let file = pdf::pdf(&figures.collect::<Vec<_>>()).map_err(&failed)?;
         files::write(Path::new(&a.output), &file.value)?;
         files::print_names(&format!("{}\n", a.output))?;
         return Ok(file.notes);
@@ -88,14 +103,14 @@ fn put(
         "ask for one with --figure, or for a document of pages: --format pdf",
         "请用 --figure 只取一个图，或用 --format pdf 写成多页文件"
     );
-    one_result(&a.output, figures.len(), one)?;
+    one_result(&a.output, words.len(), one)?;
     let targets =
-        names(a, name, &figures, &formats).map_err(|f| Failure::argument("-o", &a.output, f))?;
+        names(a, name, words, &formats).map_err(|f| Failure::argument("-o", &a.output, f))?;
     let (mut all, mut written, mut notes) = (Together::default(), String::new(), Vec::new());
-    for ((_, figure), targets) in figures.iter().zip(targets) {
+    for (figure, targets) in figures.zip(targets) {
         for (format, path) in targets {
             let Warned { value, notes: more } =
-                files::bytes(figure, format, a.text, a.dpi).map_err(&failed)?;
+                files::bytes(&figure, format, a.text, a.dpi).map_err(&failed)?;
             notes.extend(more.into_iter().filter(|n| !notes.contains(n)).collect::<Vec<_>>());
             all.add(&path, &value)?;
             written += &format!("{}\n", path.display());
@@ -281,12 +296,12 @@ pub fn points_named(
 fn names(
     a: &args::DrawArgs,
     scene: &str,
-    figures: &[(String, Figure)],
+    words: &[String],
     formats: &[FigureFormat],
 ) -> Result<Vec<Vec<(FigureFormat, PathBuf)>>, Faults> {
     let out = Path::new(&a.output);
     let one = is_stream(&a.output) || of_name::<FigureFormat>(&a.output).is_some() && !out.is_dir();
-    if let (true, [format], [_]) = (one, formats, figures) {
+    if let (true, [format], [_]) = (one, formats, words) {
         return Ok(vec![vec![(*format, out.to_path_buf())]]);
     }
     if one {
@@ -296,7 +311,7 @@ fn names(
                 "{} is one file; {} figures are asked for",
                 "{} 是一个文件，而要画 {} 个图",
                 a.output,
-                figures.len()
+                words.len()
             ),
         );
         return Err(d
@@ -311,8 +326,5 @@ fn names(
         let dash = if word.is_empty() { "" } else { "-" };
         out.join(format!("{stem}{dash}{word}.{}", f.ending()))
     };
-    Ok(figures
-        .iter()
-        .map(|(word, _)| formats.iter().map(|f| (*f, file(word, *f))).collect())
-        .collect())
+    Ok(words.iter().map(|word| formats.iter().map(|f| (*f, file(word, *f))).collect()).collect())
 }

@@ -239,6 +239,12 @@ impl Look {
         (lang, self.notation.clone().or_else(named).unwrap_or_else(|| Notation::of_language(lang)))
     }
 
+    /// Returns the options of the sheet of a scene.
+    pub(crate) fn sheet_of(&self, scene: &Scene) -> sheet::SheetOptions {
+        let (lang, notation) = self.of(scene.language, scene.notation.as_deref());
+        self.sheet(lang, &notation)
+    }
+
     fn sheet(&self, lang: Lang, notation: &Notation) -> sheet::SheetOptions {
         sheet::SheetOptions {
             lang,

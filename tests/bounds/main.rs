@@ -1,10 +1,12 @@
 //! Bounds: work grows no faster than about in proportion to the scene, input that cannot be bounded
 //! is refused with its limit, and a signal is handled in the middle of a computation.
 //!
-//! Times are not measured here. Each test has a deadline that only faster growth can miss; the
-//! growth itself is counted in its module (`paper::place::coarse`, `sweep::changes`,
-//! `certified::apart`).
+//! [`commands`] measures time and memory of every command. Each other test has a deadline that only
+//! faster growth can miss; the growth itself is counted in its module (`paper::place::coarse`,
+//! `sweep::changes`, `certified::apart`).
 
+#[cfg(target_os = "linux")]
+mod commands;
 mod scenes;
 #[cfg(target_os = "linux")]
 mod signals;

@@ -16,7 +16,7 @@ const MOST_S: f64 = 1.5;
 /// Deadline on a machine under any load.
 const DEADLINE: Duration = Duration::from_secs(60);
 /// Commands that take at most a second with any input.
-const AT_ONCE: [&str; 5] = ["new", "templates", "schema", "explain", "diff"];
+pub const AT_ONCE: [&str; 5] = ["new", "templates", "schema", "explain", "diff"];
 
 /// Every command at a size that takes it seconds (or its longest possible time): its arguments, and
 /// the scene.
@@ -86,7 +86,7 @@ const PURSUIT: &str = r#"{"points": {"A": [0, 0]}, "motions": [
 
 /// The processor time of a running program (s): the 14th and 15th field of its `stat`, in
 /// hundredths.
-fn taken(child: &Child) -> Option<f64> {
+pub fn taken(child: &Child) -> Option<f64> {
     let stat = std::fs::read_to_string(format!("/proc/{}/stat", child.id())).ok()?;
     let fields: Vec<&str> = stat.rsplit(')').next()?.split_whitespace().collect();
     Some((fields.get(11)?.parse::<f64>().ok()? + fields.get(12)?.parse::<f64>().ok()?) / 100.0)
@@ -129,8 +129,8 @@ fn interrupted(folder: &Path, arguments: &[String], signal: &str, after: Duratio
     Some(last - before)
 }
 
-#[test]
-fn a_signal_ends_every_command() {
+/// The commands that the program lists.
+pub fn commands() -> Vec<String> {
     let help = hodograph().args(["--help", "--lang", "en"]).output().unwrap().stdout;
     let help = String::from_utf8(help).unwrap();
     let listed = help
@@ -138,13 +138,18 @@ fn a_signal_ends_every_command() {
         .skip_while(|l| !l.starts_with("Commands:"))
         .skip(1)
         .take_while(|l| !l.is_empty());
-    for command in listed
+    let names = listed
         .filter(|l| !l.starts_with("   "))
         .filter_map(|l| l.split_whitespace().next())
-        .filter(|c| *c != "help")
-    {
-        let tried = AT_ONCE.contains(&command)
-            || LONG.iter().any(|(line, _)| line.split(' ').next() == Some(command));
+        .filter(|c| *c != "help");
+    names.map(str::to_owned).collect()
+}
+
+#[test]
+fn a_signal_ends_every_command() {
+    for command in commands() {
+        let tried = AT_ONCE.contains(&command.as_str())
+            || LONG.iter().any(|(line, _)| line.split(' ').next() == Some(&command));
         assert!(
             tried,
             "no signal is sent to `{command}`: add a command line that takes it seconds"

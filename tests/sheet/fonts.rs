@@ -7,7 +7,8 @@ use hodograph::effort::ways;
 use hodograph::figure::curves::{self, CurveDiagram};
 use hodograph::figure::mechanism::Overlay;
 use hodograph::figure::sheet::{SheetOptions, diagram, sheet};
-use hodograph::figure::{path, poses, price, steps};
+use hodograph::figure::steps::StepFigures;
+use hodograph::figure::{path, poses, price};
 use hodograph::mechanism::Mechanism;
 use hodograph::notation::Notation;
 use hodograph::paper::font::{Face, own::Fonts};
@@ -82,7 +83,7 @@ fn every_label_is_set_in_the_fonts_of_its_style() {
         drawn.extend(list.into_iter().map(|f| (what, f.items)))
     };
     figures("sheet", vec![sheet(&scene, &worked, &options).unwrap()]);
-    figures("steps", steps::figures(&scene, &worked, &options));
+    figures("steps", StepFigures::of(&scene, &worked, &options, None).figures().collect());
     let overlay = Overlay { dimensions: true, ..Overlay::default() };
     figures("diagram", vec![diagram(&scene, &worked, &options, &overlay)]);
     let wanted = poses::PosesContent { count: 4, swept: Swept::Driver(0), points: points.clone() };

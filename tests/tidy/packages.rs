@@ -10,7 +10,7 @@ use std::sync::LazyLock;
 /// Macros that read a file when they are expanded.
 const INCLUDES: [&str; 3] = ["include", "include_bytes", "include_str"];
 
-/// The files that Cargo puts into each package, by the package's folder from the project's root,
+/// The files that Cargo puts into each published package, by the package's folder from the project's root,
 /// which is empty for the root package.
 static PACKAGES: LazyLock<BTreeMap<String, BTreeSet<String>>> = LazyLock::new(|| {
     let members = ["crates", "."]
@@ -21,15 +21,18 @@ static PACKAGES: LazyLock<BTreeMap<String, BTreeSet<String>>> = LazyLock::new(||
         .map(|folder| folder.strip_prefix(root()).unwrap().to_str().unwrap().replace('\\', "/"));
     let of = |folder: String| {
         let manifest = std::fs::read_to_string(root().join(&folder).join("Cargo.toml")).unwrap();
+        if manifest.contains("\npublish = false\n") {
+            return None;
+        }
         let name =
             manifest.lines().find_map(|l| l.strip_prefix("name = ")).and_then(quoted).unwrap();
         let list = ["package", "--list", "--allow-dirty", "--offline", "--package", name];
         let run = Command::new(env!("CARGO")).args(list).current_dir(root()).output().unwrap();
         assert!(run.status.success(), "{folder}: {}", String::from_utf8_lossy(&run.stderr));
         let files = String::from_utf8(run.stdout).unwrap();
-        (folder, files.lines().map(|f| f.replace('\\', "/")).collect())
+        Some((folder, files.lines().map(|f| f.replace('\\', "/")).collect()))
     };
-    folders.chain([String::new()]).map(of).collect()
+    folders.chain([String::new()]).filter_map(of).collect()
 });
 
 /// The path of a file named relative to the folder of another; `None` if it leads out of the

@@ -1,6 +1,8 @@
 //! Describes a figure for readers who cannot see it: the drawings on it, with the links of the
 //! mechanism and the vectors of the polygons.
 
+use std::collections::HashSet;
+
 use hodograph_paper::paper::item::{FigureItem, Shape};
 use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{Lang, Scene};
@@ -59,13 +61,13 @@ pub fn described(scene: &Scene, lang: Lang, title: &str, items: &[FigureItem]) -
 
 /// The symbols of a polygon's vectors, taken from its labels.
 fn vectors(items: &[FigureItem], kind: &str) -> Vec<String> {
-    let mut out: Vec<String> = Vec::new();
+    let (mut out, mut seen) = (Vec::new(), HashSet::new());
     for item in items {
         let Shape::Label { label, .. } = &item.shape else { continue };
         let mut words = item.class.split(' ');
         if words.next() == Some(kind)
             && words.any(|w| matches!(w, "edge" | "absolute"))
-            && !out.contains(&label.plain())
+            && seen.insert(label.plain())
         {
             out.push(label.plain());
         }

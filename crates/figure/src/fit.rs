@@ -14,6 +14,7 @@ use hodograph_worked::worked::{Scope, Worked, work};
 use super::forces;
 use super::list::{Extras, FigureEntry, FigureInput, Pages, USUAL};
 use super::sheet::{Fewer, SheetOptions, drawing, sheet_in};
+use super::steps::StepFigures;
 use hodograph_paper::paper::extent::{bounds, translate};
 use hodograph_paper::paper::item::Figure;
 
@@ -152,15 +153,13 @@ pub fn pages(entry: &FigureEntry, w: &FigureInput, room: Room) -> Result<Warned<
 /// # Errors
 /// `paper-too-small` if the smallest legible pages are wider than the column.
 pub fn steps(w: &FigureInput, width_mm: Option<f64>) -> Result<Pages, Faults> {
-    let named = |all: Vec<Figure>| -> Pages {
-        (1..).zip(all).map(|(k, figure)| (format!("step-{k:02}"), figure)).collect()
+    let pages = |w: &FigureInput, within| -> Pages {
+        let steps = StepFigures::of(w.scene, w.worked, w.options, within);
+        steps.words().into_iter().zip(steps.figures()).collect()
     };
-    let Some(room) = width_mm.map(Room::Column) else {
-        return Ok(named(super::steps::figures(w.scene, w.worked, w.options)));
-    };
+    let Some(room) = width_mm.map(Room::Column) else { return Ok(pages(w, None)) };
     first_that_fits("steps", w, room, |w, stacked| {
-        let within = Within { width_mm: room.inner()[0], stacked };
-        Ok(alike(named(super::steps::figures_in(w.scene, w.worked, w.options, Some(within))), room))
+        Ok(alike(pages(w, Some(Within { width_mm: room.inner()[0], stacked })), room))
     })
 }
 

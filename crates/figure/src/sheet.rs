@@ -452,20 +452,33 @@ impl SheetDrafter<'_> {
         )
     }
 
-    pub fn figure(&self, items: Vec<FigureItem>, size: [f64; 2]) -> Figure {
-        let words = self.words();
+    /// The title of a figure.
+    pub fn heading_words(&self) -> &str {
         let title = self.scene.title.get(self.options.lang);
-        let title =
-            if title.is_empty() { DiagramKind::Plane.caption(self.options.lang) } else { title };
+        if title.is_empty() { DiagramKind::Plane.caption(self.options.lang) } else { title }
+    }
+
+    pub fn figure(&self, items: Vec<FigureItem>, size: [f64; 2]) -> Figure {
+        let title = self.heading_words();
         let found = results::sentence(&self.answers());
+        let desc = format!("{}{found}", described(self.scene, self.options.lang, title, &items));
+        self.described(items, size, title.into(), desc.trim_end().to_owned())
+    }
+
+    /// A figure with these words for readers who cannot see it.
+    pub fn described(
+        &self,
+        items: Vec<FigureItem>,
+        size: [f64; 2],
+        title: String,
+        desc: String,
+    ) -> Figure {
         let mut figure = Figure {
             width_mm: size[0],
             height_mm: size[1],
-            title: title.into(),
-            desc: format!("{}{found}", described(self.scene, self.options.lang, title, &items))
-                .trim_end()
-                .to_owned(),
-            lang: words.tag.into(),
+            title,
+            desc,
+            lang: self.words().tag.into(),
             paper: Colour::WHITE,
             items,
         };

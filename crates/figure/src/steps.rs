@@ -29,107 +29,126 @@ const LEADING: f64 = 1.5;
 /// Colour of the ink of earlier steps.
 const EARLIER: Colour = Colour::grey(135);
 
-/// Draws one figure for each step of the velocity and the acceleration polygon, starting with the
-/// poles, then for each step of the forces of each group.
-pub fn figures(scene: &Scene, worked: &Worked, options: &SheetOptions) -> Vec<Figure> {
-    figures_in(scene, worked, options, None)
+/// The figures of a construction, one for each step of the velocity and the acceleration polygon,
+/// starting with the poles, then for each step of the forces of each group. Each repeats all that is
+/// drawn before it and is drawn when it is asked for.
+pub struct StepFigures<'a> {
+    maker: SheetDrafter<'a>,
+    levels: Vec<PolygonSteps>,
+    diagram: DrawingPart,
+    stacked: bool,
+    /// Width and height of the larger diagram (mm), of the larger polygon, of both together.
+    diagram_mm: [f64; 2],
+    polygon_mm: [f64; 2],
+    drawings_mm: [f64; 2],
+    size: [f64; 2],
 }
 
-/// Works like [`figures`] within a given space: sentences and equations are broken into lines.
-/// Anything that is still wider sticks out.
-pub fn figures_in(
-    scene: &Scene,
-    worked: &Worked,
-    options: &SheetOptions,
-    room: Option<Within>,
-) -> Vec<Figure> {
-    let width_mm = room.map(|room| room.width_mm);
-    // No results are shown: they need no digits.
-    let maker = SheetDrafter { scene, worked, options, certified: Vec::new() };
-    let told = certified::steps(scene, worked, None);
-    let levels: Vec<PolygonSteps> = DiagramKind::POLYGONS
-        .into_iter()
-        .zip(maker.equations(&told, width_mm))
-        .filter_map(|(on, (_, written))| {
-            Some(PolygonSteps::of(
-                &maker,
-                worked.construction.polygon(on)?,
-                (&told, &written),
-                width_mm,
-            ))
-        })
-        .chain(
-            forces::steps(&maker, width_mm)
-                .into_iter()
-                .map(|of| PolygonSteps::of_forces(&maker, of, width_mm)),
-        )
-        .collect();
-    let diagram = maker.captioned(maker.mechanism(), "", DiagramKind::Plane);
-    let most = |size: fn(&PolygonSteps) -> f64| levels.iter().map(size).fold(0.0, f64::max);
-    let (polygon_width, polygon_height) =
-        (most(|s| s.polygon.bounds.width_mm()), most(|s| s.polygon.bounds.height_mm()));
-    let (text_width, text_height) = (most(|s| s.text_mm()[0]), most(|s| s.text_mm()[1]));
-    let widest = |size: fn(&DrawingPart) -> f64| {
-        levels
-            .iter()
-            .filter_map(|s| s.apart.as_ref())
-            .chain([&diagram])
-            .map(size)
-            .fold(0.0, f64::max)
-    };
-    let (diagram_width, diagram_height) =
-        (widest(|p| p.bounds.width_mm()), widest(|p| p.bounds.height_mm()));
-    let stacked = room.is_some_and(|room| room.stacked);
-    let drawings = match stacked {
-        false => [diagram_width + GAP_MM + polygon_width, diagram_height.max(polygon_height)],
-        true => [diagram_width.max(polygon_width), diagram_height + GAP_MM + polygon_height],
-    };
-    let inner = [drawings[0].max(text_width), drawings[1] + GAP_MM + text_height];
-    let size = inner.map(|mm| mm + 2.0 * MARGIN_MM);
-    let total: usize = levels.iter().map(|s| s.sentences.len()).sum();
-    let mut done = 0;
-    let mut out = Vec::with_capacity(total);
-    for steps in &levels {
-        for k in 0..steps.sentences.len() {
-            done += 1;
-            let mut diagram =
-                steps.apart.as_ref().map_or_else(|| diagram.clone(), |apart| at(apart, k));
-            let top = size[1] - MARGIN_MM;
-            // The centres of the two drawings.
-            let [of_diagram, of_polygon] = match stacked {
-                false => {
-                    let middle = top - drawings[1] / 2.0;
-                    let left = MARGIN_MM + diagram_width + GAP_MM;
-                    [
-                        Point::new(MARGIN_MM + diagram_width / 2.0, middle),
-                        Point::new(left + polygon_width / 2.0, middle),
-                    ]
-                }
-                true => {
-                    let middle = MARGIN_MM + drawings[0] / 2.0;
-                    [
-                        Point::new(middle, top - diagram_height / 2.0),
-                        Point::new(middle, top - drawings[1] + polygon_height / 2.0),
-                    ]
-                }
-            };
-            diagram.translate(of_diagram - diagram.bounds.centre());
-            let mut polygon = at(&steps.polygon, k);
-            polygon.translate(of_polygon - polygon.bounds.centre());
-            let mut text = steps.text(k);
-            text.stand_at(Point::new(MARGIN_MM, top - drawings[1] - GAP_MM));
-            let items = [diagram.items, polygon.items, text.items].concat();
-            let mut figure = maker.figure(items, size);
-            let step = match options.lang {
-                Lang::En => format!("step {done} of {total}"),
-                Lang::Zh => format!("第 {done} 步，共 {total} 步"),
-            };
-            figure.title = format!("{} · {step}", figure.title);
-            figure.desc = steps.sentences[k].plain();
-            out.push(figure);
-        }
+impl<'a> StepFigures<'a> {
+    /// Prepares the figures of a scene; within a given space sentences and equations are broken
+    /// into lines, and anything that is still wider sticks out.
+    pub fn of(
+        scene: &'a Scene,
+        worked: &'a Worked,
+        options: &'a SheetOptions,
+        room: Option<Within>,
+    ) -> StepFigures<'a> {
+        let width_mm = room.map(|room| room.width_mm);
+        // No results are shown: they need no digits.
+        let maker = SheetDrafter { scene, worked, options, certified: Vec::new() };
+        let told = certified::steps(scene, worked, None);
+        let levels: Vec<PolygonSteps> = DiagramKind::POLYGONS
+            .into_iter()
+            .zip(maker.equations(&told, width_mm))
+            .filter_map(|(on, (_, written))| {
+                Some(PolygonSteps::of(
+                    &maker,
+                    worked.construction.polygon(on)?,
+                    (&told, &written),
+                    width_mm,
+                ))
+            })
+            .chain(
+                forces::steps(&maker, width_mm)
+                    .into_iter()
+                    .map(|of| PolygonSteps::of_forces(&maker, of, width_mm)),
+            )
+            .collect();
+        let diagram = maker.captioned(maker.mechanism(), "", DiagramKind::Plane);
+        let most = |size: fn(&PolygonSteps) -> f64| levels.iter().map(size).fold(0.0, f64::max);
+        let polygon_mm =
+            [most(|s| s.polygon.bounds.width_mm()), most(|s| s.polygon.bounds.height_mm())];
+        let text_mm = [most(|s| s.text_mm()[0]), most(|s| s.text_mm()[1])];
+        let widest = |size: fn(&DrawingPart) -> f64| {
+            levels
+                .iter()
+                .filter_map(|s| s.apart.as_ref())
+                .chain([&diagram])
+                .map(size)
+                .fold(0.0, f64::max)
+        };
+        let diagram_mm = [widest(|p| p.bounds.width_mm()), widest(|p| p.bounds.height_mm())];
+        let stacked = room.is_some_and(|room| room.stacked);
+        let drawings_mm = match stacked {
+            false => [diagram_mm[0] + GAP_MM + polygon_mm[0], diagram_mm[1].max(polygon_mm[1])],
+            true => [diagram_mm[0].max(polygon_mm[0]), diagram_mm[1] + GAP_MM + polygon_mm[1]],
+        };
+        let inner = [drawings_mm[0].max(text_mm[0]), drawings_mm[1] + GAP_MM + text_mm[1]];
+        let size = inner.map(|mm| mm + 2.0 * MARGIN_MM);
+        StepFigures { maker, levels, diagram, stacked, diagram_mm, polygon_mm, drawings_mm, size }
     }
-    out
+
+    /// Returns the names of the figures, in order.
+    pub fn words(&self) -> Vec<String> {
+        let total: usize = self.levels.iter().map(|s| s.sentences.len()).sum();
+        (1..=total).map(|k| format!("step-{k:02}")).collect()
+    }
+
+    /// Draws the figures, in order.
+    pub fn figures(&self) -> impl Iterator<Item = Figure> {
+        let total: usize = self.levels.iter().map(|s| s.sentences.len()).sum();
+        let all = self.levels.iter().flat_map(|s| (0..s.sentences.len()).map(move |k| (s, k)));
+        (1..).zip(all).map(move |(number, (steps, k))| self.figure(steps, k, [number, total]))
+    }
+
+    fn figure(&self, steps: &PolygonSteps, k: usize, [number, total]: [usize; 2]) -> Figure {
+        let mut diagram =
+            steps.apart.as_ref().map_or_else(|| self.diagram.clone(), |apart| at(apart, k));
+        let top = self.size[1] - MARGIN_MM;
+        let [diagram_width, diagram_height] = self.diagram_mm;
+        let [polygon_width, polygon_height] = self.polygon_mm;
+        // The centres of the two drawings.
+        let [of_diagram, of_polygon] = match self.stacked {
+            false => {
+                let middle = top - self.drawings_mm[1] / 2.0;
+                let left = MARGIN_MM + diagram_width + GAP_MM;
+                [
+                    Point::new(MARGIN_MM + diagram_width / 2.0, middle),
+                    Point::new(left + polygon_width / 2.0, middle),
+                ]
+            }
+            true => {
+                let middle = MARGIN_MM + self.drawings_mm[0] / 2.0;
+                [
+                    Point::new(middle, top - diagram_height / 2.0),
+                    Point::new(middle, top - self.drawings_mm[1] + polygon_height / 2.0),
+                ]
+            }
+        };
+        diagram.translate(of_diagram - diagram.bounds.centre());
+        let mut polygon = at(&steps.polygon, k);
+        polygon.translate(of_polygon - polygon.bounds.centre());
+        let mut text = steps.text(k);
+        text.stand_at(Point::new(MARGIN_MM, top - self.drawings_mm[1] - GAP_MM));
+        diagram.items.append(&mut polygon.items);
+        diagram.items.append(&mut text.items);
+        let step = match self.maker.options.lang {
+            Lang::En => format!("step {number} of {total}"),
+            Lang::Zh => format!("第 {number} 步，共 {total} 步"),
+        };
+        let title = format!("{} · {step}", self.maker.heading_words());
+        self.maker.described(diagram.items, self.size, title, steps.sentences[k].plain())
+    }
 }
 
 /// The steps of one polygon.

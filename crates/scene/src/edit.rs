@@ -190,7 +190,7 @@ fn quantity(text: &str, unit: &str) -> Result<ReadQuantity, Faults> {
         degrees: value.degrees,
     };
     let (value, ball) =
-        exact::settled(&[], &text, value, evaluate(&parsed, &|_| None).unwrap_or(unknown));
+        exact::settled(Vec::new, &text, value, evaluate(&parsed, &|_| None).unwrap_or(unknown));
     let off = exact::distance(&value, ball);
     Ok(ReadQuantity { text, value, off })
 }

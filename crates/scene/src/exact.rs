@@ -23,9 +23,9 @@ const NOTHING: f64 = 1e-100;
 
 /// Returns the value of a text and its value with an error bound. If the difference of large
 /// numbers or the sine of a large angle loses digits in `f64`, they are computed in higher
-/// precision and rounded once. `texts` are the parameters before it.
-pub(super) fn settled(
-    texts: &[(&str, &str)],
+/// precision and rounded once. `texts` gives the parameters that it depends on.
+pub(super) fn settled<'a>(
+    texts: impl FnOnce() -> Vec<(&'a str, &'a str)>,
     text: &str,
     value: DimensionedValue,
     ball: DimensionedValue<Ball<f64>>,
@@ -34,10 +34,11 @@ pub(super) fn settled(
     if off <= LOST * value.number.abs() {
         return (value, ball);
     }
+    let texts = texts();
     let longer = BITS.into_iter().find_map(|bits| {
         within(bits, || {
             let read =
-                Inputs::<Ball<Big>>::of_texts(texts).read(text).filter(|v| v.dim == value.dim)?;
+                Inputs::<Ball<Big>>::of_texts(&texts).read(text).filter(|v| v.dim == value.dim)?;
             rounded(in_unit_of(read, value.degrees))
         })
     });
@@ -129,9 +130,10 @@ fn rounded(x: Ball<Big>) -> Option<(f64, f64)> {
 /// A scene's quantities in one number type.
 #[derive(Clone, Debug)]
 pub struct Inputs<'a, N> {
-    /// Names and values of the parameters; empty if the `f64` values of the reader are accurate
-    /// enough.
-    parameters: Vec<(&'a str, Option<DimensionedValue<N>>)>,
+    /// Names of the parameters; empty if the `f64` values of the reader are accurate enough.
+    names: Vec<&'a str>,
+    /// Their values.
+    values: Vec<Option<DimensionedValue<N>>>,
     /// Time since the scene's instant (s), during which the drivers move.
     time: Option<N>,
 }
@@ -139,23 +141,21 @@ pub struct Inputs<'a, N> {
 impl<'a, N: Real> Inputs<'a, N> {
     /// Returns the quantities of a scene.
     pub fn of(scene: &'a Scene) -> Self {
-        let mut inputs = Inputs { parameters: Vec::new(), time: None };
-        if N::from_bounded(0.0, 0.0).is_none() {
-            for (name, given) in &scene.parameters {
-                let value = inputs.read(&given.text);
-                inputs.parameters.push((name, value));
-            }
+        if N::from_bounded(0.0, 0.0).is_some() {
+            return Inputs::of_texts(&[]);
         }
-        inputs
+        let texts = scene.parameters.iter().map(|(name, given)| (&**name, &*given.text));
+        Inputs::of_texts(&texts.collect::<Vec<_>>())
     }
 
     /// Returns the quantities of parameters given by name and text, each after those in its
     /// expression.
     pub(super) fn of_texts(texts: &[(&'a str, &str)]) -> Self {
-        let mut inputs = Inputs { parameters: Vec::new(), time: None };
+        let mut inputs = Inputs { names: Vec::new(), values: Vec::new(), time: None };
         for (name, text) in texts {
             let value = inputs.read(text);
-            inputs.parameters.push((name, value));
+            inputs.names.push(name);
+            inputs.values.push(value);
         }
         inputs
     }
@@ -238,9 +238,13 @@ impl<'a, N: Real> Inputs<'a, N> {
     }
 
     fn read(&self, text: &str) -> Option<DimensionedValue<N>> {
-        let names: Vec<&str> = self.parameters.iter().map(|p| p.0).collect();
-        let expr = expr::parse(text, &names).ok()?;
-        let lookup = |name: &str| self.parameters.iter().find(|p| p.0 == name).and_then(|p| p.1);
+        let expr = expr::parse(text, &self.names).ok()?;
+        let lookup = |name: &str| {
+            self.names
+                .iter()
+                .position(|n| *n == name)
+                .and_then(|place| self.values.get(place).copied()?)
+        };
         evaluate(&expr, &lookup).ok()
     }
 }

@@ -2,7 +2,7 @@
 //! to SI units with a check of its dimension.
 
 use std::cell::RefCell;
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 use super::eval::{DimensionedValue, NoValue, evaluate};
 use super::exact;
@@ -41,8 +41,12 @@ pub(super) struct Values<'a> {
     /// Names in the order of the file, including parameters with a fault, which have no value.
     names: Vec<&'a str>,
     known: HashMap<&'a str, Option<ParameterValue>>,
-    /// Names and texts of the parameters that have a value, in the order of the file.
+    /// Names and texts of the parameters that have a value, each after those in its expression.
     texts: Vec<(&'a str, &'a str)>,
+    /// Indices in `texts` of the parameters in the expression of each.
+    inputs: Vec<Vec<usize>>,
+    /// Index in `texts` of each name.
+    places: HashMap<&'a str, usize>,
     units: HashMap<&'static str, String>,
     used: RefCell<HashSet<String>>,
 }
@@ -61,6 +65,8 @@ impl<'a> Values<'a> {
             names: Vec::new(),
             known: HashMap::new(),
             texts: Vec::new(),
+            inputs: Vec::new(),
+            places: HashMap::new(),
             units: HashMap::new(),
             used: RefCell::new(HashSet::new()),
         };
@@ -71,13 +77,14 @@ impl<'a> Values<'a> {
         let (order, circular) = parameters::by_dependence(parameters);
         faults.list.extend(circular);
         for (name, quantity) in order.into_iter().map(|i| &parameters[i]) {
-            let value = match values.evaluate(quantity) {
-                Ok((_, value, ball)) => Some(ParameterValue { value, ball }),
+            let evaluated = match values.evaluate(quantity) {
+                Ok((expr, value, ball)) => Some((expr, ParameterValue { value, ball })),
                 Err(fault) => {
                     faults.list.extend(fault);
                     None
                 }
             };
+            let value = evaluated.as_ref().map(|(_, value)| *value);
             if !expr::is_name(&name.text) {
                 let d = Diagnostic::error(
                     "name",
@@ -107,7 +114,7 @@ impl<'a> Values<'a> {
                 // Of two parameters of one name, a fault of its own, the first counts.
                 values.known.entry(&name.text).or_insert(value);
             }
-            if let Some(ParameterValue { value, ball }) = value {
+            if let Some((expr, ParameterValue { value, ball })) = evaluated {
                 let given = GivenQuantity {
                     value: value.si(),
                     radius: distance(value.si(), ball.si()),
@@ -115,6 +122,8 @@ impl<'a> Values<'a> {
                     span: quantity.span,
                 };
                 list.push((name.text.clone(), given));
+                values.inputs.push(values.places_of(&expr));
+                values.places.entry(&name.text).or_insert(values.texts.len());
                 values.texts.push((&name.text, &quantity.text));
             }
         }
@@ -386,7 +395,8 @@ impl<'a> Values<'a> {
         // `f64` no longer resolves the place within the turn of an angle of so many turns: whole
         // turns are subtracted from the written expression.
         if !exact::is_resolved(angle.value, angle.radius)
-            && let Some((number, radius)) = exact::less_turns(&self.texts, &angle.text, degrees)
+            && let Some((number, radius)) =
+                exact::less_turns(&self.texts_in(&angle.text), &angle.text, degrees)
         {
             (angle.value, angle.radius) =
                 (if degrees { Angle::Deg(number) } else { Angle::Rad(number) }, radius);
@@ -416,7 +426,8 @@ impl<'a> Values<'a> {
     /// Returns the text of an angle minus the whole turns that were subtracted from its value, so
     /// that formulas with the text agree with computations with the value.
     pub fn text_of(&self, angle: &GivenQuantity<Angle>) -> String {
-        let turns = exact::turns_taken(&self.texts, &angle.text, angle.value.degrees());
+        let (texts, degrees) = (self.texts_in(&angle.text), angle.value.degrees());
+        let turns = exact::turns_taken(&texts, &angle.text, degrees);
         // With a precision, all digits of a large number are printed, not only the shortest
         // representation.
         turns.into_iter().fold(angle.text.clone(), |text, n| format!("({text})-({n:.0}*360 deg)"))
@@ -546,12 +557,36 @@ impl<'a> Values<'a> {
         match evaluate(&expr, &lookup) {
             Ok(value) => {
                 let ball = self.ball(&expr, value);
-                let (value, ball) = exact::settled(&self.texts, &quantity.text, value, ball);
+                let texts = || self.texts_of(&expr);
+                let (value, ball) = exact::settled(texts, &quantity.text, value, ball);
                 Ok((expr, value, ball))
             }
             Err(NoValue::Reported) => Err(None),
             Err(NoValue::Fault(d)) => Err(Some(self.locate(quantity, d))),
         }
+    }
+
+    /// Returns the indices in `texts` of the parameters in an expression.
+    fn places_of(&self, expr: &Expr) -> Vec<usize> {
+        expr.parameters().into_iter().filter_map(|name| self.places.get(name).copied()).collect()
+    }
+
+    /// Returns names and texts of the parameters that an expression depends on, directly or through
+    /// others, each after those in its own expression: reading them again takes no longer with
+    /// other parameters in the file.
+    fn texts_of(&self, expr: &Expr) -> Vec<(&'a str, &'a str)> {
+        let (mut needed, mut open) = (BTreeSet::new(), self.places_of(expr));
+        while let Some(place) = open.pop() {
+            if needed.insert(place) {
+                open.extend(&self.inputs[place]);
+            }
+        }
+        needed.into_iter().map(|place| self.texts[place]).collect()
+    }
+
+    /// Returns names and texts of the parameters that a text depends on.
+    fn texts_in(&self, text: &str) -> Vec<(&'a str, &'a str)> {
+        expr::parse(text, &self.names).map_or_else(|_| Vec::new(), |expr| self.texts_of(&expr))
     }
 
     /// Returns the value with an error bound; the bound is infinite if an operation may leave its

@@ -117,21 +117,18 @@ impl Poses {
         let sized: Vec<(f64, &Worked)> = trials.iter().map(|(p, (_, w))| (p.travel, w)).collect();
         let scales = SeriesScales::of(&scene.paper, &sized, sweep.is_unlimited(), boxes);
         let now = station::now(scene, &worked.configuration, wanted.swept);
+        // Each trial is dropped when its row is made.
         let rows: Vec<PoseRow> = trials
-            .iter()
-            .filter_map(|(pose, (scene, trial))| {
+            .into_iter()
+            .filter_map(|(pose, (mut scene, trial))| {
                 let end = sweep.limits.iter().flatten().any(|limit| *limit == pose.travel);
-                let mut scene = scene.clone();
                 scales.fix(&mut scene.paper);
-                let Worked { mechanism, demand, configuration, .. } = trial;
-                let worked =
-                    work_placed(&scene, mechanism.clone(), demand.clone(), configuration.clone())
-                        .ok()?
-                        .value;
                 let shown = DiagramKind::POLYGONS
                     .into_iter()
-                    .filter(|on| scales.holds(trial, *on))
+                    .filter(|on| scales.holds(&trial, *on))
                     .collect();
+                let Worked { mechanism, demand, configuration, .. } = trial;
+                let worked = work_placed(&scene, mechanism, demand, configuration).ok()?.value;
                 Some(PoseRow { scene, worked, shown, end, place: now + pose.travel })
             })
             .collect();

@@ -34,16 +34,16 @@ pub(super) fn later<'a, N: Real>(
     meant: &'a Configuration,
     now: &'a Configuration<N>,
     t: N,
-) -> Result<Configuration<N>, Faults> {
-    let moving = |p: &PointId| !scene.links[scene.ground.0].points.contains(p);
-    let posed = (0..scene.points.len())
-        .map(PointId)
-        .find(|p| moving(p) && matches!(scene.points[p.0].place, PointPlace::At(_)));
+) -> Result<(Configuration<N>, Vec<f64>), Faults> {
+    let mut moving = vec![true; scene.points.len()];
+    scene.links[scene.ground.0].points.iter().for_each(|p| moving[p.0] = false);
+    let mut moving = scene.points.iter().zip(moving).filter(|(_, moving)| *moving);
+    let posed = moving.any(|(p, _)| matches!(p.place, PointPlace::At(_)));
     let silent = scene.drivers.iter().any(|d| d.kind.position().is_none());
     // A link that only glides, without a point, has an arbitrary position along its guide.
     let pointless =
         mechanism.groups.iter().flat_map(|g| &g.links).any(|l| scene.links[l.0].points.is_empty());
-    if posed.is_some() || silent || pointless {
+    if posed || silent || pointless {
         return Err(Diagnostic::error(
             "pose-given",
             both!(
@@ -57,7 +57,9 @@ pub(super) fn later<'a, N: Real>(
     a.inputs = a.inputs.later(t);
     a.instant = Some(now);
     a.guides.clone_from(&now.shapes.guides);
-    Ok(a.place(demand)?.settled().into_configuration())
+    let placed = a.place(demand)?.settled();
+    let apart = placed.apart.clone();
+    Ok((placed.into_configuration(), apart))
 }
 
 /// An assembly in progress: the parts placed so far.
@@ -75,6 +77,9 @@ pub(super) struct Assembly<'a, N> {
     pub guides: Vec<Option<Path<N>>>,
     /// For each group the index of the closure taken.
     pub closures: Vec<usize>,
+    /// For each group the largest distance of a pin (m) in the closure taken and in the other one;
+    /// infinite without another one.
+    pub apart: Vec<f64>,
     /// Groups with a closure that nothing in the scene determines, with the number of their
     /// closures.
     pub open: Vec<(usize, usize)>,
@@ -121,6 +126,7 @@ impl<'a, N: Real> Assembly<'a, N> {
             instant: None,
             shapes,
             closures: vec![0; m.groups.len()],
+            apart: vec![f64::INFINITY; m.groups.len()],
             points: vec![None; scene.points.len()],
             poses: vec![None; scene.links.len()],
             guides,
@@ -320,7 +326,14 @@ impl<'a, N: Real> Assembly<'a, N> {
         };
         self.closures[index] = pick;
         // Coordinates may leave only one of several closures.
+        let other = trials.get((1 - pick.min(1)).min(trials.len() - 1));
         let pick = pick.min(trials.len() - 1);
+        if let Some(other) = other.filter(|_| trials.len() > 1) {
+            let pins = group.pins.iter().filter(|p| self.points[p.0].is_none());
+            let moved = pins.filter_map(|p| Some((other.at(*p)?, trials[pick].at(*p)?)));
+            let distances = moved.map(|(a, b)| a.distance(b).approx());
+            self.apart[index] = distances.fold(0.0, f64::max);
+        }
         let chosen = trials.into_iter().nth(pick).expect("the chosen closure is one of the trials");
         for (l, pose) in chosen.poses {
             self.poses[l.0] = Some(pose);

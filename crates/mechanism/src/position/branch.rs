@@ -19,7 +19,7 @@ pub(super) struct GroupClosure<N> {
 }
 
 impl<N: Real> GroupClosure<N> {
-    fn at(&self, p: PointId) -> Option<Point<N>> {
+    pub(super) fn at(&self, p: PointId) -> Option<Point<N>> {
         self.points.iter().find(|(q, _)| *q == p).map(|(_, at)| *at)
     }
 }

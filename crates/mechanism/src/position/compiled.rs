@@ -30,7 +30,7 @@ pub trait AssemblyNumber: Real {
         meant: &Configuration,
         now: &Configuration<Self>,
         t: Self,
-    ) -> Result<Configuration<Self>, Faults>;
+    ) -> Result<(Configuration<Self>, Vec<f64>), Faults>;
 }
 
 macro_rules! compiled {
@@ -47,7 +47,7 @@ macro_rules! compiled {
                 meant: &Configuration,
                 now: &Configuration<Self>,
                 t: Self,
-            ) -> Result<Configuration<Self>, Faults> {
+            ) -> Result<(Configuration<Self>, Vec<f64>), Faults> {
                 assemble::later(scene, mechanism, demand, meant, now, t)
             }
         }
@@ -89,5 +89,21 @@ pub fn later<N: AssemblyNumber>(
     now: &Configuration<N>,
     t: N,
 ) -> Result<Configuration<N>, Faults> {
+    later_apart(scene, mechanism, demand, meant, now, t).map(|(at, _)| at)
+}
+
+/// Returns the configuration of [`later`], and for each group the largest distance of a pin (m)
+/// there and in the other closure of the group, infinite without another closure.
+///
+/// # Errors
+/// As [`later`].
+pub fn later_apart<N: AssemblyNumber>(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    demand: &Demand,
+    meant: &Configuration,
+    now: &Configuration<N>,
+    t: N,
+) -> Result<(Configuration<N>, Vec<f64>), Faults> {
     N::later(scene, mechanism, demand, meant, now, t)
 }

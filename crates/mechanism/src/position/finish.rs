@@ -352,11 +352,13 @@ pub(super) fn complete<N: Real>(
     before: &[Option<RollingRecord>],
 ) -> Configuration<N> {
     poses[scene.ground.0] = Some(Pose::ground());
+    let mut pinned = vec![false; points.len()];
+    m.pins.iter().for_each(|p| pinned[p.0] = true);
     for (pose, carried) in poses.iter().zip(&shapes.points) {
         let Some(pose) = pose else { continue };
         for (p, local) in carried {
             // Pins keep their positions; every other point follows its link.
-            if !m.pins.contains(p) || points[p.0].is_none() {
+            if !pinned[p.0] || points[p.0].is_none() {
                 points[p.0] = Some(pose.to_world(*local));
             }
         }

@@ -34,7 +34,7 @@ pub mod toggle;
 mod touch;
 pub mod triad;
 
-pub use compiled::{AssemblyNumber, later, recompute};
+pub use compiled::{AssemblyNumber, later, later_apart, recompute};
 pub use configure::configure;
 pub use rolling::RollingRecord;
 pub use touch::ContourContact;

@@ -89,8 +89,10 @@ pub(super) fn of_link<N: Real>(
     } else {
         (Vec::new(), if ground { FrameAnchor::Plane } else { FrameAnchor::Loose })
     };
-    let mut open: Vec<PointId> =
-        all.iter().copied().filter(|p| !points.iter().any(|(q, _)| q == p)).collect();
+    // Of a ground with many pivots all are given.
+    let placed = points.len() == all.len();
+    let is_open = |p: &PointId| !placed && !points.iter().any(|(q, _)| q == p);
+    let mut open: Vec<PointId> = all.iter().copied().filter(is_open).collect();
     loop {
         let before = open.len();
         open.retain(|&p| match place_point(scene, inputs, l, &points, p) {

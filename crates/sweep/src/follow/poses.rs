@@ -369,25 +369,31 @@ impl<'a> PoseFollower<'a> {
             return None;
         }
         let later = |meant: &Configuration| {
-            position::later(&scene, self.mechanism, self.demand, meant, self.base, time)
+            position::later_apart(&scene, self.mechanism, self.demand, meant, self.base, time)
         };
-        let mut best = match later(guess) {
+        let (mut best, mut apart) = match later(guess) {
             Ok(found) => found,
             Err(faults) if faults.list.iter().any(|d| d.code == "pose-given") => {
                 return self.by_newton(guess, travel);
             }
             Err(_) => return None,
         };
-        // At a change point the closed forms of two motions change places.
+        // At a change point the closed forms of two motions change places. Elsewhere a pin of the
+        // group is farther from its guess in the other one than any joint is in this one.
+        let mut off = self.stray(&best, guess);
+        let extent = self.base.extent();
         let mut meant = guess.clone();
         for g in 0..meant.closures.len() {
+            if apart.get(g).is_some_and(|apart| *apart > 2.000_001 * off * extent) {
+                continue;
+            }
             let kept = meant.closures[g];
             meant.closures[g] = 1 - kept.min(1);
-            match later(&meant)
-                .ok()
-                .filter(|other| self.stray(other, guess) < self.stray(&best, guess))
-            {
-                Some(other) => best = other,
+            match later(&meant).ok().filter(|(other, _)| self.stray(other, guess) < off) {
+                Some(other) => {
+                    (best, apart) = other;
+                    off = self.stray(&best, guess);
+                }
                 None => meant.closures[g] = kept,
             }
         }

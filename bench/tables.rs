@@ -6,6 +6,8 @@
 //! Variants take turns, so that other load on the machine affects all alike; the medians are
 //! reported.
 
+mod program;
+
 use hodograph::mechanism::Mechanism;
 use hodograph::report::table::{Csv, Npy, Parquet, PiecePlace, RowFormat, TableHead};
 use hodograph::scene::{Angle, Scene, edit, read, templates};
@@ -126,10 +128,10 @@ fn write(blocks: &[Block], format: &dyn RowFormat, path: &Path) {
 }
 
 fn command(arguments: &str, last: &Path) {
-    let mut c = Command::new(env!("CARGO_BIN_EXE_hodograph"));
+    let mut c = program::hodograph();
     c.args(arguments.split_whitespace())
         .arg(last)
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(".."))
         .stdout(Stdio::null());
     assert!(c.status().unwrap().success());
 }
@@ -213,14 +215,13 @@ fn writing() {
 
 /// Time to start the command, compared with an empty program.
 fn starting() {
-    let run = |program: &str, arguments: &[&str]| {
-        let mut c = Command::new(program);
+    let run = |mut c: Command, arguments: &[&str]| {
         seconds(|| assert!(c.args(arguments).stdout(Stdio::null()).status().unwrap().success()))
     };
     let (mut ours, mut empty) = (Vec::new(), Vec::new());
     for _ in 0..201 {
-        ours.push(run(env!("CARGO_BIN_EXE_hodograph"), &["--version"]));
-        empty.push(run("true", &[]));
+        ours.push(run(program::hodograph(), &["--version"]));
+        empty.push(run(Command::new("true"), &[]));
     }
     let (ours, empty) = (median(ours) * 1e3, median(empty) * 1e3);
     println!(
@@ -229,7 +230,11 @@ fn starting() {
     );
 }
 
-fn main() {
+fn main() -> std::process::ExitCode {
+    program::or(measured)
+}
+
+fn measured() {
     let arguments: Vec<String> = std::env::args().collect();
     let steps = |text: &str| text.parse().expect("a number of steps");
     let positions = match &arguments[1..] {

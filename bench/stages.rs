@@ -2,7 +2,9 @@
 //!
 //! `cargo bench --bench stages` prints medians; they make the table of docs/performance.md.
 
-use criterion::{Criterion, criterion_group, criterion_main};
+mod program;
+
+use criterion::{Criterion, criterion_group};
 use hodograph::construct::scale::Boxes;
 use hodograph::figure::sheet::{SheetOptions, sheet};
 use hodograph::mechanism::{Demand, Mechanism};
@@ -88,7 +90,7 @@ fn command(c: &mut Criterion) {
         std::fs::write(&file, templates::get(template).unwrap()).unwrap();
         g.bench_function(format!("{template}: {name}"), |b| {
             b.iter(|| {
-                let status = std::process::Command::new(env!("CARGO_BIN_EXE_hodograph"))
+                let status = program::hodograph()
                     .current_dir(folder.path())
                     .arg(extra[0])
                     .arg(&file)
@@ -115,4 +117,10 @@ fn command(c: &mut Criterion) {
 }
 
 criterion_group!(benches, stages, command);
-criterion_main!(benches);
+
+fn main() -> std::process::ExitCode {
+    program::or(|| {
+        benches();
+        Criterion::default().configure_from_args().final_summary();
+    })
+}
