@@ -225,7 +225,7 @@ impl Live {
 
     fn redraw_at(&mut self, moves: &[(Swept, f64)]) -> Result<Vec<PageDelta>, Faults> {
         let (scene, at) = self.placed(moves)?;
-        let solved = solution(self.to_scale(scene, &at)?);
+        let solved = solution(self.solved_to_scale(scene, &at)?);
         let drawn = self.wanted.draw(&solved)?;
         let mut changes = self.show(drawn.value)?;
         if let Some(first) = changes.first_mut() {
@@ -237,7 +237,7 @@ impl Live {
 
     /// Solves a pose to the scales of the figures, or to new ones for polygons that become too large
     /// or too small for their boxes.
-    fn to_scale(
+    fn solved_to_scale(
         &mut self,
         mut scene: Scene,
         at: &Configuration,
