@@ -77,9 +77,12 @@ const COMMANDS: [&str; 43] = [
 
 /// Commands that take longer on a scene, by letters of both: they are not tried there. The search
 /// for places of labels is slow on the plates of a hundred gears and on the polygons of a group of
-/// class VI.
-const BEYOND: [(&str, &str); 2] =
-    [("train", "plates"), ("higher-class6-ring", "--find-the-mistake")];
+/// class VI; the centrodes of a ladder are those of 150 links.
+const BEYOND: [(&str, &str); 3] = [
+    ("train", "plates"),
+    ("higher-class6-ring", "--find-the-mistake"),
+    ("ladder", "curvature SCENE --json --centrodes"),
+];
 
 /// What a command took.
 #[derive(Clone, Copy)]
