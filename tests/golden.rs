@@ -30,7 +30,7 @@ use hodograph::figure::curves::{self, CurveDiagram};
 use hodograph::figure::list::{self, Extras, FigureInput};
 use hodograph::figure::mechanism::Overlay;
 use hodograph::figure::sheet::{SheetOptions, diagram, drawing, equations, sheet};
-use hodograph::figure::steps as steps_of;
+use hodograph::figure::steps::StepFigures;
 use hodograph::figure::synthesis as designs;
 use hodograph::figure::{groups, path, poses};
 use hodograph::lesson;
@@ -270,7 +270,7 @@ fn kinds_of_figures_look_as_accepted() {
         let figure = match kind {
             "inset" => drawing(&scene, &worked, &options, DiagramKind::Acceleration).unwrap(),
             "equations" => equations(&scene, &worked, &options).unwrap(),
-            "step" => steps_of::figures(&scene, &worked, &options).swap_remove(11),
+            "step" => StepFigures::of(&scene, &worked, &options, None).figures().nth(11).unwrap(),
             "overlay" => {
                 let point = PointId(scene.points.iter().position(|p| p.name == "S").unwrap());
                 let overlay =

@@ -111,21 +111,22 @@ fn run(program: &Path, folder: &Path, arguments: &[&str], most_s: f64) -> (Optio
         .spawn()
         .unwrap();
     let mut cost = Cost { seconds: 0.0, mb: 0.0 };
-    loop {
+    let stopped = loop {
         // A program that has ended keeps its times until it is waited for, and no memory.
         cost.seconds = taken(&child).unwrap_or(cost.seconds);
         let mb = peak(child.id());
         cost.mb = cost.mb.max(mb.unwrap_or_default());
         if cost.seconds > most_s || cost.mb > MOST_MB {
             child.kill().unwrap();
-            child.wait().unwrap();
-            return (None, cost);
+            break true;
         }
         if mb.is_none() {
-            return (child.wait().unwrap().code(), cost);
+            break false;
         }
         std::thread::sleep(Duration::from_millis(3));
-    }
+    };
+    let status = child.wait().unwrap();
+    (status.code().filter(|_| !stopped), cost)
 }
 
 /// The files to try, each with its name: first those with which `cargo test` tries many commands.

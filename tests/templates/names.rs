@@ -10,7 +10,7 @@ use hodograph::diag::Severity;
 use hodograph::figure::curves::{self, CurveDiagram};
 use hodograph::figure::mechanism::Overlay;
 use hodograph::figure::sheet::{SheetOptions, diagram, sheet};
-use hodograph::figure::{path, steps as steps_of};
+use hodograph::figure::{path, steps::StepFigures};
 use hodograph::lesson;
 use hodograph::mechanism::Mechanism;
 use hodograph::notation::Notation;
@@ -488,8 +488,8 @@ fn everything(text: &str, scene: &Scene, worked: &Worked, failures: &mut Vec<Str
         };
         let overlay = overlay.with_motion(scene, worked, 3, moving.as_slice());
         drawn("overlay", &diagram(scene, worked, &options, &overlay), failures);
-        if let Some(figure) = steps_of::figures(scene, worked, &options).last() {
-            drawn("step", figure, failures);
+        if let Some(figure) = StepFigures::of(scene, worked, &options, None).figures().last() {
+            drawn("step", &figure, failures);
         }
         if let Some(point) = moving {
             let wanted = path::PathContent {
