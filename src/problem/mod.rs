@@ -242,13 +242,9 @@ impl Look {
     /// Returns the options of the sheet of a scene.
     pub(crate) fn sheet_of(&self, scene: &Scene) -> sheet::SheetOptions {
         let (lang, notation) = self.of(scene.language, scene.notation.as_deref());
-        self.sheet(lang, &notation)
-    }
-
-    fn sheet(&self, lang: Lang, notation: &Notation) -> sheet::SheetOptions {
         sheet::SheetOptions {
             lang,
-            notation: self.style.marks.over(notation),
+            notation: self.style.marks.over(&notation),
             digits: self.digits,
             style: self.style.clone(),
         }

@@ -175,8 +175,7 @@ impl Answered for SceneSolution {
     }
 
     fn figures(&self, pictures: &Pictures, look: &Look) -> Result<Warned<Pages>, Faults> {
-        let (lang, notation) = self.look(look);
-        let options = look.sheet(lang, &notation);
+        let options = look.sheet_of(&self.scene);
         let SceneSolution { scene, worked } = self;
         let wanted = FigureInput { scene, worked, options: &options, extras: &pictures.extras };
         if pictures.steps {
@@ -205,8 +204,7 @@ impl Answered for SceneSolution {
         mistake: Option<&str>,
         look: &Look,
     ) -> Result<Document, Faults> {
-        let (lang, notation) = self.look(look);
-        let options = worksheet::WorksheetOptions { sheet: look.sheet(lang, &notation), sides };
+        let options = worksheet::WorksheetOptions { sheet: look.sheet_of(&self.scene), sides };
         let SceneSolution { scene, worked } = self;
         let Some(name) = mistake else { return Ok(worksheet::worksheet(scene, worked, &options)) };
         let all = attempts::wanted(scene, worked, false)?;
@@ -220,7 +218,7 @@ impl Answered for SceneSolution {
         let (lang, notation) = self.look(look);
         let notation = look.style.marks.over(&notation);
         if wanted.reveal {
-            let options = look.sheet(lang, &notation);
+            let options = look.sheet_of(&self.scene);
             return match wanted.width_mm {
                 Some(width_mm) => lesson::reveal_in(&self.scene, &self.worked, &options, width_mm),
                 None => lesson::reveal(&self.scene, &self.worked, &options),
