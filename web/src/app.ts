@@ -1,7 +1,8 @@
 // The page: text, engine, drawings, and what the user does with them. The text is the only state that lasts.
 
+import { Answers } from './answers'
 import { Builder } from './build'
-import { element, markup } from './dom'
+import { element } from './dom'
 import { Editor } from './editor'
 import { Ended, Engine, Refused, type Diagnostic, type Frame, type Motion, type Names, type Opened, type Page } from './engine'
 import type { Schema } from './complete'
@@ -67,7 +68,7 @@ export class App {
   private transport = element('div', { class: 'transport' })
   private slider = element('input', { type: 'range', min: '0', max: '1', step: 'any' })
   private reading = element('output', { class: 'reading' })
-  private table = element('div', { class: 'answers' })
+  private answers = new Answers()
   private faults = element('ul', { class: 'faults' })
   private text = element('div', { class: 'text' })
   private title = element('span', { class: 'title' })
@@ -77,7 +78,7 @@ export class App {
     root.append(
       this.bar,
       element('main', { class: 'work' }, this.tabs, this.stage, this.builder.root, this.note, this.transport),
-      element('aside', { class: 'side' }, this.table, this.faults, this.text),
+      element('aside', { class: 'side' }, this.answers.root, this.faults, this.text),
     )
     this.editor = new Editor({
       parent: this.text,
@@ -126,6 +127,7 @@ export class App {
   private begin(text: string, name: string): void {
     this.name = name
     this.hold = false
+    this.answers.forget()
     this.editor.begin(text)
   }
 
@@ -186,7 +188,7 @@ export class App {
   private async unsolved(): Promise<void> {
     if (!this.builder.on) return
     this.course = null
-    this.table.hidden = true
+    this.answers.root.hidden = true
     this.title.textContent = ''
     this.dressTransport()
     await this.builder.refused().catch(ended)
@@ -439,22 +441,7 @@ export class App {
   // --- What is around the drawings ---
 
   answer(frame: Frame): void {
-    if (!frame.answers) return
-    const rows = frame.answers.map((a) =>
-      element('tr', { class: a.answered ? '' : 'none' }, element('th', { scope: 'row' }, markup(a.symbol), element('span', { class: 'unseen' }, a.find)), element('td', {}, a.text)),
-    )
-    const off = frame.answers.reduce((most, a) => Math.max(most, a.difference ?? 0), 0)
-    const compared = frame.answers.some((a) => a.difference !== null)
-    let verdict = ''
-    if (frame.verdict === 'disagree') verdict = word('disagree', this.lang)
-    else if (frame.verdict === 'unanswered') verdict = word('unanswered', this.lang)
-    else if (compared) verdict = `${word('agree', this.lang)} ${bound(off)}`
-    this.table.replaceChildren(
-      element('h2', {}, word('answers', this.lang)),
-      element('table', {}, element('tbody', {}, ...rows)),
-      element('p', { class: `verdict ${frame.verdict}` }, verdict),
-    )
-    this.table.hidden = !rows.length
+    this.answers.show(frame, this.lang)
   }
 
   /** Shows diagnostics in the text and below the answers. */
@@ -651,11 +638,4 @@ export class App {
 /** Lets pass that the engine was ended. */
 function ended(fault: unknown): void {
   if (!(fault instanceof Ended)) throw fault
-}
-
-/** A relative difference as a power of ten that it does not exceed. */
-function bound(off: number): string {
-  if (off === 0) return '0'
-  const power = Math.ceil(Math.log10(off))
-  return `10${[...String(power)].map((c) => (c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(c)])).join('')}`
 }

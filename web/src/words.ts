@@ -15,6 +15,8 @@ const WORDS = {
   other: ['中文', 'English'],
   text: ['Text', '文本'],
   answers: ['Answers', '结果'],
+  predict: ['Predict', '先估后看'],
+  reveal: ['Show', '显示'],
   play: ['Play', '播放'],
   pause: ['Pause', '暂停'],
   position: ['Position of the driver', '原动件位置'],

@@ -91,6 +91,18 @@ test('the mechanism is dragged, polygons and answers follow, and undo gives the 
   await context.close()
 })
 
+test('answers are hidden while they are to be predicted, and each is shown on a click', async () => {
+  const { page, context } = await opened()
+  await page.click('.b-predict')
+  assert.doesNotMatch(await page.textContent('.answers'), /0\.461501|agree/)
+  await page.click('.answers .reveal')
+  assert.match(await page.textContent('.answers'), /0\.461501/)
+  assert.doesNotMatch(await page.textContent('.answers'), /3\.15661/)
+  await page.click('.b-predict')
+  assert.match(await page.textContent('.answers'), /3\.15661.*agree/)
+  await context.close()
+})
+
 test('it plays, and the answers change', async () => {
   const { page, context } = await opened()
   await motionKnown(page)
