@@ -67,11 +67,13 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     let bounds = Rect::new(Point::new(-half, -half), Point::new(half, half));
     let placed = place(&d.wanted, &Obstacles::of(&d.items), bounds);
     for (k, (request, at)) in d.wanted.iter().zip(&placed).enumerate() {
-        d.items.extend(
-            at.items(request, PLACED, style.thin)
-                .into_iter()
-                .map(|i| i.with_id(format!("cam-label-{k}"))),
-        );
+        // The label comes last; its leader line is named after it.
+        let parts = at.items(request, PLACED, style.thin);
+        let leaders = parts.len() - 1;
+        d.items.extend(parts.into_iter().enumerate().map(|(n, part)| {
+            let end = if n < leaders { "-leader" } else { "" };
+            part.with_id(format!("cam-label-{k}{end}"))
+        }));
     }
     let mut items = d.items;
     let title = heading(report.scene, tr(lang, "profile by inversion", "反转法绘制凸轮廓线"), lang);
