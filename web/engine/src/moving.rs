@@ -24,9 +24,9 @@ fn asked(message: &Json) -> [Json; 4] {
 }
 
 impl OpenFile {
-    /// Answers `move`: the figures `what`, as far as the file calls for them, after a `travel` of the driver, with space for the whole
-    /// motion. Each page has its document in `svg` if it is new or the message asks for the `whole`,
-    /// else its changes in `delta`.
+    /// Answers `move`: the figures `what`, as far as the file calls for them, after a `travel` of
+    /// the driver, with space for the whole motion. Each page has its document in `svg` if it is
+    /// new or the message asks for the `whole`, else its changes in `delta`.
     pub fn move_to(&mut self, message: &Json) -> Json {
         match self.moved(message) {
             Ok(told) => told,
