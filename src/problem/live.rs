@@ -90,14 +90,6 @@ fn free_scales(scene: &mut Scene, own: &ByKind) {
     }
 }
 
-/// Keeps the scales of a solved scene.
-fn hold_scales(scene: &mut Scene, worked: &Worked) {
-    for on in DiagramKind::ALL {
-        let held = scene.paper.scales.get(on.kind()).or_else(|| worked.scale(on));
-        scene.paper.scales.set(on.kind(), held);
-    }
-}
-
 impl Live {
     /// Solves a scene for its whole motion and draws the figures. Of the options, only the pencil
     /// error is used.
@@ -116,7 +108,7 @@ impl Live {
         notes.extend(worked.notes);
         let worked = worked.value;
         let own_scales = scene.paper.scales.clone();
-        hold_scales(&mut scene, &worked);
+        worked.hold_scales(&mut scene);
         let memory = LabelMemory::default();
         let mut look = look.clone();
         look.style.memory = Some(memory.clone());

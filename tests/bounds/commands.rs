@@ -84,7 +84,7 @@ const BEYOND: [(&str, &str); 3] = [
     ("ladder", "curvature SCENE --json --centrodes"),
 ];
 
-/// What a command took.
+/// Time and memory of a command.
 #[derive(Clone, Copy)]
 struct Cost {
     seconds: f64,

@@ -8,7 +8,7 @@ import { putAngle, putLength, type Grain } from './quantities'
 /** The scene that `New` begins with. */
 export const EMPTY = '{\n  "links": {"0": []},\n  "ground": "0"\n}\n'
 
-/** What is under the pointer: a point, a link (at a place of it), or the empty plane. */
+/** The object under the pointer: a point, a link (at a place of it), or the empty plane. */
 export interface Target { at: XY; point?: string; link?: string }
 
 /** An act of several steps on one text. */

@@ -6,12 +6,12 @@ import { distance, minus, type Outline, type XY } from './outline'
 import type { Grain } from './quantities'
 import { inPlane, offLink, onScreen, outlineOf, svg, type View } from './sketch'
 
-/** How near (pixels) the pointer must be to a point and to a line. */
+/** Distances (pixels) at which the pointer takes a point and a line. */
 const NEAR = [11, 7] as const
 /** Pixels of a millimetre of paper, for sketches and before the first drawing. */
 export const MILLIMETRE = 4
 
-/** What is drawn over the mechanism. */
+/** Marks over the mechanism. */
 export interface Marks {
   selected?: { kind: 'point' | 'link'; name: string } | null
   /** Places of the steps that were made, and the link that may be extended. */
@@ -26,7 +26,7 @@ export class Board {
   readonly root = element('div', { class: 'board', tabindex: '0' })
   view: View = { scale: 1200, x: 0, y: 0 }
   outline: Outline | null = null
-  /** What is drawn while a joint is dragged. */
+  /** Drawing while a joint is dragged. */
   trial: Outline | null = null
   grain: Grain | null = null
   /** The place of the pointer (m), snapped, and what is there. */
@@ -51,7 +51,7 @@ export class Board {
     return [event.clientX - box.left, event.clientY - box.top]
   }
 
-  /** What is at a pixel: a point before a link, a link before the plane; its place is snapped. */
+  /** The object at a pixel: a point before a link, a link before the plane; its place is snapped. */
   target(pixel: XY, fine: boolean): Target {
     const { outline, view, grain } = this
     const at = inPlane(view, pixel)

@@ -268,7 +268,7 @@ export class Builder {
 
   private down(event: PointerEvent): void {
     this.board.root.focus({ preventScroll: true })
-    // What is drawn is not in the pose of the text: that comes first.
+    // The drawing is not in the pose of the text: that comes first.
     if (this.site.travel !== 0) {
       this.site.pause()
       void this.site.settle()

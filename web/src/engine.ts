@@ -34,7 +34,7 @@ export interface Page {
   svg: string
   notes: Diagnostic[]
   delta?: Delta
-  /** Of the mechanism: millimetres for a metre, and where (mm, y down) the origin of the plane is. */
+  /** Transform of the mechanism: millimetres for a metre, and where (mm, y down) the origin of the plane is. */
   paper?: { scale: number; origin: [number, number] } | null
 }
 /** Changes of a document's elements, counted from 0 after the definitions: removed, then added, then changed and moved. */

@@ -38,7 +38,7 @@ export class Inspector {
   constructor(private input: InspectorInput) {}
 
   show(outline: Outline, selection: Selection | null, lang: Lang): void {
-    // What is being typed is not taken away.
+    // A field in which the user types is not taken away.
     const focused = this.root.contains(document.activeElement) ? (document.activeElement as HTMLElement).dataset.path : undefined
     this.outline = outline
     this.lang = lang

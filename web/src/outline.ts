@@ -1,4 +1,4 @@
-// What a text says of its mechanism, read without the engine's consent: it may be incomplete.
+// The mechanism of a text, which may be incomplete: read from its JSON, without the engine.
 
 import { parseTree, getNodeValue } from 'jsonc-parser'
 import type { Engine, Plane } from './engine'
@@ -122,7 +122,7 @@ export class Outline {
     return new Outline(text, values, known, plane)
   }
 
-  /** The same text with its mechanism elsewhere. */
+  /** Outline of this text with its mechanism in other places. */
   moved(plane: Plane): Outline {
     return new Outline(this.text, this.values, new Map(), plane)
   }
@@ -207,7 +207,7 @@ export class Outline {
       set(b, [axis.value, 0])
     }
     for (const p of this.points) set(p, known.get(p) ?? null)
-    // What is left follows from places in links, driven angles and lengths, as far as it does.
+    // All else follows from places in links, driven angles and lengths, as far as it does.
     for (let more = true; more; ) {
       const before = places.size
       for (const [name, at] of Object.entries<any>(json.points ?? {})) set(name, Array.isArray(at) ? null : this.inLink(at))

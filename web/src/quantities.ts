@@ -17,7 +17,7 @@ export function lengthUnit(text: string): string {
   return Object.entries(count).sort(([, a], [, b]) => b - a)[0]?.[0] ?? 'mm'
 }
 
-/** How new quantities are rounded and written. */
+/** Rounding and writing of new quantities. */
 export class Grain {
   /** `step`: the least length (m); `grid`: the distance of the grid's lines (m). */
   constructor(readonly unit: string, readonly step: number, readonly grid: number) {}
@@ -58,7 +58,7 @@ export function parameterOf(outline: Outline, quantity: unknown): string | null 
   return typeof quantity === 'string' && outline.json.parameters?.[quantity] !== undefined ? quantity : null
 }
 
-/** How often quantities of the text use a parameter. */
+/** Number of quantities of the text that use a parameter. */
 function uses(outline: Outline, name: string): number {
   let count = 0
   const gather = (value: unknown): void => {
@@ -92,7 +92,7 @@ export function putAngle(outline: Outline, draft: Draft, path: JSONPath, radians
   draft.put(placeOf(outline, draft, path), grain.angle(radians, 0.1))
 }
 
-/** What a field shows of a quantity: the value of its parameter, or the quantity itself. */
+/** Text of a quantity in a field: the value of its parameter, or the quantity itself. */
 export function shown(outline: Outline, quantity: unknown): string {
   const name = parameterOf(outline, quantity)
   const value = name === null ? quantity : outline.json.parameters[name]

@@ -1,4 +1,4 @@
-// What the user takes away: figures, worksheets, tables, the scene.
+// Files for the user: figures, worksheets, tables, the scene.
 
 import type { App } from './app'
 import { element } from './dom'

@@ -8,7 +8,7 @@ export interface Tool {
   name: ToolName
   /** The letter of the keyboard. */
   letter: string
-  /** What to do at each click. */
+  /** Instructions for each click. */
   steps: Word[]
   /** The sign, in a square of 24. */
   sign: string

@@ -94,6 +94,14 @@ impl Worked {
         }
     }
 
+    /// Fixes all scales on the paper of the scene that it leaves open.
+    pub fn hold_scales(&self, scene: &mut Scene) {
+        for on in DiagramKind::ALL {
+            let held = scene.paper.scales.get(on.kind()).or_else(|| self.scale(on));
+            scene.paper.scales.set(on.kind(), held);
+        }
+    }
+
     /// Returns everything that is needed to draw the construction again with another pencil.
     pub fn drawn<'a>(&'a self, scene: &'a Scene) -> DraftedConstruction<'a> {
         let mut values = vec![None; scene.find.len()];

@@ -10,7 +10,7 @@ use hodograph::paper::label::Label;
 use hodograph::problem::{self, Kind, Look, Options, Pictures, Problem, Solved, Verdict, whole};
 use hodograph::render::svg;
 use hodograph::report::math::mathml;
-use hodograph::scene::{DiagramKind, DriverKind, Scene, Swept};
+use hodograph::scene::{DriverKind, Scene, Swept};
 use hodograph::sweep::follow::PoseFollower;
 use serde_json::{Value as Json, json};
 
@@ -31,15 +31,6 @@ pub struct OpenFile {
 
 /// The name of the diagrams over the whole motion, which are none of [`list::LIST`].
 const CURVES: &str = "curves";
-
-/// Scales of the file's own pose, which the whole motion keeps.
-fn hold_scales(scene: &mut Scene, base: &Solved) {
-    let Some((_, worked)) = base.mechanism() else { return };
-    for on in DiagramKind::ALL {
-        let held = scene.paper.scales.get(on.kind()).or_else(|| worked.scale(on));
-        scene.paper.scales.set(on.kind(), held);
-    }
-}
 
 /// Gives the mechanism a scale (m per mm), if it is one.
 fn hold_plane(scene: &mut Scene, mu: Option<f64>) {
@@ -144,7 +135,9 @@ impl OpenFile {
     fn scaled(&self, problem: Problem, mu: Option<f64>) -> Result<Solved, Faults> {
         let options = Options::with_figures();
         let Problem::Scene(mut scene) = problem else { return problem::solve(&problem, &options) };
-        hold_scales(&mut scene, &self.solved);
+        if let Some((_, worked)) = self.solved.mechanism() {
+            worked.hold_scales(&mut scene);
+        }
         hold_plane(&mut scene, mu);
         problem::solve(&Problem::Scene(scene), &options)
     }

@@ -89,7 +89,7 @@ pub(super) fn of_link<N: Real>(
     } else {
         (Vec::new(), if ground { FrameAnchor::Plane } else { FrameAnchor::Loose })
     };
-    // Of a ground with many pivots all are given.
+    // All points of a ground with given pivots are placed.
     let placed = points.len() == all.len();
     let is_open = |p: &PointId| !placed && !points.iter().any(|(q, _)| q == p);
     let mut open: Vec<PointId> = all.iter().copied().filter(is_open).collect();

@@ -34,8 +34,8 @@ struct Places {
 #[derive(Debug, Default)]
 struct PartMemory {
     habits: Habits,
-    /// The boxes of the first part, and of all.
-    spaces: Option<[Rect; 2]>,
+    /// The longer side of the first part (mm), and the box of all.
+    space: Option<(f64, Rect)>,
 }
 
 impl LabelMemory {
@@ -91,15 +91,12 @@ impl LabelMemory {
 
 impl PartMemory {
     fn hold(&mut self, part: &mut DrawingPart) {
-        let Some([first, space]) = self.spaces else {
-            self.spaces = Some([part.bounds; 2]);
-            return;
-        };
+        let side = |r: Rect| r.width_mm().max(r.height_mm());
+        let (first, space) = *self.space.get_or_insert((side(part.bounds), part.bounds));
         let strip = space.grown(STRIP_MM);
         let all = if strip.union(part.bounds) == strip { space } else { space.union(part.bounds) };
-        let side = |r: Rect| r.width_mm().max(r.height_mm());
-        if side(all) <= LARGEST_MM.max(side(first)) {
-            self.spaces = Some([first, all]);
+        if side(all) <= LARGEST_MM.max(first) {
+            self.space = Some((first, all));
         }
         part.bounds = all;
     }
