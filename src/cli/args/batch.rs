@@ -52,13 +52,13 @@ pub struct ShardsArgs {
     /// The folder of `batch --shard`
     #[arg(value_name = "FOLDER")]
     pub folder: String,
-    /// Of missing: list the shards of N that have missing parts, as in `sbatch --array`
+    /// For missing: list the shards of N that have missing parts, as in `sbatch --array`
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub of: Option<u64>,
-    /// Of verify: remove damaged parts, so that the same `batch` computes them again
+    /// For verify: remove damaged parts, so that the same `batch` computes them again
     #[arg(long)]
     pub remove_damaged: bool,
-    /// Of compact: the table, ending like the parts, or `-`, standard output
+    /// For compact: the table, ending like the parts, or `-`, standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
 }
