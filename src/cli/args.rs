@@ -16,7 +16,7 @@ use clap::{Args as ClapArgs, Parser, Subcommand};
 pub use diff::DiffArgs;
 pub use motion::{AnimateArgs, PathArgs, TravelArgs};
 pub use paths::{CurvatureArgs, InversionsArgs};
-pub use reports::{AttemptsArgs, CentresArgs, CompositeArgs, LimitsArgs, ReadingsArgs};
+pub use reports::{AttemptsArgs, CentresArgs, CompositeArgs, LimitsArgs, LoopsArgs, ReadingsArgs};
 use serde::{Deserialize, Serialize};
 
 /// Solves planar mechanisms the way they are solved at the drawing board.
@@ -97,6 +97,9 @@ pub enum Command {
     /// Composite motion of a point: which moving points and frames serve and why not, and the parts
     /// of the motion
     Composite(CompositeArgs),
+    /// The analytic method written out: vector loops, their real and imaginary parts, positions,
+    /// velocities and accelerations as formulas with numbers
+    Loops(LoopsArgs),
     /// Wrong solutions: where typical mistakes can be made in this scene, what comes of them, and
     /// why they are wrong
     Attempts(AttemptsArgs),

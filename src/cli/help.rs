@@ -506,6 +506,13 @@ const WORDS: &[(&str, &str, &str)] = &[
     ),
     ("curvature", "json", "结果为 JSON，国际单位制"),
     ("curvature", "centrodes", "连同瞬心在两平面中的轨迹（瞬心线）"),
+    ("loops", "", "写出解析法：封闭矢量多边形及其实部与虚部，位置、速度、加速度的公式和数值"),
+    (
+        "loops",
+        "*after",
+        "在机构上画出各封闭矢量多边形：hodograph draw SCENE --figure loops -o loops.svg",
+    ),
+    ("loops", "json", "结果为 JSON，国际单位制，角为弧度"),
     ("composite", "", "点的合成运动：哪些动点和动系可用、为何不可用，以及运动的各分量"),
     (
         "composite",

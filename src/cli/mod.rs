@@ -27,6 +27,7 @@ mod journal;
 mod lang;
 mod lesson;
 mod long;
+mod loops;
 mod mobility;
 mod part;
 mod path;
@@ -106,6 +107,7 @@ fn run() -> ExitCode {
         Command::Inversions(a) => inversions::run(a),
         Command::Curvature(a) => curvature::run(a),
         Command::Composite(a) => composite::run(a),
+        Command::Loops(a) => loops::run(&a),
         Command::Attempts(a) => attempts::run(a),
         Command::Synth(a) => synth::run(a),
         Command::Readings(a) => readings::run(a),

@@ -70,6 +70,7 @@ const COMMANDS: [&str; 43] = [
     "curvature SCENE --json --centrodes",
     "curvature SCENE --steps --drafting",
     "composite SCENE --json",
+    "loops SCENE --json",
     "attempts SCENE --all --json",
     "readings SCENE --json",
     "synth SCENE --json",

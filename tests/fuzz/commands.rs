@@ -20,6 +20,7 @@ const COMMANDS: [&str; 20] = [
     "mobility s.json",
     "centres s.json",
     "composite s.json",
+    "loops s.json",
     "curvature s.json --steps",
     "draw s.json --figure centres,curvature,composite --format svg -o out/",
     "inversions s.json",

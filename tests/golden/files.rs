@@ -79,7 +79,8 @@ pub const CAM: &str = "cam-offset-roller";
 
 /// Kinds of picture that no other list has: template, the figure's name (`dimensions`: the
 /// mechanism with them).
-pub const ASKED: [(&str, &str); 13] = [
+pub const ASKED: [(&str, &str); 14] = [
+    ("crank-rocker", "loops"),
     ("four-bar-forces", "lever"),
     ("shaper-forces", "forces"),
     ("engine-forces", "forces"),
@@ -97,7 +98,7 @@ pub const ASKED: [(&str, &str); 13] = [
 
 /// Pictures in the gallery in addition to the sheets: title, the command that draws it, the
 /// picture.
-pub const SHOWN: [(&str, &str, &str); 36] = [
+pub const SHOWN: [(&str, &str, &str); 37] = [
     (
         "Forces with friction: circles and angles",
         "draw --figure forces",
@@ -151,6 +152,7 @@ pub const SHOWN: [(&str, &str, &str); 36] = [
     ("Inversions", "draw --figure inversions", "slider-crank/inversions.en.png"),
     ("Gear trains: Kutzbach's plan", "draw --figure kutzbach", "planetary-gear/kutzbach.en.png"),
     ("Gears with their teeth", "draw --figure gears", "planetary-gear/gears.en.png"),
+    ("The vector loop of the analytic method", "draw --figure loops", "crank-rocker/loops.en.png"),
     ("Composite motion of a point", "draw --figure composite", "turning-plate/composite.en.png"),
     ("A pursuit with its course", "draw", "motions/pursuit-of-a-ship.en.png"),
     ("A plate that turns in space, in two views", "draw", "motions/plate-in-space.en.png"),

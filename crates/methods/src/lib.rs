@@ -2,7 +2,7 @@
 //!
 //! Modules: [`centres`] (instantaneous centres of velocity), [`composite`] (composite motion of a
 //! point), [`attempts`] (wrong solutions), [`curvature`] (curvature of paths), [`inversions`] (each
-//! link as ground in turn), [`gears`] (a pair of spur gears), [`trains`] (gear trains by Willis'
+//! link as ground in turn), [`loops`] (the analytic method written out), [`gears`] (a pair of spur gears), [`trains`] (gear trains by Willis'
 //! method), [`particle`] (motions without a mechanism).
 
 #![forbid(unsafe_code)]
@@ -19,5 +19,6 @@ pub mod composite;
 pub mod curvature;
 pub mod gears;
 pub mod inversions;
+pub mod loops;
 pub mod particle;
 pub mod trains;

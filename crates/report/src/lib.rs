@@ -35,6 +35,7 @@ pub mod given;
 pub mod html;
 pub mod inversions;
 pub mod limits;
+pub mod loops;
 #[doc(hidden)]
 pub mod math;
 pub mod mobility;

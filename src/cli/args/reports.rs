@@ -32,6 +32,18 @@ pub struct CompositeArgs {
 
 #[derive(ClapArgs, Debug)]
 #[command(
+    after_help = "The loops as arrows on the mechanism: hodograph draw SCENE --figure loops -o loops.svg"
+)]
+pub struct LoopsArgs {
+    #[command(flatten)]
+    pub common: CommonArgs,
+    /// Print JSON, in SI and radians
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(ClapArgs, Debug)]
+#[command(
     after_help = "Each wrong solution drawn over the right one: hodograph draw SCENE --figure attempts -o attempts.svg"
 )]
 pub struct AttemptsArgs {

@@ -24,6 +24,7 @@ use super::cognates;
 use super::composite;
 use super::curvature;
 use super::inversions;
+use super::loops;
 use super::mechanism::Overlay;
 use super::sheet::SheetOptions;
 use hodograph_paper::paper::item::Figure;
@@ -60,6 +61,7 @@ pub const LIST: &[&FigureEntry] = &[
     &cam::ENTRY,
     &groups::ENTRY,
     &composite::ENTRY,
+    &loops::ENTRY,
     &attempts::ENTRY,
     &curvature::ENTRY,
     &curvature::CENTRODES,

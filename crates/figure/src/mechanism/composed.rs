@@ -18,7 +18,7 @@ use super::{MechanismDraft, SeriesFeatures};
 pub const SHORTEST_MM: f64 = 0.4;
 
 /// Colour of bars in the background of the vectors.
-const BARS: Colour = Colour::grey(165);
+pub(super) const BARS: Colour = Colour::grey(165);
 
 /// A vector on paper.
 #[derive(Clone, Debug, PartialEq)]

@@ -6,7 +6,8 @@
 //! points of triads, [`supports`] chooses the side of a pivot's support, [`swings`] draws swinging
 //! blocks, [`crosses`] blocks in two slots, [`dimensions`] the given lengths, [`directions`] guides
 //! that tables call t, [`letters`] numbers and letters, [`overlay`] everything over and behind the
-//! mechanism, [`composed`] the vectors of a composite motion. Links and points without a position
+//! mechanism, [`composed`] the vectors of a composite motion,
+//! [`looped`] closed vectors. Links and points without a position
 //! are left out.
 
 mod apart;
@@ -18,6 +19,7 @@ pub(crate) mod dimensions;
 mod directions;
 mod form;
 mod letters;
+mod looped;
 mod marks;
 mod overlay;
 mod parted;
@@ -43,6 +45,7 @@ use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
 
 pub use apart::{MechanismPiece, apart, links};
+pub use looped::{LoopArrow, looped};
 pub use overlay::{Overlay, PointTrack, overlaid};
 
 /// Two places closer than this on paper are one: a tenth of a link's width.

@@ -1,0 +1,241 @@
+//! The analytic method, written out: closed loops of vectors, their real and imaginary parts, the
+//! unknowns of each Assur group in closed form, and the derivatives by time.
+//!
+//! The links and joints form a graph ([`graph`]); each group closes its loops of vectors
+//! ([`vectors`]). Groups are solved in order ([`solve`]): the positions of a dyad by elimination,
+//! velocities and accelerations by projection onto the direction that removes the other unknown;
+//! groups with several loops by the matrix of their equations. Every formula carries the values of
+//! its symbols ([`formula`]), and its result is the one that later formulas use. Of the positions
+//! only the assembly is taken, and the unknowns of groups that have no closed form.
+//!
+//! # Source
+//! The method of complex numbers: 孙桓等, 机械原理; R. L. Norton, *Design of Machinery*.
+
+mod formula;
+mod graph;
+mod solve;
+mod vectors;
+
+pub use formula::{Formula, UnaryFunction};
+pub use vectors::{LoopVariable, LoopVector, VectorAngle, VectorSize};
+
+use graph::Graph;
+use hodograph_base::diag::{Diagnostic, Faults, Warned, both};
+use hodograph_base::linear::LinearSystem;
+use hodograph_mechanism::mechanism::Mechanism;
+use hodograph_mechanism::position::Configuration;
+use hodograph_scene::{Kind, LinkId, Scene};
+use hodograph_worked::worked::{Scope, work};
+use nalgebra::{DMatrix, DVector};
+use solve::GroupEquations;
+use vectors::VectorMaker;
+
+/// Returns the quantity of a variable's derivative.
+fn kind_of(angular: bool, order: usize) -> Kind {
+    match (angular, order) {
+        (true, 0) => Kind::Angle,
+        (true, 1) => Kind::Omega,
+        (true, _) => Kind::Alpha,
+        (false, 0) => Kind::Length,
+        (false, 1) => Kind::Velocity,
+        (false, _) => Kind::Acceleration,
+    }
+}
+
+/// An equation between two formulas.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Equation {
+    /// The left side; a single symbol for a quantity that the equation gives.
+    pub left: Formula,
+    /// The right side.
+    pub right: Formula,
+    /// The quantity of both sides; `None` for a product of two lengths.
+    pub kind: Option<Kind>,
+}
+
+impl Equation {
+    fn new(left: Formula, right: Formula, kind: impl Into<Option<Kind>>) -> Equation {
+        Equation { left, right, kind: kind.into() }
+    }
+}
+
+/// The closed form of a group's positions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PositionForm {
+    /// Two unknown angles: A cos φ + B sin φ + C = 0.
+    TwoAngles,
+    /// An unknown angle and a distance along a known direction.
+    AngleAndLength,
+    /// A distance along a link of unknown angle.
+    SlottedLever,
+    /// Two distances along known directions.
+    TwoLengths,
+    /// No closed form is written out, or the pose is so near a dead centre that it loses its digits:
+    /// Newton's method.
+    Newton,
+}
+
+/// A linear system A x = b of the derivatives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoopMatrix {
+    /// The rows of A: real and imaginary part of each loop.
+    pub rows: Vec<Vec<f64>>,
+    /// The right side b.
+    pub right: Vec<f64>,
+}
+
+/// The largest condition number (1-norm) of a matrix whose solution is printed: beyond it, the
+/// rounding errors of the pose reach the printed digits of accelerations.
+const WORST_CONDITION: f64 = 1e4;
+
+impl LoopMatrix {
+    /// Returns the solution; `None` for a matrix that is singular or nearly so. Each column is
+    /// measured in its unit.
+    fn solution(&self, units: &[f64]) -> Option<Vec<f64>> {
+        let n = self.right.len();
+        let scaled = DMatrix::from_fn(n, n, |r, c| self.rows[r][c] / units[c]);
+        let norm = |m: &DMatrix<f64>| m.column_iter().map(|c| c.lp_norm(1)).fold(0.0, f64::max);
+        let system = LinearSystem::new(scaled);
+        let columns: Option<Vec<_>> = (0..n)
+            .map(|k| system.solve(&DVector::from_fn(n, |r, _| f64::from(u8::from(r == k)))))
+            .collect();
+        let inverse = DMatrix::from_columns(&columns?);
+        if !(norm(system.matrix()) * norm(&inverse) <= WORST_CONDITION) {
+            return None;
+        }
+        let solution = system.solve(&DVector::from_vec(self.right.clone()))?;
+        Some(solution.iter().zip(units).map(|(x, unit)| x / unit).collect())
+    }
+}
+
+/// One group: its loops and their solution.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GroupLoops {
+    /// The group, an index into [`Mechanism::groups`].
+    pub group: usize,
+    /// The links.
+    pub links: Vec<LinkId>,
+    /// The kind, such as RRR ([`hodograph_mechanism::mechanism::Group::kind`]).
+    pub kind: String,
+    /// The loops.
+    pub loops: Vec<Vec<LoopVector>>,
+    /// The unknowns, as indices into [`Loops::variables`].
+    pub unknowns: Vec<usize>,
+    /// Real and imaginary part of each loop.
+    pub closures: Vec<Equation>,
+    /// The form of the positions.
+    pub form: PositionForm,
+    /// The positions, in the order of calculation; empty for Newton's method.
+    pub position: Vec<Equation>,
+    /// The matrix of the velocities.
+    pub velocity: LoopMatrix,
+    /// Velocities by projection; empty for a group with several loops.
+    pub velocities: Vec<Equation>,
+    /// The matrix of the accelerations.
+    pub acceleration: LoopMatrix,
+    /// Accelerations by projection; empty for a group with several loops.
+    pub accelerations: Vec<Equation>,
+}
+
+/// The loops of a mechanism with their solution.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Loops {
+    /// The variables, with their values and derivatives.
+    pub variables: Vec<LoopVariable>,
+    /// The groups in the order of solution.
+    pub groups: Vec<GroupLoops>,
+}
+
+/// Finds the loops of a scene and solves them.
+///
+/// # Errors
+/// `loops` for pairs that no closed vectors describe and for groups that they do not determine; the
+/// faults of [`work`].
+pub fn loops(scene: &Scene) -> Result<Warned<Loops>, Faults> {
+    let Warned { value: worked, notes } = work(scene, Scope::Figure)?;
+    let value = placed(scene, &worked.mechanism, &worked.configuration)?;
+    Ok(Warned { value, notes })
+}
+
+/// Finds the loops of a mechanism in its pose and solves them.
+///
+/// # Errors
+/// As [`loops`].
+pub fn placed(scene: &Scene, m: &Mechanism, at: &Configuration) -> Result<Loops, Diagnostic> {
+    let graph = Graph::of(scene)?;
+    let mut maker = VectorMaker::new(scene, at, &graph);
+    let mut groups: Vec<GroupLoops> = Vec::new();
+    let mut solved: Vec<bool> = Vec::new();
+    for cycles in graph.cycles(scene, m) {
+        let group = &m.groups[cycles.group];
+        let found: Option<Vec<_>> = cycles.cycles.iter().map(|c| maker.vectors(c)).collect();
+        let vectors = found.ok_or_else(|| open(scene, &group.links))?;
+        solved.resize(maker.variables.len(), false);
+        let mut unknowns = Vec::new();
+        let used = vectors.iter().flatten().flat_map(|v| {
+            let size = match v.size {
+                VectorSize::Variable(k) => Some(k),
+                VectorSize::Fixed(..) => None,
+            };
+            v.angle.variable.into_iter().chain(size)
+        });
+        for k in used {
+            let driver = maker.variables[k].driver;
+            if let (Some(d), false) = (driver, solved[k]) {
+                let [rate, second] = maker.rates(d);
+                (maker.variables[k].rate, maker.variables[k].second) = (rate, second);
+                solved[k] = true;
+            }
+            if !solved[k] && !unknowns.contains(&k) {
+                unknowns.push(k);
+            }
+        }
+        if unknowns.len() != 2 * vectors.len() {
+            return Err(open(scene, &group.links));
+        }
+        let mut equations =
+            GroupEquations { variables: &mut maker.variables, loops: &vectors, unknowns };
+        let closures = vectors.iter().flat_map(|v| equations.closure(v)).collect();
+        let (form, position) =
+            equations.sound_positions().unwrap_or((PositionForm::Newton, Vec::new()));
+        let singular = || open(scene, &group.links);
+        let velocity = equations.by_matrix(1).ok_or_else(singular)?;
+        let velocities = equations.by_projection(1).unwrap_or_default();
+        let acceleration = equations.by_matrix(2).ok_or_else(singular)?;
+        let accelerations = equations.by_projection(2).unwrap_or_default();
+        let unknowns = std::mem::take(&mut equations.unknowns);
+        unknowns.iter().for_each(|k| solved[*k] = true);
+        groups.push(GroupLoops {
+            group: cycles.group,
+            links: group.links.clone(),
+            kind: group.kind(),
+            loops: vectors,
+            unknowns,
+            closures,
+            form,
+            position,
+            velocity,
+            velocities,
+            acceleration,
+            accelerations,
+        });
+    }
+    Ok(Loops { variables: maker.variables, groups })
+}
+
+/// The fault of a group that its loops do not determine, or not to the printed digits.
+fn open(scene: &Scene, links: &[LinkId]) -> Diagnostic {
+    let names: Vec<&str> = links.iter().map(|l| scene.link_name(*l)).collect();
+    let names = names.join(", ");
+    Diagnostic::error(
+        "loops",
+        both!(
+            "the vector loops do not determine the group of links {names} in this pose: it is at a dead centre or near one",
+            "封闭矢量多边形在此位置不能确定构件 {names} 的杆组：机构处于或接近死点"
+        ),
+    )
+    .help(both!(
+        "`hodograph solve` answers there, with the number of true digits; or choose another pose",
+        "`hodograph solve` 可在该处求解并给出正确位数；或另选位置"
+    ))
+}
