@@ -35,7 +35,7 @@ fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
         let options = w.options;
         let part = looped(&options.style, w.scene, w.worked, &options.notation, &arrows);
         let mu = maker.caption(DiagramKind::Plane).1;
-        let part = maker.titled(part, Label::math(&closed(&all, of)), &mu, ENTRY.name);
+        let part = maker.titled(part, Label::math(closed(&all, of)), &mu, ENTRY.name);
         let number = if loops.len() > 1 { format!("-{}", k + 1) } else { String::new() };
         pages.push((format!("{}{number}", ENTRY.name), maker.alone(part)));
     }

@@ -173,7 +173,7 @@ impl Formula {
             Formula::Square(a) => a.value() * a.value(),
             Formula::Call(UnaryFunction::Cos, a) => cos(a.value()),
             Formula::Call(UnaryFunction::Sin, a) => sin(a.value()),
-            Formula::Call(UnaryFunction::Arcsin, a) => asin(a.value().max(-1.0).min(1.0)),
+            Formula::Call(UnaryFunction::Arcsin, a) => asin(a.value().clamp(-1.0, 1.0)),
             Formula::Call(UnaryFunction::Arctan, a) => atan(a.value()),
             Formula::Direction { x, y } => atan2(y.value(), x.value()),
         }

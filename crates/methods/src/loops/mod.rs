@@ -100,7 +100,8 @@ impl LoopMatrix {
             .map(|k| system.solve(&DVector::from_fn(n, |r, _| f64::from(u8::from(r == k)))))
             .collect();
         let inverse = DMatrix::from_columns(&columns?);
-        if !(norm(system.matrix()) * norm(&inverse) <= WORST_CONDITION) {
+        let condition = norm(system.matrix()) * norm(&inverse);
+        if condition.is_nan() || condition > WORST_CONDITION {
             return None;
         }
         let solution = system.solve(&DVector::from_vec(self.right.clone()))?;

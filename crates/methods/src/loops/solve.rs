@@ -167,7 +167,7 @@ impl<'a> GroupEquations<'a> {
                                 Formula::Number(_, 0.0)
                             )
                         };
-                        if offsets.len() > 1 || !offsets.iter().all(|v| square(v)) {
+                        if offsets.len() > 1 || !offsets.iter().all(square) {
                             return None;
                         }
                         self.slotted(
@@ -460,10 +460,10 @@ impl<'a> GroupEquations<'a> {
             let theta = angle_of(self.variables, v);
             let direction = Vec2::new(cos(theta), sin(theta));
             if v.angle.variable == Some(k) {
-                sum = sum + direction.perp() * (sign * length_of(self.variables, v));
+                sum += direction.perp() * (sign * length_of(self.variables, v));
             }
             if v.size == VectorSize::Variable(k) {
-                sum = sum + direction * sign;
+                sum += direction * sign;
             }
         }
         [sum.x, sum.y]
@@ -480,9 +480,9 @@ impl<'a> GroupEquations<'a> {
             let theta = angle_of(self.variables, v);
             let direction = Vec2::new(cos(theta), sin(theta));
             let normal = -length_of(self.variables, v) * omega * omega;
-            sum = sum + direction * (sign * normal);
+            sum += direction * (sign * normal);
             if let VectorSize::Variable(k) = v.size {
-                sum = sum + direction.perp() * (sign * 2.0 * self.variables[k].rate * omega);
+                sum += direction.perp() * (sign * 2.0 * self.variables[k].rate * omega);
             }
         }
         [sum.x, sum.y]
