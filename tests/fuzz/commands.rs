@@ -6,7 +6,7 @@ use serde_json::Value as Json;
 use std::fs;
 
 /// Commands on `s.json`, with few steps: many inputs find more than long ones.
-const COMMANDS: [&str; 20] = [
+const COMMANDS: [&str; 21] = [
     "solve s.json --steps",
     "curves s.json --steps 24 -o c.svg",
     "draw s.json --format svg -o out/",

@@ -9,8 +9,20 @@ use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::words::Words;
 use hodograph_scene::quantity::combined::halves_of;
 use hodograph_scene::quantity::{Asked, Of, OverSign};
-use hodograph_scene::{Book, DiagramKind, Find, Kind};
+use hodograph_scene::{Book, DiagramKind, Find, Kind, Scene};
 use hodograph_worked::certified::ladder::{AnswerPart, Certified};
+
+/// Returns the length unit of tables: the book's, else the scene's; its name, and the number of
+/// units per metre.
+pub(super) fn length_unit(scene: &Scene) -> (String, f64) {
+    match scene.book.chosen(Kind::Length) {
+        Some(unit) => (unit.name().to_owned(), unit.of(1.0)),
+        None => {
+            let unit = scene.length_unit;
+            (unit.name.to_owned(), unit.denominator / unit.numerator)
+        }
+    }
+}
 
 /// Returns the symbol of a question: `vr_B2B3` → `v^{r}_{B2B3}`.
 pub fn symbol(find: &Find, notation: &Notation) -> String {

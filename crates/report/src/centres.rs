@@ -1,5 +1,6 @@
 //! Instantaneous centres as a table: construction, position, and the velocities derived from them.
 
+use super::amount::length_unit;
 use super::columns::columns;
 use super::drafting;
 use super::writing::PointForm;
@@ -94,21 +95,9 @@ impl<'a> CentreWords<'a> {
         }
     }
 
-    /// Returns the length unit of the table: the book's, else the scene's; its name, and the number
-    /// of units per metre.
-    fn unit(&self) -> (String, f64) {
-        match self.scene.book.chosen(Kind::Length) {
-            Some(unit) => (unit.name().to_owned(), unit.of(1.0)),
-            None => {
-                let unit = self.scene.length_unit;
-                (unit.name.to_owned(), unit.denominator / unit.numerator)
-            }
-        }
-    }
-
     /// Returns a length in that unit.
     pub fn length(&self, m: f64) -> String {
-        let (name, per_metre) = self.unit();
+        let (name, per_metre) = length_unit(self.scene);
         let m =
             if m.abs() <= ROUNDING * self.found.worked.configuration.extent() { 0.0 } else { m };
         format!("{} {name}", legible(m * per_metre, DIGITS))
@@ -116,7 +105,7 @@ impl<'a> CentreWords<'a> {
 
     fn table(&self) -> Vec<Vec<String>> {
         let lang = self.lang;
-        let (unit, per_metre) = self.unit();
+        let (unit, per_metre) = length_unit(self.scene);
         let size = self.found.worked.configuration.extent();
         let far = |c: &Centre| c.place.and_then(|p| p.point()).map_or(0.0, |p| p.to_vec2().norm());
         let number = |x: f64, c: &Centre| {

@@ -1,6 +1,7 @@
 //! The analytic method written out: the loops of each group, their equations and unknowns, as text
 //! and JSON.
 
+use super::amount::length_unit;
 use super::columns::columns;
 use hodograph_base::digits::legible;
 use hodograph_methods::loops::{
@@ -53,7 +54,7 @@ impl<'a> LoopWords<'a> {
     fn given(&self, v: &LoopVariable) -> String {
         let of = |order: usize| {
             let symbol = v.symbol(order);
-            let number = self.number(Some(kind(v, order)), symbol.value());
+            let number = self.number(Some(v.kind(order)), symbol.value());
             format!("{} = {number}", plain(&symbol.text()))
         };
         [0, 1, 2].map(of).join(", ")
@@ -168,7 +169,7 @@ impl<'a> LoopWords<'a> {
     fn value(&self, k: usize, order: usize) -> String {
         let v = &self.all.variables[k];
         let symbol = v.symbol(order);
-        format!("{} = {}", plain(&symbol.text()), self.number(Some(kind(v, order)), symbol.value()))
+        format!("{} = {}", plain(&symbol.text()), self.number(Some(v.kind(order)), symbol.value()))
     }
 
     fn matrix(&self, m: &LoopMatrix, unknowns: &[usize], order: usize) -> Vec<String> {
@@ -184,7 +185,7 @@ impl<'a> LoopWords<'a> {
         let row = |v: &LoopVariable| {
             let cell = |order: usize| {
                 let symbol = v.symbol(order);
-                let number = self.number(Some(kind(v, order)), symbol.value());
+                let number = self.number(Some(v.kind(order)), symbol.value());
                 format!("{} = {number}", plain(&symbol.text()))
             };
             [0, 1, 2].map(cell).to_vec()
@@ -197,13 +198,7 @@ impl<'a> LoopWords<'a> {
     fn number(&self, kind: Option<Kind>, si: f64) -> String {
         let book = &self.scene.book;
         let tidy = |x: f64| if x.abs() < ROUNDING { 0.0 } else { x };
-        let (name, per_metre) = match book.chosen(Kind::Length) {
-            Some(unit) => (unit.name().to_owned(), unit.of(1.0)),
-            None => {
-                let unit = self.scene.length_unit;
-                (unit.name.to_owned(), unit.denominator / unit.numerator)
-            }
-        };
+        let (name, per_metre) = length_unit(self.scene);
         match kind {
             Some(Kind::Length) => format!("{} {name}", legible(tidy(si) * per_metre, DIGITS)),
             None => format!("{} {name}²", legible(tidy(si) * per_metre * per_metre, DIGITS)),
@@ -215,17 +210,6 @@ impl<'a> LoopWords<'a> {
 
 /// Numbers below this (SI) are rounding errors.
 const ROUNDING: f64 = 1e-13;
-
-fn kind(v: &LoopVariable, order: usize) -> Kind {
-    match (v.angular, order) {
-        (true, 0) => Kind::Angle,
-        (true, 1) => Kind::Omega,
-        (true, _) => Kind::Alpha,
-        (false, 0) => Kind::Length,
-        (false, 1) => Kind::Velocity,
-        (false, _) => Kind::Acceleration,
-    }
-}
 
 fn plain(label: &str) -> String {
     Label::math(label).plain()

@@ -85,7 +85,7 @@ fn fuzz_journals() {
         (PIECES as u64 - 2, 0, ((PIECES - 2) * ROWS) as u64)
     );
     go_on(&mut part, PIECES);
-    part.finish(&format(), &[]).unwrap();
+    part.finish(&format(), &[], JournalAfter::Removed).unwrap();
     drop(part);
     let whole = std::fs::read(&out).unwrap();
 
@@ -108,7 +108,7 @@ fn fuzz_journals() {
             Ok(mut part) => {
                 kept += part.done;
                 go_on(&mut part, PIECES);
-                part.finish(&format(), &[]).unwrap();
+                part.finish(&format(), &[], JournalAfter::Removed).unwrap();
                 assert_eq!(
                     (part.rows, part.missing),
                     ((PIECES * ROWS) as u64, PIECES as u64),

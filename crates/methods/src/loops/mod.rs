@@ -30,18 +30,6 @@ use nalgebra::{DMatrix, DVector};
 use solve::GroupEquations;
 use vectors::VectorMaker;
 
-/// Returns the quantity of a variable's derivative.
-fn kind_of(angular: bool, order: usize) -> Kind {
-    match (angular, order) {
-        (true, 0) => Kind::Angle,
-        (true, 1) => Kind::Omega,
-        (true, _) => Kind::Alpha,
-        (false, 0) => Kind::Length,
-        (false, 1) => Kind::Velocity,
-        (false, _) => Kind::Acceleration,
-    }
-}
-
 /// An equation between two formulas.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equation {

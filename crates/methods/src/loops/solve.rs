@@ -3,7 +3,7 @@
 
 use super::formula::{Formula, UnaryFunction};
 use super::vectors::{AngleDifference, LoopVariable, LoopVector, VectorAngle, VectorSize};
-use super::{Equation, LoopMatrix, PositionForm, kind_of};
+use super::{Equation, LoopMatrix, PositionForm};
 use hodograph_base::geom::Vec2;
 use hodograph_base::kind::Kind;
 use libm::{cos, sin};
@@ -190,7 +190,7 @@ impl<'a> GroupEquations<'a> {
         let v = &mut self.variables[k];
         let value = formula.value();
         v.value = if v.angular { nearest_turn(value, v.value) } else { value };
-        steps.push(Equation::new(v.symbol(0), formula, kind_of(v.angular, 0)));
+        steps.push(Equation::new(v.symbol(0), formula, v.kind(0)));
     }
 
     /// Adds an intermediate quantity and returns its symbol.
@@ -427,7 +427,7 @@ impl<'a> GroupEquations<'a> {
             } else {
                 v.second = value
             }
-            out.push(Equation::new(v.symbol(order), formula, kind_of(v.angular, order)));
+            out.push(Equation::new(v.symbol(order), formula, v.kind(order)));
         }
         Some(out)
     }

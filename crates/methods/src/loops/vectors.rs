@@ -6,7 +6,7 @@ use hodograph_base::digits::significant;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::plan::names::name_label;
 use hodograph_mechanism::position::{Configuration, Path};
-use hodograph_scene::{Driver, GuideId, GuidePath, LinkId, PointId, Scene};
+use hodograph_scene::{Driver, GuideId, GuidePath, Kind, LinkId, PointId, Scene};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A quantity that changes with the motion.
@@ -42,6 +42,18 @@ enum SlideCarrier {
 }
 
 impl LoopVariable {
+    /// Returns the quantity of the variable (order 0) or of a derivative by time.
+    pub fn kind(&self, order: usize) -> Kind {
+        match (self.angular, order) {
+            (true, 0) => Kind::Angle,
+            (true, 1) => Kind::Omega,
+            (true, _) => Kind::Alpha,
+            (false, 0) => Kind::Length,
+            (false, 1) => Kind::Velocity,
+            (false, _) => Kind::Acceleration,
+        }
+    }
+
     /// Returns the variable (order 0) or a derivative by time as a symbol.
     pub fn symbol(&self, order: usize) -> Formula {
         let letter = match (self.angular, self.along, order) {
