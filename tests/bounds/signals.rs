@@ -15,8 +15,8 @@ use std::time::{Duration, Instant};
 const MOST_S: f64 = 1.5;
 /// Deadline on a machine under any load.
 const DEADLINE: Duration = Duration::from_secs(60);
-/// Commands that take at most a second with any input.
-pub const AT_ONCE: [&str; 5] = ["new", "templates", "schema", "explain", "diff"];
+/// Commands that take at most a second with any scene; `shards` reads as much as there is.
+pub const AT_ONCE: [&str; 6] = ["new", "templates", "schema", "explain", "diff", "shards"];
 
 /// Every command at a size that takes it seconds (or its longest possible time): its arguments, and
 /// the scene.
