@@ -6,7 +6,7 @@
 
 use super::args::BatchArgs as Args;
 use super::part::PartialTable;
-use super::sweep::{ask, driver_of, stations, within};
+use super::sweep::{ask, stations, within};
 use super::target::unwritable;
 use super::values::BatchFormat;
 use super::{
@@ -15,6 +15,7 @@ use super::{
 };
 use crate::diag::{Diagnostic, Faults, Span, both};
 use crate::mechanism::Mechanism;
+use crate::problem::range::driver_of;
 use crate::report::table::{GENERATOR, RowFormat, TableHead, TablePiece};
 use crate::sweep::PlacedScene;
 use crate::sweep::batch::{Batch, Block, ParameterChoice};

@@ -4,12 +4,12 @@
 use super::args::PathArgs;
 use super::draw::{points_named, style_of};
 use super::places::{once, places};
-use super::sweep::swept_of;
 use super::values::FigureFormat;
 use super::{CommandResult, Failure, SceneInput, choices, files};
 use crate::diag::Warned;
 use crate::figure::path::{MARKS, PathContent, figure};
 use crate::figure::sheet::SheetOptions;
+use crate::problem::range::swept_of;
 use crate::worked::Scope;
 use std::process::ExitCode;
 

@@ -12,6 +12,7 @@
 
 mod live;
 mod motion;
+pub mod range;
 mod scene;
 mod task;
 pub mod templates;
