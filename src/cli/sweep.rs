@@ -202,7 +202,7 @@ impl SceneInput {
     pub(super) fn out_of_range(&self, fault: RangeFault) -> Failure {
         match fault {
             RangeFault::Scene(faults) => self.failed(faults),
-            RangeFault::Values(all) => Failure::Input(all.into_iter().map(Into::into).collect()),
+            RangeFault::Values(all) => Failure::of_values(all),
         }
     }
 }
@@ -213,9 +213,16 @@ impl From<WrongValue> for SourceFaults {
     }
 }
 
+impl Failure {
+    /// Returns the failure for faults of arguments.
+    pub(super) fn of_values(all: Vec<WrongValue>) -> Failure {
+        Failure::Input(all.into_iter().map(Into::into).collect())
+    }
+}
+
 impl From<WrongValue> for Failure {
     fn from(wrong: WrongValue) -> Failure {
-        Failure::Input(vec![wrong.into()])
+        Failure::of_values(vec![wrong])
     }
 }
 

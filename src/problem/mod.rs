@@ -12,6 +12,7 @@
 
 mod live;
 mod motion;
+mod pictures;
 pub mod range;
 mod scene;
 mod task;
@@ -34,6 +35,7 @@ use crate::worksheet::{Document, WorksheetSides};
 use serde_json::{Value as Json, json};
 
 pub use live::{Live, PageDelta};
+pub use pictures::{Additions, extras, points_named};
 pub use scene::whole_motion;
 pub use task::included;
 pub use wish::{Kind, Wish};

@@ -25,10 +25,10 @@ pub struct SweptRange<'a> {
     pub steps: Option<usize>,
 }
 
-/// Faults of a value of a range.
+/// Faults of a value of a request.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WrongValue {
-    /// The value: `over`, `from` or `to`.
+    /// The value, such as `over` or `from`.
     pub of: &'static str,
     /// Its text, to which the places of the faults refer.
     pub text: String,
@@ -46,7 +46,7 @@ pub enum RangeFault {
 }
 
 impl WrongValue {
-    fn new(of: &'static str, text: &str, faults: impl Into<Faults>) -> WrongValue {
+    pub(super) fn new(of: &'static str, text: &str, faults: impl Into<Faults>) -> WrongValue {
         let whole = (!text.is_empty()).then(|| Span::new(0, text.len()));
         let mut faults = faults.into();
         for d in &mut faults.list {
