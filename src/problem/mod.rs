@@ -327,6 +327,8 @@ pub struct Answer {
     pub symbol: String,
     /// The SI unit.
     pub unit: &'static str,
+    /// True if the sign of the value is a sense of rotation, positive counter-clockwise.
+    pub turns: bool,
     /// The value (SI); `None` if the question has no answer.
     pub value: Option<AnswerValue>,
     /// Text of the value with its certified digits, in the unit of the file, with sense or

@@ -4,6 +4,7 @@
 
 use super::whole::STEPS;
 use crate::diag::{Both, Diagnostic, Faults, Span, both};
+use crate::kind::Kind;
 use crate::scene::{Angle, Scene, Swept, edit};
 use crate::sweep::long::LongSweep;
 use crate::sweep::pieces::SweepPieces;
@@ -272,4 +273,19 @@ fn bounds<T>(
         read(text).map_err(|faults| wrong.push(WrongValue::new(of, text, faults))).ok()
     });
     if wrong.is_empty() { Ok(both) } else { Err(RangeFault::Values(wrong)) }
+}
+
+/// Returns the unit of the scene in which each column is printed, with the number of these units in
+/// one SI unit.
+pub fn book_units(scene: &Scene, columns: &[(String, &'static str)]) -> Vec<(String, f64)> {
+    let kind = |(name, unit): &(String, &'static str)| {
+        let question = name.strip_suffix(".x").or(name.strip_suffix(".y")).unwrap_or(name);
+        let asked = scene.find.iter().find(|f| f.text == question).map(|f| f.what.kind());
+        asked.or_else(|| Kind::ALL.into_iter().find(|kind| kind.si() == *unit))
+    };
+    let told = |column: &(String, &'static str)| match kind(column) {
+        Some(kind) => (scene.book.name(kind).to_owned(), scene.book.value(kind, 1.0)),
+        None => (column.1.to_owned(), 1.0),
+    };
+    columns.iter().map(told).collect()
 }
