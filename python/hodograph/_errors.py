@@ -96,7 +96,7 @@ class InternalError(RuntimeError):
 
 
 _ARGUMENTS = {"drafting", "find", "from", "over", "path", "set", "style", "to", "vectors", "width"}
-_OPTIONS = {"digits", "format", "id-prefix", "lang", "no-figure", "notation", "unknown-style", "template"}
+_OPTIONS = {"digits", "format", "id-prefix", "lang", "no-figure", "notation", "unknown-style", "unknown-template"}
 
 
 def made(document: str, en: str, zh: str) -> HodographError:

@@ -31,7 +31,7 @@ class Live:
 
     def drag(self, values: float | Sequence[float]) -> Live:
         """Draws the figures for positions of the drivers (rad or m)."""
-        given = [float(values)] if isinstance(values, (int, float)) else [float(v) for v in values]
+        given = [values] if isinstance(values, (int, float)) else list(values)
         self._pages = dict(self._native.redraw(given))
         return self
 

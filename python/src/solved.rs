@@ -222,7 +222,8 @@ impl Problem {
                 let mut values = vec![Vec::with_capacity(count); columns.len()];
                 for from in (0..count).step_by(step) {
                     let to = count.min(from + step);
-                    let piece = pieces.piece(from..to, &stop).unwrap_or_default();
+                    // Without a piece the work is stopped, and the rows are of no use.
+                    let Some(piece) = pieces.piece(from..to, &stop) else { break };
                     values.iter_mut().zip(piece).for_each(|(all, part)| all.extend(part));
                     progress.done.store(to as u64, Ordering::Relaxed);
                 }
