@@ -10,6 +10,7 @@
   a mechanism; `read` takes a file of any kind, `template` and `templates` give examples.
 - `Scene.solve` returns the `Answers`; `figure`, `worksheet` and `lesson` draw and write.
 - `Scene.sweep` returns a `Table` with the answers over a whole motion, in NumPy columns.
+- `batch` solves many mechanisms whose parameters vary.
 - `Scene.live` and `Scene.widget` show figures that move with the driver.
 
 Numbers are SI (m, m/s, m/s², rad, N, N·m). Bare numbers given to a scene have its own units.
@@ -17,6 +18,7 @@ Faults are exceptions (`HodographError`, a `ValueError`) that show the place in 
 """
 
 from ._answers import Answer, Answers, Design
+from ._batch import batch
 from ._errors import (
     ArgumentError,
     Diagnostic,
@@ -53,6 +55,7 @@ __all__ = [
     "Task",
     "Template",
     "Worksheet",
+    "batch",
     "figures",
     "read",
     "schema",

@@ -95,7 +95,7 @@ class InternalError(RuntimeError):
     """An error of hodograph itself."""
 
 
-_ARGUMENTS = {"drafting", "find", "from", "over", "path", "set", "style", "to", "vectors", "width"}
+_ARGUMENTS = {"drafting", "find", "from", "over", "path", "set", "style", "to", "vary", "vectors", "width"}
 _OPTIONS = {"digits", "format", "id-prefix", "lang", "no-figure", "notation", "unknown-style", "unknown-template"}
 
 

@@ -25,6 +25,18 @@ class Problem:
         find: str | None,
         tell: Callable[[int, int], None] | None,
     ) -> Table: ...
+    def batch(
+        self,
+        vary: list[str],
+        random: int | None,
+        seed: int,
+        over: str | None,
+        from_: str | None,
+        to: str | None,
+        steps: int | None,
+        find: str | None,
+        tell: Callable[[int, int], None] | None,
+    ) -> Table: ...
     def curves(self, look_of: Look) -> list[tuple[str, Picture]]: ...
 
 class Solved:

@@ -48,6 +48,11 @@ def _words(value: Any) -> str | None:
     return None if value is None else _quantity("a value", value)[1]
 
 
+def _millimetres(width: Any) -> str | None:
+    text = _words(width)
+    return text if width is None or isinstance(width, str) else f"{text} mm"
+
+
 def _listed(names: str | Iterable[str] | None) -> list[str]:
     if names is None:
         return []
@@ -172,7 +177,7 @@ class Problem:
             drafting=_drafting(drafting),
         )
         look = _look(lang, notation, style, digits)
-        pages = native.figures(names, look, steps, _words(width), vectors, dimensions, poses, points)
+        pages = native.figures(names, look, steps, _millimetres(width), vectors, dimensions, poses, points)
         return Figure(pages)
 
     def worksheet(
@@ -214,7 +219,7 @@ class Problem:
         `over` names the driver; `reveal` gives a fragment for slides, `width` its width (mm).
         """
         native = self._solution(figures=True, whole_motion=not reveal, candidate=_index(candidate))
-        return Lesson(native.lesson(over, positions, reveal, _words(width), _look(lang, notation, style)))
+        return Lesson(native.lesson(over, positions, reveal, _millimetres(width), _look(lang, notation, style)))
 
     def _repr_svg_(self) -> str | None:
         try:
@@ -227,7 +232,7 @@ class Problem:
         return f"<hodograph.{type(self).__name__}{': ' + self._name if self._name != 'input' else ''}>"
 
     def __eq__(self, other: object) -> bool:
-        return type(other) is type(self) and self._text == cast(Problem, other)._text
+        return isinstance(other, Problem) and type(other) is type(self) and self._text == other._text
 
     def __hash__(self) -> int:
         return hash(self._text)
@@ -254,7 +259,7 @@ class Scene(Problem):
     ...     "lengths": {"AB": "100 mm", "BC": "250 mm", "CD": "200 mm", "AD": "300 mm"},
     ...     "driver": {"link": "1", "angle": "60 deg", "omega": "10 rad/s"}, "find": ["omega_3"]})
     >>> s.solve()
-    omega_3 = 2.45074 rad/s counter-clockwise
+    omega_3 = 2.91596 rad/s counter-clockwise
     """
 
     _kind = "scene"

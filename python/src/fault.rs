@@ -40,7 +40,9 @@ impl Refusal {
             Refusal::in_text(Faults { list: of_file }, name, source),
             Refusal::in_text(Faults { list: of_asked }, "find", asked),
         ];
-        Refusal(all.into_iter().flat_map(|r| r.0).filter(|p| !p.faults.list.is_empty()).collect())
+        let Refusal(mut all) = Refusal::all(all.into_iter());
+        all.retain(|p| !p.faults.list.is_empty());
+        Refusal(all)
     }
 
     /// Returns the refusal for faults of values of a request.
@@ -51,6 +53,11 @@ impl Refusal {
             source: text,
         };
         Refusal(all.into_iter().map(one).collect())
+    }
+
+    /// Returns several refusals as one.
+    pub fn all(all: impl Iterator<Item = Refusal>) -> Refusal {
+        Refusal(all.flat_map(|refusal| refusal.0).collect())
     }
 
     /// Returns the refusal for a range.

@@ -1,20 +1,23 @@
 //! The arguments of every command.
 
+mod batch;
 mod diff;
 mod motion;
 mod paths;
 mod reports;
 
 use super::values::{
-    BatchFormat, FaultFormat, FigureFormat, Language, PointVectors, SheetFormat, TableFormat,
-    TextFormat, digits, dpi, figures, length, seconds, steps,
+    FaultFormat, FigureFormat, Language, PointVectors, SheetFormat, TableFormat, TextFormat,
+    digits, dpi, figures, length, seconds, steps,
 };
 use crate::figure::list::{FigureEntry, USUAL};
+pub use batch::{BatchArgs, ShardsArgs, VariedArgs};
 use clap::{Args as ClapArgs, Parser, Subcommand};
 pub use diff::DiffArgs;
 pub use motion::{AnimateArgs, PathArgs, TravelArgs};
 pub use paths::{CurvatureArgs, InversionsArgs};
 pub use reports::{AttemptsArgs, CentresArgs, CompositeArgs, LimitsArgs, ReadingsArgs};
+use serde::{Deserialize, Serialize};
 
 /// Solves planar mechanisms the way they are solved at the drawing board.
 #[derive(Parser, Debug)]
@@ -23,7 +26,7 @@ pub use reports::{AttemptsArgs, CentresArgs, CompositeArgs, LimitsArgs, Readings
     version,
     about,
     max_term_width = 110,
-    after_help = "Start: hodograph new shaper > shaper.json && hodograph draw shaper.json -o out/\n\nExit codes: 0 done; 1 a file could not be written (of `diff`: the figures differ); 2 something is wrong with the scene; 3 drawing and analysis disagree (an error of ours); 4 done, but for answers that do not exist in the pose (dead centres)"
+    after_help = "Start: hodograph new shaper > shaper.json && hodograph draw shaper.json -o out/\n\nExit codes: 0 done; 1 a file could not be written (of `diff`: the figures differ; of `shards verify`: parts are missing or damaged); 2 something is wrong with the scene; 3 drawing and analysis disagree (an error of ours); 4 done, but for answers that do not exist in the pose (dead centres)"
 )]
 pub struct Args {
     /// Language of the output (default: the scene's, else en)
@@ -62,6 +65,8 @@ pub enum Command {
     /// Vary parameters over a grid or at random: many mechanisms, at one or many positions each,
     /// into one table (CSV, NumPy, Parquet)
     Batch(BatchArgs),
+    /// Check and join the parts of a batch that many machines or tasks compute (`batch --shard`)
+    Shards(ShardsArgs),
     /// Line diagrams: displacement, velocity, acceleration against the position of the driver or
     /// the time, extremes marked
     Curves(CurvesArgs),
@@ -354,7 +359,7 @@ pub struct AccuracyArgs {
 }
 
 /// A driver's or parameter's values, and what is asked at each.
-#[derive(ClapArgs, Debug)]
+#[derive(ClapArgs, Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RangeArgs {
     /// The variable: a driver (`driver`, `driver2`, `phi_1`, `s_B`, `l_BC`); for `sweep` and
     /// `curves` also `t`, the time: all drivers, each by its law or at its rate (default where the
@@ -463,28 +468,4 @@ pub struct CamArgs {
     /// Resolution of the PNG in dots per inch
     #[arg(long, default_value_t = 200.0, value_parser = dpi)]
     pub dpi: f64,
-}
-
-#[derive(ClapArgs, Debug)]
-pub struct BatchArgs {
-    #[command(flatten)]
-    pub common: CommonArgs,
-    /// A parameter and its values: NAME=FROM..TO:N; bare numbers keep the unit
-    #[arg(long, value_name = "NAME=FROM..TO:N", required = true)]
-    pub vary: Vec<String>,
-    /// Number of random mechanisms instead of every combination
-    #[arg(long, value_name = "N")]
-    pub random: Option<u64>,
-    /// Another seed gives other random mechanisms
-    #[arg(long, value_name = "S", default_value_t = 1)]
-    pub seed: u64,
-    #[command(flatten)]
-    pub range: RangeArgs,
-    /// Write to this file, ending in .csv, .npy or .parquet, or to `-`, standard output; an
-    /// interrupted run goes on where it was left
-    #[arg(short, long, value_name = "FILE")]
-    pub output: String,
-    /// Format where -o has no such ending (default of `-o -`: csv)
-    #[arg(long, value_enum, value_delimiter = ',', value_name = "FORMAT")]
-    pub format: Vec<BatchFormat>,
 }

@@ -2,56 +2,47 @@
 //!
 //! The rows go to a part file beside the output ([`PartialTable`]), which is renamed when all are
 //! written. An interrupted run leaves the part, and the same command continues from there. A file
-//! that cannot be written completely is removed: an output file is always complete.
+//! that cannot be written completely is removed: an output file is always complete. With `--shard`
+//! the batch is written as parts in a folder ([`shards`]).
 
-use super::args::BatchArgs as Args;
-use super::part::PartialTable;
+use super::args::{BatchArgs, VariedArgs};
+use super::part::{JournalAfter, PartialTable};
 use super::sweep::{ask, stations, within};
 use super::target::unwritable;
 use super::values::BatchFormat;
 use super::{
     CommandResult, Failure, SceneInput, SourceFaults, choices, errors, files, lang, long, places,
-    stop, tables,
+    shards, stop, tables,
 };
-use crate::diag::{Diagnostic, Faults, Span, both};
+use crate::diag::{Diagnostic, Faults, both};
 use crate::mechanism::Mechanism;
+use crate::problem::batch::{MOST_POSITIONS, block, head, notes, plan};
 use crate::problem::range::driver_of;
-use crate::report::table::{GENERATOR, RowFormat, TableHead, TablePiece};
+use crate::report::table::{GENERATOR, RowFormat, TablePiece};
+use crate::scene::Lang;
 use crate::sweep::PlacedScene;
 use crate::sweep::batch::{Batch, Block, ParameterChoice};
-use crate::sweep::vary::Variation;
+use indicatif::ProgressBar;
 use std::io;
+use std::ops::Range;
 use std::path::Path;
 
-/// Largest number of values of a parameter.
-const MOST_VALUES: usize = 10_000_000;
-/// Largest number of steps of each mechanism: all its rows are in memory at once, in each stage of
-/// the work; a dozen columns take some ten megabytes.
-const MOST_POSITIONS: usize = 100_000;
-
-/// Approximate number of values in a block: some megabytes, in Parquet a row group of some 100 000
-/// rows.
-const BLOCK: usize = 1 << 20;
-
-pub fn batch(a: Args) -> CommandResult {
-    let mut input = SceneInput::read(&a.common)?;
-    ask(&mut input, a.range.find.as_deref())?;
+/// Runs the command `batch`.
+pub fn batch(a: BatchArgs) -> CommandResult {
+    let input = SceneInput::read(&a.common)?;
+    let lang = choices(&input.scene, &a.common).0;
+    if let Some(shard) = a.shard {
+        let format = shards::format(&a.output, &a.format)?;
+        let run = BatchRun::new(input, a.varied, format, lang)?;
+        return shards::compute(&run, shard, a.per_part, Path::new(&a.output));
+    }
     let (format, output) = tables::place(&a.output, &a.format, BatchFormat::Csv)?;
-    let mechanism = Mechanism::new(&input.scene).map_err(|f| input.failed(f))?.value;
-    let batch = plan(&input, &mechanism, &a)?;
-    let (lang, _) = choices(&input.scene, &a.common);
-    let job = format!(
-        "{GENERATOR} {} {lang:?} {:?} {:?} {:?} {:?} {:?} {:?}",
-        places::ending(format),
-        a.vary,
-        a.random,
-        a.seed,
-        (&a.range.over, &a.range.from, &a.range.to, a.range.steps),
-        a.range.find,
-        input.file.source
-    );
-    let part =
-        write(&batch, format, head(&batch, input.scene.title.get(lang)), Path::new(&output), &job)?;
+    let run = BatchRun::new(input, a.varied, format, lang)?;
+    let part = run.planned(|batch, format| {
+        let all = 0..batch.mechanisms();
+        let bar = bar(batch.mechanisms());
+        written(batch, format, all, (Path::new(&output), &run.job()), JournalAfter::Removed, &bar)
+    })?;
     files::print(lang::of(&both!(
         "{}: {} mechanisms, {} rows, {} positions without one\n",
         "{}：{} 个机构，{} 行，{} 个位置没有数据行\n",
@@ -62,139 +53,94 @@ pub fn batch(a: Args) -> CommandResult {
     )))
 }
 
-/// The columns of a batch. The mechanism's number, its parameters and the driver's position repeat.
-fn head(batch: &Batch, title: &str) -> TableHead {
-    let mut head = TableHead::new(title, batch.columns()).in_language(lang::now());
-    let leading = 2 + batch.values.len();
-    head.columns.iter_mut().take(leading).for_each(|c| c.repeats = true);
-    head.columns.iter_mut().take(1).for_each(|c| c.whole = true);
-    head
+/// Returns a progress bar of mechanisms.
+pub fn bar(all: u64) -> ProgressBar {
+    long::bar(all, 0, &both!("mechanisms", "个机构"))
 }
 
-/// # Errors
-/// Arguments that cannot be read or do not fit the quantity of their parameter, each shown in its
-/// own argument.
-fn plan<'a>(
-    input: &'a SceneInput,
-    mechanism: &'a Mechanism,
-    a: &Args,
-) -> Result<Batch<'a>, Failure> {
-    let scene = &input.scene;
-    let mut ranges = Vec::new();
-    let mut wrong = Vec::new();
-    for text in &a.vary {
-        let known = range(text).and_then(|r| {
-            Variation::new(scene, &[r.name]).map(|_| r).map_err(|f| at(text, r.name, f))
-        });
-        match known {
-            Ok(r) => ranges.push((text, r)),
-            Err(faults) => wrong.push(SourceFaults::argument("--vary", text, faults)),
-        }
+/// A batch to be written.
+pub struct BatchRun {
+    pub input: SceneInput,
+    pub varied: VariedArgs,
+    pub format: BatchFormat,
+    pub lang: Lang,
+}
+
+impl BatchRun {
+    /// # Errors
+    /// Questions of the command line that the scene does not have.
+    pub fn new(
+        mut input: SceneInput,
+        varied: VariedArgs,
+        format: BatchFormat,
+        lang: Lang,
+    ) -> Result<BatchRun, Failure> {
+        ask(&mut input, varied.range.find.as_deref())?;
+        Ok(BatchRun { input, varied, format, lang })
     }
-    if !wrong.is_empty() {
-        return Err(Failure::Input(wrong));
+
+    /// Returns everything on which the bytes of the table depend.
+    pub fn job(&self) -> String {
+        let VariedArgs { vary, random, seed, range } = &self.varied;
+        format!(
+            "{GENERATOR} {} {:?} {vary:?} {random:?} {seed:?} {:?} {:?} {:?}",
+            places::ending(self.format),
+            self.lang,
+            (&range.over, &range.from, &range.to, range.steps),
+            range.find,
+            self.input.file.source
+        )
     }
-    let names: Vec<&str> = ranges.iter().map(|(_, r)| r.name).collect();
-    let variation = Variation::new(scene, &names)
-        .map_err(|f| Failure::argument("--vary", &a.vary.join(" --vary "), f))?;
-    let mut values = Vec::new();
-    for (text, r) in &ranges {
-        let checked = |value: &str| {
-            variation.value(scene, r.name, value).map(drop).map_err(|f| at(text, value, f))
+
+    /// Plans the batch and does something with it and the format of its table.
+    ///
+    /// # Errors
+    /// Arguments that cannot be read or do not fit the quantity of their parameter, each shown in
+    /// its own argument; those of the work.
+    pub fn planned<T>(
+        &self,
+        work: impl FnOnce(&Batch, &dyn RowFormat) -> Result<T, Failure>,
+    ) -> Result<T, Failure> {
+        let (input, VariedArgs { vary, random, seed, range }) = (&self.input, &self.varied);
+        let scene = &input.scene;
+        let mechanism = Mechanism::new(scene).map_err(|f| input.failed(f))?.value;
+        let choice = random
+            .map_or(ParameterChoice::Grid, |count| ParameterChoice::Random { count, seed: *seed });
+        let driver = driver_of(scene, range.over.as_deref())?;
+        let stations = match range.steps {
+            None => None,
+            Some(steps) => {
+                let steps = within(steps, MOST_POSITIONS, both!("a batch", "批量计算"))?;
+                let placed = PlacedScene::new(scene, &mechanism).map_err(|f| input.failed(f))?;
+                Some(stations(input, &placed, driver, range, steps)?)
+            }
         };
-        let read = checked(r.from)
-            .and_then(|()| checked(r.to))
-            .and_then(|()| variation.range(scene, r.name, r.from, r.to, r.count - 1));
-        match read {
-            Ok(list) => values.push(list),
-            Err(faults) => wrong.push(SourceFaults::argument("--vary", text, faults)),
-        }
+        let batch = plan(scene, &mechanism, vary, choice, (driver, stations)).map_err(|wrong| {
+            let shown =
+                |(i, faults): (usize, Faults)| SourceFaults::argument("--vary", &vary[i], faults);
+            Failure::Input(wrong.into_iter().map(shown).collect::<Vec<_>>())
+        })?;
+        let format =
+            tables::by_rows(self.format, head(&batch, scene.title.get(self.lang), self.lang))
+                .map_err(|e| unwritable(Path::new("-"), &e))?;
+        work(&batch, &*format)
     }
-    if !wrong.is_empty() {
-        return Err(Failure::Input(wrong));
-    }
-    let driver = driver_of(scene, a.range.over.as_deref())?;
-    let stations = match a.range.steps {
-        None => None,
-        Some(steps) => {
-            let steps = within(steps, MOST_POSITIONS, both!("a batch", "批量计算"))?;
-            let placed = PlacedScene::new(scene, mechanism).map_err(|f| input.failed(f))?;
-            Some(stations(input, &placed, driver, &a.range, steps)?)
-        }
-    };
-    let choice = a
-        .random
-        .map_or(ParameterChoice::Grid, |count| ParameterChoice::Random { count, seed: a.seed });
-    Ok(Batch { scene, mechanism, variation, values, choice, driver, stations })
 }
 
-/// Returns the faults of a part of an argument, at the place of that part.
-fn at(text: &str, part: &str, faults: Faults) -> Faults {
-    let start = text.find(part).unwrap_or_default();
-    let place = Span::new(start, start + part.len());
-    Faults { list: faults.list.into_iter().map(|d| d.at(place)).collect() }
-}
-
-/// A parameter's values as given on the command line.
-#[derive(Clone, Copy)]
-struct ParameterValues<'a> {
-    name: &'a str,
-    from: &'a str,
-    to: &'a str,
-    count: usize,
-}
-
-/// `NAME=FROM..TO:N`, or `NAME=FROM..TO` for two values (the bounds of a random one).
-fn range(text: &str) -> Result<ParameterValues<'_>, Faults> {
-    let unread = || {
-        let d = Diagnostic::error(
-            "vary",
-            both!("`--vary {text}` cannot be read", "无法识别 `--vary {text}`"),
-        );
-        Faults::from(d.help(both!(
-            "write NAME=FROM..TO:N, such as --vary l_BC=80..120:100; N is 1 to 10000000",
-            "请写 NAME=FROM..TO:N，如 --vary l_BC=80..120:100；N 为 1 到 10000000"
-        )))
-    };
-    let (name, rest) = text.split_once('=').ok_or_else(unread)?;
-    let (bounds, count) = match rest.rsplit_once(':') {
-        Some((bounds, n)) => (
-            bounds,
-            n.trim().parse().ok().filter(|n| (1..=MOST_VALUES).contains(n)).ok_or_else(unread)?,
-        ),
-        None => (rest, 2),
-    };
-    // `60...120` could be read as `60..0.120`.
-    if let Some(dots) = text.find("...") {
-        let d = Diagnostic::error(
-            "vary",
-            both!(
-                "two dots stand between the bounds of a range, here are three or more",
-                "范围的两端之间是两个点，此处有三个或更多"
-            ),
-        );
-        let d = d.at(Span::new(dots, text.len() - text[dots..].trim_start_matches('.').len()));
-        return Err(d
-            .help(both!(
-                "write FROM..TO; before the point of a number write a digit, 0.5",
-                "请写 FROM..TO；小数点前要有数字，如 0.5"
-            ))
-            .into());
-    }
-    let (from, to) = bounds.split_once("..").ok_or_else(unread)?;
-    Ok(ParameterValues { name: name.trim(), from: from.trim(), to: to.trim(), count })
-}
-
-fn write(
+/// Writes the rows of some mechanisms as a table, from where an earlier run of the job was left.
+///
+/// # Errors
+/// A file that cannot be written; a run that is interrupted before the last row.
+pub fn written(
     batch: &Batch,
-    format: BatchFormat,
-    head: TableHead,
-    out: &Path,
-    job: &str,
+    format: &dyn RowFormat,
+    mechanisms: Range<u64>,
+    (out, job): (&Path, &str),
+    after: JournalAfter,
+    bar: &ProgressBar,
 ) -> Result<PartialTable, Failure> {
     let failed = |e: io::Error| unwritable(out, &e);
-    let format = tables::by_rows(format, head).map_err(failed)?;
-    let mut part = PartialTable::open(out, job, &*format)?;
+    let mut part = PartialTable::open(out, job, format)?;
     if part.changed > 0 {
         let words = both!(
             "the bytes of {} mechanisms are not those that were written: they are computed again",
@@ -204,19 +150,20 @@ fn write(
         errors::tell(&Diagnostic::warning("changed-bytes", words).into(), "", "");
     }
     stop::watch();
-    let done = stream(batch, &*format, &mut part).and_then(|()| {
-        if part.done < batch.mechanisms() {
+    let all = mechanisms.end - mechanisms.start;
+    let done = stream(batch, format, mechanisms, &mut part, bar).and_then(|()| {
+        if part.done < all {
             return Ok(());
         }
         let _naming = stop::undisturbed();
-        part.finish(&*format, &notes(part.missing))
+        part.finish(format, &notes(part.missing), after)
     });
     if let Err(e) = done {
         part.remove();
         return Err(failed(e));
     }
-    if part.done < batch.mechanisms() {
-        let (done, all) = (part.done, batch.mechanisms());
+    if part.done < all {
+        let done = part.done;
         let after = if part.stays() {
             both!("the same command goes on from there", "用同一命令可由此继续")
         } else {
@@ -231,48 +178,33 @@ fn write(
     Ok(part)
 }
 
-fn notes(missing: u64) -> Vec<Diagnostic> {
-    let note = |n| {
-        Diagnostic::note(
-            "no-position",
-            both!(
-                "{n} positions have no row: the mechanism cannot be assembled there",
-                "有 {n} 个位置没有数据行：机构在该处不能装配"
-            ),
-        )
-    };
-    (missing > 0).then(|| note(missing)).into_iter().collect()
-}
-
-/// Returns the number of mechanisms in a block.
-fn mechanisms_at_once(batch: &Batch) -> u64 {
-    (BLOCK / (batch.positions() * batch.columns().len()).max(1)).max(1) as u64
-}
-
 /// Computes and writes block after block, in parallel: one block is computed while the one before
 /// it is formatted and the one before that is written.
-fn stream(batch: &Batch, format: &dyn RowFormat, part: &mut PartialTable) -> io::Result<()> {
-    let (all, step) = (batch.mechanisms(), mechanisms_at_once(batch));
-    let bar = long::bar(all, part.done, &both!("mechanisms", "个机构"));
-    let mut from = part.done;
+fn stream(
+    batch: &Batch,
+    format: &dyn RowFormat,
+    mechanisms: Range<u64>,
+    part: &mut PartialTable,
+    bar: &ProgressBar,
+) -> io::Result<()> {
+    let step = block(batch);
+    bar.inc(part.done);
+    let mut from = mechanisms.start + part.done;
     let make = |used: Option<(u64, Block)>| {
-        if from >= all || stop::asked() {
+        if from >= mechanisms.end || stop::asked() {
             return None;
         }
-        let to = all.min(from + step);
+        let to = mechanisms.end.min(from + step);
         let block = batch.block_unless(from, to, used.unwrap_or_default().1, &stop::asked)?;
         from = to;
-        Some((to, block))
+        Some((to - mechanisms.start, block))
     };
-    let form = |(to, block): &(u64, Block), used: Option<(u64, u64, TablePiece)>| {
+    let form = |(done, block): &(u64, Block), used: Option<(u64, u64, TablePiece)>| {
         let columns: Vec<&[f64]> = block.columns.iter().map(Vec::as_slice).collect();
-        Ok((*to, block.missing, format.piece_in(&columns, used.unwrap_or_default().2)?))
+        Ok((*done, block.missing, format.piece_in(&columns, used.unwrap_or_default().2)?))
     };
     long::pipeline(make, form, |(done, missing, piece)| {
-        part.add(piece, *done, *missing)?;
-        bar.set_position(*done);
-        Ok(())
-    })?;
-    bar.finish_and_clear();
-    Ok(())
+        bar.inc(done - part.done);
+        part.add(piece, *done, *missing)
+    })
 }

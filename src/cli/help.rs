@@ -192,7 +192,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     (
         "",
         "*after",
-        "开始：hodograph new shaper > shaper.json && hodograph draw shaper.json -o out/\n\n退出码：0 完成；1 文件不能写入（`diff`：两图不同）；2 机构文件有误；3 作图与解析不符（程序的错误）；4 完成，但有的量在该位置无值（死点）",
+        "开始：hodograph new shaper > shaper.json && hodograph draw shaper.json -o out/\n\n退出码：0 完成；1 文件不能写入（`diff`：两图不同；`shards verify`：有部分缺少或损坏）；2 机构文件有误；3 作图与解析不符（程序的错误）；4 完成，但有的量在该位置无值（死点）",
     ),
     ("*", "help", "显示说明"),
     ("*", "version", "显示版本"),
@@ -225,7 +225,7 @@ const WORDS: &[(&str, &str, &str)] = &[
         "-o 没有这样的结尾时的格式，如 svg,pdf；多种格式时文件名各加结尾（`-o -` 默认为 svg）",
     ),
     ("sweep", "format", "-o 没有这样的结尾时的格式（标准输出默认为 csv）"),
-    ("batch", "format", "-o 没有这样的结尾时的格式（`-o -` 默认为 csv）"),
+    ("batch", "format", "-o 没有这样的结尾时的格式（`-o -` 默认为 csv，有 --shard 时为 parquet）"),
     (
         "worksheet",
         "format",
@@ -379,8 +379,24 @@ const WORDS: &[(&str, &str, &str)] = &[
     (
         "batch",
         "output",
-        "写入以 .csv、.npy 或 .parquet 结尾的文件，或 `-`（标准输出）；中断后可由此继续",
+        "写入以 .csv、.npy 或 .parquet 结尾的文件，或 `-`（标准输出）；中断后可由此继续；有 --shard 时为文件夹",
     ),
+    (
+        "batch",
+        "shard",
+        "只计算批量中的一份，如 3/100，作为若干部分写入 -o 的文件夹；由 `shards` 合并",
+    ),
+    ("batch", "per_part", "每个部分的机构数（默认：约一百万个数）；单个机构耗时长时取小些"),
+    ("shards", "", "检查并合并由许多机器或任务计算的批量的各部分（`batch --shard`）"),
+    (
+        "shards",
+        "action",
+        "missing：列出缺少的部分；verify：读取所有部分并核对校验和；compact：合并成一张表，与单独运行 `batch` 所得逐字节相同",
+    ),
+    ("shards", "folder", "`batch --shard` 的文件夹"),
+    ("shards", "of", "用于 missing：列出 N 份中有缺少部分的各份，写法同 `sbatch --array`"),
+    ("shards", "remove_damaged", "用于 verify：删除损坏的部分，以便同一 `batch` 重新计算"),
+    ("shards", "output", "用于 compact：表格文件，结尾与各部分相同，或 `-`（标准输出）"),
     ("curves", "", "线图：位移、速度、加速度随原动件位置的变化，标出极值"),
     ("curves", "polar", "以所求矢量的矢端曲线图代替线图：轴承反力的极坐标图、速度的矢端曲线"),
     (

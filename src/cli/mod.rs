@@ -1,7 +1,8 @@
 //! The command line: the only module that reads arguments and files, prints, and decides exit
 //! codes.
 //!
-//! Exit codes: 0 done; 1 a file could not be written, or the figures of `diff` differ; 2 bad input;
+//! Exit codes: 0 done; 1 a file could not be written, the figures of `diff` differ, or
+//! `shards verify` finds missing or damaged parts; 2 bad input;
 //! 3 drawing and analysis disagree, which is an error of this program; 4 done, but some answers do
 //! not exist in the pose (dead centres); 130 interrupted while a file was written.
 
@@ -32,6 +33,7 @@ mod path;
 mod places;
 mod plan;
 mod readings;
+mod shards;
 mod spool;
 mod stop;
 mod sweep;
@@ -93,6 +95,7 @@ fn run() -> ExitCode {
         Command::Accuracy(a) => accuracy(a),
         Command::Sweep(a) => sweep::sweep(a),
         Command::Batch(a) => batch::batch(a),
+        Command::Shards(a) => shards::run(&a),
         Command::Curves(a) => curves::run(a),
         Command::Path(a) => path::run(a),
         Command::Animate(a) => animate::run(a),
@@ -249,8 +252,12 @@ impl InputFile {
             problem::included(bytes, |other| Ok(files::scene(&beside(other).to_string_lossy())?.1))
                 .map_err(|faults| Failure::input(faults, &name, &source))?;
         scene::language_of(&bytes).into_iter().for_each(lang::take);
-        let source = String::from_utf8_lossy(&bytes).into_owned();
-        Ok(InputFile { name, source, notes: Vec::new(), fonts: Fonts::default(), asked: None })
+        Ok(InputFile::of(name, String::from_utf8_lossy(&bytes).into_owned()))
+    }
+
+    /// A file whose text is known.
+    fn of(name: String, source: String) -> InputFile {
+        InputFile { name, source, notes: Vec::new(), fonts: Fonts::default(), asked: None }
     }
 
     /// Reads the file; its notes are kept.

@@ -194,8 +194,14 @@ impl PartialTable {
         let _ = std::fs::remove_file(beside(&self.path, ".journal"));
     }
 
-    /// Ends the table and gives it its final name.
-    pub fn finish(&mut self, format: &dyn RowFormat, notes: &[Diagnostic]) -> io::Result<()> {
+    /// Ends the table and gives it its final name. The journal is removed, or keeps the table's
+    /// record beside it ([`FinishedTable`]).
+    pub fn finish(
+        &mut self,
+        format: &dyn RowFormat,
+        notes: &[Diagnostic],
+        after: JournalAfter,
+    ) -> io::Result<()> {
         self.file.write_all(&format.end(&self.pieces, notes)?)?;
         self.file.seek(SeekFrom::Start(0))?;
         self.file.write_all(&format.begin(self.rows, &[]))?;
@@ -204,11 +210,119 @@ impl PartialTable {
                 self.file.sync_all()?;
                 as_before(&self.file, out)?;
                 std::fs::rename(&self.path, out)?;
-                let _ = std::fs::remove_file(beside(&self.path, ".journal"));
+                let journal = beside(&self.path, ".journal");
+                match after {
+                    JournalAfter::Removed => drop(std::fs::remove_file(journal)),
+                    JournalAfter::Kept => {
+                        self.journal.sync_all()?;
+                        std::fs::rename(journal, beside(out, ".journal"))?;
+                    }
+                }
             }
             target => target.take(&mut self.file)?,
         }
         Ok(())
+    }
+}
+
+/// The journal of a finished table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JournalAfter {
+    Removed,
+    /// It stays beside the table, under the table's name with `.journal`.
+    Kept,
+}
+
+/// A finished table with the journal that was kept of it.
+pub struct FinishedTable {
+    file: File,
+    begin: u64,
+    entries: Vec<JournalEntry>,
+}
+
+impl FinishedTable {
+    /// Opens a table of `mechanisms` mechanisms that a run of this job has finished; `None` without
+    /// one.
+    pub fn open(out: &Path, job: &str, mechanisms: u64) -> Option<FinishedTable> {
+        let journal = journal::read(&std::fs::read(beside(out, ".journal")).ok()?)?;
+        let file = File::open(out).ok()?;
+        let entries: Vec<JournalEntry> = journal.pieces.into_iter().map(|(e, _)| e).collect();
+        let last = entries.last()?;
+        let whole = journal.job.job == job
+            && last.done == mechanisms
+            && file.metadata().ok()?.len() >= last.bytes;
+        whole.then_some(FinishedTable { file, begin: journal.job.begin, entries })
+    }
+
+    /// Removes a table and its journal, if they exist.
+    pub fn remove(out: &Path) -> io::Result<()> {
+        for path in [out.to_owned(), beside(out, ".journal")] {
+            match std::fs::remove_file(path) {
+                Err(e) if e.kind() != io::ErrorKind::NotFound => return Err(e),
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// The number of rows.
+    pub fn rows(&self) -> u64 {
+        self.entries.iter().map(|e| e.rows).sum()
+    }
+
+    /// The number of positions without a row.
+    pub fn missing(&self) -> u64 {
+        self.entries.iter().map(|e| e.missing).sum()
+    }
+
+    /// Adds the checksum of all rows to that of the tables before.
+    pub fn add_checksum(&self, sum: &mut crc32fast::Hasher) {
+        let mut at = self.begin;
+        for e in self.entries.iter().filter(|e| e.rows > 0) {
+            sum.combine(&crc32fast::Hasher::new_with_initial_len(e.crc, e.bytes - at));
+            at = e.bytes;
+        }
+    }
+
+    /// Copies the pieces to the end of a table and adds their places. Returns false at the first
+    /// piece whose bytes have changed.
+    pub fn copy(
+        &mut self,
+        out: &mut dyn Write,
+        places: &mut Vec<PiecePlace>,
+        end: &mut u64,
+    ) -> io::Result<bool> {
+        let mut at = self.begin;
+        let mut file = io::BufReader::with_capacity(1 << 16, &self.file);
+        file.seek(SeekFrom::Start(at))?;
+        for e in self.entries.iter().filter(|e| e.rows > 0) {
+            let mut bytes = Vec::new();
+            let length = e.bytes.saturating_sub(at);
+            Read::by_ref(&mut file).take(length).read_to_end(&mut bytes)?;
+            if bytes.len() as u64 != length || crc32fast::hash(&bytes) != e.crc {
+                return Ok(false);
+            }
+            out.write_all(&bytes)?;
+            places.push(PiecePlace { offset: *end, rows: e.rows, index: e.index.clone() });
+            (at, *end) = (e.bytes, *end + length);
+        }
+        Ok(true)
+    }
+
+    /// Returns true if every byte is as it was written.
+    pub fn is_sound(&mut self, format: &dyn RowFormat, notes: &[Diagnostic]) -> io::Result<bool> {
+        let begin = format.begin(self.rows(), &[]);
+        let (mut places, mut length) = (Vec::new(), self.begin);
+        if !self.copy(&mut io::sink(), &mut places, &mut length)? {
+            return Ok(false);
+        }
+        let end = format.end(&places, notes)?;
+        let (mut first, mut last) = (Vec::new(), Vec::new());
+        self.file.seek(SeekFrom::Start(0))?;
+        (&self.file).take(self.begin).read_to_end(&mut first)?;
+        self.file.seek(SeekFrom::Start(length))?;
+        (&self.file).take(end.len() as u64 + 1).read_to_end(&mut last)?;
+        Ok(first == begin && last == end)
     }
 }
 

@@ -66,6 +66,34 @@ pub enum BatchFormat {
     Parquet,
 }
 
+/// Actions of `shards`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ShardsAction {
+    Missing,
+    Verify,
+    Compact,
+}
+
+/// One share of a batch: every `of`-th part, from the part `number - 1`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shard {
+    pub number: u64,
+    pub of: u64,
+}
+
+impl std::str::FromStr for Shard {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Shard, String> {
+        let parts =
+            text.split_once('/').and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
+        parts
+            .filter(|(number, of)| (1..=*of).contains(number))
+            .map(|(number, of)| Shard { number, of })
+            .ok_or_else(|| "write I/N, such as 3/100: the third of a hundred shares".to_owned())
+    }
+}
+
 /// Formats of a cam's profile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Profile {

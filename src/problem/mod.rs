@@ -10,6 +10,7 @@
 //! A new kind of file needs one file here that implements [`Answered`], a variant of [`Problem`]
 //! and [`Kind`], and a row in [`Kind::grants`].
 
+pub mod batch;
 mod live;
 mod motion;
 mod pictures;

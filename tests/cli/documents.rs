@@ -12,7 +12,7 @@ use std::path::Path;
 #[test]
 fn commands_of_the_documents_run() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    for (document, at_least) in [("README.md", 10), ("docs/guide.md", 40)] {
+    for (document, at_least) in [("README.md", 10), ("docs/guide.md", 40), ("docs/cluster.md", 5)] {
         let page = std::fs::read_to_string(root.join(document)).unwrap();
         let folder = tempfile::tempdir().unwrap();
         let mut ran = 0;

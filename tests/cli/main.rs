@@ -13,6 +13,8 @@ mod figures;
 mod files;
 mod languages;
 mod scene;
+#[cfg(target_os = "linux")]
+mod shards;
 mod streams;
 mod text;
 mod units;

@@ -22,6 +22,14 @@ impl Lang {
         }
     }
 
+    /// Returns the language's name in the format.
+    pub fn name(self) -> &'static str {
+        match self {
+            Lang::En => "en",
+            Lang::Zh => "zh",
+        }
+    }
+
     /// Returns a text in this language.
     pub fn of(self, text: &Both) -> &str {
         match self {

@@ -36,7 +36,7 @@ pub fn json(
     let f = &m.mobility;
     let mut out = json!({
         "title": {"en": w.scene.title.en, "zh": w.scene.title.zh},
-        "language": match w.lang { hodograph_scene::Lang::En => "en", hodograph_scene::Lang::Zh => "zh" },
+        "language": w.lang.name(),
         "notation": w.notation.name,
         "mobility": {"moving": f.moving, "lower": f.lower, "higher": f.higher, "freedom": f.freedom},
         "level": level_name(demand.level),

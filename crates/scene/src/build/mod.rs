@@ -156,11 +156,7 @@ impl Builder {
 
     /// Sets the language of the output.
     pub fn language(self, lang: Lang) -> Builder {
-        let code = match lang {
-            Lang::En => "en",
-            Lang::Zh => "zh",
-        };
-        self.member("language", json!(code))
+        self.member("language", json!(lang.name()))
     }
 
     /// Sets any other member of the file, such as `cams`, `paper`, `answers`, as `docs/scene.md`
