@@ -24,9 +24,12 @@ use pyo3::prelude::*;
 use serde_json::json;
 use std::sync::atomic::Ordering;
 
-/// Returns all templates: name, kind, both titles, parameters with their values.
+/// A template: name, kind, both titles, parameters with their values.
+type NamedTemplate = (String, &'static str, (String, String), Vec<(String, String)>);
+
+/// Returns all templates.
 #[pyfunction]
-pub fn templates() -> Vec<(String, &'static str, (String, String), Vec<(String, String)>)> {
+pub fn templates() -> Vec<NamedTemplate> {
     let one = |t: problem::templates::Template| {
         (t.name.to_owned(), t.kind.word(), (t.title.en, t.title.zh), t.parameters)
     };
@@ -108,8 +111,8 @@ impl Problem {
 
     fn granted(&self, wishes: &[(bool, Wish)]) -> Result<(), Refusal> {
         let kind = self.problem.kind();
-        let asked = wishes.iter().filter(|(asked, _)| *asked);
-        asked.map(|(_, wish)| kind.grants(*wish)).collect::<Result<(), _>>().map_err(Into::into)
+        let mut asked = wishes.iter().filter(|(asked, _)| *asked);
+        Ok(asked.try_for_each(|(_, wish)| kind.grants(*wish))?)
     }
 
     /// The problem, as its figures and documents need it.
