@@ -4,7 +4,6 @@
 use super::args::AnimateArgs;
 use super::draw::style_of;
 use super::places::{one_result, places};
-use super::sweep::swept_of;
 use super::together::Together;
 use super::values::MotionFormat;
 use super::{CommandResult, Failure, SceneInput, choices, files, ids};
@@ -12,6 +11,7 @@ use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::poses::{PosesContent, turn};
 use crate::figure::sheet::SheetOptions;
 use crate::paper::item::Figure;
+use crate::problem::range::swept_of;
 use crate::render::{gif, moving, png, svg};
 use crate::worked::Scope;
 use rayon::prelude::*;

@@ -7,7 +7,7 @@
 
 use super::args::{BatchArgs, VariedArgs};
 use super::part::{JournalAfter, PartialTable};
-use super::sweep::{ask, driver_of, stations, within};
+use super::sweep::{ask, stations, within};
 use super::target::unwritable;
 use super::values::BatchFormat;
 use super::{
@@ -17,6 +17,7 @@ use super::{
 use crate::diag::{Diagnostic, Faults, both};
 use crate::mechanism::Mechanism;
 use crate::problem::batch::{MOST_POSITIONS, block, head, notes, plan};
+use crate::problem::range::driver_of;
 use crate::report::table::{GENERATOR, RowFormat, TablePiece};
 use crate::scene::Lang;
 use crate::sweep::PlacedScene;

@@ -1,10 +1,10 @@
 //! `hodograph curvature`: pole, inflection circle and centres of curvature of a link's paths, by
 //! drawing and by analysis.
 
-use super::draw::points_named;
 use super::{CommandResult, Failure, SceneInput, SourceFaults, args, choices, files, pencil};
 use crate::curvature::{CurvatureRequest, centrodes, couplers, curvature};
 use crate::diag::{Diagnostic, Faults, Warned, both};
+use crate::problem::points_named;
 use crate::report::{curvature as report, curvature_json};
 use crate::scene::{LinkId, Scene};
 use hodograph_base::json::fields::suggest;
@@ -45,8 +45,10 @@ pub fn run(a: args::CurvatureArgs) -> CommandResult {
 
 /// Returns the links and points of the command line; reports all that do not exist at once.
 fn asked(scene: &Scene, a: &args::CurvatureArgs) -> Result<CurvatureRequest, Failure> {
-    let (links, points) =
-        (links_named(scene, &a.link, "--link"), points_named(scene, &a.point, "--point"));
+    let (links, points) = (
+        links_named(scene, &a.link, "--link"),
+        points_named(scene, &a.point, "point").map_err(SourceFaults::from),
+    );
     let against: Vec<String> = a.against.iter().cloned().collect();
     let against = links_named(scene, &against, "--against").map(|all| all.first().copied());
     let (links, points, against) = match (links, points, against) {

@@ -4,11 +4,12 @@
 use super::args::CurvesArgs;
 use super::draw::style_of;
 use super::places::places;
-use super::sweep::{ask, stations, swept_of, through, within};
+use super::sweep::{ask, stations, within};
 use super::values::FigureFormat;
 use super::{CommandResult, SceneInput, choices, files};
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::curves::{self, CurveDiagram};
+use crate::problem::range::{swept_of, through};
 use crate::problem::whole::{STEPS, no_curve, with_positions};
 use crate::scene::Swept;
 use crate::sweep::pieces::gather;
@@ -51,7 +52,8 @@ pub fn run(a: CurvesArgs) -> CommandResult {
         }
         Swept::Time => {
             let range;
-            (timed, range) = through(&placed, &a.range)?;
+            (timed, range) =
+                through(&placed, &a.range.swept()).map_err(|f| input.out_of_range(f))?;
             swept_at = Box::new(|times| Some(timed.table(times)));
             gather(&mut timed.steps(range, steps))
         }

@@ -6,20 +6,16 @@ use super::places::{agrees, in_stream, of_name, once, one_result};
 use super::target::is_stream;
 use super::together::Together;
 use super::values::{FigureFormat, PointVectors};
-use super::{
-    CommandResult, Failure, InputFile, SourceFaults, files, granted, ids, look_of, pencil, verdict,
-};
-use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
-use crate::figure::list::{Extras, FigureEntry};
+use super::{CommandResult, Failure, InputFile, files, granted, ids, look_of, pencil, verdict};
+use crate::diag::{Both, Diagnostic, Faults, Warned, both};
+use crate::figure::list::Extras;
 use crate::figure::steps::StepFigures;
 use crate::paper::font::own::Fonts;
 use crate::paper::item::Figure;
 use crate::paper::style::{self, Style};
-use crate::problem::{self, Extent, Pictures, Wish};
+use crate::problem::{self, Additions, Extent, Pictures, Wish, extras};
 use crate::render::pdf;
-use crate::scene::{self, DiagramKind, PointId, Scene};
-use crate::worked::Worked;
-use hodograph_base::json::fields::suggest;
+use crate::scene;
 use std::path::{Path, PathBuf};
 
 /// Default formats in a folder.
@@ -34,7 +30,8 @@ pub fn run(a: args::DrawArgs) -> CommandResult {
     let pencil_mm = pencil(a.drafting.as_deref())?;
     let mut file = InputFile::open(&a.common.scene, &a.common.set)?;
     file.fonts = style.fonts.clone();
-    let extent = if needs_no_rate(&a) { Extent::Pose } else { Extent::Motion };
+    let moves = a.steps || a.poses > 0 || !a.path.is_empty();
+    let extent = if moves { Extent::Motion } else { Extent::of(&a.figure) };
     let problem = file.read(|bytes| problem::read_as(bytes, extent))?;
     let wishes = [
         (a.pick.map(|n| n.to_string()), Wish::Candidate),
@@ -53,7 +50,9 @@ pub fn run(a: args::DrawArgs) -> CommandResult {
     };
     let solved = file.solve(&problem, &options)?;
     let extras = match solved.mechanism() {
-        Some((scene, worked)) if !a.steps => extras(scene, worked, &a)?,
+        Some((scene, worked)) if !a.steps => {
+            extras(scene, worked, &added(&a)).map_err(Failure::of_values)?
+        }
         Some(_) | None => Extras::default(),
     };
     let look = look_of(&a.common, style, a.digits);
@@ -119,18 +118,6 @@ fn put(
     all.appear()?;
     files::print_names(&written)?;
     Ok(notes)
-}
-
-/// Returns true if none of the requested figures depends on the driver's speed.
-fn needs_no_rate(a: &args::DrawArgs) -> bool {
-    let still = |e: &&'static FigureEntry| {
-        matches!(e.name, "centres" | "curvature" | "centrodes" | "inversions")
-    };
-    !a.figure.is_empty()
-        && a.figure.iter().all(still)
-        && a.path.is_empty()
-        && a.poses == 0
-        && !a.steps
 }
 
 /// Returns the requested width (mm).
@@ -223,71 +210,16 @@ fn read_style(name: &str) -> Result<Style, Failure> {
         .map_err(|faults| Failure::input(faults, name, &String::from_utf8_lossy(&bytes)))
 }
 
-/// Returns the items that are drawn with the mechanism.
-///
-/// # Errors
-/// Vectors that the questions do not call for, points that the scene does not have.
-fn extras(scene: &Scene, worked: &Worked, a: &args::DrawArgs) -> Result<Extras, Failure> {
-    let (vectors, word) = match a.vectors {
-        Some(PointVectors::Velocity) => (Some(DiagramKind::Velocity), "velocity"),
-        Some(PointVectors::Acceleration) => (Some(DiagramKind::Acceleration), "acceleration"),
-        None => (None, ""),
-    };
-    let mut wrong = Vec::new();
-    if let Some(on) = vectors.filter(|l| worked.construction.polygon(*l).is_none()) {
-        let kind = on.vectors();
-        let d = Diagnostic::error(
-            "no-figure",
-            both!("the scene's questions call for no {}", "所求的量用不到{}", kind),
-        )
-        .help(both!("ask for one in \"find\"", "请在 \"find\" 中求相应的量"));
-        wrong.push(SourceFaults::argument("--vectors", word, d));
-    }
-    match points_named(scene, &a.path, "--path") {
-        Ok(points) if wrong.is_empty() => {
-            Ok(Extras { vectors, dimensions: a.dimensions, poses: usize::from(a.poses), points })
-        }
-        Ok(_) => Err(Failure::Input(wrong)),
-        Err(unknown) => {
-            wrong.push(unknown);
-            Err(Failure::Input(wrong))
-        }
-    }
-}
-
-/// Returns the points with the names that an option lists.
-///
-/// # Errors
-/// `unknown-point` for each name that the scene does not have.
-pub fn points_named(
-    scene: &Scene,
-    names: &[String],
-    option: &str,
-) -> Result<Vec<PointId>, SourceFaults> {
-    let mut faults = Faults::default();
-    let mut points = Vec::new();
-    let mut start = 0;
-    for whole in names {
-        let name = whole.trim();
-        match (0..scene.points.len()).map(PointId).find(|p| scene.point_name(*p) == name) {
-            Some(p) if points.contains(&p) => {}
-            Some(p) => points.push(p),
-            None => {
-                let known = (0..scene.points.len()).map(|p| scene.point_name(PointId(p)));
-                let d = Diagnostic::error(
-                    "unknown-point",
-                    both!("the scene has no point `{name}`", "机构文件没有点 `{name}`"),
-                )
-                .at(Span::new(start, start + whole.len()));
-                faults.push(d.help(suggest(name, known, both!("the points are", "点有"))));
-            }
-        }
-        start += whole.len() + 1;
-    }
-    if faults.has_errors() {
-        Err(SourceFaults::argument(option, &names.join(","), faults))
-    } else {
-        Ok(points)
+/// Returns the additions to the mechanism.
+fn added(a: &args::DrawArgs) -> Additions<'_> {
+    Additions {
+        vectors: a.vectors.map(|of| match of {
+            PointVectors::Velocity => "velocity",
+            PointVectors::Acceleration => "acceleration",
+        }),
+        dimensions: a.dimensions,
+        poses: usize::from(a.poses),
+        path: &a.path,
     }
 }
 

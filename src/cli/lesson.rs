@@ -1,9 +1,7 @@
 //! `hodograph lesson`: one page with the construction step by step, or a fragment for slides.
 
 use super::draw::{style_of, width};
-use super::{
-    CommandResult, Failure, InputFile, args, files, granted, ids, look_of, sweep, verdict,
-};
+use super::{CommandResult, Failure, InputFile, args, files, granted, ids, look_of, verdict};
 use crate::diag::{Diagnostic, Warned, both};
 use crate::problem::{self, Lesson, Look, Options, Wish};
 use crate::scene::Swept;
@@ -43,7 +41,7 @@ pub fn run(a: args::LessonArgs) -> CommandResult {
     let solved = file.solve(&problem, &options)?;
     let swept = match (a.driver, solved.mechanism()) {
         (Some(number), _) => Swept::Driver(number as usize - 1),
-        (None, Some((scene, _))) => sweep::swept_of(scene, a.moves.over.as_deref())?,
+        (None, Some((scene, _))) => problem::range::swept_of(scene, a.moves.over.as_deref())?,
         (None, None) => Swept::Driver(0),
     };
     let wanted = Lesson { positions: a.positions as usize, swept, reveal: a.reveal, width_mm };

@@ -2,14 +2,15 @@
 //! accelerations.
 
 use super::args::PathArgs;
-use super::draw::{points_named, style_of};
+use super::draw::style_of;
 use super::places::{once, places};
-use super::sweep::swept_of;
 use super::values::FigureFormat;
-use super::{CommandResult, Failure, SceneInput, choices, files};
+use super::{CommandResult, SceneInput, choices, files};
 use crate::diag::Warned;
 use crate::figure::path::{MARKS, PathContent, figure};
 use crate::figure::sheet::SheetOptions;
+use crate::problem::points_named;
+use crate::problem::range::swept_of;
 use crate::worked::Scope;
 use std::process::ExitCode;
 
@@ -25,8 +26,7 @@ pub fn run(a: PathArgs) -> CommandResult {
     input.over_a_turn();
     let worked = input.work(Scope::Figure)?;
     let swept = swept_of(&input.scene, a.moves.over.as_deref())?;
-    let points = points_named(&input.scene, &a.point, "--point")
-        .map_err(|told| Failure::Input(vec![told]))?;
+    let points = points_named(&input.scene, &a.point, "point")?;
     let (lang, notation) = choices(&input.scene, &a.common);
     let options = SheetOptions {
         notation: style.marks.over(&notation),

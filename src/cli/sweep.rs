@@ -5,18 +5,14 @@ use super::args::{LimitsArgs, RangeArgs, SweepArgs};
 use super::places::OutputPlace;
 use super::values::TableFormat;
 use super::{CommandResult, Failure, SceneInput, SourceFaults, choices, files, tables};
-use crate::diag::{Both, Diagnostic, Faults, Warned, both};
+use crate::diag::{Both, Diagnostic, Warned, both};
 use crate::mechanism::Mechanism;
-use crate::problem::whole::{STEPS, over_a_table};
+use crate::problem::range::{self, RangeFault, SweptRange, WrongValue, driver_of};
+use crate::problem::whole::over_a_table;
 use crate::report::limits as report;
-use crate::scene::{self, Angle, Scene, Swept, edit};
-use crate::sweep::extreme;
-use crate::sweep::long::LongSweep;
+use crate::scene;
 use crate::sweep::pieces::SweepPieces;
-use crate::sweep::station::{self, DriverSpan};
-use crate::sweep::timed::TimedSweep;
-use crate::sweep::vary::{ParameterSpan, Variation, Varied};
-use crate::sweep::{self, PlacedScene, StationSteps, Stations};
+use crate::sweep::{self, PlacedScene, Stations, extreme};
 use std::process::ExitCode;
 
 pub fn sweep(a: SweepArgs) -> CommandResult {
@@ -49,25 +45,8 @@ fn sweep_into(
     place: Option<&OutputPlace<TableFormat>>,
 ) -> Result<Vec<Diagnostic>, Failure> {
     let title = input.scene.title.get(choices(&input.scene, &a.common).0);
-    let scene = &input.scene;
-    let mechanism = sweep::mechanism(scene).map_err(|f| input.failed(f))?;
-    let over = a.range.over.as_deref();
-    let swept = over.map_or_else(|| Some(Swept::usual(scene)), |name| Swept::named(scene, name));
-    if let (Some(name), None) = (over, swept) {
-        let variation =
-            Variation::new(scene, &[name]).map_err(|f| Failure::argument("--over", name, f))?;
-        let span = values(scene, &variation, name, a)?;
-        return write(&mut Varied::new(scene, &mechanism, &variation, span), title, place);
-    }
-    let placed = PlacedScene::new(scene, &mechanism).map_err(|f| input.failed(f))?;
-    if swept == Some(Swept::Time) {
-        let (timed, range) = through(&placed, &a.range)?;
-        return write(&mut timed.steps(range, a.range.steps.unwrap_or(STEPS)), title, place);
-    }
-    let driver = driver_of(scene, over)?;
-    let steps = steps(input, &placed, driver, &a.range, a.range.steps.unwrap_or(STEPS))?;
-    let mut long = LongSweep::new(&placed, driver, steps).map_err(|f| input.failed(f))?;
-    write(&mut long, title, place)
+    range::rows(&input.scene, &a.range.swept(), |pieces| write(pieces, title, place))
+        .map_err(|f| input.out_of_range(f))?
 }
 
 fn write(
@@ -195,44 +174,6 @@ fn balanced(
     }
 }
 
-/// Returns the driver that `--over` names; without a name the first.
-pub fn driver_of(scene: &Scene, over: Option<&str>) -> Result<usize, Failure> {
-    let Some(name) = over.filter(|o| *o != "driver") else { return Ok(0) };
-    if let Some(d) = driver_named(scene, name)
-        && scene.is_led(d)
-    {
-        let message = both!(
-            "`{name}` follows its cam: it does not move by itself",
-            "`{name}` 由凸轮带动，不能单独运动"
-        );
-        let d =
-            Diagnostic::error("no-driver", message).help(both!("let the cam turn", "请使凸轮转动"));
-        return Err(Failure::argument("--over", name, d));
-    }
-    driver_named(scene, name).ok_or_else(|| {
-        let names: Vec<String> = (0..scene.drivers.len()).map(|d| scene.driver_name(d).0).collect();
-        let d = Diagnostic::error(
-            "no-driver",
-            both!("the scene has no driver `{name}`", "机构文件没有原动件 `{name}`"),
-        );
-        Failure::argument(
-            "--over",
-            name,
-            d.help(both!("its drivers are {}", "其原动件有 {}", Both::names(&names))),
-        )
-    })
-}
-
-/// Returns the variable that `--over` names: a driver, or `t`. Without a name, it is time if the
-/// scene has laws of time, else the first driver.
-pub fn swept_of(scene: &Scene, over: Option<&str>) -> Result<Swept, Failure> {
-    match over {
-        None => Ok(Swept::usual(scene)),
-        Some(name) if Swept::named(scene, name) == Some(Swept::Time) => Ok(Swept::Time),
-        Some(_) => driver_of(scene, over).map(Swept::Driver),
-    }
-}
-
 /// Replaces the scene's questions by those of `--find`; faults point to the argument.
 pub fn ask(input: &mut SceneInput, find: Option<&str>) -> Result<(), Failure> {
     let Some(find) = find else { return Ok(()) };
@@ -243,40 +184,49 @@ pub fn ask(input: &mut SceneInput, find: Option<&str>) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Returns the values of a parameter between the bounds of the command line.
-fn values(
-    scene: &Scene,
-    variation: &Variation,
-    name: &str,
-    a: &SweepArgs,
-) -> Result<ParameterSpan, Failure> {
-    let bound = |text: Option<&str>, option: &'static str| {
-        let missing = || {
-            Diagnostic::error("range", both!("{option} is missing", "缺少 {option}")).help(both!(
-                "a parameter has no natural range: give --from and --to",
-                "参数没有自然的范围：请给出 --from 和 --to"
-            ))
-        };
-        let text = text.ok_or_else(|| Failure::argument("--over", name, missing()))?;
-        variation.value(scene, name, text).map_err(|f| Failure::argument(option, text, f))?;
-        Ok(text.to_owned())
-    };
-    let (from, to) =
-        (bound(a.range.from.as_deref(), "--from")?, bound(a.range.to.as_deref(), "--to")?);
-    variation
-        .span(scene, name, &from, &to, a.range.steps.unwrap_or(STEPS))
-        .map_err(|f| Failure::argument("--over", name, f))
+impl RangeArgs {
+    /// Returns the range without its questions.
+    pub fn swept(&self) -> SweptRange<'_> {
+        let RangeArgs { over, from, to, steps, .. } = self;
+        SweptRange {
+            over: over.as_deref(),
+            from: from.as_deref(),
+            to: to.as_deref(),
+            steps: *steps,
+        }
+    }
 }
 
-/// Returns a driver by the name of its column: `phi_1`, `s_B`, `l_BC`; `driver` and `driver2` give
-/// its number.
-pub fn driver_named(scene: &Scene, name: &str) -> Option<usize> {
-    (0..scene.drivers.len())
-        .find(|&d| scene.driver_name(d).0 == name || name == format!("driver{}", d + 1))
+impl SceneInput {
+    /// Returns the failure for a range that cannot be swept.
+    pub(super) fn out_of_range(&self, fault: RangeFault) -> Failure {
+        match fault {
+            RangeFault::Scene(faults) => self.failed(faults),
+            RangeFault::Values(all) => Failure::of_values(all),
+        }
+    }
 }
 
-/// Returns the stations of a driver between two values in the scene's notation; by default a full
-/// turn for a turning driver, and the whole travel for a sliding one.
+impl From<WrongValue> for SourceFaults {
+    fn from(WrongValue { of, text, faults }: WrongValue) -> SourceFaults {
+        SourceFaults { faults, name: format!("--{of}"), source: text }
+    }
+}
+
+impl Failure {
+    /// Returns the failure for faults of arguments.
+    pub(super) fn of_values(all: Vec<WrongValue>) -> Failure {
+        Failure::Input(all.into_iter().map(Into::into).collect())
+    }
+}
+
+impl From<WrongValue> for Failure {
+    fn from(wrong: WrongValue) -> Failure {
+        Failure::of_values(vec![wrong])
+    }
+}
+
+/// Returns the stations of a driver in a range, in a given number of steps.
 pub fn stations(
     input: &SceneInput,
     placed: &PlacedScene,
@@ -284,7 +234,9 @@ pub fn stations(
     range: &RangeArgs,
     count: usize,
 ) -> Result<Stations, Failure> {
-    Ok(steps(input, placed, driver, range, count)?.all())
+    let swept = SweptRange { steps: Some(count), ..range.swept() };
+    let steps = range::steps(placed, driver, &swept).map_err(|f| input.out_of_range(f))?;
+    Ok(steps.all())
 }
 
 /// Checks that the number of steps is not larger than `what` allows.
@@ -305,86 +257,4 @@ pub fn within(steps: usize, most: usize, what: Both) -> Result<usize, Failure> {
         "请写 --steps {most} 或更少；`sweep` 可写至多一千万行的表"
     ));
     Err(Failure::argument("--steps", &steps.to_string(), d))
-}
-
-/// Largest end of a range, in turns: a mechanism with followed links is followed through all of
-/// them.
-const MOST_TURNS: f64 = 10_000.0;
-
-/// Checks that the end of a range is not too far away.
-fn not_too_far(option: &str, text: &str, angle: Angle) -> Result<Angle, Failure> {
-    let turns = angle.degrees().abs() / 360.0;
-    if turns <= MOST_TURNS {
-        return Ok(angle);
-    }
-    let d = Diagnostic::error(
-        "range",
-        both!(
-            "it lies {turns} turns off; at most {MOST_TURNS} are allowed",
-            "相距 {turns} 转；最多允许 {MOST_TURNS} 转"
-        ),
-    );
-    let d = d.help(both!(
-        "the motion comes again with every turn, or with every few",
-        "运动每转一周或几周即重复"
-    ));
-    Err(Failure::argument(option, text, d))
-}
-
-/// Follows the mechanism through the time of the command line (s); returns it with the ends.
-pub fn through<'a>(
-    placed: &'a PlacedScene<'a>,
-    range: &RangeArgs,
-) -> Result<(TimedSweep<'a>, [f64; 2]), Failure> {
-    let ends = bounds(range, edit::time)?;
-    let text = range.to.as_deref().or(range.from.as_deref()).unwrap_or_default();
-    TimedSweep::new(placed, ends).map_err(|f| Failure::argument("--to", text, f))
-}
-
-fn steps(
-    input: &SceneInput,
-    placed: &PlacedScene,
-    driver: usize,
-    range: &RangeArgs,
-    steps: usize,
-) -> Result<StationSteps, Failure> {
-    let Some(d) = placed.scene.drivers.get(driver) else {
-        return Err(input.failed(
-            Diagnostic::error("no-driver", both!("the scene has no driver", "机构文件没有原动件"))
-                .into(),
-        ));
-    };
-    if d.kind.turns() {
-        bounds(range, edit::angle)?;
-        let (from, to) =
-            (range.from.as_deref().unwrap_or("0"), range.to.as_deref().unwrap_or("360"));
-        let [first, last] = edit::angles(from, to).map_err(|f| Failure::argument("--to", to, f))?;
-        let way =
-            DriverSpan::Turn(not_too_far("--from", from, first)?, not_too_far("--to", to, last)?);
-        return Ok(StationSteps { way, steps });
-    }
-    let per_value = station::angle_per_value(placed.scene, &placed.at, driver);
-    let [from, to] = match bounds(range, edit::length)? {
-        [Some(from), Some(to)] => [from, to],
-        [from, to] => {
-            let limits = extreme::limits(placed.scene, placed.mechanism, driver)
-                .map_err(|f| input.failed(f))?;
-            let [low, high] = limits.range.bounds();
-            [from.unwrap_or(low), to.unwrap_or(high)]
-        }
-    };
-    Ok(StationSteps { way: DriverSpan::Slide { from, to, per_value }, steps })
-}
-
-/// Reads `--from` and `--to` if given; reports all their faults at once.
-fn bounds<T>(
-    range: &RangeArgs,
-    read: impl Fn(&str) -> Result<T, Faults>,
-) -> Result<[Option<T>; 2], Failure> {
-    let mut wrong = Vec::new();
-    let both = [("--from", &range.from), ("--to", &range.to)].map(|(option, text)| {
-        let text = text.as_deref()?;
-        read(text).map_err(|faults| wrong.push(SourceFaults::argument(option, text, faults))).ok()
-    });
-    if wrong.is_empty() { Ok(both) } else { Err(Failure::Input(wrong)) }
 }

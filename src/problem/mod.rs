@@ -13,6 +13,8 @@
 pub mod batch;
 mod live;
 mod motion;
+mod pictures;
+pub mod range;
 mod scene;
 mod task;
 pub mod templates;
@@ -34,6 +36,7 @@ use crate::worksheet::{Document, WorksheetSides};
 use serde_json::{Value as Json, json};
 
 pub use live::{Live, PageDelta};
+pub use pictures::{Additions, extras, points_named};
 pub use scene::whole_motion;
 pub use task::included;
 pub use wish::{Kind, Wish};
@@ -325,6 +328,8 @@ pub struct Answer {
     pub symbol: String,
     /// The SI unit.
     pub unit: &'static str,
+    /// True if the sign of the value is a sense of rotation, positive counter-clockwise.
+    pub turns: bool,
     /// The value (SI); `None` if the question has no answer.
     pub value: Option<AnswerValue>,
     /// Text of the value with its certified digits, in the unit of the file, with sense or

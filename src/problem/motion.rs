@@ -76,7 +76,8 @@ impl Answered for MotionSolution {
             Answer {
                 find: find.text.clone(),
                 symbol: report::symbol(&self.problem, find.what, &notation),
-                unit: report::kind(find.what).map_or("", |q| q.si()),
+                unit: report::kind(find.what).map_or("s", |q| q.si()),
+                turns: report::kind(find.what).is_some_and(|q| q.turns()),
                 value: parts.as_deref().and_then(in_plane),
                 text: report::value(
                     &self.problem.book,

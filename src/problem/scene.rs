@@ -102,6 +102,7 @@ impl Answered for SceneSolution {
                 find: find.text.clone(),
                 symbol: symbol(find, &notation),
                 unit: find.what.kind().si(),
+                turns: find.what.kind().turns(),
                 value: None,
                 text,
                 drawn: None,

@@ -1,5 +1,6 @@
 //! Tables and diagrams of the whole motion, in the usual range and steps.
 
+use super::range::{self, SweptRange};
 use super::{Look, whole_motion};
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::curves::{self, CurveDiagram};
@@ -7,12 +8,11 @@ use crate::figure::list::Pages;
 use crate::mechanism::Mechanism;
 use crate::position::Path;
 use crate::scene::quantity::Meaning;
-use crate::scene::{self, LinkId, OnLink, PointId, Scene, Swept, edit};
+use crate::scene::{self, LinkId, OnLink, PointId, Scene, Swept};
 use crate::sweep::long::LongSweep;
 use crate::sweep::pieces::gather;
-use crate::sweep::station::{DriverSpan, angle_per_value};
 use crate::sweep::timed::TimedSweep;
-use crate::sweep::{self, PlacedScene, StationSteps, Table, extreme};
+use crate::sweep::{self, PlacedScene, Table};
 
 /// Default number of steps: one for each degree of a turn.
 pub const STEPS: usize = 360;
@@ -102,16 +102,8 @@ fn rows(placed: &PlacedScene, swept: Swept) -> Result<Table, Faults> {
         let (timed, range) = TimedSweep::new(placed, [None, None])?;
         return Ok(gather(&mut timed.steps(range, STEPS)));
     };
-    let way = if placed.scene.drivers[driver].kind.turns() {
-        let [from, to] = edit::angles("0", "360")?;
-        DriverSpan::Turn(from, to)
-    } else {
-        let limits = extreme::limits(placed.scene, placed.mechanism, driver)?;
-        let [from, to] = limits.range.bounds();
-        let per_value = angle_per_value(placed.scene, &placed.at, driver);
-        DriverSpan::Slide { from, to, per_value }
-    };
-    Ok(gather(&mut LongSweep::new(placed, driver, StationSteps { way, steps: STEPS })?))
+    let steps = range::steps(placed, driver, &SweptRange::default()).map_err(Faults::from)?;
+    Ok(gather(&mut LongSweep::new(placed, driver, steps)?))
 }
 
 /// Returns the scene's questions, each preceded by its displacement: the angle of a link, or the

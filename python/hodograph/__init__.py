@@ -1,0 +1,65 @@
+"""Planar mechanisms as they are solved at the drawing board.
+
+>>> import hodograph as hg
+>>> s = hg.Scene.template("shaper").set(l_O1A="120 mm")
+>>> r = s.solve()
+>>> r["omega_3"].text
+'0.947285 rad/s counter-clockwise'
+
+- `Scene` is a mechanism at an instant, `Task` a task of design, `Motion` motions of points without
+  a mechanism; `read` takes a file of any kind, `template` and `templates` give examples.
+- `Scene.solve` returns the `Answers`; `figure`, `worksheet` and `lesson` draw and write.
+- `Scene.sweep` returns a `Table` with the answers over a whole motion, in NumPy columns.
+- `batch` solves many mechanisms whose parameters vary.
+- `Scene.live` and `Scene.widget` show figures that move with the driver.
+
+Numbers are SI (m, m/s, m/s², rad, N, N·m). Bare numbers given to a scene have its own units.
+Faults are exceptions (`HodographError`, a `ValueError`) that show the place in the text.
+"""
+
+from ._answers import Answer, Answers, Design
+from ._batch import batch
+from ._errors import (
+    ArgumentError,
+    Diagnostic,
+    FileError,
+    HodographError,
+    InternalError,
+    SolveError,
+    StoppedError,
+    time_limit,
+)
+from ._figure import Figure, Lesson, Worksheet
+from ._live import Live
+from ._problem import Motion, Problem, Scene, Task, Template, figures, read, schema, template, templates
+from ._table import Table
+
+__all__ = [
+    "Answer",
+    "Answers",
+    "ArgumentError",
+    "Design",
+    "Diagnostic",
+    "Figure",
+    "FileError",
+    "HodographError",
+    "InternalError",
+    "Lesson",
+    "Live",
+    "Motion",
+    "Problem",
+    "Scene",
+    "SolveError",
+    "StoppedError",
+    "Table",
+    "Task",
+    "Template",
+    "Worksheet",
+    "batch",
+    "figures",
+    "read",
+    "schema",
+    "template",
+    "templates",
+    "time_limit",
+]

@@ -1,0 +1,457 @@
+"""Files of all kinds: scenes, design tasks, motions without a mechanism."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal, TypeVar, cast
+
+from . import _native
+from ._answers import Answers, Design
+from ._errors import Diagnostic, HodographError, diagnostics
+from ._figure import Figure, Lesson, Worksheet
+from ._live import Live
+from ._table import Table
+
+Lang = Literal["en", "zh"]
+Notation = Literal["western", "chinese"]
+Self = TypeVar("Self", bound="Problem")
+
+_STILL = {"centres", "curvature", "centrodes", "inversions"}
+
+
+def _text(source: Any) -> tuple[str, str]:
+    """The text of a source, and the name to show."""
+    if isinstance(source, Mapping):
+        return json.dumps(source, ensure_ascii=False, indent=2), "input"
+    if isinstance(source, str) and source.lstrip("\ufeff \t\r\n").startswith("{"):
+        return source, "input"
+    if not isinstance(source, (str, os.PathLike)):
+        raise TypeError(f"a scene is a dict, a text in JSON or a path, not {type(source).__name__}")
+    path = Path(source)
+    whole = _native.included(path.read_bytes(), lambda name: (path.parent / name).read_bytes())
+    return whole.decode("utf-8", "replace"), str(path)
+
+
+def _quantity(name: str, value: Any) -> tuple[str, str]:
+    if isinstance(value, str):
+        return name, value
+    if isinstance(value, bool) or not hasattr(value, "__float__"):
+        raise TypeError(f"{name} is a quantity such as '120 mm' or a number, not {type(value).__name__}")
+    return name, repr(float(value)) if float(value) % 1 else str(int(value))
+
+
+def _words(value: Any) -> str | None:
+    return None if value is None else _quantity("a value", value)[1]
+
+
+def _millimetres(width: Any) -> str | None:
+    text = _words(width)
+    return text if width is None or isinstance(width, str) else f"{text} mm"
+
+
+def _listed(names: str | Iterable[str] | None) -> list[str]:
+    if names is None:
+        return []
+    return [names] if isinstance(names, str) else list(names)
+
+
+def _look(
+    lang: str | None = None, notation: str | None = None, style: Any = None, digits: int | None = None
+) -> _native.Look:
+    if isinstance(style, Mapping):
+        style = json.dumps(style)
+    return lang, notation, style, digits
+
+
+class Problem:
+    """A file that has been read: a `Scene`, a `Task` or a `Motion`. It is never changed."""
+
+    _kind = ""
+
+    def __init__(self, source: str | os.PathLike[str] | Mapping[str, Any]) -> None:
+        """Reads a dict, a text in JSON, or the file at a path.
+
+        Raises `FileError` with all faults, each at its place in the text.
+        """
+        self._text, self._name = _text(source)
+        self._refused: HodographError | None = None
+        try:
+            self._native = _native.Problem(self._text, self._name)
+        except HodographError as fault:
+            # A figure of the pose needs no rates: it is drawn although they are missing.
+            try:
+                self._native = _native.Problem(self._text, self._name, still=True)
+            except HodographError:
+                raise fault from None
+            self._refused = fault
+        if self._kind and self._native.kind != self._kind:
+            raise TypeError(f"this is a {self._native.kind}, not a {self._kind}: use hodograph.read")
+        self._solved: dict[Any, _native.Solved] = {}
+
+    @classmethod
+    def template(cls: type[Self], name: str) -> Self:
+        """The template with a name; `hodograph.templates()` lists all."""
+        return cls(_native.template(name))
+
+    @property
+    def source(self) -> str:
+        """The text."""
+        return self._text
+
+    @property
+    def kind(self) -> str:
+        """`scene`, `task` or `motion`."""
+        return self._native.kind
+
+    @property
+    def notes(self) -> list[Diagnostic]:
+        """Remarks of reading."""
+        return diagnostics(self._native.notes)
+
+    def set(self: Self, values: Mapping[str, str | float] | None = None, /, **named: str | float) -> Self:
+        """The problem with other values of its parameters.
+
+        A text has a unit (`"120 mm"`, `"2*r"`); a bare number has the unit of the value that it
+        replaces. Names that are no words of Python are given in a dict: `s.set({"phi_2/3": 5})`.
+        """
+        given = [_quantity(*one) for one in {**(values or {}), **named}.items()]
+        new = type(self)(_native.with_values(self._text, given))
+        new._name = self._name
+        return new
+
+    def save(self, path: str | os.PathLike[str]) -> Path:
+        """Writes the text to a file."""
+        at = Path(path)
+        at.write_bytes(self._text.encode())
+        return at
+
+    def _solution(self, *, still: bool = False, **options: Any) -> _native.Solved:
+        """The solution for options, kept for figures and documents."""
+        key = (still, *sorted(options.items()))
+        if key not in self._solved:
+            native = self._native
+            if still:
+                native = _native.Problem(self._text, self._name, still=True)
+            elif self._refused is not None:
+                raise self._refused
+            self._solved[key] = native.solve(**options)
+        return self._solved[key]
+
+    def figure(
+        self,
+        name: str | Iterable[str] = "sheet",
+        *,
+        lang: Lang | None = None,
+        notation: Notation | None = None,
+        style: str | Mapping[str, Any] | None = None,
+        digits: int | None = None,
+        width: str | float | None = None,
+        steps: bool = False,
+        vectors: Literal["velocity", "acceleration"] | None = None,
+        dimensions: bool = False,
+        poses: int = 0,
+        path: str | Iterable[str] | None = None,
+        candidate: int = 1,
+        drafting: bool | str = False,
+    ) -> Figure:
+        """Draws a figure; `hodograph.figures()` lists the names.
+
+        `style` is `print`, `slides`, `dark` or a style file's content; `width` (mm, or with a unit)
+        fits the figure into a column; `steps` gives a page for each step of the construction.
+        `vectors`, `dimensions`, `poses` (their number) and `path` (names of points) are drawn with
+        the mechanism. `candidate` chooses one of a `Task`, from 1. `drafting` adds the tolerances
+        of drawing by hand; a text is the pencil error.
+        """
+        names = _listed(name)
+        points = _listed(path)
+        moves = steps or poses > 0 or bool(points)
+        native = self._solution(
+            still=bool(names) and set(names) <= _STILL and not moves,
+            figures=True,
+            whole_motion=poses > 0 or bool(points),
+            candidate=_index(candidate),
+            drafting=_drafting(drafting),
+        )
+        look = _look(lang, notation, style, digits)
+        pages = native.figures(names, look, steps, _millimetres(width), vectors, dimensions, poses, points)
+        return Figure(pages)
+
+    def worksheet(
+        self,
+        *,
+        lang: Lang | None = None,
+        notation: Notation | None = None,
+        style: str | Mapping[str, Any] | None = None,
+        digits: int | None = None,
+        problem: bool = True,
+        solution: bool = True,
+        mistake: str | None = None,
+        candidate: int = 1,
+    ) -> Worksheet:
+        """Writes the problem and its solution as a document; either can be left out.
+
+        With `mistake`, a wrong solution is the problem: one by its name, `""` for the first.
+        """
+        if not (problem or solution):
+            raise ValueError("a worksheet has the problem, the solution or both")
+        sides = "both" if problem and solution else "problem" if problem else "solution"
+        native = self._solution(figures=True, candidate=_index(candidate))
+        return Worksheet(native.worksheet(sides, mistake, _look(lang, notation, style, digits)))
+
+    def lesson(
+        self,
+        *,
+        over: str | None = None,
+        positions: int | None = None,
+        lang: Lang | None = None,
+        notation: Notation | None = None,
+        style: str | Mapping[str, Any] | None = None,
+        reveal: bool = False,
+        width: str | float | None = None,
+        candidate: int = 1,
+    ) -> Lesson:
+        """Writes a page with the construction step by step and a driver to drag.
+
+        `over` names the driver; `reveal` gives a fragment for slides, `width` its width (mm).
+        """
+        native = self._solution(figures=True, whole_motion=not reveal, candidate=_index(candidate))
+        return Lesson(native.lesson(over, positions, reveal, _millimetres(width), _look(lang, notation, style)))
+
+    def _repr_svg_(self) -> str | None:
+        try:
+            return self.figure()._repr_svg_()
+        except HodographError:
+            # What cannot be drawn is shown as its text.
+            return None
+
+    def __repr__(self) -> str:
+        return f"<hodograph.{type(self).__name__}{': ' + self._name if self._name != 'input' else ''}>"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Problem) and type(other) is type(self) and self._text == other._text
+
+    def __hash__(self) -> int:
+        return hash(self._text)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self._text,)
+
+
+def _index(candidate: int) -> int:
+    if candidate < 1:
+        raise ValueError("candidates are counted from 1")
+    return candidate - 1
+
+
+def _drafting(given: bool | str) -> str | None:
+    return given if isinstance(given, str) else "" if given else None
+
+
+class Scene(Problem):
+    """A mechanism at an instant.
+
+    >>> s = Scene({
+    ...     "links": {"1": ["A", "B"], "2": ["B", "C"], "3": ["C", "D"], "4": ["A", "D"]}, "ground": "4",
+    ...     "lengths": {"AB": "100 mm", "BC": "250 mm", "CD": "200 mm", "AD": "300 mm"},
+    ...     "driver": {"link": "1", "angle": "60 deg", "omega": "10 rad/s"}, "find": ["omega_3"]})
+    >>> s.solve()
+    omega_3 = 2.91596 rad/s counter-clockwise
+    """
+
+    _kind = "scene"
+
+    @property
+    def parameters(self) -> dict[str, str]:
+        """The parameters with their texts."""
+        return dict(self._native.parameters)
+
+    def solve(
+        self,
+        *,
+        digits: int | None = None,
+        lang: Lang | None = None,
+        notation: Notation | None = None,
+        drafting: bool | str = False,
+    ) -> Answers:
+        """Solves by drawing and by analysis; returns the answers by question.
+
+        `digits` significant digits are certified (up to 100 and more; 6 without it). `drafting`
+        adds the tolerances of drawing by hand; a text is the pencil error, such as `"0.1 mm"`.
+        """
+        return Answers(self._solution(drafting=_drafting(drafting)), _look(lang, notation, None, digits))
+
+    def sweep(
+        self,
+        over: str | None = None,
+        start: str | float | None = None,
+        stop: str | float | None = None,
+        *,
+        steps: int | None = None,
+        find: str | Sequence[str] | None = None,
+        units: Literal["si", "book"] = "si",
+        progress: bool = False,
+    ) -> Table:
+        """The answers in `steps` equal steps of a driver, a parameter or the time, both ends
+        included: `steps + 1` rows.
+
+        `over` is a driver (`phi_1`, `s_B`, `driver2`), a parameter, or `t`; without it the usual
+        one moves. `start` and `stop` are numbers in the scene's unit (degrees for angles) or texts
+        with a unit; without them the whole turn or travel is taken. `find` asks other questions
+        than the scene. Columns are SI; with `units="book"` they are in the units that the scene
+        prints. `progress` shows a bar if tqdm is installed.
+        """
+        if units not in ("si", "book"):
+            raise ValueError("units is 'si' or 'book'")
+        if steps is not None and not 0 <= steps <= 10_000_000:
+            raise ValueError("steps is a whole number from 0 to 10000000")
+        self._moving()
+        asked = ",".join(_listed(find)) if find is not None else None
+        with _bar(progress) as tell:
+            native = self._native.sweep(over, _words(start), _words(stop), steps, asked, tell)
+        return Table(native, units)
+
+    def table(self, *, units: Literal["si", "book"] = "si") -> Table:
+        """The answers over the whole motion of the usual driver, in 360 steps."""
+        return self.sweep(units=units)
+
+    def curves(
+        self,
+        *,
+        lang: Lang | None = None,
+        notation: Notation | None = None,
+        style: str | Mapping[str, Any] | None = None,
+    ) -> Figure:
+        """Displacements, velocities and accelerations over the whole motion as line diagrams."""
+        self._moving()
+        return Figure(self._native.curves(_look(lang, notation, style)))
+
+    def live(
+        self,
+        *names: str,
+        over: str | None = None,
+        reserve: bool = True,
+        lang: Lang | None = None,
+        notation: Notation | None = None,
+        style: str | Mapping[str, Any] | None = None,
+    ) -> Live:
+        """Figures that are drawn again for other positions of the drivers.
+
+        With `reserve`, their paper has space for the whole motion, and nothing fixed shifts.
+        """
+        self._moving()
+        look = _look(lang, notation, style)
+        native = _native.Moving(self._native, list(names) or ["sheet"], over, reserve, look)
+        return Live(native, self._solution().names[1])
+
+    def widget(self, *names: str, **options: Any) -> Any:
+        """Figures with a slider for the driver, for notebooks; needs `anywidget`."""
+        from ._widget import widget
+
+        return widget(self, names or ("mechanism", "velocity", "acceleration"), options)
+
+    def _moving(self) -> None:
+        if self._refused is not None:
+            raise self._refused
+
+
+class Task(Problem):
+    """A task of design, whose candidates are scenes."""
+
+    _kind = "task"
+
+    def solve(self, *, candidate: int = 1, lang: Lang | None = None, digits: int | None = None) -> Design:
+        """Finds the candidates; `candidate` (from 1) is the one whose construction is told."""
+        return Design(self._solution(candidate=_index(candidate)), _look(lang, None, None, digits))
+
+
+class Motion(Problem):
+    """Motions of points without a mechanism."""
+
+    _kind = "motion"
+
+    def solve(
+        self, *, digits: int | None = None, lang: Lang | None = None, notation: Notation | None = None
+    ) -> Answers:
+        """Solves by drawing and by analysis; returns the answers by question."""
+        return Answers(self._solution(), _look(lang, notation, None, digits))
+
+
+_KINDS: dict[str, type[Problem]] = {"scene": Scene, "task": Task, "motion": Motion}
+
+
+def read(source: str | os.PathLike[str] | Mapping[str, Any]) -> Scene | Task | Motion:
+    """Reads a file of any kind: a dict, a text in JSON, or the file at a path."""
+    text, name = _text(source)
+    of = _KINDS[_native.kind_of(text)](text)
+    of._name = name
+    return cast("Scene | Task | Motion", of)
+
+
+@dataclass(frozen=True)
+class Template:
+    """A file with parameters that can be set."""
+
+    name: str
+    kind: str
+    """`scene`, `task` or `motion`."""
+    title: dict[str, str]
+    """The title in both languages."""
+    parameters: dict[str, str]
+    """The parameters of a scene with their values."""
+
+
+def templates() -> list[Template]:
+    """All templates: scenes, tasks of design, motions."""
+    return [
+        Template(name, kind, {"en": en, "zh": zh}, dict(parameters))
+        for name, kind, (en, zh), parameters in _native.templates()
+    ]
+
+
+def template(name: str) -> Scene | Task | Motion:
+    """The template with a name, whatever its kind."""
+    return read(_native.template(name))
+
+
+def figures() -> dict[str, dict[str, str]]:
+    """The names of all figures, each with its content in both languages."""
+    return {name: {"en": en, "zh": zh} for name, en, zh in _native.figures()}
+
+
+def schema(kind: Literal["scene", "task", "motion"] = "scene") -> dict[str, Any]:
+    """The JSON Schema of a kind of file."""
+    text = _native.schema(kind)
+    if text is None:
+        raise ValueError("kind is 'scene', 'task' or 'motion'")
+    told: dict[str, Any] = json.loads(text)
+    return told
+
+
+class _bar:
+    """A progress bar while work runs, if it is asked for and tqdm is installed."""
+
+    def __init__(self, shown: bool) -> None:
+        self._bar: Any = None
+        if shown:
+            try:
+                from tqdm.auto import tqdm
+            except ImportError:
+                return
+            self._bar = tqdm(unit=" positions", leave=False)
+
+    def __enter__(self) -> Callable[[int, int], None] | None:
+        return None if self._bar is None else self._tell
+
+    def _tell(self, done: int, total: int) -> None:
+        self._bar.total = total
+        self._bar.update(done - self._bar.n)
+
+    def __exit__(self, *_: object) -> None:
+        if self._bar is not None:
+            self._bar.close()
+
+

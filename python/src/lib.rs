@@ -1,0 +1,41 @@
+//! The native module of the Python package: the calls of [`hodograph::problem`].
+//!
+//! [`Problem`] is a file that has been read, [`Solved`] its solution, [`Picture`] a figure,
+//! [`Sheet`] a worksheet, [`Table`] the columns of a sweep, [`Moving`] a figure that is dragged.
+//! Structured results are exchanged as JSON, columns by the address of their numbers, faults as
+//! exceptions of the package. Each call that may take long goes through [`work::run`].
+
+#![warn(missing_docs)]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
+mod fault;
+mod look;
+mod moving;
+mod picture;
+mod solved;
+mod table;
+mod work;
+
+use pyo3::prelude::*;
+
+pub use moving::Moving;
+pub use picture::{Picture, Sheet};
+pub use solved::{Problem, Solved};
+pub use table::{Column, Table};
+
+/// The functions and classes of the module.
+#[pymodule]
+mod _native {
+    #[pymodule_export]
+    use super::moving::Moving;
+    #[pymodule_export]
+    use super::picture::{Picture, Sheet, pdf_of};
+    #[pymodule_export]
+    use super::solved::{
+        Problem, Solved, figures, included, kind_of, schema, template, templates, with_values,
+    };
+    #[pymodule_export]
+    use super::table::{Column, Table};
+    #[pymodule_export]
+    use super::work::limit;
+}

@@ -1,0 +1,528 @@
+//! Files that have been read, and their solutions.
+
+use crate::fault::{Refusal, notes};
+use crate::look::{Named, look};
+use crate::picture::{Picture, Sheet};
+use crate::table::{Table, TableParts};
+use crate::work::{run, watched};
+use hodograph::answer::AnswerValue;
+use hodograph::diag::{Diagnostic, Faults, Warned, both};
+use hodograph::figure::list::{self, Extras, FigureEntry};
+use hodograph::figure::results::DIGITS as SHEET_DIGITS;
+use hodograph::mechanism::Mechanism;
+use hodograph::problem::batch;
+use hodograph::problem::range::{self, SweptRange};
+use hodograph::problem::{
+    self, Additions, Extent, Kind, Lesson, Look, Options, Pictures, Verdict, Wish, whole,
+};
+use hodograph::report::answers::DIGITS;
+use hodograph::scene::{self, Scene, Swept, edit};
+use hodograph::sweep::PlacedScene;
+use hodograph::sweep::batch::{Block, ParameterChoice};
+use hodograph::worksheet::WorksheetSides;
+use pyo3::prelude::*;
+use serde_json::json;
+use std::sync::atomic::Ordering;
+
+/// A template: name, kind, both titles, parameters with their values.
+type NamedTemplate = (String, &'static str, (String, String), Vec<(String, String)>);
+
+/// Returns all templates.
+#[pyfunction]
+pub fn templates() -> Vec<NamedTemplate> {
+    let one = |t: problem::templates::Template| {
+        (t.name.to_owned(), t.kind.word(), (t.title.en, t.title.zh), t.parameters)
+    };
+    problem::templates::all().into_iter().map(one).collect()
+}
+
+/// Returns the text of a template.
+///
+/// # Errors
+/// A template that does not exist.
+#[pyfunction]
+pub fn template(py: Python, name: &str) -> PyResult<String> {
+    problem::templates::text(name, &[]).map_err(|f| Refusal::of(f).raised(py))
+}
+
+/// Returns a text with other values of its parameters.
+///
+/// # Errors
+/// Unknown parameters; values that cannot be read.
+#[pyfunction]
+pub fn with_values(py: Python, text: &str, values: Vec<(String, String)>) -> PyResult<String> {
+    let values: Vec<(&str, &str)> = values.iter().map(|(n, v)| (&**n, &**v)).collect();
+    edit::with_parameters(text, &values).map_err(|f| Refusal::in_text(f, "set", "").raised(py))
+}
+
+/// Returns a text with the scene file that a design task names in its place; `read` returns the
+/// bytes of a file.
+///
+/// # Errors
+/// Those of `read`.
+#[pyfunction]
+pub fn included(py: Python, source: Vec<u8>, read: &Bound<PyAny>) -> PyResult<Vec<u8>> {
+    let mut thrown = None;
+    let made = problem::included(source, |name| {
+        let bytes = read.call1((name,)).and_then(|bytes| bytes.extract::<Vec<u8>>());
+        bytes.map_err(|e| {
+            thrown = Some(e);
+            Diagnostic::error("cannot-read", both!("{name} cannot be read", "不能读取 {name}"))
+        })
+    });
+    made.map_err(|faults| thrown.unwrap_or_else(|| Refusal::of(faults).raised(py)))
+}
+
+/// Returns the JSON Schema of a kind of file: `scene`, `task` or `motion`.
+#[pyfunction]
+pub fn schema(kind: &str) -> Option<&'static str> {
+    [Kind::Scene, Kind::Task, Kind::Motion]
+        .into_iter()
+        .find(|k| k.word() == kind)
+        .map(problem::schema)
+}
+
+/// Returns the figures that can be requested: names, and contents in both languages.
+#[pyfunction]
+pub fn figures() -> Vec<(&'static str, &'static str, &'static str)> {
+    list::LIST.iter().map(|e| (e.name, e.about[0], e.about[1])).collect()
+}
+
+/// Returns the kind of a text, judged by its keys: `scene`, `task` or `motion`.
+#[pyfunction]
+pub fn kind_of(text: &str) -> &'static str {
+    Kind::of(text.as_bytes()).word()
+}
+
+/// A file that has been read.
+#[pyclass(frozen, module = "hodograph._native")]
+pub struct Problem {
+    name: String,
+    source: String,
+    extent: Extent,
+    notes: Vec<Diagnostic>,
+    problem: problem::Problem,
+}
+
+impl Problem {
+    fn refused(&self, faults: impl Into<Faults>) -> Refusal {
+        Refusal::in_text(faults, &self.name, &self.source)
+    }
+
+    fn granted(&self, wishes: &[(bool, Wish)]) -> Result<(), Refusal> {
+        let kind = self.problem.kind();
+        let mut asked = wishes.iter().filter(|(asked, _)| *asked);
+        Ok(asked.try_for_each(|(_, wish)| kind.grants(*wish))?)
+    }
+
+    /// The problem, as its figures and documents need it.
+    pub fn given(&self) -> &problem::Problem {
+        &self.problem
+    }
+
+    /// Returns name and text.
+    pub fn text(&self) -> (&str, &str) {
+        (&self.name, &self.source)
+    }
+
+    /// Returns the scene with these questions, its own if none are given; with the notes.
+    fn asking(&self, find: Option<&str>) -> Result<Warned<Scene>, Refusal> {
+        self.granted(&[(true, Wish::Mechanism)])?;
+        match find {
+            Some(find) => scene::read_asking(&self.source, find)
+                .map_err(|f| Refusal::asked(f, self.text(), Some(find))),
+            None => {
+                let value = self.problem.clone().into_scene().map_err(|d| self.refused(d))?;
+                Ok(Warned { value, notes: Vec::new() })
+            }
+        }
+    }
+}
+
+#[pymethods]
+impl Problem {
+    /// Reads a text; of a scene only the pose if it is `still`.
+    #[new]
+    #[pyo3(signature = (source, name="", still=false))]
+    fn new(py: Python, source: String, name: &str, still: bool) -> PyResult<Problem> {
+        let extent = if still { Extent::Pose } else { Extent::Motion };
+        let Warned { value: problem, notes } = run(py, || {
+            problem::read_as(&source, extent).map_err(|f| Refusal::in_text(f, name, &source))
+        })?;
+        Ok(Problem { name: name.to_owned(), source, extent, notes, problem })
+    }
+
+    /// The text.
+    #[getter]
+    fn source(&self) -> &str {
+        &self.source
+    }
+
+    /// The kind: `scene`, `task` or `motion`.
+    #[getter]
+    fn kind(&self) -> &'static str {
+        self.problem.kind().word()
+    }
+
+    /// Names and texts of the parameters of a scene.
+    #[getter]
+    fn parameters(&self) -> Vec<(String, String)> {
+        let Ok(scene) = self.problem.clone().into_scene() else { return Vec::new() };
+        scene.parameters.into_iter().map(|(name, given)| (name, given.text)).collect()
+    }
+
+    /// Remarks of reading, as JSON.
+    #[getter]
+    fn notes(&self) -> String {
+        notes(&self.notes, &self.name, &self.source)
+    }
+
+    /// Solves the problem.
+    #[pyo3(signature = (figures=false, whole_motion=false, candidate=0, drafting=None))]
+    fn solve(
+        slf: Py<Self>,
+        py: Python,
+        figures: bool,
+        whole_motion: bool,
+        candidate: usize,
+        drafting: Option<&str>,
+    ) -> PyResult<Solved> {
+        let of = slf.get();
+        let solved = run(py, || {
+            of.granted(&[(drafting.is_some(), Wish::Drafting), (candidate > 0, Wish::Candidate)])?;
+            let pencil_mm = match drafting.filter(|text| !text.is_empty()) {
+                Some(text) => {
+                    Some(scene::pencil(text).map_err(|f| Refusal::in_text(f, "drafting", text))?)
+                }
+                None => None,
+            };
+            let drafting = drafting.is_some();
+            let options = Options { figures, drafting, pencil_mm, whole_motion, candidate };
+            problem::solve(&of.problem, &options).map_err(|f| of.refused(f))
+        })?;
+        Ok(Solved { problem: slf, solved })
+    }
+
+    /// Returns the table of a range: the answers for each value, in SI.
+    #[pyo3(signature = (over, from_, to, steps, find, tell))]
+    #[expect(clippy::too_many_arguments, reason = "each is an argument in Python")]
+    fn sweep(
+        &self,
+        py: Python,
+        over: Option<&str>,
+        from_: Option<&str>,
+        to: Option<&str>,
+        steps: Option<usize>,
+        find: Option<&str>,
+        tell: Option<&Bound<PyAny>>,
+    ) -> PyResult<Table> {
+        let parts = watched(py, tell, |progress| {
+            let Warned { value: scene, mut notes } = self.asking(find)?;
+            let Warned { value: scene, notes: more } = whole::over_a_table(scene);
+            notes.extend(more);
+            let swept = SweptRange { over, from: from_, to, steps };
+            let stop = || progress.stop.load(Ordering::Relaxed);
+            let made = range::rows(&scene, &swept, |pieces| {
+                let (count, step) = (pieces.count(), pieces.at_once());
+                progress.all.store(count as u64, Ordering::Relaxed);
+                let columns = pieces.columns();
+                let mut values = vec![Vec::with_capacity(count); columns.len()];
+                for from in (0..count).step_by(step) {
+                    let to = count.min(from + step);
+                    // Without a piece the work is stopped, and the rows are of no use.
+                    let Some(piece) = pieces.piece(from..to, &stop) else { break };
+                    values.iter_mut().zip(piece).for_each(|(all, part)| all.extend(part));
+                    progress.done.store(to as u64, Ordering::Relaxed);
+                }
+                notes.extend(pieces.notes());
+                (columns, values)
+            });
+            let (columns, values) = made.map_err(|f| Refusal::range(f, self.text(), find))?;
+            let book = range::book_units(&scene, &columns);
+            let title = (scene.title.en, scene.title.zh);
+            Ok(TableParts { title, heads: columns, book, values, notes })
+        })?;
+        Table::of(py, parts)
+    }
+
+    /// Returns the table of many mechanisms, whose parameters vary: each of `vary` is
+    /// `NAME=FROM..TO:N`, or `NAME=FROM..TO` for the bounds of a random one.
+    #[pyo3(signature = (vary, random, seed, over, from_, to, steps, find, tell))]
+    #[expect(clippy::too_many_arguments, reason = "each is an argument in Python")]
+    fn batch(
+        &self,
+        py: Python,
+        vary: Vec<String>,
+        random: Option<u64>,
+        seed: u64,
+        over: Option<&str>,
+        from_: Option<&str>,
+        to: Option<&str>,
+        steps: Option<usize>,
+        find: Option<&str>,
+        tell: Option<&Bound<PyAny>>,
+    ) -> PyResult<Table> {
+        let parts = watched(py, tell, |progress| {
+            let Warned { value: scene, mut notes } = self.asking(find)?;
+            let refused = |faults| Refusal::asked(faults, self.text(), find);
+            let mechanism = Mechanism::new(&scene).map_err(refused)?.value;
+            let driver = range::driver_of(&scene, over).map_err(|w| Refusal::values(vec![w]))?;
+            let stations = match steps {
+                None => None,
+                Some(_) => {
+                    let placed = PlacedScene::new(&scene, &mechanism).map_err(refused)?;
+                    let swept = SweptRange { over, from: from_, to, steps };
+                    let steps = range::steps(&placed, driver, &swept)
+                        .map_err(|f| Refusal::range(f, self.text(), find))?;
+                    Some(steps.all())
+                }
+            };
+            let choice = random
+                .map_or(ParameterChoice::Grid, |count| ParameterChoice::Random { count, seed });
+            let batch = batch::plan(&scene, &mechanism, &vary, choice, (driver, stations))
+                .map_err(|wrong| {
+                    let one = |(k, faults): (usize, Faults)| {
+                        let text = vary.get(k).map_or("", String::as_str);
+                        Refusal::in_text(faults, "vary", text)
+                    };
+                    Refusal::all(wrong.into_iter().map(one))
+                })?;
+            let (all, step) = (batch.mechanisms(), batch::block(&batch));
+            progress.all.store(all, Ordering::Relaxed);
+            let stop = || progress.stop.load(Ordering::Relaxed);
+            let heads = batch.columns();
+            let mut values = vec![Vec::new(); heads.len()];
+            let (mut block, mut missing, mut from) = (Block::default(), 0, 0);
+            while from < all {
+                let to = all.min(from + step);
+                let Some(made) = batch.block_unless(from, to, block, &stop) else { break };
+                values.iter_mut().zip(&made.columns).for_each(|(all, part)| all.extend(part));
+                missing += made.missing;
+                (block, from) = (made, to);
+                progress.done.store(to, Ordering::Relaxed);
+            }
+            notes.extend(batch::notes(missing));
+            let book = range::book_units(&scene, &heads);
+            let title = (scene.title.en.clone(), scene.title.zh.clone());
+            Ok(TableParts { title, heads, book, values, notes })
+        })?;
+        Table::of(py, parts)
+    }
+
+    /// Draws displacements, velocities and accelerations over the whole motion.
+    fn curves(&self, py: Python, look_of: Named) -> PyResult<Vec<(String, Picture)>> {
+        let pages = run(py, || {
+            self.granted(&[(true, Wish::Mechanism)])?;
+            let look = look(look_of, SHEET_DIGITS)?;
+            whole::curves(self.source.as_bytes(), &look).map_err(|f| self.refused(f))
+        })?;
+        Ok(pages.value.into_iter().map(|(name, figure)| (name, Picture::of(figure))).collect())
+    }
+}
+
+/// A problem with its answers.
+#[pyclass(frozen, module = "hodograph._native")]
+pub struct Solved {
+    problem: Py<Problem>,
+    solved: problem::Solved,
+}
+
+impl Solved {
+    fn of(&self) -> &Problem {
+        self.problem.get()
+    }
+
+    fn notes(&self) -> Vec<Diagnostic> {
+        self.of().notes.iter().chain(&self.solved.notes).cloned().collect()
+    }
+}
+
+#[pymethods]
+impl Solved {
+    /// The outcome: `answered`, `disagree` or `unanswered`.
+    #[getter]
+    fn verdict(&self) -> &'static str {
+        match self.solved.verdict() {
+            Verdict::Disagree => "disagree",
+            Verdict::Unanswered => "unanswered",
+            _ => "answered",
+        }
+    }
+
+    /// Remarks of reading and solving, as JSON.
+    #[getter(notes)]
+    fn told(&self) -> String {
+        notes(&self.notes(), &self.of().name, &self.of().source)
+    }
+
+    /// Returns the document that `hodograph solve --json` prints.
+    #[pyo3(signature = (look_of, steps=false))]
+    fn json(&self, py: Python, look_of: Named, steps: bool) -> PyResult<String> {
+        run(py, || {
+            let look = look(look_of, DIGITS)?;
+            Ok(self.solved.json(&look, steps, &self.notes()).to_string())
+        })
+    }
+
+    /// Returns the answers as JSON: question, symbol, unit, sense, value, text.
+    fn answers(&self, py: Python, look_of: Named) -> PyResult<String> {
+        run(py, || {
+            let look = look(look_of, DIGITS)?;
+            let parts = |value: &AnswerValue| match value {
+                AnswerValue::Scalar(value) => json!(value),
+                AnswerValue::Vector(v) => json!([v.x, v.y]),
+                AnswerValue::Point(p) => json!([p.x, p.y]),
+            };
+            let one = |a: problem::Answer| {
+                json!({
+                    "find": a.find, "symbol": a.symbol, "unit": a.unit, "turns": a.turns,
+                    "value": a.value.as_ref().map(parts), "text": a.text,
+                    "drawn": a.drawn.as_ref().map(parts), "difference": a.difference,
+                })
+            };
+            let all: Vec<_> = self.solved.answers(&look).into_iter().map(one).collect();
+            Ok(json!(all).to_string())
+        })
+    }
+
+    /// Returns the answers as text for people.
+    #[pyo3(signature = (look_of, steps=false))]
+    fn text(&self, py: Python, look_of: Named, steps: bool) -> PyResult<String> {
+        run(py, || Ok(self.solved.text(&look(look_of, DIGITS)?, steps)))
+    }
+
+    /// Draws figures; each comes with the word for its file.
+    #[pyo3(signature = (names, look_of, steps, width, vectors, dimensions, poses, path))]
+    #[expect(clippy::too_many_arguments, reason = "each is an argument in Python")]
+    fn figures(
+        &self,
+        py: Python,
+        names: Vec<String>,
+        look_of: Named,
+        steps: bool,
+        width: Option<&str>,
+        vectors: Option<&str>,
+        dimensions: bool,
+        poses: usize,
+        path: Vec<String>,
+    ) -> PyResult<Vec<(String, Picture)>> {
+        let pages = run(py, || {
+            let wishes = [
+                (steps, Wish::Pictures),
+                (poses > 0, Wish::Poses),
+                (!path.is_empty(), Wish::Paths),
+            ];
+            self.of().granted(&wishes)?;
+            let look = look(look_of, SHEET_DIGITS)?;
+            let entries: Vec<&'static FigureEntry> =
+                names.iter().map(|name| named(name)).collect::<Result<_, _>>()?;
+            let width_mm = width_of(width)?;
+            let wanted = Additions { vectors, dimensions, poses, path: &path };
+            let extras = match self.solved.mechanism() {
+                Some((scene, worked)) if !steps => {
+                    problem::extras(scene, worked, &wanted).map_err(Refusal::values)?
+                }
+                Some(_) | None => Extras::default(),
+            };
+            let pictures = Pictures { figures: &entries, extras, steps, width_mm };
+            self.solved.figures(&pictures, &look).map_err(|f| self.of().refused(f))
+        })?;
+        Ok(pages.value.into_iter().map(|(name, figure)| (name, Picture::of(figure))).collect())
+    }
+
+    /// Returns problem and solution as a document; `sides`: `problem`, `solution` or `both`.
+    #[pyo3(signature = (sides, mistake, look_of))]
+    fn worksheet(
+        &self,
+        py: Python,
+        sides: &str,
+        mistake: Option<&str>,
+        look_of: Named,
+    ) -> PyResult<Sheet> {
+        run(py, || {
+            self.of().granted(&[(mistake.is_some(), Wish::Mistake)])?;
+            let sides = match sides {
+                "problem" => WorksheetSides::Problem,
+                "solution" => WorksheetSides::Solution,
+                _ => WorksheetSides::Both,
+            };
+            let look = look(look_of, SHEET_DIGITS)?;
+            let made = self.solved.worksheet(sides, mistake, &look);
+            made.map(Sheet::of).map_err(|f| self.of().refused(f))
+        })
+    }
+
+    /// Writes a page with the construction step by step.
+    #[pyo3(signature = (over, positions, reveal, width, look_of))]
+    fn lesson(
+        &self,
+        py: Python,
+        over: Option<&str>,
+        positions: Option<usize>,
+        reveal: bool,
+        width: Option<&str>,
+        look_of: Named,
+    ) -> PyResult<String> {
+        run(py, || {
+            self.of().granted(&[(reveal, Wish::Reveal)])?;
+            let swept = match self.solved.mechanism() {
+                Some((scene, _)) => {
+                    range::swept_of(scene, over).map_err(|w| Refusal::values(vec![w]))?
+                }
+                None => Swept::Driver(0),
+            };
+            let positions = positions.unwrap_or(Lesson::default().positions);
+            let wanted = Lesson { positions, swept, reveal, width_mm: width_of(width)? };
+            let look = look(look_of, Look::default().digits)?;
+            let page = self.solved.lesson(&wanted, &look).map_err(|f| self.of().refused(f))?;
+            Ok(page.value)
+        })
+    }
+
+    /// The texts of the scenes of a design task's candidates.
+    #[getter]
+    fn candidates(&self) -> Vec<String> {
+        let design = self.solved.design();
+        design.map_or_else(Vec::new, |d| d.candidates.iter().map(|c| c.scene_text()).collect())
+    }
+
+    /// The names of the scene's points, drivers and links; empty without a mechanism.
+    #[getter]
+    fn names(&self) -> (Vec<String>, Vec<String>, Vec<String>) {
+        let Some((scene, _)) = self.solved.mechanism() else { return Default::default() };
+        (
+            scene.points.iter().map(|p| p.name.clone()).collect(),
+            (0..scene.drivers.len()).map(|d| scene.driver_name(d).0).collect(),
+            scene.links.iter().map(|l| l.name.clone()).collect(),
+        )
+    }
+
+    /// The places (m) of the scene's points; `None` for a point without one.
+    #[getter]
+    fn places(&self) -> Vec<Option<(f64, f64)>> {
+        let Some((_, worked)) = self.solved.mechanism() else { return Vec::new() };
+        worked.configuration.points.iter().map(|p| p.map(|p| (p.x, p.y))).collect()
+    }
+
+    /// True if the file was read for its pose only.
+    #[getter]
+    fn still(&self) -> bool {
+        self.of().extent == Extent::Pose
+    }
+}
+
+/// Returns the width (mm) that a text gives.
+fn width_of(width: Option<&str>) -> Result<Option<f64>, Refusal> {
+    let read = |text| scene::width(text).map_err(|f| Refusal::in_text(f, "width", text));
+    width.map(read).transpose()
+}
+
+/// Returns a figure by its name.
+pub fn named(name: &str) -> Result<&'static FigureEntry, Refusal> {
+    list::named(name).ok_or_else(|| {
+        let names: Vec<&str> = list::LIST.iter().map(|e| e.name).collect();
+        let message = both!("there is no figure `{name}`", "没有图 `{name}`");
+        let help = both!("there are {}", "有 {}", hodograph::diag::Both::names(&names));
+        Diagnostic::error("no-figure", message).help(help).into()
+    })
+}

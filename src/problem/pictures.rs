@@ -1,0 +1,106 @@
+//! Additions to the drawing of the mechanism, by the names of a request.
+
+use super::Extent;
+use super::range::WrongValue;
+use crate::diag::{Diagnostic, Faults, Span, both};
+use crate::figure::list::{Extras, FigureEntry};
+use crate::scene::{DiagramKind, PointId, Scene};
+use crate::worked::Worked;
+use hodograph_base::json::fields::suggest;
+
+/// Requested additions to the drawing of the mechanism.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Additions<'a> {
+    /// Vectors at its points: `velocity` or `acceleration`.
+    pub vectors: Option<&'a str>,
+    /// True if the given lengths are drawn as dimensions.
+    pub dimensions: bool,
+    /// Number of positions of the first driver.
+    pub poses: usize,
+    /// Names of points with their paths shown.
+    pub path: &'a [String],
+}
+
+/// Returns the items that are drawn with the mechanism.
+///
+/// # Errors
+/// `no-figure`: vectors that are not drawn for the questions; `unknown-point`.
+pub fn extras(
+    scene: &Scene,
+    worked: &Worked,
+    wanted: &Additions,
+) -> Result<Extras, Vec<WrongValue>> {
+    let vectors = |name| {
+        [DiagramKind::Velocity, DiagramKind::Acceleration].into_iter().find(|on| on.word() == name)
+    };
+    let mut wrong = Vec::new();
+    let on = wanted.vectors.and_then(vectors);
+    if let Some(word) = wanted.vectors
+        && on.is_none_or(|on| worked.construction.polygon(on).is_none())
+    {
+        let kind = on.unwrap_or(DiagramKind::Velocity).vectors();
+        let d = Diagnostic::error(
+            "no-figure",
+            both!("the scene's questions call for no {}", "所求的量用不到{}", kind),
+        )
+        .help(both!("ask for one in \"find\"", "请在 \"find\" 中求相应的量"));
+        wrong.push(WrongValue::new("vectors", word, d));
+    }
+    match points_named(scene, wanted.path, "path") {
+        Ok(points) if wrong.is_empty() => {
+            let Additions { dimensions, poses, .. } = *wanted;
+            Ok(Extras { vectors: on, dimensions, poses, points })
+        }
+        Ok(_) => Err(wrong),
+        Err(unknown) => {
+            wrong.push(unknown);
+            Err(wrong)
+        }
+    }
+}
+
+/// Returns the points with the names that a value `of` a request lists.
+///
+/// # Errors
+/// `unknown-point` for each name that the scene does not have.
+pub fn points_named(
+    scene: &Scene,
+    names: &[String],
+    of: &'static str,
+) -> Result<Vec<PointId>, WrongValue> {
+    let mut faults = Faults::default();
+    let mut points = Vec::new();
+    let mut start = 0;
+    for whole in names {
+        let name = whole.trim();
+        match (0..scene.points.len()).map(PointId).find(|p| scene.point_name(*p) == name) {
+            Some(p) if points.contains(&p) => {}
+            Some(p) => points.push(p),
+            None => {
+                let known = (0..scene.points.len()).map(|p| scene.point_name(PointId(p)));
+                let d = Diagnostic::error(
+                    "unknown-point",
+                    both!("the scene has no point `{name}`", "机构文件没有点 `{name}`"),
+                )
+                .at(Span::new(start, start + whole.len()));
+                faults.push(d.help(suggest(name, known, both!("the points are", "点有"))));
+            }
+        }
+        start += whole.len() + 1;
+    }
+    if faults.has_errors() {
+        Err(WrongValue::new(of, &names.join(","), faults))
+    } else {
+        Ok(points)
+    }
+}
+
+impl Extent {
+    /// Returns the part of a scene on which figures depend.
+    pub fn of(figures: &[&FigureEntry]) -> Extent {
+        let still = |e: &&FigureEntry| {
+            matches!(e.name, "centres" | "curvature" | "centrodes" | "inversions")
+        };
+        if !figures.is_empty() && figures.iter().all(still) { Extent::Pose } else { Extent::Motion }
+    }
+}
