@@ -16,6 +16,7 @@ mod curvature;
 mod curves;
 mod diff;
 mod draw;
+mod edit;
 mod errors;
 mod explain;
 mod files;
@@ -107,6 +108,7 @@ fn run() -> ExitCode {
         Command::Synth(a) => synth::run(a),
         Command::Readings(a) => readings::run(a),
         Command::Diff(a) => diff::run(a),
+        Command::Edit(a) => edit::run(a),
         Command::New { template, set, output } => {
             template::new(template.as_deref(), &set, output.as_deref())
         }

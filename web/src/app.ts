@@ -6,6 +6,7 @@ import { element } from './dom'
 import { Editor } from './editor'
 import { Ended, Engine, Refused, type Diagnostic, type Frame, type Motion, type Names, type Opened, type Page } from './engine'
 import type { Schema } from './complete'
+import { asked, Filed } from './filed'
 import { Gallery } from './gallery'
 import { Course, LIVE } from './motion'
 import { arrange, Pane } from './panes'
@@ -35,7 +36,7 @@ export class App {
   tab = 'live'
   travel = 0
   course: Course | null = null
-  lang: Lang = (localStorage.getItem('lang') as Lang | null) ?? (navigator.language.startsWith('zh') ? 'zh' : 'en')
+  lang: Lang = asked() ?? (localStorage.getItem('lang') as Lang | null) ?? (navigator.language.startsWith('zh') ? 'zh' : 'en')
   dark = localStorage.getItem('theme') ? localStorage.getItem('theme') === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches
   private schemas: Record<string, Schema> | null = null
   private panes = new Map<string, Pane>()
@@ -58,6 +59,7 @@ export class App {
   private generation = 0
   private timer = 0
   private saves = new Saves(this)
+  private filed: Filed
   private builder: Builder
   private gallery = new Gallery((name) => void this.template(name))
 
@@ -87,6 +89,7 @@ export class App {
       names: () => this.names,
       changed: (atOnce) => this.changed(atOnce),
     })
+    this.filed = new Filed(this)
     this.engine.onBusy = (busy) => document.body.classList.toggle('busy', busy)
     this.engine.onEnd = (trap) => {
       this.opened = null
@@ -110,9 +113,13 @@ export class App {
       this.say('unreadable')
     }
     window.addEventListener('hashchange', () => void shared(location.hash).then((t) => t !== null && t !== this.editor.text && this.begin(t, 'scene'), () => this.say('unreadable')))
-    if (text !== null) {
-      this.begin(text, 'scene')
-    } else await this.template(FIRST)
+    if (this.filed.name !== null) {
+      const text = await this.filed.begin()
+      if (text === '') this.create()
+      else this.begin(text, '')
+      this.name = this.filed.name.replace(/\.json$/, '')
+    } else if (text !== null) this.begin(text, 'scene')
+    else await this.template(FIRST)
     this.schemas = await this.engine.ask<Record<string, Schema>>({ do: 'schema' }).catch(() => null)
   }
 
@@ -467,8 +474,9 @@ export class App {
   private dress(): void {
     document.documentElement.lang = this.lang === 'zh' ? 'zh-CN' : 'en'
     document.documentElement.dataset.theme = this.dark ? 'dark' : 'light'
-    this.bar.replaceChildren(
-      element('h1', {}, 'hodograph'),
+    this.bar.replaceChildren(...[
+      element('h1', { title: this.filed.name ?? '' }, this.filed.name ?? 'hodograph'),
+      this.filed.name !== null && this.button('store', () => void this.filed.save(), word('store', this.lang)),
       this.button('gallery', () => void this.gallery.open(this.lang), word('gallery', this.lang)),
       this.button('create', () => this.create(), word('create', this.lang)),
       this.button('build', () => this.build(!this.builder.on), word('build', this.lang)),
@@ -477,13 +485,14 @@ export class App {
       this.button('undo', () => this.editor.undo(), '↶'),
       this.button('redo', () => this.editor.redo(), '↷'),
       this.saves.menu(),
-      this.button('share', () => void this.share(), word('share', this.lang)),
+      // The address of a file is this machine's own.
+      this.filed.name === null && this.button('share', () => void this.share(), word('share', this.lang)),
       this.button('classroom', () => this.classroom(true), word('classroom', this.lang)),
       this.button('leave', () => this.classroom(false), '✕'),
       this.button('text', () => document.body.classList.toggle('texted'), '{ }'),
       this.button('theme', () => this.setTheme(!this.dark), '◐'),
       this.button('other', () => this.setLang(this.lang === 'en' ? 'zh' : 'en'), word('other', this.lang)),
-    )
+    ].filter((one) => one !== false))
     this.buttons()
     this.dressTabs()
     this.dressTransport()
@@ -495,10 +504,11 @@ export class App {
     return element('button', { class: `b-${key}`, click, title, 'aria-label': title }, shown)
   }
 
-  private buttons(): void {
+  buttons(): void {
     const { undo, redo } = this.editor.can
     this.bar.querySelector('.b-build')?.setAttribute('aria-pressed', String(this.builder.on))
-    for (const [key, can] of [['undo', undo], ['redo', redo]] as const) {
+    this.bar.classList.toggle('changed', this.filed.changed)
+    for (const [key, can] of [['undo', undo], ['redo', redo], ['store', this.filed.changed]] as const) {
       const button = this.bar.querySelector<HTMLButtonElement>(`.b-${key}`)
       if (button) button.disabled = !can
     }
