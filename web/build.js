@@ -66,11 +66,13 @@ const inside = script.replace(/<\/script/g, '<\\/script')
 const sum = createHash('sha256').update(inside).digest('base64')
 const data = async (name) =>
   `<script type="application/octet-stream" id="asset-${name}">${deflateRawSync(await readFile(at(`dist/${name}`)), { level: 9 }).toString('base64')}</script>`
+const icon = await readFile(at('dist/icon.svg'))
 const datas = await Promise.all(['engine.wasm', 'song.otf', 'gallery.json'].map(data))
 let single = page
   .replace(/<script type="module"[^>]*><\/script>\n?/, '')
   .replace(/<link rel="stylesheet"[^>]*>\n?/, () => `<style>${style}</style>\n`)
-  .replace(/<link rel="(manifest|icon)"[^>]*>\n?/g, '')
+  .replace(/<link rel="manifest"[^>]*>\n?/, '')
+  .replace(/(<link rel="icon" href=")[^"]*/, `$1data:image/svg+xml;base64,${icon.toString('base64')}`)
   .replace('</body>', () => `${datas.join('\n')}\n<script type="module">${inside}</script>\n</body>`)
 single = withPolicy(single, policy(`'sha256-${sum}'`, 'blob:', "'none'"))
 await writeFile(at('dist/hodograph.html'), single)

@@ -23,6 +23,8 @@ export class Filed {
   private tag = ABSENT
   /** Its line ends. */
   private returns = false
+  /** True while the file is empty or not there, though it had a text. */
+  private gone = false
   private asking = false
   private lost = false
 
@@ -38,7 +40,7 @@ export class Filed {
 
   /** True while the editor has another text than the file. */
   get changed(): boolean {
-    return this.name !== null && this.site.editor.text !== this.text
+    return this.name !== null && (this.gone || this.site.editor.text !== this.text)
   }
 
   /** The first text; empty where the file is new. From here on its changes are followed. */
@@ -64,8 +66,9 @@ export class Filed {
       if (!response.ok) return this.site.hint(await this.why(response))
       this.tag = response.headers.get('ETag')!
       this.text = text
+      this.gone = false
       this.lost = false
-      this.say('saved')
+      this.site.hint('')
     } catch {
       this.lose()
     }
@@ -86,18 +89,17 @@ export class Filed {
 
   /** The file has another text than the page knows. */
   private async differ(response: Response, saving: boolean): Promise<void> {
-    const changed = this.changed
-    const before = { text: this.text, tag: this.tag, returns: this.returns }
+    const before = this.text
     await this.take(response)
     const own = this.site.editor.text
-    // Some editors empty a file before they write it.
-    if (this.text === '') {
-      if (before.tag === ABSENT || saving) return
-      this.text = before.text
-      this.tag = before.tag
-      return this.say('gone')
+    this.gone = this.text === ''
+    if (this.gone) {
+      // Some editors empty a file before they write it: what the page has is kept.
+      this.text = before
+      this.site.buttons()
+      return saving ? await this.save() : this.say('gone')
     }
-    if (!changed || own === this.text) this.put()
+    if (own === before || own === this.text) this.put()
     else if (await this.ask()) this.put()
     else if (saving) await this.save()
     this.site.buttons()
@@ -140,7 +142,7 @@ export class Filed {
     if (!response.ok && response.status !== 412) throw new Error(await this.why(response))
     const text = await response.text()
     this.tag = response.headers.get('ETag')!
-    this.returns = text.includes('\r\n')
+    if (text !== '') this.returns = text.includes('\r\n')
     this.text = text.replace(/\r\n?/g, '\n')
   }
 
@@ -150,11 +152,12 @@ export class Filed {
   }
 
   private lose(): void {
-    if (!this.lost) this.say('server_gone')
+    // At each look: a drawing empties the line.
     this.lost = true
+    this.say('server_gone')
   }
 
-  private say(key: 'saved' | 'gone' | 'server_gone'): void {
+  private say(key: 'gone' | 'server_gone'): void {
     this.site.hint(`${this.name}: ${word(key, this.site.lang)}`)
   }
 }

@@ -10,7 +10,6 @@ const WORDS = {
   shared: ['The link is copied; it holds the scene', '链接已复制，其中含机构文件'],
   save: ['Save as', '另存为'],
   store: ['Save', '保存'],
-  saved: ['saved', '已保存'],
   unsaved: ['not saved', '未保存'],
   gone: ['the file is empty or gone; Save writes it again', '文件为空或已不存在；可点“保存”重新写入'],
   server_gone: ['not saved: hodograph edit has ended', '未保存：hodograph edit 已结束'],

@@ -6,11 +6,9 @@ import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { test } from 'node:test'
-import { fileURLToPath } from 'node:url'
 import { TOPICS } from '../topics.js'
-import { address, ask, begin, dist, drawn, motionKnown, opened, server, text } from './shared.js'
+import { address, ask, begin, dist, drawn, motionKnown, opened, program, server, text } from './shared.js'
 
-const program = process.env.HODOGRAPH ?? fileURLToPath(new URL('../../target/debug/hodograph', import.meta.url))
 const quick = process.env.HODOGRAPH_QUICK === '1'
 
 /** Runs the program; 4 is its code for answers that do not exist. */
