@@ -197,6 +197,38 @@ test('documents are those of the program', async () => {
   await context.close()
 })
 
+test('figures and worksheets as PDF are those of the program', async () => {
+  const { page, context, faults } = await opened()
+  const folder = mkdtempSync(join(tmpdir(), 'hodograph-'))
+  const differ = []
+  for (const name of quick ? ['shaper'] : ['shaper', 'cam-offset-roller', 'planetary-gear', 'excavator', 'crank-rocker']) {
+    await begin(page, (await ask(page, { do: 'template', name })).text)
+    const file = join(folder, `${name}.json`)
+    writeFileSync(file, await text(page))
+    await page.waitForFunction((t) => window.hodograph.opened && window.hodograph.editor.text === t && !window.hodograph.engine.busy, await text(page))
+    for (const lang of quick ? ['en'] : ['en', 'zh']) {
+      await page.evaluate((l) => window.hodograph.setLang(l), lang)
+      await page.waitForFunction(() => !window.hodograph.engine.busy)
+      const runs = [['live', undefined, 'draw'], ['plates', undefined, 'draw', '--figure', 'plates'], ['curves', undefined, 'curves'],
+        ['live', 'problem', 'worksheet', '--problem-only'], ['live', 'solution', 'worksheet', '--solution']]
+      for (const [tab, sides, command, ...more] of runs) {
+        const bytes = await page.evaluate(async ([t, s]) => {
+          window.hodograph.tab = t
+          const [file] = await window.hodograph.files('pdf', s)
+          window.hodograph.tab = 'live'
+          return [...file.text]
+        }, [tab, sides])
+        const out = join(folder, 'out.pdf')
+        run([command, file, '-o', out, '--lang', lang, ...more])
+        if (!Buffer.from(bytes).equals(readFileSync(out))) differ.push(`${name} ${lang} ${command} ${tab} ${sides ?? ''}`)
+      }
+    }
+  }
+  assert.deepEqual(differ, [])
+  assert.deepEqual(faults, [])
+  await context.close()
+})
+
 test('a figure is saved as PNG, at 300 dots per inch', async () => {
   const { page, context } = await opened()
   const { figures: [sheet] } = await page.evaluate(() => window.hodograph.engine.ask({ do: 'frame', handle: window.hodograph.opened.handle, lang: 'en' }))

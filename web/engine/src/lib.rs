@@ -22,3 +22,4 @@ mod plane;
 mod words;
 
 pub use engine::Engine;
+use hodograph::paper::font::give_song;
