@@ -19,6 +19,8 @@ const SINGLE = [
   'sheet', 'equations', 'results', 'centres', 'composite', 'curvature', 'centrodes', 'forces', 'lever', 'gears', 'kutzbach',
   'cam', 'attempts', 'groups', 'plates', 'inversions', 'cognates', 'curves',
 ]
+/** Tabs of text, as the program prints it. */
+const REPORTS = ['limits', 'mobility']
 /** Figures that take long: drawn when their tab is chosen. */
 const SLOW = ['curves']
 /** The first template. */
@@ -267,6 +269,7 @@ export class App {
         if (answers && generation === this.generation) this.answer({ figures: [], missing: [], answers, verdict: this.opened.verdict })
         return
       }
+      if (REPORTS.includes(tab)) return await this.report(tab)
       const what = tab === 'live' ? LIVE : [tab]
       const frame = await this.frame(what, travel, true)
       if (generation !== this.generation || tab !== this.tab) return
@@ -282,12 +285,21 @@ export class App {
     }
   }
 
+  private async report(of: string): Promise<void> {
+    const { generation } = this
+    const { text } = await this.engine.ask<{ text: string }>({ do: 'report', handle: this.opened!.handle, of, lang: this.lang })
+    if (generation !== this.generation || this.tab !== of) return
+    this.show([], false)
+    this.stage.append(element('pre', { class: 'report', tabindex: '0' }, text))
+  }
+
   private say_missing(missing: Diagnostic[]): string {
     return missing[0]?.message[this.lang] ?? word('none', this.lang)
   }
 
   private show(pages: Page[], hold: boolean): void {
     const names = pages.map((p) => `${p.figure ?? ''}/${p.name}`)
+    this.stage.querySelector('.report')?.remove()
     for (const [name, pane] of this.panes) {
       if (names.includes(name)) continue
       pane.root.remove()
@@ -309,7 +321,7 @@ export class App {
 
   /** The panes that move together have one scale; a single figure has the width of the stage. */
   private arrange(): void {
-    if (!this.panes.size) return
+    if (!this.panes.size) return this.stage.classList.remove('beside')
     const alone = this.tab !== 'live' && this.tab !== 'steps'
     const narrow = alone || matchMedia('(max-width: 820px)').matches
     const large = document.body.classList.contains('classroom') ? 4 : undefined
@@ -518,14 +530,17 @@ export class App {
     document.body.dataset.tab = this.tab
     const scene = this.opened?.kind !== 'task' && this.opened?.kind !== 'motion'
     const singles = SINGLE.filter((name) => this.pages.has(name) || name === 'sheet' || name === this.tab || (SLOW.includes(name) && this.course?.can))
-    const names = scene ? ['live', 'steps', ...singles] : ['sheet']
+    const reports = REPORTS.filter((name) => name !== 'limits' || (this.course?.can && typeof this.opened?.swept === 'number'))
+    const names = scene ? ['live', 'steps', ...singles, ...reports] : ['sheet']
     const tab = (name: string) =>
       element(
         'button',
         { role: 'tab', 'aria-selected': String(name === this.tab), 'data-tab': name, click: () => void this.choose(name) },
         isWord(name) ? word(name, this.lang) : name,
       )
+    const { scrollLeft } = this.tabs
     this.tabs.replaceChildren(...names.map(tab))
+    this.tabs.scrollLeft = scrollLeft
   }
 
   async choose(name: string): Promise<void> {

@@ -38,7 +38,7 @@ export class Saves {
     if (form === 'scene') return [{ name: `${name}.json`, text: editor.text }]
     if (!opened) return []
     const { handle } = opened
-    const what = tab === 'live' || tab === 'steps' ? ['sheet'] : [tab]
+    const what = ['live', 'steps', 'limits', 'mobility'].includes(tab) ? ['sheet'] : [tab]
     if (form === 'pdf') {
       const message: Record<string, unknown> = { do: 'export', handle, form, stem: name, lang }
       if (sides) message.sides = sides

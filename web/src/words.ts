@@ -66,6 +66,8 @@ const WORDS = {
   attempts: ['Wrong attempts', '典型错误'],
   curvature: ['Curvature', '曲率'],
   centrodes: ['Centrodes', '瞬心线'],
+  limits: ['Limits', '极限位置'],
+  mobility: ['Mobility', '自由度'],
   inversions: ['Inversions', '倒置'],
   cognates: ['Cognates', '同源机构'],
   as_svg: ['This figure (SVG)', '当前图（SVG）'],

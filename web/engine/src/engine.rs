@@ -53,6 +53,7 @@ impl Engine {
             "motion" => file.motion(),
             "place" => file.place(message["travel"].as_f64().unwrap_or_default()),
             "export" => file.export(message),
+            "report" => file.report(message),
             "close" => {
                 self.files.remove(&handle);
                 json!({"ok": true})
