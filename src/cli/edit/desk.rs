@@ -19,7 +19,7 @@ const ABSENT: &str = "none";
 pub struct Desk {
     file: PathBuf,
     page: Vec<u8>,
-    /// Where the page is: `/` and the random word.
+    /// Path of the page: `/` and the random word.
     root: String,
     hosts: [String; 2],
     writing: Mutex<()>,

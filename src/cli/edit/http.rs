@@ -1,4 +1,4 @@
-//! As much of HTTP/1.1 as one page on one machine needs (RFC 9112): a request with its body, one
+//! The part of HTTP/1.1 that one page on one machine needs (RFC 9112): a request with its body, one
 //! response, and the end of the connection.
 //!
 //! Sizes and times are bounded. A head that is not plain is refused: two headers of one name, blanks

@@ -20,8 +20,7 @@ use std::time::Duration;
 
 /// The page in one file, as `npm run build` writes it.
 #[cfg(feature = "page")]
-const BUILT_IN: Option<&[u8]> =
-    Some(include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/web/dist/hodograph.html")));
+const BUILT_IN: Option<&[u8]> = Some(include_bytes!("../../../web/dist/hodograph.html"));
 #[cfg(not(feature = "page"))]
 const BUILT_IN: Option<&[u8]> = None;
 
@@ -29,7 +28,7 @@ const BUILT_IN: Option<&[u8]> = None;
 const CONNECTIONS: usize = 32;
 /// Time between two looks for a request to stop.
 const PAUSE: Duration = Duration::from_millis(50);
-/// Where the page's script may connect to, in the single file and here.
+/// The rule for connections of the page's script, in the single file and here.
 const CONNECT: [&str; 2] = ["connect-src 'none'", "connect-src 'self'"];
 const CHARSET: &str = "<meta charset=\"utf-8\">";
 
