@@ -53,7 +53,7 @@ const withPolicy = (html, text) =>
   html.replace('<meta charset="utf-8">', `<meta charset="utf-8">\n<meta http-equiv="Content-Security-Policy" content="${text}">`)
 await writeFile(at('dist/index.html'), withPolicy(page, policy("'self'", "'self' blob:", "'self'")))
 const assets = (await readdir(at('dist/assets'))).map((name) => `assets/${name}`)
-const kept = ['./', 'engine.wasm', 'song.otf', 'gallery.json', 'icon.svg', 'manifest.webmanifest', ...assets]
+const kept = ['./', 'engine.wasm', 'pdf.wasm', 'song.otf', 'gallery.json', 'icon.svg', 'manifest.webmanifest', ...assets]
 const hash = createHash('sha256')
 for (const name of kept) hash.update(await readFile(at(`dist/${name === './' ? 'index.html' : name}`)))
 const worker = await readFile(at('dist/sw.js'), 'utf8')
@@ -66,11 +66,13 @@ const inside = script.replace(/<\/script/g, '<\\/script')
 const sum = createHash('sha256').update(inside).digest('base64')
 const data = async (name) =>
   `<script type="application/octet-stream" id="asset-${name}">${deflateRawSync(await readFile(at(`dist/${name}`)), { level: 9 }).toString('base64')}</script>`
-const datas = await Promise.all(['engine.wasm', 'song.otf', 'gallery.json'].map(data))
+const icon = await readFile(at('dist/icon.svg'))
+const datas = await Promise.all(['engine.wasm', 'pdf.wasm', 'song.otf', 'gallery.json'].map(data))
 let single = page
   .replace(/<script type="module"[^>]*><\/script>\n?/, '')
   .replace(/<link rel="stylesheet"[^>]*>\n?/, () => `<style>${style}</style>\n`)
-  .replace(/<link rel="(manifest|icon)"[^>]*>\n?/g, '')
+  .replace(/<link rel="manifest"[^>]*>\n?/, '')
+  .replace(/(<link rel="icon" href=")[^"]*/, `$1data:image/svg+xml;base64,${icon.toString('base64')}`)
   .replace('</body>', () => `${datas.join('\n')}\n<script type="module">${inside}</script>\n</body>`)
 single = withPolicy(single, policy(`'sha256-${sum}'`, 'blob:', "'none'"))
 await writeFile(at('dist/hodograph.html'), single)

@@ -123,6 +123,9 @@ pub enum Command {
     /// Compare two figures (SVG, PNG): vectors that moved, items, texts, pixels; exit code 1 where
     /// they differ
     Diff(DiffArgs),
+    /// Edit a file in the browser: the page at an address of this machine, saving to the file and
+    /// following its changes by other editors
+    Edit(EditArgs),
     /// List the templates with their parameters
     Templates,
     /// Explain a fault, warning or note by its code: cause and cure; or list all codes
@@ -235,6 +238,25 @@ pub struct DrawArgs {
     /// Resolution of the PNG in dots per inch
     #[arg(long, default_value_t = 200.0, value_parser = dpi)]
     pub dpi: f64,
+}
+
+#[derive(ClapArgs, Debug)]
+pub struct EditArgs {
+    /// The file: a scene, a synthesis file, or motions without a mechanism
+    #[arg(value_name = "SCENE")]
+    pub scene: String,
+    /// Begin with an empty scene if there is no such file
+    #[arg(long)]
+    pub new: bool,
+    /// Port of the address (default: a free one)
+    #[arg(long, value_name = "PORT", default_value_t = 0, hide_default_value = true)]
+    pub port: u16,
+    /// Only print the address; no browser is started
+    #[arg(long)]
+    pub no_open: bool,
+    /// The page, hodograph.html (default: the one in the program, beside it, or in its checkout)
+    #[arg(long, value_name = "FILE")]
+    pub page: Option<String>,
 }
 
 #[derive(ClapArgs, Debug)]

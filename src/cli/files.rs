@@ -18,7 +18,7 @@ use std::sync::{Mutex, PoisonError};
 
 /// Largest file that is read into memory. A scene is a page of text; the scene reader itself
 /// reports files between its own limit and this one.
-const LARGEST: u64 = 16 << 20;
+pub const LARGEST: u64 = 16 << 20;
 
 /// The name by which standard input is shown.
 pub const STDIN: &str = "standard input";
@@ -99,18 +99,32 @@ pub fn font(path: &Path) -> Result<Vec<u8>, Diagnostic> {
 }
 
 fn bounded(path: &Path, most: u64, help: Both) -> Result<Vec<u8>, Diagnostic> {
+    let bytes = limited(path, most).map_err(|e| unreadable(path, &e).help(help))?;
+    has_read(path);
+    Ok(bytes)
+}
+
+fn limited(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    match std::fs::File::open(path).and_then(|f| f.take(most).read_to_end(&mut bytes)) {
-        Ok(_) => {
-            has_read(path);
-            Ok(bytes)
-        }
-        Err(e) => Err(Diagnostic::error(
-            "cannot-read",
-            both!("{} cannot be read: {}", "不能读取 {}：{}", path.display(), reason(&e)),
-        )
-        .help(help)),
+    std::fs::File::open(path)?.take(most).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// Reads a file as it is at the moment, for a run that also writes it; `None` if there is none.
+pub fn read_now(path: &Path) -> Result<Option<Vec<u8>>, Diagnostic> {
+    match limited(path, LARGEST) {
+        Ok(bytes) => Ok(Some(bytes)),
+        Err(e) if e.kind() == io::ErrorKind::NotFound => Ok(None),
+        Err(e) => Err(unreadable(path, &e)),
     }
+}
+
+/// The fault of a file that cannot be read.
+pub fn unreadable(path: &Path, e: &io::Error) -> Diagnostic {
+    Diagnostic::error(
+        "cannot-read",
+        both!("{} cannot be read: {}", "不能读取 {}：{}", path.display(), reason(e)),
+    )
 }
 
 /// A refusal by this program, in place of an error of the system.

@@ -17,6 +17,7 @@ mod curvature;
 mod curves;
 mod diff;
 mod draw;
+mod edit;
 mod errors;
 mod explain;
 mod files;
@@ -112,6 +113,7 @@ fn run() -> ExitCode {
         Command::Synth(a) => synth::run(a),
         Command::Readings(a) => readings::run(a),
         Command::Diff(a) => diff::run(a),
+        Command::Edit(a) => edit::run(a),
         Command::New { template, set, output } => {
             template::new(template.as_deref(), &set, output.as_deref())
         }

@@ -45,11 +45,12 @@ pub fn table(scene: &Scene) -> Result<Warned<Table>, Faults> {
 }
 
 /// Draws displacements, velocities and accelerations over the whole motion of [`table`]. The
-/// displacement of each questioned link or slider is added to the questions of the file.
+/// displacement of each questioned link or slider is added to the questions of the file. The
+/// diagrams are in one figure, or `paged` on pages of A4.
 ///
 /// # Errors
 /// `no-curve` if no question has a curve; those of [`table`].
-pub fn curves(source: &[u8], look: &Look) -> Result<Warned<Pages>, Faults> {
+pub fn curves(source: &[u8], look: &Look, paged: bool) -> Result<Warned<Pages>, Faults> {
     let Warned { value, notes } = scene::read(source)?;
     let somewhere = notes.iter().all(|n| n.code != "free-centre");
     let asked = with_positions(&value, somewhere)?.join(",");
@@ -73,8 +74,11 @@ pub fn curves(source: &[u8], look: &Look) -> Result<Warned<Pages>, Faults> {
         return Err(no_curve().into());
     }
     notes.extend(table.notes);
-    let figure = curves::figure(&scene, &diagram, &look.style, lang);
-    Ok(Warned { value: vec![("curves".to_owned(), figure)], notes })
+    let figures = match paged {
+        true => curves::pages(&scene, &diagram, &look.style, lang),
+        false => vec![curves::figure(&scene, &diagram, &look.style, lang)],
+    };
+    Ok(Warned { value: figures.into_iter().map(|f| ("curves".to_owned(), f)).collect(), notes })
 }
 
 /// The fault of a scene whose questions have no curve.

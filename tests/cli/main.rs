@@ -4,6 +4,7 @@ mod asked;
 mod cams;
 mod designs;
 mod documents;
+mod edit;
 mod errors;
 
 #[cfg(target_os = "linux")]

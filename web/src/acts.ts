@@ -335,6 +335,7 @@ export class Act {
     else if (own) this.moveInLink(point, own, at)
     if (draft.at(['sketch', point])) [0, 1].forEach((k) => length(['sketch', point, k], at[k]!))
     this.moveGuide(point, from, at)
+    this.movePins(point, from, at)
     this.turn(point, at)
     this.sides(point, at)
     return draft.text === before && distance(from, at) >= grain.step ? null : at
@@ -382,6 +383,18 @@ export class Act {
       if (Math.abs(off) < grain.step / 2) continue
       if (entry.offset !== undefined) putLength(outline, draft, ['guides', guide.k, 'offset'], (outline.value(entry.offset) ?? 0) + off, grain)
       else if (Array.isArray(entry.through)) [0, 1].forEach((k) => putLength(outline, draft, ['guides', guide.k, 'through', k], at[k]!, grain))
+    }
+  }
+
+  /** Pins with coordinates on guides of the ground through a moved point: they stay on their lines. */
+  private movePins(point: string, from: XY, at: XY): void {
+    const { outline, draft, grain } = this
+    for (const { k, pin, on, direction } of outline.guides) {
+      const place = pin === undefined ? undefined : outline.places.get(pin)
+      if (!place || !direction || on !== outline.ground || outline.list('guides')[k].through !== point || !Array.isArray(draft.at(['points', pin!]))) continue
+      const across = left(direction)
+      const moved = plus(place, across, dot(minus(at, from), across))
+      ;[0, 1].forEach((n) => putLength(outline, draft, ['points', pin!, n], moved[n]!, grain))
     }
   }
 

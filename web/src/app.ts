@@ -6,6 +6,7 @@ import { element } from './dom'
 import { Editor } from './editor'
 import { Ended, Engine, Refused, type Diagnostic, type Frame, type Motion, type Names, type Opened, type Page } from './engine'
 import type { Schema } from './complete'
+import { asked, Filed } from './filed'
 import { Gallery } from './gallery'
 import { Course, LIVE } from './motion'
 import { arrange, Pane } from './panes'
@@ -18,6 +19,8 @@ const SINGLE = [
   'sheet', 'equations', 'results', 'centres', 'composite', 'curvature', 'centrodes', 'forces', 'lever', 'gears', 'kutzbach',
   'cam', 'attempts', 'groups', 'plates', 'inversions', 'cognates', 'curves',
 ]
+/** Tabs of text, as the program prints it. */
+const REPORTS = ['limits', 'mobility']
 /** Figures that take long: drawn when their tab is chosen. */
 const SLOW = ['curves']
 /** The first template. */
@@ -35,7 +38,7 @@ export class App {
   tab = 'live'
   travel = 0
   course: Course | null = null
-  lang: Lang = (localStorage.getItem('lang') as Lang | null) ?? (navigator.language.startsWith('zh') ? 'zh' : 'en')
+  lang: Lang = asked() ?? (localStorage.getItem('lang') as Lang | null) ?? (navigator.language.startsWith('zh') ? 'zh' : 'en')
   dark = localStorage.getItem('theme') ? localStorage.getItem('theme') === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches
   private schemas: Record<string, Schema> | null = null
   private panes = new Map<string, Pane>()
@@ -58,6 +61,7 @@ export class App {
   private generation = 0
   private timer = 0
   private saves = new Saves(this)
+  private filed: Filed
   private builder: Builder
   private gallery = new Gallery((name) => void this.template(name))
 
@@ -87,6 +91,7 @@ export class App {
       names: () => this.names,
       changed: (atOnce) => this.changed(atOnce),
     })
+    this.filed = new Filed(this)
     this.engine.onBusy = (busy) => document.body.classList.toggle('busy', busy)
     this.engine.onEnd = (trap) => {
       this.opened = null
@@ -110,9 +115,13 @@ export class App {
       this.say('unreadable')
     }
     window.addEventListener('hashchange', () => void shared(location.hash).then((t) => t !== null && t !== this.editor.text && this.begin(t, 'scene'), () => this.say('unreadable')))
-    if (text !== null) {
-      this.begin(text, 'scene')
-    } else await this.template(FIRST)
+    if (this.filed.name !== null) {
+      const text = await this.filed.begin()
+      if (text === '') this.create()
+      else this.begin(text, '')
+      this.name = this.filed.name.replace(/\.json$/, '')
+    } else if (text !== null) this.begin(text, 'scene')
+    else await this.template(FIRST)
     this.schemas = await this.engine.ask<Record<string, Schema>>({ do: 'schema' }).catch(() => null)
   }
 
@@ -260,6 +269,7 @@ export class App {
         if (answers && generation === this.generation) this.answer({ figures: [], missing: [], answers, verdict: this.opened.verdict })
         return
       }
+      if (REPORTS.includes(tab)) return await this.report(tab)
       const what = tab === 'live' ? LIVE : [tab]
       const frame = await this.frame(what, travel, true)
       if (generation !== this.generation || tab !== this.tab) return
@@ -275,12 +285,21 @@ export class App {
     }
   }
 
+  private async report(of: string): Promise<void> {
+    const { generation } = this
+    const { text } = await this.engine.ask<{ text: string }>({ do: 'report', handle: this.opened!.handle, of, lang: this.lang })
+    if (generation !== this.generation || this.tab !== of) return
+    this.show([], false)
+    this.stage.append(element('pre', { class: 'report', tabindex: '0' }, text))
+  }
+
   private say_missing(missing: Diagnostic[]): string {
     return missing[0]?.message[this.lang] ?? word('none', this.lang)
   }
 
   private show(pages: Page[], hold: boolean): void {
     const names = pages.map((p) => `${p.figure ?? ''}/${p.name}`)
+    this.stage.querySelector('.report')?.remove()
     for (const [name, pane] of this.panes) {
       if (names.includes(name)) continue
       pane.root.remove()
@@ -302,7 +321,7 @@ export class App {
 
   /** The panes that move together have one scale; a single figure has the width of the stage. */
   private arrange(): void {
-    if (!this.panes.size) return
+    if (!this.panes.size) return this.stage.classList.remove('beside')
     const alone = this.tab !== 'live' && this.tab !== 'steps'
     const narrow = alone || matchMedia('(max-width: 820px)').matches
     const large = document.body.classList.contains('classroom') ? 4 : undefined
@@ -467,8 +486,9 @@ export class App {
   private dress(): void {
     document.documentElement.lang = this.lang === 'zh' ? 'zh-CN' : 'en'
     document.documentElement.dataset.theme = this.dark ? 'dark' : 'light'
-    this.bar.replaceChildren(
-      element('h1', {}, 'hodograph'),
+    this.bar.replaceChildren(...[
+      element('h1', { title: this.filed.name ?? '' }, this.filed.name ?? 'hodograph'),
+      this.filed.name !== null && this.button('store', () => void this.filed.save(), word('store', this.lang)),
       this.button('gallery', () => void this.gallery.open(this.lang), word('gallery', this.lang)),
       this.button('create', () => this.create(), word('create', this.lang)),
       this.button('build', () => this.build(!this.builder.on), word('build', this.lang)),
@@ -477,13 +497,14 @@ export class App {
       this.button('undo', () => this.editor.undo(), '↶'),
       this.button('redo', () => this.editor.redo(), '↷'),
       this.saves.menu(),
-      this.button('share', () => void this.share(), word('share', this.lang)),
+      // The address of a file is this machine's own.
+      this.filed.name === null && this.button('share', () => void this.share(), word('share', this.lang)),
       this.button('classroom', () => this.classroom(true), word('classroom', this.lang)),
       this.button('leave', () => this.classroom(false), '✕'),
       this.button('text', () => document.body.classList.toggle('texted'), '{ }'),
       this.button('theme', () => this.setTheme(!this.dark), '◐'),
       this.button('other', () => this.setLang(this.lang === 'en' ? 'zh' : 'en'), word('other', this.lang)),
-    )
+    ].filter((one) => one !== false))
     this.buttons()
     this.dressTabs()
     this.dressTransport()
@@ -495,10 +516,11 @@ export class App {
     return element('button', { class: `b-${key}`, click, title, 'aria-label': title }, shown)
   }
 
-  private buttons(): void {
+  buttons(): void {
     const { undo, redo } = this.editor.can
     this.bar.querySelector('.b-build')?.setAttribute('aria-pressed', String(this.builder.on))
-    for (const [key, can] of [['undo', undo], ['redo', redo]] as const) {
+    this.bar.classList.toggle('changed', this.filed.changed)
+    for (const [key, can] of [['undo', undo], ['redo', redo], ['store', this.filed.changed]] as const) {
       const button = this.bar.querySelector<HTMLButtonElement>(`.b-${key}`)
       if (button) button.disabled = !can
     }
@@ -508,14 +530,17 @@ export class App {
     document.body.dataset.tab = this.tab
     const scene = this.opened?.kind !== 'task' && this.opened?.kind !== 'motion'
     const singles = SINGLE.filter((name) => this.pages.has(name) || name === 'sheet' || name === this.tab || (SLOW.includes(name) && this.course?.can))
-    const names = scene ? ['live', 'steps', ...singles] : ['sheet']
+    const reports = REPORTS.filter((name) => name !== 'limits' || (this.course?.can && typeof this.opened?.swept === 'number'))
+    const names = scene ? ['live', 'steps', ...singles, ...reports] : ['sheet']
     const tab = (name: string) =>
       element(
         'button',
         { role: 'tab', 'aria-selected': String(name === this.tab), 'data-tab': name, click: () => void this.choose(name) },
         isWord(name) ? word(name, this.lang) : name,
       )
+    const { scrollLeft } = this.tabs
     this.tabs.replaceChildren(...names.map(tab))
+    this.tabs.scrollLeft = scrollLeft
   }
 
   async choose(name: string): Promise<void> {

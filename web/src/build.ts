@@ -460,7 +460,7 @@ export class Builder {
     const along = event.altKey && site.course?.can
     let last = first
     let moved = false
-    let text: string | null = null
+    let drag: { text: string; to: XY } | null = null
     if (point !== undefined) this.select('point', point)
     else if (target.link !== undefined) this.select('link', target.link)
     else if (event.button === 0 && board.onGround(first) && board.outline?.ground) this.select('link', board.outline.ground)
@@ -474,7 +474,7 @@ export class Builder {
       if (point !== undefined && along) {
         const near = site.course!.nearestOf(point, board.target(pixel, true).at, site.travel)
         if (near !== null) site.go(near)
-      } else if (point !== undefined) text = this.dragged(point, pixel, e.ctrlKey || e.metaKey) ?? text
+      } else if (point !== undefined) drag = this.dragged(point, pixel, e.ctrlKey || e.metaKey) ?? drag
       else if (target.link === undefined) {
         board.pan([pixel[0] - last[0], pixel[1] - last[1]])
         this.redraw()
@@ -485,14 +485,14 @@ export class Builder {
       for (const [name, does] of all) board.root.removeEventListener(name, does)
       this.candidate = null
       if (point !== undefined && along) void site.settle()
-      else if (text !== null) this.change(text)
+      else if (drag !== null) void this.then(() => this.land(point!, drag!))
     }
     const all = [['pointermove', move], ['pointerup', end], ['pointercancel', end]] as const
     for (const [name, does] of all) board.root.addEventListener(name, does)
   }
 
   /** The text with a joint at the pointer, which is drawn meanwhile. */
-  private dragged(point: string, pixel: XY, fine: boolean): string | null {
+  private dragged(point: string, pixel: XY, fine: boolean): { text: string; to: XY } | null {
     const { board } = this
     const outline = this.board.outline!
     // From the text and its own pose, not from where the drag has come.
@@ -506,7 +506,27 @@ export class Builder {
     }
     this.candidate = act.text
     void this.attempt()
-    return act.text
+    return { text: act.text, to: place }
+  }
+
+  /**
+   * Writes the text of a drag. Where a place is stated twice (a joint of a chain with a redundant link, a point on the edge of a cam), one of
+   * the statements alone makes a text that the engine refuses: then the nearest place counts that it accepts, in the direction of the drag, of
+   * the axes, or no other.
+   */
+  private async land(point: string, { text, to }: { text: string; to: XY }): Promise<void> {
+    const { board, site } = this
+    const outline = board.outline!
+    const from = outline.places.get(point)
+    if (!outline.solved || !from || (await this.faults(text)) === '') return this.change(text)
+    const parts: XY[] = [[1, 0], [0, 1], [0.5, 0.5], [0.5, 0], [0, 0.5], [0.25, 0.25], [0.125, 0.125]]
+    const places = parts.map(([x, y]): XY => board.grain!.snap([from[0] + x * (to[0] - from[0]), from[1] + y * (to[1] - from[1])], true))
+    for (const place of places.sort((a, b) => distance(a, to) - distance(b, to))) {
+      const act = new Act(outline, board.grain!)
+      if (act.move(point, place) && act.text !== outline.text && (await this.faults(act.text)) === '') return this.change(act.text)
+    }
+    await site.draw(false)
+    this.say('unmovable')
   }
 
   /** The engine's drawing of a text that is not yet in the editor. */

@@ -91,6 +91,7 @@ export class Engine {
   onBusy: (busy: boolean) => void = () => {}
   private worker?: Worker
   private module?: Promise<WebAssembly.Module>
+  private writer?: Promise<WebAssembly.Module>
   /** The Chinese font, once it is needed. */
   private font?: ArrayBuffer
   private last = 0
@@ -124,12 +125,34 @@ export class Engine {
     return answer as T
   }
 
-  private async giveSong(): Promise<void> {
+  /** Gives the engine the Chinese font. */
+  async giveSong(): Promise<void> {
     if (this.font) return
     const font = await asset('song.otf')
     if (this.font) return
     this.font = font
     this.worker?.postMessage({ id: 0, font })
+  }
+
+  /** The PDF of pages as the engine tells them. Its writer is another module, which lives as long as it writes. */
+  async pdf(pages: string): Promise<Uint8Array<ArrayBuffer>> {
+    await this.giveSong()
+    this.writer ??= asset('pdf.wasm').then((bytes) => WebAssembly.compile(bytes))
+    const module = await this.writer
+    const worker = new EngineWorker()
+    try {
+      const bytes = await new Promise<Uint8Array<ArrayBuffer>>((resolve, reject) => {
+        worker.onmessage = ({ data }) => {
+          if (data.trap !== undefined) reject(new Ended(data.trap))
+          else if (data.bytes) resolve(data.bytes)
+        }
+        worker.postMessage({ id: 0, module, font: this.font, bytes: Uint8Array.from(atob(pages), (c) => c.charCodeAt(0)) })
+      })
+      if (bytes[0] === 0x25) return bytes
+      throw new Refused([{ severity: 'error', code: 'pdf', message: JSON.parse(new TextDecoder().decode(bytes)), help: null, place: null }])
+    } finally {
+      worker.terminate()
+    }
   }
 
   private async started(): Promise<Worker> {

@@ -7,11 +7,11 @@ import { pixels, save } from './share'
 import { word, type Word } from './words'
 
 const FORMS: [Word, string, string?][] = [
-  ['as_svg', 'svg'], ['as_png', 'png'], ['as_problem', 'html', 'problem'], ['as_solution', 'html', 'solution'], ['as_md', 'md'], ['as_typ', 'typ'],
+  ['as_svg', 'svg'], ['as_png', 'png'], ['as_pdf', 'pdf'], ['as_problem_pdf', 'pdf', 'problem'], ['as_solution_pdf', 'pdf', 'solution'], ['as_problem', 'html', 'problem'], ['as_solution', 'html', 'solution'], ['as_md', 'md'], ['as_typ', 'typ'],
   ['as_lesson', 'lesson'], ['as_csv', 'csv'], ['as_text', 'text'], ['as_json', 'json'], ['as_scene', 'scene'],
 ]
 
-export interface SavedFile { name: string; text: string }
+export interface SavedFile { name: string; text: string | Uint8Array<ArrayBuffer> }
 
 /** Dots per inch of pictures. */
 const DPI = 300
@@ -38,8 +38,16 @@ export class Saves {
     if (form === 'scene') return [{ name: `${name}.json`, text: editor.text }]
     if (!opened) return []
     const { handle } = opened
+    const what = ['live', 'steps', 'limits', 'mobility'].includes(tab) ? ['sheet'] : [tab]
+    if (form === 'pdf') {
+      const message: Record<string, unknown> = { do: 'export', handle, form, stem: name, lang }
+      if (sides) message.sides = sides
+      else Object.assign(message, { what }, travel !== 0 && { travel })
+      await engine.giveSong()
+      const { files } = await engine.ask<{ files: { name: string; pages: string }[] }>(message)
+      return Promise.all(files.map(async (file) => ({ name: file.name, text: await engine.pdf(file.pages) })))
+    }
     if (form === 'svg') {
-      const what = tab === 'live' || tab === 'steps' ? ['sheet'] : [tab]
       const message: Record<string, unknown> = { do: 'frame', handle, what, lang }
       if (travel !== 0) message.travel = travel
       const { figures } = await engine.ask<Frame>(message)
@@ -52,7 +60,7 @@ export class Saves {
   private async export(form: string, sides?: string): Promise<void> {
     try {
       if (form === 'png') {
-        for (const { name, text } of await this.files('svg')) save(name.replace(/svg$/, 'png'), await pixels(text, DPI))
+        for (const { name, text } of await this.files('svg')) save(name.replace(/svg$/, 'png'), await pixels(String(text), DPI))
         return
       }
       for (const file of await this.files(form, sides)) save(file.name, file.text)

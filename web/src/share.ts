@@ -23,9 +23,10 @@ export async function shared(hash: string): Promise<string | null> {
 }
 
 /** Offers a file for saving. */
-export function save(name: string, content: string | Blob): void {
+export function save(name: string, content: string | Blob | Uint8Array<ArrayBuffer>): void {
   const type = name.endsWith('.svg') ? 'image/svg+xml' : name.endsWith('.html') ? 'text/html' : 'text/plain'
-  const blob = typeof content === 'string' ? new Blob([content], { type: `${type};charset=utf-8` }) : content
+  const bytes = content instanceof Uint8Array ? new Blob([content], { type: 'application/pdf' }) : content
+  const blob = typeof bytes === 'string' ? new Blob([bytes], { type: `${type};charset=utf-8` }) : bytes
   const url = URL.createObjectURL(blob)
   const link = document.createElement('a')
   link.href = url

@@ -24,11 +24,11 @@ function told(): string {
   return length ? new TextDecoder().decode(new Uint8Array(engine!.memory.buffer, engine!.fault(), length)) : ''
 }
 
-function answer(message: string): string {
+function answer(message: Uint8Array): Uint8Array<ArrayBuffer> {
   const of = engine!
-  put(new TextEncoder().encode(message))
+  put(message)
   const length = of.call()
-  return new TextDecoder().decode(new Uint8Array(of.memory.buffer, of.output(), length))
+  return new Uint8Array(of.memory.buffer as ArrayBuffer, of.output(), length)
 }
 
 // One after the other: the engine is there before the first message is answered.
@@ -37,16 +37,18 @@ self.onmessage = (event: MessageEvent) => {
   before = before.then(() => handled(event.data))
 }
 
-interface Message { id: number; module?: WebAssembly.Module; font?: ArrayBuffer; message?: string }
+/** A message is a text for the engine, or bytes for the writer of PDF. */
+interface Message { id: number; module?: WebAssembly.Module; font?: ArrayBuffer; message?: string; bytes?: Uint8Array }
 
-async function handled({ id, module, font, message }: Message): Promise<void> {
+async function handled({ id, module, font, message, bytes }: Message): Promise<void> {
   try {
     if (module) engine = (await WebAssembly.instantiate(module, {})).exports as unknown as Exports
     if (font) {
       put(new Uint8Array(font))
       engine!.font()
     }
-    self.postMessage({ id, answer: message ? answer(message) : '{"ok":true}' })
+    if (bytes) return self.postMessage({ id, bytes: answer(bytes).slice() })
+    self.postMessage({ id, answer: message ? new TextDecoder().decode(answer(new TextEncoder().encode(message))) : '{"ok":true}' })
   } catch (fault) {
     self.postMessage({ id, trap: `${fault} ${told()}` })
   }

@@ -296,6 +296,27 @@ test('a joint that crosses the line of its side, a pin with its guide, and a gea
   await context.close()
 })
 
+test('a joint whose place is stated twice is never dragged into a text that the engine refuses', async () => {
+  const { page, context, faults } = await opened()
+  const { drag, still, place } = hand(page)
+  const answered = []
+  for (const [name, joint, by, moves] of [['third-crank', 'C', [60, 40], false], ['eccentric-three-ways', 'A', [20, 15], false], ['lathe', 'O', [10, 20], true], ['ships', 'O', [8000, 12000], true]]) {
+    await begin(page, (await ask(page, { do: 'template', name })).text)
+    await page.waitForFunction((t) => window.hodograph.opened && window.hodograph.editor.text === t && !window.hodograph.engine.busy, await text(page))
+    await page.evaluate(() => window.hodograph.builder.on || window.hodograph.build(true))
+    await still()
+    const before = await text(page)
+    const [x, y] = await place(joint)
+    await drag(joint, x + by[0], y + by[1])
+    const after = await text(page)
+    const told = await page.evaluate((t) => window.hodograph.engine.ask({ do: 'open', text: t }).then(() => 'accepted', (fault) => fault.message), after)
+    answered.push([name, told, !moves || after !== before])
+  }
+  assert.deepEqual(answered, ['third-crank', 'eccentric-three-ways', 'lathe', 'ships'].map((name) => [name, 'accepted', true]))
+  assert.deepEqual(faults, [])
+  await context.close()
+})
+
 test('a value is typed with its unit; what is none is refused', async () => {
   const { page, context, faults, ...h } = await built('crank-rocker')
   await h.still()

@@ -6,11 +6,9 @@ import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { test } from 'node:test'
-import { fileURLToPath } from 'node:url'
 import { TOPICS } from '../topics.js'
-import { address, ask, begin, dist, drawn, motionKnown, opened, server, text } from './shared.js'
+import { address, ask, begin, dist, drawn, motionKnown, opened, program, server, text } from './shared.js'
 
-const program = process.env.HODOGRAPH ?? fileURLToPath(new URL('../../target/debug/hodograph', import.meta.url))
 const quick = process.env.HODOGRAPH_QUICK === '1'
 
 /** Runs the program; 4 is its code for answers that do not exist. */
@@ -113,6 +111,49 @@ test('it plays, and the answers change', async () => {
   await context.close()
 })
 
+test('playing and dragging draw frame after frame', async (t) => {
+  const { page, context } = await opened()
+  await motionKnown(page)
+  // Drawings and frames of the screen in a second; the machine may have other work, so that only a standstill fails.
+  const counted = (seconds) => page.evaluate(async (seconds) => {
+    const { engine } = window.hodograph
+    const ask = engine.ask
+    let drawn = 0
+    engine.ask = async function (message) {
+      const answer = await ask.call(this, message)
+      if (message.do === 'move') drawn++
+      return answer
+    }
+    let frames = 0
+    const until = performance.now() + 1000 * seconds
+    while (performance.now() < until) {
+      await new Promise(requestAnimationFrame)
+      frames++
+    }
+    engine.ask = ask
+    return { drawn: drawn / seconds, frames: frames / seconds }
+  }, seconds)
+  const seconds = quick ? 2 : 10
+  await page.click('.play')
+  const played = await counted(seconds)
+  await page.click('.play')
+  await page.waitForFunction(() => window.hodograph.travel === 0 && !window.hodograph.engine.busy)
+  await motionKnown(page)
+  const pin = await page.locator('.pane[data-figure="mechanism"] [id$="mechanism-pin-A"]').first().boundingBox()
+  await page.mouse.move(pin.x + pin.width / 2, pin.y + pin.height / 2)
+  await page.mouse.down()
+  const dragging = counted(seconds)
+  let done = false
+  void dragging.then(() => { done = true })
+  for (let k = 0; !done; k++) await page.mouse.move(pin.x + 30 * Math.sin(k / 20), pin.y + 30 * Math.cos(k / 20))
+  const dragged = await dragging
+  await page.mouse.up()
+  const told = ({ drawn, frames }) => `${drawn.toFixed(1)} drawings of ${frames.toFixed(1)} frames a second`
+  t.diagnostic(`playing: ${told(played)}; dragging: ${told(dragged)}`)
+  assert.ok(played.drawn >= 5 && dragged.drawn >= 5, `${told(played)}; ${told(dragged)}`)
+  await context.close()
+})
+
 test('an error is underlined at its place, with its help', async () => {
   const { page, context } = await opened()
   const scene = (await text(page)).replace('"mm"', '"mm"')
@@ -196,6 +237,60 @@ test('documents are those of the program', async () => {
     run([command, file, '-o', out, '--lang', 'en', ...more])
     for (const made of files) assert.equal(made.text, readFileSync(join(folder, made.name), 'utf8'), `${command} ${made.name}`)
   }
+  await context.close()
+})
+
+test('limits and mobility are told as by the program', async () => {
+  const { page, context } = await opened()
+  await motionKnown(page)
+  const folder = mkdtempSync(join(tmpdir(), 'hodograph-'))
+  const file = join(folder, 'shaper.json')
+  writeFileSync(file, await text(page))
+  for (const lang of ['en', 'zh']) {
+    for (const of of ['limits', 'mobility']) {
+      await page.click(`[data-tab="${of}"]`)
+      await page.waitForSelector('.report')
+      const { stdout } = spawnSync(program, [of, file, '--lang', lang], { encoding: 'utf8' })
+      await page.waitForFunction((t) => document.querySelector('.report')?.textContent === t, stdout)
+    }
+    await page.click('[data-tab="live"]')
+    await page.waitForSelector('.pane svg')
+    assert.equal(await page.locator('.report').count(), 0)
+    if (lang === 'en') await page.click('.b-other')
+    await motionKnown(page)
+  }
+  await context.close()
+})
+
+test('figures and worksheets as PDF are those of the program', async () => {
+  const { page, context, faults } = await opened()
+  const folder = mkdtempSync(join(tmpdir(), 'hodograph-'))
+  const differ = []
+  for (const name of quick ? ['shaper'] : ['shaper', 'cam-offset-roller', 'planetary-gear', 'excavator', 'crank-rocker']) {
+    await begin(page, (await ask(page, { do: 'template', name })).text)
+    const file = join(folder, `${name}.json`)
+    writeFileSync(file, await text(page))
+    await page.waitForFunction((t) => window.hodograph.opened && window.hodograph.editor.text === t && !window.hodograph.engine.busy, await text(page))
+    for (const lang of quick ? ['en'] : ['en', 'zh']) {
+      await page.evaluate((l) => window.hodograph.setLang(l), lang)
+      await page.waitForFunction(() => !window.hodograph.engine.busy)
+      const runs = [['live', undefined, 'draw'], ['plates', undefined, 'draw', '--figure', 'plates'], ['curves', undefined, 'curves'],
+        ['live', 'problem', 'worksheet', '--problem-only'], ['live', 'solution', 'worksheet', '--solution']]
+      for (const [tab, sides, command, ...more] of runs) {
+        const bytes = await page.evaluate(async ([t, s]) => {
+          window.hodograph.tab = t
+          const [file] = await window.hodograph.files('pdf', s)
+          window.hodograph.tab = 'live'
+          return [...file.text]
+        }, [tab, sides])
+        const out = join(folder, 'out.pdf')
+        run([command, file, '-o', out, '--lang', lang, ...more])
+        if (!Buffer.from(bytes).equals(readFileSync(out))) differ.push(`${name} ${lang} ${command} ${tab} ${sides ?? ''}`)
+      }
+    }
+  }
+  assert.deepEqual(differ, [])
+  assert.deepEqual(faults, [])
   await context.close()
 })
 

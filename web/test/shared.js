@@ -6,6 +6,7 @@ import { after, before } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import { chromium } from 'playwright-core'
 
+export const program = process.env.HODOGRAPH ?? fileURLToPath(new URL('../../target/debug/hodograph', import.meta.url))
 export const dist = fileURLToPath(new URL('../dist/', import.meta.url))
 const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm', '.json': 'application/json', '.svg': 'image/svg+xml' }
 
@@ -36,7 +37,7 @@ after(async () => {
 })
 
 /** A new page without faults in its console, opened and drawn. */
-export async function opened(url = address, options = {}) {
+export async function opened(url = address, options = {}, ready = drawn) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, locale: 'en-GB', ...options })
   const page = await context.newPage()
   page.setDefaultTimeout(60_000)
@@ -44,7 +45,7 @@ export async function opened(url = address, options = {}) {
   page.on('console', (m) => m.type() === 'error' && faults.push(m.text()))
   page.on('pageerror', (e) => faults.push(String(e)))
   await page.goto(url)
-  await drawn(page)
+  await ready(page)
   return { page, context, faults }
 }
 

@@ -9,7 +9,7 @@ use crate::number::{Real, Ring};
 use std::ops::{Add, AddAssign, Mul, Neg, Sub};
 
 /// A position in the plane.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Point<N = f64> {
     /// The coordinate to the right.
     pub x: N,

@@ -4,8 +4,7 @@
 //! worker neither allocates nor frees. The only unsafe part is the export of the names: no other
 //! code of the module may have them.
 
-use crate::Engine;
-use hodograph::paper::font::give_song;
+use crate::{Engine, give_song};
 use std::cell::RefCell;
 use std::sync::Once;
 
@@ -46,8 +45,7 @@ pub extern "C" fn input(length: usize) -> *mut u8 {
 #[unsafe(no_mangle)]
 pub extern "C" fn call() -> usize {
     DESK.with_borrow_mut(|desk| {
-        let message = String::from_utf8_lossy(&desk.input).into_owned();
-        desk.output = desk.engine.answer(&message).into_bytes();
+        desk.output = desk.engine.answer(&desk.input);
         desk.output.len()
     })
 }

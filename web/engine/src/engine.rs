@@ -16,12 +16,12 @@ pub struct Engine {
 
 impl Engine {
     /// Answers a message, a JSON object with its name in `do`; the answer has `ok`.
-    pub fn answer(&mut self, message: &str) -> String {
-        let message = match serde_json::from_str(message) {
-            Ok(message) => message,
-            Err(e) => return refused(&e.to_string()).to_string(),
+    pub fn answer(&mut self, message: &[u8]) -> Vec<u8> {
+        let told = match serde_json::from_slice(message) {
+            Ok(message) => self.told(&message),
+            Err(e) => refused(&e.to_string()),
         };
-        self.told(&message).to_string()
+        told.to_string().into_bytes()
     }
 
     fn told(&mut self, message: &Json) -> Json {
@@ -53,6 +53,7 @@ impl Engine {
             "motion" => file.motion(),
             "place" => file.place(message["travel"].as_f64().unwrap_or_default()),
             "export" => file.export(message),
+            "report" => file.report(message),
             "close" => {
                 self.files.remove(&handle);
                 json!({"ok": true})
@@ -115,7 +116,7 @@ mod tests {
     use super::*;
 
     fn ask(engine: &mut Engine, message: Json) -> Json {
-        serde_json::from_str(&engine.answer(&message.to_string())).unwrap()
+        serde_json::from_slice(&engine.answer(message.to_string().as_bytes())).unwrap()
     }
 
     fn opened(name: &str) -> (Engine, Json) {
@@ -230,6 +231,6 @@ mod tests {
         let key = all.iter().find(|d| d["code"] == "unknown-key").unwrap();
         // é is two bytes and one unit of UTF-16.
         assert_eq!(key["place"], json!({"from": 1, "to": 8}), "{told}");
-        assert!(engine.answer("{").contains("false"));
+        assert!(String::from_utf8(engine.answer(b"{")).unwrap().contains("false"));
     }
 }

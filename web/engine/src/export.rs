@@ -1,11 +1,16 @@
 //! Documents of an opened file: worksheets, lesson, text, tables.
 
-use crate::file::OpenFile;
+use crate::file::{CURVES, OpenFile, wanted};
 use crate::words::{diagnostics, failed, look};
+use base64::{Engine as _, prelude::BASE64_STANDARD};
 use hodograph::diag::{Diagnostic, Faults, Warned, both};
+use hodograph::paper::words::words;
+use hodograph::problem::Pictures;
 use hodograph::problem::{self, Kind, Lesson, Look, Options, whole};
+use hodograph::render::pages::Page;
 use hodograph::report::table::{Csv, RowFormat, TableHead, TablePiece};
 use hodograph::scene::Swept;
+use hodograph::worksheet::pages;
 use hodograph::worksheet::{CompanionFile, WorksheetSides, html, markdown, typst};
 use serde_json::{Value as Json, json};
 
@@ -14,6 +19,17 @@ impl OpenFile {
     /// begin with `stem`.
     pub fn export(&self, message: &Json) -> Json {
         let stem = message["stem"].as_str().unwrap_or("scene");
+        if message["form"] == "pdf" {
+            return match self.pages(message) {
+                Ok(of) => {
+                    // Writing to memory does not fail.
+                    let bytes = postcard::to_allocvec(&of).unwrap_or_default();
+                    let pages = BASE64_STANDARD.encode(bytes);
+                    json!({"ok": true, "files": [{"name": format!("{stem}.pdf"), "pages": pages}]})
+                }
+                Err(faults) => failed(&faults, &self.text),
+            };
+        }
         match self.document(message, stem) {
             Ok(Warned { value, notes }) => {
                 let files = value.iter().map(|f| json!({"name": f.name, "text": f.text}));
@@ -23,6 +39,30 @@ impl OpenFile {
         }
     }
 
+    /// Returns the pages of a PDF, its title and language tag: of the figures `what` at a `travel`
+    /// of the driver, else of the worksheet.
+    fn pages(&self, message: &Json) -> Result<(Vec<Page>, String, String), Faults> {
+        let look = look(message);
+        if message["what"].is_null() {
+            let sheet = self.solved.worksheet(sides(message), None, &look)?;
+            let tag = words(sheet.lang).tag.to_owned();
+            return Ok((pages::pages(&sheet), sheet.title, tag));
+        }
+        let figures: Vec<_> = match message["what"][0].as_str() {
+            Some(CURVES) => whole::curves(self.text.as_bytes(), &look, true)?.value,
+            _ => {
+                let pictures = Pictures { figures: &wanted(message), ..Pictures::default() };
+                match message["travel"].as_f64() {
+                    Some(travel) => self.at(travel, None)?.figures(&pictures, &look)?.value,
+                    None => self.solved.figures(&pictures, &look)?.value,
+                }
+            }
+        };
+        let first = figures.first().map(|(_, f)| (f.title.clone(), f.lang.clone()));
+        let (title, tag) = first.unwrap_or_default();
+        Ok((figures.iter().map(|(_, f)| Page::of(f)).collect(), title, tag))
+    }
+
     fn document(&self, message: &Json, stem: &str) -> Result<Warned<Vec<CompanionFile>>, Faults> {
         let look = look(message);
         let answers = Look { digits: Look::default().digits, ..look.clone() };
@@ -30,12 +70,7 @@ impl OpenFile {
             let name = format!("{stem}.{ending}");
             Warned { value: vec![CompanionFile { name, text }], notes: Vec::new() }
         };
-        let sides = match message["sides"].as_str() {
-            Some("problem") => WorksheetSides::Problem,
-            Some("solution") => WorksheetSides::Solution,
-            _ => WorksheetSides::Both,
-        };
-        let sheet = || self.solved.worksheet(sides, message["mistake"].as_str(), &look);
+        let sheet = || self.solved.worksheet(sides(message), message["mistake"].as_str(), &look);
         let beside = |ending: &str, (text, drawings): (String, Vec<CompanionFile>)| {
             let mut all = one(ending, text);
             all.value.extend(drawings);
@@ -79,6 +114,14 @@ impl OpenFile {
             }
             form => return Err(no_form(form, self.kind()).into()),
         })
+    }
+}
+
+fn sides(message: &Json) -> WorksheetSides {
+    match message["sides"].as_str() {
+        Some("problem") => WorksheetSides::Problem,
+        Some("solution") => WorksheetSides::Solution,
+        _ => WorksheetSides::Both,
     }
 }
 

@@ -30,7 +30,7 @@ pub struct OpenFile {
 }
 
 /// The name of the diagrams over the whole motion, which are none of [`list::LIST`].
-const CURVES: &str = "curves";
+pub const CURVES: &str = "curves";
 
 /// Gives the mechanism a scale (m per mm), if it is one.
 fn hold_plane(scene: &mut Scene, mu: Option<f64>) {
@@ -208,7 +208,7 @@ impl OpenFile {
 
     /// Draws the answers over the whole motion.
     fn curves(&self, look: &Look) -> Result<Vec<Json>, Faults> {
-        self.written(CURVES, whole::curves(self.text.as_bytes(), look)?)
+        self.written(CURVES, whole::curves(self.text.as_bytes(), look, false)?)
     }
 
     fn written(&self, figure: &str, pages: Warned<Pages>) -> Result<Vec<Json>, Faults> {

@@ -9,6 +9,7 @@ use super::extent::on_circle;
 
 /// The shape of an arrowhead.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize))]
 pub struct ArrowHead {
     /// Length from the tip to the barbs, along the shaft.
     pub length_mm: f64,

@@ -69,6 +69,7 @@ pub const COARSE: &str = "coarse";
 
 /// One element of a figure.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize))]
 pub struct FigureItem {
     /// A name unique in the figure; may be empty.
     pub id: String,
@@ -77,6 +78,7 @@ pub struct FigureItem {
     /// The link that the item belongs to, by its index in the scene: styles may colour it.
     pub link: Option<usize>,
     /// The quantity that a vector or mark shows.
+    #[cfg_attr(feature = "wire", serde(skip))]
     pub shown: Option<Box<ShownQuantity>>,
     /// The shape to draw.
     pub shape: Shape,
@@ -84,6 +86,7 @@ pub struct FigureItem {
 
 /// A colour of ink or paper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize))]
 pub struct Colour {
     /// Red component.
     pub r: u8,
@@ -112,6 +115,7 @@ impl Colour {
 
 /// The pattern of a line (names as in ISO 128-2).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize))]
 pub enum Dash {
     /// Continuous.
     #[default]
@@ -138,6 +142,7 @@ impl Dash {
 
 /// The form of a line's ends and corners.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize))]
 pub enum Cap {
     /// Cut off at the end, with mitred corners.
     #[default]
@@ -148,6 +153,7 @@ pub enum Cap {
 
 /// The appearance of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize))]
 pub struct LineStroke {
     /// Width of the line.
     pub width_mm: f64,
@@ -188,6 +194,7 @@ impl LineStroke {
 
 /// The reference point of a label's line, from left to right.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize))]
 pub enum Anchor {
     /// Start of the baseline.
     #[default]
@@ -200,6 +207,7 @@ pub enum Anchor {
 
 /// A piece of a [`Shape::Path`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize))]
 pub enum PathPiece {
     /// Starts at another point, as between the strokes of a hatching.
     Move(Point),
@@ -222,6 +230,7 @@ pub enum PathPiece {
 /// The shape of an item.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
+#[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize))]
 pub enum Shape {
     /// A straight line.
     Line {

@@ -49,6 +49,22 @@ impl PartialEq for Label {
     }
 }
 
+/// A label as data: its text and its row, in the bundled fonts.
+#[cfg(feature = "wire")]
+impl serde::Serialize for Label {
+    fn serialize<S: serde::Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        (&self.0.source, &self.0.row).serialize(to)
+    }
+}
+
+#[cfg(feature = "wire")]
+impl<'de> serde::Deserialize<'de> for Label {
+    fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Label, D::Error> {
+        let (source, row) = serde::Deserialize::deserialize(from)?;
+        Ok(Label::of(source, row, Vec::new()))
+    }
+}
+
 /// Largest number of labels that a thread keeps, and the longest of them (bytes): those of a few
 /// sheets. The bounds keep memory constant in a batch of thousands of sheets.
 const MOST_LABELS: usize = 2048;
@@ -68,6 +84,7 @@ thread_local! {
 
 /// The effect of an atom on the space around it, as in TeX.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize))]
 pub enum Role {
     /// A letter, a digit, a word.
     Ordinary,
@@ -83,6 +100,7 @@ pub enum Role {
 
 /// One atom with its scripts.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "wire", derive(serde::Serialize, serde::Deserialize))]
 pub struct LabelNode {
     /// The characters.
     pub text: String,

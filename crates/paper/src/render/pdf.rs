@@ -27,7 +27,7 @@ use krilla::text::{Font, GlyphId, KrillaGlyph};
 use krilla::{Data, Document, SerializeSettings};
 
 use self::structure::OpenList;
-use super::pages::{Kind, Page, Part};
+use super::pages::{Kind, Page};
 use crate::paper::arrow;
 use crate::paper::extent::{anchor_shift_em, on_circle};
 use crate::paper::font::FaceKey;
@@ -62,22 +62,7 @@ const MITRE: f32 = 4.0;
 /// # Ok::<(), hodograph_base::diag::Faults>(())
 /// ```
 pub fn pdf(figures: &[Figure]) -> Result<Warned<Vec<u8>>, Faults> {
-    let page = |f: &Figure| {
-        let words = if f.desc.is_empty() { &f.title } else { &f.desc };
-        let mut parts = vec![Part { kind: Kind::Figure(words.clone()), items: f.items.clone() }];
-        // White is the colour of the paper itself.
-        if f.paper != Colour::WHITE {
-            let corners =
-                [(0.0, 0.0), (f.width_mm, 0.0), (f.width_mm, f.height_mm), (0.0, f.height_mm)];
-            let points = corners.map(|(x, y)| Point::new(x, y)).to_vec();
-            let ground =
-                Shape::Polyline { points, closed: true, stroke: None, fill: Some(f.paper) };
-            parts
-                .insert(0, Part { kind: Kind::Artifact, items: vec![FigureItem::new("", ground)] });
-        }
-        Page { width_mm: f.width_mm, height_mm: f.height_mm, parts }
-    };
-    let pages: Vec<Page> = figures.iter().map(page).collect();
+    let pages: Vec<Page> = figures.iter().map(Page::of).collect();
     let (title, lang) = figures.first().map_or(("", "en"), |f| (f.title.as_str(), f.lang.as_str()));
     let mut file = document(&pages, title, lang)?;
     file.notes.extend(figures.iter().flat_map(Figure::remarks));

@@ -1,0 +1,43 @@
+//! Reports of an opened file as text: the limits of its motion, its mobility.
+
+use crate::file::OpenFile;
+use crate::words::{failed, look};
+use hodograph::diag::{Diagnostic, Faults, both};
+use hodograph::mechanism::Mechanism;
+use hodograph::problem::whole_motion;
+use hodograph::report::{limits, mobility};
+use hodograph::scene::{self, Swept};
+use hodograph::sweep::extreme;
+use serde_json::{Value as Json, json};
+
+impl OpenFile {
+    /// Answers `report`: the text of `limits` or `mobility`, as the program prints it.
+    pub fn report(&self, message: &Json) -> Json {
+        match self.reported(message) {
+            Ok(text) => json!({"ok": true, "text": text}),
+            Err(faults) => failed(&faults, &self.text),
+        }
+    }
+
+    fn reported(&self, message: &Json) -> Result<String, Faults> {
+        let (lang, _) = look(message).of(self.scene().and_then(|s| s.language), None);
+        match (message["of"].as_str().unwrap_or_default(), self.scene(), self.swept) {
+            ("mobility", Some(_), _) => {
+                let scene = scene::read_topology(&self.text)?.value;
+                let (survey, checked) = mobility::surveyed(&scene);
+                Ok(mobility::text(&scene, &survey, &checked, lang))
+            }
+            ("limits", Some(scene), Some(Swept::Driver(driver))) => {
+                let scene = whole_motion(scene.clone()).value;
+                let mechanism = Mechanism::new(&scene)?.value;
+                let found = extreme::limits(&scene, &mechanism, driver)?;
+                Ok(limits::text(&scene, driver, &found, lang))
+            }
+            (of, ..) => {
+                let message =
+                    both!("there is no report `{of}` of this file", "此文件没有 `{of}` 报告");
+                Err(Diagnostic::error("format", message).into())
+            }
+        }
+    }
+}
