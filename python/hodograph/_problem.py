@@ -17,7 +17,7 @@ from ._live import Live
 from ._table import Table
 
 Lang = Literal["en", "zh"]
-Notation = Literal["western", "chinese"]
+Notation = Literal["en", "cn"]
 Self = TypeVar("Self", bound="Problem")
 
 _STILL = {"centres", "curvature", "centrodes", "inversions"}
