@@ -2,12 +2,15 @@
 //! analysis, both sides of every equation are equal, and every formula is typeset.
 
 use hodograph::answer::AnswerValue;
-use hodograph::loops::{Equation, Formula, Loops, PositionForm, loops};
+use hodograph::loops::{Equation, Formula, GroupLoops, Loops, PositionForm, loops};
 use hodograph::paper::label::Label;
 use hodograph::problem::{Kind, templates};
 use hodograph::report::loops::closed;
-use hodograph::scene::{self, Scene};
+use hodograph::scene::{self, Lang, Scene};
 use hodograph::worked::{Scope, work};
+use hodograph::worksheet::{
+    DocumentBlock, WorksheetOptions, by_loops, html, markdown, pages, typst,
+};
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
@@ -120,6 +123,36 @@ fn formulas_hold_through_the_whole_turn() {
             positions += 1;
         }
         assert!(positions >= 8, "{name}: {positions}");
+    }
+}
+
+/// In every format, with the formulas of each group and the results of both methods.
+#[test]
+fn a_worksheet_solves_by_the_loops() {
+    for name in ["crank-rocker", "shaper", "scotch-yoke", "double-butterfly", "excavator"] {
+        let text = templates::text(name, &[]).unwrap();
+        let scene = scene::read(&text).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        let groups = loops(&scene).unwrap().value.groups;
+        for lang in [Lang::En, Lang::Zh] {
+            let options = WorksheetOptions::of_language(lang);
+            let sheet = by_loops(&scene, &worked, &options).unwrap();
+            let of = |found: fn(&DocumentBlock) -> bool| {
+                sheet.blocks.iter().filter(|b| found(b)).count()
+            };
+            let loops: usize = groups.iter().map(|g| g.loops.len()).sum();
+            let equations = |g: &GroupLoops| {
+                let all = [&g.closures, &g.position, &g.velocities, &g.accelerations];
+                g.loops.len() + all.map(Vec::len).iter().sum::<usize>()
+            };
+            assert!(of(|b| matches!(b, DocumentBlock::Figure { .. })) > loops, "{name}");
+            let formulas = of(|b| matches!(b, DocumentBlock::Formula(_)));
+            assert!(formulas >= groups.iter().map(equations).sum::<usize>(), "{name}");
+            html::html(&sheet).unwrap();
+            markdown::markdown(&sheet, name).unwrap();
+            typst::typst(&sheet, name).unwrap();
+            assert!(!pages::pages(&sheet).is_empty());
+        }
     }
 }
 

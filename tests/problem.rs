@@ -10,7 +10,7 @@ use hodograph::problem::{
 };
 use hodograph::scene::{Lang, Swept};
 use hodograph::sweep::{self, PlacedScene, Stations, Width};
-use hodograph::worksheet::WorksheetSides;
+use hodograph::worksheet::{WorksheetSides, WorksheetTask};
 use std::process::Command;
 use std::time::{Duration, Instant};
 
@@ -58,7 +58,7 @@ fn templates_of_all_kinds_take_the_same_calls() {
         assert!(!pages.is_empty() && pages.iter().all(|(_, f)| !f.items.is_empty()), "{}", t.name);
         let document = solved.worksheet(
             WorksheetSides::Both,
-            None,
+            WorksheetTask::Polygons,
             &Look { lang: Some(Lang::Zh), ..look.clone() },
         );
         assert!(
@@ -254,7 +254,9 @@ fn a_budget_stops_every_computation() {
         let works: [(&str, &dyn Fn()); 4] = [
             ("solve", &|| drop(solve(&problem, &Options::with_figures()))),
             ("figures", &|| drop(solved.figures(&Pictures::default(), &look))),
-            ("worksheet", &|| drop(solved.worksheet(WorksheetSides::Both, None, &look))),
+            ("worksheet", &|| {
+                drop(solved.worksheet(WorksheetSides::Both, WorksheetTask::Polygons, &look))
+            }),
             ("lesson", &|| drop(solved.lesson(&lesson, &look))),
         ];
         // The loops below the facade are tested too.

@@ -190,17 +190,21 @@ class Problem:
         problem: bool = True,
         solution: bool = True,
         mistake: str | None = None,
+        loops: bool = False,
         candidate: int = 1,
     ) -> Worksheet:
         """Writes the problem and its solution as a document; either can be left out.
 
-        With `mistake`, a wrong solution is the problem: one by its name, `""` for the first.
+        With `mistake`, a wrong solution is the problem: one by its name, `""` for the first. With
+        `loops`, the solution is the analytic method with vector loops.
         """
+        if mistake is not None and loops:
+            raise ValueError("a worksheet has a mistake or vector loops, not both")
         if not (problem or solution):
             raise ValueError("a worksheet has the problem, the solution or both")
         sides = "both" if problem and solution else "problem" if problem else "solution"
         native = self._solution(figures=True, candidate=_index(candidate))
-        return Worksheet(native.worksheet(sides, mistake, _look(lang, notation, style, digits)))
+        return Worksheet(native.worksheet(sides, mistake, loops, _look(lang, notation, style, digits)))
 
     def lesson(
         self,

@@ -19,7 +19,7 @@ use hodograph::report::answers::DIGITS;
 use hodograph::scene::{self, Scene, Swept, edit};
 use hodograph::sweep::PlacedScene;
 use hodograph::sweep::batch::{Block, ParameterChoice};
-use hodograph::worksheet::WorksheetSides;
+use hodograph::worksheet::{WorksheetSides, WorksheetTask};
 use pyo3::prelude::*;
 use serde_json::json;
 use std::sync::atomic::Ordering;
@@ -431,23 +431,29 @@ impl Solved {
     }
 
     /// Returns problem and solution as a document; `sides`: `problem`, `solution` or `both`.
-    #[pyo3(signature = (sides, mistake, look_of))]
+    #[pyo3(signature = (sides, mistake, loops, look_of))]
     fn worksheet(
         &self,
         py: Python,
         sides: &str,
         mistake: Option<&str>,
+        loops: bool,
         look_of: Named,
     ) -> PyResult<Sheet> {
         run(py, || {
-            self.of().granted(&[(mistake.is_some(), Wish::Mistake)])?;
+            self.of().granted(&[(mistake.is_some(), Wish::Mistake), (loops, Wish::Loops)])?;
+            let task = match mistake {
+                Some(name) => WorksheetTask::Mistake(name),
+                None if loops => WorksheetTask::Loops,
+                None => WorksheetTask::Polygons,
+            };
             let sides = match sides {
                 "problem" => WorksheetSides::Problem,
                 "solution" => WorksheetSides::Solution,
                 _ => WorksheetSides::Both,
             };
             let look = look(look_of, SHEET_DIGITS)?;
-            let made = self.solved.worksheet(sides, mistake, &look);
+            let made = self.solved.worksheet(sides, task, &look);
             made.map(Sheet::of).map_err(|f| self.of().refused(f))
         })
     }

@@ -347,6 +347,9 @@ pub struct WorksheetArgs {
     /// says why, and draws the groups apart
     #[arg(long, conflicts_with = "find_the_mistake")]
     pub mobility: bool,
+    /// Solve by the analytic method: the vector loops, every unknown as a formula with its number
+    #[arg(long, conflicts_with_all = ["find_the_mistake", "mobility"])]
+    pub loops: bool,
     /// For a synthesis file: the candidate, counted from 1 in the order of `hodograph synth`
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub pick: Option<u64>,

@@ -18,8 +18,8 @@ use crate::render::pdf;
 use crate::scene;
 use crate::worked::{Scope, work};
 use crate::worksheet::{
-    CompanionFile, Document, WorksheetOptions, WorksheetSides, html, markdown, mobility,
-    mobility_of_pairs, pages, typst,
+    CompanionFile, Document, WorksheetOptions, WorksheetSides, WorksheetTask, html, markdown,
+    mobility, mobility_of_pairs, pages, typst,
 };
 use std::path::Path;
 use std::process::ExitCode;
@@ -39,6 +39,7 @@ pub fn run(a: args::WorksheetArgs) -> CommandResult {
         (a.pick.map(|n| n.to_string()), Wish::Candidate),
         (a.find_the_mistake.clone(), Wish::Mistake),
         (a.mobility.then(String::new), Wish::Mobility),
+        (a.loops.then(String::new), Wish::Loops),
     ];
     granted(Kind::of(file.source.as_bytes()), &wishes)?;
     if a.mobility {
@@ -51,9 +52,12 @@ pub fn run(a: args::WorksheetArgs) -> CommandResult {
     };
     let solved = file.solve(&problem, &options)?;
     let look = look_of(&a.common, style, a.digits);
-    let document = solved
-        .worksheet(sides, a.find_the_mistake.as_deref(), &look)
-        .map_err(|f| file.failed(f))?;
+    let task = match a.find_the_mistake.as_deref() {
+        Some(name) => WorksheetTask::Mistake(name),
+        None if a.loops => WorksheetTask::Loops,
+        None => WorksheetTask::Polygons,
+    };
+    let document = solved.worksheet(sides, task, &look).map_err(|f| file.failed(f))?;
     let notes = files.write(&document, |f| file.failed(f))?;
     file.notes.extend(notes);
     file.notes.extend(document.remarks());

@@ -32,7 +32,7 @@ use crate::report::statement;
 use crate::scene::{Lang, Scene, Swept};
 use crate::synthesis;
 use crate::worked::{Worked, instant};
-use crate::worksheet::{Document, WorksheetSides};
+use crate::worksheet::{Document, WorksheetSides, WorksheetTask};
 use serde_json::{Value as Json, json};
 
 pub use live::{Live, PageDelta};
@@ -380,18 +380,18 @@ impl Solved {
         self.answered.figures(pictures, look)
     }
 
-    /// Returns problem and solution as a document. With a `mistake`, a wrong solution is the
-    /// problem: the first possible one if the mistake has no name.
+    /// Returns problem and solution as a document.
     ///
     /// # Errors
-    /// `attempt` for a mistake that cannot be made in this scene; those of the drawings.
+    /// `attempt` for a mistake that cannot be made in this scene; `loops` for pairs and poses of which
+    /// no loops are written out; those of the drawings.
     pub fn worksheet(
         &self,
         sides: WorksheetSides,
-        mistake: Option<&str>,
+        task: WorksheetTask,
         look: &Look,
     ) -> Result<Document, Faults> {
-        self.answered.worksheet(sides, mistake, look)
+        self.answered.worksheet(sides, task, look)
     }
 
     /// Writes a page with the construction step by step.
@@ -428,7 +428,7 @@ trait Answered: std::fmt::Debug + Send + Sync {
     fn worksheet(
         &self,
         sides: WorksheetSides,
-        mistake: Option<&str>,
+        task: WorksheetTask,
         look: &Look,
     ) -> Result<Document, Faults>;
     fn lesson(&self, lesson: &Lesson, look: &Look) -> Result<Warned<String>, Faults>;

@@ -12,7 +12,7 @@ use crate::particle::board::{self, MotionDrawing};
 use crate::particle::{self, ParticleProblem, ParticleValue};
 use crate::report::particle as report;
 use crate::scene::{Lang, Swept};
-use crate::worksheet::{self, Document, WorksheetSides};
+use crate::worksheet::{self, Document, WorksheetSides, WorksheetTask};
 use serde_json::Value as Json;
 
 /// Motions with their solution.
@@ -143,7 +143,7 @@ impl Answered for MotionSolution {
     fn worksheet(
         &self,
         sides: WorksheetSides,
-        _: Option<&str>,
+        _: WorksheetTask,
         look: &Look,
     ) -> Result<Document, Faults> {
         let sheet = sheet::SheetOptions {

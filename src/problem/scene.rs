@@ -17,7 +17,7 @@ use crate::report::{construction, drafting, trains};
 use crate::scene::{DiagramKind, Lang, Scene};
 use crate::sweep::follow::course;
 use crate::worked::{NoAnswer, Scope, Unanswered, Worked, work};
-use crate::worksheet::{self, Document, WorksheetSides};
+use crate::worksheet::{self, Document, WorksheetSides, WorksheetTask};
 use serde_json::Value as Json;
 
 /// A scene with its solution.
@@ -202,12 +202,16 @@ impl Answered for SceneSolution {
     fn worksheet(
         &self,
         sides: WorksheetSides,
-        mistake: Option<&str>,
+        task: WorksheetTask,
         look: &Look,
     ) -> Result<Document, Faults> {
         let options = worksheet::WorksheetOptions { sheet: look.sheet_of(&self.scene), sides };
         let SceneSolution { scene, worked } = self;
-        let Some(name) = mistake else { return Ok(worksheet::worksheet(scene, worked, &options)) };
+        let name = match task {
+            WorksheetTask::Polygons => return Ok(worksheet::worksheet(scene, worked, &options)),
+            WorksheetTask::Loops => return worksheet::by_loops(scene, worked, &options),
+            WorksheetTask::Mistake(name) => name,
+        };
         let all = attempts::wanted(scene, worked, false)?;
         match all.iter().find(|a| name.is_empty() || a.site.mistake().name() == name) {
             Some(attempt) => Ok(worksheet::find_the_mistake(scene, worked, attempt, &options)),

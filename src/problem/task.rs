@@ -8,7 +8,7 @@ use crate::lesson::design as lesson;
 use crate::report::synthesis as report;
 use crate::scene::Lang;
 use crate::synthesis::{self, Design, DesignCandidate, Task};
-use crate::worksheet::{self, Document, WorksheetSides};
+use crate::worksheet::{self, Document, WorksheetSides, WorksheetTask};
 use hodograph_base::json;
 use serde_json::Value as Json;
 
@@ -149,7 +149,7 @@ impl Answered for Designed {
     fn worksheet(
         &self,
         sides: WorksheetSides,
-        _: Option<&str>,
+        _: WorksheetTask,
         look: &Look,
     ) -> Result<Document, Faults> {
         let sheet = sheet::SheetOptions {

@@ -50,6 +50,8 @@ pub enum Wish {
     Mistake,
     /// Degree of freedom and groups.
     Mobility,
+    /// The analytic method with vector loops.
+    Loops,
 }
 
 impl Wish {
@@ -65,6 +67,7 @@ impl Wish {
             Wish::Reveal => "--reveal",
             Wish::Mistake => "--find-the-mistake",
             Wish::Mobility => "--mobility",
+            Wish::Loops => "--loops",
         }
     }
 }

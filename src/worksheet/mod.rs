@@ -12,6 +12,7 @@ mod centres;
 mod design;
 mod display;
 pub mod html;
+mod loops;
 pub mod markdown;
 mod mistake;
 mod mobility;
@@ -38,6 +39,7 @@ use crate::worked::Worked;
 use speak::Speak;
 
 pub use design::design;
+pub use loops::by_loops;
 pub use mistake::find_the_mistake;
 pub use mobility::{mobility, mobility_of_pairs};
 pub use particle::particle;
@@ -52,6 +54,19 @@ pub enum WorksheetSides {
     Problem,
     /// The solution only, for teachers.
     Solution,
+}
+
+/// The problem of a worksheet, or the method of its solution.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum WorksheetTask<'a> {
+    /// The scene's questions, solved by polygons.
+    #[default]
+    Polygons,
+    /// The scene's questions, solved by the analytic method with vector loops.
+    Loops,
+    /// A wrong solution by its name, in which to find the mistake; the first possible one if the
+    /// name is empty.
+    Mistake(&'a str),
 }
 
 /// Options of a worksheet.

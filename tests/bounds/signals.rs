@@ -20,7 +20,7 @@ pub const AT_ONCE: [&str; 6] = ["new", "templates", "schema", "explain", "diff",
 
 /// Every command at a size that takes it seconds (or its longest possible time): its arguments, and
 /// the scene.
-const LONG: [(&str, &str); 24] = [
+const LONG: [(&str, &str); 25] = [
     ("draw SCENE -o a.svg", "points-1900"),
     ("draw SCENE --figure mechanism --dimensions -o b.svg", "points-1900"),
     ("lesson SCENE --positions 360 -o c.html", "points-40"),
@@ -41,6 +41,7 @@ const LONG: [(&str, &str); 24] = [
     ("inversions SCENE -o m", "chain-10"),
     ("curvature SCENE --steps", "chain-60"),
     ("composite SCENE", "chain-60"),
+    ("loops SCENE", "chain-200"),
     ("attempts SCENE --all", "chain-60"),
     ("synth SCENE", "wish"),
     ("readings SCENE", "chain-60"),
@@ -129,7 +130,8 @@ fn interrupted(folder: &Path, arguments: &[String], signal: &str, after: Duratio
     Some(last - before)
 }
 
-/// The commands that the program lists.
+/// The commands that the program lists; `edit`, which serves until it is stopped, has its own tests
+/// (tests/cli/edit.rs).
 pub fn commands() -> Vec<String> {
     let help = hodograph().args(["--help", "--lang", "en"]).output().unwrap().stdout;
     let help = String::from_utf8(help).unwrap();
@@ -141,7 +143,7 @@ pub fn commands() -> Vec<String> {
     let names = listed
         .filter(|l| !l.starts_with("   "))
         .filter_map(|l| l.split_whitespace().next())
-        .filter(|c| *c != "help");
+        .filter(|c| !["help", "edit"].contains(c));
     names.map(str::to_owned).collect()
 }
 

@@ -210,7 +210,8 @@ fn options(help: &str) -> Vec<String> {
     all
 }
 
-/// The commands that the program lists, each with its options.
+/// The commands that the program lists, each with its options; `edit`, which serves until it is
+/// stopped, has its own tests (tests/cli/edit.rs).
 fn commands() -> Vec<(String, Vec<String>)> {
     let help = |command: &[&str]| {
         let run = assert_cmd::Command::new(env!("CARGO_BIN_EXE_hodograph"))
@@ -229,7 +230,10 @@ fn commands() -> Vec<(String, Vec<String>)> {
     let names = listed
         .filter(|l| l.starts_with("  ") && !l.starts_with("   "))
         .filter_map(|l| l.split_whitespace().next());
-    names.filter(|n| *n != "help").map(|n| (n.to_owned(), options(&help(&[n])))).collect()
+    names
+        .filter(|n| !["help", "edit"].contains(n))
+        .map(|n| (n.to_owned(), options(&help(&[n]))))
+        .collect()
 }
 
 /// With any arguments, the program ends by itself with one of its exit codes. Every command is
@@ -253,6 +257,8 @@ fn fuzz_arguments() {
         "cam cam.json --profile p.csv --steps 12",
         "curvature scene.json --link 2 --point E",
         "composite scene.json --json",
+        "loops scene.json --json",
+        "shards missing parts --of 4",
         "attempts scene.json --all",
         "inversions scene.json -o out",
         "centres scene.json",

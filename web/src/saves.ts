@@ -7,7 +7,7 @@ import { pixels, save } from './share'
 import { word, type Word } from './words'
 
 const FORMS: [Word, string, string?][] = [
-  ['as_svg', 'svg'], ['as_png', 'png'], ['as_pdf', 'pdf'], ['as_problem_pdf', 'pdf', 'problem'], ['as_solution_pdf', 'pdf', 'solution'], ['as_problem', 'html', 'problem'], ['as_solution', 'html', 'solution'], ['as_md', 'md'], ['as_typ', 'typ'],
+  ['as_svg', 'svg'], ['as_png', 'png'], ['as_pdf', 'pdf'], ['as_problem_pdf', 'pdf', 'problem'], ['as_solution_pdf', 'pdf', 'solution'], ['as_problem', 'html', 'problem'], ['as_solution', 'html', 'solution'], ['as_loops', 'html', 'loops'], ['as_md', 'md'], ['as_typ', 'typ'],
   ['as_lesson', 'lesson'], ['as_csv', 'csv'], ['as_text', 'text'], ['as_json', 'json'], ['as_scene', 'scene'],
 ]
 
@@ -53,7 +53,8 @@ export class Saves {
       const { figures } = await engine.ask<Frame>(message)
       return figures.map((f) => ({ name: `${name}${f.name ? `-${f.name}` : ''}.svg`, text: f.svg }))
     }
-    const { files } = await engine.ask<{ files: SavedFile[] }>({ do: 'export', handle, form, sides, stem: name, lang })
+    const asked = sides === 'loops' ? { loops: true } : { sides }
+    const { files } = await engine.ask<{ files: SavedFile[] }>({ do: 'export', handle, form, ...asked, stem: name, lang })
     return files
   }
 

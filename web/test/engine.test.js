@@ -5,7 +5,7 @@ import { engine } from '../node-engine.js'
 
 const at = (name) => new URL(`../public/${name}`, import.meta.url).pathname
 const quick = process.env.HODOGRAPH_QUICK === '1'
-const FIGURES = ['sheet', 'equations', 'results', 'centres', 'composite', 'curvature', 'centrodes', 'forces', 'lever', 'gears', 'kutzbach', 'attempts', 'groups', 'cam', 'curves']
+const FIGURES = ['sheet', 'equations', 'results', 'centres', 'loops', 'composite', 'curvature', 'centrodes', 'forces', 'lever', 'gears', 'kutzbach', 'attempts', 'groups', 'cam', 'curves']
 
 test('every message is answered on every template', async () => {
   const fresh = () => engine(at('engine.wasm'), at('song.otf'))

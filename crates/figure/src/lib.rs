@@ -30,7 +30,7 @@ pub(crate) mod hodograph;
 mod inversions;
 mod kutzbach;
 pub mod list;
-mod loops;
+pub mod loops;
 pub mod mechanism;
 pub mod particle;
 pub mod path;

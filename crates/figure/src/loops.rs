@@ -2,12 +2,14 @@
 
 use super::list::{FigureEntry, FigureInput, Pages};
 use super::mechanism::{LoopArrow, looped};
-use super::sheet::SheetDrafter;
+use super::sheet::{SheetDrafter, SheetOptions};
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_methods::loops::{LoopVector, Loops, VectorSize, placed};
+use hodograph_paper::paper::item::Figure;
 use hodograph_paper::paper::label::Label;
 use hodograph_report::loops::closed;
-use hodograph_scene::DiagramKind;
+use hodograph_scene::{DiagramKind, Scene};
+use hodograph_worked::worked::Worked;
 use std::collections::BTreeSet;
 
 /// The closed vectors of the analytic method.
@@ -22,24 +24,24 @@ pub const ENTRY: FigureEntry = FigureEntry {
 
 fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     let all = placed(w.scene, &w.worked.mechanism, &w.worked.configuration)?;
-    let maker = SheetDrafter {
-        scene: w.scene,
-        worked: w.worked,
-        options: w.options,
-        certified: Vec::new(),
+    let figures = pages(w.scene, w.worked, w.options, &all);
+    let one = figures.len() == 1;
+    let named = |(k, figure)| {
+        let number = if one { String::new() } else { format!("-{}", k + 1) };
+        (format!("{}{number}", ENTRY.name), figure)
     };
-    let loops: Vec<&Vec<LoopVector>> = all.groups.iter().flat_map(|g| &g.loops).collect();
-    let mut pages = Pages::new();
-    for (k, of) in loops.iter().enumerate() {
-        let arrows = arrows(&all, of);
-        let options = w.options;
-        let part = looped(&options.style, w.scene, w.worked, &options.notation, &arrows);
+    Ok(Warned { value: figures.into_iter().enumerate().map(named).collect(), notes: Vec::new() })
+}
+
+/// Draws each loop on the mechanism.
+pub fn pages(scene: &Scene, worked: &Worked, options: &SheetOptions, all: &Loops) -> Vec<Figure> {
+    let maker = SheetDrafter { scene, worked, options, certified: Vec::new() };
+    let page = |of: &Vec<LoopVector>| {
+        let part = looped(&options.style, scene, worked, &options.notation, &arrows(all, of));
         let mu = maker.caption(DiagramKind::Plane).1;
-        let part = maker.titled(part, Label::math(closed(&all, of)), &mu, ENTRY.name);
-        let number = if loops.len() > 1 { format!("-{}", k + 1) } else { String::new() };
-        pages.push((format!("{}{number}", ENTRY.name), maker.alone(part)));
-    }
-    Ok(Warned { value: pages, notes: Vec::new() })
+        maker.alone(maker.titled(part, Label::math(closed(all, of)), &mu, ENTRY.name))
+    };
+    all.groups.iter().flat_map(|g| &g.loops).map(page).collect()
 }
 
 /// Returns the vectors of a loop as arrows; the angle of a variable is drawn once, and that of a

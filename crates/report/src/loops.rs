@@ -3,13 +3,15 @@
 
 use super::amount::length_unit;
 use super::columns::columns;
+use super::math::Math;
 use hodograph_base::digits::legible;
+use hodograph_board::plan::names::point_label;
 use hodograph_methods::loops::{
     Equation, Formula, GroupLoops, LoopMatrix, LoopVariable, LoopVector, Loops, PositionForm,
-    VectorSize,
+    UnaryFunction, VectorSize,
 };
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::tr;
+use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_scene::{Kind, Lang, Scene};
 use serde_json::{Value as Json, json};
 
@@ -36,176 +38,275 @@ impl<'a> LoopWords<'a> {
         if !title.is_empty() {
             lines.extend([title.to_owned(), String::new()]);
         }
+        let of = |v: &LoopVariable| [0, 1, 2].map(|order| plain(&self.variable(v, order)));
         let given = self.all.variables.iter().filter(|v| v.driver.is_some());
-        let known: Vec<String> = given.map(|v| self.given(v)).collect();
-        lines.push(
-            tr(self.lang, "given: ", "已知：").to_owned() + &known.join(tr(self.lang, "; ", "；")),
-        );
+        let known: Vec<String> = given.map(|v| of(v).join(", ")).collect();
+        let known = known.join(tr(self.lang, "; ", "；"));
+        lines.push(format!("{}{known}", tr(self.lang, "given: ", "已知：")));
         for g in &self.all.groups {
             lines.push(String::new());
             lines.extend(self.group(g));
         }
         lines.push(String::new());
         lines.push(tr(self.lang, "results:", "结果：").to_owned());
-        lines.extend(columns(&self.results(), 1).into_iter().map(|l| format!("  {l}")));
+        let results: Vec<Vec<String>> = self.all.variables.iter().map(|v| of(v).to_vec()).collect();
+        lines.extend(columns(&results, 1).into_iter().map(|l| format!("  {l}")));
         lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
-    }
-
-    fn given(&self, v: &LoopVariable) -> String {
-        let of = |order: usize| {
-            let symbol = v.symbol(order);
-            let number = self.number(Some(v.kind(order)), symbol.value());
-            format!("{} = {number}", plain(&symbol.text()))
-        };
-        [0, 1, 2].map(of).join(", ")
-    }
-
-    /// Returns the heading of a group: its links and kind.
-    pub fn heading(&self, g: &GroupLoops) -> String {
-        let names: Vec<&str> = g.links.iter().map(|l| self.scene.link_name(*l)).collect();
-        match self.lang {
-            Lang::En => format!("links {} ({})", names.join(", "), g.kind),
-            Lang::Zh => format!("构件 {}（{}）", names.join("、"), g.kind),
-        }
     }
 
     fn group(&self, g: &GroupLoops) -> Vec<String> {
         let mut lines = vec![self.heading(g)];
         for of in &g.loops {
             lines.push(format!("  {}", plain(&closed(self.all, of))));
-            let rows: Vec<Vec<String>> = of.iter().map(|v| self.vector(v)).collect();
+            let row = |v: &LoopVector| {
+                let [way, link, length, angle] = self.row(v);
+                vec![plain(&way), link, plain(&length), plain(&angle)]
+            };
+            let rows: Vec<Vec<String>> = of.iter().map(row).collect();
             lines.extend(columns(&rows, 4).into_iter().map(|l| format!("    {l}")));
         }
+        let equation = |e: &Equation| format!("{} = {}", e.left.text(), e.right.text());
+        let with_value = |e: &Equation| match gives(e) {
+            true => format!("    {} = {}", plain(&equation(e)), plain(&self.value_of(e))),
+            false => format!("    {}", plain(&equation(e))),
+        };
         lines.push(tr(self.lang, "  real and imaginary parts:", "  实部与虚部：").into());
-        lines.extend(g.closures.iter().map(|e| format!("    {}", self.equation(e, false))));
-        let unknowns: Vec<String> =
-            g.unknowns.iter().map(|k| plain(&self.all.variables[*k].symbol(0).text())).collect();
-        lines.push(match self.lang {
-            Lang::En => {
-                format!("  position, unknown {}: {}", unknowns.join(", "), self.form(g.form))
-            }
-            Lang::Zh => format!("  位置，未知量 {}：{}", unknowns.join("、"), self.form(g.form)),
-        });
-        lines.extend(g.position.iter().map(|e| format!("    {}", self.equation(e, true))));
+        lines.extend(g.closures.iter().map(|e| format!("    {}", plain(&equation(e)))));
+        lines.push(format!("  {}", Phrase::new(&self.method(g)).plain()));
+        lines.extend(g.position.iter().map(with_value));
         if g.position.is_empty() {
-            lines.extend(g.unknowns.iter().map(|k| format!("    {}", self.value(*k, 0))));
+            lines.extend(g.unknowns.iter().map(|k| format!("    {}", plain(&self.result(*k, 0)))));
         }
         let levels = [
-            (tr(self.lang, "velocity", "速度"), &g.velocity, &g.velocities, 1),
-            (tr(self.lang, "acceleration", "加速度"), &g.acceleration, &g.accelerations, 2),
+            (tr(self.lang, "velocity", "速度"), &g.velocities, 1),
+            (tr(self.lang, "acceleration", "加速度"), &g.accelerations, 2),
         ];
-        for (name, matrix, equations, order) in levels {
-            let how = match (equations.is_empty(), self.lang) {
-                (true, Lang::En) => "the derivative of the real and imaginary parts, A x = b",
-                (true, Lang::Zh) => "对实部与虚部求导，A x = b",
-                (false, Lang::En) => "the derivative, projected so that the other unknown vanishes",
-                (false, Lang::Zh) => "求导后投影，消去另一未知量",
-            };
-            lines.push(format!("  {name}{}{how}", tr(self.lang, ": ", "：")));
-            lines.extend(equations.iter().map(|e| format!("    {}", self.equation(e, true))));
-            lines.extend(self.matrix(matrix, &g.unknowns, order));
+        for (name, equations, order) in levels {
+            lines.push(format!(
+                "  {name}{}{}",
+                tr(self.lang, ": ", "："),
+                Phrase::new(self.derived(order)).plain()
+            ));
+            let rows: Vec<Vec<String>> = self
+                .system(g, order)
+                .iter()
+                .map(|row| row.iter().map(|cell| plain(cell)).collect())
+                .collect();
+            lines.extend(columns(&rows, 0).into_iter().map(|l| format!("    | {l}")));
             if equations.is_empty() {
-                lines.extend(g.unknowns.iter().map(|k| format!("    {}", self.value(*k, order))));
+                let found = g.unknowns.iter().map(|k| plain(&self.result(*k, order)));
+                lines.extend(found.map(|l| format!("    {l}")));
+            } else {
+                lines.push(format!("  {}", Phrase::new(self.projected()).plain()));
+                lines.extend(equations.iter().map(with_value));
             }
         }
         lines
     }
 
+    /// Returns the heading of a group: its links and kind.
+    pub fn heading(&self, g: &GroupLoops) -> String {
+        let names: Vec<&str> = g.links.iter().map(|l| self.scene.link_name(*l)).collect();
+        match (self.lang, &names[..]) {
+            (Lang::En, [one]) => format!("link {one} ({})", g.kind),
+            (Lang::En, _) => format!("links {} ({})", names.join(", "), g.kind),
+            (Lang::Zh, _) => format!("构件 {}（{}）", names.join("、"), g.kind),
+        }
+    }
+
+    /// Returns the unknowns of a group's positions and how they are found, with formulas between
+    /// dollar signs.
+    pub fn method(&self, g: &GroupLoops) -> String {
+        let unknowns: Vec<String> =
+            g.unknowns.iter().map(|k| format!("${}$", self.symbol(*k, 0))).collect();
+        let (list, how) = (unknowns.join(tr(self.lang, ", ", "、")), self.form(g.form));
+        match self.lang {
+            Lang::En => format!("Unknown: {list}. {how}"),
+            Lang::Zh => format!("未知量：{list}。{how}"),
+        }
+    }
+
     fn form(&self, form: PositionForm) -> &'static str {
         match (form, self.lang) {
             (PositionForm::TwoAngles, Lang::En) => {
-                "the terms of one angle alone on one side, squared and added; t = tan(φ/2) gives a \
-                 quadratic equation, and the sign of its root is the assembly"
+                "The terms of one unknown angle are left alone on one side; squared and added, they lose it. With \
+                 $t = \\tan(\\varphi/2)$ the rest is a quadratic equation; the sign of its root is that of the assembly."
             }
             (PositionForm::TwoAngles, Lang::Zh) => {
-                "将含一个未知角的项移至等号一侧，两式平方相加消去该角；令 t = tan(φ/2) 得二次方程，根号前的正负号由装配形式确定"
+                "将含一个未知角的项移到等号一侧，两式平方相加即消去该角；令 $t = \\tan(\\varphi/2)$ 得一元二次方程，根号前的正负号由装配形式确定。"
             }
             (PositionForm::AngleAndLength, Lang::En) => {
-                "the component across the guide contains the angle alone"
+                "The component across the guide contains the angle alone."
             }
-            (PositionForm::AngleAndLength, Lang::Zh) => "垂直于导路方向的投影只含未知角",
+            (PositionForm::AngleAndLength, Lang::Zh) => "垂直于导路方向的投影只含未知角。",
             (PositionForm::SlottedLever, Lang::En) => {
-                "squared and added, the angle vanishes; the components give the angle in its quadrant"
+                "Squared and added, both parts lose the angle; the two components then give it in its quadrant."
             }
             (PositionForm::SlottedLever, Lang::Zh) => {
-                "两式平方相加消去未知角；再由两分量求角，按其所在象限取值"
+                "两式平方相加即消去未知角；再由两个分量求该角，按其所在象限取值。"
             }
             (PositionForm::TwoLengths, Lang::En) => {
-                "the component across each guide contains the other distance alone"
+                "The component across each guide contains the other distance alone."
             }
-            (PositionForm::TwoLengths, Lang::Zh) => "垂直于一导路方向的投影只含另一未知长度",
+            (PositionForm::TwoLengths, Lang::Zh) => "垂直于一条导路方向的投影只含另一个未知长度。",
             (PositionForm::Newton, Lang::En) => {
-                "Newton's method; the matrix is that of the velocities"
+                "They are found by Newton's method, whose matrix is that of the velocities."
             }
-            (PositionForm::Newton, Lang::Zh) => "用牛顿法求解，雅可比矩阵与速度方程的系数矩阵相同",
+            (PositionForm::Newton, Lang::Zh) => {
+                "用牛顿法求解，其雅可比矩阵与速度方程组的系数矩阵相同。"
+            }
         }
     }
 
-    fn vector(&self, v: &LoopVector) -> Vec<String> {
+    /// Returns the sentence before the linear system of a derivative.
+    pub fn derived(&self, order: usize) -> &'static str {
+        match (order, self.lang) {
+            (1, Lang::En) => {
+                "The real and imaginary parts, differentiated by time, are linear in the unknown rates ($b$ is the right side):"
+            }
+            (1, Lang::Zh) => {
+                "将实部与虚部对时间求导，得到关于未知速度的线性方程组（$b$ 为右端项）："
+            }
+            (_, Lang::En) => {
+                "Differentiated once more, they are linear in the unknown accelerations with the same coefficients:"
+            }
+            (_, Lang::Zh) => "再求导一次，得到系数相同的关于未知加速度的线性方程组：",
+        }
+    }
+
+    /// Returns the sentence before the formulas by projection.
+    pub fn projected(&self) -> &'static str {
+        tr(
+            self.lang,
+            "Projected onto the direction that removes the other unknown (multiplied by $e^{−i\\varphi}$):",
+            "向消去另一未知量的方向投影（两边同乘 $e^{−i\\varphi}$）：",
+        )
+    }
+
+    /// Returns the symbol of an unknown (order 0) or of a derivative.
+    fn symbol(&self, k: usize, order: usize) -> String {
+        self.all.variables[k].symbol(order).text()
+    }
+
+    /// Returns a linear system as rows of formulas: the unknowns and b, then the coefficients.
+    pub fn system(&self, g: &GroupLoops, order: usize) -> Vec<Vec<String>> {
+        let m = if order == 1 { &g.velocity } else { &g.acceleration };
+        let head = g.unknowns.iter().map(|k| self.symbol(*k, order));
+        let mut rows = vec![head.chain(["b".to_owned()]).collect::<Vec<_>>()];
+        for (row, right) in m.rows.iter().zip(&m.right) {
+            rows.push(row.iter().chain([right]).map(|x| legible(tidy(*x), DIGITS)).collect());
+        }
+        rows
+    }
+
+    /// Returns a vector as formulas: way, link (as text), length, angle, each with its value.
+    pub fn row(&self, v: &LoopVector) -> [String; 4] {
         let (symbol, size) = size(self.all, v);
-        let angle = angle(self.all, v);
-        let [from, to] = v.ends.each_ref().map(|e| if e.is_empty() { "F" } else { e });
-        vec![
-            if v.forward { format!("{from} → {to}") } else { format!("{to} → {from}") },
+        let angle = v.angle.formula(&self.all.variables);
+        let name = |e: &String| if e.is_empty() { "F".to_owned() } else { point_label(e) };
+        let [from, to] = v.ends.each_ref().map(name);
+        let turned = match v.angle.variable {
+            None => self.number(Some(Kind::Angle), angle.value()),
+            Some(_) => {
+                format!("{} = {}", angle.text(), self.number(Some(Kind::Angle), angle.value()))
+            }
+        };
+        [
+            if v.forward { format!("{from} \\to {to}") } else { format!("{to} \\to {from}") },
             v.link.map_or_else(String::new, |l| self.scene.link_name(l).to_owned()),
-            plain(&symbol),
-            plain(&angle.text()),
-            self.number(Some(Kind::Length), size),
-            self.number(Some(Kind::Angle), angle.value()),
+            format!("{symbol} = {}", self.number(Some(Kind::Length), size)),
+            turned,
         ]
     }
 
-    /// Returns an equation in plain characters, with the value that it gives.
-    fn equation(&self, e: &Equation, with_value: bool) -> String {
-        let text = plain(&format!("{} = {}", e.left.text(), e.right.text()));
-        let gives =
-            matches!(e.left, Formula::Symbol(..)) && !matches!(e.right, Formula::Number(..));
-        match with_value && gives {
-            true => format!("{text} = {}", self.number(e.kind, e.left.value())),
-            false => text,
-        }
+    /// Returns an unknown or its derivative with its value.
+    pub fn result(&self, k: usize, order: usize) -> String {
+        self.variable(&self.all.variables[k], order)
     }
 
-    fn value(&self, k: usize, order: usize) -> String {
-        let v = &self.all.variables[k];
+    fn variable(&self, v: &LoopVariable, order: usize) -> String {
         let symbol = v.symbol(order);
-        format!("{} = {}", plain(&symbol.text()), self.number(Some(v.kind(order)), symbol.value()))
+        format!("{} = {}", symbol.text(), self.number(Some(v.kind(order)), symbol.value()))
     }
 
-    fn matrix(&self, m: &LoopMatrix, unknowns: &[usize], order: usize) -> Vec<String> {
-        let head = unknowns.iter().map(|k| plain(&self.all.variables[*k].symbol(order).text()));
-        let mut rows = vec![head.chain(["b".to_owned()]).collect::<Vec<_>>()];
-        for (row, right) in m.rows.iter().zip(&m.right) {
-            rows.push(row.iter().chain([right]).map(|x| legible(*x, DIGITS)).collect());
+    /// Returns the value of an equation that gives one.
+    pub fn value_of(&self, e: &Equation) -> String {
+        self.number(e.kind, e.left.value())
+    }
+
+    /// Returns an equation for a line of its own, with the value that it gives.
+    pub fn display(&self, e: &Equation) -> Vec<Math> {
+        let mut out = vec![Math::Row(Label::math(format!("{} =", e.left.text())))];
+        out.extend(math(&e.right));
+        if gives(e) {
+            out.push(Math::Row(Label::math(format!("= {}", self.value_of(e)))));
         }
-        columns(&rows, 0).into_iter().map(|l| format!("    | {l}")).collect()
-    }
-
-    fn results(&self) -> Vec<Vec<String>> {
-        let row = |v: &LoopVariable| {
-            let cell = |order: usize| {
-                let symbol = v.symbol(order);
-                let number = self.number(Some(v.kind(order)), symbol.value());
-                format!("{} = {number}", plain(&symbol.text()))
-            };
-            [0, 1, 2].map(cell).to_vec()
-        };
-        self.all.variables.iter().map(row).collect()
+        out
     }
 
     /// Returns a number with its unit; a product of two lengths (`None`) in the square of the unit
     /// of lengths.
     fn number(&self, kind: Option<Kind>, si: f64) -> String {
         let book = &self.scene.book;
-        let tidy = |x: f64| if x.abs() < ROUNDING { 0.0 } else { x };
         let (name, per_metre) = length_unit(self.scene);
         match kind {
             Some(Kind::Length) => format!("{} {name}", legible(tidy(si) * per_metre, DIGITS)),
-            None => format!("{} {name}²", legible(tidy(si) * per_metre * per_metre, DIGITS)),
+            None => format!("{} {name}^2", legible(tidy(si) * per_metre * per_metre, DIGITS)),
             Some(Kind::Angle) => format!("{}°", legible(tidy(si).to_degrees(), DIGITS)),
-            Some(kind) => book.text(kind, &legible(book.value(kind, tidy(si)), DIGITS)),
+            Some(kind) => book.label(kind, &legible(book.value(kind, tidy(si)), DIGITS)),
         }
     }
+}
+
+/// Returns true if the left side is a symbol that the right side gives.
+fn gives(e: &Equation) -> bool {
+    matches!(e.left, Formula::Symbol(..)) && !matches!(e.right, Formula::Number(..))
+}
+
+/// Returns a formula with its fractions and roots set as such.
+fn math(f: &Formula) -> Vec<Math> {
+    let label = |f: &Formula| Label::math(f.text());
+    match f {
+        Formula::Quotient(a, b) => vec![Math::Fraction(label(a), label(b))],
+        Formula::Root(a) => vec![Math::Root(label(a))],
+        Formula::Direction { x, y } => {
+            vec![Math::Row(Label::math("\\arctan")), Math::Fraction(label(y), label(x))]
+        }
+        Formula::Call(UnaryFunction::Arctan, of) if matches!(**of, Formula::Quotient(..)) => {
+            std::iter::once(Math::Row(Label::math("\\arctan"))).chain(math(of)).collect()
+        }
+        Formula::Product(factors) if factors.iter().any(set_apart) => {
+            let space = || Math::Row(Label::math("\\,"));
+            factors.iter().flat_map(|f| math(f).into_iter().chain([space()])).collect()
+        }
+        Formula::Sum(terms) if terms.iter().any(|(_, t)| set_apart(t)) => {
+            let sign = |(k, (minus, term)): (usize, &(bool, Formula))| {
+                let sign = match (k, minus) {
+                    (0, false) => None,
+                    (_, true) => Some("−"),
+                    (_, false) => Some("+"),
+                };
+                let sign = sign.map(|s| Math::Row(Label::math(s)));
+                sign.into_iter().chain(math(term)).collect::<Vec<_>>()
+            };
+            terms.iter().enumerate().flat_map(sign).collect()
+        }
+        _ => vec![Math::Row(label(f))],
+    }
+}
+
+/// Returns true for a fraction, a root, and the arctangent of a fraction.
+fn set_apart(f: &Formula) -> bool {
+    match f {
+        Formula::Quotient(..) | Formula::Root(_) | Formula::Direction { .. } => true,
+        Formula::Call(UnaryFunction::Arctan, of) => set_apart(of),
+        _ => false,
+    }
+}
+
+/// Returns a number without rounding errors that should be zero.
+fn tidy(x: f64) -> f64 {
+    if x.abs() < ROUNDING { 0.0 } else { x }
 }
 
 /// Numbers below this (SI) are rounding errors.
@@ -223,11 +324,6 @@ fn size(all: &Loops, v: &LoopVector) -> (String, f64) {
     }
 }
 
-/// Returns the angle of a vector.
-fn angle(all: &Loops, v: &LoopVector) -> Formula {
-    v.angle.formula(&all.variables)
-}
-
 /// Returns the vector equation of a loop in the label language:
 /// `l_{AB} e^{i\varphi_{2}} + ... = ...`.
 pub fn closed(all: &Loops, of: &[LoopVector]) -> String {
@@ -241,7 +337,7 @@ pub fn closed(all: &Loops, of: &[LoopVector]) -> String {
                 (false, false) => " − ",
             };
             out += &size(all, v).0;
-            let angle = angle(all, v);
+            let angle = v.angle.formula(&all.variables);
             match angle {
                 Formula::Number(_, 0.0) => {}
                 Formula::Symbol(text, _) => out += &format!("\\,e^{{i{text}}}"),
@@ -282,7 +378,7 @@ pub fn json(scene: &Scene, all: &Loops) -> Json {
             "side": if v.left { "left" } else { "right" },
             "sign": if v.forward { 1 } else { -1 },
             "length": {"symbol": size(all, v).0, "value": size(all, v).1},
-            "angle": {"symbol": angle(all, v).text(), "value": angle(all, v).value()},
+            "angle": {"symbol": v.angle.formula(&all.variables).text(), "value": v.angle.formula(&all.variables).value()},
             "places": [[start.x, start.y], [end.x, end.y]],
         })
     };

@@ -11,7 +11,7 @@ use hodograph::render::pages::Page;
 use hodograph::report::table::{Csv, RowFormat, TableHead, TablePiece};
 use hodograph::scene::Swept;
 use hodograph::worksheet::pages;
-use hodograph::worksheet::{CompanionFile, WorksheetSides, html, markdown, typst};
+use hodograph::worksheet::{CompanionFile, WorksheetSides, WorksheetTask, html, markdown, typst};
 use serde_json::{Value as Json, json};
 
 impl OpenFile {
@@ -44,7 +44,7 @@ impl OpenFile {
     fn pages(&self, message: &Json) -> Result<(Vec<Page>, String, String), Faults> {
         let look = look(message);
         if message["what"].is_null() {
-            let sheet = self.solved.worksheet(sides(message), None, &look)?;
+            let sheet = self.solved.worksheet(sides(message), task(message), &look)?;
             let tag = words(sheet.lang).tag.to_owned();
             return Ok((pages::pages(&sheet), sheet.title, tag));
         }
@@ -70,7 +70,7 @@ impl OpenFile {
             let name = format!("{stem}.{ending}");
             Warned { value: vec![CompanionFile { name, text }], notes: Vec::new() }
         };
-        let sheet = || self.solved.worksheet(sides(message), message["mistake"].as_str(), &look);
+        let sheet = || self.solved.worksheet(sides(message), task(message), &look);
         let beside = |ending: &str, (text, drawings): (String, Vec<CompanionFile>)| {
             let mut all = one(ending, text);
             all.value.extend(drawings);
@@ -122,6 +122,14 @@ fn sides(message: &Json) -> WorksheetSides {
         Some("problem") => WorksheetSides::Problem,
         Some("solution") => WorksheetSides::Solution,
         _ => WorksheetSides::Both,
+    }
+}
+
+fn task(message: &Json) -> WorksheetTask<'_> {
+    match message["mistake"].as_str() {
+        Some(name) => WorksheetTask::Mistake(name),
+        None if message["loops"] == true => WorksheetTask::Loops,
+        None => WorksheetTask::Polygons,
     }
 }
 

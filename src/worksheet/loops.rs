@@ -1,0 +1,134 @@
+//! The solution by the analytic method: the vector loops of each group, their real and imaginary
+//! parts, and every unknown as a formula with its value.
+
+use super::speak::Speak;
+use super::{Document, document};
+use super::{
+    DocumentBlock, DocumentTable, SheetMaker, TableKind, WorksheetOptions, WorksheetSides,
+};
+use crate::certified::{certify, steps};
+use crate::diag::Faults;
+use crate::figure::loops::pages;
+use crate::loops::{Equation, GroupLoops, Loops, placed};
+use crate::paper::label::Label;
+use crate::paper::phrase::Phrase;
+use crate::report::loops::{LoopWords, closed};
+use crate::report::math::Math;
+use crate::scene::{Lang, Scene};
+use crate::worked::Worked;
+
+/// Makes the worksheet of a scene whose solution is the analytic method.
+///
+/// # Errors
+/// `loops` for pairs and poses of which no loops are written out.
+pub fn by_loops(
+    scene: &Scene,
+    worked: &Worked,
+    options: &WorksheetOptions,
+) -> Result<Document, Faults> {
+    let all = placed(scene, &worked.mechanism, &worked.configuration)?;
+    let certified = certify(scene, worked, options.sheet.digits);
+    let told = steps(scene, worked, worked.drafting.as_ref().map(|d| d.pencil_mm));
+    let maker =
+        SheetMaker { scene, worked, options: &options.sheet, certified: &certified, told: &told };
+    let mut blocks = Vec::new();
+    if options.sides != WorksheetSides::Solution {
+        maker.problem(&mut blocks);
+    }
+    if options.sides != WorksheetSides::Problem {
+        blocks.push(maker.heading(1, "Solution", "解"));
+        maker.loops(&mut blocks, &all);
+        maker.results(&mut blocks, None);
+    }
+    Ok(document(scene, options, blocks))
+}
+
+impl SheetMaker<'_> {
+    fn loops(&self, blocks: &mut Vec<DocumentBlock>, all: &Loops) {
+        let words = LoopWords::new(self.scene, all, self.lang());
+        blocks.push(self.heading(2, "Vector loops", "封闭矢量方程"));
+        blocks.push(self.paragraph(
+            "Links and guides form closed loops of vectors. Each vector has a length and an angle from the $x$ axis; the sum of the vectors on \
+             one way from the first joint to the last is that on the other way.",
+            "各构件和导路构成封闭矢量多边形。每个矢量由其长度和与 $x$ 轴的夹角表示；由起点沿两条路线到达终点，两边的矢量和相等。",
+        ));
+        let figures = pages(self.scene, self.worked, self.options, all);
+        blocks.extend(
+            figures
+                .into_iter()
+                .map(|figure| DocumentBlock::Figure { name: "loop", figure: Box::new(figure) }),
+        );
+        for (k, g) in all.groups.iter().enumerate() {
+            let number = k + 1;
+            let heading = words.heading(g);
+            blocks.push(DocumentBlock::Heading(
+                2,
+                match self.lang() {
+                    Lang::En => format!("Group {number}: {heading}"),
+                    Lang::Zh => format!("杆组 {number}：{heading}"),
+                },
+            ));
+            self.group_loops(blocks, all, g, &words);
+        }
+    }
+
+    fn group_loops(
+        &self,
+        blocks: &mut Vec<DocumentBlock>,
+        all: &Loops,
+        g: &GroupLoops,
+        words: &LoopWords,
+    ) {
+        let line = |text: &str| Phrase::new(&format!("${text}$"));
+        blocks.push(self.heading(3, "Position", "位置"));
+        for of in &g.loops {
+            blocks.push(DocumentBlock::Formula(vec![Math::Row(Label::math(closed(all, of)))]));
+            let head = [
+                self.tr("vector", "矢量"),
+                self.tr("link", "构件"),
+                self.tr("length", "长度"),
+                self.tr("angle", "方位角"),
+            ];
+            let mut rows = vec![head.map(Phrase::new).to_vec()];
+            rows.extend(of.iter().map(|v| {
+                let [way, link, length, angle] = words.row(v);
+                vec![line(&way), Phrase::of_words(&link), line(&length), line(&angle)]
+            }));
+            blocks.push(DocumentBlock::Table(DocumentTable { kind: TableKind::Values, rows }));
+        }
+        blocks.push(self.paragraph("Real and imaginary parts:", "取实部与虚部："));
+        blocks.extend(g.closures.iter().map(|e| formula(words, e)));
+        blocks.push(DocumentBlock::Paragraph(Phrase::new(&words.method(g))));
+        blocks.extend(g.position.iter().map(|e| formula(words, e)));
+        if g.position.is_empty() {
+            let found = g.unknowns.iter().map(|k| line(&words.result(*k, 0))).collect();
+            blocks.push(DocumentBlock::List { numbered: false, members: found });
+        }
+        let levels = [
+            (self.heading(3, "Velocity", "速度"), &g.velocities, 1),
+            (self.heading(3, "Acceleration", "加速度"), &g.accelerations, 2),
+        ];
+        for (heading, equations, order) in levels {
+            blocks.push(heading);
+            blocks.push(DocumentBlock::Paragraph(Phrase::new(words.derived(order))));
+            let rows: Vec<Vec<Phrase>> = words
+                .system(g, order)
+                .iter()
+                .map(|row| row.iter().map(|cell| line(cell)).collect())
+                .collect();
+            blocks.push(DocumentBlock::Table(DocumentTable { kind: TableKind::Values, rows }));
+            if equations.is_empty() {
+                let found = g.unknowns.iter().map(|k| line(&words.result(*k, order))).collect();
+                blocks.push(DocumentBlock::List { numbered: false, members: found });
+            } else {
+                blocks.push(DocumentBlock::Paragraph(Phrase::new(words.projected())));
+                blocks.extend(equations.iter().map(|e| formula(words, e)));
+            }
+        }
+    }
+}
+
+/// An equation on a line of its own, with the value that it gives.
+fn formula(words: &LoopWords, e: &Equation) -> DocumentBlock {
+    DocumentBlock::Formula(words.display(e))
+}
