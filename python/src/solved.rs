@@ -314,7 +314,7 @@ impl Problem {
         let pages = run(py, || {
             self.granted(&[(true, Wish::Mechanism)])?;
             let look = look(look_of, SHEET_DIGITS)?;
-            whole::curves(self.source.as_bytes(), &look).map_err(|f| self.refused(f))
+            whole::curves(self.source.as_bytes(), &look, false).map_err(|f| self.refused(f))
         })?;
         Ok(pages.value.into_iter().map(|(name, figure)| (name, Picture::of(figure))).collect())
     }
