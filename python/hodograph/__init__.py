@@ -6,7 +6,7 @@
 >>> r["omega_3"].text
 '0.947285 rad/s counter-clockwise'
 
-- `Scene` is a mechanism at an instant, `Task` a task of design, `Motion` motions of points without
+- `Scene` is a mechanism at an instant, `Task` a design task, `Motion` motions of points without
   a mechanism; `read` takes a file of any kind, `template` and `templates` give examples.
 - `Scene.solve` returns the `Answers`; `figure`, `worksheet` and `lesson` draw and write.
 - `Scene.sweep` returns a `Table` with the answers over a whole motion, in NumPy columns.

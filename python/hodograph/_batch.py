@@ -27,7 +27,7 @@ def batch(
 
     `vary` gives each parameter `(from, to)` or `(from, to, count)`: numbers in the scene's unit or
     texts with a unit. Without `random`, all combinations of the counts (2 without one) are solved;
-    with it, so many mechanisms with parameters drawn uniformly between the bounds, which depend on
+    with it, that many mechanisms with parameters drawn uniformly between the bounds; the draw depends on
     `seed` alone. With `steps`, each is solved at `steps + 1` positions of its driver from `start`
     to `stop`, else in the scene's pose. Columns: `mechanism`, the parameters, the driver, the
     answers; positions that cannot be assembled have no row. The rows do not depend on the number of

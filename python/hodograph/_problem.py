@@ -363,12 +363,12 @@ class Scene(Problem):
 
 
 class Task(Problem):
-    """A task of design, whose candidates are scenes."""
+    """A design task, whose candidates are scenes."""
 
     _kind = "task"
 
     def solve(self, *, candidate: int = 1, lang: Lang | None = None, digits: int | None = None) -> Design:
-        """Finds the candidates; `candidate` (from 1) is the one whose construction is told."""
+        """Finds the candidates; `candidate` (from 1) is the one whose construction is described."""
         return Design(self._solution(candidate=_index(candidate)), _look(lang, None, None, digits))
 
 
@@ -409,7 +409,7 @@ class Template:
 
 
 def templates() -> list[Template]:
-    """All templates: scenes, tasks of design, motions."""
+    """All templates: scenes, design tasks, motions."""
     return [
         Template(name, kind, {"en": en, "zh": zh}, dict(parameters))
         for name, kind, (en, zh), parameters in _native.templates()

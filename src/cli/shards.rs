@@ -50,7 +50,7 @@ pub fn format(output: &str, formats: &[BatchFormat]) -> Result<BatchFormat, Fail
     }
     let message = both!(
         "{output} is no name of a folder, and --shard writes parts into a folder",
-        "{output} 不是文件夹名，而 --shard 把各部分写入文件夹"
+        "{output} 不是文件夹名，而 --shard 把各分块写入文件夹"
     );
     let help = both!(
         "write -o parts/ --format parquet; `hodograph shards compact parts/ -o table.parquet` joins them",
@@ -89,7 +89,7 @@ pub fn compute(
         bar.finish_and_clear();
         files::print(lang::of(&both!(
             "{}: shard {} of {}, {} of {} parts: {mechanisms} mechanisms, {rows} rows, {missing} positions without one\n",
-            "{}：第 {} 份，共 {} 份；{} 个部分，共 {} 个：{mechanisms} 个机构，{rows} 行，{missing} 个位置没有数据行\n",
+            "{}：第 {} 片（共 {} 片），含 {} 个分块（全部 {} 个）：{mechanisms} 个机构，{rows} 行，{missing} 个位置没有数据行\n",
             folder.display(),
             shard.number,
             shard.of,
@@ -157,7 +157,7 @@ fn verify(batch: &Batch, format: &dyn RowFormat, parts: &Parts, remove: bool) ->
     let (all, sum) = (parts.count(batch), sum.finalize());
     text += lang::of(&both!(
         "{}: {all} parts, {absent} missing, {damaged} damaged; {rows} rows, {gaps} positions without one, CRC-32 {sum:08x}\n",
-        "{}：共 {all} 个部分，缺少 {absent} 个，损坏 {damaged} 个；{rows} 行，{gaps} 个位置没有数据行，CRC-32 {sum:08x}\n",
+        "{}：共 {all} 个分块，缺少 {absent} 个，损坏 {damaged} 个；{rows} 行，{gaps} 个位置没有数据行，CRC-32 {sum:08x}\n",
         parts.folder.display()
     ));
     files::print_names(&text)?;
@@ -177,10 +177,10 @@ fn compact(batch: &Batch, format: &dyn RowFormat, parts: &Parts, output: &str) -
     if !absent.is_empty() {
         let (count, all) = (absent.len(), parts.count(batch));
         let message =
-            both!("{count} of {all} parts are missing", "共 {all} 个部分，缺少 {count} 个");
+            both!("{count} of {all} parts are missing", "共 {all} 个分块，缺少 {count} 个");
         let help = both!(
             "run `batch --shard` again; `hodograph shards missing {}` lists them",
-            "请再运行 `batch --shard`；`hodograph shards missing {}` 列出缺少的部分",
+            "请再次运行 `batch --shard`；`hodograph shards missing {}` 列出缺少的分块",
             parts.folder.display()
         );
         return Err(parts.refused(Diagnostic::error("parts", message).help(help)));
@@ -251,7 +251,7 @@ impl Parts {
         }
         let message = both!(
             "{} holds the parts of another batch",
-            "{} 中是另一批量计算的各部分",
+            "{} 中是另一批量计算的分块",
             folder.display()
         );
         let help = both!(
@@ -272,7 +272,7 @@ impl Parts {
         if told.generator != GENERATOR {
             return Err(fault(both!(
                 "the parts are of {}, this is {GENERATOR}",
-                "各部分由 {} 生成，而此程序为 {GENERATOR}",
+                "各分块由 {} 生成，而本程序为 {GENERATOR}",
                 told.generator
             )));
         }

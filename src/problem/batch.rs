@@ -5,8 +5,11 @@
 
 use crate::diag::{Diagnostic, Faults, Span, both};
 use crate::mechanism::Mechanism;
+#[cfg(any(feature = "csv", feature = "tables"))]
 use crate::report::table::TableHead;
-use crate::scene::{Lang, Scene};
+#[cfg(any(feature = "csv", feature = "tables"))]
+use crate::scene::Lang;
+use crate::scene::Scene;
 use crate::sweep::Stations;
 use crate::sweep::batch::{Batch, ParameterChoice};
 use crate::sweep::vary::Variation;
@@ -80,6 +83,7 @@ pub fn block(batch: &Batch) -> u64 {
 
 /// Returns the head of a batch's table, with notes in a language. The mechanism's number, its
 /// parameters and the driver's position repeat.
+#[cfg(any(feature = "csv", feature = "tables"))]
 pub fn head(batch: &Batch, title: &str, lang: Lang) -> TableHead {
     let mut head = TableHead::new(title, batch.columns()).in_language(lang);
     let leading = 2 + batch.values.len();
@@ -142,7 +146,7 @@ fn range(text: &str) -> Result<ParameterRange<'_>, Faults> {
         let d = Diagnostic::error(
             "vary",
             both!(
-                "two dots stand between the bounds of a range, here are three or more",
+                "a range has two dots between its bounds; this one has three or more",
                 "范围的两端之间是两个点，此处有三个或更多"
             ),
         );

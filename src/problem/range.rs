@@ -174,8 +174,8 @@ fn values(
     let bound = |text: Option<&str>, of: &'static str| {
         let missing = || {
             Diagnostic::error("range", both!("--{of} is missing", "缺少 --{of}")).help(both!(
-                "a parameter has no natural range: give --from and --to",
-                "参数没有自然的范围：请给出 --from 和 --to"
+                "a parameter has no default range: give --from and --to",
+                "参数没有默认范围：请给出 --from 和 --to"
             ))
         };
         let text = text.ok_or_else(|| WrongValue::new("over", name, missing()))?;
@@ -201,14 +201,11 @@ fn not_too_far(of: &'static str, text: &str, angle: Angle) -> Result<Angle, Wron
     let d = Diagnostic::error(
         "range",
         both!(
-            "it lies {turns} turns off; at most {MOST_TURNS} are allowed",
-            "相距 {turns} 转；最多允许 {MOST_TURNS} 转"
+            "this end of the range is {turns} turns away from zero; the limit is {MOST_TURNS}",
+            "范围的这一端距零点 {turns} 转；最多允许 {MOST_TURNS} 转"
         ),
     );
-    let d = d.help(both!(
-        "the motion comes again with every turn, or with every few",
-        "运动每转一周或几周即重复"
-    ));
+    let d = d.help(both!("the motion repeats after one turn or a few", "运动每转一周或几周即重复"));
     Err(WrongValue::new(of, text, d))
 }
 

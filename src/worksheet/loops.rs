@@ -48,9 +48,9 @@ impl SheetMaker<'_> {
         let words = LoopWords::new(self.scene, all, self.lang());
         blocks.push(self.heading(2, "Vector loops", "封闭矢量方程"));
         blocks.push(self.paragraph(
-            "Links and guides form closed loops of vectors. Each vector has a length and an angle from the $x$ axis; the sum of the vectors on \
-             one way from the first joint to the last is that on the other way.",
-            "各构件和导路构成封闭矢量多边形。每个矢量由其长度和与 $x$ 轴的夹角表示；由起点沿两条路线到达终点，两边的矢量和相等。",
+            "Links and guides form closed loops of vectors. Each vector has a length and an angle from the $x$ axis; the vectors along \
+             the two paths from the first joint to the last have the same sum.",
+            "各构件和导路构成封闭矢量多边形。每个矢量用其长度和方位角（与 $x$ 轴正向的夹角）表示；由同一起点沿两条路径到达同一终点，两条路径的矢量和相等，由此列出封闭矢量方程。",
         ));
         let figures = pages(self.scene, self.worked, self.options, all);
         blocks.extend(
@@ -96,7 +96,7 @@ impl SheetMaker<'_> {
             }));
             blocks.push(DocumentBlock::Table(DocumentTable { kind: TableKind::Values, rows }));
         }
-        blocks.push(self.paragraph("Real and imaginary parts:", "取实部与虚部："));
+        blocks.push(self.paragraph("Real and imaginary parts:", "分别取实部和虚部："));
         blocks.extend(g.closures.iter().map(|e| formula(words, e)));
         blocks.push(DocumentBlock::Paragraph(Phrase::new(&words.method(g))));
         blocks.extend(g.position.iter().map(|e| formula(words, e)));

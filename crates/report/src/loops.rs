@@ -70,7 +70,7 @@ impl<'a> LoopWords<'a> {
             true => format!("    {} = {}", plain(&equation(e)), plain(&self.value_of(e))),
             false => format!("    {}", plain(&equation(e))),
         };
-        lines.push(tr(self.lang, "  real and imaginary parts:", "  实部与虚部：").into());
+        lines.push(tr(self.lang, "  real and imaginary parts:", "  实部和虚部：").into());
         lines.extend(g.closures.iter().map(|e| format!("    {}", plain(&equation(e)))));
         lines.push(format!("  {}", Phrase::new(&self.method(g)).plain()));
         lines.extend(g.position.iter().map(with_value));
@@ -121,7 +121,7 @@ impl<'a> LoopWords<'a> {
             g.unknowns.iter().map(|k| format!("${}$", self.symbol(*k, 0))).collect();
         let (list, how) = (unknowns.join(tr(self.lang, ", ", "、")), self.form(g.form));
         match self.lang {
-            Lang::En => format!("Unknown: {list}. {how}"),
+            Lang::En => format!("Unknowns: {list}. {how}"),
             Lang::Zh => format!("未知量：{list}。{how}"),
         }
     }
@@ -129,28 +129,32 @@ impl<'a> LoopWords<'a> {
     fn form(&self, form: PositionForm) -> &'static str {
         match (form, self.lang) {
             (PositionForm::TwoAngles, Lang::En) => {
-                "The terms of one unknown angle are left alone on one side; squared and added, they lose it. With \
-                 $t = \\tan(\\varphi/2)$ the rest is a quadratic equation; the sign of its root is that of the assembly."
+                "Isolate the terms with one unknown angle on one side; squaring and adding both equations eliminates it. With \
+                 $t = \\tan(\\varphi/2)$ a quadratic equation remains; the assembly determines the sign of the root."
             }
             (PositionForm::TwoAngles, Lang::Zh) => {
-                "将含一个未知角的项移到等号一侧，两式平方相加即消去该角；令 $t = \\tan(\\varphi/2)$ 得一元二次方程，根号前的正负号由装配形式确定。"
+                "将含其中一个未知角的项单独移到等号一侧，两式平方后相加，消去该角；再令 $t = \\tan(\\varphi/2)$ 得关于 $t$ 的一元二次方程，根号前的正负号由机构的装配形式确定。"
             }
             (PositionForm::AngleAndLength, Lang::En) => {
-                "The component across the guide contains the angle alone."
+                "The component perpendicular to the guide contains only the unknown angle."
             }
-            (PositionForm::AngleAndLength, Lang::Zh) => "垂直于导路方向的投影只含未知角。",
+            (PositionForm::AngleAndLength, Lang::Zh) => {
+                "将矢量方程向垂直于导路的方向投影，所得方程只含未知角。"
+            }
             (PositionForm::SlottedLever, Lang::En) => {
-                "Squared and added, both parts lose the angle; the two components then give it in its quadrant."
+                "Squaring and adding both equations eliminates the angle; the two components then give the angle in its quadrant."
             }
             (PositionForm::SlottedLever, Lang::Zh) => {
-                "两式平方相加即消去未知角；再由两个分量求该角，按其所在象限取值。"
+                "两式平方后相加，消去未知角，求得未知长度；再由两个分量求该角，并由分量的正负号确定其所在象限。"
             }
             (PositionForm::TwoLengths, Lang::En) => {
-                "The component across each guide contains the other distance alone."
+                "The component perpendicular to each guide contains only the other unknown distance."
             }
-            (PositionForm::TwoLengths, Lang::Zh) => "垂直于一条导路方向的投影只含另一个未知长度。",
+            (PositionForm::TwoLengths, Lang::Zh) => {
+                "将矢量方程向垂直于一条导路的方向投影，所得方程只含沿另一导路的未知长度。"
+            }
             (PositionForm::Newton, Lang::En) => {
-                "They are found by Newton's method, whose matrix is that of the velocities."
+                "Newton's method finds them; its Jacobian is the coefficient matrix of the velocity equations."
             }
             (PositionForm::Newton, Lang::Zh) => {
                 "用牛顿法求解，其雅可比矩阵与速度方程组的系数矩阵相同。"
@@ -162,15 +166,17 @@ impl<'a> LoopWords<'a> {
     pub fn derived(&self, order: usize) -> &'static str {
         match (order, self.lang) {
             (1, Lang::En) => {
-                "The real and imaginary parts, differentiated by time, are linear in the unknown rates ($b$ is the right side):"
+                "Differentiating the real and imaginary parts with respect to time gives linear equations for the unknown velocities ($b$ is the right side):"
             }
             (1, Lang::Zh) => {
-                "将实部与虚部对时间求导，得到关于未知速度的线性方程组（$b$ 为右端项）："
+                "将实部、虚部两式对时间求导，得关于未知速度和角速度的线性方程组（$b$ 为右端项）："
             }
             (_, Lang::En) => {
-                "Differentiated once more, they are linear in the unknown accelerations with the same coefficients:"
+                "Differentiating once more gives linear equations for the unknown accelerations, with the same coefficients:"
             }
-            (_, Lang::Zh) => "再求导一次，得到系数相同的关于未知加速度的线性方程组：",
+            (_, Lang::Zh) => {
+                "再对时间求导，得关于未知加速度和角加速度的线性方程组，其系数矩阵不变："
+            }
         }
     }
 
@@ -178,8 +184,8 @@ impl<'a> LoopWords<'a> {
     pub fn projected(&self) -> &'static str {
         tr(
             self.lang,
-            "Projected onto the direction that removes the other unknown (multiplied by $e^{−i\\varphi}$):",
-            "向消去另一未知量的方向投影（两边同乘 $e^{−i\\varphi}$）：",
+            "To eliminate the other unknown, multiply both sides by $e^{−i\\varphi}$ and take the real or the imaginary part:",
+            "两边同乘 $e^{−i\\varphi}$，取实部或虚部，消去另一未知量：",
         )
     }
 

@@ -36,7 +36,7 @@ pub struct VariedArgs {
     /// Number of random mechanisms instead of every combination
     #[arg(long, value_name = "N")]
     pub random: Option<u64>,
-    /// Another seed gives other random mechanisms
+    /// Seed of the random mechanisms
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
     #[command(flatten)]

@@ -51,7 +51,7 @@ pub fn run(a: args::EditArgs) -> CommandResult {
             );
             let help = both!(
                 "save the file as UTF-8: the page would lose the letters that it cannot read",
-                "请将文件存为 UTF-8：不能读出的字符会丢失"
+                "请将文件存为 UTF-8：页面会丢失不能识别的字符"
             );
             return Err(fault(d.help(help)));
         }
@@ -59,7 +59,7 @@ pub fn run(a: args::EditArgs) -> CommandResult {
             let missing = io::ErrorKind::NotFound.into();
             let help = both!(
                 "`hodograph new crank-rocker -o {0}` writes a first scene, `hodograph edit {0} --new` begins with an empty one",
-                "`hodograph new crank-rocker -o {0}` 生成一个机构文件，`hodograph edit {0} --new` 从空白开始",
+                "`hodograph new crank-rocker -o {0}` 生成一个机构文件，`hodograph edit {0} --new` 从空白的机构文件开始",
                 a.scene
             );
             return Err(fault(files::unreadable(&file, &missing).help(help)));
@@ -71,7 +71,7 @@ pub fn run(a: args::EditArgs) -> CommandResult {
     let no_port = |e: io::Error| {
         let d = Diagnostic::error(
             "no-port",
-            both!("port {} cannot be had: {}", "不能使用端口 {}：{}", port, files::reason(&e)),
+            both!("port {} cannot be used: {}", "不能使用端口 {}：{}", port, files::reason(&e)),
         );
         let help = both!("without --port a free one is taken", "不写 --port 时自动选用空闲端口");
         Failure::argument("--port", &port, d.help(help))

@@ -1,5 +1,5 @@
 //! The analytic method, written out: closed loops of vectors, their real and imaginary parts, the
-//! unknowns of each Assur group in closed form, and the derivatives by time.
+//! unknowns of each Assur group in closed form, and the time derivatives.
 //!
 //! The links and joints form a graph ([`graph`]); each group closes its loops of vectors
 //! ([`vectors`]). Groups are solved in order ([`solve`]): the positions of a dyad by elimination,
@@ -20,7 +20,7 @@ pub use formula::{Formula, UnaryFunction};
 pub use vectors::{LoopVariable, LoopVector, VectorAngle, VectorSize};
 
 use graph::Graph;
-use hodograph_base::diag::{Diagnostic, Faults, Warned, both};
+use hodograph_base::diag::{Both, Diagnostic, Faults, Warned, both};
 use hodograph_base::linear::LinearSystem;
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::Configuration;
@@ -215,12 +215,12 @@ pub fn placed(scene: &Scene, m: &Mechanism, at: &Configuration) -> Result<Loops,
 /// The fault of a group that its loops do not determine, or not to the printed digits.
 fn open(scene: &Scene, links: &[LinkId]) -> Diagnostic {
     let names: Vec<&str> = links.iter().map(|l| scene.link_name(*l)).collect();
-    let names = names.join(", ");
     Diagnostic::error(
         "loops",
         both!(
-            "the vector loops do not determine the group of links {names} in this pose: it is at a dead centre or near one",
-            "封闭矢量多边形在此位置不能确定构件 {names} 的杆组：机构处于或接近死点"
+            "the vector loops do not determine the group of links {} in this pose: it is at a dead centre or near one",
+            "在此位置，封闭矢量方程不能确定由构件 {} 组成的杆组：该杆组处于或接近死点",
+            Both::names(&names)
         ),
     )
     .help(both!(
