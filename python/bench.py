@@ -38,7 +38,7 @@ def solved():
 
 
 def of_pylinkage(steps, c):
-    """The same four-bar in pylinkage, with C near a place."""
+    """Returns that four-bar in pylinkage, with C near a place."""
     import pylinkage as pl
 
     a, d = pl.Ground(0.0, 0.0, name="A"), pl.Ground(0.3, 0.0, name="D")

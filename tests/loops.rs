@@ -65,10 +65,11 @@ fn judged(name: &str, text: &str, scene: &Scene, all: &Loops) {
         assert!(g.form == PositionForm::Newton || sizes[0] >= 2, "{name}: {sizes:?}");
         let equations = g.closures.iter().chain(&g.position);
         equations.chain(&g.velocities).chain(&g.accelerations).for_each(|e| both_sides(name, e));
-        for (matrix, order) in [(&g.velocity, 1), (&g.acceleration, 2)] {
+        for (k, right) in g.system.right.iter().enumerate() {
+            let order = k + 1;
             let x: Vec<f64> =
                 g.unknowns.iter().map(|k| all.variables[*k].symbol(order).value()).collect();
-            for (row, right) in matrix.rows.iter().zip(&matrix.right) {
+            for (row, right) in g.system.rows.iter().zip(right) {
                 let sum: f64 = row.iter().zip(&x).map(|(a, x)| a * x).sum();
                 assert!(off(sum, *right) < CLOSE, "{name}: {sum} and {right}");
             }

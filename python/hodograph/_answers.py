@@ -155,7 +155,7 @@ def _number(told: Any) -> float | None:
 
 
 class _Solution:
-    """What solutions of all kinds have."""
+    """Members of the solutions of every kind."""
 
     def __init__(self, native: _native.Solved, look: _native.Look) -> None:
         self._native = native

@@ -14,7 +14,7 @@ def batch(
     vary: Mapping[str, Sequence[Any]],
     *,
     random: int | None = None,
-    seed: int = 0,
+    seed: int = 1,
     over: str | None = None,
     start: str | float | None = None,
     stop: str | float | None = None,

@@ -229,7 +229,7 @@ class Problem:
         try:
             return self.figure()._repr_svg_()
         except HodographError:
-            # What cannot be drawn is shown as its text.
+            # A file that cannot be drawn is shown as its text.
             return None
 
     def __repr__(self) -> str:

@@ -9,15 +9,13 @@ use hodograph::answer::AnswerValue;
 use hodograph::diag::{Diagnostic, Faults, Warned, both};
 use hodograph::figure::list::{self, Extras, FigureEntry};
 use hodograph::figure::results::DIGITS as SHEET_DIGITS;
-use hodograph::mechanism::Mechanism;
-use hodograph::problem::batch;
+use hodograph::problem::batch::{self, BatchRequest};
 use hodograph::problem::range::{self, SweptRange};
 use hodograph::problem::{
     self, Additions, Extent, Kind, Lesson, Look, Options, Pictures, Verdict, Wish, whole,
 };
 use hodograph::report::answers::DIGITS;
 use hodograph::scene::{self, Scene, Swept, edit};
-use hodograph::sweep::PlacedScene;
 use hodograph::sweep::batch::{Block, ParameterChoice};
 use hodograph::worksheet::{WorksheetSides, WorksheetTask};
 use pyo3::prelude::*;
@@ -264,43 +262,29 @@ impl Problem {
     ) -> PyResult<Table> {
         let parts = watched(py, tell, |progress| {
             let Warned { value: scene, mut notes } = self.asking(find)?;
-            let refused = |faults| Refusal::asked(faults, self.text(), find);
-            let mechanism = Mechanism::new(&scene).map_err(refused)?.value;
-            let driver = range::driver_of(&scene, over).map_err(|w| Refusal::values(vec![w]))?;
-            let stations = match steps {
-                None => None,
-                Some(_) => {
-                    let placed = PlacedScene::new(&scene, &mechanism).map_err(refused)?;
-                    let swept = SweptRange { over, from: from_, to, steps };
-                    let steps = range::steps(&placed, driver, &swept)
-                        .map_err(|f| Refusal::range(f, self.text(), find))?;
-                    Some(steps.all())
-                }
-            };
             let choice = random
                 .map_or(ParameterChoice::Grid, |count| ParameterChoice::Random { count, seed });
-            let batch = batch::plan(&scene, &mechanism, &vary, choice, (driver, stations))
-                .map_err(|wrong| {
-                    let one = |(k, faults): (usize, Faults)| {
-                        let text = vary.get(k).map_or("", String::as_str);
-                        Refusal::in_text(faults, "vary", text)
-                    };
-                    Refusal::all(wrong.into_iter().map(one))
-                })?;
-            let (all, step) = (batch.mechanisms(), batch::block(&batch));
-            progress.all.store(all, Ordering::Relaxed);
-            let stop = || progress.stop.load(Ordering::Relaxed);
-            let heads = batch.columns();
-            let mut values = vec![Vec::new(); heads.len()];
-            let (mut block, mut missing, mut from) = (Block::default(), 0, 0);
-            while from < all {
-                let to = all.min(from + step);
-                let Some(made) = batch.block_unless(from, to, block, &stop) else { break };
-                values.iter_mut().zip(&made.columns).for_each(|(all, part)| all.extend(part));
-                missing += made.missing;
-                (block, from) = (made, to);
-                progress.done.store(to, Ordering::Relaxed);
-            }
+            let range = SweptRange { over, from: from_, to, steps };
+            let request = BatchRequest { vary: &vary, choice, range };
+            let made = batch::planned(&scene, &request, |batch| {
+                let (all, step) = (batch.mechanisms(), batch::block(batch));
+                progress.all.store(all, Ordering::Relaxed);
+                let stop = || progress.stop.load(Ordering::Relaxed);
+                let heads = batch.columns();
+                let mut values = vec![Vec::new(); heads.len()];
+                let (mut block, mut missing, mut from) = (Block::default(), 0, 0);
+                while from < all {
+                    let to = all.min(from + step);
+                    let Some(made) = batch.block_unless(from, to, block, &stop) else { break };
+                    values.iter_mut().zip(&made.columns).for_each(|(all, part)| all.extend(part));
+                    missing += made.missing;
+                    (block, from) = (made, to);
+                    progress.done.store(to, Ordering::Relaxed);
+                }
+                (heads, values, missing)
+            });
+            let (heads, values, missing) =
+                made.map_err(|f| Refusal::range(f, self.text(), find))?;
             notes.extend(batch::notes(missing));
             let book = range::book_units(&scene, &heads);
             let title = (scene.title.en.clone(), scene.title.zh.clone());

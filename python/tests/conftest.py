@@ -1,4 +1,4 @@
-"""What the tests share: the program with which the package is compared."""
+"""Shared by the tests: the program with which the package is compared."""
 
 import os
 import subprocess

@@ -1,4 +1,4 @@
-"""What the documents show runs: the guide, the docstrings, the notebooks; the types hold."""
+"""The code in the guide, the docstrings and the notebooks runs; the types hold."""
 
 import ast
 import doctest
@@ -40,7 +40,7 @@ def test_docstrings_run(name):
 
 
 def shown(value):
-    """What a notebook shows of a value."""
+    """Returns the HTML by which a notebook shows a value."""
     for name in ("_repr_svg_", "_repr_html_"):
         made = getattr(value, name, lambda: None)()
         if made:

@@ -79,7 +79,7 @@ pub enum Command {
     /// A disc cam over a whole turn: displacement, velocity, acceleration, shocks, pressure angle,
     /// curvature; its profile (CSV, DXF)
     Cam(CamArgs),
-    /// RangeArgs of the driver, extreme positions and strokes, time ratio, transmission angles,
+    /// Ranges of the driver, extreme positions and strokes, time ratio, transmission angles,
     /// Grashof's type
     Limits(LimitsArgs),
     /// Count freedoms: links and pairs, compound hinges, local freedoms, virtual constraints,

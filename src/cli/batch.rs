@@ -7,20 +7,17 @@
 
 use super::args::{BatchArgs, VariedArgs};
 use super::part::{JournalAfter, PartialTable};
-use super::sweep::{ask, stations, within};
+use super::sweep::{ask, within};
 use super::target::unwritable;
 use super::values::BatchFormat;
 use super::{
-    CommandResult, Failure, SceneInput, SourceFaults, choices, errors, files, lang, long, places,
-    shards, stop, tables,
+    CommandResult, Failure, SceneInput, choices, errors, files, lang, long, places, shards, stop,
+    tables,
 };
-use crate::diag::{Diagnostic, Faults, both};
-use crate::mechanism::Mechanism;
-use crate::problem::batch::{MOST_POSITIONS, block, head, notes, plan};
-use crate::problem::range::driver_of;
+use crate::diag::{Diagnostic, both};
+use crate::problem::batch::{BatchRequest, MOST_POSITIONS, block, head, notes, planned};
 use crate::report::table::{GENERATOR, RowFormat, TablePiece};
 use crate::scene::Lang;
-use crate::sweep::PlacedScene;
 use crate::sweep::batch::{Batch, Block, ParameterChoice};
 use indicatif::ProgressBar;
 use std::io;
@@ -102,28 +99,19 @@ impl BatchRun {
         work: impl FnOnce(&Batch, &dyn RowFormat) -> Result<T, Failure>,
     ) -> Result<T, Failure> {
         let (input, VariedArgs { vary, random, seed, range }) = (&self.input, &self.varied);
-        let scene = &input.scene;
-        let mechanism = Mechanism::new(scene).map_err(|f| input.failed(f))?.value;
+        if let Some(steps) = range.steps {
+            within(steps, MOST_POSITIONS, both!("a batch", "批量计算"))?;
+        }
         let choice = random
             .map_or(ParameterChoice::Grid, |count| ParameterChoice::Random { count, seed: *seed });
-        let driver = driver_of(scene, range.over.as_deref())?;
-        let stations = match range.steps {
-            None => None,
-            Some(steps) => {
-                let steps = within(steps, MOST_POSITIONS, both!("a batch", "批量计算"))?;
-                let placed = PlacedScene::new(scene, &mechanism).map_err(|f| input.failed(f))?;
-                Some(stations(input, &placed, driver, range, steps)?)
-            }
-        };
-        let batch = plan(scene, &mechanism, vary, choice, (driver, stations)).map_err(|wrong| {
-            let shown =
-                |(i, faults): (usize, Faults)| SourceFaults::argument("--vary", &vary[i], faults);
-            Failure::Input(wrong.into_iter().map(shown).collect::<Vec<_>>())
-        })?;
-        let format =
-            tables::by_rows(self.format, head(&batch, scene.title.get(self.lang), self.lang))
-                .map_err(|e| unwritable(Path::new("-"), &e))?;
-        work(&batch, &*format)
+        let request = BatchRequest { vary, choice, range: range.swept() };
+        let worked = planned(&input.scene, &request, |batch| {
+            let head = head(batch, input.scene.title.get(self.lang), self.lang);
+            let format =
+                tables::by_rows(self.format, head).map_err(|e| unwritable(Path::new("-"), &e))?;
+            work(batch, &*format)
+        });
+        worked.map_err(|f| input.out_of_range(f))?
     }
 }
 

@@ -105,13 +105,7 @@ pub fn run(a: &ShardsArgs) -> CommandResult {
     run.planned(|batch, format| match a.action {
         ShardsAction::Missing => missing(batch, &parts, a.of),
         ShardsAction::Verify => verify(batch, format, &parts, a.remove_damaged),
-        ShardsAction::Compact => {
-            let output = a.output.as_deref().unwrap_or("-");
-            if let Some(named) = places::of_name::<BatchFormat>(output) {
-                places::agrees(output, named, &[run.format])?;
-            }
-            compact(batch, format, &parts, output)
-        }
+        ShardsAction::Compact => compact(batch, format, &parts, a.output.as_deref().unwrap_or("-")),
     })
 }
 
@@ -166,16 +160,16 @@ fn verify(batch: &Batch, format: &dyn RowFormat, parts: &Parts, remove: bool) ->
 
 /// Joins all parts into one table.
 fn compact(batch: &Batch, format: &dyn RowFormat, parts: &Parts, output: &str) -> CommandResult {
-    let mut tables = Vec::new();
-    let mut absent = Vec::new();
-    for k in 0..parts.count(batch) {
+    let (named, name) = tables::place(output, &[], parts.format)?;
+    places::agrees(&name, named, &[parts.format])?;
+    let (mut rows, mut gaps, mut count, all) = (0, 0, 0, parts.count(batch));
+    for k in 0..all {
         match parts.finished(batch, k) {
-            Some(table) => tables.push((table.rows(), table.missing())),
-            None => absent.push(k.to_string()),
+            Some(table) => (rows, gaps) = (rows + table.rows(), gaps + table.missing()),
+            None => count += 1,
         }
     }
-    if !absent.is_empty() {
-        let (count, all) = (absent.len(), parts.count(batch));
+    if count > 0 {
         let message =
             both!("{count} of {all} parts are missing", "共 {all} 个分块，缺少 {count} 个");
         let help = both!(
@@ -185,7 +179,6 @@ fn compact(batch: &Batch, format: &dyn RowFormat, parts: &Parts, output: &str) -
         );
         return Err(parts.refused(Diagnostic::error("parts", message).help(help)));
     }
-    let (rows, gaps) = tables.iter().fold((0, 0), |(r, m), t| (r + t.0, m + t.1));
     let copy = |out: &mut OutputFile| {
         let begin = format.begin(rows, &[]);
         out.write_all(&begin)?;
@@ -206,8 +199,6 @@ fn compact(batch: &Batch, format: &dyn RowFormat, parts: &Parts, output: &str) -
         }
         out.write_all(&format.end(&places, &notes(gaps))?)
     };
-    let (format, name) = tables::place(output, &[], parts.format)?;
-    places::agrees(&name, format, &[parts.format])?;
     files::write_with(Path::new(&name), copy)?;
     files::print(lang::of(&both!(
         "{name}: {} mechanisms, {rows} rows, {gaps} positions without one\n",

@@ -3,6 +3,7 @@
 //! The rows of a [`Batch`] depend on the scene, the ranges and the choice alone. A table consists
 //! of the rows of consecutive blocks of [`block`] mechanisms.
 
+use super::range::{RangeFault, SweptRange, WrongValue, driver_of, steps};
 use crate::diag::{Diagnostic, Faults, Span, both};
 use crate::mechanism::Mechanism;
 #[cfg(any(feature = "csv", feature = "tables"))]
@@ -10,7 +11,8 @@ use crate::report::table::TableHead;
 #[cfg(any(feature = "csv", feature = "tables"))]
 use crate::scene::Lang;
 use crate::scene::Scene;
-use crate::sweep::Stations;
+use crate::scene::eval::DimensionedValue;
+use crate::sweep::PlacedScene;
 use crate::sweep::batch::{Batch, ParameterChoice};
 use crate::sweep::vary::Variation;
 
@@ -24,31 +26,57 @@ pub const MOST_POSITIONS: usize = 100_000;
 /// rows.
 const BLOCK: usize = 1 << 20;
 
-/// Faults of ranges: the number of each faulty range, and faults with places in its text.
-pub type RangeFaults = Vec<(usize, Faults)>;
+/// A batch in the notation of the scene.
+#[derive(Clone, Copy, Debug)]
+pub struct BatchRequest<'a> {
+    /// The parameters and their values, each `NAME=FROM..TO:N`, or `NAME=FROM..TO` for two values
+    /// (the bounds of a random one); bare numbers have the scene's unit.
+    pub vary: &'a [String],
+    /// The choice of values for each mechanism.
+    pub choice: ParameterChoice,
+    /// The positions of the driver; without steps each mechanism is solved in the scene's pose.
+    pub range: SweptRange<'a>,
+}
 
-/// Plans a batch. Each range is `NAME=FROM..TO:N`, or `NAME=FROM..TO` for two values (the bounds of
-/// a random one); bare numbers have the scene's unit. Each mechanism is solved at the stations of
-/// its driver, or in the scene's pose without any.
+/// Plans a batch and passes it to `work`.
 ///
 /// # Errors
-/// Ranges that cannot be read or do not fit the quantity of their parameter: all at once.
-pub fn plan<'a>(
-    scene: &'a Scene,
-    mechanism: &'a Mechanism,
-    ranges: &[impl AsRef<str>],
-    choice: ParameterChoice,
-    (driver, stations): (usize, Option<Stations>),
-) -> Result<Batch<'a>, RangeFaults> {
-    let mut wrong: RangeFaults = Vec::new();
-    let mut read = Vec::new();
-    for (i, text) in ranges.iter().map(AsRef::as_ref).enumerate() {
+/// Values that cannot be read or do not fit the quantity of their parameter, all at once; those of
+/// the range and of the scene.
+pub fn planned<T>(
+    scene: &Scene,
+    request: &BatchRequest,
+    work: impl FnOnce(&Batch) -> T,
+) -> Result<T, RangeFault> {
+    let BatchRequest { vary, choice, range } = request;
+    let mechanism = Mechanism::new(scene).map_err(RangeFault::Scene)?.value;
+    let driver = driver_of(scene, range.over)?;
+    let stations = match range.steps {
+        None => None,
+        Some(_) => {
+            let placed = PlacedScene::new(scene, &mechanism).map_err(RangeFault::Scene)?;
+            Some(steps(&placed, driver, range)?.all())
+        }
+    };
+    let (variation, values) = varied(scene, vary).map_err(RangeFault::Values)?;
+    let choice = *choice;
+    Ok(work(&Batch { scene, mechanism: &mechanism, variation, values, choice, driver, stations }))
+}
+
+/// Returns the parameters of ranges with their values.
+fn varied(
+    scene: &Scene,
+    vary: &[String],
+) -> Result<(Variation, Vec<Vec<DimensionedValue>>), Vec<WrongValue>> {
+    let fault = |text: &str, faults: Faults| WrongValue::new("vary", text, faults);
+    let (mut wrong, mut read) = (Vec::new(), Vec::new());
+    for text in vary {
         let known = range(text).and_then(|r| {
             Variation::new(scene, &[r.name]).map(|_| r).map_err(|f| at(text, r.name, f))
         });
         match known {
             Ok(r) => read.push((text, r)),
-            Err(faults) => wrong.push((i, faults)),
+            Err(faults) => wrong.push(fault(text, faults)),
         }
     }
     if !wrong.is_empty() {
@@ -56,9 +84,10 @@ pub fn plan<'a>(
     }
     let names: Vec<&str> = read.iter().map(|(_, r)| r.name).collect();
     let again = (0..names.len()).find(|&i| names[..i].contains(&names[i])).unwrap_or_default();
-    let variation = Variation::new(scene, &names).map_err(|f| vec![(again, f)])?;
+    let twice = read.get(again).map_or("", |(text, _)| text.as_str());
+    let variation = Variation::new(scene, &names).map_err(|f| vec![fault(twice, f)])?;
     let mut values = Vec::new();
-    for (i, (text, r)) in read.iter().enumerate() {
+    for (text, r) in &read {
         let checked = |value: &str| {
             variation.value(scene, r.name, value).map(drop).map_err(|f| at(text, value, f))
         };
@@ -67,13 +96,10 @@ pub fn plan<'a>(
             .and_then(|()| variation.range(scene, r.name, r.from, r.to, r.count - 1));
         match listed {
             Ok(list) => values.push(list),
-            Err(faults) => wrong.push((i, faults)),
+            Err(faults) => wrong.push(fault(text, faults)),
         }
     }
-    if !wrong.is_empty() {
-        return Err(wrong);
-    }
-    Ok(Batch { scene, mechanism, variation, values, choice, driver, stations })
+    if wrong.is_empty() { Ok((variation, values)) } else { Err(wrong) }
 }
 
 /// Returns the number of mechanisms in a block.

@@ -2,11 +2,9 @@
 //! parts, and every unknown as a formula with its value.
 
 use super::speak::Speak;
-use super::{Document, document};
 use super::{
-    DocumentBlock, DocumentTable, SheetMaker, TableKind, WorksheetOptions, WorksheetSides,
+    Document, DocumentBlock, DocumentTable, SheetMaker, TableKind, WorksheetOptions, solved_by,
 };
-use crate::certified::{certify, steps};
 use crate::diag::Faults;
 use crate::figure::loops::pages;
 use crate::loops::{Equation, GroupLoops, Loops, placed};
@@ -27,20 +25,11 @@ pub fn by_loops(
     options: &WorksheetOptions,
 ) -> Result<Document, Faults> {
     let all = placed(scene, &worked.mechanism, &worked.configuration)?;
-    let certified = certify(scene, worked, options.sheet.digits);
-    let told = steps(scene, worked, worked.drafting.as_ref().map(|d| d.pencil_mm));
-    let maker =
-        SheetMaker { scene, worked, options: &options.sheet, certified: &certified, told: &told };
-    let mut blocks = Vec::new();
-    if options.sides != WorksheetSides::Solution {
-        maker.problem(&mut blocks);
-    }
-    if options.sides != WorksheetSides::Problem {
+    Ok(solved_by(scene, worked, options, |maker, blocks| {
         blocks.push(maker.heading(1, "Solution", "解"));
-        maker.loops(&mut blocks, &all);
-        maker.results(&mut blocks, None);
-    }
-    Ok(document(scene, options, blocks))
+        maker.loops(blocks, &all);
+        maker.results(blocks, None);
+    }))
 }
 
 impl SheetMaker<'_> {

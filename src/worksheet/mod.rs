@@ -184,6 +184,18 @@ pub struct CompanionFile {
 /// assert_eq!(document.blocks[0], worksheet::DocumentBlock::Heading(1, "Problem".into()));
 /// ```
 pub fn worksheet(scene: &Scene, worked: &Worked, options: &WorksheetOptions) -> Document {
+    solved_by(scene, worked, options, |maker, blocks| {
+        maker.solution(blocks, options.sides == WorksheetSides::Solution);
+    })
+}
+
+/// Makes the worksheet of a scene with the solution that `solution` writes.
+fn solved_by(
+    scene: &Scene,
+    worked: &Worked,
+    options: &WorksheetOptions,
+    solution: impl FnOnce(&SheetMaker, &mut Vec<DocumentBlock>),
+) -> Document {
     let certified = certify(scene, worked, options.sheet.digits);
     let told = steps(scene, worked, worked.drafting.as_ref().map(|d| d.pencil_mm));
     let maker =
@@ -193,7 +205,7 @@ pub fn worksheet(scene: &Scene, worked: &Worked, options: &WorksheetOptions) -> 
         maker.problem(&mut blocks);
     }
     if options.sides != WorksheetSides::Problem {
-        maker.solution(&mut blocks, options.sides == WorksheetSides::Solution);
+        solution(&maker, &mut blocks);
     }
     document(scene, options, blocks)
 }

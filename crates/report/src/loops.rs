@@ -7,7 +7,7 @@ use super::math::Math;
 use hodograph_base::digits::legible;
 use hodograph_board::plan::names::point_label;
 use hodograph_methods::loops::{
-    Equation, Formula, GroupLoops, LoopMatrix, LoopVariable, LoopVector, Loops, PositionForm,
+    Equation, Formula, GroupLoops, LoopSystem, LoopVariable, LoopVector, Loops, PositionForm,
     UnaryFunction, VectorSize,
 };
 use hodograph_paper::paper::label::Label;
@@ -196,10 +196,11 @@ impl<'a> LoopWords<'a> {
 
     /// Returns a linear system as rows of formulas: the unknowns and b, then the coefficients.
     pub fn system(&self, g: &GroupLoops, order: usize) -> Vec<Vec<String>> {
-        let m = if order == 1 { &g.velocity } else { &g.acceleration };
+        let LoopSystem { rows: coefficients, right: [velocity, acceleration] } = &g.system;
+        let right = if order == 1 { velocity } else { acceleration };
         let head = g.unknowns.iter().map(|k| self.symbol(*k, order));
         let mut rows = vec![head.chain(["b".to_owned()]).collect::<Vec<_>>()];
-        for (row, right) in m.rows.iter().zip(&m.right) {
+        for (row, right) in coefficients.iter().zip(right) {
             rows.push(row.iter().chain([right]).map(|x| legible(tidy(*x), DIGITS)).collect());
         }
         rows
@@ -306,7 +307,12 @@ fn set_apart(f: &Formula) -> bool {
     match f {
         Formula::Quotient(..) | Formula::Root(_) | Formula::Direction { .. } => true,
         Formula::Call(UnaryFunction::Arctan, of) => set_apart(of),
-        _ => false,
+        Formula::Symbol(..)
+        | Formula::Number(..)
+        | Formula::Sum(_)
+        | Formula::Product(_)
+        | Formula::Square(_)
+        | Formula::Call(..) => false,
     }
 }
 
@@ -375,7 +381,6 @@ pub fn json(scene: &Scene, all: &Loops) -> Json {
             "unit": e.kind.map_or("m²", Kind::si),
         })
     };
-    let matrix = |m: &LoopMatrix| json!({"rows": m.rows, "right": m.right});
     let vector = |v: &LoopVector| {
         let [start, end] = v.places;
         json!({
@@ -404,10 +409,9 @@ pub fn json(scene: &Scene, all: &Loops) -> Json {
                 "unknowns": g.unknowns.iter().map(|k| symbol(*k, 0)).collect::<Vec<_>>(),
                 "parts": list(&g.closures),
                 "position": list(&g.position),
-                "velocity": {"matrix": matrix(&g.velocity), "equations": list(&g.velocities)},
-                "acceleration": {
-                    "matrix": matrix(&g.acceleration), "equations": list(&g.accelerations),
-                },
+                "matrix": g.system.rows,
+                "velocity": {"right": g.system.right[0], "equations": list(&g.velocities)},
+                "acceleration": {"right": g.system.right[1], "equations": list(&g.accelerations)},
             })
         })
         .collect();

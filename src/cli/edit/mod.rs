@@ -107,7 +107,7 @@ fn serve(listener: &TcpListener, desk: &Arc<Desk>) {
                     continue;
                 }
                 let desk = Arc::clone(desk);
-                // Where no thread can be had, the connection ends.
+                // Without a free thread the connection ends.
                 let _ = thread::Builder::new().spawn(move || {
                     let _one = one;
                     converse(&mut stream, &desk);
@@ -116,7 +116,7 @@ fn serve(listener: &TcpListener, desk: &Arc<Desk>) {
             Err(_) => thread::sleep(PAUSE),
         }
     }
-    // What is being saved is saved.
+    // A save in progress ends first.
     drop(desk.at_rest());
 }
 

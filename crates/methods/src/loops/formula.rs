@@ -232,7 +232,12 @@ impl Formula {
         match self {
             Formula::Sum(_) => Binding::Sum,
             Formula::Product(_) | Formula::Quotient(..) => Binding::Product,
-            _ => Binding::Atom,
+            Formula::Symbol(..)
+            | Formula::Number(..)
+            | Formula::Root(_)
+            | Formula::Square(_)
+            | Formula::Call(..)
+            | Formula::Direction { .. } => Binding::Atom,
         }
     }
 

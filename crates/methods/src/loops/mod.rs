@@ -63,38 +63,33 @@ pub enum PositionForm {
     Newton,
 }
 
-/// A linear system A x = b of the derivatives.
+/// The linear systems A x = b of the derivatives: those of the velocities and of the accelerations
+/// have the same coefficients.
 #[derive(Clone, Debug, PartialEq)]
-pub struct LoopMatrix {
+pub struct LoopSystem {
     /// The rows of A: real and imaginary part of each loop.
     pub rows: Vec<Vec<f64>>,
-    /// The right side b.
-    pub right: Vec<f64>,
+    /// The right sides of the velocities and of the accelerations.
+    pub right: [Vec<f64>; 2],
 }
 
 /// The largest condition number (1-norm) of a matrix whose solution is printed: beyond it, the
 /// rounding errors of the pose reach the printed digits of accelerations.
 const WORST_CONDITION: f64 = 1e4;
 
-impl LoopMatrix {
-    /// Returns the solution; `None` for a matrix that is singular or nearly so. Each column is
-    /// measured in its unit.
-    fn solution(&self, units: &[f64]) -> Option<Vec<f64>> {
-        let n = self.right.len();
-        let scaled = DMatrix::from_fn(n, n, |r, c| self.rows[r][c] / units[c]);
-        let norm = |m: &DMatrix<f64>| m.column_iter().map(|c| c.lp_norm(1)).fold(0.0, f64::max);
-        let system = LinearSystem::new(scaled);
-        let columns: Option<Vec<_>> = (0..n)
-            .map(|k| system.solve(&DVector::from_fn(n, |r, _| f64::from(u8::from(r == k)))))
-            .collect();
-        let inverse = DMatrix::from_columns(&columns?);
-        let condition = norm(system.matrix()) * norm(&inverse);
-        if condition.is_nan() || condition > WORST_CONDITION {
-            return None;
-        }
-        let solution = system.solve(&DVector::from_vec(self.right.clone()))?;
-        Some(solution.iter().zip(units).map(|(x, unit)| x / unit).collect())
-    }
+/// Factors a square matrix; `None` if it is singular or nearly so. Each column is measured in its
+/// unit.
+fn factored(rows: &[Vec<f64>], units: &[f64]) -> Option<LinearSystem> {
+    let n = units.len();
+    let norm = |m: &DMatrix<f64>| m.column_iter().map(|c| c.lp_norm(1)).fold(0.0, f64::max);
+    let system = LinearSystem::new(DMatrix::from_fn(n, n, |r, c| rows[r][c] / units[c]));
+    let columns: Option<Vec<_>> = (0..n)
+        .map(|k| system.solve(&DVector::from_fn(n, |r, _| f64::from(u8::from(r == k)))))
+        .collect();
+    let inverse = DMatrix::from_columns(&columns?);
+    let condition = norm(system.matrix()) * norm(&inverse);
+    // A condition that is no number is refused too.
+    (condition <= WORST_CONDITION).then_some(system)
 }
 
 /// One group: its loops and their solution.
@@ -116,12 +111,10 @@ pub struct GroupLoops {
     pub form: PositionForm,
     /// The positions, in the order of calculation; empty for Newton's method.
     pub position: Vec<Equation>,
-    /// The matrix of the velocities.
-    pub velocity: LoopMatrix,
+    /// The linear systems of velocities and accelerations.
+    pub system: LoopSystem,
     /// Velocities by projection; empty for a group with several loops.
     pub velocities: Vec<Equation>,
-    /// The matrix of the accelerations.
-    pub acceleration: LoopMatrix,
     /// Accelerations by projection; empty for a group with several loops.
     pub accelerations: Vec<Equation>,
 }
@@ -187,11 +180,9 @@ pub fn placed(scene: &Scene, m: &Mechanism, at: &Configuration) -> Result<Loops,
         let closures = vectors.iter().flat_map(|v| equations.closure(v)).collect();
         let (form, position) =
             equations.sound_positions().unwrap_or((PositionForm::Newton, Vec::new()));
-        let singular = || open(scene, &group.links);
-        let velocity = equations.by_matrix(1).ok_or_else(singular)?;
-        let velocities = equations.by_projection(1).unwrap_or_default();
-        let acceleration = equations.by_matrix(2).ok_or_else(singular)?;
-        let accelerations = equations.by_projection(2).unwrap_or_default();
+        let system = equations.rates().ok_or_else(|| open(scene, &group.links))?;
+        let [velocities, accelerations] =
+            [1, 2].map(|order| equations.by_projection(order).unwrap_or_default());
         let unknowns = std::mem::take(&mut equations.unknowns);
         unknowns.iter().for_each(|k| solved[*k] = true);
         groups.push(GroupLoops {
@@ -203,9 +194,8 @@ pub fn placed(scene: &Scene, m: &Mechanism, at: &Configuration) -> Result<Loops,
             closures,
             form,
             position,
-            velocity,
+            system,
             velocities,
-            acceleration,
             accelerations,
         });
     }

@@ -3,10 +3,11 @@
 
 use super::formula::{Formula, UnaryFunction};
 use super::vectors::{AngleDifference, LoopVariable, LoopVector, VectorAngle, VectorSize};
-use super::{Equation, LoopMatrix, PositionForm};
+use super::{Equation, LoopSystem, PositionForm, factored};
 use hodograph_base::geom::Vec2;
 use hodograph_base::kind::Kind;
 use libm::{cos, sin};
+use nalgebra::DVector;
 use std::f64::consts::PI;
 
 /// The equations of a group.
@@ -45,9 +46,14 @@ impl<'a> GroupEquations<'a> {
         AngleDifference::new(self.variables, a, less)
     }
 
+    /// Returns true if an angle is known.
+    fn fixed(&self, angle: &VectorAngle) -> bool {
+        angle.variable.is_none_or(|k| !self.unknowns.contains(&k))
+    }
+
     fn unknown(&self, v: &LoopVector) -> bool {
         let of = |k: usize| self.unknowns.contains(&k);
-        v.angle.variable.is_some_and(of) || matches!(v.size, VectorSize::Variable(k) if of(k))
+        !self.fixed(&v.angle) || matches!(v.size, VectorSize::Variable(k) if of(k))
     }
 
     /// Returns the real and imaginary part of the sum of vectors, each with its sign.
@@ -120,9 +126,7 @@ impl<'a> GroupEquations<'a> {
             }
             (false, false, [one], [two]) => {
                 let (of_a, of_b) = (one.angle.clone(), two.angle.clone());
-                let fixed =
-                    |v: &VectorAngle| !v.variable.is_some_and(|k| self.unknowns.contains(&k));
-                if !fixed(&of_a) || !fixed(&of_b) {
+                if !self.fixed(&of_a) || !self.fixed(&of_b) {
                     return None;
                 }
                 for (k, own, other, minus) in
@@ -148,13 +152,7 @@ impl<'a> GroupEquations<'a> {
                 let [along] = slides[..] else { return None };
                 let own = along.angle.variable == Some(turn);
                 match bars[..] {
-                    [bar]
-                        if !own
-                            && !along
-                                .angle
-                                .variable
-                                .is_some_and(|k| self.unknowns.contains(&k)) =>
-                    {
+                    [bar] if self.fixed(&along.angle) => {
                         self.bar_and_slide((turn, slide), [bar, along], [dx, dy], &mut steps);
                         Some((PositionForm::AngleAndLength, steps))
                     }
@@ -245,9 +243,7 @@ impl<'a> GroupEquations<'a> {
             let under = Formula::sum([(false, a.clone()), (true, c.clone())]);
             Formula::product([Formula::whole(2), over.over(under).call(UnaryFunction::Arctan)])
         };
-        let off = |f: &Formula| distance_of_angles(f.value(), theta.value());
-        let [plus, minus] = [solution(false), solution(true)];
-        let pick = if off(&plus) <= off(&minus) { plus } else { minus };
+        let pick = nearer([solution(false), solution(true)], theta.value());
         self.found(first, less(pick, bar.angle.plus), steps);
         let [ct, st] = self.angle(&bar.angle, None).cos_sin();
         let component = |d: &Formula, part: Formula| {
@@ -287,8 +283,7 @@ impl<'a> GroupEquations<'a> {
             (false, Formula::Number("180°".to_owned(), PI)),
             (true, arc),
         ]);
-        let off = |f: &Formula| distance_of_angles(f.value(), theta);
-        let pick = if off(&near) <= off(&far) { near } else { far };
+        let pick = nearer([near, far], theta);
         self.found(turn, less(pick, bar.angle.plus), steps);
         let [between, _] = self.angle(&bar.angle, Some(&along.angle)).cos_sin();
         let sum = Formula::sum([
@@ -393,7 +388,7 @@ impl<'a> GroupEquations<'a> {
         let mut out = Vec::new();
         for (k, other) in [(a, b), (b, a)] {
             let removed = self.terms(other);
-            // Of several vectors that the other unknown changes, none has its direction alone.
+            // Several vectors that the other unknown changes have no common direction.
             let [(_, onto)] = removed[..] else { return None };
             let mut terms = Vec::new();
             for known in 0..self.variables.len() {
@@ -432,28 +427,48 @@ impl<'a> GroupEquations<'a> {
         Some(out)
     }
 
-    /// Returns the derivative of the loops as rows: coefficients of the unknowns and the right side,
-    /// real and imaginary part of each loop.
-    pub fn matrix(&self, order: usize) -> LoopMatrix {
-        let column =
-            |k: usize| -> Vec<f64> { self.loops.iter().flat_map(|of| self.rates(of, k)).collect() };
-        let mut right: Vec<f64> = vec![0.0; 2 * self.loops.len()];
+    /// Finds the derivatives of the unknowns by linear equations, the real and imaginary parts of
+    /// each loop, and stores their values; `None` for a matrix that is singular or nearly so.
+    pub fn rates(&mut self) -> Option<LoopSystem> {
+        let columns: Vec<Vec<f64>> = self.unknowns.iter().map(|k| self.column(*k)).collect();
+        let rows: Vec<Vec<f64>> =
+            (0..columns.len()).map(|r| columns.iter().map(|c| c[r]).collect()).collect();
+        let size = self.size();
+        let unit = |k: &usize| if self.variables[*k].angular { size } else { 1.0 };
+        let units: Vec<f64> = self.unknowns.iter().map(unit).collect();
+        let system = factored(&rows, &units)?;
+        let mut solved = |order: usize| {
+            let right = self.right_side(order);
+            let solution = system.solve(&DVector::from_vec(right.clone()))?;
+            for ((k, x), unit) in self.unknowns.iter().zip(solution.iter()).zip(&units) {
+                let v = &mut self.variables[*k];
+                *(if order == 1 { &mut v.rate } else { &mut v.second }) = x / unit;
+            }
+            Some(right)
+        };
+        let right = [solved(1)?, solved(2)?];
+        Some(LoopSystem { rows, right })
+    }
+
+    fn column(&self, k: usize) -> Vec<f64> {
+        self.loops.iter().flat_map(|of| self.coefficients(of, k)).collect()
+    }
+
+    /// Returns the known part of the first or second derivative of the loops, on the right side.
+    fn right_side(&self, order: usize) -> Vec<f64> {
+        let mut right: Vec<f64> = match order {
+            1 => vec![0.0; 2 * self.loops.len()],
+            _ => self.loops.iter().flat_map(|of| self.squares_of(of).map(|x| -x)).collect(),
+        };
         for known in (0..self.variables.len()).filter(|k| !self.unknowns.contains(k)) {
-            let v = &self.variables[known];
-            let rate = [v.value, v.rate, v.second][order.min(2)];
-            right.iter_mut().zip(column(known)).for_each(|(r, c)| *r -= c * rate);
+            let rate = self.variables[known].symbol(order).value();
+            right.iter_mut().zip(self.column(known)).for_each(|(r, c)| *r -= c * rate);
         }
-        if order == 2 {
-            let parts = self.loops.iter().flat_map(|of| self.squares_of(of));
-            right.iter_mut().zip(parts).for_each(|(r, part)| *r -= part);
-        }
-        let columns: Vec<Vec<f64>> = self.unknowns.iter().map(|k| column(*k)).collect();
-        let rows = (0..right.len()).map(|r| columns.iter().map(|c| c[r]).collect()).collect();
-        LoopMatrix { rows, right }
+        right
     }
 
     /// Returns real and imaginary part of the coefficient of a variable's derivative in a loop.
-    fn rates(&self, of: &[LoopVector], k: usize) -> [f64; 2] {
+    fn coefficients(&self, of: &[LoopVector], k: usize) -> [f64; 2] {
         let mut sum = Vec2::zero();
         for v in of {
             let sign = if v.negative() { -1.0 } else { 1.0 };
@@ -487,19 +502,6 @@ impl<'a> GroupEquations<'a> {
         }
         [sum.x, sum.y]
     }
-
-    /// Stores the solution of the matrix.
-    pub fn by_matrix(&mut self, order: usize) -> Option<LoopMatrix> {
-        let matrix = self.matrix(order);
-        let size = self.size();
-        let unit = |k: &usize| if self.variables[*k].angular { size } else { 1.0 };
-        let solution = matrix.solution(&self.unknowns.iter().map(unit).collect::<Vec<_>>())?;
-        for (k, value) in self.unknowns.iter().zip(solution) {
-            let v = &mut self.variables[*k];
-            if order == 1 { v.rate = value } else { v.second = value }
-        }
-        Some(matrix)
-    }
 }
 
 fn angle_of(variables: &[LoopVariable], v: &LoopVector) -> f64 {
@@ -522,9 +524,10 @@ fn less(f: Formula, plus: f64) -> Formula {
     Formula::sum([(false, f), (plus > 0.0, own.formula())])
 }
 
-/// Returns the smallest angle between two directions.
-fn distance_of_angles(a: f64, b: f64) -> f64 {
-    libm::fabs(libm::remainder(a - b, 2.0 * PI))
+/// Returns the formula whose angle is nearer to a direction.
+fn nearer([one, other]: [Formula; 2], to: f64) -> Formula {
+    let off = |f: &Formula| libm::fabs(libm::remainder(f.value() - to, 2.0 * PI));
+    if off(&one) <= off(&other) { one } else { other }
 }
 
 /// Returns an angle, by whole turns nearest to another.

@@ -174,17 +174,16 @@ impl<'a> VectorMaker<'a> {
     /// Returns the vectors of a loop; `None` if the pose lacks a point of it.
     pub fn vectors(&mut self, cycle: &Cycle) -> Option<Vec<LoopVector>> {
         let mut out = Vec::new();
-        let entries = |side: &[(usize, usize)]| side.to_vec();
-        let (left, right) = (entries(&cycle.left), entries(&cycle.right));
-        let first = left.first().map_or(cycle.closing, |(_, e)| *e);
+        let Cycle { left, right, base, closing } = cycle;
+        let first = left.first().map_or(*closing, |(_, e)| *e);
         for (k, &(body, e)) in left.iter().enumerate() {
-            let leave = left.get(k + 1).map_or(cycle.closing, |(_, e)| *e);
+            let leave = left.get(k + 1).map_or(*closing, |(_, e)| *e);
             self.through(body, [e, leave], true, &mut out)?;
         }
-        let leave = right.first().map_or(cycle.closing, |(_, e)| *e);
-        self.through(cycle.base, [first, leave], false, &mut out)?;
+        let leave = right.first().map_or(*closing, |(_, e)| *e);
+        self.through(*base, [first, leave], false, &mut out)?;
         for (k, &(body, e)) in right.iter().enumerate() {
-            let leave = right.get(k + 1).map_or(cycle.closing, |(_, e)| *e);
+            let leave = right.get(k + 1).map_or(*closing, |(_, e)| *e);
             self.through(body, [e, leave], false, &mut out)?;
         }
         Some(out)
