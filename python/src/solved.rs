@@ -400,7 +400,7 @@ impl Solved {
             let look = look(look_of, SHEET_DIGITS)?;
             let entries: Vec<&'static FigureEntry> =
                 names.iter().map(|name| named(name)).collect::<Result<_, _>>()?;
-            let width_mm = width_of(width)?;
+            let page = width_of(width)?.map(scene::PageFormat::column);
             let wanted = Additions { vectors, dimensions, poses, path: &path };
             let extras = match self.solved.mechanism() {
                 Some((scene, worked)) if !steps => {
@@ -408,7 +408,7 @@ impl Solved {
                 }
                 Some(_) | None => Extras::default(),
             };
-            let pictures = Pictures { figures: &entries, extras, steps, width_mm };
+            let pictures = Pictures { figures: &entries, extras, steps, page };
             self.solved.figures(&pictures, &look).map_err(|f| self.of().refused(f))
         })?;
         Ok(pages.value.into_iter().map(|(name, figure)| (name, Picture::of(figure))).collect())

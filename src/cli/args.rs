@@ -43,7 +43,7 @@ pub struct Args {
 #[derive(Subcommand, Debug)]
 pub enum Command {
     /// Draw the sheet: mechanism, equation tables, velocity and acceleration polygons, results
-    /// (SVG, PNG, PDF)
+    /// (SVG, PNG, PDF, TikZ)
     Draw(DrawArgs),
     /// Write a lesson: one HTML page with the construction step by step and a crank to drag
     Lesson(LessonArgs),
@@ -183,11 +183,11 @@ pub struct LookArgs {
 pub struct DrawArgs {
     #[command(flatten)]
     pub common: CommonArgs,
-    /// Folder for the files, or one file ending in .svg, .png or .pdf, or `-` for standard output;
+    /// Folder for the files, or one file ending in .svg, .png, .pdf or .tikz, or `-` for standard output;
     /// a folder that is not there yet and has a dot in its name ends in /
     #[arg(short, long, value_name = "PATH", default_value = ".")]
     pub output: String,
-    /// Formats of the files, such as svg,pdf; of a file the ending of -o decides (default: svg,png
+    /// Formats of the files, such as svg,pdf,tikz; of a file the ending of -o decides (default: svg,png
     /// into a folder, svg to standard output)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
     pub format: Vec<FigureFormat>,
@@ -210,6 +210,11 @@ pub struct DrawArgs {
     /// below all else that is given, so that the mechanism can be drawn again from it
     #[arg(long, conflicts_with = "steps")]
     pub dimensions: bool,
+    /// Format of the pages: a4, a4-landscape and other ISO sheets; 16:9 or 4:3 for slides; a width
+    /// such as 80mm, or with the greatest height 80mmx120mm. Type has the size of the format; what
+    /// does not fit goes to further pages a, b, ...
+    #[arg(long, value_name = "FORMAT", conflicts_with = "width")]
+    pub page: Option<String>,
     /// Width of the page, such as 80mm for a column of a book: type is made smaller as far as it
     /// can be read, then items are left out, with a note; a figure that still does not fit is not
     /// drawn
@@ -368,11 +373,11 @@ pub struct AccuracyArgs {
     /// Also a series of poses that approach the nearest limit of the first driver, down to 1e-12
     #[arg(long)]
     pub toward_toggle: bool,
-    /// Write the work-precision figure to this file, ending in .svg, .png or .pdf, or to `-`,
+    /// Write the work-precision figure to this file, ending in .svg, .png, .pdf or .tikz, or to `-`,
     /// standard output, in place of the table
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
-    /// Formats where -o has no such ending, such as svg,pdf; each ending is added where there are
+    /// Formats where -o has no such ending, such as svg,pdf,tikz; each ending is added where there are
     /// several (default of `-o -`: svg)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST", requires = "output")]
     pub format: Vec<FigureFormat>,
@@ -440,7 +445,7 @@ pub struct CurvesArgs {
     /// for standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: String,
-    /// Formats where -o has no such ending, such as svg,pdf; each ending is added where there are
+    /// Formats where -o has no such ending, such as svg,pdf,tikz; each ending is added where there are
     /// several (default of `-o -`: svg)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
     pub format: Vec<FigureFormat>,
@@ -458,11 +463,11 @@ pub struct MobilityArgs {
     pub json: bool,
     #[command(flatten)]
     pub look: LookArgs,
-    /// The groups drawn apart, in a file ending in .svg, .png or .pdf, or on `-`, standard output,
+    /// The groups drawn apart, in a file ending in .svg, .png, .pdf or .tikz, or on `-`, standard output,
     /// in place of the report; the scene must tell its pose
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
-    /// Formats where -o has no such ending, such as svg,pdf; each ending is added where there are
+    /// Formats where -o has no such ending, such as svg,pdf,tikz; each ending is added where there are
     /// several (default of `-o -`: svg)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST", requires = "output")]
     pub format: Vec<FigureFormat>,
@@ -475,7 +480,7 @@ pub struct CamArgs {
     /// Folder for two figures: the motion of the follower, and the profile by inversion
     #[arg(short, long, value_name = "FOLDER")]
     pub output: Option<String>,
-    /// Formats of the figures, such as svg,pdf (default: svg,png)
+    /// Formats of the figures, such as svg,pdf,tikz (default: svg,png)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
     pub format: Vec<FigureFormat>,
     /// Write the profile to this file in millimetres, ending in .csv (a row for each angle) or .dxf

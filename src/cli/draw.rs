@@ -15,7 +15,7 @@ use crate::paper::item::Figure;
 use crate::paper::style::{self, Style};
 use crate::problem::{self, Additions, Extent, Pictures, Wish, extras};
 use crate::render::pdf;
-use crate::scene;
+use crate::scene::{self, PageFormat};
 use std::path::{Path, PathBuf};
 
 /// Default formats in a folder.
@@ -26,7 +26,7 @@ pub fn run(a: args::DrawArgs) -> CommandResult {
     output(&a.output).map_err(|f| Failure::argument("-o", &a.output, f))?;
     formats(&a)?;
     let style = style_of(&a.look)?;
-    let width_mm = width(a.width.as_deref())?;
+    let page = page(&a)?;
     let pencil_mm = pencil(a.drafting.as_deref())?;
     let mut file = InputFile::open(&a.common.scene, &a.common.set)?;
     file.fonts = style.fonts.clone();
@@ -59,7 +59,7 @@ pub fn run(a: args::DrawArgs) -> CommandResult {
     let options = solved.mechanism().map(|(scene, _)| look.sheet_of(scene));
     // Each is written before the next is drawn: a figure of a late step repeats all earlier ones.
     let steps = match (solved.mechanism(), &options) {
-        (Some((scene, worked)), Some(options)) if a.steps && width_mm.is_none() => {
+        (Some((scene, worked)), Some(options)) if a.steps && page.is_none() => {
             Some(StepFigures::of(scene, worked, options, None)).filter(|s| !s.words().is_empty())
         }
         _ => None,
@@ -67,7 +67,7 @@ pub fn run(a: args::DrawArgs) -> CommandResult {
     let notes = match steps {
         Some(steps) => put(&a, &file.name, &steps.words(), steps.figures(), |f| file.failed(f))?,
         None => {
-            let pictures = Pictures { figures: &a.figure, extras, steps: a.steps, width_mm };
+            let pictures = Pictures { figures: &a.figure, extras, steps: a.steps, page };
             let made = solved.figures(&pictures, &look).map_err(|f| file.failed(f))?;
             file.notes.extend(made.notes);
             let (words, figures): (Vec<_>, Vec<_>) = made.value.into_iter().unzip();
@@ -120,6 +120,12 @@ fn put(
     Ok(notes)
 }
 
+/// Returns the requested format of the pages.
+fn page(a: &args::DrawArgs) -> Result<Option<PageFormat>, Failure> {
+    let Some(text) = &a.page else { return Ok(width(a.width.as_deref())?.map(PageFormat::column)) };
+    scene::page(text).map(Some).map_err(|faults| Failure::argument("--page", text, faults))
+}
+
 /// Returns the requested width (mm).
 pub(super) fn width(given: Option<&str>) -> Result<Option<f64>, Failure> {
     let read = |text: &str| {
@@ -155,14 +161,14 @@ fn output(path: &str) -> Result<(), Faults> {
             let d = Diagnostic::error(
                 "output",
                 both!(
-                    "{path} is neither a .svg, nor a .png, nor a .pdf file",
-                    "{path} 不是 .svg、.png 或 .pdf 文件"
+                    "{path} is not a .svg, .png, .pdf or .tikz file",
+                    "{path} 不是 .svg、.png、.pdf 或 .tikz 文件"
                 ),
             );
             Err(d
                 .help(both!(
-                    "write -o figure.svg, -o figure.png or -o figure.pdf; a folder of that name is -o {path}/",
-                    "请写 -o figure.svg、-o figure.png 或 -o figure.pdf；若是文件夹请指定 -o {path}/"
+                    "write -o figure.svg, figure.png, figure.pdf or figure.tikz; a folder of that name is -o {path}/",
+                    "请写 -o figure.svg、figure.png、figure.pdf 或 figure.tikz；若是文件夹请指定 -o {path}/"
                 ))
                 .into())
         }

@@ -8,7 +8,7 @@ use super::{Failure, ids};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::paper::font::own;
 use crate::paper::item::Figure;
-use crate::render::{pdf, png, svg};
+use crate::render::{pdf, png, svg, tikz};
 use crate::report::diagnostics;
 use std::collections::BTreeMap;
 use std::io::{self, Read, Write};
@@ -236,6 +236,9 @@ pub fn bytes(
             let Warned { value, notes } = svg::write(figure)?;
             Ok(Warned { value: png::render(&value, dpi)?, notes })
         }
+        FigureFormat::Tikz => {
+            Ok(Warned { value: tikz::tikz(figure)?.into_bytes(), notes: figure.remarks() })
+        }
     }
 }
 
@@ -261,7 +264,7 @@ pub fn figure_or_pages(
     for (format, path) in places {
         let made = match format {
             FigureFormat::Pdf => pdf::pdf(&pages()),
-            FigureFormat::Svg | FigureFormat::Png => {
+            FigureFormat::Svg | FigureFormat::Png | FigureFormat::Tikz => {
                 bytes(&one(), *format, TextFormat::Outlines, DPI)
             }
         };

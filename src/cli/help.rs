@@ -222,7 +222,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     (
         "*",
         "format",
-        "-o 没有这样的结尾时的格式，如 svg,pdf；多种格式时文件名各加结尾（`-o -` 默认为 svg）",
+        "-o 没有这样的结尾时的格式，如 svg,pdf,tikz；多种格式时文件名各加结尾（`-o -` 默认为 svg）",
     ),
     ("sweep", "format", "-o 没有这样的结尾时的格式（标准输出默认为 csv）"),
     ("batch", "format", "-o 没有这样的结尾时的格式（`-o -` 默认为 csv，有 --shard 时为 parquet）"),
@@ -239,7 +239,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     (
         "path",
         "format",
-        "-o 没有这样的结尾时的格式，如 svg,pdf；多种格式时文件名各加结尾（默认：svg）",
+        "-o 没有这样的结尾时的格式，如 svg,pdf,tikz；多种格式时文件名各加结尾（默认：svg）",
     ),
     (
         "*",
@@ -265,12 +265,12 @@ const WORDS: &[(&str, &str, &str)] = &[
     (
         "draw",
         "output",
-        "输出的文件夹，或以 .svg、.png、.pdf 结尾的一个文件，或 `-`（标准输出）；尚不存在且名称带点的文件夹以 / 结尾",
+        "输出的文件夹，或以 .svg、.png、.pdf、.tikz 结尾的一个文件，或 `-`（标准输出）；尚不存在且名称带点的文件夹以 / 结尾",
     ),
     (
         "draw",
         "format",
-        "文件的格式，如 svg,pdf；单个文件由 -o 的结尾决定（默认：文件夹为 svg,png，标准输出为 svg）",
+        "文件的格式，如 svg,pdf,tikz；单个文件由 -o 的结尾决定（默认：文件夹为 svg,png，标准输出为 svg）",
     ),
     ("draw", "figure", "画哪些图，各成文件：整张图或其中的部分"),
     ("draw", "vectors", "在机构运动简图上画各点的这种矢量"),
@@ -288,6 +288,11 @@ const WORDS: &[(&str, &str, &str)] = &[
         "draw",
         "dimensions",
         "在机构运动简图上以机构文件的单位标注给定的长度和角度，图下列出其余已知条件，据此可重画机构",
+    ),
+    (
+        "draw",
+        "page",
+        "页面格式：a4、a4-landscape 等；投影用 16:9 或 4:3；或宽度 80mm，或宽和最大高 80mmx120mm；放不下的内容排到后续页 a、b……",
     ),
     (
         "draw",
@@ -358,7 +363,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     (
         "accuracy",
         "output",
-        "把精度与代价的图写入以 .svg、.png 或 .pdf 结尾的文件；`-` 为标准输出，代替表格",
+        "把精度与代价的图写入以 .svg、.png、.pdf 或 .tikz 结尾的文件；`-` 为标准输出，代替表格",
     ),
     ("accuracy", "json", "表格为 JSON"),
     ("accuracy", "patience", "每种方法重复计算的毫秒数；取时间的中位数"),
@@ -417,7 +422,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     (
         "path",
         "output",
-        "以 .svg、.png 或 .pdf 结尾的文件，或 `-`（标准输出）（默认：按机构文件命名）",
+        "以 .svg、.png、.pdf 或 .tikz 结尾的文件，或 `-`（标准输出）（默认：按机构文件命名）",
     ),
     ("animate", "", "运动动画：机构及其多边形随原动件运动（GIF、SVG 动画、逐帧 PNG）"),
     (
@@ -439,11 +444,11 @@ const WORDS: &[(&str, &str, &str)] = &[
     (
         "mobility",
         "output",
-        "拆杆组图的文件，以 .svg、.png 或 .pdf 结尾，或 `-`（标准输出，代替报告）；机构位置须已给定",
+        "拆杆组图的文件，以 .svg、.png、.pdf 或 .tikz 结尾，或 `-`（标准输出，代替报告）；机构位置须已给定",
     ),
     ("cam", "", "盘形凸轮转一周：位移、速度、加速度、冲击、压力角、曲率；廓线（CSV、DXF）"),
     ("cam", "output", "两幅图的文件夹：从动件运动线图、反转法绘制的廓线"),
-    ("cam", "format", "图的格式，如 svg,pdf（默认：svg,png）"),
+    ("cam", "format", "图的格式，如 svg,pdf,tikz（默认：svg,png）"),
     (
         "cam",
         "profile",

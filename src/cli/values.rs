@@ -14,6 +14,7 @@ pub enum FigureFormat {
     Svg,
     Png,
     Pdf,
+    Tikz,
 }
 
 impl FigureFormat {
@@ -28,6 +29,7 @@ impl FigureFormat {
             FigureFormat::Svg => "svg",
             FigureFormat::Png => "png",
             FigureFormat::Pdf => "pdf",
+            FigureFormat::Tikz => "tikz",
         }
     }
 }

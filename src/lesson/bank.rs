@@ -7,8 +7,8 @@ use serde_json::{Value, json};
 
 use crate::paper::label::Label;
 use crate::paper::phrase::Phrase;
+use crate::render::math::mathml;
 use crate::report::html::sentence_with;
-use crate::report::math::mathml;
 
 /// Formulas without changing numbers, each stored once.
 #[derive(Default)]

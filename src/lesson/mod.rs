@@ -4,7 +4,7 @@
 //! This module decides what the page holds. [`crate::sweep::follow`] follows the mechanism through
 //! its driver's travel, [`frames`] solves each pose to one scale ([`zoom`]; [`split`] divides a
 //! polygon of many vectors), [`scenery`] draws it, [`track`] finds what changes from frame to frame
-//! and [`pack`] packs it, [`bank`] does the same for sentences ([`crate::report::math`] sets their
+//! and [`pack`] packs it, [`bank`] does the same for sentences ([`crate::render::math`] sets their
 //! formulas), [`equations`] gives each step its equation, [`page`] puts the page together, and
 //! [`reveal`] writes one pose as a fragment for slides.
 

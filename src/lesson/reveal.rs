@@ -2,7 +2,7 @@
 //! parts one by one.
 
 use crate::diag::{Faults, Warned};
-use crate::figure::fit::{self, Room};
+use crate::figure::fit;
 use crate::figure::forces;
 use crate::figure::list::{Extras, FigureInput};
 use crate::figure::sheet;
@@ -10,7 +10,7 @@ use crate::geom::Point;
 use crate::paper::item::Figure;
 use crate::render::number::mm;
 use crate::render::svg::{Elements, hex};
-use crate::scene::{DiagramKind, Scene};
+use crate::scene::{DiagramKind, PageFormat, Scene};
 use crate::worked::Worked;
 
 use crate::render::escaped;
@@ -46,7 +46,8 @@ pub fn reveal_in(
 ) -> Result<Warned<String>, Faults> {
     let extras = Extras::default();
     let wanted = FigureInput { scene, worked, options, extras: &extras };
-    let value = fit::first_that_fits("reveal", &wanted, Room::Column(width_mm), |w, stacked| {
+    let format = PageFormat::column(width_mm);
+    let value = fit::first_that_fits("reveal", &wanted, &format, |w, stacked| {
         let (drawings, size) = drawings(w.scene, w.worked, w.options, stacked)?;
         Ok(if size[0] <= width_mm {
             Ok(drawings.svg(w.scene, w.options, Some(width_mm)))

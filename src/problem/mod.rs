@@ -29,7 +29,7 @@ use crate::notation::Notation;
 use crate::paper::style::Style;
 use crate::particle;
 use crate::report::statement;
-use crate::scene::{Lang, Scene, Swept};
+use crate::scene::{Lang, PageFormat, Scene, Swept};
 use crate::synthesis;
 use crate::worked::{Worked, instant};
 use crate::worksheet::{Document, WorksheetSides, WorksheetTask};
@@ -264,13 +264,13 @@ pub struct Pictures<'a> {
     pub extras: Extras,
     /// True for one picture per step of the construction instead.
     pub steps: bool,
-    /// Width of a page (mm).
-    pub width_mm: Option<f64>,
+    /// The format of the pages; `None` for pages as large as their content.
+    pub page: Option<PageFormat>,
 }
 
 impl Default for Pictures<'_> {
     fn default() -> Self {
-        Pictures { figures: &[USUAL], extras: Extras::default(), steps: false, width_mm: None }
+        Pictures { figures: &[USUAL], extras: Extras::default(), steps: false, page: None }
     }
 }
 

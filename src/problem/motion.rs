@@ -134,8 +134,8 @@ impl Answered for MotionSolution {
             );
             return Err(Diagnostic::error("no-figure", message).help(help).into());
         }
-        if let Some(width_mm) = pictures.width_mm {
-            pages = fit::placed(pages, fit::Room::Column(width_mm))?;
+        if let Some(format) = &pictures.page {
+            pages = fit::placed(pages, format)?;
         }
         Ok(Warned { value: pages, notes: Vec::new() })
     }

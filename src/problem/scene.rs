@@ -180,7 +180,7 @@ impl Answered for SceneSolution {
         let SceneSolution { scene, worked } = self;
         let wanted = FigureInput { scene, worked, options: &options, extras: &pictures.extras };
         if pictures.steps {
-            let value = fit::steps(&wanted, pictures.width_mm)?;
+            let value = fit::steps(&wanted, pictures.page.as_ref())?;
             return if value.is_empty() {
                 Err(no_steps().into())
             } else {
@@ -189,7 +189,7 @@ impl Answered for SceneSolution {
         }
         let (mut out, mut notes, mut missing) = (Vec::new(), Vec::new(), Faults::default());
         for entry in self.asked(pictures) {
-            let pages = fit::drawn(entry, &wanted, pictures.width_mm)?;
+            let pages = fit::drawn(entry, &wanted, pictures.page.as_ref())?;
             notes.extend(pages.notes);
             if pages.value.is_empty() {
                 missing.push(not_called_for(entry.name));

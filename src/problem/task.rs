@@ -135,12 +135,11 @@ impl Answered for Designed {
             };
             pages = figure::growing(&pages[at].1);
         }
-        if let Some(width_mm) = pictures.width_mm {
-            let room = fit::Room::Column(width_mm);
+        if let Some(format) = &pictures.page {
             pages = if pictures.steps {
-                fit::placed_alike(pages, room)
+                fit::placed_alike(pages, format)
             } else {
-                fit::placed(pages, room)
+                fit::placed(pages, format)
             }?;
         }
         Ok(Warned { value: pages, notes: Vec::new() })

@@ -6,7 +6,7 @@ use crate::paper::font::own::Fonts;
 use crate::paper::item::{Anchor, FigureItem, LineStroke, Shape};
 use crate::paper::label::Label;
 use crate::paper::text;
-use crate::report::math::Math;
+use crate::render::math::Math;
 
 use super::pages::line;
 

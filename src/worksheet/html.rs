@@ -5,9 +5,9 @@ use super::{Document, DocumentBlock, DocumentTable, TableKind};
 use crate::diag::Faults;
 use crate::paper::item::{Figure, FigureItem};
 use crate::paper::words::words;
+use crate::render::math::mathml_display;
 use crate::render::{escaped, number::mm, svg};
 use crate::report::html::sentence;
-use crate::report::math::mathml_display;
 use crate::webfont;
 
 /// The style: a page of text on the screen, A4 in print, where drawings keep their millimetres so

@@ -10,8 +10,8 @@ use crate::figure::loops::pages;
 use crate::loops::{Equation, GroupLoops, Loops, placed};
 use crate::paper::label::Label;
 use crate::paper::phrase::Phrase;
+use crate::render::math::Math;
 use crate::report::loops::{LoopWords, closed};
-use crate::report::math::Math;
 use crate::scene::{Lang, Scene};
 use crate::worked::Worked;
 

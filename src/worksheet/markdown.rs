@@ -8,8 +8,8 @@ use super::{
 use crate::diag::Faults;
 use crate::paper::label::Label;
 use crate::paper::phrase::{Phrase, PhrasePiece};
+use crate::render::math::{tex, tex_display};
 use crate::render::svg;
-use crate::report::math::{tex, tex_display};
 
 /// Writes the document; the names of its drawings begin with `stem`.
 ///

@@ -16,7 +16,7 @@ use crate::figure::sheet;
 use crate::mechanism::{Counts, ForDrivers};
 use crate::paper::label::Label;
 use crate::paper::phrase::Phrase;
-use crate::report::math::Math;
+use crate::render::math::Math;
 use crate::report::mobility::{Counted, class, kinds};
 use crate::report::plan::group_set;
 use crate::scene::{Driver, Guide, Lang, LinkId, PointId, Scene};

@@ -33,7 +33,7 @@ use crate::paper::font::own::Fonts;
 use crate::paper::item::Figure;
 use crate::paper::phrase::{Phrase, tr};
 use crate::plan::text::PlanWriter;
-use crate::report::math::Math;
+use crate::render::math::Math;
 use crate::scene::{Lang, LinkId, Scene};
 use crate::worked::Worked;
 use speak::Speak;

@@ -14,7 +14,7 @@ use crate::paper::label::Label;
 use crate::paper::phrase::{Phrase, tr};
 use crate::particle::board::MotionDrawing;
 use crate::particle::{ParticleMotionKind, ParticleProblem, ParticleSolution};
-use crate::report::math::Math;
+use crate::render::math::Math;
 use crate::report::particle::{
     drawn, in_unit, integrated, largest, marked, sentence, symbol, unit, value,
 };

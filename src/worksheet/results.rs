@@ -10,10 +10,10 @@ use crate::figure::remarks::remarks;
 use crate::figure::results::{ResultsContent, by_lines, measured, named};
 use crate::paper::label::Label;
 use crate::paper::phrase::{Phrase, fill};
+use crate::render::math::Math;
 use crate::report::amount::{amount, number, sense, symbol};
 use crate::report::answers::{AnswerLine, at_infinity, lines, reason, verdict};
 use crate::report::drafting;
-use crate::report::math::Math;
 use crate::scene::{Find, Lang};
 use crate::worked::Outcome;
 

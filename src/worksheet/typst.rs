@@ -9,8 +9,8 @@ use crate::diag::Faults;
 use crate::paper::label::Label;
 use crate::paper::phrase::{Phrase, PhrasePiece};
 use crate::paper::words::words;
+use crate::render::math::{typst as formula, typst_display};
 use crate::render::{number::mm, svg};
-use crate::report::math::{typst as formula, typst_display};
 
 /// Widest drawing on a page: A4 without its margins. A wider one would be cut; it is reduced to the
 /// width of the page, and its scales are then not true.

@@ -185,6 +185,33 @@ fn formats_are_one_list() {
     assert_eq!(names("draw T/crank-rocker.json"), "crank-rocker.png crank-rocker.svg");
 }
 
+/// A page format gives pages of its size, lettered if there are several; a wrong one is refused.
+#[test]
+fn pages_have_the_requested_format() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |scene: &str, page: &str| {
+        hodograph()
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .args(["draw", scene, "--format", "svg", "--page", page])
+            .args(["-o", folder.path().join(page.replace(':', "-")).to_str().unwrap()])
+            .assert()
+    };
+    let view = |file: &str| {
+        let svg = fs::read_to_string(folder.path().join(file)).unwrap();
+        svg.split("viewBox=\"").nth(1).unwrap().split('"').next().unwrap().to_owned()
+    };
+    run("templates/crank-rocker.json", "a4").success();
+    assert_eq!(view("a4/crank-rocker.svg"), "0 0 210 297");
+    run("templates/excavator.json", "16:9").success();
+    for page in ["a", "b"] {
+        assert_eq!(view(&format!("16-9/excavator-{page}.svg")), "0 0 338 190");
+    }
+    for (page, message) in [("a44", "no page format"), ("80mmx1mm", "a side of 1mm")] {
+        let refused = run("templates/crank-rocker.json", page).code(2);
+        assert!(text(&refused.get_output().stderr).contains(message), "{page}");
+    }
+}
+
 /// Slides of equal size in a given width, the fragment for slides in a width; too narrow ones are
 /// refused.
 #[test]

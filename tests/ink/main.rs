@@ -10,10 +10,16 @@ mod faults;
 mod read;
 
 use faults::Faults;
+use hodograph::figure::fit::pages;
+use hodograph::figure::list::{Extras, FigureInput, USUAL};
 use hodograph::figure::sheet::{SheetOptions, sheet};
+use hodograph::paper::extent::bounds;
+use hodograph::paper::item::Shape;
 use hodograph::paper::style::Style;
 use hodograph::render::svg;
-use hodograph::scene::{self, DriverKind, Lang, Scene, driver_position, templates, with_driver_at};
+use hodograph::scene::{
+    self, ByKind, DriverKind, Lang, Scene, driver_position, templates, with_driver_at,
+};
 use hodograph::worked::{Scope, work};
 
 /// First angle of the whole check (deg), so that nothing is perpendicular by accident.
@@ -79,4 +85,71 @@ fn what_belongs_to_what_is_seen() {
     assert!(sheets > 0);
     println!("{sheets} sheets\n{}\n{}", total.table(), told.join("\n"));
     assert!(total.can_be_read(sheets), "{}", total.table());
+}
+
+/// Page formats and the smallest type (mm) on them: 8.9 points in print, 13.6 points on a slide.
+const FORMATS: [(&str, f64); 7] = [
+    ("a4", 3.14),
+    ("16:9", 4.8),
+    ("80mm", 3.14),
+    ("a4-landscape", 3.14),
+    ("4:3", 4.8),
+    ("120mm", 3.14),
+    ("170mm", 3.14),
+];
+
+/// The gate draws each template in one of the formats, the whole check in all.
+#[test]
+fn pages_of_all_formats_have_their_size_and_legible_type() {
+    let (mut total, mut faults, mut drawn) = (Faults::default(), Vec::new(), 0);
+    for (t, template) in templates::list().iter().enumerate() {
+        let scene = scene::read(templates::get(template.name).unwrap()).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        for (k, (name, least)) in FORMATS.iter().enumerate() {
+            if !all() && (t + k) % FORMATS.len() != 0 {
+                continue;
+            }
+            let format = scene::page(name).unwrap();
+            let lang = if (t + k) % 2 == 0 { Lang::En } else { Lang::Zh };
+            let (options, extras) = (SheetOptions::of_language(lang), Extras::default());
+            let wanted =
+                FigureInput { scene: &scene, worked: &worked, options: &options, extras: &extras };
+            let what = format!("{} on {name}, {lang:?}", template.name);
+            let made = match pages(USUAL, &wanted, &format) {
+                Ok(made) => made,
+                // A scale that the scene fixes is kept.
+                Err(_) if scene.paper.scales != ByKind::default() => continue,
+                Err(e) => panic!("{what}: {e}"),
+            };
+            for (word, figure) in made.value {
+                drawn += 1;
+                let ink = bounds(&figure.items).unwrap();
+                let size = [figure.width_mm, figure.height_mm];
+                let whole = size == [format.width_mm, format.height_mm];
+                if size[0] != format.width_mm
+                    || size[1] > format.height_mm
+                    || format.whole && !whole
+                    || ink.min.x.min(ink.min.y) < 0.0
+                    || ink.max.x > size[0]
+                    || ink.max.y > size[1]
+                {
+                    faults.push(format!("{what}, page {word}: {size:?} mm, ink {ink:?}"));
+                }
+                for item in &figure.items {
+                    if let Shape::Label { size_mm, .. } = item.shape
+                        && size_mm < *least
+                    {
+                        faults.push(format!("{what}, page {word}: {} of {size_mm} mm", item.id));
+                    }
+                }
+                let found = faults::of(&read::read(&svg::write(&figure).unwrap().value));
+                faults.extend(found.list.iter().map(|f| format!("{what}, page {word}: {f}")));
+                total.add(found);
+            }
+        }
+    }
+    println!("{drawn} pages\n{}\n{}", total.table(), faults.join("\n"));
+    assert!(total.can_be_read(drawn), "{}", total.table());
+    let other = faults.len() - total.list.len();
+    assert_eq!(other, 0, "{} faults", other);
 }

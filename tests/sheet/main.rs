@@ -190,8 +190,7 @@ fn fourbar(words: &Words) -> (Figure, Vec<Placement>) {
         &STYLE,
         Point::new(131.0, 49.0),
         20.0,
-        Label::math("0"),
-        Label::math("0.1 m/s"),
+        [Label::math("0"), Label::math("0.1 m/s")],
     ));
 
     let columns = [146.0, 156.5, 167.0, 177.5, 188.0];

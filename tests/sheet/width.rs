@@ -4,12 +4,12 @@
 
 use super::legible::SMALLEST_MM;
 use hodograph::diag::Warned;
-use hodograph::figure::fit::{Room, pages};
+use hodograph::figure::fit::pages;
 use hodograph::figure::list::{self, Extras, FigureInput};
 use hodograph::figure::sheet::SheetOptions;
 use hodograph::paper::extent::bounds;
 use hodograph::paper::item::{Figure, Shape};
-use hodograph::scene::{self, Lang, templates};
+use hodograph::scene::{self, Lang, PageFormat, templates};
 use hodograph::worked::{Scope, work};
 
 const WIDTHS_MM: [f64; 4] = [60.0, 80.0, 118.0, 174.0];
@@ -38,7 +38,7 @@ fn a_width_is_kept_or_refused() {
             let wanted =
                 FigureInput { scene: &scene, worked: &worked, options: &options, extras: &extras };
             let what = format!("{} {name} at {width} mm", template.name);
-            match pages(list::named(name).unwrap(), &wanted, Room::Column(width)) {
+            match pages(list::named(name).unwrap(), &wanted, &PageFormat::column(width)) {
                 Ok(Warned { value, notes }) => {
                     for (_, figure) in &value {
                         drawn += 1;
@@ -113,7 +113,7 @@ fn a_narrow_column_leaves_no_words_out() {
         let wanted =
             FigureInput { scene: &scene, worked: &worked, options: &options, extras: &extras };
         let sheet = list::named("sheet").unwrap();
-        let Ok(Warned { value, notes }) = pages(sheet, &wanted, Room::Column(80.0)) else {
+        let Ok(Warned { value, notes }) = pages(sheet, &wanted, &PageFormat::column(80.0)) else {
             continue;
         };
         let usual = (sheet.draw)(&wanted).unwrap().value;

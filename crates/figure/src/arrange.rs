@@ -105,6 +105,15 @@ impl Tree {
         }
     }
 
+    /// Returns the parts of the tree, in its order.
+    fn leaves(&self) -> Vec<usize> {
+        match self {
+            Tree::Leaf(k) => vec![*k],
+            Tree::Air(_) => Vec::new(),
+            Tree::Group { children, .. } => children.iter().flat_map(Tree::leaves).collect(),
+        }
+    }
+
     /// Places the parts in a box with its upper left corner at `at`.
     pub fn put(&self, parts: &mut [DrawingPart], at: Point) {
         match self {
@@ -194,6 +203,60 @@ pub(super) fn arrange_in(pieces: SheetPieces, width_mm: f64) -> (Vec<FigureItem>
     (parts.into_iter().flat_map(|p| p.items).collect(), size)
 }
 
+/// Items of a page and the size that they take, without a border.
+pub(super) type ArrangedPage = (Vec<FigureItem>, [f64; 2]);
+
+/// Arranges the parts on pages of at most this size: on one page in the arrangement that fills it
+/// best, else on as few as possible, with each polygon beside or above its own equations. `heading`
+/// returns the title of a page from its number and the number of pages.
+///
+/// # Errors
+/// The size of a part that is larger than a page.
+pub(super) fn arrange_on(
+    pieces: SheetPieces,
+    size: [f64; 2],
+    heading: impl Fn(usize, usize) -> Option<DrawingPart>,
+) -> Result<Vec<ArrangedPage>, [f64; 2]> {
+    let layout = SheetLayout::of(pieces);
+    let fits = |tree: &Tree| holds(size, tree.size(&layout.parts));
+    let one = layout.candidates().into_iter().chain(layout.in_rows(size[0])).filter(fits);
+    let one = one.min_by(|a, b| layout.cost(a, size).total_cmp(&layout.cost(b, size)));
+    if let Some(tree) = one {
+        let taken = tree.size(&layout.parts);
+        let mut parts = layout.parts;
+        tree.put(&mut parts, Point::new(0.0, taken[1]));
+        return Ok(vec![(parts.into_iter().flat_map(|p| p.items).collect(), taken)]);
+    }
+    let title_mm = heading(1, 2).map_or(0.0, |title| title.bounds.height_mm() + GAP_MM);
+    let below = [size[0], size[1] - title_mm];
+    let orders = [(false, false), (true, false), (false, true), (true, true)];
+    let mut tried = orders.map(|(narrow, answers_first)| {
+        layout.on_pages(below, SheetOrder { narrow, answers_first })
+    });
+    tried.sort_by_key(|pages| pages.as_ref().map_or(usize::MAX, Vec::len));
+    let [pages, ..] = tried;
+    let pages = pages?;
+    let (count, mut parts) = (pages.len(), layout.parts);
+    let set = |(k, rows): (usize, Vec<Tree>)| {
+        let title = heading(k + 1, count).map(|title| {
+            parts.push(title);
+            Tree::Leaf(parts.len() - 1)
+        });
+        let tree = Tree::column(title.into_iter().chain(rows).collect());
+        let taken = tree.size(&parts);
+        tree.put(&mut parts, Point::new(0.0, taken[1]));
+        let items =
+            tree.leaves().into_iter().flat_map(|k| std::mem::take(&mut parts[k].items)).collect();
+        (items, taken)
+    };
+    Ok(pages.into_iter().enumerate().map(set).collect())
+}
+
+/// True if a page of this size holds a box of that size.
+fn holds(page: [f64; 2], size: [f64; 2]) -> bool {
+    size[0] <= page[0] && size[1] <= page[1]
+}
+
 /// Breaks blocks, the first `drawings` of them drawings, into rows of at most this width with the
 /// least total height: the shortest path from the first block to the last. A wider block gets a row
 /// of its own.
@@ -254,6 +317,14 @@ pub(super) fn column(equations: Vec<(DrawingPart, Vec<DrawingPart>)>) -> Option<
     (!all.items.is_empty()).then_some(all)
 }
 
+/// The order of the parts on several pages.
+struct SheetOrder {
+    /// True if a polygon is above its equations, false if it is beside them.
+    narrow: bool,
+    /// True if the results follow the mechanism, false if they follow the equations.
+    answers_first: bool,
+}
+
 struct SheetLayout {
     parts: Vec<DrawingPart>,
     title: Option<usize>,
@@ -307,6 +378,80 @@ impl SheetLayout {
         };
         let all = std::iter::once(by_level()).chain((1..=4).map(beside));
         all.map(|equations| rows(equations, width_mm)).chain([rows(beside(1), 0.0)]).collect()
+    }
+
+    /// The rows of each page below its title.
+    ///
+    /// # Errors
+    /// The size of a row that is larger than a page.
+    fn on_pages(&self, page: [f64; 2], order: SheetOrder) -> Result<Vec<Vec<Tree>>, [f64; 2]> {
+        let SheetOrder { narrow, answers_first } = order;
+        let results = || Tree::Leaf(self.results);
+        let mut blocks = vec![Tree::Leaf(self.drawings[0])];
+        blocks.extend(answers_first.then(results));
+        let levels = self.drawings.len().saturating_sub(1).max(self.equations.len());
+        for k in 0..levels {
+            let polygon = self.drawings.get(k + 1).map(|k| Tree::Leaf(*k)).into_iter().collect();
+            let lines = self.equations.get(k).cloned().unwrap_or_default();
+            blocks.extend(self.section(polygon, lines, page, narrow));
+        }
+        blocks.extend((!answers_first).then(results));
+        for [apart, polygon, text] in &self.forces {
+            let drawings = vec![Tree::Leaf(*apart), Tree::Leaf(*polygon)];
+            blocks.extend(self.section(drawings, vec![*text], page, narrow));
+        }
+        let mut pages: Vec<Vec<Tree>> = Vec::new();
+        let mut left_mm = f64::NEG_INFINITY;
+        for row in lines(blocks, 1, page[0], &self.parts) {
+            let size = row.size(&self.parts);
+            if !holds(page, size) {
+                return Err(size);
+            }
+            if left_mm < size[1] {
+                pages.push(Vec::new());
+                left_mm = page[1];
+            }
+            left_mm -= size[1] + GAP_MM;
+            pages.last_mut().expect("a page is open").push(row);
+        }
+        Ok(pages)
+    }
+
+    /// Drawings with their lines of text as one block; if that is larger than a page, each drawing
+    /// and each column of text as a block of its own.
+    fn section(
+        &self,
+        drawings: Vec<Tree>,
+        lines: Vec<usize>,
+        page: [f64; 2],
+        narrow: bool,
+    ) -> Vec<Tree> {
+        let lines = [lines];
+        let text = |columns| self.columns_of(&lines, columns);
+        let whole = |columns: usize| {
+            let mut all =
+                if drawings.is_empty() { Vec::new() } else { vec![Tree::row(drawings.clone())] };
+            if narrow {
+                all.push(Tree::text_row(text(columns)));
+                Tree::column(all)
+            } else {
+                all.extend(text(columns));
+                Tree::text_row(all)
+            }
+        };
+        let height = |tree: &Tree| tree.size(&self.parts)[1];
+        let fits = |tree: &Tree| holds(page, tree.size(&self.parts));
+        let columns = if narrow { 1..=1 } else { 1..=3 };
+        let least = columns
+            .map(whole)
+            .filter(|tree| fits(tree))
+            .min_by(|a, b| height(a).total_cmp(&height(b)));
+        if let Some(block) = least {
+            return vec![block];
+        }
+        let columns = (1..=lines[0].len().max(1)).map(text);
+        let short = columns.filter(|all| all.iter().all(|column| height(column) <= page[1])).next();
+        drawings.into_iter().chain(short.unwrap_or_else(|| text(1))).collect()
     }
 
     /// The size relative to the page, plus the weighted empty part of it.
@@ -398,14 +543,18 @@ impl SheetLayout {
     /// Splits all equations into `columns` columns of about the same height. A column never begins
     /// with the last line of a polygon.
     fn text_columns(&self, columns: usize) -> Vec<Tree> {
-        let lines: Vec<usize> = self.equations.iter().flatten().copied().collect();
+        self.columns_of(&self.equations, columns)
+    }
+
+    fn columns_of(&self, equations: &[Vec<usize>], columns: usize) -> Vec<Tree> {
+        let lines: Vec<usize> = equations.iter().flatten().copied().collect();
         let height = |k: &usize| self.parts[*k].bounds.height_mm() + LINE_GAP_MM;
         let total: f64 = lines.iter().map(height).sum();
         let mut out: Vec<Vec<Tree>> = vec![Vec::new()];
         let mut done = 0.0;
         for (n, k) in lines.iter().enumerate() {
             let h = height(k);
-            let heading = self.equations.iter().any(|e| e[0] == *k);
+            let heading = equations.iter().any(|e| e[0] == *k);
             // A line goes to the column that holds its middle; a heading goes with the line after
             // it.
             let middle = done

@@ -20,6 +20,7 @@ use super::list::{Extras, FigureEntry, FigureInput, Pages};
 use super::polygon;
 use super::polygon::aside::lane;
 use super::sheet::{SheetDrafter, SheetOptions};
+use crate::scales::DrawingScales;
 use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::grid::{self, Cell, Row};
 use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, FigureItem, LineStroke, Shape};
@@ -27,7 +28,6 @@ use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::style::{Captioned, Style};
 use hodograph_paper::paper::text::set;
-use hodograph_report::amount::scale_formula;
 
 /// Each wrong solution on its own page.
 pub const ENTRY: FigureEntry = FigureEntry {
@@ -211,7 +211,7 @@ fn overlay(
     Some(maker.titled(
         d.finish(),
         Label::text(caption),
-        &scale_formula(&w.scene.book, on, right.mu),
+        &DrawingScales::of(&w.scene.book, on, right.mu),
         "attempt",
     ))
 }

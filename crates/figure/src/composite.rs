@@ -17,6 +17,7 @@ use super::arrange::AIM_MM;
 use super::list::{FigureEntry, FigureInput, Pages, page};
 use super::mechanism::{self, Composed, ComposedVector};
 use super::sheet::{MARGIN_MM, SheetDrafter};
+use crate::scales::DrawingScales;
 use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::extent::Rect;
 use hodograph_paper::paper::grid::{self, Cell, Row};
@@ -26,7 +27,6 @@ use hodograph_paper::paper::phrase::Phrase;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::shown::{ShownLength, ShownQuantity};
 use hodograph_paper::paper::style::Captioned;
-use hodograph_report::amount::scale_formula;
 
 /// The parallelograms and the components of the accelerations.
 pub const ENTRY: FigureEntry = FigureEntry {
@@ -282,11 +282,8 @@ fn velocities(
         &w.options.notation,
         &composed,
     );
-    let mu = format!(
-        "{},\\quad {}",
-        maker.caption(DiagramKind::Plane).1,
-        scale_formula(&w.scene.book, DiagramKind::Velocity, scales.velocity)
-    );
+    let of_vectors = DrawingScales::of(&w.scene.book, DiagramKind::Velocity, scales.velocity);
+    let mu = maker.caption(DiagramKind::Plane).1.and(of_vectors);
     named(maker.titled(part, heading, &mu, "velocities"), "velocities", k)
 }
 
@@ -314,7 +311,7 @@ fn accelerations(
         maker.titled(
             part,
             Label::text(words),
-            &scale_formula(&w.scene.book, DiagramKind::Acceleration, mu),
+            &DrawingScales::of(&w.scene.book, DiagramKind::Acceleration, mu),
             "accelerations",
         ),
         "accelerations",
@@ -370,7 +367,7 @@ fn polygon(
         maker.titled(
             d.finish(),
             Phrase::new(words).label(),
-            &scale_formula(&w.scene.book, DiagramKind::Acceleration, mu),
+            &DrawingScales::of(&w.scene.book, DiagramKind::Acceleration, mu),
             "polygon",
         ),
         "polygon",

@@ -8,7 +8,7 @@
 use hodograph_base::diag::{Both, Diagnostic, Faults, Warned, both};
 use hodograph_base::geom::Vec2;
 use hodograph_board::construct::scale::coarser;
-use hodograph_scene::{ByKind, DiagramKind, Scene};
+use hodograph_scene::{ByKind, DiagramKind, PageFormat, SHEET_BORDER_MM, Scene};
 use hodograph_worked::worked::{Scope, Worked, work};
 
 use super::forces;
@@ -21,77 +21,43 @@ use hodograph_paper::paper::item::Figure;
 /// Size factors that are tried one after the other, in steps of about the series of scales. The
 /// last drawings are as wide as a thumb.
 const PARTS: [f64; 7] = [1.0, 0.8, 0.64, 0.5, 0.4, 0.32, 0.25];
+/// Smallest factor at which drawings are reduced to save a page, for each point of the type: labels
+/// of a slide need a drawing twice as large as those of a book.
+const LEAST_OF_FEWER: f64 = 0.5 / 9.0;
+/// Below this factor, forces that are too wide are left out of a sheet in type of a fixed size.
+const LEAST_FORCES: f64 = 0.4;
 /// Below this factor the type does not become smaller: text keeps its width, and content is left
 /// out.
 const LEAST_TYPE: f64 = 0.64;
-/// Border of a page in a column of a book.
-const BORDER_MM: f64 = 2.0;
-/// Border of a sheet of paper: the strip that a printer cannot reach.
-const MARGIN_MM: f64 = super::sheet::MARGIN_MM;
-
-/// The space for pages.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Room {
-    /// A column: pages have exactly this width (mm); their height is free.
-    Column(f64),
-    /// A sheet of paper (mm): pages have exactly this size.
-    Paper([f64; 2]),
+/// Centres the figure on a page of this format. A page of several begins at its upper border.
+///
+/// # Errors
+/// The size of its ink (mm) if it is too large.
+fn on_page(format: &PageFormat, mut figure: Figure, several: bool) -> Result<Figure, [f64; 2]> {
+    let Some(ink) = bounds(&figure.items) else { return Ok(figure) };
+    let (size, inner) = ([ink.width_mm(), ink.height_mm()], format.inner_mm());
+    if size[0] > inner[0] || size[1] > inner[1] {
+        return Err(size);
+    }
+    let [width, height] = format.sides_mm(size[1]);
+    let centre = ink.centre();
+    let up = if several { height - format.border_mm - ink.max.y } else { height / 2.0 - centre.y };
+    translate(&mut figure.items, Vec2::new(width / 2.0 - centre.x, up));
+    Ok(Figure { width_mm: width, height_mm: height, ..figure })
 }
 
-impl Room {
-    fn border_mm(self) -> f64 {
-        match self {
-            Room::Column(_) => BORDER_MM,
-            Room::Paper(_) => MARGIN_MM,
-        }
-    }
-
-    /// The space within the border.
-    fn inner(self) -> [f64; 2] {
-        match self {
-            Room::Column(w) => [w - 2.0 * BORDER_MM, f64::INFINITY],
-            Room::Paper(sides) => sides.map(|mm| mm - 2.0 * MARGIN_MM),
-        }
-    }
-
-    /// The size of the page around ink of this size (mm).
-    fn sides(self, ink: [f64; 2]) -> [f64; 2] {
-        match self {
-            Room::Column(w) => [w, ink[1] + 2.0 * self.border_mm()],
-            Room::Paper(sides) => sides,
-        }
-    }
-
-    /// Centres the figure on a page of this size.
-    ///
-    /// # Errors
-    /// The size of its ink (mm) if it is too large.
-    pub fn page(self, mut figure: Figure) -> Result<Figure, [f64; 2]> {
-        let Some(ink) = bounds(&figure.items) else { return Ok(figure) };
-        let (size, inner) = ([ink.width_mm(), ink.height_mm()], self.inner());
-        if size[0] > inner[0] || size[1] > inner[1] {
-            return Err(size);
-        }
-        let [width, height] = self.sides(size);
-        let centre = ink.centre();
-        translate(&mut figure.items, Vec2::new(width / 2.0 - centre.x, height / 2.0 - centre.y));
-        Ok(Figure { width_mm: width, height_mm: height, ..figure })
-    }
-}
-
-/// Draws the pages of a figure: in a column of this width, or else on the scene's paper, if any. A
-/// figure that fits that paper is returned unchanged.
+/// Draws the pages of a figure: in this format, or else on the scene's paper, if any. A figure that
+/// fits that paper is returned unchanged.
 ///
 /// # Errors
 /// The errors of [`pages`].
 pub fn drawn(
     entry: &FigureEntry,
     w: &FigureInput,
-    width_mm: Option<f64>,
+    format: Option<&PageFormat>,
 ) -> Result<Warned<Pages>, Faults> {
-    if let Some(width_mm) = width_mm {
-        return pages(entry, w, Room::Column(width_mm));
+    if let Some(format) = format {
+        return pages(entry, w, format);
     }
     let made = (entry.draw)(w);
     let Some([x, y]) = w.scene.paper.size_mm else { return made };
@@ -99,7 +65,7 @@ pub fn drawn(
     match made {
         Ok(made) if fits(&made.value) => Ok(made),
         Err(faults) if faults.list.iter().all(|d| d.code != "paper-too-small") => Err(faults),
-        Ok(_) | Err(_) => pages(entry, w, Room::Paper([x, y])),
+        Ok(_) | Err(_) => pages(entry, w, &PageFormat::paper([x, y])),
     }
 }
 
@@ -110,56 +76,81 @@ pub fn drawn(
 /// figure itself.
 ///
 /// ```
-/// use hodograph_figure::{fit::{Room, pages}, list::{Extras, FigureInput, named}, sheet::SheetOptions};
-/// use hodograph_scene::{self as scene, Lang, templates};
+/// use hodograph_figure::{fit::pages, list::{Extras, FigureInput, named}, sheet::SheetOptions};
+/// use hodograph_scene::{self as scene, Lang, PageFormat, templates};
 /// use hodograph_worked::worked::{Scope, work};
 /// let scene = scene::read(templates::get("slider-crank").unwrap())?.value;
 /// let worked = work(&scene, Scope::Figure)?.value;
 /// let (options, extras) = (SheetOptions::of_language(Lang::En), Extras::default());
 /// let wanted = FigureInput { scene: &scene, worked: &worked, options: &options, extras: &extras };
-/// let made = pages(named("mechanism").unwrap(), &wanted, Room::Column(80.0))?.value;
+/// let made = pages(named("mechanism").unwrap(), &wanted, &PageFormat::column(80.0))?.value;
 /// assert_eq!(made[0].1.width_mm, 80.0);
 /// # Ok::<(), hodograph_base::diag::Faults>(())
 /// ```
-pub fn pages(entry: &FigureEntry, w: &FigureInput, room: Room) -> Result<Warned<Pages>, Faults> {
+pub fn pages(
+    entry: &FigureEntry,
+    w: &FigureInput,
+    format: &PageFormat,
+) -> Result<Warned<Pages>, Faults> {
+    if entry.name == USUAL.name && w.extras.poses == 0 {
+        return sheet_pages(w, format);
+    }
     let mut needs = [0.0_f64; 2];
-    let of_sheet = entry.name == USUAL.name && w.extras.poses == 0;
     for part in PARTS {
-        let smaller = Smaller::of(w, part, &ByKind::default())?;
-        let wanted = smaller.wanted(w.extras);
-        if of_sheet {
-            match sheet_of(&wanted, part, room) {
-                Ok(made) if part == 1.0 => return Ok(made),
-                Ok(made) => return Ok(grown(w, part, room)?.unwrap_or(made)),
-                Err(size) => needs = size,
-            }
-            continue;
-        }
-        let Warned { value, notes } = (entry.draw)(&wanted)?;
+        let smaller = Smaller::of(w, part, &ByKind::default(), format)?;
+        let Warned { value, notes } = (entry.draw)(&smaller.wanted(w.extras))?;
         let placed: Result<Vec<_>, [f64; 2]> =
-            value.into_iter().map(|(word, f)| Ok((word, room.page(f)?))).collect();
+            value.into_iter().map(|(word, f)| Ok((word, on_page(format, f, false)?))).collect();
         match placed {
             Ok(value) => return Ok(Warned { value, notes }),
             Err(size) => needs = size,
         }
     }
-    let name = if entry.name.is_empty() { USUAL.name } else { entry.name };
-    Err(too_small(name, needs, room).into())
+    Err(too_small(entry.name, needs, format).into())
 }
 
-/// Draws the steps of the construction, one page each. In a column of this width all pages have one
-/// size, so that slides do not jump.
+/// Draws the sheet at the largest size factor that fits, or at a smaller one that saves pages: the
+/// product of their number and of the root of the reduction is least.
+fn sheet_pages(w: &FigureInput, format: &PageFormat) -> Result<Warned<Pages>, Faults> {
+    let mut needs = [0.0_f64; 2];
+    let mut best: Option<(f64, Warned<Pages>)> = None;
+    let least = LEAST_OF_FEWER * format.type_pt.unwrap_or_default();
+    for part in PARTS {
+        if best.is_some() && part < least {
+            break;
+        }
+        let smaller = Smaller::of(w, part, &ByKind::default(), format)?;
+        match sheet_of(&smaller.wanted(w.extras), part, format) {
+            Ok(made) if format.height_mm.is_infinite() => {
+                return Ok(if part == 1.0 { None } else { grown(w, part, format)? }.unwrap_or(made));
+            }
+            Ok(made) if made.value.len() == 1 => return Ok(made),
+            Ok(made) => {
+                let cost = made.value.len() as f64 / part.sqrt();
+                if best.as_ref().is_none_or(|(least, _)| cost < *least) {
+                    best = Some((cost, made));
+                }
+            }
+            Err(size) => needs = size,
+        }
+    }
+    best.map(|(_, made)| made).ok_or_else(|| too_small(USUAL.name, needs, format).into())
+}
+
+/// Draws the steps of the construction, one page each. In a given format all pages have one size,
+/// so that slides do not jump.
 ///
 /// # Errors
-/// `paper-too-small` if the smallest legible pages are wider than the column.
-pub fn steps(w: &FigureInput, width_mm: Option<f64>) -> Result<Pages, Faults> {
+/// `paper-too-small` if the smallest legible pages are larger than the format.
+pub fn steps(w: &FigureInput, format: Option<&PageFormat>) -> Result<Pages, Faults> {
     let pages = |w: &FigureInput, within| -> Pages {
         let steps = StepFigures::of(w.scene, w.worked, w.options, within);
         steps.words().into_iter().zip(steps.figures()).collect()
     };
-    let Some(room) = width_mm.map(Room::Column) else { return Ok(pages(w, None)) };
-    first_that_fits("steps", w, room, |w, stacked| {
-        Ok(alike(pages(w, Some(Within { width_mm: room.inner()[0], stacked })), room))
+    let Some(format) = format else { return Ok(pages(w, None)) };
+    first_that_fits("steps", w, format, |w, stacked| {
+        let within = Within { width_mm: format.inner_mm()[0], stacked };
+        Ok(alike(pages(w, Some(within)), format))
     })
 }
 
@@ -181,13 +172,13 @@ pub struct Within {
 pub fn first_that_fits<T>(
     name: &str,
     w: &FigureInput,
-    room: Room,
+    format: &PageFormat,
     draw: impl Fn(&FigureInput, bool) -> Result<Result<T, [f64; 2]>, Faults>,
 ) -> Result<T, Faults> {
     let mut needs = [0.0_f64; 2];
     let beside = PARTS.into_iter().filter(|part| *part >= LEAST_TYPE).map(|part| (part, false));
     for (part, stacked) in beside.chain(PARTS.map(|part| (part, true))) {
-        match draw(&Smaller::of(w, part, &ByKind::default())?.wanted(w.extras), stacked)? {
+        match draw(&Smaller::of(w, part, &ByKind::default(), format)?.wanted(w.extras), stacked)? {
             Ok(made) => return Ok(made),
             Err(size) => needs = size,
         }
@@ -196,27 +187,27 @@ pub fn first_that_fits<T>(
         "give more room; scales that the scene fixes are kept",
         "请给更大的幅面；机构文件规定的比例尺保持不变"
     );
-    Err(too_small(name, needs, room).help(help).into())
+    Err(too_small(name, needs, format).help(help).into())
 }
 
 /// Places finished figures of one size in a given space, all shifted alike.
 ///
 /// # Errors
 /// `paper-too-small` if one of them is larger.
-pub fn placed_alike(figures: Pages, room: Room) -> Result<Pages, Faults> {
+pub fn placed_alike(figures: Pages, format: &PageFormat) -> Result<Pages, Faults> {
     let name = figures.first().map(|(word, _)| word.clone()).unwrap_or_default();
-    alike(figures, room).map_err(|size| too_small(&name, size, room).into())
+    alike(figures, format).map_err(|size| too_small(&name, size, format).into())
 }
 
 /// Works like [`placed_alike`], but returns the size (mm) of all ink together as its error.
-fn alike(mut figures: Pages, room: Room) -> Result<Pages, [f64; 2]> {
+fn alike(mut figures: Pages, format: &PageFormat) -> Result<Pages, [f64; 2]> {
     let ink = figures.iter().filter_map(|(_, f)| bounds(&f.items)).reduce(|a, b| a.union(b));
     let Some(ink) = ink else { return Ok(figures) };
-    let (size, inner) = ([ink.width_mm(), ink.height_mm()], room.inner());
+    let (size, inner) = ([ink.width_mm(), ink.height_mm()], format.inner_mm());
     if size[0] > inner[0] || size[1] > inner[1] {
         return Err(size);
     }
-    let [width, height] = room.sides(size);
+    let [width, height] = format.sides_mm(size[1]);
     let shift = Vec2::new(width / 2.0, height / 2.0) - Vec2::new(ink.centre().x, ink.centre().y);
     for (_, figure) in &mut figures {
         translate(&mut figure.items, shift);
@@ -226,28 +217,39 @@ fn alike(mut figures: Pages, room: Room) -> Result<Pages, [f64; 2]> {
 }
 
 /// The sheet at this size factor, if it fits.
-fn sheet_of(w: &FigureInput, part: f64, room: Room) -> Result<Warned<Pages>, [f64; 2]> {
-    let (figure, out) = sheet_in(w.scene, w.worked, w.options, room.inner()[0], fewer(part));
-    let figure = room.page(figure)?;
+fn sheet_of(w: &FigureInput, part: f64, format: &PageFormat) -> Result<Warned<Pages>, [f64; 2]> {
+    let (figures, out) =
+        sheet_in(w.scene, w.worked, w.options, format.inner_mm(), fewer(part, format))?;
+    let several = figures.len() > 1;
+    let paged = |(k, figure)| Ok((page_word(k, several), on_page(format, figure, several)?));
     Ok(Warned {
-        value: vec![(String::new(), figure)],
-        notes: left_out(&out, room).into_iter().collect(),
+        value: figures.into_iter().enumerate().map(paged).collect::<Result<_, [f64; 2]>>()?,
+        notes: left_out(&out, format).into_iter().collect(),
     })
 }
 
+/// The word of a page for its file: `a`, `b`, and numbers after `z`; empty for the only one.
+fn page_word(page: usize, several: bool) -> String {
+    match u8::try_from(page) {
+        _ if !several => String::new(),
+        Ok(k) if k < 26 => char::from(b'a' + k).to_string(),
+        _ => (page + 1).to_string(),
+    }
+}
+
 /// The sheet at this size factor in a column of free height, with each drawing as large as the
-/// column holds by itself. `None` if the space is not a column, nothing can be enlarged, or
-/// everything together becomes too wide.
-fn grown(w: &FigureInput, part: f64, room: Room) -> Result<Option<Warned<Pages>>, Faults> {
-    let Room::Column(_) = room else { return Ok(None) };
+/// column holds by itself. `None` if nothing can be enlarged, or everything together becomes too
+/// wide.
+fn grown(w: &FigureInput, part: f64, format: &PageFormat) -> Result<Option<Warned<Pages>>, Faults> {
     let mut parts = ByKind::default();
     for on in DiagramKind::OF_MOTION {
         // Upwards to the first factor that is too wide: the slow placing of crowded names is then
         // rare.
         for larger in PARTS.into_iter().rev().filter(|p| *p > part) {
-            let tried = Smaller::of(w, part, &ByKind::default().with(on.kind(), Some(larger)))?;
+            let others = ByKind::default().with(on.kind(), Some(larger));
+            let tried = Smaller::of(w, part, &others, format)?;
             let wanted = tried.wanted(w.extras);
-            let fits = |width_mm: f64| width_mm <= room.inner()[0];
+            let fits = |width_mm: f64| width_mm <= format.inner_mm()[0];
             // Drawings with lines that are too wide need no names.
             let lines_fit =
                 wanted.worked.construction.polygon(on).is_none_or(|p| fits(p.extent()[0] / p.mu));
@@ -257,7 +259,7 @@ fn grown(w: &FigureInput, part: f64, room: Room) -> Result<Option<Warned<Pages>>
                     || fits(forces::widest_mm(wanted.scene, wanted.worked, wanted.options))
             };
             if !lines_fit
-                || !drawn().is_none_or(|figure| fits(figure.width_mm - 2.0 * MARGIN_MM))
+                || !drawn().is_none_or(|figure| fits(figure.width_mm - 2.0 * SHEET_BORDER_MM))
                 || !links_fit()
             {
                 break;
@@ -268,18 +270,21 @@ fn grown(w: &FigureInput, part: f64, room: Room) -> Result<Option<Warned<Pages>>
     if parts == ByKind::default() {
         return Ok(None);
     }
-    let smaller = Smaller::of(w, part, &parts)?;
-    Ok(sheet_of(&smaller.wanted(w.extras), part, room).ok())
+    let smaller = Smaller::of(w, part, &parts, format)?;
+    Ok(sheet_of(&smaller.wanted(w.extras), part, format).ok())
 }
 
-/// The content that may be left out of a sheet at this size factor.
-fn fewer(part: f64) -> Fewer {
-    if part > LEAST_TYPE {
-        Fewer::No
-    } else if part > PARTS[PARTS.len() - 1] {
-        Fewer::Words
-    } else {
+/// The content that may be left out of a sheet at this size factor. Type of a fixed size does not
+/// become narrower with the drawings.
+fn fewer(part: f64, format: &PageFormat) -> Fewer {
+    if part == PARTS[PARTS.len() - 1] {
         Fewer::Drawings
+    } else if format.type_pt.is_some() && part > LEAST_FORCES {
+        Fewer::Broken
+    } else if part > LEAST_TYPE {
+        Fewer::No
+    } else {
+        Fewer::Words
     }
 }
 
@@ -287,28 +292,31 @@ fn fewer(part: f64) -> Fewer {
 ///
 /// # Errors
 /// `paper-too-small` for each that is larger.
-pub fn placed(figures: Pages, room: Room) -> Result<Pages, Faults> {
+pub fn placed(figures: Pages, format: &PageFormat) -> Result<Pages, Faults> {
     let (mut out, mut faults) = (Pages::new(), Faults::default());
     for (word, figure) in figures {
-        match room.page(figure) {
+        match on_page(format, figure, false) {
             Ok(figure) => out.push((word, figure)),
-            Err(size) => faults.push(too_small(&word, size, room)),
+            Err(size) => faults.push(too_small(&word, size, format)),
         }
     }
     if faults.has_errors() { Err(faults) } else { Ok(out) }
 }
 
-fn too_small(name: &str, needs: [f64; 2], room: Room) -> Diagnostic {
-    let [w, h] = needs.map(|mm| mm + 2.0 * room.border_mm());
-    let message = match room {
-        Room::Column(width) => both!(
-            "the figure `{name}` needs {w:.0} mm in the smallest type that can be read; the width is {width} mm",
-            "图 `{name}` 用可读的最小字号也需宽 {w:.0} mm，而给定宽度为 {width} mm"
-        ),
-        Room::Paper([x, y]) => both!(
+fn too_small(name: &str, needs: [f64; 2], format: &PageFormat) -> Diagnostic {
+    let [w, h] = needs.map(|mm| mm + 2.0 * format.border_mm);
+    let name = if name.is_empty() { USUAL.name } else { name };
+    let (x, y) = (format.width_mm, format.height_mm);
+    let message = if y.is_infinite() {
+        both!(
+            "the figure `{name}` needs {w:.0} mm in the smallest type that can be read; the width is {x} mm",
+            "图 `{name}` 用可读的最小字号也需宽 {w:.0} mm，而给定宽度为 {x} mm"
+        )
+    } else {
+        both!(
             "the figure `{name}` needs {w:.0} mm by {h:.0} mm in the smallest type that can be read; the paper has {x} by {y}",
             "图 `{name}` 用可读的最小字号也需 {w:.0} mm × {h:.0} mm，而图纸为 {x} × {y}"
-        ),
+        )
     };
     Diagnostic::error("paper-too-small", message).help(both!(
         "give more room, or ask for parts of it by --figure; scales that the scene fixes are kept",
@@ -316,11 +324,11 @@ fn too_small(name: &str, needs: [f64; 2], room: Room) -> Diagnostic {
     ))
 }
 
-fn left_out(what: &[Both], room: Room) -> Option<Diagnostic> {
+fn left_out(what: &[Both], format: &PageFormat) -> Option<Diagnostic> {
     let list =
         |of: fn(&Both) -> &str, comma: &str| what.iter().map(of).collect::<Vec<_>>().join(comma);
     let (en, zh) = (list(|b| &b.en, ", "), list(|b| &b.zh, "、"));
-    let [w, _] = room.inner();
+    let [w, _] = format.inner_mm();
     (!what.is_empty()).then(|| {
         Diagnostic::note(
             "left-out",
@@ -349,6 +357,7 @@ pub fn to_part(
         &FigureInput { scene, worked, options, extras: &extras },
         part,
         &ByKind::default(),
+        &PageFormat::paper([0.0; 2]),
     )
     .ok()?;
     Some((scene, worked?))
@@ -364,11 +373,18 @@ struct Smaller {
 
 impl Smaller {
     /// Reduces the ink to this factor, and all diagrams except those with a factor in `others`.
-    fn of(w: &FigureInput, part: f64, others: &ByKind) -> Result<Smaller, Faults> {
+    fn of(
+        w: &FigureInput,
+        part: f64,
+        others: &ByKind,
+        format: &PageFormat,
+    ) -> Result<Smaller, Faults> {
         let mut scene = w.scene.clone();
         // The size of the paper is checked here, so the sheet itself has no fixed size.
         scene.paper.size_mm = None;
-        let options = SheetOptions { style: w.options.style.reduced(part), ..w.options.clone() };
+        let style = &w.options.style;
+        let style = format.type_pt.map_or_else(|| style.reduced(part), |pt| style.typeset(pt));
+        let options = SheetOptions { style, ..w.options.clone() };
         if part < 1.0 {
             for on in DiagramKind::ALL {
                 let (kind, paper) = (on.kind(), &scene.paper);

@@ -10,6 +10,7 @@ use hodograph_scene::DiagramKind;
 use super::list::{FigureEntry, FigureInput, Pages};
 use super::mechanism;
 use super::sheet::SheetDrafter;
+use crate::scales::DrawingScales;
 use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::item::{Figure, FigureItem};
 use hodograph_paper::paper::label::Label;
@@ -75,7 +76,8 @@ fn part(w: &FigureInput, i: &Inversion, k: usize) -> DrawingPart {
         mechanism::numbered(&w.options.style, &i.scene, &i.worked, &w.options.notation).finish();
     let (_, mu) = maker.caption(DiagramKind::Plane);
     let caption = format!("({}) {}", k + 1, report::heading(i, w.options.lang));
-    let below = format!("\\text{{{}}},\\quad {mu}", report::words(i, w.options.lang));
+    let words = format!("\\text{{{}}}", report::words(i, w.options.lang));
+    let below = DrawingScales::words(words).and(mu);
     let mut part = maker.titled(drawing, Label::text(caption), &below, "inversion");
     part.items.iter_mut().for_each(|item| named(item, k));
     part

@@ -19,12 +19,13 @@ use hodograph_report::trains::{number, omega, table, turns};
 use hodograph_scene::{DiagramKind, Kind, LinkId, PointId};
 
 use super::sheet::SheetDrafter;
+use crate::scales::DrawingScales;
 use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::grid::{self, Cell, Row};
 use hodograph_paper::paper::item::{Anchor, Dash, Figure, FigureItem, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::symbols as sym;
-use hodograph_report::amount::{scale, scale_formula};
+use hodograph_report::amount::scale;
 
 /// Gap between the circles and the plan of velocities: space for the plan's arrows and a name.
 const APART_MM: f64 = 12.0;
@@ -248,15 +249,16 @@ impl KutzbachPlan<'_> {
         let mu_omega = self.rates(&mut d, low - BELOW_MM, mu_v / mu_l);
         let lang = maker.options.lang;
         let book = &maker.scene.book;
-        let mus = format!(
-            "{},\\quad {},\\quad \\mu_{{\\omega}} = {} {}",
-            scale_formula(book, DiagramKind::Plane, mu_l),
-            scale_formula(book, DiagramKind::Velocity, mu_v),
+        let of_rates = format!(
+            "\\mu_{{\\omega}} = {} {}",
             scale(book.value(Kind::Omega, mu_omega)),
             book.scale_label(Kind::Omega)
         );
+        let scales = DrawingScales::of(book, DiagramKind::Plane, mu_l)
+            .and(DrawingScales::of(book, DiagramKind::Velocity, mu_v))
+            .and(DrawingScales::words(of_rates));
         let words = tr(lang, "Kutzbach plan: linear and angular velocities", "线速度图与转速图");
-        Some(maker.titled(d.finish(), Label::text(words), &mus, "kutzbach"))
+        Some(maker.titled(d.finish(), Label::text(words), &scales, "kutzbach"))
     }
 
     /// All links of the train, each once: the gears, then the arm.

@@ -41,6 +41,7 @@ pub mod price;
 #[doc(hidden)]
 pub mod remarks;
 pub mod results;
+mod scales;
 #[doc(hidden)]
 pub mod series;
 pub mod sheet;

@@ -23,12 +23,12 @@ use super::hodograph::{Hodograph, hodograph, runs};
 use super::mechanism::{Overlay, PointTrack, overlaid};
 use super::plot::over;
 use super::sheet::{MARGIN_MM, SheetDrafter, SheetOptions, swept_symbol};
+use crate::scales::DrawingScales;
 use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::grid::{self, Cell, Row};
 use hodograph_paper::paper::item::{Anchor, Figure, FigureItem};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::shown::escaped;
-use hodograph_report::amount::scale_formula;
 use hodograph_report::amount::{number, symbol};
 use hodograph_sweep::follow::PoseFollower;
 
@@ -329,7 +329,7 @@ impl PathPage<'_> {
                 parts.push(self.maker.titled(
                     part,
                     Phrase::new(&words).label(),
-                    &scale_formula(&self.scene().book, on, mu),
+                    &DrawingScales::of(&self.scene().book, on, mu),
                     &id,
                 ));
             }

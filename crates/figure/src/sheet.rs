@@ -11,16 +11,15 @@ use hodograph_board::plan::names::name_label;
 use hodograph_board::plan::text::PlanWriter;
 use hodograph_paper::paper::phrase::Phrase;
 use hodograph_report::given::GivenSentences;
-use hodograph_scene::{DiagramKind, Kind, Lang, Scene, Swept};
+use hodograph_scene::{DiagramKind, Kind, Lang, SHEET_BORDER_MM, Scene, Swept};
 use hodograph_worked::worked::Worked;
 
-use hodograph_report::amount::scale_formula;
-
-use super::arrange::{SheetPieces, Tree, arrange, arrange_in, column, put_together};
+use super::arrange::{SheetPieces, Tree, arrange, arrange_in, arrange_on, column, put_together};
 use super::course::remembered;
 use super::described::described;
 use super::mechanism::{Overlay, SeriesFeatures, dimensions};
 use super::results::ResultsContent;
+use super::scales::DrawingScales;
 use super::tables::Tables;
 use super::{forces, mechanism, polygon, results};
 use hodograph_paper::paper::drawing::DrawingPart;
@@ -58,13 +57,16 @@ impl SheetOptions {
 }
 
 /// Border of a sheet: the strip that a printer cannot reach on most paper.
-pub(super) const MARGIN_MM: f64 = 8.0;
+pub(super) const MARGIN_MM: f64 = SHEET_BORDER_MM;
 /// Minimum width of the list of given values.
 const GIVEN_MM: f64 = 90.0;
 /// Distance from a drawing to its caption's baseline.
 const CAPTION_MM: f64 = 8.0;
 /// Distance from the caption's baseline to the scale's.
 const SCALE_MM: f64 = 5.6;
+
+/// Distance from the scale's baseline to the graphic scale.
+const BAR_MM: f64 = 2.2;
 
 /// Draws the whole sheet.
 ///
@@ -88,85 +90,40 @@ pub fn sheet(scene: &Scene, worked: &Worked, options: &SheetOptions) -> Result<F
 pub enum Fewer {
     /// Nothing.
     No,
-    /// Equations, results and forces.
+    /// Equations and results that are too wide even when they are broken into lines.
+    Broken,
+    /// Also forces.
     Words,
     /// Also polygons.
     Drawings,
 }
 
-/// Draws the whole sheet in a given width with free height; also returns the names of the content
-/// left out.
+/// Pages of a sheet, and the names of the content left out.
+pub type PagedSheet = (Vec<Figure>, Vec<Both>);
+
+/// Draws the whole sheet on pages of at most this width and height (mm), without a border. If the
+/// height is infinite, there is one page, which may be wider.
+///
+/// # Errors
+/// The size (mm) of a part that is larger than a page.
 pub fn sheet_in(
     scene: &Scene,
     worked: &Worked,
     options: &SheetOptions,
-    width_mm: f64,
+    [width_mm, height_mm]: [f64; 2],
     fewer: Fewer,
-) -> (Figure, Vec<Both>) {
+) -> Result<PagedSheet, [f64; 2]> {
     let certified = certify(scene, worked, options.digits);
     let maker = SheetDrafter { scene, worked, options, certified };
-    let mut out = Vec::new();
-    let fits = |part: &DrawingPart| part.bounds.width_mm() <= width_mm;
-    let title = maker
-        .title()
-        .and_then(|whole| if fits(&whole) { Some(whole) } else { maker.title_in(width_mm) });
-    let broken = fewer >= Fewer::Words;
-    let mut equations = maker.equations(&steps(scene, worked, None), broken.then_some(width_mm));
-    let mut results = results::results(&options.style, &maker.answers());
-    if broken {
-        let count = |e: &[(DrawingPart, Vec<DrawingPart>)]| {
-            e.iter().map(|(_, lines)| lines.len()).sum::<usize>()
-        };
-        let all = count(&equations);
-        equations.iter_mut().for_each(|(_, lines)| lines.retain(fits));
-        match (all - count(&equations), all) {
-            (0, _) => {}
-            (gone, all) if gone == all => out.push(both!("the equations", "方程")),
-            (gone, all) => {
-                out.push(both!("{gone} of {all} equations", "{all} 个方程中的 {gone} 个"))
-            }
-        }
-        let (part, whole) = results::results_in(&options.style, &maker.answers(), width_mm);
-        match (fits(&part), whole) {
-            (true, true) => results = part,
-            (true, false) => {
-                results = part;
-                out.push(both!("the lengths measured", "图上量得的长度"));
-            }
-            (false, _) => {
-                results = DrawingPart::of(Vec::new());
-                out.push(both!("the results", "结果"));
-            }
-        }
+    let (pieces, out) = maker.pieces_in(width_mm, fewer);
+    let pieces = pieces.held(&options.style);
+    let figure = |(items, size)| maker.figure(items, size);
+    if height_mm.is_infinite() {
+        return Ok((vec![figure(arrange_in(pieces, width_mm))], out));
     }
-    let mut drawings = maker.drawings(true);
-    if fewer == Fewer::Drawings {
-        let polygons =
-            DiagramKind::POLYGONS.into_iter().filter(|l| worked.construction.polygon(*l).is_some());
-        let levels: Vec<DiagramKind> =
-            std::iter::once(DiagramKind::Plane).chain(polygons).collect();
-        let gone = drawings
-            .iter()
-            .zip(&levels)
-            .filter(|(part, on)| **on != DiagramKind::Plane && !fits(part));
-        out.extend(gone.map(|(_, on)| match on {
-            DiagramKind::Plane => both!("the mechanism", "机构运动简图"),
-            DiagramKind::Velocity => both!("the velocity polygon", "速度多边形"),
-            DiagramKind::Acceleration => both!("the acceleration polygon", "加速度多边形"),
-            DiagramKind::Force => both!("the force polygons", "力多边形"),
-        }));
-        let mut on = levels.iter();
-        drawings.retain(|part| on.next() == Some(&DiagramKind::Plane) || fits(part));
-    }
-    let mut forces = forces::pieces(&maker, Some(width_mm));
-    let wide = |group: &[DrawingPart; 3]| !group.iter().all(fits);
-    if fewer > Fewer::No && forces.iter().any(wide) {
-        forces.clear();
-        out.push(both!("the forces", "受力分析"));
-    }
-    let pieces = SheetPieces { title, drawings, equations, results, forces };
-    let (items, size) = arrange_in(pieces.held(&options.style), width_mm);
-    (maker.figure(items, size), out)
+    let pages =
+        arrange_on(pieces, [width_mm, height_mm], |k, of| maker.page_title(width_mm, k, of))?;
+    Ok((pages.into_iter().map(figure).collect(), out))
 }
 
 /// Draws a diagram alone, with its caption and scale; `None` if the scene does not need it.
@@ -211,11 +168,11 @@ pub fn diagram(
     let maker =
         SheetDrafter { scene, worked, options, certified: certify(scene, worked, options.digits) };
     let part = mechanism::overlaid(&options.style, scene, worked, &maker.writer(), overlay);
-    let (words, mut mu) = maker.caption(DiagramKind::Plane);
+    let (words, mut scales) = maker.caption(DiagramKind::Plane);
     if let (Some(on), Some(of_vectors)) = (overlay.vectors, overlay.mu(scene, worked)) {
-        mu = format!("{mu},\\quad {}", scale_formula(&scene.book, on, of_vectors));
+        scales = scales.and(DrawingScales::of(&scene.book, on, of_vectors));
     }
-    let titled = maker.titled(part, Phrase::new(words).label(), &mu, "mechanism");
+    let titled = maker.titled(part, Phrase::new(words).label(), &scales, "mechanism");
     maker.alone(if overlay.dimensions { maker.with_givens(titled) } else { titled })
 }
 
@@ -332,18 +289,20 @@ impl SheetDrafter<'_> {
     }
 
     /// The name of a diagram, and its scale.
-    pub fn caption(&self, on: DiagramKind) -> (&str, String) {
+    pub fn caption(&self, on: DiagramKind) -> (&str, DrawingScales) {
         let paper = &self.worked.construction;
         let book = &self.scene.book;
         let mu = |on| paper.polygon(on).map_or(0.0, |p| p.mu);
-        let scale = match on {
-            DiagramKind::Plane => scale_formula(book, on, paper.diagram.mu),
-            _ if paper.is_empty(on) => format!("\\text{{{}}}", self.words().no_vectors),
+        let scales = match on {
+            DiagramKind::Plane => DrawingScales::of(book, on, paper.diagram.mu),
+            _ if paper.is_empty(on) => {
+                DrawingScales::words(format!("\\text{{{}}}", self.words().no_vectors))
+            }
             DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => {
-                scale_formula(book, on, mu(on))
+                DrawingScales::of(book, on, mu(on))
             }
         };
-        (self.name(Captioned::Drawing(on)), scale)
+        (self.name(Captioned::Drawing(on)), scales)
     }
 
     /// A part alone on its paper.
@@ -358,15 +317,21 @@ impl SheetDrafter<'_> {
     }
 
     pub fn captioned(&self, part: DrawingPart, letter: &str, on: DiagramKind) -> DrawingPart {
-        let (words, mu) = self.caption(on);
+        let (words, scales) = self.caption(on);
         let id = on.prefix();
-        self.titled(part, Phrase::new(&format!("{letter}{words}")).label(), &mu, id)
+        self.titled(part, Phrase::new(&format!("{letter}{words}")).label(), &scales, id)
     }
 
     /// A part with its name and its scales below; `id` distinguishes these labels from those of
     /// other parts.
-    pub fn titled(&self, part: DrawingPart, words: Label, mu: &str, id: &str) -> DrawingPart {
-        titled(&self.options.style, part, words, mu, id)
+    pub fn titled(
+        &self,
+        part: DrawingPart,
+        words: Label,
+        scales: &DrawingScales,
+        id: &str,
+    ) -> DrawingPart {
+        titled(&self.options.style, part, words, scales, id)
     }
 
     /// Adds, below a dimensioned drawing, all given values that are not drawn as dimensions.
@@ -418,15 +383,10 @@ impl SheetDrafter<'_> {
         })
     }
 
-    /// The title, broken to as many lines as needed.
-    fn title_in(&self, width_mm: f64) -> Option<DrawingPart> {
+    /// A title, broken to as many lines as needed.
+    fn title_in(&self, title: &str, width_mm: f64) -> DrawingPart {
         let size_mm = self.options.style.caption_mm * 4.0 / 3.0;
-        let lines = wrapped(
-            &Phrase::new(self.scene.title.get(self.options.lang)),
-            width_mm,
-            size_mm,
-            &self.options.style.fonts,
-        );
+        let lines = wrapped(&Phrase::new(title), width_mm, size_mm, &self.options.style.fonts);
         let item = |(k, label): (usize, Label)| {
             let shape = Shape::Label {
                 at: Point::new(0.0, -1.3 * size_mm * k as f64),
@@ -441,7 +401,84 @@ impl SheetDrafter<'_> {
                 format!("title-{}", k + 1)
             })
         };
-        Some(DrawingPart::of(lines.into_iter().enumerate().map(item).collect()))
+        DrawingPart::of(lines.into_iter().enumerate().map(item).collect())
+    }
+
+    /// The parts of a sheet of this width, and the names of the content left out.
+    fn pieces_in(&self, width_mm: f64, fewer: Fewer) -> (SheetPieces, Vec<Both>) {
+        let mut out = Vec::new();
+        let fits = |part: &DrawingPart| part.bounds.width_mm() <= width_mm;
+        let title = self.title().map(|whole| {
+            if fits(&whole) { whole } else { self.page_title(width_mm, 1, 1).unwrap_or(whole) }
+        });
+        let broken = fewer >= Fewer::Broken;
+        let steps = steps(self.scene, self.worked, None);
+        let mut equations = self.equations(&steps, broken.then_some(width_mm));
+        let mut results = results::results(&self.options.style, &self.answers());
+        if broken {
+            let count = |e: &[(DrawingPart, Vec<DrawingPart>)]| {
+                e.iter().map(|(_, lines)| lines.len()).sum::<usize>()
+            };
+            let all = count(&equations);
+            equations.iter_mut().for_each(|(_, lines)| lines.retain(fits));
+            match (all - count(&equations), all) {
+                (0, _) => {}
+                (gone, all) if gone == all => out.push(both!("the equations", "方程")),
+                (gone, all) => {
+                    out.push(both!("{gone} of {all} equations", "{all} 个方程中的 {gone} 个"))
+                }
+            }
+            let (part, whole) = results::results_in(&self.options.style, &self.answers(), width_mm);
+            match (fits(&part), whole) {
+                (true, true) => results = part,
+                (true, false) => {
+                    results = part;
+                    out.push(both!("the lengths measured", "图上量得的长度"));
+                }
+                (false, _) => {
+                    results = DrawingPart::of(Vec::new());
+                    out.push(both!("the results", "结果"));
+                }
+            }
+        }
+        let mut drawings = self.drawings(true);
+        if fewer == Fewer::Drawings {
+            let polygons = DiagramKind::POLYGONS
+                .into_iter()
+                .filter(|l| self.worked.construction.polygon(*l).is_some());
+            let levels: Vec<DiagramKind> =
+                std::iter::once(DiagramKind::Plane).chain(polygons).collect();
+            let gone = drawings
+                .iter()
+                .zip(&levels)
+                .filter(|(part, on)| **on != DiagramKind::Plane && !fits(part));
+            out.extend(gone.map(|(_, on)| match on {
+                DiagramKind::Plane => both!("the mechanism", "机构运动简图"),
+                DiagramKind::Velocity => both!("the velocity polygon", "速度多边形"),
+                DiagramKind::Acceleration => both!("the acceleration polygon", "加速度多边形"),
+                DiagramKind::Force => both!("the force polygons", "力多边形"),
+            }));
+            let mut on = levels.iter();
+            drawings.retain(|part| on.next() == Some(&DiagramKind::Plane) || fits(part));
+        }
+        let mut forces = forces::pieces(self, Some(width_mm));
+        let wide = |group: &[DrawingPart; 3]| !group.iter().all(fits);
+        if fewer >= Fewer::Words && forces.iter().any(wide) {
+            forces.clear();
+            out.push(both!("the forces", "受力分析"));
+        }
+        (SheetPieces { title, drawings, equations, results, forces }, out)
+    }
+
+    /// The title of a page of several.
+    fn page_title(&self, width_mm: f64, page: usize, pages: usize) -> Option<DrawingPart> {
+        let title = self.scene.title.get(self.options.lang);
+        let text = match self.options.lang {
+            _ if page == 1 => title.to_owned(),
+            Lang::En => format!("{title} ({page} of {pages})"),
+            Lang::Zh => format!("{title}（第 {page} 页，共 {pages} 页）"),
+        };
+        (!title.is_empty()).then(|| self.title_in(&text, width_mm))
     }
 
     fn heading(&self, on: DiagramKind) -> DrawingPart {
@@ -493,7 +530,7 @@ pub(super) fn titled(
     style: &Style,
     mut part: DrawingPart,
     words: Label,
-    mu: &str,
+    scales: &DrawingScales,
     id: &str,
 ) -> DrawingPart {
     let x = part.bounds.centre().x;
@@ -505,12 +542,10 @@ pub(super) fn titled(
         FigureItem::new(what, shape).with_id(format!("{what}-{id}"))
     };
     part.items.push(text(Point::new(x, y), words, style.caption_mm, "caption"));
-    part.items.push(text(
-        Point::new(x, y - style.leading(SCALE_MM)),
-        Label::math(mu),
-        style.small_mm,
-        "scale",
-    ));
+    let below = Point::new(x, y - style.leading(SCALE_MM));
+    part.items.push(text(below, Label::math(&scales.text), style.small_mm, "scale"));
+    let bars = Point::new(x, below.y - style.leading(BAR_MM));
+    part.items.extend(scales.bars(style, id, bars));
     let DrawingPart { items, bounds, placements, left_out } = part;
     let all = DrawingPart::of(items);
     DrawingPart { bounds: all.bounds.union(bounds), placements, left_out, ..all }

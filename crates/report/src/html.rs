@@ -4,7 +4,7 @@ use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::{Phrase, PhrasePiece};
 use hodograph_paper::render::escaped;
 
-use super::math::mathml;
+use hodograph_paper::render::math::mathml;
 
 /// Word joiner between a formula and its punctuation: browsers may otherwise break a line beside
 /// any formula (CSS Text, 5.1).

@@ -36,8 +36,6 @@ pub mod html;
 pub mod inversions;
 pub mod limits;
 pub mod loops;
-#[doc(hidden)]
-pub mod math;
 pub mod mobility;
 pub mod particle;
 pub mod plan;

@@ -3,7 +3,6 @@
 
 use super::amount::length_unit;
 use super::columns::columns;
-use super::math::Math;
 use hodograph_base::digits::legible;
 use hodograph_board::plan::names::point_label;
 use hodograph_methods::loops::{
@@ -12,6 +11,7 @@ use hodograph_methods::loops::{
 };
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::render::math::Math;
 use hodograph_scene::{Kind, Lang, Scene};
 use serde_json::{Value as Json, json};
 

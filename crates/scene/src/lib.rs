@@ -30,6 +30,7 @@ pub mod loads;
 mod mistake;
 pub mod model;
 mod names;
+mod page;
 mod parameters;
 pub mod quantity;
 mod raw;
@@ -56,6 +57,7 @@ pub use hodograph_base::diagram::DiagramKind;
 pub use hodograph_base::kind::{ByKind, Kind};
 pub use hodograph_base::lang::Lang;
 pub use model::*;
+pub use page::{PageFormat, SHEET_BORDER_MM, page, width};
 pub use quantity::{Asked, Axis};
 pub use rolling::{
     Contours, Flanks, Normal, Relation, Rolling, RollingId, RollingKind, Sizes, Touch,
@@ -83,24 +85,6 @@ pub fn pencil(text: &str) -> Result<f64, Faults> {
     let quantity =
         raw::RawQuantity { text: text.to_owned(), span: Span::new(0, text.len()), bare: true };
     let read = resolve::pencil(&quantity, text, &mut faults);
-    read.filter(|_| !faults.has_errors()).ok_or(faults)
-}
-
-/// Reads the width of a page, such as `80 mm`; returns mm.
-///
-/// # Errors
-/// Text that is not a length, or a length outside the limits for a side of the paper; places count
-/// in `text`.
-///
-/// ```
-/// assert_eq!(hodograph_scene::width("80 mm").unwrap(), 80.0);
-/// assert!(hodograph_scene::width("1 mm").is_err());
-/// ```
-pub fn width(text: &str) -> Result<f64, Faults> {
-    let mut faults = Faults::default();
-    let quantity =
-        raw::RawQuantity { text: text.to_owned(), span: Span::new(0, text.len()), bare: true };
-    let read = resolve::width(&quantity, text, &mut faults);
     read.filter(|_| !faults.has_errors()).ok_or(faults)
 }
 

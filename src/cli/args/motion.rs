@@ -34,11 +34,11 @@ pub struct PathArgs {
     pub moves: TravelArgs,
     #[command(flatten)]
     pub look: LookArgs,
-    /// The file, ending in .svg, .png or .pdf, or `-` for standard output (default: named after the
+    /// The file, ending in .svg, .png, .pdf or .tikz, or `-` for standard output (default: named after the
     /// scene)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
-    /// Formats where -o has no such ending, such as svg,pdf; each ending is added where there are
+    /// Formats where -o has no such ending, such as svg,pdf,tikz; each ending is added where there are
     /// several (default: svg)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
     pub format: Vec<FigureFormat>,

@@ -15,8 +15,8 @@ use crate::paper::label::Label;
 use crate::paper::lines::wrapped;
 use crate::paper::phrase::Phrase;
 use crate::paper::text;
+use crate::render::math::Math;
 use crate::render::pages::{Kind, Page, Part};
-use crate::report::math::Math;
 
 /// A formula beside its table begins here, so that the formulas of a page are aligned; and it keeps
 /// at least this distance from its table.

@@ -19,6 +19,7 @@ use rays::CentrePlate;
 use super::arrange::{AIM_MM, Tree};
 use super::list::{FigureEntry, FigureInput, Pages, page};
 use super::sheet::{MARGIN_MM, SheetDrafter};
+use crate::scales::DrawingScales;
 use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::item::Figure;
 use hodograph_paper::paper::label::Label;
@@ -95,8 +96,12 @@ fn parted(w: &FigureInput, found: &Centres, plates: Vec<CentrePlate>) -> Pages {
         ));
         first = last + 1;
     }
-    let circle =
-        maker.titled(circle::part(w, found), Label::text(words.circle_diagram), "", "circle");
+    let circle = maker.titled(
+        circle::part(w, found),
+        Label::text(words.circle_diagram),
+        &DrawingScales::default(),
+        "circle",
+    );
     pages.push((
         format!("{}-{}", ENTRY.name, plates.len() + 1),
         described(maker.alone(circle), w, found, words.circle_diagram),
@@ -128,7 +133,7 @@ fn figure(w: &FigureInput, found: &Centres) -> Figure {
     let second = maker.titled(
         circle::part(w, found),
         Label::text(format!("(b) {}", words.circle_diagram)),
-        "",
+        &DrawingScales::default(),
         "circle",
     );
     let mut parts = [first, second];

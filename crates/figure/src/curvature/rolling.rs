@@ -8,6 +8,7 @@
 use crate::centres::rays::{clipped, holds};
 use crate::list::FigureInput;
 use crate::mechanism;
+use crate::scales::DrawingScales;
 use crate::sheet::SheetDrafter;
 use hodograph_base::diag::Faults;
 use hodograph_base::geom::{Point, Vec2, cross_lines};
@@ -172,7 +173,7 @@ pub fn figure(w: &FigureInput, found: &LinkCurvatures, of: &OfLink) -> Result<Fi
     let caption = Label::text(format!("{} – ", maker.words().centrodes))
         .then(words.heading_set(of).label())
         .then(Label::text(format!("{open}{}{close}", maker.words().fixed_moving)));
-    let under = format!("{},\\quad {mu}", words.centrode_legend(of));
+    let under = DrawingScales::words(words.centrode_legend(of)).and(mu);
     let part = maker.titled(board.d.finish(), caption, &under, "centrodes");
     let mut figure = maker.alone(part);
     figure.desc = format!("{} – {}", maker.words().centrodes, words.heading(of));

@@ -7,6 +7,7 @@
 use super::diagram::DEGREE;
 use crate::arrange::{Tree, put_together};
 use crate::hodograph::{Hodograph, hodograph, runs};
+use crate::scales::DrawingScales;
 use crate::sheet::{MARGIN_MM, swept_symbol, titled};
 use hodograph_base::digits::{inked, shortest};
 use hodograph_base::geom::{Point, Vec2};
@@ -19,7 +20,7 @@ use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_paper::paper::shown::question_id;
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::words::words;
-use hodograph_report::amount::{scale_formula, symbol};
+use hodograph_report::amount::symbol;
 use hodograph_scene::{DiagramKind, Lang, Scene, Swept};
 use hodograph_sweep::{Table, points::bounded};
 
@@ -103,7 +104,7 @@ pub fn polar(
             style,
             hodograph(style, &h),
             caption,
-            &scale_formula(&scene.book, on, mu),
+            &DrawingScales::of(&scene.book, on, mu),
             &question_id(&find.text),
         ));
     }

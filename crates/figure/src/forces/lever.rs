@@ -3,6 +3,7 @@
 
 use super::ForcePage;
 use crate::arrange::{Tree, put_together};
+use crate::scales::DrawingScales;
 use crate::sheet::{SheetDrafter, SheetOptions};
 use hodograph_base::geom::Point;
 use hodograph_board::construct::source;
@@ -13,7 +14,6 @@ use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::symbols;
-use hodograph_report::amount::scale_formula;
 use hodograph_scene::{DiagramKind, PointId, Scene};
 use hodograph_worked::worked::Worked;
 
@@ -37,7 +37,7 @@ pub fn lever(scene: &Scene, worked: &Worked, options: &SheetOptions) -> Option<F
     let lever = zhukovsky(scene, worked)?;
     let maker = SheetDrafter { scene, worked, options, certified: Vec::new() };
     let page = ForcePage::of(&maker, of);
-    let scale = scale_formula(&scene.book, DiagramKind::Velocity, lever.mu);
+    let scale = DrawingScales::of(&scene.book, DiagramKind::Velocity, lever.mu);
     let caption = tr(
         options.lang,
         "Zhukovsky's lever: velocities turned clockwise by 90°",

@@ -12,6 +12,7 @@ mod polygon;
 pub use lever::{lever, zhukovsky};
 
 use crate::arrange::{Tree, put_together};
+use crate::scales::DrawingScales;
 use crate::sheet::{SheetDrafter, SheetOptions};
 use hodograph_board::equilibrium::{Act, Equilibrium, ForceEdge, ForceTerm, GroupForces};
 use hodograph_mechanism::force::Cause;
@@ -22,7 +23,6 @@ use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::lines::wrapped;
 use hodograph_paper::paper::phrase::Phrase;
 use hodograph_paper::paper::style::Style;
-use hodograph_report::amount::scale_formula;
 use hodograph_report::forces::{ForceColumn, ForceWriter};
 use hodograph_scene::{DiagramKind, LinkId, Scene};
 use hodograph_worked::certified::certify;
@@ -208,7 +208,7 @@ impl<'a> ForcePage<'a> {
     /// The separated links of a group, with their caption.
     fn links_apart(&self, group: &GroupForces) -> DrawingPart {
         let words = self.w.heading(group);
-        let scale = scale_formula(
+        let scale = DrawingScales::of(
             &self.maker.scene.book,
             DiagramKind::Plane,
             self.maker.worked.construction.diagram.mu,
@@ -218,7 +218,7 @@ impl<'a> ForcePage<'a> {
 
     /// The force polygon of a group, with its caption.
     fn force_polygon(&self, group: &GroupForces) -> DrawingPart {
-        let scale = scale_formula(&self.maker.scene.book, DiagramKind::Force, self.of.mu());
+        let scale = DrawingScales::of(&self.maker.scene.book, DiagramKind::Force, self.of.mu());
         let caption = DiagramKind::Force.caption(self.maker.options.lang);
         self.maker.titled(
             self.polygon(group).finish(),

@@ -12,10 +12,10 @@ use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::symbols as sym;
-use hodograph_report::amount::scale;
-use hodograph_scene::{Kind, Lang};
+use hodograph_scene::{DiagramKind, Kind, Lang};
 
 use super::DrawnGears;
+use crate::scales::DrawingScales;
 
 /// Space for the pair: a page with the table beside it, as large as a sheet.
 const ROOM_MM: [f64; 2] = [240.0, 240.0];
@@ -119,11 +119,7 @@ impl DrawnGears<'_> {
             self.rack(&mut d, k);
         }
         self.action(&mut d, reach, k);
-        let mu_words = format!(
-            "\\mu_l = {} {}",
-            scale(maker.scene.book.value(Kind::Length, mu)),
-            maker.scene.book.scale_label(Kind::Length)
-        );
+        let scales = DrawingScales::of(&maker.scene.book, DiagramKind::Plane, mu);
         let (lang, a, b) = (maker.options.lang, self.name(0), self.name(1));
         let names = match (pair.mate, lang) {
             (Mate::Gear, Lang::En) => format!("Gears {a} and {b}"),
@@ -137,7 +133,7 @@ impl DrawnGears<'_> {
             Lang::En => format!("{names}; {a} drives, clockwise"),
             Lang::Zh => format!("{names}（{a} 主动，顺时针）"),
         };
-        maker.titled(d.finish(), Label::text(words), &mu_words, "gears")
+        maker.titled(d.finish(), Label::text(words), &scales, "gears")
     }
 
     /// Draws an outline of teeth.

@@ -3,13 +3,13 @@
 
 use crate::arrange::{Tree, put_together};
 use crate::polygon::plates;
+use crate::scales::DrawingScales;
 use crate::sheet::SheetDrafter;
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_paper::paper::style::Captioned;
-use hodograph_report::amount::scale_formula;
 use hodograph_report::plan::group_set;
 use hodograph_scene::DiagramKind;
 use hodograph_worked::certified::{certify, steps};
@@ -46,7 +46,7 @@ fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
             ))
             .label();
             let words = group.into_iter().fold(words, Label::then);
-            let mu = scale_formula(&w.scene.book, on, plate.mu);
+            let mu = DrawingScales::of(&w.scene.book, on, plate.mu);
             let drawn = maker.titled(plate.part, words, &mu, on.prefix());
             let mut parts: Vec<DrawingPart> = vec![drawn];
             parts.extend(

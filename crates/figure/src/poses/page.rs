@@ -58,7 +58,7 @@ impl PoseTable<'_> {
         let (words, mu) = maker.caption(on);
         // The first pose may have no polygon.
         let mu = if on == DiagramKind::Plane {
-            mu
+            mu.text
         } else {
             scale_formula(&maker.scene.book, on, self.scales.mu.get(on.kind()).unwrap_or(1.0))
         };

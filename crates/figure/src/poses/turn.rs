@@ -113,7 +113,7 @@ fn frame(table: &PoseTable, columns: &[PoseColumn], k: usize, size: [f64; 2]) ->
         let (words, mu) = maker.caption(on);
         // A pose without a polygon has no scale of its own.
         let own = table.scales.mu.get(on.kind()).filter(|_| on > DiagramKind::Plane);
-        let mu = own.map_or(mu, |mu| scale_formula(&row.scene.book, on, mu));
+        let mu = own.map_or(mu.text, |mu| scale_formula(&row.scene.book, on, mu));
         let at = Point::new(middle.x, foot - CAPTION_MM);
         put(&format!("caption-{name}"), at, Label::text(words), style.caption_mm, Anchor::Middle);
         put(

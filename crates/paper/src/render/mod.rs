@@ -1,4 +1,5 @@
-//! Output of figures: numbers, SVG, PNG, PDF; animations as GIF and SVG.
+//! Output of figures: numbers, SVG, PNG, PDF, TikZ; animations as GIF and SVG;
+//! formulas as MathML, TeX and Typst.
 
 use hodograph_base::diag::{Both, Diagnostic};
 
@@ -7,6 +8,7 @@ pub mod diff;
 pub mod dxf;
 #[cfg(feature = "png")]
 pub mod gif;
+pub mod math;
 pub mod moving;
 pub mod number;
 pub mod pages;
@@ -15,6 +17,7 @@ pub mod pdf;
 #[cfg(feature = "png")]
 pub mod png;
 pub mod svg;
+pub mod tikz;
 
 /// Returns the error for a figure that cannot be written because one of its numbers is not finite.
 pub fn not_finite(message: Both) -> Diagnostic {

@@ -33,6 +33,7 @@ use super::values::Values;
 use hodograph_base::diag::{Both, Diagnostic, Faults, Span, both};
 use hodograph_base::json::Word;
 use hodograph_base::json::fields::suggest;
+pub(super) use paper::SHEETS;
 
 /// The common data of all sections.
 struct Context<'a> {

@@ -5,7 +5,7 @@ use crate::book::Book;
 use hodograph_base::kind::Kind;
 
 /// ISO 216 sheets in portrait format, in mm.
-const SHEETS: [(&str, [f64; 2]); 5] = [
+pub(crate) const SHEETS: [(&str, [f64; 2]); 5] = [
     ("A4", [210.0, 297.0]),
     ("A3", [297.0, 420.0]),
     ("A2", [420.0, 594.0]),
@@ -127,7 +127,7 @@ pub(super) fn width_mm(q: &RawQuantity, values: &Values, faults: &mut Faults) ->
     let given = values.positive_length(q, both!("the width", "宽度"), faults)?;
     let mm = given.value * 1000.0;
     if !(SIDES_MM[0]..=SIDES_MM[1]).contains(&mm) {
-        let message = both!("a width of {}", "宽度为 {}", given.text);
+        let message = both!("a side of {}", "边长为 {}", given.text);
         faults.push(Diagnostic::error("paper", message).at(q.span).help(both!(
             "give {} mm to {} mm, such as \"80 mm\" for a column of a book",
             "请取 {} mm 到 {} mm，如书的一栏 \"80 mm\"",

@@ -215,10 +215,9 @@ const LEAST_INK: f64 = 0.7;
 const USUAL_CAPTION_MM: f64 = 4.1;
 
 impl Style {
-    /// Returns a line distance that is given for the default caption size, reduced in proportion if
-    /// the type is smaller.
+    /// Returns a line distance in proportion to the type; `mm` is for the default caption size.
     pub fn leading(&self, mm: f64) -> f64 {
-        mm * (self.caption_mm / USUAL_CAPTION_MM).min(1.0)
+        mm * self.caption_mm / USUAL_CAPTION_MM
     }
 
     /// Returns the style for a drawing reduced to this fraction: type only as far as it stays
@@ -230,6 +229,13 @@ impl Style {
         }
         style.scale_ink(part.clamp(LEAST_INK, 1.0));
         style
+    }
+
+    /// Returns the style with labels of this size (points, 1/72 in); all other type and the symbols
+    /// in proportion, as in [`Style::reduced`] and [`Style::enlarged`].
+    pub fn typeset(&self, label_pt: f64) -> Style {
+        let part = label_pt * 25.4 / 72.0 / self.label_mm;
+        if part < 1.0 { self.reduced(part) } else { self.enlarged(part) }
     }
 
     /// Returns the style for a drawing whose type and symbols are larger by this factor: for a

@@ -83,35 +83,32 @@ pub fn dimension(style: &Style, from: Point, to: Point, offset_mm: f64) -> Vec<F
     ]
 }
 
-/// A graphic scale: a line of `length_mm` with a label at each end, which stays valid when the
-/// sheet is enlarged.
+/// A graphic scale: a line of `length_mm` to the right of `from`, with a label at each end. It
+/// stays true when the page is printed smaller or larger.
 pub fn scale_bar(
     style: &Style,
     from: Point,
     length_mm: f64,
-    zero: Label,
-    end: Label,
+    [zero, end]: [Label; 2],
 ) -> Vec<FigureItem> {
-    let tick = Vec2::new(0.0, 1.1);
     let to = from + Vec2::new(length_mm, 0.0);
+    let tick = Vec2::new(0.0, style.small_mm * 0.3);
     let line = |from: Point, to: Point| {
         FigureItem::new("scale", Shape::Line { from, to, stroke: style.outline })
     };
-    let text = |at: Point, label: Label| {
-        let shape = Shape::Label {
-            at: at + tick + Vec2::new(0.0, 0.9),
-            label,
-            size_mm: style.small_mm,
-            anchor: Anchor::Middle,
-            colour: Colour::BLACK,
-        };
+    // Digits are about 0.66 em high: the line meets the middle of them.
+    let beside = Vec2::new(style.small_mm * 0.3, 0.0);
+    let below = Vec2::new(0.0, style.small_mm * 0.33);
+    let text = |at: Point, label: Label, anchor: Anchor| {
+        let size_mm = style.small_mm;
+        let shape = Shape::Label { at: at - below, label, size_mm, anchor, colour: Colour::BLACK };
         FigureItem::new("scale label", shape)
     };
     vec![
         line(from, to),
         line(from - tick, from + tick),
         line(to - tick, to + tick),
-        text(from, zero),
-        text(to, end),
+        text(from - beside, zero, Anchor::End),
+        text(to + beside, end, Anchor::Start),
     ]
 }

@@ -4,9 +4,9 @@
 //! numbers, signs and scripts. The appearance is the same as on figures: letters of quantities
 //! italic, units and words upright.
 
-use hodograph_paper::paper::font::Slant;
-use hodograph_paper::paper::label::{Label, LabelNode, Role};
-use hodograph_paper::render::escaped;
+use super::escaped;
+use crate::paper::font::Slant;
+use crate::paper::label::{Label, LabelNode, Role};
 
 /// A part of a displayed formula.
 #[derive(Clone, Debug, PartialEq)]
@@ -209,6 +209,9 @@ impl Tongue for Mathml {
 
 struct Tex;
 
+/// Signs with a command that are also in the text fonts of LaTeX.
+const TEXT_SIGNS: [char; 5] = ['°', '·', '×', '±', 'µ'];
+
 /// Returns the command of a sign or a Greek letter in TeX, and its name in Typst.
 fn named(c: char) -> Option<(&'static str, &'static str)> {
     Some(match c {
@@ -283,10 +286,24 @@ impl Tongue for Tex {
     }
     fn words(&self, text: &str) -> String {
         // A closing bracket around the words is not part of them.
-        match text.strip_suffix(')').filter(|inner| !inner.contains('(')) {
-            Some(inner) => format!("\\text{{{}}})", tex_escaped(inner)),
-            None => format!("\\text{{{}}}", tex_escaped(text)),
+        let (inner, close) = match text.strip_suffix(')').filter(|inner| !inner.contains('(')) {
+            Some(inner) => (inner, ")"),
+            None => (text, ""),
+        };
+        // Signs that the text fonts of LaTeX lack are signs of the formula.
+        let mut pieces = vec![String::new()];
+        for c in inner.chars() {
+            match named(c).filter(|_| !TEXT_SIGNS.contains(&c)) {
+                Some((command, _)) => pieces.extend([command.to_owned(), String::new()]),
+                None => pieces.last_mut().expect("there is a piece").push(c),
+            }
         }
+        let words = |(k, piece): (usize, String)| match k % 2 {
+            0 if piece.is_empty() && k > 0 => String::new(),
+            0 => format!("\\text{{{}}}", tex_escaped(&piece)),
+            _ => piece,
+        };
+        self.join(pieces.into_iter().enumerate().map(words).collect()) + close
     }
     fn sign(&self, c: char, _: Role) -> String {
         named(c).map_or_else(|| tex_escaped(&c.to_string()), |(tex, _)| tex.to_owned())
