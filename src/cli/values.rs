@@ -66,6 +66,12 @@ pub enum BatchFormat {
     Parquet,
 }
 
+/// Learning platforms.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Platform {
+    Moodle,
+}
+
 /// Actions of `shards`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum ShardsAction {

@@ -2,8 +2,10 @@
 
 use super::draw::style_of;
 use super::together::Together;
+use super::values::Platform;
 use super::{CommandResult, Failure, SceneInput, args, files, look_of, places};
 use crate::diag::{Diagnostic, Warned, both};
+use crate::homework::platforms::{self, PlatformFile, PlatformSet};
 use crate::homework::{self, HomeworkRequest, keys, sheets};
 use crate::worksheet::WorksheetSides;
 use std::path::Path;
@@ -58,12 +60,27 @@ pub fn run(a: args::VariantsArgs) -> CommandResult {
         input.file.notes.extend(notes);
         add(name, &value)?;
     }
+    let platforms = places::once(&a.to);
+    if !platforms.is_empty() {
+        let set = platforms::questions(&all, &look).map_err(|f| input.failed(f))?;
+        for file in platforms.iter().flat_map(|p| exported(*p, &set)) {
+            add(&file.path, &file.bytes)?;
+        }
+    }
     add("answers.csv", keys::csv(&all).as_bytes())?;
     add("values.csv", keys::values_csv(&all).as_bytes())?;
     together.appear()?;
     files::print_names(&written)?;
     input.file.say_notes();
     Ok(ExitCode::SUCCESS)
+}
+
+/// Returns the files of a platform.
+fn exported(platform: Platform, set: &PlatformSet) -> Vec<PlatformFile> {
+    let one = |path: &str, bytes: Vec<u8>| vec![PlatformFile { path: path.to_owned(), bytes }];
+    match platform {
+        Platform::Moodle => one("moodle.xml", platforms::moodle(set).into_bytes()),
+    }
 }
 
 fn roster(path: &str) -> Result<Vec<String>, Failure> {

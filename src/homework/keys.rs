@@ -106,7 +106,8 @@ fn rounded(value: f64) -> f64 {
     rounded_to(value, DIGITS)
 }
 
-fn rounded_to(value: f64, digits: usize) -> f64 {
+/// Returns a value with a number of significant digits.
+pub(super) fn rounded_to(value: f64, digits: usize) -> f64 {
     significant(value, digits).parse().unwrap_or(value)
 }
 

@@ -11,12 +11,13 @@ use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::significant;
 use crate::scene::Lang;
 use crate::scene::book::BookUnit;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Marks in part.
-const HALF: f64 = 0.5;
+pub(super) const HALF: f64 = 0.5;
 const QUARTER: f64 = 0.25;
 /// An inaccurate drawing: up to this number of tolerances.
-const INACCURATE: f64 = 3.0;
+pub(super) const INACCURATE: f64 = 3.0;
 /// The rounding of a key and of an answer at the edge of the tolerance, as a part of it.
 const EDGE: f64 = 1e-6;
 /// Factors between units that are mixed up: prefixes; degrees and radians, revolutions and radians;
@@ -54,6 +55,9 @@ pub struct MarkFaults {
     pub keys: Faults,
 }
 
+/// The keys of each variant.
+type VariantKeys<'a> = BTreeMap<usize, Vec<&'a ReadKey>>;
+
 /// Marks the answers of a class.
 ///
 /// ```
@@ -77,22 +81,26 @@ pub fn mark(answers: &str, keys: &str) -> Result<MarkList, MarkFaults> {
             });
         }
     };
-    let given =
-        given(&rows, &keys).map_err(|answers| MarkFaults { answers, keys: Faults::default() })?;
-    let mut sheets: Vec<(&str, usize)> = Vec::new();
+    let mut by_variant: VariantKeys = BTreeMap::new();
+    for k in &keys {
+        by_variant.entry(k.variant).or_default().push(k);
+    }
+    let given = given(&rows, &by_variant)
+        .map_err(|answers| MarkFaults { answers, keys: Faults::default() })?;
+    let (mut sheets, mut seen) = (Vec::new(), BTreeSet::new());
+    let mut values: BTreeMap<(&str, usize, &str), Option<f64>> = BTreeMap::new();
     for g in &given {
-        if !sheets.contains(&(&g.student, g.variant)) {
-            sheets.push((&g.student, g.variant));
+        let sheet = (g.student.as_str(), g.variant);
+        if seen.insert(sheet) {
+            sheets.push(sheet);
         }
+        values.insert((sheet.0, sheet.1, &g.question), g.value);
     }
     let mut marks = Vec::new();
     for (student, variant) in sheets {
-        for k in keys.iter().filter(|k| k.variant == variant) {
-            let answer = given.iter().find(|g| {
-                (g.student.as_str(), g.variant, &g.question)
-                    == (student, variant, &k.entry.question)
-            });
-            let (mark, remark) = match answer.and_then(|a| a.value) {
+        for k in by_variant.get(&variant).into_iter().flatten() {
+            let answer = values.get(&(student, variant, k.entry.question.as_str()));
+            let (mark, remark) = match answer.copied().flatten() {
                 Some(value) => judged(value, &k.entry),
                 None => (0.0, both!("no answer", "未作答")),
             };
@@ -110,33 +118,20 @@ pub fn mark(answers: &str, keys: &str) -> Result<MarkList, MarkFaults> {
 }
 
 impl MarkList {
-    /// Returns the sum of each student's marks with the number of questions.
-    pub fn totals(&self) -> Vec<(&str, usize, f64, usize)> {
-        let mut all: Vec<(&str, usize, f64, usize)> = Vec::new();
-        for m in &self.marks {
-            match all.iter_mut().find(|t| (t.0, t.1) == (m.student.as_str(), m.variant)) {
-                Some(total) => {
-                    total.2 += m.mark;
-                    total.3 += 1;
-                }
-                None => all.push((&m.student, m.variant, m.mark, 1)),
-            }
-        }
-        all
-    }
-
     /// Writes the marks as a table, with a row `total` for each student.
     pub fn csv(&self, lang: Lang) -> String {
         let mut out = csv::line(&["student", "variant", "question", "mark", "remark"]);
-        for (student, variant, sum, count) in self.totals() {
-            let of = |m: &&MarkedAnswer| (m.student.as_str(), m.variant) == (student, variant);
-            for m in self.marks.iter().filter(of) {
-                let (number, mark) = (m.variant.to_string(), keys::number(m.mark));
-                out += &csv::line(&[student, &number, &m.question, &mark, lang.of(&m.remark)]);
+        let sheet = |m: &MarkedAnswer| (m.student.clone(), m.variant);
+        for marks in self.marks.chunk_by(|a, b| sheet(a) == sheet(b)) {
+            let mut row = |m: &MarkedAnswer, question: &str, mark: f64, remark: &Both| {
+                let (number, mark) = (m.variant.to_string(), keys::number(mark));
+                out += &csv::line(&[&m.student, &number, question, &mark, lang.of(remark)]);
+            };
+            marks.iter().for_each(|m| row(m, &m.question, m.mark, &m.remark));
+            let (sum, count) = (marks.iter().map(|m| m.mark).sum(), marks.len());
+            if let Some(first) = marks.first() {
+                row(first, "total", sum, &both!("of {count}", "满分 {count}"));
             }
-            let words = both!("of {count}", "满分 {count}");
-            let (number, sum) = (variant.to_string(), keys::number(sum));
-            out += &csv::line(&[student, &number, "total", &sum, lang.of(&words)]);
         }
         out
     }
@@ -223,7 +218,7 @@ fn fault(message: Both, cell: &TableCell) -> Diagnostic {
     Diagnostic::error("answers", message).at(cell.at)
 }
 
-fn given(rows: &[Vec<TableCell>], keys: &[ReadKey]) -> Result<Vec<GivenAnswer>, Faults> {
+fn given(rows: &[Vec<TableCell>], keys: &VariantKeys) -> Result<Vec<GivenAnswer>, Faults> {
     let mut faults = Faults::default();
     let head = rows.first().map(Vec::as_slice).unwrap_or_default();
     let column = |names: &[&str; 3]| {
@@ -247,7 +242,7 @@ fn given(rows: &[Vec<TableCell>], keys: &[ReadKey]) -> Result<Vec<GivenAnswer>, 
             ))
             .into());
     }
-    let mut all: Vec<GivenAnswer> = Vec::new();
+    let (mut all, mut seen): (Vec<GivenAnswer>, _) = (Vec::new(), BTreeSet::new());
     for row in rows.iter().skip(1) {
         let cells = places.map(|p| {
             p.and_then(|p| row.get(p)).cloned().unwrap_or_else(|| TableCell {
@@ -257,10 +252,7 @@ fn given(rows: &[Vec<TableCell>], keys: &[ReadKey]) -> Result<Vec<GivenAnswer>, 
         });
         match answer(&cells, keys) {
             Ok(a) => {
-                let again = |b: &GivenAnswer| {
-                    (&b.student, b.variant, &b.question) == (&a.student, a.variant, &a.question)
-                };
-                if all.iter().any(again) {
+                if !seen.insert((a.student.clone(), a.variant, a.question.clone())) {
                     let message =
                         both!("{} answers {} twice", "{} 对 {} 作答了两次", a.student, a.question);
                     faults.push(fault(message, &cells[2]));
@@ -273,14 +265,14 @@ fn given(rows: &[Vec<TableCell>], keys: &[ReadKey]) -> Result<Vec<GivenAnswer>, 
     if faults.has_errors() { Err(faults) } else { Ok(all) }
 }
 
-fn answer(cells: &[TableCell; 5], keys: &[ReadKey]) -> Result<GivenAnswer, Vec<Diagnostic>> {
+fn answer(cells: &[TableCell; 5], keys: &VariantKeys) -> Result<GivenAnswer, Vec<Diagnostic>> {
     let [student, variant, question, value, unit] = cells;
     let mut faults = Vec::new();
     if student.text.is_empty() {
         faults.push(fault(both!("the row has no student", "此行没有学生"), student));
     }
     let number = variant.text.parse::<usize>().ok();
-    let of_variant: Vec<&ReadKey> = keys.iter().filter(|k| Some(k.variant) == number).collect();
+    let of_variant = number.and_then(|n| keys.get(&n)).map(Vec::as_slice).unwrap_or_default();
     let owner = of_variant.iter().find_map(|k| k.student.as_ref());
     if of_variant.is_empty() {
         let message = both!("there is no variant `{}`", "没有题号 `{}`", variant.text);

@@ -17,6 +17,7 @@ mod csv;
 mod grid;
 pub mod keys;
 mod mark;
+pub mod platforms;
 pub mod sheets;
 
 use crate::diag::Both;

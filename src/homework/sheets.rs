@@ -21,12 +21,8 @@ pub fn document(
     look: &Look,
 ) -> Result<Document, Faults> {
     let mut document = variant.solved.worksheet(sides, WorksheetTask::Polygons, look)?;
-    let (lang, n) = (document.lang, variant.number);
-    let number = both!("Variant {n}", "第 {n} 题");
-    document.title = match lang {
-        Lang::En => format!("{} · {}", document.title, number.en),
-        Lang::Zh => format!("{} · {}", document.title, number.zh),
-    };
+    let lang = document.lang;
+    document.title = titled(&document.title, variant.number, lang);
     let name = variant.student.clone();
     let line = match sides {
         WorksheetSides::Solution => name.map(|name| both!("For {name}", "学生：{name}")),
@@ -46,6 +42,11 @@ pub fn document(
         document.blocks.insert(at, DocumentBlock::Paragraph(words));
     }
     Ok(document)
+}
+
+/// Returns the title of a variant.
+pub(super) fn titled(title: &str, n: usize, lang: Lang) -> String {
+    format!("{title} · {}", lang.of(&both!("Variant {n}", "第 {n} 题")))
 }
 
 /// Returns one PDF with a side of all variants, one after the other.

@@ -1,7 +1,7 @@
 //! Arguments of homework: variants of a problem, and the marking of answers.
 
 use super::{ClapArgs, CommonArgs, LookArgs};
-use crate::cli::values::digits;
+use crate::cli::values::{Platform, digits};
 
 #[derive(ClapArgs, Debug)]
 #[command(
@@ -23,6 +23,10 @@ pub struct VariantsArgs {
     /// Names of students as CSV, one in each line or in the column `name`: each gets a variant
     #[arg(long, value_name = "FILE")]
     pub roster: Option<String>,
+    /// Also the questions for learning platforms, such as moodle,qti3: numerical questions with the
+    /// pencil's tolerance, the picture, and feedback for typical mistakes
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
+    pub to: Vec<Platform>,
     /// Folder of the files
     #[arg(short, long, value_name = "FOLDER")]
     pub output: String,

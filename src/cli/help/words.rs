@@ -373,6 +373,11 @@ pub(super) const WORDS: &[(&str, &str, &str)] = &[
     ("variants", "count", "题数，最多 200（默认：--roster 的姓名各一题，否则 30）"),
     ("variants", "seed", "选题的种子：种子相同则文件相同"),
     ("variants", "roster", "学生姓名的 CSV 表，每行一个，或在 `name`（姓名）列中：每人一题"),
+    (
+        "variants",
+        "to",
+        "另写出学习平台的题目，如 moodle,qti3：数值题，附作图误差、机构图和典型错误的反馈",
+    ),
     ("variants", "output", "文件所在的文件夹"),
     ("variants", "digits", "解答的有效数字，1 到 30 位"),
     ("mark", "", "按 `variants` 的答案批改全班的作业：按作图误差给部分分，并指出可能的错误"),
