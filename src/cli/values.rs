@@ -70,6 +70,10 @@ pub enum BatchFormat {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Platform {
     Moodle,
+    Qti3,
+    Qti2,
+    Canvas,
+    Prairielearn,
 }
 
 /// Actions of `shards`.

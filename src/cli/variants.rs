@@ -5,7 +5,7 @@ use super::together::Together;
 use super::values::Platform;
 use super::{CommandResult, Failure, SceneInput, args, files, look_of, places};
 use crate::diag::{Diagnostic, Warned, both};
-use crate::homework::platforms::{self, PlatformFile, PlatformSet};
+use crate::homework::platforms::{self, PlatformFile, PlatformSet, QtiVersion};
 use crate::homework::{self, HomeworkRequest, keys, sheets};
 use crate::worksheet::WorksheetSides;
 use std::path::Path;
@@ -80,6 +80,10 @@ fn exported(platform: Platform, set: &PlatformSet) -> Vec<PlatformFile> {
     let one = |path: &str, bytes: Vec<u8>| vec![PlatformFile { path: path.to_owned(), bytes }];
     match platform {
         Platform::Moodle => one("moodle.xml", platforms::moodle(set).into_bytes()),
+        Platform::Qti3 => one("qti3.zip", platforms::qti(set, QtiVersion::Three)),
+        Platform::Qti2 => one("qti2.zip", platforms::qti(set, QtiVersion::Two)),
+        Platform::Canvas => one("canvas.zip", platforms::canvas(set)),
+        Platform::Prairielearn => platforms::prairielearn(set),
     }
 }
 

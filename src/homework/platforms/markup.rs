@@ -32,7 +32,8 @@ fn row(nodes: &[LabelNode], out: &mut String) {
                 *out += &format!("</{tag}>");
             }
         }
-        *out += if spaced || node.space_em > 0.0 { " " } else { "" };
+        let after = spaced || node.space_em > 0.0 || node.role == Role::Punctuation;
+        *out += if after { " " } else { "" };
     }
 }
 

@@ -5,8 +5,12 @@
 //! alike ([`Judgement`]): the right answer; half of the credit for the wrong sense and for an
 //! inaccurate drawing; none for the value of a typical mistake, which the feedback names.
 
+mod canvas;
 mod markup;
 mod moodle;
+mod prairielearn;
+mod qti;
+mod zip;
 
 use super::mark::{HALF, INACCURATE};
 use super::{HomeworkVariant, KeyEntry, keys, sheets};
@@ -19,7 +23,10 @@ use crate::report::amount::symbol;
 use crate::scene::Lang;
 use crate::worksheet::{DocumentBlock, WorksheetSides};
 
+pub use canvas::canvas;
 pub use moodle::moodle;
+pub use prairielearn::prairielearn;
+pub use qti::{QtiVersion, qti};
 
 /// Resolution of pictures (dots per inch): sharp on a screen, small in a file.
 const DPI: f64 = 144.0;
@@ -199,9 +206,9 @@ fn question(
 }
 
 fn judgements(key: &KeyEntry, lang: Lang) -> Vec<Judgement> {
-    let own = |value, within, credit, words: &crate::diag::Both| Judgement {
+    let own = |value, within: f64, credit, words: &crate::diag::Both| Judgement {
         value,
-        within,
+        within: keys::rounded_to(within, 6),
         credit,
         feedback: lang.of(words).to_owned(),
     };
