@@ -18,8 +18,8 @@ const USUAL: usize = 30;
 pub fn run(a: args::VariantsArgs) -> CommandResult {
     let style = style_of(&a.look)?;
     let mut input = SceneInput::read(&a.common)?.drawn_in(&style);
-    let one = both!("name a folder: -o set/", "请指定文件夹：-o set/");
-    places::one_result(&a.output, 4, one)?;
+    let folder = both!("name a folder: -o set/", "请指定文件夹：-o set/");
+    places::one_result(&a.output, 4, folder)?;
     let students = match &a.roster {
         Some(path) => roster(path)?,
         None => Vec::new(),
@@ -45,39 +45,41 @@ pub fn run(a: args::VariantsArgs) -> CommandResult {
         .map_err(|fault| input.out_of_range(fault))?;
     input.file.notes.extend(notes);
     let look = look_of(&a.common, style, a.digits);
-    let (mut together, mut written) = (Together::default(), String::new());
-    let mut add = |name: &str, bytes: &[u8]| -> Result<(), Failure> {
-        let path = Path::new(&a.output).join(name);
-        together.add(&path, bytes)?;
-        written += &format!("{}\n", path.display());
-        Ok(())
-    };
-    for (name, sides) in
+    // All bytes are made before the first file is begun: until then a signal ends the run at once.
+    let mut made = Vec::new();
+    for (path, sides) in
         [("problems.pdf", WorksheetSides::Problem), ("solutions.pdf", WorksheetSides::Solution)]
     {
         let Warned { value, notes } =
             sheets::pdf(&all, sides, &look).map_err(|f| input.failed(f))?;
         input.file.notes.extend(notes);
-        add(name, &value)?;
+        made.extend(one(path, value));
     }
     let platforms = places::once(&a.to);
     if !platforms.is_empty() {
         let set = platforms::questions(&all, &look).map_err(|f| input.failed(f))?;
-        for file in platforms.iter().flat_map(|p| exported(*p, &set)) {
-            add(&file.path, &file.bytes)?;
-        }
+        made.extend(platforms.iter().flat_map(|p| exported(*p, &set)));
     }
-    add("answers.csv", keys::csv(&all).as_bytes())?;
-    add("values.csv", keys::values_csv(&all).as_bytes())?;
+    made.extend(one("answers.csv", keys::csv(&all).into_bytes()));
+    made.extend(one("values.csv", keys::values_csv(&all).into_bytes()));
+    let (mut together, mut written) = (Together::default(), String::new());
+    for PlatformFile { path, bytes } in made {
+        let path = Path::new(&a.output).join(path);
+        together.add(&path, &bytes)?;
+        written += &format!("{}\n", path.display());
+    }
     together.appear()?;
     files::print_names(&written)?;
     input.file.say_notes();
     Ok(ExitCode::SUCCESS)
 }
 
+fn one(path: &str, bytes: Vec<u8>) -> Vec<PlatformFile> {
+    vec![PlatformFile { path: path.to_owned(), bytes }]
+}
+
 /// Returns the files of a platform.
 fn exported(platform: Platform, set: &PlatformSet) -> Vec<PlatformFile> {
-    let one = |path: &str, bytes: Vec<u8>| vec![PlatformFile { path: path.to_owned(), bytes }];
     match platform {
         Platform::Moodle => one("moodle.xml", platforms::moodle(set).into_bytes()),
         Platform::Qti3 => one("qti3.zip", platforms::qti(set, QtiVersion::Three)),
