@@ -58,7 +58,9 @@ pub fn run(a: args::VariantsArgs) -> CommandResult {
     let platforms = places::once(&a.to);
     if !platforms.is_empty() {
         let set = platforms::questions(&all, &look).map_err(|f| input.failed(f))?;
-        made.extend(platforms.iter().flat_map(|p| exported(*p, &set)));
+        for platform in platforms {
+            made.extend(exported(platform, &set)?);
+        }
     }
     made.extend(one("answers.csv", keys::csv(&all).into_bytes()));
     made.extend(one("values.csv", keys::values_csv(&all).into_bytes()));
@@ -79,14 +81,18 @@ fn one(path: &str, bytes: Vec<u8>) -> Vec<PlatformFile> {
 }
 
 /// Returns the files of a platform.
-fn exported(platform: Platform, set: &PlatformSet) -> Vec<PlatformFile> {
-    match platform {
-        Platform::Moodle => one("moodle.xml", platforms::moodle(set).into_bytes()),
+fn exported(platform: Platform, set: &PlatformSet) -> Result<Vec<PlatformFile>, Failure> {
+    Ok(match platform {
+        Platform::Moodle => {
+            let text =
+                platforms::moodle(set).map_err(|d| Failure::argument("--to", "moodle", d))?;
+            one("moodle.xml", text.into_bytes())
+        }
         Platform::Qti3 => one("qti3.zip", platforms::qti(set, QtiVersion::Three)),
         Platform::Qti2 => one("qti2.zip", platforms::qti(set, QtiVersion::Two)),
         Platform::Canvas => one("canvas.zip", platforms::canvas(set)),
         Platform::Prairielearn => platforms::prairielearn(set),
-    }
+    })
 }
 
 fn roster(path: &str) -> Result<Vec<String>, Failure> {

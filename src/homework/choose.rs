@@ -68,10 +68,12 @@ pub fn variants(
         return Err(RangeFault::Scene(Diagnostic::error("not-a-scene", message).into()));
     };
     let grids = grids(scene, request.vary)?;
+    let stated = !grids.is_empty() && states_quantities(scene);
+    let zeros = zeros(worked);
+    drop(base);
     let count = request.count.clamp(1, MOST_VARIANTS);
     let total = grids.iter().fold(1_u64, |all, g| all.saturating_mul(g.count));
     let tries = total.min(TRIES_EACH * count as u64 + TRIES_MORE);
-    let zeros = zeros(worked);
     let (mut out, mut refused) = (Vec::<HomeworkVariant>::new(), RefusalCount::default());
     let mut order = ShuffledOrder::new(total, request.seed);
     while out.len() < count && refused.tried < tries {
@@ -92,7 +94,6 @@ pub fn variants(
     if out.len() < count {
         return Err(RangeFault::Scene(too_few(out.len(), count, &refused, total).into()));
     }
-    let stated = !grids.is_empty() && states_quantities(scene);
     let notes = stated.then(statement_left_out).into_iter().collect();
     Ok(Warned { value: out, notes })
 }

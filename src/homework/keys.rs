@@ -6,7 +6,7 @@
 use super::csv::{self, TableCell};
 use super::{ErrorPlace, HomeworkVariant, KeyEntry, TypicalError};
 use crate::answer::AnswerValue;
-use crate::attempts;
+use crate::attempts::{self, AttemptAnswer, Site};
 use crate::diag::{Diagnostic, Faults, both};
 use crate::digits::significant;
 use crate::scene::book::BookUnit;
@@ -23,12 +23,17 @@ const TOLERANCE_DIGITS: usize = 2;
 /// digits.
 const UNDRAWN: f64 = 0.01;
 
+/// Largest number of typical mistakes that are tried: a chain of a hundred links has hundreds.
+const MOST_MISTAKES: usize = 40;
+
 /// Returns the key of a solved scene.
 pub fn key(scene: &Scene, worked: &Worked) -> Vec<KeyEntry> {
     let by_hand = worked.by_hand(scene);
-    // The scene's own attempts may be impossible in the pose of a variant; all sites are tried.
-    let bare = Scene { attempts: Vec::new(), ..scene.clone() };
-    let wrong = attempts::wanted(&bare, worked, true).unwrap_or_default();
+    // Each wrong solution is a whole drawing: only its answers are kept.
+    let sites = attempts::sites(scene, worked).into_iter().take(MOST_MISTAKES);
+    let wrong: Vec<(Site, Vec<AttemptAnswer>)> = sites
+        .filter_map(|site| Some((site, attempts::solved(scene, worked, site, None)?.rows)))
+        .collect();
     let mut all = Vec::new();
     for (k, r) in worked.results.iter().enumerate() {
         let find = &scene.find[r.find];
@@ -41,19 +46,19 @@ pub fn key(scene: &Scene, worked: &Worked) -> Vec<KeyEntry> {
             let size = if value == 0.0 { r.scale * per_si } else { value.abs() };
             let tolerance = rounded_to(drawn.unwrap_or(UNDRAWN * size), TOLERANCE_DIGITS);
             let mut mistakes: Vec<TypicalError> = Vec::new();
-            for a in &wrong {
-                let row = a.rows.iter().find(|row| row.result == k).and_then(|row| row.wrong);
+            for (site, rows) in &wrong {
+                let row = rows.iter().find(|row| row.result == k).and_then(|row| row.wrong);
                 let Some((_, si)) = row.and_then(|w| parts(w).get(n).copied()) else { continue };
                 let other = rounded(si * per_si);
                 let known = |m: &TypicalError| (m.value - other).abs() <= tolerance;
                 if (other - value).abs() > tolerance && !mistakes.iter().any(known) {
-                    let place = match (a.site.point(scene), a.site.link(scene)) {
+                    let place = match (site.point(scene), site.link(scene)) {
                         (Some(point), _) => ErrorPlace::Point(point),
                         (None, link) => {
                             ErrorPlace::Link(link.map_or("", |l| scene.link_name(l)).to_owned())
                         }
                     };
-                    mistakes.push(TypicalError { mistake: a.site.mistake(), place, value: other });
+                    mistakes.push(TypicalError { mistake: site.mistake(), place, value: other });
                 }
             }
             let question = format!("{}{suffix}", find.text);

@@ -31,6 +31,9 @@ pub use qti::{QtiVersion, qti};
 /// Resolution of pictures (dots per inch): sharp on a screen, small in a file.
 const DPI: f64 = 144.0;
 
+/// Largest size of the problems (bytes), each repeated in all its questions.
+const MOST_TEXT: usize = 16 << 20;
+
 /// A file of an export.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlatformFile {
@@ -106,8 +109,9 @@ pub struct PlatformSet {
 /// Makes the questions of a set.
 ///
 /// # Errors
-/// Those of the drawings.
+/// `too-many` for texts that no platform takes; those of the drawings.
 pub fn questions(all: &[HomeworkVariant], look: &Look) -> Result<PlatformSet, Faults> {
+    let mut size = 0;
     let mut set = PlatformSet { title: String::new(), lang: Lang::En, tasks: Vec::new() };
     for variant in all {
         let document = variant.solved.worksheet(
@@ -129,6 +133,10 @@ pub fn questions(all: &[HomeworkVariant], look: &Look) -> Result<PlatformSet, Fa
                 DocumentBlock::Table(_) | DocumentBlock::Formula(_) => {}
             }
         }
+        size += problem.len() * variant.key.len();
+        if size > MOST_TEXT {
+            return Err(too_long().into());
+        }
         let Some(figure) = figure else {
             let message = both!("the problem has no picture", "题目没有图");
             return Err(Diagnostic::error("no-figure", message).into());
@@ -146,6 +154,18 @@ pub fn questions(all: &[HomeworkVariant], look: &Look) -> Result<PlatformSet, Fa
         });
     }
     Ok(set)
+}
+
+fn too_long() -> Diagnostic {
+    let most = MOST_TEXT >> 20;
+    let message = both!(
+        "the problem, repeated in each question, takes more than {most} MiB",
+        "题目在每个问题中重复，共超过 {most} MiB"
+    );
+    Diagnostic::error("too-many", message).help(both!(
+        "ask for fewer variants, or for less in \"find\"",
+        "请减少题数，或在 \"find\" 中少求一些量"
+    ))
 }
 
 fn question(
