@@ -106,6 +106,8 @@
 //! - [`worksheet`]: problem and solution as a document, and its writers: HTML with MathML,
 //!   Markdown, Typst, pages for PDF.
 //! - [`webfont`]: the embedded fonts of every page.
+//! - [`homework`]: variants of a problem for a class, their keys, marks, and questions for learning
+//!   platforms.
 //! - [`problem`]: every kind of file through one call: read, solve, and write the answers; a figure
 //!   that is drawn again while drivers are dragged ([`problem::Live`]).
 //! - [`cli`]: the only module that prints, reads arguments or touches files.
@@ -191,7 +193,8 @@
 //! worksheet  diag notation digits geom scene mechanism answer plan construct paper render worked certified centres attempts loops synthesis particle report figure webfont
 //! lesson     diag budget notation digits geom scene mechanism position plan construct construction equilibrium sweep paper render worked certified centres synthesis particle report figure webfont
 //! problem    diag json kind notation geom scene mechanism position answer plan construct sweep paper render worked certified attempts synthesis particle report figure worksheet lesson
-//! cli        diag json notation digits geom cam scene mechanism plan sweep paper render worked certified effort centres composite attempts curvature inversions loops report figure worksheet lesson problem
+//! homework   diag digits scene answer sweep paper render worked attempts report worksheet problem
+//! cli        diag json notation digits geom cam scene mechanism plan sweep paper render worked certified effort centres composite attempts curvature inversions loops report figure worksheet lesson problem homework
 //! ```
 //!
 //! # Extension
@@ -267,6 +270,8 @@ pub use hodograph_worked::{accuracy, certified, effort, worked};
 
 #[cfg(feature = "cli")]
 mod cli;
+#[cfg(feature = "cli")]
+pub mod homework;
 pub mod lesson;
 pub mod problem;
 mod webfont;

@@ -2,6 +2,7 @@
 
 mod batch;
 mod diff;
+mod homework;
 mod motion;
 mod paths;
 mod reports;
@@ -14,6 +15,7 @@ use crate::figure::list::{FigureEntry, USUAL};
 pub use batch::{BatchArgs, ShardsArgs, VariedArgs};
 use clap::{Args as ClapArgs, Parser, Subcommand};
 pub use diff::DiffArgs;
+pub use homework::{MarkArgs, VariantsArgs};
 pub use motion::{AnimateArgs, PathArgs, TravelArgs};
 pub use paths::{CurvatureArgs, InversionsArgs};
 pub use reports::{AttemptsArgs, CentresArgs, CompositeArgs, LimitsArgs, LoopsArgs, ReadingsArgs};
@@ -56,6 +58,12 @@ pub enum Command {
     /// Write a worksheet: the problem as it is set, and its solution step by step (PDF, HTML,
     /// Markdown, Typst)
     Worksheet(WorksheetArgs),
+    /// Homework: the problem with other round numbers for each student, all sheets and all
+    /// solutions as one PDF each, and the answers as CSV
+    Variants(VariantsArgs),
+    /// Mark the answers of a class by the keys of `variants`: partial credit by the pencil's
+    /// tolerance, and the likely mistake
+    Mark(MarkArgs),
     /// Measure what accuracy costs: every way to this scene's answers with its error and its time,
     /// as a table and a figure
     Accuracy(AccuracyArgs),

@@ -60,6 +60,16 @@ fn from_stdin() -> Result<Vec<u8>, Diagnostic> {
     }
 }
 
+/// Reads a table of answers, of keys or of names; from standard input for `-`. Returns the name to
+/// show.
+pub fn table(path: &str) -> Result<(String, Vec<u8>), Diagnostic> {
+    if path == "-" {
+        return Ok((STDIN.to_owned(), from_stdin()?));
+    }
+    let help = both!("name a table in CSV", "请指定 CSV 表格");
+    Ok((path.to_owned(), bounded(Path::new(path), LARGEST, help)?))
+}
+
 /// Reads a style file.
 pub fn style(path: &str) -> Result<Vec<u8>, Diagnostic> {
     bounded(

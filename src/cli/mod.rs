@@ -29,6 +29,7 @@ mod lang;
 mod lesson;
 mod long;
 mod loops;
+mod mark;
 mod mobility;
 mod part;
 mod path;
@@ -45,6 +46,7 @@ mod target;
 mod template;
 mod together;
 mod values;
+mod variants;
 mod worksheet;
 
 use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
@@ -94,6 +96,8 @@ fn run() -> ExitCode {
         Command::Solve(a) => solve(a),
         Command::Plan(a) => plan::run(a),
         Command::Worksheet(a) => worksheet::run(a),
+        Command::Variants(a) => variants::run(a),
+        Command::Mark(a) => mark::run(&a),
         Command::Accuracy(a) => accuracy(a),
         Command::Sweep(a) => sweep::sweep(a),
         Command::Batch(a) => batch::batch(a),

@@ -68,6 +68,16 @@ pub enum BatchFormat {
     Parquet,
 }
 
+/// Learning platforms.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Platform {
+    Moodle,
+    Qti3,
+    Qti2,
+    Canvas,
+    Prairielearn,
+}
+
 /// Actions of `shards`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum ShardsAction {

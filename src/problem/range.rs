@@ -47,7 +47,7 @@ pub enum RangeFault {
 }
 
 impl WrongValue {
-    pub(super) fn new(of: &'static str, text: &str, faults: impl Into<Faults>) -> WrongValue {
+    pub(crate) fn new(of: &'static str, text: &str, faults: impl Into<Faults>) -> WrongValue {
         let whole = (!text.is_empty()).then(|| Span::new(0, text.len()));
         let mut faults = faults.into();
         for d in &mut faults.list {

@@ -6,7 +6,7 @@ use serde_json::Value as Json;
 use std::fs;
 
 /// Commands on `s.json`, with few steps: many inputs find more than long ones.
-const COMMANDS: [&str; 21] = [
+const COMMANDS: [&str; 22] = [
     "solve s.json --steps",
     "curves s.json --steps 24 -o c.svg",
     "draw s.json --format svg -o out/",
@@ -17,6 +17,7 @@ const COMMANDS: [&str; 21] = [
     "animate s.json --frames 3 -o a.svg",
     "lesson s.json --positions 8 -o l.html",
     "worksheet s.json -o w.md",
+    "variants s.json --to moodle,qti2,canvas,prairielearn -o set",
     "mobility s.json",
     "centres s.json",
     "composite s.json",

@@ -197,7 +197,7 @@ const WORDS: &str = "draw lesson solve plan worksheet accuracy sweep batch curve
     --figure mechanism,velocity sheet results --vectors velocity acceleration --poses 0 2 73 -1 --path E,B Q --dimensions --text editable --steps 3 \
     360 --style print slides dark --font --digits 6 30 31 --drafting 0.1mm --drafting=0.1mm 9mm --dpi 40 1e9 --reveal --positions 8 --driver 1 9 --json \
     --toward-toggle --patience 1 --over phi_1 l_BC driver driver2 --from 0 90deg --to 1e300 1rad nan --find v_C,a_C v_Q omega_3/2 --point E --marks 2 \
-    --vary l_BC=200..300:3 l_BC=200...300:3 l_BC=..:3 x=1..2 --random 4 --seed 2 crank-rocker shaper --set l_AB=80 l_AB= l_AB=1e400 l_AB=(((( \
+    --vary l_BC=200..300:3 l_AB=80..90/5 l_AB=80..90/0 --roster --count 2 --keys keys.csv marks.csv --to moodle,qti3 canvas l_BC=200...300:3 l_BC=..:3 x=1..2 --random 4 --seed 2 crank-rocker shaper --set l_AB=80 l_AB= l_AB=1e400 l_AB=(((( \
     --problem-only --solution --pick 2 --profile p.dxf --frames 3 --centrodes --link 4 --all --speed wish.json cam.json motion.json --help 曲 \u{1b}[31m \u{fffe} =x -- ''";
 
 /// The words in the lines of a help text that hold options.
@@ -245,11 +245,13 @@ fn fuzz_arguments() {
         "draw scene.json -o a.svg",
         "solve scene.json --steps --digits 6",
         "sweep scene.json --find v_C --from 0 --to 90deg --steps 3 -o a.csv",
-        "batch scene.json --vary l_BC=200..300:3 --steps 3 -o a.npy",
+        "batch scene.json --vary l_BC=200..300:3 l_AB=80..90/5 l_AB=80..90/0 --roster --count 2 --keys keys.csv marks.csv --to moodle,qti3 canvas --steps 3 -o a.npy",
         "curves scene.json --steps 8 -o a.svg",
         "path scene.json --point E -o a.svg",
         "new crank-rocker --set l_AB=80 -o new.json",
         "worksheet scene.json -o a.md",
+        "variants scene.json --vary l_AB=80..90/5 --count 2 --seed 2 --to moodle,qti3 -o set",
+        "mark marks.csv --keys keys.csv -o a.csv",
         "limits scene.json --json",
         "plan scene.json --json",
         "synth wish.json --pick 1 -o design.json",
@@ -295,6 +297,15 @@ fn fuzz_arguments() {
             folder.path().join(format!("{name}.json")),
         )
         .unwrap();
+    }
+    for (name, table) in [
+        ("marks", "student,variant,question,value,unit\nA,1,v_C,2 cw,mm/s\nB,2,v_C,,\n"),
+        (
+            "keys",
+            "variant,question,value,unit,tolerance,mistakes\n1,v_C,2,m/s,0.1,no-normal@link 2=3\n",
+        ),
+    ] {
+        fs::write(folder.path().join(format!("{name}.csv")), table).unwrap();
     }
     fs::copy(root("crates/paper/src/paper/style/dark.json"), folder.path().join("style.json"))
         .unwrap();
