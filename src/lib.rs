@@ -276,3 +276,5 @@ pub mod worksheet;
 #[cfg(feature = "cli")]
 #[doc(hidden)]
 pub use cli::main as program;
+#[cfg(feature = "cli")]
+pub use cli::parts;

@@ -31,6 +31,7 @@ mod long;
 mod loops;
 mod mobility;
 mod part;
+pub mod parts;
 mod path;
 mod places;
 mod plan;
@@ -59,6 +60,7 @@ use crate::worked::{Scope, Worked, work};
 use args::{Args, Command, CommonArgs};
 use clap::FromArgMatches;
 use draw::style_of;
+use parts::PartFault;
 use std::ffi::OsString;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -66,6 +68,7 @@ use values::FaultFormat;
 
 /// Runs the program.
 pub fn main() -> ExitCode {
+    stop::own();
     let code = run();
     errors::finish();
     code
@@ -199,6 +202,24 @@ impl Failure {
     /// Returns the failure for faults of an argument.
     fn argument(option: &str, text: &str, faults: impl Into<Faults>) -> Failure {
         Failure::Input(vec![SourceFaults::argument(option, text, faults)])
+    }
+
+    /// Returns the failure as faults of texts; options are named without their dashes.
+    fn told(self) -> Vec<PartFault> {
+        let alone = |code, message: Both| {
+            let faults = Diagnostic::error(code, message).into();
+            vec![PartFault { name: String::new(), text: String::new(), faults }]
+        };
+        let one = |t: SourceFaults| PartFault {
+            name: t.name.trim_start_matches('-').to_owned(),
+            text: t.source,
+            faults: t.faults,
+        };
+        match self {
+            Failure::Input(all) => all.into_iter().map(one).collect(),
+            Failure::Output(message) => alone("cannot-write", message),
+            Failure::Interrupted(message) => alone("interrupted", message),
+        }
     }
 
     /// Reports the failure; returns its exit code, even if the report cannot be written.
