@@ -23,6 +23,8 @@ def _asked(
         if isinstance(given, str) or len(given) not in (2, 3):
             raise TypeError(f"{name} varies as (from, to) or (from, to, count)")
         low, high, *count = given
+        if count and not 1 <= count[0] <= 10_000_000:
+            raise ValueError(f"{name} has from 1 to 10000000 values, not {count[0]}")
         ends = "..".join(_quantity(name, value)[1] for value in (low, high))
         ranges.append(f"{name}={ends}" + (f":{operator.index(count[0])}" if count else ""))
     scene._moving()

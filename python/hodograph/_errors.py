@@ -27,7 +27,7 @@ class Diagnostic:
     help: dict[str, str] | None
     """The remedy in both languages."""
     file: str | None
-    """The file, or the argument that is at fault (`from`, `find`, ...)."""
+    """The file, or the argument that is at fault (`start`, `find`, ...)."""
     line: int | None
     column: int | None
     end_line: int | None
@@ -100,7 +100,7 @@ class InternalError(RuntimeError):
 
 
 _ARGUMENTS = {
-    "drafting", "find", "flywheel", "folder", "format", "from", "output", "over", "path", "set", "style", "to",
+    "drafting", "find", "flywheel", "folder", "format", "output", "over", "path", "set", "start", "stop", "style",
     "vary", "vectors", "width",
 }  # fmt: skip
 _OPTIONS = {"digits", "format", "id-prefix", "lang", "no-figure", "notation", "unknown-style", "unknown-template"}

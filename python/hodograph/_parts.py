@@ -134,10 +134,12 @@ class Parts:
 
         Raises `PartsError` if parts are missing.
         """
+        at, ending = Path(output), self.path(0).suffix
+        if at.suffix.lower() != ending:
+            raise ValueError(f"the parts end in {ending}, and so does their table: {at}")
         missing = self.missing()
         if missing:
             raise PartsError(f"{len(missing)} of {len(self)} parts are missing: compute() makes them")
-        at = Path(output)
         self._native.compact(str(at.absolute()))
         return at
 

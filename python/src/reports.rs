@@ -11,6 +11,7 @@ use hodograph::report::{limits as of_limits, loops as of_loops};
 use hodograph::scene::{Lang, Scene};
 use hodograph::sweep::extreme;
 use pyo3::prelude::*;
+use serde_json::json;
 
 /// A report: its JSON, its text in English and in Chinese, the remarks as JSON, the language of the
 /// scene.
@@ -71,7 +72,7 @@ pub fn length_ranges(py: Python, problem: &Problem, over: Option<&str>) -> PyRes
         let Warned { value: (scene, _, limits), notes } = moved(problem, over)?;
         let all = of_limits::ranges::of(&limits).map_err(|d| problem.refused(d))?;
         let text = |lang| of_limits::ranges::text(&scene, &all, lang);
-        let json = of_limits::ranges::json(&all).to_string();
+        let json = json!({ "ranges": of_limits::ranges::json(&all) }).to_string();
         Ok((json, text(Lang::En), text(Lang::Zh), all_notes(problem, notes), spoken(&scene)))
     })
 }
