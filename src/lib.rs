@@ -108,7 +108,8 @@
 //! - [`webfont`]: the embedded fonts of every page.
 //! - [`problem`]: every kind of file through one call: read, solve, and write the answers; a figure
 //!   that is drawn again while drivers are dragged ([`problem::Live`]).
-//! - [`cli`]: the only module that prints, reads arguments or touches files.
+//! - [`cli`]: the only module that prints, reads arguments or touches files; [`parts`] of it, a
+//!   batch in a folder, is public for bindings.
 //! - [`templates`](problem::templates): the texts of the files under `templates/`, by their
 //!   names.
 //! - Small shared ones: [`geom`], [`linear`], [`trig`], [`digits`], [`diag`], [`budget`],

@@ -42,32 +42,62 @@ def _ray() -> Any:
 def local(workers: int | None = None) -> Iterator[None]:
     """Starts Ray on this machine for a block, with as many workers as processors or as given.
 
-    All its processes listen on 127.0.0.1 only. Within a connection to Ray, nothing is started.
+    All its processes listen on 127.0.0.1 only. Within a connection to Ray nothing is started, and
+    if `RAY_ADDRESS` names a cluster, the block is connected to it.
     """
+    cluster = os.environ.get("RAY_ADDRESS")
+    if cluster:
+        with _connected(address=cluster):
+            yield
+        return
     # Ray reads it when it is imported: by it, a node has the address 127.0.0.1, otherwise that of
     # the network, whatever `ray.init` says.
-    os.environ["RAY_ENABLE_WINDOWS_OR_OSX_CLUSTER"] = "0"
-    os.environ["RAY_USAGE_STATS_ENABLED"] = "0"
+    with _environment(RAY_ENABLE_WINDOWS_OR_OSX_CLUSTER="0", RAY_USAGE_STATS_ENABLED="0"):
+        ray = _ray()
+        constants = sys.modules["ray._private.ray_constants"]
+        before, constants.ENABLE_RAY_CLUSTER = constants.ENABLE_RAY_CLUSTER, False  # type: ignore[attr-defined]
+        try:
+            with _connected(
+                address="local",
+                num_cpus=workers or os.cpu_count(),
+                include_dashboard=False,
+                _node_ip_address="127.0.0.1",
+                object_store_memory=_STORE,
+            ) as started:
+                if started and ray.util.get_node_ip_address() != "127.0.0.1":
+                    raise RuntimeError("this version of Ray listens on other addresses than 127.0.0.1")
+                yield
+        finally:
+            constants.ENABLE_RAY_CLUSTER = before  # type: ignore[attr-defined]
+
+
+@contextmanager
+def _connected(**options: Any) -> Iterator[bool]:
+    """Connects to Ray for a block; false within another connection."""
     ray = _ray()
     if ray.is_initialized():
-        yield
+        yield False
         return
-    sys.modules["ray._private.ray_constants"].ENABLE_RAY_CLUSTER = False  # type: ignore[attr-defined]
-    ray.init(
-        address="local",
-        num_cpus=workers or os.cpu_count(),
-        include_dashboard=False,
-        _node_ip_address="127.0.0.1",
-        object_store_memory=_STORE,
-        log_to_driver=False,
-        logging_level="ERROR",
-    )
+    ray.init(log_to_driver=False, logging_level="ERROR", **options)
     try:
-        if ray.util.get_node_ip_address() != "127.0.0.1":
-            raise RuntimeError("this version of Ray listens on other addresses than 127.0.0.1")
-        yield
+        yield True
     finally:
         ray.shutdown()
+
+
+@contextmanager
+def _environment(**values: str) -> Iterator[None]:
+    """Sets variables of the environment for a block."""
+    before = {name: os.environ.get(name) for name in values}
+    os.environ.update(values)
+    try:
+        yield
+    finally:
+        for name, value in before.items():
+            if value is None:
+                del os.environ[name]
+            else:
+                os.environ[name] = value
 
 
 def run(
