@@ -206,9 +206,8 @@ impl Failure {
 
     /// Returns the failure as faults of texts; options are named without their dashes.
     fn told(self) -> Vec<PartFault> {
-        let alone = |code, message: Both| {
-            let faults = Diagnostic::error(code, message).into();
-            vec![PartFault { name: String::new(), text: String::new(), faults }]
+        let alone = |d: Diagnostic| {
+            vec![PartFault { name: String::new(), text: String::new(), faults: d.into() }]
         };
         let one = |t: SourceFaults| PartFault {
             name: t.name.trim_start_matches('-').to_owned(),
@@ -217,8 +216,8 @@ impl Failure {
         };
         match self {
             Failure::Input(all) => all.into_iter().map(one).collect(),
-            Failure::Output(message) => alone("cannot-write", message),
-            Failure::Interrupted(message) => alone("interrupted", message),
+            Failure::Output(message) => alone(Diagnostic::error("cannot-write", message)),
+            Failure::Interrupted(message) => alone(Diagnostic::error("interrupted", message)),
         }
     }
 
