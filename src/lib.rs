@@ -110,7 +110,8 @@
 //!   platforms.
 //! - [`problem`]: every kind of file through one call: read, solve, and write the answers; a figure
 //!   that is drawn again while drivers are dragged ([`problem::Live`]).
-//! - [`cli`]: the only module that prints, reads arguments or touches files.
+//! - [`cli`]: the only module that prints, reads arguments or touches files; [`parts`] of it, a
+//!   batch in a folder, is public for bindings.
 //! - [`templates`](problem::templates): the texts of the files under `templates/`, by their
 //!   names.
 //! - Small shared ones: [`geom`], [`linear`], [`trig`], [`digits`], [`diag`], [`budget`],
@@ -281,3 +282,5 @@ pub mod worksheet;
 #[cfg(feature = "cli")]
 #[doc(hidden)]
 pub use cli::main as program;
+#[cfg(feature = "cli")]
+pub use cli::parts;

@@ -10,7 +10,9 @@
   a mechanism; `read` takes a file of any kind, `template` and `templates` give examples.
 - `Scene.solve` returns the `Answers`; `figure`, `worksheet` and `lesson` draw and write.
 - `Scene.sweep` returns a `Table` with the answers over a whole motion, in NumPy columns.
-- `batch` solves many mechanisms whose parameters vary.
+- `batch` solves many mechanisms whose parameters vary; `Parts` is a batch in a folder, for many
+  processes or machines, and `hodograph.ray` runs it as tasks of Ray.
+- `Scene.limits` and `Scene.loops` report on the whole motion and on the analytic method.
 - `Scene.live` and `Scene.widget` show figures that move with the driver.
 
 Numbers are SI (m, m/s, m/s², rad, N, N·m). Bare numbers given to a scene have its own units.
@@ -25,13 +27,16 @@ from ._errors import (
     FileError,
     HodographError,
     InternalError,
+    PartsError,
     SolveError,
     StoppedError,
     time_limit,
 )
 from ._figure import Figure, Lesson, Worksheet
 from ._live import Live
+from ._parts import Parts, PartsReport, compute_part
 from ._problem import Motion, Problem, Scene, Task, Template, figures, read, schema, template, templates
+from ._report import Report
 from ._table import Table
 
 __all__ = [
@@ -47,7 +52,11 @@ __all__ = [
     "Lesson",
     "Live",
     "Motion",
+    "Parts",
+    "PartsError",
+    "PartsReport",
     "Problem",
+    "Report",
     "Scene",
     "SolveError",
     "StoppedError",
@@ -56,6 +65,7 @@ __all__ = [
     "Template",
     "Worksheet",
     "batch",
+    "compute_part",
     "figures",
     "read",
     "schema",

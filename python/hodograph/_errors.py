@@ -27,7 +27,7 @@ class Diagnostic:
     help: dict[str, str] | None
     """The remedy in both languages."""
     file: str | None
-    """The file, or the argument that is at fault (`from`, `find`, ...)."""
+    """The file, or the argument that is at fault (`start`, `find`, ...)."""
     line: int | None
     column: int | None
     end_line: int | None
@@ -91,11 +91,18 @@ class StoppedError(HodographError, TimeoutError):
     """Work took longer than the `time_limit`."""
 
 
+class PartsError(RuntimeError):
+    """Parts of a batch are missing or damaged."""
+
+
 class InternalError(RuntimeError):
     """An error of hodograph itself."""
 
 
-_ARGUMENTS = {"drafting", "find", "from", "over", "path", "set", "style", "to", "vary", "vectors", "width"}
+_ARGUMENTS = {
+    "drafting", "find", "flywheel", "folder", "format", "output", "over", "path", "set", "start", "stop", "style",
+    "vary", "vectors", "width",
+}  # fmt: skip
 _OPTIONS = {"digits", "format", "id-prefix", "lang", "no-figure", "notation", "unknown-style", "unknown-template"}
 
 
@@ -103,7 +110,7 @@ def made(document: str, en: str, zh: str) -> HodographError:
     """The exception for faults; the native module calls it."""
     first = (json.loads(document)["diagnostics"] or [{"code": "", "file": None, "place": None}])[0]
     kind: type[HodographError] = SolveError
-    if first["code"] == "stopped":
+    if first["code"] in ("stopped", "interrupted"):
         kind = StoppedError
     elif first["file"] in _ARGUMENTS or first["code"] in _OPTIONS:
         kind = ArgumentError

@@ -14,6 +14,7 @@ from ._answers import Answers, Design
 from ._errors import Diagnostic, HodographError, diagnostics
 from ._figure import Figure, Lesson, Worksheet
 from ._live import Live
+from ._report import Report
 from ._table import Table
 
 Lang = Literal["en", "zh"]
@@ -135,11 +136,15 @@ class Problem:
         if key not in self._solved:
             native = self._native
             if still:
-                native = _native.Problem(self._text, self._name, still=True)
+                native = self._at_rest()
             elif self._refused is not None:
                 raise self._refused
             self._solved[key] = native.solve(**options)
         return self._solved[key]
+
+    def _at_rest(self) -> _native.Problem:
+        """The file read for its pose only."""
+        return _native.Problem(self._text, self._name, still=True)
 
     def figure(
         self,
@@ -321,6 +326,38 @@ class Scene(Problem):
     def table(self, *, units: Literal["si", "book"] = "si") -> Table:
         """The answers over the whole motion of the usual driver, in 360 steps."""
         return self.sweep(units=units)
+
+    def limits(
+        self,
+        over: str | None = None,
+        *,
+        flywheel: str | None = None,
+        ranges: bool = False,
+        lang: Lang | None = None,
+    ) -> Report:
+        """The limits of the motion: range of the driver, strokes of points and links, time ratio,
+        transmission angles, Grashof type; `print` shows them as text.
+
+        `over` names the driver; the others are at rest. The rates of the scene may be missing. In a
+        scene with loads, `energy` has the mean balancing moment and the surplus of energy, with
+        `flywheel`, the coefficient of speed fluctuation such as `"1/30"`, also the flywheel. With
+        `ranges`, the report of a four-bar is instead: for which values of each length it keeps its
+        type.
+
+        >>> Scene.template("crank-rocker").limits()["grashof"]["type"]
+        'crank-rocker'
+        """
+        if ranges and flywheel is not None:
+            raise ValueError("a report has ranges or a flywheel, not both")
+        still = self._at_rest()
+        told = _native.length_ranges(still, over) if ranges else _native.limits(still, over, flywheel)
+        return Report(told, lang)
+
+    def loops(self, *, lang: Lang | None = None) -> Report:
+        """The analytic method written out: vector loops, their equations, all unknowns as formulas
+        with numbers; `print` shows them as text."""
+        self._moving()
+        return Report(_native.vector_loops(self._native), lang)
 
     def curves(
         self,

@@ -1,6 +1,6 @@
 //! Faults as exceptions of the package.
 
-use hodograph::diag::{Diagnostic, Faults, json};
+use hodograph::diag::{Both, Diagnostic, Faults, json};
 use hodograph::problem::range::{RangeFault, WrongValue};
 use hodograph::report::diagnostics;
 use hodograph::scene::{self, Lang};
@@ -12,6 +12,51 @@ pub struct PlacedFaults {
     faults: Faults,
     name: String,
     source: String,
+}
+
+/// The options of the program that remedies name, with the arguments in Python.
+const ARGUMENTS: [(&str, &str); 5] = [
+    ("figure", "name"),
+    ("from", "start"),
+    ("pick", "candidate"),
+    ("point", "path"),
+    ("to", "stop"),
+];
+
+impl PlacedFaults {
+    /// Returns the faults with the names of arguments in Python.
+    fn in_python(self) -> PlacedFaults {
+        let words = |text: Both| Both { en: in_python(&text.en), zh: in_python(&text.zh) };
+        let one =
+            |d: Diagnostic| Diagnostic { message: words(d.message), help: d.help.map(words), ..d };
+        let name = argument(&self.name).to_owned();
+        let list = self.faults.list.into_iter().map(one).collect();
+        PlacedFaults { faults: Faults { list }, name, ..self }
+    }
+}
+
+/// Returns the argument of Python for an option of the program.
+fn argument(option: &str) -> &str {
+    ARGUMENTS.iter().find(|(name, _)| *name == option).map_or(option, |(_, of)| of)
+}
+
+/// Returns a sentence in which options of the program, such as `--from`, are arguments of Python.
+fn in_python(text: &str) -> String {
+    let mut parts = text.split("--");
+    let mut out = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let end = part.find(|c: char| !c.is_ascii_lowercase() && c != '-').unwrap_or(part.len());
+        let (option, rest) = part.split_at(end);
+        let begins = !out.ends_with(|c: char| c.is_ascii_alphanumeric() || c == '-');
+        if option.is_empty() || !begins {
+            out += "--";
+            out += part;
+            continue;
+        }
+        out += argument(option);
+        out += rest;
+    }
+    out
 }
 
 /// The reason why there is no result.
@@ -70,12 +115,12 @@ impl Refusal {
 
     /// Returns the exception of the package: its document, and its text in both languages.
     pub fn raised(self, py: Python) -> PyErr {
-        let all = self.0.iter();
-        let list = all.flat_map(|p| p.faults.json(&p.name, &p.source)).collect();
+        let all: Vec<PlacedFaults> = self.0.into_iter().map(PlacedFaults::in_python).collect();
+        let list = all.iter().flat_map(|p| p.faults.json(&p.name, &p.source)).collect();
         let text = |lang| -> String {
             let one =
                 |p: &PlacedFaults| diagnostics::render_in(&p.faults, &p.name, &p.source, lang);
-            self.0.iter().map(one).collect()
+            all.iter().map(one).collect()
         };
         let told = (json::document(list).to_string(), text(Lang::En), text(Lang::Zh));
         let made = py.import("hodograph._errors").and_then(|m| m.getattr("made")?.call1(told));

@@ -1,7 +1,8 @@
 //! The native module of the Python package: the calls of [`hodograph::problem`].
 //!
 //! [`Problem`] is a file that has been read, [`Solved`] its solution, [`Picture`] a figure,
-//! [`Sheet`] a worksheet, [`Table`] the columns of a sweep, [`Moving`] a figure that is dragged.
+//! [`Sheet`] a worksheet, [`Table`] the columns of a sweep, [`Parts`] a batch in a folder, [`Moving`] a
+//! figure that is dragged.
 //! Structured results are exchanged as JSON, columns by the address of their numbers, faults as
 //! exceptions of the package. Each call that may take long goes through [`work::run`].
 
@@ -11,7 +12,9 @@
 mod fault;
 mod look;
 mod moving;
+mod parts;
 mod picture;
+mod reports;
 mod solved;
 mod table;
 mod work;
@@ -19,6 +22,7 @@ mod work;
 use pyo3::prelude::*;
 
 pub use moving::Moving;
+pub use parts::Parts;
 pub use picture::{Picture, Sheet};
 pub use solved::{Problem, Solved};
 pub use table::{Column, Table};
@@ -29,7 +33,11 @@ mod _native {
     #[pymodule_export]
     use super::moving::Moving;
     #[pymodule_export]
+    use super::parts::Parts;
+    #[pymodule_export]
     use super::picture::{Picture, Sheet, pdf_of};
+    #[pymodule_export]
+    use super::reports::{length_ranges, limits, vector_loops};
     #[pymodule_export]
     use super::solved::{
         Problem, Solved, figures, included, kind_of, schema, template, templates, with_values,

@@ -103,7 +103,8 @@ pub struct Problem {
 }
 
 impl Problem {
-    fn refused(&self, faults: impl Into<Faults>) -> Refusal {
+    /// Returns the refusal for faults of the text.
+    pub fn refused(&self, faults: impl Into<Faults>) -> Refusal {
         Refusal::in_text(faults, &self.name, &self.source)
     }
 
@@ -123,16 +124,27 @@ impl Problem {
         (&self.name, &self.source)
     }
 
+    /// Returns the remarks of reading.
+    pub fn remarks(&self) -> &[Diagnostic] {
+        &self.notes
+    }
+
+    /// Returns the scene.
+    ///
+    /// # Errors
+    /// A file of another kind.
+    pub fn scene(&self) -> Result<Scene, Refusal> {
+        self.granted(&[(true, Wish::Mechanism)])?;
+        self.problem.clone().into_scene().map_err(|d| self.refused(d))
+    }
+
     /// Returns the scene with these questions, its own if none are given; with the notes.
     fn asking(&self, find: Option<&str>) -> Result<Warned<Scene>, Refusal> {
         self.granted(&[(true, Wish::Mechanism)])?;
         match find {
             Some(find) => scene::read_asking(&self.source, find)
                 .map_err(|f| Refusal::asked(f, self.text(), Some(find))),
-            None => {
-                let value = self.problem.clone().into_scene().map_err(|d| self.refused(d))?;
-                Ok(Warned { value, notes: Vec::new() })
-            }
+            None => Ok(Warned { value: self.scene()?, notes: Vec::new() }),
         }
     }
 }
@@ -244,8 +256,9 @@ impl Problem {
     }
 
     /// Returns the table of many mechanisms, whose parameters vary: each of `vary` is
-    /// `NAME=FROM..TO:N`, or `NAME=FROM..TO` for the bounds of a random one.
-    #[pyo3(signature = (vary, random, seed, over, from_, to, steps, find, tell))]
+    /// `NAME=FROM..TO:N`, or `NAME=FROM..TO` for the bounds of a random one. Of all mechanisms only
+    /// those of `among`, from the first to before the second.
+    #[pyo3(signature = (vary, random, seed, over, from_, to, steps, find, among, tell))]
     #[expect(clippy::too_many_arguments, reason = "each is an argument in Python")]
     fn batch(
         &self,
@@ -258,6 +271,7 @@ impl Problem {
         to: Option<&str>,
         steps: Option<usize>,
         find: Option<&str>,
+        among: Option<(u64, u64)>,
         tell: Option<&Bound<PyAny>>,
     ) -> PyResult<Table> {
         let parts = watched(py, tell, |progress| {
@@ -268,18 +282,19 @@ impl Problem {
             let request = BatchRequest { vary: &vary, choice, range };
             let made = batch::planned(&scene, &request, |batch| {
                 let (all, step) = (batch.mechanisms(), batch::block(batch));
-                progress.all.store(all, Ordering::Relaxed);
+                let (first, all) = among.map_or((0, all), |(first, last)| (first, last.min(all)));
+                progress.all.store(all.saturating_sub(first), Ordering::Relaxed);
                 let stop = || progress.stop.load(Ordering::Relaxed);
                 let heads = batch.columns();
                 let mut values = vec![Vec::new(); heads.len()];
-                let (mut block, mut missing, mut from) = (Block::default(), 0, 0);
+                let (mut block, mut missing, mut from) = (Block::default(), 0, first);
                 while from < all {
                     let to = all.min(from + step);
                     let Some(made) = batch.block_unless(from, to, block, &stop) else { break };
                     values.iter_mut().zip(&made.columns).for_each(|(all, part)| all.extend(part));
                     missing += made.missing;
                     (block, from) = (made, to);
-                    progress.done.store(to, Ordering::Relaxed);
+                    progress.done.store(to - first, Ordering::Relaxed);
                 }
                 (heads, values, missing)
             });

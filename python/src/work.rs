@@ -46,6 +46,15 @@ pub struct Progress {
     pub all: AtomicU64,
     /// True if the work is to stop.
     pub stop: Arc<AtomicBool>,
+    /// The time at which the work is to stop.
+    deadline: Option<Instant>,
+}
+
+impl Progress {
+    /// Returns true if the work is to stop, on any thread.
+    pub fn is_over(&self) -> bool {
+        self.stop.load(Ordering::Relaxed) || self.deadline.is_some_and(|at| Instant::now() >= at)
+    }
 }
 
 /// Runs work within the limit of time.
@@ -65,9 +74,10 @@ pub fn watched<T: Send>(
     tell: Option<&Bound<PyAny>>,
     work: impl FnOnce(&Progress) -> Result<T, Refusal> + Send,
 ) -> PyResult<T> {
-    let progress = Progress::default();
+    let deadline = DEADLINE.get();
+    let progress = Progress { deadline, ..Progress::default() };
     let mut budget = Budget::default().cancelled_by(progress.stop.clone());
-    if let Some(deadline) = DEADLINE.get() {
+    if let Some(deadline) = deadline {
         budget = budget.until(deadline);
     }
     let tell = tell.map(|tell| tell.clone().unbind());

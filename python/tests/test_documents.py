@@ -28,12 +28,19 @@ def test_the_guide_runs(tmp_path, monkeypatch):
     assert len(blocks) >= 8 and (tmp_path / "centres.pdf").stat().st_size > 1000
 
 
+def test_the_guide_to_many_machines_runs(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (block,) = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "cluster.md").read_text(), re.S)
+    exec(block, {})
+    assert (tmp_path / "linkages.parquet").stat().st_size > 1e6
+
+
 def test_the_page_of_the_package_runs():
     (block,) = re.findall(r"```python\n(.*?)```", (ROOT / "python" / "README.md").read_text(), re.S)
     exec(block, {})
 
 
-@pytest.mark.parametrize("name", ["", "._problem", "._errors", "._table", "._answers", "._figure"])
+@pytest.mark.parametrize("name", ["", "._problem", "._errors", "._table", "._answers", "._figure", "._parts", "._report", ".ray"])
 def test_docstrings_run(name):
     module = importlib.import_module("hodograph" + name)
     assert doctest.testmod(module).failed == 0

@@ -1,6 +1,7 @@
 """Faults are exceptions with their places; wrong types are TypeErrors."""
 
 import json
+import re
 
 import pytest
 
@@ -65,6 +66,27 @@ def test_an_argument_is_at_fault(wrong, code):
         getattr(result, "json", None)
     assert isinstance(caught.value, hg.ArgumentError), str(caught.value)
     assert caught.value.code == code, str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "word"),
+    [
+        (lambda: SCENE.sweep("l_AB", steps=3), "give start and stop"),
+        (lambda: hg.Scene.template("shaper").limits(ranges=True), "leave ranges out"),
+        (lambda: hg.Scene({**json.loads(SCENE.source), "find": []}).figure("velocity"), "name"),
+        (lambda: SCENE.sweep(start="3 s"), "start"),
+        (lambda: SCENE.limits("phi_9"), "over"),
+        (lambda: hg.batch(SCENE, {"l_AB": ("1...", 2)}), "two dots"),
+        (lambda: SCENE.figure("mechanism", width="1 mm"), ""),
+    ],
+)
+def test_remedies_name_arguments_of_python(wrong, word):
+    with pytest.raises(hg.HodographError) as caught:
+        wrong()
+    texts = caught.value.texts
+    assert word in texts["en"], texts["en"]
+    for text in texts.values():
+        assert not re.search("(?<![a-z0-9-])--[a-z]", text), text
 
 
 def test_the_place_of_a_question_is_in_the_question():

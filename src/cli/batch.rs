@@ -19,6 +19,7 @@ use crate::problem::batch::{BatchRequest, MOST_POSITIONS, block, head, notes, pl
 use crate::report::table::{GENERATOR, RowFormat, TablePiece};
 use crate::scene::Lang;
 use crate::sweep::batch::{Batch, Block, ParameterChoice};
+use crate::sweep::pieces::StopSignal;
 use indicatif::ProgressBar;
 use std::io;
 use std::ops::Range;
@@ -31,14 +32,18 @@ pub fn batch(a: BatchArgs) -> CommandResult {
     if let Some(shard) = a.shard {
         let format = shards::format(&a.output, &a.format)?;
         let run = BatchRun::new(input, a.varied, format, lang)?;
-        return shards::compute(&run, shard, a.per_part, Path::new(&a.output));
+        return shards::compute(run, shard, a.per_part, Path::new(&a.output));
     }
     let (format, output) = tables::place(&a.output, &a.format, BatchFormat::Csv)?;
     let run = BatchRun::new(input, a.varied, format, lang)?;
     let part = run.planned(|batch, format| {
         let all = 0..batch.mechanisms();
         let bar = bar(batch.mechanisms());
-        written(batch, format, all, (Path::new(&output), &run.job()), JournalAfter::Removed, &bar)
+        stop::watch();
+        let done = |more| bar.inc(more);
+        let watch = WorkWatch { stop: &stop::asked, done: &done, changed: &changed };
+        let place = (Path::new(&*output), &*run.job());
+        written(batch, format, all, place, JournalAfter::Removed, &watch)
     })?;
     files::print(lang::of(&both!(
         "{}: {} mechanisms, {} rows, {} positions without one\n",
@@ -53,6 +58,26 @@ pub fn batch(a: BatchArgs) -> CommandResult {
 /// Returns a progress bar of mechanisms.
 pub fn bar(all: u64) -> ProgressBar {
     long::bar(all, 0, &both!("mechanisms", "个机构"))
+}
+
+/// Warns of bytes of an earlier run that have been changed.
+pub fn changed(mechanisms: u64) {
+    let words = both!(
+        "the bytes of {mechanisms} mechanisms are not those that were written: they are computed again",
+        "有 {mechanisms} 个机构的数据与写入时不同：重新计算"
+    );
+    errors::tell(&Diagnostic::warning("changed-bytes", words).into(), "", "");
+}
+
+/// The observer of a batch that is written.
+#[derive(Clone, Copy)]
+pub struct WorkWatch<'a> {
+    /// Returns true if the work is to stop.
+    pub stop: StopSignal<'a>,
+    /// Takes the number of mechanisms that are done since the last call.
+    pub done: &'a dyn Fn(u64),
+    /// Takes the number of mechanisms with bytes that have been changed since an earlier run.
+    pub changed: &'a dyn Fn(u64),
 }
 
 /// A batch to be written.
@@ -125,21 +150,15 @@ pub fn written(
     mechanisms: Range<u64>,
     (out, job): (&Path, &str),
     after: JournalAfter,
-    bar: &ProgressBar,
+    watch: &WorkWatch,
 ) -> Result<PartialTable, Failure> {
     let failed = |e: io::Error| unwritable(out, &e);
     let mut part = PartialTable::open(out, job, format)?;
     if part.changed > 0 {
-        let words = both!(
-            "the bytes of {} mechanisms are not those that were written: they are computed again",
-            "有 {} 个机构的数据与写入时不同：重新计算",
-            part.changed
-        );
-        errors::tell(&Diagnostic::warning("changed-bytes", words).into(), "", "");
+        (watch.changed)(part.changed);
     }
-    stop::watch();
     let all = mechanisms.end - mechanisms.start;
-    let done = stream(batch, format, mechanisms, &mut part, bar).and_then(|()| {
+    let done = stream(batch, format, mechanisms, &mut part, watch).and_then(|()| {
         if part.done < all {
             return Ok(());
         }
@@ -173,17 +192,18 @@ fn stream(
     format: &dyn RowFormat,
     mechanisms: Range<u64>,
     part: &mut PartialTable,
-    bar: &ProgressBar,
+    watch: &WorkWatch,
 ) -> io::Result<()> {
     let step = block(batch);
-    bar.inc(part.done);
+    (watch.done)(part.done);
+    let stop = watch.stop;
     let mut from = mechanisms.start + part.done;
     let make = |used: Option<(u64, Block)>| {
-        if from >= mechanisms.end || stop::asked() {
+        if from >= mechanisms.end || stop() {
             return None;
         }
         let to = mechanisms.end.min(from + step);
-        let block = batch.block_unless(from, to, used.unwrap_or_default().1, &stop::asked)?;
+        let block = batch.block_unless(from, to, used.unwrap_or_default().1, stop)?;
         from = to;
         Some((to - mechanisms.start, block))
     };
@@ -192,7 +212,7 @@ fn stream(
         Ok((*done, block.missing, format.piece_in(&columns, used.unwrap_or_default().2)?))
     };
     long::pipeline(make, form, |(done, missing, piece)| {
-        bar.inc(done - part.done);
+        (watch.done)(done - part.done);
         part.add(piece, *done, *missing)
     })
 }

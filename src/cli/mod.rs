@@ -32,6 +32,7 @@ mod loops;
 mod mark;
 mod mobility;
 mod part;
+pub mod parts;
 mod path;
 mod places;
 mod plan;
@@ -61,6 +62,7 @@ use crate::worked::{Scope, Worked, work};
 use args::{Args, Command, CommonArgs};
 use clap::FromArgMatches;
 use draw::style_of;
+use parts::PartFault;
 use std::ffi::OsString;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -68,6 +70,7 @@ use values::FaultFormat;
 
 /// Runs the program.
 pub fn main() -> ExitCode {
+    stop::own();
     let code = run();
     errors::finish();
     code
@@ -203,6 +206,23 @@ impl Failure {
     /// Returns the failure for faults of an argument.
     fn argument(option: &str, text: &str, faults: impl Into<Faults>) -> Failure {
         Failure::Input(vec![SourceFaults::argument(option, text, faults)])
+    }
+
+    /// Returns the failure as faults of texts; options are named without their dashes.
+    fn told(self) -> Vec<PartFault> {
+        let alone = |d: Diagnostic| {
+            vec![PartFault { name: String::new(), text: String::new(), faults: d.into() }]
+        };
+        let one = |t: SourceFaults| PartFault {
+            name: t.name.trim_start_matches('-').to_owned(),
+            text: t.source,
+            faults: t.faults,
+        };
+        match self {
+            Failure::Input(all) => all.into_iter().map(one).collect(),
+            Failure::Output(message) => alone(Diagnostic::error("cannot-write", message)),
+            Failure::Interrupted(message) => alone(Diagnostic::error("interrupted", message)),
+        }
     }
 
     /// Reports the failure; returns its exit code, even if the report cannot be written.

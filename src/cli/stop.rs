@@ -13,6 +13,9 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
+/// True in a process of the program; signals of other processes belong to them.
+static OWN: AtomicBool = AtomicBool::new(false);
+
 static ASKED: AtomicBool = AtomicBool::new(false);
 
 /// True once a writer has seen the request.
@@ -34,8 +37,16 @@ const PATIENCE: Duration = Duration::from_millis(400);
 /// or to write a line, on a slow disk.
 const TO_THE_END: Duration = Duration::from_secs(5);
 
-/// Handles further signals as requests.
+/// Declares that the process runs the program, which may handle its signals.
+pub fn own() {
+    OWN.store(true, Ordering::Relaxed);
+}
+
+/// Handles further signals as requests, if the process runs the program.
 pub fn watch() {
+    if !OWN.load(Ordering::Relaxed) {
+        return;
+    }
     // A second handler in one process is refused; the first one serves.
     let _ = ctrlc::set_handler(|| {
         ASKED.store(true, Ordering::Relaxed);

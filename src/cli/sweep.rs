@@ -8,11 +8,11 @@ use super::{CommandResult, Failure, SceneInput, SourceFaults, choices, files, ta
 use crate::diag::{Both, Diagnostic, Warned, both};
 use crate::mechanism::Mechanism;
 use crate::problem::range::{self, RangeFault, SweptRange, WrongValue, driver_of};
-use crate::problem::whole::over_a_table;
+use crate::problem::whole::{balanced, over_a_table};
 use crate::report::limits as report;
 use crate::scene;
 use crate::sweep::pieces::SweepPieces;
-use crate::sweep::{self, PlacedScene, Stations, extreme};
+use crate::sweep::{PlacedScene, Stations, extreme};
 use std::process::ExitCode;
 
 pub fn sweep(a: SweepArgs) -> CommandResult {
@@ -78,7 +78,8 @@ pub fn limits(a: LimitsArgs) -> CommandResult {
             files::print(&report::ranges::text(&input.scene, &all, lang))?;
         }
     } else {
-        let energy = balanced(&input, driver, a.flywheel.as_deref())?;
+        let energy = balanced(&input.scene, &input.file.source, driver, a.flywheel.as_deref())
+            .map_err(|f| input.out_of_range(f))?;
         if a.json {
             let mut json = report::json(&input.scene, driver, &limits);
             json["energy"] = energy.map(|e| e.json()).into();
@@ -92,86 +93,6 @@ pub fn limits(a: LimitsArgs) -> CommandResult {
     }
     input.file.say_notes();
     Ok(ExitCode::SUCCESS)
-}
-
-/// Returns mean balancing moment and surplus energy of a scene with loads, with the flywheel if
-/// requested.
-fn balanced(
-    input: &SceneInput,
-    driver: usize,
-    delta: Option<&str>,
-) -> Result<Option<report::balanced::BalancedEnergy>, Failure> {
-    let wrong = |message: Both, help: Both| {
-        Failure::argument(
-            "--flywheel",
-            delta.unwrap_or_default(),
-            Diagnostic::error("flywheel", message).help(help),
-        )
-    };
-    let number = |text: &str| {
-        let mut parts = text.splitn(2, '/').map(|part| part.trim().parse::<f64>().ok());
-        let (above, below) = (parts.next()??, parts.next().map_or(Some(1.0), |x| x)?);
-        Some(above / below).filter(|x| x.is_finite() && (0.0..1.0).contains(x) && *x > 0.0)
-    };
-    let told = match delta {
-        Some(text) => Some(number(text).ok_or_else(|| {
-            let message = both!(
-                "`{text}` is no coefficient of speed fluctuation",
-                "`{text}` 不是运转不均匀系数"
-            );
-            wrong(
-                message,
-                both!(
-                    "write a number between 0 and 1, such as 1/30 or 0.03",
-                    "请写 0 与 1 之间的数，如 1/30 或 0.03"
-                ),
-            )
-        })?),
-        None => None,
-    };
-    if input.scene.loads.is_empty() {
-        let message = both!(
-            "the scene has no loads: there is nothing for a flywheel to even out",
-            "机构文件没有载荷，不需要飞轮"
-        );
-        let help = both!("give \"forces\" or \"masses\"", "请给出 \"forces\" 或 \"masses\"");
-        return if told.is_some() { Err(wrong(message, help)) } else { Ok(None) };
-    }
-    let question = if driver == 0 { "M_b".to_owned() } else { format!("M_b{}", driver + 1) };
-    let asked = scene::read_asking(&input.file.source, &question).map(|read| read.value);
-    let scene = match asked {
-        Ok(scene) => scene,
-        // A sliding driver has a force instead, and the rate of another driver may be missing: the
-        // limits are printed without the balance.
-        Err(_) if told.is_none() => return Ok(None),
-        Err(faults) => return Err(input.failed(faults)),
-    };
-    let energy = sweep::mechanism(&scene)
-        .and_then(|m| sweep::energy::energy(&PlacedScene::new(&scene, &m)?, driver));
-    let energy = match energy {
-        Ok(energy) => energy,
-        Err(_) if told.is_none() => return Ok(None),
-        Err(faults) => return Err(input.failed(faults)),
-    };
-    let rate = scene.drivers[driver].rate.value;
-    match (energy, told) {
-        (Some(_), Some(_)) if rate == 0.0 => {
-            let message = both!("the driver stands still", "原动件静止");
-            Err(wrong(message, both!("give its \"omega\"", "请给出其 \"omega\"")))
-        }
-        (Some(energy), delta) => Ok(Some(report::balanced::BalancedEnergy { energy, rate, delta })),
-        (None, None) => Ok(None),
-        (None, Some(_)) => {
-            let message = both!(
-                "the driver does not turn fully, or never comes to its first pose again",
-                "原动件不能整周转动，或不再回到原位"
-            );
-            Err(wrong(
-                message,
-                both!("a flywheel is for a driver that turns", "飞轮用于整周转动的原动件"),
-            ))
-        }
-    }
 }
 
 /// Replaces the scene's questions by those of `--find`; faults point to the argument.

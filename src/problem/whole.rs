@@ -1,12 +1,13 @@
 //! Tables and diagrams of the whole motion, in the usual range and steps.
 
-use super::range::{self, SweptRange};
+use super::range::{self, RangeFault, SweptRange, WrongValue};
 use super::{Look, whole_motion};
-use crate::diag::{Diagnostic, Faults, Warned, both};
+use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::figure::curves::{self, CurveDiagram};
 use crate::figure::list::Pages;
 use crate::mechanism::Mechanism;
 use crate::position::Path;
+use crate::report::limits::balanced::BalancedEnergy;
 use crate::scene::quantity::Meaning;
 use crate::scene::{self, LinkId, OnLink, PointId, Scene, Swept};
 use crate::sweep::long::LongSweep;
@@ -162,5 +163,86 @@ fn axes(placed: &PlacedScene, point: PointId) -> &'static [&'static str] {
         Some(Some(Path::Line { direction, .. })) if direction.x.abs() < ALONG => &["y"],
         Some(Some(Path::Line { .. })) => &["x", "y"],
         _ => &[],
+    }
+}
+
+/// Returns mean balancing moment and surplus energy of a scene with loads, with the flywheel if
+/// requested.
+///
+/// # Errors
+/// Faults of the scene; `flywheel` if the flywheel's coefficient cannot be read or has no use.
+pub fn balanced(
+    scene: &Scene,
+    source: &str,
+    driver: usize,
+    delta: Option<&str>,
+) -> Result<Option<BalancedEnergy>, RangeFault> {
+    let wrong = |message: Both, help: Both| {
+        let d = Diagnostic::error("flywheel", message).help(help);
+        RangeFault::from(WrongValue::new("flywheel", delta.unwrap_or_default(), d))
+    };
+    let number = |text: &str| {
+        let mut parts = text.splitn(2, '/').map(|part| part.trim().parse::<f64>().ok());
+        let (above, below) = (parts.next()??, parts.next().map_or(Some(1.0), |x| x)?);
+        Some(above / below).filter(|x| x.is_finite() && (0.0..1.0).contains(x) && *x > 0.0)
+    };
+    let told = match delta {
+        Some(text) => Some(number(text).ok_or_else(|| {
+            let message = both!(
+                "`{text}` is no coefficient of speed fluctuation",
+                "`{text}` 不是运转不均匀系数"
+            );
+            wrong(
+                message,
+                both!(
+                    "write a number between 0 and 1, such as 1/30 or 0.03",
+                    "请写 0 与 1 之间的数，如 1/30 或 0.03"
+                ),
+            )
+        })?),
+        None => None,
+    };
+    if scene.loads.is_empty() {
+        let message = both!(
+            "the scene has no loads: there is nothing for a flywheel to even out",
+            "机构文件没有载荷，不需要飞轮"
+        );
+        let help = both!("give \"forces\" or \"masses\"", "请给出 \"forces\" 或 \"masses\"");
+        return if told.is_some() { Err(wrong(message, help)) } else { Ok(None) };
+    }
+    let question = if driver == 0 { "M_b".to_owned() } else { format!("M_b{}", driver + 1) };
+    let asked = scene::read_asking(source, &question).map(|read| read.value);
+    let scene = match asked {
+        Ok(scene) => scene,
+        // A sliding driver has a force instead, and the rate of another driver may be missing: the
+        // limits are printed without the balance.
+        Err(_) if told.is_none() => return Ok(None),
+        Err(faults) => return Err(RangeFault::Scene(faults)),
+    };
+    let energy = sweep::mechanism(&scene)
+        .and_then(|m| sweep::energy::energy(&PlacedScene::new(&scene, &m)?, driver));
+    let energy = match energy {
+        Ok(energy) => energy,
+        Err(_) if told.is_none() => return Ok(None),
+        Err(faults) => return Err(RangeFault::Scene(faults)),
+    };
+    let rate = scene.drivers[driver].rate.value;
+    match (energy, told) {
+        (Some(_), Some(_)) if rate == 0.0 => {
+            let message = both!("the driver stands still", "原动件静止");
+            Err(wrong(message, both!("give its \"omega\"", "请给出其 \"omega\"")))
+        }
+        (Some(energy), delta) => Ok(Some(BalancedEnergy { energy, rate, delta })),
+        (None, None) => Ok(None),
+        (None, Some(_)) => {
+            let message = both!(
+                "the driver does not turn fully, or never comes to its first pose again",
+                "原动件不能整周转动，或不再回到原位"
+            );
+            Err(wrong(
+                message,
+                both!("a flywheel is for a driver that turns", "飞轮用于整周转动的原动件"),
+            ))
+        }
     }
 }
