@@ -571,6 +571,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("schema", "diagnostics", "改为 `--errors json` 文档的 JSON Schema"),
     ("schema", "synthesis", "改为综合文件格式的 JSON Schema"),
     ("schema", "motions", "改为无机构运动文件格式的 JSON Schema"),
+    ("schema", "equation", "改为矢量方程文件格式的 JSON Schema"),
     ("schema", "", "输出机构文件格式的 JSON Schema"),
     ("help", "", "显示本说明或某命令的说明"),
 ];

@@ -1,13 +1,14 @@
 //! `hodograph plan`: the equations without numbers, as text and as JSON.
 
-use super::{CommandResult, SceneInput, args, choices, files, verdict};
+use super::{CommandResult, InputFile, SceneInput, args, choices, files, look_of, verdict};
 use crate::certified::certify;
 use crate::diag::Warned;
 use crate::effort::Work;
 use crate::figure::sheet;
 use crate::notation::Notation;
 use crate::plan::text::PlanWriter;
-use crate::problem::Verdict;
+use crate::paper::style::Style;
+use crate::problem::{self, Extent, Kind, Problem, Verdict};
 use crate::report::forces::ForceWriter;
 use crate::report::{answers, plan as plan_text, plan_json};
 use crate::scene::Lang;
@@ -15,7 +16,11 @@ use crate::worked::{Scope, work};
 use std::process::ExitCode;
 
 pub(super) fn run(a: args::PlanArgs) -> CommandResult {
-    let mut input = SceneInput::read(&a.common)?;
+    let mut file = InputFile::open(&a.common.scene, &a.common.set)?;
+    if Kind::of(file.source.as_bytes()) == Kind::Equation {
+        return equation(&mut file, &a);
+    }
+    let mut input = SceneInput::of_file(file, Extent::Motion)?;
     let (lang, notation) = choices(&input.scene, &a.common);
     if a.json {
         return plan_for_programs(input, lang, &notation, a.figure);
@@ -35,6 +40,18 @@ pub(super) fn run(a: args::PlanArgs) -> CommandResult {
     notes.append(&mut input.file.notes);
     input.file.notes = notes;
     input.file.say_notes();
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Prints the table of a vector equation and the number of its unknowns.
+fn equation(file: &mut InputFile, a: &args::PlanArgs) -> CommandResult {
+    let problem = file.read(|bytes| problem::read_of(bytes, Kind::Equation))?;
+    if let Problem::Equation(equation) = &problem {
+        let look = look_of(&a.common, Style::default(), answers::DIGITS);
+        let (text, json) = problem::equation_plan(equation, &look);
+        files::print(&if a.json { format!("{json:#}\n") } else { text })?;
+    }
+    file.say_notes();
     Ok(ExitCode::SUCCESS)
 }
 

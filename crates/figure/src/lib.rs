@@ -48,3 +48,4 @@ pub mod steps;
 pub mod synthesis;
 #[doc(hidden)]
 pub mod tables;
+pub mod vector_equation;

@@ -51,4 +51,5 @@ pub mod synthesis;
 #[cfg(feature = "csv")]
 pub mod table;
 pub mod trains;
+pub mod vector_equation;
 mod writing;
