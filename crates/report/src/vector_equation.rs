@@ -26,7 +26,8 @@ pub const AGREES: f64 = 1e-9;
 pub fn columns(terms: &[VectorTerm], notation: &Notation) -> Vec<EquationColumn> {
     let column = |k: usize, t: &VectorTerm| {
         let joint = match k.checked_sub(1).map(|before| terms[before].left == t.left) {
-            None => "",
+            None if t.left => "",
+            None => "=",
             Some(true) => "+",
             Some(false) => "=",
         };
@@ -43,7 +44,19 @@ pub fn columns(terms: &[VectorTerm], notation: &Notation) -> Vec<EquationColumn>
         let symbol = notation.vectors.write(t.symbol(0));
         EquationColumn { joint, symbol, direction, magnitude, term: None }
     };
-    terms.iter().enumerate().map(|(k, t)| column(k, t)).collect()
+    let zero = |joint: &'static str, left: bool| {
+        let none = String::new;
+        let column = EquationColumn {
+            joint,
+            symbol: "0".to_owned(),
+            direction: none(),
+            magnitude: none(),
+            term: None,
+        };
+        terms.iter().all(|t| t.left != left).then_some(column)
+    };
+    let told = terms.iter().enumerate().map(|(k, t)| column(k, t));
+    zero("", true).into_iter().chain(told).chain(zero("=", false)).collect()
 }
 
 /// Returns the number of primes after the symbols of a solution: none if it is the only one.

@@ -85,7 +85,7 @@ impl EquationMark {
     fn words(&self) -> Both {
         match self.name.as_str() {
             "" => both!("the pole", "极点"),
-            name => Both::same(format!("${name}$")),
+            name => spaced(&format!("${name}$")),
         }
     }
 }
@@ -163,7 +163,7 @@ impl EquationBoard<'_> {
         let mut board = EquationBoard { problem, given, out };
         let ends = [false, true].map(|left| board.chain(left));
         board.close(case, ends);
-        board.out.steps = board.out.steps.into_iter().map(Both::sentence).collect();
+        board.out.steps = board.out.steps.into_iter().map(|s| closed_up(s).sentence()).collect();
         board.out
     }
 
@@ -311,7 +311,9 @@ impl EquationBoard<'_> {
             [_] => vec![format!("m{prime}")],
             _ => (1..=meets.len()).map(|k| format!("m{prime}_{k}")).collect(),
         };
-        let list = Both::names(&names.iter().map(|n| format!("${n}$")).collect::<Vec<_>>());
+        let letters: Vec<Both> = names.iter().map(|n| Both::same(format!("${n}$"))).collect();
+        let list = Both::listed(&letters);
+        let list = Both { en: list.en, zh: format!(" {} ", list.zh) };
         let [a, b] = [x, y].map(|k| self.symbol(k));
         let met = match case {
             EquationCase::Magnitudes(_) | EquationCase::Vector(_) => both!("The lines intersect at {}", "两直线交于 {}", list),
@@ -319,7 +321,7 @@ impl EquationBoard<'_> {
             EquationCase::Mixed { .. } => both!("Line and arc intersect at {}", "直线与弧交于 {}", list),
         };
         let ends = |from: &Both, to: &Both| both!("from {} to {}", "自{}至{}", from, to);
-        let m = list.clone();
+        let m = Both { en: list.en.replace(" and ", " or "), zh: list.zh.replace('和', "或") };
         let of_y = if same_side { ends(&m, &q.words()) } else { ends(&q.words(), &m) };
         let drawn = both!(
             "{}: {a} goes {}, {b} {}",
@@ -345,6 +347,17 @@ impl EquationBoard<'_> {
         }
     }
 
+    /// The remark on a vector that points against its given angle.
+    fn reversed(&self, term: usize, v: Vec2) -> Both {
+        let given = self.problem.terms[term].direction.as_ref().filter(|d| d.line.is_none());
+        let against = self.given[term].1.is_some_and(|u| u.dot(v) < 0.0);
+        if given.is_some() && against {
+            both!(", against the given direction", "，与给定方向相反")
+        } else {
+            Both::default()
+        }
+    }
+
     /// Measures vectors of a solution.
     fn read(&mut self, root: usize, all: &[(usize, Vec2)]) {
         let kind = self.out.on.kind();
@@ -356,13 +369,14 @@ impl EquationBoard<'_> {
             .iter()
             .map(|(term, v)| {
                 both!(
-                    "${}$ = {} mm $\\cdot\\,\\mu_{}$ = {} at {}°",
-                    "${}$ = {} mm $\\cdot\\,\\mu_{}$ = {}，方向角 {}°",
+                    "${}$ = {} mm · $\\mu_{}$ = {} at {}°{}",
+                    "${}$ = {} mm · $\\mu_{}$ = {}，方向角 {}°{}",
                     self.problem.terms[*term].symbol(primes * (root + 1)),
                     mm(v.norm()),
                     self.out.on.letter(),
                     book.text(kind, &mm(book.value(kind, v.norm() * self.out.mu))),
-                    degrees(*v)
+                    degrees(*v),
+                    self.reversed(*term, *v)
                 )
             })
             .collect();
@@ -374,6 +388,20 @@ impl EquationBoard<'_> {
             zh: format!("量得 {}", told.iter().map(|b| b.zh.as_str()).collect::<Vec<_>>().join("；")),
         });
     }
+}
+
+/// A letter in a sentence: in Chinese between spaces, which [`closed_up`] drops before signs.
+fn spaced(letter: &str) -> Both {
+    Both { en: letter.to_owned(), zh: format!(" {letter} ") }
+}
+
+/// Drops spaces before and after the punctuation of Chinese.
+fn closed_up(step: Both) -> Both {
+    let mut zh = step.zh.trim_end().to_owned();
+    for sign in ["，", "；", "：", "、"] {
+        zh = zh.replace(&format!(" {sign}"), sign).replace(&format!("{sign} "), sign);
+    }
+    Both { en: step.en, zh }
 }
 
 /// A number to four digits.

@@ -103,8 +103,8 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<VectorEquatio
 fn sides(text: &str) -> Result<Vec<(bool, String)>, Diagnostic> {
     let fault = |message: Both| {
         Diagnostic::error("equation", message).help(both!(
-            "write sums of vectors on both sides of one sign of equality: \"v_C = v_B + v_CB\"; a difference is moved to the other side",
-            "请在一个等号两边写矢量之和，如 \"v_C = v_B + v_CB\"；带负号的项请移到等号另一边"
+            "write sums of vectors, or 0, on both sides of one sign of equality: \"v_C = v_B + v_CB\"; a difference is moved to the other side",
+            "请在一个等号两边写矢量之和（或 0），如 \"v_C = v_B + v_CB\"；带负号的项请移到等号另一边"
         ))
     };
     let sides: Vec<&str> = text.split('=').collect();
@@ -117,7 +117,8 @@ fn sides(text: &str) -> Result<Vec<(bool, String)>, Diagnostic> {
     };
     let mut all: Vec<(bool, String)> = Vec::new();
     for (is_left, side) in [(true, left), (false, right)] {
-        for name in side.split('+').map(str::trim) {
+        // A side may be empty: forces in equilibrium sum to 0.
+        for name in side.split('+').map(str::trim).filter(|_| side.trim() != "0") {
             if !is_name(name) {
                 return Err(fault(both!(
                     "`{name}` is not the name of a vector: a letter, then letters, `^` with a superscript, `_` with an index",
@@ -132,6 +133,9 @@ fn sides(text: &str) -> Result<Vec<(bool, String)>, Diagnostic> {
             }
             all.push((is_left, name.to_owned()));
         }
+    }
+    if all.is_empty() {
+        return Err(fault(both!("the equation has no vectors", "方程中没有矢量")));
     }
     if all.len() > MOST {
         return Err(fault(both!(
@@ -217,7 +221,7 @@ impl VectorReader<'_> {
         out
     }
 
-    /// Reads the kind of quantity; if it is not named, it is that of the first magnitude.
+    /// Reads the kind of quantity; if it is not named, it is that of most magnitudes.
     fn diagram(
         &mut self,
         node: Option<&Node>,
@@ -242,22 +246,27 @@ impl VectorReader<'_> {
             }
             return found;
         }
-        let magnitudes = given.iter().filter_map(|(_, f)| f.get("magnitude"));
-        let first = magnitudes.filter(|n| !is_unknown(n)).min_by_key(|n| n.span.start);
-        let fits = |on: &DiagramKind| {
+        let magnitudes: Vec<&Node> = given
+            .iter()
+            .filter_map(|(_, f)| f.get("magnitude"))
+            .filter(|n| !is_unknown(n))
+            .take(MOST)
+            .collect();
+        let fitting = |on: &DiagramKind| {
             let wanted = RequiredQuantity::of(on.kind());
-            first.is_some_and(|n| {
+            let fits = |n: &&&Node| {
                 self.front.law(n, wanted, 0.0, "\"magnitude\"", &mut Faults::default()).is_some()
-            })
+            };
+            magnitudes.iter().filter(fits).count()
         };
-        // A bare number fits all: velocities are usual.
+        // Of kinds that fit equally many, the last is taken: velocities are usual.
         let usual = [
-            DiagramKind::Velocity,
-            DiagramKind::Acceleration,
-            DiagramKind::Force,
             DiagramKind::Plane,
+            DiagramKind::Force,
+            DiagramKind::Acceleration,
+            DiagramKind::Velocity,
         ];
-        Some(usual.into_iter().find(fits).unwrap_or(DiagramKind::Velocity))
+        usual.into_iter().max_by_key(fitting)
     }
 
     fn magnitude(&mut self, node: &Node, on: DiagramKind, fields: Option<&Fields>) -> Option<Law> {
