@@ -322,6 +322,9 @@ pub struct PlanArgs {
     /// Lay the sheet out too, so that the labels placed on it are counted
     #[arg(long, requires = "json")]
     pub figure: bool,
+    /// Also the points tried for each group, with the unknowns of their equations: solvable or not
+    #[arg(long)]
+    pub why: bool,
 }
 
 #[derive(ClapArgs, Debug)]

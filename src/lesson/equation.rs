@@ -40,11 +40,7 @@ const WORDS: [(&str, [&str; 2]); 6] = [
 
 /// Returns the style of the page's drawing: small type is enlarged.
 pub fn style(style: &Style) -> Style {
-    Style {
-        small_mm: style.small_mm * LARGER,
-        label_mm: style.label_mm * LARGER,
-        ..style.clone()
-    }
+    Style { small_mm: style.small_mm * LARGER, label_mm: style.label_mm * LARGER, ..style.clone() }
 }
 
 /// Returns the page of an equation.
@@ -54,12 +50,8 @@ pub fn style(style: &Style) -> Style {
 pub fn lesson(sheet: &EquationSheet) -> Result<String, Faults> {
     let view = sheet.polygon();
     let both_of = |say: &dyn Fn(Lang) -> String| json!([Lang::En, Lang::Zh].map(say));
-    let steps: Vec<Value> = sheet
-        .drawn
-        .steps
-        .iter()
-        .map(|s| both_of(&|lang| html(&Phrase::new(lang.of(s)))))
-        .collect();
+    let steps: Vec<Value> =
+        sheet.drawn.steps.iter().map(|s| both_of(&|lang| html(&Phrase::new(lang.of(s))))).collect();
     let answers = both_of(&|lang| {
         let lines = report::lines(sheet.problem, sheet.solved, DIGITS);
         let count = report::count(&sheet.problem.terms).sentence();

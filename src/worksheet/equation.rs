@@ -4,14 +4,13 @@
 use super::{
     Document, DocumentBlock, DocumentTable, TableKind, WorksheetOptions, WorksheetSides, one_line,
 };
-use crate::digits::significant;
+use crate::digits::{minus, shortest, significant};
 use crate::equation::{VectorTerm, unknowns};
 use crate::figure::vector_equation::EquationSheet;
 use crate::notation::Notation;
 use crate::paper::phrase::{Phrase, tr};
 use crate::paper::words::words;
 use crate::plan::text::EquationColumn;
-use crate::report::given::law::printed;
 use crate::report::vector_equation::{columns, count, primes, value};
 use crate::scene::Lang;
 
@@ -101,11 +100,11 @@ fn given(sheet: &EquationSheet, term: &VectorTerm) -> Option<Phrase> {
     let size = term.magnitude.as_ref().map(|law| {
         let value = law.at(0.0).map_or(0.0, |v| v.si().0[0]);
         let (book, kind) = (&sheet.problem.book, sheet.problem.on.kind());
-        book.text(kind, &significant(book.value(kind, value), 6))
+        book.text(kind, &minus(&shortest(book.value(kind, value))))
     });
     let direction = term.direction.as_ref().map(|d| {
         let angle = d.angle.at(0.0_f64).map_or(0.0, |v| v.si().0[0].to_degrees());
-        let angle = printed(&format!("{}", significant(angle, 6)));
+        let angle = minus(&significant(angle, 6).parse().map_or_else(|_| String::new(), shortest));
         match &d.line {
             None => format!("∠ {angle}°"),
             Some(line) => {

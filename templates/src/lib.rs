@@ -110,7 +110,9 @@ mod tests {
 
     #[test]
     fn every_file_is_in_a_list() {
-        for (folder, list) in [("", SCENES), ("synthesis", TASKS), ("particle", MOTIONS), ("equation", EQUATIONS)] {
+        for (folder, list) in
+            [("", SCENES), ("synthesis", TASKS), ("particle", MOTIONS), ("equation", EQUATIONS)]
+        {
             let files =
                 std::fs::read_dir(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(folder))
                     .unwrap();

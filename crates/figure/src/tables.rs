@@ -445,7 +445,11 @@ pub(super) fn set_table(
         let cell = |text: &str, size: f64, what: &str| {
             cell(Label::math(text), size, Anchor::Middle, format!("{name}-{what}-{k}"), what)
         };
-        symbols.push(if c.joint.is_empty() { None } else { cell(c.joint, style.label_mm, "joint") });
+        symbols.push(if c.joint.is_empty() {
+            None
+        } else {
+            cell(c.joint, style.label_mm, "joint")
+        });
         symbols.push(cell(&c.symbol, style.label_mm, "symbol"));
         magnitudes.extend([None, cell(&c.magnitude, style.caption_mm, "magnitude")]);
         directions.extend([None, cell(&c.direction, style.caption_mm, "direction")]);

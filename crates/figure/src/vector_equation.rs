@@ -68,11 +68,7 @@ impl EquationSheet<'_> {
         let heading = Label::text(title.as_str()).in_fonts(&self.style.fonts);
         let large = self.style.caption_mm * 1.15;
         let head = if whole { 12.0 } else { 0.0 };
-        let wide = if whole {
-            text::set(&heading).width_em * large
-        } else {
-            0.0
-        };
+        let wide = if whole { text::set(&heading).width_em * large } else { 0.0 };
         let page = [size[0].max(wide) + 2.0 * MARGIN_MM, size[1] + 2.0 * MARGIN_MM + head];
         let corner = Point::new((page[0] - size[0]) / 2.0, page[1] - MARGIN_MM - head);
         tree.put(&mut parts, corner);
@@ -152,9 +148,11 @@ impl EquationSheet<'_> {
                 EquationLocus::Line(from, to) => {
                     d.shape("locus", &class, Shape::Line { from, to, stroke })
                 }
-                EquationLocus::Arc(centre, radius_mm, [from_rad, to_rad]) => {
-                    d.shape("locus", &class, Shape::Arc { centre, radius_mm, from_rad, to_rad, stroke })
-                }
+                EquationLocus::Arc(centre, radius_mm, [from_rad, to_rad]) => d.shape(
+                    "locus",
+                    &class,
+                    Shape::Arc { centre, radius_mm, from_rad, to_rad, stroke },
+                ),
             };
         }
         for a in &drawn.arrows {
@@ -181,7 +179,8 @@ impl EquationSheet<'_> {
             d.label_along(&id, &class, &symbol, (a.from, a.to), stroke.width_mm / 2.0, owner);
         }
         for (k, mark) in drawn.marks.iter().enumerate() {
-            let class = if k == 0 { "pole".to_owned() } else { format!("point step-{}", mark.step) };
+            let class =
+                if k == 0 { "pole".to_owned() } else { format!("point step-{}", mark.step) };
             let polygon = DiagramKind::POLYGONS.contains(&drawn.on);
             let name = match (k, polygon) {
                 (0, true) => format!("{}{}", self.notation.pole, drawn.on.prime()),
@@ -195,7 +194,11 @@ impl EquationSheet<'_> {
                 d.label_at(&id, &class, &name, mark.at, style.dot_radius_mm, None);
             }
         }
-        ParticleView { part: d.finish(), caption: caption(drawn.on), scales: vec![(drawn.on, drawn.mu)] }
+        ParticleView {
+            part: d.finish(),
+            caption: caption(drawn.on),
+            scales: vec![(drawn.on, drawn.mu)],
+        }
     }
 }
 

@@ -65,7 +65,12 @@ pub fn primes(solved: &EquationSolution, root: usize) -> usize {
 }
 
 /// Returns the name of a vector of a solution in the way of `find`: `v_C`, or `v_C'` and `v_C''`.
-pub fn find(problem: &VectorEquation, solved: &EquationSolution, root: usize, term: usize) -> String {
+pub fn find(
+    problem: &VectorEquation,
+    solved: &EquationSolution,
+    root: usize,
+    term: usize,
+) -> String {
     format!("{}{}", problem.terms[term].name, "'".repeat(primes(solved, root)))
 }
 
@@ -99,7 +104,7 @@ pub fn value(
     let told = minus(&number(&enclosed(book, Some(kind), &v.magnitude), size, digits));
     let told = book.text(kind, &told);
     match &v.angle {
-        Some(angle) => format!("{told} ∠ {}°", minus(&number(angle, 180.0, digits.max(2) - 1))),
+        Some(angle) => format!("{told} ∠ {}°", minus(&number(angle, 180.0, digits.max(5) - 1))),
         None => told,
     }
 }

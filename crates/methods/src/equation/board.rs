@@ -178,9 +178,15 @@ impl EquationBoard<'_> {
 
     /// A known direction in words: `⊥ AB`, `at 30°`.
     fn along(&self, term: usize) -> Both {
-        match self.problem.terms[term].direction.as_ref().and_then(|d| d.line.as_ref().zip(Some(d.across))) {
+        match self.problem.terms[term]
+            .direction
+            .as_ref()
+            .and_then(|d| d.line.as_ref().zip(Some(d.across)))
+        {
             Some((line, across)) => Both::same(format!("{}{line}", if across { "⊥" } else { "∥" })),
-            None => both!("at {}°", "方向角 {}°", degrees(self.given[term].1.unwrap_or(Vec2::ZERO))),
+            None => {
+                both!("at {}°", "方向角 {}°", degrees(self.given[term].1.unwrap_or(Vec2::ZERO)))
+            }
         }
     }
 
@@ -244,7 +250,13 @@ impl EquationBoard<'_> {
                 q.words()
             ));
             let step = self.out.steps.len() - 1;
-            self.out.arrows.push(EquationArrow { term: x, root: Some(0), from: p.at, to: q.at, step });
+            self.out.arrows.push(EquationArrow {
+                term: x,
+                root: Some(0),
+                from: p.at,
+                to: q.at,
+                step,
+            });
             self.read(0, &[(x, q.at - p.at)]);
             return;
         };
@@ -254,9 +266,7 @@ impl EquationBoard<'_> {
                 let [u, w] = [x, y].map(|k| self.given[k].1.unwrap_or(Vec2::ZERO));
                 vec![cross_lines(p.at, u, q.at, w).at]
             }
-            EquationCase::Directions(_) => {
-                arcs(p.at, self.opening(x), q.at, self.opening(y))
-            }
+            EquationCase::Directions(_) => arcs(p.at, self.opening(x), q.at, self.opening(y)),
             EquationCase::Mixed { .. } => {
                 cut(p.at, self.given[x].1.unwrap_or(Vec2::ZERO), q.at, self.opening(y))
             }
@@ -274,8 +284,7 @@ impl EquationBoard<'_> {
         match self.given[term] {
             (None, Some(u)) => {
                 let reach = meets.iter().map(|m| u.dot(*m - at.at));
-                let (low, high) =
-                    reach.fold((0.0_f64, 0.0_f64), |(l, h), s| (l.min(s), h.max(s)));
+                let (low, high) = reach.fold((0.0_f64, 0.0_f64), |(l, h), s| (l.min(s), h.max(s)));
                 let line = EquationLocus::Line(
                     at.at + u * (low - BEYOND_MM),
                     at.at + u * (high + BEYOND_MM),
@@ -302,7 +311,13 @@ impl EquationBoard<'_> {
     }
 
     /// Marks the crossings, draws the vectors to them, and measures.
-    fn crossings(&mut self, case: EquationCase, p: &EquationMark, q: &EquationMark, meets: &[Point]) {
+    fn crossings(
+        &mut self,
+        case: EquationCase,
+        p: &EquationMark,
+        q: &EquationMark,
+        meets: &[Point],
+    ) {
         let wanted = case.vectors();
         let (x, y) = (wanted[0], wanted[1]);
         let same_side = self.problem.terms[x].left == self.problem.terms[y].left;
@@ -311,25 +326,23 @@ impl EquationBoard<'_> {
             [_] => vec![format!("m{prime}")],
             _ => (1..=meets.len()).map(|k| format!("m{prime}_{k}")).collect(),
         };
-        let letters: Vec<Both> = names.iter().map(|n| Both::same(format!("${n}$"))).collect();
+        let letters: Vec<Both> = names.iter().map(|n| spaced(&format!("${n}$"))).collect();
         let list = Both::listed(&letters);
-        let list = Both { en: list.en, zh: format!(" {} ", list.zh) };
         let [a, b] = [x, y].map(|k| self.symbol(k));
         let met = match case {
-            EquationCase::Magnitudes(_) | EquationCase::Vector(_) => both!("The lines intersect at {}", "两直线交于 {}", list),
-            EquationCase::Directions(_) => both!("The arcs intersect at {}", "两弧交于 {}", list),
-            EquationCase::Mixed { .. } => both!("Line and arc intersect at {}", "直线与弧交于 {}", list),
+            EquationCase::Magnitudes(_) | EquationCase::Vector(_) => {
+                both!("The lines intersect at {}", "两直线交于{}", list)
+            }
+            EquationCase::Directions(_) => both!("The arcs intersect at {}", "两弧交于{}", list),
+            EquationCase::Mixed { .. } => {
+                both!("Line and arc intersect at {}", "直线与弧交于{}", list)
+            }
         };
         let ends = |from: &Both, to: &Both| both!("from {} to {}", "自{}至{}", from, to);
         let m = Both { en: list.en.replace(" and ", " or "), zh: list.zh.replace('和', "或") };
         let of_y = if same_side { ends(&m, &q.words()) } else { ends(&q.words(), &m) };
-        let drawn = both!(
-            "{}: {a} goes {}, {b} {}",
-            "{}：{a} {}，{b} {}",
-            met,
-            ends(&p.words(), &m),
-            of_y
-        );
+        let drawn =
+            both!("{}: {a} goes {}, {b} {}", "{}：{a} {}，{b} {}", met, ends(&p.words(), &m), of_y);
         let drawn = match meets {
             [_, _] => both!("{}; both polygons are solutions", "{}；两个多边形均为解", drawn),
             _ => drawn,
@@ -384,8 +397,14 @@ impl EquationBoard<'_> {
             self.out.readings.push(EquationReading { term: *term, root, on_paper: *on_paper });
         }
         self.out.steps.push(Both {
-            en: format!("Measure {}", told.iter().map(|b| b.en.as_str()).collect::<Vec<_>>().join("; ")),
-            zh: format!("量得 {}", told.iter().map(|b| b.zh.as_str()).collect::<Vec<_>>().join("；")),
+            en: format!(
+                "Measure {}",
+                told.iter().map(|b| b.en.as_str()).collect::<Vec<_>>().join("; ")
+            ),
+            zh: format!(
+                "量得 {}",
+                told.iter().map(|b| b.zh.as_str()).collect::<Vec<_>>().join("；")
+            ),
         });
     }
 }
@@ -447,8 +466,11 @@ fn cut(p: Point, along: Vec2, centre: Point, radius: f64) -> Vec<Point> {
 /// The arc about a centre through all crossings, on the shorter way between them.
 fn arc(centre: Point, radius: f64, meets: &[Point]) -> Option<EquationLocus> {
     let first = (*meets.first()? - centre).unit()?;
-    let turns: Vec<f64> =
-        meets.iter().filter_map(|m| (*m - centre).unit()).map(|u| u.divide_by(first).angle()).collect();
+    let turns: Vec<f64> = meets
+        .iter()
+        .filter_map(|m| (*m - centre).unit())
+        .map(|u| u.divide_by(first).angle())
+        .collect();
     let more = SWING_MM / radius;
     let (low, high) = turns.iter().fold((0.0_f64, 0.0_f64), |(l, h), t| (l.min(*t), h.max(*t)));
     let start = first.angle();

@@ -201,8 +201,7 @@ pub fn unknowns(terms: &[VectorTerm]) -> [Vec<usize>; 2] {
 fn listed(terms: &[VectorTerm], sizes: &[usize], directions: &[usize]) -> Both {
     let size = |k: &usize| both!("magnitude of {}", "{} 的大小", terms[*k].name);
     let direction = |k: &usize| both!("direction of {}", "{} 的方向", terms[*k].name);
-    let all: Vec<Both> =
-        sizes.iter().map(size).chain(directions.iter().map(direction)).collect();
+    let all: Vec<Both> = sizes.iter().map(size).chain(directions.iter().map(direction)).collect();
     Both {
         en: all.iter().map(|b| b.en.as_str()).collect::<Vec<_>>().join(", "),
         zh: all.iter().map(|b| b.zh.as_str()).collect::<Vec<_>>().join("、"),

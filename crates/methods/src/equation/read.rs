@@ -67,9 +67,7 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<VectorEquatio
     let named = f
         .need("equation", "\"v_C = v_B + v_CB\"", faults)
         .and_then(|n| Some((n.span, word(n, "\"equation\"", faults)?)))
-        .and_then(|(span, written)| {
-            sides(&written.text).map_err(|d| faults.push(d.at(span))).ok()
-        });
+        .and_then(|(span, written)| sides(&written.text).map_err(|d| faults.push(d.at(span))).ok());
     let mut r = VectorReader { front: &front, faults, lines: Vec::new() };
     r.lines(f.get("lines"));
     let given = r.vectors(f.get("vectors"), named.as_deref());
@@ -222,11 +220,7 @@ impl VectorReader<'_> {
     }
 
     /// Reads the kind of quantity; if it is not named, it is that of most magnitudes.
-    fn diagram(
-        &mut self,
-        node: Option<&Node>,
-        given: &[(Word, Fields)],
-    ) -> Option<DiagramKind> {
+    fn diagram(&mut self, node: Option<&Node>, given: &[(Word, Fields)]) -> Option<DiagramKind> {
         let name = |on: DiagramKind| if on == DiagramKind::Plane { "length" } else { on.word() };
         if let Some(node) = node {
             let written = word(node, "\"quantity\"", self.faults)?;
@@ -285,10 +279,7 @@ impl VectorReader<'_> {
                 on.kind().si()
             );
             let help = if value < 0.0 {
-                both!(
-                    "turn the direction by 180° instead",
-                    "请改用大小为正、方向转过 180° 的写法"
-                )
+                both!("turn the direction by 180° instead", "请改用大小为正、方向转过 180° 的写法")
             } else {
                 both!("a vector of length 0 has no direction", "零矢量没有方向")
             };

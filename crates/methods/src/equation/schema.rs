@@ -33,8 +33,7 @@ mod tests {
         let validator = jsonschema::validator_for(&schema).expect("the schema is a schema");
         for name in templates::names() {
             let file: Value = serde_json::from_str(templates::get(name).unwrap()).unwrap();
-            let faults: Vec<String> =
-                validator.iter_errors(&file).map(|e| e.to_string()).collect();
+            let faults: Vec<String> = validator.iter_errors(&file).map(|e| e.to_string()).collect();
             assert!(faults.is_empty(), "{name}: {faults:#?}");
         }
     }

@@ -77,7 +77,10 @@ struct ReducedEquation<N> {
     units: [Option<Vec2<N>>; 2],
 }
 
-fn reduced<N: Real>(problem: &VectorEquation, case: EquationCase) -> Result<ReducedEquation<N>, Diagnostic> {
+fn reduced<N: Real>(
+    problem: &VectorEquation,
+    case: EquationCase,
+) -> Result<ReducedEquation<N>, Diagnostic> {
     let terms = &problem.terms;
     let wanted = case.vectors();
     let (x, y) = (&terms[wanted[0]], wanted.get(1).map(|k| &terms[*k]));
@@ -105,9 +108,13 @@ fn roots<N: Certain>(
 ) -> Result<Vec<VectorRoot>, Diagnostic> {
     let r = reduced::<N>(problem, case)?;
     let pairs: Vec<VectorPair<N>> = match (case, r.sizes, r.units) {
-        (EquationCase::Magnitudes(_), _, [Some(u), Some(w)]) => vec![crossed(problem, case, &r, u, w)?],
+        (EquationCase::Magnitudes(_), _, [Some(u), Some(w)]) => {
+            vec![crossed(problem, case, &r, u, w)?]
+        }
         (EquationCase::Directions(_), [Some(x), Some(y)], _) => circles(problem, case, &r, x, y)?,
-        (EquationCase::Mixed { .. }, [_, Some(y)], [Some(u), _]) => line_circle(problem, case, &r, u, y)?,
+        (EquationCase::Mixed { .. }, [_, Some(y)], [Some(u), _]) => {
+            line_circle(problem, case, &r, u, y)?
+        }
         (EquationCase::Vector(_), ..)
         | (EquationCase::Magnitudes(_), ..)
         | (EquationCase::Directions(_), ..)
@@ -188,10 +195,14 @@ fn circles<N: Real>(
     if distance.approx() <= distance.radius() {
         let gap = (x - y).approx().abs();
         return Err(if gap <= (x - y).radius() {
-            apart(problem, case, both!(
-                "the known vectors sum to 0 and both circles are the same: every direction closes the polygon",
-                "已知矢量之和为零，两圆重合：任意方向都使多边形封闭"
-            ))
+            apart(
+                problem,
+                case,
+                both!(
+                    "the known vectors sum to 0 and both circles are the same: every direction closes the polygon",
+                    "已知矢量之和为零，两圆重合：任意方向都使多边形封闭"
+                ),
+            )
         } else {
             missed(problem, case, gap, both!("one circle encloses the other", "一圆在另一圆内"))
         });
@@ -265,27 +276,18 @@ fn standing<N: Real>(square: N) -> CircleMeeting {
 }
 
 /// The message for circles or lines that miss each other by a distance (SI).
-fn missed(
-    problem: &VectorEquation,
-    case: EquationCase,
-    gap: f64,
-    how: Both,
-) -> Diagnostic {
+fn missed(problem: &VectorEquation, case: EquationCase, gap: f64, how: Both) -> Diagnostic {
     let kind = problem.on.kind();
     let by = problem.book.text(kind, &legible(problem.book.value(kind, gap), 4));
     apart(problem, case, both!("{}; they miss each other by {by}", "{}，相差 {by}", how))
 }
 
 fn apart(problem: &VectorEquation, case: EquationCase, why: Both) -> Diagnostic {
-    let names: Vec<&str> =
-        case.vectors().iter().map(|k| problem.terms[*k].name.as_str()).collect();
+    let names: Vec<&str> = case.vectors().iter().map(|k| problem.terms[*k].name.as_str()).collect();
     let message = both!(
         "no solution for {}: {}",
         "{} 无解：{}",
-        Both {
-            en: names.join(" and "),
-            zh: names.join("、")
-        },
+        Both { en: names.join(" and "), zh: names.join("、") },
         why
     );
     Diagnostic::error("equation-no-solution", message).help(both!(
