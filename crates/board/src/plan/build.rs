@@ -401,15 +401,15 @@ impl PlanBuilder<'_> {
                 rates: Vec::new(),
                 further: Vec::new(),
             });
-            if self.tried.is_some() {
-                let trial = self.try_points(level, g);
-                self.tried.iter_mut().for_each(|all| all.push(trial.clone()));
-            }
+            let trial = self.tried.is_some().then(|| self.try_points(level, g));
             let Some(alternatives) = self.group(level, g) else {
                 self.list(level).pop();
                 self.undrawable.push(g);
                 continue;
             };
+            if let (Some(all), Some(trial)) = (&mut self.tried, trial) {
+                all.push(trial.with_first_of(&alternatives));
+            }
             self.list(level).last_mut().expect("just pushed").alternatives = alternatives;
             self.answer_needs(level, g);
         }

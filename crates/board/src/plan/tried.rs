@@ -9,7 +9,7 @@
 
 use super::build::{PlanBuilder, built, slot};
 use super::reduce::members;
-use super::{GroupChoices, Plan, TermChain, TurningBody, VertexId, VertexPlace};
+use super::{GroupChoices, Plan, PlanStep, TermChain, TurningBody, VertexId, VertexPlace};
 use hodograph_mechanism::mechanism::{Core, CoreLoci, Demand, Hold, Level, Mechanism, Strut};
 use hodograph_scene::{DiagramKind, LinkId, Scene};
 
@@ -47,6 +47,22 @@ pub fn unknowns(plan: &Plan, chains: &[TermChain]) -> [usize; 2] {
         [one] if plan.vertex(one.start).fixed => [open, 0],
         [_] => [2 + open, 2],
         more => [open, 2 * (more.len() - 1)],
+    }
+}
+
+impl GroupTrial {
+    /// Returns the trials with the first equation that the planner writes for the group in place of
+    /// the trial of its point: a link that translates or rolls has further chains.
+    pub(super) fn with_first_of(mut self, alternatives: &[Vec<PlanStep>]) -> GroupTrial {
+        let first = alternatives.first().into_iter().flatten().find_map(|step| match step {
+            PlanStep::Equation { target, chains, .. } => Some((*target, chains)),
+            PlanStep::Image { .. } | PlanStep::Same { .. } | PlanStep::Trials { .. } => None,
+        });
+        if let Some((target, chains)) = first {
+            let of_target = self.points.iter_mut().filter(|p| p.target == target);
+            of_target.for_each(|p| p.chains.clone_from(chains));
+        }
+        self
     }
 }
 
