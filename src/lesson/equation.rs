@@ -16,6 +16,9 @@ use crate::report::vector_equation as report;
 use crate::scene::Lang;
 use serde_json::{Value, json};
 
+/// There is one instant: the controls that move it are hidden.
+const STILL: &str = "#pose .buttons, #time { display: none; }\n";
+
 /// Words of this page in addition to those of the player.
 const WORDS: [(&str, [&str; 2]); 6] = [
     ("home", ["Back to the given instant", "回到给定时刻"]),
@@ -49,21 +52,22 @@ pub fn style(style: &Style) -> Style {
 /// Those of the SVG writer.
 pub fn lesson(sheet: &EquationSheet) -> Result<String, Faults> {
     let view = sheet.polygon();
+    let columns = report::columns(&sheet.problem.terms, sheet.notation);
+    let written: Vec<String> =
+        columns.iter().map(|c| format!("{} {}", c.joint, c.symbol)).collect();
+    let written = format!("${}$", written.join(" ").trim());
     let both_of = |say: &dyn Fn(Lang) -> String| json!([Lang::En, Lang::Zh].map(say));
     let steps: Vec<Value> =
         sheet.drawn.steps.iter().map(|s| both_of(&|lang| html(&Phrase::new(lang.of(s))))).collect();
     let answers = both_of(&|lang| {
         let lines = report::lines(sheet.problem, sheet.solved, DIGITS);
         let count = report::count(&sheet.problem.terms).sentence();
-        let told = std::iter::once(Phrase::of_words(lang.of(&count))).chain(lines);
+        let told =
+            [Phrase::new(&written), Phrase::of_words(lang.of(&count))].into_iter().chain(lines);
         told.map(|l| format!("<li>{}</li>", html(&l))).collect()
     });
     let scales = [mathml(&Label::math(view.scale(&sheet.problem.book)))];
-    let equation: String = report::columns(&sheet.problem.terms, sheet.notation)
-        .iter()
-        .map(|c| format!("{} {} ", c.joint, Phrase::new(&format!("${}$", c.symbol)).plain()))
-        .collect();
-    let told = json!({"at": equation.trim(), "steps": steps, "answers": answers, "scales": scales});
+    let told = json!({"at": "", "steps": steps, "answers": answers, "scales": scales});
     let title = &sheet.problem.title;
     let page = MotionPage {
         title: [title.en.as_str(), title.zh.as_str()],
@@ -73,5 +77,6 @@ pub fn lesson(sheet: &EquationSheet) -> Result<String, Faults> {
         base: 0,
         still: None,
     };
-    page.written(&[vec![view]], &[told])
+    let page = page.written(&[vec![view]], &[told])?;
+    Ok(page.replacen("</style>", &format!("{STILL}</style>"), 1))
 }

@@ -10,7 +10,7 @@ use super::tables::set_table;
 use hodograph_base::diag::{Both, both};
 use hodograph_base::geom::Point;
 use hodograph_base::notation::Notation;
-use hodograph_methods::equation::board::{EquationDrawing, EquationLocus};
+use hodograph_methods::equation::board::{EquationDrawing, EquationLocus, START};
 use hodograph_methods::equation::{EquationSolution, VectorEquation};
 use hodograph_paper::paper::drawing::{Drawing, DrawingPart, id};
 use hodograph_paper::paper::grid::{self, Cell, Row};
@@ -30,8 +30,6 @@ use hodograph_scene::{DiagramKind, Lang};
 /// Distance from the drawing down to its caption, and from there to its scale.
 const CAPTION_MM: f64 = 6.0;
 const SCALE_MM: f64 = 5.6;
-/// The letter of the common start of polygons without a pole.
-const START: &str = "O";
 
 /// The input of the drawing.
 #[derive(Clone, Copy)]

@@ -80,11 +80,15 @@ pub struct EquationMark {
     pub step: usize,
 }
 
+/// The letter of the start of a diagram without a pole.
+pub const START: &str = "O";
+
 impl EquationMark {
-    /// Returns its name in a sentence.
-    fn words(&self) -> Both {
+    /// Returns its name in a sentence about a diagram.
+    fn words(&self, on: DiagramKind) -> Both {
         match self.name.as_str() {
-            "" => both!("the pole", "极点"),
+            "" if DiagramKind::POLYGONS.contains(&on) => both!("the pole", "极点"),
+            "" => spaced(&format!("${START}$")),
             name => spaced(&format!("${name}$")),
         }
     }
@@ -217,7 +221,7 @@ impl EquationBoard<'_> {
             let text = both!(
                 "From {} lay off {}, {} mm {}, which gives ${letter}$",
                 "自{}作 {}，长 {} mm，{}，得 ${letter}$",
-                from.words(),
+                from.words(self.problem.on),
                 self.symbol(k),
                 mm(length),
                 self.along(k)
@@ -246,8 +250,8 @@ impl EquationBoard<'_> {
                 "Both sides of the equation end at one mark: {} closes the polygon from {} to {}",
                 "方程两边终于同一点：{} 为自{}至{}的封闭边",
                 self.symbol(x),
-                p.words(),
-                q.words()
+                p.words(self.problem.on),
+                q.words(self.problem.on)
             ));
             let step = self.out.steps.len() - 1;
             self.out.arrows.push(EquationArrow {
@@ -293,7 +297,7 @@ impl EquationBoard<'_> {
                 self.out.steps.push(both!(
                     "Through {} draw the direction of {symbol}, {}",
                     "过{}作 {symbol} 的方向线，{}",
-                    at.words(),
+                    at.words(self.problem.on),
                     self.along(term)
                 ));
             }
@@ -303,7 +307,7 @@ impl EquationBoard<'_> {
                 self.out.steps.push(both!(
                     "About {} strike an arc with the length of {symbol}, {} mm, as radius",
                     "以{}为圆心、{symbol} 的长度 {} mm 为半径作弧",
-                    at.words(),
+                    at.words(self.problem.on),
                     mm(radius)
                 ));
             }
@@ -340,9 +344,18 @@ impl EquationBoard<'_> {
         };
         let ends = |from: &Both, to: &Both| both!("from {} to {}", "自{}至{}", from, to);
         let m = Both { en: list.en.replace(" and ", " or "), zh: list.zh.replace('和', "或") };
-        let of_y = if same_side { ends(&m, &q.words()) } else { ends(&q.words(), &m) };
-        let drawn =
-            both!("{}: {a} goes {}, {b} {}", "{}：{a} {}，{b} {}", met, ends(&p.words(), &m), of_y);
+        let of_y = if same_side {
+            ends(&m, &q.words(self.problem.on))
+        } else {
+            ends(&q.words(self.problem.on), &m)
+        };
+        let drawn = both!(
+            "{}: {a} goes {}, {b} {}",
+            "{}：{a} {}，{b} {}",
+            met,
+            ends(&p.words(self.problem.on), &m),
+            of_y
+        );
         let drawn = match meets {
             [_, _] => both!("{}; both polygons are solutions", "{}；两个多边形均为解", drawn),
             _ => drawn,
