@@ -309,10 +309,10 @@ fn the_planner_takes_what_can_be_solved() {
                 |p: &serde_json::Value| of("taken").iter().any(|t| t["point"] == p["point"]);
             if let Some(first) = of("taken").first() {
                 assert!(good.is_empty() || good.iter().any(taken), "{}: {group:#}", template.name);
-                // No point is told unsolvable and then taken first.
+                // A point that counts as unsolvable is not taken first.
                 let of_first = |p: &serde_json::Value| p["point"] == first["point"];
-                let told = of("points").iter().filter(|p| of_first(p)).all(solvable);
-                assert!(told, "{}: {group:#}", template.name);
+                let fair = of("points").iter().filter(|p| of_first(p)).all(solvable);
+                assert!(fair, "{}: {group:#}", template.name);
             }
             unsolvable += of("points").len() - good.len();
         }

@@ -185,7 +185,7 @@ impl EquationSheet<'_> {
                 (0, false) => START.to_owned(),
                 _ => mark.name.clone(),
             };
-            let id = name.replace(['_', '\''], "");
+            let id = if k == 0 { "pole".to_owned() } else { name.replace(['_', '\''], "") };
             d.draw(&id, &class, sym::dot(style, mark.at));
             let near = drawn.marks[..k].iter().any(|m| m.at.distance(mark.at) < 0.3);
             if !near {
