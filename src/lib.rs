@@ -90,6 +90,8 @@
 //!   the parts of the motion, projections.
 //! - [`loops`]: the analytic method written out: vector loops, their real and imaginary parts, the
 //!   unknowns of each group as formulas that carry their values.
+//! - [`equation`]: vector equations on their own: the four cases with two unknowns, in closed form
+//!   and drawn.
 //! - [`particle`]: motions without a mechanism: pursuit, integrated with an error bound; a plate
 //!   that turns in space, in two views.
 //! - [`sweep`]: all positions of a driver: the scene compiled to operations over chunks of
@@ -133,7 +135,7 @@
 //! sweep      sweep
 //! paper      paper render
 //! worked     accuracy worked certified effort
-//! methods    gears trains centres composite attempts curvature inversions loops particle
+//! methods    gears trains centres composite attempts curvature inversions loops particle equation
 //! search     search
 //! synthesis  synthesis
 //! report     report
@@ -188,12 +190,13 @@
 //! search     diag budget geom position
 //! synthesis  templates diag json digits number geom scene mechanism position construct sweep search
 //! particle   templates diag json digits number geom scene construct
-//! report     diag notation digits number geom cam scene mechanism position answer force motion plan construct construction equilibrium analytic sweep paper render accuracy worked certified effort trains centres composite attempts curvature inversions loops synthesis particle
-//! figure     diag budget notation digits geom cam scene mechanism position answer force plan construct construction equilibrium analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions loops synthesis particle report
+//! equation   templates diag json digits number geom scene position construct
+//! report     diag notation digits number geom cam scene mechanism position answer force motion plan construct construction equilibrium analytic sweep paper render accuracy worked certified effort trains centres composite attempts curvature inversions loops synthesis particle equation
+//! figure     diag budget notation digits geom cam scene mechanism position answer force plan construct construction equilibrium analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions loops synthesis particle equation report
 //! webfont    paper
-//! worksheet  diag notation digits geom scene mechanism answer plan construct paper render worked certified centres attempts loops synthesis particle report figure webfont
-//! lesson     diag budget notation digits geom scene mechanism position plan construct construction equilibrium sweep paper render worked certified centres synthesis particle report figure webfont
-//! problem    diag json kind notation geom scene mechanism position answer plan construct sweep paper render worked certified attempts synthesis particle report figure worksheet lesson
+//! worksheet  diag notation digits geom scene mechanism answer plan construct paper render worked certified centres attempts loops synthesis particle equation report figure webfont
+//! lesson     diag budget notation digits geom scene mechanism position plan construct construction equilibrium sweep paper render worked certified centres synthesis particle equation report figure webfont
+//! problem    diag json kind notation geom scene mechanism position answer plan construct sweep paper render worked certified attempts synthesis particle equation report figure worksheet lesson
 //! homework   diag digits scene answer sweep paper render worked attempts report worksheet problem
 //! cli        diag json notation digits geom cam scene mechanism plan sweep paper render worked certified effort centres composite attempts curvature inversions loops report figure worksheet lesson problem homework
 //! ```
@@ -259,7 +262,7 @@ pub use hodograph_board::{construct, construction, equilibrium, plan};
 pub use hodograph_figure as figure;
 pub use hodograph_mechanism::{answer, force, mechanism, motion, position, stated};
 pub use hodograph_methods::{
-    attempts, centres, composite, curvature, gears, inversions, loops, particle, trains,
+    attempts, centres, composite, curvature, equation, gears, inversions, loops, particle, trains,
 };
 pub use hodograph_paper::{paper, render};
 pub use hodograph_report as report;

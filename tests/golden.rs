@@ -571,6 +571,30 @@ fn motions_look_as_they_are_drawn() {
     finish(&failures);
 }
 
+/// Vector equations, each template in both languages: the figure and the text with its steps.
+#[test]
+fn equations_look_as_they_are_drawn() {
+    use hodograph::equation::templates;
+    use hodograph::problem::{Look, Options, Pictures, read, solve};
+    let mut failures = Vec::new();
+    for name in templates::names() {
+        let problem = read(templates::get(name).unwrap()).unwrap().value;
+        let solved = solve(&problem, &Options::default()).unwrap();
+        for (lang, tag) in LANGS {
+            let look = Look { lang: Some(lang), ..Look::default() };
+            let figure = &solved.figures(&Pictures::default(), &look).unwrap().value[0].1;
+            let drawn = svg::write(figure).unwrap().value;
+            check_figure("equations", name, lang, &drawn, 110.0, &mut failures);
+            check_text(
+                &golden(&format!("equations/{name}.{tag}.txt")),
+                &solved.text(&look, true),
+                &mut failures,
+            );
+        }
+    }
+    finish(&failures);
+}
+
 /// The gallery shows every template.
 #[test]
 fn the_gallery_is_current() {

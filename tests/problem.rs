@@ -74,7 +74,7 @@ fn templates_of_all_kinds_take_the_same_calls() {
             kinds.push(t.kind);
         }
     }
-    assert!(answered > 100 && kinds.len() == 3, "{answered} {kinds:?}");
+    assert!(answered > 100 && kinds.len() == 4, "{answered} {kinds:?}");
 }
 
 /// A binding gets answers and figures of each kind of file by one call.
@@ -126,7 +126,7 @@ fn kinds_refuse_with_a_way_out() {
         Wish::Mobility,
     ];
     let mut refused = 0;
-    for kind in [Kind::Scene, Kind::Task, Kind::Motion] {
+    for kind in [Kind::Scene, Kind::Task, Kind::Motion, Kind::Equation] {
         for wish in wishes {
             let Err(d) = kind.grants(wish) else { continue };
             assert!(
@@ -138,7 +138,7 @@ fn kinds_refuse_with_a_way_out() {
             refused += 1;
         }
     }
-    assert_eq!(refused, 1 + 8 + 9);
+    assert_eq!(refused, 1 + 8 + 9 + 8);
     assert_eq!(problem("body").into_scene().unwrap_err().code, "not-a-scene");
     assert!(problem("shaper").into_scene().is_ok());
 }

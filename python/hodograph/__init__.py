@@ -7,7 +7,7 @@
 '0.947285 rad/s counter-clockwise'
 
 - `Scene` is a mechanism at an instant, `Task` a design task, `Motion` motions of points without
-  a mechanism; `read` takes a file of any kind, `template` and `templates` give examples.
+  a mechanism, `Equation` a vector equation; `read` takes a file of any kind, `template` and `templates` give examples.
 - `Scene.solve` returns the `Answers`; `figure`, `worksheet` and `lesson` draw and write.
 - `Scene.sweep` returns a `Table` with the answers over a whole motion, in NumPy columns.
 - `batch` solves many mechanisms whose parameters vary; `Parts` is a batch in a folder, for many
@@ -35,7 +35,19 @@ from ._errors import (
 from ._figure import Figure, Lesson, Worksheet
 from ._live import Live
 from ._parts import Parts, PartsReport, compute_part
-from ._problem import Motion, Problem, Scene, Task, Template, figures, read, schema, template, templates
+from ._problem import (
+    Equation,
+    Motion,
+    Problem,
+    Scene,
+    Task,
+    Template,
+    figures,
+    read,
+    schema,
+    template,
+    templates,
+)
 from ._report import Report
 from ._table import Table
 
@@ -45,6 +57,7 @@ __all__ = [
     "ArgumentError",
     "Design",
     "Diagnostic",
+    "Equation",
     "Figure",
     "FileError",
     "HodographError",

@@ -105,7 +105,7 @@ class Problem:
 
     @property
     def kind(self) -> str:
-        """`scene`, `task` or `motion`."""
+        """`scene`, `task`, `motion` or `equation`."""
         return self._native.kind
 
     @property
@@ -421,15 +421,27 @@ class Motion(Problem):
         return Answers(self._solution(), _look(lang, notation, None, digits))
 
 
-_KINDS: dict[str, type[Problem]] = {"scene": Scene, "task": Task, "motion": Motion}
+class Equation(Problem):
+    """A vector equation on its own."""
+
+    _kind = "equation"
+
+    def solve(
+        self, *, digits: int | None = None, lang: Lang | None = None, notation: Notation | None = None
+    ) -> Answers:
+        """Solves by drawing and in closed form; two solutions are named `v_C'` and `v_C''`."""
+        return Answers(self._solution(), _look(lang, notation, None, digits))
 
 
-def read(source: str | os.PathLike[str] | Mapping[str, Any]) -> Scene | Task | Motion:
+_KINDS: dict[str, type[Problem]] = {"scene": Scene, "task": Task, "motion": Motion, "equation": Equation}
+
+
+def read(source: str | os.PathLike[str] | Mapping[str, Any]) -> Scene | Task | Motion | Equation:
     """Reads a file of any kind: a dict, a text in JSON, or the file at a path."""
     text, name = _text(source)
     of = _KINDS[_native.kind_of(text)](text)
     of._name = name
-    return cast("Scene | Task | Motion", of)
+    return cast("Scene | Task | Motion | Equation", of)
 
 
 @dataclass(frozen=True)
@@ -438,7 +450,7 @@ class Template:
 
     name: str
     kind: str
-    """`scene`, `task` or `motion`."""
+    """`scene`, `task`, `motion` or `equation`."""
     title: dict[str, str]
     """The title in both languages."""
     parameters: dict[str, str]
@@ -446,14 +458,14 @@ class Template:
 
 
 def templates() -> list[Template]:
-    """All templates: scenes, design tasks, motions."""
+    """All templates: scenes, design tasks, motions, vector equations."""
     return [
         Template(name, kind, {"en": en, "zh": zh}, dict(parameters))
         for name, kind, (en, zh), parameters in _native.templates()
     ]
 
 
-def template(name: str) -> Scene | Task | Motion:
+def template(name: str) -> Scene | Task | Motion | Equation:
     """The template with a name, whatever its kind."""
     return read(_native.template(name))
 
@@ -463,11 +475,11 @@ def figures() -> dict[str, dict[str, str]]:
     return {name: {"en": en, "zh": zh} for name, en, zh in _native.figures()}
 
 
-def schema(kind: Literal["scene", "task", "motion"] = "scene") -> dict[str, Any]:
+def schema(kind: Literal["scene", "task", "motion", "equation"] = "scene") -> dict[str, Any]:
     """The JSON Schema of a kind of file."""
     text = _native.schema(kind)
     if text is None:
-        raise ValueError("kind is 'scene', 'task' or 'motion'")
+        raise ValueError("kind is 'scene', 'task', 'motion' or 'equation'")
     told: dict[str, Any] = json.loads(text)
     return told
 

@@ -71,10 +71,10 @@ pub fn included(py: Python, source: Vec<u8>, read: &Bound<PyAny>) -> PyResult<Ve
     made.map_err(|faults| thrown.unwrap_or_else(|| Refusal::of(faults).raised(py)))
 }
 
-/// Returns the JSON Schema of a kind of file: `scene`, `task` or `motion`.
+/// Returns the JSON Schema of a kind of file: `scene`, `task`, `motion` or `equation`.
 #[pyfunction]
 pub fn schema(kind: &str) -> Option<&'static str> {
-    [Kind::Scene, Kind::Task, Kind::Motion]
+    [Kind::Scene, Kind::Task, Kind::Motion, Kind::Equation]
         .into_iter()
         .find(|k| k.word() == kind)
         .map(problem::schema)
@@ -86,7 +86,7 @@ pub fn figures() -> Vec<(&'static str, &'static str, &'static str)> {
     list::LIST.iter().map(|e| (e.name, e.about[0], e.about[1])).collect()
 }
 
-/// Returns the kind of a text, judged by its keys: `scene`, `task` or `motion`.
+/// Returns the kind of a text, judged by its keys: `scene`, `task`, `motion` or `equation`.
 #[pyfunction]
 pub fn kind_of(text: &str) -> &'static str {
     Kind::of(text.as_bytes()).word()
@@ -168,7 +168,7 @@ impl Problem {
         &self.source
     }
 
-    /// The kind: `scene`, `task` or `motion`.
+    /// The kind: `scene`, `task`, `motion` or `equation`.
     #[getter]
     fn kind(&self) -> &'static str {
         self.problem.kind().word()

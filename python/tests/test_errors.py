@@ -148,9 +148,9 @@ def test_names_of_numbers_that_are_not_finite():
 
 
 def test_the_schema_describes_the_templates():
-    for kind in ("scene", "task", "motion"):
+    for kind in ("scene", "task", "motion", "equation"):
         assert hg.schema(kind)["$schema"]
     with pytest.raises(ValueError):
         hg.schema("book")
-    assert {t.kind for t in hg.templates()} == {"scene", "task", "motion"}
+    assert {t.kind for t in hg.templates()} == {"scene", "task", "motion", "equation"}
     assert json.dumps(hg.figures(), ensure_ascii=False).count("zh") == len(hg.figures())

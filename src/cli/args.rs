@@ -146,11 +146,14 @@ pub enum Command {
         /// The schema of files of motions without a mechanism
         #[arg(long, conflicts_with = "synthesis")]
         motions: bool,
-        /// The schema of the answers of `solve --json` and `synth --json`
+        /// The schema of files of a vector equation
         #[arg(long, conflicts_with_all = ["synthesis", "motions"])]
+        equation: bool,
+        /// The schema of the answers of `solve --json` and `synth --json`
+        #[arg(long, conflicts_with_all = ["synthesis", "motions", "equation"])]
         solved: bool,
         /// The schema of faults, warnings and notes with `--errors json`
-        #[arg(long, conflicts_with_all = ["synthesis", "motions", "solved"])]
+        #[arg(long, conflicts_with_all = ["synthesis", "motions", "equation", "solved"])]
         diagnostics: bool,
     },
 }
@@ -332,6 +335,9 @@ pub struct PlanArgs {
     /// Lay the sheet out too, so that the labels placed on it are counted
     #[arg(long, requires = "json")]
     pub figure: bool,
+    /// Also the points tried for each group, with the unknowns of their equations: solvable or not
+    #[arg(long)]
+    pub why: bool,
 }
 
 #[derive(ClapArgs, Debug)]

@@ -128,6 +128,7 @@ fn run() -> ExitCode {
         Command::Templates => template::list(),
         Command::Schema { synthesis: true, .. } => files::print(problem::schema(Kind::Task)),
         Command::Schema { motions: true, .. } => files::print(problem::schema(Kind::Motion)),
+        Command::Schema { equation: true, .. } => files::print(problem::schema(Kind::Equation)),
         Command::Schema { solved: true, .. } => files::print(include_str!("schema/solved.json")),
         Command::Schema { diagnostics: true, .. } => {
             files::print(include_str!("schema/errors.json"))
@@ -374,7 +375,11 @@ impl SceneInput {
     }
 
     fn of(common: &CommonArgs, extent: Extent) -> Result<SceneInput, Failure> {
-        let mut file = InputFile::open(&common.scene, &common.set)?;
+        SceneInput::of_file(InputFile::open(&common.scene, &common.set)?, extent)
+    }
+
+    /// Reads the scene of an open file.
+    fn of_file(mut file: InputFile, extent: Extent) -> Result<SceneInput, Failure> {
         let problem = file.read(|bytes| {
             Kind::of(bytes).grants(Wish::Mechanism)?;
             problem::read_as(bytes, extent)

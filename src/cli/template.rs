@@ -44,6 +44,7 @@ pub fn list() -> CommandResult {
             Kind::Scene => "",
             Kind::Task => " (synthesis · 综合文件)",
             Kind::Motion => " (motion without a mechanism · 无机构的运动)",
+            Kind::Equation => " (vector equation · 矢量方程)",
         };
         out.push_str(&format!("{}{kind}\n    {} · {}\n", t.name, t.title.en, t.title.zh));
         let parameters: Vec<String> =

@@ -13,6 +13,7 @@ mod bank;
 mod centres;
 mod curve;
 pub mod design;
+pub mod equation;
 mod equations;
 mod frames;
 mod marks;

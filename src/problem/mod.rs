@@ -1,4 +1,5 @@
-//! Every kind of file through one call: a scene, a design task, motions without a mechanism.
+//! Every kind of file through one call: a scene, a design task, motions without a mechanism, a
+//! vector equation.
 //!
 //! [`read`] makes a [`Problem`] from a file's text, [`solve()`] solves it, and the methods of
 //! [`Solved`] write the answers as text, JSON, figures, worksheets and lessons. The program, a page
@@ -11,6 +12,7 @@
 //! and [`Kind`], and a row in [`Kind::grants`].
 
 pub mod batch;
+mod equation;
 mod live;
 mod motion;
 mod pictures;
@@ -23,6 +25,7 @@ mod wish;
 
 use crate::answer::AnswerValue;
 use crate::diag::{Diagnostic, Faults, Warned};
+use crate::equation as vectors;
 use crate::figure::list::{Extras, FigureEntry, Pages, USUAL};
 use crate::figure::sheet;
 use crate::notation::Notation;
@@ -35,6 +38,7 @@ use crate::worked::{Worked, instant};
 use crate::worksheet::{Document, WorksheetSides, WorksheetTask};
 use serde_json::{Value as Json, json};
 
+pub use equation::equation_plan;
 pub use live::{Live, PageDelta};
 pub use pictures::{Additions, extras, points_named};
 pub use scene::whole_motion;
@@ -51,6 +55,8 @@ pub enum Problem {
     Task(Box<synthesis::Task>),
     /// Motions of points without a mechanism.
     Motion(Box<particle::ParticleProblem>),
+    /// A vector equation on its own.
+    Equation(Box<vectors::VectorEquation>),
 }
 
 /// The part of a scene that must be given.
@@ -98,6 +104,9 @@ fn read_kind(source: &[u8], kind: Kind, extent: Extent) -> Result<Warned<Problem
         Kind::Motion => {
             Ok(particle::read(source)?.map(|problem| Problem::Motion(Box::new(problem))))
         }
+        Kind::Equation => {
+            Ok(vectors::read(source)?.map(|problem| Problem::Equation(Box::new(problem))))
+        }
         Kind::Scene => {
             let Warned { value, mut notes } = match extent {
                 Extent::Motion => crate::scene::read_at_any_rate(source),
@@ -143,6 +152,7 @@ impl Problem {
             Problem::Scene(_) => Kind::Scene,
             Problem::Task(_) => Kind::Task,
             Problem::Motion(_) => Kind::Motion,
+            Problem::Equation(_) => Kind::Equation,
         }
     }
 
@@ -153,7 +163,9 @@ impl Problem {
     pub fn into_scene(self) -> Result<Scene, Diagnostic> {
         match self {
             Problem::Scene(scene) => Ok(*scene),
-            Problem::Task(_) | Problem::Motion(_) => Err(wish::no_mechanism(self.kind())),
+            Problem::Task(_) | Problem::Motion(_) | Problem::Equation(_) => {
+                Err(wish::no_mechanism(self.kind()))
+            }
         }
     }
 }
@@ -200,6 +212,7 @@ pub fn solve(problem: &Problem, options: &Options) -> Result<Solved, Faults> {
         Problem::Scene(given) => scene::solve(given, options),
         Problem::Task(task) => task::solve(task, options),
         Problem::Motion(given) => motion::solve(given),
+        Problem::Equation(given) => equation::solve(given),
     }
 }
 
@@ -304,6 +317,7 @@ pub fn schema(kind: Kind) -> &'static str {
         Kind::Scene => crate::scene::schema::schema(),
         Kind::Task => synthesis::schema::schema(),
         Kind::Motion => particle::schema::schema(),
+        Kind::Equation => vectors::schema::schema(),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::Kind;
 use crate::diag::{Both, Faults};
 use crate::scene::{self, edit};
-use crate::{particle, synthesis};
+use crate::{equation, particle, synthesis};
 
 /// A template: a file with parameters that can be set.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,7 +18,7 @@ pub struct Template {
     pub parameters: Vec<(String, String)>,
 }
 
-/// Returns all templates: scenes, tasks of design, motions.
+/// Returns all templates: scenes, tasks of design, motions, vector equations.
 pub fn all() -> Vec<Template> {
     let scenes = scene::templates::list().into_iter();
     let of = |name, kind, title| Template { name, kind, title, parameters: Vec::new() };
@@ -35,6 +35,10 @@ pub fn all() -> Vec<Template> {
             particle::templates::names()
                 .map(|name| of(name, Kind::Motion, particle::templates::title(name))),
         )
+        .chain(
+            equation::templates::names()
+                .map(|name| of(name, Kind::Equation, equation::templates::title(name))),
+        )
         .collect()
 }
 
@@ -44,7 +48,10 @@ pub fn all() -> Vec<Template> {
 /// # Errors
 /// A template or parameter that does not exist; values that cannot be read.
 pub fn text(name: &str, values: &[(&str, &str)]) -> Result<String, Faults> {
-    match synthesis::templates::get(name).or_else(|| particle::templates::get(name)) {
+    let other = synthesis::templates::get(name)
+        .or_else(|| particle::templates::get(name))
+        .or_else(|| equation::templates::get(name));
+    match other {
         Some(text) => edit::with_parameters(text, values),
         None => scene::templates::instantiate(name, values),
     }

@@ -1,7 +1,7 @@
 //! Kinds of file, and the features that each offers.
 
 use crate::diag::{Both, Diagnostic, both};
-use crate::{particle, synthesis};
+use crate::{equation, particle, synthesis};
 
 /// A kind of file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,6 +13,8 @@ pub enum Kind {
     Task,
     /// Motions of points without a mechanism.
     Motion,
+    /// A vector equation on its own.
+    Equation,
 }
 
 impl Kind {
@@ -22,6 +24,7 @@ impl Kind {
             Kind::Scene => "scene",
             Kind::Task => "task",
             Kind::Motion => "motion",
+            Kind::Equation => "equation",
         }
     }
 }
@@ -76,10 +79,14 @@ impl Kind {
     /// Returns the kind of a file, judged by its keys; a file that cannot be read counts as a
     /// scene.
     pub fn of(source: &[u8]) -> Kind {
-        match (synthesis::is_task(source), particle::is_problem(source)) {
-            (true, _) => Kind::Task,
-            (false, true) => Kind::Motion,
-            (false, false) => Kind::Scene,
+        if synthesis::is_task(source) {
+            Kind::Task
+        } else if equation::is_problem(source) {
+            Kind::Equation
+        } else if particle::is_problem(source) {
+            Kind::Motion
+        } else {
+            Kind::Scene
         }
     }
 
@@ -92,6 +99,7 @@ impl Kind {
             Kind::Scene => wish != Wish::Candidate,
             Kind::Task => matches!(wish, Wish::Candidate | Wish::Pictures),
             Kind::Motion => wish == Wish::Answers,
+            Kind::Equation => matches!(wish, Wish::Answers | Wish::Pictures),
         };
         match (granted, wish) {
             (true, _) => Ok(()),
@@ -113,7 +121,7 @@ impl Kind {
                     "请去掉它，或先生成机构文件：`hodograph synth FILE -o scene.json`"
                 ),
             ),
-            Kind::Scene | Kind::Motion => (
+            Kind::Scene | Kind::Motion | Kind::Equation => (
                 both!(
                     "{option} is of mechanisms, and this file has none",
                     "{option} 只用于机构，而此文件没有机构"
@@ -144,6 +152,16 @@ pub(super) fn no_mechanism(kind: Kind) -> Diagnostic {
             both!(
                 "`hodograph synth FILE -o scene.json` makes the scene; `draw`, `worksheet` and `lesson` take the file itself",
                 "请用 `hodograph synth FILE -o scene.json` 生成机构文件；`draw`、`worksheet`、`lesson` 可直接用综合文件"
+            ),
+        ),
+        Kind::Equation => (
+            both!(
+                "this file has a vector equation without a mechanism: there are no links",
+                "此文件是矢量方程，没有机构：没有构件"
+            ),
+            both!(
+                "`solve`, `plan`, `draw`, `worksheet` and `lesson` take it",
+                "请用 `solve`、`plan`、`draw`、`worksheet`、`lesson`"
             ),
         ),
         Kind::Scene | Kind::Motion => (

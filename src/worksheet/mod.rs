@@ -11,6 +11,7 @@
 mod centres;
 mod design;
 mod display;
+mod equation;
 pub mod html;
 mod loops;
 pub mod markdown;
@@ -39,6 +40,7 @@ use crate::worked::Worked;
 use speak::Speak;
 
 pub use design::design;
+pub use equation::equation;
 pub use loops::by_loops;
 pub use mistake::find_the_mistake;
 pub use mobility::{mobility, mobility_of_pairs};

@@ -1,8 +1,9 @@
 //! The solution side: degree of freedom and groups, scales, then for each polygon equations,
 //! angular velocities or accelerations, polygon and steps.
 
+use super::equation::equation_table;
 use super::speak::Speak;
-use super::{DocumentBlock, DocumentTable, SheetMaker, TableKind};
+use super::{DocumentBlock, SheetMaker};
 use crate::centres::CentreTask;
 use crate::construct::Polygon;
 use crate::figure::forces;
@@ -272,31 +273,7 @@ impl SheetMaker<'_> {
             Lang::En => format!("For ${vector}$ ({why}):"),
             Lang::Zh => format!("求 ${vector}$（{why}）："),
         })));
-        let [mut symbols, mut magnitudes, mut directions] =
-            ["", self.words().magnitude, self.words().direction]
-                .map(|head| vec![Phrase::new(head)]);
-        for c in columns {
-            let cell = |text: &str| {
-                Phrase::new(&if text.is_empty() { String::new() } else { format!("${text}$") })
-            };
-            if !c.joint.is_empty() {
-                symbols.push(cell(c.joint));
-                magnitudes.push(cell(""));
-                directions.push(cell(""));
-            }
-            symbols.push(cell(&c.symbol));
-            magnitudes.push(cell(&c.magnitude));
-            directions.push(cell(&c.direction));
-        }
-        let [second, third] = if self.notation().first_row == "direction" {
-            [directions, magnitudes]
-        } else {
-            [magnitudes, directions]
-        };
-        blocks.push(DocumentBlock::Table(DocumentTable {
-            kind: TableKind::Equation,
-            rows: vec![symbols, second, third],
-        }));
+        blocks.push(DocumentBlock::Table(equation_table(columns, self.lang(), self.notation())));
     }
 
     /// Derives the angular velocity or acceleration of each link of the group from the vectors:

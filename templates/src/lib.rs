@@ -96,13 +96,23 @@ pub const MOTIONS: &[(&str, &str)] = &[
     ("ring-in-space", include_str!("../particle/ring-in-space.json")),
 ];
 
+/// Vector equations, one for each solvable case.
+pub const EQUATIONS: &[(&str, &str)] = &[
+    ("closing-side", include_str!("../equation/closing-side.json")),
+    ("two-magnitudes", include_str!("../equation/two-magnitudes.json")),
+    ("two-directions", include_str!("../equation/two-directions.json")),
+    ("magnitude-and-direction", include_str!("../equation/magnitude-and-direction.json")),
+];
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn every_file_is_in_a_list() {
-        for (folder, list) in [("", SCENES), ("synthesis", TASKS), ("particle", MOTIONS)] {
+        for (folder, list) in
+            [("", SCENES), ("synthesis", TASKS), ("particle", MOTIONS), ("equation", EQUATIONS)]
+        {
             let files =
                 std::fs::read_dir(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(folder))
                     .unwrap();

@@ -1,5 +1,6 @@
-//! Mutated files other than scenes: tasks of synthesis and motions without a mechanism. Their seeds
-//! are their templates and the tasks of the synthesis tests, so that every kind of file is mutated.
+//! Mutated files other than scenes: tasks of synthesis, motions without a mechanism, vector
+//! equations. Their seeds are their templates and the tasks of the synthesis tests, so that every
+//! kind of file is mutated.
 
 use super::{corpus, finite, fuzz, root, told, well_formed};
 use hodograph::figure::{particle as motion_figure, synthesis as design_figure};
@@ -7,6 +8,7 @@ use hodograph::lesson::design as design_lesson;
 use hodograph::notation::Notation;
 use hodograph::paper::style::Style;
 use hodograph::particle::{self, board};
+use hodograph::problem::{self, Kind};
 use hodograph::render::svg;
 use hodograph::report::{particle as motion_report, synthesis as design_report};
 use hodograph::scene::Lang;
@@ -133,6 +135,44 @@ fn motion_target(input: &[u8], k: u64) -> bool {
         }
     }
     true
+}
+
+/// A vector equation is refused with a message, or solved: the sum of the vectors vanishes, the
+/// board agrees, and all outputs are well-formed.
+fn equation_target(input: &[u8], k: u64) -> bool {
+    use hodograph::problem::{Look, Options, Pictures, Verdict, solve};
+    let problem = match problem::read_of(input, Kind::Equation) {
+        Ok(p) => p.value,
+        Err(faults) => {
+            told(&faults, input);
+            return false;
+        }
+    };
+    let solved = match solve(&problem, &Options::default()) {
+        Ok(solved) => solved,
+        Err(faults) => {
+            told(&faults, input);
+            return false;
+        }
+    };
+    assert_eq!(solved.verdict(), Verdict::Answered);
+    let lang = if k.is_multiple_of(2) { Lang::En } else { Lang::Zh };
+    let look = Look { lang: Some(lang), digits: 6 + k as usize % 20, ..Look::default() };
+    finite(&solved.text(&look, true));
+    finite(&solved.json(&look, false, &[]).to_string());
+    match solved.figures(&Pictures { steps: k.is_multiple_of(3), ..Pictures::default() }, &look) {
+        Ok(pages) => pages.value.iter().for_each(|page| match svg::write(&page.1) {
+            Ok(svg) => well_formed(&svg.value),
+            Err(faults) => told(&faults, input),
+        }),
+        Err(faults) => told(&faults, input),
+    }
+    true
+}
+
+#[test]
+fn fuzz_equations() {
+    fuzz("equations", &corpus(&["templates/equation"]), 60, &equation_target);
 }
 
 #[test]

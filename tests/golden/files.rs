@@ -156,6 +156,7 @@ pub const SHOWN: [(&str, &str, &str); 37] = [
     ("Composite motion of a point", "draw --figure composite", "turning-plate/composite.en.png"),
     ("A pursuit with its course", "draw", "motions/pursuit-of-a-ship.en.png"),
     ("A plate that turns in space, in two views", "draw", "motions/plate-in-space.en.png"),
+    ("A vector equation: two directions", "draw", "equations/two-directions.en.png"),
     (
         "A wrong solution over the right one",
         "draw --figure attempts",
@@ -178,6 +179,9 @@ pub const SHOWN: [(&str, &str, &str); 37] = [
 pub const POLAR: &str = "engine-forces";
 /// Worksheets on mobility: a virtual constraint; a compound hinge and higher pairs.
 pub const MOBILITY: [&str; 3] = ["third-crank", "planetary-gear", "three-planets"];
+/// Vector equations: the figure and the text with its steps.
+pub const EQUATIONS: [&str; 4] =
+    ["closing-side", "two-magnitudes", "two-directions", "magnitude-and-direction"];
 /// Motions without a mechanism.
 pub const MOTIONS: [&str; 4] = ["pursuit", "pursuit-of-a-ship", "plate-in-space", "ring-in-space"];
 
@@ -214,6 +218,7 @@ pub fn kept() -> BTreeSet<String> {
     MOBILITY
         .iter()
         .for_each(|t| in_both(t, &["mobility.LANG.md", "mobility.LANG.typ", "mobility.LANG.html"]));
+    EQUATIONS.iter().for_each(|t| in_both("equations", &[&format!("{t}.LANG.txt")]));
     WORKSHEETS.iter().for_each(|t| {
         in_both(t, &["worksheet.LANG.md", "worksheet.LANG.typ", "worksheet.LANG.html"])
     });
@@ -243,6 +248,7 @@ fn figures() -> Vec<(String, String)> {
     DESIGNS.iter().for_each(|(kind, figure)| add("synthesis", &format!("{kind}-{figure}")));
     ["motion", "profile"].iter().for_each(|f| add(CAM, f));
     MOTIONS.iter().for_each(|t| add("motions", t));
+    EQUATIONS.iter().for_each(|t| add("equations", t));
     all
 }
 

@@ -528,7 +528,7 @@ export class App {
 
   private dressTabs(): void {
     document.body.dataset.tab = this.tab
-    const scene = this.opened?.kind !== 'task' && this.opened?.kind !== 'motion'
+    const scene = !['task', 'motion', 'equation'].includes(this.opened?.kind ?? '')
     const singles = SINGLE.filter((name) => this.pages.has(name) || name === 'sheet' || name === this.tab || (SLOW.includes(name) && this.course?.can))
     const reports = REPORTS.filter((name) => name !== 'limits' || (this.course?.can && typeof this.opened?.swept === 'number'))
     const names = scene ? ['live', 'steps', ...singles, ...reports] : ['sheet']

@@ -16,7 +16,7 @@ export interface Driver { name: string; turns: boolean; position: number | null;
 export interface Names { points: string[]; links: string[]; parameters: string[] }
 export interface Opened {
   handle: number
-  kind: 'scene' | 'task' | 'motion'
+  kind: 'scene' | 'task' | 'motion' | 'equation'
   title: string | null
   language: 'en' | 'zh'
   drivers: Driver[] | null

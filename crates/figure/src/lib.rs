@@ -49,3 +49,4 @@ pub mod steps;
 pub mod synthesis;
 #[doc(hidden)]
 pub mod tables;
+pub mod vector_equation;

@@ -5,6 +5,7 @@ use hodograph_worked::certified::CertifiedSteps;
 use std::ops::Range;
 
 use hodograph_base::digits::inked;
+use hodograph_base::notation::Notation;
 use hodograph_board::construct::{Action, PlanDrawing, Polygon};
 use hodograph_board::plan::text::{EquationColumn, PlanWriter, vertex_name};
 use hodograph_board::plan::{PlanStep, Special, SpecialLine, TermChain, VertexId};
@@ -235,57 +236,10 @@ impl Tables<'_> {
         ends: Range<usize>,
         step: &str,
     ) -> DrawingPart {
-        let (w, style, words) = (self.writer, self.style, self.words());
         let name = id(kind(on), &format!("equation-{}", self.vertex(target)));
         let class = |what: &str| format!("{} table {what} {step}", kind(on));
-        let head = |word: &str, what: &str| {
-            let id = if ends.start == 0 {
-                format!("{name}-{what}")
-            } else {
-                format!("{name}-{what}-from-{}", ends.start)
-            };
-            Some(self.cell(heading(word), style.caption_mm, Anchor::End, id, &class("heading")))
-        };
-        let mut symbols = vec![None];
-        let mut magnitudes = vec![head(words.magnitude, "magnitude")];
-        let mut directions = vec![head(words.direction, "direction")];
-        for (k, c) in columns.iter().enumerate().take(ends.end).skip(ends.start) {
-            let cell = |text: &str, size: f64, what: &str| {
-                Some(self.cell(
-                    Label::math(text),
-                    size,
-                    Anchor::Middle,
-                    format!("{name}-{what}-{k}"),
-                    &class(what),
-                ))
-            };
-            symbols.push(if c.joint.is_empty() {
-                None
-            } else {
-                cell(c.joint, style.label_mm, "joint")
-            });
-            symbols.push(cell(&c.symbol, style.label_mm, "symbol"));
-            magnitudes.extend([None, cell(&c.magnitude, style.caption_mm, "magnitude")]);
-            directions.extend([None, cell(&c.direction, style.caption_mm, "direction")]);
-        }
-        let [top, row, bottom] = [TOP_MM, ROW_MM, BOTTOM_MM].map(|mm| style.leading(mm));
-        let mut rows = vec![Row { cells: symbols, height_mm: top }];
-        let both = if w.notation.first_row == "direction" {
-            [directions, magnitudes]
-        } else {
-            [magnitudes, directions]
-        };
-        rows.extend(both.map(|cells| Row { cells, height_mm: row }));
-        self.boxed(grid::set(&rows, style.leading(GAP_MM)), top + 2.0 * row + bottom)
-    }
-
-    /// A part with a box as high as its rows, independent of their content, so that stacked tables
-    /// are evenly spaced.
-    fn boxed(&self, items: Vec<FigureItem>, height_mm: f64) -> DrawingPart {
-        let mut part = DrawingPart::of(items);
-        part.bounds.max.y = part.bounds.max.y.max(0.0);
-        part.bounds.min.y = part.bounds.min.y.min(-height_mm);
-        part
+        let (start, columns) = (ends.start, columns.get(ends).unwrap_or_default());
+        set_table(self.style, self.words(), self.writer.notation, &name, (start, columns), class)
     }
 
     fn line(
@@ -328,7 +282,7 @@ impl Tables<'_> {
             .zip(heights)
             .map(|(cells, height_mm)| Row { cells, height_mm })
             .collect();
-        self.boxed(grid::set(&rows, gap_mm), height)
+        boxed(grid::set(&rows, gap_mm), height)
     }
 
     fn image(
@@ -461,6 +415,64 @@ pub(crate) fn constraint_line(scene: &Scene, words: &Words, line: ConstraintLine
 
 /// Maximum number of columns before a table has two rows.
 const MOST_COLUMNS: usize = 12;
+
+/// Returns the table of an equation: symbols, magnitudes and directions of some of its columns; the
+/// first of them has this index in the equation. `class` makes the class of an item from its role.
+pub(super) fn set_table(
+    style: &Style,
+    words: &Words,
+    notation: &Notation,
+    name: &str,
+    (start, columns): (usize, &[EquationColumn]),
+    class: impl Fn(&str) -> String,
+) -> DrawingPart {
+    let cell = |label: Label, size_mm: f64, anchor: Anchor, id: String, what: &str| {
+        let label = label.in_fonts(&style.fonts);
+        Some(Cell { label, size_mm, anchor, class: class(what), id })
+    };
+    let head = |word: &str, what: &str| {
+        let id = if start == 0 {
+            format!("{name}-{what}")
+        } else {
+            format!("{name}-{what}-from-{start}")
+        };
+        cell(heading(word), style.caption_mm, Anchor::End, id, "heading")
+    };
+    let mut symbols = vec![None];
+    let mut magnitudes = vec![head(words.magnitude, "magnitude")];
+    let mut directions = vec![head(words.direction, "direction")];
+    for (k, c) in (start..).zip(columns) {
+        let cell = |text: &str, size: f64, what: &str| {
+            cell(Label::math(text), size, Anchor::Middle, format!("{name}-{what}-{k}"), what)
+        };
+        symbols.push(if c.joint.is_empty() {
+            None
+        } else {
+            cell(c.joint, style.label_mm, "joint")
+        });
+        symbols.push(cell(&c.symbol, style.label_mm, "symbol"));
+        magnitudes.extend([None, cell(&c.magnitude, style.caption_mm, "magnitude")]);
+        directions.extend([None, cell(&c.direction, style.caption_mm, "direction")]);
+    }
+    let [top, row, bottom] = [TOP_MM, ROW_MM, BOTTOM_MM].map(|mm| style.leading(mm));
+    let mut rows = vec![Row { cells: symbols, height_mm: top }];
+    let both = if notation.first_row == "direction" {
+        [directions, magnitudes]
+    } else {
+        [magnitudes, directions]
+    };
+    rows.extend(both.map(|cells| Row { cells, height_mm: row }));
+    boxed(grid::set(&rows, style.leading(GAP_MM)), top + 2.0 * row + bottom)
+}
+
+/// A part with a box as high as its rows, independent of their content, so that stacked tables are
+/// evenly spaced.
+fn boxed(items: Vec<FigureItem>, height_mm: f64) -> DrawingPart {
+    let mut part = DrawingPart::of(items);
+    part.bounds.max.y = part.bounds.max.y.max(0.0);
+    part.bounds.min.y = part.bounds.min.y.min(-height_mm);
+    part
+}
 
 /// A row's heading, with the space before the first column.
 fn heading(word: &str) -> Label {

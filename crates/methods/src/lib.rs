@@ -3,7 +3,7 @@
 //! Modules: [`centres`] (instantaneous centres of velocity), [`composite`] (composite motion of a
 //! point), [`attempts`] (wrong solutions), [`curvature`] (curvature of paths), [`inversions`] (each
 //! link as ground in turn), [`loops`] (the analytic method written out), [`gears`] (a pair of spur gears), [`trains`] (gear trains by Willis'
-//! method), [`particle`] (motions without a mechanism).
+//! method), [`particle`] (motions without a mechanism), [`equation`] (vector equations on their own).
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -17,6 +17,7 @@ pub mod attempts;
 pub mod centres;
 pub mod composite;
 pub mod curvature;
+pub mod equation;
 pub mod gears;
 pub mod inversions;
 pub mod loops;

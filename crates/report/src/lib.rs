@@ -49,4 +49,6 @@ pub mod synthesis;
 #[cfg(feature = "csv")]
 pub mod table;
 pub mod trains;
+pub mod tried;
+pub mod vector_equation;
 mod writing;

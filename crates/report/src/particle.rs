@@ -52,8 +52,8 @@ pub fn in_unit(book: &Book, what: ParticleQuantity, si: f64) -> f64 {
 }
 
 /// Returns an enclosure in the unit of the answer.
-fn enclosed(book: &Book, what: ParticleQuantity, e: &Enclosure) -> Enclosure {
-    let chosen = kind(what).filter(|k| book.chosen(*k).is_some());
+pub(crate) fn enclosed(book: &Book, kind: Option<Quantity>, e: &Enclosure) -> Enclosure {
+    let chosen = kind.filter(|k| book.chosen(*k).is_some());
     chosen
         .and_then(|k| book.in_chosen(k, Ball::new(e.approx, e.radius)).enclosure())
         .unwrap_or_else(|| e.clone())
@@ -100,7 +100,7 @@ pub fn value(
 ) -> String {
     let unit = unit(book, what);
     let told = |e: &Enclosure, size: f64| {
-        minus(&number(&enclosed(book, what, e), in_unit(book, what, size), digits))
+        minus(&number(&enclosed(book, kind(what), e), in_unit(book, what, size), digits))
     };
     match value {
         ParticleValue::None(d) => format!("{} ({})", tr(lang, "none", "无"), lang.of(&d.message)),

@@ -154,6 +154,23 @@ impl<'a> Front<'a> {
         resolve::localized(&decode::localized(node, what, decode::MAX_STATEMENT, faults))
     }
 
+    /// Returns a problem statement with the values of the parameters inserted as written: `{r}` is
+    /// the value of `r`.
+    pub fn statement(&self, node: &Node, faults: &mut Faults) -> Option<Localized> {
+        let text = self.localized(node, "\"statement\"", faults)?;
+        let fill = |s: &str| {
+            self.parameters()
+                .iter()
+                .fold(s.to_owned(), |s, (name, value)| s.replace(&format!("{{{name}}}"), value))
+        };
+        Some(Localized { en: fill(&text.en), zh: fill(&text.zh) })
+    }
+
+    /// Returns the notation profile that the file names.
+    pub fn notation(&self) -> Option<String> {
+        self.raw.notation.as_ref().map(|name| name.text.clone())
+    }
+
     /// Returns the parameters as written: name and value.
     pub fn parameters(&self) -> Vec<(String, String)> {
         self.raw.parameters.iter().map(|(name, q)| (name.text.clone(), q.text.clone())).collect()

@@ -171,6 +171,7 @@ pub(super) const WORDS: &[(&str, &str, &str)] = &[
     ("solve", "steps", "同时列出作图步骤和图上量得的长度"),
     ("plan", "", "按求解次序列出矢量方程，并说明各项取舍的原因；用 JSON 时还给出工作量"),
     ("plan", "json", "计划为 JSON，附各项计数：杆组、方程、矢量、未知数、数值"),
+    ("plan", "why", "并列出各杆组试选的点及其方程的未知量：方程可解或不可解"),
     ("plan", "figure", "同时排版图面，以统计标注"),
     ("worksheet", "", "生成作业：题目及其逐步解答（PDF、HTML、Markdown、Typst）"),
     (
@@ -440,6 +441,7 @@ pub(super) const WORDS: &[(&str, &str, &str)] = &[
     ("schema", "diagnostics", "改为 `--errors json` 文档的 JSON Schema"),
     ("schema", "synthesis", "改为综合文件格式的 JSON Schema"),
     ("schema", "motions", "改为无机构运动文件格式的 JSON Schema"),
+    ("schema", "equation", "改为矢量方程文件格式的 JSON Schema"),
     ("schema", "", "输出机构文件格式的 JSON Schema"),
     ("help", "", "显示本说明或某命令的说明"),
 ];

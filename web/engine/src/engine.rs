@@ -108,7 +108,7 @@ fn list() -> Json {
 
 fn schemas() -> Json {
     let of = |kind| serde_json::from_str::<Json>(schema(kind)).unwrap_or_default();
-    json!({"ok": true, "scene": of(Kind::Scene), "task": of(Kind::Task), "motion": of(Kind::Motion)})
+    json!({"ok": true, "scene": of(Kind::Scene), "task": of(Kind::Task), "motion": of(Kind::Motion), "equation": of(Kind::Equation)})
 }
 
 #[cfg(test)]

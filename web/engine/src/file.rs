@@ -82,6 +82,7 @@ impl OpenFile {
         match &self.problem {
             Problem::Scene(scene) => scene.title.get(look.of(scene.language, None).0).to_owned(),
             Problem::Motion(problem) => both(&problem.title, problem.language),
+            Problem::Equation(problem) => both(&problem.title, problem.language),
             Problem::Task(task) => both(&task.heading.title, task.language),
             _ => String::new(),
         }
@@ -92,6 +93,7 @@ impl OpenFile {
         let own = match &self.problem {
             Problem::Scene(scene) => scene.language,
             Problem::Motion(problem) => problem.language,
+            Problem::Equation(problem) => problem.language,
             _ => None,
         };
         match look.of(own, None).0 {

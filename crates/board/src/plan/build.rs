@@ -3,6 +3,7 @@
 
 use super::between::body_of;
 use super::names::small_letters;
+use super::tried::GroupTrial;
 use super::{
     GroupSteps, Method, Plan, PlanStage, PlanStep, Rate, Rest, Special, TermChain, TurningBody,
     Vertex, VertexId, VertexPlace, VertexTrial, canonical, effects,
@@ -31,6 +32,17 @@ pub fn plan(scene: &Scene, m: &Mechanism, demand: &Demand) -> Plan {
 
 /// Returns the plan with the ways that a pose requires.
 pub fn plan_with(scene: &Scene, m: &Mechanism, demand: &Demand, ways: &GroupChoices) -> Plan {
+    built(scene, m, demand, ways, false).0
+}
+
+/// Returns a plan; if `trying`, with the trials of each group, whose points are among the vertices.
+pub(super) fn built(
+    scene: &Scene,
+    m: &Mechanism,
+    demand: &Demand,
+    ways: &GroupChoices,
+    trying: bool,
+) -> (Plan, Vec<GroupTrial>) {
     let mut b = PlanBuilder {
         scene,
         m,
@@ -45,6 +57,7 @@ pub fn plan_with(scene: &Scene, m: &Mechanism, demand: &Demand, ways: &GroupChoi
         undrawable: ways.left_out.clone(),
         way: &ways.way,
         due: vec![Vec::new(); m.groups.len()],
+        tried: trying.then(Vec::new),
     };
     b.assign_needs();
     b.parts_first();
@@ -71,7 +84,7 @@ pub fn plan_with(scene: &Scene, m: &Mechanism, demand: &Demand, ways: &GroupChoi
         coriolis_by: None,
     };
     plan.effects = effects::considered(scene, m, demand, &plan);
-    plan
+    (plan, b.tried.unwrap_or_default())
 }
 
 pub(super) struct PlanBuilder<'a> {
@@ -93,6 +106,8 @@ pub(super) struct PlanBuilder<'a> {
     pub(super) way: &'a BTreeMap<usize, usize>,
     /// For each group, the demands that can be answered once it is done, with their level.
     pub(super) due: Vec<Vec<(Need, Level)>>,
+    /// The trials of the groups so far; `None` if nothing is tried.
+    tried: Option<Vec<GroupTrial>>,
 }
 
 pub(super) fn slot(level: Level) -> usize {
@@ -201,7 +216,7 @@ impl PlanBuilder<'_> {
 
     /// Returns the first two known points of a link at a level: the link's own points first, then
     /// coincident ones. No construction needs more.
-    fn known_on(&self, level: Level, l: LinkId) -> Vec<VertexId> {
+    pub(super) fn known_on(&self, level: Level, l: LinkId) -> Vec<VertexId> {
         let own =
             self.scene.links[l.0].points.iter().filter(|p| !self.m.is_opened(&Opened::Pin(**p, l)));
         let carried =
@@ -386,11 +401,15 @@ impl PlanBuilder<'_> {
                 rates: Vec::new(),
                 further: Vec::new(),
             });
+            let trial = self.tried.is_some().then(|| self.try_points(level, g));
             let Some(alternatives) = self.group(level, g) else {
                 self.list(level).pop();
                 self.undrawable.push(g);
                 continue;
             };
+            if let (Some(all), Some(trial)) = (&mut self.tried, trial) {
+                all.push(trial.with_first_of(&alternatives));
+            }
             self.list(level).last_mut().expect("just pushed").alternatives = alternatives;
             self.answer_needs(level, g);
         }

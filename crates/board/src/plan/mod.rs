@@ -24,6 +24,7 @@ mod rest;
 mod step;
 pub mod text;
 mod trials;
+pub mod tried;
 mod vertex;
 
 pub(crate) use between::body_of;

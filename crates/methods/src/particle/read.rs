@@ -8,7 +8,6 @@ use super::{ParticleMotion, ParticleMotionKind, ParticleProblem, Plate, SpaceAxi
 use hodograph_base::diag::{Both, Diagnostic, Faults, Span, Warned, both};
 use hodograph_base::json::fields::{Fields, list, object, suggest, word};
 use hodograph_base::json::{self, Node, NodeKind, Word};
-use hodograph_scene::Localized;
 use hodograph_scene::front::{self, Front, Law, RawFront, TIME};
 use hodograph_scene::units::RequiredQuantity;
 
@@ -117,8 +116,7 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<ParticleProbl
     let motions = r.motions(&f, &plates);
     let faulty = r.faulty.clone();
     let questions = f.get("find").map(texts).unwrap_or_default();
-    let statement = f.get("statement").and_then(|n| front.localized(n, "\"statement\"", r.faults));
-    let statement = statement.map(|s| filled(s, &front.parameters()));
+    let statement = f.get("statement").and_then(|n| front.statement(n, r.faults));
     let title = front
         .title
         .as_ref()
@@ -161,16 +159,6 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<ParticleProbl
     }
     r.faults.list.extend(front.unused());
     Some(out)
-}
-
-/// Returns a statement with the values of the parameters as written.
-fn filled(text: Localized, parameters: &[(String, String)]) -> Localized {
-    let fill = |s: &str| {
-        parameters
-            .iter()
-            .fold(s.to_owned(), |s, (name, value)| s.replace(&format!("{{{name}}}"), value))
-    };
-    Localized { en: fill(&text.en), zh: fill(&text.zh) }
 }
 
 fn usual_title(motions: &[ParticleMotion]) -> Both {

@@ -176,7 +176,9 @@ impl Tongue for Mathml {
         let (above, below) = (format!("<mrow>{sup}</mrow>"), format!("<mrow>{sub}</mrow>"));
         // The prime is already a raised sign: as a superscript Chromium would raise it again. The
         // subscript is below it.
-        let marks = format!("<mi mathvariant=\"normal\">{}</mi>", "′".repeat(primes));
+        // Two separate primes would be drawn over one another.
+        let marks = if primes == 2 { "″".to_owned() } else { "′".repeat(primes) };
+        let marks = format!("<mi mathvariant=\"normal\">{marks}</mi>");
         let base = match (primes, sub.is_empty()) {
             (0, _) => base,
             (_, true) => format!("<mrow>{base}{marks}</mrow>"),

@@ -1,0 +1,82 @@
+//! The lesson of a vector equation: one HTML page with its polygon step by step.
+//!
+//! The page is that of motions without a mechanism ([`super::motion`]) with a single instant.
+
+use super::LARGER;
+use super::motion::MotionPage;
+use crate::diag::Faults;
+use crate::figure::vector_equation::EquationSheet;
+use crate::paper::label::Label;
+use crate::paper::phrase::Phrase;
+use crate::paper::style::Style;
+use crate::report::answers::DIGITS;
+use crate::report::html::sentence as html;
+use crate::render::math::mathml;
+use crate::report::vector_equation as report;
+use crate::scene::Lang;
+use serde_json::{Value, json};
+
+/// There is one instant: the controls that move it are hidden.
+const STILL: &str = "#pose .buttons, #time { display: none; }\n";
+
+/// Words of this page in addition to those of the player.
+const WORDS: [(&str, [&str; 2]); 6] = [
+    ("home", ["Back to the given instant", "回到给定时刻"]),
+    ("instant", ["The instant", "时刻"]),
+    ("given", ["given", "已知"]),
+    ("answers", ["Answers", "结果"]),
+    (
+        "keys",
+        [
+            "Keys: → and ← the steps of the construction; L language; D light or dark.",
+            "键盘：→、← 作图步骤；L 切换语言；D 浅色或深色。",
+        ],
+    ),
+    (
+        "noscript",
+        [
+            "The page needs JavaScript for its steps; without it, it shows the finished construction.",
+            "本页需启用 JavaScript 才能分步演示；未启用时仅显示完成的作图。",
+        ],
+    ),
+];
+
+/// Returns the style of the page's drawing: small type is enlarged.
+pub fn style(style: &Style) -> Style {
+    Style { small_mm: style.small_mm * LARGER, label_mm: style.label_mm * LARGER, ..style.clone() }
+}
+
+/// Returns the page of an equation.
+///
+/// # Errors
+/// Those of the SVG writer.
+pub fn lesson(sheet: &EquationSheet) -> Result<String, Faults> {
+    let view = sheet.polygon();
+    let columns = report::columns(&sheet.problem.terms, sheet.notation);
+    let written: Vec<String> =
+        columns.iter().map(|c| format!("{} {}", c.joint, c.symbol)).collect();
+    let written = format!("${}$", written.join(" ").trim());
+    let both_of = |say: &dyn Fn(Lang) -> String| json!([Lang::En, Lang::Zh].map(say));
+    let steps: Vec<Value> =
+        sheet.drawn.steps.iter().map(|s| both_of(&|lang| html(&Phrase::new(lang.of(s))))).collect();
+    let answers = both_of(&|lang| {
+        let lines = report::lines(sheet.problem, sheet.solved, DIGITS);
+        let count = report::count(&sheet.problem.terms).sentence();
+        let told =
+            [Phrase::new(&written), Phrase::of_words(lang.of(&count))].into_iter().chain(lines);
+        told.map(|l| format!("<li>{}</li>", html(&l))).collect()
+    });
+    let scales = [mathml(&Label::math(view.scale(&sheet.problem.book)))];
+    let told = json!({"at": "", "steps": steps, "answers": answers, "scales": scales});
+    let title = &sheet.problem.title;
+    let page = MotionPage {
+        title: [title.en.as_str(), title.zh.as_str()],
+        lang: sheet.lang,
+        words: &WORDS,
+        book: &sheet.problem.book,
+        base: 0,
+        still: None,
+    };
+    let page = page.written(&[vec![view]], &[told])?;
+    Ok(page.replacen("</style>", &format!("{STILL}</style>"), 1))
+}
