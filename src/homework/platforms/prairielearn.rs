@@ -118,7 +118,7 @@ fn page(set: &PlatformSet) -> String {
             "<pl-question-panel>\n<p>{}</p>\n</pl-question-panel>\n\
              <pl-number-input answers-name=\"{name}\" comparison=\"relabs\" rtol=\"0\" atol=\"{{{{params.within_{name}}}}}\"></pl-number-input>\n\
              <pl-submission-panel>\n<p>{{{{feedback.{name}}}}}</p>\n</pl-submission-panel>\n",
-            q.prompt, q.key.tolerance
+            q.prompt
         );
     }
     out
