@@ -3,6 +3,7 @@
 //! wrong senses and mixed-up units are named.
 
 use hodograph::answer::AnswerValue;
+use hodograph::homework::platforms::{self, PlatformSet, QtiVersion};
 use hodograph::homework::{
     HomeworkRequest, HomeworkVariant, MarkList, keys, mark, names, sheets, variants,
 };
@@ -267,4 +268,158 @@ fn grids_of_decimals_are_written_as_decimals() {
     let mut values: Vec<&str> = all.iter().map(|v| v.values[0].1.as_str()).collect();
     values.sort_unstable();
     assert_eq!(values, ["50 deg", "55 deg", "60 deg"]);
+}
+
+/// The files of an archive whose files are stored, by their local headers.
+fn unzipped(bytes: &[u8]) -> Vec<(String, Vec<u8>)> {
+    let (mut all, mut at) = (Vec::new(), 0);
+    let number = |at: usize, n: usize| {
+        bytes[at..at + n].iter().rev().fold(0_usize, |all, b| all << 8 | usize::from(*b))
+    };
+    while bytes[at..].starts_with(b"PK\x03\x04") {
+        assert_eq!(number(at + 8, 2), 0, "stored");
+        let (length, name) = (number(at + 18, 4), number(at + 26, 2));
+        let begin = at + 30 + name + number(at + 28, 2);
+        let path = String::from_utf8(bytes[at + 30..at + 30 + name].to_vec()).unwrap();
+        all.push((path, bytes[begin..begin + length].to_vec()));
+        at = begin + length;
+    }
+    let end = bytes.len() - 22;
+    assert!(bytes[end..].starts_with(b"PK\x05\x06"));
+    assert_eq!([number(end + 10, 2), number(end + 16, 4)], [all.len(), at]);
+    all
+}
+
+fn exported() -> (Vec<HomeworkVariant>, PlatformSet) {
+    let all = set("shaper", &["l_O1A=90..130/5", "phi_1=0..350/10"], 3, 7);
+    let set = platforms::questions(&all, &Look::default()).unwrap();
+    (all, set)
+}
+
+#[test]
+fn moodle_has_each_question_with_its_picture_and_tolerances() {
+    let (all, set) = exported();
+    let text = platforms::moodle(&set).unwrap();
+    let document = roxmltree::Document::parse(&text).unwrap();
+    let questions: Vec<_> =
+        document.descendants().filter(|n| n.attribute("type") == Some("numerical")).collect();
+    assert_eq!(questions.len(), all.iter().map(|v| v.key.len()).sum::<usize>());
+    let child = |n: roxmltree::Node, name: &str| {
+        n.descendants()
+            .find(|c| c.has_tag_name(name))
+            .and_then(|c| c.text())
+            .unwrap_or("")
+            .to_owned()
+    };
+    for (q, k) in questions.iter().zip(all.iter().flat_map(|v| &v.key)) {
+        let answers: Vec<_> = q.children().filter(|c| c.has_tag_name("answer")).collect();
+        let number = |n: roxmltree::Node, name: &str| child(n, name).parse::<f64>().unwrap();
+        assert_eq!(number(answers[0], "text"), k.value);
+        assert_eq!(number(answers[0], "tolerance"), k.tolerance);
+        assert_eq!(answers[0].attribute("fraction"), Some("100"));
+        for m in &k.mistakes {
+            let own = answers
+                .iter()
+                .find(|a| a.attribute("fraction") == Some("0") && number(**a, "text") == m.value);
+            assert!(
+                own.unwrap()
+                    .descendants()
+                    .any(|n| n.text().is_some_and(|t| t.contains(&m.words().en)))
+            );
+        }
+        assert!(child(*q, "file").starts_with("iVBORw0KGgo"));
+        assert_eq!(child(*q, "showunits"), "3");
+    }
+}
+
+/// The score of an item for a response, as its response processing says; elements by the end of
+/// their names in both versions.
+fn scored(item: &str, response: Option<f64>) -> f64 {
+    let document = roxmltree::Document::parse(item).unwrap();
+    let named = |n: &roxmltree::Node, name: &str| {
+        n.tag_name().name().replace("qti-", "").replace('-', "").eq_ignore_ascii_case(name)
+    };
+    let find = |n: roxmltree::Node, name: &str| {
+        n.descendants().find(|c| named(c, name)).map(|c| c.id()).unwrap()
+    };
+    let condition = document.get_node(find(document.root(), "responsecondition")).unwrap();
+    for branch in condition.children().filter(roxmltree::Node::is_element) {
+        let number = |name: &str| -> f64 {
+            let n = document.get_node(find(branch, name)).unwrap();
+            document.get_node(find(n, "basevalue")).unwrap().text().unwrap().parse().unwrap()
+        };
+        let not_null = document.get_node(find(branch, "not")).unwrap();
+        assert!(not_null.descendants().any(|c| named(&c, "isnull")));
+        if response.is_some_and(|r| number("gte") <= r && r <= number("lte")) {
+            return number("setoutcomevalue");
+        }
+    }
+    0.0
+}
+
+#[test]
+fn qti_items_of_both_versions_score_alike() {
+    let (all, set) = exported();
+    for version in [QtiVersion::Two, QtiVersion::Three] {
+        let files = unzipped(&platforms::qti(&set, version));
+        let text = |path: &str| {
+            let file = files.iter().find(|f| f.0 == path).unwrap_or_else(|| panic!("{path}"));
+            String::from_utf8(file.1.clone()).unwrap()
+        };
+        let manifest = text("imsmanifest.xml");
+        let manifest = roxmltree::Document::parse(&manifest).unwrap();
+        for file in manifest.descendants().filter_map(|n| n.attribute("href")) {
+            assert!(files.iter().any(|f| f.0 == file), "{file}");
+        }
+        for (v, task) in all.iter().zip(&set.tasks) {
+            for (k, q) in v.key.iter().zip(&task.questions) {
+                let item = text(&format!("items/{}.xml", q.name));
+                let plain = version == QtiVersion::Two;
+                assert_eq!(plain, !item.contains("qti-"), "{item}");
+                assert_eq!(scored(&item, Some(k.value)), 1.0);
+                assert_eq!(scored(&item, Some(k.value + 0.9 * k.tolerance)), 1.0);
+                assert_eq!(scored(&item, None), 0.0);
+                assert_eq!(scored(&item, Some(1e6 + k.value)), 0.0);
+                if k.kind.turns() {
+                    assert_eq!(scored(&item, Some(-k.value)), 0.5);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn canvas_and_prairielearn_have_the_numbers_of_the_keys() {
+    let (all, set) = exported();
+    let files = unzipped(&platforms::canvas(&set));
+    let own = files.iter().filter(|f| f.0.ends_with(".xml") && f.0 != "imsmanifest.xml");
+    let mut keys = all.iter().flat_map(|v| &v.key);
+    for (path, bytes) in own {
+        let text = String::from_utf8(bytes.clone()).unwrap();
+        let document = roxmltree::Document::parse(&text).unwrap();
+        for item in document
+            .descendants()
+            .filter(|n| n.has_tag_name(("http://www.imsglobal.org/xsd/ims_qtiasiv1p2", "item")))
+        {
+            let number = |name: &str| -> f64 {
+                let n = item.descendants().find(|n| n.tag_name().name() == name).unwrap();
+                n.text().unwrap().parse().unwrap()
+            };
+            let k = keys.next().unwrap_or_else(|| panic!("{path}"));
+            assert_eq!(number("varequal"), k.value);
+            assert!(number("vargte") < k.value && k.value < number("varlte"));
+        }
+    }
+    assert!(keys.next().is_none());
+    let files = platforms::prairielearn(&set);
+    let json = |name: &str| -> serde_json::Value {
+        let file = files.iter().find(|f| f.path.ends_with(name)).unwrap();
+        serde_json::from_slice(&file.bytes).unwrap()
+    };
+    assert_eq!(json("info.json")["type"], "v3");
+    let variants = json("variants.json");
+    assert_eq!(variants.as_array().unwrap().len(), 3);
+    assert_eq!(variants[1]["questions"][2]["value"], all[1].key[2].value);
+    let picture = variants[2]["picture"].as_str().unwrap();
+    assert!(files.iter().any(|f| f.path.ends_with(&format!("clientFilesQuestion/{picture}"))));
 }

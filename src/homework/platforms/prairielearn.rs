@@ -25,6 +25,7 @@ def generate(data):
     data["params"].update(variant)
     for question in variant["questions"]:
         data["correct_answers"][question["name"]] = question["value"]
+        data["params"]["within_" + question["name"]] = question["judgements"][0]["within"]
 
 
 def grade(data):
@@ -115,9 +116,9 @@ fn page(set: &PlatformSet) -> String {
         let name = escaped(common(q, &task.name));
         out += &format!(
             "<pl-question-panel>\n<p>{}</p>\n</pl-question-panel>\n\
-             <pl-number-input answers-name=\"{name}\" comparison=\"relabs\" rtol=\"0\" atol=\"{}\"></pl-number-input>\n\
+             <pl-number-input answers-name=\"{name}\" comparison=\"relabs\" rtol=\"0\" atol=\"{{{{params.within_{name}}}}}\"></pl-number-input>\n\
              <pl-submission-panel>\n<p>{{{{feedback.{name}}}}}</p>\n</pl-submission-panel>\n",
-            q.prompt, q.key.tolerance
+            q.prompt
         );
     }
     out
