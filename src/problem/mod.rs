@@ -11,6 +11,7 @@
 //! and [`Kind`], and a row in [`Kind::grants`].
 
 pub mod batch;
+pub mod listed;
 mod live;
 mod motion;
 mod pictures;

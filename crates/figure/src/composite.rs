@@ -16,6 +16,7 @@ use hodograph_worked::worked::Worked;
 use super::arrange::AIM_MM;
 use super::list::{FigureEntry, FigureInput, Pages, page};
 use super::mechanism::{self, Composed, ComposedVector};
+use super::relative::track_on;
 use super::sheet::{MARGIN_MM, SheetDrafter};
 use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::extent::Rect;
@@ -262,6 +263,14 @@ fn quantity(scene: &Scene, s: &ChoiceSolution, part: Option<Piece>, on: DiagramK
     format!("{letter}{letters}_{}{seen}", name_of(scene, &s.choice.of))
 }
 
+/// Returns the relative path of the moving point where its frame is a link; a path outside the space
+/// of the drawing is left out.
+fn track(w: &FigureInput, s: &ChoiceSolution) -> Vec<Point> {
+    let Frame::Link(link) = s.choice.frame else { return Vec::new() };
+    let (point, link) = (w.scene.point_name(s.choice.of.point), w.scene.link_name(link));
+    track_on(w.scene, point, link).unwrap_or_default()
+}
+
 fn velocities(
     w: &FigureInput,
     maker: &SheetDrafter,
@@ -274,6 +283,7 @@ fn velocities(
         at: s.choice.of.point,
         vectors: vectors(w, s, DiagramKind::Velocity, scales.velocity),
         parallelogram: true,
+        track: track(w, s),
     };
     let part = mechanism::composed(
         &w.options.style,
@@ -301,6 +311,7 @@ fn accelerations(
         at: s.choice.of.point,
         vectors: vectors(w, s, DiagramKind::Acceleration, mu),
         parallelogram: false,
+        track: Vec::new(),
     };
     let part = mechanism::composed(
         &w.options.style,

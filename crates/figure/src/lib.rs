@@ -22,6 +22,7 @@ pub mod course;
 mod curvature;
 pub mod curves;
 mod described;
+mod extremes;
 pub mod fit;
 pub mod forces;
 mod gears;
@@ -34,11 +35,13 @@ pub mod loops;
 pub mod mechanism;
 pub mod particle;
 pub mod path;
+mod placed;
 mod plot;
 pub mod polygon;
 pub mod poses;
 pub mod price;
 #[doc(hidden)]
+mod relative;
 pub mod remarks;
 pub mod results;
 #[doc(hidden)]
@@ -48,3 +51,4 @@ pub mod steps;
 pub mod synthesis;
 #[doc(hidden)]
 pub mod tables;
+mod transmission;

@@ -563,6 +563,16 @@ pub fn json(
             .collect();
         out
     };
+    let motions = |c: &FrameChoice| {
+        let motions::ThreeMotions { absolute, relative, transport, carried } =
+            w.motions(c, PointForm::Plain);
+        json!({
+            "absolute": absolute,
+            "relative": relative,
+            "transport": transport,
+            "transport_point": carried,
+        })
+    };
     let choices: Vec<Json> = all
         .iter()
         .map(|c| {
@@ -574,6 +584,7 @@ pub fn json(
                 "verdict": code(c.verdict),
                 "reason": w.reason(c),
                 "path": path(c),
+                "motions": motions(c),
                 "parts": found.map(parts),
             })
         })
