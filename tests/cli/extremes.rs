@@ -80,3 +80,40 @@ fn zeros_of_a_quantity_are_listed_beside_its_extremes() {
         assert!(said.contains(words), "{said}");
     }
 }
+
+/// The three motions are named in the report, for programs, and in a worksheet.
+#[test]
+fn the_three_motions_and_the_transport_point_are_named() {
+    let scene = "templates/lathe.json";
+    let wanted = [
+        ("en", ["transport motion: rotation about O", "transport point: the point of link 2"]),
+        ("zh", ["牵连运动：绕 O 的定轴转动", "牵连点：构件 2上与 T 重合的点"]),
+    ];
+    for (lang, words) in wanted {
+        let run = hodograph().args(["composite", scene, "--lang", lang]).assert().success();
+        let said = text(&run.get_output().stdout);
+        words.iter().for_each(|w| assert!(said.contains(w), "{w}: {said}"));
+    }
+    let run = hodograph().args(["composite", scene, "--json"]).assert().success();
+    let json: Json = serde_json::from_slice(&run.get_output().stdout).unwrap();
+    let choices = json["choices"].as_array().unwrap();
+    let named = choices.iter().find(|c| c["named"] == true).unwrap();
+    assert_eq!(named["motions"]["transport"], "rotation about O");
+    let args = ["worksheet", scene, "-o", "-", "--format", "html", "--lang", "zh"];
+    let sheet = text(&hodograph().args(args).assert().success().get_output().stdout);
+    assert!(sheet.contains("牵连点") && sheet.contains("绝对运动"), "{sheet}");
+}
+
+#[test]
+fn a_point_has_no_path_on_its_own_link() {
+    let path = |link: &str| {
+        let args = ["path", "templates/crank-rocker.json", "--point", "E", "--against", link];
+        hodograph().args(args).args(["-o", "-", "--format", "svg"]).assert()
+    };
+    let svg = text(&path("1").success().get_output().stdout);
+    assert!(svg.contains("seen from link 1"), "{svg}");
+    let said = text(&path("2").code(2).get_output().stderr);
+    assert!(said.contains("point E belongs to link 2"), "{said}");
+    let said = text(&path("9").code(2).get_output().stderr);
+    assert!(said.contains("no link `9`"), "{said}");
+}

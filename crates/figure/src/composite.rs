@@ -8,9 +8,9 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale;
 use hodograph_methods::composite::{ChoiceSolution, ContactScene, level, name_of};
 use hodograph_report::composite::{CompositeWords, symbol};
-use hodograph_scene::quantity::Frame;
 use hodograph_scene::quantity::composite::CompositePart as Piece;
-use hodograph_scene::{DiagramKind, Kind, Scene};
+use hodograph_scene::quantity::{Frame, RelativePath};
+use hodograph_scene::{DiagramKind, GuidePath, Kind, Scene};
 use hodograph_worked::worked::Worked;
 
 use super::arrange::AIM_MM;
@@ -263,10 +263,15 @@ fn quantity(scene: &Scene, s: &ChoiceSolution, part: Option<Piece>, on: DiagramK
     format!("{letter}{letters}_{}{seen}", name_of(scene, &s.choice.of))
 }
 
-/// Returns the relative path of the moving point where its frame is a link; a path outside the space
-/// of the drawing is left out.
+/// Returns the relative path of the moving point where its frame is a link. A straight guide shows
+/// it already.
 fn track(w: &FigureInput, s: &ChoiceSolution) -> Vec<Point> {
     let Frame::Link(link) = s.choice.frame else { return Vec::new() };
+    if let RelativePath::Guide(g) = s.choice.path
+        && matches!(w.scene.guides[g.0].path, GuidePath::Line { .. })
+    {
+        return Vec::new();
+    }
     let (point, link) = (w.scene.point_name(s.choice.of.point), w.scene.link_name(link));
     track_on(w.scene, point, link).unwrap_or_default()
 }

@@ -61,6 +61,15 @@ pub fn text(
     lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
 }
 
+/// Returns moving point and frame of each choice that the scene names, each followed by its three
+/// motions.
+pub fn named(scene: &Scene, lang: Lang, notation: &Notation) -> Vec<Phrase> {
+    let staged = ContactScene::new(scene);
+    let w = CompositeWords { scene: &staged.scene, lang, notation };
+    let choices = staged.shown(scene, 0);
+    choices.iter().flat_map(|c| [w.heading(c), w.three_motions(c)]).collect()
+}
+
 /// Returns the word for a verdict in JSON.
 pub fn code(verdict: ChoiceVerdict) -> &'static str {
     match verdict {

@@ -66,14 +66,19 @@ fn pairs(scene: &Scene) -> Option<Vec<ChainPair>> {
     Some(out)
 }
 
-/// True if the guide is the bore of a block: a link with one joint, on the guide, for the rod of
-/// another link.
+/// True if the guide is the bore of a block: a moving link with one joint, on the guide, for the rod
+/// of another link. A link that a driver turns is a lever.
 fn is_bore(scene: &Scene) -> bool {
     scene.guides.iter().any(|g| {
         let [joint] = scene.links[g.on.0].points[..] else { return false };
         let through =
             matches!(g.path, GuidePath::Line { through: Through::Point(p), .. } if p == joint);
-        through && g.slider.is_some() && g.pin.is_some_and(|p| p != joint)
+        let turned = scene.drivers.iter().any(|d| d.kind.turns_link(g.on));
+        g.on != scene.ground
+            && !turned
+            && through
+            && g.slider.is_some()
+            && g.pin.is_some_and(|p| p != joint)
     })
 }
 
