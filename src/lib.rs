@@ -196,7 +196,7 @@
 //! webfont    paper
 //! worksheet  diag notation digits geom scene mechanism answer plan construct paper render worked certified centres attempts loops synthesis particle equation report figure webfont
 //! lesson     diag budget notation digits geom scene mechanism position plan construct construction equilibrium sweep paper render worked certified centres synthesis particle equation report figure webfont
-//! problem    diag json kind notation geom scene mechanism position answer plan construct sweep paper render worked certified attempts synthesis particle equation report figure worksheet lesson
+//! problem    diag json kind notation digits geom scene mechanism position answer plan construct sweep paper render worked certified attempts synthesis particle equation report figure worksheet lesson
 //! homework   diag digits scene answer sweep paper render worked attempts report worksheet problem
 //! cli        diag json notation digits geom cam scene mechanism plan sweep paper render worked certified effort centres composite attempts curvature inversions loops report figure worksheet lesson problem homework
 //! ```

@@ -191,6 +191,30 @@ fn types_follow_grashofs_rule() {
     assert!(kinds(&scene).iter().all(|(_, k)| *k == Grashof::TripleRocker));
 }
 
+/// The names in textbooks of the inversions of chains with slides, for each ground.
+#[test]
+fn inversions_of_chains_with_slides_are_named() {
+    for (name, wanted) in [
+        (
+            "slider-crank",
+            [("1", "转动导杆"), ("2", "曲柄摇块"), ("3", "移动导杆"), ("4", "曲柄滑块")].as_slice(),
+        ),
+        ("slotted-lever", &[("4", "摆动导杆"), ("3", "曲柄滑块")]),
+        ("oscillating-cylinder", &[("4", "曲柄摇块"), ("1", "导杆机构")]),
+        ("scotch-yoke", &[("4", "正弦机构"), ("1", "双转块"), ("2", "正弦机构"), ("3", "双滑块")]),
+        ("elliptic-trammel", &[("4", "双滑块"), ("2", "双转块"), ("1", "正弦机构")]),
+        ("oldham-coupling", &[("1", "双转块"), ("3", "双滑块")]),
+    ] {
+        let made = all(&template(name, &[]));
+        for (ground, words) in wanted {
+            let of = |i: &&Inversion| i.scene.link_name(i.scene.ground) == *ground;
+            let Some(i) = made.iter().find(of) else { panic!("{name}: link {ground}") };
+            let said = hodograph::report::inversions::line(i, scene::Lang::Zh);
+            assert!(said.contains(words), "{name}: {said}");
+        }
+    }
+}
+
 #[test]
 fn what_cannot_be_inverted_is_reported() {
     for (name, code, told) in [

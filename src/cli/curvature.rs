@@ -88,7 +88,11 @@ fn asked(scene: &Scene, a: &args::CurvatureArgs) -> Result<CurvatureRequest, Fai
 ///
 /// # Errors
 /// `unknown-link` for each name that the scene does not have.
-fn links_named(scene: &Scene, names: &[String], option: &str) -> Result<Vec<LinkId>, SourceFaults> {
+pub fn links_named(
+    scene: &Scene,
+    names: &[String],
+    option: &str,
+) -> Result<Vec<LinkId>, SourceFaults> {
     let mut faults = Faults::default();
     let mut out = Vec::new();
     for name in names {

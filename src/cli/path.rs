@@ -2,12 +2,13 @@
 //! accelerations.
 
 use super::args::PathArgs;
+use super::curvature::links_named;
 use super::draw::style_of;
 use super::places::{once, places};
 use super::values::FigureFormat;
-use super::{CommandResult, SceneInput, choices, files};
+use super::{CommandResult, Failure, SceneInput, choices, files};
 use crate::diag::Warned;
-use crate::figure::path::{MARKS, PathContent, figure};
+use crate::figure::path::{MARKS, PathContent, figure, seen};
 use crate::figure::sheet::SheetOptions;
 use crate::problem::points_named;
 use crate::problem::range::swept_of;
@@ -36,8 +37,13 @@ pub fn run(a: PathArgs) -> CommandResult {
     let poses = usize::from(a.poses);
     let marks = a.marks.map_or(if poses > 0 { poses } else { MARKS }, usize::from);
     let wanted = PathContent { points, swept, marks, poses };
-    let Warned { value, notes } =
-        figure(&input.scene, &worked, &options, &wanted).map_err(|f| input.failed(f))?;
+    let against = links_named(&input.scene, a.against.as_slice(), "--against")
+        .map_err(|fault| Failure::Input(vec![fault]))?;
+    let Warned { value, notes } = match against[..] {
+        [link, ..] => seen(&input.scene, &worked, &options, &wanted, link),
+        [] => figure(&input.scene, &worked, &options, &wanted),
+    }
+    .map_err(|f| input.failed(f))?;
     let places = named.unwrap_or_else(|| {
         let formats = if a.format.is_empty() { vec![FigureFormat::Svg] } else { once(&a.format) };
         formats

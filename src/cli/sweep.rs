@@ -7,6 +7,7 @@ use super::values::TableFormat;
 use super::{CommandResult, Failure, SceneInput, SourceFaults, choices, files, tables};
 use crate::diag::{Both, Diagnostic, Warned, both};
 use crate::mechanism::Mechanism;
+use crate::problem::listed;
 use crate::problem::range::{self, RangeFault, SweptRange, WrongValue, driver_of};
 use crate::problem::whole::{balanced, over_a_table};
 use crate::report::limits as report;
@@ -61,8 +62,29 @@ fn write(
     Ok(sweep.notes())
 }
 
+/// Runs the command `limits` for quantities: their extremes and zeros.
+fn quantities(a: &LimitsArgs, find: &str) -> CommandResult {
+    let mut input = SceneInput::read(&a.common)?;
+    ask(&mut input, Some(find))?;
+    input.over_a_table();
+    let (lang, _) = choices(&input.scene, &a.common);
+    let over = a.over.as_deref();
+    let diagram = listed::listed(&input.scene, over).map_err(|f| input.out_of_range(f))?;
+    let driver = input.scene.driver_name(driver_of(&input.scene, over)?).0;
+    if a.json {
+        files::print(&format!("{:#}\n", listed::json(&diagram, &driver)))?;
+    } else {
+        files::print(&listed::text(&input.scene, &diagram, &driver, lang))?;
+    }
+    input.file.say_notes();
+    Ok(ExitCode::SUCCESS)
+}
+
 /// Runs the command `limits`.
 pub fn limits(a: LimitsArgs) -> CommandResult {
+    if let Some(find) = &a.find {
+        return quantities(&a, find);
+    }
     // The limits of the motion do not depend on the driver's speed.
     let mut input = SceneInput::read_at_rest(&a.common)?;
     input.over_a_turn();

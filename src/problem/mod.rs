@@ -13,6 +13,7 @@
 
 pub mod batch;
 mod equation;
+pub mod listed;
 mod live;
 mod motion;
 mod pictures;

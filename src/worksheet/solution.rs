@@ -18,6 +18,7 @@ use crate::plan::{GroupSteps, Method, PlanStep, Rate, TurningBody, VertexPlace};
 use crate::render::math::Math;
 use crate::report::amount::number;
 use crate::report::amount::scale_formula;
+use crate::report::composite::named;
 use crate::report::construction::sentences;
 use crate::report::equation::{WrittenStep, mate, written};
 use crate::report::forces::ForceWriter;
@@ -58,6 +59,7 @@ impl SheetMaker<'_> {
             self.laws(blocks);
             self.counted(blocks, self.tr("Degree of freedom and groups", "自由度与杆组"));
         }
+        self.motions(blocks);
         self.groups(blocks);
         let shown = alone || special;
         if shown {
@@ -112,6 +114,19 @@ impl SheetMaker<'_> {
         let members = self.givens().laws();
         if !members.is_empty() {
             blocks.push(self.heading(2, "Laws of time at the instant", "该瞬时的运动规律"));
+            blocks.push(DocumentBlock::List { numbered: false, members });
+        }
+    }
+
+    /// Moving points and frames that the scene names, with absolute, relative and transport motion.
+    fn motions(&self, blocks: &mut Vec<DocumentBlock>) {
+        let members = named(self.scene, self.lang(), &self.options.notation);
+        if !members.is_empty() {
+            blocks.push(self.heading(
+                2,
+                "Moving point, frame and three motions",
+                "动点、动系与三种运动",
+            ));
             blocks.push(DocumentBlock::List { numbered: false, members });
         }
     }

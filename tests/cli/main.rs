@@ -9,6 +9,7 @@ mod errors;
 
 #[cfg(target_os = "linux")]
 mod exits;
+mod extremes;
 mod figures;
 #[cfg(target_os = "linux")]
 mod files;

@@ -79,8 +79,11 @@ pub const CAM: &str = "cam-offset-roller";
 
 /// Kinds of picture that no other list has: template, the figure's name (`dimensions`: the
 /// mechanism with them).
-pub const ASKED: [(&str, &str); 14] = [
+pub const ASKED: [(&str, &str); 17] = [
     ("crank-rocker", "loops"),
+    ("shaper", "extremes"),
+    ("offset-slider-crank", "extremes"),
+    ("crank-rocker", "transmission"),
     ("four-bar-forces", "lever"),
     ("shaper-forces", "forces"),
     ("engine-forces", "forces"),
@@ -98,7 +101,7 @@ pub const ASKED: [(&str, &str); 14] = [
 
 /// Pictures in the gallery in addition to the sheets: title, the command that draws it, the
 /// picture.
-pub const SHOWN: [(&str, &str, &str); 37] = [
+pub const SHOWN: [(&str, &str, &str); 39] = [
     (
         "Forces with friction: circles and angles",
         "draw --figure forces",
@@ -115,6 +118,16 @@ pub const SHOWN: [(&str, &str, &str); 37] = [
         "offset-slider-crank/overlay.png",
     ),
     ("The groups drawn apart", "draw --figure groups", "shaper/groups.png"),
+    (
+        "Extreme positions with swing, stroke and time ratio",
+        "draw --figure extremes",
+        "shaper/extremes.en.png",
+    ),
+    (
+        "Transmission angles, with their formula",
+        "draw --figure transmission",
+        "crank-rocker/transmission.en.png",
+    ),
     ("Equations with their tables", "draw --figure equations", "crank-rocker/equations.png"),
     (
         "Forces: free bodies, force polygons, equations",

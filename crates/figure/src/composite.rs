@@ -8,14 +8,15 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale;
 use hodograph_methods::composite::{ChoiceSolution, ContactScene, level, name_of};
 use hodograph_report::composite::{CompositeWords, symbol};
-use hodograph_scene::quantity::Frame;
 use hodograph_scene::quantity::composite::CompositePart as Piece;
-use hodograph_scene::{DiagramKind, Kind, Scene};
+use hodograph_scene::quantity::{Frame, RelativePath};
+use hodograph_scene::{DiagramKind, GuidePath, Kind, Scene};
 use hodograph_worked::worked::Worked;
 
 use super::arrange::AIM_MM;
 use super::list::{FigureEntry, FigureInput, Pages, page};
 use super::mechanism::{self, Composed, ComposedVector};
+use super::relative::track_on;
 use super::sheet::{MARGIN_MM, SheetDrafter};
 use crate::scales::DrawingScales;
 use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
@@ -262,6 +263,19 @@ fn quantity(scene: &Scene, s: &ChoiceSolution, part: Option<Piece>, on: DiagramK
     format!("{letter}{letters}_{}{seen}", name_of(scene, &s.choice.of))
 }
 
+/// Returns the relative path of the moving point where its frame is a link. A straight guide shows
+/// it already.
+fn track(w: &FigureInput, s: &ChoiceSolution) -> Vec<Point> {
+    let Frame::Link(link) = s.choice.frame else { return Vec::new() };
+    if let RelativePath::Guide(g) = s.choice.path
+        && matches!(w.scene.guides[g.0].path, GuidePath::Line { .. })
+    {
+        return Vec::new();
+    }
+    let (point, link) = (w.scene.point_name(s.choice.of.point), w.scene.link_name(link));
+    track_on(w.scene, point, link).unwrap_or_default()
+}
+
 fn velocities(
     w: &FigureInput,
     maker: &SheetDrafter,
@@ -274,6 +288,7 @@ fn velocities(
         at: s.choice.of.point,
         vectors: vectors(w, s, DiagramKind::Velocity, scales.velocity),
         parallelogram: true,
+        track: track(w, s),
     };
     let part = mechanism::composed(
         &w.options.style,
@@ -298,6 +313,7 @@ fn accelerations(
         at: s.choice.of.point,
         vectors: vectors(w, s, DiagramKind::Acceleration, mu),
         parallelogram: false,
+        track: Vec::new(),
     };
     let part = mechanism::composed(
         &w.options.style,

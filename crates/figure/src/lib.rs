@@ -22,6 +22,7 @@ pub mod course;
 mod curvature;
 pub mod curves;
 mod described;
+mod extremes;
 pub mod fit;
 pub mod forces;
 mod gears;
@@ -34,10 +35,12 @@ pub mod loops;
 pub mod mechanism;
 pub mod particle;
 pub mod path;
+mod placed;
 mod plot;
 pub mod polygon;
 pub mod poses;
 pub mod price;
+mod relative;
 #[doc(hidden)]
 pub mod remarks;
 pub mod results;
@@ -49,4 +52,5 @@ pub mod steps;
 pub mod synthesis;
 #[doc(hidden)]
 pub mod tables;
+mod transmission;
 pub mod vector_equation;

@@ -8,20 +8,22 @@
 
 use hodograph_base::diag::{Diagnostic, Faults, Warned, both};
 use hodograph_base::digits::direction_degrees;
-use hodograph_base::geom::Vec2;
+use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale::{self, Boxes};
 use hodograph_board::plan::names::point_label;
 use hodograph_paper::paper::phrase::{Phrase, capital, fill, tr};
-use hodograph_scene::{DiagramKind, Kind, Lang, PointId, Scene, Swept};
+use hodograph_scene::{DiagramKind, Kind, Lang, LinkId, PointId, Scene, Swept};
 use hodograph_sweep::points::{
-    PathMotion, PointMoment, alone, at_equal_steps, bounded, motion, questions,
+    PathMotion, PointMoment, alone, at_equal_steps, bounded, motion, questions, seen_from,
 };
-use hodograph_worked::worked::{Worked, work_motion, work_placed};
+use hodograph_worked::worked::{Worked, work_motion};
 
 use super::arrange::{AIM_MM, Tree};
 use super::hodograph::{Hodograph, hodograph, runs};
 use super::mechanism::{Overlay, PointTrack, overlaid};
+use super::placed::fitted;
 use super::plot::over;
+use super::relative;
 use super::sheet::{MARGIN_MM, SheetDrafter, SheetOptions, swept_symbol};
 use crate::scales::DrawingScales;
 use hodograph_paper::paper::drawing::DrawingPart;
@@ -82,20 +84,50 @@ pub fn figure(
     wanted: &PathContent,
 ) -> Result<Warned<Figure>, Faults> {
     check(scene, wanted)?;
+    drawn(scene, worked, options, wanted, None)
+}
+
+/// Draws the paths of points as they are seen from a moving link (相对运动轨迹), on that link in the
+/// pose of the scene. A motion by laws of time goes on for a turn of the slowest turning driver.
+///
+/// # Errors
+/// Those of [`figure`]; `no-path` also for a point of the link.
+pub fn seen(
+    scene: &Scene,
+    worked: &Worked,
+    options: &SheetOptions,
+    wanted: &PathContent,
+    link: LinkId,
+) -> Result<Warned<Figure>, Faults> {
+    relative::check(scene, wanted, link)?;
+    drawn(scene, worked, options, wanted, Some(link))
+}
+
+fn drawn(
+    scene: &Scene,
+    worked: &Worked,
+    options: &SheetOptions,
+    wanted: &PathContent,
+    against: Option<LinkId>,
+) -> Result<Warned<Figure>, Faults> {
     let motion_of_cams = work_motion(scene)?;
     let (scene, worked) =
         motion_of_cams.as_ref().map_or((scene, worked), |(scene, worked)| (scene, worked));
     // Each velocity is then tangent to the drawn path.
     let alone = alone(scene, wanted.swept);
-    let moved = motion(
-        &alone,
-        &worked.mechanism,
-        &worked.demand,
-        &worked.configuration,
-        wanted.swept,
-        &wanted.points,
-        wanted.marks.clamp(1, MOST_MARKS),
-    );
+    let most = wanted.marks.clamp(1, MOST_MARKS);
+    let mut moved = match against {
+        Some(_) => relative::travelled(&alone, worked, wanted, most),
+        None => motion(
+            &alone,
+            &worked.mechanism,
+            &worked.demand,
+            &worked.configuration,
+            wanted.swept,
+            &wanted.points,
+            most,
+        ),
+    };
     let follower = PoseFollower::new(
         scene,
         &worked.mechanism,
@@ -120,34 +152,24 @@ pub fn figure(
             ))
             .into());
     }
+    if let Some(link) = against {
+        let base = &worked.configuration;
+        for m in moved.moments.iter_mut().chain(&mut moved.marks) {
+            let at = m.configuration.clone();
+            for p in &wanted.points {
+                m.configuration.points[p.0] = seen_from(&at, base, *p, link);
+            }
+        }
+    }
     let poses = poses(scene, worked, wanted);
-    // Everything drawn of the mechanism fits its box.
-    let mut fitted = scene.clone();
-    let ghosts = poses
-        .iter()
-        .chain([&worked.configuration])
-        .flat_map(|c| c.points.iter().flatten().copied());
     let places = moved
         .moments
         .iter()
         .flat_map(|m| moved.points.iter().filter_map(|p| m.configuration.points[p.0]));
     let boxes = Boxes::of(&scene.paper, &worked.plan);
-    let mu = scale::fitted(
-        &scene.paper,
-        Kind::Length,
-        scale::extent(ghosts.chain(places)),
-        boxes.diagram,
-    );
-    fitted.paper.scales.set(Kind::Length, Some(mu));
-    let worked = &work_placed(
-        &fitted,
-        worked.mechanism.clone(),
-        worked.demand.clone(),
-        worked.configuration.clone(),
-    )?
-    .value;
-    let maker = SheetDrafter { scene: &fitted, worked, options, certified: Vec::new() };
-    let mut page = PathPage { maker, moved: &moved, swept: wanted.swept, cut: false };
+    let (fitted, worked) = &fitted(scene, worked, &poses, places)?;
+    let maker = SheetDrafter { scene: fitted, worked, options, certified: Vec::new() };
+    let mut page = PathPage { maker, moved: &moved, swept: wanted.swept, against, cut: false };
 
     let mut drawings = vec![page.mechanism(poses)];
     drawings.extend(page.hodographs(&boxes));
@@ -231,6 +253,8 @@ struct PathPage<'a> {
     maker: SheetDrafter<'a>,
     moved: &'a PathMotion,
     swept: Swept,
+    /// The link from which the paths are seen, if it is not the ground.
+    against: Option<LinkId>,
     /// True if a hodograph leaves the paper.
     cut: bool,
 }
@@ -264,10 +288,18 @@ impl PathPage<'_> {
             .iter()
             .map(|p| format!("${}$", point_label(self.scene().point_name(*p))))
             .collect();
-        let words = match (&names[..], self.maker.options.lang) {
-            (names, hodograph_scene::Lang::Zh) => format!("点 {} 的轨迹", names.join("、")),
-            ([one], _) => format!("Path of {one}"),
-            (names, _) => format!("Paths of {}", names.join(", ")),
+        let seen = self.against.map(|l| self.scene().link_name(l));
+        let words = match (&names[..], self.maker.options.lang, seen) {
+            (names, Lang::Zh, None) => format!("点 {} 的轨迹", names.join("、")),
+            (names, Lang::Zh, Some(link)) => {
+                format!("点 {} 相对构件 {link} 的运动轨迹", names.join("、"))
+            }
+            ([one], Lang::En, None) => format!("Path of {one}"),
+            (names, Lang::En, None) => format!("Paths of {}", names.join(", ")),
+            ([one], Lang::En, Some(link)) => format!("Path of {one} seen from link {link}"),
+            (names, Lang::En, Some(link)) => {
+                format!("Paths of {} seen from link {link}", names.join(", "))
+            }
         };
         let (_, mu) = maker.caption(DiagramKind::Plane);
         maker.titled(part, Phrase::new(&words).label(), &mu, "mechanism")
@@ -300,7 +332,7 @@ impl PathPage<'_> {
             let mu = scale::fitted(
                 &paper,
                 kind,
-                scale::extent(ends.chain([hodograph_base::geom::Point::ORIGIN])),
+                scale::extent(ends.chain([Point::ORIGIN])),
                 boxes.polygon,
             );
             for (k, &point) in self.moved.points.iter().enumerate() {
@@ -376,7 +408,8 @@ impl PathPage<'_> {
                     (shown * parts).round() / parts,
                 )))
             });
-            for (p, point) in self.moved.points.iter().enumerate() {
+            let rates = self.moved.points.iter().enumerate().filter(|_| self.against.is_none());
+            for (p, point) in rates {
                 for (l, find) in questions(self.scene(), *point).iter().enumerate() {
                     let unit = book.upright(find.what.kind());
                     let symbol = symbol(find, &self.maker.options.notation);
@@ -395,7 +428,7 @@ impl PathPage<'_> {
         let mut items = grid::set(&rows, COLUMN_MM);
         let y = -rows[..width].iter().map(|r| r.height_mm).sum::<f64>();
         for (k, said) in self.remarks().into_iter().enumerate() {
-            let at = hodograph_base::geom::Point::new(0.0, y - ROW_MM * (k as f64 + 1.2));
+            let at = Point::new(0.0, y - ROW_MM * (k as f64 + 1.2));
             let shape = hodograph_paper::paper::item::Shape::Label {
                 at,
                 label: Label::text(said).in_fonts(&style.fonts),
@@ -429,6 +462,14 @@ impl PathPage<'_> {
     /// The description of the figure, in words.
     fn described(&self) -> String {
         let lang = self.maker.options.lang;
+        if let Some(link) = self.against.map(|l| self.scene().link_name(l)) {
+            let points: Vec<&str> =
+                self.moved.points.iter().map(|p| self.scene().point_name(*p)).collect();
+            return match lang {
+                Lang::En => format!("Path of {} seen from link {link}.", points.join(", ")),
+                Lang::Zh => format!("点 {} 相对构件 {link} 的运动轨迹。", points.join("、")),
+            };
+        }
         let mut said = Vec::new();
         for (k, point) in self.moved.points.iter().enumerate() {
             let name = self.scene().point_name(*point);
@@ -512,6 +553,6 @@ fn stand(
         layouts.into_iter().min_by(|a, b| scale(a).total_cmp(&scale(b))).unwrap_or(Tree::Leaf(0));
     let [w, h] = best.size(&parts);
     let size = [w + 2.0 * MARGIN_MM, h + 2.0 * MARGIN_MM];
-    best.put(&mut parts, hodograph_base::geom::Point::new(MARGIN_MM, size[1] - MARGIN_MM));
+    best.put(&mut parts, Point::new(MARGIN_MM, size[1] - MARGIN_MM));
     (parts.into_iter().flat_map(|p| p.items).collect(), size)
 }

@@ -40,7 +40,7 @@ pub struct Inversion {
     pub ground: LinkId,
     /// True if it is the ground of the scene itself.
     pub original: bool,
-    /// The role of the ground in the slider-crank chain, if the scene is one.
+    /// The role of the ground in a chain of four links with slides, if the scene is one.
     pub part: Option<ChainLink>,
     /// The inversion's scene as a file.
     pub text: String,

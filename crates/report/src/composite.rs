@@ -61,6 +61,15 @@ pub fn text(
     lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
 }
 
+/// Returns moving point and frame of each choice that the scene names, each followed by its three
+/// motions.
+pub fn named(scene: &Scene, lang: Lang, notation: &Notation) -> Vec<Phrase> {
+    let staged = ContactScene::new(scene);
+    let w = CompositeWords { scene: &staged.scene, lang, notation };
+    let choices = staged.shown(scene, 0);
+    choices.iter().flat_map(|c| [w.heading(c), w.three_motions(c)]).collect()
+}
+
 /// Returns the word for a verdict in JSON.
 pub fn code(verdict: ChoiceVerdict) -> &'static str {
     match verdict {
@@ -563,6 +572,16 @@ pub fn json(
             .collect();
         out
     };
+    let motions = |c: &FrameChoice| {
+        let motions::ThreeMotions { absolute, relative, transport, carried } =
+            w.motions(c, PointForm::Plain);
+        json!({
+            "absolute": absolute,
+            "relative": relative,
+            "transport": transport,
+            "transport_point": carried,
+        })
+    };
     let choices: Vec<Json> = all
         .iter()
         .map(|c| {
@@ -574,6 +593,7 @@ pub fn json(
                 "verdict": code(c.verdict),
                 "reason": w.reason(c),
                 "path": path(c),
+                "motions": motions(c),
                 "parts": found.map(parts),
             })
         })

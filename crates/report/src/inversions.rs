@@ -46,13 +46,7 @@ pub fn heading(i: &Inversion, lang: Lang) -> String {
 
 /// Returns the type and the fully rotating links.
 pub fn words(i: &Inversion, lang: Lang) -> String {
-    let mut parts: Vec<String> = i
-        .limits
-        .grashof
-        .iter()
-        .map(|(kind, _)| limits::grashof_words(*kind, lang).to_owned())
-        .collect();
-    parts.extend(slider_crank(i, lang).map(str::to_owned));
+    let mut parts: Vec<String> = name(i, lang).into_iter().map(str::to_owned).collect();
     let turning = turning(i);
     parts.push(match (lang, turning.len()) {
         (Lang::En, 0) => "no link on the ground turns fully".to_owned(),
@@ -64,17 +58,28 @@ pub fn words(i: &Inversion, lang: Lang) -> String {
     parts.join(tr(lang, "; ", "；"))
 }
 
-/// Returns the name of an inversion of the slider-crank chain; `None` for other chains.
-fn slider_crank(i: &Inversion, lang: Lang) -> Option<&'static str> {
+/// Returns the name of an inversion of a chain of four links with slides; `None` for other chains.
+fn chain(i: &Inversion, lang: Lang) -> Option<&'static str> {
     // With the crank as ground, the link with the guide rotates about its pin.
     let full = || i.limits.range.full() && i.limits.swings.iter().all(|s| s.stroke.is_none());
     Some(match i.part? {
         ChainLink::Guide => tr(lang, "crank-slider", "曲柄滑块机构"),
-        ChainLink::Slider => tr(lang, "fixed slider", "定块机构"),
-        ChainLink::Coupler => tr(lang, "swinging block", "曲柄摇块机构"),
-        ChainLink::Crank if full() => tr(lang, "turning guide", "转动导杆机构"),
-        ChainLink::Crank => tr(lang, "oscillating guide", "摆动导杆机构"),
+        ChainLink::Slider => tr(lang, "fixed slider (hand pump)", "移动导杆机构（定块机构）"),
+        ChainLink::Coupler => tr(lang, "swinging block (oscillating cylinder)", "曲柄摇块机构"),
+        ChainLink::Crank if full() => tr(lang, "turning guide (Whitworth)", "转动导杆机构"),
+        ChainLink::Crank => tr(lang, "oscillating guide (crank-shaper)", "摆动导杆机构"),
+        ChainLink::Cross => tr(lang, "double slider (elliptic trammel)", "双滑块机构（椭圆规）"),
+        ChainLink::Block => tr(lang, "Scotch yoke", "正弦机构"),
+        ChainLink::Connector => {
+            tr(lang, "double turning block (Oldham coupling)", "双转块机构（十字滑块联轴器）")
+        }
+        ChainLink::Alternate => tr(lang, "tangent mechanism", "正切机构"),
     })
+}
+
+/// Returns the type of the mechanism: Grashof's of a four-bar, or the name of the inversion.
+fn name(i: &Inversion, lang: Lang) -> Option<&'static str> {
+    i.limits.grashof.map(|(kind, _)| limits::grashof_words(kind, lang)).or_else(|| chain(i, lang))
 }
 
 /// Returns the links on the ground that rotate fully.
@@ -107,6 +112,7 @@ pub fn json(scene: &Scene, all: &[Inversion], notes: &[Diagnostic]) -> Json {
         json!({
             "ground": i.scene.link_name(i.scene.ground),
             "original": i.original,
+            "name": name(i, Lang::En).zip(name(i, Lang::Zh)).map(|(en, zh)| json!({"en": en, "zh": zh})),
             "driver": i.driver,
             "turning": turning(i),
             "willis": trains::formulas(&i.scene, &i.worked),

@@ -81,6 +81,17 @@ pub fn text(scene: &Scene, driver: usize, limits: &MotionLimits, lang: Lang) -> 
     out
 }
 
+/// Returns the motion of each output in words: its swing or stroke, or the reason that it has none.
+pub fn output_words(
+    scene: &Scene,
+    driver: usize,
+    limits: &MotionLimits,
+    lang: Lang,
+) -> Vec<String> {
+    let w = LimitWords::new(scene, driver, limits, lang);
+    limits.swings.iter().map(|s| w.swing(s)).collect()
+}
+
 /// Returns the report as JSON, in SI.
 pub fn json(scene: &Scene, driver: usize, limits: &MotionLimits) -> Json {
     let w = LimitWords::new(scene, driver, limits, Lang::En);

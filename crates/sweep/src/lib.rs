@@ -65,6 +65,7 @@ mod train;
 mod turns;
 pub mod vary;
 mod work;
+pub mod zeros;
 pub mod zoom;
 
 use pieces::never;

@@ -8,12 +8,12 @@
 use super::follow::{PoseFollower, PoseSweep, TravelPose};
 use super::station;
 use hodograph_analytic as analytic;
-use hodograph_base::geom::Vec2;
+use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::answer::AnswerValue;
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
 use hodograph_mechanism::position::Configuration;
 use hodograph_scene::quantity::{Level, PointMotion, Rate};
-use hodograph_scene::{Asked, Find, GivenQuantity, OnLink, PointId, Scene, Swept};
+use hodograph_scene::{Asked, Find, GivenQuantity, LinkId, OnLink, PointId, Scene, Swept};
 
 /// Steps through a turn: 1°, the resolution of a printed curve.
 const STEPS: usize = 360;
@@ -91,6 +91,30 @@ pub fn bounded(mut sizes: Vec<f64>, own: f64, unlimited: bool) -> Option<f64> {
     })
 }
 
+/// Returns the place (m) of a point as it is seen from a link, on the link as it is in `base`;
+/// `None` if the link has no direction or the point no place.
+pub fn seen_from(
+    at: &Configuration,
+    base: &Configuration,
+    point: PointId,
+    link: LinkId,
+) -> Option<Point> {
+    let local = at.poses[link.0]?.to_local(at.points[point.0]?);
+    Some(base.poses[link.0]?.to_world(local))
+}
+
+/// Returns the pose of a motion at a travel; `None` if it has none there.
+pub fn pose_at(follower: &PoseFollower, sweep: &PoseSweep, travel: f64) -> Option<TravelPose> {
+    let off = |p: &TravelPose| (p.travel - travel).abs();
+    let near = sweep.poses.iter().min_by(|a, b| off(a).total_cmp(&off(b)))?;
+    let range = sweep.poses.last()?.travel - sweep.poses.first()?.travel;
+    // A pose of the sweep within rounding is that pose: at a limit there is no pose beyond it.
+    if off(near) <= 1e-9 * range {
+        return Some(near.clone());
+    }
+    Some(TravelPose { travel, configuration: follower.at(&near.configuration, travel)? })
+}
+
 /// Returns `count` poses at equal steps of the driver, in the sense of its motion: from the scene's
 /// own through a full turn, or from one end of the travel to the other.
 pub fn at_equal_steps(follower: &PoseFollower, sweep: &PoseSweep, count: usize) -> Vec<TravelPose> {
@@ -103,24 +127,13 @@ pub fn at_equal_steps(follower: &PoseFollower, sweep: &PoseSweep, count: usize) 
         (false, 1) => (0.0, 0.0),
         (false, n) => (first.travel, (last.travel - first.travel) / (n.max(2) - 1) as f64),
     };
-    let near = |travel: f64| {
-        sweep
-            .poses
-            .iter()
-            .min_by(|a, b| (a.travel - travel).abs().total_cmp(&(b.travel - travel).abs()))
-    };
     let pose = |k: usize| {
         let travel = if !sweep.full && count > 1 && k + 1 == count {
             last.travel
         } else {
             from + step * k as f64
         };
-        let near = near(travel)?;
-        // A pose of the sweep within rounding is that pose: at a limit there is no pose beyond it.
-        if (near.travel - travel).abs() <= 1e-9 * (last.travel - first.travel) {
-            return Some(near.clone());
-        }
-        Some(TravelPose { travel, configuration: follower.at(&near.configuration, travel)? })
+        pose_at(follower, sweep, travel)
     };
     let mut poses: Vec<TravelPose> = (0..count).filter_map(pose).collect();
     if follower.goes_back() {

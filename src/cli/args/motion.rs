@@ -23,6 +23,9 @@ pub struct PathArgs {
     /// The points whose paths are drawn, such as E or E,F
     #[arg(long, value_name = "POINTS", value_delimiter = ',', required = true)]
     pub point: Vec<String>,
+    /// A moving link: the paths as they are seen from it, drawn on it in the pose of the scene
+    #[arg(long, value_name = "LINK")]
+    pub against: Option<String>,
     /// The mechanism in so many positions at equal steps of the driver, one over another
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=72))]
     pub poses: u16,

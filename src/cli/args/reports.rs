@@ -74,6 +74,10 @@ pub struct LimitsArgs {
     /// rest
     #[arg(long, value_name = "NAME")]
     pub over: Option<String>,
+    /// These quantities instead: highest and lowest value of each and its zeros over the whole
+    /// motion, such as v_C,a_C
+    #[arg(long, value_name = "LIST", conflicts_with_all = ["ranges", "flywheel"])]
+    pub find: Option<String>,
     /// For a four-bar: the ranges of each length, the three others held, for each of Grashof's
     /// types
     #[arg(long, conflicts_with = "flywheel")]

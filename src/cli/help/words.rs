@@ -244,6 +244,7 @@ pub(super) const WORDS: &[(&str, &str, &str)] = &[
     ("path", "", "在机构上画点的轨迹（连杆曲线），及其速度和加速度的矢端曲线"),
     ("path", "*after", "曲线数值的表：hodograph sweep SCENE --find x_E,y_E,v_E,a_E -o curves.csv"),
     ("path", "point", "画哪些点的轨迹，如 E 或 E,F"),
+    ("path", "against", "活动构件：画从该构件上看到的相对运动轨迹，画在给定位置的该构件上"),
     ("path", "poses", "把机构在原动件等间隔的这么多个位置上叠画"),
     (
         "path",
@@ -290,6 +291,7 @@ pub(super) const WORDS: &[(&str, &str, &str)] = &[
     ("cam", "json", "结果为 JSON，国际单位制，角度为弧度"),
     ("cam", "dpi", "PNG 的分辨率（dpi）"),
     ("limits", "", "原动件的活动范围、极限位置和行程、行程速度变化系数、传动角、格拉斯霍夫类型"),
+    ("limits", "find", "改列这些量在整个运动中的最大值、最小值和零点，如 v_C,a_C"),
     ("limits", "ranges", "四杆机构：其余三杆不变时，各杆长在什么范围内属于哪种类型"),
     (
         "limits",

@@ -5,6 +5,7 @@ use hodograph_base::notation::Notation;
 use hodograph_report::amount::symbol;
 use hodograph_scene::quantity::Of;
 use hodograph_scene::{Asked, DiagramKind, Find, Kind, Scene, Swept};
+use hodograph_sweep::zeros::{SoughtZeros, zeros};
 use hodograph_sweep::zoom::{self, SoughtExtreme, extreme_row};
 use hodograph_sweep::{PlacedScene, Table, of_values};
 use std::f64::consts::TAU;
@@ -17,12 +18,19 @@ const ZERO: f64 = 1e-6;
 /// One line of a diagram.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DiagramCurve {
+    /// The name of its column of a sweep, such as `v_C.x`.
+    pub name: String,
     /// The symbol, in the label language.
     pub symbol: String,
+    /// The number of units of the panel in one SI unit.
+    pub per_si: f64,
     /// The values in the unit of the panel, one for each place of the driver.
     pub values: Vec<f64>,
     /// The highest and the lowest point: place of the driver and value.
     pub extremes: Vec<(f64, f64)>,
+    /// The places at which a rate, an acceleration or a force is zero: the first and the last one of
+    /// each stretch.
+    pub zeros: Vec<[f64; 2]>,
     /// The link of which the curve shows the motion.
     pub link: Option<usize>,
 }
@@ -61,6 +69,8 @@ impl Panel {
 pub struct CurveDiagram {
     /// The driver's symbol and unit, in the label language.
     pub driver: [String; 2],
+    /// The number of units of the driver in one SI unit.
+    pub per_si: f64,
     /// The driver's places, increasing; a step longer than the usual one is a gap without values.
     pub places: Vec<f64>,
     /// The panels, from top to bottom.
@@ -116,13 +126,18 @@ impl CurveDiagram {
                 [Some(_), Some(_)] => vec![(find.text.clone(), format!("|{own}|"))],
                 [_, None] | [None, _] => vec![(find.text.clone(), own)],
             };
+            let magnitude = parts.iter().all(|part| column(part).is_some());
             shown.extend(wanted.into_iter().filter_map(|(name, symbol)| {
                 let values = column(&name)?;
-                Some(ShownColumn::new(scene, find, name, symbol, values))
+                let parts = (magnitude && name == find.text).then(|| parts.clone());
+                Some(ShownColumn { parts, ..ShownColumn::new(scene, find, name, symbol, values) })
             }));
         }
         let sought: Vec<SoughtExtreme> = shown.iter().flat_map(ShownColumn::extremes).collect();
         let mut found = zoom::extremes(table, swept_at, &sought).into_iter().zip(&sought);
+        let wanted: Vec<SoughtZeros> =
+            shown.iter().filter(|c| !c.is_place()).map(ShownColumn::components).collect();
+        let mut zeros = zeros(table, swept_at, &wanted).into_iter().peekable();
         let mut panels: Vec<((DiagramKind, bool, Kind), Panel)> = Vec::new();
         for column in &shown {
             let ShownColumn { find, symbol, values, times, line, .. } = column;
@@ -144,10 +159,14 @@ impl CurveDiagram {
             if extremes.len() == 2 && extremes[0].1 - extremes[1].1 <= ZERO * most * times.abs() {
                 extremes.pop();
             }
+            let zeros = zeros.next_if(|_| !column.is_place()).unwrap_or_default();
             let curve = DiagramCurve {
+                name: column.name.clone(),
                 symbol: symbol.clone(),
+                per_si: *times,
                 values: line.clone(),
                 extremes,
+                zeros: zeros.iter().map(|z| [z.at, z.until].map(|at| at * factor)).collect(),
                 link: link(scene, &find.what),
             };
             let order = order(&find.what);
@@ -162,6 +181,7 @@ impl CurveDiagram {
         panels.sort_by_key(|p| p.0);
         CurveDiagram {
             driver: [named, driver_unit],
+            per_si: factor,
             places,
             panels: panels.into_iter().map(|p| p.1).collect(),
         }
@@ -179,6 +199,8 @@ struct ShownColumn<'a> {
     /// The factor from SI to the unit.
     times: f64,
     turning: bool,
+    /// The columns of both components, for a magnitude.
+    parts: Option<[String; 2]>,
     /// The curve, in the unit; an angle without jumps.
     line: Vec<f64>,
 }
@@ -196,7 +218,21 @@ impl<'a> ShownColumn<'a> {
         let turning = kind == Kind::Angle;
         let line: Vec<f64> = values.iter().map(|v| v * times).collect();
         let line = if turning { unwound(&line, TAU * times) } else { line };
-        ShownColumn { find, name, symbol, values, unit, times, turning, line }
+        ShownColumn { find, name, symbol, values, unit, times, turning, parts: None, line }
+    }
+
+    /// True for a coordinate or an angle: its zero depends on the choice of an axis.
+    fn is_place(&self) -> bool {
+        DiagramKind::of(self.find.what.kind().level()) == DiagramKind::Plane
+    }
+
+    /// Returns the columns of its vector, or its own.
+    fn components(&self) -> SoughtZeros<'_> {
+        let columns = match &self.parts {
+            Some(parts) => parts.each_ref().map(|p| Some(p.as_str())),
+            None => [Some(self.name.as_str()), None],
+        };
+        SoughtZeros { columns }
     }
 
     /// Returns its highest and lowest row.

@@ -200,6 +200,25 @@ fn curves(plot: &mut Plot, panel: &Panel, diagram: &CurveDiagram, said: &mut Vec
             let request = LabelRequest::at_point(label, style.small_mm, at, style.dot_radius_mm);
             plot.label(request, curve.link);
         }
+        for &[from, to] in &curve.zeros {
+            said.push(zero_words(curve, [from, to], &diagram.driver[1]));
+            let at = plot.at(0.5 * (from + to), 0.0);
+            if from != to || marked.iter().any(|(p, _)| p.distance(at) < SAME_MM) {
+                continue;
+            }
+            let ring = Shape::Circle {
+                centre: at,
+                radius_mm: style.dot_radius_mm,
+                stroke: Some(style.thin),
+                fill: Some(Colour::WHITE),
+            };
+            plot.draw("zero", ring, curve.link);
+            let place = place_words(from, &diagram.driver[1]);
+            marked.push((at, place.clone()));
+            let radius_mm = style.dot_radius_mm;
+            let request = LabelRequest::at_point(Label::math(place), style.small_mm, at, radius_mm);
+            plot.label(request.optional(true), curve.link);
+        }
         // The name is beside the line's highest lobe, where it is read first.
         let Some(&(x, y)) =
             known.get(known.len() / 5 + (k * known.len() / 7) % known.len().max(1) / 2)
@@ -216,4 +235,17 @@ fn curves(plot: &mut Plot, panel: &Panel, diagram: &CurveDiagram, said: &mut Vec
             curve.link,
         );
     }
+}
+
+/// Returns a zero in words: `v_C = 0 (90 °)`; a stretch has both its ends.
+fn zero_words(curve: &DiagramCurve, [from, to]: [f64; 2], unit: &str) -> String {
+    let [from, to] = [from, to].map(|x| place_words(x, unit));
+    let place = if from == to { from } else { format!("{from} … {to}") };
+    Label::math(format!("{} = 0 ({place})", curve.symbol)).plain()
+}
+
+/// Returns a place of the driver with its unit, in the label language.
+fn place_words(x: f64, unit: &str) -> String {
+    let gap = if unit == DEGREE { "" } else { "\\," };
+    format!("{}{gap}{unit}", number(x, DIGITS))
 }

@@ -23,10 +23,12 @@ use super::centres;
 use super::cognates;
 use super::composite;
 use super::curvature;
+use super::extremes;
 use super::inversions;
 use super::loops;
 use super::mechanism::Overlay;
 use super::sheet::SheetOptions;
+use super::transmission;
 use hodograph_paper::paper::item::Figure;
 
 /// A figure that can be requested.
@@ -60,6 +62,8 @@ pub const LIST: &[&FigureEntry] = &[
     &gears::ENTRY,
     &cam::ENTRY,
     &groups::ENTRY,
+    &extremes::ENTRY,
+    &transmission::ENTRY,
     &composite::ENTRY,
     &loops::ENTRY,
     &attempts::ENTRY,

@@ -1,7 +1,7 @@
 //! The vectors of a composite motion at the moving point: two components form a parallelogram with
 //! the absolute vector as its diagonal.
 
-use hodograph_base::geom::Vec2;
+use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::notation::Notation;
 use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::item::{Colour, Dash, LineStroke, Shape};
@@ -44,6 +44,8 @@ pub struct Composed {
     pub vectors: Vec<ComposedVector>,
     /// True if dashed lines close the parallelogram of two components.
     pub parallelogram: bool,
+    /// The places of the point's relative path (m), on its frame in the pose; may be empty.
+    pub track: Vec<Point>,
 }
 
 /// Draws the mechanism with the vectors.
@@ -59,11 +61,25 @@ pub fn composed(
     let style = &Style { link: style.link.coloured(BARS), ..style.clone() };
     let mut draft = MechanismDraft::new(style, scene, worked, notation, &alone);
     draft.everything();
+    draft.relative_path(&what.track);
     draft.vectors_at(what);
     draft.d.finish()
 }
 
 impl MechanismDraft<'_> {
+    /// Draws a relative path, thin, behind the mechanism.
+    fn relative_path(&mut self, places: &[Point]) {
+        if places.len() < 2 {
+            return;
+        }
+        let points: Vec<Point> = places.iter().map(|p| self.paper(*p)).collect();
+        let stroke = Some(self.style.thin.dashed(Dash::DashDot));
+        let shape = Shape::Polyline { points, closed: false, stroke, fill: None };
+        self.d.behind(|d| {
+            d.shape("relative-path", "path", shape);
+        });
+    }
+
     fn vectors_at(&mut self, what: &Composed) {
         let (Some(from), style) = (self.point(what.at), self.style) else { return };
         let parts: Vec<&ComposedVector> = what.vectors.iter().filter(|v| !v.absolute).collect();

@@ -7,8 +7,8 @@
 //! blocks, [`crosses`] blocks in two slots, [`dimensions`] the given lengths, [`directions`] guides
 //! that tables call t, [`letters`] numbers and letters, [`overlay`] everything over and behind the
 //! mechanism, [`composed`] the vectors of a composite motion,
-//! [`looped`] closed vectors. Links and points without a position
-//! are left out.
+//! [`looped`] closed vectors, [`positions`] other positions with angles and lengths. Links and points
+//! without a position are left out.
 
 mod apart;
 mod belts;
@@ -23,6 +23,7 @@ mod looped;
 mod marks;
 mod overlay;
 mod parted;
+mod positions;
 mod rates;
 mod slides;
 pub(crate) mod special;
@@ -47,6 +48,7 @@ use hodograph_paper::paper::symbols as sym;
 pub use apart::{MechanismPiece, apart, links};
 pub use looped::{LoopArrow, looped};
 pub use overlay::{Overlay, PointTrack, overlaid};
+pub use positions::{MarkedAngle, MarkedLength, OtherPosition, PositionMarks, positions};
 
 /// Two places closer than this on paper are one: a tenth of a link's width.
 const SAME_MM: f64 = 0.07;

@@ -147,31 +147,33 @@ impl MechanismDraft<'_> {
             let there = Worked { configuration: configuration.clone(), ..self.worked.clone() };
             let alone = SeriesFeatures::default();
             let other = MechanismDraft::new(self.style, self.scene, &there, self.notation, &alone);
-            for (l, form) in other.forms.iter().enumerate() {
-                let Some(form) = form else { continue };
-                for (from, to) in form.segments() {
-                    self.d.shape(
-                        &format!("pose-{k}-link-{l}"),
-                        "pose",
-                        Shape::Line { from, to, stroke: thin },
-                    );
-                }
-            }
-            for at in (0..self.scene.points.len())
-                .map(PointId)
-                .filter(|p| other.is_pin(*p) && !other.is_fixed_pivot(*p))
-            {
-                let Some(centre) = other.point(at) else { continue };
-                let dot = Shape::Circle {
-                    centre,
-                    radius_mm: self.style.dot_radius_mm,
-                    stroke: None,
-                    fill: Some(BEHIND),
-                };
-                self.d.shape(&format!("pose-{k}-pin"), "pose", dot);
-            }
+            self.other(k, &other, thin);
         }
         overlay.paths.iter().filter(|path| path.marks.is_empty()).for_each(|path| self.path(path));
+    }
+
+    /// Draws the links of another position as lines, and its moving pins as dots.
+    pub(super) fn other(&mut self, k: usize, other: &MechanismDraft, stroke: LineStroke) {
+        for (l, form) in other.forms.iter().enumerate() {
+            let Some(form) = form else { continue };
+            for (from, to) in form.segments() {
+                let line = Shape::Line { from, to, stroke };
+                self.d.shape(&format!("pose-{k}-link-{l}"), "pose", line);
+            }
+        }
+        for at in (0..self.scene.points.len())
+            .map(PointId)
+            .filter(|p| other.is_pin(*p) && !other.is_fixed_pivot(*p))
+        {
+            let Some(centre) = other.point(at) else { continue };
+            let dot = Shape::Circle {
+                centre,
+                radius_mm: self.style.dot_radius_mm,
+                stroke: None,
+                fill: Some(stroke.colour),
+            };
+            self.d.shape(&format!("pose-{k}-pin"), "pose", dot);
+        }
     }
 
     /// Draws a path: thin behind the mechanism, or thick over it as the subject of the figure.

@@ -2,16 +2,44 @@
 
 use super::CompositeWords;
 use crate::writing::PointForm;
-use hodograph_methods::composite::FrameChoice;
+use hodograph_methods::composite::{FrameChoice, name_of};
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_scene::quantity::Frame;
 use hodograph_scene::{Guide, GuidePath, Lang, LinkId, PointId};
 
+/// The three motions of a choice in words, and the point of the frame at the moving point.
+pub(super) struct ThreeMotions {
+    /// The motion of the point, seen from the ground.
+    pub absolute: String,
+    /// The motion of the point, seen from the frame.
+    pub relative: String,
+    /// The motion of the frame.
+    pub transport: String,
+    /// The point of the frame that coincides with the moving point.
+    pub carried: String,
+}
+
 impl CompositeWords<'_> {
     /// Returns the three motions by name:
-    /// `Absolute motion: a circle about A. Relative motion: ... Transport motion: link 2 turns
-    /// about C.`
+    /// `Absolute motion: a circle about A; relative motion: ...; transport motion: rotation about C;
+    /// transport point: ...`.
     pub(super) fn three_motions(&self, c: &FrameChoice) -> Phrase {
+        let ThreeMotions { absolute, relative, transport, carried } =
+            self.motions(c, PointForm::Marked);
+        Phrase::new(&match self.lang {
+            Lang::En => format!(
+                "Absolute motion: {absolute}; relative motion: {relative}; transport motion: {transport}; transport point: {carried}"
+            ),
+            Lang::Zh => {
+                format!(
+                    "绝对运动：{absolute}；相对运动：{relative}；牵连运动：{transport}；牵连点：{carried}"
+                )
+            }
+        })
+    }
+
+    /// Returns the motions of a choice in words.
+    pub(super) fn motions(&self, c: &FrameChoice, writing: PointForm) -> ThreeMotions {
         let (scene, lang) = (self.scene, self.lang);
         let ground = &scene.links[scene.ground.0].points;
         let pivot = |l: LinkId| {
@@ -19,7 +47,7 @@ impl CompositeWords<'_> {
                 .points
                 .iter()
                 .find(|p| ground.contains(p))
-                .map(|p| PointForm::Marked.point(scene.point_name(*p)))
+                .map(|p| writing.point(scene.point_name(*p)))
         };
         let slides = |g: &Guide, l: Option<LinkId>, p: Option<PointId>| {
             g.on == scene.ground
@@ -49,18 +77,25 @@ impl CompositeWords<'_> {
                 None => tr(lang, "plane motion", "平面运动").to_owned(),
             },
         };
-        let relative = self.path(c, PointForm::Marked);
+        let relative = self.path(c, writing);
         let relative = relative.split_once([':', '：']).map_or_else(
             || tr(lang, "not known", "未知").to_owned(),
             |(_, path)| path.trim().to_owned(),
         );
-        Phrase::new(&match lang {
-            Lang::En => format!(
-                "Absolute motion: {absolute}; relative motion: {relative}; transport motion: {transport}"
-            ),
-            Lang::Zh => {
-                format!("绝对运动：{absolute}；相对运动：{relative}；牵连运动：{transport}")
-            }
-        })
+        let point = writing.point(&name_of(scene, &c.of));
+        let frame = self.frame(c.frame, writing);
+        let carried = match lang {
+            Lang::En => match c.frame {
+                Frame::Link(_) => {
+                    format!("the point of {frame} that coincides with {point}")
+                }
+                Frame::Point(_) => format!("any point of the frame, which is {frame}"),
+            },
+            Lang::Zh => match c.frame {
+                Frame::Link(_) => format!("{frame}上与 {point} 重合的点"),
+                Frame::Point(_) => "动系上任一点（动系作平移，各点运动相同）".to_owned(),
+            },
+        };
+        ThreeMotions { absolute, relative, transport, carried }
     }
 }
