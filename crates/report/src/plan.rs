@@ -154,6 +154,11 @@ fn group(
     let comma = tr(lang, ", ", "、");
     let links = match links.len() {
         0 => String::new(),
+        // A dyad has two links: the other one replaces the higher pair, or is a cylinder.
+        1 if g.class() == Some("II") && g.drivers(m).next().is_none() => match lang {
+            Lang::En => format!("link {} and the link that replaces its higher pair: ", links[0]),
+            Lang::Zh => format!("构件 {} 和高副低代的构件：", links[0]),
+        },
         1 => format!("{} {}{}", tr(lang, "link", "构件"), links[0], tr(lang, ": ", "：")),
         _ => format!("{} {}{}", tr(lang, "links", "构件"), links.join(comma), tr(lang, ": ", "：")),
     };
