@@ -165,10 +165,14 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<ParticleProbl
 
 /// Returns a statement with the values of the parameters as written.
 fn filled(text: Localized, parameters: &[(String, String)]) -> Localized {
+    let shown = |value: &str| match value.strip_suffix(" deg") {
+        Some(degrees) => format!("{degrees}°"),
+        None => value.to_owned(),
+    };
     let fill = |s: &str| {
         parameters
             .iter()
-            .fold(s.to_owned(), |s, (name, value)| s.replace(&format!("{{{name}}}"), value))
+            .fold(s.to_owned(), |s, (name, value)| s.replace(&format!("{{{name}}}"), &shown(value)))
     };
     Localized { en: fill(&text.en), zh: fill(&text.zh) }
 }
