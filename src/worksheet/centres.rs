@@ -22,9 +22,9 @@ impl SheetMaker<'_> {
         let counted = words.counts();
         blocks.push(DocumentBlock::Paragraph(Phrase::new(&match self.lang() {
             Lang::En => format!(
-                "The ground is one of the links, so that there are $N(N - 1)/2$ centres: {counted}."
+                "The ground is one of the links, so that there are $N(N - 1)/2$ centres. {counted}."
             ),
-            Lang::Zh => format!("机架也计为构件，瞬心数为 $N(N - 1)/2$：{counted}。"),
+            Lang::Zh => format!("机架也计为构件，瞬心数为 $N(N - 1)/2$。{counted}。"),
         })));
         let (at_pairs, others): (Vec<_>, Vec<_>) =
             task.found.list.iter().partition(|c| matches!(c.step.how, CentreMethod::Primary(_)));

@@ -172,7 +172,7 @@ impl DesignMaker<'_> {
                 "量取".into(),
                 format!("乘以 $\\mu_l = {}\\,\\text{{m/mm}}$", inked(&shortest(board.mu_l))),
                 "公式".to_owned(),
-                format!("手工作图误差 ({} mm)", shortest(pencil_mm(&self.task.paper))),
+                format!("手工作图误差（{} mm）", shortest(pencil_mm(&self.task.paper))),
             ],
         };
         let mut rows = vec![head.iter().map(|h: &String| Phrase::new(h)).collect::<Vec<_>>()];

@@ -28,7 +28,7 @@ pub fn by_loops(
     Ok(solved_by(scene, worked, options, |maker, blocks| {
         blocks.push(maker.heading(1, "Solution", "解"));
         maker.loops(blocks, &all);
-        maker.results(blocks, None);
+        maker.results_of_formulas(blocks);
     }))
 }
 

@@ -80,7 +80,7 @@ impl MobilitySheet<'_> {
         match &self.drawn {
             Some(maker) => {
                 blocks.push(self.paragraph(
-                    "The figure shows a planar mechanism; the arrow marks what is driven.",
+                    "The figure shows a planar mechanism; the arrow marks the driver.",
                     "图示为一平面机构，箭头所示为原动件。",
                 ));
                 blocks.push(whole(maker));
@@ -101,7 +101,7 @@ impl MobilitySheet<'_> {
         }
         blocks.push(self.heading(2, "Wanted", "求"));
         let determined = match (self.scene.drivers.is_empty(), self.lang()) {
-            (false, Lang::En) => "; does the mechanism move as its drivers say?",
+            (false, Lang::En) => "; is the motion of the mechanism determined?",
             (false, Lang::Zh) => "；机构是否具有确定的运动？",
             (true, Lang::En) => "; how many drivers does it need?",
             (true, Lang::Zh) => "；机构需要几个原动件？",
@@ -232,7 +232,9 @@ impl MobilitySheet<'_> {
         blocks.push(self.heading(2, "Groups", "杆组"));
         let (driven, highest) = (self.driven(given), class(given, self.lang()));
         blocks.push(DocumentBlock::Paragraph(Phrase::of_words(&match self.lang() {
-            Lang::En => format!("Driven: {driven}. Taken off from the far end, where they leave the rest moving as before:"),
+            Lang::En => {
+                format!("Driver: {driven}. From the far end, one group after another is removed:")
+            }
             Lang::Zh => format!("原动件为{driven}。由远离原动件处开始，依次拆下："),
         })));
         let members = given
@@ -247,7 +249,7 @@ impl MobilitySheet<'_> {
         }
         blocks.push(DocumentBlock::Paragraph(Phrase::of_words(&match self.lang() {
             Lang::En => {
-                format!("What is left is driven with the ground. The highest class of a group is that of the mechanism: class {highest}.")
+                format!("The driver and the ground remain. The class of the mechanism is the highest class of its groups: class {highest}.")
             }
             Lang::Zh => format!("最后剩下原动件和机架。机构的级别取决于杆组的最高级别：{highest}机构。"),
         })));

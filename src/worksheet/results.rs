@@ -20,9 +20,34 @@ use crate::worked::Outcome;
 /// Digits at which drawing and analysis are compared: more than are printed as results.
 pub(super) const COMPARED: usize = 8;
 
+/// The column of the results with lengths on paper.
+const MEASURED: usize = 1;
+
 impl SheetMaker<'_> {
     /// Writes the results; `task` is one that asks for centres.
     pub(super) fn results(&self, blocks: &mut Vec<DocumentBlock>, task: Option<&CentreTask>) {
+        self.answers(blocks, task);
+        match task.filter(|t| t.alone) {
+            Some(task) => {
+                self.loop_equations(blocks);
+                self.compared_centres(blocks, task);
+            }
+            None => self.comparison(blocks),
+        }
+    }
+
+    /// Writes the results of formulas, without what is measured on polygons.
+    pub(super) fn results_of_formulas(&self, blocks: &mut Vec<DocumentBlock>) {
+        let from = blocks.len();
+        self.answers(blocks, None);
+        for block in &mut blocks[from..] {
+            if let DocumentBlock::Table(table) = block {
+                table.rows.iter_mut().for_each(|row| drop(row.remove(MEASURED)));
+            }
+        }
+    }
+
+    fn answers(&self, blocks: &mut Vec<DocumentBlock>, task: Option<&CentreTask>) {
         let (scene, words, digits) = (self.scene, self.words(), self.options.digits);
         blocks.push(DocumentBlock::Heading(2, words.results.into()));
         let head = [
@@ -93,13 +118,6 @@ impl SheetMaker<'_> {
         if !said.is_empty() {
             blocks.push(DocumentBlock::List { numbered: false, members: said });
         }
-        match task.filter(|t| t.alone) {
-            Some(task) => {
-                self.loop_equations(blocks);
-                self.compared_centres(blocks, task);
-            }
-            None => self.comparison(blocks),
-        }
     }
 
     /// Describes the loop equations.
@@ -122,7 +140,7 @@ impl SheetMaker<'_> {
         self.loop_equations(blocks);
         self.components(blocks);
         let mm = shortest(by_hand.pencil_mm);
-        let hand = format!("{} ({mm} mm)", self.tr("by hand", "手工作图误差"));
+        let hand = fill(self.tr("by hand ({} mm)", "手工作图误差（{} mm）"), &[("", &mm)]);
         let head = [
             self.tr("quantity", "量"),
             self.tr("drawing", "图解"),

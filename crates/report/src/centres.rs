@@ -5,12 +5,13 @@ use super::columns::columns;
 use super::drafting;
 use super::writing::PointForm;
 use hodograph_base::digits::{direction_degrees, legible, line_degrees};
+use hodograph_board::plan::names::name_label;
 use hodograph_mechanism::answer::AnswerValue;
 use hodograph_methods::centres::{
     Centre, CentreMotion, CentreMotionSource, CentrePlace, Centres, LinkPair, RelativeMotion,
     Speed, omega, velocity,
 };
-use hodograph_paper::paper::phrase::tr;
+use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_scene::{Kind, Lang, LinkId, Scene};
 
 /// Significant digits of the table.
@@ -38,7 +39,7 @@ pub fn text(found: &Centres, lang: Lang) -> String {
     }
     lines.push(w.counts());
     lines.push(String::new());
-    lines.extend(columns(&w.table(), 3));
+    lines.extend(columns(&w.table(), 4));
     lines.extend(w.by_hand());
     lines.push(String::new());
     lines.push(w.proof());
@@ -115,6 +116,7 @@ impl<'a> CentreWords<'a> {
         };
         let mut rows = vec![vec![
             tr(lang, "centre", "瞬心").to_owned(),
+            tr(lang, "kind", "类别").to_owned(),
             tr(lang, "round", "轮次").to_owned(),
             tr(lang, "how", "求法").to_owned(),
             format!("x / {unit}"),
@@ -123,7 +125,12 @@ impl<'a> CentreWords<'a> {
         let by_hand = self.found.by_hand.as_ref();
         rows[0].extend(by_hand.map(|_| format!("± / {unit}")));
         for (k, c) in self.found.list.iter().enumerate() {
-            let mut row = vec![c.step.pair.name(self.scene), c.round.to_string(), self.how(c)];
+            let mut row = vec![
+                c.step.pair.name(self.scene),
+                self.kind(c).to_owned(),
+                c.round.to_string(),
+                self.how(c),
+            ];
             match c.place {
                 Some(CentrePlace::At(p)) => row.extend([number(p.x, c), number(p.y, c)]),
                 Some(CentrePlace::Infinity(u)) => row.extend([
@@ -138,6 +145,28 @@ impl<'a> CentreWords<'a> {
             rows.push(row);
         }
         rows
+    }
+
+    /// Returns the kind of a centre: absolute if one of its links is the ground, else relative.
+    fn kind(&self, c: &Centre) -> &'static str {
+        if c.step.pair.has(self.scene.ground) {
+            tr(self.lang, "absolute", "绝对瞬心")
+        } else {
+            tr(self.lang, "relative", "相对瞬心")
+        }
+    }
+
+    /// Returns the names of the absolute centres, which are those of the ground, for a figure.
+    pub fn absolute(&self) -> Phrase {
+        let of_ground =
+            self.found.list.iter().map(|c| c.step.pair).filter(|p| p.has(self.scene.ground));
+        let names: Vec<String> = of_ground
+            .map(|pair| format!("$P_{{{}}}$", name_label(&pair.indices(self.scene))))
+            .collect();
+        Phrase::new(&match self.lang {
+            Lang::En => format!("absolute: {}; the others relative", names.join(", ")),
+            Lang::Zh => format!("绝对瞬心：{}；其余为相对瞬心", names.join("、")),
+        })
     }
 
     /// Returns the meaning of the tolerances, if there are any.

@@ -62,6 +62,8 @@ impl CentreWords<'_> {
         let far = matches!(c.place, Some(CentrePlace::Infinity(_)));
         let at_infinity =
             if far { tr(self.lang, ", at infinity", "，在无穷远处") } else { "" };
+        let slides =
+            matches!(c.step.how, CentreMethod::Primary(Primary::Slide(_) | Primary::Cylinder(_)));
         let own = name(i, j);
         let line = |line: CentreLocus| match line {
             CentreLocus::Through(k) => format!("${}{}$", name(i, k), name(k, j)),
@@ -77,6 +79,9 @@ impl CentreWords<'_> {
                 format!("${own}$ 为 {} 与 {} 的交点{at_infinity}。", line(a), line(b))
             }
             (_, Lang::En) => format!("${own}$: {}{at_infinity}.", self.found_by(c).source()),
+            (_, Lang::Zh) if far && slides => {
+                format!("${own}$：在{}方向的无穷远处。", self.found_by(c).source())
+            }
             (_, Lang::Zh) => format!("${own}$：{}{at_infinity}。", self.found_by(c).source()),
         })
     }
@@ -154,10 +159,13 @@ impl CentreWords<'_> {
                     let at = cam
                         .at
                         .as_deref()
-                        .map(|at| format!(" {}", writing.point(at)))
+                        .map(|at| match self.lang {
+                            Lang::En => format!(" {}", writing.point(at)),
+                            Lang::Zh => format!(" {} ", writing.point(at)),
+                        })
                         .unwrap_or_default();
                     return fill(
-                        tr(self.lang, "common normal at the contact{}", "接触点{} 处的公法线"),
+                        tr(self.lang, "common normal at the contact{}", "接触点{}处的公法线"),
                         &[("", &at)],
                     );
                 }

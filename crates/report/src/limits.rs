@@ -6,7 +6,7 @@ pub mod ranges;
 
 use hodograph_base::diag::{Both, both};
 use hodograph_base::digits::legible;
-use hodograph_paper::paper::phrase::tr;
+use hodograph_paper::paper::phrase::{fill, tr};
 use hodograph_scene::{Book, Kind, Lang, LinkId, PointId, Scene};
 use hodograph_sweep::extreme::{DrivenOutput, Grashof, MotionLimits, OutputExtreme, Swing};
 use hodograph_sweep::limit::{Event, EventKind};
@@ -284,11 +284,9 @@ impl<'a> LimitWords<'a> {
         };
         let ratio = s.time_ratio.map_or(String::new(), |k| {
             let theta = std::f64::consts::PI * (k - 1.0) / (k + 1.0);
-            format!(
-                "{} K = {} (θ = {})",
-                tr(lang, ", time ratio", "，行程速度变化系数"),
-                legible(k, 6),
-                angle(&self.scene.book, theta)
+            fill(
+                tr(lang, ", time ratio K = {k} (θ = {})", "，行程速度变化系数 K = {k}（θ = {}）"),
+                &[("k", &legible(k, 6)), ("", &angle(&self.scene.book, theta))],
             )
         });
         format!("{name} {word} {}{ratio}", self.size(s.output, stroke))

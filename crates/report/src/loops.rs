@@ -40,7 +40,7 @@ impl<'a> LoopWords<'a> {
         }
         let of = |v: &LoopVariable| [0, 1, 2].map(|order| plain(&self.variable(v, order)));
         let given = self.all.variables.iter().filter(|v| v.driver.is_some());
-        let known: Vec<String> = given.map(|v| of(v).join(", ")).collect();
+        let known: Vec<String> = given.map(|v| of(v).join(tr(self.lang, ", ", "，"))).collect();
         let known = known.join(tr(self.lang, "; ", "；"));
         lines.push(format!("{}{known}", tr(self.lang, "given: ", "已知：")));
         for g in &self.all.groups {

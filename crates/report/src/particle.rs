@@ -125,7 +125,7 @@ pub fn value(
 pub fn integrated(lang: Lang) -> &'static str {
     tr(
         lang,
-        "The pursuit is integrated (Gragg, Bulirsch, Stoer; the errors of the steps are added up and bound all digits told); what follows at the instant is exact.",
+        "The pursuit is integrated (Gragg, Bulirsch, Stoer; the errors of the steps are added up and bound all printed digits); what follows at the instant is exact.",
         "追踪运动由数值积分求得（Gragg–Bulirsch–Stoer 法，所给位数由各步误差之和确定）；该瞬时的其余量由此精确导出。",
     )
 }

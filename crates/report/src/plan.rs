@@ -154,6 +154,11 @@ fn group(
     let comma = tr(lang, ", ", "、");
     let links = match links.len() {
         0 => String::new(),
+        // A dyad has two links: the other one replaces a contact, a belt or a rope.
+        1 if g.class() == Some("II") && g.drivers(m).next().is_none() => match lang {
+            Lang::En => format!("link {} and an equivalent link: ", links[0]),
+            Lang::Zh => format!("构件 {} 和替代构件：", links[0]),
+        },
         1 => format!("{} {}{}", tr(lang, "link", "构件"), links[0], tr(lang, ": ", "：")),
         _ => format!("{} {}{}", tr(lang, "links", "构件"), links.join(comma), tr(lang, ": ", "：")),
     };

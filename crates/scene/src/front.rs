@@ -158,10 +158,14 @@ impl<'a> Front<'a> {
     /// the value of `r`.
     pub fn statement(&self, node: &Node, faults: &mut Faults) -> Option<Localized> {
         let text = self.localized(node, "\"statement\"", faults)?;
+        let shown = |value: &str| match value.strip_suffix(" deg") {
+            Some(degrees) => format!("{degrees}°"),
+            None => value.to_owned(),
+        };
         let fill = |s: &str| {
-            self.parameters()
-                .iter()
-                .fold(s.to_owned(), |s, (name, value)| s.replace(&format!("{{{name}}}"), value))
+            self.parameters().iter().fold(s.to_owned(), |s, (name, value)| {
+                s.replace(&format!("{{{name}}}"), &shown(value))
+            })
         };
         Some(Localized { en: fill(&text.en), zh: fill(&text.zh) })
     }

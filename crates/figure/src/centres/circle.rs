@@ -225,5 +225,13 @@ fn list(w: &FigureInput, found: &Centres, corner: Point, stepped: bool) -> Vec<F
                 .with_id(format!("circle-list-{k}")),
         );
     }
+    let below = Shape::Label {
+        at: Point::new(corner.x, corner.y - line * (per_column as f64 + 1.5)),
+        label: words.absolute().label().in_fonts(&style.fonts),
+        size_mm: style.small_mm,
+        anchor: Anchor::Start,
+        colour: Colour::BLACK,
+    };
+    items.push(FigureItem::new("circle list", below).with_id("circle-list-absolute"));
     items
 }

@@ -176,10 +176,10 @@ impl<'a> StatementReader<'a, '_> {
             QuantityText::AsWritten(digits, unit) => {
                 unit.label(&hodograph_base::digits::inked(&digits.replace('E', "e")))
             }
-            QuantityText::Computed(value, unit) => unit.label(&number(value)),
+            QuantityText::Computed(value, unit) => unit.label(&number(rounded(value))),
             QuantityText::Usual => {
                 let book = Book::default();
-                book.label(kind, &number(book.value(kind, given.value)))
+                book.label(kind, &number(rounded(book.value(kind, given.value))))
             }
         })
     }
@@ -218,6 +218,11 @@ impl<'a> StatementReader<'a, '_> {
             self.source.get(start + 1..end.saturating_sub(1)) == Some(self.word.text.as_str());
         if in_step { Span::new(start + 1 + from, start + 1 + to) } else { self.word.span }
     }
+}
+
+/// Returns a computed value with the six digits that a reader needs.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
 }
 
 /// Returns true if braces after this part of a formula are not the argument of a script or a

@@ -150,9 +150,9 @@ pub(super) fn draw(
                 mm(arm),
                 mm(omega),
                 if closing < 0.0 {
-                    both!("the distance grows by {} m/s", "距离以 {} m/s 增大", mm(-closing))
+                    both!("the distance grows at {} m/s", "距离以 {} m/s 的速率增大", mm(-closing))
                 } else {
-                    both!("the distance shrinks by {} m/s", "距离以 {} m/s 减小", mm(closing))
+                    both!("the distance shrinks at {} m/s", "距离以 {} m/s 的速率减小", mm(closing))
                 }
             )
         } else {
@@ -165,7 +165,7 @@ pub(super) fn draw(
         },
         if a_t == 0.0 {
             both!(
-                "Draw $a_{{{}}} = v\\omega$ square to the line, for $v$ is constant: it measures {} mm",
+                "Draw $a_{{{}}} = v\\omega$ perpendicular to the line, for $v$ is constant: it measures {} mm",
                 "$v$ 不变，作 $a_{{{}}} = v\\omega$ 垂直于连线，量得 {} mm",
                 m.point,
                 mm((tip_t + tip_n).norm())

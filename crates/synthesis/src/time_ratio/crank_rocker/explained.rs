@@ -137,8 +137,8 @@ impl CrankRocker {
         if let RockerGivens::Gamma { gamma, .. } = self.way {
             out.push(Proof::new(
                 both!(
-                    "At the greatest and the least $l_{{BD}}$ the transmission angle is extreme; along $\\beta$ its least value is the wanted one where",
-                    "$l_{{BD}}$ 最大和最小时传动角取极值；随 $\\beta$ 变化，最小传动角在下处等于给定值"
+                    "At the greatest and the least $l_{{BD}}$ the transmission angle is extreme; with varying $\\beta$ its least value is the wanted one for",
+                    "$l_{{BD}}$ 最大和最小时传动角取极值；改变 $\\beta$，使最小传动角等于给定值，得"
                 ),
                 [format!("\\gamma_{{\\text{{min}}}} = {} ,\\quad \\beta = {}", angle(gamma), angle(of(draft, "beta")))],
             ));
@@ -146,8 +146,8 @@ impl CrankRocker {
         if matches!(self.way, RockerGivens::Best { .. }) {
             out.push(Proof::new(
                 both!(
-                    "At the greatest and the least $l_{{BD}}$ the transmission angle is extreme; along $\\beta$ its least value is greatest where",
-                    "$l_{{BD}}$ 最大和最小时传动角取极值；随 $\\beta$ 变化，最小传动角在下处最大"
+                    "At the greatest and the least $l_{{BD}}$ the transmission angle is extreme; with varying $\\beta$ its least value is greatest for",
+                    "$l_{{BD}}$ 最大和最小时传动角取极值；改变 $\\beta$，使最小传动角为最大，得"
                 ),
                 [format!("\\beta = {} ,\\quad l_{{AD}} = {}", angle(of(draft, "beta")), length(of(draft, "AD")))],
             ));
