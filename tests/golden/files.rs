@@ -98,7 +98,7 @@ pub const ASKED: [(&str, &str); 14] = [
 
 /// Pictures in the gallery in addition to the sheets: title, the command that draws it, the
 /// picture.
-pub const SHOWN: [(&str, &str, &str); 37] = [
+pub const SHOWN: [(&str, &str, &str); 38] = [
     (
         "Forces with friction: circles and angles",
         "draw --figure forces",
