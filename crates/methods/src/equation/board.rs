@@ -351,7 +351,7 @@ impl EquationBoard<'_> {
         };
         let drawn = both!(
             "{}: {a} goes {}, {b} {}",
-            "{}：{a} {}，{b} {}",
+            "{}：{a} 为{}，{b} 为{}",
             met,
             ends(&p.words(self.problem.on), &m),
             of_y
