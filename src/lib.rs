@@ -195,7 +195,7 @@
 //! figure     diag budget notation digits geom cam scene mechanism position answer force plan construct construction equilibrium analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions loops synthesis particle equation report
 //! webfont    paper
 //! worksheet  diag notation digits geom scene mechanism answer plan construct paper render worked certified centres attempts loops synthesis particle equation report figure webfont
-//! lesson     diag budget notation digits geom scene mechanism position plan construct construction equilibrium sweep paper render worked certified centres synthesis particle equation report figure webfont
+//! lesson     diag budget notation digits geom scene mechanism position plan construct construction equilibrium sweep paper render worked certified centres synthesis particle report figure webfont
 //! problem    diag json kind notation digits geom scene mechanism position answer plan construct sweep paper render worked certified attempts synthesis particle equation report figure worksheet lesson
 //! homework   diag digits scene answer sweep paper render worked attempts report worksheet problem
 //! cli        diag json notation digits geom cam scene mechanism plan sweep paper render worked certified effort centres composite attempts curvature inversions loops report figure worksheet lesson problem homework

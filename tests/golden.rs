@@ -586,7 +586,7 @@ fn equations_look_as_they_are_drawn() {
             let drawn = svg::write(figure).unwrap().value;
             check_figure("equations", name, lang, &drawn, 110.0, &mut failures);
             check_text(
-                &golden(&format!("equations/{name}.{tag}.txt")),
+                &golden("equations", &format!("{name}.{tag}.txt")),
                 &solved.text(&look, true),
                 &mut failures,
             );

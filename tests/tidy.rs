@@ -57,6 +57,10 @@ const PLATFORM_FUNCTIONS_ALLOWED: &[(&str, &str)] = &[
         "sine, cosine and directions with their derivatives in any kind of number",
     ),
     (
+        "crates/methods/src/equation/mod.rs",
+        "directions of vectors in any kind of number; `sin_cos` of the inputs",
+    ),
+    (
         "crates/mechanism/src/force.rs",
         "directions of loads in any kind of number; `sin_cos` of the inputs",
     ),

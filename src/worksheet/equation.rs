@@ -94,7 +94,7 @@ pub(super) fn equation_table(
     DocumentTable { kind: TableKind::Equation, rows: vec![symbols, second, third] }
 }
 
-/// What is known of a vector, in a line.
+/// The known data of a vector, in a line.
 fn given(sheet: &EquationSheet, term: &VectorTerm) -> Option<Phrase> {
     let lang = sheet.lang;
     let size = term.magnitude.as_ref().map(|law| {

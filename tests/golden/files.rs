@@ -101,7 +101,7 @@ pub const ASKED: [(&str, &str); 17] = [
 
 /// Pictures in the gallery in addition to the sheets: title, the command that draws it, the
 /// picture.
-pub const SHOWN: [(&str, &str, &str); 39] = [
+pub const SHOWN: [(&str, &str, &str); 40] = [
     (
         "Forces with friction: circles and angles",
         "draw --figure forces",

@@ -11,6 +11,7 @@ const MADE: [&str; 3] = ["Diagnostic::error(", "Diagnostic::warning(", "Diagnost
 const OWN: &[(&str, &[&str])] = &[
     ("crates/figure/src/gears.rs", &["fault(", "note("]),
     ("crates/mechanism/src/stated/mod.rs", &["const UNPROVEN: &str = "]),
+    ("crates/methods/src/equation/read.rs", &["self.fault("]),
     ("crates/methods/src/particle/pursuit.rs", &["const LOST: &str = "]),
     ("crates/methods/src/particle/read.rs", &["self.fault("]),
     ("crates/synthesis/src/judge.rs", &["== Demand::FullTurn { ", "} else { "]),

@@ -109,7 +109,7 @@ impl EquationDrawing {
     /// Returns the reading of a vector in a solution (SI). Where the drawing has fewer crossings
     /// than solutions, two of them coincide on paper.
     pub fn read(&self, term: usize, root: usize) -> Option<Vec2> {
-        let last = self.readings.iter().filter(|r| r.term == term && r.root <= root).next_back();
+        let last = self.readings.iter().rfind(|r| r.term == term && r.root <= root);
         last.map(|r| r.on_paper * self.mu)
     }
 }
@@ -351,7 +351,7 @@ impl EquationBoard<'_> {
         };
         let drawn = both!(
             "{}: {a} goes {}, {b} {}",
-            "{}：{a} {}，{b} {}",
+            "{}：{a} 为{}，{b} 为{}",
             met,
             ends(&p.words(self.problem.on), &m),
             of_y
