@@ -545,7 +545,7 @@ fn centres_are_reported_with_how_they_are_found() {
     let said = text(&run.get_output().stdout);
     for line in [
         "15 centres: 7 at the pairs, 8 by the theorem",
-        "P13     1      12·23 × 16·36",
+        "P13     relative  1      12·23 × 16·36",
         "at infinity",
         "the same sense",
         "loop equations",
