@@ -34,7 +34,7 @@ fn random(dice: &mut Dice, case: usize) -> (String, Vec<Vec2>, usize) {
     let count = 3 + dice.below(4);
     let left = 1 + dice.below(count - 1);
     let mut vectors: Vec<Vec2> = (0..count)
-        .map(|_| Vec2::from_angle(dice.part() * 6.28) * (0.5 + 3.0 * dice.part()))
+        .map(|_| Vec2::from_angle(dice.part() * std::f64::consts::TAU) * (0.5 + 3.0 * dice.part()))
         .collect();
     // The left sum equals the right sum.
     let sign = |k: usize| if k < left { 1.0 } else { -1.0 };

@@ -449,8 +449,8 @@ impl SheetLayout {
         if let Some(block) = least {
             return vec![block];
         }
-        let columns = (1..=lines[0].len().max(1)).map(text);
-        let short = columns.filter(|all| all.iter().all(|column| height(column) <= page[1])).next();
+        let mut columns = (1..=lines[0].len().max(1)).map(text);
+        let short = columns.find(|all| all.iter().all(|column| height(column) <= page[1]));
         drawings.into_iter().chain(short.unwrap_or_else(|| text(1))).collect()
     }
 
