@@ -100,7 +100,7 @@ class InternalError(RuntimeError):
 
 
 _ARGUMENTS = {
-    "drafting", "find", "flywheel", "folder", "format", "output", "over", "path", "set", "start", "stop", "style",
+    "drafting", "find", "flywheel", "folder", "format", "output", "over", "page", "path", "set", "start", "stop", "style",
     "vary", "vectors", "width",
 }  # fmt: skip
 _OPTIONS = {"digits", "format", "id-prefix", "lang", "no-figure", "notation", "unknown-style", "unknown-template"}

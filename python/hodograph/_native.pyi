@@ -65,6 +65,7 @@ class Solved:
         look_of: Look,
         steps: bool,
         width: str | None,
+        page: str | None,
         vectors: str | None,
         dimensions: bool,
         poses: int,

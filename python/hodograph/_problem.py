@@ -155,6 +155,7 @@ class Problem:
         style: str | Mapping[str, Any] | None = None,
         digits: int | None = None,
         width: str | float | None = None,
+        page: str | None = None,
         steps: bool = False,
         vectors: Literal["velocity", "acceleration"] | None = None,
         dimensions: bool = False,
@@ -165,12 +166,16 @@ class Problem:
     ) -> Figure:
         """Draws a figure; `hodograph.figures()` lists the names.
 
-        `style` is `print`, `slides`, `dark` or a style file's content; `width` (mm, or with a unit)
-        fits the figure into a column; `steps` gives a page for each step of the construction.
+        `style` is `print`, `slides`, `dark` or a style file's content. `page` is a format such as
+        `a4`, `a4-landscape`, `16:9` or `80mmx120mm`: what does not fit goes to further pages;
+        `width` (mm, or with a unit) is that of a column of any height. `steps` gives a page for
+        each step of the construction.
         `vectors`, `dimensions`, `poses` (their number) and `path` (names of points) are drawn with
         the mechanism. `candidate` chooses one of a `Task`, from 1. `drafting` adds the tolerances
         of drawing by hand; a text is the pencil error.
         """
+        if page is not None and width is not None:
+            raise TypeError("`page` has a width: leave `width` out")
         names = _listed(name)
         points = _listed(path)
         moves = steps or poses > 0 or bool(points)
@@ -182,7 +187,9 @@ class Problem:
             drafting=_drafting(drafting),
         )
         look = _look(lang, notation, style, digits)
-        pages = native.figures(names, look, steps, _millimetres(width), vectors, dimensions, poses, points)
+        pages = native.figures(
+            names, look, steps, _millimetres(width), page, vectors, dimensions, poses, points
+        )
         return Figure(pages)
 
     def worksheet(

@@ -391,7 +391,7 @@ impl Solved {
     }
 
     /// Draws figures; each comes with the word for its file.
-    #[pyo3(signature = (names, look_of, steps, width, vectors, dimensions, poses, path))]
+    #[pyo3(signature = (names, look_of, steps, width, page, vectors, dimensions, poses, path))]
     #[expect(clippy::too_many_arguments, reason = "each is an argument in Python")]
     fn figures(
         &self,
@@ -400,6 +400,7 @@ impl Solved {
         look_of: Named,
         steps: bool,
         width: Option<&str>,
+        page: Option<&str>,
         vectors: Option<&str>,
         dimensions: bool,
         poses: usize,
@@ -415,7 +416,12 @@ impl Solved {
             let look = look(look_of, SHEET_DIGITS)?;
             let entries: Vec<&'static FigureEntry> =
                 names.iter().map(|name| named(name)).collect::<Result<_, _>>()?;
-            let page = width_of(width)?.map(scene::PageFormat::column);
+            let page = match page {
+                Some(text) => {
+                    Some(scene::page(text).map_err(|f| Refusal::in_text(f, "page", text))?)
+                }
+                None => width_of(width)?.map(scene::PageFormat::column),
+            };
             let wanted = Additions { vectors, dimensions, poses, path: &path };
             let extras = match self.solved.mechanism() {
                 Some((scene, worked)) if !steps => {

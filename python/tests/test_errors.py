@@ -53,6 +53,7 @@ def test_a_file_is_named(tmp_path):
         (lambda: SCENE.figure("nothing"), "no-figure"),
         (lambda: SCENE.figure(style="none"), "unknown-style"),
         (lambda: SCENE.figure(width="3 kg"), "dimension"),
+        (lambda: SCENE.figure(page="a44"), "paper"),
         (lambda: SCENE.figure(lang="de"), "lang"),
         (lambda: SCENE.solve(digits=0), "digits"),
         (lambda: SCENE.solve(digits=10**6), "digits"),

@@ -93,11 +93,7 @@ impl Answered for EquationSolved {
         let mut pages =
             if pictures.steps { growing(&figure) } else { vec![(String::new(), figure)] };
         if let Some(format) = &pictures.page {
-            pages = if pictures.steps {
-                fit::placed_alike(pages, format)
-            } else {
-                fit::placed(pages, format)
-            }?;
+            pages = fit::placed(pages, format, pictures.steps)?;
         }
         Ok(Warned { value: pages, notes: Vec::new() })
     }

@@ -135,7 +135,7 @@ impl Answered for MotionSolution {
             return Err(Diagnostic::error("no-figure", message).help(help).into());
         }
         if let Some(format) = &pictures.page {
-            pages = fit::placed(pages, format)?;
+            pages = fit::placed(pages, format, false)?;
         }
         Ok(Warned { value: pages, notes: Vec::new() })
     }

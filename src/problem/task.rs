@@ -136,11 +136,7 @@ impl Answered for Designed {
             pages = figure::growing(&pages[at].1);
         }
         if let Some(format) = &pictures.page {
-            pages = if pictures.steps {
-                fit::placed_alike(pages, format)
-            } else {
-                fit::placed(pages, format)
-            }?;
+            pages = fit::placed(pages, format, pictures.steps)?;
         }
         Ok(Warned { value: pages, notes: Vec::new() })
     }

@@ -190,16 +190,10 @@ pub fn first_that_fits<T>(
     Err(too_small(name, needs, format).help(help).into())
 }
 
-/// Places finished figures of one size in a given space, all shifted alike.
+/// Centres figures on pages of one size, all shifted alike.
 ///
 /// # Errors
-/// `paper-too-small` if one of them is larger.
-pub fn placed_alike(figures: Pages, format: &PageFormat) -> Result<Pages, Faults> {
-    let name = figures.first().map(|(word, _)| word.clone()).unwrap_or_default();
-    alike(figures, format).map_err(|size| too_small(&name, size, format).into())
-}
-
-/// Works like [`placed_alike`], but returns the size (mm) of all ink together as its error.
+/// The size (mm) of all ink together if it is too large.
 fn alike(mut figures: Pages, format: &PageFormat) -> Result<Pages, [f64; 2]> {
     let ink = figures.iter().filter_map(|(_, f)| bounds(&f.items)).reduce(|a, b| a.union(b));
     let Some(ink) = ink else { return Ok(figures) };
@@ -288,11 +282,16 @@ fn fewer(part: f64, format: &PageFormat) -> Fewer {
     }
 }
 
-/// Places finished figures in a given space, at their size.
+/// Places finished figures on pages of this format, at their size. If they are one drawing that
+/// grows (`growing`), all pages have one size and the drawing keeps its place.
 ///
 /// # Errors
 /// `paper-too-small` for each that is larger.
-pub fn placed(figures: Pages, format: &PageFormat) -> Result<Pages, Faults> {
+pub fn placed(figures: Pages, format: &PageFormat, growing: bool) -> Result<Pages, Faults> {
+    if growing {
+        let name = figures.first().map(|(word, _)| word.clone()).unwrap_or_default();
+        return alike(figures, format).map_err(|size| too_small(&name, size, format).into());
+    }
     let (mut out, mut faults) = (Pages::new(), Faults::default());
     for (word, figure) in figures {
         match on_page(format, figure, false) {

@@ -1,7 +1,7 @@
 //! Canvas: a package of QTI 1.2 with numerical questions, one quiz for each variant.
 //!
-//! Canvas imports an exact value or a range as the right answer. Values of typical mistakes are
-//! conditions without credit; Canvas shows one comment for all wrong answers, which lists them.
+//! Canvas imports an exact value or a range as the right answer, and shows one comment for all wrong
+//! answers. It lists the typical mistakes without their values, which would bound the right one.
 
 use super::zip::zip;
 use super::{Judgement, PlatformFile, PlatformQuestion, PlatformSet, PlatformTask};
@@ -75,18 +75,17 @@ fn item(task: &PlatformTask, q: &PlatformQuestion) -> String {
     );
     out += &q.judgements.iter().take(1).map(right).collect::<String>();
     out += "<respcondition continue=\"Yes\"><conditionvar><other/></conditionvar><displayfeedback feedbacktype=\"Response\" linkrefid=\"general_incorrect_fb\"/></respcondition>\n</resprocessing>\n";
-    let near: Vec<String> = q
+    let mut likely: Vec<&str> = q
         .judgements
         .iter()
-        .filter(|j| !j.feedback.is_empty())
-        .map(|j| {
-            let [low, high] = j.ends().map(number);
-            format!("<li>{low} … {high}: {}</li>", escaped(&j.feedback))
-        })
+        .filter(|j| j.credit == 0.0 && !j.feedback.is_empty())
+        .map(|j| j.feedback.as_str())
         .collect();
-    let near = escaped(&format!("<ul>{}</ul>", near.concat()));
+    likely.dedup();
+    let likely: String = likely.iter().map(|f| format!("<li>{}</li>", escaped(f))).collect();
+    let comment = escaped(&format!("<ul>{likely}</ul>"));
     out += &format!(
-        "<itemfeedback ident=\"general_incorrect_fb\"><flow_mat><material><mattext texttype=\"text/html\">{near}</mattext></material></flow_mat></itemfeedback>\n"
+        "<itemfeedback ident=\"general_incorrect_fb\"><flow_mat><material><mattext texttype=\"text/html\">{comment}</mattext></material></flow_mat></itemfeedback>\n"
     );
     out + "</item>\n"
 }
