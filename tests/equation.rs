@@ -214,6 +214,19 @@ fn faults_say_what_is_wrong_and_by_how_much() {
 
 /// A line that touches the circle has one solution, and so have circles that touch.
 #[test]
+fn the_description_of_equations_can_be_solved() {
+    let text = include_str!("../docs/scene.md");
+    let blocks = text.split("```json\n").skip(1).filter_map(|b| b.split("```").next());
+    let all: Vec<&str> = blocks.filter(|b| b.contains("\"equation\"")).collect();
+    assert!(!all.is_empty());
+    for block in all {
+        let problem = read(block).unwrap_or_else(|f| panic!("{f}")).value;
+        let solved = solve(&problem, &Options::default()).unwrap_or_else(|f| panic!("{f}"));
+        assert_eq!(solved.verdict(), Verdict::Answered);
+    }
+}
+
+#[test]
 fn touching_loci_have_one_solution() {
     let known = r#""magnitude": "10 m/s", "direction": "0 deg""#;
     for text in [

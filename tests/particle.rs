@@ -32,7 +32,7 @@ fn the_description_of_motions_can_be_solved() {
     let text = include_str!("../docs/scene.md");
     let blocks = text.split("```json\n").skip(1).filter_map(|b| b.split("```").next());
     let motions: Vec<&str> =
-        blocks.filter(|b| b.starts_with('{') && !b.contains("\"links\"")).collect();
+        blocks.filter(|b| b.starts_with('{') && b.contains("\"motions\"")).collect();
     assert!(motions.len() >= 2);
     for block in motions {
         let (problem, solved) = solved(block);

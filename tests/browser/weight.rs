@@ -15,7 +15,7 @@ fn every_template_has_a_lesson_of_some_size() {
         let (bytes, split) = (page.len(), page.contains("<figure id=\"acceleration-2\""));
         let groups = page.matches("<figure id=\"force-").count();
         assert!(
-            bytes < (if split { 380 } else { 280 } + 40 * groups) * 1024,
+            bytes < (if split { 380 } else { 300 } + 40 * groups) * 1024,
             "{}: {bytes} bytes for {} links",
             t.name,
             scene.links.len()

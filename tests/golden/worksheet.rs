@@ -282,11 +282,14 @@ fn no_page_is_wasted() {
             let [problem, both] = [WorksheetSides::Problem, WorksheetSides::Both]
                 .map(|sides| pages::pages(&document(&scene, &worked, lang, sides)).len());
             println!("{} {suffix}: {problem} of {both} pages", t.name);
-            // Twelve links take one more page, a group of class IV with its trial and its forces
-            // two.
-            let higher = worked.mechanism.groups.iter().any(|g| matches!(g.core, Core::Higher))
-                && worked.equilibrium.is_some();
-            let most = 6 + usize::from(scene.links.len() > 7) + if higher { 2 } else { 0 };
+            // Twelve links take one more page, forces one, those of a group of class IV with its
+            // trial two.
+            let higher = worked.mechanism.groups.iter().any(|g| matches!(g.core, Core::Higher));
+            let of_forces = match worked.equilibrium {
+                Some(_) => 1 + usize::from(higher),
+                None => 0,
+            };
+            let most = 6 + usize::from(scene.links.len() > 7) + of_forces;
             if problem > 1 || both > most {
                 long.push(format!("{} {suffix}: {problem} of {both} pages", t.name));
             }

@@ -266,6 +266,15 @@ impl Oracle<'_> {
             (TermKind::Coriolis, TermConnection::Guide { guide, .. }) => {
                 coriolis(TurningBody::Link(self.scene.guides[guide.0].on), between(Level::Velocity))
             }
+            (TermKind::Coriolis, TermConnection::Frame { body: Some(body), .. }) => {
+                coriolis(body, between(Level::Velocity))
+            }
+            (TermKind::Slide, TermConnection::Frame { .. }) if level == Level::Velocity => {
+                between(level)
+            }
+            (TermKind::Slide, TermConnection::Frame { body: Some(body), about: None }) => {
+                between(level) - coriolis(body, between(Level::Velocity))
+            }
             (TermKind::SlideNormal, TermConnection::Guide { guide, .. }) => {
                 self.slide_normal(t, guide, between(Level::Velocity))
             }

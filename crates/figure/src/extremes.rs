@@ -30,7 +30,7 @@ use super::sheet::{SheetDrafter, SheetOptions, swept_symbol};
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "extremes",
     about: [
-        "Both extreme positions of the outputs, with swing, stroke, angle of the cranks, time ratio",
+        "Both extreme positions: swing, stroke, angle of the cranks, time ratio",
         "从动件的两个极限位置，及极位夹角、摆角、行程、行程速度变化系数",
     ],
     draw,

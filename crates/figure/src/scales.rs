@@ -4,7 +4,6 @@
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale::finer;
 use hodograph_paper::paper::drawing::DrawingPart;
-use hodograph_paper::paper::extent::translate;
 use hodograph_paper::paper::item::FigureItem;
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::style::Style;
@@ -47,9 +46,8 @@ impl DrawingScales {
         self
     }
 
-    /// The graphic scales in one row, the middle of its upper edge at `top`; `id` distinguishes them
-    /// from those of other drawings.
-    pub fn bars(&self, style: &Style, id: &str, top: Point) -> Vec<FigureItem> {
+    /// The graphic scales in one row; `id` distinguishes them from those of other drawings.
+    pub fn bars(&self, style: &Style, id: &str) -> Vec<FigureItem> {
         let mut row = Vec::new();
         let mut right_mm = 0.0;
         for (k, (length_mm, amount)) in self.bars.iter().enumerate() {
@@ -63,10 +61,6 @@ impl DrawingScales {
             }
             row.extend(bar.items);
         }
-        let part = DrawingPart::of(row);
-        let mut items = part.items;
-        let shift = Vec2::new(top.x - part.bounds.centre().x, top.y - part.bounds.max.y);
-        translate(&mut items, shift);
-        items
+        row
     }
 }

@@ -4,7 +4,7 @@
 //! This module selects the parts and writes their captions. [`super::arrange`] arranges them.
 
 use hodograph_base::diag::{Both, Faults, both};
-use hodograph_base::geom::Point;
+use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::notation::Notation;
 use hodograph_board::construct::Polygon;
 use hodograph_board::plan::names::name_label;
@@ -65,8 +65,10 @@ const CAPTION_MM: f64 = 8.0;
 /// Distance from the caption's baseline to the scale's.
 const SCALE_MM: f64 = 5.6;
 
-/// Distance from the scale's baseline to the graphic scale.
+/// Distance from the scale's baseline to the graphic scale below it.
 const BAR_MM: f64 = 2.2;
+/// Gap between the scale and the graphic scale beside it.
+const BESIDE_MM: f64 = 5.0;
 
 /// Draws the whole sheet.
 ///
@@ -543,9 +545,22 @@ pub(super) fn titled(
     };
     part.items.push(text(Point::new(x, y), words, style.caption_mm, "caption"));
     let below = Point::new(x, y - style.leading(SCALE_MM));
-    part.items.push(text(below, Label::math(&scales.text), style.small_mm, "scale"));
-    let bars = Point::new(x, below.y - style.leading(BAR_MM));
-    part.items.extend(scales.bars(style, id, bars));
+    let mut formula =
+        DrawingPart::of(vec![text(below, Label::math(&scales.text), style.small_mm, "scale")]);
+    let mut bars = DrawingPart::of(scales.bars(style, id));
+    // Beside the formula if that makes the drawing no wider, else below it.
+    let beside_mm = formula.bounds.width_mm() + BESIDE_MM + bars.bounds.width_mm();
+    if !bars.items.is_empty() && beside_mm <= part.bounds.width_mm() {
+        let left = x - beside_mm / 2.0;
+        formula.translate(Vec2::new(left - formula.bounds.min.x, 0.0));
+        let middle = formula.bounds.centre().y - bars.bounds.centre().y;
+        let right = left + beside_mm - bars.bounds.max.x;
+        bars.translate(Vec2::new(right, middle));
+    } else {
+        let top = below.y - style.leading(BAR_MM);
+        bars.translate(Vec2::new(x - bars.bounds.centre().x, top - bars.bounds.max.y));
+    }
+    part.items.extend(formula.items.into_iter().chain(bars.items));
     let DrawingPart { items, bounds, placements, left_out } = part;
     let all = DrawingPart::of(items);
     DrawingPart { bounds: all.bounds.union(bounds), placements, left_out, ..all }

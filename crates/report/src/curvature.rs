@@ -13,8 +13,10 @@ use hodograph_methods::curvature::{LinkCurvatures, OfLink, OfPoint};
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_scene::{Kind, Lang, LinkId, PointId, Scene};
 
-/// Significant digits of the table.
-const DIGITS: usize = 6;
+/// Most significant digits of the table.
+const DIGITS: f64 = 6.0;
+/// Fewest significant digits.
+const FEWEST: f64 = 2.0;
 /// Lengths below this fraction of the mechanism's size are rounding.
 const ROUNDING: f64 = 1e-12;
 
@@ -58,6 +60,14 @@ pub fn text(found: &LinkCurvatures, steps: bool, lang: Lang) -> String {
 impl CurvatureWords<'_> {
     pub(super) fn scene(&self) -> &Scene {
         &self.found.scene
+    }
+
+    /// Returns the significant digits on which drawing and analysis agree, with one in reserve: a
+    /// joint close to the pole takes digits from the curvature of its path.
+    fn digits(&self) -> usize {
+        let apart = self.found.list.iter().filter_map(OfLink::apart).fold(0.0, f64::max);
+        let agreed = -libm::log10(apart.max(f64::MIN_POSITIVE)) - 1.0;
+        agreed.min(DIGITS).max(FEWEST) as usize
     }
 
     /// Returns the link with its points: `2 (BCE)`.
@@ -199,7 +209,7 @@ impl CurvatureWords<'_> {
         let (name, per_metre) = self.unit();
         let m =
             if m.abs() <= ROUNDING * self.found.worked.configuration.extent() { 0.0 } else { m };
-        format!("{} {name}", legible(m * per_metre, DIGITS))
+        format!("{} {name}", legible(m * per_metre, self.digits()))
     }
 
     /// Returns the bound of a reading by hand: `± 12 mm`, `–` if there is none.
@@ -229,8 +239,8 @@ impl CurvatureWords<'_> {
 
     fn velocity(&self, v: Vec2) -> String {
         let book = &self.scene().book;
-        let size =
-            book.text(Kind::Velocity, &legible(book.value(Kind::Velocity, v.norm()), DIGITS));
+        let size = book
+            .text(Kind::Velocity, &legible(book.value(Kind::Velocity, v.norm()), self.digits()));
         if v == Vec2::ZERO {
             size
         } else {
@@ -388,7 +398,7 @@ impl CurvatureWords<'_> {
             self.length(pole.diameter()),
         );
         let tangent = |u: Vec2| {
-            format!("{}°", legible(direction_degrees(u.angle()).rem_euclid(180.0), DIGITS))
+            format!("{}°", legible(direction_degrees(u.angle()).rem_euclid(180.0), self.digits()))
         };
         row(
             "t".into(),

@@ -83,6 +83,8 @@ trait Tongue {
         let mut chars = n.text.chars();
         match (n.slant, chars.next(), chars.next()) {
             (_, None, _) => String::new(),
+            // A space between words that are set one by one.
+            (_, Some(' '), None) => self.space(WORD_EM),
             _ if n.role == Role::Function => self.function(&n.text),
             (Slant::Italic, ..) => self.letters(&n.text),
             (Slant::Bold, ..) => self.bold(&n.text),
