@@ -67,7 +67,7 @@ impl CurvatureWords<'_> {
     fn digits(&self) -> usize {
         let apart = self.found.list.iter().filter_map(OfLink::apart).fold(0.0, f64::max);
         let agreed = -libm::log10(apart.max(f64::MIN_POSITIVE)) - 1.0;
-        agreed.min(DIGITS).max(FEWEST) as usize
+        agreed.clamp(FEWEST, DIGITS) as usize
     }
 
     /// Returns the link with its points: `2 (BCE)`.
