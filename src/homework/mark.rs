@@ -125,7 +125,8 @@ impl MarkList {
         for marks in self.marks.chunk_by(|a, b| sheet(a) == sheet(b)) {
             let mut row = |m: &MarkedAnswer, question: &str, mark: f64, remark: &Both| {
                 let (number, mark) = (m.variant.to_string(), keys::number(mark));
-                out += &csv::line(&[&m.student, &number, question, &mark, lang.of(remark)]);
+                let cells = [m.student.as_str(), &number, question, &mark, lang.of(remark)];
+                out += &csv::line(&cells);
             };
             marks.iter().for_each(|m| row(m, &m.question, m.mark, &m.remark));
             let (sum, count) = (marks.iter().map(|m| m.mark).sum(), marks.len());
