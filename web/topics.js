@@ -1,5 +1,6 @@
 // The templates by topic, in the order of the gallery. A test checks that each template has one.
 export const TOPICS = [
+  ['Vector equations', '矢量方程', 'closing-side two-magnitudes two-directions magnitude-and-direction'],
   ['Four-bar linkages', '四杆机构', 'crank-rocker pump-jack drag-link crossed-four-bar parallelogram third-crank wiper radar-dish flying-shear level-luffing-crane treadle camera-claw mixer'],
   ['Sliders, slots and cylinders', '滑块、导杆与液压缸', 'slider-crank offset-slider-crank oblique-guide slotted-lever whitworth oscillating-cylinder scotch-yoke elliptic-trammel oldham-coupling curved-slot two-slots'],
   ['Six-bars and more', '六杆及多杆机构', 'shaper toggle-press watt-six-bar stephenson-six-bar class-iii-six-bar class-iv-six-bar double-butterfly pantograph atkinson radial-engine jansen-leg'],
