@@ -57,7 +57,7 @@ pub fn with_values(py: Python, text: &str, values: Vec<(String, String)>) -> PyR
 /// bytes of a file.
 ///
 /// # Errors
-/// Those of `read`.
+/// The errors of `read`.
 #[pyfunction]
 pub fn included(py: Python, source: Vec<u8>, read: &Bound<PyAny>) -> PyResult<Vec<u8>> {
     let mut thrown = None;

@@ -86,7 +86,7 @@ fn cell(text: &str, from: usize, separator: u8) -> Result<(TableCell, usize), Fa
         out.push('"');
         at += 1;
     }
-    // What follows the mark up to the next cell is ignored, as spreadsheets do.
+    // Text between the mark and the next cell is ignored, as in spreadsheets.
     let end = bytes[at..].iter().position(|b| ends(*b)).map_or(bytes.len(), |n| at + n);
     Ok((TableCell { text: out.trim().to_owned(), at: Span::new(from, end) }, end))
 }

@@ -14,7 +14,7 @@ use crate::worksheet::{Document, DocumentBlock, WorksheetSides, WorksheetTask, p
 /// Returns the document of one side of a variant.
 ///
 /// # Errors
-/// Those of the drawings.
+/// The errors of the drawings.
 pub fn document(
     variant: &HomeworkVariant,
     sides: WorksheetSides,
@@ -52,7 +52,7 @@ pub(super) fn titled(title: &str, n: usize, lang: Lang) -> String {
 /// Returns one PDF with a side of all variants, one after the other.
 ///
 /// # Errors
-/// Those of the drawings and of the PDF.
+/// The errors of the drawings and of the PDF.
 pub fn pdf(
     all: &[HomeworkVariant],
     sides: WorksheetSides,

@@ -49,7 +49,7 @@ pub fn style(style: &Style) -> Style {
 /// Returns the page of an equation.
 ///
 /// # Errors
-/// Those of the SVG writer.
+/// The errors of the SVG writer.
 pub fn lesson(sheet: &EquationSheet) -> Result<String, Faults> {
     let view = sheet.polygon();
     let columns = report::columns(&sheet.problem.terms, sheet.notation);

@@ -85,7 +85,7 @@ const MOST: usize = 120;
 /// Writes the page; the warnings are remarks for the reader.
 ///
 /// # Errors
-/// Those of the scene in its own pose.
+/// The errors of the scene in its own pose.
 ///
 /// ```
 /// use hodograph::{lesson, scene};

@@ -59,7 +59,7 @@ const SCRIPT: [&str; 7] = [
 /// Writes the page.
 ///
 /// # Errors
-/// Those of the SVG writer.
+/// The errors of the SVG writer.
 pub fn page(
     scene: &Scene,
     options: &LessonOptions,

@@ -23,7 +23,7 @@ const GAP_MM: f64 = 6.0;
 /// velocities, then of the accelerations, then of the forces, group after group.
 ///
 /// # Errors
-/// Those of the SVG writer.
+/// The errors of the SVG writer.
 pub fn reveal(
     scene: &Scene,
     worked: &Worked,

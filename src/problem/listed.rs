@@ -23,7 +23,7 @@ const DIGITS: usize = 6;
 /// [`driver_of`]).
 ///
 /// # Errors
-/// Those of [`range::rows`](super::range::rows).
+/// The errors of [`range::rows`](super::range::rows).
 pub fn listed(scene: &Scene, over: Option<&str>) -> Result<CurveDiagram, RangeFault> {
     let mechanism = sweep::mechanism(scene).map_err(RangeFault::Scene)?;
     let placed = PlacedScene::new(scene, &mechanism).map_err(RangeFault::Scene)?;

@@ -56,7 +56,7 @@ pub(super) fn solve(task: &Task, options: &Options) -> Result<Solved, Faults> {
 /// returns any other text unchanged. `file` reads a file by its name.
 ///
 /// # Errors
-/// Those of `file`, at the place of the name.
+/// The errors of `file`, at the place of the name.
 pub fn included(
     source: Vec<u8>,
     mut file: impl FnMut(&str) -> Result<Vec<u8>, Diagnostic>,

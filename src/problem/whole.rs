@@ -116,7 +116,7 @@ fn rows(placed: &PlacedScene, swept: Swept) -> Result<Table, Faults> {
 /// coordinate; a gear train without given centres (not `somewhere`) has no angles.
 ///
 /// # Errors
-/// Those of the mechanism and its positions.
+/// The errors of the mechanism and its positions.
 pub fn with_positions(scene: &Scene, somewhere: bool) -> Result<Vec<String>, Faults> {
     let mechanism = Mechanism::new(scene)?.value;
     let placed = PlacedScene::new(scene, &mechanism)?;

@@ -38,7 +38,7 @@ td, th { padding: .15em .6em; text-align: left; font-weight: 400 }
 /// Writes the document.
 ///
 /// # Errors
-/// Those of [`svg::Elements::of`] for a drawing.
+/// The errors of [`svg::Elements::of`] for a drawing.
 pub fn html(document: &Document) -> Result<String, Faults> {
     let title = escaped(&document.title);
     let lang = words(document.lang).tag;

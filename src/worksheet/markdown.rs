@@ -14,7 +14,7 @@ use crate::render::svg;
 /// Writes the document; the names of its drawings begin with `stem`.
 ///
 /// # Errors
-/// Those of [`svg::write`] for a drawing.
+/// The errors of [`svg::write`] for a drawing.
 pub fn markdown(document: &Document, stem: &str) -> Result<(String, Vec<CompanionFile>), Faults> {
     let mut out = format!("# {}\n", escaped(&document.title));
     let pictures = picture_names(document, stem);

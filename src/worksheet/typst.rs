@@ -19,7 +19,7 @@ const WIDEST_MM: f64 = 174.0;
 /// Writes the document; the names of its drawings begin with `stem`.
 ///
 /// # Errors
-/// Those of [`svg::write`] for a drawing.
+/// The errors of [`svg::write`] for a drawing.
 pub fn typst(document: &Document, stem: &str) -> Result<(String, Vec<CompanionFile>), Faults> {
     let lang = words(document.lang).tag;
     let mut out = format!(

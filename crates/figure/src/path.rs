@@ -91,7 +91,7 @@ pub fn figure(
 /// pose of the scene. A motion by laws of time goes on for a turn of the slowest turning driver.
 ///
 /// # Errors
-/// Those of [`figure`]; `no-path` also for a point of the link.
+/// The errors of [`figure`]; `no-path` also for a point of the link.
 pub fn seen(
     scene: &Scene,
     worked: &Worked,

@@ -21,7 +21,7 @@ const STEPS: usize = 72;
 /// and some places (m) fit the space of a diagram.
 ///
 /// # Errors
-/// Those of [`work_placed`].
+/// The errors of [`work_placed`].
 pub(super) fn fitted(
     scene: &Scene,
     worked: &Worked,
@@ -79,7 +79,7 @@ pub(super) struct PlacedMechanism {
 /// Returns a mechanism with other positions, each with the mark of its letters.
 ///
 /// # Errors
-/// Those of [`fitted`].
+/// The errors of [`fitted`].
 pub(super) fn placed(
     w: &FigureInput,
     (scene, worked): (&Scene, &Worked),

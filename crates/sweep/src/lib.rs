@@ -130,7 +130,7 @@ impl<'a> PlacedScene<'a> {
     /// Places a scene for its own questions.
     ///
     /// # Errors
-    /// Those of [`position::configure`], and of [`position::redundant::check`] for a pair that
+    /// The errors of [`position::configure`], and of [`position::redundant::check`] for a pair that
     /// locks the mechanism.
     pub fn new(scene: &'a Scene, mechanism: &'a Mechanism) -> Result<PlacedScene<'a>, Faults> {
         position::redundant::check(scene, mechanism)?;
@@ -287,7 +287,7 @@ fn without_program(
 /// replaces the contact.
 ///
 /// # Errors
-/// Those of [`Mechanism::new`].
+/// The errors of [`Mechanism::new`].
 pub fn mechanism(scene: &Scene) -> Result<Mechanism, Faults> {
     let own = Mechanism::new(scene);
     match own {

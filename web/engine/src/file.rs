@@ -44,7 +44,7 @@ impl OpenFile {
     /// (m per mm), if one is given.
     ///
     /// # Errors
-    /// Those of reading and solving.
+    /// The errors of reading and solving.
     pub fn read(text: &str, pick: usize, mu: Option<f64>) -> Result<OpenFile, Faults> {
         let Warned { value: mut problem, mut notes } = problem::read(text)?;
         if let Problem::Scene(scene) = &mut problem {
@@ -115,7 +115,7 @@ impl OpenFile {
     /// with this place of the driver, if the text gives one.
     ///
     /// # Errors
-    /// Those of reading and solving.
+    /// The errors of reading and solving.
     pub fn at(&self, travel: f64, mu: Option<f64>) -> Result<Solved, Faults> {
         let options = Options::with_figures();
         let moved = match self.text_at(travel, exact) {

@@ -180,7 +180,7 @@ impl PlanBuilder<'_> {
             let (known, unknown) = self.turning(level, body, target, start, known);
             chains.push(TermChain { start, known, unknown });
         }
-        // As in the plan, the chain from a fixed point comes first.
+        // The chain from a fixed point comes first, as in the plan.
         chains.sort_by_key(|c| !self.vertices[c.start.0].fixed);
         chains
     }

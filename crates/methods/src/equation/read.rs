@@ -253,7 +253,7 @@ impl VectorReader<'_> {
             };
             magnitudes.iter().filter(fits).count()
         };
-        // Of kinds that fit equally many, the last is taken: velocities are usual.
+        // Among kinds that fit equally many, the last is taken: velocities are usual.
         let usual = [
             DiagramKind::Plane,
             DiagramKind::Force,
