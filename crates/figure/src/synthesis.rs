@@ -19,11 +19,13 @@ use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_paper::paper::place::{LabelRequest, Obstacles, place};
 use hodograph_paper::paper::shown::escaped;
 use hodograph_paper::paper::style::Style;
+use hodograph_paper::paper::symbols as sym;
 use hodograph_paper::paper::text;
 use hodograph_paper::paper::words::words;
 use hodograph_report::symbols::symbols;
+use hodograph_report::synthesis::positions;
 use hodograph_scene::{Kind, Lang};
-use hodograph_synthesis::board::{PaperStroke as Drawn, SynthesisBoard, Weight};
+use hodograph_synthesis::board::{PaperAngle, PaperStroke as Drawn, SynthesisBoard, Weight};
 use hodograph_synthesis::candidate::symbol;
 use hodograph_synthesis::{DesignCandidate, Task, construct};
 
@@ -34,9 +36,18 @@ const MARGIN_MM: f64 = 10.0;
 const BEYOND_MM: f64 = 14.0;
 /// Width of the text below.
 const TEXT_MM: f64 = 165.0;
-/// Width of construction strokes, the thinnest of three kinds: given ones are strong, results are
-/// drawn like a vector.
+/// Width of construction strokes, the thinnest of three kinds: givens have the width of an outline,
+/// results that of a link.
 const THIN: LineStroke = LineStroke::new(0.13);
+/// Radius of the innermost arc of an angle, and distance of the next one outside.
+const ANGLE_MM: f64 = 9.0;
+const ANGLE_STEP_MM: f64 = 4.5;
+/// A shorter arc of an angle is not drawn.
+const LEAST_ANGLE_MM: f64 = 0.8;
+/// Two places nearer than this are one.
+const SAME_MM: f64 = 1e-2;
+/// A line nearer to the direction of a support than this (cosine) would cross it.
+const OVER_SUPPORT: f64 = 0.6;
 
 /// The settings of a figure.
 #[derive(Clone, Copy, Debug)]
@@ -182,12 +193,20 @@ pub fn construction(
     let window = window(board).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)).grown(BEYOND_MM);
     let mut items = Vec::new();
     let mut wanted: Vec<(LabelRequest, usize, String)> = Vec::new();
+    let mut vertices: Vec<Point> = Vec::new();
+    let pivots: Vec<String> =
+        positions(candidate).into_iter().take(1).flat_map(|p| p.fixed).map(|f| f.0).collect();
+    let is_pivot = |mark: &&(String, Point)| pivots.contains(&mark.0);
+    let grounded = |at: Point| {
+        let mut marks = board.steps.iter().flat_map(|s| &s.marks);
+        marks.any(|m| is_pivot(&m) && m.1.distance(at) < SAME_MM)
+    };
     let label = |text: &str| Label::math(text).in_fonts(&style.fonts);
     for (k, step) in board.steps.iter().enumerate() {
         let stroke_of = |weight: Weight| match weight {
             Weight::Given => style.outline,
             Weight::Thin => THIN.coloured(Colour::grey(90)),
-            Weight::Result => style.vector,
+            Weight::Result => style.link,
         };
         let class = format!("step-{k} construction");
         let mut numbered = false;
@@ -234,6 +253,14 @@ pub fn construction(
                 );
             }
         }
+        for angle in &step.angles {
+            let inside = vertices.iter().filter(|at| **at == angle.at).count();
+            vertices.push(angle.at);
+            if let Some((shape, request)) = angle_mark(angle, inside, style) {
+                items.push(FigureItem::new(class.clone(), shape).with_id("angle"));
+                wanted.push((request, k, "label-angle".into()));
+            }
+        }
         for (name, at) in &step.marks {
             let shape = Shape::Circle {
                 centre: *at,
@@ -251,6 +278,18 @@ pub fn construction(
                 format!("label-{}", escaped(&plain)),
             ));
         }
+        for (stroke, _) in step.strokes.iter().filter(|s| s.1 == Weight::Result) {
+            for end in ends(stroke).filter(|end| !grounded(*end)) {
+                let mut pin = sym::pin(style, end);
+                tag(&mut pin, &class);
+                items.extend(pin);
+            }
+        }
+        for (_, at) in step.marks.iter().filter(|m| is_pivot(m)) {
+            let mut support = sym::fixed_pivot(style, *at, free_side(board, *at));
+            tag(&mut support, &class);
+            items.extend(support);
+        }
     }
     let room = window.grown(6.0);
     let (requests, named): (Vec<LabelRequest>, Vec<(usize, String)>) =
@@ -265,6 +304,52 @@ pub fn construction(
     let lines = if whole { sentences(candidate, board, set) } else { Vec::new() };
     let part = tr(lang, "construction", "作图");
     page(task, part, items, room, (Some(scale_of(board.mu_l)), lines), set)
+}
+
+/// The ends of a straight stroke.
+fn ends(stroke: &Drawn) -> impl Iterator<Item = Point> {
+    let ends = match *stroke {
+        Drawn::Line(p, q) => Some([p, q]),
+        Drawn::Circle(..) | Drawn::Arc(..) => None,
+    };
+    ends.into_iter().flatten()
+}
+
+/// The side of a pivot for its support: down, or the first of up, left and right that fewer lines
+/// take.
+fn free_side(board: &SynthesisBoard, at: Point) -> Vec2 {
+    let leaving: Vec<Vec2> = board
+        .steps
+        .iter()
+        .flat_map(|s| &s.strokes)
+        .map(|(stroke, _)| ends(stroke).collect::<Vec<_>>())
+        .filter(|ends| ends.iter().any(|end| end.distance(at) < SAME_MM))
+        .flat_map(|ends| ends.into_iter().filter_map(|end| (end - at).unit()))
+        .collect();
+    let taken = |side: &Vec2| leaving.iter().filter(|u| u.dot(*side) > OVER_SUPPORT).count();
+    let down = Vec2::new(0.0, -1.0);
+    [down, Vec2::new(0.0, 1.0), Vec2::new(-1.0, 0.0), Vec2::new(1.0, 0.0)]
+        .into_iter()
+        .min_by_key(taken)
+        .unwrap_or(down)
+}
+
+/// The arc of an angle and the request of its name; `None` for an angle too small to be seen. Arcs
+/// at one vertex lie outside each other, and `inside` of them are inside this one.
+fn angle_mark(angle: &PaperAngle, inside: usize, style: &Style) -> Option<(Shape, LabelRequest)> {
+    let [from, to] = angle.legs.map(|leg| leg - angle.at);
+    let sweep = libm::atan2(from.cross(to), from.dot(to));
+    let shorter = libm::sqrt(from.norm2().min(to.norm2()));
+    let radius_mm = (ANGLE_MM + ANGLE_STEP_MM * inside as f64).min(0.7 * shorter);
+    if radius_mm * sweep.abs() < LEAST_ANGLE_MM {
+        return None;
+    }
+    let (from_rad, to_rad) = (from.angle(), from.angle() + sweep);
+    let shape = Shape::Arc { centre: angle.at, radius_mm, from_rad, to_rad, stroke: style.thin };
+    let name = Label::math(angle.name.as_str()).in_fonts(&style.fonts);
+    let request =
+        LabelRequest::along_arc(name, style.small_mm, angle.at, radius_mm, [from_rad, to_rad], 0.4);
+    Some((shape, request))
 }
 
 /// The id of a stroke: `given-line`, `construction-arc`, `result-circle`.

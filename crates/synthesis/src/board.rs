@@ -43,6 +43,19 @@ pub struct BoardStep {
     pub strokes: Vec<(PaperStroke, Weight)>,
     /// The marks that the step adds: name in the label language, and place.
     pub marks: Vec<(String, Point)>,
+    /// The angles that the step lays off or finds.
+    pub angles: Vec<PaperAngle>,
+}
+
+/// An angle marked on the paper.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PaperAngle {
+    /// The vertex.
+    pub at: Point,
+    /// A place on each leg; the arc runs from the first leg to the second, the shorter way.
+    pub legs: [Point; 2],
+    /// The name, in the label language.
+    pub name: String,
 }
 
 /// A length or angle measured on the paper, for comparison with the formula's value.
@@ -188,6 +201,7 @@ impl SynthesisBoard {
             text: text.sentence(),
             strokes: Vec::new(),
             marks: Vec::new(),
+            angles: Vec::new(),
         });
         self
     }
@@ -228,6 +242,12 @@ impl SynthesisBoard {
         if !self.steps.iter().any(|s| s.marks.iter().any(there)) {
             self.last().marks.push((name.to_owned(), at));
         }
+        self
+    }
+
+    /// Marks an angle at a vertex between two places with an arc and its name.
+    pub fn angle(&mut self, at: Point, legs: [Point; 2], name: &str) -> &mut SynthesisBoard {
+        self.last().angles.push(PaperAngle { at, legs, name: name.to_owned() });
         self
     }
 
@@ -298,6 +318,9 @@ impl SynthesisBoard {
             (PaperLine::ray(p, chord.angle() + lean), PaperLine::ray(q, (p - q).angle() - lean));
         let centre = self.marked(one.cross(&other)?);
         self.line(p, centre, Weight::Thin).line(q, centre, Weight::Thin);
+        let acute = angle < std::f64::consts::FRAC_PI_2;
+        let name = if acute { "90\\degree - \\theta" } else { "\\theta - 90\\degree" };
+        self.angle(p, [q, centre], name).angle(q, [p, centre], name);
         let radius = centre.distance(p);
         self.circle(centre, radius, Weight::Thin);
         Some((centre, radius))
@@ -348,7 +371,7 @@ impl SynthesisBoard {
             far + 1,
             far + 1
         ));
-        self.arc(a, cut).arc(a, short).mark(letter, cut);
+        self.arc(a, cut).arc(a, short).mark(letter, cut).angle(a, c, "\\theta");
         let middle = self.middle(cut, long)?;
         self.mark("G", middle);
         self.read("AB", middle, long).read("BC", a, middle);

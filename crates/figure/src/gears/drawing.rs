@@ -7,10 +7,12 @@ use hodograph_board::construct::scale::choose_in;
 use hodograph_board::plan::names::{name_label, point_label};
 use hodograph_methods::gears::{Gear, Mate};
 use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
-use hodograph_paper::paper::item::{Dash, LineStroke, Shape};
+use hodograph_paper::paper::extent::on_circle;
+use hodograph_paper::paper::item::{Dash, LineStroke, PathPiece, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::place::LabelRequest;
+use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
 use hodograph_scene::{DiagramKind, Kind, Lang};
 
@@ -34,10 +36,42 @@ const FAR: f64 = 1.4;
 /// Points of a flank: for a tooth as high as a hand the chords deviate by less than a line width.
 const FLANK_POINTS: usize = 16;
 
+/// Thickness of the filled rim behind the teeth (modules).
+const RIM_MODULES: f64 = 1.0;
+/// Two corners are on one circle if their distances from its centre differ by less.
+const ROUND_MM: f64 = 1e-6;
+
+/// The angle from one direction to another, the shorter way (rad).
+fn turn(from: f64, to: f64) -> f64 {
+    (to - from + PI).rem_euclid(TAU) - PI
+}
+
 /// Angle over which a gear is drawn on either side of the line of centres (rad): as far as its
 /// teeth extend, which are offset to one side.
 fn sector(g: &Gear) -> f64 {
     TAU * (f64::from(TEETH) + 0.9) / f64::from(g.teeth)
+}
+
+/// The outline of a gear's teeth, and the way behind them back to its start.
+struct TeethOutline {
+    start: Point,
+    teeth: Vec<PathPiece>,
+    back: Vec<PathPiece>,
+}
+
+impl TeethOutline {
+    /// The teeth and the rim behind them, filled.
+    fn rim(&self, style: &Style) -> Shape {
+        let pieces = [self.teeth.as_slice(), &self.back].concat();
+        let fill = Some(style.plate);
+        Shape::Path { start: self.start, pieces, closed: true, stroke: None, fill }
+    }
+
+    /// The line of the teeth.
+    fn teeth(&self, style: &Style) -> Shape {
+        let (pieces, stroke) = (self.teeth.clone(), Some(style.outline));
+        Shape::Path { start: self.start, pieces, closed: false, stroke, fill: None }
+    }
 }
 
 impl DrawnGears<'_> {
@@ -77,30 +111,53 @@ impl DrawnGears<'_> {
             choose_in(maker.scene.book.size(Kind::Length), [width, down + up + 2.0 * m], ROOM_MM);
         let k = 1.0 / mu;
         let reach = (down + up) / 2.0 * k;
+        // Direction of the pitch point from a centre.
+        let toward = |y: f64| if y < 0.0 { FRAC_PI_2 } else { -FRAC_PI_2 };
         let mut d = Drawing::new("gears", style.clone());
+        // The corners of the teeth of each round gear.
+        let corners: Vec<Vec<Point>> = rounds
+            .iter()
+            .zip(&centres)
+            .map(|(g, y)| {
+                // The driver's right flank, the driven gear's left one: seen from the centre, the
+                // first tooth (for a ring: space) is ahead.
+                let first = toward(*y) + g.half_tooth(&pair.basic, g.pitch);
+                let most = TEETH.min((g.teeth as i32 - 1) / 2);
+                let middle = |n: i32| first + TAU / f64::from(g.teeth) * f64::from(n);
+                (-most..=most)
+                    .flat_map(|n| g.tooth(&pair.basic, middle(n), FLANK_POINTS))
+                    .map(|p| Point::new(0.0, y * k) + p.to_vec2() * k)
+                    .collect()
+            })
+            .collect();
+        let mut outlines: Vec<Option<TeethOutline>> = corners
+            .iter()
+            .zip(&centres)
+            .enumerate()
+            .map(|(i, (corners, y))| self.outline(i, Point::new(0.0, y * k), corners, k))
+            .collect();
+        if pair.mate == Mate::Rack {
+            outlines.push(self.rack_outline(k));
+        }
+        let body = |d: &mut Drawing, class: &str, of: &dyn Fn(&TeethOutline) -> Shape| {
+            for (i, outline) in outlines.iter().enumerate() {
+                let Some(outline) = outline else { continue };
+                d.of_link(Some(self.rolling.links[self.order[i]].0));
+                d.shape(&format!("{class}-{}", self.name(i)), class, of(outline));
+                d.of_link(None);
+            }
+        };
+        // The bodies behind all lines, the outlines of the teeth over the circles.
+        body(&mut d, "rim", &|o| o.rim(style));
         let (from, to) = (Point::new(0.0, -down * k), Point::new(0.0, up * k));
         d.shape(
             "centres",
             "line",
             Shape::Line { from, to, stroke: style.thin.dashed(Dash::DashDot) },
         );
-        for (i, (g, y)) in rounds.iter().zip(&centres).enumerate() {
+        for (i, (corners, y)) in corners.iter().zip(&centres).enumerate() {
             let centre = Point::new(0.0, y * k);
-            // Direction of the pitch point from the centre.
-            let toward = if *y < 0.0 { FRAC_PI_2 } else { -FRAC_PI_2 };
-            self.circles(&mut d, (i, centre, toward), reach, k);
-            let pitch_angle = TAU / f64::from(g.teeth);
-            // The driver's right flank, the driven gear's left one: seen from the centre, the first
-            // tooth (for a ring: space) is ahead.
-            let first = toward + g.half_tooth(&pair.basic, g.pitch);
-            let most = TEETH.min((g.teeth as i32 - 1) / 2);
-            let points = (-most..=most)
-                .flat_map(|n| {
-                    g.tooth(&pair.basic, first + pitch_angle * f64::from(n), FLANK_POINTS)
-                })
-                .map(|p| centre + p.to_vec2() * k)
-                .collect();
-            self.teeth(&mut d, i, points);
+            self.circles(&mut d, (i, centre, toward(*y)), corners, reach, k);
             if shown(*y) {
                 let name = self.rolling.centres()[self.order[i]]
                     .map_or("O", |p| maker.scene.point_name(p));
@@ -118,6 +175,7 @@ impl DrawnGears<'_> {
         if pair.mate == Mate::Rack {
             self.rack(&mut d, k);
         }
+        body(&mut d, "teeth", &|o| o.teeth(style));
         self.action(&mut d, reach, k);
         let scales = DrawingScales::of(&maker.scene.book, DiagramKind::Plane, mu);
         let (lang, a, b) = (maker.options.lang, self.name(0), self.name(1));
@@ -136,24 +194,57 @@ impl DrawnGears<'_> {
         maker.titled(d.finish(), Label::text(words), &scales, "gears")
     }
 
-    /// Draws an outline of teeth.
-    fn teeth(&self, d: &mut Drawing, i: usize, points: Vec<Point>) {
-        d.of_link(Some(self.rolling.links[self.order[i]].0));
-        let stroke = Some(self.maker.options.style.outline);
-        d.shape(
-            &format!("teeth-{}", self.name(i)),
-            "teeth",
-            Shape::Polyline { points, closed: false, stroke, fill: None },
-        );
-        d.of_link(None);
+    /// The outline of a round gear through the corners of its teeth: flanks, and arcs of the tip
+    /// circle and the root circle between them.
+    fn outline(&self, i: usize, centre: Point, corners: &[Point], k: f64) -> Option<TeethOutline> {
+        let (&start, rest) = corners.split_first()?;
+        let g = &self.pair.gears[i];
+        let polar = |p: Point| (p.distance(centre), (p - centre).angle());
+        let mut teeth = Vec::new();
+        let mut before = start;
+        for p in rest {
+            let ((r, from_rad), (other, to)) = (polar(before), polar(*p));
+            teeth.push(if (r - other).abs() < ROUND_MM {
+                let to_rad = from_rad + turn(from_rad, to);
+                PathPiece::Arc { centre, radius_mm: r, from_rad, to_rad }
+            } else {
+                PathPiece::Line(*p)
+            });
+            before = *p;
+        }
+        let rim = (g.root - g.tip).signum() * RIM_MODULES * self.pair.basic.module;
+        let (from_rad, radius_mm) = (polar(before).1, ((g.root + rim) * k).max(0.0));
+        let to_rad = from_rad - (from_rad - polar(start).1).rem_euclid(TAU);
+        let back = vec![
+            PathPiece::Line(on_circle(centre, radius_mm, from_rad)),
+            PathPiece::Arc { centre, radius_mm, from_rad, to_rad },
+        ];
+        Some(TeethOutline { start, teeth, back })
     }
 
-    /// Draws the teeth of a rack with pitch line, tip line and root line, each named at its end.
+    /// The corners of the rack's teeth on paper.
+    fn rack_corners(&self, k: f64) -> Vec<Point> {
+        self.pair.rack_teeth(TEETH).into_iter().map(|p| (p.to_vec2() * k).to_point()).collect()
+    }
+
+    /// The outline of the rack.
+    fn rack_outline(&self, k: f64) -> Option<TeethOutline> {
+        let points = self.rack_corners(k);
+        let ([start, rest @ ..], Some(last)) = (points.as_slice(), points.last()) else {
+            return None;
+        };
+        let behind = (self.pair.rack()[1] + RIM_MODULES * self.pair.basic.module) * k;
+        Some(TeethOutline {
+            start: *start,
+            teeth: rest.iter().map(|p| PathPiece::Line(*p)).collect(),
+            back: [last.x, start.x].map(|x| PathPiece::Line(Point::new(x, behind))).to_vec(),
+        })
+    }
+
+    /// Draws pitch line, tip line and root line of a rack, each named at its end. The tip line and
+    /// the root line are left out between the teeth.
     fn rack(&self, d: &mut Drawing, k: f64) {
         let style = &self.maker.options.style;
-        let points =
-            self.pair.rack_teeth(TEETH).into_iter().map(|p| (p.to_vec2() * k).to_point()).collect();
-        self.teeth(d, 1, points);
         let [tip, root] = self.pair.rack();
         let half = PI * self.pair.basic.module * (f64::from(TEETH) + 0.8) * k;
         let lang = self.maker.options.lang;
@@ -162,9 +253,27 @@ impl DrawnGears<'_> {
             ("tip", tr(lang, "tip line", "齿顶线"), -tip * k, style.thin, -1.0),
             ("root", tr(lang, "root line", "齿根线"), root * k, style.thin, -1.0),
         ];
+        let corners = self.rack_corners(k);
         for (name, words, y, stroke, side) in lines {
             let (from, to) = (Point::new(-half, y), Point::new(half, y));
-            let owner = d.shape(&format!("line-{name}"), "line", Shape::Line { from, to, stroke });
+            let on = corners.iter().filter(|p| (p.y - y).abs() < ROUND_MM).map(|p| p.x);
+            let toothed = on.fold(None, |ends: Option<[f64; 2]>, x| {
+                Some(ends.map_or([x, x], |[first, last]| [first.min(x), last.max(x)]))
+            });
+            let shape = match toothed {
+                Some([first, last]) => {
+                    let at = |x: f64| Point::new(x, y);
+                    let pieces = vec![
+                        PathPiece::Line(at(first)),
+                        PathPiece::Move(at(last)),
+                        PathPiece::Line(to),
+                    ];
+                    let stroke = Some(stroke);
+                    Shape::Path { start: from, pieces, closed: false, stroke, fill: None }
+                }
+                None => Shape::Line { from, to, stroke },
+            };
+            let owner = d.shape(&format!("line-{name}"), "line", shape);
             let end = if side > 0.0 { to } else { from };
             let request = LabelRequest::at_point(Label::text(words), style.small_mm, end, 0.8);
             d.label(
@@ -175,11 +284,14 @@ impl DrawnGears<'_> {
         }
     }
 
-    /// Draws the circles of a gear as arcs about the line of centres, each named at its end.
+    /// Draws the circles of a gear as arcs about the line of centres, each named at its end. The
+    /// tip circle and the root circle are left out between the teeth, whose
+    /// corners are `corners`.
     fn circles(
         &self,
         d: &mut Drawing,
         (i, centre, toward): (usize, Point, f64),
+        corners: &[Point],
         reach: f64,
         k: f64,
     ) {
@@ -200,13 +312,32 @@ impl DrawnGears<'_> {
             let (from_rad, to_rad) = (toward - half, toward + half);
             let text = format!("{letter}{}}}", name_label(self.name(i)));
             let id = format!("circle-{name}-{}", self.name(i));
-            let owner = d.shape(
-                &id,
-                "circle",
-                Shape::Arc { centre, radius_mm: radius * k, from_rad, to_rad, stroke },
-            );
+            let radius_mm = radius * k;
+            let on = |p: &&Point| (p.distance(centre) - radius_mm).abs() < ROUND_MM;
+            let turned = |p: &Point| toward + turn(toward, (*p - centre).angle());
+            let toothed = [corners.iter().find(on), corners.iter().rev().find(on)];
+            let shape = match toothed.map(|corner| corner.map(turned)) {
+                [Some(first), Some(last)] if matches!(name, "root" | "tip") => {
+                    let arc = |from_rad: f64, to_rad: f64| PathPiece::Arc {
+                        centre,
+                        radius_mm,
+                        from_rad,
+                        to_rad,
+                    };
+                    let at = |angle: f64| on_circle(centre, radius_mm, angle);
+                    let pieces = vec![
+                        arc(from_rad, first.max(from_rad)),
+                        PathPiece::Move(at(last.min(to_rad))),
+                        arc(last.min(to_rad), to_rad),
+                    ];
+                    let (start, stroke) = (at(from_rad), Some(stroke));
+                    Shape::Path { start, pieces, closed: false, stroke, fill: None }
+                }
+                _ => Shape::Arc { centre, radius_mm, from_rad, to_rad, stroke },
+            };
+            let owner = d.shape(&id, "circle", shape);
             let along = Vec2::from_angle(toward + side * half);
-            let end = centre + along * (radius * k);
+            let end = centre + along * radius_mm;
             let out = if side > 0.0 {
                 Vec2::from_angle(toward + FRAC_PI_2)
             } else {

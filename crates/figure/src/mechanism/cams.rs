@@ -210,15 +210,10 @@ impl MechanismDraft<'_> {
     fn profile(&mut self, c: &Cam) {
         let id = format!("cam-{}", self.scene.link_name(c.cam));
         self.d.of_link(Some(c.cam.0));
-        let stroke = self.style.outline;
         let (owner, [from, to]) = if let Some((k, radius)) = c.circle {
             let Some(centre) = self.point(k) else { return self.d.of_link(None) };
             let radius_mm = self.mm(radius);
-            let owner = self.d.shape(
-                &id,
-                "cam",
-                Shape::Arc { centre, radius_mm, from_rad: 0.0, to_rad: TAU, stroke },
-            );
+            let owner = self.d.shape(&id, "cam", sym::round_body(self.style, centre, radius_mm));
             let piece = |k: usize| {
                 [k as f64, k as f64 + 1.5].map(|a| {
                     centre + Vec2::from_angle(NUMBER_FROM_RAD + a * TAU / PLACES as f64) * radius_mm
@@ -255,7 +250,12 @@ impl MechanismDraft<'_> {
                 self.d.shape(
                     &id,
                     "cam",
-                    Shape::Polyline { points, closed: true, stroke: Some(stroke), fill: None },
+                    Shape::Polyline {
+                        points,
+                        closed: true,
+                        stroke: Some(self.style.outline),
+                        fill: Some(self.style.plate),
+                    },
                 ),
                 ends,
             )
@@ -275,14 +275,8 @@ impl MechanismDraft<'_> {
             Follows::Edge(_) => {}
             Follows::Roller(p, radius) => {
                 if let Some(centre) = self.point(p) {
-                    let circle = Shape::Arc {
-                        centre,
-                        radius_mm: self.mm(radius),
-                        from_rad: 0.0,
-                        to_rad: TAU,
-                        stroke,
-                    };
-                    self.d.shape(&id, "roller", circle);
+                    let disc = sym::round_body(self.style, centre, self.mm(radius));
+                    self.d.shape(&id, "roller", disc);
                     if let Some(name) = &c.roller {
                         let label = Label::math(name_label(name));
                         let request = LabelRequest::at_point(

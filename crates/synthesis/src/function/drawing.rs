@@ -36,6 +36,9 @@ impl Function {
             self.steps.iter().take(3).map(|s| a + Vec2::from_angle(alpha + s[0]) * crank).collect();
         for (k, at) in b.iter().enumerate() {
             board.line(a, *at, Weight::Given).mark(&format!("B_{}", k + 1), *at);
+            if k > 0 {
+                board.angle(a, [b[0], *at], &format!("\\phi_{{1{}}}", k + 1));
+            }
         }
         let mut turned = vec![b[0]];
         for (k, at) in b.iter().enumerate().skip(1) {
@@ -49,6 +52,7 @@ impl Function {
             board
                 .line(d, *at, Weight::Thin)
                 .line(d, back, Weight::Thin)
+                .angle(d, [*at, back], &format!("\\psi_{{1{j}}}"))
                 .mark(&format!("B_{j}'"), back);
             turned.push(back);
         }

@@ -1,6 +1,6 @@
 //! Links: bars, plates, and the mark of a rigid corner.
 
-use crate::paper::item::{Cap, Colour, Dash, FigureItem, LineStroke, Shape};
+use crate::paper::item::{Cap, Colour, Dash, FigureItem, LineStroke, PathPiece, Shape};
 use crate::paper::style::Style;
 use hodograph_base::geom::{Point, Vec2};
 
@@ -46,6 +46,23 @@ pub fn plate(style: &Style, points: &[Point]) -> Vec<FigureItem> {
         fill: Some(style.plate),
     };
     vec![FigureItem::new("link plate", shape)]
+}
+
+/// The outline of a round body, filled as a plate is; labels may be inside.
+pub fn round_body(style: &Style, centre: Point, radius_mm: f64) -> Shape {
+    let half = |from_rad: f64| PathPiece::Arc {
+        centre,
+        radius_mm,
+        from_rad,
+        to_rad: from_rad + std::f64::consts::PI,
+    };
+    Shape::Path {
+        start: centre + Vec2::new(radius_mm, 0.0),
+        pieces: vec![half(0.0), half(std::f64::consts::PI)],
+        closed: true,
+        stroke: Some(style.outline),
+        fill: Some(style.plate),
+    }
 }
 
 /// The mark of a rigid corner: the angle between two bars of one link, filled. Empty if the bars

@@ -13,7 +13,7 @@ mod mark;
 mod slide;
 
 pub use joint::{dot, fixed_pivot, ground_arc, ground_line, pin, wedge};
-pub use link::{dashed, link, plate, spring, weld};
+pub use link::{dashed, link, plate, round_body, spring, weld};
 pub use mark::{angle, dimension, dimension_line, rotation, scale_bar};
 pub use slide::{GuideForm, block, cylinder, guide, slot, slot_arc};
 

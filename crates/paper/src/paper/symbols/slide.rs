@@ -147,7 +147,7 @@ pub fn cylinder(style: &Style, base: Point, tip: Point, barrel_mm: f64) -> Vec<F
                 points: barrel,
                 closed: true,
                 stroke: Some(style.outline),
-                fill: Some(Colour::WHITE),
+                fill: Some(style.plate),
             },
         ),
         line(base, bottom, style.link, "cylinder link"),

@@ -103,6 +103,7 @@ impl CrankRocker {
         board
             .line(d, c1, Weight::Given)
             .line(d, c2, Weight::Given)
+            .angle(d, [c1, c2], "\\psi")
             .mark("D", d)
             .mark("C_1", c1)
             .mark("C_2", c2);
@@ -207,7 +208,7 @@ impl CrankRocker {
             return None;
         }
         board
-            .line(d, a, Weight::Result)
+            .line(d, a, Weight::Given)
             .line(a, c1, Weight::Thin)
             .line(a, c2, Weight::Thin)
             .mark("A", a)

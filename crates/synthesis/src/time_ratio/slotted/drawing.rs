@@ -7,6 +7,9 @@ use hodograph_base::digits::significant;
 use hodograph_base::geom::Point;
 use std::f64::consts::{FRAC_PI_2, PI};
 
+/// Name of the half of the angle θ.
+const HALF: &str = "\\theta/2";
+
 impl Slotted {
     pub(super) fn drawn(&self, board: &mut SynthesisBoard) -> Option<()> {
         match self.kind {
@@ -35,6 +38,7 @@ impl Slotted {
                 .line(a, b, Weight::Given)
                 .line(c, b, Weight::Thin)
                 .line(a, c, Weight::Thin);
+            board.angle(a, [PaperLine::ray(a, 0.0).place(radius), b], HALF);
             board.mark("A", a).mark("B_1", b).mark("C", c).read("AC", a, c);
             return Some((c, b));
         }
@@ -49,6 +53,7 @@ impl Slotted {
             .line(a, c, Weight::Given)
             .line(c, b, Weight::Thin)
             .line(a, b, Weight::Result)
+            .angle(c, [a, b], HALF)
             .mark("A", a)
             .mark("B_1", b)
             .mark("C", c);
@@ -92,7 +97,7 @@ impl Slotted {
             .line(a, b[0], Weight::Thin)
             .line(a, b[1], Weight::Thin)
             .line(b[0], b[1], Weight::Thin)
-            .line(a, c, Weight::Result);
+            .line(a, c, Weight::Given);
         board
             .mark("A", a)
             .mark("B_1", b[0])
