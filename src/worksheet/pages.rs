@@ -12,7 +12,7 @@ use std::collections::VecDeque;
 
 use super::{Document, DocumentBlock};
 use crate::geom::{Point, Vec2};
-use crate::paper::extent::translate;
+use crate::paper::extent::{bounds, translate};
 use crate::paper::font::own::Fonts;
 use crate::paper::item::{Anchor, Colour, FigureItem, Shape};
 use crate::paper::label::Label;
@@ -31,6 +31,8 @@ const FOOT_MM: f64 = 10.0;
 const FULL_MM: f64 = PAPER_MM[0] - 2.0 * SIDE_MM;
 /// A drawing up to this part of the text's width is placed at the right, with text beside it.
 const BESIDE_PART: f64 = 0.42;
+/// The limit for a drawing under a heading of its own, such as a polygon: its steps are beside it.
+const HEADED_PART: f64 = 0.58;
 /// The limit for a side that would otherwise overflow its page: the text keeps 45 mm, some twenty
 /// letters.
 const WIDE_BESIDE_PART: f64 = 0.69;
@@ -256,6 +258,17 @@ impl PageSetter {
                 self.place(next);
             }
         }
+    }
+
+    /// Places a drawing at the right; the text goes on beside it.
+    fn place_beside(&mut self, chunk: Chunk) {
+        let mut items = chunk.items;
+        let Some(ink) = bounds(&items) else { return };
+        let air_mm = if self.fresh() { 0.0 } else { chunk.air_mm };
+        let to = Vec2::new(SIDE_MM + FULL_MM - ink.max.x, self.y - air_mm - ink.max.y);
+        translate(&mut items, to);
+        self.parts.push(Part { kind: chunk.kind, items });
+        self.beside = Some([ink.width_mm(), self.y - air_mm - ink.height_mm()]);
     }
 
     /// Ends the page and places everything that waits.

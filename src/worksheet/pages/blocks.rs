@@ -5,7 +5,8 @@
 use super::super::display::built;
 use super::super::{DocumentTable, TableKind};
 use super::{
-    BOTTOM_MM, Chunk, FOOT_MM, FULL_MM, PAPER_MM, PageSetter, SIDE_MM, TEXT_MM, TOP_MM, line,
+    BOTTOM_MM, Chunk, FOOT_MM, FULL_MM, HEADED_PART, PAPER_MM, PageSetter, SIDE_MM, TEXT_MM,
+    TOP_MM, line,
 };
 use crate::geom::{Point, Vec2};
 use crate::paper::extent::{bounds, translate};
@@ -213,21 +214,24 @@ impl PageSetter {
             return self.table(&DocumentTable { kind: table.kind, rows: rest });
         }
         let gap = if table.kind == TableKind::Equation { EQUATION_GAP_MM } else { VALUES_GAP_MM };
-        let set = |scale: f64| {
+        let set = |setter: &PageSetter, scale: f64| {
             let rows: Vec<Row> = table
                 .rows
                 .iter()
                 .enumerate()
-                .map(|(r, row)| self.cells(table.kind, r, row, TEXT_MM * scale))
+                .map(|(r, row)| setter.cells(table.kind, r, row, TEXT_MM * scale))
                 .collect();
             grid::set(&rows, gap * scale)
         };
-        let mut items = set(1.0);
+        let mut items = set(self, 1.0);
         let wide = bounds(&items).map_or(0.0, |b| b.max.x);
+        if wide > self.width() {
+            self.clear();
+        }
         let room = self.width();
         let scale = (room / wide).clamp(SMALLEST, 1.0);
         if scale < 1.0 {
-            items = set(scale);
+            items = set(self, scale);
         }
         let step = self.setting.line_em * TEXT_MM * scale;
         if table.kind == TableKind::Values {
@@ -308,6 +312,9 @@ impl PageSetter {
                 return;
             }
         }
+        if INDENT_MM * 2.0 + wide > self.width() {
+            self.clear();
+        }
         translate(&mut items, Vec2::new(INDENT_MM * 2.0, -built.above));
         let height_mm = built.above + built.below + BLOCK_AIR_EM / 2.0 * TEXT_MM;
         self.put(Chunk {
@@ -358,27 +365,27 @@ impl PageSetter {
         }
         let air_mm = BLOCK_AIR_EM * 1.5 * self.air();
         self.clear();
-        if wide <= self.setting.beside_part * FULL_MM
-            && self.waiting.is_empty()
-            && air_mm + high <= self.room()
-        {
-            translate(
-                &mut items,
-                Vec2::new(SIDE_MM + FULL_MM - ink.max.x, self.y - air_mm - ink.max.y),
-            );
-            self.parts.push(Part { kind, items });
-            self.beside = Some([wide, self.y - air_mm - high]);
-            return;
-        }
         translate(&mut items, Vec2::new((FULL_MM - wide) / 2.0 - ink.min.x, -ink.max.y));
-        let chunk = Chunk { kind, items, height_mm: high + air_mm, air_mm };
-        let mut together: Vec<&Chunk> = self.waiting.iter().collect();
-        together.push(&chunk);
+        let headed = if self.waiting.is_empty() { 0.0 } else { HEADED_PART };
+        let beside = wide <= headed.max(self.setting.beside_part) * FULL_MM;
+        // Below a drawing beside the text no space is needed.
+        let height_mm = if beside { high } else { high + air_mm };
+        let chunk = Chunk { kind, items, height_mm, air_mm };
+        let together: Vec<&Chunk> = self.waiting.iter().chain([&chunk]).collect();
+        let full = self.need(&together) > self.room() && !self.fresh();
         // With little space left, heading and drawing move to the next page together; with much,
         // text is placed before the drawing.
         let worth = if self.setting.filled { LINES_MM } else { FLOW_MM };
-        if self.need(&together) > self.room() && !self.fresh() && self.room() > worth {
+        if full && self.room() > worth {
             self.drawings.push_back(chunk);
+        } else if beside {
+            if full {
+                self.break_page();
+            }
+            for heading in std::mem::take(&mut self.waiting) {
+                self.place(heading);
+            }
+            self.place_beside(chunk);
         } else {
             self.put(chunk);
         }
