@@ -323,6 +323,25 @@ fn formulas_stand_beside_their_tables() {
     assert_eq!(beside, 4, "one for each equation");
 }
 
+/// Text is at the left of the mechanism and of each polygon.
+#[test]
+fn polygons_are_beside_their_steps() {
+    let (scene, worked) = worked("shaper");
+    let sheets = pages::pages(&document(&scene, &worked, Lang::En, WorksheetSides::Solution));
+    let mut beside = 0;
+    for page in &sheets {
+        let of = |wanted: fn(&Kind) -> bool| {
+            page.parts.iter().filter(move |p| wanted(&p.kind)).filter_map(|p| bounds(&p.items))
+        };
+        for figure in of(|kind| matches!(kind, Kind::Figure(_))) {
+            beside += usize::from(of(|kind| matches!(kind, Kind::List { .. })).any(|list| {
+                list.max.x < figure.min.x && list.max.y > figure.min.y && list.min.y < figure.max.y
+            }));
+        }
+    }
+    assert_eq!(beside, 3, "mechanism, velocities and accelerations");
+}
+
 /// A point on a line is not described as 0 beside it, and no length is negative where words give
 /// the side.
 #[test]
