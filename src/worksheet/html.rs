@@ -28,6 +28,7 @@ mi { text-transform: none; font-style: italic; font-family: Hodograph, 'Tinos', 
 mi[mathvariant] { font-style: normal }
 table { border-collapse: collapse; margin: .6em 0; break-inside: avoid }
 td, th { padding: .15em .6em; text-align: left; font-weight: 400 }
+.values { border-top: 1.5px solid; border-bottom: 1.5px solid }
 .values th { border-bottom: 1px solid; font-style: italic }
 .values td:last-child { min-width: 8em }
 .equation td, .equation th { text-align: center }

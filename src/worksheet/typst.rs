@@ -68,8 +68,14 @@ pub fn typst(document: &Document, stem: &str) -> Result<(String, Vec<CompanionFi
 fn rows(table: &DocumentTable) -> String {
     let columns = table.rows.first().map_or(0, Vec::len);
     let (align, line) = match table.kind {
-        TableKind::Equation => ("center", ""),
-        TableKind::Values => ("left", "  table.hline(y: 1, stroke: 0.5pt),\n"),
+        TableKind::Equation => ("center", String::new()),
+        TableKind::Values => (
+            "left",
+            format!(
+                "  table.hline(y: 0, stroke: 0.8pt),\n  table.hline(y: 1, stroke: 0.5pt),\n  table.hline(y: {}, stroke: 0.8pt),\n",
+                table.rows.len()
+            ),
+        ),
     };
     let mut out = format!(
         "#table(columns: {columns}, stroke: none, inset: 4pt, align: {align} + horizon,\n{line}"

@@ -235,14 +235,14 @@ impl PageSetter {
         }
         let step = self.setting.line_em * TEXT_MM * scale;
         if table.kind == TableKind::Values {
-            let y = -step * 1.15;
+            // A thick line above and below, a thin one under the head.
             let to = bounds(&items).map_or(0.0, |b| b.max.x);
-            let shape = Shape::Line {
-                from: Point::new(0.0, y),
-                to: Point::new(to, y),
-                stroke: LineStroke::new(0.2),
-            };
-            items.push(FigureItem::new("rule", shape));
+            let end = table.rows.len() as f64 + 0.4;
+            for (rows, width_mm) in [(0.15, 0.35), (1.15, 0.2), (end, 0.35)] {
+                let [from, to] = [0.0, to].map(|x| Point::new(x, -step * rows));
+                let shape = Shape::Line { from, to, stroke: LineStroke::new(width_mm) };
+                items.push(FigureItem::new("rule", shape));
+            }
         } else if wide * scale < room - INDENT_MM {
             translate(&mut items, Vec2::new(INDENT_MM, 0.0));
         }
