@@ -2,6 +2,7 @@
 
 mod batch;
 mod diff;
+mod exchange;
 mod homework;
 mod motion;
 mod paths;
@@ -15,6 +16,7 @@ use crate::figure::list::{FigureEntry, USUAL};
 pub use batch::{BatchArgs, ShardsArgs, VariedArgs};
 use clap::{Args as ClapArgs, Parser, Subcommand};
 pub use diff::DiffArgs;
+pub use exchange::{ExportArgs, ImportArgs};
 pub use homework::{MarkArgs, VariantsArgs};
 pub use motion::{AnimateArgs, PathArgs, TravelArgs};
 pub use paths::{CurvatureArgs, InversionsArgs};
@@ -131,6 +133,10 @@ pub enum Command {
     /// Compare two figures (SVG, PNG): vectors that moved, items, texts, pixels; exit code 1 where
     /// they differ
     Diff(DiffArgs),
+    /// Write the file of another program: drawing (DXF), GeoGebra, TikZ, linkage of pylinkage or PMKS
+    Export(ExportArgs),
+    /// Read a linkage of pylinkage or PMKS, and write its scene
+    Import(ImportArgs),
     /// Edit a file in the browser: the page at an address of this machine, saving to the file and
     /// following its changes by other editors
     Edit(EditArgs),

@@ -20,6 +20,7 @@ mod draw;
 mod edit;
 mod errors;
 mod explain;
+mod export;
 mod files;
 mod help;
 mod ids;
@@ -121,6 +122,8 @@ fn run() -> ExitCode {
         Command::Readings(a) => readings::run(a),
         Command::Diff(a) => diff::run(a),
         Command::Edit(a) => edit::run(a),
+        Command::Export(a) => export::export(a),
+        Command::Import(a) => export::import(&a),
         Command::New { template, set, output } => {
             template::new(template.as_deref(), &set, output.as_deref())
         }

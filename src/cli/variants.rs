@@ -5,9 +5,10 @@ use super::together::Together;
 use super::values::Platform;
 use super::{CommandResult, Failure, SceneInput, args, files, look_of, places};
 use crate::diag::{Diagnostic, Warned, both};
-use crate::homework::platforms::{self, PlatformFile, PlatformSet, QtiVersion};
+use crate::homework::platforms::{self, PlatformSet, QtiVersion};
 use crate::homework::{self, HomeworkRequest, keys, sheets};
 use crate::worksheet::WorksheetSides;
+use crate::zip::ArchiveFile;
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -65,7 +66,7 @@ pub fn run(a: args::VariantsArgs) -> CommandResult {
     made.extend(one("answers.csv", keys::csv(&all).into_bytes()));
     made.extend(one("values.csv", keys::values_csv(&all).into_bytes()));
     let (mut together, mut written) = (Together::default(), String::new());
-    for PlatformFile { path, bytes } in made {
+    for ArchiveFile { path, bytes } in made {
         let path = Path::new(&a.output).join(path);
         together.add(&path, &bytes)?;
         written += &format!("{}\n", path.display());
@@ -76,12 +77,12 @@ pub fn run(a: args::VariantsArgs) -> CommandResult {
     Ok(ExitCode::SUCCESS)
 }
 
-fn one(path: &str, bytes: Vec<u8>) -> Vec<PlatformFile> {
-    vec![PlatformFile { path: path.to_owned(), bytes }]
+fn one(path: &str, bytes: Vec<u8>) -> Vec<ArchiveFile> {
+    vec![ArchiveFile { path: path.to_owned(), bytes }]
 }
 
 /// Returns the files of a platform.
-fn exported(platform: Platform, set: &PlatformSet) -> Result<Vec<PlatformFile>, Failure> {
+fn exported(platform: Platform, set: &PlatformSet) -> Result<Vec<ArchiveFile>, Failure> {
     Ok(match platform {
         Platform::Moodle => {
             let text =

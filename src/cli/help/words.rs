@@ -388,6 +388,27 @@ pub(super) const WORDS: &[(&str, &str, &str)] = &[
     ),
     ("variants", "output", "文件所在的文件夹"),
     ("variants", "digits", "解答的有效数字，1 到 30 位"),
+    ("export", "", "写成其他软件的文件：图纸（DXF）、GeoGebra、TikZ、pylinkage 或 PMKS 的机构文件"),
+    (
+        "export",
+        "*after",
+        "dxf：机构以机构文件的毫米为单位，其他图以图纸毫米为单位。ggb：GeoGebra，可拖动曲柄。tikz：LaTeX 图。pylinkage：Python 脚本；pylinkage-json：其模块 `mechanism` 的文件。pmks：PMKS 的文本。ggb、pylinkage 和 pmks 只能表示由铰链和直导路组成、以一个机架上的曲柄为原动件的连杆机构",
+    ),
+    (
+        "export",
+        "output",
+        "写入的文件，或 `-`（标准输出）；由结尾决定格式：.dxf、.ggb、.tikz、.py 和 .json（pylinkage）、.txt 和 .csv（PMKS）",
+    ),
+    ("export", "to", "文件名结尾未指明时的格式"),
+    ("export", "figure", "用于 dxf 和 tikz：所取的图"),
+    ("import", "", "读入 pylinkage 或 PMKS 的连杆机构，写成机构文件"),
+    (
+        "import",
+        "file",
+        "其他软件的连杆机构：pylinkage 的 .json（`mechanism_to_json`），PMKS 的 .txt 或 .csv；`-` 为标准输入",
+    ),
+    ("import", "from", "文件名结尾未指明时的格式"),
+    ("import", "output", "把机构文件写入该文件（默认：`-`，标准输出）"),
     ("mark", "", "按 `variants` 的答案批改全班的作业：按作图误差给部分分，并指出可能的错误"),
     (
         "mark",

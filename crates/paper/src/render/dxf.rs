@@ -1,12 +1,20 @@
-//! Writes drawing exchange files for cutting machines: DXF of release 12 (AC1009), which every
-//! program reads. Millimetres, y up.
+//! Writes drawing exchange files for cutting machines and drawing programs: DXF of release 12
+//! (AC1009), which every program reads. Millimetres, y up.
 //!
 //! The groups of code and value follow Autodesk's *DXF Reference* for release 12. Arcs stay arcs;
-//! other curves become polylines.
+//! other curves become polylines. [`drawn`] gives the lines and texts of a figure.
 
-use hodograph_base::geom::Vec2;
+use crate::paper::arrow;
+use crate::paper::extent::on_circle;
+use crate::paper::item::{Anchor, FigureItem, PathPiece, Shape};
+use crate::paper::label::Label;
+use hodograph_base::geom::{Point, Vec2};
+use std::f64::consts::TAU;
 
-/// A line of the drawing, in mm.
+/// Height of a capital letter in sizes of the type.
+const CAPITAL: f64 = 0.7;
+
+/// A line or text of the drawing, in mm.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Entity {
@@ -30,6 +38,99 @@ pub enum Entity {
     },
     /// A closed chain of lines.
     Closed(Vec<Vec2>),
+    /// An open chain of lines.
+    Open(Vec<Vec2>),
+    /// A line of text.
+    Text {
+        /// Position of the anchor on the baseline.
+        at: Vec2,
+        /// Height of a capital letter.
+        height: f64,
+        /// Reading direction (degrees).
+        degrees: f64,
+        /// The point of the line that is placed at `at`.
+        anchor: Anchor,
+        /// The characters.
+        text: String,
+    },
+}
+
+/// Returns the lines and texts of some items, `scale` times as large, each on the layer that
+/// `layer` names. Fills and widths of lines are left out, as are marks without ink.
+pub fn drawn<'a>(
+    items: &[FigureItem],
+    scale: f64,
+    layer: impl Fn(&FigureItem) -> &'a str,
+) -> Vec<(&'a str, Entity)> {
+    let of = |item| entities(item, scale).into_iter().map(|entity| (layer(item), entity));
+    items.iter().flat_map(of).collect()
+}
+
+fn entities(item: &FigureItem, scale: f64) -> Vec<Entity> {
+    let at = |p: Point| p.to_vec2() * scale;
+    let chain = |points: &[Point], closed: bool| {
+        let points = points.iter().map(|p| at(*p)).collect();
+        if closed { Entity::Closed(points) } else { Entity::Open(points) }
+    };
+    let round = |centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64| {
+        let (centre, radius) = (at(centre), radius_mm * scale);
+        if (to_rad - from_rad).abs() >= TAU {
+            return Entity::Circle { centre, radius };
+        }
+        let degrees = [from_rad.min(to_rad), from_rad.max(to_rad)];
+        Entity::Arc { centre, radius, degrees: degrees.map(|a| a.to_degrees().rem_euclid(360.0)) }
+    };
+    let text = |p: Point, label: &Label, size_mm: f64, degrees, anchor| {
+        let (height, text) = (CAPITAL * size_mm * scale, label.plain());
+        vec![Entity::Text { at: at(p), height, degrees, anchor, text }]
+    };
+    match &item.shape {
+        Shape::Line { from, to, .. } => vec![Entity::Line([at(*from), at(*to)])],
+        Shape::Polyline { points, closed, .. } => vec![chain(points, *closed)],
+        Shape::Path { start, pieces, closed, .. } => {
+            let (mut all, mut first, mut here) = (Vec::new(), *start, *start);
+            for piece in pieces {
+                match *piece {
+                    PathPiece::Move(p) => (first, here) = (p, p),
+                    PathPiece::Line(p) => {
+                        all.push(Entity::Line([at(here), at(p)]));
+                        here = p;
+                    }
+                    PathPiece::Arc { centre, radius_mm, from_rad, to_rad } => {
+                        all.push(round(centre, radius_mm, from_rad, to_rad));
+                        here = on_circle(centre, radius_mm, to_rad);
+                    }
+                }
+            }
+            if *closed && here != first {
+                all.push(Entity::Line([at(here), at(first)]));
+            }
+            all
+        }
+        Shape::Circle { stroke: None, fill: None, .. } => Vec::new(),
+        Shape::Circle { centre, radius_mm, .. } => {
+            vec![Entity::Circle { centre: at(*centre), radius: radius_mm * scale }]
+        }
+        Shape::Arc { centre, radius_mm, from_rad, to_rad, .. } => {
+            vec![round(*centre, *radius_mm, *from_rad, *to_rad)]
+        }
+        // The shaft ends at the tip: its ends are the vector's.
+        Shape::Arrow { from, to, head, .. } => {
+            let head = arrow::straight(*from, *to, *head).head;
+            let head = (!head.is_empty()).then(|| chain(&head, true));
+            std::iter::once(Entity::Line([at(*from), at(*to)])).chain(head).collect()
+        }
+        Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, head, .. } => {
+            let parts = arrow::bent(*centre, *radius_mm, *from_rad, *to_rad, *head);
+            let shaft = round(*centre, *radius_mm, *from_rad, parts.shaft_end_rad);
+            let head = (!parts.head.is_empty()).then(|| chain(&parts.head, true));
+            std::iter::once(shaft).chain(head).collect()
+        }
+        Shape::Turned { at, angle_rad, label, size_mm, .. } => {
+            text(*at, label, *size_mm, angle_rad.to_degrees(), Anchor::Middle)
+        }
+        Shape::Label { at, label, size_mm, anchor, .. } => text(*at, label, *size_mm, 0.0, *anchor),
+    }
 }
 
 /// Returns the file, with each entity on the layer given with it.
@@ -57,22 +158,42 @@ pub fn dxf(entities: &[(&str, Entity)]) -> String {
             Entity::Circle { centre, radius } => {
                 out.text(0, "CIRCLE").text(8, layer).point(0, *centre).number(40, *radius);
             }
-            Entity::Closed(points) => {
-                // 66: vertices follow; 70: closed.
-                out.text(0, "POLYLINE")
+            Entity::Closed(points) => out.chain(layer, points, "1"),
+            Entity::Open(points) => out.chain(layer, points, "0"),
+            Entity::Text { at, height, degrees, anchor, text } => {
+                out.text(0, "TEXT")
                     .text(8, layer)
-                    .text(66, "1")
-                    .text(70, "1")
-                    .point(0, Vec2::ZERO);
-                for p in points {
-                    out.text(0, "VERTEX").text(8, layer).point(0, *p);
+                    .point(0, *at)
+                    .number(40, *height)
+                    .text(1, &ascii(text))
+                    .number(50, *degrees);
+                // Of a text that is not aligned at its start, the second point counts.
+                let aligned = match anchor {
+                    Anchor::Start => None,
+                    Anchor::Middle => Some("1"),
+                    Anchor::End => Some("2"),
+                };
+                if let Some(aligned) = aligned {
+                    out.text(72, aligned).point(1, *at);
                 }
-                out.text(0, "SEQEND").text(8, layer);
             }
         }
     }
     out.text(0, "ENDSEC").text(0, "EOF");
     out.0
+}
+
+/// A text in ASCII: other characters by their number in Unicode, as AutoCAD writes them.
+fn ascii(text: &str) -> String {
+    let mut out = String::new();
+    for c in text.chars() {
+        if c.is_ascii() && !c.is_ascii_control() {
+            out.push(c);
+        } else if !c.is_control() {
+            c.encode_utf16(&mut [0; 2]).iter().for_each(|u| out += &format!("\\U+{u:04X}"));
+        }
+    }
+    out
 }
 
 struct DxfText(String);
@@ -87,6 +208,15 @@ impl DxfText {
         // A nanometre is below the precision of any machine; there is no minus before a zero.
         let value = (value * 1e6).round() / 1e6 + 0.0;
         self.text(code, &format!("{value:.6}"))
+    }
+
+    fn chain(&mut self, layer: &str, points: &[Vec2], closed: &str) {
+        // 66: vertices follow; 70: closed.
+        self.text(0, "POLYLINE").text(8, layer).text(66, "1").text(70, closed).point(0, Vec2::ZERO);
+        for p in points {
+            self.text(0, "VERTEX").text(8, layer).point(0, *p);
+        }
+        self.text(0, "SEQEND").text(8, layer);
     }
 
     /// Coordinates of the first point have the codes 10, 20, those of the second 11, 21; the plane

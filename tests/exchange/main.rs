@@ -1,0 +1,189 @@
+//! Files of other programs are read back by those programs where they are there: pylinkage and ezdxf
+//! in Python, GeoGebra's construction by an evaluation of its commands.
+
+use assert_cmd::Command;
+use hodograph::exchange::{self, Linkage, PlacingRule, pmks, pylinkage};
+use hodograph::problem::{Options, read, solve, templates};
+use serde_json::Value as Json;
+use std::path::Path;
+
+/// Linkages of circles and lines whose cranks turn fully.
+const TURNING: [&str; 9] = [
+    "atkinson",
+    "crank-rocker",
+    "crossed-four-bar",
+    "drag-link",
+    "jansen-leg",
+    "offset-slider-crank",
+    "pump-jack",
+    "radial-engine",
+    "watt-six-bar",
+];
+
+/// Largest distance (mm) of a joint from its place after up to a turn of one-degree steps.
+const EXACT_MM: f64 = 1e-9;
+
+fn linkage(text: &str) -> Linkage {
+    let problem = read(text).unwrap().value;
+    let solved = solve(&problem, &Options::with_figures()).unwrap();
+    let (scene, worked) = solved.mechanism().unwrap();
+    Linkage::of(scene, worked, scene.title.en.clone()).unwrap()
+}
+
+fn template(name: &str) -> String {
+    templates::text(name, &[]).unwrap()
+}
+
+fn program() -> Command {
+    let mut run = Command::new(env!("CARGO_BIN_EXE_hodograph"));
+    run.env("LC_ALL", "C");
+    run
+}
+
+/// What the script prints about a file; `None` where Python or the program is not installed.
+fn read_back(arguments: &[&str]) -> Option<Json> {
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/exchange/read_back.py");
+    let run = std::process::Command::new("python3").arg(script).args(arguments).output().ok()?;
+    let (out, said) = (String::from_utf8_lossy(&run.stdout), String::from_utf8_lossy(&run.stderr));
+    assert!(run.status.success(), "{arguments:?}: {said}");
+    if out.starts_with("missing") {
+        println!("skipped {arguments:?}: {out}");
+        return None;
+    }
+    Some(serde_json::from_str(&out).unwrap())
+}
+
+/// pylinkage and GeoGebra's commands give the places of the sweep over a whole turn; GeoGebra's
+/// velocity polygon is the derivative of its places.
+#[test]
+fn other_programs_move_the_joints_as_the_sweep_does() {
+    for name in TURNING {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |file: &str| folder.path().join(file).to_str().unwrap().to_owned();
+        let scene = at("s.json");
+        std::fs::write(&scene, template(name)).unwrap();
+        let of = linkage(&template(name));
+        let tip = exchange::order(&of).unwrap()[0].joint;
+        let from = (of.joints[tip].at - of.joints[of.pivot].at).angle();
+        let to = from + std::f64::consts::TAU.copysign(of.rate);
+        let find: Vec<String> = of.joints.iter().map(|j| format!("x_{0},y_{0}", j.name)).collect();
+        let (from, to) = (format!("--from={from} rad"), format!("--to={to} rad"));
+        let sweep = ["sweep", &scene, "--over", "driver", &from, &to, "--steps", "360"];
+        let table = at("t.csv");
+        program().args(sweep).args(["--find", &find.join(","), "-o", &table]).assert().success();
+        for ending in ["py", "json", "ggb"] {
+            let file = at(&format!("x.{ending}"));
+            program().args(["export", &scene, "-o", &file]).assert().success();
+            let Some(told) = read_back(&[ending, &file, &table]) else { continue };
+            let worst = told["worst_mm"].as_f64().unwrap();
+            assert!(worst < EXACT_MM, "{name}.{ending}: {worst} mm");
+        }
+    }
+}
+
+/// A linkage comes back from the formats that can be read, by itself and as a scene that is solved.
+#[test]
+fn linkages_come_back() {
+    for name in TURNING {
+        let given = linkage(&template(name));
+        let back = [
+            ("pmks", pmks::read(&pmks::text(&given)).unwrap()),
+            ("pylinkage", pylinkage::read(&pylinkage::file(&given).unwrap()).unwrap()),
+        ];
+        for (format, read) in back {
+            let again = linkage(&exchange::scene(&read).text);
+            for of in [&read, &again] {
+                let sorted = |of: &Linkage| {
+                    let mut all: Vec<[f64; 2]> =
+                        of.joints.iter().map(|j| [j.at.x, j.at.y]).collect();
+                    all.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+                    all
+                };
+                let (one, other) = (sorted(&given), sorted(of));
+                assert_eq!(one.len(), other.len(), "{name} by {format}");
+                for (a, b) in one.iter().flatten().zip(other.iter().flatten()) {
+                    assert!((a - b).abs() < EXACT_MM, "{name} by {format}: {a} {b}");
+                }
+                let rules = |of: &Linkage| {
+                    let all = exchange::order(of).unwrap();
+                    all.iter().filter(|p| matches!(p.rule, PlacingRule::OnLine { .. })).count()
+                };
+                assert_eq!(rules(&given), rules(of), "{name} by {format}");
+            }
+        }
+    }
+}
+
+/// Files of PMKS separate by commas or spaces, mark the driver, and share a block.
+#[test]
+fn both_forms_of_pmks_are_read() {
+    let plain =
+        "ground,input,R,0,0\ninput,coupler,R,0,10\ncoupler,output,R,12,2\nground,output,P,12,0,0\n";
+    let marked = "coupler output R 12 2 +---\ninput,gnd,R,0,0,+--+\n input, coupler,r,0,10,+---\n\
+                  output,ground,P,12,0,0,+---\nd=0\n";
+    for source in [plain, marked] {
+        let read = pmks::read(source).unwrap();
+        assert_eq!(read.bodies[read.crank].name, "input");
+        assert_eq!(read.joints[read.pivot].at, hodograph::geom::Point::ORIGIN);
+        assert_eq!((read.joints.len(), read.slides.len()), (3, 1), "{read:?}");
+        let scene = exchange::scene(&read);
+        let solved =
+            solve(&hodograph::problem::read(&scene.text).unwrap().value, &Options::default());
+        assert!(solved.is_ok(), "{}", scene.text);
+    }
+    let slot =
+        pmks::read("ground,input,R,0,0\ncoupler input,RP,2,0,30\ncoupler,ground,R,5,0\n").unwrap();
+    assert_eq!(slot.bodies[slot.slides[0].on.unwrap()].name, "coupler");
+    let faults = pmks::read("ground,input,R,0,0\nnonsense\n").unwrap_err();
+    assert_eq!((faults.list[0].code, faults.list[0].span.unwrap().start), ("import", 19));
+}
+
+/// What a format has no place for is refused with the reason.
+#[test]
+fn parts_that_a_format_lacks_are_refused() {
+    for (name, ending) in
+        [("planetary-gear", "txt"), ("shaper", "json"), ("class-iii-six-bar", "ggb")]
+    {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |file: &str| folder.path().join(file).to_str().unwrap().to_owned();
+        std::fs::write(at("s.json"), template(name)).unwrap();
+        let run =
+            program().args(["export", &at("s.json"), "-o", &at(&format!("x.{ending}"))]).assert();
+        let said = String::from_utf8(run.code(2).get_output().stderr.clone()).unwrap();
+        assert!(said.contains("the format has no place for"), "{said}");
+    }
+}
+
+/// The drawing of the mechanism has its joints in their places in the scene, arcs stay arcs, and the
+/// vectors of a polygon begin at its pole in the origin.
+#[test]
+fn drawings_have_true_millimetres_on_layers_by_meaning() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |file: &str| folder.path().join(file).to_str().unwrap().to_owned();
+    std::fs::write(at("s.json"), template("crank-rocker")).unwrap();
+    for (figure, file) in [("mechanism", "m.dxf"), ("velocity", "v.dxf")] {
+        let run = ["export", &at("s.json"), "--figure", figure, "-o", &at(file)];
+        program().args(run).assert().success();
+    }
+    let text = std::fs::read_to_string(at("m.dxf")).unwrap();
+    assert!(text.contains("ARC") && text.contains("TEXT"));
+    if let Some(drawn) = read_back(&["dxf", &at("m.dxf")]) {
+        let joints = drawn["joints"].as_array().unwrap();
+        for joint in linkage(&template("crank-rocker")).joints {
+            let near = |c: &&Json| {
+                let place = [&c[0], &c[1]].map(|v| v.as_f64().unwrap());
+                (place[0] - joint.at.x).hypot(place[1] - joint.at.y) < 1e-5
+            };
+            assert!(joints.iter().any(|c| near(&c)), "{} {joints:?}", joint.name);
+        }
+        for layer in ["LINKS", "JOINTS", "GROUND", "GIVEN", "TEXT"] {
+            assert!(drawn["layers"][layer].as_u64() > Some(0), "{layer}: {}", drawn["layers"]);
+        }
+        assert!(drawn["texts"].as_array().unwrap().iter().any(|t| t == "B"));
+    }
+    if let Some(drawn) = read_back(&["dxf", &at("v.dxf")]) {
+        let from_pole = |l: &&Json| l[0] == 0.0 && l[1] == 0.0;
+        let lines = drawn["lines"].as_array().unwrap();
+        assert!(lines.iter().filter(from_pole).count() >= 2, "{lines:?}");
+    }
+}
