@@ -195,7 +195,16 @@ impl Protocol<'_> {
                 self.point(name, at, true);
             }
             PlacingRule::Carried { base: [a, b], parts: [along, left] } => {
-                let of = carried(&names[*a], &names[*b], [*along, *left]);
+                let of = carried(&names[*a], &names[*b], [along, left].map(f64::to_string));
+                self.expression(name, "point", &of);
+                self.point(name, at, true);
+            }
+            PlacingRule::Slotted { pivot, pin, parts: [along, left] } => {
+                let (a, b) = (&names[*pivot], &names[*pin]);
+                let d = format!("d_{{{}}}", plain(name));
+                self.command("Distance", &[a, b], &[&d]);
+                self.element("numeric", &d, false, false);
+                let of = carried(a, b, [format!("{along} / {d}"), format!("{left} / {d}")]);
                 self.expression(name, "point", &of);
                 self.point(name, at, true);
             }
@@ -267,7 +276,23 @@ impl Protocol<'_> {
                     self.expression(&name, "point", &of);
                 }
                 PlacingRule::Carried { base: [a, b], parts } => {
-                    self.expression(&name, "point", &carried(&tip(*a), &tip(*b), *parts));
+                    let of = carried(&tip(*a), &tip(*b), parts.map(|p| p.to_string()));
+                    self.expression(&name, "point", &of);
+                }
+                // The point of the lever under the pin, then the image of the lever.
+                PlacingRule::Slotted { pivot, pin, parts } => {
+                    let [bar, line, along, under] = ["ns", "n", "o", "q"].map(helper);
+                    self.command("Segment", &[&names[*pivot], &names[*pin]], &[&bar]);
+                    self.element("segment", &bar, false, false);
+                    self.command("OrthogonalLine", &[&tip(*pivot), &bar], &[&line]);
+                    self.element("line", &line, false, false);
+                    self.command("Line", &[&tip(*pin), &bar], &[&along]);
+                    self.element("line", &along, false, false);
+                    self.command("Intersect", &[&line, &along], &[&under]);
+                    self.point(&under, at, false);
+                    let d = format!("d_{{{}}}", plain(&names[*j]));
+                    let of = carried(&tip(*pivot), &under, parts.map(|p| format!("{p} / {d}")));
+                    self.expression(&name, "point", &of);
                 }
                 PlacingRule::Circles { centres, .. } => {
                     let lines = [(centres[0], "n"), (centres[1], "o")].map(|(centre, letter)| {
@@ -300,7 +325,7 @@ impl Protocol<'_> {
 }
 
 /// The expression of a point fixed to two others.
-fn carried(a: &str, b: &str, [along, left]: [f64; 2]) -> String {
+fn carried(a: &str, b: &str, [along, left]: [String; 2]) -> String {
     format!(
         "{a} + ({along}) * (x({b}) - x({a}), y({b}) - y({a})) + ({left}) * (y({a}) - y({b}), x({b}) - x({a}))"
     )

@@ -26,6 +26,15 @@ pub enum PlacingRule {
         /// True if it is to the left of the line from the first to the second.
         left: bool,
     },
+    /// On a lever about a joint, with a slot through that joint in which a placed pin runs.
+    Slotted {
+        /// The joint about which the lever turns.
+        pivot: usize,
+        /// The pin in the slot.
+        pin: usize,
+        /// From the pivot, the distances (mm) toward the pin and to its left.
+        parts: [f64; 2],
+    },
     /// At a given distance from a joint, on a line.
     OnLine {
         /// The joint.
@@ -56,6 +65,7 @@ impl PlacedJoint {
             PlacingRule::Crank => Vec::new(),
             PlacingRule::Carried { base, .. } => base.to_vec(),
             PlacingRule::Circles { centres, .. } => centres.to_vec(),
+            PlacingRule::Slotted { pivot, pin, .. } => vec![*pivot, *pin],
             PlacingRule::OnLine { centre, .. } => vec![*centre],
         }
     }
@@ -82,6 +92,7 @@ pub fn order(linkage: &Linkage) -> Result<Vec<PlacedJoint>, Faults> {
         let unknown = || (0..known.len()).filter(|j| !known[*j]);
         let next = unknown()
             .find_map(|joint| Some((joint, carried(linkage, &known, joint)?)))
+            .or_else(|| unknown().find_map(|joint| Some((joint, slotted(linkage, &known, joint)?))))
             .or_else(|| unknown().find_map(|joint| Some((joint, on_line(linkage, &known, joint)?))))
             .or_else(|| {
                 unknown().find_map(|joint| Some((joint, circles(linkage, &known, joint)?)))
@@ -114,6 +125,23 @@ fn carried(linkage: &Linkage, known: &[bool], joint: usize) -> Option<PlacingRul
         let size = along.norm2();
         let parts = [along.dot(to) / size, along.cross(to) / size];
         Some(PlacingRule::Carried { base: [first, second], parts })
+    })
+}
+
+/// Sine of the angle between a slot and the line to the pivot that counts as none: the places have
+/// some fourteen digits.
+const THROUGH: f64 = 1e-9;
+
+fn slotted(linkage: &Linkage, known: &[bool], joint: usize) -> Option<PlacingRule> {
+    let at = |j: usize| linkage.joints[j].at;
+    linkage.slides.iter().filter(|s| known[s.joint]).find_map(|slide| {
+        let lever = slide.on.filter(|b| linkage.bodies[*b].joints.contains(&joint))?;
+        let pivot = linkage.bodies[lever].joints.iter().copied().find(|j| known[*j])?;
+        let toward = (at(slide.joint) - at(pivot)).unit()?;
+        let to = at(joint) - at(pivot);
+        let parts = [toward.dot(to), toward.cross(to)];
+        let through = toward.cross(slide.direction).abs() < THROUGH;
+        through.then_some(PlacingRule::Slotted { pivot, pin: slide.joint, parts })
     })
 }
 

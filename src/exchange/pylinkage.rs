@@ -54,6 +54,11 @@ pub fn script(linkage: &Linkage) -> Result<String, Faults> {
                 let (distance, angle) = (parts.norm() * linkage.length(*a, *b), parts.angle());
                 format!("FixedDyad({}, {}, {distance}, {angle}", joint(*a), joint(*b))
             }
+            PlacingRule::Slotted { pivot, pin, parts: [along, left] } => {
+                let arm = Vec2::new(*along, *left);
+                let (a, b) = (joint(*pivot), joint(*pin));
+                format!("FixedDyad({a}, {b}, {}, {}", arm.norm(), arm.angle())
+            }
             PlacingRule::Circles { centres: [a, b], .. } => {
                 let (one, other) = (linkage.length(*a, *j), linkage.length(*b, *j));
                 format!("RRRDyad({}, {}, {one}, {other}, {x}, {y}", joint(*a), joint(*b))
@@ -75,7 +80,10 @@ pub fn script(linkage: &Linkage) -> Result<String, Faults> {
         .iter()
         .filter_map(|p| match p.rule {
             PlacingRule::OnLine { slide, .. } => Some(format!("*line_{slide}, ")),
-            PlacingRule::Crank | PlacingRule::Carried { .. } | PlacingRule::Circles { .. } => None,
+            PlacingRule::Crank
+            | PlacingRule::Carried { .. }
+            | PlacingRule::Slotted { .. }
+            | PlacingRule::Circles { .. } => None,
         })
         .collect();
     let _ = writeln!(
@@ -98,8 +106,8 @@ fn text(of: &str) -> String {
 /// two joints is written as links of two joints with one name.
 ///
 /// # Errors
-/// Those of [`order`]; `export` for a straight lever whose third joint carries other links: the
-/// program has no joint for it there.
+/// Those of [`order`]; `export` for a slot in a moving link, and for a straight lever whose
+/// third joint carries other links: the program has no joint for them there.
 pub fn file(linkage: &Linkage) -> Result<String, Faults> {
     let placed = order(linkage)?;
     let name = |j: usize| Json::from(linkage.joints[j].name.clone());
@@ -153,6 +161,13 @@ pub fn file(linkage: &Linkage) -> Result<String, Faults> {
                     bar(body, *a, *j, &mut links);
                     bar(body, *b, *j, &mut links);
                 }
+            }
+            PlacingRule::Slotted { .. } => {
+                let what = both!(
+                    "a slot in a moving link in a file; write a script, x.py",
+                    "文件中的活动构件上的导槽；请写成脚本 x.py"
+                );
+                return Err(not_exported(what).into());
             }
             PlacingRule::Circles { centres, bodies, .. } => {
                 for (centre, body) in centres.iter().zip(bodies) {

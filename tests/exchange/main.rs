@@ -8,7 +8,7 @@ use serde_json::Value as Json;
 use std::path::Path;
 
 /// Linkages of circles and lines whose cranks turn fully.
-const TURNING: [&str; 9] = [
+const TURNING: [&str; 12] = [
     "atkinson",
     "crank-rocker",
     "crossed-four-bar",
@@ -17,7 +17,10 @@ const TURNING: [&str; 9] = [
     "offset-slider-crank",
     "pump-jack",
     "radial-engine",
+    "shaper",
+    "slotted-lever",
     "watt-six-bar",
+    "whitworth",
 ];
 
 /// Largest distance (mm) of a joint from its place after up to a turn of one-degree steps.
@@ -73,6 +76,9 @@ fn other_programs_move_the_joints_as_the_sweep_does() {
         program().args(sweep).args(["--find", &find.join(","), "-o", &table]).assert().success();
         for ending in ["py", "json", "ggb"] {
             let file = at(&format!("x.{ending}"));
+            if ending == "json" && pylinkage::file(&of).is_err() {
+                continue;
+            }
             program().args(["export", &scene, "-o", &file]).assert().success();
             let Some(told) = read_back(&[ending, &file, &table]) else { continue };
             let worst = told["worst_mm"].as_f64().unwrap();
@@ -86,11 +92,12 @@ fn other_programs_move_the_joints_as_the_sweep_does() {
 fn linkages_come_back() {
     for name in TURNING {
         let given = linkage(&template(name));
+        let file = pylinkage::file(&given).ok();
         let back = [
-            ("pmks", pmks::read(&pmks::text(&given)).unwrap()),
-            ("pylinkage", pylinkage::read(&pylinkage::file(&given).unwrap()).unwrap()),
+            ("pmks", Some(pmks::read(&pmks::text(&given)).unwrap())),
+            ("pylinkage", file.map(|file| pylinkage::read(&file).unwrap())),
         ];
-        for (format, read) in back {
+        for (format, read) in back.into_iter().filter_map(|(f, read)| Some((f, read?))) {
             let again = linkage(&exchange::scene(&read).text);
             for of in [&read, &again] {
                 let sorted = |of: &Linkage| {
@@ -179,7 +186,8 @@ fn drawings_have_true_millimetres_on_layers_by_meaning() {
         for layer in ["LINKS", "JOINTS", "GROUND", "GIVEN", "TEXT"] {
             assert!(drawn["layers"][layer].as_u64() > Some(0), "{layer}: {}", drawn["layers"]);
         }
-        assert!(drawn["texts"].as_array().unwrap().iter().any(|t| t == "B"));
+        let texts = drawn["texts"].as_array().unwrap();
+        assert!(texts.iter().any(|t| t == "B") && texts.iter().any(|t| t == "ω"), "{texts:?}");
     }
     if let Some(drawn) = read_back(&["dxf", &at("v.dxf")]) {
         let from_pole = |l: &&Json| l[0] == 0.0 && l[1] == 0.0;

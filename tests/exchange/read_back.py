@@ -70,8 +70,9 @@ class Construction:
             names[key] = self.value[match.group(0)]
             return key
 
-        body = re.sub(r"[^\W\d_]+'?(?:_\{[^}]*\})?(?!\()", lambda m: named(m) if m.group(0) in self.value else m.group(0), text)
-        body = re.sub(r"\b(x|y)\(", lambda m: f"of_{m.group(1)}(", body)
+        label = r"[^\W\d_]+'?(?:_\{[^}]*\})?(?!\()"
+        body = re.sub(label, lambda m: named(m) if m.group(0) in self.value else m.group(0), text)
+        body = re.sub(r"\b(x|y)\(", lambda m: f"of_{m.group(1)}(", pairs(body))
         return eval(body, {**names, "of_x": lambda p: p.x, "of_y": lambda p: p.y, "V": V, "__builtins__": {}})
 
     def run(self, drag):
@@ -86,8 +87,7 @@ class Construction:
                     c = item.find("coords")
                     self.value[label] = V(float(c.get("x")), float(c.get("y")))
             elif item.tag == "expression":
-                text = re.sub(r"\((?=[xy(])", "(", item.get("exp"))
-                self.value[item.get("label")] = self.expression(pairs(text))
+                self.value[item.get("label")] = self.expression(item.get("exp"))
             elif item.tag == "command":
                 given = [item.find("input").get(f"a{k}") for k in range(len(item.find("input").attrib))]
                 out = [item.find("output").get(f"a{k}") for k in range(len(item.find("output").attrib))]
@@ -113,6 +113,9 @@ class Construction:
             at = V(float(c.get("x")), float(c.get("y"))) - centre
             angle = math.atan2(at.y, at.x) + drag
             v[out[0]] = centre + V(radius * math.cos(angle), radius * math.sin(angle))
+        elif name == "Distance":
+            d = v[given[1]] - v[given[0]]
+            v[out[0]] = math.hypot(d.x, d.y)
         elif name == "Intersect":
             found = crossings(v[given[0]], v[given[1]])
             # The order of two crossings is that of no program.
@@ -207,10 +210,11 @@ def geogebra(path, table):
 
 def dxf(path):
     """Layers with the number of their entities, the centres of the joints, texts and lines."""
-    import ezdxf
+    from ezdxf import recover
 
-    drawing = ezdxf.readfile(path)
-    faults = [e.message for e in drawing.audit().errors]
+    # Only this reader takes characters by their numbers in Unicode, as drawing programs do.
+    drawing, audit = recover.readfile(path)
+    faults = [e.message for e in audit.errors]
     assert not faults, faults
     layers, joints, texts, lines = {}, [], [], []
     for e in drawing.modelspace():

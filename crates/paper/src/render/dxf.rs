@@ -5,9 +5,10 @@
 //! other curves become polylines. [`drawn`] gives the lines and texts of a figure.
 
 use crate::paper::arrow;
-use crate::paper::extent::on_circle;
+use crate::paper::extent::{anchor_shift_em, on_circle};
 use crate::paper::item::{Anchor, FigureItem, PathPiece, Shape};
 use crate::paper::label::Label;
+use crate::paper::text::{self, TextRun};
 use hodograph_base::geom::{Point, Vec2};
 use std::f64::consts::TAU;
 
@@ -40,16 +41,12 @@ pub enum Entity {
     Closed(Vec<Vec2>),
     /// An open chain of lines.
     Open(Vec<Vec2>),
-    /// A line of text.
+    /// A line of text between the ends of its baseline.
     Text {
-        /// Position of the anchor on the baseline.
-        at: Vec2,
+        /// The ends of the baseline: the text is set as wide.
+        ends: [Vec2; 2],
         /// Height of a capital letter.
         height: f64,
-        /// Reading direction (degrees).
-        degrees: f64,
-        /// The point of the line that is placed at `at`.
-        anchor: Anchor,
         /// The characters.
         text: String,
     },
@@ -79,10 +76,6 @@ fn entities(item: &FigureItem, scale: f64) -> Vec<Entity> {
         }
         let degrees = [from_rad.min(to_rad), from_rad.max(to_rad)];
         Entity::Arc { centre, radius, degrees: degrees.map(|a| a.to_degrees().rem_euclid(360.0)) }
-    };
-    let text = |p: Point, label: &Label, size_mm: f64, degrees, anchor| {
-        let (height, text) = (CAPITAL * size_mm * scale, label.plain());
-        vec![Entity::Text { at: at(p), height, degrees, anchor, text }]
     };
     match &item.shape {
         Shape::Line { from, to, .. } => vec![Entity::Line([at(*from), at(*to)])],
@@ -127,10 +120,34 @@ fn entities(item: &FigureItem, scale: f64) -> Vec<Entity> {
             std::iter::once(shaft).chain(head).collect()
         }
         Shape::Turned { at, angle_rad, label, size_mm, .. } => {
-            text(*at, label, *size_mm, angle_rad.to_degrees(), Anchor::Middle)
+            letters(*at, label, *size_mm * scale, (*angle_rad, Anchor::Middle), scale)
         }
-        Shape::Label { at, label, size_mm, anchor, .. } => text(*at, label, *size_mm, 0.0, *anchor),
+        Shape::Label { at, label, size_mm, anchor, .. } => {
+            letters(*at, label, *size_mm * scale, (0.0, *anchor), scale)
+        }
     }
+}
+
+/// The runs of a label: letters and scripts, each as wide as on paper in any font.
+fn letters(
+    at: Point,
+    label: &Label,
+    size: f64,
+    (angle_rad, anchor): (f64, Anchor),
+    scale: f64,
+) -> Vec<Entity> {
+    let set = text::set(label);
+    let right = Vec2::from_angle(angle_rad);
+    let shift = anchor_shift_em(anchor, set.width_em);
+    let place = |x_em: f64, y_em: f64| {
+        at.to_vec2() * scale + (right * (x_em - shift) + right.perp() * y_em) * size
+    };
+    let run = |run: &TextRun| {
+        let width: f64 = run.glyphs.iter().map(|g| g.advance_em).sum();
+        let ends = [run.x_em, run.x_em + width * run.size_em].map(|x| place(x, run.y_em));
+        Entity::Text { ends, height: CAPITAL * size * run.size_em, text: run.text.clone() }
+    };
+    set.runs.iter().filter(|r| !r.text.trim().is_empty()).map(run).collect()
 }
 
 /// Returns the file, with each entity on the layer given with it.
@@ -160,22 +177,16 @@ pub fn dxf(entities: &[(&str, Entity)]) -> String {
             }
             Entity::Closed(points) => out.chain(layer, points, "1"),
             Entity::Open(points) => out.chain(layer, points, "0"),
-            Entity::Text { at, height, degrees, anchor, text } => {
+            Entity::Text { ends: [from, to], height, text } => {
+                // 72: the text is fitted between the two points.
                 out.text(0, "TEXT")
                     .text(8, layer)
-                    .point(0, *at)
+                    .point(0, *from)
                     .number(40, *height)
                     .text(1, &ascii(text))
-                    .number(50, *degrees);
-                // Of a text that is not aligned at its start, the second point counts.
-                let aligned = match anchor {
-                    Anchor::Start => None,
-                    Anchor::Middle => Some("1"),
-                    Anchor::End => Some("2"),
-                };
-                if let Some(aligned) = aligned {
-                    out.text(72, aligned).point(1, *at);
-                }
+                    .number(50, (*to - *from).angle().to_degrees())
+                    .text(72, "5")
+                    .point(1, *to);
             }
         }
     }
@@ -187,7 +198,10 @@ pub fn dxf(entities: &[(&str, Entity)]) -> String {
 fn ascii(text: &str) -> String {
     let mut out = String::new();
     for c in text.chars() {
-        if c.is_ascii() && !c.is_ascii_control() {
+        if c == '^' {
+            // A caret begins the name of a control character.
+            out += "^ ";
+        } else if c.is_ascii() && !c.is_ascii_control() {
             out.push(c);
         } else if !c.is_control() {
             c.encode_utf16(&mut [0; 2]).iter().for_each(|u| out += &format!("\\U+{u:04X}"));
