@@ -200,7 +200,7 @@
 //! lesson     diag budget notation digits geom scene mechanism position plan construct construction equilibrium sweep paper render worked certified centres synthesis particle report figure webfont
 //! problem    diag json kind notation digits geom scene mechanism position answer plan construct sweep paper render worked certified attempts synthesis particle equation report figure worksheet lesson
 //! zip        -
-//! homework   diag digits scene answer sweep paper render worked attempts report worksheet problem zip
+//! homework   diag digits scene answer sweep paper render worked attempts report figure worksheet problem zip
 //! exchange   diag notation geom scene position paper render worked figure zip
 //! cli        diag json notation digits geom cam scene mechanism plan sweep paper render worked certified effort centres composite attempts curvature inversions loops report figure worksheet lesson problem homework exchange zip
 //! ```

@@ -111,7 +111,11 @@ fn exported(
             };
             let text = match format {
                 ExportFormat::Tikz => tikz::tikz(figure).map_err(|f| file.failed(f))?,
-                _ => exchange::drawing(figure),
+                ExportFormat::Dxf
+                | ExportFormat::Ggb
+                | ExportFormat::Pylinkage
+                | ExportFormat::PylinkageJson
+                | ExportFormat::Pmks => exchange::drawing(figure),
             };
             Ok(text.into_bytes())
         }

@@ -58,6 +58,18 @@ pub(super) const WORDS: &[(&str, &str, &str)] = &[
     ("batch", "format", "-o 没有这样的结尾时的格式（`-o -` 默认为 csv，有 --shard 时为 parquet）"),
     (
         "worksheet",
+        "frame",
+        "改为作图用纸：按比例画出机构，给出极点和比例尺，并留出多边形所需的位置；另写 NAME-overlay.pdf，即可覆盖其上批改的答案",
+    ),
+    ("worksheet", "page", "用于 --frame：页面幅面，如 a4、a4-landscape、a3"),
+    (
+        "variants",
+        "frame",
+        "另写 frames.pdf，即每道题的作图用纸：按比例画出机构，给出极点和比例尺，并留出多边形所需的位置；以及 overlays.pdf，即可覆盖其上批改的答案",
+    ),
+    ("variants", "page", "用于 --frame：页面幅面，如 a4、a4-landscape、a3"),
+    (
+        "worksheet",
         "format",
         "-o 没有这样的结尾时的格式，如 pdf,html；多种格式时文件名各加结尾（`-o -` 默认为 html）",
     ),
