@@ -133,7 +133,8 @@ pub enum Command {
     /// Compare two figures (SVG, PNG): vectors that moved, items, texts, pixels; exit code 1 where
     /// they differ
     Diff(DiffArgs),
-    /// Write the file of another program: drawing (DXF), GeoGebra, TikZ, linkage of pylinkage or PMKS
+    /// Write the file of another program: drawing (DXF), GeoGebra, TikZ, slides (PPTX), linkage of
+    /// pylinkage or PMKS
     Export(ExportArgs),
     /// Read a linkage of pylinkage or PMKS, and write its scene
     Import(ImportArgs),

@@ -5,17 +5,19 @@ use super::target::is_stream;
 use super::values::{ExportFormat, ImportFormat};
 use super::{CommandResult, Failure, InputFile, args, errors, files, look_of, places, verdict};
 use crate::diag::{Diagnostic, Faults, both};
-use crate::exchange::{self, Linkage, geogebra, pmks, pylinkage};
+use crate::exchange::{self, Linkage, geogebra, pmks, pptx, pylinkage};
+use crate::figure::list::{Extras, FigureInput};
 use crate::problem::{self, Kind, Look, Options, Pictures, Solved, Wish};
 use crate::render::tikz;
 use std::path::Path;
 use std::process::ExitCode;
 
 /// The formats by the endings of their files.
-const ENDINGS: [(&str, ExportFormat); 7] = [
+const ENDINGS: [(&str, ExportFormat); 8] = [
     ("dxf", ExportFormat::Dxf),
     ("ggb", ExportFormat::Ggb),
     ("tikz", ExportFormat::Tikz),
+    ("pptx", ExportFormat::Pptx),
     ("py", ExportFormat::Pylinkage),
     ("json", ExportFormat::PylinkageJson),
     ("txt", ExportFormat::Pmks),
@@ -71,6 +73,13 @@ fn exported(
 ) -> Result<Vec<u8>, Failure> {
     let drawn = matches!(format, ExportFormat::Dxf | ExportFormat::Tikz);
     match solved.mechanism() {
+        Some((scene, worked)) if format == ExportFormat::Pptx => {
+            let (options, extras) = (look.sheet_of(scene), Extras::default());
+            let wanted = FigureInput { scene, worked, options: &options, extras: &extras };
+            let made = pptx::pptx(&wanted).map_err(|f| file.failed(f))?;
+            file.notes.extend(made.notes);
+            Ok(made.value)
+        }
         Some((scene, worked)) if !drawn => {
             let (lang, _) = look.of(scene.language, None);
             let linkage = Linkage::of(scene, worked, scene.title.get(lang).to_owned());
@@ -78,9 +87,10 @@ fn exported(
                 ExportFormat::Ggb => geogebra::ggb(&linkage),
                 ExportFormat::Pylinkage => pylinkage::script(&linkage).map(String::into_bytes),
                 ExportFormat::PylinkageJson => pylinkage::file(&linkage).map(String::into_bytes),
-                ExportFormat::Pmks | ExportFormat::Dxf | ExportFormat::Tikz => {
-                    Ok(pmks::text(&linkage).into_bytes())
-                }
+                ExportFormat::Pmks
+                | ExportFormat::Dxf
+                | ExportFormat::Tikz
+                | ExportFormat::Pptx => Ok(pmks::text(&linkage).into_bytes()),
             });
             written.map_err(|f| file.failed(f))
         }
@@ -115,7 +125,8 @@ fn exported(
                 | ExportFormat::Ggb
                 | ExportFormat::Pylinkage
                 | ExportFormat::PylinkageJson
-                | ExportFormat::Pmks => exchange::drawing(figure),
+                | ExportFormat::Pmks
+                | ExportFormat::Pptx => exchange::drawing(figure),
             };
             Ok(text.into_bytes())
         }

@@ -84,6 +84,7 @@ pub enum ExportFormat {
     Dxf,
     Ggb,
     Tikz,
+    Pptx,
     Pylinkage,
     PylinkageJson,
     Pmks,

@@ -10,6 +10,7 @@ pub mod geogebra;
 mod linkage;
 mod placing;
 pub mod pmks;
+pub mod pptx;
 pub mod pylinkage;
 mod scene;
 

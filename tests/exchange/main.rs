@@ -3,7 +3,7 @@
 
 use assert_cmd::Command;
 use hodograph::exchange::{self, Linkage, PlacingRule, pmks, pylinkage};
-use hodograph::problem::{Options, read, solve, templates};
+use hodograph::problem::{Look, Options, Pictures, read, solve, templates};
 use serde_json::Value as Json;
 use std::path::Path;
 
@@ -193,5 +193,32 @@ fn drawings_have_true_millimetres_on_layers_by_meaning() {
         let from_pole = |l: &&Json| l[0] == 0.0 && l[1] == 0.0;
         let lines = drawn["lines"].as_array().unwrap();
         assert!(lines.iter().filter(from_pole).count() >= 2, "{lines:?}");
+    }
+}
+
+/// Each step of the construction is a slide with its sentence as text and its drawing as PNG and SVG.
+#[test]
+fn every_step_is_a_slide_with_text_beside_its_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |file: &str| folder.path().join(file).to_str().unwrap().to_owned();
+    std::fs::write(at("s.json"), template("slider-crank")).unwrap();
+    program().args(["export", &at("s.json"), "-o", &at("s.pptx")]).assert().success();
+    let solved = solve(&read(template("slider-crank")).unwrap().value, &Options::with_figures());
+    let pictures = Pictures { steps: true, ..Pictures::default() };
+    let steps = solved.unwrap().figures(&pictures, &Look::default()).unwrap().value.len();
+    let bytes = std::fs::read(at("s.pptx")).unwrap();
+    let has = |name: &str| bytes.windows(name.len()).any(|w| w == name.as_bytes());
+    for k in 1..=steps {
+        assert!(has(&format!("ppt/slides/slide{k}.xml")) && has(&format!("ppt/media/step{k}.svg")));
+    }
+    assert!(!has(&format!("ppt/slides/slide{}.xml", steps + 1)));
+    let Some(slides) = read_back(&["pptx", &at("s.pptx")]) else { return };
+    assert_eq!(slides.as_array().unwrap().len(), steps);
+    for slide in slides.as_array().unwrap() {
+        let said = |k: usize| slide["texts"][k].as_str().unwrap();
+        assert!(said(0).contains("step") && said(1).len() > 8, "{slide}");
+        assert_eq!(slide["pictures"], serde_json::json!(["image/png"]));
+        let ends = slide["ends"][0].as_array().unwrap();
+        assert!(ends[0].as_f64() < Some(8_640_000.0) && ends[1].as_f64() < Some(6_858_000.0));
     }
 }

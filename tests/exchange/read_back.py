@@ -228,11 +228,24 @@ def dxf(path):
     return {"layers": layers, "joints": joints, "texts": texts, "lines": lines}
 
 
+def pptx(path):
+    """Title, sentence and pictures of each slide."""
+    from pptx import Presentation
+
+    slides = []
+    for slide in Presentation(path).slides:
+        texts = [s.text_frame.text for s in slide.placeholders]
+        pictures = [s for s in slide.shapes if s.shape_type == 13]
+        ends = [(p.left + p.width, p.top + p.height) for p in pictures]
+        slides.append({"texts": texts, "pictures": [p.image.content_type for p in pictures], "ends": ends})
+    return slides
+
+
 def main():
     kind, path = sys.argv[1:3]
     try:
-        if kind == "dxf":
-            print(json.dumps(dxf(path)))
+        if kind in ("dxf", "pptx"):
+            print(json.dumps({"dxf": dxf, "pptx": pptx}[kind](path)))
             return
         table = rows(sys.argv[3])
         worst, count = {"py": pylinkage_script, "json": pylinkage_file, "ggb": geogebra}[kind](path, table)

@@ -6,13 +6,13 @@ use crate::figure::list::FigureEntry;
 
 #[derive(ClapArgs, Debug)]
 #[command(
-    after_help = "dxf: the mechanism in the millimetres of the scene, other figures in those of the paper. ggb: GeoGebra, the crank can be dragged. tikz: a picture for LaTeX. pylinkage: a Python script; pylinkage-json: the file of its module `mechanism`. pmks: the text of PMKS. ggb, pylinkage and pmks take linkages with pins and straight guides, one crank on the ground"
+    after_help = "dxf: the mechanism in the millimetres of the scene, other figures in those of the paper. ggb: GeoGebra, the crank can be dragged. tikz: a picture for LaTeX. pptx: a slide for each step of the construction. pylinkage: a Python script; pylinkage-json: the file of its module `mechanism`. pmks: the text of PMKS. ggb, pylinkage and pmks take linkages with pins and straight guides, one crank on the ground"
 )]
 pub struct ExportArgs {
     #[command(flatten)]
     pub common: CommonArgs,
-    /// The file, or `-` for standard output; its ending decides: .dxf, .ggb, .tikz, .py and .json
-    /// (pylinkage), .txt and .csv (PMKS)
+    /// The file, or `-` for standard output; its ending decides: .dxf, .ggb, .tikz, .pptx, .py and
+    /// .json (pylinkage), .txt and .csv (PMKS)
     #[arg(short, long, value_name = "FILE")]
     pub output: String,
     /// Format where the ending does not say it

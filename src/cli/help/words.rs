@@ -400,16 +400,20 @@ pub(super) const WORDS: &[(&str, &str, &str)] = &[
     ),
     ("variants", "output", "文件所在的文件夹"),
     ("variants", "digits", "解答的有效数字，1 到 30 位"),
-    ("export", "", "写成其他软件的文件：图纸（DXF）、GeoGebra、TikZ、pylinkage 或 PMKS 的机构文件"),
+    (
+        "export",
+        "",
+        "写成其他软件的文件：图纸（DXF）、GeoGebra、TikZ、幻灯片（PPTX）、pylinkage 或 PMKS 的机构文件",
+    ),
     (
         "export",
         "*after",
-        "dxf：机构以机构文件的毫米为单位，其他图以图纸毫米为单位。ggb：GeoGebra，可拖动曲柄。tikz：LaTeX 图。pylinkage：Python 脚本；pylinkage-json：其模块 `mechanism` 的文件。pmks：PMKS 的文本。ggb、pylinkage 和 pmks 只能表示由铰链和直导路组成、以一个机架上的曲柄为原动件的连杆机构",
+        "dxf：机构以机构文件的毫米为单位，其他图以图纸毫米为单位。ggb：GeoGebra，可拖动曲柄。tikz：LaTeX 图。pptx：每个作图步骤一张幻灯片。pylinkage：Python 脚本；pylinkage-json：其模块 `mechanism` 的文件。pmks：PMKS 的文本。ggb、pylinkage 和 pmks 只能表示由铰链和直导路组成、以一个机架上的曲柄为原动件的连杆机构",
     ),
     (
         "export",
         "output",
-        "写入的文件，或 `-`（标准输出）；由结尾决定格式：.dxf、.ggb、.tikz、.py 和 .json（pylinkage）、.txt 和 .csv（PMKS）",
+        "写入的文件，或 `-`（标准输出）；由结尾决定格式：.dxf、.ggb、.tikz、.pptx、.py 和 .json（pylinkage）、.txt 和 .csv（PMKS）",
     ),
     ("export", "to", "文件名结尾未指明时的格式"),
     ("export", "figure", "用于 dxf 和 tikz：所取的图"),
