@@ -376,11 +376,11 @@ pub struct WorksheetArgs {
     /// Solve by the analytic method: the vector loops, every unknown as a formula with its number
     #[arg(long, conflicts_with_all = ["find_the_mistake", "mobility"])]
     pub loops: bool,
-    /// A sheet to draw on instead: the mechanism to scale, poles, scales, and the room that the
+    /// A sheet to draw on instead: the mechanism to scale, poles, scales, and the space that the
     /// polygons need; beside it NAME-overlay.pdf, the solution to lay over it
     #[arg(long, conflicts_with_all = ["problem_only", "solution", "find_the_mistake", "mobility", "loops", "pick"])]
     pub frame: bool,
-    /// Of --frame: format of the pages, such as a4, a4-landscape, a3
+    /// Format of the pages of --frame, such as a4, a4-landscape, a3
     #[arg(long, value_name = "FORMAT", requires = "frame", default_value = "a4")]
     pub page: String,
     /// For a synthesis file: the candidate, counted from 1 in the order of `hodograph synth`

@@ -3,7 +3,7 @@
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::geom::{Point, Vec2};
 use crate::position::Path;
-use crate::scene::{DriverKind, GuidePath, LinkId, PointId, Scene};
+use crate::scene::{GuidePath, LinkId, PointId, Scene};
 use crate::worked::Worked;
 
 /// A joint, or another point of a link.
@@ -84,7 +84,7 @@ impl Linkage {
             }
         }
         let mut body_of = vec![None; scene.links.len()];
-        let mut bodies = Vec::new();
+        let mut bodies: Vec<LinkageBody> = Vec::new();
         for (l, link) in scene.links.iter().enumerate().filter(|(l, _)| LinkId(*l) != scene.ground)
         {
             let joints: Vec<usize> = link.points.iter().filter_map(|p| number[p.0]).collect();
@@ -106,22 +106,19 @@ impl Linkage {
                 _ => lacking(both!("slides without a pin", "没有销的移动副")),
             }
         }
-        let mut crank = None;
-        match scene.drivers.as_slice() {
-            [driver] => match driver.kind {
-                DriverKind::Turn { link, against, .. } if against == scene.ground => {
-                    let body = body_of[link.0];
-                    let pivot = body.and_then(|b: usize| {
-                        bodies[b].joints.iter().copied().find(|j| joints[*j].fixed)
-                    });
-                    crank = body.zip(pivot).map(|(b, p)| (b, p, driver.rate.value));
-                }
-                DriverKind::Turn { .. }
-                | DriverKind::Slide { .. }
-                | DriverKind::Cylinder { .. } => {}
-            },
-            _ => {}
-        }
+        let crank = match scene.drivers.as_slice() {
+            [driver] => {
+                driver.kind.turned().filter(|(_, against)| *against == scene.ground).and_then(
+                    |(link, _)| {
+                        let body = body_of[link.0]?;
+                        let fixed = |j: &usize| joints[*j].fixed;
+                        let pivot = bodies[body].joints.iter().copied().find(fixed)?;
+                        Some((body, pivot, driver.rate.value))
+                    },
+                )
+            }
+            _ => None,
+        };
         if crank.is_none() {
             lacking(both!(
                 "drivers other than one crank about a fixed pivot",

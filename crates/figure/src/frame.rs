@@ -1,5 +1,5 @@
 //! A sheet to draw on: the given mechanism to scale, the pole and the scales of each polygon with
-//! the room that its solution needs; and the solution as an overlay, with the same pole and scales in
+//! the space that its solution needs; and the solution as an overlay, with the same pole and scales in
 //! the same places, for marking by laying it over.
 //!
 //! Both are one drawing, laid out once and then divided: what is given goes to the sheet, the
