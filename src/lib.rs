@@ -110,7 +110,7 @@
 //! - [`webfont`]: the embedded fonts of every page.
 //! - [`homework`]: variants of a problem for a class, their keys, marks, and questions for learning
 //!   platforms.
-//! - [`exchange`]: files of other programs: DXF, GeoGebra, slides, and linkages of pylinkage and PMKS in
+//! - [`exchange`]: files of other programs: DXF, GeoGebra, slides, mdBook, and linkages of pylinkage and PMKS in
 //!   both directions; [`zip`]: archives.
 //! - [`problem`]: every kind of file through one call: read, solve, and write the answers; a figure
 //!   that is drawn again while drivers are dragged ([`problem::Live`]).

@@ -138,6 +138,16 @@ pub enum Command {
     Export(ExportArgs),
     /// Read a linkage of pylinkage or PMKS, and write its scene
     Import(ImportArgs),
+    /// Preprocessor of mdBook: fenced scenes (```hodograph) become drawings; mdBook calls it, by
+    /// [preprocessor.hodograph] command = "hodograph mdbook"
+    Mdbook {
+        /// `supports` asks if a renderer is supported
+        #[arg(value_name = "supports")]
+        asked: Option<String>,
+        /// The renderer, such as html
+        #[arg(requires = "asked")]
+        renderer: Option<String>,
+    },
     /// Edit a file in the browser: the page at an address of this machine, saving to the file and
     /// following its changes by other editors
     Edit(EditArgs),

@@ -1,11 +1,11 @@
-//! `hodograph export` and `hodograph import`: files of other programs.
+//! `hodograph export`, `hodograph import` and `hodograph mdbook`: files of other programs.
 
 use super::draw::style_of;
 use super::target::is_stream;
 use super::values::{ExportFormat, ImportFormat};
 use super::{CommandResult, Failure, InputFile, args, errors, files, look_of, places, verdict};
 use crate::diag::{Diagnostic, Faults, both};
-use crate::exchange::{self, Linkage, geogebra, pmks, pptx, pylinkage};
+use crate::exchange::{self, Linkage, geogebra, mdbook, pmks, pptx, pylinkage};
 use crate::figure::list::{Extras, FigureInput};
 use crate::problem::{self, Kind, Look, Options, Pictures, Solved, Wish};
 use crate::render::tikz;
@@ -157,4 +157,40 @@ pub fn import(a: &args::ImportArgs) -> CommandResult {
     }
     errors::tell(&Faults { list: scene.notes }, &name, "");
     Ok(ExitCode::SUCCESS)
+}
+
+/// Runs `mdbook`: the answer to `supports` is the exit code; drawings are SVG in HTML.
+pub fn mdbook(asked: Option<&str>, renderer: Option<&str>) -> CommandResult {
+    match (asked, renderer) {
+        (Some("supports"), renderer) => {
+            return Ok(if renderer == Some("html") {
+                ExitCode::SUCCESS
+            } else {
+                ExitCode::from(1)
+            });
+        }
+        (Some(other), _) => {
+            let d = Diagnostic::error(
+                "import",
+                both!("mdBook does not ask `{other}`", "mdBook 没有 `{other}` 这种询问"),
+            );
+            return Err(Failure::argument(
+                "supports",
+                other,
+                d.help(both!("the book comes on standard input", "书由标准输入给出")),
+            ));
+        }
+        (None, _) => {}
+    }
+    let (name, bytes) = files::scene("-").map_err(|d| Failure::input(d, "-", ""))?;
+    let text = String::from_utf8_lossy(&bytes);
+    // mdBook runs its preprocessors in the folder of the book.
+    let mut beside = |chapter: &str, file: &str| {
+        let source = Path::new("src").join(chapter).with_file_name(file);
+        let path = source.to_string_lossy().into_owned();
+        let (_, bytes) = files::scene(&path)?;
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
+    };
+    let book = mdbook::book(&text, &mut beside).map_err(|f| Failure::input(f, &name, ""))?;
+    files::print(&book)
 }

@@ -124,6 +124,9 @@ fn run() -> ExitCode {
         Command::Edit(a) => edit::run(a),
         Command::Export(a) => export::export(a),
         Command::Import(a) => export::import(&a),
+        Command::Mdbook { asked, renderer } => {
+            export::mdbook(asked.as_deref(), renderer.as_deref())
+        }
         Command::New { template, set, output } => {
             template::new(template.as_deref(), &set, output.as_deref())
         }

@@ -222,3 +222,44 @@ fn every_step_is_a_slide_with_text_beside_its_picture() {
         assert!(ends[0].as_f64() < Some(8_640_000.0) && ends[1].as_f64() < Some(6_858_000.0));
     }
 }
+
+/// mdBook's protocol: the renderer is answered by the exit code; fenced scenes, templates and files
+/// in chapters and their subchapters become drawings with ids of their own, and other blocks stay.
+#[test]
+fn scenes_in_a_book_become_drawings() {
+    program().args(["mdbook", "supports", "html"]).assert().code(0);
+    program().args(["mdbook", "supports", "pandoc"]).assert().code(1);
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir_all(folder.path().join("src/part")).unwrap();
+    std::fs::write(folder.path().join("src/part/s.json"), template("shaper")).unwrap();
+    let scene = template("crank-rocker");
+    let inner = "Text.\n```hodograph figure=velocity lang=zh\ns.json\n```\n";
+    let outer = format!(
+        "# One\n```hodograph figure=mechanism\n{scene}\n```\n\n```rust\n# hodograph\n```\n```hodograph\nslider-crank\n```\nEnd"
+    );
+    let book = serde_json::json!([{"root": "."}, {"sections": [
+        {"Chapter": {"name": "One", "content": outer, "path": "one.md", "sub_items": [
+            {"Chapter": {"name": "Two", "content": inner, "path": "part/two.md", "sub_items": []}}
+        ]}}, "Separator"], "__non_exhaustive": null}]);
+    let run = |input: String| {
+        program().current_dir(folder.path()).arg("mdbook").write_stdin(input).assert()
+    };
+    let out = run(book.to_string()).success().get_output().stdout.clone();
+    let out: Json = serde_json::from_slice(&out).unwrap();
+    let one = &out["sections"][0]["Chapter"];
+    let text = one["content"].as_str().unwrap();
+    assert_eq!(text.matches("<svg").count(), 2, "{text}");
+    assert!(text.contains("```rust\n# hodograph\n```\n") && text.ends_with("End\n"));
+    assert!(text.contains("id=\"hg1-mechanism") && text.contains("id=\"hg2-"));
+    // HTML within Markdown ends at a blank line.
+    let drawing = &text[text.find("<svg").unwrap()..text.find("</svg>").unwrap()];
+    assert!(!drawing.contains("\n\n"));
+    let two = one["sub_items"][0]["Chapter"]["content"].as_str().unwrap();
+    assert!(two.contains("id=\"hg3-vel-") && two.contains("速度多边形"), "{two}");
+    let wrong = outer.replace("figure=mechanism", "figure=nothing");
+    let book =
+        serde_json::json!([{}, {"items": [{"Chapter": {"content": wrong, "path": "one.md"}}]}]);
+    let said = run(book.to_string()).code(2).get_output().stderr.clone();
+    assert!(String::from_utf8(said).unwrap().contains("figure=nothing"));
+    run("{}".into()).code(2);
+}

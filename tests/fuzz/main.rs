@@ -256,6 +256,7 @@ fn fuzz_arguments() {
         "export scene.json --figure mechanism -o x.dxf",
         "export scene.json --to pmks -o x.txt",
         "import linkage.txt --from pmks -o new.json",
+        "mdbook supports html",
         "limits scene.json --json",
         "plan scene.json --json",
         "synth wish.json --pick 1 -o design.json",

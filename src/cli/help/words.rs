@@ -417,6 +417,13 @@ pub(super) const WORDS: &[(&str, &str, &str)] = &[
     ),
     ("export", "to", "文件名结尾未指明时的格式"),
     ("export", "figure", "用于 dxf 和 tikz：所取的图"),
+    (
+        "mdbook",
+        "",
+        "mdBook 的预处理器：代码块中的机构文件（```hodograph）换成图；由 mdBook 调用：[preprocessor.hodograph] command = \"hodograph mdbook\"",
+    ),
+    ("mdbook", "asked", "`supports` 询问是否支持某种输出"),
+    ("mdbook", "renderer", "输出的种类，如 html"),
     ("import", "", "读入 pylinkage 或 PMKS 的连杆机构，写成机构文件"),
     (
         "import",
