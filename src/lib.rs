@@ -201,7 +201,7 @@
 //! problem    diag json kind notation digits geom scene mechanism position answer plan construct sweep paper render worked certified attempts synthesis particle equation report figure worksheet lesson
 //! zip        -
 //! homework   diag digits scene answer sweep paper render worked attempts report figure worksheet problem zip
-//! exchange   diag notation geom scene position paper render worked figure zip
+//! exchange   diag notation geom scene position paper render worked figure problem zip
 //! cli        diag json notation digits geom cam scene mechanism plan sweep paper render worked certified effort centres composite attempts curvature inversions loops report figure worksheet lesson problem homework exchange zip
 //! ```
 //!
