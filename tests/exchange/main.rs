@@ -263,3 +263,25 @@ fn scenes_in_a_book_become_drawings() {
     assert!(String::from_utf8(said).unwrap().contains("figure=nothing"));
     run("{}".into()).code(2);
 }
+
+/// The example for Typst is set with figures that are drawn by the command that it names.
+#[test]
+fn the_typst_example_finds_its_figures() {
+    let folder = tempfile::tempdir().unwrap();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for file in ["hodograph.typ", "demo.typ"] {
+        std::fs::copy(root.join("examples/typst").join(file), folder.path().join(file)).unwrap();
+    }
+    let demo = std::fs::read_to_string(root.join("examples/typst/demo.typ")).unwrap();
+    let line = demo.lines().next().unwrap().strip_prefix("// hodograph ").unwrap();
+    std::fs::write(folder.path().join("shaper.json"), template("shaper")).unwrap();
+    let line = line.replace("../../templates/", "");
+    program().current_dir(folder.path()).args(line.split(' ')).assert().success();
+    for figure in ["mechanism", "velocity"] {
+        assert!(demo.contains(&format!("\"{figure}\"")));
+        assert!(folder.path().join(format!("figures/shaper-{figure}.svg")).exists());
+    }
+    let file = folder.path().join("demo.typ").to_str().unwrap().to_owned();
+    let Some(pages) = read_back(&["typ", &file]) else { return };
+    assert!(pages[0].as_str().unwrap().matches("<image").count() >= 2);
+}

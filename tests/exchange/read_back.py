@@ -241,11 +241,19 @@ def pptx(path):
     return slides
 
 
+def typ(path):
+    """The pages of a Typst document as SVG."""
+    import typst
+
+    pages = typst.compile(path, format="svg")
+    return [page.decode() for page in (pages if isinstance(pages, list) else [pages])]
+
+
 def main():
     kind, path = sys.argv[1:3]
     try:
-        if kind in ("dxf", "pptx"):
-            print(json.dumps({"dxf": dxf, "pptx": pptx}[kind](path)))
+        if kind in ("dxf", "pptx", "typ"):
+            print(json.dumps({"dxf": dxf, "pptx": pptx, "typ": typ}[kind](path)))
             return
         table = rows(sys.argv[3])
         worst, count = {"py": pylinkage_script, "json": pylinkage_file, "ggb": geogebra}[kind](path, table)
