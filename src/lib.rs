@@ -110,6 +110,8 @@
 //! - [`webfont`]: the embedded fonts of every page.
 //! - [`homework`]: variants of a problem for a class, their keys, marks, and questions for learning
 //!   platforms.
+//! - [`exchange`]: files of other programs: DXF, GeoGebra, slides, mdBook, and linkages of pylinkage and PMKS in
+//!   both directions; [`zip`]: archives.
 //! - [`problem`]: every kind of file through one call: read, solve, and write the answers; a figure
 //!   that is drawn again while drivers are dragged ([`problem::Live`]).
 //! - [`cli`]: the only module that prints, reads arguments or touches files; [`parts`] of it, a
@@ -197,8 +199,10 @@
 //! worksheet  diag notation digits geom scene mechanism answer plan construct paper render worked certified centres attempts loops synthesis particle equation report figure webfont
 //! lesson     diag budget notation digits geom scene mechanism position plan construct construction equilibrium sweep paper render worked certified centres synthesis particle report figure webfont
 //! problem    diag json kind notation digits geom scene mechanism position answer plan construct sweep paper render worked certified attempts synthesis particle equation report figure worksheet lesson
-//! homework   diag digits scene answer sweep paper render worked attempts report worksheet problem
-//! cli        diag json notation digits geom cam scene mechanism plan sweep paper render worked certified effort centres composite attempts curvature inversions loops report figure worksheet lesson problem homework
+//! zip        -
+//! homework   diag digits scene answer sweep paper render worked attempts report figure worksheet problem zip
+//! exchange   diag notation geom scene position paper render worked figure problem zip
+//! cli        diag json notation digits geom cam scene mechanism plan sweep paper render worked certified effort centres composite attempts curvature inversions loops report figure worksheet lesson problem homework exchange zip
 //! ```
 //!
 //! # Extension
@@ -275,11 +279,15 @@ pub use hodograph_worked::{accuracy, certified, effort, worked};
 #[cfg(feature = "cli")]
 mod cli;
 #[cfg(feature = "cli")]
+pub mod exchange;
+#[cfg(feature = "cli")]
 pub mod homework;
 pub mod lesson;
 pub mod problem;
 mod webfont;
 pub mod worksheet;
+#[cfg(feature = "cli")]
+mod zip;
 
 /// Runs the command-line program on the arguments of the process; only the binary calls it.
 #[cfg(feature = "cli")]

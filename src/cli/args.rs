@@ -2,6 +2,7 @@
 
 mod batch;
 mod diff;
+mod exchange;
 mod homework;
 mod motion;
 mod paths;
@@ -15,6 +16,7 @@ use crate::figure::list::{FigureEntry, USUAL};
 pub use batch::{BatchArgs, ShardsArgs, VariedArgs};
 use clap::{Args as ClapArgs, Parser, Subcommand};
 pub use diff::DiffArgs;
+pub use exchange::{ExportArgs, ImportArgs};
 pub use homework::{MarkArgs, VariantsArgs};
 pub use motion::{AnimateArgs, PathArgs, TravelArgs};
 pub use paths::{CurvatureArgs, InversionsArgs};
@@ -131,6 +133,21 @@ pub enum Command {
     /// Compare two figures (SVG, PNG): vectors that moved, items, texts, pixels; exit code 1 where
     /// they differ
     Diff(DiffArgs),
+    /// Write the file of another program: drawing (DXF), GeoGebra, TikZ, slides (PPTX), linkage of
+    /// pylinkage or PMKS
+    Export(ExportArgs),
+    /// Read a linkage of pylinkage or PMKS, and write its scene
+    Import(ImportArgs),
+    /// Preprocessor of mdBook: fenced scenes (```hodograph) become drawings; mdBook calls it, by
+    /// [preprocessor.hodograph] command = "hodograph mdbook"
+    Mdbook {
+        /// `supports` asks if a renderer is supported
+        #[arg(value_name = "supports")]
+        asked: Option<String>,
+        /// The renderer, such as html
+        #[arg(requires = "asked")]
+        renderer: Option<String>,
+    },
     /// Edit a file in the browser: the page at an address of this machine, saving to the file and
     /// following its changes by other editors
     Edit(EditArgs),
@@ -369,6 +386,13 @@ pub struct WorksheetArgs {
     /// Solve by the analytic method: the vector loops, every unknown as a formula with its number
     #[arg(long, conflicts_with_all = ["find_the_mistake", "mobility"])]
     pub loops: bool,
+    /// A sheet to draw on instead: the mechanism to scale, poles, scales, and the space that the
+    /// polygons need; beside it NAME-overlay.pdf, the solution to lay over it
+    #[arg(long, conflicts_with_all = ["problem_only", "solution", "find_the_mistake", "mobility", "loops", "pick"])]
+    pub frame: bool,
+    /// Format of the pages of --frame, such as a4, a4-landscape, a3
+    #[arg(long, value_name = "FORMAT", requires = "frame", default_value = "a4")]
+    pub page: String,
     /// For a synthesis file: the candidate, counted from 1 in the order of `hodograph synth`
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub pick: Option<u64>,

@@ -20,6 +20,7 @@ mod draw;
 mod edit;
 mod errors;
 mod explain;
+mod export;
 mod files;
 mod help;
 mod ids;
@@ -121,6 +122,11 @@ fn run() -> ExitCode {
         Command::Readings(a) => readings::run(a),
         Command::Diff(a) => diff::run(a),
         Command::Edit(a) => edit::run(a),
+        Command::Export(a) => export::export(a),
+        Command::Import(a) => export::import(&a),
+        Command::Mdbook { asked, renderer } => {
+            export::mdbook(asked.as_deref(), renderer.as_deref())
+        }
         Command::New { template, set, output } => {
             template::new(template.as_deref(), &set, output.as_deref())
         }

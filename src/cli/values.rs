@@ -78,6 +78,25 @@ pub enum Platform {
     Prairielearn,
 }
 
+/// Formats of other programs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ExportFormat {
+    Dxf,
+    Ggb,
+    Tikz,
+    Pptx,
+    Pylinkage,
+    PylinkageJson,
+    Pmks,
+}
+
+/// Formats of linkages that are read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ImportFormat {
+    Pylinkage,
+    Pmks,
+}
+
 /// Actions of `shards`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum ShardsAction {

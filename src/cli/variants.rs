@@ -5,9 +5,11 @@ use super::together::Together;
 use super::values::Platform;
 use super::{CommandResult, Failure, SceneInput, args, files, look_of, places};
 use crate::diag::{Diagnostic, Warned, both};
-use crate::homework::platforms::{self, PlatformFile, PlatformSet, QtiVersion};
+use crate::homework::platforms::{self, PlatformSet, QtiVersion};
 use crate::homework::{self, HomeworkRequest, keys, sheets};
+use crate::scene::{self, PageFormat};
 use crate::worksheet::WorksheetSides;
+use crate::zip::ArchiveFile;
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -55,6 +57,14 @@ pub fn run(a: args::VariantsArgs) -> CommandResult {
         input.file.notes.extend(notes);
         made.extend(one(path, value));
     }
+    if a.frame {
+        let page = whole_page(&a.page)?;
+        let Warned { value: [frames, overlays], notes } =
+            sheets::frames(&all, &look, &page).map_err(|f| input.failed(f))?;
+        input.file.notes.extend(notes);
+        made.extend(one("frames.pdf", frames));
+        made.extend(one("overlays.pdf", overlays));
+    }
     let platforms = places::once(&a.to);
     if !platforms.is_empty() {
         let set = platforms::questions(&all, &look).map_err(|f| input.failed(f))?;
@@ -65,7 +75,7 @@ pub fn run(a: args::VariantsArgs) -> CommandResult {
     made.extend(one("answers.csv", keys::csv(&all).into_bytes()));
     made.extend(one("values.csv", keys::values_csv(&all).into_bytes()));
     let (mut together, mut written) = (Together::default(), String::new());
-    for PlatformFile { path, bytes } in made {
+    for ArchiveFile { path, bytes } in made {
         let path = Path::new(&a.output).join(path);
         together.add(&path, &bytes)?;
         written += &format!("{}\n", path.display());
@@ -76,12 +86,27 @@ pub fn run(a: args::VariantsArgs) -> CommandResult {
     Ok(ExitCode::SUCCESS)
 }
 
-fn one(path: &str, bytes: Vec<u8>) -> Vec<PlatformFile> {
-    vec![PlatformFile { path: path.to_owned(), bytes }]
+/// Reads the page of a sheet to draw on.
+///
+/// # Errors
+/// `paper` if it is no format of a sheet of paper or of a slide.
+pub(super) fn whole_page(text: &str) -> Result<PageFormat, Failure> {
+    let page = scene::page(text).map_err(|faults| Failure::argument("--page", text, faults))?;
+    if page.whole {
+        return Ok(page);
+    }
+    let message = both!("{text} is not a sheet of paper", "{text} 不是图纸幅面");
+    let d = Diagnostic::error("paper", message)
+        .help(both!("write --page a4 or --page a3", "请写 --page a4 或 --page a3"));
+    Err(Failure::argument("--page", text, d))
+}
+
+fn one(path: &str, bytes: Vec<u8>) -> Vec<ArchiveFile> {
+    vec![ArchiveFile { path: path.to_owned(), bytes }]
 }
 
 /// Returns the files of a platform.
-fn exported(platform: Platform, set: &PlatformSet) -> Result<Vec<PlatformFile>, Failure> {
+fn exported(platform: Platform, set: &PlatformSet) -> Result<Vec<ArchiveFile>, Failure> {
     Ok(match platform {
         Platform::Moodle => {
             let text =

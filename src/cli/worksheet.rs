@@ -2,14 +2,18 @@
 
 use super::draw::style_of;
 use super::mobility::posed_scene;
-use super::places::{OutputPlace, one_result, places};
+use super::places::{OutputPlace, of_name, one_result, places, shown};
+use super::target::is_stream;
 use super::together::Together;
 use super::values::SheetFormat;
+use super::variants::whole_page;
 use super::{
     CommandResult, Failure, InputFile, SceneInput, args, choices, files, granted, ids, look_of,
     verdict,
 };
 use crate::diag::{Diagnostic, Faults, both};
+use crate::figure::frame::working_frame;
+use crate::figure::list::{Extras, FigureInput};
 use crate::figure::sheet;
 use crate::paper::style::Style;
 use crate::paper::words::words;
@@ -26,6 +30,9 @@ use std::process::ExitCode;
 
 /// Runs the command.
 pub fn run(a: args::WorksheetArgs) -> CommandResult {
+    if a.frame {
+        return frame(&a);
+    }
     let files = Files::of(&a)?;
     let style = style_of(&a.look)?;
     let sides = match (a.problem_only, a.solution) {
@@ -63,6 +70,45 @@ pub fn run(a: args::WorksheetArgs) -> CommandResult {
     file.notes.extend(document.remarks());
     file.say_notes();
     Ok(verdict(solved.verdict()))
+}
+
+/// Writes the sheet to draw on and its overlay.
+fn frame(a: &args::WorksheetArgs) -> CommandResult {
+    let page = whole_page(&a.page)?;
+    let path = Path::new(&a.output);
+    if is_stream(&a.output) || of_name(&a.output) != Some(SheetFormat::Pdf) {
+        let d = Diagnostic::error(
+            "output",
+            both!("{} is not a .pdf file", "{}不是 .pdf 文件", shown(&a.output)),
+        )
+        .help(both!("write -o frame.pdf", "请写 -o frame.pdf"));
+        return Err(Failure::argument("-o", &a.output, d));
+    }
+    let style = style_of(&a.look)?;
+    let mut input = SceneInput::read(&a.common)?.drawn_in(&style);
+    let worked = input.work(Scope::Figure)?;
+    let look = look_of(&a.common, style, a.digits);
+    let (options, extras) = (look.sheet_of(&input.scene), Extras::default());
+    let wanted =
+        FigureInput { scene: &input.scene, worked: &worked, options: &options, extras: &extras };
+    let pages = working_frame(&wanted, &page).map_err(|f| input.failed(f))?;
+    let (blanks, overlays): (Vec<_>, Vec<_>) =
+        pages.into_iter().map(|page| (page.blank, page.overlay)).unzip();
+    let stem = path.file_stem().and_then(|s| s.to_str()).unwrap_or("frame");
+    let beside = path.with_file_name(format!("{stem}-overlay.pdf"));
+    let (mut all, mut names) = (Together::default(), String::new());
+    for (path, figures) in [(path, blanks), (&beside, overlays)] {
+        let made = pdf::pdf(&figures).map_err(|f| input.failed(f))?;
+        let new = |n: &Diagnostic| !input.file.notes.contains(n);
+        let notes: Vec<_> = made.notes.into_iter().filter(new).collect();
+        input.file.notes.extend(notes);
+        all.add(path, &made.value)?;
+        names += &format!("{}\n", path.display());
+    }
+    all.appear()?;
+    files::print_names(&names)?;
+    input.file.say_notes();
+    Ok(ExitCode::SUCCESS)
 }
 
 fn options(

@@ -3,12 +3,14 @@
 
 use super::HomeworkVariant;
 use crate::diag::{Faults, Warned, both};
+use crate::figure::frame::{FramePage, working_frame};
+use crate::figure::list::{Extras, FigureInput};
 use crate::paper::phrase::Phrase;
 use crate::paper::words::words;
 use crate::problem::Look;
 use crate::render::pages::Page;
 use crate::render::pdf;
-use crate::scene::Lang;
+use crate::scene::{Lang, Localized, PageFormat};
 use crate::worksheet::{Document, DocumentBlock, WorksheetSides, WorksheetTask, pages};
 
 /// Returns the document of one side of a variant.
@@ -42,6 +44,37 @@ pub fn document(
         document.blocks.insert(at, DocumentBlock::Paragraph(words));
     }
     Ok(document)
+}
+
+/// Returns the sheets to draw on of all variants as one PDF, and their overlays as another.
+///
+/// # Errors
+/// Those of [`working_frame`] and of the PDF.
+pub fn frames(
+    all: &[HomeworkVariant],
+    look: &Look,
+    page: &PageFormat,
+) -> Result<Warned<[Vec<u8>; 2]>, Faults> {
+    let (mut blanks, mut overlays) = (Vec::new(), Vec::new());
+    let extras = Extras::default();
+    for variant in all {
+        let Some((scene, worked)) = variant.solved.mechanism() else { continue };
+        let options = look.sheet_of(scene);
+        let title = titled(scene.title.get(options.lang), variant.number, options.lang);
+        let title = match &variant.student {
+            Some(name) => format!("{title} · {name}"),
+            None => title,
+        };
+        let mut scene = scene.clone();
+        scene.title = Localized { en: title.clone(), zh: title };
+        let wanted = FigureInput { scene: &scene, worked, options: &options, extras: &extras };
+        for FramePage { blank, overlay } in working_frame(&wanted, page)? {
+            blanks.push(blank);
+            overlays.push(overlay);
+        }
+    }
+    let Warned { value: blanks, notes } = pdf::pdf(&blanks)?;
+    Ok(Warned { value: [blanks, pdf::pdf(&overlays)?.value], notes })
 }
 
 /// Returns the title of a variant.

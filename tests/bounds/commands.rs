@@ -29,7 +29,7 @@ const MOST_MB: f64 = 300.0;
 
 /// Every command with its outputs that cost most, each also as JSON. Work whose size the user
 /// states (steps, frames, positions, mechanisms) is small here.
-const COMMANDS: [&str; 46] = [
+const COMMANDS: [&str; 51] = [
     "draw SCENE -o a.svg",
     "draw SCENE --format pdf,svg --figure mechanism,velocity,acceleration,equations,results -o o/",
     "draw SCENE --format svg --figure forces,lever -o o/",
@@ -50,6 +50,11 @@ const COMMANDS: [&str; 46] = [
     "worksheet SCENE --find-the-mistake -o w.md",
     "worksheet SCENE --mobility -o w.typ",
     "variants SCENE --to moodle,qti3,qti2,canvas,prairielearn -o set/",
+    "worksheet SCENE --frame -o f.pdf",
+    "export SCENE -o e.dxf",
+    "export SCENE -o e.ggb",
+    "export SCENE -o e.pptx",
+    "export SCENE --to pmks -o -",
     "accuracy SCENE --json --patience 1",
     "sweep SCENE -o s.json",
     "sweep SCENE --steps 36 -o s.csv",

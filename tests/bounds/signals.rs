@@ -16,17 +16,19 @@ const MOST_S: f64 = 1.5;
 /// Deadline on a machine under any load.
 const DEADLINE: Duration = Duration::from_secs(60);
 /// Commands that take at most a second with any scene; `shards` reads as much as there is.
-pub const AT_ONCE: [&str; 7] = ["new", "templates", "schema", "explain", "diff", "shards", "mark"];
+pub const AT_ONCE: [&str; 9] =
+    ["new", "templates", "schema", "explain", "diff", "shards", "mark", "import", "mdbook"];
 
 /// Every command at a size that takes it seconds (or its longest possible time): its arguments, and
 /// the scene.
-const LONG: [(&str, &str); 26] = [
+const LONG: [(&str, &str); 27] = [
     ("draw SCENE -o a.svg", "points-1900"),
     ("draw SCENE --figure mechanism --dimensions -o b.svg", "points-1900"),
     ("lesson SCENE --positions 360 -o c.html", "points-40"),
     ("solve SCENE --steps --digits 30", "chain-200"),
     ("plan SCENE --json --figure", "chain-200"),
     ("worksheet SCENE -o d.pdf", "points-1900"),
+    ("export SCENE -o n.pptx", "chain-60"),
     ("variants SCENE --vary l_OA=80..100/0.01 --count 200 -o set", "six"),
     ("accuracy SCENE --patience 10000 --toward-toggle", "six"),
     ("sweep SCENE --steps 10000000 -o e.npy", "six"),

@@ -192,7 +192,7 @@ fn fuzz_styles() {
 }
 
 /// Words of a command line: commands, options, valid and invalid values.
-const WORDS: &str = "draw lesson solve plan worksheet accuracy sweep batch curves path limits new templates schema explain --lang en zh --notation cn \
+const WORDS: &str = "draw lesson solve plan worksheet accuracy sweep batch curves path limits new templates schema explain export import --to dxf ggb pptx pmks --from pylinkage --frame --page a4 x.dxf x.ggb x.txt --lang en zh --notation cn \
     -o a.svg a.png a.pdf a.csv a.json a.npy a.parquet a.md a.typ a.html out/ /dev/null scene.json style.json missing.json - . .. --format svg,png pdf csv,json --errors json text dead-centre --width 90mm --solved \
     --figure mechanism,velocity sheet results --vectors velocity acceleration --poses 0 2 73 -1 --path E,B Q --dimensions --text editable --steps 3 \
     360 --style print slides dark --font --digits 6 30 31 --drafting 0.1mm --drafting=0.1mm 9mm --dpi 40 1e9 --reveal --positions 8 --driver 1 9 --json \
@@ -252,6 +252,11 @@ fn fuzz_arguments() {
         "worksheet scene.json -o a.md",
         "variants scene.json --vary l_AB=80..90/5 --count 2 --seed 2 --to moodle,qti3 -o set",
         "mark marks.csv --keys keys.csv -o a.csv",
+        "worksheet scene.json --frame --page a4 -o a.pdf",
+        "export scene.json --figure mechanism -o x.dxf",
+        "export scene.json --to pmks -o x.txt",
+        "import linkage.txt --from pmks -o new.json",
+        "mdbook supports html",
         "limits scene.json --json",
         "plan scene.json --json",
         "synth wish.json --pick 1 -o design.json",
@@ -287,6 +292,8 @@ fn fuzz_arguments() {
     let seeds: Vec<String> = right.iter().map(|s| s.to_string()).collect();
     let folder = tempfile::tempdir().unwrap();
     fs::copy(root("templates/crank-rocker.json"), folder.path().join("scene.json")).unwrap();
+    let linkage = "ground,a,R,0,0\na,b,R,0,10\nb,c,R,12,2\nground,c,P,12,0,0\n";
+    fs::write(folder.path().join("linkage.txt"), linkage).unwrap();
     for (name, seed) in [
         ("wish", "synthesis/time-ratio"),
         ("cam", "cam-offset-roller"),

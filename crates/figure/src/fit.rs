@@ -33,7 +33,11 @@ const LEAST_TYPE: f64 = 0.64;
 ///
 /// # Errors
 /// The size of its ink (mm) if it is too large.
-fn on_page(format: &PageFormat, mut figure: Figure, several: bool) -> Result<Figure, [f64; 2]> {
+pub(super) fn on_page(
+    format: &PageFormat,
+    mut figure: Figure,
+    several: bool,
+) -> Result<Figure, [f64; 2]> {
     let Some(ink) = bounds(&figure.items) else { return Ok(figure) };
     let (size, inner) = ([ink.width_mm(), ink.height_mm()], format.inner_mm());
     if size[0] > inner[0] || size[1] > inner[1] {

@@ -25,6 +25,7 @@ mod described;
 mod extremes;
 pub mod fit;
 pub mod forces;
+pub mod frame;
 mod gears;
 pub mod groups;
 pub(crate) mod hodograph;

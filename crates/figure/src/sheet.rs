@@ -473,7 +473,7 @@ impl SheetDrafter<'_> {
     }
 
     /// The title of a page of several.
-    fn page_title(&self, width_mm: f64, page: usize, pages: usize) -> Option<DrawingPart> {
+    pub fn page_title(&self, width_mm: f64, page: usize, pages: usize) -> Option<DrawingPart> {
         let title = self.scene.title.get(self.options.lang);
         let text = match self.options.lang {
             _ if page == 1 => title.to_owned(),

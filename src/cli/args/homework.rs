@@ -27,6 +27,13 @@ pub struct VariantsArgs {
     /// pencil's tolerance, the picture, and feedback for typical mistakes
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
     pub to: Vec<Platform>,
+    /// Also frames.pdf, a sheet to draw on for each variant: the mechanism to scale, poles, scales,
+    /// and the space that the polygons need; and overlays.pdf, the solutions to lay over them
+    #[arg(long)]
+    pub frame: bool,
+    /// Format of the pages of --frame, such as a4, a4-landscape, a3
+    #[arg(long, value_name = "FORMAT", requires = "frame", default_value = "a4")]
+    pub page: String,
     /// Folder of the files
     #[arg(short, long, value_name = "FOLDER")]
     pub output: String,

@@ -58,6 +58,18 @@ pub(super) const WORDS: &[(&str, &str, &str)] = &[
     ("batch", "format", "-o 没有这样的结尾时的格式（`-o -` 默认为 csv，有 --shard 时为 parquet）"),
     (
         "worksheet",
+        "frame",
+        "改为作图用纸：按比例画出机构，给出极点和比例尺，并留出多边形所需的位置；另写 NAME-overlay.pdf，即可覆盖其上批改的答案",
+    ),
+    ("worksheet", "page", "用于 --frame：页面幅面，如 a4、a4-landscape、a3"),
+    (
+        "variants",
+        "frame",
+        "另写 frames.pdf，即每道题的作图用纸：按比例画出机构，给出极点和比例尺，并留出多边形所需的位置；以及 overlays.pdf，即可覆盖其上批改的答案",
+    ),
+    ("variants", "page", "用于 --frame：页面幅面，如 a4、a4-landscape、a3"),
+    (
+        "worksheet",
         "format",
         "-o 没有这样的结尾时的格式，如 pdf,html；多种格式时文件名各加结尾（`-o -` 默认为 html）",
     ),
@@ -388,6 +400,38 @@ pub(super) const WORDS: &[(&str, &str, &str)] = &[
     ),
     ("variants", "output", "文件所在的文件夹"),
     ("variants", "digits", "解答的有效数字，1 到 30 位"),
+    (
+        "export",
+        "",
+        "写成其他软件的文件：图纸（DXF）、GeoGebra、TikZ、幻灯片（PPTX）、pylinkage 或 PMKS 的机构文件",
+    ),
+    (
+        "export",
+        "*after",
+        "dxf：机构以机构文件的毫米为单位，其他图以图纸毫米为单位。ggb：GeoGebra，可拖动曲柄。tikz：LaTeX 图。pptx：每个作图步骤一张幻灯片。pylinkage：Python 脚本；pylinkage-json：其模块 `mechanism` 的文件。pmks：PMKS 的文本。ggb、pylinkage 和 pmks 只能表示由铰链和直导路组成、以一个机架上的曲柄为原动件的连杆机构",
+    ),
+    (
+        "export",
+        "output",
+        "写入的文件，或 `-`（标准输出）；由结尾决定格式：.dxf、.ggb、.tikz、.pptx、.py 和 .json（pylinkage）、.txt 和 .csv（PMKS）",
+    ),
+    ("export", "to", "文件名结尾未指明时的格式"),
+    ("export", "figure", "用于 dxf 和 tikz：所取的图"),
+    (
+        "mdbook",
+        "",
+        "mdBook 的预处理器：代码块中的机构文件（```hodograph）换成图；由 mdBook 调用：[preprocessor.hodograph] command = \"hodograph mdbook\"",
+    ),
+    ("mdbook", "asked", "`supports` 询问是否支持某种输出"),
+    ("mdbook", "renderer", "输出的种类，如 html"),
+    ("import", "", "读入 pylinkage 或 PMKS 的连杆机构，写成机构文件"),
+    (
+        "import",
+        "file",
+        "其他软件的连杆机构：pylinkage 的 .json（`mechanism_to_json`），PMKS 的 .txt 或 .csv；`-` 为标准输入",
+    ),
+    ("import", "from", "文件名结尾未指明时的格式"),
+    ("import", "output", "把机构文件写入该文件（默认：`-`，标准输出）"),
     ("mark", "", "按 `variants` 的答案批改全班的作业：按作图误差给部分分，并指出可能的错误"),
     (
         "mark",

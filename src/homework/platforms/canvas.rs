@@ -3,19 +3,19 @@
 //! Canvas imports an exact value or a range as the right answer, and shows one comment for all wrong
 //! answers. It lists the typical mistakes without their values, which would bound the right one.
 
-use super::zip::zip;
-use super::{Judgement, PlatformFile, PlatformQuestion, PlatformSet, PlatformTask};
+use super::{Judgement, PlatformQuestion, PlatformSet, PlatformTask};
 use crate::homework::keys::number;
 use crate::render::escaped;
+use crate::zip::{ArchiveFile, zip};
 
 /// Writes the questions as a package (ZIP).
 pub fn canvas(set: &PlatformSet) -> Vec<u8> {
     let mut all =
-        vec![PlatformFile { path: "imsmanifest.xml".into(), bytes: manifest(set).into_bytes() }];
+        vec![ArchiveFile { path: "imsmanifest.xml".into(), bytes: manifest(set).into_bytes() }];
     for task in &set.tasks {
         let assessment = assessment(task).into_bytes();
-        all.push(PlatformFile { path: format!("{0}/{0}.xml", task.name), bytes: assessment });
-        all.push(PlatformFile {
+        all.push(ArchiveFile { path: format!("{0}/{0}.xml", task.name), bytes: assessment });
+        all.push(ArchiveFile {
             path: format!("images/{}.png", task.name),
             bytes: task.picture.clone(),
         });

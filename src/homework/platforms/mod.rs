@@ -10,7 +10,6 @@ mod markup;
 mod moodle;
 mod prairielearn;
 mod qti;
-mod zip;
 
 use super::mark::{HALF, INACCURATE};
 use super::{HomeworkVariant, KeyEntry, keys, sheets};
@@ -33,15 +32,6 @@ const DPI: f64 = 144.0;
 
 /// Largest size of the problems (bytes), each repeated in all its questions.
 const MOST_TEXT: usize = 16 << 20;
-
-/// A file of an export.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PlatformFile {
-    /// Its path in the folder of the set, with `/`.
-    pub path: String,
-    /// Its contents.
-    pub bytes: Vec<u8>,
-}
 
 /// The questions of a variant.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,8 +5,9 @@
 //! pictures are in `clientFilesQuestion`. Numbers are checked by `server.py` with the absolute
 //! tolerance of the key, in the order of the judgements.
 
-use super::{PlatformFile, PlatformQuestion, PlatformSet};
+use super::{PlatformQuestion, PlatformSet};
 use crate::render::escaped;
+use crate::zip::ArchiveFile;
 use serde_json::{Value as Json, json};
 
 /// The folder of the question.
@@ -46,9 +47,8 @@ def grade(data):
 "#;
 
 /// Returns the files of the question.
-pub fn prairielearn(set: &PlatformSet) -> Vec<PlatformFile> {
-    let file =
-        |name: &str, bytes: Vec<u8>| PlatformFile { path: format!("{FOLDER}/{name}"), bytes };
+pub fn prairielearn(set: &PlatformSet) -> Vec<ArchiveFile> {
+    let file = |name: &str, bytes: Vec<u8>| ArchiveFile { path: format!("{FOLDER}/{name}"), bytes };
     let variants: Vec<Json> = set
         .tasks
         .iter()

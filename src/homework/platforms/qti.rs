@@ -5,11 +5,11 @@
 //! `is-null` is excluded: players give credit to an empty or unreadable response when `equal` has a
 //! tolerance.
 
-use super::zip::zip;
-use super::{Judgement, PlatformFile, PlatformQuestion, PlatformSet, PlatformTask};
+use super::{Judgement, PlatformQuestion, PlatformSet, PlatformTask};
 use crate::homework::keys::number;
 use crate::paper::words::words;
 use crate::render::escaped;
+use crate::zip::{ArchiveFile, zip};
 
 /// A version of QTI.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,17 +26,17 @@ pub fn qti(set: &PlatformSet, version: QtiVersion) -> Vec<u8> {
 }
 
 /// Returns the files of the package.
-pub fn files(set: &PlatformSet, version: QtiVersion) -> Vec<PlatformFile> {
-    let mut all = vec![PlatformFile {
+pub fn files(set: &PlatformSet, version: QtiVersion) -> Vec<ArchiveFile> {
+    let mut all = vec![ArchiveFile {
         path: "imsmanifest.xml".into(),
         bytes: manifest(set, version).into_bytes(),
     }];
     for task in &set.tasks {
-        all.push(PlatformFile {
+        all.push(ArchiveFile {
             path: format!("images/{}.png", task.name),
             bytes: task.picture.clone(),
         });
-        all.extend(task.questions.iter().map(|q| PlatformFile {
+        all.extend(task.questions.iter().map(|q| ArchiveFile {
             path: format!("items/{}.xml", q.name),
             bytes: named(&item(set, task, q, version), version).into_bytes(),
         }));

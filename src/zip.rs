@@ -1,7 +1,5 @@
-//! Packages of the platforms: ZIP archives (APPNOTE 6.3) whose files are stored as they are, with
-//! one fixed date, so that the same files give the same bytes.
-
-use super::PlatformFile;
+//! ZIP archives (APPNOTE 6.3) whose files are stored as they are, with one fixed date, so that the
+//! same files give the same bytes.
 
 /// The first of January 1980, the beginning of dates in archives.
 const DATE: u16 = 0x21;
@@ -10,8 +8,17 @@ const UTF8: u16 = 0x800;
 /// Version 2.0 is needed to extract.
 const VERSION: u16 = 20;
 
+/// A file for an archive.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ArchiveFile {
+    /// Its path, with `/`.
+    pub path: String,
+    /// Its contents.
+    pub bytes: Vec<u8>,
+}
+
 /// Returns the archive of some files.
-pub fn zip(files: &[PlatformFile]) -> Vec<u8> {
+pub fn zip(files: &[ArchiveFile]) -> Vec<u8> {
     let (mut out, mut directory) = (Vec::new(), Vec::new());
     for file in files {
         let at = size(out.len());
@@ -42,7 +49,7 @@ pub fn zip(files: &[PlatformFile]) -> Vec<u8> {
 }
 
 /// Returns the fields that both headers of a file have.
-fn entry(file: &PlatformFile) -> Vec<u8> {
+fn entry(file: &ArchiveFile) -> Vec<u8> {
     let mut out = Vec::new();
     for field in [VERSION, UTF8, 0, 0, DATE] {
         out.extend(field.to_le_bytes());
