@@ -16,7 +16,7 @@ pub use batch::{BatchArgs, ShardsArgs, VariedArgs};
 use clap::{Args as ClapArgs, Parser, Subcommand};
 pub use diff::DiffArgs;
 pub use homework::{MarkArgs, VariantsArgs};
-pub use motion::{AnimateArgs, PathArgs, TravelArgs};
+pub use motion::{AnimateArgs, CompareArgs, CycleArgs, PathArgs, TravelArgs};
 pub use paths::{CurvatureArgs, InversionsArgs};
 pub use reports::{AttemptsArgs, CentresArgs, CompositeArgs, LimitsArgs, LoopsArgs, ReadingsArgs};
 use serde::{Deserialize, Serialize};
@@ -78,6 +78,12 @@ pub enum Command {
     /// Line diagrams: displacement, velocity, acceleration against the position of the driver or
     /// the time, extremes marked
     Curves(CurvesArgs),
+    /// Compare designs: several scenes side by side in one table (extremes, means, strokes, time
+    /// ratios, transmission angles) and one diagram with a curve for each
+    Compare(CompareArgs),
+    /// Motion cycle: working strokes, returns and dwells of the outputs over a cycle of the driver,
+    /// as a table and a diagram (bars, straight lines, rings)
+    Cycle(CycleArgs),
     /// Paths of points (coupler curves) on the mechanism, and the hodographs of their velocities
     /// and accelerations
     Path(PathArgs),

@@ -12,9 +12,11 @@ mod attempts;
 mod batch;
 mod cam;
 mod centres;
+mod compare;
 mod composite;
 mod curvature;
 mod curves;
+mod cycle;
 mod diff;
 mod draw;
 mod edit;
@@ -109,6 +111,8 @@ fn run() -> ExitCode {
         Command::Path(a) => path::run(a),
         Command::Animate(a) => animate::run(a),
         Command::Cam(a) => cam::run(a),
+        Command::Compare(a) => compare::run(a),
+        Command::Cycle(a) => cycle::run(a),
         Command::Limits(a) => sweep::limits(a),
         Command::Mobility(a) => mobility::run(a),
         Command::Centres(a) => centres::run(a),

@@ -67,9 +67,10 @@ fn quantities(a: &LimitsArgs, find: &str) -> CommandResult {
     let mut input = SceneInput::read(&a.common)?;
     ask(&mut input, Some(find))?;
     input.over_a_table();
-    let (lang, _) = choices(&input.scene, &a.common);
+    let (lang, notation) = choices(&input.scene, &a.common);
     let over = a.over.as_deref();
-    let diagram = listed::listed(&input.scene, over).map_err(|f| input.out_of_range(f))?;
+    let diagram =
+        listed::listed(&input.scene, over, &notation).map_err(|f| input.out_of_range(f))?;
     let driver = input.scene.driver_name(driver_of(&input.scene, over)?).0;
     if a.json {
         files::print(&format!("{:#}\n", listed::json(&diagram, &driver)))?;

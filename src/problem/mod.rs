@@ -12,6 +12,7 @@
 //! and [`Kind`], and a row in [`Kind::grants`].
 
 pub mod batch;
+pub mod compare;
 mod equation;
 pub mod listed;
 mod live;

@@ -14,6 +14,12 @@ pub(super) const HEADINGS: &[(&str, &str)] = &[
     ("Accelerations", "加速度"),
     ("Outlines", "轮廓"),
     ("Text, for drawing programs", "文字，供绘图软件编辑"),
+    ("A row of bars for each output", "直线式：每个输出件一行"),
+    (
+        "Each stroke as a straight line over the position of the driver",
+        "直角坐标式：每个行程一条斜线",
+    ),
+    ("A ring for each output", "圆周式：每个输出件一环"),
 ];
 
 /// Command, argument, help. An empty argument is the command itself, `*` any command.
@@ -290,6 +296,45 @@ pub(super) const WORDS: &[(&str, &str, &str)] = &[
     ("cam", "cam", "机构文件中的第几个凸轮，从 1 数起（默认：全部）"),
     ("cam", "json", "结果为 JSON，国际单位制，角度为弧度"),
     ("cam", "dpi", "PNG 的分辨率（dpi）"),
+    (
+        "compare",
+        "",
+        "方案比较：几个机构并列于一张表（最值、平均值、行程、行程速度变化系数、传动角）和一幅线图，每个方案一条曲线",
+    ),
+    ("compare", "*after", "名称相同的输出件和量互相比较：各方案的点和构件请用相同的字母和编号"),
+    ("compare", "scenes", "机构文件，两个以上；`-` 为标准输入"),
+    ("compare", "set", "改变各机构文件共有的参数的值：NAME=VALUE；不带单位的数沿用原单位"),
+    (
+        "compare",
+        "over",
+        "各机构中使哪个原动件运动，写其名称（`phi_1`、`s_B`、`l_BC`、`driver2`）；其余不动",
+    ),
+    (
+        "compare",
+        "output",
+        "线图写入此文件，以 .svg、.png、.pdf 或 .tikz 结尾；或表写入此文件，以 .csv 或 .json 结尾；`-` 为标准输出（默认：表为文字）",
+    ),
+    (
+        "compare",
+        "format",
+        "-o 没有这样的结尾时的格式，如 svg,csv；多种格式时文件名各加结尾（`-o -` 默认为 svg）",
+    ),
+    ("compare", "json", "表为 JSON，国际单位制"),
+    (
+        "cycle",
+        "",
+        "运动循环图：各输出件在原动件一个循环中的工作行程、回程和停歇，列表并作图（直线式、直角坐标式、圆周式）",
+    ),
+    (
+        "cycle",
+        "*after",
+        "较慢的行程为工作行程；凸轮从动件以及两行程时间相等时，以坐标增大的行程为工作行程",
+    ),
+    ("cycle", "over", "使哪个原动件运动，写其名称（`phi_1`、`s_B`、`l_BC`、`driver2`）；其余不动"),
+    ("cycle", "find", "输出件，如 phi_3,s_C（默认：以机架为支点的各从动构件和机架导路上的各滑块）"),
+    ("cycle", "form", "图的形式"),
+    ("cycle", "output", "以此文件的图代替表，以 .svg、.png、.pdf 或 .tikz 结尾；`-` 为标准输出"),
+    ("cycle", "json", "各阶段为 JSON，国际单位制"),
     ("limits", "", "原动件的活动范围、极限位置和行程、行程速度变化系数、传动角、格拉斯霍夫类型"),
     ("limits", "find", "改列这些量在整个运动中的最大值、最小值和零点，如 v_C,a_C"),
     ("limits", "ranges", "四杆机构：其余三杆不变时，各杆长在什么范围内属于哪种类型"),
