@@ -29,7 +29,7 @@ const MOST_MB: f64 = 300.0;
 
 /// Every command with its outputs that cost most, each also as JSON. Work whose size the user
 /// states (steps, frames, positions, mechanisms) is small here.
-const COMMANDS: [&str; 46] = [
+const COMMANDS: [&str; 48] = [
     "draw SCENE -o a.svg",
     "draw SCENE --format pdf,svg --figure mechanism,velocity,acceleration,equations,results -o o/",
     "draw SCENE --format svg --figure forces,lever -o o/",
@@ -62,6 +62,8 @@ const COMMANDS: [&str; 46] = [
     "animate SCENE --frames 6 -o a.svg",
     "cam SCENE --json",
     "cam SCENE --steps 90 --format svg --profile p.dxf -o cam/",
+    "compare SCENE SCENE -o c.svg",
+    "cycle SCENE --form straight -o c.svg",
     "limits SCENE --json",
     "limits SCENE --ranges --flywheel 1/30",
     "mobility SCENE --json",

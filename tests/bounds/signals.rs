@@ -20,7 +20,7 @@ pub const AT_ONCE: [&str; 7] = ["new", "templates", "schema", "explain", "diff",
 
 /// Every command at a size that takes it seconds (or its longest possible time): its arguments, and
 /// the scene.
-const LONG: [(&str, &str); 26] = [
+const LONG: [(&str, &str); 28] = [
     ("draw SCENE -o a.svg", "points-1900"),
     ("draw SCENE --figure mechanism --dimensions -o b.svg", "points-1900"),
     ("lesson SCENE --positions 360 -o c.html", "points-40"),
@@ -37,6 +37,8 @@ const LONG: [(&str, &str); 26] = [
     ("animate SCENE --frames 360 -o j.gif", "chain-60"),
     ("cam SCENE --steps 100000 --profile k.csv -o k", "cam"),
     ("limits SCENE", "chain-200"),
+    ("compare SCENE SCENE -o n.svg", "chain-200"),
+    ("cycle SCENE -o p.svg", "chain-200"),
     ("mobility SCENE -o l.svg", "chain-200"),
     ("centres SCENE", "chain-30"),
     ("inversions SCENE -o m", "chain-10"),

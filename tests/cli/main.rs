@@ -2,6 +2,8 @@
 
 mod asked;
 mod cams;
+mod compare;
+mod cycle;
 mod designs;
 mod documents;
 mod edit;

@@ -253,6 +253,8 @@ fn fuzz_arguments() {
         "variants scene.json --vary l_AB=80..90/5 --count 2 --seed 2 --to moodle,qti3 -o set",
         "mark marks.csv --keys keys.csv -o a.csv",
         "limits scene.json --json",
+        "compare scene.json scene.json --find v_C -o a.svg",
+        "cycle scene.json --form polar -o a.svg",
         "plan scene.json --json",
         "synth wish.json --pick 1 -o design.json",
         "animate scene.json --frames 3 -o a.gif",
