@@ -375,6 +375,10 @@ pub struct WorksheetArgs {
     /// Solve by the analytic method: the vector loops, every unknown as a formula with its number
     #[arg(long, conflicts_with_all = ["find_the_mistake", "mobility"])]
     pub loops: bool,
+    /// With the solution: the results at N equal steps over the whole motion, in the units of the
+    /// scene's answers, else mm, mm/s, mm/s², degrees
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=720), conflicts_with_all = ["problem_only", "mobility"])]
+    pub table: Option<u16>,
     /// For a synthesis file: the candidate, counted from 1 in the order of `hodograph synth`
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub pick: Option<u64>,
@@ -441,6 +445,10 @@ pub struct SweepArgs {
     pub common: CommonArgs,
     #[command(flatten)]
     pub range: RangeArgs,
+    /// Units of the columns: `book` (those of the scene's answers, else mm, mm/s, mm/s², degrees),
+    /// units such as mm,deg,m/s,r/min, or both (default: SI)
+    #[arg(long, value_name = "LIST")]
+    pub units: Option<String>,
     /// Write to this file, ending in .csv, .json, .npy or .parquet (default: `-`, standard output)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,

@@ -22,6 +22,7 @@ pub mod range;
 mod scene;
 mod task;
 pub mod templates;
+pub mod turn;
 pub mod whole;
 mod wish;
 

@@ -55,6 +55,8 @@ pub enum Wish {
     Mobility,
     /// The analytic method with vector loops.
     Loops,
+    /// A table of the whole motion.
+    Table,
 }
 
 impl Wish {
@@ -71,6 +73,7 @@ impl Wish {
             Wish::Mistake => "--find-the-mistake",
             Wish::Mobility => "--mobility",
             Wish::Loops => "--loops",
+            Wish::Table => "--table",
         }
     }
 }

@@ -242,10 +242,11 @@ impl CycleDiagram<'_> {
     /// Draws the phases of an output as bars.
     fn bars(&mut self, output: &OutputCycle, [low, high]: [f64; 2]) {
         for phase in &output.phases {
-            for ([from, to], _) in self.parts(phase) {
+            for ([from, to], part) in self.parts(phase) {
                 let [a, b] = [from, to].map(|way| self.x(way));
                 self.bar(phase.kind, [a, b], [low, high]);
-                self.phase_words(phase, [a, b], 0.5 * (low + high) - 0.35 * self.style.small_mm);
+                let y = 0.5 * (low + high) - 0.35 * self.style.small_mm;
+                self.phase_words(phase, part, [a, b], y);
             }
         }
     }
@@ -270,13 +271,21 @@ impl CycleDiagram<'_> {
         self.draw("phase", shape);
     }
 
-    /// Writes a phase between two places: its word and its part of the cycle, as far as both fit.
-    fn phase_words(&mut self, phase: &MotionPhase, [a, b]: [f64; 2], y: f64) {
+    /// Writes a part of a phase between two places: its word and, in its longer part, its share of
+    /// the cycle, as far as both fit.
+    fn phase_words(
+        &mut self,
+        phase: &MotionPhase,
+        [start, end]: [f64; 2],
+        [a, b]: [f64; 2],
+        y: f64,
+    ) {
         let (word, size_mm) = (phase.kind.words(self.lang), self.style.small_mm);
         let size = self.number(self.cycle.driver.1, phase.span[1] - phase.span[0]);
         let full = Label::text(format!("{word} ")).then(Label::math(size.as_str()));
         let labels = match phase.kind {
             PhaseKind::Steady => vec![Label::text(word)],
+            _ if end - start < 0.5 => vec![Label::text(word)],
             PhaseKind::Forward | PhaseKind::Return | PhaseKind::Dwell => {
                 vec![full, Label::text(word), Label::math(size)]
             }
@@ -325,7 +334,7 @@ impl CycleDiagram<'_> {
                         above(a, b, clear)
                     }
                 };
-                self.phase_words(phase, free, low + WORDS_MM);
+                self.phase_words(phase, [start, end], free, low + WORDS_MM);
             }
         }
     }

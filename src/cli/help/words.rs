@@ -60,8 +60,18 @@ pub(super) const WORDS: &[(&str, &str, &str)] = &[
         "format",
         "-o 没有这样的结尾时的格式，如 svg,pdf,tikz；多种格式时文件名各加结尾（`-o -` 默认为 svg）",
     ),
+    (
+        "sweep",
+        "units",
+        "各列的单位：`book`（机构文件 answers 的单位，否则为 mm、mm/s、mm/s²、度），或单位的列表，如 mm,deg,m/s,r/min，也可并用（默认：国际单位制）",
+    ),
     ("sweep", "format", "-o 没有这样的结尾时的格式（标准输出默认为 csv）"),
     ("batch", "format", "-o 没有这样的结尾时的格式（`-o -` 默认为 csv，有 --shard 时为 parquet）"),
+    (
+        "worksheet",
+        "table",
+        "解答后附整个运动 N 等分各位置的结果表，用机构文件 answers 的单位，否则为 mm、mm/s、mm/s²、度",
+    ),
     (
         "worksheet",
         "format",

@@ -1,5 +1,6 @@
 //! The content of a line diagram: the answers of a sweep as panels of curves, with their extremes.
 
+use crate::plot::over;
 use crate::sheet::swept_symbol;
 use hodograph_base::notation::Notation;
 use hodograph_report::amount::symbol;
@@ -97,6 +98,14 @@ impl CurveDiagram {
     /// True if there is nothing to draw.
     pub fn is_empty(&self) -> bool {
         self.panels.is_empty()
+    }
+
+    /// Returns each quantity over its unit, in the label language: the driver, then all curves.
+    pub fn heads(&self) -> Vec<String> {
+        let [driver, unit] = &self.driver;
+        let curves = self.panels.iter().flat_map(|p| p.curves.iter().map(move |c| (p, c)));
+        let of_curves = curves.map(|(panel, curve)| over(&curve.symbol, &panel.unit));
+        std::iter::once(over(driver, unit)).chain(of_curves).collect()
     }
 
     /// Returns the answers of a sweep of one driver: see [`CurveDiagram::swept`].
