@@ -18,13 +18,13 @@ use crate::worksheet::{DocumentBlock, DocumentTable, TableKind};
 const DIGITS: f64 = 5.0;
 
 /// Largest number of columns of results in one table.
-const COLUMNS: usize = 6;
+const COLUMNS: usize = 8;
 
 /// Values below this part of the greatest of their column are rounding errors.
 const ZERO: f64 = 1e-9;
 
 /// Returns the answers of a scene, with the displacements of [`with_positions`], at `count` equal
-/// steps over its whole motion: a heading, a sentence, and tables of at most six columns of results
+/// steps over its whole motion: a heading, a sentence, and tables of at most eight columns of results
 /// beside the position of the driver. A vector that is parallel to one axis has its sign, any other
 /// its magnitude. Units that the scene does not choose are mm, mm/s, mm/s² and degrees.
 ///
