@@ -191,7 +191,7 @@
 //! synthesis  templates diag json digits number geom scene mechanism position construct sweep search
 //! particle   templates diag json digits number geom scene construct
 //! equation   templates diag json digits number geom scene position construct
-//! report     diag notation digits number geom cam scene mechanism position answer force motion plan construct construction equilibrium analytic sweep paper render accuracy worked certified effort trains centres composite attempts curvature inversions loops synthesis particle equation
+//! report     diag notation digits number geom cam scene mechanism position answer force motion plan construct construction equilibrium analytic sweep paper render accuracy worked certified effort gears trains centres composite attempts curvature inversions loops synthesis particle equation
 //! figure     diag budget notation digits geom cam scene mechanism position answer force plan construct construction equilibrium analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions loops synthesis particle equation report
 //! webfont    paper
 //! worksheet  diag notation digits geom scene mechanism answer plan construct paper render worked certified centres attempts loops synthesis particle equation report figure webfont

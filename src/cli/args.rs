@@ -18,7 +18,9 @@ pub use diff::DiffArgs;
 pub use homework::{MarkArgs, VariantsArgs};
 pub use motion::{AnimateArgs, CompareArgs, CycleArgs, PathArgs, TravelArgs};
 pub use paths::{CurvatureArgs, InversionsArgs};
-pub use reports::{AttemptsArgs, CentresArgs, CompositeArgs, LimitsArgs, LoopsArgs, ReadingsArgs};
+pub use reports::{
+    AttemptsArgs, CentresArgs, CompositeArgs, LimitsArgs, LoopsArgs, ReadingsArgs, TeethArgs,
+};
 use serde::{Deserialize, Serialize};
 
 /// Solves planar mechanisms the way they are solved at the drawing board.
@@ -114,6 +116,9 @@ pub enum Command {
     /// The analytic method written out: vector loops, their real and imaginary parts, positions,
     /// velocities and accelerations as formulas with numbers
     Loops(LoopsArgs),
+    /// Numbers of teeth for a ratio: all pairs for a centre distance (spur with profile shifts,
+    /// helical), or trains of several stages with the ratio of each
+    Teeth(TeethArgs),
     /// Wrong solutions: where typical mistakes can be made in this scene, what comes of them, and
     /// why they are wrong
     Attempts(AttemptsArgs),

@@ -46,6 +46,7 @@ mod sweep;
 mod synth;
 mod tables;
 mod target;
+mod teeth;
 mod template;
 mod together;
 mod values;
@@ -120,6 +121,7 @@ fn run() -> ExitCode {
         Command::Curvature(a) => curvature::run(a),
         Command::Composite(a) => composite::run(a),
         Command::Loops(a) => loops::run(&a),
+        Command::Teeth(a) => teeth::run(&a),
         Command::Attempts(a) => attempts::run(a),
         Command::Synth(a) => synth::run(a),
         Command::Readings(a) => readings::run(a),

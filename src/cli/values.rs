@@ -281,6 +281,15 @@ pub fn seconds(s: &str) -> Result<f64, FileRefusal> {
     }
 }
 
+/// The ratio of one stage of gears to the next.
+pub fn taper(s: &str) -> Result<f64, FileRefusal> {
+    match s.parse::<f64>() {
+        Ok(v) if (0.5..=2.0).contains(&v) => Ok(v),
+        Ok(v) => Err(FileRefusal(both!("{v} is not between 0.5 and 2", "{v} 不在 0.5 到 2 之间"))),
+        Err(_) => Err(FileRefusal(both!("not a number", "不是数"))),
+    }
+}
+
 /// The name to show and the bytes of a scene, or of another file with parameters, that have the
 /// values of `--set`.
 pub(super) fn file(path: &str, set: &[String]) -> Result<(String, Vec<u8>), Failure> {

@@ -20,7 +20,9 @@ mod scene;
 #[cfg(target_os = "linux")]
 mod shards;
 mod streams;
+mod teeth;
 mod text;
+mod turns;
 mod units;
 #[path = "../wide/mod.rs"]
 mod wide;

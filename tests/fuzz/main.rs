@@ -272,6 +272,7 @@ fn fuzz_arguments() {
         "accuracy scene.json --patience 1 -o a.svg",
         "lesson scene.json --positions 8 -o a.html",
         "templates --lang zh",
+        "teeth --ratio 3 --distance 150mm --module 2,2.5 --json",
         "schema --synthesis",
         "explain dead-centre --json",
         "solve scene.json --errors json",

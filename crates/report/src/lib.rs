@@ -50,6 +50,7 @@ pub mod symbols;
 pub mod synthesis;
 #[cfg(feature = "csv")]
 pub mod table;
+pub mod teeth;
 pub mod trains;
 pub mod tried;
 pub mod vector_equation;

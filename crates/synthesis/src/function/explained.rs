@@ -184,7 +184,7 @@ impl Function {
             vec![format!("K_1 = {} ,\\quad K_2 = {} ,\\quad K_3 = {}", k[0], k[1], k[2])];
         let p = ["P0", "P1", "P2"].map(|n| number(of(draft, n)));
         results.push(
-            "P_0 = n ,\\quad P_1 = −\\frac{n}{l} ,\\quad P_2 = \\frac{l^2 + n^2 + 1 − m^2}{2\\,l}"
+            "P_0 = m ,\\quad P_1 = −\\frac{m}{n} ,\\quad P_2 = \\frac{m^2 + n^2 + 1 − l^2}{2\\,n}"
                 .to_owned(),
         );
         results.push(format!("P_0 = {} ,\\quad P_1 = {} ,\\quad P_2 = {}", p[0], p[1], p[2]));
@@ -192,7 +192,7 @@ impl Function {
             format!("{name} = \\frac{{l_{{{of_arm}}}}}{{l_{{AB}}}} = {value}")
         };
         let [m, n, l] = ["m", "n", "l"].map(|n| number(of(draft, n)));
-        let ratios = [ratio("m", "BC", &m), ratio("n", "CD", &n), ratio("l", "AD", &l)];
+        let ratios = [ratio("m", "CD", &m), ratio("n", "AD", &n), ratio("l", "BC", &l)];
         results.push(ratios.join(" ,\\quad "));
         results.push(format!(
             "\\alpha_0 = {} ,\\quad \\varphi_0 = {}",

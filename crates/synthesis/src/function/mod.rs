@@ -549,7 +549,7 @@ impl Function {
                 p,
             )
         }));
-        numbers.extend([("m", b / a), ("n", c / a), ("l", 1.0 / a)].map(|(name, ratio)| {
+        numbers.extend([("m", c / a), ("n", 1.0 / a), ("l", b / a)].map(|(name, ratio)| {
             let what = both!("length in units of the crank", "相对曲柄的杆长");
             DesignNumber::ratio(name, what, ratio)
         }));
