@@ -198,7 +198,7 @@
 //! lesson     diag budget notation digits geom scene mechanism position plan construct construction equilibrium sweep paper render worked certified centres synthesis particle report figure webfont
 //! problem    diag json kind notation digits geom scene mechanism position answer plan construct sweep paper render worked certified attempts synthesis particle equation report figure worksheet lesson
 //! homework   diag digits scene answer sweep paper render worked attempts report worksheet problem
-//! cli        diag json notation digits geom cam scene mechanism plan sweep paper render worked certified effort centres composite attempts curvature inversions loops report figure worksheet lesson problem homework
+//! cli        diag json notation digits geom cam scene mechanism plan sweep paper render worked certified effort gears centres composite attempts curvature inversions loops report figure worksheet lesson problem homework
 //! ```
 //!
 //! # Extension

@@ -380,9 +380,13 @@ pub struct WorksheetArgs {
     /// Solve by the analytic method: the vector loops, every unknown as a formula with its number
     #[arg(long, conflicts_with_all = ["find_the_mistake", "mobility"])]
     pub loops: bool,
+    /// Questions on concepts: degree of freedom and class, number and kinds of the instantaneous
+    /// centres, Coriolis accelerations in this pose
+    #[arg(long, conflicts_with_all = ["find_the_mistake", "mobility", "loops"])]
+    pub questions: bool,
     /// With the solution: the results at N equal steps over the whole motion, in the units of the
     /// scene's answers, else mm, mm/s, mm/s², degrees
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=720), conflicts_with_all = ["problem_only", "mobility"])]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=720), conflicts_with_all = ["problem_only", "mobility", "questions"])]
     pub table: Option<u16>,
     /// For a synthesis file: the candidate, counted from 1 in the order of `hodograph synth`
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]

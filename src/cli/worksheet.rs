@@ -42,6 +42,7 @@ pub fn run(a: args::WorksheetArgs) -> CommandResult {
         (a.mobility.then(String::new), Wish::Mobility),
         (a.loops.then(String::new), Wish::Loops),
         (a.table.map(|n| n.to_string()), Wish::Table),
+        (a.questions.then(String::new), Wish::Questions),
     ];
     granted(Kind::of(file.source.as_bytes()), &wishes)?;
     if a.mobility {
@@ -57,6 +58,7 @@ pub fn run(a: args::WorksheetArgs) -> CommandResult {
     let task = match a.find_the_mistake.as_deref() {
         Some(name) => WorksheetTask::Mistake(name),
         None if a.loops => WorksheetTask::Loops,
+        None if a.questions => WorksheetTask::Questions,
         None => WorksheetTask::Polygons,
     };
     let mut document = solved.worksheet(sides, task, &look).map_err(|f| file.failed(f))?;

@@ -57,6 +57,8 @@ pub enum Wish {
     Loops,
     /// A table of the whole motion.
     Table,
+    /// Questions on concepts.
+    Questions,
 }
 
 impl Wish {
@@ -74,6 +76,7 @@ impl Wish {
             Wish::Mobility => "--mobility",
             Wish::Loops => "--loops",
             Wish::Table => "--table",
+            Wish::Questions => "--questions",
         }
     }
 }

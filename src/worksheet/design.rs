@@ -279,7 +279,7 @@ impl DesignMaker<'_> {
             cells.iter().map(|c| Phrase::new(c)).collect::<Vec<_>>()
         };
         let all = if self.candidate.draft.whole_course { course.len() } else { ROWS };
-        let steps = course.len().clamp(2, all.max(2)) - 1;
+        let steps = course.len().min(all).max(2) - 1;
         rows.extend(
             (0..=steps)
                 .filter_map(|k| course.get(k * course.len().saturating_sub(1) / steps))

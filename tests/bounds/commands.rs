@@ -29,7 +29,7 @@ const MOST_MB: f64 = 300.0;
 
 /// Every command with its outputs that cost most, each also as JSON. Work whose size the user
 /// states (steps, frames, positions, mechanisms) is small here.
-const COMMANDS: [&str; 50] = [
+const COMMANDS: [&str; 51] = [
     "draw SCENE -o a.svg",
     "draw SCENE --format pdf,svg --figure mechanism,velocity,acceleration,equations,results -o o/",
     "draw SCENE --format svg --figure forces,lever -o o/",
@@ -56,6 +56,7 @@ const COMMANDS: [&str; 50] = [
     "sweep SCENE --over t -o s.npy",
     "sweep SCENE --units book --steps 36 -o s.csv",
     "worksheet SCENE --table 36 -o t.md",
+    "worksheet SCENE --questions -o q.md",
     "batch SCENE --random 4 -o b.csv",
     "curves SCENE -o c.svg",
     "curves SCENE --polar -o c.pdf",

@@ -16,6 +16,7 @@ mod figures;
 #[cfg(target_os = "linux")]
 mod files;
 mod languages;
+mod questions;
 mod scene;
 #[cfg(target_os = "linux")]
 mod shards;

@@ -67,6 +67,7 @@ pub(super) const WORDS: &[(&str, &str, &str)] = &[
     ),
     ("sweep", "format", "-o 没有这样的结尾时的格式（标准输出默认为 csv）"),
     ("batch", "format", "-o 没有这样的结尾时的格式（`-o -` 默认为 csv，有 --shard 时为 parquet）"),
+    ("worksheet", "questions", "概念题：自由度和级别、瞬心的数目和种类、图示位置有无科氏加速度"),
     (
         "worksheet",
         "table",

@@ -50,7 +50,7 @@ pub struct FoundPair {
     pub module: f64,
     /// z₁ and z₂.
     pub teeth: [u32; 2],
-    /// How it fits the distance.
+    /// Its fit to the distance.
     pub fit: PairFit,
 }
 
