@@ -14,7 +14,7 @@ use crate::centres::{CentreMethod, Centres, centres, omega, velocity};
 use crate::certified::steps;
 use crate::geom::Vec2;
 use crate::paper::label::Label;
-use crate::paper::phrase::Phrase;
+use crate::paper::phrase::{Phrase, capital};
 use crate::plan::names::{name_label, point_label};
 use crate::render::math::Math;
 use crate::report::centres::CentreWords;
@@ -152,7 +152,7 @@ impl SheetMaker<'_> {
             }))],
         };
         let absolute = links.saturating_sub(1);
-        let mut of_kinds = words.absolute().source();
+        let mut of_kinds = capital(&words.absolute().source());
         of_kinds.push_str(self.tr(".", "。"));
         let kinds = ConceptQuestion {
             asked: Phrase::new(match self.lang() {
@@ -203,7 +203,9 @@ impl SheetMaker<'_> {
     /// Asks for the Coriolis acceleration of a pin in its guide; `None` for a guide without a pin.
     fn coriolis(&self, guide: &Guide, found: &Centres) -> Option<ConceptQuestion> {
         let scene = self.scene;
-        let pin = guide.pin.filter(|_| guide.rolling.is_none())?;
+        // The flank of a cam and the contact of wheels are guides that the file does not have.
+        let own = guide.rolling.is_none() && scene.cams.iter().all(|c| c.cam != guide.on);
+        let pin = guide.pin.filter(|_| own)?;
         let (point, on) =
             (point_label(scene.point_name(pin)), name_label(scene.link_name(guide.on)));
         let asked = Phrase::new(&match self.lang() {

@@ -15,9 +15,9 @@ fn sheet(scene: &str, more: &[&str]) -> String {
 fn centres_are_counted_and_the_absolute_ones_are_those_of_the_ground() {
     let answers = sheet("templates/shaper.json", &["--solution"]);
     assert!(answers.contains("$N(N-1)/2=15$"), "{answers}");
-    let absolute = answers.lines().find(|l| l.starts_with("absolute: ")).unwrap();
+    let absolute = answers.lines().find(|l| l.starts_with("Absolute: ")).unwrap();
     let (own, _) = absolute.split_once(';').unwrap();
-    let names: Vec<&str> = own.trim_start_matches("absolute: ").split(", ").collect();
+    let names: Vec<&str> = own.trim_start_matches("Absolute: ").split(", ").collect();
     assert_eq!(names.len(), 5, "{absolute}");
     assert!(names.iter().all(|n| n.contains('6')), "{absolute}");
     assert!(answers.contains("class II."), "{answers}");

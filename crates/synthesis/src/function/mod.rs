@@ -61,7 +61,7 @@ enum FunctionTarget {
     /// y(x) over a range, with the swings of input and output.
     Curve {
         text: String,
-        curve: Curve,
+        curve: Box<Curve>,
         range: [f64; 2],
         swings: [f64; 2],
         values: [f64; 2],
@@ -320,7 +320,7 @@ fn of_curve(form: &TaskForm) -> Option<FunctionGivens> {
     }
     let target = FunctionTarget::Curve {
         text,
-        curve,
+        curve: Box::new(curve),
         range: [from, to],
         swings: [input.1, output.1],
         values,
