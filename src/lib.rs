@@ -193,7 +193,7 @@
 //! synthesis  templates diag json digits number geom scene mechanism position construct sweep search
 //! particle   templates diag json digits number geom scene construct
 //! equation   templates diag json digits number geom scene position construct
-//! report     diag notation digits number geom cam scene mechanism position answer force motion plan construct construction equilibrium analytic sweep paper render accuracy worked certified effort trains centres composite attempts curvature inversions loops synthesis particle equation
+//! report     diag notation digits number geom cam scene mechanism position answer force motion plan construct construction equilibrium analytic sweep paper render accuracy worked certified effort gears trains centres composite attempts curvature inversions loops synthesis particle equation
 //! figure     diag budget notation digits geom cam scene mechanism position answer force plan construct construction equilibrium analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions loops synthesis particle equation report
 //! webfont    paper
 //! worksheet  diag notation digits geom scene mechanism answer plan construct paper render worked certified centres attempts loops synthesis particle equation report figure webfont
@@ -202,7 +202,7 @@
 //! zip        -
 //! homework   diag digits scene answer sweep paper render worked attempts report figure worksheet problem zip
 //! exchange   diag notation geom scene position paper render worked figure problem zip
-//! cli        diag json notation digits geom cam scene mechanism plan sweep paper render worked certified effort centres composite attempts curvature inversions loops report figure worksheet lesson problem homework exchange zip
+//! cli        diag json notation digits geom cam scene mechanism plan sweep paper render worked certified effort gears centres composite attempts curvature inversions loops report figure worksheet lesson problem homework exchange zip
 //! ```
 //!
 //! # Extension

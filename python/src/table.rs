@@ -71,9 +71,9 @@ impl Table {
 
     /// Name and SI unit of each column; names are unique.
     #[getter]
-    fn heads(&self) -> Vec<(String, &'static str)> {
+    fn heads(&self) -> Vec<(String, String)> {
         let head = TableHead::new("", self.heads.iter().cloned());
-        head.columns.into_iter().map(|c| (c.name, c.unit)).collect()
+        head.columns.into_iter().map(|c| (c.name, c.unit.into_owned())).collect()
     }
 
     /// The scene's unit of each column, and the number of them in one SI unit.

@@ -18,9 +18,11 @@ use clap::{Args as ClapArgs, Parser, Subcommand};
 pub use diff::DiffArgs;
 pub use exchange::{ExportArgs, ImportArgs};
 pub use homework::{MarkArgs, VariantsArgs};
-pub use motion::{AnimateArgs, PathArgs, TravelArgs};
+pub use motion::{AnimateArgs, CompareArgs, CycleArgs, PathArgs, TravelArgs};
 pub use paths::{CurvatureArgs, InversionsArgs};
-pub use reports::{AttemptsArgs, CentresArgs, CompositeArgs, LimitsArgs, LoopsArgs, ReadingsArgs};
+pub use reports::{
+    AttemptsArgs, CentresArgs, CompositeArgs, LimitsArgs, LoopsArgs, ReadingsArgs, TeethArgs,
+};
 use serde::{Deserialize, Serialize};
 
 /// Solves planar mechanisms the way they are solved at the drawing board.
@@ -80,6 +82,12 @@ pub enum Command {
     /// Line diagrams: displacement, velocity, acceleration against the position of the driver or
     /// the time, extremes marked
     Curves(CurvesArgs),
+    /// Compare designs: several scenes side by side in one table (extremes, means, strokes, time
+    /// ratios, transmission angles) and one diagram with a curve for each
+    Compare(CompareArgs),
+    /// Motion cycle: working strokes, returns and dwells of the outputs over a cycle of the driver,
+    /// as a table and a diagram (bars, straight lines, rings)
+    Cycle(CycleArgs),
     /// Paths of points (coupler curves) on the mechanism, and the hodographs of their velocities
     /// and accelerations
     Path(PathArgs),
@@ -110,6 +118,9 @@ pub enum Command {
     /// The analytic method written out: vector loops, their real and imaginary parts, positions,
     /// velocities and accelerations as formulas with numbers
     Loops(LoopsArgs),
+    /// Numbers of teeth for a ratio: all pairs for a centre distance (spur with profile shifts,
+    /// helical), or trains of several stages with the ratio of each
+    Teeth(TeethArgs),
     /// Wrong solutions: where typical mistakes can be made in this scene, what comes of them, and
     /// why they are wrong
     Attempts(AttemptsArgs),
@@ -388,11 +399,19 @@ pub struct WorksheetArgs {
     pub loops: bool,
     /// A sheet to draw on instead: the mechanism to scale, poles, scales, and the space that the
     /// polygons need; beside it NAME-overlay.pdf, the solution to lay over it
-    #[arg(long, conflicts_with_all = ["problem_only", "solution", "find_the_mistake", "mobility", "loops", "pick"])]
+    #[arg(long, conflicts_with_all = ["problem_only", "solution", "find_the_mistake", "mobility", "loops", "pick", "questions", "table"])]
     pub frame: bool,
     /// Format of the pages of --frame, such as a4, a4-landscape, a3
     #[arg(long, value_name = "FORMAT", requires = "frame", default_value = "a4")]
     pub page: String,
+    /// Questions on concepts: degree of freedom and class, number and kinds of the instantaneous
+    /// centres, Coriolis accelerations in this pose
+    #[arg(long, conflicts_with_all = ["find_the_mistake", "mobility", "loops"])]
+    pub questions: bool,
+    /// With the solution: the results at N equal steps over the whole motion, in the units of the
+    /// scene's answers, else mm, mm/s, mm/s², degrees
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=720), conflicts_with_all = ["problem_only", "mobility", "questions"])]
+    pub table: Option<u16>,
     /// For a synthesis file: the candidate, counted from 1 in the order of `hodograph synth`
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub pick: Option<u64>,
@@ -459,6 +478,10 @@ pub struct SweepArgs {
     pub common: CommonArgs,
     #[command(flatten)]
     pub range: RangeArgs,
+    /// Units of the columns: `book` (those of the scene's answers, else mm, mm/s, mm/s², degrees),
+    /// units such as mm,deg,m/s,r/min, or both (default: SI)
+    #[arg(long, value_name = "LIST")]
+    pub units: Option<String>,
     /// Write to this file, ending in .csv, .json, .npy or .parquet (default: `-`, standard output)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,

@@ -6,7 +6,7 @@ use super::draw::style_of;
 use super::places::places;
 use super::sweep::{ask, stations, within};
 use super::values::FigureFormat;
-use super::{CommandResult, SceneInput, choices, files};
+use super::{CommandResult, Failure, SceneInput, choices, files};
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::curves::{self, CurveDiagram};
 use crate::problem::range::{swept_of, through};
@@ -25,18 +25,7 @@ pub fn run(a: CurvesArgs) -> CommandResult {
     let places = places(&a.output, &a.format, FigureFormat::Svg)?;
     let style = style_of(&a.look)?;
     let mut input = SceneInput::read(&a.common)?.drawn_in(&style);
-    let find = match &a.range.find {
-        Some(find) => find.clone(),
-        None => {
-            let somewhere = input.file.notes.iter().all(|n| n.code != "free-centre");
-            with_positions(&input.scene, somewhere).map_err(|f| input.failed(f))?.join(",")
-        }
-    };
-    ask(&mut input, Some(&find))?;
-    input.over_a_table();
-    // Displacements were added to the scene's questions: they have no place in a file for a
-    // diagnostic.
-    input.file.asked = a.range.find.clone();
+    ask_for_motion(&mut input, a.range.find.as_deref())?;
     let mechanism = sweep::mechanism(&input.scene).map_err(|f| input.failed(f))?;
     let swept = swept_of(&input.scene, a.range.over.as_deref())?;
     let placed = PlacedScene::new(&input.scene, &mechanism).map_err(|f| input.failed(f))?;
@@ -104,4 +93,22 @@ pub fn run(a: CurvesArgs) -> CommandResult {
     input.file.notes.extend(table.notes);
     input.file.say_notes();
     Ok(ExitCode::SUCCESS)
+}
+
+/// Asks for the quantities of `--find`, else for the scene's own with their displacements, over its
+/// whole motion.
+pub fn ask_for_motion(input: &mut SceneInput, find: Option<&str>) -> Result<(), Failure> {
+    let asked = match find {
+        Some(find) => find.to_owned(),
+        None => {
+            let somewhere = input.file.notes.iter().all(|n| n.code != "free-centre");
+            with_positions(&input.scene, somewhere).map_err(|f| input.failed(f))?.join(",")
+        }
+    };
+    ask(input, Some(&asked))?;
+    input.over_a_table();
+    // Displacements were added to the scene's questions: they have no place in a file for a
+    // diagnostic.
+    input.file.asked = find.map(str::to_owned);
+    Ok(())
 }

@@ -12,9 +12,11 @@ mod attempts;
 mod batch;
 mod cam;
 mod centres;
+mod compare;
 mod composite;
 mod curvature;
 mod curves;
+mod cycle;
 mod diff;
 mod draw;
 mod edit;
@@ -45,6 +47,7 @@ mod sweep;
 mod synth;
 mod tables;
 mod target;
+mod teeth;
 mod template;
 mod together;
 mod values;
@@ -110,6 +113,8 @@ fn run() -> ExitCode {
         Command::Path(a) => path::run(a),
         Command::Animate(a) => animate::run(a),
         Command::Cam(a) => cam::run(a),
+        Command::Compare(a) => compare::run(a),
+        Command::Cycle(a) => cycle::run(a),
         Command::Limits(a) => sweep::limits(a),
         Command::Mobility(a) => mobility::run(a),
         Command::Centres(a) => centres::run(a),
@@ -117,6 +122,7 @@ fn run() -> ExitCode {
         Command::Curvature(a) => curvature::run(a),
         Command::Composite(a) => composite::run(a),
         Command::Loops(a) => loops::run(&a),
+        Command::Teeth(a) => teeth::run(&a),
         Command::Attempts(a) => attempts::run(a),
         Command::Synth(a) => synth::run(a),
         Command::Readings(a) => readings::run(a),

@@ -4,15 +4,16 @@
 use super::args::{LimitsArgs, RangeArgs, SweepArgs};
 use super::places::OutputPlace;
 use super::values::TableFormat;
-use super::{CommandResult, Failure, SceneInput, SourceFaults, choices, files, tables};
+use super::{CommandResult, Failure, SceneInput, SourceFaults, choices, files, lang, tables};
 use crate::diag::{Both, Diagnostic, Warned, both};
 use crate::mechanism::Mechanism;
 use crate::problem::listed;
 use crate::problem::range::{self, RangeFault, SweptRange, WrongValue, driver_of};
 use crate::problem::whole::{balanced, over_a_table};
 use crate::report::limits as report;
+use crate::report::table::TableHead;
 use crate::scene;
-use crate::sweep::pieces::SweepPieces;
+use crate::sweep::pieces::{ScaledPieces, SweepPieces};
 use crate::sweep::{PlacedScene, Stations, extreme};
 use std::process::ExitCode;
 
@@ -46,18 +47,25 @@ fn sweep_into(
     place: Option<&OutputPlace<TableFormat>>,
 ) -> Result<Vec<Diagnostic>, Failure> {
     let title = input.scene.title.get(choices(&input.scene, &a.common).0);
-    range::rows(&input.scene, &a.range.swept(), |pieces| write(pieces, title, place))
-        .map_err(|f| input.out_of_range(f))?
+    let scene = &input.scene;
+    range::rows(scene, &a.range.swept(), |pieces| {
+        let head = TableHead::new(title, pieces.columns()).in_language(lang::now());
+        let Some(list) = &a.units else { return write(pieces, head, place) };
+        let (units, factors): (Vec<String>, Vec<f64>) =
+            range::listed_units(scene, list, &pieces.columns())?.into_iter().unzip();
+        write(&mut ScaledPieces { rows: pieces, factors }, head.in_units(units), place)
+    })
+    .map_err(|f| input.out_of_range(f))?
 }
 
 fn write(
     sweep: &mut dyn SweepPieces,
-    title: &str,
+    head: TableHead,
     place: Option<&OutputPlace<TableFormat>>,
 ) -> Result<Vec<Diagnostic>, Failure> {
     match place {
-        Some(place) => tables::write(sweep, title, place)?,
-        None => files::print_with(|out| tables::print(sweep, out))?,
+        Some(place) => tables::write(sweep, head, place)?,
+        None => files::print_with(|out| tables::print(sweep, head, out))?,
     }
     Ok(sweep.notes())
 }
@@ -67,9 +75,10 @@ fn quantities(a: &LimitsArgs, find: &str) -> CommandResult {
     let mut input = SceneInput::read(&a.common)?;
     ask(&mut input, Some(find))?;
     input.over_a_table();
-    let (lang, _) = choices(&input.scene, &a.common);
+    let (lang, notation) = choices(&input.scene, &a.common);
     let over = a.over.as_deref();
-    let diagram = listed::listed(&input.scene, over).map_err(|f| input.out_of_range(f))?;
+    let diagram =
+        listed::listed(&input.scene, over, &notation).map_err(|f| input.out_of_range(f))?;
     let driver = input.scene.driver_name(driver_of(&input.scene, over)?).0;
     if a.json {
         files::print(&format!("{:#}\n", listed::json(&diagram, &driver)))?;

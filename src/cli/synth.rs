@@ -1,10 +1,11 @@
 //! `hodograph synth`: a synthesis file to candidates, as a table or JSON, and one of them as a
 //! scene file.
 
-use super::{CommandResult, InputFile, errors, files, lang, places};
+use super::{CommandResult, Failure, InputFile, errors, files, lang, places};
 use crate::diag::{Both, Diagnostic, both};
 use crate::digits::significant;
 use crate::problem::{self, Kind, Look, Options};
+use crate::report::synthesis::course_csv;
 use clap::Args as ClapArgs;
 use std::path::Path;
 use std::process::ExitCode;
@@ -35,6 +36,10 @@ pub struct SynthArgs {
     /// The construction with ruler and paper too, step by step, with the lengths measured
     #[arg(long)]
     pub steps: bool,
+    /// For a function: write the table of wanted and real angles to this file ending in .csv, or to
+    /// `-`, standard output, in place of the candidates
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["json", "steps"])]
+    pub table: Option<String>,
     /// For a search: its duration, and the positions evaluated per second (on standard error)
     #[arg(long)]
     pub speed: bool,
@@ -61,6 +66,17 @@ pub fn run(a: SynthArgs) -> CommandResult {
     if let Some(path) = &a.output {
         files::write(Path::new(path), design.candidates[candidate].scene_text().as_bytes())?;
     }
+    if let Some(path) = &a.table {
+        let Some(csv) = course_csv(&design.candidates[candidate]) else {
+            return Err(Failure::argument("--table", path, no_course()));
+        };
+        files::write(Path::new(path), csv.as_bytes())?;
+        if path != "-" {
+            files::print_names(&format!("{path}\n"))?;
+        }
+        file.say_notes();
+        return Ok(ExitCode::SUCCESS);
+    }
     let look = Look { lang: lang::asked(), ..Look::default() };
     if a.json {
         files::print(&format!("{:#}\n", solved.json(&look, a.steps, &file.notes)))?;
@@ -71,6 +87,14 @@ pub fn run(a: SynthArgs) -> CommandResult {
     }
     file.say_notes();
     Ok(ExitCode::SUCCESS)
+}
+
+fn no_course() -> Diagnostic {
+    let message = both!("this task has no function to tabulate", "此任务没有可列表的期望函数");
+    Diagnostic::error("no-curve", message).help(both!(
+        "leave --table out: it is of tasks with \"function\"",
+        "请去掉 --table：它只用于有 \"function\" 的任务"
+    ))
 }
 
 /// Returns the speed of the search; other kinds have nothing to count.

@@ -5,7 +5,7 @@ use super::places::{self, OutputPlace, places};
 use super::spool::{self, Spool};
 use super::together::OutputFile;
 use super::values::{BatchFormat, TableFormat};
-use super::{Failure, files, lang, long, stop};
+use super::{Failure, files, long, stop};
 use crate::diag::{Diagnostic, both};
 use crate::report::table::{self, Csv, Npy, Parquet, PiecePlace, RowFormat, TableHead, TablePiece};
 use crate::sweep::pieces::SweepPieces;
@@ -59,10 +59,9 @@ pub fn by_rows(format: BatchFormat, head: TableHead) -> io::Result<Box<dyn RowFo
 /// written.
 pub fn write(
     sweep: &mut dyn SweepPieces,
-    title: &str,
+    head: TableHead,
     (format, path): &OutputPlace<TableFormat>,
 ) -> Result<(), Failure> {
-    let head = TableHead::new(title, sweep.columns()).in_language(lang::now());
     stop::watch();
     let _looking = stop::Looking::begin();
     files::write_with(Path::new(path), |out| match format {
@@ -79,8 +78,8 @@ const KEPT: usize = 8 << 20;
 
 /// Prints a sweep as CSV to a place where nothing can be overwritten: the notes come first, but are
 /// known only with the last row.
-pub fn print(sweep: &mut dyn SweepPieces, out: &mut dyn Write) -> io::Result<()> {
-    let format = Csv::new(TableHead::new("", sweep.columns()).in_language(lang::now()));
+pub fn print(sweep: &mut dyn SweepPieces, head: TableHead, out: &mut dyn Write) -> io::Result<()> {
+    let format = Csv::new(head);
     let mut rows = tempfile::spooled_tempfile(KEPT);
     let mut count = 0;
     in_pieces(sweep, &ProgressBar::hidden(), formed(&format), |piece| {

@@ -4,6 +4,7 @@ use super::files::FileRefusal;
 use super::{Failure, SourceFaults, files};
 use crate::certified::ladder::MOST_DIGITS;
 use crate::diag::{Diagnostic, Faults, both};
+use crate::figure::cycle;
 use crate::figure::list::{self, FigureEntry};
 use crate::scene::{Lang, edit};
 use clap::ValueEnum;
@@ -30,6 +31,52 @@ impl FigureFormat {
             FigureFormat::Png => "png",
             FigureFormat::Pdf => "pdf",
             FigureFormat::Tikz => "tikz",
+        }
+    }
+}
+
+/// Forms of a motion cycle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum CycleForm {
+    /// A row of bars for each output
+    Bars,
+    /// Each stroke as a straight line over the position of the driver
+    Straight,
+    /// A ring for each output
+    Polar,
+}
+
+impl CycleForm {
+    /// The form of the figure.
+    pub fn of_figure(self) -> cycle::CycleForm {
+        match self {
+            CycleForm::Bars => cycle::CycleForm::Bars,
+            CycleForm::Straight => cycle::CycleForm::Straight,
+            CycleForm::Polar => cycle::CycleForm::Polar,
+        }
+    }
+}
+
+/// Formats of a comparison: its diagram, or its table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ComparisonFormat {
+    Svg,
+    Png,
+    Pdf,
+    Tikz,
+    Csv,
+    Json,
+}
+
+impl ComparisonFormat {
+    /// The format of the diagram; `None` for a table.
+    pub fn of_figure(self) -> Option<FigureFormat> {
+        match self {
+            ComparisonFormat::Svg => Some(FigureFormat::Svg),
+            ComparisonFormat::Png => Some(FigureFormat::Png),
+            ComparisonFormat::Pdf => Some(FigureFormat::Pdf),
+            ComparisonFormat::Tikz => Some(FigureFormat::Tikz),
+            ComparisonFormat::Csv | ComparisonFormat::Json => None,
         }
     }
 }
@@ -249,6 +296,15 @@ pub fn seconds(s: &str) -> Result<f64, FileRefusal> {
         Ok(v) => {
             Err(FileRefusal(both!("{v} is not between 0.1 and 600", "{v} 不在 0.1 到 600 之间")))
         }
+        Err(_) => Err(FileRefusal(both!("not a number", "不是数"))),
+    }
+}
+
+/// The ratio of one stage of gears to the next.
+pub fn taper(s: &str) -> Result<f64, FileRefusal> {
+    match s.parse::<f64>() {
+        Ok(v) if (0.5..=2.0).contains(&v) => Ok(v),
+        Ok(v) => Err(FileRefusal(both!("{v} is not between 0.5 and 2", "{v} 不在 0.5 到 2 之间"))),
         Err(_) => Err(FileRefusal(both!("not a number", "不是数"))),
     }
 }

@@ -17,6 +17,7 @@ use crate::figure::list::{Extras, FigureInput};
 use crate::figure::sheet;
 use crate::paper::style::Style;
 use crate::paper::words::words;
+use crate::problem::turn::turn_table;
 use crate::problem::{self, Kind, Wish};
 use crate::render::pdf;
 use crate::scene;
@@ -47,6 +48,8 @@ pub fn run(a: args::WorksheetArgs) -> CommandResult {
         (a.find_the_mistake.clone(), Wish::Mistake),
         (a.mobility.then(String::new), Wish::Mobility),
         (a.loops.then(String::new), Wish::Loops),
+        (a.table.map(|n| n.to_string()), Wish::Table),
+        (a.questions.then(String::new), Wish::Questions),
     ];
     granted(Kind::of(file.source.as_bytes()), &wishes)?;
     if a.mobility {
@@ -62,9 +65,14 @@ pub fn run(a: args::WorksheetArgs) -> CommandResult {
     let task = match a.find_the_mistake.as_deref() {
         Some(name) => WorksheetTask::Mistake(name),
         None if a.loops => WorksheetTask::Loops,
+        None if a.questions => WorksheetTask::Questions,
         None => WorksheetTask::Polygons,
     };
-    let document = solved.worksheet(sides, task, &look).map_err(|f| file.failed(f))?;
+    let mut document = solved.worksheet(sides, task, &look).map_err(|f| file.failed(f))?;
+    if let Some(steps) = a.table {
+        let table = turn_table(file.source.as_bytes(), usize::from(steps), &look);
+        document.blocks.extend(table.map_err(|f| file.failed(f))?.value);
+    }
     let notes = files.write(&document, |f| file.failed(f))?;
     file.notes.extend(notes);
     file.notes.extend(document.remarks());

@@ -20,11 +20,15 @@ const STEPS: usize = 720;
 const DIGITS: usize = 6;
 
 /// Returns the diagram of a scene's questions over the motion of a driver, by its name (see
-/// [`driver_of`]).
+/// [`driver_of`]), with the symbols of a notation.
 ///
 /// # Errors
 /// The errors of [`range::rows`](super::range::rows).
-pub fn listed(scene: &Scene, over: Option<&str>) -> Result<CurveDiagram, RangeFault> {
+pub fn listed(
+    scene: &Scene,
+    over: Option<&str>,
+    notation: &Notation,
+) -> Result<CurveDiagram, RangeFault> {
     let mechanism = sweep::mechanism(scene).map_err(RangeFault::Scene)?;
     let placed = PlacedScene::new(scene, &mechanism).map_err(RangeFault::Scene)?;
     let driver = driver_of(scene, over)?;
@@ -32,9 +36,8 @@ pub fn listed(scene: &Scene, over: Option<&str>) -> Result<CurveDiagram, RangeFa
     let steps = steps(&placed, driver, &range)?;
     let table = gather(&mut LongSweep::new(&placed, driver, steps).map_err(RangeFault::Scene)?);
     let swept_at = |values| sweep::of_values(&placed, driver, values);
-    let notation = Notation::of_language(Lang::En);
     let swept = Swept::Driver(driver);
-    let mut diagram = CurveDiagram::swept(scene, swept, &table, &swept_at, &notation);
+    let mut diagram = CurveDiagram::swept(scene, swept, &table, &swept_at, notation);
     if scene.drivers[driver].kind.turns() {
         let turn = TAU * diagram.per_si;
         let curves = diagram.panels.iter_mut().flat_map(|p| &mut p.curves);

@@ -12,6 +12,7 @@
 //! and [`Kind`], and a row in [`Kind::grants`].
 
 pub mod batch;
+pub mod compare;
 mod equation;
 pub mod listed;
 mod live;
@@ -21,6 +22,7 @@ pub mod range;
 mod scene;
 mod task;
 pub mod templates;
+pub mod turn;
 pub mod whole;
 mod wish;
 

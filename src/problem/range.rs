@@ -5,7 +5,7 @@
 use super::whole::STEPS;
 use crate::diag::{Both, Diagnostic, Faults, Span, both};
 use crate::kind::Kind;
-use crate::scene::{Angle, Scene, Swept, edit};
+use crate::scene::{Angle, Book, Scene, Swept, edit};
 use crate::sweep::long::LongSweep;
 use crate::sweep::pieces::SweepPieces;
 use crate::sweep::station::{self, DriverSpan};
@@ -275,13 +275,38 @@ fn bounds<T>(
 /// Returns the unit of the scene in which each column is printed, with the number of these units in
 /// one SI unit.
 pub fn book_units(scene: &Scene, columns: &[(String, &'static str)]) -> Vec<(String, f64)> {
+    units_of(scene, &scene.book, columns)
+}
+
+/// Returns the units of a table from the list of `--units` (see [`Book::of_table`]), one for each
+/// column, with the number of these units in one SI unit.
+///
+/// # Errors
+/// `unit` for a word that is no unit.
+pub fn listed_units(
+    scene: &Scene,
+    list: &str,
+    columns: &[(String, &'static str)],
+) -> Result<Vec<(String, f64)>, WrongValue> {
+    let book = scene.book.of_table(list).map_err(|word| {
+        let message = both!("`{word}` is no unit of an answer", "`{word}` 不是所求量的单位");
+        let help = both!(
+            "write `book`, or units such as mm,deg,mm/s,r/min",
+            "请写 `book`，或单位，如 mm,deg,mm/s,r/min"
+        );
+        WrongValue::new("units", list, Diagnostic::error("unit", message).help(help))
+    })?;
+    Ok(units_of(scene, &book, columns))
+}
+
+fn units_of(scene: &Scene, book: &Book, columns: &[(String, &'static str)]) -> Vec<(String, f64)> {
     let kind = |(name, unit): &(String, &'static str)| {
         let question = name.strip_suffix(".x").or(name.strip_suffix(".y")).unwrap_or(name);
         let asked = scene.find.iter().find(|f| f.text == question).map(|f| f.what.kind());
         asked.or_else(|| Kind::ALL.into_iter().find(|kind| kind.si() == *unit))
     };
     let told = |column: &(String, &'static str)| match kind(column) {
-        Some(kind) => (scene.book.name(kind).to_owned(), scene.book.value(kind, 1.0)),
+        Some(kind) => (book.name(kind).to_owned(), book.value(kind, 1.0)),
         None => (column.1.to_owned(), 1.0),
     };
     columns.iter().map(told).collect()

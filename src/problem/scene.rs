@@ -210,6 +210,7 @@ impl Answered for SceneSolution {
         let name = match task {
             WorksheetTask::Polygons => return Ok(worksheet::worksheet(scene, worked, &options)),
             WorksheetTask::Loops => return worksheet::by_loops(scene, worked, &options),
+            WorksheetTask::Questions => return Ok(worksheet::questions(scene, worked, &options)),
             WorksheetTask::Mistake(name) => name,
         };
         let all = attempts::wanted(scene, worked, false)?;

@@ -55,6 +55,10 @@ pub enum Wish {
     Mobility,
     /// The analytic method with vector loops.
     Loops,
+    /// A table of the whole motion.
+    Table,
+    /// Questions on concepts.
+    Questions,
 }
 
 impl Wish {
@@ -71,6 +75,8 @@ impl Wish {
             Wish::Mistake => "--find-the-mistake",
             Wish::Mobility => "--mobility",
             Wish::Loops => "--loops",
+            Wish::Table => "--table",
+            Wish::Questions => "--questions",
         }
     }
 }

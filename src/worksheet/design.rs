@@ -253,15 +253,18 @@ impl DesignMaker<'_> {
         let Some(figure) = figure::deviation(self.task, self.candidate, self.set) else { return };
         let course = &self.candidate.draft.course;
         blocks.push(self.heading(2, "Structural error", "结构误差"));
+        blocks.extend(
+            figure::generated(self.task, self.candidate, self.set).map(|f| picture("function", f)),
+        );
         blocks.push(picture("deviation", figure));
         let wanted = tr(self.lang(), "wanted function", "期望函数");
         let real = tr(self.lang(), "generated function", "再现函数");
         let head = [
             "$x$".to_owned(),
-            "$\\varphi$".into(),
-            format!("$\\psi$ {wanted}"),
-            format!("$\\psi$ {real}"),
-            "$\\Delta\\psi$".into(),
+            "$\\alpha_0 + \\alpha$".into(),
+            format!("$\\varphi_0 + \\varphi$ {wanted}"),
+            format!("$\\varphi_0 + \\varphi$ {real}"),
+            "$\\Delta\\varphi$".into(),
         ];
         let mut rows = vec![head.iter().map(|h| Phrase::new(h)).collect::<Vec<_>>()];
         let turned = |a: f64| degrees(a, 6);
@@ -275,7 +278,8 @@ impl DesignMaker<'_> {
             ];
             cells.iter().map(|c| Phrase::new(c)).collect::<Vec<_>>()
         };
-        let steps = course.len().clamp(2, ROWS) - 1;
+        let all = if self.candidate.draft.whole_course { course.len() } else { ROWS };
+        let steps = course.len().min(all).max(2) - 1;
         rows.extend(
             (0..=steps)
                 .filter_map(|k| course.get(k * course.len().saturating_sub(1) / steps))

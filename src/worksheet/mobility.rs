@@ -44,11 +44,11 @@ pub fn mobility_of_pairs(scene: &Scene, options: &WorksheetOptions) -> Document 
 }
 
 /// The input of the sheet.
-struct MobilitySheet<'a> {
-    scene: &'a Scene,
-    options: &'a sheet::SheetOptions,
+pub(super) struct MobilitySheet<'a> {
+    pub scene: &'a Scene,
+    pub options: &'a sheet::SheetOptions,
     /// The maker of drawings, if the pose is given.
-    drawn: Option<SheetMaker<'a>>,
+    pub drawn: Option<SheetMaker<'a>>,
 }
 
 impl Speak for MobilitySheet<'_> {
@@ -169,12 +169,7 @@ impl MobilitySheet<'_> {
             counted.repeats().iter().map(|b| self.said(b)).collect(),
         );
         blocks.push(DocumentBlock::Table(DocumentTable { kind: TableKind::Values, rows }));
-        let f = counted.survey.counts.freedom(counted.sure, local.len());
-        let formula = format!(
-            "F = 3n - (2p_l + p_h - p') - F' = 3 \\times {moving} - (2 \\times {lower} + {higher} - {}) - {} = {f}",
-            counted.sure,
-            local.len()
-        );
+        let (f, formula) = counted.formula();
         blocks.push(DocumentBlock::Formula(vec![Math::Row(Label::math(formula))]));
         self.substituted(blocks, counted);
         let drivers = self.scene.own_drivers() as i64;
@@ -183,7 +178,7 @@ impl MobilitySheet<'_> {
     }
 
     /// Sentence: the number of drivers that a mechanism without drivers needs.
-    fn needed(&self, f: i64) -> String {
+    pub fn needed(&self, f: i64) -> String {
         match (f, self.lang()) {
             (..=0, Lang::En) => "It cannot move.".to_owned(),
             (..=0, Lang::Zh) => "它不能运动，不是机构。".to_owned(),
@@ -194,7 +189,7 @@ impl MobilitySheet<'_> {
     }
 
     /// Sentence: whether this number of drivers determines the motion.
-    fn determined(&self, f: i64, drivers: i64) -> String {
+    pub fn determined(&self, f: i64, drivers: i64) -> String {
         match (f == drivers, self.lang()) {
             (true, Lang::En) => {
                 format!("As many freedoms as drivers ({drivers}): the motion is determined.")

@@ -21,6 +21,7 @@ pub mod pages;
 mod pairs;
 mod particle;
 mod problem;
+mod questions;
 mod results;
 mod solution;
 mod speak;
@@ -45,6 +46,7 @@ pub use loops::by_loops;
 pub use mistake::find_the_mistake;
 pub use mobility::{mobility, mobility_of_pairs};
 pub use particle::particle;
+pub use questions::questions;
 
 /// The sides of a worksheet that are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -66,6 +68,8 @@ pub enum WorksheetTask<'a> {
     Polygons,
     /// The scene's questions, solved by the analytic method with vector loops.
     Loops,
+    /// Questions on concepts.
+    Questions,
     /// A wrong solution by its name, in which to find the mistake; the first possible one if the
     /// name is empty.
     Mistake(&'a str),

@@ -16,12 +16,12 @@ const MOST_S: f64 = 1.5;
 /// Deadline on a machine under any load.
 const DEADLINE: Duration = Duration::from_secs(60);
 /// Commands that take at most a second with any scene; `shards` reads as much as there is.
-pub const AT_ONCE: [&str; 9] =
-    ["new", "templates", "schema", "explain", "diff", "shards", "mark", "import", "mdbook"];
+pub const AT_ONCE: [&str; 10] =
+    ["new", "templates", "schema", "explain", "diff", "shards", "mark", "import", "mdbook", "teeth"];
 
 /// Every command at a size that takes it seconds (or its longest possible time): its arguments, and
 /// the scene.
-const LONG: [(&str, &str); 27] = [
+const LONG: [(&str, &str); 29] = [
     ("draw SCENE -o a.svg", "points-1900"),
     ("draw SCENE --figure mechanism --dimensions -o b.svg", "points-1900"),
     ("lesson SCENE --positions 360 -o c.html", "points-40"),
@@ -39,6 +39,8 @@ const LONG: [(&str, &str); 27] = [
     ("animate SCENE --frames 360 -o j.gif", "chain-60"),
     ("cam SCENE --steps 100000 --profile k.csv -o k", "cam"),
     ("limits SCENE", "chain-200"),
+    ("compare SCENE SCENE -o n.svg", "chain-200"),
+    ("cycle SCENE -o p.svg", "chain-200"),
     ("mobility SCENE -o l.svg", "chain-200"),
     ("centres SCENE", "chain-30"),
     ("inversions SCENE -o m", "chain-10"),

@@ -2,6 +2,8 @@
 
 mod asked;
 mod cams;
+mod compare;
+mod cycle;
 mod designs;
 mod documents;
 mod edit;
@@ -14,11 +16,14 @@ mod figures;
 #[cfg(target_os = "linux")]
 mod files;
 mod languages;
+mod questions;
 mod scene;
 #[cfg(target_os = "linux")]
 mod shards;
 mod streams;
+mod teeth;
 mod text;
+mod turns;
 mod units;
 #[path = "../wide/mod.rs"]
 mod wide;

@@ -6,11 +6,13 @@ use serde_json::Value as Json;
 use std::fs;
 
 /// Commands on `s.json`, with few steps: many inputs find more than long ones.
-const COMMANDS: [&str; 27] = [
+const COMMANDS: [&str; 29] = [
     "solve s.json --steps",
     "curves s.json --steps 24 -o c.svg",
     "draw s.json --format svg -o out/",
     "limits s.json",
+    "compare s.json s.json -o c.svg",
+    "cycle s.json --form straight -o c.svg",
     "sweep s.json --steps 6 -o t.csv",
     "draw s.json --steps --format svg -o out/",
     "cam s.json --steps 24 --profile p.csv",

@@ -21,6 +21,7 @@ mod composite;
 pub mod course;
 mod curvature;
 pub mod curves;
+pub mod cycle;
 mod described;
 mod extremes;
 pub mod fit;

@@ -3,7 +3,7 @@
 
 mod positions;
 
-pub use positions::{MOVES, Scaled, deviation, linkage, scaled};
+pub use positions::{MOVES, Scaled, deviation, generated, linkage, scaled};
 
 use hodograph_base::diag::Faults;
 use hodograph_base::digits::{inked, shortest, significant};
@@ -77,6 +77,7 @@ pub fn figures(
         out.push(("construction", construction(task, candidate, &board, set)));
     }
     out.push(("positions", linkage(task, candidate, set)));
+    out.extend(generated(task, candidate, set).map(|f| ("function", f)));
     out.extend(deviation(task, candidate, set).map(|f| ("deviation", f)));
     Ok(out)
 }

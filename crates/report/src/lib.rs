@@ -18,12 +18,14 @@ pub mod centres;
 mod centres_found;
 pub mod centres_json;
 mod columns;
+pub mod comparison;
 pub mod composite;
 pub mod construction;
 pub mod curvature;
 pub mod curvature_json;
 mod curvature_legend;
 mod curvature_steps;
+pub mod cycle;
 pub mod diagnostics;
 pub mod drafting;
 #[doc(hidden)]
@@ -48,6 +50,7 @@ pub mod symbols;
 pub mod synthesis;
 #[cfg(feature = "csv")]
 pub mod table;
+pub mod teeth;
 pub mod trains;
 pub mod tried;
 pub mod vector_equation;

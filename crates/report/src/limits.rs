@@ -92,6 +92,19 @@ pub fn output_words(
     limits.swings.iter().map(|s| w.swing(s)).collect()
 }
 
+/// Returns the name of an output: `phi_3`, `s_C`.
+pub fn output_name(scene: &Scene, output: DrivenOutput) -> String {
+    match output {
+        DrivenOutput::Turning(l) => format!("phi_{}", scene.link_name(l)),
+        DrivenOutput::Sliding(g) => {
+            let guide = &scene.guides[g.0];
+            let point = guide.pin.map(|p| scene.point_name(p));
+            let name = point.or(guide.slider.map(|l| scene.link_name(l)));
+            format!("s_{}", name.unwrap_or_default())
+        }
+    }
+}
+
 /// Returns the report as JSON, in SI.
 pub fn json(scene: &Scene, driver: usize, limits: &MotionLimits) -> Json {
     let w = LimitWords::new(scene, driver, limits, Lang::En);
@@ -243,17 +256,7 @@ impl<'a> LimitWords<'a> {
     }
 
     fn output(&self, output: DrivenOutput) -> String {
-        match output {
-            DrivenOutput::Turning(l) => format!("phi_{}", self.scene.link_name(l)),
-            DrivenOutput::Sliding(g) => {
-                let guide = &self.scene.guides[g.0];
-                let point = guide.pin.map(|p| self.scene.point_name(p));
-                format!(
-                    "s_{}",
-                    point.or(guide.slider.map(|l| self.scene.link_name(l))).unwrap_or_default()
-                )
-            }
-        }
+        output_name(self.scene, output)
     }
 
     fn size(&self, output: DrivenOutput, value: f64) -> String {

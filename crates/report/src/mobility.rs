@@ -215,6 +215,17 @@ impl Counted {
         Counted { survey, checked, sure }
     }
 
+    /// Returns the degree of freedom, and its formula with numbers in the label language.
+    pub fn formula(&self) -> (i64, String) {
+        let Counts { moving, lower, higher } = self.survey.counts;
+        let (repeated, local) = (self.sure, self.survey.local.len());
+        let f = self.survey.counts.freedom(repeated, local);
+        let text = format!(
+            "F = 3n - (2p_l + p_h - p') - F' = 3 \\times {moving} - (2 \\times {lower} + {higher} - {repeated}) - {local} = {f}"
+        );
+        (f, text)
+    }
+
     /// Returns the remarks on the count of lower pairs, with points as formulas.
     pub fn lower(&self, scene: &Scene, lang: Lang) -> Vec<Phrase> {
         lower_set(scene, &self.survey.compound, lang)

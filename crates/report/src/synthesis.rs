@@ -61,9 +61,9 @@ fn printed(name: &str) -> String {
         ("theta", "θ"),
         ("psi", "ψ"),
         ("phi", "φ"),
-        ("max_error", "Δψ_max"),
-        ("x_max", "x(Δψ_max)"),
-        ("error", "Δψ"),
+        ("max_error", "Δφ_max"),
+        ("x_max", "x(Δφ_max)"),
+        ("error", "Δφ"),
         ("deviation", "Δ"),
         ("delta", "δ"),
         ("at_least", "φ(y_min)"),
@@ -401,4 +401,20 @@ pub fn steps(candidate: &DesignCandidate, board: &SynthesisBoard, lang: Lang) ->
         };
     }
     out
+}
+
+/// Returns the table of wanted and actual angles of a function as comma-separated values, in
+/// degrees; `None` if the design is for no function.
+pub fn course_csv(c: &DesignCandidate) -> Option<String> {
+    if c.draft.course.is_empty() {
+        return None;
+    }
+    let mut out =
+        "x,alpha0+alpha [°],phi0+phi wanted [°],phi0+phi real [°],deviation [°]\n".to_owned();
+    for row in &c.draft.course {
+        let angles = [row.input, row.wanted, row.real, row.deviation()];
+        let angles = angles.map(|a| shortest(a.to_degrees()));
+        out += &format!("{},{}\n", shortest(row.x), angles.join(","));
+    }
+    Some(out)
 }

@@ -245,6 +245,43 @@ impl Book {
         self.units.get(kind as usize)?.as_ref()
     }
 
+    /// Returns the units of a table from a list with commas. `book` stands for the units that the
+    /// scene chooses, and mm, mm/s, mm/s² and degrees for kinds without one; without this word
+    /// they are SI units. Every other word is a unit, which replaces that of its kind.
+    ///
+    /// # Errors
+    /// The first word that is no unit of any kind.
+    pub fn of_table(&self, list: &str) -> Result<Book, String> {
+        let words: Vec<&str> = list.split(',').map(str::trim).collect();
+        let mut table = Book::default();
+        let usual: &[(Kind, &str)] = match words.contains(&"book") {
+            true => &[
+                (Kind::Length, "mm"),
+                (Kind::Velocity, "mm/s"),
+                (Kind::Acceleration, "mm/s^2"),
+                (Kind::Angle, "deg"),
+            ],
+            false => &[(Kind::Angle, "rad")],
+        };
+        for (kind, word) in usual {
+            BookUnit::of_kind(word, *kind).into_iter().for_each(|unit| table.set(*kind, unit));
+        }
+        if words.contains(&"book") {
+            let chosen = Kind::ALL.into_iter().filter_map(|k| Some((k, self.chosen(k)?.clone())));
+            chosen.for_each(|(kind, unit)| table.set(kind, unit));
+        }
+        for word in words.into_iter().filter(|w| *w != "book") {
+            let units = Kind::ALL.map(|kind| (kind, BookUnit::of_kind(word, kind)));
+            if units.iter().all(|(_, unit)| unit.is_none()) {
+                return Err(word.to_owned());
+            }
+            units
+                .into_iter()
+                .for_each(|(kind, unit)| unit.into_iter().for_each(|u| table.set(kind, u)));
+        }
+        Ok(table)
+    }
+
     /// Returns true if any of these kinds has a chosen unit.
     pub fn any(&self, kinds: &[Kind]) -> bool {
         kinds.iter().any(|k| self.chosen(*k).is_some())

@@ -37,6 +37,52 @@ pub trait SweepPieces: Send {
     fn notes(&self) -> Vec<Diagnostic>;
 }
 
+/// The rows of a sweep in other units: each column times a factor, to thirteen significant digits,
+/// so that `30°` is not 29.999999999999996.
+pub struct ScaledPieces<'a> {
+    /// The rows in SI units.
+    pub rows: &'a mut dyn SweepPieces,
+    /// The number of units in one SI unit, for each column.
+    pub factors: Vec<f64>,
+}
+
+impl SweepPieces for ScaledPieces<'_> {
+    fn columns(&self) -> Vec<(String, &'static str)> {
+        self.rows.columns()
+    }
+
+    fn count(&self) -> usize {
+        self.rows.count()
+    }
+
+    fn at_once(&self) -> usize {
+        self.rows.at_once()
+    }
+
+    fn piece(&mut self, rows: Range<usize>, stop: StopSignal) -> Option<Vec<Vec<f64>>> {
+        let mut columns = self.rows.piece(rows, stop)?;
+        for (column, factor) in columns.iter_mut().zip(&self.factors).filter(|(_, f)| **f != 1.0) {
+            column.iter_mut().for_each(|v| *v = rounded(*v * factor));
+        }
+        Some(columns)
+    }
+
+    fn notes(&self) -> Vec<Diagnostic> {
+        self.rows.notes()
+    }
+}
+
+/// Returns a number to thirteen significant digits; numbers beyond powers of ten that are exact in
+/// `f64` stay as they are.
+fn rounded(value: f64) -> f64 {
+    let digits = 12.0 - libm::floor(libm::log10(value.abs()));
+    if !(0.0..=22.0).contains(&digits) {
+        return value;
+    }
+    let power = libm::exp10(digits);
+    libm::round(value * power) / power
+}
+
 /// Collects all rows in memory.
 pub fn gather(pieces: &mut dyn SweepPieces) -> Table {
     let mut columns: Vec<Column> = pieces

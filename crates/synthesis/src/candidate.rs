@@ -104,6 +104,8 @@ pub struct Draft {
     pub targets: Vec<Point>,
     /// Wanted against actual: the output angle over the range of a function.
     pub course: Vec<Compared>,
+    /// True if the file states the step of `course`, so that tables have all its rows.
+    pub whole_course: bool,
     /// Remarks on the design.
     pub remarks: Vec<Diagnostic>,
 }
@@ -127,6 +129,7 @@ impl Draft {
             error: 0.0,
             targets: Vec::new(),
             course: Vec::new(),
+            whole_course: false,
             remarks: Vec::new(),
         }
     }

@@ -1,7 +1,7 @@
 //! Further arguments: what moves, and those of the commands that draw a motion.
 
 use super::{ClapArgs, CommonArgs, FigureFormat, LookArgs, dpi, seconds};
-use crate::cli::values::MotionFormat;
+use crate::cli::values::{ComparisonFormat, CycleForm, MotionFormat};
 
 /// The motion from pose to pose.
 #[derive(ClapArgs, Debug)]
@@ -76,4 +76,74 @@ pub struct AnimateArgs {
     /// several (default of `-o -`: svg)
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
     pub format: Vec<MotionFormat>,
+}
+
+#[derive(ClapArgs, Debug)]
+#[command(
+    after_help = "Outputs and quantities of the same name are compared: give the designs the same letters and link numbers"
+)]
+pub struct CompareArgs {
+    /// The scene files, two or more; `-` reads standard input
+    #[arg(value_name = "SCENE", required = true, num_args = 2..)]
+    pub scenes: Vec<String>,
+    /// Give a parameter that all scenes have another value: NAME=VALUE; a bare number keeps the
+    /// unit
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// Notation profile: en (pole o, superscripts c, rel) or cn (pole p, superscripts k, r)
+    #[arg(long, value_parser = clap::builder::PossibleValuesParser::new(["en", "cn"]))]
+    pub notation: Option<String>,
+    /// The driver of each scene that moves, by its name (`phi_1`, `s_B`, `l_BC`, `driver2`); the
+    /// others are at rest
+    #[arg(long, value_name = "NAME")]
+    pub over: Option<String>,
+    /// Other questions than the scenes', such as v_C,a_C
+    #[arg(long, value_name = "LIST")]
+    pub find: Option<String>,
+    #[command(flatten)]
+    pub look: LookArgs,
+    /// Write the diagram to this file, ending in .svg, .png, .pdf or .tikz, or the table, ending in
+    /// .csv or .json; `-` for standard output (default: the table as text)
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<String>,
+    /// Formats where -o has no such ending, such as svg,csv; each ending is added where there are
+    /// several (default of `-o -`: svg)
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST", requires = "output")]
+    pub format: Vec<ComparisonFormat>,
+    /// Print the table as JSON, in SI
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(ClapArgs, Debug)]
+#[command(
+    after_help = "The forward stroke is the slower one; of a cam's follower and of strokes of one duration, that in which the coordinate grows"
+)]
+pub struct CycleArgs {
+    #[command(flatten)]
+    pub common: CommonArgs,
+    /// The driver that moves, by its name (`phi_1`, `s_B`, `l_BC`, `driver2`); the others are at
+    /// rest
+    #[arg(long, value_name = "NAME")]
+    pub over: Option<String>,
+    /// The outputs, such as phi_3,s_C (default: all links on a pivot and sliders on a guide of the
+    /// ground)
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub find: Vec<String>,
+    /// Form of the diagram
+    #[arg(long, value_enum, default_value_t = CycleForm::Bars)]
+    pub form: CycleForm,
+    #[command(flatten)]
+    pub look: LookArgs,
+    /// The diagram, in a file ending in .svg, .png, .pdf or .tikz, or on `-`, standard output, in
+    /// place of the table
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<String>,
+    /// Formats where -o has no such ending, such as svg,pdf,tikz; each ending is added where there are
+    /// several (default of `-o -`: svg)
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST", requires = "output")]
+    pub format: Vec<FigureFormat>,
+    /// Print the phases as JSON, in SI
+    #[arg(long)]
+    pub json: bool,
 }

@@ -1,6 +1,7 @@
 //! Arguments of the commands that report on a scene and take nothing more than how.
 
 use super::{ClapArgs, CommonArgs};
+use crate::cli::values::taper;
 
 #[derive(ClapArgs, Debug)]
 #[command(
@@ -86,6 +87,51 @@ pub struct LimitsArgs {
     /// fluctuation, such as 1/30
     #[arg(long, value_name = "DELTA")]
     pub flywheel: Option<String>,
+    /// Print JSON, in SI
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(ClapArgs, Debug)]
+#[command(
+    after_help = "Teeth of the basic rack of ISO 53: pressure angle 20°, addendum 1 m, clearance 0.25 m"
+)]
+pub struct TeethArgs {
+    /// The ratio z2/z1 of at least 1, or that of the whole train, such as 3.15 or 63/20
+    #[arg(long, value_name = "I")]
+    pub ratio: String,
+    /// Greatest deviation of the ratio
+    #[arg(long, value_name = "PART", default_value = "1%")]
+    pub within: String,
+    /// Least and greatest number of teeth
+    #[arg(long, value_name = "LEAST..MOST", default_value = "17..120")]
+    pub teeth: String,
+    /// Centre distance of the pair, such as 150mm
+    #[arg(long, value_name = "LENGTH", conflicts_with = "stages")]
+    pub distance: Option<String>,
+    /// Modules to try, in mm (default: 1 to 10 of the first series of ISO 54)
+    #[arg(long, value_name = "LIST", value_delimiter = ',', requires = "distance")]
+    pub module: Vec<f64>,
+    /// Least and greatest sum of the profile shifts of a spur pair
+    #[arg(
+        long,
+        value_name = "LEAST..MOST",
+        default_value = "-0.5..1.5",
+        allow_hyphen_values = true
+    )]
+    pub shifts: String,
+    /// Least and greatest helix angle of a helical pair, in degrees
+    #[arg(long, value_name = "LEAST..MOST", default_value = "8..20")]
+    pub helix: String,
+    /// Number of stages of a train
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(2..=4))]
+    pub stages: Option<u8>,
+    /// Ratio of a stage over that of the next slower one
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.3, value_parser = taper)]
+    pub taper: f64,
+    /// Greatest number of solutions, the best first
+    #[arg(long, value_name = "N", default_value_t = 20)]
+    pub count: usize,
     /// Print JSON, in SI
     #[arg(long)]
     pub json: bool,

@@ -1,5 +1,6 @@
 //! The content of a line diagram: the answers of a sweep as panels of curves, with their extremes.
 
+use crate::plot::over;
 use crate::sheet::swept_symbol;
 use hodograph_base::notation::Notation;
 use hodograph_report::amount::symbol;
@@ -40,14 +41,19 @@ pub struct DiagramCurve {
 pub struct Panel {
     /// The unit, in the label language.
     pub unit: String,
+    /// The symbol of the quantity, if the curves are named after something else.
+    pub shared: Option<String>,
     /// The curves.
     pub curves: Vec<DiagramCurve>,
 }
 
 impl Panel {
-    /// Returns the quantity in the label language: the symbol of a single curve, or the letters of
-    /// several.
+    /// Returns the quantity in the label language: the shared symbol, the symbol of a single curve,
+    /// or the letters of several.
     pub fn quantity(&self) -> String {
+        if let Some(shared) = &self.shared {
+            return shared.clone();
+        }
         if let [one] = &self.curves[..] {
             return one.symbol.clone();
         }
@@ -75,12 +81,31 @@ pub struct CurveDiagram {
     pub places: Vec<f64>,
     /// The panels, from top to bottom.
     pub panels: Vec<Panel>,
+    /// The heading in place of the scene's title, with what the n-th curve of every panel shows.
+    pub legend: Option<CurveLegend>,
+}
+
+/// The heading of a diagram whose panels have the same curves, and the name of each curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CurveLegend {
+    /// The heading.
+    pub heading: String,
+    /// The name of each curve, in the order of the curves of a panel.
+    pub names: Vec<String>,
 }
 
 impl CurveDiagram {
     /// True if there is nothing to draw.
     pub fn is_empty(&self) -> bool {
         self.panels.is_empty()
+    }
+
+    /// Returns each quantity over its unit, in the label language: the driver, then all curves.
+    pub fn heads(&self) -> Vec<String> {
+        let [driver, unit] = &self.driver;
+        let curves = self.panels.iter().flat_map(|p| p.curves.iter().map(move |c| (p, c)));
+        let of_curves = curves.map(|(panel, curve)| over(&curve.symbol, &panel.unit));
+        std::iter::once(over(driver, unit)).chain(of_curves).collect()
     }
 
     /// Returns the answers of a sweep of one driver: see [`CurveDiagram::swept`].
@@ -174,7 +199,7 @@ impl CurveDiagram {
                 Some((_, panel)) => panel.curves.push(curve),
                 None => {
                     let unit = column.unit.clone();
-                    panels.push((order, Panel { unit, curves: vec![curve] }));
+                    panels.push((order, Panel { unit, shared: None, curves: vec![curve] }));
                 }
             }
         }
@@ -184,6 +209,7 @@ impl CurveDiagram {
             per_si: factor,
             places,
             panels: panels.into_iter().map(|p| p.1).collect(),
+            legend: None,
         }
     }
 }

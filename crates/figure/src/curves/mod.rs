@@ -8,14 +8,14 @@
 mod diagram;
 mod polar;
 
-pub use diagram::{CurveDiagram, DiagramCurve, Panel};
+pub use diagram::{CurveDiagram, CurveLegend, DiagramCurve, Panel};
 pub use polar::polar;
 
 use super::plot::{Plot, PlotAxis, over};
 use diagram::DEGREE;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_paper::paper::extent::Rect;
-use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, FigureItem, Shape};
+use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, FigureItem, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::{formula, tr};
 use hodograph_paper::paper::place::LabelRequest;
@@ -46,21 +46,34 @@ const DIGITS: usize = 4;
 const A4_MM: [f64; 2] = [210.0, 297.0];
 const ON_A4: usize = 3;
 
+/// Distance between the lines of the legend, and the length of its samples (mm).
+const LEGEND_MM: f64 = 5.5;
+const SAMPLE_MM: f64 = 14.0;
+
 /// Draws a diagram as one figure, all panels one above the other.
 pub fn figure(scene: &Scene, diagram: &CurveDiagram, style: &Style, lang: Lang) -> Figure {
     let n = diagram.panels.len().max(1) as f64;
     let size_mm = [
         LEFT_MM + PLOT_MM[0] + RIGHT_MM,
-        ABOVE_MM + n * PLOT_MM[1] + (n - 1.0) * BETWEEN_MM + BELOW_MM,
+        above_mm(diagram) + n * PLOT_MM[1] + (n - 1.0) * BETWEEN_MM + BELOW_MM,
     ];
     page(scene, diagram, &diagram.panels, size_mm, style, lang)
 }
 
-/// Draws a diagram as pages of A4, three panels on each.
+/// Returns the space above the first panel (mm): that of title and legend.
+fn above_mm(diagram: &CurveDiagram) -> f64 {
+    let lines = diagram.legend.as_ref().map_or(0, |l| l.names.len());
+    let gap = if lines > 0 { LEGEND_MM / 2.0 } else { 0.0 };
+    ABOVE_MM + lines as f64 * LEGEND_MM + gap
+}
+
+/// Draws a diagram as pages of A4, as many panels on each as have space: three without a legend.
 pub fn pages(scene: &Scene, diagram: &CurveDiagram, style: &Style, lang: Lang) -> Vec<Figure> {
+    let free = A4_MM[1] - above_mm(diagram) - BELOW_MM + BETWEEN_MM;
+    let on_page = (libm::floor(free / (PLOT_MM[1] + BETWEEN_MM)) as usize).clamp(1, ON_A4);
     diagram
         .panels
-        .chunks(ON_A4)
+        .chunks(on_page)
         .map(|panels| page(scene, diagram, panels, A4_MM, style, lang))
         .collect()
 }
@@ -76,11 +89,10 @@ fn page(
 ) -> Figure {
     let left_mm = LEFT_MM + (width_mm - LEFT_MM - PLOT_MM[0] - RIGHT_MM) / 2.0;
     let x = PlotAxis::of(&diagram.places, diagram.driver[1] == DEGREE, 12);
-    let title = scene.title.get(lang);
-    let heading = if title.is_empty() {
-        tr(lang, "Motion", "运动线图").to_owned()
-    } else {
-        title.to_owned()
+    let heading = match (&diagram.legend, scene.title.get(lang)) {
+        (Some(legend), _) => legend.heading.clone(),
+        (None, "") => tr(lang, "Motion", "运动线图").to_owned(),
+        (None, title) => title.to_owned(),
     };
     let mut items = Vec::new();
     let title = Shape::Label {
@@ -91,9 +103,14 @@ fn page(
         colour: Colour::BLACK,
     };
     items.push(FigureItem::new("title", title));
+    let names = diagram.legend.iter().flat_map(|l| &l.names).enumerate();
+    for (k, name) in names {
+        let y = height_mm - ABOVE_MM - k as f64 * LEGEND_MM;
+        items.extend(legend_line(Point::new(left_mm, y), k, name, style));
+    }
     let mut said = Vec::new();
     for (k, panel) in panels.iter().enumerate() {
-        let top = height_mm - ABOVE_MM - k as f64 * (PLOT_MM[1] + BETWEEN_MM);
+        let top = height_mm - above_mm(diagram) - k as f64 * (PLOT_MM[1] + BETWEEN_MM);
         let frame =
             Rect::new(Point::new(left_mm, top - PLOT_MM[1]), Point::new(left_mm + PLOT_MM[0], top));
         let mut values: Vec<f64> = panel
@@ -143,22 +160,45 @@ fn page(
     figure
 }
 
+/// Returns the stroke of the k-th curve of a panel; lines beyond the available dash patterns are
+/// thin.
+fn stroke(k: usize, style: &Style) -> LineStroke {
+    let line = if k < DASHES.len() { style.vector } else { style.thin };
+    line.dashed(DASHES[k % DASHES.len()])
+}
+
+/// Returns a line of the legend: a sample of the k-th curve, and its name.
+fn legend_line(at: Point, k: usize, name: &str, style: &Style) -> [FigureItem; 2] {
+    let (middle, size_mm) = (Vec2::new(0.0, 0.33 * style.caption_mm), style.caption_mm);
+    let to = at + Vec2::new(SAMPLE_MM, 0.0);
+    let sample = Shape::Line { from: at + middle, to: to + middle, stroke: stroke(k, style) };
+    let words = Shape::Label {
+        at: to + Vec2::new(3.0, 0.0),
+        label: Label::text(name).in_fonts(&style.fonts),
+        size_mm,
+        anchor: Anchor::Start,
+        colour: Colour::BLACK,
+    };
+    [("legend-line", sample), ("legend-name", words)].map(|(class, shape)| FigureItem {
+        link: Some(k),
+        ..FigureItem::new(class, shape).with_id(format!("{class}-{k}"))
+    })
+}
+
 /// Draws lines with their names, and their extremes with their values.
 fn curves(plot: &mut Plot, panel: &Panel, diagram: &CurveDiagram, said: &mut Vec<String>) {
     let (style, places) = (plot.style, &diagram.places);
-    let usual = places.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min);
     // A value that several curves share at one point is written once.
     let mut marked: Vec<(Point, String)> = Vec::new();
     for (k, curve) in panel.curves.iter().enumerate() {
-        // Lines beyond the available dash patterns are thin.
-        let line = if k < DASHES.len() { style.vector } else { style.thin };
-        let stroke = line.dashed(DASHES[k % DASHES.len()]);
+        let stroke = stroke(k, style);
         let known: Vec<(f64, f64)> = places
             .iter()
             .copied()
             .zip(curve.values.iter().copied())
             .filter(|(_, v)| v.is_finite())
             .collect();
+        let usual = known.windows(2).map(|w| w[1].0 - w[0].0).fold(f64::INFINITY, f64::min);
         let apart = |w: &(f64, f64), v: &(f64, f64)| v.0 - w.0 <= 1.5 * usual;
         for run in known.chunk_by(apart).filter(|r| r.len() > 1) {
             let points: Vec<Point> = run.iter().map(|(x, y)| plot.at(*x, *y)).collect();

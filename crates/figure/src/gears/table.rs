@@ -8,7 +8,9 @@ use hodograph_paper::paper::grid::{self, Cell, Row};
 use hodograph_paper::paper::item::{Anchor, Colour, FigureItem, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
+use hodograph_report::teeth::drive;
 use hodograph_scene::Kind;
+use std::f64::consts::PI;
 
 use super::DrawnGears;
 
@@ -60,6 +62,13 @@ impl DrawnGears<'_> {
             if ring { "\\text{–}".to_owned() } else { number(g.least_shift(&pair.basic)) }
         };
         let basic = &pair.basic;
+        let pitch = PI * basic.module;
+        // The spaces of a ring are the teeth of a gear of its size.
+        let thickness = |g: &Gear| {
+            let wide = 0.5 * pitch + 2.0 * g.shift * basic.module * libm::tan(basic.alpha);
+            let ring = pair.mate == Mate::Ring && *g == pair.gears[1];
+            if ring { pitch - wide } else { wide }
+        };
         let each = [
             (tr(lang, "teeth", "齿数"), "z", of(&|g| g.teeth.to_string())),
             (tr(lang, "profile shift", "变位系数"), "x", of(&|g| number(g.shift))),
@@ -69,11 +78,23 @@ impl DrawnGears<'_> {
             (tr(lang, "operating pitch radius", "节圆半径"), "r'", of(&|g| self.length(g.pitch))),
             (tr(lang, "tip radius", "齿顶圆半径"), "r_a", of(&|g| self.length(g.tip))),
             (tr(lang, "root radius", "齿根圆半径"), "r_f", of(&|g| self.length(g.root))),
+            (tr(lang, "tooth thickness", "分度圆齿厚"), "s", of(&|g| self.length(thickness(g)))),
+            (
+                tr(lang, "width of space", "分度圆齿槽宽"),
+                "e",
+                of(&|g| self.length(pitch - thickness(g))),
+            ),
+            (
+                tr(lang, "depth of tooth", "全齿高"),
+                "h",
+                of(&|g| self.length((g.tip - g.root).abs())),
+            ),
         ];
         let degrees = |a: f64| format!("{}°", number(a.to_degrees()));
         let [b2, b1] = pair.contact();
         let mut common = vec![
             (tr(lang, "module", "模数"), "m", self.length(basic.module)),
+            (tr(lang, "pitch", "齿距"), "p", self.length(pitch)),
             (tr(lang, "pressure angle", "压力角"), "\\alpha", degrees(basic.alpha)),
             (tr(lang, "operating pressure angle", "啮合角"), "\\alpha'", degrees(pair.operating)),
         ];
@@ -129,6 +150,11 @@ impl DrawnGears<'_> {
                     ),
                 ]);
             }
+        }
+        if pair.mate != Mate::Rack {
+            let shifts = pair.gears.map(|g| g.shift);
+            let kind = drive(pair.mate.shift(shifts), shifts != [0.0; 2], lang);
+            common.push((tr(lang, "kind of drive", "传动类型"), "", format!("\\text{{{kind}}}")));
         }
         common.extend([
             (tr(lang, "length of contact", "实际啮合线段"), "B_{}B_{}", self.length(b1 - b2)),

@@ -7,20 +7,23 @@ use hodograph_base::digits::{inked, significant};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale::choose;
 use hodograph_paper::paper::extent::{Rect, bounds};
-use hodograph_paper::paper::item::{Colour, Dash, Figure, FigureItem, PLACED, Shape, tag};
+use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, FigureItem, PLACED, Shape, tag};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::place::{LabelRequest, Obstacles, place};
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
 use hodograph_report::synthesis::{LinkagePosition, positions, traced};
-use hodograph_synthesis::{DesignCandidate, Task};
+use hodograph_synthesis::{Compared, DesignCandidate, Task};
 
 /// Draws the linkage in all prescribed positions, the first one in full ink, and the path of E with
 /// its target points.
 pub fn linkage(task: &Task, candidate: &DesignCandidate, set: Set) -> Figure {
     scaled(task, candidate, set).figure
 }
+
+/// Length of a sample of a curve in the diagram of a function (mm).
+const SAMPLE_MM: f64 = 12.0;
 
 /// The class of items that belong to the first position only, and would move in an animation.
 pub const MOVES: &str = "moves";
@@ -153,7 +156,7 @@ pub fn deviation(task: &Task, candidate: &DesignCandidate, set: Set) -> Option<F
     let mut plot = Plot::new("deviation".to_owned(), style, frame, axes);
     plot.axes(
         Some(Label::math("x").in_fonts(&style.fonts)),
-        Label::math("\\Delta\\psi/(\\degree)"),
+        Label::math("\\Delta\\varphi/(\\degree)"),
     );
     let points = data.iter().map(|p| plot.at(p[0], p[1])).collect();
     plot.draw(
@@ -179,6 +182,62 @@ pub fn deviation(task: &Task, candidate: &DesignCandidate, set: Set) -> Option<F
     let room = frame.grown(16.0);
     let items = plot.finish(room);
     Some(page(task, tr(lang, "structural error", "结构误差"), items, room, (None, Vec::new()), set))
+}
+
+/// Draws the wanted and the actual output angle over the range of a function, with its precision
+/// points; `None` if the task is no function.
+pub fn generated(task: &Task, candidate: &DesignCandidate, set: Set) -> Option<Figure> {
+    let Set { style, lang, .. } = set;
+    let course = &candidate.draft.course;
+    if course.is_empty() {
+        return None;
+    }
+    let xs: Vec<f64> = course.iter().map(|c| c.x).collect();
+    let angles: Vec<f64> =
+        course.iter().flat_map(|c| [c.wanted, c.real]).map(f64::to_degrees).collect();
+    let frame = Rect::new(Point::ORIGIN, Point::new(ROOM_MM[0], 100.0));
+    let axes = [PlotAxis::of(&xs, false, 10), PlotAxis::of(&angles, true, 8)];
+    let mut plot = Plot::new("function".to_owned(), style, frame, axes);
+    plot.axes(
+        Some(Label::math("x").in_fonts(&style.fonts)),
+        Label::math("(\\varphi_0 + \\varphi)/(\\degree)"),
+    );
+    let words =
+        [tr(lang, "generated function", "再现函数"), tr(lang, "wanted function", "期望函数")];
+    let strokes = [style.thin, style.vector.dashed(Dash::Dashed)];
+    for (k, (stroke, word)) in strokes.into_iter().zip(words).enumerate() {
+        let value = |c: &Compared| if k == 0 { c.real } else { c.wanted };
+        let points = course.iter().map(|c| plot.at(c.x, value(c).to_degrees())).collect();
+        let curve = Shape::Polyline { points, closed: false, stroke: Some(stroke), fill: None };
+        plot.draw("curve", curve, None);
+        // The samples are in the corner that a rising or a falling curve leaves free.
+        let rises = course.last().map(|c| c.wanted) > course.first().map(|c| c.wanted);
+        let x = if rises { SAMPLE_MM } else { frame.max.x - 60.0 };
+        let from = Point::new(x, frame.max.y - 8.0 - 6.0 * k as f64);
+        plot.line("sample", from, from + Vec2::new(SAMPLE_MM, 0.0), stroke);
+        let at = from + Vec2::new(SAMPLE_MM + 2.0, -0.33 * style.small_mm);
+        let label = Label::text(word).in_fonts(&style.fonts);
+        plot.words("sample-name", at, label, style.small_mm, Anchor::Start);
+    }
+    for wanted in &candidate.draft.wanted {
+        // Between the places of the table the curve is as good as straight.
+        let part = |w: &[Compared]| (wanted.driver - w[0].input) / (w[1].input - w[0].input);
+        let within = |w: &&[Compared]| (-1e-9..=1.0 + 1e-9).contains(&part(w));
+        let Some(w) = course.windows(2).find(within) else { continue };
+        let at = |of: fn(&Compared) -> f64| of(&w[0]) + part(w) * (of(&w[1]) - of(&w[0]));
+        let centre = plot.at(at(|c| c.x), at(|c| c.wanted).to_degrees());
+        let dot = Shape::Circle {
+            centre,
+            radius_mm: style.dot_radius_mm,
+            stroke: Some(style.thin),
+            fill: Some(Colour::WHITE),
+        };
+        plot.draw("precision-point", dot, None);
+    }
+    let room = frame.grown(16.0);
+    let items = plot.finish(room);
+    let part = tr(lang, "wanted and generated function", "期望函数与再现函数");
+    Some(page(task, part, items, room, (None, Vec::new()), set))
 }
 
 /// Blocks of the first position, with fixed guides under all their positions.

@@ -65,7 +65,7 @@ pub fn json<I: Iterator<Item = io::Result<Vec<f64>>>>(
     let columns = columns
         .map(|(k, h)| JsonColumn {
             name: &h.name,
-            unit: h.unit,
+            unit: &h.unit,
             values: ColumnValues(RefCell::new(values(k))),
         })
         .collect();

@@ -26,6 +26,7 @@ pub use self::parquet::Parquet;
 use hodograph_base::diag::Diagnostic;
 use hodograph_scene::Lang;
 use hodograph_sweep::Table;
+use std::borrow::Cow;
 use std::collections::HashSet;
 use std::io;
 
@@ -37,8 +38,8 @@ pub const GENERATOR: &str = concat!("hodograph ", env!("CARGO_PKG_VERSION"));
 pub struct ColumnHeading {
     /// Name, such as `v_C.x`, unique in the table.
     pub name: String,
-    /// SI unit; empty for a pure number.
-    pub unit: &'static str,
+    /// Unit; empty for a pure number.
+    pub unit: Cow<'static, str>,
     /// True for whole numbers, such as the number of a mechanism.
     pub whole: bool,
     /// True if the same numbers recur, as for parameters and positions of a driver: each is then
@@ -78,7 +79,12 @@ impl TableHead {
         let mut seen = HashSet::new();
         let mut columns: Vec<ColumnHeading> = columns
             .into_iter()
-            .map(|(name, unit)| ColumnHeading { name, unit, whole: false, repeats: false })
+            .map(|(name, unit)| ColumnHeading {
+                name,
+                unit: unit.into(),
+                whole: false,
+                repeats: false,
+            })
             .collect();
         for c in &mut columns {
             let own = c.name.clone();
@@ -89,6 +95,12 @@ impl TableHead {
             }
         }
         TableHead { title: title.to_owned(), columns, lang: Lang::default() }
+    }
+
+    /// Returns the head with other units, one for each column.
+    pub fn in_units(mut self, units: impl IntoIterator<Item = String>) -> TableHead {
+        self.columns.iter_mut().zip(units).for_each(|(c, unit)| c.unit = unit.into());
+        self
     }
 
     /// Returns the head with notes in a language.

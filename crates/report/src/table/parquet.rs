@@ -194,7 +194,7 @@ impl RowFormat for Parquet {
             pieces.iter().filter(|p| p.rows > 0).enumerate().map(|(k, p)| self.group(p, k));
         let groups = groups.collect::<ParquetResult<Vec<_>>>()?;
         let units: BTreeMap<String, &str> =
-            self.head.columns.iter().map(|h| (h.label(), h.unit)).collect();
+            self.head.columns.iter().map(|h| (h.label(), h.unit.as_ref())).collect();
         let text = |v: serde_json::Result<String>| v.map_err(io::Error::other);
         let values = [
             ("title", self.head.title.clone()),

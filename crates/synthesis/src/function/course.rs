@@ -7,25 +7,36 @@ use hodograph_base::diag::both;
 
 /// Deviations (rad) and residuals below this are rounding.
 const NOTHING: f64 = 1e-12;
+/// Parts of a step below this are rounding.
+const ROUNDING: f64 = 1e-9;
 
 impl Function {
-    /// Wanted and actual output angle over the range: at every half degree of the input, as course
-    /// designs require, 40 to 720 places.
+    /// Wanted and actual output angle over the range: at the step of the file and at the end, else
+    /// at every half degree of the input, as course designs require, 40 to 720 places.
     pub(super) fn sampled(&self, g: &Generator) -> Vec<Compared> {
-        let FunctionTarget::Curve { range, swings, .. } = &self.target else { return Vec::new() };
-        let count = (swings[0].abs().to_degrees() * 2.0).round().clamp(40.0, 720.0) as usize;
-        let place = |i: usize| range[0] + (range[1] - range[0]) * i as f64 / count as f64;
-        let compared = |i: usize| {
-            let step = self.target.step(place(i))?;
-            let wanted = g.start[1] + step[1];
-            Some(Compared {
-                x: place(i),
-                input: g.start[0] + step[0],
-                wanted,
-                real: wanted + g.deviation(step)?,
-            })
+        let FunctionTarget::Curve { range, swings, table, .. } = &self.target else {
+            return Vec::new();
         };
-        (0..=count).filter_map(compared).collect()
+        let parts: Vec<f64> = match table {
+            Some(step) => {
+                let count = swings[0].abs() / step;
+                let whole = libm::floor(count + ROUNDING) as usize;
+                let end = (count - whole as f64 > ROUNDING).then_some(1.0);
+                (0..=whole).map(|k| (k as f64 / count).min(1.0)).chain(end).collect()
+            }
+            None => {
+                let count = libm::round(swings[0].abs().to_degrees() * 2.0).clamp(40.0, 720.0);
+                (0..=count as usize).map(|k| k as f64 / count).collect()
+            }
+        };
+        let compared = |part: f64| {
+            let x = range[0] + (range[1] - range[0]) * part;
+            let step = self.target.step(x)?;
+            let wanted = g.start[1] + step[1];
+            let (input, real) = (g.start[0] + step[0], wanted + g.deviation(step)?);
+            Some(Compared { x, input, wanted, real })
+        };
+        parts.into_iter().filter_map(compared).collect()
     }
 
     /// Adds the greatest deviation, which is also returned, and the places of the extremes; for

@@ -46,8 +46,8 @@ impl Function {
             let back = d + (*at - d).rotate_by(Vec2::from_angle(-way));
             let (j, angle) = (k + 1, significant(way.to_degrees(), 5));
             board.step(both!(
-                "Turn DB{j} back about D by the follower's step ψ1{j} = {angle}°: B{j}'",
-                "将 DB{j} 绕 D 反转从动杆转角 ψ1{j} = {angle}°，得 B{j}'"
+                "Turn DB{j} back about D by the follower's step φ1{j} = {angle}°: B{j}'",
+                "将 DB{j} 绕 D 反转从动杆转角 φ1{j} = {angle}°，得 B{j}'"
             ));
             board
                 .line(d, *at, Weight::Thin)

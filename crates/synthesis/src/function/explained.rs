@@ -36,26 +36,26 @@ impl Function {
                 });
                 let [input, output] = *swings;
                 given.push(both!(
-                    "swing of the crank $\\varphi_m = {}$",
-                    "输入连架杆摆角 $\\varphi_m = {}$",
+                    "swing of the crank $\\alpha_m = {}$",
+                    "输入连架杆摆角 $\\alpha_m = {}$",
                     angle(input)
                 ));
                 given.push(both!(
-                    "swing of the follower $\\psi_m = {}$",
-                    "输出连架杆摆角 $\\psi_m = {}$",
+                    "swing of the follower $\\varphi_m = {}$",
+                    "输出连架杆摆角 $\\varphi_m = {}$",
                     angle(output)
                 ));
                 both!(
-                    "Design a four-bar $ABCD$ that makes a function: the turning $\\varphi$ of the crank $AB$ stands for $x$, the turning $\\psi$ of the follower $DC$ for $y$.",
-                    "按期望函数设计四杆机构 $ABCD$：连架杆 $AB$ 的转角 $\\varphi$ 对应 $x$，连架杆 $DC$ 的转角 $\\psi$ 对应 $y$。"
+                    "Design a four-bar $ABCD$ that makes a function: the turning $\\alpha$ of the crank $AB$ stands for $x$, the turning $\\varphi$ of the follower $DC$ for $y$.",
+                    "按期望函数设计四杆机构 $ABCD$：连架杆 $AB$ 的转角 $\\alpha$ 对应 $x$，连架杆 $DC$ 的转角 $\\varphi$ 对应 $y$。"
                 )
             }
             FunctionTarget::Pairs { .. } => {
                 for (k, s) in self.steps.iter().take(TOLD).enumerate() {
                     let at = [0, 1].map(|i| angle(s[i] + self.start[i].unwrap_or(0.0)));
                     given.push(both!(
-                        "$\\varphi_{{{0}}} = {1}$, $\\psi_{{{0}}} = {2}$",
-                        "$\\varphi_{{{0}}} = {1}$，$\\psi_{{{0}}} = {2}$",
+                        "$\\alpha_{{{0}}} = {1}$, $\\varphi_{{{0}}} = {2}$",
+                        "$\\alpha_{{{0}}} = {1}$，$\\varphi_{{{0}}} = {2}$",
                         k + 1,
                         at[0],
                         at[1]
@@ -118,7 +118,8 @@ impl Function {
 
     pub(super) fn proved(&self, draft: &Draft) -> Vec<Proof> {
         let mut out = Vec::new();
-        if let FunctionTarget::Curve { places, range, .. } = &self.target {
+        if let FunctionTarget::Curve { places, range, swings, values, .. } = &self.target {
+            out.push(scales(*range, *values, *swings));
             let n = places.len();
             let spaced = format!(
                 "x_k = \\frac{{{a} + {b}}}{{2}} − \\frac{{{b} − {a}}}{{2}}\\cos\\frac{{(2k − 1)180\\degree}}{{{}}}",
@@ -142,18 +143,19 @@ impl Function {
         let equation = |k: usize| {
             // K belongs to the arms as the equations give them: a reversed arm counts from the
             // opposite direction.
-            let [phi, psi] = at(k);
-            let (phi, psi) = (phi - turned(0), psi - turned(1));
+            let [alpha, phi] = at(k);
+            let (alpha, phi) = (alpha - turned(0), phi - turned(1));
             let near = |v: f64| libm::atan2(libm::sin(v), libm::cos(v));
             format!(
                 "{}\\,K_1 {}\\,K_2 + K_3 = {}",
-                number(libm::cos(psi)),
-                subtracted(libm::cos(phi)),
-                number(libm::cos(near(phi - psi)))
+                number(libm::cos(phi)),
+                subtracted(libm::cos(alpha)),
+                number(libm::cos(near(alpha - phi)))
             )
         };
+        let [crank, follower, between] = self.angles();
         let mut formulas =
-            vec!["K_1\\cos\\psi − K_2\\cos\\varphi + K_3 = \\cos(\\varphi − \\psi)".to_owned()];
+            vec![format!("K_1\\cos{follower} − K_2\\cos{crank} + K_3 = \\cos{between}")];
         formulas.push(
             "K_1 = \\frac{l_{AD}}{l_{AB}} ,\\quad K_2 = \\frac{l_{AD}}{l_{CD}} ,\\quad K_3 = \\frac{l_{AB}^2 − l_{BC}^2 + l_{CD}^2 + l_{AD}^2}{2\\,l_{AB}\\,l_{CD}}".to_owned(),
         );
@@ -164,6 +166,13 @@ impl Function {
             ),
             formulas,
         ));
+        out.push(Proof::new(
+            both!(
+                "Divided by $K_2$, with the lengths in units of the crank, it is the form of Chinese course books, with $P_0 = K_1/K_2$, $P_1 = −1/K_2$, $P_2 = K_3/K_2$:",
+                "两边除以 $K_2$，各杆长以曲柄长为单位，即教材的形式，其中 $P_0 = K_1/K_2$，$P_1 = −1/K_2$，$P_2 = K_3/K_2$："
+            ),
+            [format!("\\cos{crank} = P_0\\cos{follower} + P_1\\cos{between} + P_2")],
+        ));
         let exact = draft.error == 0.0;
         let count = self.steps.len().min(EQUATIONS);
         out.push(Proof::new(
@@ -173,6 +182,18 @@ impl Function {
         let k = ["K1", "K2", "K3"].map(|n| number(of(draft, n)));
         let mut results =
             vec![format!("K_1 = {} ,\\quad K_2 = {} ,\\quad K_3 = {}", k[0], k[1], k[2])];
+        let p = ["P0", "P1", "P2"].map(|n| number(of(draft, n)));
+        results.push(
+            "P_0 = m ,\\quad P_1 = −\\frac{m}{n} ,\\quad P_2 = \\frac{m^2 + n^2 + 1 − l^2}{2\\,n}"
+                .to_owned(),
+        );
+        results.push(format!("P_0 = {} ,\\quad P_1 = {} ,\\quad P_2 = {}", p[0], p[1], p[2]));
+        let ratio = |name, of_arm: &str, value: &str| {
+            format!("{name} = \\frac{{l_{{{of_arm}}}}}{{l_{{AB}}}} = {value}")
+        };
+        let [m, n, l] = ["m", "n", "l"].map(|n| number(of(draft, n)));
+        let ratios = [ratio("m", "CD", &m), ratio("n", "AD", &n), ratio("l", "BC", &l)];
+        results.push(ratios.join(" ,\\quad "));
         results.push(format!(
             "\\alpha_0 = {} ,\\quad \\varphi_0 = {}",
             angle(starts[0]),
@@ -182,6 +203,24 @@ impl Function {
         results.push(l.join(" ,\\quad "));
         out.push(Proof::new(both!("So", "解得"), results));
         out
+    }
+
+    /// Returns the angles of crank and follower from the frame and their difference, in brackets
+    /// where they have several terms: turns count from the starting angles.
+    fn angles(&self) -> [String; 3] {
+        let counted = |i: usize| {
+            matches!(self.target, FunctionTarget::Curve { .. }) || self.start[i].is_none()
+        };
+        let of = |i: usize, turn: &str| match counted(i) {
+            true => (
+                format!("({turn}_0 + {turn})"),
+                [format!("{turn}_0 + {turn}"), format!("{turn}_0 − {turn}")],
+            ),
+            false => (turn.to_owned(), [turn.to_owned(), turn.to_owned()]),
+        };
+        let (crank, [plus, _]) = of(0, "\\alpha");
+        let (follower, [_, minus]) = of(1, "\\varphi");
+        [crank, follower, format!("({plus} − {minus})")]
     }
 
     fn spacing(&self) -> Both {
@@ -220,4 +259,27 @@ impl Function {
             ),
         }
     }
+}
+
+/// Returns the scales of x and y on the angles, per degree.
+fn scales(range: [f64; 2], values: [f64; 2], swings: [f64; 2]) -> Proof {
+    let scale = |name: &str, letter: &str, ends: [f64; 2], angle_of: &str, swing: f64| {
+        let (way, degrees) = (ends[1] - ends[0], swing.to_degrees());
+        format!(
+            "\\mu_{name} = \\frac{{{letter}_m − {letter}_0}}{{{angle_of}_m}} = \\frac{{{}}}{{{}}} = {}/\\degree",
+            number(way),
+            angle(swing),
+            number(way / degrees)
+        )
+    };
+    Proof::new(
+        both!(
+            "Scales: the change of $x$ and of $y$ for each degree of crank and follower:",
+            "比例尺：曲柄和从动杆每转 1° 对应的 $x$、$y$ 的变化："
+        ),
+        [
+            scale("\\alpha", "x", range, "\\alpha", swings[0]),
+            scale("\\varphi", "y", values, "\\varphi", swings[1]),
+        ],
+    )
 }

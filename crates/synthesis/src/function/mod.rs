@@ -21,7 +21,7 @@ use super::fourbar::{FourBar, Heading, named_lengths};
 use super::{KindOfTask, Proof, Statement, TaskResult, Wish};
 use freudenstein::{Generator, Steps};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
-use hodograph_base::digits::metres;
+use hodograph_base::digits::{metres, shortest};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_scene::front::Curve;
 use std::f64::consts::PI;
@@ -37,6 +37,8 @@ pub const KIND: KindOfTask = KindOfTask {
     read,
 };
 
+/// Largest number of steps of the table of wanted and actual angles.
+const MOST_STEPS: f64 = 7200.0;
 /// The frame if no size is given (m).
 const USUAL_FRAME: f64 = 0.1;
 
@@ -59,11 +61,13 @@ enum FunctionTarget {
     /// y(x) over a range, with the swings of input and output.
     Curve {
         text: String,
-        curve: Curve,
+        curve: Box<Curve>,
         range: [f64; 2],
         swings: [f64; 2],
         values: [f64; 2],
         places: Vec<f64>,
+        /// The step of the table of wanted and actual angles, as an angle of the input (rad).
+        table: Option<f64>,
     },
 }
 
@@ -206,7 +210,7 @@ type FunctionGivens = (FunctionTarget, Steps, [Option<f64>; 2]);
 
 /// Reads precision points with Chebyshev's spacing.
 fn of_curve(form: &TaskForm) -> Option<FunctionGivens> {
-    let f = form.inner("function", &["y", "from", "to"])?;
+    let f = form.inner("function", &["y", "from", "to", "step"])?;
     f.need("y", "\"ln(x)\"")?;
     let curve = f.curve("y", "x");
     let text = f.word("y").map_or_else(String::new, |w| w.text);
@@ -271,6 +275,18 @@ fn of_curve(form: &TaskForm) -> Option<FunctionGivens> {
         )));
         return None;
     }
+    let table = if f.has("step") { Some(f.angle("step")?) } else { None };
+    if let Some(step) = table.filter(|s| !(*s > 0.0 && input.1.abs() / *s <= MOST_STEPS)) {
+        let message = both!(
+            "a step of {}° does not divide the input's swing of {}° into 1 to {MOST_STEPS} parts",
+            "步长 {}° 不能把输入摆角 {}° 分成 1 到 {MOST_STEPS} 份",
+            shortest(step.to_degrees()),
+            shortest(input.1.to_degrees())
+        );
+        let help = both!("write \"step\": \"0.5 deg\"", "请写 \"step\": \"0.5 deg\"");
+        form.fault(Diagnostic::error("out-of-range", message).at(f.span("step")).help(help));
+        return None;
+    }
     let hint = if angle.is_some() || ["sin", "cos", "tan"].iter().any(|f| text.contains(f)) {
         both!(
             "where x is an angle, write the range so: \"from\": \"0 deg\"",
@@ -304,11 +320,12 @@ fn of_curve(form: &TaskForm) -> Option<FunctionGivens> {
     }
     let target = FunctionTarget::Curve {
         text,
-        curve,
+        curve: Box::new(curve),
         range: [from, to],
         swings: [input.1, output.1],
         values,
         places: places.clone(),
+        table,
     };
     let steps = places.iter().filter_map(|x| target.step(*x)).collect();
     Some((target, steps, [input.0, output.0]))
@@ -522,6 +539,20 @@ impl Function {
                 *k,
             )
         }));
+        // The form of Chinese course books: cos α = P₀ cos φ + P₁ cos(φ − α) + P₂ with lengths in
+        // units of the crank.
+        let [k1, k2, k3] = raw.k;
+        numbers.extend([("P0", k1 / k2), ("P1", -1.0 / k2), ("P2", k3 / k2)].map(|(name, p)| {
+            DesignNumber::ratio(
+                name,
+                both!("constant of the linear equations", "线性方程组系数"),
+                p,
+            )
+        }));
+        numbers.extend([("m", c / a), ("n", 1.0 / a), ("l", b / a)].map(|(name, ratio)| {
+            let what = both!("length in units of the crank", "相对曲柄的杆长");
+            DesignNumber::ratio(name, what, ratio)
+        }));
         let exact = self.steps.iter().all(|s| g.rest(*s).abs() < 1e-9);
         let missed = self.deviations(&g, &mut numbers);
         let error = if exact { 0.0 } else { missed };
@@ -541,6 +572,7 @@ impl Function {
             ordered: true,
             error,
             course: self.sampled(&g),
+            whole_course: matches!(self.target, FunctionTarget::Curve { table: Some(_), .. }),
             remarks,
             ..Draft::new(which.clone(), four.scene(heading), numbers, wanted)
         })
