@@ -16,8 +16,18 @@ const MOST_S: f64 = 1.5;
 /// Deadline on a machine under any load.
 const DEADLINE: Duration = Duration::from_secs(60);
 /// Commands that take at most a second with any scene; `shards` reads as much as there is.
-pub const AT_ONCE: [&str; 10] =
-    ["new", "templates", "schema", "explain", "diff", "shards", "mark", "import", "mdbook", "teeth"];
+pub const AT_ONCE: [&str; 10] = [
+    "new",
+    "templates",
+    "schema",
+    "explain",
+    "diff",
+    "shards",
+    "mark",
+    "import",
+    "mdbook",
+    "teeth",
+];
 
 /// Every command at a size that takes it seconds (or its longest possible time): its arguments, and
 /// the scene.
