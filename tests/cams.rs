@@ -15,6 +15,7 @@ mod cams {
     pub mod compiled;
     pub mod geared;
     pub mod posed;
+    pub mod replaced;
     pub mod touch;
 }
 

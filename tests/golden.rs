@@ -280,6 +280,7 @@ fn kinds_of_figures_look_as_accepted() {
             }
             "groups" => {
                 groups::figure(&scene, &worked, &options.style, &options.notation, Lang::En)
+                    .unwrap()
             }
             _ => sheet(&scene, &worked, &options).unwrap(),
         };

@@ -554,6 +554,13 @@ pub struct CamArgs {
     /// The cam, counted from 1 (default: all)
     #[arg(long, value_name = "K")]
     pub cam: Option<usize>,
+    /// Find the least base circle for this pressure angle as the follower goes out, such as 30deg;
+    /// with -o a third figure, the s′-s diagram
+    #[arg(long, value_name = "ANGLE")]
+    pub alpha: Option<String>,
+    /// With --alpha: the pressure angle allowed as the follower comes back (default: 75deg)
+    #[arg(long, value_name = "ANGLE", requires = "alpha")]
+    pub alpha_back: Option<String>,
     /// The report as JSON, in SI and radians
     #[arg(long)]
     pub json: bool,

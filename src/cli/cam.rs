@@ -7,14 +7,15 @@ use super::target::is_stream;
 use super::together::Together;
 use super::values::{FigureFormat, Profile, TextFormat};
 use super::{CommandResult, Failure, SceneInput, args, choices, files, places};
-use crate::cam::{CamMotion, ProfileSegment};
+use crate::cam::{AllowedPressure, CamMotion, ProfileSegment};
 use crate::diag::{Diagnostic, Faults, Warned, both};
-use crate::figure::cam::{inversion, motion};
+use crate::figure::cam::{inversion, least, motion};
 use crate::geom::Vec2;
 use crate::render::dxf::{Entity, dxf};
-use crate::report::cam::Report;
+use crate::report::cam::{LeastCams, Report};
 use crate::report::table::{Csv, RowFormat as _, TableHead, TablePiece};
-use crate::scene::Cam;
+use crate::scene::{Cam, edit};
+use std::f64::consts::FRAC_PI_2;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -28,6 +29,12 @@ pub fn run(a: args::CamArgs) -> CommandResult {
     let chosen = chosen(&input, a.cam).map_err(|f| input.failed(f))?;
     let reports: Vec<Report> =
         chosen.iter().filter_map(|cam| Report::of(&input.scene, cam)).collect();
+    let allowed = allowed(&a)?;
+    let least: Vec<Option<LeastCams>> = reports
+        .iter()
+        .map(|r| allowed.map(|allowed| r.least(allowed)).transpose())
+        .collect::<Result<_, _>>()
+        .map_err(|d: Diagnostic| input.failed(d.into()))?;
     let mut all = Together::default();
     let mut written = String::new();
     let mut notes = Vec::new();
@@ -53,12 +60,16 @@ pub fn run(a: args::CamArgs) -> CommandResult {
             return Err(Failure::argument("-o", folder, d));
         }
         let stem = files::stem(&input.file.name, "scene");
-        for (k, r) in reports.iter().enumerate() {
+        for (k, (r, least)) in reports.iter().zip(&least).enumerate() {
+            let diagram = least.as_ref().map(|l| ("cam-alpha", least::figure(r, l, &style, lang)));
             let number = if reports.len() > 1 { format!("-{}", k + 1) } else { String::new() };
             for (word, figure) in [
                 ("cam-motion", motion::figure(r, &style, lang)),
                 ("cam-profile", inversion::figure(r, &style, lang)),
-            ] {
+            ]
+            .into_iter()
+            .chain(diagram)
+            {
                 for format in &formats {
                     let Warned { value, notes: more } =
                         files::bytes(&figure, *format, TextFormat::Outlines, a.dpi)
@@ -115,10 +126,21 @@ pub fn run(a: args::CamArgs) -> CommandResult {
     }
     all.appear()?;
     if a.json {
-        let list: Vec<_> = reports.iter().map(Report::json).collect();
+        let one = |(r, least): (&Report, &Option<LeastCams>)| {
+            let mut json = r.json();
+            if let Some(least) = least {
+                json["least"] = r.least_json(least);
+            }
+            json
+        };
+        let list: Vec<_> = reports.iter().zip(&least).map(one).collect();
         files::print(&format!("{:#}\n", serde_json::Value::from(list)))?;
     } else {
-        let texts: Vec<String> = reports.iter().map(|r| r.text(lang)).collect();
+        let one = |(r, least): (&Report, &Option<LeastCams>)| {
+            let more = least.as_ref().map(|l| r.least_text(l, lang)).unwrap_or_default();
+            r.text(lang) + &more
+        };
+        let texts: Vec<String> = reports.iter().zip(&least).map(one).collect();
         files::print(&texts.join("\n"))?;
         files::print_names(&written)?;
     }
@@ -127,6 +149,28 @@ pub fn run(a: args::CamArgs) -> CommandResult {
     input.file.notes.extend(notes);
     input.file.say_notes();
     Ok(ExitCode::SUCCESS)
+}
+
+/// Returns the allowed pressure angles of the options.
+fn allowed(a: &args::CamArgs) -> Result<Option<AllowedPressure>, Failure> {
+    let read = |option: &str, text: &str| {
+        let angle = edit::angle(text).map_err(|f| Failure::argument(option, text, f))?.radians();
+        if angle > 0.0 && angle < FRAC_PI_2 {
+            return Ok(angle);
+        }
+        let d = Diagnostic::error(
+            "cam-alpha",
+            both!(
+                "an allowed pressure angle is between 0° and 90°, not {text}",
+                "许用压力角应在 0° 与 90° 之间，不能是 {text}"
+            ),
+        );
+        Err(Failure::argument(option, text, d.help(both!("usual is 30deg", "常用 30deg"))))
+    };
+    let Some(alpha) = &a.alpha else { return Ok(None) };
+    let rise = read("--alpha", alpha)?;
+    let back = read("--alpha-back", a.alpha_back.as_deref().unwrap_or("75deg"))?;
+    Ok(Some(AllowedPressure { rise, back }))
 }
 
 /// Returns the cams that can be surveyed, or the one at a place in the list.

@@ -34,8 +34,9 @@ pub fn run(a: args::MobilityArgs) -> CommandResult {
         let posed = scene::read_pose(&input.file.source).map_err(|f| input.failed(f))?;
         let asked = posed_scene(posed.value);
         let worked = work(&asked, Scope::Figure).map_err(|f| input.failed(f))?;
-        let figure =
-            groups::figure(&asked, &worked.value, &style, &style.marks.over(&notation), lang);
+        let notation = style.marks.over(&notation);
+        let figure = groups::figure(&asked, &worked.value, &style, &notation, lang)
+            .map_err(|f| input.failed(f))?;
         input.file.notes.extend(files::figure(&figure, places)?.notes);
         input.file.notes.extend(worked.notes);
     }

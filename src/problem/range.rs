@@ -131,7 +131,8 @@ pub fn driver_of(scene: &Scene, over: Option<&str>) -> Result<usize, WrongValue>
         return Err(WrongValue::new("over", name, d));
     }
     driver_named(scene, name).ok_or_else(|| {
-        let names: Vec<String> = (0..scene.drivers.len()).map(|d| scene.driver_name(d).0).collect();
+        let own = (0..scene.drivers.len()).filter(|d| !scene.is_led(*d));
+        let names: Vec<String> = own.map(|d| scene.driver_name(d).0).collect();
         let d = Diagnostic::error(
             "no-driver",
             both!("the scene has no driver `{name}`", "机构文件没有原动件 `{name}`"),

@@ -5,6 +5,7 @@
 //! constraints. The solution counts in a table, with every special case in words, and draws the
 //! groups apart. For a scene with links and pairs only, these are listed and nothing is drawn.
 
+use super::solution::replacing;
 use super::speak::Speak;
 use super::{
     Document, DocumentBlock, DocumentTable, SheetMaker, TableKind, WorksheetOptions,
@@ -232,14 +233,19 @@ impl MobilitySheet<'_> {
             }
             Lang::Zh => format!("原动件为{driven}。由远离原动件处开始，依次拆下："),
         })));
-        let members = given
+        let replaced = given.replaced();
+        let listed = replaced.as_ref().unwrap_or(given);
+        let members = listed
             .from_the_far_end()
             .into_iter()
-            .map(|g| group_set(&given.scene, &given.mechanism, &g, self.lang()));
+            .map(|g| group_set(&listed.scene, &listed.mechanism, &g, self.lang()));
         blocks.push(DocumentBlock::List { numbered: true, members: members.collect() });
-        if let Some(maker) = &self.drawn {
-            let (style, notation) = (&self.options.style, &self.options.notation);
-            let figure = groups::figure(self.scene, maker.worked, style, notation, self.lang());
+        blocks.extend(replacing(&given.scene, self.lang()));
+        let (style, notation) = (&self.options.style, &self.options.notation);
+        let drawn = |maker: &SheetMaker| {
+            groups::figure(self.scene, maker.worked, style, notation, self.lang()).ok()
+        };
+        if let Some(figure) = self.drawn.as_ref().and_then(drawn) {
             blocks.push(DocumentBlock::Figure { name: "groups", figure: Box::new(figure) });
         }
         blocks.push(DocumentBlock::Paragraph(Phrase::of_words(&match self.lang() {
@@ -297,7 +303,8 @@ impl MobilitySheet<'_> {
             let slid = || d.kind.guide().map(|g| slid(&scene.guides[g.0]));
             turned.or_else(slid).or_else(|| d.kind.ends().map(cylinder)).unwrap_or_default()
         };
-        scene.drivers.iter().map(one).collect::<Vec<_>>().join(self.words().comma)
+        let own = scene.drivers.iter().enumerate().filter(|(d, _)| !scene.is_led(*d));
+        own.map(|(_, d)| one(d)).collect::<Vec<_>>().join(self.words().comma)
     }
 }
 

@@ -24,7 +24,8 @@ use crate::report::equation::{WrittenStep, mate, written};
 use crate::report::forces::ForceWriter;
 use crate::report::mobility::lower_set;
 use crate::report::plan::group_set;
-use crate::scene::{DiagramKind, Lang};
+use crate::report::replaced::replaced_words;
+use crate::scene::{DiagramKind, Lang, Scene};
 
 /// Digits of a length on paper in the choice of scales: a ruler gives no more.
 const RULER_DIGITS: usize = 4;
@@ -174,6 +175,7 @@ impl SheetMaker<'_> {
         let groups = m.assur(self.scene).into_iter().filter(|g| !g.is_carried());
         let members = groups.map(|g| group_set(self.scene, m, &g, self.lang())).collect();
         blocks.push(DocumentBlock::List { numbered: true, members });
+        blocks.extend(replacing(self.scene, self.lang()));
     }
 
     /// The scales, and the first length on paper: on the solution's own drawing of the mechanism if
@@ -321,4 +323,11 @@ impl SheetMaker<'_> {
             blocks.push(DocumentBlock::Formula(parts));
         }
     }
+}
+
+/// The links in place of the contacts of cams, as a list; nothing without cams.
+pub(super) fn replacing(scene: &Scene, lang: Lang) -> Option<DocumentBlock> {
+    let members: Vec<Phrase> =
+        replaced_words(scene).iter().map(|b| Phrase::of_words(lang.of(b))).collect();
+    (!members.is_empty()).then_some(DocumentBlock::List { numbered: false, members })
 }

@@ -211,3 +211,70 @@ fn profiles_have_no_infinite_numbers() {
     }
     assert!(tables > 3 && straight > 0, "{tables} {straight}");
 }
+
+/// The least base circle for an allowed pressure angle; by hand, with the given offset e = 10 mm the
+/// start of the rise decides: r = e/sin 30°.
+#[test]
+fn the_least_base_circle_for_an_allowed_pressure_angle() {
+    let cam = ["cam", "templates/cam-offset-roller.json", "--alpha"];
+    let out = hodograph().args(cam).args(["30deg", "--json"]).output().unwrap();
+    let json: serde_json::Value = serde_json::from_slice(&out.stdout).unwrap();
+    let of = |way: &str, key: &str| json[0]["least"][way][key].as_f64().unwrap();
+    assert!((of("kept", "pitch_base") - 0.02).abs() < 1e-12, "{json}");
+    assert!((of("kept", "base") - 0.01).abs() < 1e-12);
+    assert!(of("best", "pitch_base") < 0.0141 && of("best", "offset") > 0.0);
+    assert!((of("best", "greatest_roller") - 0.8 * of("best", "least_rho")).abs() < 1e-12);
+
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path().to_str().unwrap();
+    let out = hodograph()
+        .args(cam)
+        .args(["30deg", "--lang", "zh", "--format", "svg", "-o", place])
+        .output()
+        .unwrap();
+    let told = text(&out.stdout);
+    assert!(told.contains("许用压力角：推程 [α] = 30°，回程 [α′] = 75°"), "{told}");
+    let svg = std::fs::read_to_string(folder.path().join("cam-offset-roller-cam-alpha.svg"));
+    assert!(svg.unwrap().contains("按许用压力角确定基圆半径"));
+
+    for wrong in ["0deg", "90deg", "120deg"] {
+        let out = hodograph().args(cam).arg(wrong).output().unwrap();
+        assert!(text(&out.stderr).contains("cam-alpha"), "{wrong}");
+    }
+}
+
+/// A follower that a cam leads by its law is no second driver.
+#[test]
+fn a_path_has_one_driver_where_a_cam_leads_its_follower() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("path.svg");
+    hodograph()
+        .args(["path", "templates/cam-offset-roller.json", "-o", path.to_str().unwrap()])
+        .assert()
+        .success();
+    assert!(!std::fs::read_to_string(path).unwrap().contains("stand still"));
+}
+
+/// The list of a mechanism with a cam names the link in place of the contact, as its figure does.
+#[test]
+fn lists_and_figure_name_the_link_in_place_of_a_contact() {
+    let scene = "templates/cam-eccentric.json";
+    let words = "link 4: block pinned at B, the centre of curvature of cam 2";
+    for command in ["mobility", "plan"] {
+        let out = hodograph().args([command, scene]).output().unwrap();
+        let told = text(&out.stdout);
+        assert!(told.contains(words) && told.contains("links 3, 4: class II, RPR"), "{told}");
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let svg = folder.path().join("replaced.svg");
+    hodograph()
+        .args(["draw", scene, "--figure", "replaced", "-o", svg.to_str().unwrap()])
+        .assert()
+        .success();
+    assert!(std::fs::read_to_string(svg).unwrap().contains(words));
+    let out = hodograph()
+        .args(["draw", "templates/shaper.json", "--figure", "replaced", "-o", "-"])
+        .output()
+        .unwrap();
+    assert!(text(&out.stderr).contains("no-replacement"));
+}

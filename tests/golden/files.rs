@@ -79,7 +79,9 @@ pub const CAM: &str = "cam-offset-roller";
 
 /// Kinds of picture that no other list has: template, the figure's name (`dimensions`: the
 /// mechanism with them).
-pub const ASKED: [(&str, &str); 17] = [
+pub const ASKED: [(&str, &str); 19] = [
+    ("cam-offset-roller", "cam-instant"),
+    ("cam-offset-roller", "replaced"),
     ("crank-rocker", "loops"),
     ("shaper", "extremes"),
     ("offset-slider-crank", "extremes"),
@@ -101,7 +103,7 @@ pub const ASKED: [(&str, &str); 17] = [
 
 /// Pictures in the gallery in addition to the sheets: title, the command that draws it, the
 /// picture.
-pub const SHOWN: [(&str, &str, &str); 40] = [
+pub const SHOWN: [(&str, &str, &str); 42] = [
     (
         "Forces with friction: circles and angles",
         "draw --figure forces",
@@ -176,6 +178,16 @@ pub const SHOWN: [(&str, &str, &str); 40] = [
         "flat-face-mistake/attempts.en.png",
     ),
     ("A cam: the motion of its follower", "draw --figure cam", "cam-offset-roller/motion.en.png"),
+    (
+        "A cam at the instant: pressure angle, lift, stroke, angles of the stages",
+        "draw --figure cam-instant",
+        "cam-offset-roller/cam-instant.en.png",
+    ),
+    (
+        "A cam: the linkage of lower pairs in place of it",
+        "draw --figure replaced",
+        "cam-offset-roller/replaced.en.png",
+    ),
     ("A cam: its profile by inversion", "draw --figure cam", "cam-offset-roller/profile.en.png"),
     ("Synthesis: function generation", "draw", "synthesis/function-construction.en.png"),
     ("Synthesis: positions of a body", "draw", "synthesis/body-construction.en.png"),

@@ -147,7 +147,7 @@ fn groups_drawn_apart_can_be_read() {
             let Ok(worked) = work(pose, Scope::Figure) else { continue };
             for lang in [Lang::En, Lang::Zh] {
                 let SheetOptions { style, notation, .. } = SheetOptions::of_language(lang);
-                let figure = groups::figure(pose, &worked.value, &style, &notation, lang);
+                let figure = groups::figure(pose, &worked.value, &style, &notation, lang).unwrap();
                 judge(&format!("{} pose {k} {lang:?}", t.name), &figure, &mut faults);
                 drawn += 1;
             }

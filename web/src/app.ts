@@ -17,7 +17,7 @@ import { isWord, word, type Lang, type Word } from './words'
 /** Tabs of single figures, each shown if the file calls for it. */
 const SINGLE = [
   'sheet', 'equations', 'results', 'centres', 'loops', 'composite', 'curvature', 'centrodes', 'forces', 'lever', 'gears', 'kutzbach',
-  'cam', 'attempts', 'groups', 'plates', 'inversions', 'cognates', 'curves',
+  'cam', 'cam-instant', 'replaced', 'attempts', 'groups', 'plates', 'inversions', 'cognates', 'curves',
 ]
 /** Tabs of text, as the program prints it. */
 const REPORTS = ['limits', 'mobility']

@@ -3,18 +3,21 @@
 //! far end, in the order in which groups are removed.
 
 use super::mechanism::{MechanismPiece, apart};
+use hodograph_base::diag::Faults;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::notation::Notation;
 use hodograph_mechanism::mechanism::Assur;
 use hodograph_paper::paper::drawing::DrawingPart;
+use hodograph_paper::paper::extent::translate;
 use hodograph_paper::paper::item::{Anchor, Colour, Figure, FigureItem, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::style::Style;
+use hodograph_paper::paper::text;
 use hodograph_paper::paper::words::words;
 use hodograph_report::plan::{dyad, grade};
 use hodograph_scene::{Lang, Scene};
-use hodograph_worked::worked::Worked;
+use hodograph_worked::worked::{Worked, work_replaced};
 
 /// Gap between parts, and around them.
 const GAP_MM: f64 = 16.0;
@@ -24,15 +27,23 @@ const NAME_MM: f64 = 9.0;
 const WIDE_MM: f64 = 281.0;
 /// Border of the figure.
 const MARGIN_MM: f64 = 8.0;
+/// Distance of the lines below the parts.
+const LINE_MM: f64 = 6.0;
 
-/// Draws the figure; `worked` must hold all positions.
+/// Draws the figure; `worked` must hold all positions. A mechanism with cams is taken apart with a
+/// link in place of each contact ([`Scene::replaced`]).
+///
+/// # Errors
+/// Those of [`work_replaced`].
 pub fn figure(
     scene: &Scene,
     worked: &Worked,
     style: &Style,
     notation: &Notation,
     lang: Lang,
-) -> Figure {
+) -> Result<Figure, Faults> {
+    let linkage = work_replaced(scene, worked)?;
+    let (scene, worked) = linkage.as_ref().map_or((scene, worked), |(r, w)| (&r.scene, w));
     let parts = apart(style, scene, worked, notation);
     let groups =
         parts.iter().filter(|(piece, _)| matches!(piece, MechanismPiece::Group(_))).count();
@@ -47,33 +58,75 @@ pub fn figure(
             }
             MechanismPiece::Repeats => tr(lang, "virtual constraint", "虚约束").to_owned(),
         };
-        let (mut part, baseline) = with_name(drawing.finish(), &name, style);
+        named.push((drawing.finish(), name));
+    }
+    let heading = match &linkage {
+        Some(_) => tr(
+            lang,
+            "Groups drawn apart, higher pairs replaced by lower ones",
+            "拆杆组（高副低代后）",
+        ),
+        None => tr(lang, "Groups drawn apart", "拆杆组"),
+    };
+    let about = match lang {
+        Lang::En => {
+            format!("What is driven with the ground, and {groups} groups, each in its pose.")
+        }
+        Lang::Zh => format!("原动件和机架，以及 {groups} 个杆组，均按其位置绘出。"),
+    };
+    Ok(side_by_side(scene, named, (heading, &about, &[]), style, lang))
+}
+
+/// Draws parts side by side, each with its name below, with a heading above and lines below; `about`
+/// is the description after the title.
+pub(super) fn side_by_side(
+    scene: &Scene,
+    parts: Vec<(DrawingPart, String)>,
+    (heading, about, lines): (&str, &str, &[String]),
+    style: &Style,
+    lang: Lang,
+) -> Figure {
+    let mut named = Vec::new();
+    for (of, (drawing, name)) in parts.into_iter().enumerate() {
+        let (mut part, baseline) = with_name(drawing, &name, style);
         // A pair between two parts is shown in both, with separate ids.
-        let of = named.len();
         part.items.iter_mut().for_each(|i| i.id = format!("part-{of}-{}", i.id));
         named.push((part, baseline));
     }
-    let heading = tr(lang, "Groups drawn apart", "拆杆组");
-    let (mut items, width_mm, height_mm) = rows(named);
-    let label = Label::text(heading).in_fonts(&style.fonts);
-    let at = Point::new(width_mm / 2.0, height_mm - MARGIN_MM - style.caption_mm);
-    let shape = Shape::Label {
-        at,
-        label,
-        size_mm: style.caption_mm,
-        anchor: Anchor::Middle,
-        colour: Colour::BLACK,
+    let (mut items, drawn_mm, height_mm) = rows(named);
+    let written = |text: &str, size_mm: f64| {
+        let label = Label::text(text).in_fonts(&style.fonts);
+        (text::set(&label).width_em * size_mm + 2.0 * MARGIN_MM, label)
     };
-    items.insert(0, FigureItem::new("heading", shape).with_id("heading"));
+    let (heading_mm, _) = written(heading, style.caption_mm);
+    let lines_mm = lines.iter().map(|line| written(line, style.small_mm).0);
+    let width_mm = lines_mm.fold(drawn_mm.max(heading_mm), f64::max);
+    let below_mm = LINE_MM * lines.len() as f64;
+    translate(&mut items, Vec2::new((width_mm - drawn_mm) / 2.0, below_mm));
+    let height_mm = height_mm + below_mm;
+    let words_at = |id: &str, y: f64, (_, label): (f64, Label), size_mm: f64| {
+        let at = Point::new(width_mm / 2.0, y);
+        let (anchor, colour) = (Anchor::Middle, Colour::BLACK);
+        let shape = Shape::Label { at, label, size_mm, anchor, colour };
+        FigureItem::new(id, shape).with_id(id)
+    };
+    let top = height_mm - MARGIN_MM - style.caption_mm;
+    items.insert(0, words_at("heading", top, written(heading, style.caption_mm), style.caption_mm));
+    for (k, line) in lines.iter().enumerate() {
+        let y = MARGIN_MM + below_mm - LINE_MM * (k + 1) as f64;
+        let of = written(line, style.small_mm);
+        items.push(FigureItem {
+            id: format!("line-{}", k + 1),
+            ..words_at("line", y, of, style.small_mm)
+        });
+    }
     let title = match scene.title.get(lang) {
         "" => heading.to_owned(),
         title => format!("{title}{}{heading}", tr(lang, ": ", "：")),
     };
     let desc = match lang {
-        Lang::En => format!(
-            "{title}. What is driven with the ground, and {groups} groups, each in its pose."
-        ),
-        Lang::Zh => format!("{title}。原动件和机架，以及 {groups} 个杆组，均按其位置绘出。"),
+        Lang::En => format!("{title}. {about}"),
+        Lang::Zh => format!("{title}。{about}"),
     };
     let mut figure = Figure {
         width_mm,

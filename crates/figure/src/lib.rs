@@ -45,6 +45,7 @@ pub mod price;
 mod relative;
 #[doc(hidden)]
 pub mod remarks;
+mod replaced;
 pub mod results;
 mod scales;
 #[doc(hidden)]

@@ -455,7 +455,8 @@ impl PathPage<'_> {
         );
         let mut said = Vec::new();
         said.extend(self.cut.then_some(cut));
-        said.extend((self.scene().drivers.len() > 1 && self.swept != Swept::Time).then_some(alone));
+        let several = self.scene().own_drivers() > 1;
+        said.extend((several && self.swept != Swept::Time).then_some(alone));
         said
     }
 

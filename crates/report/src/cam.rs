@@ -1,8 +1,10 @@
 //! Reports of a cam over a full turn, as text and JSON: stages, strokes, extremes, shocks, pressure
 //! angle, curvature, and faults.
 
+mod least;
 mod numbers;
 
+pub use least::LeastCams;
 pub use numbers::{CamNumber, Now, PrintedUnit};
 
 use hodograph_base::cam::{
@@ -57,7 +59,7 @@ impl Report<'_> {
     }
 
     /// Returns true if the follower's coordinate is an angle.
-    fn swings(&self) -> bool {
+    pub fn swings(&self) -> bool {
         matches!(self.disc().follower, Follower::Oscillating { .. })
     }
 

@@ -307,7 +307,7 @@ impl<'a> CentreWords<'a> {
                 let why = if t.by == CentreMotionSource::Driver {
                     tr(
                         lang,
-                        if self.scene.drivers.len() > 1 {
+                        if self.scene.own_drivers() > 1 {
                             "  (a driver)"
                         } else {
                             "  (the driver)"

@@ -44,6 +44,7 @@ pub mod plan;
 pub mod plan_json;
 pub mod price;
 pub mod readings;
+pub mod replaced;
 pub mod statement;
 #[doc(hidden)]
 pub mod symbols;

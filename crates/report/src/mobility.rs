@@ -2,6 +2,7 @@
 //! Assur groups from the far end.
 
 use super::plan::{dyad, grade, group_words};
+use super::replaced;
 use hodograph_base::diag::{Both, both};
 use hodograph_base::digits::minus;
 use hodograph_board::plan::names::name_label;
@@ -195,7 +196,9 @@ pub fn kinds(choice: &ForDrivers, lang: Lang) -> String {
         let class = class_of(g.class().unwrap_or_default(), lang);
         dyad(g).map_or(class.to_owned(), |kind| format!("{class} {kind}"))
     };
-    choice.from_the_far_end().iter().map(kind).collect::<Vec<_>>().join(tr(lang, ", ", "、"))
+    let replaced = choice.replaced();
+    let groups = replaced.as_ref().unwrap_or(choice).from_the_far_end();
+    groups.iter().map(kind).collect::<Vec<_>>().join(tr(lang, ", ", "、"))
 }
 
 /// The counts of a scene, with all reasons.
@@ -370,6 +373,10 @@ pub fn text(
             "without these, higher pairs replaced by lower ones: n = {n}, p_l = {p}, F = 3·{n} − 2·{p} = {f}",
             "去掉局部自由度和虚约束并高副低代后：n = {n}，p_l = {p}，F = 3·{n} − 2·{p} = {f}"
         )));
+        let scene = survey.choices.first().map(|c| &c.scene);
+        for words in scene.into_iter().flat_map(replaced::replaced_words) {
+            line(format!("  {}", say(words)));
+        }
     }
     let locked = checked.iter().any(|c| known(c.as_ref()) == RedundantState::Locks);
     if locked || survey.choices.is_empty() {
@@ -385,6 +392,8 @@ pub fn text(
     for choice in survey.choices.iter().filter(|_| !locked) {
         line(String::new());
         line(choice_words(choice, lang));
+        let replaced = choice.replaced();
+        let choice = replaced.as_ref().unwrap_or(choice);
         for (i, g) in choice.from_the_far_end().iter().enumerate() {
             line(format!(
                 "  {}. {}",
@@ -450,7 +459,10 @@ pub fn json(scene: &Scene, survey: &MobilitySurvey, checked: &[Option<Checked>])
         .iter()
         .filter(|_| !locked)
         .map(|c| {
-            let groups: Vec<Json> = c.from_the_far_end().iter().map(|g| group(c, g)).collect();
+            let replaced = c.replaced();
+            let listed = replaced.as_ref().unwrap_or(c);
+            let groups: Vec<Json> =
+                listed.from_the_far_end().iter().map(|g| group(listed, g)).collect();
             json!({"drivers": c.names(), "given": c.given, "class": c.class(), "groups": groups})
         })
         .collect();
@@ -465,6 +477,9 @@ pub fn json(scene: &Scene, survey: &MobilitySurvey, checked: &[Option<Checked>])
         "local": idle,
         "virtual": repeats,
         "substituted": counts(&survey.substituted(|i| checked.get(i).is_some_and(|c| known(c.as_ref()) != RedundantState::Locks))),
+        "replaced": survey.choices.first().and_then(|c| {
+            c.scene.replaced(|_| None).map(|of| replaced::json(&c.scene, &of))
+        }),
         "choices": choices,
     })
 }

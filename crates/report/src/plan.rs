@@ -2,6 +2,7 @@
 
 use crate::equation::mate;
 use crate::forces::ForceWriter;
+use crate::replaced::replaced_words;
 use hodograph_base::digits::minus;
 use hodograph_board::plan::names::name_label;
 use hodograph_board::plan::text::{EquationColumn, PlanWriter};
@@ -9,9 +10,9 @@ use hodograph_board::plan::{
     Between, Effect, GroupSteps, Method, PlanStep, Rate, Reason, Special, SpecialLine, Term,
     TurningBody,
 };
-use hodograph_mechanism::mechanism::{Assur, ConstraintLine, Mechanism, moved_words};
+use hodograph_mechanism::mechanism::{Assur, ConstraintLine, Mechanism, PairItem, moved_words};
 use hodograph_paper::paper::phrase::{Phrase, formula, tr};
-use hodograph_scene::{DiagramKind, Lang, PointId, Scene};
+use hodograph_scene::{DiagramKind, GuideId, Lang, PointId, Scene};
 use unicode_width::UnicodeWidthStr;
 
 /// Returns the complete plan, followed by the plan of forces if forces are requested and the pose
@@ -48,6 +49,9 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &PlanWriter, forces: Option<&ForceW
     for g in m.assur(scene).iter().filter(|g| !g.is_carried()) {
         number += 1;
         line(format!("  {number}. {}", group_words(scene, m, g, lang)));
+    }
+    for words in replaced_words(scene) {
+        line(format!("  {}", lang.of(&words)));
     }
     line(String::new());
     line(tr(lang, "effects", "考虑的因素").into());
@@ -127,7 +131,12 @@ fn group(
     lang: Lang,
     point: impl Fn(&str) -> String,
 ) -> String {
-    let links: Vec<&str> = g.links.iter().map(|l| scene.link_name(*l)).collect();
+    let of = scene.replaced(|_| None);
+    let mut links: Vec<&str> = g.links.iter().map(|l| scene.link_name(*l)).collect();
+    links.extend(of.iter().flat_map(|of| {
+        let own = of.links.iter().filter(|l| holds_contact(m, g, scene.cams[l.cam].contact));
+        own.map(|l| of.scene.link_name(l.link))
+    }));
     let at: Vec<String> = g.inner().into_iter().map(|p| point(scene.point_name(p))).collect();
     let led = g.drivers(m).any(|d| scene.is_led(d));
     let what = match (g.class(), lang) {
@@ -168,6 +177,12 @@ fn group(
         format!("{} {}", tr(lang, ", at", "，内接副"), at.join(comma))
     };
     format!("{links}{what}{at}")
+}
+
+/// Returns true if a guide that represents the contact of a cam is a pair of a group.
+fn holds_contact(m: &Mechanism, g: &Assur, contact: Option<GuideId>) -> bool {
+    let mut items = g.steps.iter().flat_map(|s| &s.constraints).map(|c| m.constraints[*c].item());
+    items.any(|item| matches!(item, PairItem::Guide(guide) if Some(guide) == contact))
 }
 
 pub(super) fn effect_words(scene: &Scene, m: &Mechanism, e: Effect, lang: Lang) -> String {

@@ -16,7 +16,7 @@ mod tests;
 
 pub use far::{InfiniteCentre, NoAnswer, Unanswered};
 pub use joint::instant;
-pub use posed::{work_motion, work_pose};
+pub use posed::{work_motion, work_pose, work_replaced};
 
 use self::pose::{DecidedPose, PoseInput, groups_of};
 use self::sizes::PoseSizes;

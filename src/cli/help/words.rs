@@ -315,6 +315,8 @@ pub(super) const WORDS: &[(&str, &str, &str)] = &[
         "profile",
         "把廓线（mm）写入以 .csv（每个转角一行）或 .dxf（供加工）结尾的文件；`-` 为标准输出，以 CSV 代替报告",
     ),
+    ("cam", "alpha", "按推程许用压力角（如 30deg）求最小基圆半径；有 -o 时另绘 ds/dφ–s 图"),
+    ("cam", "alpha_back", "与 --alpha 同用：回程许用压力角（默认 75deg）"),
     ("cam", "steps", "廓线上一周的点数"),
     ("cam", "cam", "机构文件中的第几个凸轮，从 1 数起（默认：全部）"),
     ("cam", "json", "结果为 JSON，国际单位制，角度为弧度"),

@@ -11,6 +11,7 @@
 //! rotation of the cam from the start of its law, in the cam's own sense. The frame of the cam is
 //! that of the ground at φ = 0.
 
+pub mod allowed;
 mod contact;
 pub mod disc;
 pub mod enclosed;
@@ -27,6 +28,7 @@ pub mod survey;
 mod tests;
 mod turn;
 
+pub use allowed::{AllowedPressure, LeastCam, PressureDiagram, PressureWedge};
 pub use disc::{Branch, CamMotion, CamStation, Disc, Follower, FollowerTip};
 pub use enclosed::CamExtreme;
 pub use exact::{ExactCam, ExactDisc};

@@ -1,21 +1,15 @@
 //! Constructs the profile by inversion 反转法: the cam is fixed and the follower goes round it in
 //! the opposite sense, in twelve numbered stations.
 
-use super::{heading, words_at};
+use super::{CamDrawing, heading};
 use hodograph_base::cam::{CamMotion, CamStation, Disc, Follower, FollowerTip, PieceSide, round};
-use hodograph_base::digits::{inked, shortest};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale::choose_in;
-use hodograph_paper::paper::extent::Rect;
-use hodograph_paper::paper::item::{
-    Anchor, Colour, Dash, Figure, FigureItem, LineStroke, PLACED, Shape,
-};
+use hodograph_paper::paper::item::{Colour, Dash, Figure, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
-use hodograph_paper::paper::place::{Bar, LabelRequest, Obstacles, place};
+use hodograph_paper::paper::place::{Bar, LabelRequest, Obstacles};
 use hodograph_paper::paper::style::Style;
-use hodograph_paper::paper::text;
-use hodograph_paper::paper::words::words;
 use hodograph_report::cam::Report;
 use hodograph_scene::{Kind, Lang};
 use std::f64::consts::TAU;
@@ -24,10 +18,6 @@ use std::f64::consts::TAU;
 const STATIONS: usize = 12;
 /// Approximate length of the drawing's larger side (mm).
 const SIZE_MM: f64 = 165.0;
-/// Space around, above and below the drawing (mm).
-const MARGIN_MM: f64 = 9.0;
-const ABOVE_MM: f64 = 16.0;
-const BELOW_MM: f64 = 20.0;
 /// Points of each curve: one for each half degree.
 const STEPS: usize = 720;
 
@@ -38,16 +28,6 @@ const ARROW_AIR: f64 = 0.12;
 /// Sample points on each line.
 const SAMPLES: usize = 32;
 
-/// The drawing under construction: items in mm about the centre of the cam.
-struct InversionDrawing<'a> {
-    report: &'a Report<'a>,
-    style: &'a Style,
-    /// Millimetres of paper per metre.
-    scale: f64,
-    items: Vec<FigureItem>,
-    wanted: Vec<LabelRequest>,
-}
-
 /// Draws the figure.
 pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     let disc = &report.turning.disc;
@@ -55,79 +35,13 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     let unit =
         report.scene.book.chosen(Kind::Length).map_or(1.0, hodograph_scene::book::BookUnit::size);
     let mu = choose_in(unit, [2.0 * reach; 2], [SIZE_MM; 2]);
-    let mut d =
-        InversionDrawing { report, style, scale: 1.0 / mu, items: Vec::new(), wanted: Vec::new() };
+    let mut d = CamDrawing::new(report, style, mu);
     d.circles();
     d.curves();
     d.stations();
     d.turning();
-    let half = hodograph_paper::paper::extent::bounds(&d.items)
-        .map_or(SIZE_MM / 2.0, |b| b.max.y.max(-b.min.y).max(b.max.x).max(-b.min.x))
-        + MARGIN_MM;
-    let bounds = Rect::new(Point::new(-half, -half), Point::new(half, half));
-    let placed = place(&d.wanted, &Obstacles::of(&d.items), bounds);
-    for (k, (request, at)) in d.wanted.iter().zip(&placed).enumerate() {
-        // The label comes last; its leader line is named after it.
-        let parts = at.items(request, PLACED, style.thin);
-        let leaders = parts.len() - 1;
-        d.items.extend(parts.into_iter().enumerate().map(|(n, part)| {
-            let end = if n < leaders { "-leader" } else { "" };
-            part.with_id(format!("cam-label-{k}{end}"))
-        }));
-    }
-    let mut items = d.items;
     let title = heading(report.scene, tr(lang, "profile by inversion", "反转法绘制凸轮廓线"), lang);
-    let (scale, caption) = (scale_text(report, mu), legend(disc, lang));
-    // For a small drawing the text defines the width of the paper.
-    let wide = |text: &str, size_mm: f64| {
-        text::set(&Label::text(text).in_fonts(&style.fonts)).width_em * size_mm + 2.0 * MARGIN_MM
-    };
-    let words_mm = wide(&title, style.caption_mm * 4.0 / 3.0).max(wide(&caption, style.small_mm));
-    let (width_mm, height_mm) = ((2.0 * half).max(words_mm), 2.0 * half + ABOVE_MM + BELOW_MM);
-    hodograph_paper::paper::extent::translate(
-        &mut items,
-        Vec2::new(width_mm / 2.0, half + BELOW_MM),
-    );
-    let middle = width_mm / 2.0;
-    items.push(words_at(
-        "title",
-        Point::new(middle, height_mm - 10.0),
-        Label::text(title.as_str()),
-        style.caption_mm * 4.0 / 3.0,
-        Anchor::Middle,
-        style,
-    ));
-    items.push(words_at(
-        "caption",
-        Point::new(middle, 14.0),
-        Label::text(caption.as_str()),
-        style.small_mm,
-        Anchor::Middle,
-        style,
-    ));
-    items.push(words_at(
-        "mu_l",
-        Point::new(middle, 7.0),
-        Label::math(scale),
-        style.small_mm,
-        Anchor::Middle,
-        style,
-    ));
-    let desc = match lang {
-        Lang::En => format!("{}. {caption}.", hodograph_report::cam::kind(report.cam, disc, lang)),
-        Lang::Zh => format!("{}。{caption}。", hodograph_report::cam::kind(report.cam, disc, lang)),
-    };
-    let mut figure = Figure {
-        width_mm,
-        height_mm,
-        title,
-        desc,
-        lang: words(lang).tag.into(),
-        paper: Colour::WHITE,
-        items,
-    };
-    style.palette.paint(&mut figure);
-    figure
+    d.finish(mu, title, &legend(disc, lang), lang)
 }
 
 /// Radius (m) of the circle of the roller's centre on the base circle; `None` without a roller or
@@ -190,28 +104,7 @@ fn reach(disc: &Disc) -> f64 {
     }
 }
 
-fn scale_text(report: &Report, mu: f64) -> String {
-    let (name, factor) = match report.scene.book.chosen(Kind::Length) {
-        Some(unit) => (unit.name().to_owned(), unit.of(1.0)),
-        None => ("m".to_owned(), 1.0),
-    };
-    format!("\\mu_l = {}\\,\\text{{{name}/mm}}", inked(&shortest(mu * factor)))
-}
-
-impl InversionDrawing<'_> {
-    fn disc(&self) -> &Disc {
-        &self.report.turning.disc
-    }
-
-    fn at(&self, v: Vec2) -> Point {
-        (v * self.scale).to_point()
-    }
-
-    fn draw(&mut self, class: &str, shape: Shape, link: Option<usize>) {
-        let id = format!("cam-{class}-{}", self.items.len());
-        self.items.push(FigureItem { link, ..FigureItem::new(class, shape).with_id(id) });
-    }
-
+impl CamDrawing<'_> {
     fn circle(&mut self, class: &str, radius: f64, stroke: LineStroke) {
         let radius_mm = radius * self.scale;
         // A circle smaller than a dot is not drawn.
@@ -227,12 +120,6 @@ impl InversionDrawing<'_> {
                 None,
             );
         }
-    }
-
-    fn label(&mut self, text: &str, at: Point, clear_mm: f64, towards: Vec2) {
-        let label = Label::math(text).in_fonts(&self.style.fonts);
-        let request = LabelRequest::at_point(label, self.style.small_mm, at, clear_mm);
-        self.wanted.push(if towards == Vec2::ZERO { request } else { request.towards(towards) });
     }
 
     /// Draws profile and pitch curve.
@@ -272,7 +159,7 @@ impl InversionDrawing<'_> {
             self.circle("pitch-circle", radius, dashed);
         }
         // Radii are drawn between two stations, clear of the follower.
-        let radius = |d: &mut InversionDrawing, name: &str, r: f64, angle: f64| {
+        let radius = |d: &mut CamDrawing, name: &str, r: f64, angle: f64| {
             let to = d.at(Vec2::from_angle(angle) * r);
             let (stroke, head) = (d.style.thin, d.style.thin_head);
             d.draw("radius", Shape::Arrow { from: Point::ORIGIN, to, stroke, head }, None);

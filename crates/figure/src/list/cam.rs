@@ -1,6 +1,6 @@
 //! Each cam over its turn: the motion of its follower, and its profile by inversion.
 
-use crate::cam::{inversion, motion};
+use crate::cam::{instant, inversion, motion};
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_report::cam::Report;
 
@@ -15,6 +15,28 @@ pub const ENTRY: FigureEntry = FigureEntry {
     ],
     draw,
 };
+
+/// Each cam at the instant, with α, s, h and the angles of rise, dwells and return.
+pub const INSTANT: FigureEntry = FigureEntry {
+    name: "cam-instant",
+    about: [
+        "Cams at the instant: pressure angle, s, h, base circle, pitch curve",
+        "凸轮的图示位置：压力角、位移、行程、基圆、理论廓线",
+    ],
+    draw: draw_instant,
+};
+
+fn draw_instant(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
+    let reports = w.scene.cams.iter().filter_map(|cam| Report::of(w.scene, cam));
+    let (style, lang) = (&w.options.style, w.options.lang);
+    let figures: Vec<_> = reports.filter_map(|r| instant::figure(&r, style, lang)).collect();
+    let one = figures.len() == 1;
+    let named = |(k, figure)| {
+        let number = if one { String::new() } else { format!("-{}", k + 1) };
+        (format!("{}{number}", INSTANT.name), figure)
+    };
+    Ok(Warned { value: figures.into_iter().enumerate().map(named).collect(), notes: Vec::new() })
+}
 
 fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     let reports: Vec<Report> =

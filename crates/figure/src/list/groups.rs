@@ -11,6 +11,6 @@ pub const ENTRY: FigureEntry =
 
 fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     let FigureInput { scene, worked, options, .. } = w;
-    let figure = groups::figure(scene, worked, &options.style, &options.notation, options.lang);
+    let figure = groups::figure(scene, worked, &options.style, &options.notation, options.lang)?;
     page(ENTRY.name, Some(figure))
 }

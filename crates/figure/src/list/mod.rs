@@ -11,6 +11,7 @@ mod gears;
 mod groups;
 mod kutzbach;
 mod plates;
+mod replaced;
 mod results;
 mod sheet;
 
@@ -61,6 +62,8 @@ pub const LIST: &[&FigureEntry] = &[
     &kutzbach::ENTRY,
     &gears::ENTRY,
     &cam::ENTRY,
+    &cam::INSTANT,
+    &replaced::ENTRY,
     &groups::ENTRY,
     &extremes::ENTRY,
     &transmission::ENTRY,

@@ -5,13 +5,15 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use hodograph_base::cam::{CamStation, ProfileSegment};
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_board::plan::names::name_label;
+use hodograph_board::plan::names::{name_label, point_label};
 use hodograph_mechanism::answer::AnswerValue;
 use hodograph_mechanism::mechanism::Opened;
 use hodograph_mechanism::position::Path;
+use hodograph_paper::paper::drawing::Drawing;
 use hodograph_paper::paper::item::{Dash, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::{LabelRequest, Reads};
+use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
 use hodograph_scene::{
     Asked, Cam, DiagramKind, Follows, GuideDirection, GuideId, GuidePath, LinkId, Pieces, PointId,
@@ -153,7 +155,7 @@ impl MechanismDraft<'_> {
     }
 
     /// The contact and the centre of curvature of the profile, on paper.
-    fn contact(&self, c: &Cam) -> Option<(Point, Option<Point>)> {
+    pub(super) fn contact(&self, c: &Cam) -> Option<(Point, Option<Point>)> {
         let touch = self.worked.configuration.touch(self.scene, c)?;
         Some((self.paper(touch.at), self.centre(c)))
     }
@@ -439,19 +441,16 @@ impl MechanismDraft<'_> {
                     self.d.draw(&id, "equivalent", sym::dot(self.style, k));
                 }
             }
-            let dot = sym::dot(self.style, contact);
-            self.d.draw(&format!("contact-{i}"), "contact", dot);
-            if let Some(name) = &self.scene.cams[i].at {
-                let name = hodograph_board::plan::names::point_label(name);
-                self.d.label_at(
-                    &format!("contact-{i}-letter"),
-                    "letter",
-                    &name,
-                    contact,
-                    self.style.dot_radius_mm,
-                    None,
-                );
-            }
+            contact_dot(&mut self.d, self.style, (i, &self.scene.cams[i]), contact);
         }
+    }
+}
+
+/// Draws the contact of a cam with its number in the scene; it has a letter if the cam gives one.
+pub(super) fn contact_dot(d: &mut Drawing, style: &Style, (i, cam): (usize, &Cam), at: Point) {
+    d.draw(&format!("contact-{i}"), "contact", sym::dot(style, at));
+    if let Some(name) = &cam.at {
+        let (name, id) = (point_label(name), format!("contact-{i}-letter"));
+        d.label_at(&id, "letter", &name, at, style.dot_radius_mm, None);
     }
 }

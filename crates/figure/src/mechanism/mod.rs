@@ -7,8 +7,8 @@
 //! blocks, [`crosses`] blocks in two slots, [`dimensions`] the given lengths, [`directions`] guides
 //! that tables call t, [`letters`] numbers and letters, [`overlay`] everything over and behind the
 //! mechanism, [`composed`] the vectors of a composite motion,
-//! [`looped`] closed vectors, [`positions`] other positions with angles and lengths. Links and points
-//! without a position are left out.
+//! [`looped`] closed vectors, [`positions`] other positions with angles and lengths, [`replaced`] the
+//! linkage in place of cams. Links and points without a position are left out.
 
 mod apart;
 mod belts;
@@ -25,6 +25,7 @@ mod overlay;
 mod parted;
 mod positions;
 mod rates;
+mod replaced;
 mod slides;
 pub(crate) mod special;
 mod supports;
@@ -49,6 +50,7 @@ pub use apart::{MechanismPiece, apart, links};
 pub use looped::{LoopArrow, looped};
 pub use overlay::{Overlay, PointTrack, overlaid};
 pub use positions::{MarkedAngle, MarkedLength, OtherPosition, PositionMarks, positions};
+pub use replaced::replaced;
 
 /// Two places closer than this on paper are one: a tenth of a link's width.
 const SAME_MM: f64 = 0.07;

@@ -10,7 +10,9 @@
 
 use super::Mechanism;
 use super::redundant::{Opened, OpenedPairs, Redundant};
-use hodograph_scene::{Driver, DriverKind, GivenQuantity, GuideId, LinkId, PointId, Scene};
+use hodograph_scene::{
+    Driver, DriverKind, Follows, GivenQuantity, GuideId, LinkId, PointId, Scene,
+};
 
 /// A link whose only pair is the pin about which it turns: its rotation moves nothing else.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -69,6 +71,14 @@ impl ForDrivers {
             .rev()
             .filter(|g| g.class().is_some())
             .collect()
+    }
+
+    /// Returns the choice with a link in place of the contact of each cam 高副低代; `None` without
+    /// cams, and with contacts that no lower pairs replace ([`Scene::replaced`]).
+    pub fn replaced(&self) -> Option<ForDrivers> {
+        let scene = self.scene.replaced(|_| None)?.scene;
+        let mechanism = Mechanism::new(&scene).ok()?.value;
+        Some(ForDrivers { scene, given: self.given, mechanism })
     }
 
     /// Returns the class of the mechanism: that of its highest group; `I` without groups.
@@ -270,6 +280,16 @@ fn without(scene: &Scene, links: &[LinkId]) -> Scene {
             }
             DriverKind::Slide { .. } => {}
             DriverKind::Cylinder { links, .. } => links.iter_mut().for_each(|l| *l = place(*l)),
+        }
+    }
+    for c in &mut rest.cams {
+        let own = |l: &&LinkId| scene.links[l.0].points.as_slice() == [c.follows.point()];
+        if let (Follows::Roller(..), Some(roller)) = (c.follows, links.iter().find(own)) {
+            c.roller = Some(scene.links[roller.0].name.clone());
+        }
+        (c.cam, c.follower) = (place(c.cam), place(c.follower));
+        if let Some(t) = &mut c.disc {
+            t.frame = place(t.frame);
         }
     }
     rest.find.clear();

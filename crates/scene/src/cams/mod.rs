@@ -17,7 +17,8 @@
 //! and follower, [`reckoned`] locates points on different links, [`expand`] writes the pairs in the
 //! form of the scene, so that higher-precision numbers are read from the same texts. [`motion`]
 //! handles them beyond the instant, with the help of a [`course`] where different links carry cam
-//! and follower. [`texts`] keeps the numbers as written.
+//! and follower. [`replaced`] writes the linkage out, with a link for each contact. [`texts`] keeps
+//! the numbers as written.
 
 mod by_law;
 mod by_parts;
@@ -35,10 +36,12 @@ mod pairs;
 mod place;
 pub(super) mod raw;
 mod reckoned;
+mod replaced;
 pub(super) mod rollers;
 mod texts;
 
 pub use course::{FollowerCourse, FollowerSolver, FollowerState, HangsOn};
+pub use replaced::{ReplacedScene, ReplacingLink};
 pub use texts::{MotionTexts, Texts};
 
 use super::model::{GuideId, LinkId, PointId, Scene};

@@ -5,6 +5,7 @@ use super::{Scope, Worked, instant, work, work_placed};
 use hodograph_base::diag::Faults;
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
 use hodograph_mechanism::position::{self, Configuration};
+use hodograph_scene::cams::ReplacedScene;
 use hodograph_scene::{PointId, Scene};
 use hodograph_sweep::follow::course::over_a_turn;
 
@@ -24,6 +25,24 @@ pub fn work_motion(scene: &Scene) -> Result<Option<(Scene, Worked)>, Faults> {
     let motion = over_a_turn(scene);
     let worked = work(&motion, Scope::Figure)?.value;
     Ok(Some((motion, worked)))
+}
+
+/// Works through the linkage in place of a mechanism with cams 高副低代, in the pose and to the scale
+/// of the mechanism. `None` without cams, and with contacts that no lower pairs replace
+/// ([`Scene::replaced`]).
+///
+/// # Errors
+/// Those of [`work`].
+pub fn work_replaced(
+    scene: &Scene,
+    worked: &Worked,
+) -> Result<Option<(ReplacedScene, Worked)>, Faults> {
+    let Some(mut replaced) = scene.replaced(|p| worked.configuration.points[p.0]) else {
+        return Ok(None);
+    };
+    worked.hold_scales(&mut replaced.scene);
+    let linkage = work(&replaced.scene, Scope::Figure)?.value;
+    Ok(Some((replaced, linkage)))
 }
 
 /// True if drivers of their own move the followers of cams.
