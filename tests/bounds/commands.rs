@@ -29,7 +29,7 @@ const MOST_MB: f64 = 300.0;
 
 /// Every command with its outputs that cost most, each also as JSON. Work whose size the user
 /// states (steps, frames, positions, mechanisms) is small here.
-const COMMANDS: [&str; 51] = [
+const COMMANDS: [&str; 56] = [
     "draw SCENE -o a.svg",
     "draw SCENE --format pdf,svg --figure mechanism,velocity,acceleration,equations,results -o o/",
     "draw SCENE --format svg --figure forces,lever -o o/",
