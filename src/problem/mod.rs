@@ -29,6 +29,7 @@ use crate::diag::{Diagnostic, Faults, Warned};
 use crate::equation as vectors;
 use crate::figure::list::{Extras, FigureEntry, Pages, USUAL};
 use crate::figure::sheet;
+use crate::figure::stepped::ConstructionMethod;
 use crate::notation::Notation;
 use crate::paper::style::Style;
 use crate::particle;
@@ -299,6 +300,8 @@ pub struct Lesson {
     pub reveal: bool,
     /// Width of a fragment (mm).
     pub width_mm: Option<f64>,
+    /// The method whose construction is shown, for scenes only; `None` for that of the questions.
+    pub method: Option<ConstructionMethod>,
 }
 
 impl Default for Lesson {
@@ -308,6 +311,7 @@ impl Default for Lesson {
             swept: Swept::Driver(0),
             reveal: false,
             width_mm: None,
+            method: None,
         }
     }
 }

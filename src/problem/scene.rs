@@ -229,9 +229,10 @@ impl Answered for SceneSolution {
                 None => lesson::reveal(&self.scene, &self.worked, &options),
             };
         }
-        let Lesson { positions, swept, .. } = *wanted;
+        let Lesson { positions, swept, method, .. } = *wanted;
+        let style = look.style.clone();
         let options =
-            lesson::LessonOptions { lang, notation, positions, swept, style: look.style.clone() };
+            lesson::LessonOptions { lang, notation, positions, swept, method, style };
         lesson::of_worked(&self.scene, &self.worked, &options)
     }
 

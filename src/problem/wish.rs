@@ -55,6 +55,8 @@ pub enum Wish {
     Mobility,
     /// The analytic method with vector loops.
     Loops,
+    /// The construction of a method, for lessons.
+    Method,
 }
 
 impl Wish {
@@ -71,6 +73,7 @@ impl Wish {
             Wish::Mistake => "--find-the-mistake",
             Wish::Mobility => "--mobility",
             Wish::Loops => "--loops",
+            Wish::Method => "--method",
         }
     }
 }

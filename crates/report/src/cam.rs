@@ -11,13 +11,32 @@ use hodograph_base::cam::{
 };
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::digits::legible;
-use hodograph_paper::paper::phrase::tr;
+use hodograph_paper::paper::phrase::{capital, tr};
 use hodograph_scene::{Cam, Follows, Kind, Lang, Scene, TurningCam};
 use serde_json::{Value as Json, json};
 use std::f64::consts::TAU;
 
 /// Digits of values computed from given lengths.
 const DIGITS: usize = 6;
+
+/// The subject of a line of the report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CamSubject {
+    /// Kind of cam, radii, offset or arm.
+    Data,
+    /// Stroke, angles and stages of the law of motion.
+    Law,
+    /// Extremes of the velocity.
+    Velocity,
+    /// Extremes of the acceleration, and shocks.
+    Acceleration,
+    /// Greatest pressure angles.
+    Pressure,
+    /// Least radius of curvature.
+    Curvature,
+    /// Values at the instant.
+    Instant,
+}
 
 /// A cam with its survey, reported in the units of a scene.
 pub struct Report<'a> {
@@ -125,20 +144,22 @@ impl Report<'_> {
 
     /// Returns the report as text.
     pub fn text(&self, lang: Lang) -> String {
-        let mut out = String::new();
+        self.lines(lang).into_iter().map(|(_, line)| line + "\n").collect()
+    }
+
+    /// Returns the lines of the report, each with its subject.
+    pub fn lines(&self, lang: Lang) -> Vec<(CamSubject, String)> {
+        let mut out = Vec::new();
         let comma = tr(lang, ", ", "，");
-        let mut line = |text: String| {
-            out.push_str(&text);
-            out.push('\n');
-        };
+        let mut line = |subject: CamSubject, text: String| out.push((subject, text));
         let scene = self.scene;
         let (cam, follower) = (scene.link_name(self.cam.cam), scene.link_name(self.cam.follower));
         let kind = kind(self.cam, self.disc(), lang);
-        line(match lang {
+        line(CamSubject::Data, match lang {
             Lang::En => format!("cam {cam}, follower {follower}: {kind}"),
             Lang::Zh => format!("凸轮 {cam}，从动件 {follower}：{kind}"),
         });
-        line(format!(
+        line(CamSubject::Data, format!(
             "  {} r₀ = {}",
             tr(lang, "base circle", "基圆半径"),
             self.say(CamNumber::Base, PrintedUnit::Length, self.disc().base())
@@ -146,7 +167,7 @@ impl Report<'_> {
         if let FollowerTip::Point { radius } = self.disc().touch
             && radius > 0.0
         {
-            line(format!(
+            line(CamSubject::Data, format!(
                 "  {} r_r = {}",
                 tr(lang, "radius of the follower's end", "滚子（圆端）半径"),
                 self.say(CamNumber::End, PrintedUnit::Length, radius)
@@ -156,20 +177,20 @@ impl Report<'_> {
             Follower::Translating { offset, .. } => {
                 // Positive towards the instantaneous centre of cam and follower on the outward
                 // motion.
-                line(format!(
+                line(CamSubject::Data, format!(
                     "  {} e = {}",
                     tr(lang, "offset", "偏距"),
                     self.say(CamNumber::Offset, PrintedUnit::Length, offset * self.disc().sense)
                 ));
             }
             Follower::Oscillating { pivot, arm, .. } => {
-                line(format!(
+                line(CamSubject::Data, format!(
                     "  {} d = {}",
                     tr(lang, "distance of the pivots", "中心距"),
                     self.say(CamNumber::Distance, PrintedUnit::Length, pivot.norm())
                 ));
                 if arm > 0.0 {
-                    line(format!(
+                    line(CamSubject::Data, format!(
                         "  {} l = {}",
                         tr(lang, "arm", "摆杆长"),
                         self.say(CamNumber::Arm, PrintedUnit::Length, arm)
@@ -177,13 +198,13 @@ impl Report<'_> {
                 }
             }
         }
-        line(format!(
+        line(CamSubject::Law, format!(
             "  {} h = {}",
             tr(lang, "stroke", "行程"),
             self.say(CamNumber::Stroke, PrintedUnit::Lift(0), self.survey.stroke)
         ));
         let s = self.survey;
-        line(format!(
+        line(CamSubject::Law, format!(
             "  {}",
             [("Φ", 1, false), ("Φs", 0, true), ("Φ′", -1, false), ("Φs′", 0, false)]
                 .map(|(name, way, out)| format!(
@@ -197,7 +218,7 @@ impl Report<'_> {
             for (k, stage) in program.stages().iter().enumerate() {
                 let [from, to] = [k, k + 1]
                     .map(|k| self.say(CamNumber::Start(k), PrintedUnit::Degrees, joints[k]));
-                line(format!("  {from:>8} – {to:<8} {}", self.stage(k, stage.way, outer[k], lang)));
+                line(CamSubject::Law, format!("  {from:>8} – {to:<8} {}", self.stage(k, stage.way, outer[k], lang)));
             }
         }
         let w = self.omega();
@@ -220,7 +241,9 @@ impl Report<'_> {
             };
             let [low, high] = [told(0), told(1)];
             let symbol = self.symbol(order);
-            line(match lang {
+            let subject =
+                if order == 1 { CamSubject::Velocity } else { CamSubject::Acceleration };
+            line(subject, match lang {
                 Lang::En => {
                     format!("  {symbol}: {} at φ = {}, {} at φ = {}", high.1, high.0, low.1, low.0)
                 }
@@ -231,7 +254,7 @@ impl Report<'_> {
             });
         }
         for (k, j) in s.jumps.iter().enumerate() {
-            line(format!("  {}", self.jump(k, j, lang)));
+            line(CamSubject::Acceleration, format!("  {}", self.jump(k, j, lang)));
         }
         let names = [
             tr(lang, "greatest pressure angle, out", "推程最大压力角"),
@@ -239,7 +262,7 @@ impl Report<'_> {
         ];
         for (k, name) in names.into_iter().enumerate() {
             if s.pressure[k].is_some() {
-                line(format!(
+                line(CamSubject::Pressure, format!(
                     "  {name}{}",
                     self.valued(CamExtreme::Pressure(k), s.pressure[k], lang)
                 ));
@@ -256,7 +279,7 @@ impl Report<'_> {
                     tr(lang, "least radius of the profile", "廓线的最小曲率半径")
                 }
             };
-            line(format!("  {name}{}", self.valued(CamExtreme::Radius, s.least_rho, lang)));
+            line(CamSubject::Curvature, format!("  {name}{}", self.valued(CamExtreme::Radius, s.least_rho, lang)));
         }
         if let Some([lift, v, a, pressure, rho, rho_pitch]) = self.now() {
             let lifts = [lift, v, a].into_iter().enumerate();
@@ -267,7 +290,7 @@ impl Report<'_> {
                     self.say(CamNumber::Now(Now::Lift(k)), PrintedUnit::Lift(k), x)
                 )
             });
-            line(format!(
+            line(CamSubject::Instant, format!(
                 "  {} φ = {}{}{}",
                 tr(lang, "at the instant", "图示位置"),
                 self.say(CamNumber::Now(Now::Phi), PrintedUnit::Degrees, in_turn(self.turning.phi)),
@@ -288,12 +311,31 @@ impl Report<'_> {
                 let told = self.say(CamNumber::Now(Now::Pitch), PrintedUnit::Length, rho_pitch);
                 format!("{comma}{} {told}", tr(lang, "of the pitch curve", "理论廓线"))
             };
-            line(format!(
+            line(CamSubject::Instant, format!(
                 "    {alpha}ρ = {}{pitch}",
                 self.say(CamNumber::Now(Now::Rho), PrintedUnit::Length, rho)
             ));
         }
         out
+    }
+
+    /// Returns the lines on a subject as one sentence.
+    pub fn sentence(&self, subject: CamSubject, lang: Lang) -> Option<String> {
+        let lines = self.lines(lang).into_iter().filter(|(of, _)| *of == subject);
+        let lines: Vec<String> = lines
+            .map(|(_, line)| line.trim().replace("  ", tr(lang, ", ", "，")))
+            .collect();
+        let [between, stop] = [tr(lang, "; ", "；"), tr(lang, ".", "。")];
+        (!lines.is_empty()).then(|| format!("{}{stop}", capital(&lines.join(between))))
+    }
+
+    /// Returns the lift at a cam angle with its unit.
+    pub fn lift_words(&self, phi: f64) -> Option<String> {
+        let [lift, ..] = self.survey.lift(self.disc(), phi, PieceSide::After)?;
+        Some(match self.swings() {
+            true => format!("{}°", legible(lift.to_degrees(), DIGITS)),
+            false => self.scene.length_words(lift),
+        })
     }
 
     fn stage(&self, k: usize, way: StageMotion, out: bool, lang: Lang) -> String {

@@ -104,6 +104,73 @@ impl<'a> LoopWords<'a> {
         lines
     }
 
+    /// Returns a vector of a loop as a sentence.
+    pub fn vector(&self, v: &LoopVector) -> String {
+        let [way, link, length, angle] = self.row(v);
+        let turned = match v.angle.variable {
+            Some(_) => format!("${angle}$"),
+            None => format!("{}${angle}$", tr(self.lang, "its angle is ", "方位角为 ")),
+        };
+        match (self.lang, link.is_empty()) {
+            (Lang::En, false) => format!("The vector ${way}$ on link {link}: ${length}$, {turned}."),
+            (Lang::En, true) => format!("The vector ${way}$: ${length}$, {turned}."),
+            (Lang::Zh, false) => format!("构件 {link} 上的矢量 ${way}$：${length}$，{turned}。"),
+            (Lang::Zh, true) => format!("矢量 ${way}$：${length}$，{turned}。"),
+        }
+    }
+
+    /// Returns the solution of a group in steps: the closed loops, their two parts, and how each
+    /// unknown follows, in positions, velocities and accelerations.
+    pub fn steps(&self, g: &GroupLoops) -> Vec<String> {
+        let lang = self.lang;
+        let [comma, stop] = [tr(lang, ",\u{2003}", "，\u{2003}"), tr(lang, ".", "。")];
+        let joined = |texts: Vec<String>| texts.join(comma);
+        let equation = |e: &Equation| format!("{} = {}", e.left.text(), e.right.text());
+        let with_value = |e: &Equation| match gives(e) {
+            true => format!("${} = {}$", equation(e), self.value_of(e)),
+            false => format!("${}$", equation(e)),
+        };
+        let loops = g.loops.iter().map(|of| format!("${}$", closed(self.all, of))).collect();
+        let parts = g.closures.iter().map(|e| format!("${}$", equation(e))).collect();
+        let mut out = vec![
+            format!(
+                "{}{}{stop}",
+                tr(lang, "The vectors along both ways have the same sum: ", "沿两条路径的矢量和相等："),
+                joined(loops)
+            ),
+            format!("{}{}{stop}", tr(lang, "Real and imaginary parts: ", "取实部和虚部："), joined(parts)),
+            self.method(g),
+        ];
+        // First what the formulas of the unknowns need, then each unknown.
+        let (needed, found) = g.position.split_at(g.position.len().saturating_sub(g.unknowns.len()));
+        if !needed.is_empty() {
+            let needed = joined(needed.iter().map(with_value).collect());
+            out.push(format!("{}{needed}{stop}", tr(lang, "With ", "记 ")));
+        }
+        out.extend(found.iter().map(|e| format!("{}{stop}", with_value(e))));
+        let results = |order: usize| {
+            joined(g.unknowns.iter().map(|k| format!("${}$", self.result(*k, order))).collect())
+        };
+        if g.position.is_empty() {
+            out.push(format!("{}{stop}", results(0)));
+        }
+        for (equations, order) in [(&g.velocities, 1), (&g.accelerations, 2)] {
+            // The system is not written out.
+            let derived = self.derived(order).split([':', '：', '（']).next().unwrap_or_default();
+            let derived = derived.split(" ($b$").next().unwrap_or_default();
+            if equations.is_empty() {
+                let colon = tr(lang, ": ", "：");
+                out.push(format!("{derived}{colon}{}{stop}", results(order)));
+                continue;
+            }
+            let space = tr(lang, " ", "");
+            let projected = self.projected().trim_end_matches([':', '：']);
+            out.push(format!("{derived}{stop}{space}{projected}{stop}"));
+            out.extend(equations.iter().map(|e| format!("{}{stop}", with_value(e))));
+        }
+        out
+    }
+
     /// Returns the heading of a group: its links and kind.
     pub fn heading(&self, g: &GroupLoops) -> String {
         let names: Vec<&str> = g.links.iter().map(|l| self.scene.link_name(*l)).collect();

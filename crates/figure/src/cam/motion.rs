@@ -6,7 +6,8 @@ use super::{heading, words_at};
 use hodograph_base::cam::{Follower, PieceSide, Shock, in_turn, round};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_paper::paper::extent::Rect;
-use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, Shape};
+use hodograph_paper::paper::drawing::DrawingPart;
+use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, FigureItem, Shape, tag};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::place::LabelRequest;
@@ -58,31 +59,11 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
         Anchor::Middle,
         style,
     )];
-    let x = PlotAxis::of(&[0.0, 360.0], true, 12);
     let mut said = Vec::new();
     for (k, kept) in panels(report).iter().enumerate() {
         let top = height_mm - ABOVE_MM - k as f64 * (PLOT_MM[1] + BETWEEN_MM);
-        let frame =
-            Rect::new(Point::new(left, top - PLOT_MM[1]), Point::new(left + PLOT_MM[0], top));
-        let mut plot = Plot::new(
-            format!("cam-{}", kept.symbol),
-            style,
-            frame,
-            [x.clone(), axis(report, kept)],
-        );
-        let below = (k == 2).then(|| Label::math(over("\\varphi", "\\degree")));
-        plot.axes(below, Label::math(over(kept.symbol, &kept.unit)));
-        if k == 0 {
-            stages(&mut plot, report, lang);
-        }
-        line(&mut plot, report, kept);
-        shocks(&mut plot, report, kept, lang, &mut said);
-        extremes(&mut plot, report, kept, &mut said);
-        let bounds = Rect::new(
-            frame.min - Vec2::new(0.0, 1.0),
-            frame.max + Vec2::new(0.0, BETWEEN_MM / 2.0),
-        );
-        items.extend(plot.finish(bounds));
+        let corner = Point::new(left, top);
+        items.extend(panel(report, style, lang, (k, kept), corner, &mut said));
     }
     let desc = match lang {
         Lang::En => format!(
@@ -102,6 +83,46 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     };
     style.palette.paint(&mut figure);
     figure
+}
+
+/// The diagrams without a title, each in a step of its own from `first` on.
+pub(super) fn stepped(report: &Report, style: &Style, lang: Lang, first: usize) -> DrawingPart {
+    let mut items = Vec::new();
+    for (k, kept) in panels(report).iter().enumerate() {
+        let corner = Point::new(0.0, -(k as f64) * (PLOT_MM[1] + BETWEEN_MM));
+        let mut own = panel(report, style, lang, (k, kept), corner, &mut Vec::new());
+        tag(&mut own, &format!("step-{}", first + k));
+        items.extend(own);
+    }
+    DrawingPart::of(items)
+}
+
+/// One of the diagrams, with its upper left corner at `corner`.
+fn panel(
+    report: &Report,
+    style: &Style,
+    lang: Lang,
+    (k, kept): (usize, &DerivativePlot),
+    corner: Point,
+    said: &mut Vec<String>,
+) -> Vec<FigureItem> {
+    let x = PlotAxis::of(&[0.0, 360.0], true, 12);
+    let frame = Rect::new(corner - Vec2::new(0.0, PLOT_MM[1]), corner + Vec2::new(PLOT_MM[0], 0.0));
+    let mut plot =
+        Plot::new(format!("cam-{}", kept.symbol), style, frame, [x, axis(report, kept)]);
+    let below = (k == 2).then(|| Label::math(over("\\varphi", "\\degree")));
+    plot.axes(below, Label::math(over(kept.symbol, &kept.unit)));
+    if k == 0 {
+        stages(&mut plot, report, lang);
+    }
+    line(&mut plot, report, kept);
+    shocks(&mut plot, report, kept, lang, said);
+    extremes(&mut plot, report, kept, said);
+    let bounds = Rect::new(
+        frame.min - Vec2::new(0.0, 1.0),
+        frame.max + Vec2::new(0.0, BETWEEN_MM / 2.0),
+    );
+    plot.finish(bounds)
 }
 
 /// The three plots; s′ and s″ if the cam has no angular velocity.
