@@ -112,7 +112,7 @@ pub fn lesson(
         let mut letters = Elements::new(figure.height_mm);
         let ground = stepped(&nameless(figure.items.iter()), &mut letters)?;
         drawings.push(PlayerDrawing {
-            window_mm: [0.0, 0.0, figure.width_mm, figure.height_mm],
+            windows_mm: vec![[0.0, 0.0, figure.width_mm, figure.height_mm]],
             letters,
             ground,
             frames: Vec::new(),
@@ -306,7 +306,12 @@ impl LinkageMotion {
         let paper = Rect::new(Point::ORIGIN, Point::new(figure.width_mm, figure.height_mm));
         let all = self.window.union(paper);
         Ok(PlayerDrawing {
-            window_mm: [all.min.x, figure.height_mm - all.max.y, all.width_mm(), all.height_mm()],
+            windows_mm: vec![[
+                all.min.x,
+                figure.height_mm - all.max.y,
+                all.width_mm(),
+                all.height_mm(),
+            ]],
             letters,
             ground,
             frames: (0..self.frames.len()).map(|k| self.markup(k)).collect(),

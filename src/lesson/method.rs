@@ -23,7 +23,7 @@ use crate::figure::stepped::{ConstructionMethod, SteppedMethod};
 use crate::paper::label::Label;
 use crate::paper::phrase::Phrase;
 use crate::paper::style::Style;
-use crate::render::math::mathml;
+use crate::render::math::{mathml, mathml_display};
 use crate::report::html::sentence as html;
 use crate::scene::{Kind, Scene, Swept};
 use crate::sweep::follow::{PoseFollower, PoseSweep, TravelPose};
@@ -158,8 +158,14 @@ fn nothing(method: ConstructionMethod) -> Diagnostic {
 /// Data of a pose: its name, the sentences of the steps, the answers, the scales of the drawings.
 fn pose_json(f: &MethodPose, options: &LessonOptions) -> Value {
     let set = |text: &str| html(&Phrase::new(text));
-    let steps: Vec<Value> =
-        f.drawn.steps.iter().map(|s| json!(LANGS.map(|lang| set(lang.of(s))))).collect();
+    let below = |k: usize| {
+        let formulas = f.drawn.formulas.get(&k).into_iter().flatten();
+        formulas.map(|parts| mathml_display(parts)).collect::<String>()
+    };
+    let steps = f.drawn.steps.iter().enumerate();
+    let steps: Vec<Value> = steps
+        .map(|(k, s)| json!(LANGS.map(|lang| set(lang.of(s)) + &below(k))))
+        .collect();
     let digits = certified(&f.frame, options.swept);
     let answers = LANGS.map(|lang| {
         let told = (0..f.frame.scene.find.len())

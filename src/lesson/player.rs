@@ -53,6 +53,8 @@ const AIR_MM: f64 = 2.0;
 
 /// Window of a drawing on a small projector (1280 × 720 pixels).
 const STAGE_PX: [f64; 2] = [600.0, 450.0];
+/// A first drawing so much wider than high has the whole width of the page.
+const WIDE: f64 = 1.9;
 /// The least height of a small letter there, so that it is read from the last row.
 const LETTER_PX: f64 = 14.5;
 /// The least height of a small letter on a phone (pixels).
@@ -77,7 +79,7 @@ pub(super) fn legible(
     let mut own = sized(style.small_mm * LARGER, style.label_mm * LARGER);
     for _ in 0..ROUNDS {
         let needed = |[w, h]: &[f64; 2]| {
-            let [x, y] = STAGE_PX;
+            let [x, y] = if w / h > WIDE { [2.0 * STAGE_PX[0], STAGE_PX[1]] } else { STAGE_PX };
             LETTER_PX / X_HEIGHT / (x / w).min(y / h)
         };
         let most = sizes(&own)?.iter().map(needed).fold(0.0, f64::max).min(LARGEST_MM);
@@ -115,8 +117,8 @@ pub(super) struct PlayerPage<'a> {
 
 /// A drawing of a page.
 pub(super) struct PlayerDrawing {
-    /// The window: left, top, width, height (mm).
-    pub window_mm: [f64; 4],
+    /// The window of each frame, or of all: left, top, width, height (mm).
+    pub windows_mm: Vec<[f64; 4]>,
     /// Letters that the markup uses.
     pub letters: Elements,
     /// The fixed part.
@@ -132,6 +134,12 @@ pub(super) struct PlayerDrawing {
 }
 
 impl PlayerPage<'_> {
+    /// True if the first drawing has the whole width of the page.
+    fn is_wide(&self, drawings: &[PlayerDrawing]) -> bool {
+        let first = drawings.first().filter(|d| d.left);
+        first.and_then(|d| d.windows_mm.first()).is_some_and(|[_, _, w, h]| w / h > WIDE)
+    }
+
     /// Writes the page.
     pub fn written(&self, drawings: &[PlayerDrawing]) -> String {
         let own = usize::from(self.lang == Lang::Zh);
@@ -149,6 +157,7 @@ impl PlayerPage<'_> {
             "captions": drawings.iter().map(|d| json!(d.caption)).collect::<Vec<_>>(),
             "given": self.base,
             "drawings": drawings.iter().map(|d| json!(d.frames)).collect::<Vec<_>>(),
+            "windows": drawings.iter().map(|d| json!(d.views())).collect::<Vec<_>>(),
         });
         if let (Value::Object(all), Value::Object(own)) = (&mut data, &self.data) {
             all.extend(own.clone());
@@ -166,6 +175,7 @@ impl PlayerPage<'_> {
                 ("title", &escaped(self.title[own])),
                 ("style", &with_fonts(&STYLE)),
                 ("letters", &Elements::letters(drawings.iter().map(|d| &d.letters))),
+                ("layout", if self.is_wide(drawings) { "wide" } else { "" }),
                 ("left", &put(true)),
                 ("right", &put(false)),
                 ("noscript", &escaped(noscript)),
@@ -177,11 +187,18 @@ impl PlayerPage<'_> {
 }
 
 impl PlayerDrawing {
+    /// The windows as a page writes them.
+    fn views(&self) -> Vec<String> {
+        self.windows_mm.iter().map(|w| w.map(mm).join(" ")).collect()
+    }
+
     fn markup(&self, k: usize, (base, type_mm): (usize, f64), own: usize) -> String {
-        let [x, y, w, h] = self.window_mm.map(mm);
+        let views = self.views();
+        let view = views.get(base).or(views.first()).map_or("", String::as_str);
+        let w = view.split(' ').nth(2).unwrap_or("1");
         let px = mm(PHONE_PX / X_HEIGHT / type_mm);
         format!(
-            "<figure class=\"drawing\" id=\"drawing-{k}\" style=\"--w:{w};--px:{px}\">\n<svg viewBox=\"{x} {y} {w} {h}\" role=\"img\">\n<g class=\"ink\">\n{}</g>\n<g class=\"ink moving\">\n{}</g>\n</svg>\n\
+            "<figure class=\"drawing\" id=\"drawing-{k}\" style=\"--w:{w};--px:{px}\">\n<svg viewBox=\"{view}\" role=\"img\">\n<g class=\"ink\">\n{}</g>\n<g class=\"ink moving\">\n{}</g>\n</svg>\n\
              <figcaption><span class=\"caption\">{}</span> <span class=\"scale\">{}</span></figcaption>\n</figure>\n",
             self.ground,
             self.frames.get(base).map_or("", String::as_str),
@@ -205,11 +222,20 @@ pub(super) fn drawings(
     let of = |k: usize| {
         let ground = still.filter(|_| k == 0);
         let own: Vec<&ParticleView> = views.iter().map(|v| &v[k]).collect();
-        let boxes = own.iter().copied().chain(ground).filter_map(|v| bounds(&v.part.items));
-        let window = boxes
-            .reduce(Rect::union)
-            .unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN))
-            .grown(AIR_MM);
+        let boxes: Vec<Rect> = own
+            .iter()
+            .map(|v| bounds(&v.part.items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)))
+            .map(|b| b.grown(AIR_MM))
+            .collect();
+        let behind = ground.and_then(|v| bounds(&v.part.items));
+        let window = boxes.iter().copied().chain(behind).fold(boxes[base], Rect::union);
+        // A frame that needs more than the given one is seen smaller.
+        let seen = |own: &Rect| {
+            let own = if ground.is_some() { window } else { boxes[base].union(*own) };
+            let [left, top] = [own.min.x - window.min.x, window.max.y - own.max.y];
+            [left, top, own.width_mm(), own.height_mm()]
+        };
+        let windows_mm = boxes.iter().map(seen).collect();
         let mut letters = Elements::new(window.height_mm());
         let mut written = |v: &ParticleView| {
             let mut items = nameless(v.part.items.iter());
@@ -220,7 +246,7 @@ pub(super) fn drawings(
         let frames = own.iter().map(|v| written(v)).collect::<Result<Vec<String>, Faults>>()?;
         let view = &views[base][k];
         Ok(PlayerDrawing {
-            window_mm: [0.0, 0.0, window.width_mm(), window.height_mm()],
+            windows_mm,
             letters,
             ground,
             frames,

@@ -27,6 +27,15 @@
   /** The sheets: a card for each step, six on a page. */
   const sheets = (count) => $("all").replaceChildren(...[...Array(count).keys()].map((k) => card(k + 1, "li")));
 
+  /** Where a drawing is larger than its place, the step is in the middle. */
+  function middle(figure) {
+    if (figure.scrollWidth <= figure.clientWidth + 1 && figure.scrollHeight <= figure.clientHeight + 1) return;
+    const shown = [...figure.querySelectorAll(".now")].filter((e) => e.getBoundingClientRect().width > 0);
+    const [r, b] = [shown[0] || figure.querySelector("svg"), figure].map((e) => e.getBoundingClientRect());
+    figure.scrollLeft += r.left + r.width / 2 - b.left - b.width / 2;
+    figure.scrollTop += r.top + r.height / 2 - b.top - b.height / 2;
+  }
+
   let desk = null;
   let since = 0;
 

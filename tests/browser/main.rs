@@ -9,6 +9,7 @@ mod design;
 mod forces;
 mod grip;
 mod ink;
+mod method;
 mod motion;
 mod predict;
 mod stage;

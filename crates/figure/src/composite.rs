@@ -161,7 +161,7 @@ pub(super) fn stepped(w: &FigureInput) -> Result<Option<SteppedMethod>, Faults> 
         .zip(&zh)
         .map(|(en, zh)| Both { en: en.text.source(), zh: zh.text.source() })
         .collect();
-    Ok(Some(SteppedMethod { views, steps, missing: 0 }))
+    Ok(Some(SteppedMethod { views, steps, ..SteppedMethod::default() }))
 }
 
 fn figure(w: &FigureInput, worked: &Worked, each: &[ChoiceSolution]) -> Figure {

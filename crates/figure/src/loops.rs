@@ -44,7 +44,7 @@ fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
 pub(super) fn stepped(w: &FigureInput) -> Result<SteppedMethod, Faults> {
     let all = placed(w.scene, &w.worked.mechanism, &w.worked.configuration)?;
     let words = [Lang::En, Lang::Zh].map(|lang| LoopWords::new(w.scene, &all, lang));
-    let mut out = SteppedMethod { views: Vec::new(), steps: Vec::new(), missing: 0 };
+    let mut out = SteppedMethod::default();
     let several = all.groups.iter().map(|g| g.loops.len()).sum::<usize>() > 1;
     for g in &all.groups {
         let heading = words.each_ref().map(|words| capital(&words.heading(g)));
@@ -62,8 +62,9 @@ pub(super) fn stepped(w: &FigureInput) -> Result<SteppedMethod, Faults> {
             out.views.push(ParticleView { part, caption, scales });
             out.steps.extend(of.iter().map(|v| both(&words, |words| words.vector(v))));
         }
-        for step in words[0].steps(g).into_iter().zip(words[1].steps(g)) {
-            out.steps.push(Both { en: step.0, zh: step.1 });
+        for (en, zh) in words[0].steps(g).into_iter().zip(words[1].steps(g)) {
+            out.formulas.insert(out.steps.len(), en.1);
+            out.steps.push(Both { en: en.0, zh: zh.0 });
         }
     }
     Ok(out)

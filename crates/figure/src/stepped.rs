@@ -5,6 +5,8 @@ use hodograph_base::diag::{Both, Faults};
 
 use super::list::FigureInput;
 use super::particle::ParticleView;
+use hodograph_paper::render::math::Math;
+use std::collections::BTreeMap;
 
 /// A method whose construction is shown step by step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,11 +26,14 @@ pub enum ConstructionMethod {
 }
 
 /// The construction of a method in one pose.
+#[derive(Default)]
 pub struct SteppedMethod {
     /// The drawings.
     pub views: Vec<ParticleView>,
     /// The sentence of each step, with formulas between dollar signs.
     pub steps: Vec<Both>,
+    /// The formulas below the sentences of some steps.
+    pub formulas: BTreeMap<usize, Vec<Vec<Math>>>,
     /// Number of places that do not exist in this pose.
     pub missing: usize,
 }

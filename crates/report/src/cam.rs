@@ -324,6 +324,7 @@ impl Report<'_> {
         let lines = self.lines(lang).into_iter().filter(|(of, _)| *of == subject);
         let lines: Vec<String> = lines
             .map(|(_, line)| line.trim().replace("  ", tr(lang, ", ", "，")))
+            .map(|line| line.replace("r_r ", "$r_{r}$ "))
             .collect();
         let [between, stop] = [tr(lang, "; ", "；"), tr(lang, ".", "。")];
         (!lines.is_empty()).then(|| format!("{}{stop}", capital(&lines.join(between))))

@@ -119,54 +119,56 @@ impl<'a> LoopWords<'a> {
         }
     }
 
-    /// Returns the solution of a group in steps: the closed loops, their two parts, and how each
-    /// unknown follows, in positions, velocities and accelerations.
-    pub fn steps(&self, g: &GroupLoops) -> Vec<String> {
+    /// Returns the solution of a group in steps, each a sentence with the formulas below it: the
+    /// closed loops, their two parts, and how each unknown follows, in positions, velocities and
+    /// accelerations.
+    pub fn steps(&self, g: &GroupLoops) -> Vec<(String, Vec<Vec<Math>>)> {
         let lang = self.lang;
-        let [comma, stop] = [tr(lang, ",\u{2003}", "，\u{2003}"), tr(lang, ".", "。")];
-        let joined = |texts: Vec<String>| texts.join(comma);
-        let equation = |e: &Equation| format!("{} = {}", e.left.text(), e.right.text());
-        let with_value = |e: &Equation| match gives(e) {
-            true => format!("${} = {}$", equation(e), self.value_of(e)),
-            false => format!("${}$", equation(e)),
-        };
-        let loops = g.loops.iter().map(|of| format!("${}$", closed(self.all, of))).collect();
-        let parts = g.closures.iter().map(|e| format!("${}$", equation(e))).collect();
+        let row = |text: String| vec![Math::Row(Label::math(text))];
+        let display = |equations: &[Equation]| equations.iter().map(|e| self.display(e)).collect();
+        let loops = g.loops.iter().map(|of| row(closed(self.all, of))).collect();
+        let sum = tr(lang, "The vectors along both ways have the same sum:", "沿两条路径的矢量和相等：");
+        let parts = tr(lang, "Real and imaginary parts:", "分别取实部和虚部：");
         let mut out = vec![
-            format!(
-                "{}{}{stop}",
-                tr(lang, "The vectors along both ways have the same sum: ", "沿两条路径的矢量和相等："),
-                joined(loops)
-            ),
-            format!("{}{}{stop}", tr(lang, "Real and imaginary parts: ", "取实部和虚部："), joined(parts)),
-            self.method(g),
+            (sum.to_owned(), loops),
+            (parts.to_owned(), display(&g.closures)),
+            (self.method(g), Vec::new()),
         ];
-        // First what the formulas of the unknowns need, then each unknown.
-        let (needed, found) = g.position.split_at(g.position.len().saturating_sub(g.unknowns.len()));
-        if !needed.is_empty() {
-            let needed = joined(needed.iter().map(with_value).collect());
-            out.push(format!("{}{needed}{stop}", tr(lang, "With ", "记 ")));
-        }
-        out.extend(found.iter().map(|e| format!("{}{stop}", with_value(e))));
-        let results = |order: usize| {
-            joined(g.unknowns.iter().map(|k| format!("${}$", self.result(*k, order))).collect())
+        let gives = |e: &Equation| match lang {
+            Lang::En => format!("This gives ${}$:", e.left.text()),
+            Lang::Zh => format!("由此得 ${}$：", e.left.text()),
         };
+        // First what the formulas of the unknowns need, then each unknown.
+        let first = g.position.len().saturating_sub(g.unknowns.len());
+        let (needed, found) = g.position.split_at(first);
+        if !needed.is_empty() {
+            let words = tr(lang, "The formulas use:", "公式中：");
+            out.push((words.to_owned(), display(needed)));
+        }
+        out.extend(found.iter().map(|e| (gives(e), display(std::slice::from_ref(e)))));
+        let results =
+            |order: usize| g.unknowns.iter().map(|k| row(self.result(*k, order))).collect();
         if g.position.is_empty() {
-            out.push(format!("{}{stop}", results(0)));
+            out.push((tr(lang, "The unknowns are:", "解得：").to_owned(), results(0)));
         }
         for (equations, order) in [(&g.velocities, 1), (&g.accelerations, 2)] {
             // The system is not written out.
             let derived = self.derived(order).split([':', '：', '（']).next().unwrap_or_default();
             let derived = derived.split(" ($b$").next().unwrap_or_default();
             if equations.is_empty() {
-                let colon = tr(lang, ": ", "：");
-                out.push(format!("{derived}{colon}{}{stop}", results(order)));
+                out.push((format!("{derived}{}", tr(lang, ":", "：")), results(order)));
                 continue;
             }
-            let space = tr(lang, " ", "");
             let projected = self.projected().trim_end_matches([':', '：']);
-            out.push(format!("{derived}{stop}{space}{projected}{stop}"));
-            out.extend(equations.iter().map(|e| format!("{}{stop}", with_value(e))));
+            out.push((
+                format!(
+                    "{derived}{}{projected}{}",
+                    tr(lang, ". ", "。"),
+                    tr(lang, ".", "。")
+                ),
+                Vec::new(),
+            ));
+            out.extend(equations.iter().map(|e| (gives(e), display(std::slice::from_ref(e)))));
         }
         out
     }

@@ -112,6 +112,7 @@
     if (presented === key) return;
     presented = key;
     show();
+    if (key) legible(drawing(key));
   }
 
   function reveal() {
@@ -129,6 +130,7 @@
     $("last").disabled = $("next").disabled = step === steps.length;
     const at = steps[predicting ? Math.min(step, steps.length - 1) : step - 1];
     if (marked && at) present(at.key);
+    drawings.forEach((d) => middle(d.figure));
   }
 
   function go(to) {

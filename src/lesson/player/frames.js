@@ -61,8 +61,11 @@
     }
     if (!$("count")) return;
     $("count").textContent = words().step.replace("{}", step).replace("{}", steps().length);
-    const now = others.findIndex((e) => e.querySelector(".now"));
+    const now = others.findLastIndex((e) => e.querySelector(".now"));
     if (now >= 0) present(now);
+    const first = figures.find((e) => !others.includes(e));
+    document.body.classList.toggle("beside", now >= 0 && !!first && !first.querySelector(".now"));
+    figures.forEach(middle);
     $("sentence").innerHTML = step > 0 ? pick(steps()[step - 1]) : "";
     $("first").disabled = $("previous").disabled = step <= 1;
     $("next").disabled = $("last").disabled = step >= steps().length;
@@ -80,6 +83,7 @@
     const f = data.frames[frame];
     figures.forEach((e, k) => {
       if (data.drawings[k].length) e.querySelector(".moving").innerHTML = data.drawings[k][frame];
+      e.querySelector("svg").setAttribute("viewBox", data.windows[k][frame] ?? data.windows[k][0]);
       if (f.scales) e.querySelector(".scale").innerHTML = f.scales[k];
     });
     $("travel").textContent = `${f.at}${frame === data.given && words().given ? ` (${words().given})` : ""}`;

@@ -25,6 +25,8 @@ use std::f64::consts::TAU;
 pub(super) const STATIONS: usize = 12;
 /// Approximate length of the drawing's larger side (mm).
 const SIZE_MM: f64 = 165.0;
+/// The same for a drawing that is shown alone, beside the diagrams of the motion.
+const ALONE_MM: f64 = 100.0;
 /// Space around, above and below the drawing (mm).
 const MARGIN_MM: f64 = 9.0;
 const ABOVE_MM: f64 = 16.0;
@@ -74,7 +76,8 @@ fn drawn(report: &Report, style: &Style, first: Option<usize>) -> (Vec<FigureIte
     let reach = reach(disc);
     let unit =
         report.scene.book.chosen(Kind::Length).map_or(1.0, hodograph_scene::book::BookUnit::size);
-    let mu = choose_in(unit, [2.0 * reach; 2], [SIZE_MM; 2]);
+    let size_mm = if first.is_some() { ALONE_MM } else { SIZE_MM };
+    let mu = choose_in(unit, [2.0 * reach; 2], [size_mm; 2]);
     let mut d = InversionDrawing {
         report,
         style,

@@ -72,19 +72,19 @@ pub(super) fn stepped(w: &FigureInput) -> Option<SteppedMethod> {
     let style = &w.options.style;
     let (profile, mu) = inversion::stepped(&report, style, first);
     let caption = |en: &str, zh: &str| Both { en: en.to_owned(), zh: zh.to_owned() };
-    let views = vec![
-        ParticleView {
-            part: motion::stepped(&report, style, w.options.lang, 1),
-            caption: caption("Motion of the follower", "从动件运动线图"),
-            scales: Vec::new(),
-        },
-        ParticleView {
-            part: profile,
-            caption: caption("Profile by inversion", "反转法绘制凸轮廓线"),
-            scales: vec![(DiagramKind::Plane, mu)],
-        },
-    ];
-    Some(SteppedMethod { views, steps, missing: 0 })
+    let mut views = vec![ParticleView {
+        part: profile,
+        caption: caption("Profile by inversion", "反转法绘制凸轮廓线"),
+        scales: vec![(DiagramKind::Plane, mu)],
+    }];
+    let diagrams = motion::stepped(&report, style, w.options.lang, 1);
+    let captions = [["Displacement", "位移"], ["Velocity", "速度"], ["Acceleration", "加速度"]];
+    views.extend(diagrams.into_iter().zip(captions).map(|(part, [en, zh])| ParticleView {
+        part,
+        caption: caption(en, zh),
+        scales: Vec::new(),
+    }));
+    Some(SteppedMethod { views, steps, ..SteppedMethod::default() })
 }
 
 /// The sentence of a station of the inversion.

@@ -62,8 +62,10 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     let mut said = Vec::new();
     for (k, kept) in panels(report).iter().enumerate() {
         let top = height_mm - ABOVE_MM - k as f64 * (PLOT_MM[1] + BETWEEN_MM);
-        let corner = Point::new(left, top);
-        items.extend(panel(report, style, lang, (k, kept), corner, &mut said));
+        let frame =
+            Rect::new(Point::new(left, top - PLOT_MM[1]), Point::new(left + PLOT_MM[0], top));
+        let marked = [k == 2, k == 0];
+        items.extend(panel(report, style, lang, (kept, marked), (frame, 12), &mut said));
     }
     let desc = match lang {
         Lang::En => format!(
@@ -85,34 +87,42 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     figure
 }
 
-/// The diagrams without a title, each in a step of its own from `first` on.
-pub(super) fn stepped(report: &Report, style: &Style, lang: Lang, first: usize) -> DrawingPart {
-    let mut items = Vec::new();
-    for (k, kept) in panels(report).iter().enumerate() {
-        let corner = Point::new(0.0, -(k as f64) * (PLOT_MM[1] + BETWEEN_MM));
-        let mut own = panel(report, style, lang, (k, kept), corner, &mut Vec::new());
-        tag(&mut own, &format!("step-{}", first + k));
-        items.extend(own);
-    }
-    DrawingPart::of(items)
+/// Size of a diagram that is shown alone (mm).
+const ALONE_MM: [f64; 2] = [92.0, 50.0];
+
+/// The diagrams, each as a drawing of its own in a step of its own from `first` on.
+pub(super) fn stepped(
+    report: &Report,
+    style: &Style,
+    lang: Lang,
+    first: usize,
+) -> [DrawingPart; 3] {
+    let panels = panels(report);
+    [0, 1, 2].map(|k| {
+        let frame = Rect::new(Point::ORIGIN, Point::ORIGIN + Vec2::new(ALONE_MM[0], ALONE_MM[1]));
+        let mut items =
+            panel(report, style, lang, (&panels[k], [true, k == 0]), (frame, 6), &mut Vec::new());
+        tag(&mut items, &format!("step-{}", first + k));
+        DrawingPart::of(items)
+    })
 }
 
-/// One of the diagrams, with its upper left corner at `corner`.
+/// One of the diagrams in its frame, with at most so many intervals of angles; with the symbol of
+/// the angle and with the stages, if told so.
 fn panel(
     report: &Report,
     style: &Style,
     lang: Lang,
-    (k, kept): (usize, &DerivativePlot),
-    corner: Point,
+    (kept, [named, staged]): (&DerivativePlot, [bool; 2]),
+    (frame, intervals): (Rect, usize),
     said: &mut Vec<String>,
 ) -> Vec<FigureItem> {
-    let x = PlotAxis::of(&[0.0, 360.0], true, 12);
-    let frame = Rect::new(corner - Vec2::new(0.0, PLOT_MM[1]), corner + Vec2::new(PLOT_MM[0], 0.0));
+    let x = PlotAxis::of(&[0.0, 360.0], true, intervals);
     let mut plot =
         Plot::new(format!("cam-{}", kept.symbol), style, frame, [x, axis(report, kept)]);
-    let below = (k == 2).then(|| Label::math(over("\\varphi", "\\degree")));
+    let below = named.then(|| Label::math(over("\\varphi", "\\degree")));
     plot.axes(below, Label::math(over(kept.symbol, &kept.unit)));
-    if k == 0 {
+    if staged {
         stages(&mut plot, report, lang);
     }
     line(&mut plot, report, kept);

@@ -89,7 +89,7 @@ pub(super) fn stepped(w: &FigureInput) -> Result<SteppedMethod, Faults> {
         },
     ];
     let missing = found.list.iter().filter(|c| c.place.is_none()).count();
-    Ok(SteppedMethod { views, steps, missing })
+    Ok(SteppedMethod { views, steps, missing, ..SteppedMethod::default() })
 }
 
 /// The centres that are found by lines, in their order, with only as many per drawing as keep its

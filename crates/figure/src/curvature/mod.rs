@@ -83,7 +83,7 @@ pub(super) fn stepped(w: &FigureInput) -> Result<Option<SteppedMethod>, Faults> 
     let asked = CurvatureRequest { links, against: None, points: w.extras.points.clone() };
     let found = curvature(w.scene, &asked)?.value;
     let words = [Lang::En, Lang::Zh].map(|lang| CurvatureWords { found: &found, lang });
-    let mut out = SteppedMethod { views: Vec::new(), steps: Vec::new(), missing: 0 };
+    let mut out = SteppedMethod::default();
     for of in &found.list {
         let [en, zh] = words.each_ref().map(|words| words.stages(of));
         // The steps of earlier links come first.

@@ -5,13 +5,14 @@ use hodograph_base::diag::Both;
 use hodograph_board::plan::names::point_label;
 use hodograph_methods::trains::{given, trains};
 use hodograph_paper::paper::phrase::tr;
+use hodograph_paper::paper::style::Style;
 use hodograph_report::trains::{omega, sentences, turns};
 use hodograph_scene::{Lang, LinkId};
 
 use super::{CAPTION, KutzbachPlan, KutzbachPoint, TABLE};
 use crate::list::FigureInput;
 use crate::particle::ParticleView;
-use crate::sheet::SheetDrafter;
+use crate::sheet::{SheetDrafter, SheetOptions};
 use crate::stepped::SteppedMethod;
 
 /// The plan and the table of the first train step by step; `None` without a train whose angular
@@ -23,7 +24,7 @@ pub fn stepped(w: &FigureInput) -> Option<SteppedMethod> {
     let maker =
         SheetDrafter { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
     let mut plan = KutzbachPlan { maker: &maker, train, turns, order: Vec::new() };
-    let mut out = SteppedMethod { views: Vec::new(), steps: Vec::new(), missing: 0 };
+    let mut out = SteppedMethod::default();
     let both = |en: String, zh: String| Both { en, zh };
     if let Some(stations) = plan.stations() {
         plan.order = plan.solved(&stations);
@@ -36,7 +37,19 @@ pub fn stepped(w: &FigureInput) -> Option<SteppedMethod> {
         }
     }
     let first = out.steps.len();
-    let mut table = plan.table();
+    // One size for all: the page shows the table as wide as it can.
+    let style = &w.options.style;
+    let style = Style { label_mm: style.caption_mm, ..style.clone() };
+    let options = SheetOptions { style, ..w.options.clone() };
+    let of_table = SheetDrafter {
+        scene: w.scene,
+        worked: w.worked,
+        options: &options,
+        certified: Vec::new(),
+    };
+    let mut table = KutzbachPlan { maker: &of_table, train, turns, order: Vec::new() }.table();
+    // The caption says the same.
+    table.items.retain(|item| item.id != "willis-heading");
     let tables = [Lang::En, Lang::Zh]
         .map(|lang| sentences(w.scene, train, turns, lang, w.options.digits));
     let last = tables[0].len().saturating_sub(1);
