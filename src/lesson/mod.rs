@@ -7,6 +7,10 @@
 //! and [`pack`] packs it, [`bank`] does the same for sentences ([`crate::render::math`] sets their
 //! formulas), [`equations`] gives each step its equation, [`page`] puts the page together, and
 //! [`reveal`] writes one pose as a fragment for slides.
+//!
+//! The other lessons share the page of [`player`]: those of methods ([`method`]), of designs
+//! ([`design`]), of motions without a mechanism ([`motion`]) and of vector equations
+//! ([`equation`]).
 
 mod acts;
 mod bank;

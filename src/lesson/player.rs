@@ -62,9 +62,9 @@ const PHONE_PX: f64 = 11.5;
 /// Height of a small letter in type sizes.
 const X_HEIGHT: f64 = 0.43;
 /// The largest type (mm): larger type would hide the drawing.
-const LARGEST_MM: f64 = 9.0;
+const LARGEST_MM: f64 = 16.0;
 /// Rounds of fitting: larger type makes a drawing larger.
-const ROUNDS: usize = 3;
+const ROUNDS: usize = 4;
 
 /// Returns the style in which the drawings of a page are legible from the last row; `sizes` returns
 /// the sizes (mm) of the drawings in a style.
@@ -227,7 +227,7 @@ pub(super) fn drawings(
             .map(|v| bounds(&v.part.items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)))
             .map(|b| b.grown(AIR_MM))
             .collect();
-        let behind = ground.and_then(|v| bounds(&v.part.items));
+        let behind = ground.and_then(|v| bounds(&v.part.items)).map(|b| b.grown(AIR_MM));
         let window = boxes.iter().copied().chain(behind).fold(boxes[base], Rect::union);
         // A frame that needs more than the given one is seen smaller.
         let seen = |own: &Rect| {

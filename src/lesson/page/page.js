@@ -64,16 +64,17 @@
     const sizes = drawings.map((d) => d.size);
     const below = Math.min(polygons.length, 2) * Math.max(...sizes.slice(1).map((s) => s[0]), 0);
     document.body.style.setProperty("--m", Math.min(1, 178 / Math.max(sizes[0][0], below), 110 / sizes[0][1]));
-    drawings.forEach(legible);
+    polygons.forEach(legible);
     written = spoken = null;
     if (told >= 0) tell();
   }
 
-  /** On a phone a drawing is so large that its letters are legible; it is moved by hand. */
+  /** On a phone a polygon is so large that its letters are legible; it is moved by hand. Where it is drawn by hand it is seen as a
+      whole. */
   function legible(d) {
     const style = d.svg.style;
     style.minWidth = style.minHeight = "";
-    if (innerWidth > 600) return;
+    if (innerWidth > 600 || d === mechanism || predicting) return;
     const labels = [...seenThrough(d).ink.children].filter((e) => e.classList.contains("label") && e.getAttribute("display") !== "none");
     const heights = labels.map((e) => (e.querySelector("use, path") || e).getBoundingClientRect()).filter((r) => r.height > 0.45 * r.width);
     const least = Math.min(...heights.map((r) => r.height));

@@ -320,8 +320,8 @@
     });
 
     const leave = () => tip.remove();
-    /** Whether the equation hides the direction: it is what is asked. */
-    const hides = () => !!task && task.kind !== "x" && task.phase === "direction";
+    /** What the equation hides; see told.js. */
+    const hides = () => (!task ? 0 : task.kind !== "x" && task.phase === "direction" ? 2 : 1);
     return { ask, draw, says, check, hint, giveUp, nudge, leave, hides, asking: () => !!task };
   }
 
@@ -330,12 +330,14 @@
       predicting.leave();
       predicting = null;
       $("verdict").textContent = $("guess").textContent = "";
+      polygons.forEach(legible);
       face();
       return go(step);
     }
     stop();
     settle();
     predicting = predictor();
+    polygons.forEach(legible);
     $("verdict").textContent = "";
     if (step === steps.length) step = 0;
     predicting.ask();
