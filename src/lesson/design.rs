@@ -99,9 +99,9 @@ pub fn lesson(
     let board = figure::to_scale(task, candidate)?;
     let (lang, whole) = (options.lang, false);
     let style = legible(&options.style, |style| {
-        let drawn = board.as_ref().map(|b| {
-            figure::construction(task, candidate, b, Set { style, lang, whole })
-        });
+        let drawn = board
+            .as_ref()
+            .map(|b| figure::construction(task, candidate, b, Set { style, lang, whole }));
         Ok(drawn.iter().map(|figure| [figure.width_mm, figure.height_mm]).collect())
     })?;
     let set = Set { style: &style, lang, whole };
@@ -285,8 +285,7 @@ impl LinkageMotion {
                 .collect();
             let posed = pose_of(scene, &pose.configuration);
             // On the page, positive rotation is clockwise.
-            let turned =
-                posed.sliders.iter().map(|s| -s.direction.angle().to_degrees()).collect();
+            let turned = posed.sliders.iter().map(|s| -s.direction.angle().to_degrees()).collect();
             let driver = significant((now + pose.travel).to_degrees().rem_euclid(360.0), 5);
             LinkageFrame { at: format!("φ = {driver}°"), places, turned }
         };

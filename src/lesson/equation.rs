@@ -41,9 +41,8 @@ const WORDS: [(&str, [&str; 2]); 6] = [
 /// # Errors
 /// The errors of the SVG writer.
 pub fn lesson(sheet: &EquationSheet) -> Result<String, Faults> {
-    let style = legible(sheet.style, |style| {
-        Ok(sizes(&[EquationSheet { style, ..*sheet }.polygon()]))
-    })?;
+    let style =
+        legible(sheet.style, |style| Ok(sizes(&[EquationSheet { style, ..*sheet }.polygon()])))?;
     let sheet = &EquationSheet { style: &style, ..*sheet };
     let view = sheet.polygon();
     let columns = report::columns(&sheet.problem.terms, sheet.notation);

@@ -9,11 +9,11 @@ use crate::budget::here;
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
+use super::LessonOptions;
 use super::frames::SolvedFrame;
 use super::page::moved;
 use super::player::{PlayerPage, drawings, legible, sizes};
 use super::steps::{LANGS, answer, certified};
-use super::LessonOptions;
 use crate::diag::{Diagnostic, Faults, both};
 use crate::digits::significant;
 use crate::figure::list::{Extras, FigureInput};
@@ -23,7 +23,7 @@ use crate::figure::stepped::{ConstructionMethod, SteppedMethod};
 use crate::paper::label::Label;
 use crate::paper::phrase::Phrase;
 use crate::paper::style::Style;
-use crate::render::math::{mathml, mathml_display};
+use crate::render::math::{Math, mathml, mathml_display};
 use crate::report::html::sentence as html;
 use crate::scene::{Kind, Scene, Swept};
 use crate::sweep::follow::{PoseFollower, PoseSweep, TravelPose};
@@ -160,12 +160,13 @@ fn pose_json(f: &MethodPose, options: &LessonOptions) -> Value {
     let set = |text: &str| html(&Phrase::new(text));
     let below = |k: usize| {
         let formulas = f.drawn.formulas.get(&k).into_iter().flatten();
-        formulas.map(|parts| mathml_display(parts)).collect::<String>()
+        let set =
+            |parts: &Vec<Math>| format!("<div class=\"scroll\">{}</div>", mathml_display(parts));
+        formulas.map(set).collect::<String>()
     };
     let steps = f.drawn.steps.iter().enumerate();
-    let steps: Vec<Value> = steps
-        .map(|(k, s)| json!(LANGS.map(|lang| set(lang.of(s)) + &below(k))))
-        .collect();
+    let steps: Vec<Value> =
+        steps.map(|(k, s)| json!(LANGS.map(|lang| set(lang.of(s)) + &below(k)))).collect();
     let digits = certified(&f.frame, options.swept);
     let answers = LANGS.map(|lang| {
         let told = (0..f.frame.scene.find.len())

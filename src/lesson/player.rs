@@ -27,11 +27,8 @@ use super::steps::LANGS;
 const PAGE: &str = concat!(include_str!("head.html"), include_str!("player/player.html"));
 const STYLE: [&str; 2] = [BASE, include_str!("player/player.css")];
 /// The script, in the order of its modules.
-const SCRIPT: [&str; 3] = [
-    include_str!("player/frames.js"),
-    include_str!("sheets.js"),
-    include_str!("player/player.js"),
-];
+const SCRIPT: [&str; 3] =
+    [include_str!("player/frames.js"), include_str!("sheets.js"), include_str!("player/player.js")];
 /// Words of the controls: key, both languages.
 const PLAYER: [(&str, [&str; 2]); 12] = [
     ("first", ["First step", "第一步"]),
@@ -75,7 +72,8 @@ pub(super) fn legible(
     style: &Style,
     sizes: impl Fn(&Style) -> Result<Vec<[f64; 2]>, Faults>,
 ) -> Result<Style, Faults> {
-    let sized = |small: f64, label: f64| Style { small_mm: small, label_mm: label, ..style.clone() };
+    let sized =
+        |small: f64, label: f64| Style { small_mm: small, label_mm: label, ..style.clone() };
     let mut own = sized(style.small_mm * LARGER, style.label_mm * LARGER);
     for _ in 0..ROUNDS {
         let needed = |[w, h]: &[f64; 2]| {

@@ -66,7 +66,11 @@ const WORDS: [(&str, &str, &str); 101] = [
     ("clue_centre", "It points to the centre of the circular path.", "它指向圆周运动的圆心。"),
     ("clue_angle", "Look at the mechanism: the line is drawn there.", "看机构图：该方向线在图上。"),
     ("clue_length", "Divide the magnitude by the scale, {}.", "用大小除以比例尺 {}。"),
-    ("clue_crossing", "Both lines are drawn: the point lies on each.", "两条方向线均已画出，该点同在两线上。"),
+    (
+        "clue_crossing",
+        "Both lines are drawn: the point lies on each.",
+        "两条方向线均已画出，该点同在两线上。",
+    ),
     (
         "wrong_sense",
         "The line is right, the sense is not: it follows from the sense of {}.",

@@ -231,8 +231,7 @@ impl Answered for SceneSolution {
         }
         let Lesson { positions, swept, method, .. } = *wanted;
         let style = look.style.clone();
-        let options =
-            lesson::LessonOptions { lang, notation, positions, swept, method, style };
+        let options = lesson::LessonOptions { lang, notation, positions, swept, method, style };
         lesson::of_worked(&self.scene, &self.worked, &options)
     }
 

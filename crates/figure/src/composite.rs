@@ -146,7 +146,8 @@ pub(super) fn stepped(w: &FigureInput) -> Result<Option<SteppedMethod>, Faults> 
         ["Velocities at the moving point", "动点处的速度平行四边形"],
     )];
     if let Some(mu) = scales.acceleration {
-        let words = [Lang::En, Lang::Zh].map(|lang| hodograph_paper::paper::words::words(lang).composite_acceleration);
+        let words = [Lang::En, Lang::Zh]
+            .map(|lang| hodograph_paper::paper::words::words(lang).composite_acceleration);
         let on = DiagramKind::Acceleration;
         views.push(view(at_point(on, mu, false), on, mu, words));
         views.push(view(

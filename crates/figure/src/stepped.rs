@@ -61,7 +61,10 @@ pub const METHODS: [MethodEntry; 6] = [
     entry(
         ConstructionMethod::Centres,
         "centres",
-        ["Centres of velocity one by one, with the circle diagram", "逐个求速度瞬心，并画瞬心多边形"],
+        [
+            "Centres of velocity one by one, with the circle diagram",
+            "逐个求速度瞬心，并画瞬心多边形",
+        ],
     ),
     entry(
         ConstructionMethod::Composite,
@@ -71,17 +74,26 @@ pub const METHODS: [MethodEntry; 6] = [
     entry(
         ConstructionMethod::Curvature,
         "curvature",
-        ["Curvature of paths by Bobillier and Euler-Savary", "轨迹曲率逐步作图（博比利尔、欧拉–萨瓦里）"],
+        [
+            "Curvature of paths by Bobillier and Euler-Savary",
+            "轨迹曲率逐步作图（博比利尔、欧拉–萨瓦里）",
+        ],
     ),
     entry(
         ConstructionMethod::Cam,
         "cam",
-        ["A cam: law, inversion, pressure angle, curvature radius", "凸轮运动规律、反转法、压力角、曲率半径"],
+        [
+            "A cam: law, inversion, pressure angle, curvature radius",
+            "凸轮运动规律、反转法、压力角、曲率半径",
+        ],
     ),
     entry(
         ConstructionMethod::Trains,
         "trains",
-        ["A gear train: Kutzbach's plan ray by ray, Willis' table", "轮系线速度图与转速图、列表法逐步求解"],
+        [
+            "A gear train: Kutzbach's plan ray by ray, Willis' table",
+            "轮系线速度图与转速图、列表法逐步求解",
+        ],
     ),
     entry(
         ConstructionMethod::Loops,

@@ -155,70 +155,105 @@ impl Report<'_> {
         let scene = self.scene;
         let (cam, follower) = (scene.link_name(self.cam.cam), scene.link_name(self.cam.follower));
         let kind = kind(self.cam, self.disc(), lang);
-        line(CamSubject::Data, match lang {
-            Lang::En => format!("cam {cam}, follower {follower}: {kind}"),
-            Lang::Zh => format!("凸轮 {cam}，从动件 {follower}：{kind}"),
-        });
-        line(CamSubject::Data, format!(
-            "  {} r₀ = {}",
-            tr(lang, "base circle", "基圆半径"),
-            self.say(CamNumber::Base, PrintedUnit::Length, self.disc().base())
-        ));
+        line(
+            CamSubject::Data,
+            match lang {
+                Lang::En => format!("cam {cam}, follower {follower}: {kind}"),
+                Lang::Zh => format!("凸轮 {cam}，从动件 {follower}：{kind}"),
+            },
+        );
+        line(
+            CamSubject::Data,
+            format!(
+                "  {} r₀ = {}",
+                tr(lang, "base circle", "基圆半径"),
+                self.say(CamNumber::Base, PrintedUnit::Length, self.disc().base())
+            ),
+        );
         if let FollowerTip::Point { radius } = self.disc().touch
             && radius > 0.0
         {
-            line(CamSubject::Data, format!(
-                "  {} r_r = {}",
-                tr(lang, "radius of the follower's end", "滚子（圆端）半径"),
-                self.say(CamNumber::End, PrintedUnit::Length, radius)
-            ));
+            line(
+                CamSubject::Data,
+                format!(
+                    "  {} r_r = {}",
+                    tr(lang, "radius of the follower's end", "滚子（圆端）半径"),
+                    self.say(CamNumber::End, PrintedUnit::Length, radius)
+                ),
+            );
         }
         match self.disc().follower {
             Follower::Translating { offset, .. } => {
                 // Positive towards the instantaneous centre of cam and follower on the outward
                 // motion.
-                line(CamSubject::Data, format!(
-                    "  {} e = {}",
-                    tr(lang, "offset", "偏距"),
-                    self.say(CamNumber::Offset, PrintedUnit::Length, offset * self.disc().sense)
-                ));
+                line(
+                    CamSubject::Data,
+                    format!(
+                        "  {} e = {}",
+                        tr(lang, "offset", "偏距"),
+                        self.say(
+                            CamNumber::Offset,
+                            PrintedUnit::Length,
+                            offset * self.disc().sense
+                        )
+                    ),
+                );
             }
             Follower::Oscillating { pivot, arm, .. } => {
-                line(CamSubject::Data, format!(
-                    "  {} d = {}",
-                    tr(lang, "distance of the pivots", "中心距"),
-                    self.say(CamNumber::Distance, PrintedUnit::Length, pivot.norm())
-                ));
+                line(
+                    CamSubject::Data,
+                    format!(
+                        "  {} d = {}",
+                        tr(lang, "distance of the pivots", "中心距"),
+                        self.say(CamNumber::Distance, PrintedUnit::Length, pivot.norm())
+                    ),
+                );
                 if arm > 0.0 {
-                    line(CamSubject::Data, format!(
-                        "  {} l = {}",
-                        tr(lang, "arm", "摆杆长"),
-                        self.say(CamNumber::Arm, PrintedUnit::Length, arm)
-                    ));
+                    line(
+                        CamSubject::Data,
+                        format!(
+                            "  {} l = {}",
+                            tr(lang, "arm", "摆杆长"),
+                            self.say(CamNumber::Arm, PrintedUnit::Length, arm)
+                        ),
+                    );
                 }
             }
         }
-        line(CamSubject::Law, format!(
-            "  {} h = {}",
-            tr(lang, "stroke", "行程"),
-            self.say(CamNumber::Stroke, PrintedUnit::Lift(0), self.survey.stroke)
-        ));
+        line(
+            CamSubject::Law,
+            format!(
+                "  {} h = {}",
+                tr(lang, "stroke", "行程"),
+                self.say(CamNumber::Stroke, PrintedUnit::Lift(0), self.survey.stroke)
+            ),
+        );
         let s = self.survey;
-        line(CamSubject::Law, format!(
-            "  {}",
-            [("Φ", 1, false), ("Φs", 0, true), ("Φ′", -1, false), ("Φs′", 0, false)]
-                .map(|(name, way, out)| format!(
-                    "{name} = {}",
-                    self.say(CamNumber::Phase(way, out), PrintedUnit::Degrees, s.angle(way, out))
-                ))
-                .join("  ")
-        ));
+        line(
+            CamSubject::Law,
+            format!(
+                "  {}",
+                [("Φ", 1, false), ("Φs", 0, true), ("Φ′", -1, false), ("Φs′", 0, false)]
+                    .map(|(name, way, out)| format!(
+                        "{name} = {}",
+                        self.say(
+                            CamNumber::Phase(way, out),
+                            PrintedUnit::Degrees,
+                            s.angle(way, out)
+                        )
+                    ))
+                    .join("  ")
+            ),
+        );
         if let CamMotion::Law { program, .. } = &self.disc().motion {
             let (joints, outer) = (program.joints(), program.outer());
             for (k, stage) in program.stages().iter().enumerate() {
                 let [from, to] = [k, k + 1]
                     .map(|k| self.say(CamNumber::Start(k), PrintedUnit::Degrees, joints[k]));
-                line(CamSubject::Law, format!("  {from:>8} – {to:<8} {}", self.stage(k, stage.way, outer[k], lang)));
+                line(
+                    CamSubject::Law,
+                    format!("  {from:>8} – {to:<8} {}", self.stage(k, stage.way, outer[k], lang)),
+                );
             }
         }
         let w = self.omega();
@@ -241,17 +276,22 @@ impl Report<'_> {
             };
             let [low, high] = [told(0), told(1)];
             let symbol = self.symbol(order);
-            let subject =
-                if order == 1 { CamSubject::Velocity } else { CamSubject::Acceleration };
-            line(subject, match lang {
-                Lang::En => {
-                    format!("  {symbol}: {} at φ = {}, {} at φ = {}", high.1, high.0, low.1, low.0)
-                }
-                Lang::Zh => format!(
-                    "  φ = {} 时 {symbol} = {}，φ = {} 时 {symbol} = {}",
-                    high.0, high.1, low.0, low.1
-                ),
-            });
+            let subject = if order == 1 { CamSubject::Velocity } else { CamSubject::Acceleration };
+            line(
+                subject,
+                match lang {
+                    Lang::En => {
+                        format!(
+                            "  {symbol}: {} at φ = {}, {} at φ = {}",
+                            high.1, high.0, low.1, low.0
+                        )
+                    }
+                    Lang::Zh => format!(
+                        "  φ = {} 时 {symbol} = {}，φ = {} 时 {symbol} = {}",
+                        high.0, high.1, low.0, low.1
+                    ),
+                },
+            );
         }
         for (k, j) in s.jumps.iter().enumerate() {
             line(CamSubject::Acceleration, format!("  {}", self.jump(k, j, lang)));
@@ -262,10 +302,13 @@ impl Report<'_> {
         ];
         for (k, name) in names.into_iter().enumerate() {
             if s.pressure[k].is_some() {
-                line(CamSubject::Pressure, format!(
-                    "  {name}{}",
-                    self.valued(CamExtreme::Pressure(k), s.pressure[k], lang)
-                ));
+                line(
+                    CamSubject::Pressure,
+                    format!(
+                        "  {name}{}",
+                        self.valued(CamExtreme::Pressure(k), s.pressure[k], lang)
+                    ),
+                );
             }
         }
         if s.least_rho.is_some() {
@@ -279,7 +322,10 @@ impl Report<'_> {
                     tr(lang, "least radius of the profile", "廓线的最小曲率半径")
                 }
             };
-            line(CamSubject::Curvature, format!("  {name}{}", self.valued(CamExtreme::Radius, s.least_rho, lang)));
+            line(
+                CamSubject::Curvature,
+                format!("  {name}{}", self.valued(CamExtreme::Radius, s.least_rho, lang)),
+            );
         }
         if let Some([lift, v, a, pressure, rho, rho_pitch]) = self.now() {
             let lifts = [lift, v, a].into_iter().enumerate();
@@ -290,13 +336,20 @@ impl Report<'_> {
                     self.say(CamNumber::Now(Now::Lift(k)), PrintedUnit::Lift(k), x)
                 )
             });
-            line(CamSubject::Instant, format!(
-                "  {} φ = {}{}{}",
-                tr(lang, "at the instant", "图示位置"),
-                self.say(CamNumber::Now(Now::Phi), PrintedUnit::Degrees, in_turn(self.turning.phi)),
-                tr(lang, ": ", "："),
-                lifts.collect::<Vec<_>>().join(comma)
-            ));
+            line(
+                CamSubject::Instant,
+                format!(
+                    "  {} φ = {}{}{}",
+                    tr(lang, "at the instant", "图示位置"),
+                    self.say(
+                        CamNumber::Now(Now::Phi),
+                        PrintedUnit::Degrees,
+                        in_turn(self.turning.phi)
+                    ),
+                    tr(lang, ": ", "："),
+                    lifts.collect::<Vec<_>>().join(comma)
+                ),
+            );
             let alpha = match self.disc().touch {
                 FollowerTip::Point { .. } => {
                     let pressure =
@@ -311,10 +364,13 @@ impl Report<'_> {
                 let told = self.say(CamNumber::Now(Now::Pitch), PrintedUnit::Length, rho_pitch);
                 format!("{comma}{} {told}", tr(lang, "of the pitch curve", "理论廓线"))
             };
-            line(CamSubject::Instant, format!(
-                "    {alpha}ρ = {}{pitch}",
-                self.say(CamNumber::Now(Now::Rho), PrintedUnit::Length, rho)
-            ));
+            line(
+                CamSubject::Instant,
+                format!(
+                    "    {alpha}ρ = {}{pitch}",
+                    self.say(CamNumber::Now(Now::Rho), PrintedUnit::Length, rho)
+                ),
+            );
         }
         out
     }

@@ -66,7 +66,9 @@ impl CurvatureWords<'_> {
             Lang::En => format!(
                 "draw the circle on the diameter ${pole}{j}$ ({measured} on paper), the inflection circle; the pole tangent $t$ is perpendicular to it at ${pole}$"
             ),
-            Lang::Zh => format!("以 ${pole}{j}$（图上 {measured}）为直径作圆，即拐点圆；过 ${pole}$ 作其垂线，即瞬心切线 $t$"),
+            Lang::Zh => format!(
+                "以 ${pole}{j}$（图上 {measured}）为直径作圆，即拐点圆；过 ${pole}$ 作其垂线，即瞬心切线 $t$"
+            ),
         };
         out.push((CurvatureStage::Circle, circle));
         let centre = |p: &OfPoint| Some((CurvatureStage::Centre(p.point), self.of_point(of, p)?));
@@ -74,8 +76,12 @@ impl CurvatureWords<'_> {
         if of.read.is_some() {
             let k = self.letter("K", of);
             let sentence = match lang {
-                Lang::En => format!("turn ${pole}{j}$ about ${pole}$ by the angle whose tangent is $\\alpha/\\omega^{{2}}$; the foot of the perpendicular from ${j}$ to it is the acceleration pole ${k}$"),
-                Lang::Zh => format!("将 ${pole}{j}$ 绕 ${pole}$ 转过正切为 $\\alpha/\\omega^{{2}}$ 的角，由 ${j}$ 向其作垂线，垂足即加速度瞬心 ${k}$"),
+                Lang::En => format!(
+                    "turn ${pole}{j}$ about ${pole}$ by the angle whose tangent is $\\alpha/\\omega^{{2}}$; the foot of the perpendicular from ${j}$ to it is the acceleration pole ${k}$"
+                ),
+                Lang::Zh => format!(
+                    "将 ${pole}{j}$ 绕 ${pole}$ 转过正切为 $\\alpha/\\omega^{{2}}$ 的角，由 ${j}$ 向其作垂线，垂足即加速度瞬心 ${k}$"
+                ),
             };
             out.push((CurvatureStage::AccelerationPole, sentence));
         }
@@ -222,7 +228,10 @@ impl CurvatureWords<'_> {
                     moving.0, moving.1, fixed.0, fixed.1
                 ),
                 Lang::Zh => {
-                    format!("${}{}$ 与 ${}{}$ 交于 ${q}${at}；${pole}{q}$ 为共线轴（博比利尔）", moving.0, moving.1, fixed.0, fixed.1)
+                    format!(
+                        "${}{}$ 与 ${}{}$ 交于 ${q}${at}；${pole}{q}$ 为共线轴（博比利尔）",
+                        moving.0, moving.1, fixed.0, fixed.1
+                    )
                 }
             };
             out.push((CurvatureStage::Collineation, axis));
@@ -231,10 +240,14 @@ impl CurvatureWords<'_> {
             let (own, other) = (&rays.known[k], &rays.known[1 - k]);
             let (j, m, o) = (self.straight(own), self.moving(own), self.moving(other));
             let found = match (rays.how[k], lang) {
-                (RayMethod::Given, Lang::En) => format!("the path of ${m}$ is straight: ${j} = {m}$"),
+                (RayMethod::Given, Lang::En) => {
+                    format!("the path of ${m}$ is straight: ${j} = {m}$")
+                }
                 (RayMethod::Given, Lang::Zh) => format!("${m}$ 的轨迹为直线：${j} = {m}$"),
                 (RayMethod::Collineation(PlanePoint::Infinity(_)), Lang::En) => {
-                    format!("the parallel to the axis through ${o}$ meets the ray of ${m}$ at ${j}$")
+                    format!(
+                        "the parallel to the axis through ${o}$ meets the ray of ${m}$ at ${j}$"
+                    )
                 }
                 (RayMethod::Collineation(PlanePoint::Infinity(_)), Lang::Zh) => {
                     format!("过 ${o}$ 作共线轴的平行线，交 ${m}$ 的射线于 ${j}$")
@@ -245,14 +258,22 @@ impl CurvatureWords<'_> {
                         Lang::En => format!(
                             "the parallel to the ray of ${m}$ through ${a}$ meets the axis at ${q}$; ${q}{o}$ meets the ray at ${j}$"
                         ),
-                        Lang::Zh => format!("过 ${a}$ 作 ${m}$ 的射线的平行线，交共线轴于 ${q}$；${q}{o}$ 交该射线于 ${j}$"),
+                        Lang::Zh => format!(
+                            "过 ${a}$ 作 ${m}$ 的射线的平行线，交共线轴于 ${q}$；${q}{o}$ 交该射线于 ${j}$"
+                        ),
                     }
                 }
                 (RayMethod::Proportion, Lang::En) => {
-                    format!("on the ray of ${m}$: $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ gives ${j}$ (Euler–Savary)", self.fixed(own))
+                    format!(
+                        "on the ray of ${m}$: $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ gives ${j}$ (Euler–Savary)",
+                        self.fixed(own)
+                    )
                 }
                 (RayMethod::Proportion, Lang::Zh) => {
-                    format!("在 ${m}$ 的射线上由 $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ 得 ${j}$（欧拉–萨瓦里）", self.fixed(own))
+                    format!(
+                        "在 ${m}$ 的射线上由 $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ 得 ${j}$（欧拉–萨瓦里）",
+                        self.fixed(own)
+                    )
                 }
             };
             out.push((CurvatureStage::Straight(k), found));
@@ -260,9 +281,13 @@ impl CurvatureWords<'_> {
         let (jb, jc, j) = (self.straight(b), self.straight(c), self.letter("J", of));
         let stands = rays.normal() == Vec2::ZERO;
         let inflection = match (lang, stands) {
-            (Lang::En, false) => format!("the perpendiculars to the rays at ${jb}$ and ${jc}$ intersect at the inflection pole ${j}$"),
+            (Lang::En, false) => format!(
+                "the perpendiculars to the rays at ${jb}$ and ${jc}$ intersect at the inflection pole ${j}$"
+            ),
             (Lang::Zh, false) => format!("过 ${jb}$、${jc}$ 分别作射线的垂线，交于拐点极 ${j}$"),
-            (Lang::En, true) => format!("both fall on ${pole}$: it stands still, there is no inflection circle"),
+            (Lang::En, true) => {
+                format!("both fall on ${pole}$: it stands still, there is no inflection circle")
+            }
             (Lang::Zh, true) => format!("两点都落在 ${pole}$ 上：瞬心不动，没有拐点圆"),
         };
         out.push((CurvatureStage::Inflection, inflection));

@@ -112,7 +112,9 @@ impl<'a> LoopWords<'a> {
             None => format!("{}${angle}$", tr(self.lang, "its angle is ", "方位角为 ")),
         };
         match (self.lang, link.is_empty()) {
-            (Lang::En, false) => format!("The vector ${way}$ on link {link}: ${length}$, {turned}."),
+            (Lang::En, false) => {
+                format!("The vector ${way}$ on link {link}: ${length}$, {turned}.")
+            }
             (Lang::En, true) => format!("The vector ${way}$: ${length}$, {turned}."),
             (Lang::Zh, false) => format!("构件 {link} 上的矢量 ${way}$：${length}$，{turned}。"),
             (Lang::Zh, true) => format!("矢量 ${way}$：${length}$，{turned}。"),
@@ -127,7 +129,8 @@ impl<'a> LoopWords<'a> {
         let row = |text: String| vec![Math::Row(Label::math(text))];
         let display = |equations: &[Equation]| equations.iter().map(|e| self.display(e)).collect();
         let loops = g.loops.iter().map(|of| row(closed(self.all, of))).collect();
-        let sum = tr(lang, "The vectors along both ways have the same sum:", "沿两条路径的矢量和相等：");
+        let sum =
+            tr(lang, "The vectors along both ways have the same sum:", "沿两条路径的矢量和相等：");
         let parts = tr(lang, "Real and imaginary parts:", "分别取实部和虚部：");
         let mut out = vec![
             (sum.to_owned(), loops),
@@ -161,11 +164,7 @@ impl<'a> LoopWords<'a> {
             }
             let projected = self.projected().trim_end_matches([':', '：']);
             out.push((
-                format!(
-                    "{derived}{}{projected}{}",
-                    tr(lang, ". ", "。"),
-                    tr(lang, ".", "。")
-                ),
+                format!("{derived}{}{projected}{}", tr(lang, ". ", "。"), tr(lang, ".", "。")),
                 Vec::new(),
             ));
             out.extend(equations.iter().map(|e| (gives(e), display(std::slice::from_ref(e)))));

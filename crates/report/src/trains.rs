@@ -114,8 +114,7 @@ pub fn sentences(
 ) -> Vec<String> {
     let table = table(scene, train, t, lang, digits);
     let mut rows: Vec<String> = Vec::new();
-    let (colon, comma, stop) =
-        (tr(lang, ": ", "："), tr(lang, ", ", "，"), tr(lang, ".", "。"));
+    let (colon, comma, stop) = (tr(lang, ": ", "："), tr(lang, ", ", "，"), tr(lang, ".", "。"));
     let last = table.rows.len().saturating_sub(1);
     for (k, (words, cells)) in table.rows.iter().enumerate() {
         let cells = table.head.iter().zip(cells).map(|(w, c)| format!("${w}$: ${c}$"));

@@ -542,7 +542,11 @@ impl InversionDrawing<'_> {
         let (stroke, head) = (self.style.thin, self.style.thin_head);
         let radius_mm = at.distance(centre);
         let dashed = Some(stroke.dashed(Dash::Dashed));
-        self.draw("osculating", Shape::Circle { centre, radius_mm, stroke: dashed, fill: None }, None);
+        self.draw(
+            "osculating",
+            Shape::Circle { centre, radius_mm, stroke: dashed, fill: None },
+            None,
+        );
         self.draw("radius", Shape::Arrow { from: centre, to: at, stroke, head }, None);
         let label = Label::math("\\rho_{min}").in_fonts(&self.style.fonts);
         self.want(LabelRequest::along(label, self.style.small_mm, centre, at, 0.2));

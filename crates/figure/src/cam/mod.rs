@@ -25,12 +25,8 @@ pub(super) fn stepped(w: &FigureInput) -> Option<SteppedMethod> {
     let report = w.scene.cams.iter().find_map(|cam| Report::of(w.scene, cam))?;
     let both = |of: &dyn Fn(Lang) -> String| Both { en: of(Lang::En), zh: of(Lang::Zh) };
     let subject = |of| both(&|lang| report.sentence(of, lang).unwrap_or_default());
-    let of_law = [
-        CamSubject::Data,
-        CamSubject::Law,
-        CamSubject::Velocity,
-        CamSubject::Acceleration,
-    ];
+    let of_law =
+        [CamSubject::Data, CamSubject::Law, CamSubject::Velocity, CamSubject::Acceleration];
     let mut steps: Vec<Both> = of_law.map(subject).into();
     let first = steps.len();
     steps.extend((0..inversion::STATIONS).map(|k| both(&|lang| station(&report, k, lang))));

@@ -5,8 +5,8 @@ use super::super::plot::{Plot, PlotAxis, over};
 use super::{heading, words_at};
 use hodograph_base::cam::{Follower, PieceSide, Shock, in_turn, round};
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_paper::paper::extent::Rect;
 use hodograph_paper::paper::drawing::DrawingPart;
+use hodograph_paper::paper::extent::Rect;
 use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, FigureItem, Shape, tag};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
@@ -118,8 +118,7 @@ fn panel(
     said: &mut Vec<String>,
 ) -> Vec<FigureItem> {
     let x = PlotAxis::of(&[0.0, 360.0], true, intervals);
-    let mut plot =
-        Plot::new(format!("cam-{}", kept.symbol), style, frame, [x, axis(report, kept)]);
+    let mut plot = Plot::new(format!("cam-{}", kept.symbol), style, frame, [x, axis(report, kept)]);
     let below = named.then(|| Label::math(over("\\varphi", "\\degree")));
     plot.axes(below, Label::math(over(kept.symbol, &kept.unit)));
     if staged {
@@ -128,10 +127,8 @@ fn panel(
     line(&mut plot, report, kept);
     shocks(&mut plot, report, kept, lang, said);
     extremes(&mut plot, report, kept, said);
-    let bounds = Rect::new(
-        frame.min - Vec2::new(0.0, 1.0),
-        frame.max + Vec2::new(0.0, BETWEEN_MM / 2.0),
-    );
+    let bounds =
+        Rect::new(frame.min - Vec2::new(0.0, 1.0), frame.max + Vec2::new(0.0, BETWEEN_MM / 2.0));
     plot.finish(bounds)
 }
 

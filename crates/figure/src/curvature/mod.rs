@@ -90,9 +90,7 @@ pub(super) fn stepped(w: &FigureInput) -> Result<Option<SteppedMethod>, Faults> 
         let mut stages = vec![None; out.steps.len()];
         stages.extend(en.iter().map(|(stage, _)| Some(*stage)));
         let sentences = en.iter().zip(&zh);
-        out.steps.extend(
-            sentences.map(|(en, zh)| Both { en: en.1.source(), zh: zh.1.source() }),
-        );
+        out.steps.extend(sentences.map(|(en, zh)| Both { en: en.1.source(), zh: zh.1.source() }));
         if en.is_empty() {
             let told = words.each_ref().map(|words| {
                 let told = words.remarks(of).into_iter().chain([words.calculated()]);
@@ -101,7 +99,9 @@ pub(super) fn stepped(w: &FigureInput) -> Result<Option<SteppedMethod>, Faults> 
             let [en, zh] = told;
             let sentence = |text: &str, stop| format!("{}{stop}", capital(text));
             out.steps.extend(
-                en.iter().zip(&zh).map(|(en, zh)| Both { en: sentence(en, "."), zh: sentence(zh, "。") }),
+                en.iter()
+                    .zip(&zh)
+                    .map(|(en, zh)| Both { en: sentence(en, "."), zh: sentence(zh, "。") }),
             );
         }
         let lang = w.options.lang;

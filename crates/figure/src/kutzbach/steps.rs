@@ -21,8 +21,12 @@ pub fn stepped(w: &FigureInput) -> Option<SteppedMethod> {
     let all = trains(w.scene);
     let train = all.first()?;
     let turns = turns(w.scene, w.worked, train)?;
-    let maker =
-        SheetDrafter { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
+    let maker = SheetDrafter {
+        scene: w.scene,
+        worked: w.worked,
+        options: w.options,
+        certified: Vec::new(),
+    };
     let mut plan = KutzbachPlan { maker: &maker, train, turns, order: Vec::new() };
     let mut out = SteppedMethod::default();
     let both = |en: String, zh: String| Both { en, zh };
@@ -41,17 +45,13 @@ pub fn stepped(w: &FigureInput) -> Option<SteppedMethod> {
     let style = &w.options.style;
     let style = Style { label_mm: style.caption_mm, ..style.clone() };
     let options = SheetOptions { style, ..w.options.clone() };
-    let of_table = SheetDrafter {
-        scene: w.scene,
-        worked: w.worked,
-        options: &options,
-        certified: Vec::new(),
-    };
+    let of_table =
+        SheetDrafter { scene: w.scene, worked: w.worked, options: &options, certified: Vec::new() };
     let mut table = KutzbachPlan { maker: &of_table, train, turns, order: Vec::new() }.table();
     // The caption says the same.
     table.items.retain(|item| item.id != "willis-heading");
-    let tables = [Lang::En, Lang::Zh]
-        .map(|lang| sentences(w.scene, train, turns, lang, w.options.digits));
+    let tables =
+        [Lang::En, Lang::Zh].map(|lang| sentences(w.scene, train, turns, lang, w.options.digits));
     let last = tables[0].len().saturating_sub(1);
     for item in &mut table.items {
         let result = item.id.starts_with("willis-result").then_some(last);
@@ -203,10 +203,9 @@ impl KutzbachPlan<'_> {
                     "The parallel to the ray {} through $P$ cuts off ${symbol} = {rate}$.",
                     name(*link)
                 ),
-                Lang::Zh => format!(
-                    "过 $P$ 作速度线 {} 的平行线，截得 ${symbol} = {rate}$。",
-                    name(*link)
-                ),
+                Lang::Zh => {
+                    format!("过 $P$ 作速度线 {} 的平行线，截得 ${symbol} = {rate}$。", name(*link))
+                }
             }
         }));
         out

@@ -111,8 +111,7 @@ impl CompositeWords<'_> {
             ));
         }
         let draws = rest.iter().map(|(part, _)| *part).collect();
-        let values =
-            rest.into_iter().map(|(_, text)| text).collect::<Vec<_>>().join(self.comma());
+        let values = rest.into_iter().map(|(_, text)| text).collect::<Vec<_>>().join(self.comma());
         out.push(step(
             draws,
             match (on, lang) {
