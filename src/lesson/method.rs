@@ -23,8 +23,9 @@ use crate::figure::stepped::{ConstructionMethod, SteppedMethod};
 use crate::paper::label::Label;
 use crate::paper::phrase::Phrase;
 use crate::paper::style::Style;
-use crate::render::math::{Math, mathml, mathml_display};
+use crate::render::math::{mathml, mathml_display};
 use crate::report::html::sentence as html;
+use crate::report::loops::DisplayedFormula;
 use crate::scene::{Kind, Scene, Swept};
 use crate::sweep::follow::{PoseFollower, PoseSweep, TravelPose};
 use crate::worked::{Worked, work_pose};
@@ -160,8 +161,9 @@ fn pose_json(f: &MethodPose, options: &LessonOptions) -> Value {
     let set = |text: &str| html(&Phrase::new(text));
     let below = |k: usize| {
         let formulas = f.drawn.formulas.get(&k).into_iter().flatten();
-        let set =
-            |parts: &Vec<Math>| format!("<div class=\"scroll\">{}</div>", mathml_display(parts));
+        let set = |parts: &DisplayedFormula| {
+            format!("<div class=\"scroll\">{}</div>", mathml_display(parts))
+        };
         formulas.map(set).collect::<String>()
     };
     let steps = f.drawn.steps.iter().enumerate();

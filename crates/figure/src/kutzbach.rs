@@ -79,6 +79,15 @@ pub(super) fn plans(maker: &SheetDrafter) -> Vec<(String, Figure)> {
 const CAPTION: [&str; 2] = ["Kutzbach plan: linear and angular velocities", "线速度图与转速图"];
 const TABLE: [&str; 2] = ["Willis' table", "列表法（转化机构法）"];
 
+/// The plan as drawn.
+struct KutzbachDrawing {
+    part: DrawingPart,
+    /// The scales of lengths and velocities.
+    scales: [(DiagramKind, f64); 2],
+    /// The scale of angular velocities as a formula.
+    of_rates: String,
+}
+
 struct KutzbachPlan<'a> {
     maker: &'a SheetDrafter<'a>,
     train: &'a GearTrain,
@@ -93,7 +102,7 @@ impl KutzbachPlan<'_> {
         let lang = self.maker.options.lang;
         match self.drawing() {
             None => self.maker.alone(table),
-            Some((part, scales, of_rates)) => {
+            Some(KutzbachDrawing { part, scales, of_rates }) => {
                 let book = &self.maker.scene.book;
                 let [(plane, mu_l), (velocity, mu_v)] = scales;
                 let scales = DrawingScales::of(book, plane, mu_l)
@@ -152,8 +161,7 @@ impl KutzbachPlan<'_> {
         Some(all)
     }
 
-    /// The plan, its scales of lengths and velocities, and the formula of that of angular velocities.
-    fn drawing(&self) -> Option<(DrawingPart, [(DiagramKind, f64); 2], String)> {
+    fn drawing(&self) -> Option<KutzbachDrawing> {
         let (maker, train) = (self.maker, self.train);
         let style = &maker.options.style;
         let stations = self.stations()?;
@@ -277,7 +285,7 @@ impl KutzbachPlan<'_> {
             book.scale_label(Kind::Omega)
         );
         let scales = [(DiagramKind::Plane, mu_l), (DiagramKind::Velocity, mu_v)];
-        Some((d.finish(), scales, of_rates))
+        Some(KutzbachDrawing { part: d.finish(), scales, of_rates })
     }
 
     /// All links of the train, each once: the gears, then the arm.

@@ -5,7 +5,7 @@ use hodograph_base::diag::{Both, Faults};
 
 use super::list::FigureInput;
 use super::particle::ParticleView;
-use hodograph_paper::render::math::Math;
+use hodograph_report::loops::DisplayedFormula;
 use std::collections::BTreeMap;
 
 /// A method whose construction is shown step by step.
@@ -33,7 +33,7 @@ pub struct SteppedMethod {
     /// The sentence of each step, with formulas between dollar signs.
     pub steps: Vec<Both>,
     /// The formulas below the sentences of some steps.
-    pub formulas: BTreeMap<usize, Vec<Vec<Math>>>,
+    pub formulas: BTreeMap<usize, Vec<DisplayedFormula>>,
     /// Number of places that do not exist in this pose.
     pub missing: usize,
 }

@@ -2,8 +2,10 @@
 //! angle, curvature, and faults.
 
 mod numbers;
+mod subject;
 
 pub use numbers::{CamNumber, Now, PrintedUnit};
+pub use subject::CamSubject;
 
 use hodograph_base::cam::{
     CamExtreme, CamMotion, CamSurvey, Disc, Fault, Follower, FollowerTip, Jump, MotionLaw,
@@ -11,32 +13,13 @@ use hodograph_base::cam::{
 };
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::digits::legible;
-use hodograph_paper::paper::phrase::{capital, tr};
+use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{Cam, Follows, Kind, Lang, Scene, TurningCam};
 use serde_json::{Value as Json, json};
 use std::f64::consts::TAU;
 
 /// Digits of values computed from given lengths.
 const DIGITS: usize = 6;
-
-/// The subject of a line of the report.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CamSubject {
-    /// Kind of cam, radii, offset or arm.
-    Data,
-    /// Stroke, angles and stages of the law of motion.
-    Law,
-    /// Extremes of the velocity.
-    Velocity,
-    /// Extremes of the acceleration, and shocks.
-    Acceleration,
-    /// Greatest pressure angles.
-    Pressure,
-    /// Least radius of curvature.
-    Curvature,
-    /// Values at the instant.
-    Instant,
-}
 
 /// A cam with its survey, reported in the units of a scene.
 pub struct Report<'a> {
@@ -373,26 +356,6 @@ impl Report<'_> {
             );
         }
         out
-    }
-
-    /// Returns the lines on a subject as one sentence.
-    pub fn sentence(&self, subject: CamSubject, lang: Lang) -> Option<String> {
-        let lines = self.lines(lang).into_iter().filter(|(of, _)| *of == subject);
-        let lines: Vec<String> = lines
-            .map(|(_, line)| line.trim().replace("  ", tr(lang, ", ", "，")))
-            .map(|line| line.replace("r_r ", "$r_{r}$ "))
-            .collect();
-        let [between, stop] = [tr(lang, "; ", "；"), tr(lang, ".", "。")];
-        (!lines.is_empty()).then(|| format!("{}{stop}", capital(&lines.join(between))))
-    }
-
-    /// Returns the lift at a cam angle with its unit.
-    pub fn lift_words(&self, phi: f64) -> Option<String> {
-        let [lift, ..] = self.survey.lift(self.disc(), phi, PieceSide::After)?;
-        Some(match self.swings() {
-            true => format!("{}°", legible(lift.to_degrees(), DIGITS)),
-            false => self.scene.length_words(lift),
-        })
     }
 
     fn stage(&self, k: usize, way: StageMotion, out: bool, lang: Lang) -> String {

@@ -14,7 +14,7 @@ fn sentence(text: String, lang: Lang) -> String {
     capital(&text) + tr(lang, ".", "。")
 }
 
-/// What a step of the construction draws.
+/// Part of the construction that a step draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CurvatureStage {
     /// One of the two rays.

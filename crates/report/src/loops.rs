@@ -18,6 +18,9 @@ use serde_json::{Value as Json, json};
 /// Significant digits of numbers.
 const DIGITS: usize = 6;
 
+/// Formula on a line of its own.
+pub type DisplayedFormula = Vec<Math>;
+
 /// A writer for one scene and language.
 pub struct LoopWords<'a> {
     scene: &'a Scene,
@@ -124,7 +127,7 @@ impl<'a> LoopWords<'a> {
     /// Returns the solution of a group in steps, each a sentence with the formulas below it: the
     /// closed loops, their two parts, and how each unknown follows, in positions, velocities and
     /// accelerations.
-    pub fn steps(&self, g: &GroupLoops) -> Vec<(String, Vec<Vec<Math>>)> {
+    pub fn steps(&self, g: &GroupLoops) -> Vec<(String, Vec<DisplayedFormula>)> {
         let lang = self.lang;
         let row = |text: String| vec![Math::Row(Label::math(text))];
         let display = |equations: &[Equation]| equations.iter().map(|e| self.display(e)).collect();

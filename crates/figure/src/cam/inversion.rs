@@ -25,7 +25,7 @@ use std::f64::consts::TAU;
 pub(super) const STATIONS: usize = 12;
 /// Approximate length of the drawing's larger side (mm).
 const SIZE_MM: f64 = 165.0;
-/// The same for a drawing that is shown alone, beside the diagrams of the motion.
+/// Length of the larger side of a drawing that is shown alone (mm).
 const ALONE_MM: f64 = 100.0;
 /// Space around, above and below the drawing (mm).
 const MARGIN_MM: f64 = 9.0;

@@ -108,7 +108,7 @@ pub(super) fn stepped(
 }
 
 /// One of the diagrams in its frame, with at most so many intervals of angles; with the symbol of
-/// the angle and with the stages, if told so.
+/// the angle and with the stages if the flags are set.
 fn panel(
     report: &Report,
     style: &Style,

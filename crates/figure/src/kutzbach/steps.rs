@@ -9,7 +9,7 @@ use hodograph_paper::paper::style::Style;
 use hodograph_report::trains::{omega, sentences, turns};
 use hodograph_scene::{Lang, LinkId};
 
-use super::{CAPTION, KutzbachPlan, KutzbachPoint, TABLE};
+use super::{CAPTION, KutzbachDrawing, KutzbachPlan, KutzbachPoint, TABLE};
 use crate::list::FigureInput;
 use crate::particle::ParticleView;
 use crate::sheet::{SheetDrafter, SheetOptions};
@@ -32,7 +32,7 @@ pub fn stepped(w: &FigureInput) -> Option<SteppedMethod> {
     let both = |en: String, zh: String| Both { en, zh };
     if let Some(stations) = plan.stations() {
         plan.order = plan.solved(&stations);
-        if let Some((part, scales, _)) = plan.drawing() {
+        if let Some(KutzbachDrawing { part, scales, .. }) = plan.drawing() {
             let told = |lang| plan.sentences(&stations, lang);
             let sentences = told(Lang::En).into_iter().zip(told(Lang::Zh));
             out.steps.extend(sentences.map(|(en, zh)| both(en, zh)));
