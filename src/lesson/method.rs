@@ -180,16 +180,16 @@ fn pose_json(f: &MethodPose, options: &LessonOptions) -> Value {
     json!({"at": position(&f.frame, options.swept), "steps": steps, "answers": answers, "scales": scales})
 }
 
-/// The driver's position, as `φ₂ = 40°`; its travel where the scene does not state the position.
+/// The driver's position as markup, `φ₂ = 40°`; its travel where the scene does not state the position.
 fn position(frame: &SolvedFrame, swept: Swept) -> String {
     let told = moved(&frame.scene, swept);
-    let (plain, factor) =
-        (told["plain"].as_str().unwrap_or_default(), told["factor"].as_f64().unwrap_or(1.0));
+    let (symbol, factor) =
+        (told["symbol"].as_str().unwrap_or_default(), told["factor"].as_f64().unwrap_or(1.0));
     let value = told["start"].as_f64().unwrap_or(frame.travel * factor);
     let unit = told["unit"].as_str().unwrap_or(if told["turns"].as_bool() == Some(true) {
         "°"
     } else {
         " mm"
     });
-    format!("{plain} = {}{unit}", significant(value, 5))
+    format!("{symbol} = {}{unit}", significant(value, 5))
 }

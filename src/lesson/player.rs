@@ -53,7 +53,7 @@ const STAGE_PX: [f64; 2] = [600.0, 450.0];
 /// A first drawing so much wider than high has the whole width of the page.
 const WIDE: f64 = 1.9;
 /// The least height of a small letter there, so that it is read from the last row.
-const LETTER_PX: f64 = 14.5;
+const LETTER_PX: f64 = 17.0;
 /// The least height of a small letter on a phone (pixels).
 const PHONE_PX: f64 = 11.5;
 /// Height of a small letter in type sizes.
@@ -61,7 +61,7 @@ const X_HEIGHT: f64 = 0.43;
 /// The largest type (mm): larger type would hide the drawing.
 const LARGEST_MM: f64 = 16.0;
 /// Rounds of fitting: larger type makes a drawing larger.
-const ROUNDS: usize = 4;
+const ROUNDS: usize = 6;
 
 /// Returns the style in which the drawings of a page are legible from the last row; `sizes` returns
 /// the sizes (mm) of the drawings in a style.

@@ -63,7 +63,7 @@ fn designs_are_read_from_the_last_row_and_go_through_their_steps() {
     let Some(mut b) = browser() else { return };
     for kind in KINDS {
         let (_, candidate, steps, path) = of_kind(kind.name);
-        for (window, least) in [(SMALL_PROJECTOR, 12.0), (PHONE, 11.0)] {
+        for (window, least) in [(SMALL_PROJECTOR, 14.0), (PHONE, 11.0)] {
             b.open(&path, window);
             let told = format!("{} at {window:?}", kind.name);
             let over =

@@ -58,7 +58,7 @@ fn every_method_has_a_lesson_that_is_read_from_the_last_row() {
     }
     for (name, method) in SCENES {
         let path = of_method(name, method);
-        for (window, least) in [(SMALL_PROJECTOR, 12.0), (PHONE, 11.0)] {
+        for (window, least) in [(SMALL_PROJECTOR, 14.0), (PHONE, 11.0)] {
             b.open(&path, window);
             let told = format!("{name} by {method} at {window:?}");
             let [first, all] = count(&mut b);
@@ -78,6 +78,8 @@ fn every_method_has_a_lesson_that_is_read_from_the_last_row() {
                     b.key("l");
                 }
                 let letters = b.eval(LETTERS).as_f64().unwrap();
+                // Far places make a large drawing, which larger type would hide.
+                let least = if method == "curvature" { least.min(12.0) } else { least };
                 assert!(letters >= least, "{told}, step {step}: letters of {letters} px");
                 let now = b.eval(design::SEEN).as_f64().unwrap();
                 assert!(now >= seen, "{told}: step {step} takes something away");

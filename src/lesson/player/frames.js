@@ -86,7 +86,7 @@
       e.querySelector("svg").setAttribute("viewBox", data.windows[k][frame] ?? data.windows[k][0]);
       if (f.scales) e.querySelector(".scale").innerHTML = f.scales[k];
     });
-    $("travel").textContent = `${f.at}${frame === data.given && words().given ? ` (${words().given})` : ""}`;
+    $("travel").innerHTML = `${f.at}${frame === data.given && words().given ? ` (${words().given})` : ""}`;
     $("time").value = frame;
     $("answers").innerHTML = pick(told("answers"));
     [...$("stops").querySelectorAll("button")].forEach((b, k) => b.setAttribute("aria-pressed", String(data.stops[k] === frame)));
