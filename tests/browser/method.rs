@@ -58,7 +58,7 @@ fn every_method_has_a_lesson_that_is_read_from_the_last_row() {
     }
     for (name, method) in SCENES {
         let path = of_method(name, method);
-        for (window, least) in [(SMALL_PROJECTOR, 14.0), (PHONE, 11.0)] {
+        for (window, least) in [(SMALL_PROJECTOR, 14.0_f64), (PHONE, 11.0)] {
             b.open(&path, window);
             let told = format!("{name} by {method} at {window:?}");
             let [first, all] = count(&mut b);
