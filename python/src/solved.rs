@@ -483,7 +483,8 @@ impl Solved {
                 None => Swept::Driver(0),
             };
             let positions = positions.unwrap_or(Lesson::default().positions);
-            let wanted = Lesson { positions, swept, reveal, width_mm: width_of(width)? };
+            let wanted =
+                Lesson { positions, swept, reveal, width_mm: width_of(width)?, method: None };
             let look = look(look_of, Look::default().digits)?;
             let page = self.solved.lesson(&wanted, &look).map_err(|f| self.of().refused(f))?;
             Ok(page.value)

@@ -10,9 +10,10 @@ mod reports;
 
 use super::values::{
     FaultFormat, FigureFormat, Language, PointVectors, SheetFormat, TableFormat, TextFormat,
-    digits, dpi, figures, length, seconds, steps,
+    digits, dpi, figures, length, methods, seconds, steps,
 };
 use crate::figure::list::{FigureEntry, USUAL};
+use crate::figure::stepped::ConstructionMethod;
 pub use batch::{BatchArgs, ShardsArgs, VariedArgs};
 use clap::{Args as ClapArgs, Parser, Subcommand};
 pub use diff::DiffArgs;
@@ -310,6 +311,10 @@ pub struct LessonArgs {
     /// The page to write, or `-` for standard output (default: named after the scene)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
+    /// The construction of this method; without it the polygons of what the scene asks for, forces
+    /// too
+    #[arg(long, value_parser = methods(), conflicts_with = "reveal")]
+    pub method: Option<ConstructionMethod>,
     /// A fragment for reveal.js instead: an inline SVG whose parts appear step by step
     #[arg(long, conflicts_with_all = ["positions", "driver", "over"])]
     pub reveal: bool,

@@ -9,6 +9,7 @@ use super::args::Args;
 use super::files::FileRefusal;
 use crate::diag::{Both, Diagnostic};
 use crate::figure::list::LIST;
+use crate::figure::stepped::METHODS;
 use crate::scene::Lang;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, CommandFactory};
@@ -97,10 +98,12 @@ fn entry(command: &str, argument: &str) -> Option<&'static str> {
 /// Translates the headings and the names of choices of a printed help into Chinese.
 fn headings(text: &str) -> String {
     let figures = LIST.iter().map(|e| (e.about[0], e.about[1]));
+    let methods = METHODS.iter().map(|e| (e.about[0], e.about[1]));
     HEADINGS
         .iter()
         .copied()
         .chain(figures)
+        .chain(methods)
         .fold(text.to_owned(), |text, (en, zh)| text.replace(en, zh))
 }
 

@@ -34,6 +34,7 @@ pub fn run(a: args::LessonArgs) -> CommandResult {
         &[
             (a.pick.map(|n| n.to_string()), Wish::Candidate),
             (a.reveal.then(String::new), Wish::Reveal),
+            (a.method.map(|_| String::new()), Wish::Method),
         ],
     )?;
     let candidate = a.pick.map_or(0, |n| n as usize - 1);
@@ -44,7 +45,8 @@ pub fn run(a: args::LessonArgs) -> CommandResult {
         (None, Some((scene, _))) => problem::range::swept_of(scene, a.moves.over.as_deref())?,
         (None, None) => Swept::Driver(0),
     };
-    let wanted = Lesson { positions: a.positions as usize, swept, reveal: a.reveal, width_mm };
+    let (positions, reveal, method) = (a.positions as usize, a.reveal, a.method);
+    let wanted = Lesson { positions, swept, reveal, width_mm, method };
     let look = look_of(&a.common, style, Look::default().digits);
     let Warned { value, notes } =
         solved.lesson(&wanted, &look).map_err(|faults| file.failed(faults))?;

@@ -6,6 +6,7 @@ use crate::certified::ladder::MOST_DIGITS;
 use crate::diag::{Diagnostic, Faults, both};
 use crate::figure::cycle;
 use crate::figure::list::{self, FigureEntry};
+use crate::figure::stepped::{ConstructionMethod, METHODS};
 use crate::scene::{Lang, edit};
 use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -201,6 +202,13 @@ pub enum PointVectors {
 pub fn figures() -> impl TypedValueParser<Value = &'static FigureEntry> {
     let values = list::LIST.iter().map(|e| PossibleValue::new(e.name).help(e.about[0]));
     PossibleValuesParser::new(values).map(|name| list::named(&name).unwrap_or(list::USUAL))
+}
+
+/// The methods whose construction `lesson` shows, by name.
+pub fn methods() -> impl TypedValueParser<Value = ConstructionMethod> {
+    let values = METHODS.iter().map(|e| PossibleValue::new(e.name).help(e.about[0]));
+    PossibleValuesParser::new(values)
+        .map(|name| ConstructionMethod::named(&name).unwrap_or(METHODS[0].method))
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

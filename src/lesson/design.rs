@@ -5,19 +5,17 @@
 //! [`crate::figure::synthesis`], the motion that of [`crate::sweep::follow`]. The page fetches
 //! nothing and holds both languages.
 
-use super::LARGER;
-use super::motion::PLAYER;
-use super::page::{BASE, filled, terse, with_fonts};
+use super::player::{PlayerDrawing, PlayerPage, legible, nameless, stepped};
+use super::steps::LANGS;
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::significant;
 use crate::figure::synthesis::{self as figure, MOVES, Scaled, Set};
 use crate::geom::Point;
 use crate::mechanism::{Demand, Mechanism};
 use crate::paper::extent::Rect;
-use crate::paper::item::{Figure, FigureItem};
+use crate::paper::item::FigureItem;
 use crate::paper::phrase::Phrase;
 use crate::paper::style::Style;
-use crate::paper::words::words as figure_words;
 use crate::position::{self, Configuration};
 use crate::render::escaped;
 use crate::render::number::mm;
@@ -34,18 +32,18 @@ use crate::synthesis::{DesignCandidate, Task};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 
-const PAGE: &str =
-    concat!(include_str!("head.html"), include_str!("player.html"), include_str!("design.html"));
-const STYLE: [&str; 2] = [BASE, include_str!("design.css")];
-const SCRIPT: &str = concat!(include_str!("design.js"), include_str!("player.js"));
 /// Frames through a turn of the driver.
 const FRAMES: usize = 120;
 
-/// Words of this page in addition to those of [`PLAYER`]: key, both languages.
-const WORDS: [(&str, [&str; 2]); 6] = [
+/// Words of this page in addition to those of the player: key, both languages.
+const WORDS: [(&str, [&str; 2]); 10] = [
     ("construction", ["Construction", "作图"]),
     ("linkage", ["The linkage", "所得机构"]),
     ("positions", ["Wanted positions:", "预定位置："]),
+    ("home", ["To the first wanted position", "回到第一个预定位置"]),
+    ("instant", ["Position of the driver", "原动件位置"]),
+    ("given", ["", ""]),
+    ("answers", ["Results", "结果"]),
     (
         "measured",
         ["Measured on paper × scale, and by the closed formula", "图上量得 × 比例尺，与公式值对照"],
@@ -53,8 +51,8 @@ const WORDS: [(&str, [&str; 2]); 6] = [
     (
         "keys",
         [
-            "Keys: → and ← the steps of the construction; 1, 2, 3 … the positions; + and − the driver; Space runs; L language; D light or dark.",
-            "键盘：→、← 作图步骤；1、2、3…… 预定位置；+、− 转动原动件；空格 运动；L 切换语言；D 浅色或深色。",
+            "Keys: → and ← the steps of the construction; 1, 2, 3 … the positions; + and − the driver; 0 the first position; Space runs; L language; D light or dark; P print; S window of the speaker.",
+            "键盘：→、← 作图步骤；1、2、3…… 预定位置；+、− 转动原动件，0 回到第一个位置；空格 运动；L 切换语言；D 浅色或深色；P 打印；S 讲者窗口。",
         ],
     ),
     (
@@ -67,7 +65,7 @@ const WORDS: [(&str, [&str; 2]); 6] = [
 ];
 
 fn word(key: &str, lang: Lang) -> &'static str {
-    let found = PLAYER.iter().chain(&WORDS).find(|w| w.0 == key).map_or(["", ""], |w| w.1);
+    let found = WORDS.iter().find(|w| w.0 == key).map_or(["", ""], |w| w.1);
     found[usize::from(lang == Lang::Zh)]
 }
 
@@ -99,99 +97,56 @@ pub fn lesson(
     options: &DesignOptions,
 ) -> Result<String, Faults> {
     let board = figure::to_scale(task, candidate)?;
-    // Small type is enlarged: the page is read from the last row.
-    let style = Style { small_mm: options.style.small_mm * LARGER, ..options.style.clone() };
-    let set = Set { style: &style, lang: options.lang, whole: false };
-    let mut drawn: Vec<Elements> = Vec::new();
-    let construction = match &board {
-        Some(board) => {
-            stepped(&figure::construction(task, candidate, board, set), &mut drawn, options.lang)?
-        }
-        None => String::new(),
-    };
+    let (lang, whole) = (options.lang, false);
+    let style = legible(&options.style, |style| {
+        let drawn = board
+            .as_ref()
+            .map(|b| figure::construction(task, candidate, b, Set { style, lang, whole }));
+        Ok(drawn.iter().map(|figure| [figure.width_mm, figure.height_mm]).collect())
+    })?;
+    let set = Set { style: &style, lang, whole };
+    let captions = |key| LANGS.map(|lang| word(key, lang).to_owned());
+    let mut drawings = Vec::new();
+    if let Some(board) = &board {
+        let figure = figure::construction(task, candidate, board, set);
+        let mut letters = Elements::new(figure.height_mm);
+        let ground = stepped(&nameless(figure.items.iter()), &mut letters)?;
+        drawings.push(PlayerDrawing {
+            windows_mm: vec![[0.0, 0.0, figure.width_mm, figure.height_mm]],
+            letters,
+            ground,
+            frames: Vec::new(),
+            caption: captions("construction"),
+            scale: String::new(),
+            left: true,
+        });
+    }
     let linkage = figure::scaled(task, candidate, set);
     let motion = LinkageMotion::of(candidate, &linkage)?;
-    let markup = moving(&linkage, motion.window, &mut drawn)?;
+    drawings.push(motion.drawing(&linkage, captions("linkage"))?);
     let sentence = |b: &Both, lang: Lang| html(&Phrase::new(&symbols(lang.of(b))));
-    let both_of = |b: &Both| json!([sentence(b, Lang::En), sentence(b, Lang::Zh)]);
-    let steps: Vec<Value> = board.iter().flat_map(|b| &b.steps).map(|s| both_of(&s.text)).collect();
+    let steps: Vec<Value> = board
+        .iter()
+        .flat_map(|b| &b.steps)
+        .map(|s| json!(LANGS.map(|lang| sentence(&s.text, lang))))
+        .collect();
+    let facts = LANGS.map(|lang| facts(&task.book, candidate, board.as_ref(), lang));
     let title = &task.heading.title;
-    let tables =
-        [Lang::En, Lang::Zh].map(|lang| facts(&task.book, candidate, board.as_ref(), lang));
-    let list = |lang: Lang| {
-        PLAYER
-            .iter()
-            .chain(&WORDS)
-            .map(|(k, _)| ((*k).to_owned(), json!(word(k, lang))))
-            .collect::<serde_json::Map<_, _>>()
+    let page = PlayerPage {
+        title: [title.en.as_str(), title.zh.as_str()],
+        lang: options.lang,
+        words: &WORDS,
+        base: motion.stops.first().copied().unwrap_or(0),
+        type_mm: style.small_mm,
+        data: json!({
+            "frames": motion.frames.iter().map(|f| json!({"at": f.at})).collect::<Vec<_>>(),
+            "steps": steps,
+            "answers": facts,
+            "stops": motion.stops,
+            "full": motion.full,
+        }),
     };
-    let data = json!({
-        "lang": figure_words(options.lang).tag.split('-').next().unwrap_or("en"),
-        "tags": {"en": figure_words(Lang::En).tag, "zh": figure_words(Lang::Zh).tag},
-        "words": {"en": list(Lang::En), "zh": list(Lang::Zh)},
-        "title": [title.en, title.zh],
-        "steps": steps,
-        "facts": tables,
-        "links": motion.links, "pins": motion.pins, "blocks": motion.blocks, "frames": motion.frames,
-        "stops": motion.stops, "full": motion.full, "fixed": motion.fixed,
-    });
-    // In a script element, `</` may end the script, and `<!--` may hide its end.
-    let data = data.to_string().replace("</", "<\\/").replace("<!", "\\u003c!");
-    Ok(filled(
-        PAGE,
-        &[
-            ("lang", figure_words(options.lang).tag),
-            ("title", &escaped(options.lang.of(title))),
-            ("style", &with_fonts(&STYLE)),
-            ("letters", &Elements::letters(&drawn)),
-            ("construction", &construction),
-            ("linkage", &markup),
-            ("noscript", &escaped(word("noscript", options.lang))),
-            ("data", &data),
-            ("script", &terse(SCRIPT)),
-        ],
-    ))
-}
-
-/// Items without their ids: two drawings in a page must not share ids.
-pub(super) fn nameless<'a>(items: impl Iterator<Item = &'a FigureItem>) -> Vec<FigureItem> {
-    items.map(|i| FigureItem { id: String::new(), ..i.clone() }).collect()
-}
-
-/// The construction, each element in a group that names its step.
-fn stepped(figure: &Figure, drawn: &mut Vec<Elements>, lang: Lang) -> Result<String, Faults> {
-    let mut elements = Elements::new(figure.height_mm);
-    let mut body = String::new();
-    let items = nameless(figure.items.iter());
-    for (item, element) in items.iter().zip(elements.of(&items)?) {
-        body += &match item.steps().min() {
-            Some(k) => format!("<g data-step=\"{k}\">{element}</g>\n"),
-            None => format!("{element}\n"),
-        };
-    }
-    drawn.push(elements);
-    let (w, h) = (mm(figure.width_mm), mm(figure.height_mm));
-    Ok(format!(
-        "<figure id=\"construction\" class=\"drawing\">\n<svg viewBox=\"0 0 {w} {h}\" style=\"--w:{w};--h:{h}\" role=\"img\">\n<g class=\"ink\">\n{body}</g>\n</svg>\n\
-         <figcaption data-word=\"construction\">{}</figcaption>\n</figure>\n",
-        escaped(word("construction", lang))
-    ))
-}
-
-/// The linkage's picture without the moving parts, over all places of its points.
-fn moving(linkage: &Scaled, window: Rect, drawn: &mut Vec<Elements>) -> Result<String, Faults> {
-    let figure = &linkage.figure;
-    let items = nameless(figure.items.iter().filter(|i| !i.class.split(' ').any(|c| c == MOVES)));
-    let mut elements = Elements::new(figure.height_mm);
-    let body = elements.of(&items)?.join("\n");
-    drawn.push(elements);
-    let all = window.union(Rect::new(Point::ORIGIN, Point::new(figure.width_mm, figure.height_mm)));
-    let (w, h) = (mm(all.width_mm()), mm(all.height_mm()));
-    Ok(format!(
-        "<svg viewBox=\"{} {} {w} {h}\" style=\"--w:{w};--h:{h}\" role=\"img\">\n<g class=\"ink\">\n{body}\n</g>\n<g class=\"moving\"></g>\n</svg>",
-        mm(all.min.x),
-        mm(figure.height_mm - all.max.y)
-    ))
+    Ok(page.written(&drawings))
 }
 
 /// A number's name in markup: φ with an index for `phi0`.
@@ -240,15 +195,23 @@ fn facts(
     )
 }
 
-/// The linkage through the travel of its driver, in millimetres of the page, y down.
+/// A frame of the linkage's motion.
+struct LinkageFrame {
+    /// The driver's angle: `φ = 37°`.
+    at: String,
+    /// The places of the points, in millimetres of the page, y down.
+    places: Vec<Point>,
+    /// The angles of the sliders (degrees), clockwise.
+    turned: Vec<f64>,
+}
+
+/// The linkage through the travel of its driver.
 struct LinkageMotion {
     /// The indices of each link's points.
     links: Vec<Vec<usize>>,
-    /// Pins, also those on the ground: they are drawn over the links.
-    pins: Vec<usize>,
     /// Points with a slider block.
     blocks: Vec<usize>,
-    frames: Vec<Value>,
+    frames: Vec<LinkageFrame>,
     /// The frames of the prescribed positions.
     stops: Vec<usize>,
     full: bool,
@@ -306,7 +269,6 @@ impl LinkageMotion {
             .collect();
         let guided = scene.guides.iter().filter_map(|g| Some(scene.point_name(g.pin?).to_owned()));
         let blocks: Vec<usize> = guided.map(|n| index(&n)).collect();
-        let pins = (0..names.len()).collect();
         let grounded = |n: &String| {
             scene.links[scene.ground.0].points.iter().any(|p| scene.point_name(*p) == n)
         };
@@ -315,31 +277,76 @@ impl LinkageMotion {
         let mut frame = |pose: &TravelPose| {
             let at = places(scene, &pose.configuration, &names);
             let on_page = at.iter().map(|p| linkage.place(*p));
-            let places: Vec<Value> = on_page
-                .flat_map(|p| {
+            let places = on_page
+                .map(|p| {
                     window = Some(window.map_or(Rect::new(p, p), |w| w.union(Rect::new(p, p))));
-                    [p.x, linkage.figure.height_mm - p.y].map(hundredths)
+                    Point::new(p.x, linkage.figure.height_mm - p.y)
                 })
                 .collect();
             let posed = pose_of(scene, &pose.configuration);
             // On the page, positive rotation is clockwise.
-            let turned: Vec<Value> = posed
-                .sliders
-                .iter()
-                .map(|s| hundredths(-s.direction.angle().to_degrees()))
-                .collect();
+            let turned = posed.sliders.iter().map(|s| -s.direction.angle().to_degrees()).collect();
             let driver = significant((now + pose.travel).to_degrees().rem_euclid(360.0), 5);
-            json!({"p": places, "r": turned, "d": driver})
+            LinkageFrame { at: format!("φ = {driver}°"), places, turned }
         };
         let frames = poses.iter().map(&mut frame).collect();
         let window = window.ok_or_else(none)?.grown(4.0);
-        Ok(LinkageMotion { links, pins, blocks, frames, stops, full, fixed, window })
+        Ok(LinkageMotion { links, blocks, frames, stops, full, fixed, window })
     }
-}
 
-/// A place of the page, to a hundredth of a millimetre.
-fn hundredths(value: f64) -> Value {
-    json!((value * 100.0).round() / 100.0)
+    /// The drawing: the picture without the moving parts, over all places of its points, and the
+    /// moving parts of each frame.
+    fn drawing(&self, linkage: &Scaled, caption: [String; 2]) -> Result<PlayerDrawing, Faults> {
+        let figure = &linkage.figure;
+        let moves = |i: &&FigureItem| i.class.split(' ').any(|c| c == MOVES);
+        let items = nameless(figure.items.iter().filter(|i| !moves(i)));
+        let mut letters = Elements::new(figure.height_mm);
+        let ground = letters.of(&items)?.join("\n");
+        let paper = Rect::new(Point::ORIGIN, Point::new(figure.width_mm, figure.height_mm));
+        let all = self.window.union(paper);
+        Ok(PlayerDrawing {
+            windows_mm: vec![[
+                all.min.x,
+                figure.height_mm - all.max.y,
+                all.width_mm(),
+                all.height_mm(),
+            ]],
+            letters,
+            ground,
+            frames: (0..self.frames.len()).map(|k| self.markup(k)).collect(),
+            caption,
+            scale: String::new(),
+            left: false,
+        })
+    }
+
+    /// The moving parts in a frame: links, blocks, and pins over the links.
+    fn markup(&self, k: usize) -> String {
+        let LinkageFrame { places, turned, .. } = &self.frames[k];
+        let place = |p: usize| [places[p].x, places[p].y].map(mm);
+        let link = |points: &Vec<usize>| {
+            let corners: Vec<String> = points.iter().map(|p| place(*p).join(",")).collect();
+            let shape = if points.len() > 2 { "polygon" } else { "polyline" };
+            format!("<{shape} points=\"{}\"/>", corners.join(" "))
+        };
+        let block = |(p, angle): (&usize, &f64)| {
+            let [x, y] = place(*p);
+            format!(
+                "<rect x=\"-2.5\" y=\"-1.5\" width=\"5\" height=\"3\" transform=\"translate({x} {y}) rotate({})\"/>",
+                mm(*angle)
+            )
+        };
+        let stops = self.stops.contains(&k);
+        let pin = |p: usize| {
+            let ([x, y], reached) = (place(p), stops && !self.fixed.contains(&p));
+            let class = if reached { " class=\"reached\"" } else { "" };
+            format!("<circle cx=\"{x}\" cy=\"{y}\" r=\".9\"{class}/>")
+        };
+        let links = self.links.iter().map(link);
+        let parts = links.chain(self.blocks.iter().zip(turned).map(block));
+        let parts: String = parts.chain((0..places.len()).map(pin)).collect();
+        format!("<g class=\"linkage\">{parts}</g>")
+    }
 }
 
 /// Points by their names; a point without place in a pose is put at the origin, and no drawing

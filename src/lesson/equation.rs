@@ -1,23 +1,18 @@
 //! The lesson of a vector equation: one HTML page with its polygon step by step.
 //!
-//! The page is that of motions without a mechanism ([`super::motion`]) with a single instant.
+//! The page is that of [`super::player`] with a single frame.
 
-use super::LARGER;
-use super::motion::MotionPage;
+use super::player::{PlayerPage, drawings, legible, sizes};
 use crate::diag::Faults;
 use crate::figure::vector_equation::EquationSheet;
 use crate::paper::label::Label;
 use crate::paper::phrase::Phrase;
-use crate::paper::style::Style;
 use crate::render::math::mathml;
 use crate::report::answers::DIGITS;
 use crate::report::html::sentence as html;
 use crate::report::vector_equation as report;
 use crate::scene::Lang;
 use serde_json::{Value, json};
-
-/// There is one instant: the controls that move it are hidden.
-const STILL: &str = "#pose .buttons, #time { display: none; }\n";
 
 /// Words of this page in addition to those of the player.
 const WORDS: [(&str, [&str; 2]); 6] = [
@@ -28,8 +23,8 @@ const WORDS: [(&str, [&str; 2]); 6] = [
     (
         "keys",
         [
-            "Keys: → and ← the steps of the construction; L language; D light or dark.",
-            "键盘：→、← 作图步骤；L 切换语言；D 浅色或深色。",
+            "Keys: → and ← the steps of the construction; L language; D light or dark; P print; S window of the speaker.",
+            "键盘：→、← 作图步骤；L 切换语言；D 浅色或深色；P 打印；S 讲者窗口。",
         ],
     ),
     (
@@ -41,16 +36,14 @@ const WORDS: [(&str, [&str; 2]); 6] = [
     ),
 ];
 
-/// Returns the style of the page's drawing: small type is enlarged.
-pub fn style(style: &Style) -> Style {
-    Style { small_mm: style.small_mm * LARGER, label_mm: style.label_mm * LARGER, ..style.clone() }
-}
-
 /// Returns the page of an equation.
 ///
 /// # Errors
 /// The errors of the SVG writer.
 pub fn lesson(sheet: &EquationSheet) -> Result<String, Faults> {
+    let style =
+        legible(sheet.style, |style| Ok(sizes(&[EquationSheet { style, ..*sheet }.polygon()])))?;
+    let sheet = &EquationSheet { style: &style, ..*sheet };
     let view = sheet.polygon();
     let columns = report::columns(&sheet.problem.terms, sheet.notation);
     let written: Vec<String> =
@@ -69,14 +62,13 @@ pub fn lesson(sheet: &EquationSheet) -> Result<String, Faults> {
     let scales = [mathml(&Label::math(view.scale(&sheet.problem.book)))];
     let told = json!({"at": "", "steps": steps, "answers": answers, "scales": scales});
     let title = &sheet.problem.title;
-    let page = MotionPage {
+    let page = PlayerPage {
         title: [title.en.as_str(), title.zh.as_str()],
         lang: sheet.lang,
         words: &WORDS,
-        book: &sheet.problem.book,
         base: 0,
-        still: None,
+        type_mm: style.small_mm,
+        data: json!({"frames": [told]}),
     };
-    let page = page.written(&[vec![view]], &[told])?;
-    Ok(page.replacen("</style>", &format!("{STILL}</style>"), 1))
+    Ok(page.written(&drawings(&[&[view]], None, 0, &sheet.problem.book)?))
 }

@@ -7,19 +7,24 @@
 //! and [`pack`] packs it, [`bank`] does the same for sentences ([`crate::render::math`] sets their
 //! formulas), [`equations`] gives each step its equation, [`page`] puts the page together, and
 //! [`reveal`] writes one pose as a fragment for slides.
+//!
+//! The other lessons share the page of [`player`]: those of methods ([`method`]), of designs
+//! ([`design`]), of motions without a mechanism ([`motion`]) and of vector equations
+//! ([`equation`]).
 
 mod acts;
 mod bank;
-mod centres;
 mod curve;
 pub mod design;
 pub mod equation;
 mod equations;
 mod frames;
 mod marks;
+mod method;
 pub mod motion;
 mod pack;
 mod page;
+mod player;
 mod reveal;
 mod scenery;
 mod split;
@@ -33,6 +38,7 @@ pub use reveal::{reveal, reveal_in};
 
 use crate::centres::CentreTask;
 use crate::diag::{Diagnostic, Faults, Warned, both};
+use crate::figure::stepped::ConstructionMethod;
 use crate::notation::Notation;
 use crate::paper::style::Style;
 use crate::scene::{Lang, Scene, Swept};
@@ -54,6 +60,9 @@ pub struct LessonOptions {
     pub positions: usize,
     /// The driver or the time that is moved.
     pub swept: Swept,
+    /// The method whose construction is shown; `None` for the polygons of the questions, or for the
+    /// centres if the scene asks for nothing else.
+    pub method: Option<ConstructionMethod>,
     /// Weights, sizes and fonts of the drawings; the page sets the colours, with a light and a dark
     /// theme.
     pub style: Style,
@@ -67,6 +76,7 @@ impl LessonOptions {
             notation: Notation::of_language(lang),
             positions: POSITIONS,
             swept: Swept::Driver(0),
+            method: None,
             style: Style::default(),
         }
     }
@@ -164,8 +174,9 @@ pub fn of_worked(
     let sweep = follower.sweep(options.positions.clamp(8, 360));
     follower.proved(sweep.poses.iter().map(|p| &p.configuration))?;
     notes.extend(follower.shortened());
-    if let Some(task) = CentreTask::of(scene).filter(|t| t.alone) {
-        let page = centres::lesson(scene, (worked, &task), options, (&follower, &sweep))?;
+    let asked = CentreTask::of(scene).filter(|t| t.alone).map(|_| ConstructionMethod::Centres);
+    if let Some(method) = options.method.or(asked) {
+        let page = method::lesson(scene, (worked, method), options, (&follower, &sweep))?;
         return Ok(Warned { value: page, notes });
     }
     let maker = LessonInput {

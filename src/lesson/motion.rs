@@ -6,51 +6,24 @@
 //! each instant the motion is solved and drawn anew. The page fetches nothing and holds both
 //! languages.
 
-use super::LARGER;
-use super::design::nameless;
-use super::pack::pressed;
-use super::page::{BASE, filled, terse, with_fonts};
+use super::player::{PlayerPage, drawings, legible, sizes};
+use super::steps::LANGS;
 use crate::diag::{Diagnostic, Faults, both};
 use crate::digits::significant;
 use crate::figure::particle::{ALONE, ParticleDrafter, ParticleView, notation};
 use crate::geom::Point;
-use crate::paper::extent::{Rect, bounds, translate};
-use crate::paper::item::FigureItem;
 use crate::paper::label::Label;
-use crate::paper::phrase::Phrase;
 use crate::paper::style::Style;
-use crate::paper::words::words as figure_words;
 use crate::particle::board::{MotionDrawing, Views, draw, draw_again};
 use crate::particle::{ParticleProblem, ParticleSolution, solve, solve_again};
-use crate::render::escaped;
 use crate::render::math::mathml;
-use crate::render::number::mm;
-use crate::render::svg::Elements;
 use crate::report::answers::DIGITS;
 use crate::report::html::sentence as html;
 use crate::report::particle as report;
-use crate::scene::{Book, Lang};
+use crate::scene::Lang;
 use serde_json::{Value, json};
 
-const PAGE: &str =
-    concat!(include_str!("head.html"), include_str!("player.html"), include_str!("motion.html"));
-const STYLE: [&str; 3] = [BASE, include_str!("design.css"), include_str!("motion.css")];
-const SCRIPT: &str = concat!(include_str!("motion.js"), include_str!("player.js"));
-
-/// Words of the controls of all pages with a player: key, both languages.
-pub(super) const PLAYER: [(&str, [&str; 2]); 9] = [
-    ("first", ["First step", "第一步"]),
-    ("previous", ["Previous step", "上一步"]),
-    ("next", ["Next step", "下一步"]),
-    ("last", ["Show all steps", "显示全部步骤"]),
-    ("step", ["Step {} of {}", "第 {} 步，共 {} 步"]),
-    ("steps", ["Construction", "作图步骤"]),
-    ("play", ["Run or stop", "运动或停止"]),
-    ("theme", ["Light or dark", "浅色或深色"]),
-    ("language", ["中文", "English"]),
-];
-
-/// Words of this page in addition to those of [`PLAYER`].
+/// Words of this page in addition to those of the player.
 const WORDS: [(&str, [&str; 2]); 6] = [
     ("home", ["Back to the given instant", "回到给定时刻"]),
     ("instant", ["The instant", "时刻"]),
@@ -59,8 +32,8 @@ const WORDS: [(&str, [&str; 2]); 6] = [
     (
         "keys",
         [
-            "Keys: → and ← the steps of the construction; + and − the instant, 0 the given one; Space runs; L language; D light or dark.",
-            "键盘：→、← 作图步骤；+、− 改变时刻，0 回到给定时刻；空格 运动；L 切换语言；D 浅色或深色。",
+            "Keys: → and ← the steps of the construction; + and − the instant, 0 the given one; Space runs; L language; D light or dark; P print; S window of the speaker.",
+            "键盘：→、← 作图步骤；+、− 改变时刻，0 回到给定时刻；空格 运动；L 切换语言；D 浅色或深色；P 打印；S 讲者窗口。",
         ],
     ),
     (
@@ -72,16 +45,12 @@ const WORDS: [(&str, [&str; 2]); 6] = [
     ),
 ];
 
-/// Both languages, in the order of the page's pairs.
-const LANGS: [Lang; 2] = [Lang::En, Lang::Zh];
 /// An instant has its own scale if its vectors need one coarser by this factor than the given
 /// instant: otherwise all other instants would be drawn too small.
 const COARSER: f64 = 4.0;
 /// The part of the time to a meeting that is shown: at the meeting the two points coincide, and the
 /// line between them has no direction.
 const SHOWN: f64 = 0.995;
-/// Margin around a drawing (mm).
-const AIR_MM: f64 = 2.0;
 
 /// Options of the page.
 #[derive(Clone, Debug)]
@@ -165,14 +134,12 @@ fn nothing(which: usize) -> Diagnostic {
 /// # Errors
 /// The motion is not there, or cannot be solved at the given instant; those of the SVG writer.
 pub fn lesson(problem: &ParticleProblem, options: &MotionOptions) -> Result<String, Faults> {
-    let style = Style {
-        small_mm: options.style.small_mm * LARGER,
-        label_mm: options.style.label_mm * LARGER,
-        ..options.style.clone()
-    };
     let (frames, base) = frames(problem, options)?;
     let also = needed_points(&frames);
     let given = &frames[base];
+    let style = legible(&options.style, |style| {
+        Ok(sizes(&seen(&given.maker(style, options.lang, &also), &given.drawn, None)?))
+    })?;
     // First the fixed items, then the drawing of each instant.
     let still = given.maker(&style, options.lang, &also).course(&given.drawn, false);
     let mut views: Vec<Vec<ParticleView>> = Vec::new();
@@ -182,92 +149,16 @@ pub fn lesson(problem: &ParticleProblem, options: &MotionOptions) -> Result<Stri
     let told: Vec<Value> =
         frames.iter().zip(&views).map(|(f, v)| instant_json(f, v, &style)).collect();
     let title = &problem.title;
-    let page = MotionPage {
+    let views: Vec<&[ParticleView]> = views.iter().map(Vec::as_slice).collect();
+    let page = PlayerPage {
         title: [title.en.as_str(), title.zh.as_str()],
         lang: options.lang,
         words: &WORDS,
-        book: &problem.book,
         base,
-        still: still.as_ref(),
+        type_mm: style.small_mm,
+        data: json!({"frames": told}),
     };
-    page.written(&views, &told)
-}
-
-/// A page of poses or instants, each with its drawings, the steps of its construction and its
-/// answers.
-pub(super) struct MotionPage<'a> {
-    /// English and Chinese.
-    pub title: [&'a str; 2],
-    /// The language in which it opens.
-    pub lang: Lang,
-    /// Words around the drawings.
-    pub words: &'a [(&'a str, [&'a str; 2])],
-    /// The units of the scales.
-    pub book: &'a Book,
-    /// The index of the given instant.
-    pub base: usize,
-    /// The fixed background of the first drawing, common to all instants.
-    pub still: Option<&'a ParticleView>,
-}
-
-impl MotionPage<'_> {
-    /// Writes the page from the drawings of each instant and its data: its name `at`, sentences of
-    /// `steps`, `answers`, `scales`.
-    pub fn written(&self, views: &[Vec<ParticleView>], told: &[Value]) -> Result<String, Faults> {
-        let mut elements: Vec<Elements> = Vec::new();
-        let mut drawings = Vec::new();
-        for k in 0..views[self.base].len() {
-            let ground = self.still.filter(|_| k == 0);
-            let parts: Vec<&ParticleView> = views.iter().map(|v| &v[k]).collect();
-            drawings.push(Sequence::of(&parts, ground, &mut elements)?);
-        }
-        let pairs =
-            |v: &ParticleView| LANGS.map(|lang| escaped(&Phrase::new(lang.of(&v.caption)).plain()));
-        let list = |lang: Lang| {
-            let word = |(key, said): &(&str, [&str; 2])| {
-                ((*key).to_owned(), json!(said[usize::from(lang == Lang::Zh)]))
-            };
-            PLAYER.iter().chain(self.words).map(word).collect::<serde_json::Map<_, _>>()
-        };
-        let data = json!({
-            "lang": figure_words(self.lang).tag.split('-').next().unwrap_or("en"),
-            "tags": {"en": figure_words(Lang::En).tag, "zh": figure_words(Lang::Zh).tag},
-            "words": {"en": list(Lang::En), "zh": list(Lang::Zh)},
-            "title": self.title,
-            "captions": views[self.base].iter().map(pairs).collect::<Vec<_>>(),
-            "given": self.base,
-            "frames": told,
-            "drawings": drawings.iter().map(|d| json!(d.frames)).collect::<Vec<_>>(),
-        });
-        let half = drawings.len().div_ceil(2).min(if self.still.is_some() { 1 } else { 2 });
-        let put = |range: std::ops::Range<usize>| {
-            range
-                .map(|k| {
-                    drawings[k].markup(k, self.base, &views[self.base][k], (self.lang, self.book))
-                })
-                .collect::<String>()
-        };
-        let own = usize::from(self.lang == Lang::Zh);
-        Ok(filled(
-            PAGE,
-            &[
-                ("lang", figure_words(self.lang).tag),
-                ("title", &escaped(self.title[own])),
-                ("style", &with_fonts(&STYLE)),
-                ("letters", &Elements::letters(&elements)),
-                ("left", &put(0..half)),
-                ("right", &put(half..drawings.len())),
-                (
-                    "noscript",
-                    &escaped(
-                        self.words.iter().find(|w| w.0 == "noscript").map_or("", |w| w.1[own]),
-                    ),
-                ),
-                ("data", &pressed(&data.to_string())),
-                ("script", &terse(SCRIPT)),
-            ],
-        ))
-    }
+    Ok(page.written(&drawings(&views, still.as_ref(), base, &problem.book)?))
 }
 
 /// The instants, to one set of scales as far as possible, and the index of the given one.
@@ -364,60 +255,4 @@ fn instant_json(f: &MotionFrame, views: &[ParticleView], style: &Style) -> Value
         views.iter().map(|v| mathml(&Label::math(v.scale(&f.problem.book)))).collect();
     let at = format!("t = {} s", significant(f.problem.instant(), 5));
     json!({"at": at, "steps": steps, "answers": answers, "scales": scales})
-}
-
-/// A drawing at all instants.
-struct Sequence {
-    size_mm: [f64; 2],
-    /// The fixed background.
-    ground: String,
-    /// The drawing of each instant.
-    frames: Vec<String>,
-}
-
-impl Sequence {
-    fn of(
-        views: &[&ParticleView],
-        ground: Option<&ParticleView>,
-        all: &mut Vec<Elements>,
-    ) -> Result<Sequence, Faults> {
-        let boxes = views.iter().copied().chain(ground).filter_map(|v| bounds(&v.part.items));
-        let window = boxes
-            .reduce(Rect::union)
-            .unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN))
-            .grown(AIR_MM);
-        let mut elements = Elements::new(window.height_mm());
-        let mut written = |v: &ParticleView| -> Result<String, Faults> {
-            let mut items: Vec<FigureItem> = nameless(v.part.items.iter());
-            translate(&mut items, Point::ORIGIN - window.min);
-            let each = elements.of(&items)?;
-            let stepped = |(item, element): (&FigureItem, String)| match item.steps().min() {
-                Some(k) => format!("<g data-step=\"{k}\">{element}</g>\n"),
-                None => format!("{element}\n"),
-            };
-            Ok(items.iter().zip(each).map(stepped).collect())
-        };
-        let ground = ground.map(&mut written).transpose()?.unwrap_or_default();
-        let frames = views.iter().map(|v| written(v)).collect::<Result<Vec<String>, Faults>>()?;
-        all.push(elements);
-        Ok(Sequence { size_mm: [window.width_mm(), window.height_mm()], ground, frames })
-    }
-
-    fn markup(
-        &self,
-        k: usize,
-        base: usize,
-        view: &ParticleView,
-        (lang, book): (Lang, &Book),
-    ) -> String {
-        let [w, h] = self.size_mm.map(mm);
-        format!(
-            "<figure class=\"drawing\" id=\"drawing-{k}\" style=\"--w:{w}\">\n<svg viewBox=\"0 0 {w} {h}\" role=\"img\">\n<g class=\"ink\">\n{}</g>\n<g class=\"ink moving\">\n{}</g>\n</svg>\n\
-             <figcaption><span class=\"caption\">{}</span> <span class=\"scale\">{}</span></figcaption>\n</figure>\n",
-            self.ground,
-            self.frames[base],
-            escaped(&Phrase::new(lang.of(&view.caption)).plain()),
-            mathml(&Label::math(view.scale(book))),
-        )
-    }
 }

@@ -46,13 +46,14 @@ const STYLE: [&str; 2] = [BASE, include_str!("page/page.css")];
 /// The start of the script.
 const BOOT: &str = include_str!("page/boot.js");
 /// The script, in the order of its modules.
-const SCRIPT: [&str; 7] = [
+const SCRIPT: [&str; 8] = [
     include_str!("page/read.js"),
     include_str!("page/draw.js"),
     include_str!("page/told.js"),
     include_str!("page/move.js"),
     include_str!("page/over.js"),
     include_str!("page/predict.js"),
+    include_str!("sheets.js"),
     include_str!("page/page.js"),
 ];
 

@@ -152,7 +152,11 @@ impl<'a> Studio<'a> {
     fn of(frames: &'a Frames, notation: &'a Notation, style: &Style, shows: Shows) -> Studio<'a> {
         // Black on white: the page applies the colours of its light or dark theme.
         let Style { palette, plate, .. } = Style::default();
-        let style = Style { palette, plate, ..style.clone() };
+        let mut style = Style { palette, plate, ..style.clone() };
+        // The numbers of teeth are read from the last row, too.
+        if shows.on == DiagramKind::Plane {
+            style.small_mm = style.label_mm;
+        }
         let share = share_of(frames, shows);
         let is_full = |(w, p): (PlanWriter, &Polygon)| {
             share.map_or_else(|| polygon::is_full(&w, p), |s| polygon::is_full_share(&w, p, s))
@@ -205,13 +209,12 @@ impl<'a> Studio<'a> {
         let own_mu = first * times(alone(first), stage_mm(label));
         let (own, all) = (alone(own_mu), together(own_mu));
         if times(all, size(own)) <= GAIN {
-            let view = DrawingView {
-                mu: own_mu,
-                seen: all,
-                parts: self.parts(own_mu, all, false),
-                group: None,
-            };
-            return self.told(size(all), self.with_groups(vec![view], own_mu, size(all)));
+            // One window for all poses, no larger than the stage.
+            let mu = own_mu * times(all, stage_mm(label));
+            let seen = if mu > own_mu { together(mu) } else { all };
+            let parts = self.parts(mu, seen, false);
+            let view = DrawingView { mu, seen, parts, group: None };
+            return self.told(size(seen), self.with_groups(vec![view], mu, size(seen)));
         }
         let first = own_mu * times(all, size(own));
         let mu = first * times(together(first), size(own));

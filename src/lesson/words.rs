@@ -3,18 +3,16 @@
 use crate::scene::Lang;
 
 /// Key, English, Chinese. The page fills in `{}`.
-const WORDS: [(&str, &str, &str); 88] = [
+const WORDS: [(&str, &str, &str); 101] = [
     ("lesson", "Lesson", "教学演示"),
     ("first", "First step", "第一步"),
     ("previous", "Previous step", "上一步"),
     ("next", "Next step", "下一步"),
     ("last", "Show all steps", "显示全部步骤"),
     ("step", "Step {} of {}", "第 {} 步，共 {} 步"),
-    (
-        "finished",
-        "All steps are drawn. “First step” (key Home) starts the construction.",
-        "作图已全部完成。按“第一步”（Home 键）从头逐步演示。",
-    ),
+    ("task", "The task", "题目"),
+    ("coming", "Next", "下一步"),
+    ("speaker", "Window of the speaker", "讲者窗口"),
     ("play", "Turn forward", "顺原动件转向转动"),
     ("play_back", "Turn back", "反向转动"),
     ("slide", "Move forward", "向前运动"),
@@ -53,10 +51,25 @@ const WORDS: [(&str, &str, &str); 88] = [
     ("right_direction", "The direction is right.", "方向正确。"),
     ("shown", "This is the answer.", "答案如图。"),
     ("score", "{} of {} at the first try.", "一次画对 {} 个，共 {} 个。"),
+    ("score_helped", "{} with a hint.", "经提示画对 {} 个。"),
+    ("score_shown", "{} shown.", "看答案 {} 个。"),
+    ("predict_done", "The construction is complete.", "作图完成。"),
+    ("clue", "Hint", "提示"),
+    ("clue_square", "It is square to {}.", "它垂直于 {}。"),
+    ("clue_along", "It is along {}.", "它平行于 {}。"),
+    ("clue_sense", "Its sense follows from that of {}.", "其指向由 {} 的转向决定。"),
     (
-        "predict_done",
-        "The construction is complete: {} of {} at the first try.",
-        "作图完成：一次画对 {} 个，共 {} 个。",
+        "clue_coriolis",
+        "Turn the relative velocity by 90° in the sense of {}.",
+        "将相对速度沿 {} 的转向转过 90°。",
+    ),
+    ("clue_centre", "It points to the centre of the circular path.", "它指向圆周运动的圆心。"),
+    ("clue_angle", "Look at the mechanism: the line is drawn there.", "看机构图：该方向线在图上。"),
+    ("clue_length", "Divide the magnitude by the scale, {}.", "用大小除以比例尺 {}。"),
+    (
+        "clue_crossing",
+        "Both lines are drawn: the point lies on each.",
+        "两条方向线均已画出，该点同在两线上。",
     ),
     (
         "wrong_sense",
@@ -171,20 +184,24 @@ const WORDS: [(&str, &str, &str); 88] = [
     ),
     (
         "keys_show",
-        "V: velocities; A: accelerations; S: paths; H: hodographs",
-        "V：速度；A：加速度；S：轨迹；H：矢端图",
+        "V: velocities; A: accelerations; C: paths; H: hodographs",
+        "V：速度；A：加速度；C：轨迹；H：矢端图",
     ),
     (
         "keys_predict",
-        "Q: predict; then arrow keys turn or lengthen the vector, with Shift to the next set square direction or by 5 mm; Enter: check; Page Down: show it",
-        "Q：先画后看；方向键改变矢量的方向或长度（按住 Shift 转到下一个三角板方向或改变 5 mm）；Enter：检查；Page Down：看答案",
+        "Q: predict; then arrow keys turn or lengthen the vector, with Shift to the next set square direction or by 5 mm; Enter: check; ?: hint; Page Down: show it",
+        "Q：先画后看；方向键改变矢量的方向或长度（按住 Shift 转到下一个三角板方向或改变 5 mm）；Enter：检查；?：提示；Page Down：看答案",
     ),
     (
         "keys_zoom",
         "Zoom: two fingers, Ctrl and wheel, or the buttons of a drawing; drag it to move it",
         "缩放：双指、Ctrl 加滚轮或图上的按钮；拖动可平移",
     ),
-    ("keys_view", "L: language; D: light or dark; P: print", "L：切换语言；D：浅色或深色；P：打印"),
+    (
+        "keys_view",
+        "L: language; D: light or dark; P: print, six steps on a page; S: window of the speaker",
+        "L：切换语言；D：浅色或深色；P：打印（每页六步）；S：讲者窗口",
+    ),
     ("diagram", "The mechanism, drawn to scale.", "按比例尺绘制机构运动简图。"),
     ("steps", "Construction", "作图步骤"),
     (

@@ -27,9 +27,10 @@ const STAGE_PX: [f64; 2] = [700.0, 430.0];
 /// The type size there: letters without ascenders (0.44 of it) and digits of indices are 14.5 px
 /// high.
 const TYPE_PX: f64 = 33.0;
-/// The area of the mechanism there.
+/// The area of the mechanism there, and its type size: letters without ascenders are 15 px high,
+/// and 11 px on a phone.
 const DIAGRAM_PX: [f64; 2] = [505.0, 435.0];
-const DIAGRAM_TYPE_PX: f64 = 24.0;
+const DIAGRAM_TYPE_PX: f64 = 34.0;
 /// Space for names around the vectors, on each side (em of the type).
 const NAMES_EM: [f64; 2] = [1.7, 1.1];
 /// Largest polygon in the window of all poses, as a multiple of the larger of the own and the

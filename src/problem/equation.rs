@@ -115,8 +115,7 @@ impl Answered for EquationSolved {
     }
 
     fn lesson(&self, _: &Lesson, look: &Look) -> Result<Warned<String>, Faults> {
-        let style = lesson::style(&look.style);
-        let value = self.sheet(&style, look, |sheet| lesson::lesson(&sheet))?;
+        let value = self.sheet(&look.style, look, |sheet| lesson::lesson(&sheet))?;
         Ok(Warned { value, notes: Vec::new() })
     }
 

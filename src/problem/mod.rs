@@ -31,6 +31,7 @@ use crate::diag::{Diagnostic, Faults, Warned};
 use crate::equation as vectors;
 use crate::figure::list::{Extras, FigureEntry, Pages, USUAL};
 use crate::figure::sheet;
+use crate::figure::stepped::ConstructionMethod;
 use crate::notation::Notation;
 use crate::paper::style::Style;
 use crate::particle;
@@ -301,6 +302,8 @@ pub struct Lesson {
     pub reveal: bool,
     /// Width of a fragment (mm).
     pub width_mm: Option<f64>,
+    /// The method whose construction is shown, for scenes only; `None` for that of the questions.
+    pub method: Option<ConstructionMethod>,
 }
 
 impl Default for Lesson {
@@ -310,6 +313,7 @@ impl Default for Lesson {
             swept: Swept::Driver(0),
             reveal: false,
             width_mm: None,
+            method: None,
         }
     }
 }

@@ -230,9 +230,9 @@ impl Answered for SceneSolution {
                 None => lesson::reveal(&self.scene, &self.worked, &options),
             };
         }
-        let Lesson { positions, swept, .. } = *wanted;
-        let options =
-            lesson::LessonOptions { lang, notation, positions, swept, style: look.style.clone() };
+        let Lesson { positions, swept, method, .. } = *wanted;
+        let style = look.style.clone();
+        let options = lesson::LessonOptions { lang, notation, positions, swept, method, style };
         lesson::of_worked(&self.scene, &self.worked, &options)
     }
 

@@ -59,6 +59,8 @@ pub enum Wish {
     Table,
     /// Questions on concepts.
     Questions,
+    /// The construction of a method, for lessons.
+    Method,
 }
 
 impl Wish {
@@ -77,6 +79,7 @@ impl Wish {
             Wish::Loops => "--loops",
             Wish::Table => "--table",
             Wish::Questions => "--questions",
+            Wish::Method => "--method",
         }
     }
 }

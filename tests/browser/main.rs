@@ -9,6 +9,7 @@ mod design;
 mod forces;
 mod grip;
 mod ink;
+mod method;
 mod motion;
 mod predict;
 mod stage;
@@ -492,7 +493,6 @@ fn pages_fit_phones_and_projectors_and_print() {
             assert_quiet(&b, name);
         }
         // In print: every sentence, although only some steps were shown.
-        b.key("Home");
         let steps: u64 = serde_json::from_value(
             b.eval("Number(document.getElementById('count').textContent.match(/\\d+/g)[1])"),
         )

@@ -24,7 +24,7 @@ fn motions_go_through_their_steps_and_their_instants() {
         let path =
             PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("lesson-motion-{name}.html"));
         std::fs::write(&path, motion::lesson(&problem, &options).unwrap()).unwrap();
-        for (window, least) in [(SMALL_PROJECTOR, 10.5), (PHONE, 6.5)] {
+        for (window, least) in [(SMALL_PROJECTOR, 14.0), (PHONE, 11.0)] {
             b.open(&path, window);
             let told = format!("{name} at {window:?}");
             let over =

@@ -3,21 +3,23 @@
 //! components of the acceleration at the point; their polygon; and the projections in words.
 //! Several solutions of one problem are side by side, to one μ.
 
-use hodograph_base::diag::{Faults, Warned};
+use hodograph_base::diag::{Both, Faults, Warned};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale;
 use hodograph_methods::composite::{ChoiceSolution, ContactScene, level, name_of};
 use hodograph_report::composite::{CompositeWords, symbol};
 use hodograph_scene::quantity::composite::CompositePart as Piece;
 use hodograph_scene::quantity::{Frame, RelativePath};
-use hodograph_scene::{DiagramKind, GuidePath, Kind, Scene};
+use hodograph_scene::{DiagramKind, GuidePath, Kind, Lang, Scene};
 use hodograph_worked::worked::Worked;
 
 use super::arrange::AIM_MM;
 use super::list::{FigureEntry, FigureInput, Pages, page};
 use super::mechanism::{self, Composed, ComposedVector};
+use super::particle::ParticleView;
 use super::relative::track_on;
 use super::sheet::{MARGIN_MM, SheetDrafter};
+use super::stepped::SteppedMethod;
 use crate::scales::DrawingScales;
 use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::extent::Rect;
@@ -87,6 +89,80 @@ impl CompositeScales {
             acceleration: any.then(|| one(Kind::Acceleration, accelerations)),
         }
     }
+}
+
+/// The composite motion of the first choice step by step: the velocities at the moving point, the
+/// accelerations there, and their polygon.
+///
+/// # Errors
+/// The faults of the scene.
+pub(super) fn stepped(w: &FigureInput) -> Result<Option<SteppedMethod>, Faults> {
+    let staged = ContactScene::new(w.scene);
+    let choices: Vec<_> = staged.shown(w.scene, MOST).into_iter().take(MOST).collect();
+    if choices.is_empty() {
+        return Ok(None);
+    }
+    let (worked, each) = staged.solved(&choices, level(w.scene))?.value;
+    let Some(s) = each.first() else { return Ok(None) };
+    let w = FigureInput { scene: &staged.scene, ..*w };
+    let words = |lang| CompositeWords { scene: w.scene, lang, notation: &w.options.notation };
+    let [en, zh] = [Lang::En, Lang::Zh].map(|lang| words(lang).steps(s));
+    let scales = CompositeScales::of(&w, &each);
+    let placed = |on: DiagramKind, mu: f64| {
+        let mut all = vectors(&w, s, on, mu);
+        let parts = s.acceleration.iter().map(|a| a.0);
+        let parts: Vec<Option<Piece>> = match on {
+            DiagramKind::Velocity => {
+                vec![None, Some(Piece::TransportVelocity), Some(Piece::RelativeVelocity)]
+            }
+            DiagramKind::Plane | DiagramKind::Acceleration | DiagramKind::Force => parts.collect(),
+        };
+        for (v, part) in all.iter_mut().zip(parts) {
+            v.step = en.iter().position(|step| step.on == on && step.draws.contains(&part));
+        }
+        // What is laid off first begins at the pole.
+        all.sort_by_key(|v| v.step);
+        all
+    };
+    let view = |part, on: DiagramKind, mu: f64, [en, zh]: [&str; 2]| ParticleView {
+        part,
+        caption: Both { en: en.to_owned(), zh: zh.to_owned() },
+        scales: vec![(on, mu)],
+    };
+    let at_point = |on, mu, parallelogram| {
+        let composed = Composed {
+            at: s.choice.of.point,
+            vectors: placed(on, mu),
+            parallelogram,
+            track: if parallelogram { track(&w, s) } else { Vec::new() },
+        };
+        let (style, notation) = (&w.options.style, &w.options.notation);
+        mechanism::composed(style, w.scene, &worked, notation, &composed)
+    };
+    let mut views = vec![view(
+        at_point(DiagramKind::Velocity, scales.velocity, true),
+        DiagramKind::Velocity,
+        scales.velocity,
+        ["Velocities at the moving point", "动点处的速度平行四边形"],
+    )];
+    if let Some(mu) = scales.acceleration {
+        let words = [Lang::En, Lang::Zh]
+            .map(|lang| hodograph_paper::paper::words::words(lang).composite_acceleration);
+        let on = DiagramKind::Acceleration;
+        views.push(view(at_point(on, mu, false), on, mu, words));
+        views.push(view(
+            edges(&w, &placed(on, mu)),
+            on,
+            mu,
+            ["Acceleration polygon", "加速度多边形"],
+        ));
+    }
+    let steps = en
+        .iter()
+        .zip(&zh)
+        .map(|(en, zh)| Both { en: en.text.source(), zh: zh.text.source() })
+        .collect();
+    Ok(Some(SteppedMethod { views, steps, ..SteppedMethod::default() }))
 }
 
 fn figure(w: &FigureInput, worked: &Worked, each: &[ChoiceSolution]) -> Figure {
@@ -215,6 +291,7 @@ fn vectors(w: &FigureInput, s: &ChoiceSolution, on: DiagramKind, mu: f64) -> Vec
             shown,
             mm,
             absolute: part.is_none(),
+            step: None,
         }
     };
     match on {
@@ -344,9 +421,24 @@ fn polygon(
     s: &ChoiceSolution,
     k: usize,
 ) -> DrawingPart {
+    let part = edges(w, &vectors(w, s, DiagramKind::Acceleration, mu));
+    let words = maker.name(Captioned::Drawing(DiagramKind::Acceleration));
+    named(
+        maker.titled(
+            part,
+            Phrase::new(words).label(),
+            &DrawingScales::of(&w.scene.book, DiagramKind::Acceleration, mu),
+            "polygon",
+        ),
+        "polygon",
+        k,
+    )
+}
+
+/// The polygon of some accelerations.
+fn edges(w: &FigureInput, all: &[ComposedVector]) -> DrawingPart {
     let style = &w.options.style;
     let mut d = Drawing::new("composite", style.clone());
-    let all = vectors(w, s, DiagramKind::Acceleration, mu);
     let pole = Point::ORIGIN;
     let mut at = pole;
     let arrow = |d: &mut Drawing, from: Point, v: &ComposedVector| {
@@ -354,6 +446,7 @@ fn polygon(
             return;
         }
         let to = from + v.mm;
+        d.at_step(v.step);
         let width_mm = if v.absolute { style.vector.width_mm } else { style.vector.width_mm * 0.7 };
         let stroke = hodograph_paper::paper::item::LineStroke { width_mm, ..style.vector };
         let owner = d.vector(
@@ -371,6 +464,7 @@ fn polygon(
         at = at + v.mm;
     }
     all.iter().filter(|v| v.absolute).for_each(|v| arrow(&mut d, pole, v));
+    d.at_step(None);
     let pole_name = format!("{}'", w.options.notation.pole);
     d.draw("pole", "pole", hodograph_paper::paper::symbols::dot(style, pole));
     d.label(
@@ -378,17 +472,7 @@ fn polygon(
         "pole",
         LabelRequest::at_point(Label::math(pole_name), style.label_mm, pole, style.dot_radius_mm),
     );
-    let words = maker.name(Captioned::Drawing(DiagramKind::Acceleration));
-    named(
-        maker.titled(
-            d.finish(),
-            Phrase::new(words).label(),
-            &DrawingScales::of(&w.scene.book, DiagramKind::Acceleration, mu),
-            "polygon",
-        ),
-        "polygon",
-        k,
-    )
+    d.finish()
 }
 
 /// The text below the drawings.

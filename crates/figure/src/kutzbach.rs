@@ -9,6 +9,10 @@
 //! # Source
 //! K. Kutzbach, *Mehrgliedrige Radgetriebe und ihre Gesetze*, 1927.
 
+mod steps;
+
+pub(super) use steps::stepped;
+
 use std::f64::consts::TAU;
 
 use hodograph_base::geom::{Point, Vec2};
@@ -65,23 +69,47 @@ pub(super) fn plans(maker: &SheetDrafter) -> Vec<(String, Figure)> {
     let figure = |t: &GearTrain| {
         let turns = turns(scene, maker.worked, t)?;
         let name = if one { String::new() } else { format!("-{}", scene.link_name(t.arm)) };
-        Some((name, KutzbachPlan { maker, train: t, turns }.figure()))
+        let plan = KutzbachPlan { maker, train: t, turns, order: Vec::new() };
+        Some((name, plan.figure()))
     };
     all.iter().filter_map(figure).collect()
+}
+
+/// Captions in both languages.
+const CAPTION: [&str; 2] = ["Kutzbach plan: linear and angular velocities", "线速度图与转速图"];
+const TABLE: [&str; 2] = ["Willis' table", "列表法（转化机构法）"];
+
+/// The plan as drawn.
+struct KutzbachDrawing {
+    part: DrawingPart,
+    /// The scales of lengths and velocities.
+    scales: [(DiagramKind, f64); 2],
+    /// The scale of angular velocities as a formula.
+    of_rates: String,
 }
 
 struct KutzbachPlan<'a> {
     maker: &'a SheetDrafter<'a>,
     train: &'a GearTrain,
     turns: TrainSpeeds,
+    /// The links in the order in which their rays are drawn; empty for a drawing without steps.
+    order: Vec<LinkId>,
 }
 
 impl KutzbachPlan<'_> {
     fn figure(&self) -> Figure {
         let table = self.table();
+        let lang = self.maker.options.lang;
         match self.drawing() {
             None => self.maker.alone(table),
-            Some(mut part) => {
+            Some(KutzbachDrawing { part, scales, of_rates }) => {
+                let book = &self.maker.scene.book;
+                let [(plane, mu_l), (velocity, mu_v)] = scales;
+                let scales = DrawingScales::of(book, plane, mu_l)
+                    .and(DrawingScales::of(book, velocity, mu_v))
+                    .and(DrawingScales::words(of_rates));
+                let caption = Label::text(tr(lang, CAPTION[0], CAPTION[1]));
+                let mut part = self.maker.titled(part, caption, &scales, "kutzbach");
                 let mut beside = table;
                 beside.stand_at(Point::new(part.bounds.max.x + TABLE_MM, part.bounds.max.y));
                 part.items.extend(beside.items);
@@ -133,7 +161,7 @@ impl KutzbachPlan<'_> {
         Some(all)
     }
 
-    fn drawing(&self) -> Option<DrawingPart> {
+    fn drawing(&self) -> Option<KutzbachDrawing> {
         let (maker, train) = (self.maker, self.train);
         let style = &maker.options.style;
         let stations = self.stations()?;
@@ -206,6 +234,7 @@ impl KutzbachPlan<'_> {
                 continue;
             };
             let (from, to) = (Point::new(0.0, s.s), Point::new(v, s.s));
+            d.at_step(s.links.iter().filter_map(|l| self.step_of(*l)).min());
             let owner = d.shape(
                 &format!("vel-{}", s.name),
                 "vector",
@@ -234,6 +263,7 @@ impl KutzbachPlan<'_> {
             let name = maker.scene.link_name(link);
             d.of_link((link != maker.scene.ground).then_some(link.0));
             if link != maker.scene.ground {
+                d.at_step(self.step_of(link));
                 let owner = d.shape(&format!("ray-{name}"), "ray", line(from, to, style.outline));
                 d.label_along(
                     &format!("ray-{name}"),
@@ -246,19 +276,16 @@ impl KutzbachPlan<'_> {
             }
         }
         d.of_link(None);
+        d.at_step(None);
         let mu_omega = self.rates(&mut d, low - BELOW_MM, mu_v / mu_l);
-        let lang = maker.options.lang;
         let book = &maker.scene.book;
         let of_rates = format!(
             "\\mu_{{\\omega}} = {} {}",
             scale(book.value(Kind::Omega, mu_omega)),
             book.scale_label(Kind::Omega)
         );
-        let scales = DrawingScales::of(book, DiagramKind::Plane, mu_l)
-            .and(DrawingScales::of(book, DiagramKind::Velocity, mu_v))
-            .and(DrawingScales::words(of_rates));
-        let words = tr(lang, "Kutzbach plan: linear and angular velocities", "线速度图与转速图");
-        Some(maker.titled(d.finish(), Label::text(words), &scales, "kutzbach"))
+        let scales = [(DiagramKind::Plane, mu_l), (DiagramKind::Velocity, mu_v)];
+        Some(KutzbachDrawing { part: d.finish(), scales, of_rates })
     }
 
     /// All links of the train, each once: the gears, then the arm.
@@ -325,8 +352,11 @@ impl KutzbachPlan<'_> {
             to: Point::new(b + BEYOND_MM, foot),
             stroke: style.outline,
         };
+        let begun = (!self.order.is_empty()).then(|| self.order.len() + 1);
+        d.at_step(begun);
         d.shape("rates", "line", axis);
         for (end, who) in &ends {
+            d.at_step(who.iter().filter_map(|l| self.rate_step(*l)).min().or(begun));
             let names: Vec<&str> = who.iter().map(|l| maker.scene.link_name(*l)).collect();
             d.shape(
                 &format!("rate-{}", names[0]),
@@ -346,12 +376,14 @@ impl KutzbachPlan<'_> {
         }
         for (end, who) in ends.iter().filter(|e| e.0.x.abs() > ZERO_MM) {
             let from = Point::new(0.0, foot);
+            d.at_step(who.iter().filter_map(|l| self.rate_step(*l)).min());
             let shape = Shape::Arrow { from, to: *end, stroke: style.vector, head: style.head };
             let id = format!("omega-{}", maker.scene.link_name(who[0]));
             let owner = d.shape(&id, "vector", shape);
             let text = omega(maker.scene, who[0]);
             d.label_along(&id, "vector", &text, (from, *end), style.vector.width_mm / 2.0, owner);
         }
+        d.at_step(begun);
         d.draw("pole", "pole", sym::dot(style, pole));
         d.label_at("pole", "pole", "P", pole, style.dot_radius_mm, Some(Vec2::new(1.0, 0.5)));
         slope / pole_mm
@@ -370,7 +402,7 @@ impl KutzbachPlan<'_> {
                 id,
             })
         };
-        let heading = Label::text(tr(lang, "Willis' table", "列表法（转化机构法）"));
+        let heading = Label::text(tr(lang, TABLE[0], TABLE[1]));
         let shape = Shape::Label {
             at: Point::ORIGIN,
             label: heading.in_fonts(&style.fonts),
@@ -457,6 +489,7 @@ mod tests {
             maker: &maker,
             train: &all[0],
             turns: turns(&scene, &worked, &all[0]).unwrap(),
+            order: Vec::new(),
         };
         let stations = plan.stations().unwrap();
         assert_eq!(stations.len(), 4);

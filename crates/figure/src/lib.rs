@@ -51,6 +51,7 @@ mod scales;
 #[doc(hidden)]
 pub mod series;
 pub mod sheet;
+pub mod stepped;
 pub mod steps;
 pub mod synthesis;
 #[doc(hidden)]

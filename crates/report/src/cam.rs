@@ -3,9 +3,11 @@
 
 mod least;
 mod numbers;
+mod subject;
 
 pub use least::LeastCams;
 pub use numbers::{CamNumber, Now, PrintedUnit};
+pub use subject::CamSubject;
 
 use hodograph_base::cam::{
     CamExtreme, CamMotion, CamSurvey, Disc, Fault, Follower, FollowerTip, Jump, MotionLaw,
@@ -127,79 +129,116 @@ impl Report<'_> {
 
     /// Returns the report as text.
     pub fn text(&self, lang: Lang) -> String {
-        let mut out = String::new();
+        self.lines(lang).into_iter().map(|(_, line)| line + "\n").collect()
+    }
+
+    /// Returns the lines of the report, each with its subject.
+    pub fn lines(&self, lang: Lang) -> Vec<(CamSubject, String)> {
+        let mut out = Vec::new();
         let comma = tr(lang, ", ", "，");
-        let mut line = |text: String| {
-            out.push_str(&text);
-            out.push('\n');
-        };
+        let mut line = |subject: CamSubject, text: String| out.push((subject, text));
         let scene = self.scene;
         let (cam, follower) = (scene.link_name(self.cam.cam), scene.link_name(self.cam.follower));
         let kind = kind(self.cam, self.disc(), lang);
-        line(match lang {
-            Lang::En => format!("cam {cam}, follower {follower}: {kind}"),
-            Lang::Zh => format!("凸轮 {cam}，从动件 {follower}：{kind}"),
-        });
-        line(format!(
-            "  {} r₀ = {}",
-            tr(lang, "base circle", "基圆半径"),
-            self.say(CamNumber::Base, PrintedUnit::Length, self.disc().base())
-        ));
+        line(
+            CamSubject::Data,
+            match lang {
+                Lang::En => format!("cam {cam}, follower {follower}: {kind}"),
+                Lang::Zh => format!("凸轮 {cam}，从动件 {follower}：{kind}"),
+            },
+        );
+        line(
+            CamSubject::Data,
+            format!(
+                "  {} r₀ = {}",
+                tr(lang, "base circle", "基圆半径"),
+                self.say(CamNumber::Base, PrintedUnit::Length, self.disc().base())
+            ),
+        );
         if let FollowerTip::Point { radius } = self.disc().touch
             && radius > 0.0
         {
-            line(format!(
-                "  {} r_r = {}",
-                tr(lang, "radius of the follower's end", "滚子（圆端）半径"),
-                self.say(CamNumber::End, PrintedUnit::Length, radius)
-            ));
+            line(
+                CamSubject::Data,
+                format!(
+                    "  {} r_r = {}",
+                    tr(lang, "radius of the follower's end", "滚子（圆端）半径"),
+                    self.say(CamNumber::End, PrintedUnit::Length, radius)
+                ),
+            );
         }
         match self.disc().follower {
             Follower::Translating { offset, .. } => {
                 // Positive towards the instantaneous centre of cam and follower on the outward
                 // motion.
-                line(format!(
-                    "  {} e = {}",
-                    tr(lang, "offset", "偏距"),
-                    self.say(CamNumber::Offset, PrintedUnit::Length, offset * self.disc().sense)
-                ));
+                line(
+                    CamSubject::Data,
+                    format!(
+                        "  {} e = {}",
+                        tr(lang, "offset", "偏距"),
+                        self.say(
+                            CamNumber::Offset,
+                            PrintedUnit::Length,
+                            offset * self.disc().sense
+                        )
+                    ),
+                );
             }
             Follower::Oscillating { pivot, arm, .. } => {
-                line(format!(
-                    "  {} d = {}",
-                    tr(lang, "distance of the pivots", "中心距"),
-                    self.say(CamNumber::Distance, PrintedUnit::Length, pivot.norm())
-                ));
+                line(
+                    CamSubject::Data,
+                    format!(
+                        "  {} d = {}",
+                        tr(lang, "distance of the pivots", "中心距"),
+                        self.say(CamNumber::Distance, PrintedUnit::Length, pivot.norm())
+                    ),
+                );
                 if arm > 0.0 {
-                    line(format!(
-                        "  {} l = {}",
-                        tr(lang, "arm", "摆杆长"),
-                        self.say(CamNumber::Arm, PrintedUnit::Length, arm)
-                    ));
+                    line(
+                        CamSubject::Data,
+                        format!(
+                            "  {} l = {}",
+                            tr(lang, "arm", "摆杆长"),
+                            self.say(CamNumber::Arm, PrintedUnit::Length, arm)
+                        ),
+                    );
                 }
             }
         }
-        line(format!(
-            "  {} h = {}",
-            tr(lang, "stroke", "行程"),
-            self.say(CamNumber::Stroke, PrintedUnit::Lift(0), self.survey.stroke)
-        ));
+        line(
+            CamSubject::Law,
+            format!(
+                "  {} h = {}",
+                tr(lang, "stroke", "行程"),
+                self.say(CamNumber::Stroke, PrintedUnit::Lift(0), self.survey.stroke)
+            ),
+        );
         let s = self.survey;
-        line(format!(
-            "  {}",
-            [("Φ", 1, false), ("Φs", 0, true), ("Φ′", -1, false), ("Φs′", 0, false)]
-                .map(|(name, way, out)| format!(
-                    "{name} = {}",
-                    self.say(CamNumber::Phase(way, out), PrintedUnit::Degrees, s.angle(way, out))
-                ))
-                .join("  ")
-        ));
+        line(
+            CamSubject::Law,
+            format!(
+                "  {}",
+                [("Φ", 1, false), ("Φs", 0, true), ("Φ′", -1, false), ("Φs′", 0, false)]
+                    .map(|(name, way, out)| format!(
+                        "{name} = {}",
+                        self.say(
+                            CamNumber::Phase(way, out),
+                            PrintedUnit::Degrees,
+                            s.angle(way, out)
+                        )
+                    ))
+                    .join("  ")
+            ),
+        );
         if let CamMotion::Law { program, .. } = &self.disc().motion {
             let (joints, outer) = (program.joints(), program.outer());
             for (k, stage) in program.stages().iter().enumerate() {
                 let [from, to] = [k, k + 1]
                     .map(|k| self.say(CamNumber::Start(k), PrintedUnit::Degrees, joints[k]));
-                line(format!("  {from:>8} – {to:<8} {}", self.stage(k, stage.way, outer[k], lang)));
+                line(
+                    CamSubject::Law,
+                    format!("  {from:>8} – {to:<8} {}", self.stage(k, stage.way, outer[k], lang)),
+                );
             }
         }
         let w = self.omega();
@@ -222,18 +261,25 @@ impl Report<'_> {
             };
             let [low, high] = [told(0), told(1)];
             let symbol = self.symbol(order);
-            line(match lang {
-                Lang::En => {
-                    format!("  {symbol}: {} at φ = {}, {} at φ = {}", high.1, high.0, low.1, low.0)
-                }
-                Lang::Zh => format!(
-                    "  φ = {} 时 {symbol} = {}，φ = {} 时 {symbol} = {}",
-                    high.0, high.1, low.0, low.1
-                ),
-            });
+            let subject = if order == 1 { CamSubject::Velocity } else { CamSubject::Acceleration };
+            line(
+                subject,
+                match lang {
+                    Lang::En => {
+                        format!(
+                            "  {symbol}: {} at φ = {}, {} at φ = {}",
+                            high.1, high.0, low.1, low.0
+                        )
+                    }
+                    Lang::Zh => format!(
+                        "  φ = {} 时 {symbol} = {}，φ = {} 时 {symbol} = {}",
+                        high.0, high.1, low.0, low.1
+                    ),
+                },
+            );
         }
         for (k, j) in s.jumps.iter().enumerate() {
-            line(format!("  {}", self.jump(k, j, lang)));
+            line(CamSubject::Acceleration, format!("  {}", self.jump(k, j, lang)));
         }
         let names = [
             tr(lang, "greatest pressure angle, out", "推程最大压力角"),
@@ -241,10 +287,13 @@ impl Report<'_> {
         ];
         for (k, name) in names.into_iter().enumerate() {
             if s.pressure[k].is_some() {
-                line(format!(
-                    "  {name}{}",
-                    self.valued(CamExtreme::Pressure(k), s.pressure[k], lang)
-                ));
+                line(
+                    CamSubject::Pressure,
+                    format!(
+                        "  {name}{}",
+                        self.valued(CamExtreme::Pressure(k), s.pressure[k], lang)
+                    ),
+                );
             }
         }
         if s.least_rho.is_some() {
@@ -258,7 +307,10 @@ impl Report<'_> {
                     tr(lang, "least radius of the profile", "廓线的最小曲率半径")
                 }
             };
-            line(format!("  {name}{}", self.valued(CamExtreme::Radius, s.least_rho, lang)));
+            line(
+                CamSubject::Curvature,
+                format!("  {name}{}", self.valued(CamExtreme::Radius, s.least_rho, lang)),
+            );
         }
         if let Some([lift, v, a, pressure, rho, rho_pitch]) = self.now() {
             let lifts = [lift, v, a].into_iter().enumerate();
@@ -269,13 +321,20 @@ impl Report<'_> {
                     self.say(CamNumber::Now(Now::Lift(k)), PrintedUnit::Lift(k), x)
                 )
             });
-            line(format!(
-                "  {} φ = {}{}{}",
-                tr(lang, "at the instant", "图示位置"),
-                self.say(CamNumber::Now(Now::Phi), PrintedUnit::Degrees, in_turn(self.turning.phi)),
-                tr(lang, ": ", "："),
-                lifts.collect::<Vec<_>>().join(comma)
-            ));
+            line(
+                CamSubject::Instant,
+                format!(
+                    "  {} φ = {}{}{}",
+                    tr(lang, "at the instant", "图示位置"),
+                    self.say(
+                        CamNumber::Now(Now::Phi),
+                        PrintedUnit::Degrees,
+                        in_turn(self.turning.phi)
+                    ),
+                    tr(lang, ": ", "："),
+                    lifts.collect::<Vec<_>>().join(comma)
+                ),
+            );
             let alpha = match self.disc().touch {
                 FollowerTip::Point { .. } => {
                     let pressure =
@@ -290,10 +349,13 @@ impl Report<'_> {
                 let told = self.say(CamNumber::Now(Now::Pitch), PrintedUnit::Length, rho_pitch);
                 format!("{comma}{} {told}", tr(lang, "of the pitch curve", "理论廓线"))
             };
-            line(format!(
-                "    {alpha}ρ = {}{pitch}",
-                self.say(CamNumber::Now(Now::Rho), PrintedUnit::Length, rho)
-            ));
+            line(
+                CamSubject::Instant,
+                format!(
+                    "    {alpha}ρ = {}{pitch}",
+                    self.say(CamNumber::Now(Now::Rho), PrintedUnit::Length, rho)
+                ),
+            );
         }
         out
     }

@@ -3,6 +3,9 @@
 //! unwanted unknown. The terms are those of theoretical mechanics.
 
 mod motions;
+mod steps;
+
+pub use steps::CompositeStep;
 
 use super::answers::diagnostic;
 use super::columns::columns;

@@ -14,9 +14,39 @@ fn sentence(text: String, lang: Lang) -> String {
     capital(&text) + tr(lang, ".", "。")
 }
 
+/// Part of the construction that a step draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CurvatureStage {
+    /// One of the two rays.
+    Ray(usize),
+    /// The pole.
+    Pole,
+    /// The contact of rolling contours, with the inflection pole.
+    Rolling,
+    /// The collineation axis.
+    Collineation,
+    /// The point of a ray with a straight path.
+    Straight(usize),
+    /// The inflection pole.
+    Inflection,
+    /// The inflection circle with the pole tangent.
+    Circle,
+    /// The centre of a point's path.
+    Centre(PointId),
+    /// The acceleration pole.
+    AccelerationPole,
+    /// The corners of the rectangles (0), then Ball's point (1).
+    Ball(usize),
+}
+
 impl CurvatureWords<'_> {
     /// Returns the construction step by step.
     pub fn steps(&self, of: &OfLink) -> Vec<Phrase> {
+        self.stages(of).into_iter().map(|(_, sentence)| sentence).collect()
+    }
+
+    /// Returns the construction step by step, each step with what it draws.
+    pub fn stages(&self, of: &OfLink) -> Vec<(CurvatureStage, Phrase)> {
         let mut out = match &of.drawing {
             CurvatureDrawing::Rays(rays) => self.of_rays(of, rays),
             CurvatureDrawing::Rolling(rolled) => self.of_rolling(of, rolled),
@@ -29,29 +59,45 @@ impl CurvatureWords<'_> {
         };
         let (pole, j, lang) = (self.pole(of), self.letter("J", of), self.lang);
         if of.drawn().is_some_and(|d| d.normal == Vec2::ZERO) {
-            return out.into_iter().map(|s| Phrase::new(&sentence(s, lang))).collect();
+            return self.set(out);
         }
         let measured = of.drawn().map_or_else(String::new, |d| self.on_paper(d.normal.norm()));
-        out.push(match lang {
+        let circle = match lang {
             Lang::En => format!(
                 "draw the circle on the diameter ${pole}{j}$ ({measured} on paper), the inflection circle; the pole tangent $t$ is perpendicular to it at ${pole}$"
             ),
-            Lang::Zh => format!("以 ${pole}{j}$（图上 {measured}）为直径作圆，即拐点圆；过 ${pole}$ 作其垂线，即瞬心切线 $t$"),
-        });
-        out.extend(of.points.iter().filter_map(|p| self.of_point(of, p)));
+            Lang::Zh => format!(
+                "以 ${pole}{j}$（图上 {measured}）为直径作圆，即拐点圆；过 ${pole}$ 作其垂线，即瞬心切线 $t$"
+            ),
+        };
+        out.push((CurvatureStage::Circle, circle));
+        let centre = |p: &OfPoint| Some((CurvatureStage::Centre(p.point), self.of_point(of, p)?));
+        out.extend(of.points.iter().filter_map(centre));
         if of.read.is_some() {
             let k = self.letter("K", of);
-            out.push(match lang {
-                Lang::En => format!("turn ${pole}{j}$ about ${pole}$ by the angle whose tangent is $\\alpha/\\omega^{{2}}$; the foot of the perpendicular from ${j}$ to it is the acceleration pole ${k}$"),
-                Lang::Zh => format!("将 ${pole}{j}$ 绕 ${pole}$ 转过正切为 $\\alpha/\\omega^{{2}}$ 的角，由 ${j}$ 向其作垂线，垂足即加速度瞬心 ${k}$"),
-            });
+            let sentence = match lang {
+                Lang::En => format!(
+                    "turn ${pole}{j}$ about ${pole}$ by the angle whose tangent is $\\alpha/\\omega^{{2}}$; the foot of the perpendicular from ${j}$ to it is the acceleration pole ${k}$"
+                ),
+                Lang::Zh => format!(
+                    "将 ${pole}{j}$ 绕 ${pole}$ 转过正切为 $\\alpha/\\omega^{{2}}$ 的角，由 ${j}$ 向其作垂线，垂足即加速度瞬心 ${k}$"
+                ),
+            };
+            out.push((CurvatureStage::AccelerationPole, sentence));
         }
         if let CurvatureDrawing::Rays(rays) = &of.drawing
             && rays.ball().is_some()
         {
-            out.extend(self.of_ball(of, rays));
+            let sentences = self.of_ball(of, rays).into_iter().enumerate();
+            out.extend(sentences.map(|(k, sentence)| (CurvatureStage::Ball(k), sentence)));
         }
-        out.into_iter().map(|s| Phrase::new(&sentence(s, lang))).collect()
+        self.set(out)
+    }
+
+    /// Returns the steps with their texts as sentences.
+    fn set(&self, steps: Vec<(CurvatureStage, String)>) -> Vec<(CurvatureStage, Phrase)> {
+        let set = |(stage, text)| (stage, Phrase::new(&sentence(text, self.lang)));
+        steps.into_iter().map(set).collect()
     }
 
     /// Returns the steps to Ball's point.
@@ -152,13 +198,16 @@ impl CurvatureWords<'_> {
         self.below("J", k.why.moving().or(k.why.fixed()).unwrap_or(PointId(0)))
     }
 
-    fn of_rays(&self, of: &OfLink, rays: &Rays) -> Vec<String> {
+    fn of_rays(&self, of: &OfLink, rays: &Rays) -> Vec<(CurvatureStage, String)> {
         let (lang, pole) = (self.lang, self.pole(of));
-        let mut out: Vec<String> = rays.known.iter().map(|k| self.ray(k)).collect();
-        out.push(match lang {
+        let known = rays.known.iter().enumerate();
+        let mut out: Vec<(CurvatureStage, String)> =
+            known.map(|(k, ray)| (CurvatureStage::Ray(k), self.ray(ray))).collect();
+        let crossing = match lang {
             Lang::En => format!("the rays intersect at the pole ${pole}$"),
             Lang::Zh => format!("两射线交于瞬心 ${pole}$"),
-        });
+        };
+        out.push((CurvatureStage::Pole, crossing));
         let [b, c] = &rays.known;
         if let Some(q) = rays.collineation {
             let (moving, fixed) =
@@ -173,24 +222,32 @@ impl CurvatureWords<'_> {
                 ""
             };
             let q = self.on_axis();
-            out.push(match lang {
+            let axis = match lang {
                 Lang::En => format!(
                     "${}{}$ and ${}{}$ intersect at ${q}${at}; ${pole}{q}$ is the collineation axis (Bobillier)",
                     moving.0, moving.1, fixed.0, fixed.1
                 ),
                 Lang::Zh => {
-                    format!("${}{}$ 与 ${}{}$ 交于 ${q}${at}；${pole}{q}$ 为共线轴（博比利尔）", moving.0, moving.1, fixed.0, fixed.1)
+                    format!(
+                        "${}{}$ 与 ${}{}$ 交于 ${q}${at}；${pole}{q}$ 为共线轴（博比利尔）",
+                        moving.0, moving.1, fixed.0, fixed.1
+                    )
                 }
-            });
+            };
+            out.push((CurvatureStage::Collineation, axis));
         }
         for k in [1, 0] {
             let (own, other) = (&rays.known[k], &rays.known[1 - k]);
             let (j, m, o) = (self.straight(own), self.moving(own), self.moving(other));
-            out.push(match (rays.how[k], lang) {
-                (RayMethod::Given, Lang::En) => format!("the path of ${m}$ is straight: ${j} = {m}$"),
+            let found = match (rays.how[k], lang) {
+                (RayMethod::Given, Lang::En) => {
+                    format!("the path of ${m}$ is straight: ${j} = {m}$")
+                }
                 (RayMethod::Given, Lang::Zh) => format!("${m}$ 的轨迹为直线：${j} = {m}$"),
                 (RayMethod::Collineation(PlanePoint::Infinity(_)), Lang::En) => {
-                    format!("the parallel to the axis through ${o}$ meets the ray of ${m}$ at ${j}$")
+                    format!(
+                        "the parallel to the axis through ${o}$ meets the ray of ${m}$ at ${j}$"
+                    )
                 }
                 (RayMethod::Collineation(PlanePoint::Infinity(_)), Lang::Zh) => {
                     format!("过 ${o}$ 作共线轴的平行线，交 ${m}$ 的射线于 ${j}$")
@@ -201,38 +258,53 @@ impl CurvatureWords<'_> {
                         Lang::En => format!(
                             "the parallel to the ray of ${m}$ through ${a}$ meets the axis at ${q}$; ${q}{o}$ meets the ray at ${j}$"
                         ),
-                        Lang::Zh => format!("过 ${a}$ 作 ${m}$ 的射线的平行线，交共线轴于 ${q}$；${q}{o}$ 交该射线于 ${j}$"),
+                        Lang::Zh => format!(
+                            "过 ${a}$ 作 ${m}$ 的射线的平行线，交共线轴于 ${q}$；${q}{o}$ 交该射线于 ${j}$"
+                        ),
                     }
                 }
                 (RayMethod::Proportion, Lang::En) => {
-                    format!("on the ray of ${m}$: $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ gives ${j}$ (Euler–Savary)", self.fixed(own))
+                    format!(
+                        "on the ray of ${m}$: $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ gives ${j}$ (Euler–Savary)",
+                        self.fixed(own)
+                    )
                 }
                 (RayMethod::Proportion, Lang::Zh) => {
-                    format!("在 ${m}$ 的射线上由 $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ 得 ${j}$（欧拉–萨瓦里）", self.fixed(own))
+                    format!(
+                        "在 ${m}$ 的射线上由 $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ 得 ${j}$（欧拉–萨瓦里）",
+                        self.fixed(own)
+                    )
                 }
-            });
+            };
+            out.push((CurvatureStage::Straight(k), found));
         }
         let (jb, jc, j) = (self.straight(b), self.straight(c), self.letter("J", of));
         let stands = rays.normal() == Vec2::ZERO;
-        out.push(match (lang, stands) {
-            (Lang::En, false) => format!("the perpendiculars to the rays at ${jb}$ and ${jc}$ intersect at the inflection pole ${j}$"),
+        let inflection = match (lang, stands) {
+            (Lang::En, false) => format!(
+                "the perpendiculars to the rays at ${jb}$ and ${jc}$ intersect at the inflection pole ${j}$"
+            ),
             (Lang::Zh, false) => format!("过 ${jb}$、${jc}$ 分别作射线的垂线，交于拐点极 ${j}$"),
-            (Lang::En, true) => format!("both fall on ${pole}$: it stands still, there is no inflection circle"),
+            (Lang::En, true) => {
+                format!("both fall on ${pole}$: it stands still, there is no inflection circle")
+            }
             (Lang::Zh, true) => format!("两点都落在 ${pole}$ 上：瞬心不动，没有拐点圆"),
-        });
+        };
+        out.push((CurvatureStage::Inflection, inflection));
         out
     }
 
-    fn of_rolling(&self, of: &OfLink, _: &RollingWheel) -> Vec<String> {
+    fn of_rolling(&self, of: &OfLink, _: &RollingWheel) -> Vec<(CurvatureStage, String)> {
         let (pole, j) = (self.pole(of), self.letter("J", of));
-        vec![match self.lang {
+        let contact = match self.lang {
             Lang::En => format!(
                 "the link rolls on the other: the contact is the pole ${pole}$, the centres of both contours lie on the pole normal; $1/{pole}{j}$ = 1/(moving radius) − 1/(fixed radius), both counted from ${pole}$ along it"
             ),
             Lang::Zh => format!(
                 "构件沿另一构件纯滚动：接触点即瞬心 ${pole}$，两廓线的中心在瞬心法线上；自 ${pole}$ 沿法线计，$1/{pole}{j}$ = 1/(动圆半径) − 1/(定圆半径)"
             ),
-        }]
+        };
+        vec![(CurvatureStage::Rolling, contact)]
     }
 
     fn of_point(&self, of: &OfLink, p: &OfPoint) -> Option<String> {

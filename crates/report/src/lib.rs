@@ -24,7 +24,7 @@ pub mod construction;
 pub mod curvature;
 pub mod curvature_json;
 mod curvature_legend;
-mod curvature_steps;
+pub mod curvature_steps;
 pub mod cycle;
 pub mod diagnostics;
 pub mod drafting;

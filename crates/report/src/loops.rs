@@ -18,6 +18,9 @@ use serde_json::{Value as Json, json};
 /// Significant digits of numbers.
 const DIGITS: usize = 6;
 
+/// Formula on a line of its own.
+pub type DisplayedFormula = Vec<Math>;
+
 /// A writer for one scene and language.
 pub struct LoopWords<'a> {
     scene: &'a Scene,
@@ -102,6 +105,74 @@ impl<'a> LoopWords<'a> {
             }
         }
         lines
+    }
+
+    /// Returns a vector of a loop as a sentence.
+    pub fn vector(&self, v: &LoopVector) -> String {
+        let [way, link, length, angle] = self.row(v);
+        let turned = match v.angle.variable {
+            Some(_) => format!("${angle}$"),
+            None => format!("{}${angle}$", tr(self.lang, "its angle is ", "方位角为 ")),
+        };
+        match (self.lang, link.is_empty()) {
+            (Lang::En, false) => {
+                format!("The vector ${way}$ on link {link}: ${length}$, {turned}.")
+            }
+            (Lang::En, true) => format!("The vector ${way}$: ${length}$, {turned}."),
+            (Lang::Zh, false) => format!("构件 {link} 上的矢量 ${way}$：${length}$，{turned}。"),
+            (Lang::Zh, true) => format!("矢量 ${way}$：${length}$，{turned}。"),
+        }
+    }
+
+    /// Returns the solution of a group in steps, each a sentence with the formulas below it: the
+    /// closed loops, their two parts, and how each unknown follows, in positions, velocities and
+    /// accelerations.
+    pub fn steps(&self, g: &GroupLoops) -> Vec<(String, Vec<DisplayedFormula>)> {
+        let lang = self.lang;
+        let row = |text: String| vec![Math::Row(Label::math(text))];
+        let display = |equations: &[Equation]| equations.iter().map(|e| self.display(e)).collect();
+        let loops = g.loops.iter().map(|of| row(closed(self.all, of))).collect();
+        let sum =
+            tr(lang, "The vectors along both ways have the same sum:", "沿两条路径的矢量和相等：");
+        let parts = tr(lang, "Real and imaginary parts:", "分别取实部和虚部：");
+        let mut out = vec![
+            (sum.to_owned(), loops),
+            (parts.to_owned(), display(&g.closures)),
+            (self.method(g), Vec::new()),
+        ];
+        let gives = |e: &Equation| match lang {
+            Lang::En => format!("This gives ${}$:", e.left.text()),
+            Lang::Zh => format!("由此得 ${}$：", e.left.text()),
+        };
+        // First what the formulas of the unknowns need, then each unknown.
+        let first = g.position.len().saturating_sub(g.unknowns.len());
+        let (needed, found) = g.position.split_at(first);
+        if !needed.is_empty() {
+            let words = tr(lang, "The formulas use:", "公式中：");
+            out.push((words.to_owned(), display(needed)));
+        }
+        out.extend(found.iter().map(|e| (gives(e), display(std::slice::from_ref(e)))));
+        let results =
+            |order: usize| g.unknowns.iter().map(|k| row(self.result(*k, order))).collect();
+        if g.position.is_empty() {
+            out.push((tr(lang, "The unknowns are:", "解得：").to_owned(), results(0)));
+        }
+        for (equations, order) in [(&g.velocities, 1), (&g.accelerations, 2)] {
+            // The system is not written out.
+            let derived = self.derived(order).split([':', '：', '（']).next().unwrap_or_default();
+            let derived = derived.split(" ($b$").next().unwrap_or_default();
+            if equations.is_empty() {
+                out.push((format!("{derived}{}", tr(lang, ":", "：")), results(order)));
+                continue;
+            }
+            let projected = self.projected().trim_end_matches([':', '：']);
+            out.push((
+                format!("{derived}{}{projected}{}", tr(lang, ". ", "。"), tr(lang, ".", "。")),
+                Vec::new(),
+            ));
+            out.extend(equations.iter().map(|e| (gives(e), display(std::slice::from_ref(e)))));
+        }
+        out
     }
 
     /// Returns the heading of a group: its links and kind.

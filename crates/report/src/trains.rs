@@ -7,7 +7,7 @@ use hodograph_board::plan::names::name_label;
 use hodograph_mechanism::answer::MotionSource;
 use hodograph_mechanism::mechanism::Level;
 use hodograph_methods::trains::{GearTrain, TrainSpeeds, given, trains};
-use hodograph_paper::paper::phrase::{Phrase, formula, tr};
+use hodograph_paper::paper::phrase::{Phrase, capital, formula, tr};
 use hodograph_scene::{DiagramKind, Kind, Lang, LinkId, Scene};
 use hodograph_worked::worked::Worked;
 use unicode_width::UnicodeWidthStr;
@@ -102,6 +102,38 @@ pub fn table(
     ));
     rows.push((with_unit(tr(lang, "sum", "合成")), row(shown(t.arm), &|g| shown(rates[g]))));
     TrainTable { head, rows, results: results(scene, train, t, digits) }
+}
+
+/// Returns a sentence for each row of Willis' table, and one with its results.
+pub fn sentences(
+    scene: &Scene,
+    train: &GearTrain,
+    t: TrainSpeeds,
+    lang: Lang,
+    digits: usize,
+) -> Vec<String> {
+    let table = table(scene, train, t, lang, digits);
+    let mut rows: Vec<String> = Vec::new();
+    let (colon, comma, stop) = (tr(lang, ": ", "："), tr(lang, ", ", "，"), tr(lang, ".", "。"));
+    let last = table.rows.len().saturating_sub(1);
+    for (k, (words, cells)) in table.rows.iter().enumerate() {
+        let cells = table.head.iter().zip(cells).map(|(w, c)| format!("${w}$: ${c}$"));
+        let cells = cells.collect::<Vec<_>>().join(comma);
+        let words = match words.as_str() {
+            "" => tr(lang, "The ratios as numbers", "各传动比的数值"),
+            words => words,
+        };
+        // The results follow from the last row.
+        let results: String = if k == last {
+            let each = table.results.iter().map(|r| format!("${r}$"));
+            let each = each.collect::<Vec<_>>().join(comma);
+            format!("{}{each}{stop}", tr(lang, " Therefore ", "由此得 "))
+        } else {
+            String::new()
+        };
+        rows.push(format!("{}{colon}{cells}{stop}{results}", capital(words)));
+    }
+    rows
 }
 
 /// Returns Willis' equation between the first gear and the last about its axis, and the ratio that

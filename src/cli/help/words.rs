@@ -169,6 +169,7 @@ pub(super) const WORDS: &[(&str, &str, &str)] = &[
     ("draw", "dpi", "PNG 的分辨率（dpi）"),
     ("lesson", "", "生成教学演示：一个 HTML 页面，逐步作图，可拖动曲柄"),
     ("lesson", "output", "要写的页面，或 `-`（标准输出）（默认：按机构文件命名）"),
+    ("lesson", "method", "演示这一方法的作图；不指定时为所求量的图解（受力分析亦然）"),
     ("lesson", "reveal", "改为 reveal.js 的片段：各部分逐步显示的内嵌 SVG"),
     ("lesson", "width", "与 --reveal 同用：片段的宽度，如 240mm；先缩小图和字，再把各图上下排列"),
     ("lesson", "positions", "一整转或整个行程中的位置数，8 到 360；运动急变处自动加密"),

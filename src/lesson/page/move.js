@@ -1,8 +1,9 @@
   // ---- state ------------------------------------------------------------------------------------------------------
 
   let travel = times[data.base];
-  let step = steps.length;
-  let begun = false;
+  let step = Math.min(1, steps.length);
+  // Whether the step is told from the others: on paper it is not.
+  let marked = true;
   let predicting = null;
   let running = 0;
 
@@ -57,16 +58,17 @@
   function tell() {
     $("at").innerHTML = `(${label(times[told])})`;
     answers.forEach((say, i) => (answerItems[i].innerHTML = say(told)));
-    const said = !begun ? word("finished") : step ? steps[step - 1].say(told) : formulas(data.statement[which()]);
+    const said = step ? steps[step - 1].say(told) : formulas(data.statement[which()]);
     const asked = predicting && predicting.says();
     fitSentence(asked || said);
-    const now = begun && step > 0 ? steps[step - 1] : null;
-    const of = asked && steps[step] ? equation(steps[step], told, true) : equation(now, told);
+    const now = marked && step > 0 ? steps[step - 1] : null;
+    const of = asked && steps[step] ? equation(steps[step], told, predicting.hides()) : equation(now, told);
     if (of.html !== written) {
       written = of.html;
       fitEquation(of);
     }
-    $("count").textContent = word("step", step, steps.length);
+    $("count").textContent = step ? word("step", step, steps.length) : word("task");
+    note();
   }
 
   let spoken = null;
@@ -110,6 +112,7 @@
     if (presented === key) return;
     presented = key;
     show();
+    if (key) legible(drawing(key));
   }
 
   function reveal() {
@@ -119,18 +122,18 @@
         for (const { element, step: n } of stepped) {
           const of = first + n + 2;
           element.classList.toggle("later", of > step);
-          element.classList.toggle("now", begun && !predicting && of === step);
+          element.classList.toggle("now", marked && !predicting && of === step);
         }
       }
     }
-    $("first").disabled = $("previous").disabled = begun && step === 0;
+    $("first").disabled = $("previous").disabled = marked && step === 0;
     $("last").disabled = $("next").disabled = step === steps.length;
     const at = steps[predicting ? Math.min(step, steps.length - 1) : step - 1];
-    if (begun && at) present(at.key);
+    if (marked && at) present(at.key);
+    drawings.forEach((d) => middle(d.figure));
   }
 
   function go(to) {
-    begun = true;
     step = Math.min(Math.max(to, 0), steps.length);
     reveal();
     tell();

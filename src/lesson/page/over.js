@@ -100,7 +100,7 @@
 
   /** The link of a step lights up, and the line to which its vector is square or parallel is drawn through its point. */
   function light(k, where) {
-    const at = predicting && predicting.asking() ? step : begun ? step - 1 : -1;
+    const at = predicting && predicting.asking() ? step : marked ? step - 1 : -1;
     const of = steps[at];
     const about = of ? act(of, k) : null;
     const lit = about ? about.links : [];

@@ -11,7 +11,7 @@
     $("laying").hidden = !predicting;
     const open = predicting && predicting.asking();
     document.body.classList.toggle("asking", !!open);
-    for (const id of ["less", "more", "resign"]) $(id).disabled = !open;
+    for (const id of ["less", "more", "clue", "resign"]) $(id).disabled = !open;
     $("check").textContent = word(open ? "check" : "go_on");
     $("check").disabled = predicting && !open && step === steps.length;
   }
@@ -64,9 +64,24 @@
     const sizes = drawings.map((d) => d.size);
     const below = Math.min(polygons.length, 2) * Math.max(...sizes.slice(1).map((s) => s[0]), 0);
     document.body.style.setProperty("--m", Math.min(1, 178 / Math.max(sizes[0][0], below), 110 / sizes[0][1]));
+    polygons.forEach(legible);
     written = spoken = null;
     if (told >= 0) tell();
   }
+
+  /** On a phone a polygon is so large that its letters are legible; it is moved by hand. Where it is drawn by hand it is seen as a
+      whole. */
+  function legible(d) {
+    const style = d.svg.style;
+    style.minWidth = style.minHeight = "";
+    if (innerWidth > 600 || d === mechanism || predicting) return;
+    const labels = [...seenThrough(d).ink.children].filter((e) => e.classList.contains("label") && e.getAttribute("display") !== "none");
+    const heights = labels.map((e) => (e.querySelector("use, path") || e).getBoundingClientRect()).filter((r) => r.height > 0.45 * r.width);
+    const least = Math.min(...heights.map((r) => r.height));
+    if (least < LEGIBLE_PX) style.minWidth = style.minHeight = `${Math.min(LEGIBLE_PX / least, 2.5) * 100}%`;
+    middle(d.figure);
+  }
+  const LEGIBLE_PX = 11.3;
 
   /** A panel that a button opens and closes. */
   function panel(button, id, open) {
@@ -139,12 +154,14 @@
   $("check").addEventListener("click", () => predicting?.check());
   $("less").addEventListener("click", (event) => predicting?.nudge(0, -1, event.shiftKey));
   $("more").addEventListener("click", (event) => predicting?.nudge(0, 1, event.shiftKey));
+  $("clue").addEventListener("click", () => predicting?.hint());
   $("resign").addEventListener("click", () => predicting?.giveUp());
   $("reveal").addEventListener("click", () => panel("reveal", "results"));
   $("show").addEventListener("click", () => panel("show", "showing"));
   $("home").addEventListener("click", home);
   $("theme").addEventListener("click", theme);
   $("print").addEventListener("click", () => print());
+  $("speaker").addEventListener("click", speaker);
   $("language").addEventListener("click", () => {
     lang = other[lang];
     speak();
@@ -170,10 +187,12 @@
       End: () => leap(steps.length),
       Enter: inButton || !predicting ? null : () => predicting.check(),
       q: predict,
+      "?": () => predicting?.hint(),
       b: () => play(-1),
       t: other_polygon,
       r: () => panel("reveal", "results"),
-      s: () => toggle("path"),
+      s: speaker,
+      c: () => toggle("path"),
       v: () => toggle("velocity"),
       a: () => toggle("acceleration"),
       h: () => toggle("hodograph"),
@@ -196,32 +215,43 @@
   const faster = (by) => ($("speed").value = Number($("speed").value) + by);
   addEventListener("resize", fit);
 
-  // On paper: the given position, all steps drawn, and all sentences below.
+  // What the sheets and the speaker are told of a step.
+
+  const stageOf = (s) => drawings.filter((d) => d.key === s.key).map((d) => d.svg);
+  function stage(k) {
+    go(k);
+    const s = steps[k - 1];
+    return { pictures: stageOf(s), html: equation(s, told).html + `<p>${s.say(told)}</p>` };
+  }
+  function noted() {
+    const s = steps[step - 1];
+    return {
+      pictures: s ? stageOf(s) : [],
+      html: s ? equation(s, told).html + `<p>${s.say(told)}</p>` : `<p>${formulas(data.statement[which()])}</p>`,
+      next: step < steps.length ? `<p>${steps[step].say(told)}</p>` : "",
+    };
+  }
+  const tellNext = () => word("coming");
+  const answersNow = () => answers.map((say) => `<li>${say(told)}</li>`).join("");
+
+  // On paper: the given position, all steps drawn, then a card for each step.
   let kept = null;
   addEventListener("beforeprint", () => {
     stop();
     if (predicting) predict();
-    kept = { travel, step, begun, presented, open: !$("results").hidden };
+    kept = { travel, step, presented, open: !$("results").hidden };
     home();
     panel("reveal", "results", true);
+    sheets(steps.length);
+    marked = false;
     go(steps.length);
-    begun = false;
-    reveal();
     present(polygons[0]?.key);
-    let last = -1;
-    $("all").replaceChildren(
-      ...steps.map((s) => {
-        const item = document.createElement("li");
-        const { index, html } = equation(s, data.base);
-        item.innerHTML = (index === last ? "" : html) + s.say(data.base);
-        if (index >= 0) last = index;
-        return item;
-      }),
-    );
   });
   addEventListener("afterprint", () => {
     if (!kept) return;
-    ({ step, begun } = kept);
+    step = kept.step;
+    marked = true;
+    $("all").replaceChildren();
     panel("reveal", "results", kept.open);
     turn(kept.travel);
     present(kept.presented);

@@ -21,7 +21,10 @@
     let said = "";
     let right = 0;
     let asked = 0;
+    let helped = 0;
+    let given = 0;
     let tries = 0;
+    let clues = 0;
     const tip = drawn("g", { class: "tip", role: "slider", tabindex: "0" });
     for (const [name, r] of [["reach", 7], ["ring", 2.2]]) drawn("circle", { class: name, r }, tip);
 
@@ -87,10 +90,11 @@
 
     function ask() {
       while (step < steps.length && !(task = taskOf(step))) go(step + 1);
-      tries = 0;
+      tries = clues = 0;
+      verdict("", "");
       if (!task) {
         said = "";
-        $("verdict").innerHTML = word("predict_done", right, asked);
+        verdict("good", `${word("predict_done")} ${score()}`);
       } else {
         asked++;
         present(task.d.key);
@@ -188,38 +192,73 @@
       const wrong = task.phase === "place" ? wrongPlace() : task.phase === "direction" ? wrongDirection() : wrongLength();
       if (wrong) {
         tries++;
-        verdict(false, wrong);
+        verdict("bad", wrong);
         return tell();
       }
       if (task.phase === "direction" && task.kind === "l") {
         task.phase = "length";
         task.turn = task.angle;
-        verdict(true, word("right_direction"));
+        clues = 0;
+        verdict("good", word("right_direction"));
         tell();
         return overlay(locate(travel));
       }
-      if (!tries) right++;
-      done(true, word(tries ? "right_now" : "right"));
+      if (task.helped) helped++;
+      else if (!tries) right++;
+      done("good", word(tries || task.helped ? "right_now" : "right"));
     }
 
-    function verdict(good, text) {
+    function verdict(kind, text) {
       const box = $("verdict");
       box.innerHTML = text;
-      box.className = good ? "good" : "bad";
+      box.className = kind;
+    }
+
+    /** How many were right at the first try and without help, of those asked; with help; shown. */
+    function score() {
+      const parts = [word("score", right, asked)];
+      if (helped) parts.push(word("score_helped", helped));
+      if (given) parts.push(word("score_shown", given));
+      return parts.join(lang === "en" ? " " : "");
+    }
+
+    /** What helps at this point, from the general to the particular; never the answer. */
+    function hints() {
+      const { about, kind, phase } = task;
+      if (kind === "x") return [word("clue_crossing")];
+      if (phase === "length") return [word("clue_length", formula(mu()))];
+      const direction = formula(about.direction);
+      const across = /⊥|⟂/.test(plain(direction));
+      const list = [];
+      if (about.line >= 0) list.push(word(across ? "clue_square" : "clue_along", formula(about.line)));
+      if (kind !== "d" && about.sense === "t" && about.rate >= 0) list.push(word("clue_sense", formula(about.rate)));
+      if (about.sense === "k" && about.rate >= 0) list.push(word("clue_coriolis", formula(about.rate)));
+      if (about.sense === "n") list.push(word("clue_centre"));
+      return list.length ? list : [word("clue_angle")];
+    }
+
+    function hint() {
+      if (!task) return;
+      const list = hints();
+      clues = Math.min(clues + 1, list.length);
+      task.helped = true;
+      verdict("", list.slice(0, clues).join(lang === "en" ? " " : ""));
+      face();
     }
 
     /** The step is shown, with its sentence. */
-    function done(good, text) {
+    function done(kind, text) {
       task = null;
-      verdict(good, `${text} ${word("score", right, asked)}`);
+      verdict(kind, `${text} ${score()}`);
       go(step + 1);
       face();
     }
 
     /** Shows the answer of what was not found. */
     function giveUp() {
-      if (task) done(false, word("shown"));
-      else ask();
+      if (!task) return ask();
+      given++;
+      done("bad", word("shown"));
     }
 
     // By pointer: the tip follows the hand; the ray lies along a set square that it comes near to.
@@ -281,7 +320,9 @@
     });
 
     const leave = () => tip.remove();
-    return { ask, draw, says, check, giveUp, nudge, leave, asking: () => !!task };
+    /** What the equation hides; see told.js. */
+    const hides = () => (!task ? 0 : task.kind !== "x" && task.phase === "direction" ? 2 : 1);
+    return { ask, draw, says, check, hint, giveUp, nudge, leave, hides, asking: () => !!task };
   }
 
   function predict() {
@@ -289,16 +330,15 @@
       predicting.leave();
       predicting = null;
       $("verdict").textContent = $("guess").textContent = "";
+      polygons.forEach(legible);
       face();
       return go(step);
     }
     stop();
     settle();
     predicting = predictor();
+    polygons.forEach(legible);
     $("verdict").textContent = "";
-    if (!begun || step === steps.length) {
-      begun = true;
-      step = 0;
-    }
+    if (step === steps.length) step = 0;
     predicting.ask();
   }

@@ -41,12 +41,14 @@
   const equations = data.equations;
   const variants = stretched(equations.frames === 0 ? [0, count] : equations.frames);
 
-  /** The equation that a step of a frame solves, what the step draws of it marked; see equations.rs. */
-  function equation(of, k) {
+  /** The equation that a step of a frame solves, what the step draws of it marked; see equations.rs. In a prediction it
+      hides the directions of what is not drawn yet (1), and of what is asked (2). */
+  function equation(of, k, hides) {
     const told = of && variants[k] >= 0 ? equations.variants[variants[k]][of.level] : [];
     if (!told[of?.n]) return { index: -1, html: "", most: 1 };
     const [index, ...now] = told[of.n];
     const columns = equations.written[index];
+    if (columns.line && hides === 2) return { index: -1, html: "", most: 1 };
     if (columns.line) return { index, html: `<p>${formulas(columns.line[which()])}</p>`, most: 1 };
     const later = told.slice(of.n + 1).flatMap((t) => (t && t[0] === index ? t.slice(1) : []));
     const face = (c) => (now.includes(c) ? "now" : later.includes(c) ? "later" : "");
@@ -54,7 +56,8 @@
     const [second, third] = [[magnitude, 3], [direction, 2]][equations.direction_first ? "reverse" : "slice"]();
     const part = (from, to) => {
       const row = ([head, part]) => {
-        const cell = (n, c) => `<td class="${face(c)}">${n < 0 ? "" : formulaList[n]}</td>`;
+        const hidden = (n, c) => hides && part === 2 && n >= 0 && (later.includes(c) || (hides === 2 && now.includes(c)));
+        const cell = (n, c) => `<td class="${face(c)}">${hidden(n, c) ? "?" : n < 0 ? "" : formulaList[n]}</td>`;
         const sign = (n) => `<td>${n < 0 || part > 1 ? "" : formulaList[n]}</td>`;
         const cells = columns.map((c, i) => (i < from || i >= to ? "" : (i ? sign(c[0]) : "") + cell(c[part], i)));
         return `<tr><th scope="row">${head}</th>${cells.join("")}</tr>`;

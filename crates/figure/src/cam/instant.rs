@@ -96,7 +96,7 @@ impl InstantDrawing<'_> {
 
     fn along(&mut self, text: &str, from: Point, to: Point) {
         let label = Label::math(text).in_fonts(&self.d.style.fonts);
-        self.d.wanted.push(LabelRequest::along(label, self.d.style.small_mm, from, to, 0.2));
+        self.d.want(LabelRequest::along(label, self.d.style.small_mm, from, to, 0.2));
     }
 
     /// Returns the radius of the follower's end (m); 0 for a face.
@@ -230,7 +230,7 @@ impl InstantDrawing<'_> {
     fn arc_label(&mut self, text: &str, centre: Point, radius_mm: f64, ends: [f64; 2]) {
         let label = Label::math(text).in_fonts(&self.d.style.fonts);
         let small = self.d.style.small_mm;
-        self.d.wanted.push(LabelRequest::along_arc(label, small, centre, radius_mm, ends, 0.2));
+        self.d.want(LabelRequest::along_arc(label, small, centre, radius_mm, ends, 0.2));
     }
 
     /// Draws the normal through the contact and the pressure angle at the follower's point.

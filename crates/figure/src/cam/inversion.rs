@@ -5,6 +5,7 @@ use super::{CamDrawing, heading};
 use hodograph_base::cam::{CamMotion, CamStation, Disc, Follower, FollowerTip, PieceSide, round};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale::choose_in;
+use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::item::{Colour, Dash, Figure, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
@@ -15,33 +16,63 @@ use hodograph_scene::{Kind, Lang};
 use std::f64::consts::TAU;
 
 /// Stations in a full turn.
-const STATIONS: usize = 12;
+pub(super) const STATIONS: usize = 12;
 /// Approximate length of the drawing's larger side (mm).
 const SIZE_MM: f64 = 165.0;
+/// Length of the larger side of a drawing that is shown alone (mm).
+const ALONE_MM: f64 = 100.0;
 /// Points of each curve: one for each half degree.
 const STEPS: usize = 720;
 
 /// Distance from the drawing to the arrow of the sense outside it (mm): leaves space for a number.
 const ARROW_MM: f64 = 9.0;
+/// Length of the sides of the pressure angle.
+const ANGLE_MM: f64 = 24.0;
 /// Extra angle on either side of the arrow within which it keeps clear of the drawing (rad).
 const ARROW_AIR: f64 = 0.12;
 /// Sample points on each line.
 const SAMPLES: usize = 32;
 
-/// Draws the figure.
-pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
+/// The profile with its steps from `first` on: the stations, a pitch curve if the follower rolls,
+/// the profile, the pressure angle where it is greatest, and the least radius of curvature; and the
+/// scale (m/mm).
+pub(super) fn stepped(report: &Report, style: &Style, first: usize) -> (DrawingPart, f64) {
+    let (mut d, mu) = drawn(report, style, Some(first));
+    d.pressure();
+    d.curvature();
+    (DrawingPart::of(d.labelled().0), mu)
+}
+
+/// True if the follower ends in a roller.
+pub(super) fn rolls(disc: &Disc) -> bool {
+    matches!(disc.touch, FollowerTip::Point { radius } if radius > 0.0)
+}
+
+/// The profile about the cam's centre without its labels, in steps if a first step is given, and its
+/// scale (m/mm).
+fn drawn<'a>(report: &'a Report, style: &'a Style, first: Option<usize>) -> (CamDrawing<'a>, f64) {
     let disc = &report.turning.disc;
     let reach = reach(disc);
     let unit =
         report.scene.book.chosen(Kind::Length).map_or(1.0, hodograph_scene::book::BookUnit::size);
-    let mu = choose_in(unit, [2.0 * reach; 2], [SIZE_MM; 2]);
+    let size_mm = if first.is_some() { ALONE_MM } else { SIZE_MM };
+    let mu = choose_in(unit, [2.0 * reach; 2], [size_mm; 2]);
     let mut d = CamDrawing::new(report, style, mu);
+    if let Some(first) = first {
+        d = d.in_steps(first);
+    }
     d.circles();
     d.curves();
     d.stations();
     d.turning();
+    (d, mu)
+}
+
+/// Draws the figure.
+pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
+    let (d, mu) = drawn(report, style, None);
     let title = heading(report.scene, tr(lang, "profile by inversion", "反转法绘制凸轮廓线"), lang);
-    d.finish(mu, title, &legend(disc, lang), lang)
+    d.finish(mu, title, &legend(&report.turning.disc, lang), lang)
 }
 
 /// Radius (m) of the circle of the roller's centre on the base circle; `None` without a roller or
@@ -53,7 +84,7 @@ fn prime_m(disc: &Disc) -> Option<f64> {
 
 /// The legend of the line types that this cam has.
 fn legend(disc: &Disc, lang: Lang) -> String {
-    let rolling = matches!(disc.touch, FollowerTip::Point { radius } if radius > 0.0);
+    let rolling = rolls(disc);
     let offset = matches!(disc.follower, Follower::Translating { offset, .. } if offset != 0.0);
     let swinging = matches!(disc.follower, Follower::Oscillating { .. });
     let mut dashed = Vec::new();
@@ -122,12 +153,20 @@ impl CamDrawing<'_> {
         }
     }
 
+    /// Numbers a station.
+    fn number(&mut self, name: &str, at: Point, clear_mm: f64, towards: Vec2) {
+        if !name.is_empty() {
+            self.label(name, at, clear_mm, towards);
+        }
+    }
+
     /// Draws profile and pitch curve.
     fn curves(&mut self) {
         let disc = self.disc().clone();
         let link = Some(self.report.cam.cam.0);
         let points: Vec<Point> = disc.outline(STEPS).into_iter().map(|p| self.at(p)).collect();
         let stroke = self.style.link;
+        self.begin(STATIONS + usize::from(rolls(&disc)));
         self.draw(
             "profile",
             Shape::Polyline { points, closed: true, stroke: Some(stroke), fill: None },
@@ -140,6 +179,7 @@ impl CamDrawing<'_> {
                 round(&disc, STEPS).into_iter().filter_map(|(phi, side)| disc.station(phi, side));
             let points: Vec<Point> = all.map(|s| self.at(s.pitch)).collect();
             let stroke = self.style.thin.dashed(Dash::DashDot);
+            self.begin(STATIONS);
             self.draw(
                 "pitch",
                 Shape::Polyline { points, closed: true, stroke: Some(stroke), fill: None },
@@ -164,7 +204,7 @@ impl CamDrawing<'_> {
             let (stroke, head) = (d.style.thin, d.style.thin_head);
             d.draw("radius", Shape::Arrow { from: Point::ORIGIN, to, stroke, head }, None);
             let label = Label::math(name).in_fonts(&d.style.fonts);
-            d.wanted.push(LabelRequest::along(label, d.style.small_mm, Point::ORIGIN, to, 0.2));
+            d.want(LabelRequest::along(label, d.style.small_mm, Point::ORIGIN, to, 0.2));
         };
         radius(self, "r_0", base, (-105.0f64).to_radians());
         match disc.follower {
@@ -193,16 +233,17 @@ impl CamDrawing<'_> {
             let phi = TAU * k as f64 / STATIONS as f64;
             let Some(s) = disc.station(phi, PieceSide::After) else { continue };
             let stroke = if k == 0 { self.style.outline } else { self.style.thin };
-            self.follower(&disc, &s, k, stroke);
+            self.begin(k);
+            self.follower(&disc, &s, Some(k), stroke);
         }
     }
 
-    fn follower(&mut self, disc: &Disc, s: &CamStation, k: usize, stroke: LineStroke) {
+    fn follower(&mut self, disc: &Disc, s: &CamStation, k: Option<usize>, stroke: LineStroke) {
         let link = Some(self.report.cam.follower.0);
         let back = Vec2::from_angle(-disc.sense * s.phi);
         let pitch = self.at(s.pitch);
         let contact = self.at(s.contact);
-        let name = k.to_string();
+        let name = k.map_or_else(String::new, |k| k.to_string());
         if let FollowerTip::Point { radius } = disc.touch
             && radius > 0.0
         {
@@ -226,7 +267,7 @@ impl CamDrawing<'_> {
                 let foot = self.at(d.perp() * -offset);
                 let far = pitch + d * self.beyond(disc);
                 self.draw("station", Shape::Line { from: foot, to: far, stroke }, link);
-                self.label(&name, far, 0.5, d);
+                self.number(&name, far, 0.5, d);
             }
             Follower::Oscillating { pivot, .. } => {
                 let p = self.at(pivot.rotate_by(back));
@@ -249,7 +290,7 @@ impl CamDrawing<'_> {
                     fill: Some(Colour::WHITE),
                 };
                 self.draw("pivot", pin, None);
-                self.label(&name, p, 1.2, p.to_vec2());
+                self.number(&name, p, 1.2, p.to_vec2());
             }
         }
         if let (FollowerTip::Flat { .. }, Follower::Translating { .. }) =
@@ -278,6 +319,7 @@ impl CamDrawing<'_> {
     /// Draws an arrow in the sense in which the follower goes round, opposite to the cam's, outside
     /// the drawing at that place.
     fn turning(&mut self) {
+        self.begin(0);
         let sense = -self.disc().sense;
         let from_rad = 0.25 * TAU + sense * 0.12;
         let (stroke, head) = (self.style.thin, self.style.thin_head);
@@ -305,7 +347,7 @@ impl CamDrawing<'_> {
             None,
         );
         let label = Label::math("−ω").in_fonts(&self.style.fonts);
-        self.wanted.push(LabelRequest::along_arc(
+        self.want(LabelRequest::along_arc(
             label,
             self.style.small_mm,
             Point::ORIGIN,
@@ -313,5 +355,62 @@ impl CamDrawing<'_> {
             angles,
             0.3,
         ));
+    }
+
+    /// Draws the pressure angle where it is greatest on the way out: the normal, the direction in
+    /// which the follower moves, and the arc between.
+    fn pressure(&mut self) {
+        let Some((phi, _)) = self.report.survey.pressure[0] else { return };
+        let disc = self.disc().clone();
+        let Some(s) = disc.station(phi, PieceSide::After) else { return };
+        self.begin(STATIONS + 1 + usize::from(rolls(&disc)));
+        self.follower(&disc, &s, None, self.style.outline);
+        let back = Vec2::from_angle(-disc.sense * s.phi);
+        let motion = match disc.follower {
+            Follower::Translating { direction, .. } => direction.rotate_by(back),
+            Follower::Oscillating { pivot, .. } => {
+                let across = (s.pitch - pivot.rotate_by(back)).perp();
+                let across = across.unit().unwrap_or(s.normal);
+                if across.dot(s.normal) < 0.0 { across * -1.0 } else { across }
+            }
+        };
+        let at = self.at(s.pitch);
+        for (class, along) in [("normal", s.normal), ("motion", motion)] {
+            let (to, stroke) = (at + along * ANGLE_MM, self.style.thin.dashed(Dash::Dashed));
+            self.draw(class, Shape::Line { from: at, to, stroke }, None);
+        }
+        let turned = libm::atan2(motion.cross(s.normal), motion.dot(s.normal));
+        let from_rad = motion.angle();
+        let to_rad = from_rad + turned;
+        let (radius_mm, stroke) = (ANGLE_MM * 0.7, self.style.thin);
+        self.draw("angle", Shape::Arc { centre: at, radius_mm, from_rad, to_rad, stroke }, None);
+        let label = Label::math("\\alpha_{max}").in_fonts(&self.style.fonts);
+        let angles = [from_rad.min(to_rad), from_rad.max(to_rad)];
+        let size_mm = self.style.small_mm;
+        self.want(LabelRequest::along_arc(label, size_mm, at, radius_mm, angles, 0.3));
+    }
+
+    /// Draws the circle of curvature where its radius is least.
+    fn curvature(&mut self) {
+        let Some((phi, rho)) = self.report.survey.least_rho else { return };
+        let Some(s) = self.disc().station(phi, PieceSide::After) else { return };
+        let before = [rolls(self.disc()), self.report.survey.pressure[0].is_some()];
+        self.begin(STATIONS + 1 + before.into_iter().filter(|b| *b).count());
+        let of = match self.disc().touch {
+            FollowerTip::Point { .. } => s.pitch,
+            FollowerTip::Flat { .. } => s.contact,
+        };
+        let (at, centre) = (self.at(of), self.at(of - s.normal * rho));
+        let (stroke, head) = (self.style.thin, self.style.thin_head);
+        let radius_mm = at.distance(centre);
+        let dashed = Some(stroke.dashed(Dash::Dashed));
+        self.draw(
+            "osculating",
+            Shape::Circle { centre, radius_mm, stroke: dashed, fill: None },
+            None,
+        );
+        self.draw("radius", Shape::Arrow { from: centre, to: at, stroke, head }, None);
+        let label = Label::math("\\rho_{min}").in_fonts(&self.style.fonts);
+        self.want(LabelRequest::along(label, self.style.small_mm, centre, at, 0.2));
     }
 }

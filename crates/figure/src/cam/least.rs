@@ -199,7 +199,7 @@ impl AlphaDrawing<'_> {
         };
         let label = Label::math(name).in_fonts(&self.d.style.fonts);
         let (small, fonts) = (self.d.style.small_mm, [from_rad, to_rad]);
-        self.d.wanted.push(LabelRequest::along_arc(label, small, apex, ARC_MM, fonts, 0.2));
+        self.d.want(LabelRequest::along_arc(label, small, apex, ARC_MM, fonts, 0.2));
         self.dot(&format!("apex-{k}"), apex);
     }
 
@@ -210,7 +210,7 @@ impl AlphaDrawing<'_> {
         self.d.draw("radius", Shape::Arrow { from: at, to: from, stroke, head }, None);
         if name == "O" {
             let label = Label::math("r_b").in_fonts(&self.d.style.fonts);
-            self.d.wanted.push(LabelRequest::along(label, self.d.style.small_mm, at, from, 0.2));
+            self.d.want(LabelRequest::along(label, self.d.style.small_mm, at, from, 0.2));
         }
         self.dot("centre", at);
         self.d.label(name, at, 1.0, Vec2::new(0.0, -1.0));

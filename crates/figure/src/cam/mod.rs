@@ -1,23 +1,115 @@
 //! Figures of a disc cam: the motion of its follower over a turn ([`motion`]), its profile by
-//! inversion ([`inversion`]), its position at the instant ([`instant`]), and the least base circle for an allowed pressure angle ([`least`]).
+//! inversion ([`inversion`]), its position at the instant ([`instant`]), and the least base
+//! circle for an allowed pressure angle ([`least`]).
 
 pub mod instant;
 pub mod inversion;
 pub mod least;
 pub mod motion;
 
-use hodograph_base::cam::Disc;
+use crate::list::FigureInput;
+use crate::particle::ParticleView;
+use crate::stepped::SteppedMethod;
+use hodograph_base::cam::{Disc, FollowerTip};
+use hodograph_base::diag::Both;
 use hodograph_base::digits::{inked, shortest};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_paper::paper::extent::{Rect, bounds, translate};
-use hodograph_paper::paper::item::{Anchor, Colour, Figure, FigureItem, PLACED, Shape};
+use hodograph_paper::paper::item::{Anchor, Colour, Figure, FigureItem, PLACED, Shape, tag};
 use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::place::{LabelRequest, Obstacles, place};
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::text;
 use hodograph_paper::paper::words::words;
-use hodograph_report::cam::Report;
-use hodograph_scene::{Kind, Lang, Scene};
+use hodograph_report::cam::{CamSubject, Report};
+use hodograph_scene::{DiagramKind, Kind, Lang, Scene};
+use std::f64::consts::TAU;
+
+/// The first cam step by step: its law of motion, the profile by inversion, pressure angle and
+/// curvature; `None` for a scene without a cam that has a profile.
+pub(super) fn stepped(w: &FigureInput) -> Option<SteppedMethod> {
+    let report = w.scene.cams.iter().find_map(|cam| Report::of(w.scene, cam))?;
+    let both = |of: &dyn Fn(Lang) -> String| Both { en: of(Lang::En), zh: of(Lang::Zh) };
+    let subject = |of| both(&|lang| report.sentence(of, lang).unwrap_or_default());
+    let of_law =
+        [CamSubject::Data, CamSubject::Law, CamSubject::Velocity, CamSubject::Acceleration];
+    let mut steps: Vec<Both> = of_law.map(subject).into();
+    let first = steps.len();
+    steps.extend((0..inversion::STATIONS).map(|k| both(&|lang| station(&report, k, lang))));
+    let rolls = inversion::rolls(&report.turning.disc);
+    let flat = matches!(report.turning.disc.touch, FollowerTip::Flat { .. });
+    if rolls {
+        steps.push(both(&|lang| {
+            tr(
+                lang,
+                "The smooth curve through the centres of the roller is the pitch curve.",
+                "将各滚子中心连成光滑曲线，即理论廓线。",
+            )
+            .to_owned()
+        }));
+    }
+    steps.push(both(&|lang| {
+        match (rolls, flat) {
+            (true, _) => tr(
+                lang,
+                "The curve that touches all circles of the roller from inside is the profile.",
+                "作各滚子圆的内包络线，即实际廓线。",
+            ),
+            (false, true) => tr(
+                lang,
+                "The curve that touches all places of the face is the profile.",
+                "作平底各位置的包络线，即凸轮廓线。",
+            ),
+            (false, false) => tr(
+                lang,
+                "The smooth curve through the tips is the profile.",
+                "将各尖顶位置连成光滑曲线，即凸轮廓线。",
+            ),
+        }
+        .to_owned()
+    }));
+    let pressure = report.survey.pressure[0].map(|_| CamSubject::Pressure);
+    let curvature = report.survey.least_rho.map(|_| CamSubject::Curvature);
+    steps.extend(pressure.into_iter().chain(curvature).map(subject));
+    let style = &w.options.style;
+    let (profile, mu) = inversion::stepped(&report, style, first);
+    let caption = |en: &str, zh: &str| Both { en: en.to_owned(), zh: zh.to_owned() };
+    let mut views = vec![ParticleView {
+        part: profile,
+        caption: caption("Profile by inversion", "反转法绘制凸轮廓线"),
+        scales: vec![(DiagramKind::Plane, mu)],
+    }];
+    let diagrams = motion::stepped(&report, style, w.options.lang, 1);
+    let captions = [["Displacement", "位移"], ["Velocity", "速度"], ["Acceleration", "加速度"]];
+    views.extend(diagrams.into_iter().zip(captions).map(|(part, [en, zh])| ParticleView {
+        part,
+        caption: caption(en, zh),
+        scales: Vec::new(),
+    }));
+    Some(SteppedMethod { views, steps, ..SteppedMethod::default() })
+}
+
+/// The sentence of a station of the inversion.
+fn station(report: &Report, k: usize, lang: Lang) -> String {
+    let phi = TAU * k as f64 / inversion::STATIONS as f64;
+    let degrees = shortest((phi.to_degrees() * 1e4).round() / 1e4);
+    let lift = report.lift_words(phi).unwrap_or_else(|| "–".to_owned());
+    match (k, lang) {
+        (0, Lang::En) => format!(
+            "The cam is held, and the follower goes round it with $−\\omega$. Station 0: the follower at its beginning, with the lift {lift}."
+        ),
+        (0, Lang::Zh) => format!(
+            "设想凸轮不动，从动件连同导路以 $−\\omega$ 绕凸轮轴心反转。位置 0：从动件的起始位置，位移为 {lift}。"
+        ),
+        (_, Lang::En) => format!(
+            "Station {k}: the cam has turned by $\\varphi = {degrees}°$; the follower is drawn turned back by this angle, with the lift {lift}."
+        ),
+        (_, Lang::Zh) => format!(
+            "位置 {k}：凸轮转过 $\\varphi = {degrees}°$；将从动件反转同一角度，并量取位移 {lift}。"
+        ),
+    }
+}
 
 /// The title of a figure: the scene's title, if any, and the kind of figure.
 fn heading(scene: &Scene, otherwise: &str, lang: Lang) -> String {
@@ -41,7 +133,12 @@ struct CamDrawing<'a> {
     /// Millimetres of paper per metre.
     scale: f64,
     items: Vec<FigureItem>,
-    wanted: Vec<LabelRequest>,
+    /// Labels, each with its step.
+    wanted: Vec<(LabelRequest, Option<usize>)>,
+    /// The first step of the construction; `None` for a drawing without steps.
+    first: Option<usize>,
+    /// The step of what is drawn next.
+    step: Option<usize>,
 }
 
 fn scale_text(report: &Report, mu: f64) -> String {
@@ -63,37 +160,72 @@ impl<'a> CamDrawing<'a> {
 
     fn draw(&mut self, class: &str, shape: Shape, link: Option<usize>) {
         let id = format!("cam-{class}-{}", self.items.len());
-        self.items.push(FigureItem { link, ..FigureItem::new(class, shape).with_id(id) });
+        let step = self.step.map_or_else(String::new, |step| format!(" step-{step}"));
+        let item = FigureItem::new(format!("{class}{step}"), shape).with_id(id);
+        self.items.push(FigureItem { link, ..item });
+    }
+
+    /// Assigns what is drawn next to a step, counted from the first one of this drawing.
+    fn begin(&mut self, step: usize) {
+        self.step = self.first.map(|first| first + step);
+    }
+
+    fn want(&mut self, request: LabelRequest) {
+        self.wanted.push((request, self.step));
     }
 
     fn new(report: &'a Report<'a>, style: &'a Style, mu: f64) -> CamDrawing<'a> {
-        CamDrawing { report, style, scale: 1.0 / mu, items: Vec::new(), wanted: Vec::new() }
+        CamDrawing {
+            report,
+            style,
+            scale: 1.0 / mu,
+            items: Vec::new(),
+            wanted: Vec::new(),
+            first: None,
+            step: None,
+        }
+    }
+
+    /// The drawing with its construction in steps from `first` on.
+    fn in_steps(self, first: usize) -> CamDrawing<'a> {
+        CamDrawing { first: Some(first), step: Some(first), ..self }
     }
 
     fn label(&mut self, text: &str, at: Point, clear_mm: f64, towards: Vec2) {
         let label = Label::math(text).in_fonts(&self.style.fonts);
         let request = LabelRequest::at_point(label, self.style.small_mm, at, clear_mm);
-        self.wanted.push(if towards == Vec2::ZERO { request } else { request.towards(towards) });
+        self.want(if towards == Vec2::ZERO { request } else { request.towards(towards) });
     }
 
-    /// Places the labels and returns the figure with its title, its caption and its scale.
-    fn finish(mut self, mu: f64, title: String, caption: &str, lang: Lang) -> Figure {
-        let (report, style) = (self.report, self.style);
+    /// Places the labels; returns all items and half the extent of the drawing with its margin
+    /// (mm).
+    fn labelled(mut self) -> (Vec<FigureItem>, f64) {
         let half = bounds(&self.items)
             .map_or(MARGIN_MM, |b| b.max.y.max(-b.min.y).max(b.max.x).max(-b.min.x))
             + MARGIN_MM;
         let room = Rect::new(Point::new(-half, -half), Point::new(half, half));
-        let placed = place(&self.wanted, &Obstacles::of(&self.items), room);
-        for (k, (request, at)) in self.wanted.iter().zip(&placed).enumerate() {
+        let requests: Vec<LabelRequest> = self.wanted.iter().map(|w| w.0.clone()).collect();
+        let placed = place(&requests, &Obstacles::of(&self.items), room);
+        for (k, ((request, step), at)) in self.wanted.iter().zip(&placed).enumerate() {
             // The label comes last; its leader line is named after it.
-            let parts = at.items(request, PLACED, style.thin);
+            let parts = at.items(request, PLACED, self.style.thin);
             let leaders = parts.len() - 1;
             self.items.extend(parts.into_iter().enumerate().map(|(n, part)| {
                 let end = if n < leaders { "-leader" } else { "" };
-                part.with_id(format!("cam-label-{k}{end}"))
+                let mut part = part.with_id(format!("cam-label-{k}{end}"));
+                if let Some(step) = step {
+                    tag(std::slice::from_mut(&mut part), &format!("step-{step}"));
+                }
+                part
             }));
         }
-        let mut items = self.items;
+        (self.items, half)
+    }
+
+    /// Places the labels and returns the figure with its title, its caption and its scale.
+    fn finish(self, mu: f64, title: String, caption: &str, lang: Lang) -> Figure {
+        let (report, style) = (self.report, self.style);
+        let (mut items, half) = self.labelled();
         let scale = scale_text(report, mu);
         // For a small drawing the text defines the width of the paper.
         let wide = |text: &str, size_mm: f64| {

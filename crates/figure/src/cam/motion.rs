@@ -5,8 +5,9 @@ use super::super::plot::{Plot, PlotAxis, over};
 use super::{heading, words_at};
 use hodograph_base::cam::{Follower, PieceSide, Shock, in_turn, round};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::extent::Rect;
-use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, Shape};
+use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, FigureItem, Shape, tag};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::place::LabelRequest;
@@ -58,31 +59,13 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
         Anchor::Middle,
         style,
     )];
-    let x = PlotAxis::of(&[0.0, 360.0], true, 12);
     let mut said = Vec::new();
     for (k, kept) in panels(report).iter().enumerate() {
         let top = height_mm - ABOVE_MM - k as f64 * (PLOT_MM[1] + BETWEEN_MM);
         let frame =
             Rect::new(Point::new(left, top - PLOT_MM[1]), Point::new(left + PLOT_MM[0], top));
-        let mut plot = Plot::new(
-            format!("cam-{}", kept.symbol),
-            style,
-            frame,
-            [x.clone(), axis(report, kept)],
-        );
-        let below = (k == 2).then(|| Label::math(over("\\varphi", "\\degree")));
-        plot.axes(below, Label::math(over(kept.symbol, &kept.unit)));
-        if k == 0 {
-            stages(&mut plot, report, lang);
-        }
-        line(&mut plot, report, kept);
-        shocks(&mut plot, report, kept, lang, &mut said);
-        extremes(&mut plot, report, kept, &mut said);
-        let bounds = Rect::new(
-            frame.min - Vec2::new(0.0, 1.0),
-            frame.max + Vec2::new(0.0, BETWEEN_MM / 2.0),
-        );
-        items.extend(plot.finish(bounds));
+        let marked = [k == 2, k == 0];
+        items.extend(panel(report, style, lang, (kept, marked), (frame, 12), &mut said));
     }
     let desc = match lang {
         Lang::En => format!(
@@ -102,6 +85,51 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     };
     style.palette.paint(&mut figure);
     figure
+}
+
+/// Size of a diagram that is shown alone (mm).
+const ALONE_MM: [f64; 2] = [92.0, 50.0];
+
+/// The diagrams, each as a drawing of its own in a step of its own from `first` on.
+pub(super) fn stepped(
+    report: &Report,
+    style: &Style,
+    lang: Lang,
+    first: usize,
+) -> [DrawingPart; 3] {
+    let panels = panels(report);
+    [0, 1, 2].map(|k| {
+        let frame = Rect::new(Point::ORIGIN, Point::ORIGIN + Vec2::new(ALONE_MM[0], ALONE_MM[1]));
+        let mut items =
+            panel(report, style, lang, (&panels[k], [true, k == 0]), (frame, 6), &mut Vec::new());
+        tag(&mut items, &format!("step-{}", first + k));
+        DrawingPart::of(items)
+    })
+}
+
+/// One of the diagrams in its frame, with at most so many intervals of angles; with the symbol of
+/// the angle and with the stages if the flags are set.
+fn panel(
+    report: &Report,
+    style: &Style,
+    lang: Lang,
+    (kept, [named, staged]): (&DerivativePlot, [bool; 2]),
+    (frame, intervals): (Rect, usize),
+    said: &mut Vec<String>,
+) -> Vec<FigureItem> {
+    let x = PlotAxis::of(&[0.0, 360.0], true, intervals);
+    let mut plot = Plot::new(format!("cam-{}", kept.symbol), style, frame, [x, axis(report, kept)]);
+    let below = named.then(|| Label::math(over("\\varphi", "\\degree")));
+    plot.axes(below, Label::math(over(kept.symbol, &kept.unit)));
+    if staged {
+        stages(&mut plot, report, lang);
+    }
+    line(&mut plot, report, kept);
+    shocks(&mut plot, report, kept, lang, said);
+    extremes(&mut plot, report, kept, said);
+    let bounds =
+        Rect::new(frame.min - Vec2::new(0.0, 1.0), frame.max + Vec2::new(0.0, BETWEEN_MM / 2.0));
+    plot.finish(bounds)
 }
 
 /// The three plots; s′ and s″ if the cam has no angular velocity.

@@ -8,17 +8,21 @@ mod circle;
 mod diagram;
 pub(super) mod rays;
 
-use hodograph_base::diag::{Faults, Warned};
+use hodograph_base::diag::{Both, Faults, Warned};
 use hodograph_base::geom::Point;
 use hodograph_board::plan::names::name_label;
-use hodograph_methods::centres::{CentreMethod, Centres, LinkPair, centres};
-use hodograph_scene::{DiagramKind, Scene};
+use hodograph_methods::centres::{CentreMethod, Centres, LinkPair, centres, placed};
+use hodograph_paper::paper::words::{Words, words};
+use hodograph_report::centres::CentreWords;
+use hodograph_scene::{DiagramKind, Lang, Scene};
 
 use rays::CentrePlate;
 
 use super::arrange::{AIM_MM, Tree};
 use super::list::{FigureEntry, FigureInput, Pages, page};
+use super::particle::ParticleView;
 use super::sheet::{MARGIN_MM, SheetDrafter};
+use super::stepped::SteppedMethod;
 use crate::scales::DrawingScales;
 use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::item::Figure;
@@ -49,10 +53,43 @@ fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     Ok(Warned { value: pages, notes })
 }
 
-/// The mechanism with its centres within `reach_mm` around it, and the circle diagram. The class of
-/// each item of a centre names the centre's place in the order of finding (`step-2`).
-pub fn stepped(w: &FigureInput, found: &Centres, reach_mm: f64) -> [DrawingPart; 2] {
-    [diagram::stepped(w, found, reach_mm), circle::stepped(w, found)]
+/// Centres farther than this from the mechanism are indicated by arrows in a construction step by
+/// step (mm).
+const REACH_MM: f64 = 45.0;
+
+/// The mechanism with its centres, and the circle diagram, step by step: each centre is found in a
+/// step of its own, and angular velocities and speeds follow.
+///
+/// # Errors
+/// The faults of the scene.
+pub(super) fn stepped(w: &FigureInput) -> Result<SteppedMethod, Faults> {
+    let found = placed(w.scene, &w.worked.mechanism, &w.worked.configuration)?.value;
+    let [en, zh] = [Lang::En, Lang::Zh].map(|lang| {
+        let told = CentreWords::marked(&found, lang);
+        let centres = found.list.iter().map(|c| told.sentence(c).source());
+        centres.chain(told.steps()).collect::<Vec<_>>()
+    });
+    let steps = en.into_iter().zip(zh).map(|(en, zh)| Both { en, zh }).collect();
+    let captions = [Lang::En, Lang::Zh].map(words);
+    let caption = |of: fn(&Words) -> &'static str| {
+        let [en, zh] = captions.map(of);
+        Both { en: en.to_owned(), zh: zh.to_owned() }
+    };
+    let scales = vec![(DiagramKind::Plane, w.worked.construction.diagram.mu)];
+    let views = vec![
+        ParticleView {
+            part: diagram::stepped(w, &found, REACH_MM),
+            caption: caption(|words| words.centres),
+            scales,
+        },
+        ParticleView {
+            part: circle::stepped(w, &found),
+            caption: caption(|words| words.circle_diagram),
+            scales: Vec::new(),
+        },
+    ];
+    let missing = found.list.iter().filter(|c| c.place.is_none()).count();
+    Ok(SteppedMethod { views, steps, missing, ..SteppedMethod::default() })
 }
 
 /// The centres that are found by lines, in their order, with only as many per drawing as keep its

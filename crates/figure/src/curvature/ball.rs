@@ -7,6 +7,7 @@ use hodograph_methods::curvature::drawing::{BallPoint, Rays};
 use hodograph_methods::curvature::known::CurvatureRay;
 use hodograph_methods::curvature::plane::PlanePoint;
 use hodograph_paper::paper::item::Dash;
+use hodograph_report::curvature_steps::CurvatureStage;
 use hodograph_scene::PointId;
 
 /// Three corners of a point's rectangle: on the tangent, opposite the pole, on the normal.
@@ -37,6 +38,7 @@ impl CurvatureOverlay<'_, '_> {
             self.leave_out(self.words.foot());
             return;
         }
+        self.begin(CurvatureStage::Ball(0));
         for ((known, name), corner) in rays.known.iter().zip(corners).zip(ball.corners) {
             let PlanePoint::At(moving) = known.moving else { continue };
             let [on_tangent, corner, on_normal] = rectangle(rays, corner).map(|p| self.at(p));
@@ -52,6 +54,7 @@ impl CurvatureOverlay<'_, '_> {
         let [crossing, foot, at, j, pole] =
             [ball.crossing, ball.on_tangent, ball.at, rays.inflection, rays.pole]
                 .map(|p| self.at(p));
+        self.begin(CurvatureStage::Ball(1));
         self.chain("ball-line", &[g, h, crossing]);
         self.chain("ball-parallel", &[j, crossing]);
         self.segment("ball-foot", [crossing, foot], Dash::Dashed);

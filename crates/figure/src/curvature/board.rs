@@ -39,6 +39,8 @@ struct NamedSpot {
     at: Point,
     /// True if a joint's circle is drawn at this place.
     joint: bool,
+    /// The step that names the place.
+    step: Option<usize>,
 }
 
 impl<'a> CurvatureBoard<'a> {
@@ -126,7 +128,8 @@ impl<'a> CurvatureBoard<'a> {
 
     /// Names a place; several names at one place share dot and label.
     pub fn spot(&mut self, name: &str, label: Label, at: Point, joint: bool) {
-        self.spots.push(NamedSpot { name: name.to_owned(), label, at, joint });
+        let step = self.d.step();
+        self.spots.push(NamedSpot { name: name.to_owned(), label, at, joint, step });
     }
 
     /// Draws all named places on the paper.
@@ -144,6 +147,7 @@ impl<'a> CurvatureBoard<'a> {
         for (at, members) in places {
             let joint = members.iter().any(|s| s.joint);
             let name = members[0].name.clone();
+            self.d.at_step(members.iter().filter_map(|s| s.step).min());
             if !joint {
                 self.d.draw(&name, "curvature spot", sym::dot(self.style, at));
             }

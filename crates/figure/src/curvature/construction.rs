@@ -24,6 +24,7 @@ use hodograph_paper::paper::lines::wrapped;
 use hodograph_paper::paper::phrase::Phrase;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_report::curvature::CurvatureWords;
+use hodograph_report::curvature_steps::CurvatureStage;
 use hodograph_scene::{DiagramKind, Link, PointId};
 
 use super::ball;
@@ -63,7 +64,7 @@ pub fn figure(w: &FigureInput, found: &LinkCurvatures, of: &OfLink) -> Figure {
     let (_, mu) = maker.caption(DiagramKind::Plane);
     let caption =
         Label::text(format!("{} – ", maker.words().curvature)).then(words.heading_set(of).label());
-    let (drawn, undrawn) = part(w, &words, of);
+    let (drawn, undrawn) = part(w, &words, of, &[]);
     let mut drawing = maker.titled(drawn, caption, &mu, "curvature");
     let mut below = text(w, &words, of, &undrawn);
     drawing.stand_at(Point::ORIGIN);
@@ -116,8 +117,14 @@ fn text(w: &FigureInput, words: &CurvatureWords, of: &OfLink, undrawn: &[String]
     DrawingPart::of(grid::set(&lines.into_iter().enumerate().map(row).collect::<Vec<_>>(), 0.0))
 }
 
-/// The drawing, and the names of places that the paper does not hold.
-fn part(w: &FigureInput, words: &CurvatureWords, of: &OfLink) -> (DrawingPart, Vec<String>) {
+/// The drawing, and the names of places that the paper does not hold. The class of each item of the
+/// construction names the place of its stage in `stages` (`step-2`); without stages it has no step.
+pub(super) fn part(
+    w: &FigureInput,
+    words: &CurvatureWords,
+    of: &OfLink,
+    stages: &[Option<CurvatureStage>],
+) -> (DrawingPart, Vec<String>) {
     let diagram = &w.worked.construction.diagram;
     let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu)).to_point();
     let mut d = mechanism::numbered(&w.options.style, w.scene, w.worked, &w.options.notation);
@@ -144,6 +151,7 @@ fn part(w: &FigureInput, words: &CurvatureWords, of: &OfLink) -> (DrawingPart, V
         board,
         thin: w.options.style.thin.coloured(LINES),
         undrawn: Vec::new(),
+        stages,
     };
     over.everything();
     (over.board.d.finish(), over.undrawn)
@@ -216,9 +224,20 @@ pub(super) struct CurvatureOverlay<'a, 'b> {
     pub(super) thin: LineStroke,
     /// Names of places that the paper does not hold, in the order of the steps.
     undrawn: Vec<String>,
+    /// The stages of the steps, in their order.
+    stages: &'a [Option<CurvatureStage>],
 }
 
 impl CurvatureOverlay<'_, '_> {
+    /// Assigns what is drawn next to the step of a stage; what has no step of its own belongs to that
+    /// of the inflection circle.
+    pub(super) fn begin(&mut self, stage: CurvatureStage) {
+        let place = |s| self.stages.iter().position(|t| *t == Some(s));
+        let instead = [stage, CurvatureStage::Rolling, CurvatureStage::Circle];
+        let step = instead.into_iter().find_map(place);
+        self.board.d.at_step(step);
+    }
+
     fn everything(&mut self) {
         match &self.of.drawing {
             Ruler::Rays(rays) => self.rays(rays),
@@ -302,8 +321,10 @@ impl CurvatureOverlay<'_, '_> {
                 .map(|p| self.at(p))
                 .chain([pole, straight])
                 .collect();
+            self.begin(CurvatureStage::Ray(k));
             self.chain("ray", &on);
             if !stands {
+                self.begin(CurvatureStage::Inflection);
                 let cut = self.board.cut(straight, j);
                 self.board.line(
                     "perpendicular",
@@ -312,6 +333,7 @@ impl CurvatureOverlay<'_, '_> {
                     self.thin.dashed(Dash::DashDot),
                 );
                 if rays.how[k] != RayMethod::Given {
+                    self.begin(CurvatureStage::Straight(k));
                     self.spot(&self.words.straight(known), straight);
                 }
             }
@@ -319,11 +341,13 @@ impl CurvatureOverlay<'_, '_> {
                 && known.why.fixed().is_none()
                 && let (PlanePoint::At(c), Some(p)) = (known.fixed, known.why.moving())
             {
+                self.begin(CurvatureStage::Ray(k));
                 self.spot(&self.words.centre(p), self.at(c));
             }
         }
         let Some(q) = rays.collineation else { return };
         let [b, c] = &rays.known;
+        self.begin(CurvatureStage::Collineation);
         if let PlanePoint::At(q) = q {
             let q = self.at(q);
             for pair in [[b.moving, c.moving], [b.fixed, c.fixed]] {
@@ -358,6 +382,7 @@ impl CurvatureOverlay<'_, '_> {
         self.chain("axis", &axis);
         for k in [0, 1] {
             let RayMethod::Collineation(helper) = rays.how[k] else { continue };
+            self.begin(CurvatureStage::Straight(k));
             let other = &rays.known[1 - k];
             let PlanePoint::At(helper) = helper else {
                 if let PlanePoint::At(b) = other.moving {
@@ -382,6 +407,7 @@ impl CurvatureOverlay<'_, '_> {
         let mu = self.w.worked.construction.diagram.mu;
         let (at, j) = (self.at(pole.pole), self.at(pole.inflection_pole()));
         let symbol = self.words.pole(self.of);
+        self.begin(CurvatureStage::Pole);
         if !self.board.holds(at) {
             self.far(&symbol, at);
         } else {
@@ -390,6 +416,7 @@ impl CurvatureOverlay<'_, '_> {
         if pole.stands() {
             return;
         }
+        self.begin(CurvatureStage::Circle);
         let normal = pole.normal * (1.0 / mu);
         let circle = LineStroke { width_mm: style.outline.width_mm, ..style.outline };
         let arc = self.board.circle(
@@ -429,12 +456,13 @@ impl CurvatureOverlay<'_, '_> {
         let normal_line = self.board.cut(at, j);
         self.board.line("normal", "curvature line", normal_line, self.thin);
         self.tangent(at, normal, pole.pole_velocity);
-        for (letter, place) in [
-            ("J", Some(j)),
-            ("K", Some(self.at(pole.acceleration_pole))),
-            ("U", pole.ball.map(|p| self.at(p))),
+        for (letter, stage, place) in [
+            ("J", CurvatureStage::Inflection, Some(j)),
+            ("K", CurvatureStage::AccelerationPole, Some(self.at(pole.acceleration_pole))),
+            ("U", CurvatureStage::Ball(1), pole.ball.map(|p| self.at(p))),
         ] {
             let Some(place) = place else { continue };
+            self.begin(stage);
             let symbol = self.words.letter(letter, self.of);
             if self.board.holds(place) {
                 self.spot(&symbol, place);
@@ -516,6 +544,7 @@ impl CurvatureOverlay<'_, '_> {
         };
         let asked: Vec<_> = self.of.points.iter().filter(|q| !given(q.point)).cloned().collect();
         for q in asked {
+            self.begin(CurvatureStage::Centre(q.point));
             let e = self.at(q.at);
             let Bend::About(centre, radius) = q.shown() else {
                 if q.bend == Bend::Straight {

@@ -9,11 +9,15 @@ mod board;
 mod construction;
 mod rolling;
 
-use hodograph_base::diag::{Faults, Warned};
+use hodograph_base::diag::{Both, Faults, Warned};
 use hodograph_methods::curvature::{CurvatureRequest, couplers, curvature};
-use hodograph_scene::LinkId;
+use hodograph_paper::paper::phrase::capital;
+use hodograph_report::curvature::CurvatureWords;
+use hodograph_scene::{DiagramKind, Lang, LinkId};
 
 use super::list::{FigureEntry, FigureInput, Pages};
+use super::particle::ParticleView;
+use super::stepped::SteppedMethod;
 
 /// Pole, inflection circle, centres of curvature.
 pub const ENTRY: FigureEntry = FigureEntry {
@@ -62,6 +66,55 @@ fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     let pages =
         found.list.iter().map(|of| (named(w, ENTRY.name, all, of.link), page(of))).collect();
     Ok(Warned { value: pages, notes })
+}
+
+/// Maximum number of links in a construction step by step.
+const MOST_STEPPED: usize = 2;
+
+/// The construction of each coupler step by step.
+///
+/// # Errors
+/// The faults of the method.
+pub(super) fn stepped(w: &FigureInput) -> Result<Option<SteppedMethod>, Faults> {
+    let links: Vec<LinkId> = links(w).into_iter().take(MOST_STEPPED).collect();
+    if links.is_empty() {
+        return Ok(None);
+    }
+    let asked = CurvatureRequest { links, against: None, points: w.extras.points.clone() };
+    let found = curvature(w.scene, &asked)?.value;
+    let words = [Lang::En, Lang::Zh].map(|lang| CurvatureWords { found: &found, lang });
+    let mut out = SteppedMethod::default();
+    for of in &found.list {
+        let [en, zh] = words.each_ref().map(|words| words.stages(of));
+        // The steps of earlier links come first.
+        let mut stages = vec![None; out.steps.len()];
+        stages.extend(en.iter().map(|(stage, _)| Some(*stage)));
+        let sentences = en.iter().zip(&zh);
+        out.steps.extend(sentences.map(|(en, zh)| Both { en: en.1.source(), zh: zh.1.source() }));
+        if en.is_empty() {
+            let told = words.each_ref().map(|words| {
+                let told = words.remarks(of).into_iter().chain([words.calculated()]);
+                told.map(|p| p.source()).collect::<Vec<_>>()
+            });
+            let [en, zh] = told;
+            let sentence = |text: &str, stop| format!("{}{stop}", capital(text));
+            out.steps.extend(
+                en.iter()
+                    .zip(&zh)
+                    .map(|(en, zh)| Both { en: sentence(en, "."), zh: sentence(zh, "。") }),
+            );
+        }
+        let lang = w.options.lang;
+        let own = &words[usize::from(lang == Lang::Zh)];
+        let heading = words.each_ref().map(|words| words.heading_set(of).source());
+        let [en, zh] = heading;
+        out.views.push(ParticleView {
+            part: construction::part(w, own, of, &stages).0,
+            caption: Both { en: capital(&en), zh },
+            scales: vec![(DiagramKind::Plane, w.worked.construction.diagram.mu)],
+        });
+    }
+    Ok((!out.steps.is_empty()).then_some(out))
 }
 
 fn paths(w: &FigureInput) -> Result<Warned<Pages>, Faults> {

@@ -33,6 +33,8 @@ pub struct ComposedVector {
     pub mm: Vec2,
     /// True for the absolute vector, the sum of the others.
     pub absolute: bool,
+    /// The step of the construction that draws it.
+    pub step: Option<usize>,
 }
 
 /// The vectors at a point.
@@ -85,6 +87,7 @@ impl MechanismDraft<'_> {
         let parts: Vec<&ComposedVector> = what.vectors.iter().filter(|v| !v.absolute).collect();
         if let (true, [a, b]) = (what.parallelogram, &parts[..]) {
             let stroke = style.thin.dashed(Dash::Dashed);
+            self.d.at_step(what.vectors.iter().filter_map(|v| v.step).max());
             for (start, along) in [(a.mm, b.mm), (b.mm, a.mm)] {
                 let (start, end) = (from + start, from + start + along);
                 // Parallel vectors would be covered by the closing line.
@@ -101,6 +104,7 @@ impl MechanismDraft<'_> {
         }
         for v in what.vectors.iter().filter(|v| v.mm.norm() > SHORTEST_MM) {
             let to = from + v.mm;
+            self.d.at_step(v.step);
             let stroke = if v.absolute {
                 style.vector
             } else {

@@ -32,6 +32,8 @@ pub struct LoopArrow {
     pub places: [Point; 2],
     /// The symbol of its angle, if the angle is drawn, and the angle from the x axis (rad).
     pub angle: Option<(String, f64)>,
+    /// The step of the construction that draws it.
+    pub step: Option<usize>,
 }
 
 /// Draws the mechanism with closed vectors, each with its length and its angle from the x axis.
@@ -63,6 +65,7 @@ impl MechanismDraft<'_> {
         if length < SHORTEST_MM {
             return;
         }
+        self.d.at_step(a.step);
         let stroke = LineStroke { width_mm: style.vector.width_mm * 1.2, ..style.vector };
         let name = format!("loop-{}", a.key);
         // The head ends at the ring of a joint, not in it.

@@ -84,6 +84,7 @@ pub struct Drawing {
     counts: HashMap<String, usize>,
     owners: u32,
     link: Option<usize>,
+    step: Option<usize>,
 }
 
 /// A label to be placed.
@@ -109,6 +110,7 @@ impl Drawing {
             counts,
             owners: 0,
             link: None,
+            step: None,
         }
     }
 
@@ -117,12 +119,28 @@ impl Drawing {
         self.link = link;
     }
 
+    /// Assigns the items drawn after this call to a step of the construction, or to none.
+    pub fn at_step(&mut self, step: Option<usize>) {
+        self.step = step;
+    }
+
+    /// Returns the step to which items are assigned.
+    pub fn step(&self) -> Option<usize> {
+        self.step
+    }
+
+    /// Returns a class with its first word and the step.
+    fn classed(&self, class: &str) -> String {
+        let class = format!("{} {class}", self.kind);
+        self.step.map_or_else(|| class.clone(), |k| format!("{class} step-{k}"))
+    }
+
     /// Draws an object of one or more items, named after `name`; returns its owner number for
     /// labels.
     pub fn draw(&mut self, name: &str, class: &str, mut items: Vec<FigureItem>) -> u32 {
         self.owners += 1;
         items = items.into_iter().map(|item| item.in_fonts(&self.style.fonts)).collect();
-        tag(&mut items, &format!("{} {class}", self.kind).replace("  ", " "));
+        tag(&mut items, &self.classed(class).replace("  ", " "));
         self.obstacles.add(&items, Some(self.owners));
         for item in &mut items {
             item.id = self.name(name);
@@ -189,7 +207,7 @@ impl Drawing {
     /// Draws a thin frame around other items: labels may be placed in it, and also across it.
     pub fn frame(&mut self, name: &str, class: &str, shape: Shape) {
         let mut item = FigureItem::new("", shape).with_id(self.name(name));
-        tag(std::slice::from_mut(&mut item), &format!("{} {class}", self.kind));
+        tag(std::slice::from_mut(&mut item), &self.classed(class));
         self.items.push(item);
     }
 
@@ -217,7 +235,7 @@ impl Drawing {
         self.wanted.push(PendingLabel {
             request,
             id: id.clone(),
-            class: format!("{} {class} {PLACED}", self.kind),
+            class: format!("{} {PLACED}", self.classed(class)),
             link: self.link,
         });
         id

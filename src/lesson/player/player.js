@@ -29,8 +29,42 @@
       stepping = false;
       step = steps().length;
       showStep();
+      note();
     });
   }
+  // What the sheets and the speaker are told of a step: the drawings to which it adds something, else those of the step before.
+  let seen = [];
+  function drawingsNow() {
+    const all = [...document.querySelectorAll(".drawing svg")].filter((svg) => svg.querySelector("[data-step]"));
+    const now = all.filter((svg) => svg.querySelector(".now"));
+    return (seen = now.length ? now : seen.length ? seen : all.slice(0, 1));
+  }
+  const sentence = (k) => `<p>${pick(steps()[k - 1])}</p>`;
+  function stage(k) {
+    go(k);
+    return { pictures: drawingsNow(), html: sentence(k) };
+  }
+  const noted = () => ({ pictures: drawingsNow(), html: step ? sentence(step) : "", next: step < steps().length ? sentence(step + 1) : "" });
+  const tellNext = () => words().coming;
+  const answersNow = () => $("answers").innerHTML;
+
+  let kept = null;
+  addEventListener("beforeprint", () => {
+    play(false);
+    kept = step;
+    sheets(steps().length);
+    step = steps().length;
+    stepping = false;
+    showStep();
+  });
+  addEventListener("afterprint", () => {
+    $("all").replaceChildren();
+    stepping = true;
+    step = kept;
+    showStep();
+  });
+  $("print").addEventListener("click", () => print());
+  $("speaker").addEventListener("click", speaker);
   const keys = {
     ArrowRight: () => go(step + 1),
     PageDown: () => go(step + 1),
@@ -43,11 +77,14 @@
     " ": () => play(!running && !still.matches),
     l: () => $("language").click(),
     d: theme,
+    p: () => print(),
+    s: speaker,
     ...ownKeys,
   };
   addEventListener("keydown", (e) => {
-    if (e.ctrlKey || e.altKey || e.metaKey || e.target.tagName === "INPUT" || !keys[e.key]) return;
-    keys[e.key]();
+    const key = e.key.length === 1 ? e.key.toLowerCase() : e.key;
+    if (e.ctrlKey || e.altKey || e.metaKey || e.target.tagName === "INPUT" || !keys[key]) return;
+    keys[key]();
     e.preventDefault();
   });
 

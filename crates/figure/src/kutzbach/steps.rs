@@ -1,0 +1,213 @@
+//! Kutzbach's plan and Willis' table step by step: the rays in the order in which they are found,
+//! the angular velocities, the rows of the table.
+
+use hodograph_base::diag::Both;
+use hodograph_board::plan::names::point_label;
+use hodograph_methods::trains::{given, trains};
+use hodograph_paper::paper::phrase::tr;
+use hodograph_paper::paper::style::Style;
+use hodograph_report::trains::{omega, sentences, turns};
+use hodograph_scene::{Lang, LinkId};
+
+use super::{CAPTION, KutzbachDrawing, KutzbachPlan, KutzbachPoint, TABLE};
+use crate::list::FigureInput;
+use crate::particle::ParticleView;
+use crate::sheet::{SheetDrafter, SheetOptions};
+use crate::stepped::SteppedMethod;
+
+/// The plan and the table of the first train step by step; `None` without a train whose angular
+/// velocities are known.
+pub fn stepped(w: &FigureInput) -> Option<SteppedMethod> {
+    let all = trains(w.scene);
+    let train = all.first()?;
+    let turns = turns(w.scene, w.worked, train)?;
+    let maker = SheetDrafter {
+        scene: w.scene,
+        worked: w.worked,
+        options: w.options,
+        certified: Vec::new(),
+    };
+    let mut plan = KutzbachPlan { maker: &maker, train, turns, order: Vec::new() };
+    let mut out = SteppedMethod::default();
+    let both = |en: String, zh: String| Both { en, zh };
+    if let Some(stations) = plan.stations() {
+        plan.order = plan.solved(&stations);
+        if let Some(KutzbachDrawing { part, scales, .. }) = plan.drawing() {
+            let told = |lang| plan.sentences(&stations, lang);
+            let sentences = told(Lang::En).into_iter().zip(told(Lang::Zh));
+            out.steps.extend(sentences.map(|(en, zh)| both(en, zh)));
+            let caption = both(CAPTION[0].to_owned(), CAPTION[1].to_owned());
+            out.views.push(ParticleView { part, caption, scales: scales.to_vec() });
+        }
+    }
+    let first = out.steps.len();
+    // One size for all: the page shows the table as wide as it can.
+    let style = &w.options.style;
+    let style = Style { label_mm: style.caption_mm, ..style.clone() };
+    let options = SheetOptions { style, ..w.options.clone() };
+    let of_table =
+        SheetDrafter { scene: w.scene, worked: w.worked, options: &options, certified: Vec::new() };
+    let mut table = KutzbachPlan { maker: &of_table, train, turns, order: Vec::new() }.table();
+    // The caption says the same.
+    table.items.retain(|item| item.id != "willis-heading");
+    let tables =
+        [Lang::En, Lang::Zh].map(|lang| sentences(w.scene, train, turns, lang, w.options.digits));
+    let last = tables[0].len().saturating_sub(1);
+    for item in &mut table.items {
+        let result = item.id.starts_with("willis-result").then_some(last);
+        if let Some(step) = row_of(&item.id).or(result) {
+            item.class = format!("{} step-{}", item.class, first + step);
+        }
+    }
+    let [en, zh] = tables;
+    out.steps.extend(en.into_iter().zip(zh).map(|(en, zh)| both(en, zh)));
+    let caption = both(TABLE[0].to_owned(), TABLE[1].to_owned());
+    out.views.push(ParticleView { part: table, caption, scales: Vec::new() });
+    Some(out)
+}
+
+/// The row of Willis' table to which an item belongs, from its id.
+fn row_of(id: &str) -> Option<usize> {
+    id.strip_prefix("willis-")?.split('-').next()?.parse().ok()
+}
+
+impl KutzbachPlan<'_> {
+    /// The step that draws the ray of a link; `None` in a drawing without steps. The first step
+    /// shows the line of centres.
+    pub(super) fn step_of(&self, link: LinkId) -> Option<usize> {
+        self.order.iter().position(|l| *l == link).map(|k| k + 1)
+    }
+
+    /// The step that draws the angular velocity of a link: those follow the rays and their pole.
+    pub(super) fn rate_step(&self, link: LinkId) -> Option<usize> {
+        Some(self.step_of(link)? + self.order.len() + 1)
+    }
+
+    /// The links in the order in which their rays are found: those with given angular velocities,
+    /// then each that shares two points with links already drawn.
+    fn solved(&self, stations: &[KutzbachPoint]) -> Vec<LinkId> {
+        let scene = self.maker.scene;
+        let moving = || self.links().into_iter().filter(|l| *l != scene.ground);
+        let mut order: Vec<LinkId> = moving().filter(|l| given(scene, *l).is_some()).collect();
+        if order.is_empty() {
+            order.extend(moving().take(1));
+        }
+        loop {
+            let left: Vec<LinkId> = moving().filter(|l| !order.contains(l)).collect();
+            let found = left.iter().find(|l| self.shared(stations, &order, **l).len() > 1);
+            match found.or(left.first()) {
+                Some(next) => order.push(*next),
+                None => return order,
+            }
+        }
+    }
+
+    /// The points of a link that it shares with the ground or with links already drawn, each with
+    /// that link.
+    fn shared<'s>(
+        &self,
+        stations: &'s [KutzbachPoint],
+        order: &[LinkId],
+        link: LinkId,
+    ) -> Vec<(&'s str, LinkId)> {
+        let ground = self.maker.scene.ground;
+        let known = |l: &&LinkId| **l != link && (**l == ground || order.contains(l));
+        let own = stations.iter().filter(|s| s.links.contains(&link));
+        let fixed = |s: &KutzbachPoint| {
+            self.maker.scene.links[ground.0]
+                .points
+                .iter()
+                .any(|p| self.maker.scene.point_name(*p) == s.name)
+        };
+        own.filter_map(|s| {
+            let other = s.links.iter().find(known).copied();
+            Some((s.name.as_str(), other.or_else(|| fixed(s).then_some(ground))?))
+        })
+        .collect()
+    }
+
+    /// The sentence of each step.
+    fn sentences(&self, stations: &[KutzbachPoint], lang: Lang) -> Vec<String> {
+        let scene = self.maker.scene;
+        let name = |l: LinkId| scene.link_name(l);
+        let point = |p: &str| format!("${}$", point_label(p));
+        let names: Vec<String> = stations.iter().map(|s| point(&s.name)).collect();
+        let mut out = vec![match lang {
+            Lang::En => format!(
+                "The line of centres is drawn upright, with the pitch circles and the points {}. Velocities are perpendicular to it; they begin on the vertical zero line.",
+                names.join(", ")
+            ),
+            Lang::Zh => format!(
+                "将连心线竖直画出，并画出各节圆及点 {}。各点速度垂直于连心线，自竖直零线画起。",
+                names.join("、")
+            ),
+        }];
+        for (k, link) in self.order.iter().enumerate() {
+            let shared = self.shared(stations, &self.order[..k], *link);
+            let rate = self.rate_text(self.rate(*link));
+            let symbol = omega(scene, *link);
+            let known = given(scene, *link).is_some() || shared.len() < 2;
+            out.push(match (known, lang) {
+                (true, Lang::En) => format!(
+                    "Link {} is known: ${symbol} = {rate}$. Its velocities grow in proportion to the distance from its axis; their ends lie on a straight line, the ray {}.",
+                    name(*link),
+                    name(*link)
+                ),
+                (true, Lang::Zh) => format!(
+                    "构件 {} 为已知：${symbol} = {rate}$。其上各点速度与到转轴的距离成正比，速度端点在一条直线（速度线 {}）上。",
+                    name(*link),
+                    name(*link)
+                ),
+                (false, Lang::En) => {
+                    let each = shared.iter().map(|(p, l)| {
+                        if *l == scene.ground {
+                            format!("{} has no velocity, as it is a point of the fixed link too", point(p))
+                        } else {
+                            format!("{} has the velocity of link {}", point(p), name(*l))
+                        }
+                    });
+                    format!(
+                        "Link {}: {}. The line through both ends is its ray.",
+                        name(*link),
+                        each.take(2).collect::<Vec<_>>().join("; ")
+                    )
+                }
+                (false, Lang::Zh) => {
+                    let each = shared.iter().map(|(p, l)| {
+                        if *l == scene.ground {
+                            format!("{} 点也在固定构件上，速度为零", point(p))
+                        } else {
+                            format!("{} 点与构件 {} 同速", point(p), name(*l))
+                        }
+                    });
+                    format!(
+                        "构件 {}：{}。过两速度端点的直线即其速度线。",
+                        name(*link),
+                        each.take(2).collect::<Vec<_>>().join("；")
+                    )
+                }
+            });
+        }
+        out.push(
+            tr(
+                lang,
+                "Angular velocities are laid off on a horizontal line; the pole $P$ is above its zero point.",
+                "在水平线上量取角速度，极点 $P$ 位于其零点正上方。",
+            )
+            .to_owned(),
+        );
+        out.extend(self.order.iter().map(|link| {
+            let (symbol, rate) = (omega(scene, *link), self.rate_text(self.rate(*link)));
+            match lang {
+                Lang::En => format!(
+                    "The parallel to the ray {} through $P$ cuts off ${symbol} = {rate}$.",
+                    name(*link)
+                ),
+                Lang::Zh => {
+                    format!("过 $P$ 作速度线 {} 的平行线，截得 ${symbol} = {rate}$。", name(*link))
+                }
+            }
+        }));
+        out
+    }
+}

@@ -1,0 +1,131 @@
+//! The methods of kinematics as drawings with steps, for lessons. The drawings are those of the
+//! figures; the class of each item that a step adds has the step's number (`step-2`).
+
+use hodograph_base::diag::{Both, Faults};
+
+use super::list::FigureInput;
+use super::particle::ParticleView;
+use hodograph_report::loops::DisplayedFormula;
+use std::collections::BTreeMap;
+
+/// A method whose construction is shown step by step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ConstructionMethod {
+    /// Instantaneous centres with the circle diagram.
+    Centres,
+    /// Composite motion of a point.
+    Composite,
+    /// Pole, inflection circle and centres of curvature.
+    Curvature,
+    /// Law of motion, inversion, pressure angle and curvature of disc cams.
+    Cam,
+    /// Willis' table and Kutzbach's plan of a gear train.
+    Trains,
+    /// Vector loops of the analytic method.
+    Loops,
+}
+
+/// The construction of a method in one pose.
+#[derive(Default)]
+pub struct SteppedMethod {
+    /// The drawings.
+    pub views: Vec<ParticleView>,
+    /// The sentence of each step, with formulas between dollar signs.
+    pub steps: Vec<Both>,
+    /// The formulas below the sentences of some steps.
+    pub formulas: BTreeMap<usize, Vec<DisplayedFormula>>,
+    /// Number of places that do not exist in this pose.
+    pub missing: usize,
+}
+
+/// A method with its name and a line on its construction, English and Chinese.
+pub struct MethodEntry {
+    /// The method.
+    pub method: ConstructionMethod,
+    /// The name in commands.
+    pub name: &'static str,
+    /// The line.
+    pub about: [&'static str; 2],
+}
+
+const fn entry(
+    method: ConstructionMethod,
+    name: &'static str,
+    about: [&'static str; 2],
+) -> MethodEntry {
+    MethodEntry { method, name, about }
+}
+
+/// The methods in the order of a list.
+pub const METHODS: [MethodEntry; 6] = [
+    entry(
+        ConstructionMethod::Centres,
+        "centres",
+        [
+            "Centres of velocity one by one, with the circle diagram",
+            "逐个求速度瞬心，并画瞬心多边形",
+        ],
+    ),
+    entry(
+        ConstructionMethod::Composite,
+        "composite",
+        ["Composite motion: moving point, frame, parallelogram, polygon", "点的合成运动逐步作图"],
+    ),
+    entry(
+        ConstructionMethod::Curvature,
+        "curvature",
+        [
+            "Curvature of paths by Bobillier and Euler-Savary",
+            "轨迹曲率逐步作图（博比利尔、欧拉–萨瓦里）",
+        ],
+    ),
+    entry(
+        ConstructionMethod::Cam,
+        "cam",
+        [
+            "A cam: law, inversion, pressure angle, curvature radius",
+            "凸轮运动规律、反转法、压力角、曲率半径",
+        ],
+    ),
+    entry(
+        ConstructionMethod::Trains,
+        "trains",
+        [
+            "A gear train: Kutzbach's plan ray by ray, Willis' table",
+            "轮系线速度图与转速图、列表法逐步求解",
+        ],
+    ),
+    entry(
+        ConstructionMethod::Loops,
+        "loops",
+        ["The analytic method: vector loops and their derivatives", "解析法封闭矢量方程及其导数"],
+    ),
+];
+
+impl ConstructionMethod {
+    /// Returns the method of a name.
+    pub fn named(name: &str) -> Option<ConstructionMethod> {
+        METHODS.iter().find(|e| e.name == name).map(|e| e.method)
+    }
+
+    /// Returns the construction of a scene; `None` where the scene has nothing to construct by this
+    /// method.
+    ///
+    /// # Errors
+    /// The faults of the method.
+    pub fn stepped(self, w: &FigureInput) -> Result<Option<SteppedMethod>, Faults> {
+        match self {
+            ConstructionMethod::Centres => super::centres::stepped(w).map(Some),
+            ConstructionMethod::Composite => super::composite::stepped(w),
+            ConstructionMethod::Curvature => super::curvature::stepped(w),
+            ConstructionMethod::Cam => Ok(super::cam::stepped(w)),
+            ConstructionMethod::Trains => Ok(super::kutzbach::stepped(w)),
+            ConstructionMethod::Loops => super::loops::stepped(w).map(Some),
+        }
+    }
+
+    /// True if the drawings are the same in all poses.
+    pub fn is_still(self) -> bool {
+        matches!(self, ConstructionMethod::Cam | ConstructionMethod::Trains)
+    }
+}
