@@ -69,6 +69,9 @@ impl PoseSweep {
 
 /// The number of halvings of a step after which the motion is taken to end: 5° become 0.0003°.
 const HALVINGS: usize = 14;
+/// The least freedom of a joint close to the end of a motion, in sizes of the mechanism: rounding
+/// moves a pose at a limit by some 1e-8.
+const LEAST_FREE: f64 = 1e-6;
 /// The distance of a joint from its place, in sizes of the mechanism, above which it is off the
 /// paper: the crossing of two lines that become parallel goes beyond all bounds.
 const FAR: f64 = 3.0;
@@ -331,25 +334,45 @@ impl<'a> PoseFollower<'a> {
         None
     }
 
-    /// The last pose before the motion ends, found by halving.
+    /// The last pose before the motion ends, found by doubling the smallest part of the way and then
+    /// by halving: far beyond the end there may be other assemblies.
     fn end(&self, now: &TravelPose, target: f64) -> TravelPose {
-        let (mut inside, mut outside) = (now.clone(), target);
+        let (mut inside, mut outside, mut free) = (now.clone(), target, 10.0 * STRAY);
+        for halvings in (1..=HALVINGS).rev() {
+            let travel = now.travel + (target - now.travel) / f64::from(1u32 << halvings);
+            match self.onward(&inside, travel, &mut free) {
+                Some(next) => inside = next,
+                None => {
+                    outside = travel;
+                    break;
+                }
+            }
+        }
         loop {
             let middle = 0.5 * (inside.travel + outside);
             // No double remains between.
             if middle == inside.travel || middle == outside {
                 return inside;
             }
-            // Close to its limit a mechanism moves as the root of the distance: the pose is not
-            // extrapolated, and nearness is judged broadly.
-            match self
-                .at(&inside.configuration, middle)
-                .filter(|c| self.stray(c, &inside.configuration) < 10.0 * STRAY)
-            {
-                Some(configuration) => inside = TravelPose { travel: middle, configuration },
+            match self.onward(&inside, middle, &mut free) {
+                Some(next) => inside = next,
                 None => outside = middle,
             }
         }
+    }
+
+    /// The pose at a travel close to the end of the motion, if no joint is farther than `free` from
+    /// its place before; the next may move little more.
+    ///
+    /// Close to its limit a mechanism moves as the root of the distance: the pose is not
+    /// extrapolated, and nearness is judged broadly.
+    fn onward(&self, from: &TravelPose, travel: f64, free: &mut f64) -> Option<TravelPose> {
+        let configuration = self.at(&from.configuration, travel)?;
+        let moved = self.stray(&configuration, &from.configuration);
+        (moved < *free).then(|| {
+            *free = (4.0 * moved).clamp(LEAST_FREE, 10.0 * STRAY);
+            TravelPose { travel, configuration }
+        })
     }
 
     /// Returns the pose at a travel that is nearest to a guess; `None` if the mechanism does not
