@@ -13,6 +13,7 @@ use std::f64::consts::TAU;
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_base::digits::significant;
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
+use hodograph_mechanism::position::fold::fold;
 use hodograph_mechanism::position::{self, Configuration, newton};
 use hodograph_mechanism::stated::{self, Moment};
 use hodograph_scene::{GivenQuantity, LinkId, Scene, Swept};
@@ -352,13 +353,28 @@ impl<'a> PoseFollower<'a> {
             let middle = 0.5 * (inside.travel + outside);
             // No double remains between.
             if middle == inside.travel || middle == outside {
-                return inside;
+                return self.at_fold(&inside).unwrap_or(inside);
             }
             match self.onward(&inside, middle, &mut free) {
                 Some(next) => inside = next,
                 None => outside = middle,
             }
         }
+    }
+
+    /// The end of a motion that Newton's method follows, in the pose of the fold there: within the
+    /// rounding of the travel the pose is uncertain by some 1e-8.
+    fn at_fold(&self, end: &TravelPose) -> Option<TravelPose> {
+        let SweptVariable::Driver(driver) = self.course else { return None };
+        if !self.has_higher_groups() || self.scene.has_laws(driver) {
+            return None;
+        }
+        let mut values = newton::driver_values(&self.scene, self.base);
+        values.0[driver] += end.travel;
+        let near = &end.configuration;
+        let (_, configuration) = fold(&self.scene, self.mechanism, near, &values, driver)?;
+        (self.stray(&configuration, near) < LEAST_FREE)
+            .then_some(TravelPose { travel: end.travel, configuration })
     }
 
     /// The pose at a travel close to the end of the motion, if no joint is farther than `free` from
@@ -381,9 +397,14 @@ impl<'a> PoseFollower<'a> {
         self.closed(guess, travel).filter(|c| self.stray(c, self.base) < FAR)
     }
 
+    /// True if some group has no closed form.
+    fn has_higher_groups(&self) -> bool {
+        self.mechanism.groups.iter().any(|g| g.class().is_some_and(|class| class != "II"))
+    }
+
     fn closed(&self, guess: &Configuration, travel: f64) -> Option<Configuration> {
         // Closed forms are exact; other groups must be found from the guess.
-        if self.mechanism.groups.iter().any(|g| g.class().is_some_and(|class| class != "II")) {
+        if self.has_higher_groups() {
             return self.by_newton(guess, travel);
         }
         let gone = self.gone(travel)?;
