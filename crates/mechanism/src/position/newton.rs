@@ -38,6 +38,9 @@ const MOST_STEPS: usize = 60;
 /// have no solution.
 const PATIENCE: usize = 4;
 
+/// The largest correction of a small motion, in radians or sizes of the mechanism.
+const FARTHEST: f64 = 2.0;
+
 /// The largest residual that rounding may explain: residuals are relative to the mechanism's size.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
@@ -337,6 +340,10 @@ impl<'a> System<'a> {
             // A rough sketch may be far from the solution: a step of more than half a radian (or
             // half the mechanism) is shortened.
             let damp = if size > 0.5 { 0.5 / size } else { 1.0 };
+            // From a singular pose a small motion would wander to any other assembly.
+            if size > FARTHEST && patience < MOST_STEPS {
+                return None;
+            }
             x.iter_mut().zip(&step).for_each(|(x, by)| *x += by * damp);
             bodies.iter().for_each(|(body, first)| self.put(*body, |k| x[first + k], at));
             if size < tolerance || (size < 1e-9 && size >= last) {
@@ -377,9 +384,8 @@ impl<'a> System<'a> {
             let Some((body, first)) = *place else { continue };
             if let Some(slopes) = &slopes {
                 for (equation, row) in (begin..*row).enumerate() {
-                    for k in 0..self.unknowns(body) {
-                        rows.add(row, first + k, slopes[end][equation][k]);
-                    }
+                    let slopes = slopes[end][equation].iter().take(self.unknowns(body));
+                    slopes.enumerate().for_each(|(k, slope)| rows.add(row, first + k, *slope));
                 }
                 continue;
             }
