@@ -237,11 +237,15 @@ impl Problem {
                 progress.all.store(count as u64, Ordering::Relaxed);
                 let columns = pieces.columns();
                 let mut values = vec![Vec::with_capacity(count); columns.len()];
+                let mut piece = Vec::new();
                 for from in (0..count).step_by(step) {
                     let to = count.min(from + step);
                     // Without a piece the work is stopped, and the rows are of no use.
-                    let Some(piece) = pieces.piece(from..to, &stop) else { break };
-                    values.iter_mut().zip(piece).for_each(|(all, part)| all.extend(part));
+                    piece = match pieces.piece(from..to, piece, &stop) {
+                        Some(piece) => piece,
+                        None => break,
+                    };
+                    values.iter_mut().zip(&piece).for_each(|(all, part)| all.extend_from_slice(part));
                     progress.done.store(to as u64, Ordering::Relaxed);
                 }
                 notes.extend(pieces.notes());

@@ -102,12 +102,13 @@ fn in_pieces<U: Send>(
     let (count, mut from) = (sweep.count(), 0);
     // With many columns the pieces are shorter, so that a piece has a few megabytes at most.
     let rows = ROWS.min((NUMBERS / sweep.columns().len().max(1)).max(1));
-    let make = |_: Option<Vec<Vec<f64>>>| {
+    let make = |used: Option<Vec<Vec<f64>>>| {
+        let mut used = used.unwrap_or_default();
         let to = count.min(from + rows);
         let mut piece: Option<Vec<Vec<f64>>> = None;
         while from < to {
             let next = to.min(from + sweep.at_once().min(rows));
-            let rows = sweep.piece(from..next, &stop::asked)?;
+            let rows = sweep.piece(from..next, std::mem::take(&mut used), &stop::asked)?;
             bar.inc((next - from) as u64);
             from = next;
             match &mut piece {

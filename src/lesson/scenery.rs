@@ -5,6 +5,8 @@
 
 use crate::budget::here;
 use rayon::prelude::*;
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use crate::construct::Polygon;
 use crate::diag::Faults;
@@ -146,7 +148,14 @@ struct Studio<'a> {
     full: bool,
     /// The scale on paper.
     mu: f64,
+    /// The courses of all frames at each scale so far.
+    courses: Mutex<Vec<(f64, Arc<[SeriesFeatures]>)>>,
+    /// The diagrams of frames that were measured at the last scale and wait for their labels.
+    measured: Mutex<(f64, MeasuredDiagrams)>,
 }
+
+/// Diagrams before their labels are placed, each with the box around its lines, by frame.
+type MeasuredDiagrams = HashMap<usize, (Drawing, Rect)>;
 
 impl<'a> Studio<'a> {
     fn of(frames: &'a Frames, notation: &'a Notation, style: &Style, shows: Shows) -> Studio<'a> {
@@ -173,7 +182,8 @@ impl<'a> Studio<'a> {
             style,
             ..SheetOptions::of_language(Lang::En)
         };
-        Studio { frames, notation, options, shows, full, mu }
+        let (courses, measured) = Default::default();
+        Studio { frames, notation, options, shows, full, mu, courses, measured }
     }
 
     fn scenery(&self) -> Result<Scenery, Faults> {
@@ -189,8 +199,7 @@ impl<'a> Studio<'a> {
     /// not be seen as a whole.
     fn mechanism(&self) -> Result<Scenery, Faults> {
         let label = self.options.style.label_mm;
-        let lines =
-            |k: usize, mu: f64, courses: &[SeriesFeatures]| self.diagram(k, mu, &courses[k]).1;
+        let lines = |k: usize, mu: f64, courses: &[SeriesFeatures]| self.lines(k, mu, &courses[k]);
         let alone = |mu: f64| with_names(lines(self.frames.base, mu, &self.courses(mu)), label);
         let together = |mu: f64| {
             let courses = self.courses(mu);
@@ -386,19 +395,47 @@ impl<'a> Studio<'a> {
         parts
     }
 
-    fn courses(&self, mu: f64) -> Vec<SeriesFeatures> {
+    fn courses(&self, mu: f64) -> Arc<[SeriesFeatures]> {
         if self.shows.on != DiagramKind::Plane {
-            return Vec::new();
+            return Arc::default();
+        }
+        if let Some((_, known)) = locked(&self.courses).iter().find(|(at, _)| *at == mu) {
+            return known.clone();
         }
         let drawn: Vec<Worked> =
             self.frames.list.iter().map(|f| zoom::diagram(&f.worked, self.mu / mu)).collect();
         let poses: Vec<_> =
             self.frames.list.iter().zip(&drawn).map(|(f, w)| (&f.scene, w)).collect();
-        courses(&poses, &self.options.style, self.notation)
+        let made: Arc<[SeriesFeatures]> =
+            courses(&poses, &self.options.style, self.notation).into();
+        locked(&self.courses).push((mu, made.clone()));
+        made
+    }
+
+    /// Returns the box around the lines of a frame's diagram, and keeps the diagram until its labels
+    /// are placed or another scale is measured.
+    fn lines(&self, k: usize, mu: f64, course: &SeriesFeatures) -> Rect {
+        let diagram = self.diagram(k, mu, course);
+        let lines = diagram.1;
+        let mut measured = locked(&self.measured);
+        if measured.0 != mu {
+            *measured = (mu, HashMap::new());
+        }
+        measured.1.insert(k, diagram);
+        lines
+    }
+
+    /// Takes a frame's diagram at a scale, if it has been measured.
+    fn taken(&self, k: usize, mu: f64) -> Option<(Drawing, Rect)> {
+        let mut measured = locked(&self.measured);
+        if measured.0 == mu { measured.1.remove(&k) } else { None }
     }
 
     /// A frame's diagram before its labels are placed, and the box around its lines.
     fn diagram(&self, k: usize, mu: f64, course: &SeriesFeatures) -> (Drawing, Rect) {
+        if let Some(diagram) = self.taken(k, mu) {
+            return diagram;
+        }
         let (frame, times) = (&self.frames.list[k], self.mu / mu);
         let worked = zoom::diagram(&frame.worked, times);
         let mut drawing =
@@ -499,6 +536,11 @@ impl<'a> Studio<'a> {
         }
         Ok(Scenery { shows: self.shows, size_mm, mu: self.mu, layouts: list, shown })
     }
+}
+
+/// Locks a value; one that a panicking thread has left is used as it is.
+fn locked<T>(of: &Mutex<T>) -> MutexGuard<'_, T> {
+    of.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// The frames after the scene's own pose, and those before it.

@@ -7,11 +7,10 @@ use hodograph::sweep::pieces::SweepPieces;
 /// The numbers of a sweep in pieces, and its notes.
 pub fn pieces(sweep: &mut dyn SweepPieces, cut: usize) -> (Vec<Vec<f64>>, Vec<Diagnostic>) {
     let (count, mut columns) = (sweep.count(), vec![Vec::new(); sweep.columns().len()]);
+    let mut piece = Vec::new();
     for from in (0..count).step_by(cut) {
-        columns
-            .iter_mut()
-            .zip(sweep.piece(from..count.min(from + cut), &|| false).unwrap())
-            .for_each(|(c, p)| c.extend(p));
+        piece = sweep.piece(from..count.min(from + cut), piece, &|| false).unwrap();
+        columns.iter_mut().zip(&piece).for_each(|(c, p)| c.extend_from_slice(p));
     }
     (columns, sweep.notes())
 }
@@ -107,6 +106,6 @@ fn a_sweep_in_pieces_stops_when_asked() {
         let way = station::DriverSpan::Turn(Angle::Deg(0.0), Angle::Deg(360.0));
         let mut long =
             LongSweep::new(&placed, 0, sweep::StationSteps { way, steps: 1000 }).unwrap();
-        assert!(long.piece(0..10, &|| true).is_none());
+        assert!(long.piece(0..10, Vec::new(), &|| true).is_none());
     }
 }

@@ -172,7 +172,8 @@ pub(super) fn run_program(
     stations: &Stations,
     width: Width,
 ) -> SweepRows {
-    run_with(program, states(program, placed, driver, stations).as_ref(), stations, width)
+    let states = states(program, placed, driver, stations);
+    run_in(program, states.as_ref(), stations, width, Vec::new())
 }
 
 /// The states of a program's followed links, if it has any.
@@ -185,22 +186,17 @@ fn states(
     (!program.tracks.is_empty()).then(|| compiled::follow(program, placed, driver, stations))
 }
 
-/// Runs a program over all stations, with the given states of its followed links.
-pub(super) fn run_with(
+/// Runs a program over all stations, with the given states of its followed links, in the memory of
+/// `used`.
+pub(super) fn run_in(
     program: &SweepProgram,
     states: Option<&States>,
     stations: &Stations,
     width: Width,
+    used: Vec<Vec<f64>>,
 ) -> SweepRows {
-    fill(
-        program,
-        program.fused(),
-        states,
-        stations,
-        width,
-        sized(Vec::new(), program, stations),
-        |_, _| {},
-    )
+    let columns = sized(used, program, stations);
+    fill(program, program.fused(), states, stations, width, columns, |_, _| {})
 }
 
 /// Columns for a program's answers at all stations, in the memory of `used`.

@@ -1,7 +1,7 @@
 //! Long sweeps, piece by piece: the rows of [`super::run()`], in the memory of a piece.
 
 use super::changes::Changes;
-use super::chunks::{SweepRows, run_parts, run_with};
+use super::chunks::{SweepRows, run_in, run_parts};
 use super::follow::chains::{Chains, STRIDE};
 use super::follow::compiled::{self, Compiled};
 use super::follow::whole::{self, DrivenMechanism};
@@ -27,6 +27,8 @@ pub struct LongSweep<'a> {
     way: RowMethod<'a>,
     general: General<'a>,
     gaps: Gaps,
+    /// The memory of the stations of the piece before, without their values.
+    spare: Stations,
 }
 
 /// The way to make the rows.
@@ -100,6 +102,7 @@ impl<'a> LongSweep<'a> {
             way,
             general: General::new(placed, driver),
             gaps: Gaps::of(placed.scene),
+            spare: Stations::default(),
         })
     }
 
@@ -107,6 +110,7 @@ impl<'a> LongSweep<'a> {
         &mut self,
         rows: Range<usize>,
         stations: &Stations,
+        used: Vec<Vec<f64>>,
         stop: StopSignal,
     ) -> Option<SweepRows> {
         let (placed, driver, steps, general) =
@@ -118,12 +122,16 @@ impl<'a> LongSweep<'a> {
         let (program, mut numbers) = match &mut self.way {
             RowMethod::Free { program, now, changes, .. } => {
                 let parts = stretches((**program).clone(), *now, changes, stations);
-                (&**program, run_parts(&parts, placed, driver, stations, Width::Widest))
+                let rows = match &parts[..] {
+                    [(alone, _)] => run_in(alone, None, stations, Width::Widest, used),
+                    _ => run_parts(&parts, placed, driver, stations, Width::Widest),
+                };
+                (&**program, rows)
             }
             RowMethod::Compiled { course, .. } => {
                 let states = compiled::states(course, part, &values, &row, stop)?;
                 let program = course.follow().program();
-                (program, run_with(program, Some(&states), stations, Width::Widest))
+                (program, run_in(program, Some(&states), stations, Width::Widest, used))
             }
             RowMethod::Each => return Some(each(general, stations)),
             RowMethod::Stood { stood, now, changes, .. } => {
@@ -172,11 +180,21 @@ impl SweepPieces for LongSweep<'_> {
         }
     }
 
-    fn piece(&mut self, rows: Range<usize>, stop: StopSignal) -> Option<Vec<Vec<f64>>> {
-        let stations = self.steps.part(rows.clone());
-        let numbers = self.rows(rows.clone(), &stations, stop)?;
+    fn piece(
+        &mut self,
+        rows: Range<usize>,
+        used: Vec<Vec<f64>>,
+        stop: StopSignal,
+    ) -> Option<Vec<Vec<f64>>> {
+        let mut used = used.into_iter();
+        let values = used.next().unwrap_or_default();
+        let spare = Stations { values, ..std::mem::take(&mut self.spare) };
+        let stations = self.steps.part_in(rows.clone(), spare);
+        let numbers = self.rows(rows.clone(), &stations, used.collect(), stop)?;
         self.gaps.see_all(&numbers, rows.start);
-        Some(numbers.there(stations.values))
+        let Stations { values, cosines, sines } = stations;
+        self.spare = Stations { values: Vec::new(), cosines, sines };
+        Some(numbers.there(values))
     }
 
     fn notes(&self) -> Vec<Diagnostic> {

@@ -30,8 +30,14 @@ pub trait SweepPieces: Send {
 
     /// Returns the numbers of some rows, as far as they exist, column after column; `None` if
     /// `stop` asks to stop. Pieces are requested in order; their rows do not depend on how they are
-    /// cut.
-    fn piece(&mut self, rows: Range<usize>, stop: StopSignal) -> Option<Vec<Vec<f64>>>;
+    /// cut. `used` are columns of an earlier piece that are free to be reused, or none: fresh memory
+    /// costs as much as the numbers in it.
+    fn piece(
+        &mut self,
+        rows: Range<usize>,
+        used: Vec<Vec<f64>>,
+        stop: StopSignal,
+    ) -> Option<Vec<Vec<f64>>>;
 
     /// Notes on the rows of all pieces so far, such as the missing ones.
     fn notes(&self) -> Vec<Diagnostic>;
@@ -91,9 +97,10 @@ pub fn gather(pieces: &mut dyn SweepPieces) -> Table {
         .map(|(name, unit)| Column { name, unit, values: Vec::new() })
         .collect();
     let (count, step) = (pieces.count(), pieces.at_once());
+    let mut piece = Vec::new();
     for from in (0..count).step_by(step) {
-        let piece = pieces.piece(from..count.min(from + step), &never).unwrap_or_default();
-        columns.iter_mut().zip(piece).for_each(|(c, p)| c.values.extend(p));
+        piece = pieces.piece(from..count.min(from + step), piece, &never).unwrap_or_default();
+        columns.iter_mut().zip(&piece).for_each(|(c, p)| c.values.extend_from_slice(p));
     }
     Table { columns, notes: pieces.notes() }
 }

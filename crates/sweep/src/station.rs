@@ -116,13 +116,19 @@ impl StationSteps {
 
     /// Returns some of the stations; they do not depend on how the steps are divided into parts.
     pub fn part(&self, rows: Range<usize>) -> Stations {
+        self.part_in(rows, Stations::default())
+    }
+
+    /// Returns some of the stations in the memory of others.
+    pub(super) fn part_in(&self, rows: Range<usize>, used: Stations) -> Stations {
         let steps = self.steps;
         match self.way {
             DriverSpan::Slide { from, to, per_value } => {
                 Stations::of_values(rows.map(|i| between(from, to, i, steps)).collect(), per_value)
             }
             DriverSpan::Turn(from, to) => {
-                let mut s = Stations::default();
+                let mut s = used;
+                [&mut s.values, &mut s.cosines, &mut s.sines].into_iter().for_each(Vec::clear);
                 for i in rows {
                     let angle = turned(from, to, i, steps);
                     let (sin, cos) = trig::sin_cos(angle);

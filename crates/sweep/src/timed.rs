@@ -161,7 +161,12 @@ impl SweepPieces for TimedRows<'_> {
         AT_ONCE
     }
 
-    fn piece(&mut self, rows: Range<usize>, stop: StopSignal) -> Option<Vec<Vec<f64>>> {
+    fn piece(
+        &mut self,
+        rows: Range<usize>,
+        _used: Vec<Vec<f64>>,
+        stop: StopSignal,
+    ) -> Option<Vec<Vec<f64>>> {
         let (first, width) = (rows.start, self.columns().len());
         let here = here();
         let row = |i: usize| (!stop()).then(|| here.enter(|| self.timed.row(self.times[i])));

@@ -443,7 +443,12 @@ impl SweepPieces for Varied<'_> {
         AT_ONCE
     }
 
-    fn piece(&mut self, rows: Range<usize>, stop: StopSignal) -> Option<Vec<Vec<f64>>> {
+    fn piece(
+        &mut self,
+        rows: Range<usize>,
+        _used: Vec<Vec<f64>>,
+        stop: StopSignal,
+    ) -> Option<Vec<Vec<f64>>> {
         let (first, width) = (rows.start, self.columns().len());
         let one = |scene: &mut Scene, i: usize| -> Result<Vec<f64>, Faults> {
             let value = self.span.value(i);
