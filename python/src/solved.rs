@@ -245,7 +245,10 @@ impl Problem {
                         Some(piece) => piece,
                         None => break,
                     };
-                    values.iter_mut().zip(&piece).for_each(|(all, part)| all.extend_from_slice(part));
+                    values
+                        .iter_mut()
+                        .zip(&piece)
+                        .for_each(|(all, part)| all.extend_from_slice(part));
                     progress.done.store(to as u64, Ordering::Relaxed);
                 }
                 notes.extend(pieces.notes());

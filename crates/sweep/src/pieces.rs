@@ -65,8 +65,13 @@ impl SweepPieces for ScaledPieces<'_> {
         self.rows.at_once()
     }
 
-    fn piece(&mut self, rows: Range<usize>, stop: StopSignal) -> Option<Vec<Vec<f64>>> {
-        let mut columns = self.rows.piece(rows, stop)?;
+    fn piece(
+        &mut self,
+        rows: Range<usize>,
+        used: Vec<Vec<f64>>,
+        stop: StopSignal,
+    ) -> Option<Vec<Vec<f64>>> {
+        let mut columns = self.rows.piece(rows, used, stop)?;
         for (column, factor) in columns.iter_mut().zip(&self.factors).filter(|(_, f)| **f != 1.0) {
             column.iter_mut().for_each(|v| *v = rounded(*v * factor));
         }
