@@ -1,7 +1,7 @@
 //! Splits a polygon of many vectors over several drawings, so that each is legible from a distance.
 //!
 //! A polygon is split if in some pose its vectors cannot all be named in type of the usual size,
-//! and only if all poses split alike. The parts are those of [`crate::figure::polygon::shares`].
+//! and only if all poses split alike and no part has nearly all of them. The parts are those of [`crate::figure::polygon::shares`].
 
 use crate::figure::polygon::{Share, is_full, is_full_share, shares};
 use crate::geom::Point;
@@ -46,6 +46,9 @@ impl PolygonSplit {
     }
 }
 
+/// The most that one part may hold of all actions: with more, it would be as full as the whole.
+const LARGEST: f64 = 0.75;
+
 /// The split of a polygon over all poses, if it is split, and the type size of each of its drawings
 /// (mm): small where there are many vectors.
 pub fn split(
@@ -67,7 +70,9 @@ pub fn split(
     let mut each = drawn().map(|(w, worked, p)| shares(&w, &worked.mechanism, p));
     let of = each.next().unwrap_or_default();
     let parts = of.iter().max().map_or(1, |last| last + 1);
-    if parts == 1 || !each.all(|other| other == of) {
+    let acts = |part| of.iter().filter(|p| **p == part).count();
+    let largest = (0..parts).map(acts).max().unwrap_or(0);
+    if largest as f64 > LARGEST * of.len() as f64 || !each.all(|other| other == of) {
         return (None, vec![size(true)]);
     }
     let split = PolygonSplit { of, parts };

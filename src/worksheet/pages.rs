@@ -209,11 +209,16 @@ impl PageSetter {
         self.y - BOTTOM_MM
     }
 
-    /// Places a chunk, with the headings that wait for it.
+    /// True if the page has space for a chunk with the headings that wait for it, or is empty.
+    fn holds(&self, chunk: &Chunk) -> bool {
+        let together: Vec<&Chunk> = self.waiting.iter().chain([chunk]).collect();
+        self.need(&together) <= self.room() || self.fresh()
+    }
+
+    /// Places a chunk, with the headings that wait for it. A new page may begin with drawings that
+    /// fill it.
     fn put(&mut self, chunk: Chunk) {
-        let mut together: Vec<&Chunk> = self.waiting.iter().collect();
-        together.push(&chunk);
-        if self.need(&together) > self.room() && !self.fresh() {
+        while !self.holds(&chunk) {
             self.break_page();
         }
         let waiting = std::mem::take(&mut self.waiting);

@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// Every template gets a lesson of at most 280 KiB, of which the letters take 25; 100 more where a
+/// Every template gets a lesson of at most 340 KiB, of which the letters take 25; 40 more where a
 /// polygon is split, and 40 for each group of forces. A file without a mechanism gets none.
 #[test]
 fn every_template_has_a_lesson_of_some_size() {
@@ -15,7 +15,7 @@ fn every_template_has_a_lesson_of_some_size() {
         let (bytes, split) = (page.len(), page.contains("<figure id=\"acceleration-2\""));
         let groups = page.matches("<figure id=\"force-").count();
         assert!(
-            bytes < (if split { 380 } else { 300 } + 40 * groups) * 1024,
+            bytes < (if split { 380 } else { 340 } + 40 * groups) * 1024,
             "{}: {bytes} bytes for {} links",
             t.name,
             scene.links.len()

@@ -249,7 +249,14 @@ fn a_path_has_one_driver_where_a_cam_leads_its_follower() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("path.svg");
     hodograph()
-        .args(["path", "templates/cam-offset-roller.json", "-o", path.to_str().unwrap()])
+        .args([
+            "path",
+            "templates/cam-offset-roller.json",
+            "--point",
+            "B",
+            "-o",
+            path.to_str().unwrap(),
+        ])
         .assert()
         .success();
     assert!(!std::fs::read_to_string(path).unwrap().contains("stand still"));

@@ -140,8 +140,10 @@ fn equations_name_their_vector() {
                 let columns = writer.columns(on, *target, chains);
                 let terms = chains[0].known.len();
                 assert!(chains.len() > 1 || chains[0].unknown.is_empty(), "{name}: {step:?}");
-                let (own, fixed) =
-                    (writer.vector(on, *target), w.plan.vertex(chains[0].start).fixed);
+                let (own, fixed) = (
+                    notation.vectors.write(writer.vector(on, *target)),
+                    w.plan.vertex(chains[0].start).fixed,
+                );
                 let said = || {
                     columns.iter().map(|c| format!("{} {}", c.joint, c.symbol)).collect::<Vec<_>>()
                 };

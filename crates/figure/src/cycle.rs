@@ -448,7 +448,14 @@ impl CycleDiagram<'_> {
         for (k, line) in lines.iter().enumerate() {
             let indent = if line.starts_with(' ') { 6.0 } else { 0.0 };
             let at = Point::new(LEFT_MM + indent, below - 12.0 - (k as f64 + 0.5) * 1.5 * small);
-            self.words("phase-line", at, Label::text(line.trim()), small, Anchor::Start);
+            // A heading begins with the name of its output.
+            let heading = outputs.iter().find_map(|o| {
+                let written = [o.name.clone(), o.name.replacen("phi", "φ", 1)];
+                let rest = written.iter().find_map(|name| line.strip_prefix(name.as_str()))?;
+                Some(Label::math(symbol(o)).then(Label::text(rest)))
+            });
+            let label = heading.unwrap_or_else(|| Label::text(line.trim()));
+            self.words("phase-line", at, label, small, Anchor::Start);
         }
         self.legend(5.0);
         size

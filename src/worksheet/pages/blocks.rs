@@ -371,15 +371,13 @@ impl PageSetter {
         // Below a drawing beside the text no space is needed.
         let height_mm = if beside { high } else { high + air_mm };
         let chunk = Chunk { kind, items, height_mm, air_mm };
-        let together: Vec<&Chunk> = self.waiting.iter().chain([&chunk]).collect();
-        let full = self.need(&together) > self.room() && !self.fresh();
         // With little space left, heading and drawing move to the next page together; with much,
         // text is placed before the drawing.
         let worth = if self.setting.filled { LINES_MM } else { FLOW_MM };
-        if full && self.room() > worth {
+        if !self.holds(&chunk) && self.room() > worth {
             self.drawings.push_back(chunk);
         } else if beside {
-            if full {
+            while !self.holds(&chunk) {
                 self.break_page();
             }
             for heading in std::mem::take(&mut self.waiting) {

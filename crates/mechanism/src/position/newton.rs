@@ -1,11 +1,12 @@
 //! Newton's method on the constraint equations of a set of links, from a rough pose: for groups
 //! without a closed form, and for small motions of a placed mechanism.
 //!
-//! The unknowns are the poses of the chosen links (x, y, angle each) and the positions of pins. The
-//! equations of a group contain its own bodies and those of groups before it, so group after group is
-//! solved, and a chain of n groups costs n small systems. The residuals are written for all kinds of
-//! constraint. Their derivatives are written here for each form, independently of the loop equations;
-//! those of rolling pairs are differences.
+//! The unknowns are the poses of the chosen links (x, y, angle each) and the positions of pins that
+//! are on none of them. The equations of a group contain its own bodies and those of groups before
+//! it: their matrix is block triangular, and a step on a chain of n groups costs n small systems.
+//! The residuals are written for all kinds of constraint. Their derivatives are differences, which
+//! are independent of the analytic check; for each unknown they are taken only in the equations of
+//! the constraints of its link or pin, since the other equations do not change.
 
 use super::equations::{self, FormMeasure, FormValue, PartPositions};
 use super::rolling::{self, RollingPose, RollingRecord};
@@ -13,7 +14,7 @@ use super::{Configuration, Path, Pose, Shapes};
 use crate::mechanism::{GraphNode, Group, Mechanism, PairForm, PairItem, constraints_of};
 use hodograph_base::budget::spend;
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_base::linear::EquationRows;
+use hodograph_base::linear::LinearSystem;
 use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
@@ -25,27 +26,6 @@ pub type SolvedPoses = (Vec<Option<Pose>>, Vec<Option<Point>>);
 /// frames are defined, metres along the guide, metres of length.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DriverValues(pub Vec<f64>);
-
-/// The step of central differences. The residuals are at worst quadratic near the solution, so that
-/// the error of the derivative (about 1e-11) only slows the last step of the iteration and does not
-/// change its result.
-const STEP: f64 = 1.0 / 131_072.0;
-
-/// The greatest number of steps of Newton's method on a group.
-const MOST_STEPS: usize = 60;
-
-/// Steps in sequence without a noticeably smaller correction, after which a small motion is taken to
-/// have no solution.
-const PATIENCE: usize = 4;
-
-/// The largest correction of a small motion, in radians or sizes of the mechanism.
-const FARTHEST: f64 = 2.0;
-
-/// The largest residual that rounding may explain: residuals are relative to the mechanism's size.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
-
-/// The derivatives of a form's residuals: by end, equation and coordinate.
-type FormSlopes = [[[f64; 3]; 2]; 2];
 
 /// The system of equations of some links and pins.
 pub struct System<'a> {
@@ -180,12 +160,8 @@ impl<'a> System<'a> {
     }
 
     pub(super) fn pack(&self, start: &Configuration) -> Option<DVector<f64>> {
-        let mut x = Vec::new();
-        for (body, _) in self.bodies() {
-            let own = self.coordinates(body, &start.poses, &start.points)?;
-            x.extend(own.into_iter().take(self.unknowns(body)));
-        }
-        Some(DVector::from_vec(x))
+        let bodies = self.bodies().map(|(body, _)| self.coordinates(body, start));
+        Some(DVector::from_vec(bodies.collect::<Option<Vec<_>>>()?.concat()))
     }
 
     /// Returns all bodies (a link by its index, a pin by its index after all links), each with the
@@ -213,24 +189,16 @@ impl<'a> System<'a> {
         }
     }
 
-    /// Returns the unknowns of a body in a pose: two coordinates and, of a link, an angle.
-    fn coordinates(
-        &self,
-        body: usize,
-        poses: &[Option<Pose>],
-        points: &[Option<Point>],
-    ) -> Option<[f64; 3]> {
+    /// Returns the unknowns of a body in a configuration: two coordinates and, of a link, an angle.
+    fn coordinates(&self, body: usize, at: &Configuration) -> Option<Vec<f64>> {
         let scaled = |p: Point| [p.x / self.scale, p.y / self.scale];
         Some(match body.checked_sub(self.links.len()) {
             None => {
-                let pose = poses[self.links[body].0]?;
+                let pose = at.poses[self.links[body].0]?;
                 let [x, y] = scaled(pose.origin);
-                [x, y, pose.axis.angle()]
+                vec![x, y, pose.axis.angle()]
             }
-            Some(pin) => {
-                let [x, y] = scaled(points[self.pins[pin].0]?);
-                [x, y, 0.0]
-            }
+            Some(pin) => scaled(at.points[self.pins[pin].0]?).to_vec(),
         })
     }
 
@@ -272,181 +240,89 @@ impl<'a> System<'a> {
     /// not converge.
     ///
     /// The method has converged if the last correction is within rounding, or does not decrease
-    /// further below 1e-9. A rough start has many steps before the corrections become smaller.
+    /// further below 1e-9.
     pub fn solve(&self, start: &Configuration, drivers: &DriverValues) -> Option<SolvedPoses> {
-        self.solve_to(start, drivers, 1e-15, MOST_STEPS)
+        self.solve_to(start, drivers, 1e-15)
     }
 
     /// Solves like [`System::solve`], until the last correction is below `tolerance` (relative to
-    /// the mechanism's size, or in radians); gives up after `patience` steps in sequence without a
-    /// noticeably smaller correction.
-    fn solve_to(
+    /// the mechanism's size, or in radians).
+    pub fn solve_to(
         &self,
         start: &Configuration,
         drivers: &DriverValues,
         tolerance: f64,
-        patience: usize,
     ) -> Option<SolvedPoses> {
+        let blocks = self.group_systems();
+        let bodies = || blocks.iter().flat_map(|b| &b.bodies);
+        let mut x = Vec::new();
+        for b in bodies() {
+            x.extend(self.coordinates(b.body, start)?);
+        }
+        let mut x = DVector::from_vec(x);
         let mut at = (start.poses.clone(), start.points.clone());
-        let solved = self.blocks.iter().all(|block| {
-            self.solve_group(block, &mut at, drivers, (tolerance, patience)).is_some()
-        });
-        solved.then_some(at)
-    }
-
-    /// Solves the equations of one group, whose other links and pins have their final places in
-    /// `at`. The last argument has the tolerance and the patience.
-    fn solve_group(
-        &self,
-        block: &GroupBlock,
-        at: &mut SolvedPoses,
-        drivers: &DriverValues,
-        (tolerance, patience): (f64, usize),
-    ) -> Option<()> {
-        // The unknowns of a pin are first: the equation that puts it on a link eliminates them
-        // without fill.
-        let pins = block.pins.clone().map(|pin| self.links.len() + pin);
-        let (mut bodies, mut x) = (Vec::new(), Vec::new());
-        for body in pins.chain(block.links.clone()) {
-            bodies.push((body, x.len()));
-            x.extend(self.coordinates(body, &at.0, &at.1)?.into_iter().take(self.unknowns(body)));
-        }
-        let forms = &self.forms[block.forms.clone()];
-        let n = x.len();
-        if forms.iter().map(|(form, _)| form.equations()).sum::<usize>() != n {
-            return None;
-        }
-        let body = |node| bodies.iter().find(|(body, _)| self.node(*body) == node).copied();
-        let ends: Vec<[Option<(usize, usize)>; 2]> = forms
-            .iter()
-            .map(|(form, _)| {
-                let (one, other) = form.ends();
-                [one, other].map(body)
-            })
-            .collect();
-        bodies.iter().for_each(|(body, first)| self.put(*body, |k| x[first + k], at));
-        let mut rows = EquationRows::new(n);
-        let (mut last, mut least, mut waited) = (f64::INFINITY, f64::INFINITY, 0);
-        for _ in 0..MOST_STEPS {
+        let put_all = |x: &DVector<f64>, at: &mut SolvedPoses| {
+            bodies().for_each(|b| self.put(b.body, |k| x[b.first + k], at));
+        };
+        put_all(&x, &mut at);
+        let mut last = f64::INFINITY;
+        for _ in 0..60 {
             spend();
-            rows.clear();
-            let mut row = 0;
-            for (form, ends) in forms.iter().zip(&ends) {
-                self.fill(form, ends, (&x, at), drivers, &mut rows, &mut row);
+            let r = self.residuals(&at, drivers);
+            if r.len() != x.len() || r.iter().any(|v| !v.is_finite()) {
+                return None;
             }
-            let off = rows.largest_right();
-            let step = rows.solve()?;
-            let size = step.iter().fold(0.0, |size, v| v.abs().max(size));
+            let step = self.step(&x, &r, &mut at, &blocks, drivers)?;
+            let size = step.amax();
+            if !size.is_finite() {
+                return None;
+            }
             // A rough sketch may be far from the solution: a step of more than half a radian (or
             // half the mechanism) is shortened.
             let damp = if size > 0.5 { 0.5 / size } else { 1.0 };
-            // From a singular pose a small motion would wander to any other assembly.
-            if size > FARTHEST && patience < MOST_STEPS {
-                return None;
-            }
-            x.iter_mut().zip(&step).for_each(|(x, by)| *x += by * damp);
-            bodies.iter().for_each(|(body, first)| self.put(*body, |k| x[first + k], at));
+            x += step * damp;
+            put_all(&x, &mut at);
             if size < tolerance || (size < 1e-9 && size >= last) {
-                return Some(());
+                return Some(at);
             }
             last = size;
-            // At a double root the steps halve. Without a root they become smaller up to a point,
-            // and then change without a rule.
-            waited = if size < 0.75 * least { 0 } else { waited + 1 };
-            least = least.min(size);
-            if waited >= patience {
-                // Close to a limit the equations are satisfied before the corrections are small.
-                return (off <= ROUNDING).then_some(());
-            }
         }
-        (last < 1e-9).then_some(())
+        (last < 1e-9).then_some(at)
     }
 
-    /// Writes the equations of a form, and counts them in `row`: its derivatives by the unknowns of
-    /// its ends in the group, and what they must add. `x` are the unknowns, which `at` contains as
-    /// poses.
-    fn fill(
-        &self,
-        form: &(PairForm, FormValue<f64>),
-        ends: &[Option<(usize, usize)>; 2],
-        (x, at): (&[f64], &mut SolvedPoses),
-        drivers: &DriverValues,
-        rows: &mut EquationRows,
-        row: &mut usize,
-    ) {
-        let begin = *row;
-        self.residual(form, at, drivers, |v| {
-            rows.set_right(*row, -v);
-            *row += 1;
-        });
-        let slopes = self.slopes_of(&form.0, at);
-        for (end, place) in ends.iter().enumerate() {
-            let Some((body, first)) = *place else { continue };
-            if let Some(slopes) = &slopes {
-                for (equation, row) in (begin..*row).enumerate() {
-                    let slopes = slopes[end][equation].iter().take(self.unknowns(body));
-                    slopes.enumerate().for_each(|(k, slope)| rows.add(row, first + k, *slope));
-                }
-                continue;
+    /// Returns the unknowns and equations of each group. Both are numbered through all groups, in
+    /// the order of solution.
+    fn group_systems(&self) -> Vec<GroupSystem> {
+        let mut unknowns = 0;
+        let mut row = 0;
+        let mut systems: Vec<GroupSystem> = Vec::with_capacity(self.blocks.len());
+        for block in &self.blocks {
+            let begin = [unknowns, row];
+            let mut bodies = Vec::new();
+            let pins = block.pins.clone().map(|pin| self.links.len() + pin);
+            for body in block.links.clone().chain(pins) {
+                bodies.push(GroupBody { body, first: unknowns, equations: Vec::new() });
+                unknowns += self.unknowns(body);
             }
-            for k in 0..self.unknowns(body) {
-                for (by, sign) in [(STEP, 0.5 / STEP), (-STEP, -0.5 / STEP)] {
-                    self.put(body, |n| x[first + n] + if n == k { by } else { 0.0 }, at);
-                    let mut row = begin;
-                    self.residual(form, at, drivers, |v| {
-                        rows.add(row, first + k, sign * v);
-                        row += 1;
-                    });
-                }
-            }
-            self.put(body, |n| x[first + n], at);
-        }
-    }
-
-    /// Returns the derivatives of a form's residuals by the coordinates of its two ends (two of a
-    /// pin, then the angle of a link): by end, equation and coordinate. `None` for a rolling pair,
-    /// whose derivatives are taken as differences.
-    fn slopes_of(&self, form: &PairForm, (poses, points): &SolvedPoses) -> Option<FormSlopes> {
-        let view = PlacedSystem { system: self, poses, points };
-        let s = 1.0 / self.scale;
-        let none = [0.0; 3];
-        // The rates of a length that changes by `by` where the runner moves and the carrier rests.
-        let relative = |by: Vec2, place: Point, carrier: Pose| {
-            let arm = (place - carrier.origin).perp() * s;
-            [[[by.x, by.y, 0.0], none], [[-by.x, -by.y, -by.dot(arm)], none]]
-        };
-        Some(match *form {
-            PairForm::Meet { pin, link } => {
-                let pose = view.pose(link)?;
-                let arm = pose.turn(view.local(link, pin)?.to_vec2()).perp() * s;
-                [[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], [[-1.0, 0.0, -arm.x], [0.0, -1.0, -arm.y]]]
-            }
-            PairForm::Angles { .. } => [[[0.0, 0.0, 1.0], none], [[0.0, 0.0, -1.0], none]],
-            PairForm::OnPath { runner, guide, on } => {
-                let (place, carrier) = (view.runner(runner)?, view.pose(on)?);
-                let by = match view.path(guide)?.to_world(&carrier) {
-                    Path::Line { direction, .. } => direction.perp(),
-                    Path::Arc { centre, .. } => (place - centre).unit()?,
-                };
-                relative(by, place, carrier)
-            }
-            PairForm::AlongPath { runner, guide, on, .. } => {
-                let (place, carrier) = (view.runner(runner)?, view.pose(on)?);
-                let by = match view.path(guide)?.to_world(&carrier) {
-                    Path::Line { direction, .. } => direction,
-                    Path::Arc { centre, radius } => {
-                        let out = place - centre;
-                        out.perp() * (radius / out.norm2())
+            systems.push(GroupSystem { bodies, unknowns: begin[0]..unknowns, rows: row..row });
+            for form in block.forms.clone() {
+                let (one, other) = self.forms[form].0.ends();
+                for node in [one, other] {
+                    let body = systems
+                        .iter_mut()
+                        .flat_map(|s| &mut s.bodies)
+                        .find(|b| self.node(b.body) == node);
+                    if let Some(body) = body {
+                        body.equations.push((form, row));
                     }
-                };
-                relative(by, place, carrier)
+                }
+                row += self.forms[form].0.equations();
             }
-            PairForm::Distance { from, to, .. } => {
-                let by = (view.point(to)? - view.point(from)?).unit()?;
-                [[[-by.x, -by.y, 0.0], none], [[by.x, by.y, 0.0], none]]
+            if let Some(system) = systems.last_mut() {
+                system.rows = begin[1]..row;
             }
-            PairForm::Related { .. } => return None,
-        })
+        }
+        systems
     }
 
     fn node(&self, body: usize) -> GraphNode {
@@ -456,17 +332,72 @@ impl<'a> System<'a> {
         }
     }
 
+    /// Returns a step of Newton's method on all equations. Their matrix is block triangular: the
+    /// step of a group follows from those of the groups before it.
+    ///
+    /// The derivatives are central differences with a step of 2^-17: the residuals are at worst
+    /// quadratic near the solution, so that the error of the derivative (about 1e-11) only slows
+    /// the last step of the iteration and does not change its result. `at` contains the poses for
+    /// `x`.
+    fn step(
+        &self,
+        x: &DVector<f64>,
+        r: &DVector<f64>,
+        at: &mut SolvedPoses,
+        systems: &[GroupSystem],
+        drivers: &DriverValues,
+    ) -> Option<DVector<f64>> {
+        const STEP: f64 = 1.0 / 131_072.0;
+        let mut step = DVector::zeros(x.len());
+        let mut rest = -r;
+        for GroupSystem { bodies, unknowns, rows } in systems {
+            let n = unknowns.len();
+            if rows.len() != n {
+                return None;
+            }
+            let mut matrix = DMatrix::zeros(n, n);
+            // Coefficients of the group's unknowns in the equations of later groups.
+            let mut later: Vec<(usize, usize, f64)> = Vec::new();
+            for GroupBody { body, first, equations } in bodies {
+                for k in 0..self.unknowns(*body) {
+                    for (by, sign) in [(STEP, 0.5 / STEP), (-STEP, -0.5 / STEP)] {
+                        self.put(*body, |n| x[first + n] + if n == k { by } else { 0.0 }, at);
+                        for &(form, row) in equations {
+                            let mut row = row;
+                            self.residual(&self.forms[form], at, drivers, |v| {
+                                if rows.contains(&row) {
+                                    matrix[(row - rows.start, first + k - unknowns.start)] +=
+                                        sign * v;
+                                } else {
+                                    later.push((row, first + k, sign * v));
+                                }
+                                row += 1;
+                            });
+                        }
+                    }
+                }
+                self.put(*body, |n| x[first + n], at);
+            }
+            let own = LinearSystem::new(matrix).solve(&rest.rows(rows.start, n).into_owned())?;
+            step.rows_mut(unknowns.start, n).copy_from(&own);
+            later.iter().for_each(|(row, k, c)| rest[*row] -= c * step[*k]);
+        }
+        Some(step)
+    }
+
     /// Returns the unit of lengths (m): the mechanism's size.
     pub(super) fn scale(&self) -> f64 {
         self.scale
     }
 }
 
-/// Returns the derivatives of residuals, a column for each unknown: central differences.
+/// Returns the derivatives of residuals, a column for each unknown: central differences with a step
+/// of 2^-17, see [`System::solve`].
 pub(super) fn slopes(
     x: &DVector<f64>,
     residuals: &dyn Fn(&DVector<f64>) -> DVector<f64>,
 ) -> DMatrix<f64> {
+    const STEP: f64 = 1.0 / 131_072.0;
     let mut y = x.clone();
     let columns: Vec<DVector<f64>> = (0..x.len())
         .map(|k| {
@@ -479,6 +410,22 @@ pub(super) fn slopes(
         })
         .collect();
     DMatrix::from_columns(&columns)
+}
+
+/// The unknowns and equations of a group, see [`System::group_systems`].
+struct GroupSystem {
+    bodies: Vec<GroupBody>,
+    unknowns: Range<usize>,
+    rows: Range<usize>,
+}
+
+/// A body of a group: a link by its index in the system, or a pin by its index after all links.
+struct GroupBody {
+    body: usize,
+    /// Its first unknown.
+    first: usize,
+    /// The forms (index) in which it occurs, each with its first equation.
+    equations: Vec<(usize, usize)>,
 }
 
 /// A system with its links and pins in a given pose.
@@ -539,8 +486,8 @@ pub fn moved(
     moved_to(scene, mechanism, start, drivers, 1e-15)
 }
 
-/// Moves the mechanism like [`moved`], until the last correction is below `tolerance` (relative to
-/// the mechanism's size, or in radians).
+/// Moves the mechanism like [`moved`], until the last correction is below `tolerance`: see
+/// [`System::solve_to`].
 pub fn moved_to(
     scene: &Scene,
     mechanism: &Mechanism,
@@ -549,7 +496,7 @@ pub fn moved_to(
     tolerance: f64,
 ) -> Option<Configuration> {
     let system = System::new(scene, mechanism, &start.shapes, start, &placed(mechanism, start));
-    let (poses, points) = system.solve_to(start, drivers, tolerance, PATIENCE)?;
+    let (poses, points) = system.solve_to(start, drivers, tolerance)?;
     Some(super::finish::complete(
         scene,
         mechanism,

@@ -13,7 +13,7 @@ use hodograph_analytic as analytic;
 use hodograph_mechanism::answer::MotionSource;
 use hodograph_mechanism::mechanism::{Demand, Level};
 use hodograph_mechanism::position::{Configuration, Path};
-use hodograph_scene::{PointId, Scene};
+use hodograph_scene::{LinkId, PointId, Scene};
 use std::borrow::Cow;
 
 /// The number of samples through a turn, between which a rate changes its sign at most once: one
@@ -160,16 +160,15 @@ impl WalkedMotion<'_> {
             DrivenOutput::Sliding(g) => {
                 let guide = &scene.guides[g.0];
                 let Some(Path::Line { through, direction }) = at.guides[g.0] else { return None };
-                let runner = guide.pin.or_else(|| runner(scene, g.0))?;
-                let along = |level| {
-                    Some(direction.dot(solution.vector(
-                        level,
-                        runner,
-                        guide.slider.filter(|_| guide.pin.is_none()),
-                    )?))
+                let slider = guide.slider.filter(|_| guide.pin.is_none());
+                let (place, runner) = match guide.pin.or_else(|| runner(scene, g.0)) {
+                    Some(p) => (at.points[p.0]?, p),
+                    // A link without points moves as its part under a pin that glides on it.
+                    None => (at.poses[slider?.0]?.origin, gliding(scene, slider?)?),
                 };
+                let along = |level| Some(direction.dot(solution.vector(level, runner, slider)?));
                 [
-                    direction.dot(at.points[runner.0]? - through),
+                    direction.dot(place - through),
                     along(Level::Velocity)?,
                     along(Level::Acceleration)?,
                 ]
@@ -184,14 +183,36 @@ fn runner(scene: &Scene, guide: usize) -> Option<PointId> {
     scene.links[scene.guides[guide].slider?.0].points.first().copied()
 }
 
+/// A pin that glides on a guide of a link.
+fn gliding(scene: &Scene, link: LinkId) -> Option<PointId> {
+    scene.guides.iter().find(|g| g.on == link).and_then(|g| g.pin)
+}
+
 #[cfg(test)]
 mod tests {
-    use crate::extreme::{MotionLimits, limits, limits_walked};
+    use crate::extreme::{DrivenOutput, MotionLimits, limits, limits_walked};
     use hodograph_mechanism::mechanism::Mechanism;
     use hodograph_scene::{read, templates};
 
     fn close(name: &str, a: f64, b: f64, tolerance: f64) {
         assert!((a - b).abs() <= tolerance, "{name}: {a} against {b}");
+    }
+
+    /// The valve has no points: its stroke is that of the end D of the rocker arm, 50 mm from P.
+    #[test]
+    fn a_slider_without_points_has_its_stroke() {
+        let scene = read(templates::get("cam-valve-train").unwrap()).unwrap().value;
+        let m = Mechanism::new(&scene).unwrap().value;
+        let limits = limits(&scene, &m, 0).unwrap();
+        let of = |wanted: fn(&DrivenOutput) -> bool| {
+            limits.swings.iter().rfind(|s| wanted(&s.output)).unwrap()
+        };
+        let arm = of(|o| matches!(o, DrivenOutput::Turning(_)));
+        let valve = of(|o| matches!(o, DrivenOutput::Sliding(_)));
+        let ends: Vec<f64> = arm.extremes.iter().map(|e| libm::sin(e.output)).collect();
+        let stroke = 0.05 * (ends[0] - ends[1]).abs();
+        assert!(stroke > 4e-3);
+        close("valve", valve.stroke.unwrap(), stroke, 1e-12);
     }
 
     /// Mechanisms with a compiled form: full turns, bounded ones, sliders, a link on three legs.

@@ -37,7 +37,7 @@ impl Function {
         for (k, at) in b.iter().enumerate() {
             board.line(a, *at, Weight::Given).mark(&format!("B_{}", k + 1), *at);
             if k > 0 {
-                board.angle(a, [b[0], *at], &format!("\\phi_{{1{}}}", k + 1));
+                board.angle(a, [b[0], *at], &format!("\\alpha_{{1{}}}", k + 1));
             }
         }
         let mut turned = vec![b[0]];
@@ -52,7 +52,7 @@ impl Function {
             board
                 .line(d, *at, Weight::Thin)
                 .line(d, back, Weight::Thin)
-                .angle(d, [*at, back], &format!("\\psi_{{1{j}}}"))
+                .angle(d, [*at, back], &format!("\\varphi_{{1{j}}}"))
                 .mark(&format!("B_{j}'"), back);
             turned.push(back);
         }
