@@ -4,7 +4,7 @@ use hodograph::figure::mechanism::mechanism;
 use hodograph::geom::Point;
 use hodograph::notation::Notation;
 use hodograph::paper::extent::Rect;
-use hodograph::paper::item::{Dash, FigureItem, Shape};
+use hodograph::paper::item::{Dash, FigureItem, PathPiece, Shape};
 use hodograph::paper::style::Style;
 use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};
@@ -124,13 +124,13 @@ fn a_yoke_has_two_faces() {
                   "profile": {"centre": "B", "radius": "30 mm"}}],
         "driver": {"link": "2", "angle": "50 deg", "omega": "2 rad/s"}, "find": ["v_F"]}"#;
     let items = drawn(yoke);
-    let circle = items.iter().find_map(|i| match i.shape {
-        Shape::Arc { centre, radius_mm, .. } if i.class.ends_with("cam") => {
-            Some((centre, radius_mm))
-        }
+    let circle = items.iter().find_map(|i| match &i.shape {
+        Shape::Path { pieces, .. } if i.class.ends_with("cam") => Some(pieces[0]),
         _ => None,
     });
-    let (centre, radius) = circle.unwrap();
+    let Some(PathPiece::Arc { centre, radius_mm: radius, .. }) = circle else {
+        panic!("the cam is round: {circle:?}")
+    };
     let faces: Vec<(f64, Dash)> = items
         .iter()
         .filter_map(|i| match i.shape {
