@@ -6,7 +6,6 @@ use hodograph::inversions::{Inversion, inversions};
 use hodograph::mechanism::Level;
 use hodograph::scene::{self, LinkId, Scene, templates};
 use hodograph::sweep::extreme::Grashof;
-use hodograph::sweep::{self, PlacedScene};
 
 mod wide;
 
@@ -47,23 +46,6 @@ fn wheels_roll_on_one_another_as_before() {
         "rack-stroke-doubler",
     ];
     assert_eq!(relative_motion_is_kept(&names), 4 + 5 + 5 + 3 + 4 + 5);
-}
-
-/// Close beyond the end of a motion there may be another assembly: the limit is where a sweep ends.
-#[test]
-fn limits_are_where_a_sweep_ends() {
-    let list = all(&template("gear-linkage", &[]));
-    let of_6 = list.iter().find(|i| i.scene.links[i.scene.ground.0].name == "6").unwrap();
-    let placed = PlacedScene::new(&of_6.scene, &of_6.worked.mechanism).unwrap();
-    let closes = |value: f64| {
-        let table = sweep::of_values(&placed, 0, vec![value]).unwrap();
-        !table.columns[0].values.is_empty()
-    };
-    let range = &of_6.limits.range;
-    assert!(range.ends.iter().all(Option::is_some));
-    let [low, high] = range.bounds();
-    assert!(closes(low + 1e-6) && !closes(low - 1e-6), "{low}");
-    assert!(closes(high - 1e-6) && !closes(high + 1e-6), "{high}");
 }
 
 /// Barrels and rods are treated like other links, and several drivers are kept.

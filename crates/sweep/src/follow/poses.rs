@@ -13,7 +13,6 @@ use std::f64::consts::TAU;
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_base::digits::significant;
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
-use hodograph_mechanism::position::fold::fold;
 use hodograph_mechanism::position::{self, Configuration, newton};
 use hodograph_mechanism::stated::{self, Moment};
 use hodograph_scene::{GivenQuantity, LinkId, Scene, Swept};
@@ -70,9 +69,6 @@ impl PoseSweep {
 
 /// The number of halvings of a step after which the motion is taken to end: 5° become 0.0003°.
 const HALVINGS: usize = 14;
-/// The least freedom of a joint close to the end of a motion, in sizes of the mechanism: rounding
-/// moves a pose at a limit by some 1e-8.
-const LEAST_FREE: f64 = 1e-6;
 /// The distance of a joint from its place, in sizes of the mechanism, above which it is off the
 /// paper: the crossing of two lines that become parallel goes beyond all bounds.
 const FAR: f64 = 3.0;
@@ -335,60 +331,25 @@ impl<'a> PoseFollower<'a> {
         None
     }
 
-    /// The last pose before the motion ends, found by doubling the smallest part of the way and then
-    /// by halving: far beyond the end there may be other assemblies.
+    /// The last pose before the motion ends, found by halving.
     fn end(&self, now: &TravelPose, target: f64) -> TravelPose {
-        let (mut inside, mut outside, mut free) = (now.clone(), target, 10.0 * STRAY);
-        for halvings in (1..=HALVINGS).rev() {
-            let travel = now.travel + (target - now.travel) / f64::from(1u32 << halvings);
-            match self.onward(&inside, travel, &mut free) {
-                Some(next) => inside = next,
-                None => {
-                    outside = travel;
-                    break;
-                }
-            }
-        }
+        let (mut inside, mut outside) = (now.clone(), target);
         loop {
             let middle = 0.5 * (inside.travel + outside);
             // No double remains between.
             if middle == inside.travel || middle == outside {
-                return self.at_fold(&inside).unwrap_or(inside);
+                return inside;
             }
-            match self.onward(&inside, middle, &mut free) {
-                Some(next) => inside = next,
+            // Close to its limit a mechanism moves as the root of the distance: the pose is not
+            // extrapolated, and nearness is judged broadly.
+            match self
+                .at(&inside.configuration, middle)
+                .filter(|c| self.stray(c, &inside.configuration) < 10.0 * STRAY)
+            {
+                Some(configuration) => inside = TravelPose { travel: middle, configuration },
                 None => outside = middle,
             }
         }
-    }
-
-    /// The end of a motion that Newton's method follows, in the pose of the fold there: within the
-    /// rounding of the travel the pose is uncertain by some 1e-8.
-    fn at_fold(&self, end: &TravelPose) -> Option<TravelPose> {
-        let SweptVariable::Driver(driver) = self.course else { return None };
-        if !self.has_higher_groups() || self.scene.has_laws(driver) {
-            return None;
-        }
-        let mut values = newton::driver_values(&self.scene, self.base);
-        values.0[driver] += end.travel;
-        let near = &end.configuration;
-        let (_, configuration) = fold(&self.scene, self.mechanism, near, &values, driver)?;
-        (self.stray(&configuration, near) < LEAST_FREE)
-            .then_some(TravelPose { travel: end.travel, configuration })
-    }
-
-    /// The pose at a travel close to the end of the motion, if no joint is farther than `free` from
-    /// its place before; the next may move little more.
-    ///
-    /// Close to its limit a mechanism moves as the root of the distance: the pose is not
-    /// extrapolated, and nearness is judged broadly.
-    fn onward(&self, from: &TravelPose, travel: f64, free: &mut f64) -> Option<TravelPose> {
-        let configuration = self.at(&from.configuration, travel)?;
-        let moved = self.stray(&configuration, &from.configuration);
-        (moved < *free).then(|| {
-            *free = (4.0 * moved).clamp(LEAST_FREE, 10.0 * STRAY);
-            TravelPose { travel, configuration }
-        })
     }
 
     /// Returns the pose at a travel that is nearest to a guess; `None` if the mechanism does not
@@ -397,14 +358,9 @@ impl<'a> PoseFollower<'a> {
         self.closed(guess, travel).filter(|c| self.stray(c, self.base) < FAR)
     }
 
-    /// True if some group has no closed form.
-    fn has_higher_groups(&self) -> bool {
-        self.mechanism.groups.iter().any(|g| g.class().is_some_and(|class| class != "II"))
-    }
-
     fn closed(&self, guess: &Configuration, travel: f64) -> Option<Configuration> {
         // Closed forms are exact; other groups must be found from the guess.
-        if self.has_higher_groups() {
+        if self.mechanism.groups.iter().any(|g| g.class().is_some_and(|class| class != "II")) {
             return self.by_newton(guess, travel);
         }
         let gone = self.gone(travel)?;
