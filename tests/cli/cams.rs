@@ -243,6 +243,20 @@ fn the_least_base_circle_for_an_allowed_pressure_angle() {
     }
 }
 
+/// The valve has no points: its stroke is that of the end of the rocker arm, 50 mm from its pivot.
+#[test]
+fn a_slider_without_points_has_its_stroke() {
+    let output = hodograph().args(["limits", "templates/cam-valve-train.json"]).output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    let after = |words: &str| -> f64 {
+        let rest = text.split(words).nth(1).unwrap_or_else(|| panic!("{words}: {text}"));
+        rest.split([' ', '°']).next().unwrap().parse().unwrap()
+    };
+    let arm = [130.137_f64, 121.906].map(|angle| 50.0 * angle.to_radians().sin());
+    assert!(text.contains("phi_5 = 130.137°") && text.contains("phi_5 = 121.906°"), "{text}");
+    assert!((after("s_6 has a stroke of ") - (arm[0] - arm[1]).abs()).abs() < 1e-3, "{text}");
+}
+
 /// A follower that a cam leads by its law is no second driver.
 #[test]
 fn a_path_has_one_driver_where_a_cam_leads_its_follower() {

@@ -190,29 +190,12 @@ fn gliding(scene: &Scene, link: LinkId) -> Option<PointId> {
 
 #[cfg(test)]
 mod tests {
-    use crate::extreme::{DrivenOutput, MotionLimits, limits, limits_walked};
+    use crate::extreme::{MotionLimits, limits, limits_walked};
     use hodograph_mechanism::mechanism::Mechanism;
     use hodograph_scene::{read, templates};
 
     fn close(name: &str, a: f64, b: f64, tolerance: f64) {
         assert!((a - b).abs() <= tolerance, "{name}: {a} against {b}");
-    }
-
-    /// The valve has no points: its stroke is that of the end D of the rocker arm, 50 mm from P.
-    #[test]
-    fn a_slider_without_points_has_its_stroke() {
-        let scene = read(templates::get("cam-valve-train").unwrap()).unwrap().value;
-        let m = Mechanism::new(&scene).unwrap().value;
-        let limits = limits(&scene, &m, 0).unwrap();
-        let of = |wanted: fn(&DrivenOutput) -> bool| {
-            limits.swings.iter().rfind(|s| wanted(&s.output)).unwrap()
-        };
-        let arm = of(|o| matches!(o, DrivenOutput::Turning(_)));
-        let valve = of(|o| matches!(o, DrivenOutput::Sliding(_)));
-        let ends: Vec<f64> = arm.extremes.iter().map(|e| libm::sin(e.output)).collect();
-        let stroke = 0.05 * (ends[0] - ends[1]).abs();
-        assert!(stroke > 4e-3);
-        close("valve", valve.stroke.unwrap(), stroke, 1e-12);
     }
 
     /// Mechanisms with a compiled form: full turns, bounded ones, sliders, a link on three legs.
