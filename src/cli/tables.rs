@@ -23,7 +23,7 @@ const NUMBERS: usize = 1 << 21;
 /// Returns the place of a table: its rows come once, and are written in one format.
 ///
 /// # Errors
-/// Those of [`places`], and `format` if several are requested.
+/// The errors of [`places`], and `format` if several are requested.
 pub fn place<F: ValueEnum + Copy + PartialEq>(
     output: &str,
     formats: &[F],

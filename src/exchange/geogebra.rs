@@ -24,7 +24,7 @@ const AIR: f64 = 0.35;
 /// Returns the archive.
 ///
 /// # Errors
-/// Those of [`order`].
+/// The errors of [`order`].
 pub fn ggb(linkage: &Linkage) -> Result<Vec<u8>, Faults> {
     let bytes = xml(linkage)?.into_bytes();
     Ok(zip(&[ArchiveFile { path: "geogebra.xml".into(), bytes }]))
@@ -33,7 +33,7 @@ pub fn ggb(linkage: &Linkage) -> Result<Vec<u8>, Faults> {
 /// Returns the construction as XML.
 ///
 /// # Errors
-/// Those of [`order`].
+/// The errors of [`order`].
 pub fn xml(linkage: &Linkage) -> Result<String, Faults> {
     let placed = order(linkage)?;
     let names = names(linkage);

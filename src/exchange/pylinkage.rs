@@ -20,7 +20,7 @@ const STEPS: f64 = 360.0;
 /// solution.
 ///
 /// # Errors
-/// Those of [`order`].
+/// The errors of [`order`].
 pub fn script(linkage: &Linkage) -> Result<String, Faults> {
     let placed = order(linkage)?;
     let title: String = linkage.title.chars().filter(|c| !c.is_control()).collect();
@@ -106,7 +106,7 @@ fn text(of: &str) -> String {
 /// two joints is written as links of two joints with one name.
 ///
 /// # Errors
-/// Those of [`order`]; `export` for a slot in a moving link, and for a straight lever whose
+/// The errors of [`order`]; `export` for a slot in a moving link, and for a straight lever whose
 /// third joint carries other links: the program has no joint for them there.
 pub fn file(linkage: &Linkage) -> Result<String, Faults> {
     let placed = order(linkage)?;

@@ -49,7 +49,7 @@ pub fn document(
 /// Returns the sheets to draw on of all variants as one PDF, and their overlays as another.
 ///
 /// # Errors
-/// Those of [`working_frame`] and of the PDF.
+/// The errors of [`working_frame`] and of the PDF.
 pub fn frames(
     all: &[HomeworkVariant],
     look: &Look,

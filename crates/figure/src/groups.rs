@@ -34,7 +34,7 @@ const LINE_MM: f64 = 6.0;
 /// link in place of each contact ([`Scene::replaced`]).
 ///
 /// # Errors
-/// Those of [`work_replaced`].
+/// The errors of [`work_replaced`].
 pub fn figure(
     scene: &Scene,
     worked: &Worked,

@@ -153,7 +153,7 @@ impl BalancingMoment<'_> {
 /// fully; `None` for a driver that does not.
 ///
 /// # Errors
-/// Those of [`limits`]; a position in which the moment has no value.
+/// The errors of [`limits`]; a position in which the moment has no value.
 pub fn energy(placed: &PlacedScene, driver: usize) -> Result<Option<Energy>, Faults> {
     let PlacedScene { scene, mechanism, .. } = placed;
     let all = limits(scene, mechanism, driver)?;

@@ -167,7 +167,7 @@ pub fn limits(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Mot
 /// stops it.
 ///
 /// # Errors
-/// Those of [`limits`].
+/// The errors of [`limits`].
 pub fn ends(scene: &Scene, driver: usize) -> Result<[Option<f64>; 2], Faults> {
     let mechanism = Mechanism::new(scene)?.value;
     Ok(limits(scene, &mechanism, driver)?.range.ends.map(|end| end.map(|event| event.value)))

@@ -241,7 +241,7 @@ impl Variation {
     /// Returns `steps` equal steps between two values, both ends included.
     ///
     /// # Errors
-    /// Those of [`Variation::value`].
+    /// The errors of [`Variation::value`].
     pub fn span(
         &self,
         scene: &Scene,
@@ -264,7 +264,7 @@ impl Variation {
     /// Returns all values of [`Variation::span`].
     ///
     /// # Errors
-    /// Those of [`Variation::value`].
+    /// The errors of [`Variation::value`].
     pub fn range(
         &self,
         scene: &Scene,

@@ -2,7 +2,7 @@
 
   let travel = times[data.base];
   let step = Math.min(1, steps.length);
-  // Whether the step is told from the others: on paper it is not.
+  // True on the screen, where the step is told from the others; false on paper.
   let marked = true;
   let predicting = null;
   let running = 0;

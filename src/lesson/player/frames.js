@@ -23,7 +23,7 @@
 
   // A single frame is not moved.
   if (data.frames.length < 2) for (const e of [$("time"), $("pose").querySelector(".buttons")]) e.hidden = true;
-  // What has no construction has no steps to go through.
+  // Without a construction there are no steps.
   if (!steps().length) {
     $("left").remove();
     $("right").style.gridColumn = "1 / -1";

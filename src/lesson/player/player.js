@@ -20,7 +20,7 @@
     root.dataset.theme = dark ? "light" : "dark";
   };
   $("theme").addEventListener("click", theme);
-  // What has no construction has no steps.
+  // Without a construction there are no steps.
   if ($("first")) {
     $("first").addEventListener("click", () => go(1));
     $("previous").addEventListener("click", () => go(step - 1));
@@ -32,7 +32,7 @@
       note();
     });
   }
-  // What the sheets and the speaker are told of a step: the drawings to which it adds something, else those of the step before.
+  // The drawings of a step, for the sheets and the speaker: those to which it adds something, else those of the step before.
   let seen = [];
   function drawingsNow() {
     const all = [...document.querySelectorAll(".drawing svg")].filter((svg) => svg.querySelector("[data-step]"));

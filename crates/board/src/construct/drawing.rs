@@ -288,7 +288,7 @@ impl<N: Real> ActsView<'_, N> {
 /// from the polygons.
 ///
 /// # Errors
-/// The same as for [`Acts::draw`].
+/// The errors of [`Acts::draw`].
 pub fn by_hand<N: Real, P: Pencil<N>>(
     acts: &Arc<Acts>,
     scene: &Scene,

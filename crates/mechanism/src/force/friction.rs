@@ -217,7 +217,7 @@ const SETTLED: f64 = 1e-12;
 /// the loads.
 ///
 /// # Errors
-/// Those of `solve`.
+/// The errors of `solve`.
 pub fn settled<N: Real, R, E>(
     scene: &Scene,
     rubbing: &[Rubbing<N>],

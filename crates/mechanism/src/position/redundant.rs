@@ -100,8 +100,8 @@ const MOST_PROVED: usize = 150;
 /// with a distance kept by other pairs, only those that keep it approximately.
 ///
 /// # Errors
-/// Those of [`configure`] for the links that take part; `locked` and `shaky` for a pair that is no
-/// repetition.
+/// The errors of [`configure`] for the links that take part; `locked` and `shaky` for a pair that
+/// is no repetition.
 pub fn check(scene: &Scene, m: &Mechanism) -> Result<Vec<Checked>, Faults> {
     let mut faults = Faults::default();
     let mut all = Vec::new();
@@ -130,7 +130,7 @@ pub fn told(scene: &Scene, m: &Mechanism) -> Result<Vec<Diagnostic>, Faults> {
 /// Checks one opened pair; a pair that does not hold is no error here.
 ///
 /// # Errors
-/// Those of [`configure`].
+/// The errors of [`configure`].
 pub fn look(scene: &Scene, m: &Mechanism, opened: &Opened) -> Result<Checked, Faults> {
     let demand = demand(scene, m, opened);
     let at = configure(scene, m, &demand)?.value;

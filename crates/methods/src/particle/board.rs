@@ -155,7 +155,7 @@ pub fn draw(problem: &ParticleProblem) -> Result<Vec<MotionDrawing>, Diagnostic>
 /// integrated again.
 ///
 /// # Errors
-/// The same as for [`draw`].
+/// The errors of [`draw`].
 pub fn draw_again(
     problem: &ParticleProblem,
     known: &[MotionDrawing],

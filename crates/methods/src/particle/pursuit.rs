@@ -280,7 +280,7 @@ impl Chase<'_> {
     /// Returns the end of the pursuit: time and place of the meeting, if the two meet.
     ///
     /// # Errors
-    /// The same as for [`Chase::follow`].
+    /// The errors of [`Chase::follow`].
     pub fn end<N: Real + Into<Dd>>(&self) -> Result<PursuitEnd, Diagnostic> {
         self.end_seen::<N>(&mut |_| {})
     }
@@ -288,7 +288,7 @@ impl Chase<'_> {
     /// Returns the end of the pursuit; `seen` gets every state on the way.
     ///
     /// # Errors
-    /// The same as for [`Chase::follow`].
+    /// The errors of [`Chase::follow`].
     pub fn end_seen<N: Real + Into<Dd>>(
         &self,
         seen: &mut dyn FnMut(&PursuitState<N>),

@@ -88,7 +88,7 @@ pub fn solve(problem: &ParticleProblem) -> Result<ParticleSolution, Faults> {
 /// `f64`, with fewer certain digits and in a hundredth of the time.
 ///
 /// # Errors
-/// The same as for [`solve`].
+/// The errors of [`solve`].
 pub fn solve_again(
     problem: &ParticleProblem,
     known: &ParticleSolution,
@@ -205,7 +205,7 @@ fn at_instant<N: Real + Into<Dd>>(
 /// Returns the states of a pursuit at times in ascending order, for figures.
 ///
 /// # Errors
-/// The same as for [`Chase::follow`].
+/// The errors of [`Chase::follow`].
 pub fn course(chase: &Chase, times: &[f64]) -> Result<Vec<pursuit::PursuitState<f64>>, Diagnostic> {
     let mut here = chase.start::<f64>()?;
     let mut out = Vec::new();

@@ -90,7 +90,7 @@ pub fn answers(scene: &Scene, worked: &Worked) -> Result<Vec<Option<AnswerValue<
 /// Returns the configurations for [`answers`]; it must be called within such a region too.
 ///
 /// # Errors
-/// Those of [`answers`].
+/// The errors of [`answers`].
 pub fn differences(scene: &Scene, worked: &Worked) -> Result<Differences<Big>, Faults> {
     let (m, demand, meant) = (&worked.mechanism, &worked.demand, &worked.configuration);
     let step = Big::from_f64(libm::exp2(STEP));

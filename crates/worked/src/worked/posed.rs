@@ -17,7 +17,7 @@ const SAME_PLACE: f64 = 1e-7;
 /// for the motion.
 ///
 /// # Errors
-/// Those of [`work`].
+/// The errors of [`work`].
 pub fn work_motion(scene: &Scene) -> Result<Option<(Scene, Worked)>, Faults> {
     if is_of_motion(scene) || !scene.has_momentary_cams() {
         return Ok(None);
@@ -32,7 +32,7 @@ pub fn work_motion(scene: &Scene) -> Result<Option<(Scene, Worked)>, Faults> {
 /// ([`Scene::replaced`]).
 ///
 /// # Errors
-/// Those of [`work`].
+/// The errors of [`work`].
 pub fn work_replaced(
     scene: &Scene,
     worked: &Worked,
@@ -58,7 +58,7 @@ fn is_of_motion(scene: &Scene) -> bool {
 /// follower remains a driver.
 ///
 /// # Errors
-/// Those of [`work_placed`].
+/// The errors of [`work_placed`].
 pub fn work_pose(
     scene: &Scene,
     of: (&Mechanism, &Demand),
