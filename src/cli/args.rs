@@ -554,7 +554,7 @@ pub struct CamArgs {
     #[arg(long, value_name = "FILE")]
     pub profile: Option<String>,
     /// Steps of a turn in the profile
-    #[arg(long, value_name = "N", default_value_t = 720, value_parser = clap::value_parser!(u32).range(12..=100_000))]
+    #[arg(long, value_name = "N", default_value_t = crate::problem::cams::STEPS, value_parser = clap::value_parser!(u32).range(12..=100_000))]
     pub steps: u32,
     /// The cam, counted from 1 (default: all)
     #[arg(long, value_name = "K")]
