@@ -202,7 +202,7 @@
 //! zip        -
 //! homework   diag digits scene answer sweep paper render worked attempts report figure worksheet problem zip
 //! exchange   diag notation geom scene position paper render worked figure problem zip
-//! cli        diag json notation digits geom cam scene mechanism plan sweep paper render worked certified effort gears centres composite attempts curvature inversions loops report figure worksheet lesson problem homework exchange zip
+//! cli        diag json notation digits scene mechanism plan sweep paper render worked certified effort centres composite attempts curvature inversions loops report figure worksheet lesson problem homework exchange zip
 //! ```
 //!
 //! # Extension

@@ -12,6 +12,7 @@ import { Course, LIVE } from './motion'
 import { arrange, Pane } from './panes'
 import { Saves } from './saves'
 import { fragment, shared } from './share'
+import { TOLD, Told } from './told'
 import { isWord, word, type Lang, type Word } from './words'
 
 /** Tabs of single figures, each shown if the file calls for it. */
@@ -19,8 +20,6 @@ const SINGLE = [
   'sheet', 'equations', 'results', 'centres', 'loops', 'composite', 'curvature', 'centrodes', 'forces', 'lever', 'gears', 'kutzbach',
   'cam', 'cam-instant', 'replaced', 'attempts', 'groups', 'plates', 'inversions', 'cognates', 'curves',
 ]
-/** Tabs of text, as the program prints it. */
-const REPORTS = ['limits', 'mobility']
 /** Figures that take long: drawn when their tab is chosen. */
 const SLOW = ['curves']
 /** The first template. */
@@ -60,6 +59,7 @@ export class App {
   private hold = false
   private generation = 0
   private timer = 0
+  readonly told = new Told(this, () => void this.draw(false))
   private saves = new Saves(this)
   private filed: Filed
   private builder: Builder
@@ -269,7 +269,7 @@ export class App {
         if (answers && generation === this.generation) this.answer({ figures: [], missing: [], answers, verdict: this.opened.verdict })
         return
       }
-      if (REPORTS.includes(tab)) return await this.report(tab)
+      if (tab in TOLD) return await this.report(tab)
       const what = tab === 'live' ? LIVE : [tab]
       const frame = await this.frame(what, travel, true)
       if (generation !== this.generation || tab !== this.tab) return
@@ -285,12 +285,13 @@ export class App {
     }
   }
 
-  private async report(of: string): Promise<void> {
+  private async report(tab: string): Promise<void> {
     const { generation } = this
-    const { text } = await this.engine.ask<{ text: string }>({ do: 'report', handle: this.opened!.handle, of, lang: this.lang })
-    if (generation !== this.generation || this.tab !== of) return
-    this.show([], false)
-    this.stage.append(element('pre', { class: 'report', tabindex: '0' }, text))
+    this.moving = false
+    const { pages, below } = await this.told.drawn(tab)
+    if (generation !== this.generation || this.tab !== tab) return
+    this.show(pages, false)
+    this.stage.append(below)
   }
 
   private say_missing(missing: Diagnostic[]): string {
@@ -530,7 +531,10 @@ export class App {
     document.body.dataset.tab = this.tab
     const scene = !['task', 'motion', 'equation'].includes(this.opened?.kind ?? '')
     const singles = SINGLE.filter((name) => this.pages.has(name) || name === 'sheet' || name === this.tab || (SLOW.includes(name) && this.course?.can))
-    const reports = REPORTS.filter((name) => name !== 'limits' || (this.course?.can && typeof this.opened?.swept === 'number'))
+    const single = this.course?.can && typeof this.opened?.swept === 'number'
+    const reports = Object.entries(TOLD)
+      .filter(([name, { moves, beside }]) => name === this.tab || ((!moves || single) && (!beside || this.pages.has(beside))))
+      .map(([name]) => name)
     const names = scene ? ['live', 'steps', ...singles, ...reports] : ['sheet']
     const tab = (name: string) =>
       element(
@@ -596,7 +600,7 @@ export class App {
   }
 
   /** The files of a form. */
-  readonly files = (form: string, sides?: string) => this.saves.files(form, sides)
+  readonly files = (form: string, of?: string) => this.saves.files(form, of)
 
   /** Begins with an empty scene. */
   private create(): void {
