@@ -288,10 +288,13 @@ export class App {
   private async report(tab: string): Promise<void> {
     const { generation } = this
     this.moving = false
-    const { pages, below } = await this.told.drawn(tab)
+    const { pages, control, below } = await this.told.drawn(tab)
     if (generation !== this.generation || this.tab !== tab) return
+    const held = this.stage.querySelector('label.report :focus') !== null
     this.show(pages, false)
     this.stage.append(below)
+    if (control) this.stage.prepend(control)
+    if (held) control?.querySelector<HTMLElement>('input, select')?.focus()
   }
 
   private say_missing(missing: Diagnostic[]): string {
@@ -300,7 +303,7 @@ export class App {
 
   private show(pages: Page[], hold: boolean): void {
     const names = pages.map((p) => `${p.figure ?? ''}/${p.name}`)
-    this.stage.querySelector('.report')?.remove()
+    this.stage.querySelectorAll('.report').forEach((one) => one.remove())
     for (const [name, pane] of this.panes) {
       if (names.includes(name)) continue
       pane.root.remove()

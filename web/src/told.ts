@@ -38,15 +38,14 @@ export class Told {
     return { alpha: `${this.alpha} deg`, cycle: this.form }
   }
 
-  /** The pages of a tab, and what is below them. */
-  async drawn(tab: string): Promise<{ pages: Page[]; below: HTMLElement }> {
+  /** The pages of a tab, what is chosen above them, and the text below. */
+  async drawn(tab: string): Promise<{ pages: Page[]; control: HTMLElement | null; below: HTMLElement }> {
     const { of, figure } = TOLD[tab]!
     const { engine, opened, lang, dark } = this.site
     const message = { handle: opened!.handle, lang, ...(dark && { style: 'dark' }), ...(figure && this.choices) }
     const { text } = await engine.ask<{ text: string }>({ do: 'report', of, ...message })
     const frame = figure ? await engine.ask<Frame>({ do: 'frame', what: [figure], prefix: true, ...message }) : null
-    const pre = element('pre', { class: 'told', tabindex: '0' }, text)
-    return { pages: frame?.figures ?? [], below: element('section', { class: 'report' }, this.control(tab), pre) }
+    return { pages: frame?.figures ?? [], control: this.control(tab), below: element('pre', { class: 'report', tabindex: '0' }, text) }
   }
 
   private control(tab: string): HTMLElement | null {
@@ -56,7 +55,7 @@ export class Told {
         this.form = select.value
         this.draw()
       } }, ...FORMS.map(([form, key]) => element('option', { value: form, selected: form === this.form }, t(key))))
-      return element('label', {}, `${t('form')} `, select)
+      return element('label', { class: 'report' }, `${t('form')} `, select)
     }
     if (tab === 'least') {
       const input = element('input', { type: 'number', min: '1', max: '89', step: 'any', value: String(this.alpha), change: () => {
@@ -64,7 +63,7 @@ export class Told {
         this.alpha = Number(input.value)
         this.draw()
       } })
-      return element('label', {}, `${t('allowed')} [α] = `, input, '°')
+      return element('label', { class: 'report' }, `${t('allowed')} [α] = `, input, '°')
     }
     return null
   }

@@ -303,7 +303,7 @@ test('the motion cycle and the least base circle are those of the program', asyn
   const file = join(folder, 'scene.json')
   writeFileSync(file, await template(page, 'cam-offset-roller'))
   const told = (...args) => spawnSync(program, args, { encoding: 'utf8' }).stdout
-  const shown = (text) => page.waitForFunction((t) => document.querySelector('.told')?.textContent === t, text)
+  const shown = (text) => page.waitForFunction((t) => document.querySelector('pre.report')?.textContent === t, text)
   await page.click('[data-tab="cycle"]')
   await shown(told('cycle', file, '--lang', 'en'))
   await page.selectOption('.report select', 'polar')
@@ -335,7 +335,7 @@ test('limits and mobility are told as by the program', async () => {
     for (const of of ['limits', 'mobility']) {
       await page.click(`[data-tab="${of}"]`)
       const { stdout } = spawnSync(program, [of, file, '--lang', lang], { encoding: 'utf8' })
-      await page.waitForFunction((t) => document.querySelector('.told')?.textContent === t, stdout)
+      await page.waitForFunction((t) => document.querySelector('pre.report')?.textContent === t, stdout)
     }
     await page.click('[data-tab="live"]')
     await page.waitForSelector('.pane svg')
