@@ -8,6 +8,7 @@ import { Ended, Engine, Refused, type Diagnostic, type Frame, type Motion, type 
 import type { Schema } from './complete'
 import { asked, Filed } from './filed'
 import { Gallery } from './gallery'
+import { Given, lesson } from './lesson'
 import { Course, LIVE } from './motion'
 import { arrange, Pane } from './panes'
 import { Saves } from './saves'
@@ -59,6 +60,7 @@ export class App {
   private hold = false
   private generation = 0
   private timer = 0
+  private given = new Given(this)
   readonly told = new Told(this, () => void this.draw(false))
   private saves = new Saves(this)
   private filed: Filed
@@ -82,7 +84,7 @@ export class App {
     root.append(
       this.bar,
       element('main', { class: 'work' }, this.tabs, this.stage, this.builder.root, this.note, this.transport),
-      element('aside', { class: 'side' }, this.answers.root, this.faults, this.text),
+      element('aside', { class: 'side' }, this.given.root, this.answers.root, this.faults, this.text),
     )
     this.editor = new Editor({
       parent: this.text,
@@ -115,7 +117,12 @@ export class App {
       this.say('unreadable')
     }
     window.addEventListener('hashchange', () => void shared(location.hash).then((t) => t !== null && t !== this.editor.text && this.begin(t, 'scene'), () => this.say('unreadable')))
-    if (this.filed.name !== null) {
+    const taught = lesson()
+    if (taught !== null) {
+      document.body.classList.add('lesson')
+      if (taught.includes('"links"')) this.tab = 'steps'
+      this.begin(taught, 'scene')
+    } else if (this.filed.name !== null) {
       const text = await this.filed.begin()
       if (text === '') this.create()
       else this.begin(text, '')
@@ -136,6 +143,7 @@ export class App {
   private begin(text: string, name: string): void {
     this.name = name
     this.hold = false
+    this.stepAt = 0
     this.answers.forget()
     this.editor.begin(text)
   }
@@ -153,6 +161,7 @@ export class App {
     const generation = ++this.generation
     const text = this.editor.text
     this.pause()
+    if (document.body.classList.contains('lesson')) this.given.show()
     try {
       const opened = await this.engine.ask<Opened>({ do: 'open', text, lang: this.lang })
       if (generation !== this.generation) {
@@ -340,7 +349,6 @@ export class App {
       const { figures } = await this.engine.ask<{ figures: Page[] }>(message)
       if (generation !== this.generation) return
       this.steps = figures
-      this.stepAt = 0
     }
     this.showStep()
   }

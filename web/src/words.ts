@@ -73,6 +73,7 @@ const WORDS = {
   cognates: ['Cognates', '同源机构'],
   cycle: ['Motion cycle', '运动循环图'],
   least: ['Least base circle', '最小基圆'],
+  given: ['Given', '已知'],
   form: ['Form', '形式'],
   bars: ['bars', '直线式'],
   straight: ['straight lines', '直角坐标式'],

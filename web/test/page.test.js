@@ -403,6 +403,33 @@ test('the single file opens from a disk', async () => {
   await context.close()
 })
 
+test('a lesson with the engine inside is drawn anew for other lengths', async () => {
+  const folder = mkdtempSync(join(tmpdir(), 'hodograph-'))
+  const file = join(folder, 'lesson.html')
+  run(['lesson', join(dist, '../../templates/crank-rocker.json'), '--live', '--page', join(dist, 'hodograph.html'), '--lang', 'zh', '-o', file])
+  const { page, context, faults } = await opened(`file://${file}`, {}, (page) => page.waitForSelector('.stage[data-tab="steps"] .pane svg'))
+  assert.match(await page.title(), /曲柄摇杆/)
+  await page.click('.transport button:last-child')
+  await page.waitForFunction(() => /2 \//.test(document.querySelector('.reading').textContent))
+  const before = await page.locator('.pane svg').innerHTML()
+  assert.ok(await page.locator('.text').isHidden())
+  await page.fill('.given [id="given-parameters-l_AB"]', '90')
+  await page.press('.given [id="given-parameters-l_AB"]', 'Enter')
+  await page.waitForFunction((was) => document.querySelector('.pane svg').innerHTML !== was, before)
+  assert.match(await page.textContent('.reading'), /2 \//)
+  const { stdout } = spawnSync(program, ['solve', join(dist, '../../templates/crank-rocker.json'), '--set', 'l_AB=90'], { encoding: 'utf8' })
+  const omega = /omega_3 *= *([\d.]+)/.exec(stdout)[1]
+  await page.waitForFunction((is) => document.querySelector('.answers').textContent.includes(is), omega)
+  assert.equal(await page.inputValue('.given [id="given-parameters-l_AB"]'), '90 mm')
+  await page.fill('.given [id="given-parameters-l_AB"]', 'ninety')
+  await page.press('.given [id="given-parameters-l_AB"]', 'Enter')
+  await page.waitForSelector('.given [aria-invalid="true"]')
+  await page.click('.b-undo')
+  await page.waitForFunction((was) => document.querySelector('.pane svg').innerHTML === was, before)
+  assert.deepEqual(faults, [])
+  await context.close()
+})
+
 test('no rule of axe is broken: drawing, tools, gallery, dark, in both languages', async () => {
   const { page, context } = await opened()
   await page.evaluate(axe.source)
@@ -431,5 +458,11 @@ test('no rule of axe is broken: drawing, tools, gallery, dark, in both languages
 test('on a phone nothing is wider than the screen', async () => {
   const { page, context } = await opened(address, { viewport: { width: 390, height: 844 }, hasTouch: true })
   assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390)
+  // The whole list of what is saved can be reached.
+  await page.click('.menu summary')
+  const last = page.locator('.menu [data-form]').last()
+  await last.scrollIntoViewIfNeeded()
+  const box = await last.boundingBox()
+  assert.ok(await page.evaluate(([x, y]) => document.elementFromPoint(x, y)?.dataset.form, [box.x + 5, box.y + box.height / 2]) === 'scene')
   await context.close()
 })
