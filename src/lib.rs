@@ -198,11 +198,11 @@
 //! webfont    paper
 //! worksheet  diag notation digits geom scene mechanism answer plan construct paper render worked certified centres attempts loops synthesis particle equation report figure webfont
 //! lesson     diag budget notation digits geom scene mechanism position plan construct construction equilibrium sweep paper render worked certified centres synthesis particle report figure webfont
-//! problem    diag json kind notation digits geom scene mechanism position answer plan construct sweep paper render worked certified attempts synthesis particle equation report figure worksheet lesson
+//! problem    diag json kind notation digits geom cam scene mechanism position answer plan construct sweep paper render worked certified gears attempts synthesis particle equation report figure worksheet lesson
 //! zip        -
 //! homework   diag digits scene answer sweep paper render worked attempts report figure worksheet problem zip
 //! exchange   diag notation geom scene position paper render worked figure problem zip
-//! cli        diag json notation digits geom cam scene mechanism plan sweep paper render worked certified effort gears centres composite attempts curvature inversions loops report figure worksheet lesson problem homework exchange zip
+//! cli        diag json notation digits scene mechanism plan sweep paper render worked certified effort centres composite attempts curvature inversions loops report figure worksheet lesson problem homework exchange zip
 //! ```
 //!
 //! # Extension
@@ -278,7 +278,7 @@ pub use hodograph_worked::{accuracy, certified, effort, worked};
 
 #[cfg(feature = "cli")]
 mod cli;
-#[cfg(feature = "cli")]
+#[cfg(feature = "exchange")]
 pub mod exchange;
 #[cfg(feature = "cli")]
 pub mod homework;
@@ -286,7 +286,7 @@ pub mod lesson;
 pub mod problem;
 mod webfont;
 pub mod worksheet;
-#[cfg(feature = "cli")]
+#[cfg(feature = "exchange")]
 mod zip;
 
 /// Runs the command-line program on the arguments of the process; only the binary calls it.

@@ -12,7 +12,9 @@
 - `Scene.sweep` returns a `Table` with the answers over a whole motion, in NumPy columns.
 - `batch` solves many mechanisms whose parameters vary; `Parts` is a batch in a folder, for many
   processes or machines, and `hodograph.ray` runs it as tasks of Ray.
-- `Scene.limits` and `Scene.loops` report on the whole motion and on the analytic method.
+- `Scene.limits`, `Scene.loops`, `Scene.cycle` and `Scene.cam` report on the whole motion, the analytic
+  method, motion cycles and cams; `compare` on several designs, `teeth` on numbers of teeth.
+- `variants` and `mark` are for homework; `Scene.export` and `import_linkage` for other programs.
 - `Scene.live` and `Scene.widget` show figures that move with the driver.
 
 Numbers are SI (m, m/s, m/s², rad, N, N·m). Bare numbers given to a scene have its own units.
@@ -21,6 +23,7 @@ Faults are exceptions (`HodographError`, a `ValueError`) that show the place in 
 
 from ._answers import Answer, Answers, Design
 from ._batch import batch
+from ._designs import compare, teeth
 from ._errors import (
     ArgumentError,
     Diagnostic,
@@ -32,7 +35,8 @@ from ._errors import (
     StoppedError,
     time_limit,
 )
-from ._figure import Figure, Lesson, Worksheet
+from ._figure import Figure, Frame, Lesson, Worksheet
+from ._homework import Key, Marks, Variant, Variants, mark, variants
 from ._live import Live
 from ._parts import Parts, PartsReport, compute_part
 from ._problem import (
@@ -43,27 +47,34 @@ from ._problem import (
     Task,
     Template,
     figures,
+    import_linkage,
     read,
     schema,
     template,
     templates,
 )
-from ._report import Report
+from ._report import Cam, Comparison, Cycle, Report
 from ._table import Table
 
 __all__ = [
     "Answer",
     "Answers",
     "ArgumentError",
+    "Cam",
+    "Comparison",
+    "Cycle",
     "Design",
     "Diagnostic",
     "Equation",
     "Figure",
     "FileError",
+    "Frame",
     "HodographError",
     "InternalError",
+    "Key",
     "Lesson",
     "Live",
+    "Marks",
     "Motion",
     "Parts",
     "PartsError",
@@ -76,13 +87,20 @@ __all__ = [
     "Table",
     "Task",
     "Template",
+    "Variant",
+    "Variants",
     "Worksheet",
     "batch",
+    "compare",
     "compute_part",
     "figures",
+    "import_linkage",
+    "mark",
     "read",
     "schema",
+    "teeth",
     "template",
     "templates",
     "time_limit",
+    "variants",
 ]

@@ -100,10 +100,12 @@ class InternalError(RuntimeError):
 
 
 _ARGUMENTS = {
-    "drafting", "find", "flywheel", "folder", "format", "output", "over", "page", "path", "set", "start", "stop", "style",
-    "vary", "vectors", "width",
+    "alpha", "alpha_back", "count", "distance", "drafting", "find", "flywheel", "folder", "format", "helix", "modules", "output",
+    "over", "page", "path", "platforms", "ratio", "set", "shifts", "start", "stop", "style", "teeth", "vary", "vectors", "width",
+    "within",
 }  # fmt: skip
-_OPTIONS = {"digits", "format", "id-prefix", "lang", "no-figure", "notation", "unknown-style", "unknown-template"}
+_FILES = {"answers", "keys", "students"}
+_OPTIONS = {"digits", "format", "id-prefix", "lang", "no-figure", "notation", "unknown-style", "unknown-template", "form", "method"}
 
 
 def made(document: str, en: str, zh: str) -> HodographError:
@@ -114,7 +116,7 @@ def made(document: str, en: str, zh: str) -> HodographError:
         kind = StoppedError
     elif first["file"] in _ARGUMENTS or first["code"] in _OPTIONS:
         kind = ArgumentError
-    elif first["place"] is not None:
+    elif first["place"] is not None or first["file"] in _FILES or first["code"] == "import":
         kind = FileError
     return kind(document, en, zh)
 

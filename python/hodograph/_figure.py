@@ -151,6 +151,28 @@ class Worksheet:
         return f"<hodograph.Worksheet: {self.title}>"
 
 
+class Frame:
+    """A sheet to draw on (the mechanism to scale, poles, scales, the space for the polygons), and
+    the solution to lay over it."""
+
+    def __init__(self, sheet: Figure, overlay: Figure) -> None:
+        self.sheet = sheet
+        """The pages to draw on."""
+        self.overlay = overlay
+        """The solution on pages of the same size."""
+
+    def save(self, path: str | PathLike[str]) -> list[Path]:
+        """Writes `NAME.pdf` and `NAME-overlay.pdf`; returns the files."""
+        at, _ = _ending(path, ("pdf",))
+        return [*self.sheet.save(at), *self.overlay.save(at.with_name(f"{at.stem}-overlay.pdf"))]
+
+    def _repr_html_(self) -> str:
+        return f"<div>{self.sheet._inline()}</div>"
+
+    def __repr__(self) -> str:
+        return f"<hodograph.Frame: {len(self.sheet.pages)} pages>"
+
+
 class Lesson:
     """A page with the construction step by step, and a driver to drag. A notebook shows it."""
 

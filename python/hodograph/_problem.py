@@ -12,13 +12,15 @@ from typing import Any, Literal, TypeVar, cast
 from . import _native
 from ._answers import Answers, Design
 from ._errors import Diagnostic, HodographError, diagnostics
-from ._figure import Figure, Lesson, Worksheet
+from ._figure import Figure, Frame, Lesson, Worksheet
 from ._live import Live
-from ._report import Report
+from ._report import Cam, Cycle, Report
 from ._table import Table
 
 Lang = Literal["en", "zh"]
 Notation = Literal["en", "cn"]
+Method = Literal["centres", "composite", "curvature", "cam", "trains", "loops"]
+Format = Literal["dxf", "ggb", "tikz", "pptx", "pylinkage", "pylinkage-json", "pmks"]
 Self = TypeVar("Self", bound="Problem")
 
 _STILL = {"centres", "curvature", "centrodes", "inversions"}
@@ -54,6 +56,11 @@ def _millimetres(width: Any) -> str | None:
     return text if width is None or isinstance(width, str) else f"{text} mm"
 
 
+def _degrees(angle: Any) -> str | None:
+    text = _words(angle)
+    return text if angle is None or isinstance(angle, str) else f"{text} deg"
+
+
 def _listed(names: str | Iterable[str] | None) -> list[str]:
     if names is None:
         return []
@@ -72,6 +79,7 @@ class Problem:
     """A file that has been read: a `Scene`, a `Task` or a `Motion`. It is never changed."""
 
     _kind = ""
+    _told: list[Diagnostic] = []
 
     def __init__(self, source: str | os.PathLike[str] | Mapping[str, Any]) -> None:
         """Reads a dict, a text in JSON, or the file at a path.
@@ -111,7 +119,7 @@ class Problem:
     @property
     def notes(self) -> list[Diagnostic]:
         """Remarks of reading."""
-        return diagnostics(self._native.notes)
+        return [*self._told, *diagnostics(self._native.notes)]
 
     def set(self: Self, values: Mapping[str, str | float] | None = None, /, **named: str | float) -> Self:
         """The problem with other values of its parameters.
@@ -203,24 +211,35 @@ class Problem:
         solution: bool = True,
         mistake: str | None = None,
         loops: bool = False,
+        questions: bool = False,
+        table: int | None = None,
         candidate: int = 1,
     ) -> Worksheet:
         """Writes the problem and its solution as a document; either can be left out.
 
         With `mistake`, a wrong solution is the problem: one by its name, `""` for the first. With
-        `loops`, the solution is the analytic method with vector loops.
+        `loops`, the solution is the analytic method with vector loops. With `questions`, the sheet
+        asks for concepts, without drawings. With `table`, the solution has the results at that many
+        equal steps over the whole motion, in the units of the book. `Scene.frame` makes a sheet to
+        draw on.
         """
-        if mistake is not None and loops:
-            raise ValueError("a worksheet has a mistake or vector loops, not both")
+        if (mistake is not None) + loops + questions > 1:
+            raise ValueError("a worksheet has one of a mistake, vector loops and questions")
+        if table is not None and not 1 <= table <= 360:
+            raise ValueError("table is a number of steps from 1 to 360")
+        if table is not None and (mistake is not None or questions or not solution):
+            raise ValueError("a table is part of a solution")
         if not (problem or solution):
             raise ValueError("a worksheet has the problem, the solution or both")
         sides = "both" if problem and solution else "problem" if problem else "solution"
         native = self._solution(figures=True, candidate=_index(candidate))
-        return Worksheet(native.worksheet(sides, mistake, loops, _look(lang, notation, style, digits)))
+        look = _look(lang, notation, style, digits)
+        return Worksheet(native.worksheet(sides, mistake, loops, questions, table, look))
 
     def lesson(
         self,
         *,
+        method: Method | None = None,
         over: str | None = None,
         positions: int | None = None,
         lang: Lang | None = None,
@@ -232,10 +251,43 @@ class Problem:
     ) -> Lesson:
         """Writes a page with the construction step by step and a driver to drag.
 
-        `over` names the driver; `reveal` gives a fragment for slides, `width` its width (mm).
+        `method` chooses the construction of a scene: `centres`, `composite`, `curvature`, `cam`,
+        `trains` or `loops`; without it the polygons of its questions are drawn. `over` names the
+        driver; `reveal` gives a fragment for slides, `width` its width (mm).
         """
+        if method is not None and reveal:
+            raise ValueError("a lesson of a method is a page, not a fragment for slides")
         native = self._solution(figures=True, whole_motion=not reveal, candidate=_index(candidate))
-        return Lesson(native.lesson(over, positions, reveal, _millimetres(width), _look(lang, notation, style)))
+        look = _look(lang, notation, style)
+        return Lesson(native.lesson(over, positions, reveal, _millimetres(width), method, look))
+
+    def export(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        format: Format | None = None,
+        name: str = "mechanism",
+        lang: Lang | None = None,
+        notation: Notation | None = None,
+        style: str | Mapping[str, Any] | None = None,
+    ) -> Path:
+        """Writes a file of another program; the ending of its name, or `format`, decides.
+
+        `.dxf` (CAD) and `.tikz` (LaTeX) hold one figure, which `name` chooses; `.ggb` is a
+        construction for GeoGebra, `.pptx` has a slide for each step, `.py` and `.json` are for
+        pylinkage, `.txt` and `.csv` for PMKS. The mechanism is drawn in the millimetres of the
+        scene, other figures in those of the paper.
+        """
+        at = Path(path)
+        ending = at.suffix.lower().lstrip(".")
+        known = {end: word for word, endings in _native.export_formats() for end in endings}
+        if format is None and ending not in known:
+            raise ValueError(f"{at} ends in none of {', '.join(f'.{end}' for end in known)}: give a format")
+        if format is not None and known.get(ending, format) != format:
+            raise ValueError(f"{at} ends in .{ending}, and format is {format!r}")
+        native = self._solution(figures=True)
+        at.write_bytes(native.export(format or known[ending], name, _look(lang, notation, style)))
+        return at
 
     def _repr_svg_(self) -> str | None:
         try:
@@ -366,6 +418,62 @@ class Scene(Problem):
         self._moving()
         return Report(_native.vector_loops(self._native), lang)
 
+    def cycle(
+        self, over: str | None = None, *, find: str | Iterable[str] | None = None, lang: Lang | None = None
+    ) -> Cycle:
+        """The motion cycle: working strokes, returns and dwells of the outputs over a cycle of the
+        driver; `print` shows it as a table, and its `figure` as bars, lines or rings.
+
+        `over` names the driver; the others are at rest. `find` chooses outputs such as `phi_3` or
+        `s_C`; without it all links on a pivot and sliders on a guide of the ground are taken. The
+        rates of the scene may be missing. Positions are rad or m of the driver.
+
+        >>> cycle = Scene.template("slider-crank").cycle()
+        >>> [phase["phase"] for phase in cycle["outputs"][0]["phases"]]
+        ['forward', 'return']
+        """
+        return Cycle(_native.Cycle(self._at_rest(), over, _listed(find)), lang)
+
+    def cam(
+        self,
+        number: int | None = None,
+        *,
+        alpha: str | float | None = None,
+        alpha_back: str | float | None = None,
+        lang: Lang | None = None,
+    ) -> Cam:
+        """A disc cam over a whole turn: motion of the follower, shocks, pressure angle, curvature;
+        `print` shows the report, `figure` draws it, `save_profile` writes the profile.
+
+        `number` counts from 1, and is needed if there are several. With `alpha`, the pressure angle
+        allowed on the rise (degrees, or with a unit), `least` has the least base circle with the
+        given offset or distance (`kept`) and with the best one (`best`); `alpha_back` is that of the
+        return (75 degrees without it). Numbers are SI, angles rad.
+
+        >>> least = Scene.template("cam-offset-roller").cam(alpha=30)["least"]
+        >>> round(1000 * least["kept"]["base"], 3), round(1000 * least["best"]["base"], 3)
+        (10.0, 4.024)
+        """
+        if alpha is None and alpha_back is not None:
+            raise ValueError("alpha_back goes with alpha")
+        self._moving()
+        return Cam(self._native, number, _degrees(alpha), _degrees(alpha_back), lang)
+
+    def frame(
+        self,
+        *,
+        page: str = "a4",
+        lang: Lang | None = None,
+        notation: Notation | None = None,
+        style: str | Mapping[str, Any] | None = None,
+        digits: int | None = None,
+    ) -> Frame:
+        """The sheet to draw on, with the mechanism to scale and the space that the polygons need,
+        and the solution to lay over it; `page` is a format such as `a4` or `a3-landscape`."""
+        native = self._solution(figures=True)
+        blanks, overlays = native.frame(page, _look(lang, notation, style, digits))
+        return Frame(*(Figure([(str(k), p) for k, p in enumerate(of, 1)]) for of in (blanks, overlays)))
+
     def curves(
         self,
         *,
@@ -449,6 +557,25 @@ def read(source: str | os.PathLike[str] | Mapping[str, Any]) -> Scene | Task | M
     of = _KINDS[_native.kind_of(text)](text)
     of._name = name
     return cast("Scene | Task | Motion | Equation", of)
+
+
+def import_linkage(
+    source: str | os.PathLike[str], *, format: Literal["pylinkage", "pmks"] | None = None
+) -> Scene:
+    """The scene of another program's linkage: the file at a path, or its text.
+
+    `.json` is a file of pylinkage (`mechanism_to_json`), `.txt` and `.csv` are of PMKS; without such
+    an ending the text decides, unless `format` does. `notes` says what the file does not give.
+    """
+    if isinstance(source, str) and ("\n" in source or source.lstrip("\ufeff \t").startswith("{")):
+        text, name, ending = source, "input", None
+    else:
+        path = Path(source)
+        text, name, ending = path.read_text(encoding="utf-8"), str(path), path.suffix.lower().lstrip(".")
+    scene, notes = _native.import_linkage(text, name, ending or None, format)
+    made = Scene(scene)
+    made._told = diagnostics(notes)
+    return made
 
 
 @dataclass(frozen=True)

@@ -15,9 +15,11 @@ pub struct PlacedFaults {
 }
 
 /// The options of the program that remedies name, with the arguments in Python.
-const ARGUMENTS: [(&str, &str); 5] = [
+const ARGUMENTS: [(&str, &str); 7] = [
+    ("alpha-back", "alpha_back"),
     ("figure", "name"),
     ("from", "start"),
+    ("module", "modules"),
     ("pick", "candidate"),
     ("point", "path"),
     ("to", "stop"),
@@ -41,7 +43,15 @@ fn argument(option: &str) -> &str {
 }
 
 /// Returns a sentence in which options of the program, such as `--from`, are arguments of Python.
+/// Whole commands of the program remain.
 fn in_python(text: &str) -> String {
+    let part = |part: &str| {
+        if part.starts_with("hodograph ") { part.to_owned() } else { with_arguments(part) }
+    };
+    text.split('`').map(part).collect::<Vec<_>>().join("`")
+}
+
+fn with_arguments(text: &str) -> String {
     let mut parts = text.split("--");
     let mut out = parts.next().unwrap_or_default().to_owned();
     for part in parts {

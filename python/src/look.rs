@@ -11,7 +11,8 @@ use hodograph::scene::Lang;
 /// Language, notation, style and digits as Python gives them.
 pub type Named = (Option<String>, Option<String>, Option<String>, Option<usize>);
 
-fn unknown(code: &'static str, of: Both, name: &str, known: &[&str]) -> Refusal {
+/// Returns the refusal of a name that is none of those known.
+pub fn unknown(code: &'static str, of: Both, name: &str, known: &[&str]) -> Refusal {
     let message = both!("there is no {} `{name}`", "没有{} `{name}`", of);
     let help = both!("there are {}", "有 {}", Both::names(known));
     Refusal::of(Diagnostic::error(code, message).help(help))

@@ -15,15 +15,15 @@ use serde_json::json;
 
 /// A report: its JSON, its text in English and in Chinese, the remarks as JSON, the language of the
 /// scene.
-type NamedReport = (String, String, String, String, &'static str);
+pub type NamedReport = (String, String, String, String, &'static str);
 
 /// Returns the name of a scene's language.
-fn spoken(scene: &Scene) -> &'static str {
+pub fn spoken(scene: &Scene) -> &'static str {
     scene.language.unwrap_or_default().name()
 }
 
 /// Returns the notes of a problem and of a report.
-fn all_notes(of: &Problem, more: Vec<Diagnostic>) -> String {
+pub fn all_notes(of: &Problem, more: Vec<Diagnostic>) -> String {
     let list: Vec<_> = of.remarks().iter().cloned().chain(more).collect();
     notes(&list, of.text().0, of.text().1)
 }

@@ -1,18 +1,23 @@
 //! Files that have been read, and their solutions.
 
 use crate::fault::{Refusal, notes};
-use crate::look::{Named, look};
+use crate::look::{Named, look, unknown};
 use crate::picture::{Picture, Sheet};
 use crate::table::{Table, TableParts};
 use crate::work::{run, watched};
 use hodograph::answer::AnswerValue;
 use hodograph::diag::{Diagnostic, Faults, Warned, both};
+use hodograph::exchange::{self, ExportFormat, ImportFormat};
+use hodograph::figure::frame::FramePage;
 use hodograph::figure::list::{self, Extras, FigureEntry};
 use hodograph::figure::results::DIGITS as SHEET_DIGITS;
+use hodograph::figure::stepped::{ConstructionMethod, METHODS};
 use hodograph::problem::batch::{self, BatchRequest};
 use hodograph::problem::range::{self, SweptRange};
+use hodograph::problem::turn::turn_table;
 use hodograph::problem::{
     self, Additions, Extent, Kind, Lesson, Look, Options, Pictures, Verdict, Wish, whole,
+    whole_page,
 };
 use hodograph::report::answers::DIGITS;
 use hodograph::scene::{self, Scene, Swept, edit};
@@ -442,21 +447,32 @@ impl Solved {
         Ok(pages.value.into_iter().map(|(name, figure)| (name, Picture::of(figure))).collect())
     }
 
-    /// Returns problem and solution as a document; `sides`: `problem`, `solution` or `both`.
-    #[pyo3(signature = (sides, mistake, loops, look_of))]
+    /// Returns problem and solution as a document; `sides`: `problem`, `solution` or `both`. With
+    /// `table`, the results over the whole motion in so many steps are added.
+    #[pyo3(signature = (sides, mistake, loops, questions, table, look_of))]
+    #[expect(clippy::too_many_arguments, reason = "each is an argument in Python")]
     fn worksheet(
         &self,
         py: Python,
         sides: &str,
         mistake: Option<&str>,
         loops: bool,
+        questions: bool,
+        table: Option<usize>,
         look_of: Named,
     ) -> PyResult<Sheet> {
         run(py, || {
-            self.of().granted(&[(mistake.is_some(), Wish::Mistake), (loops, Wish::Loops)])?;
+            let wishes = [
+                (mistake.is_some(), Wish::Mistake),
+                (loops, Wish::Loops),
+                (questions, Wish::Questions),
+                (table.is_some(), Wish::Table),
+            ];
+            self.of().granted(&wishes)?;
             let task = match mistake {
                 Some(name) => WorksheetTask::Mistake(name),
                 None if loops => WorksheetTask::Loops,
+                None if questions => WorksheetTask::Questions,
                 None => WorksheetTask::Polygons,
             };
             let sides = match sides {
@@ -465,13 +481,49 @@ impl Solved {
                 _ => WorksheetSides::Both,
             };
             let look = look(look_of, SHEET_DIGITS)?;
-            let made = self.solved.worksheet(sides, task, &look);
-            made.map(Sheet::of).map_err(|f| self.of().refused(f))
+            let refused = |f| self.of().refused(f);
+            let mut made = self.solved.worksheet(sides, task, &look).map_err(refused)?;
+            if let Some(steps) = table {
+                let table = turn_table(self.of().source.as_bytes(), steps, &look);
+                made.blocks.extend(table.map_err(refused)?.value);
+            }
+            Ok(Sheet::of(made))
+        })
+    }
+
+    /// Draws the sheet to draw on and its overlay, each with a page for each picture.
+    #[pyo3(signature = (page, look_of))]
+    fn frame(
+        &self,
+        py: Python,
+        page: &str,
+        look_of: Named,
+    ) -> PyResult<(Vec<Picture>, Vec<Picture>)> {
+        run(py, || {
+            let look = look(look_of, SHEET_DIGITS)?;
+            let page = whole_page(page).map_err(|w| Refusal::values(vec![w]))?;
+            let pages = self.solved.frame(&page, &look).map_err(|f| self.of().refused(f))?;
+            let both = |p: FramePage| (Picture::of(p.blank), Picture::of(p.overlay));
+            Ok(pages.into_iter().map(both).unzip())
+        })
+    }
+
+    /// Returns the file of another program in a format; of DXF and TikZ one figure.
+    #[pyo3(signature = (format, name, look_of))]
+    fn export(&self, py: Python, format: &str, name: &str, look_of: Named) -> PyResult<Vec<u8>> {
+        run(py, || {
+            let format = ExportFormat::named(format).ok_or_else(|| {
+                unknown("format", both!("format", "格式"), format, &names_of_formats())
+            })?;
+            let look = look(look_of, Look::default().digits)?;
+            let made = exchange::export(&self.solved, format, named(name)?, &look);
+            Ok(made.map_err(|f| self.of().refused(f))?.value)
         })
     }
 
     /// Writes a page with the construction step by step.
-    #[pyo3(signature = (over, positions, reveal, width, look_of))]
+    #[pyo3(signature = (over, positions, reveal, width, method_name, look_of))]
+    #[expect(clippy::too_many_arguments, reason = "each is an argument in Python")]
     fn lesson(
         &self,
         py: Python,
@@ -479,10 +531,17 @@ impl Solved {
         positions: Option<usize>,
         reveal: bool,
         width: Option<&str>,
+        method_name: Option<&str>,
         look_of: Named,
     ) -> PyResult<String> {
         run(py, || {
-            self.of().granted(&[(reveal, Wish::Reveal)])?;
+            self.of().granted(&[(reveal, Wish::Reveal), (method_name.is_some(), Wish::Method)])?;
+            let known = METHODS.map(|e| e.name);
+            let method = |name| {
+                ConstructionMethod::named(name)
+                    .ok_or_else(|| unknown("method", both!("method", "方法"), name, &known))
+            };
+            let method = method_name.map(method).transpose()?;
             let swept = match self.solved.mechanism() {
                 Some((scene, _)) => {
                     range::swept_of(scene, over).map_err(|w| Refusal::values(vec![w]))?
@@ -490,8 +549,7 @@ impl Solved {
                 None => Swept::Driver(0),
             };
             let positions = positions.unwrap_or(Lesson::default().positions);
-            let wanted =
-                Lesson { positions, swept, reveal, width_mm: width_of(width)?, method: None };
+            let wanted = Lesson { positions, swept, reveal, width_mm: width_of(width)?, method };
             let look = look(look_of, Look::default().digits)?;
             let page = self.solved.lesson(&wanted, &look).map_err(|f| self.of().refused(f))?;
             Ok(page.value)
@@ -528,6 +586,39 @@ impl Solved {
     fn still(&self) -> bool {
         self.of().extent == Extent::Pose
     }
+}
+
+/// Returns the formats of other programs: each name with the endings of its files.
+#[pyfunction]
+pub fn export_formats() -> Vec<(&'static str, Vec<&'static str>)> {
+    ExportFormat::ALL.into_iter().map(|f| (f.name(), f.endings().to_vec())).collect()
+}
+
+fn names_of_formats() -> Vec<&'static str> {
+    ExportFormat::ALL.into_iter().map(ExportFormat::name).collect()
+}
+
+/// Returns the text of the scene of another program's linkage, and remarks as JSON. Without a
+/// `format`, the ending of the file's name or else its text decides.
+#[pyfunction]
+#[pyo3(signature = (text, name, ending, format))]
+pub fn import_linkage(
+    py: Python,
+    text: &str,
+    name: &str,
+    ending: Option<&str>,
+    format: Option<&str>,
+) -> PyResult<(String, String)> {
+    run(py, || {
+        let known = ImportFormat::ALL.map(ImportFormat::name);
+        let format = match format {
+            Some(name) => ImportFormat::named(name)
+                .ok_or_else(|| unknown("format", both!("format", "格式"), name, &known))?,
+            None => ImportFormat::of(ending, text),
+        };
+        let made = exchange::import(text, format).map_err(|f| Refusal::in_text(f, name, text))?;
+        Ok((made.text, notes(&made.notes, name, "")))
+    })
 }
 
 /// Returns the width (mm) that a text gives.

@@ -40,7 +40,7 @@ def test_the_page_of_the_package_runs():
     exec(block, {})
 
 
-@pytest.mark.parametrize("name", ["", "._problem", "._errors", "._table", "._answers", "._figure", "._parts", "._report", ".ray"])
+@pytest.mark.parametrize("name", ["", "._problem", "._errors", "._table", "._answers", "._figure", "._parts", "._report", "._designs", "._homework", ".ray"])
 def test_docstrings_run(name):
     module = importlib.import_module("hodograph" + name)
     assert doctest.testmod(module).failed == 0

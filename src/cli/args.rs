@@ -318,6 +318,14 @@ pub struct LessonArgs {
     /// A fragment for reveal.js instead: an inline SVG whose parts appear step by step
     #[arg(long, conflicts_with_all = ["positions", "driver", "over"])]
     pub reveal: bool,
+    /// The page with the engine inside instead: lengths and other given values can be changed, and
+    /// everything is drawn anew
+    #[arg(long, conflicts_with_all = ["positions", "driver", "over", "method", "reveal", "pick", "style", "font", "notation"])]
+    pub live: bool,
+    /// With --live: the page, hodograph.html (default: the one in the program, beside it, or in its
+    /// checkout)
+    #[arg(long, value_name = "FILE", requires = "live")]
+    pub page: Option<String>,
     /// With --reveal: width of the fragment, such as 240mm; drawings and type become smaller, then
     /// drawings stand one below the other
     #[arg(long, value_name = "LENGTH", requires = "reveal")]
@@ -554,7 +562,7 @@ pub struct CamArgs {
     #[arg(long, value_name = "FILE")]
     pub profile: Option<String>,
     /// Steps of a turn in the profile
-    #[arg(long, value_name = "N", default_value_t = 720, value_parser = clap::value_parser!(u32).range(12..=100_000))]
+    #[arg(long, value_name = "N", default_value_t = crate::problem::cams::STEPS, value_parser = clap::value_parser!(u32).range(12..=100_000))]
     pub steps: u32,
     /// The cam, counted from 1 (default: all)
     #[arg(long, value_name = "K")]

@@ -1,10 +1,13 @@
-//! `hodograph lesson`: one page with the construction step by step, or a fragment for slides.
+//! `hodograph lesson`: one page with the construction step by step, or a fragment for slides, or the
+//! page with the engine inside.
 
 use super::draw::{style_of, width};
+use super::page::{CONNECT, PageText};
 use super::{CommandResult, Failure, InputFile, args, files, granted, ids, look_of, verdict};
 use crate::diag::{Diagnostic, Warned, both};
-use crate::problem::{self, Lesson, Look, Options, Wish};
+use crate::problem::{self, Lesson, Look, Options, Problem, Wish};
 use crate::scene::Swept;
+use base64::{Engine as _, prelude::BASE64_STANDARD};
 
 /// The valid endings of a lesson's file.
 const LESSONS: [&str; 2] = ["html", "htm"];
@@ -37,6 +40,9 @@ pub fn run(a: args::LessonArgs) -> CommandResult {
             (a.method.map(|_| String::new()), Wish::Method),
         ],
     )?;
+    if a.live {
+        return live(a, file, &problem);
+    }
     let candidate = a.pick.map_or(0, |n| n as usize - 1);
     let options = Options { whole_motion: !a.reveal, candidate, ..Options::with_figures() };
     let solved = file.solve(&problem, &options)?;
@@ -51,9 +57,23 @@ pub fn run(a: args::LessonArgs) -> CommandResult {
     let Warned { value, notes } =
         solved.lesson(&wanted, &look).map_err(|faults| file.failed(faults))?;
     file.notes.extend(notes);
-    let path = a.output.unwrap_or_else(|| format!("{}.html", files::stem(&file.name, "lesson")));
-    files::write(std::path::Path::new(&path), ids::put_before(&value).as_bytes())?;
-    files::print_names(&format!("{path}\n"))?;
+    write(a.output, &file, &ids::put_before(&value))?;
     file.say_notes();
     Ok(verdict(solved.verdict()))
+}
+
+/// Writes the page with the file inside.
+fn live(a: args::LessonArgs, mut file: InputFile, problem: &Problem) -> CommandResult {
+    let solved = file.solve(problem, &Options::with_figures())?;
+    let page = PageText::read(a.page.as_deref())?;
+    let text = page.knowing("lesson", &BASE64_STANDARD.encode(&file.source), CONNECT);
+    write(a.output, &file, &text)?;
+    file.say_notes();
+    Ok(verdict(solved.verdict()))
+}
+
+fn write(output: Option<String>, file: &InputFile, text: &str) -> Result<(), Failure> {
+    let path = output.unwrap_or_else(|| format!("{}.html", files::stem(&file.name, "lesson")));
+    files::write(std::path::Path::new(&path), text.as_bytes())?;
+    files::print_names(&format!("{path}\n")).map(drop)
 }

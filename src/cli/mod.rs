@@ -34,6 +34,7 @@ mod long;
 mod loops;
 mod mark;
 mod mobility;
+mod page;
 mod part;
 pub mod parts;
 mod path;

@@ -4,9 +4,11 @@ use super::files::FileRefusal;
 use super::{Failure, SourceFaults, files};
 use crate::certified::ladder::MOST_DIGITS;
 use crate::diag::{Diagnostic, Faults, both};
+use crate::exchange::{ExportFormat, ImportFormat};
 use crate::figure::cycle;
 use crate::figure::list::{self, FigureEntry};
 use crate::figure::stepped::{ConstructionMethod, METHODS};
+use crate::homework::platforms::Platform;
 use crate::scene::{Lang, edit};
 use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -116,33 +118,34 @@ pub enum BatchFormat {
     Parquet,
 }
 
-/// Learning platforms.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Platform {
-    Moodle,
-    Qti3,
-    Qti2,
-    Canvas,
-    Prairielearn,
+impl ValueEnum for Platform {
+    fn value_variants<'a>() -> &'a [Platform] {
+        &Platform::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.name()))
+    }
 }
 
-/// Formats of other programs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum ExportFormat {
-    Dxf,
-    Ggb,
-    Tikz,
-    Pptx,
-    Pylinkage,
-    PylinkageJson,
-    Pmks,
+impl ValueEnum for ExportFormat {
+    fn value_variants<'a>() -> &'a [ExportFormat] {
+        &ExportFormat::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.name()))
+    }
 }
 
-/// Formats of linkages that are read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum ImportFormat {
-    Pylinkage,
-    Pmks,
+impl ValueEnum for ImportFormat {
+    fn value_variants<'a>() -> &'a [ImportFormat] {
+        &ImportFormat::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.name()))
+    }
 }
 
 /// Actions of `shards`.

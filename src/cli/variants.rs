@@ -2,19 +2,13 @@
 
 use super::draw::style_of;
 use super::together::Together;
-use super::values::Platform;
 use super::{CommandResult, Failure, SceneInput, args, files, look_of, places};
 use crate::diag::{Diagnostic, Warned, both};
-use crate::homework::platforms::{self, PlatformSet, QtiVersion};
-use crate::homework::{self, HomeworkRequest, keys, sheets};
-use crate::scene::{self, PageFormat};
-use crate::worksheet::WorksheetSides;
+use crate::homework::{self, HomeworkAdditions, HomeworkRequest};
+use crate::problem::whole_page;
 use crate::zip::ArchiveFile;
 use std::path::Path;
 use std::process::ExitCode;
-
-/// The number of variants without a roster.
-const USUAL: usize = 30;
 
 /// Runs the command.
 pub fn run(a: args::VariantsArgs) -> CommandResult {
@@ -26,54 +20,19 @@ pub fn run(a: args::VariantsArgs) -> CommandResult {
         Some(path) => roster(path)?,
         None => Vec::new(),
     };
-    let usual = match (students.len(), a.vary.is_empty()) {
-        (0, true) => 1,
-        (0, false) => USUAL,
-        (n, _) => n,
-    };
-    let count = a.count.map_or(usual, usize::from);
-    if count < students.len() || count > homework::MOST_VARIANTS {
-        let message = both!(
-            "{count} variants for {} names; there can be {} variants",
-            "{count} 道题对 {} 个姓名；最多 {} 道",
-            students.len(),
-            homework::MOST_VARIANTS
-        );
-        let d = Diagnostic::error("roster", message);
-        return Err(Failure::argument("--count", &count.to_string(), d));
-    }
+    let count = homework::count(a.count.map(usize::from), students.len(), !a.vary.is_empty())?;
     let request = HomeworkRequest { vary: &a.vary, count, seed: a.seed, students: &students };
     let Warned { value: all, notes } = homework::variants(&input.file.source, &request)
         .map_err(|fault| input.out_of_range(fault))?;
     input.file.notes.extend(notes);
     let look = look_of(&a.common, style, a.digits);
     // All bytes are made before the first file is begun: until then a signal ends the run at once.
-    let mut made = Vec::new();
-    for (path, sides) in
-        [("problems.pdf", WorksheetSides::Problem), ("solutions.pdf", WorksheetSides::Solution)]
-    {
-        let Warned { value, notes } =
-            sheets::pdf(&all, sides, &look).map_err(|f| input.failed(f))?;
-        input.file.notes.extend(notes);
-        made.extend(one(path, value));
-    }
-    if a.frame {
-        let page = whole_page(&a.page)?;
-        let Warned { value: [frames, overlays], notes } =
-            sheets::frames(&all, &look, &page).map_err(|f| input.failed(f))?;
-        input.file.notes.extend(notes);
-        made.extend(one("frames.pdf", frames));
-        made.extend(one("overlays.pdf", overlays));
-    }
     let platforms = places::once(&a.to);
-    if !platforms.is_empty() {
-        let set = platforms::questions(&all, &look).map_err(|f| input.failed(f))?;
-        for platform in platforms {
-            made.extend(exported(platform, &set)?);
-        }
-    }
-    made.extend(one("answers.csv", keys::csv(&all).into_bytes()));
-    made.extend(one("values.csv", keys::values_csv(&all).into_bytes()));
+    let frame = a.frame.then(|| whole_page(&a.page)).transpose()?;
+    let wanted = HomeworkAdditions { platforms: &platforms, frame };
+    let Warned { value: made, notes } =
+        homework::files(&all, &wanted, &look).map_err(|fault| input.out_of_range(fault))?;
+    input.file.notes.extend(notes);
     let (mut together, mut written) = (Together::default(), String::new());
     for ArchiveFile { path, bytes } in made {
         let path = Path::new(&a.output).join(path);
@@ -84,40 +43,6 @@ pub fn run(a: args::VariantsArgs) -> CommandResult {
     files::print_names(&written)?;
     input.file.say_notes();
     Ok(ExitCode::SUCCESS)
-}
-
-/// Reads the page of a sheet to draw on.
-///
-/// # Errors
-/// `paper` if it is no format of a sheet of paper or of a slide.
-pub(super) fn whole_page(text: &str) -> Result<PageFormat, Failure> {
-    let page = scene::page(text).map_err(|faults| Failure::argument("--page", text, faults))?;
-    if page.whole {
-        return Ok(page);
-    }
-    let message = both!("{text} is not a sheet of paper", "{text} 不是图纸幅面");
-    let d = Diagnostic::error("paper", message)
-        .help(both!("write --page a4 or --page a3", "请写 --page a4 或 --page a3"));
-    Err(Failure::argument("--page", text, d))
-}
-
-fn one(path: &str, bytes: Vec<u8>) -> Vec<ArchiveFile> {
-    vec![ArchiveFile { path: path.to_owned(), bytes }]
-}
-
-/// Returns the files of a platform.
-fn exported(platform: Platform, set: &PlatformSet) -> Result<Vec<ArchiveFile>, Failure> {
-    Ok(match platform {
-        Platform::Moodle => {
-            let text =
-                platforms::moodle(set).map_err(|d| Failure::argument("--to", "moodle", d))?;
-            one("moodle.xml", text.into_bytes())
-        }
-        Platform::Qti3 => one("qti3.zip", platforms::qti(set, QtiVersion::Three)),
-        Platform::Qti2 => one("qti2.zip", platforms::qti(set, QtiVersion::Two)),
-        Platform::Canvas => one("canvas.zip", platforms::canvas(set)),
-        Platform::Prairielearn => platforms::prairielearn(set),
-    })
 }
 
 fn roster(path: &str) -> Result<Vec<String>, Failure> {

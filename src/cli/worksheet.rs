@@ -6,19 +6,16 @@ use super::places::{OutputPlace, of_name, one_result, places, shown};
 use super::target::is_stream;
 use super::together::Together;
 use super::values::SheetFormat;
-use super::variants::whole_page;
 use super::{
     CommandResult, Failure, InputFile, SceneInput, args, choices, files, granted, ids, look_of,
     verdict,
 };
 use crate::diag::{Diagnostic, Faults, both};
-use crate::figure::frame::working_frame;
-use crate::figure::list::{Extras, FigureInput};
 use crate::figure::sheet;
 use crate::paper::style::Style;
 use crate::paper::words::words;
 use crate::problem::turn::turn_table;
-use crate::problem::{self, Kind, Wish};
+use crate::problem::{self, Kind, Wish, whole_page};
 use crate::render::pdf;
 use crate::scene;
 use crate::worked::{Scope, work};
@@ -93,29 +90,31 @@ fn frame(a: &args::WorksheetArgs) -> CommandResult {
         return Err(Failure::argument("-o", &a.output, d));
     }
     let style = style_of(&a.look)?;
-    let mut input = SceneInput::read(&a.common)?.drawn_in(&style);
-    let worked = input.work(Scope::Figure)?;
+    let mut file = InputFile::open(&a.common.scene, &a.common.set)?;
+    file.fonts = style.fonts.clone();
+    let problem = file.read(|bytes| {
+        Kind::of(bytes).grants(Wish::Mechanism)?;
+        problem::read(bytes)
+    })?;
+    let solved = file.solve(&problem, &problem::Options::with_figures())?;
     let look = look_of(&a.common, style, a.digits);
-    let (options, extras) = (look.sheet_of(&input.scene), Extras::default());
-    let wanted =
-        FigureInput { scene: &input.scene, worked: &worked, options: &options, extras: &extras };
-    let pages = working_frame(&wanted, &page).map_err(|f| input.failed(f))?;
+    let pages = solved.frame(&page, &look).map_err(|f| file.failed(f))?;
     let (blanks, overlays): (Vec<_>, Vec<_>) =
         pages.into_iter().map(|page| (page.blank, page.overlay)).unzip();
     let stem = path.file_stem().and_then(|s| s.to_str()).unwrap_or("frame");
     let beside = path.with_file_name(format!("{stem}-overlay.pdf"));
     let (mut all, mut names) = (Together::default(), String::new());
     for (path, figures) in [(path, blanks), (&beside, overlays)] {
-        let made = pdf::pdf(&figures).map_err(|f| input.failed(f))?;
-        let new = |n: &Diagnostic| !input.file.notes.contains(n);
+        let made = pdf::pdf(&figures).map_err(|f| file.failed(f))?;
+        let new = |n: &Diagnostic| !file.notes.contains(n);
         let notes: Vec<_> = made.notes.into_iter().filter(new).collect();
-        input.file.notes.extend(notes);
+        file.notes.extend(notes);
         all.add(path, &made.value)?;
         names += &format!("{}\n", path.display());
     }
     all.appear()?;
     files::print_names(&names)?;
-    input.file.say_notes();
+    file.say_notes();
     Ok(ExitCode::SUCCESS)
 }
 

@@ -8,7 +8,7 @@
 //! worksheet's writer; [`keys`] writes and reads the table of answers; [`mark()`] compares the
 //! answers of a class with it. The values of typical wrong solutions ([`crate::attempts`]) are part
 //! of the keys, so that a mark names the likely mistake. [`platforms`] writes the questions for
-//! Moodle, QTI, Canvas and PrairieLearn.
+//! Moodle, QTI, Canvas and PrairieLearn; [`files()`] returns all files of a set.
 //!
 //! The bytes of all results depend on the scene, the request and the look alone.
 
@@ -18,18 +18,48 @@ mod grid;
 pub mod keys;
 mod mark;
 pub mod platforms;
+mod set;
 pub mod sheets;
 
-use crate::diag::Both;
+use crate::diag::{Both, Diagnostic, both};
 use crate::problem::Solved;
+use crate::problem::range::WrongValue;
 use crate::scene::{Kind, Mistake};
 
 pub use choose::variants;
 pub use csv::names;
 pub use mark::{MarkFaults, MarkList, MarkedAnswer, mark};
+pub use set::{HomeworkAdditions, files};
 
 /// Largest number of variants: each keeps its solution.
 pub const MOST_VARIANTS: usize = 200;
+
+/// The number of variants without names.
+const USUAL: usize = 30;
+
+/// Returns the number of variants: that which is `given`, else one for each student, else 30, or one
+/// if nothing `varies`.
+///
+/// # Errors
+/// `roster` for fewer variants than students, or more than [`MOST_VARIANTS`].
+pub fn count(given: Option<usize>, students: usize, varies: bool) -> Result<usize, WrongValue> {
+    let usual = match (students, varies) {
+        (0, false) => 1,
+        (0, true) => USUAL,
+        (n, _) => n,
+    };
+    let count = given.unwrap_or(usual);
+    if (students.max(1)..=MOST_VARIANTS).contains(&count) {
+        return Ok(count);
+    }
+    let message = both!(
+        "{count} variants for {} names; there can be {} variants",
+        "{count} 道题对 {} 个姓名；最多 {} 道",
+        students,
+        MOST_VARIANTS
+    );
+    Err(WrongValue::new("count", &count.to_string(), Diagnostic::error("roster", message)))
+}
 
 /// A request for variants.
 #[derive(Clone, Copy, Debug)]

@@ -12,7 +12,9 @@
 //! and [`Kind`], and a row in [`Kind::grants`].
 
 pub mod batch;
+pub mod cams;
 pub mod compare;
+pub mod cycle;
 mod equation;
 pub mod listed;
 mod live;
@@ -21,6 +23,7 @@ mod pictures;
 pub mod range;
 mod scene;
 mod task;
+pub mod teeth;
 pub mod templates;
 pub mod turn;
 pub mod whole;
@@ -29,7 +32,8 @@ mod wish;
 use crate::answer::AnswerValue;
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::equation as vectors;
-use crate::figure::list::{Extras, FigureEntry, Pages, USUAL};
+use crate::figure::frame::{FramePage, working_frame};
+use crate::figure::list::{Extras, FigureEntry, FigureInput, Pages, USUAL};
 use crate::figure::sheet;
 use crate::figure::stepped::ConstructionMethod;
 use crate::notation::Notation;
@@ -44,7 +48,7 @@ use serde_json::{Value as Json, json};
 
 pub use equation::equation_plan;
 pub use live::{Live, PageDelta};
-pub use pictures::{Additions, extras, points_named};
+pub use pictures::{Additions, extras, points_named, whole_page};
 pub use scene::whole_motion;
 pub use task::included;
 pub use wish::{Kind, Wish};
@@ -431,6 +435,29 @@ impl Solved {
     /// Returns the scene with all stages of its solution, if the file is one.
     pub fn mechanism(&self) -> Option<(&Scene, &Worked)> {
         self.answered.mechanism()
+    }
+
+    /// The kind of the file.
+    pub fn kind(&self) -> Kind {
+        self.answered.kind()
+    }
+
+    /// Returns the scene with all stages of its solution.
+    ///
+    /// # Errors
+    /// `not-a-scene` if the file is of another kind.
+    pub fn needed_mechanism(&self) -> Result<(&Scene, &Worked), Diagnostic> {
+        self.mechanism().ok_or_else(|| wish::no_mechanism(self.kind()))
+    }
+
+    /// Draws the sheet to draw on, and its solution to lay over it, on pages of a format.
+    ///
+    /// # Errors
+    /// `not-a-scene`; those of [`working_frame`].
+    pub fn frame(&self, page: &PageFormat, look: &Look) -> Result<Vec<FramePage>, Faults> {
+        let (scene, worked) = self.needed_mechanism()?;
+        let (options, extras) = (look.sheet_of(scene), Extras::default());
+        working_frame(&FigureInput { scene, worked, options: &options, extras: &extras }, page)
     }
 
     /// Returns the candidates of a design task.

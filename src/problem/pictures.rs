@@ -4,7 +4,7 @@ use super::Extent;
 use super::range::WrongValue;
 use crate::diag::{Diagnostic, Faults, Span, both};
 use crate::figure::list::{Extras, FigureEntry};
-use crate::scene::{DiagramKind, PointId, Scene};
+use crate::scene::{self, DiagramKind, PageFormat, PointId, Scene};
 use crate::worked::Worked;
 use hodograph_base::json::fields::suggest;
 
@@ -93,6 +93,21 @@ pub fn points_named(
     } else {
         Ok(points)
     }
+}
+
+/// Reads the page of a sheet to draw on, such as `a4`.
+///
+/// # Errors
+/// `paper` if it is no format of a sheet of paper or of a slide.
+pub fn whole_page(text: &str) -> Result<PageFormat, WrongValue> {
+    let page = scene::page(text).map_err(|faults| WrongValue::new("page", text, faults))?;
+    if page.whole {
+        return Ok(page);
+    }
+    let message = both!("{text} is not a sheet of paper", "{text} 不是图纸幅面");
+    let d = Diagnostic::error("paper", message)
+        .help(both!("write --page a4 or --page a3", "请写 --page a4 或 --page a3"));
+    Err(WrongValue::new("page", text, d))
 }
 
 impl Extent {

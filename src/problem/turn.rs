@@ -2,12 +2,12 @@
 
 use super::Look;
 use super::range::{SweptRange, steps};
-use super::whole::{no_curve, over_a_table, usual, with_positions};
+use super::whole::{asking_for_motion, no_curve, usual};
 use crate::diag::{Faults, Warned};
 use crate::digits::{minus, shortest};
 use crate::figure::curves::CurveDiagram;
 use crate::paper::phrase::{Phrase, tr};
-use crate::scene::{self, Lang, Swept};
+use crate::scene::{Lang, Swept};
 use crate::sweep::long::LongSweep;
 use crate::sweep::pieces::gather;
 use crate::sweep::timed::TimedSweep;
@@ -23,7 +23,7 @@ const COLUMNS: usize = 8;
 /// Values below this part of the greatest of their column are rounding errors.
 const ZERO: f64 = 1e-9;
 
-/// Returns the answers of a scene, with the displacements of [`with_positions`], at `count` equal
+/// Returns the answers of a scene, with the displacements of [`with_positions`](super::whole::with_positions), at `count` equal
 /// steps over its whole motion: a heading, a sentence, and tables of at most eight columns of results
 /// beside the position of the driver. A vector that is parallel to one axis has its sign, any other
 /// its magnitude. Units that the scene does not choose are mm, mm/s, mm/s² and degrees.
@@ -35,10 +35,7 @@ pub fn turn_table(
     count: usize,
     look: &Look,
 ) -> Result<Warned<Vec<DocumentBlock>>, Faults> {
-    let Warned { value, notes } = scene::read(source)?;
-    let somewhere = notes.iter().all(|n| n.code != "free-centre");
-    let asked = with_positions(&value, somewhere)?.join(",");
-    let mut scene = over_a_table(scene::read_asking(source, &asked)?.value).value;
+    let mut scene = asking_for_motion(source, None)?.value;
     scene.book = scene.book.of_table("book").unwrap_or_default();
     let mechanism = sweep::mechanism(&scene)?;
     let placed = PlacedScene::new(&scene, &mechanism)?;

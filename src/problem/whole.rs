@@ -52,11 +52,7 @@ pub fn table(scene: &Scene) -> Result<Warned<Table>, Faults> {
 /// # Errors
 /// `no-curve` if no question has a curve; those of [`table`].
 pub fn curves(source: &[u8], look: &Look, paged: bool) -> Result<Warned<Pages>, Faults> {
-    let Warned { value, notes } = scene::read(source)?;
-    let somewhere = notes.iter().all(|n| n.code != "free-centre");
-    let asked = with_positions(&value, somewhere)?.join(",");
-    let Warned { value: scene, mut notes } =
-        over_a_table(scene::read_asking(source, &asked)?.value);
+    let Warned { value: scene, mut notes } = asking_for_motion(source, None)?;
     let mechanism = sweep::mechanism(&scene)?;
     let placed = PlacedScene::new(&scene, &mechanism)?;
     let swept = usual(&scene)?;
@@ -80,6 +76,23 @@ pub fn curves(source: &[u8], look: &Look, paged: bool) -> Result<Warned<Pages>, 
         false => vec![curves::figure(&scene, &diagram, &look.style, lang)],
     };
     Ok(Warned { value: figures.into_iter().map(|f| ("curves".to_owned(), f)).collect(), notes })
+}
+
+/// Returns a scene for its whole motion with the questions `find`, else with its own and their
+/// displacements ([`with_positions`]).
+///
+/// # Errors
+/// Faults of the scene, its positions, and of the questions.
+pub fn asking_for_motion(source: &[u8], find: Option<&str>) -> Result<Warned<Scene>, Faults> {
+    let asked = match find {
+        Some(find) => find.to_owned(),
+        None => {
+            let Warned { value, notes } = scene::read(source)?;
+            let somewhere = notes.iter().all(|n| n.code != "free-centre");
+            with_positions(&value, somewhere)?.join(",")
+        }
+    };
+    Ok(over_a_table(scene::read_asking(source, &asked)?.value))
 }
 
 /// The fault of a scene whose questions have no curve.

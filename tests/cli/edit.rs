@@ -254,6 +254,40 @@ fn edit_refuses_what_it_cannot_save_and_says_how_the_page_is_built() {
     assert!(said.contains("no-port"), "{said}");
 }
 
+#[test]
+fn a_live_lesson_is_the_page_with_the_scene_inside() {
+    use base64::{Engine as _, prelude::BASE64_STANDARD};
+    let folder = tempfile::tempdir().unwrap();
+    let (page, out) = (folder.path().join("page.html"), folder.path().join("lesson.html"));
+    fs::write(&page, PAGE).unwrap();
+    let lesson = |more: &[&str]| {
+        let mut run = hodograph();
+        run.args(["lesson", "templates/crank-rocker.json", "--live", "--page"]).arg(&page);
+        run.arg("-o").arg(&out).args(more).assert()
+    };
+    lesson(&["--set", "l_AB=90", "--lang", "zh"]).success();
+    let told = fs::read_to_string(&out).unwrap();
+    let (_, rest) = told.split_once("<meta name=\"hodograph-lesson\" content=\"").unwrap();
+    let (scene, rest) = rest.split_once('"').unwrap();
+    assert!(rest.starts_with(" data-lang=\"zh\">"), "{told}");
+    let scene = text(&BASE64_STANDARD.decode(scene).unwrap());
+    let set = hodograph().args(["new", "crank-rocker", "--set", "l_AB=90"]).assert().success();
+    assert_eq!(scene, text(&set.get_output().stdout));
+    // It connects to nothing.
+    assert_eq!(
+        told.replace(
+            &told[told.find("\n<meta name=").unwrap()..told.find("\n<meta content").unwrap()],
+            ""
+        ),
+        PAGE
+    );
+    for other in [&["--method", "centres"][..], &["--reveal"], &["--style", "dark"]] {
+        lesson(other).code(2);
+    }
+    fs::write(&page, "<html><body></body></html>").unwrap();
+    assert!(text(&lesson(&[]).code(2).get_output().stderr).contains("no-page"));
+}
+
 #[cfg(unix)]
 #[test]
 fn edit_ends_with_success_when_it_is_asked_to() {

@@ -8,10 +8,12 @@ import { Ended, Engine, Refused, type Diagnostic, type Frame, type Motion, type 
 import type { Schema } from './complete'
 import { asked, Filed } from './filed'
 import { Gallery } from './gallery'
+import { Given, lesson } from './lesson'
 import { Course, LIVE } from './motion'
 import { arrange, Pane } from './panes'
 import { Saves } from './saves'
 import { fragment, shared } from './share'
+import { TOLD, Told } from './told'
 import { isWord, word, type Lang, type Word } from './words'
 
 /** Tabs of single figures, each shown if the file calls for it. */
@@ -19,8 +21,6 @@ const SINGLE = [
   'sheet', 'equations', 'results', 'centres', 'loops', 'composite', 'curvature', 'centrodes', 'forces', 'lever', 'gears', 'kutzbach',
   'cam', 'cam-instant', 'replaced', 'attempts', 'groups', 'plates', 'inversions', 'cognates', 'curves',
 ]
-/** Tabs of text, as the program prints it. */
-const REPORTS = ['limits', 'mobility']
 /** Figures that take long: drawn when their tab is chosen. */
 const SLOW = ['curves']
 /** The first template. */
@@ -60,6 +60,8 @@ export class App {
   private hold = false
   private generation = 0
   private timer = 0
+  private given = new Given(this)
+  readonly told = new Told(this, () => void this.draw(false))
   private saves = new Saves(this)
   private filed: Filed
   private builder: Builder
@@ -82,7 +84,7 @@ export class App {
     root.append(
       this.bar,
       element('main', { class: 'work' }, this.tabs, this.stage, this.builder.root, this.note, this.transport),
-      element('aside', { class: 'side' }, this.answers.root, this.faults, this.text),
+      element('aside', { class: 'side' }, this.given.root, this.answers.root, this.faults, this.text),
     )
     this.editor = new Editor({
       parent: this.text,
@@ -115,7 +117,12 @@ export class App {
       this.say('unreadable')
     }
     window.addEventListener('hashchange', () => void shared(location.hash).then((t) => t !== null && t !== this.editor.text && this.begin(t, 'scene'), () => this.say('unreadable')))
-    if (this.filed.name !== null) {
+    const taught = lesson()
+    if (taught !== null) {
+      document.body.classList.add('lesson')
+      if (taught.includes('"links"')) this.tab = 'steps'
+      this.begin(taught, 'scene')
+    } else if (this.filed.name !== null) {
       const text = await this.filed.begin()
       if (text === '') this.create()
       else this.begin(text, '')
@@ -136,6 +143,7 @@ export class App {
   private begin(text: string, name: string): void {
     this.name = name
     this.hold = false
+    this.stepAt = 0
     this.answers.forget()
     this.editor.begin(text)
   }
@@ -153,6 +161,7 @@ export class App {
     const generation = ++this.generation
     const text = this.editor.text
     this.pause()
+    if (document.body.classList.contains('lesson')) this.given.show()
     try {
       const opened = await this.engine.ask<Opened>({ do: 'open', text, lang: this.lang })
       if (generation !== this.generation) {
@@ -269,7 +278,7 @@ export class App {
         if (answers && generation === this.generation) this.answer({ figures: [], missing: [], answers, verdict: this.opened.verdict })
         return
       }
-      if (REPORTS.includes(tab)) return await this.report(tab)
+      if (tab in TOLD) return await this.report(tab)
       const what = tab === 'live' ? LIVE : [tab]
       const frame = await this.frame(what, travel, true)
       if (generation !== this.generation || tab !== this.tab) return
@@ -285,12 +294,16 @@ export class App {
     }
   }
 
-  private async report(of: string): Promise<void> {
+  private async report(tab: string): Promise<void> {
     const { generation } = this
-    const { text } = await this.engine.ask<{ text: string }>({ do: 'report', handle: this.opened!.handle, of, lang: this.lang })
-    if (generation !== this.generation || this.tab !== of) return
-    this.show([], false)
-    this.stage.append(element('pre', { class: 'report', tabindex: '0' }, text))
+    this.moving = false
+    const { pages, control, below } = await this.told.drawn(tab)
+    if (generation !== this.generation || this.tab !== tab) return
+    const held = this.stage.querySelector('label.report :focus') !== null
+    this.show(pages, false)
+    this.stage.append(below)
+    if (control) this.stage.prepend(control)
+    if (held) control?.querySelector<HTMLElement>('input, select')?.focus()
   }
 
   private say_missing(missing: Diagnostic[]): string {
@@ -299,7 +312,7 @@ export class App {
 
   private show(pages: Page[], hold: boolean): void {
     const names = pages.map((p) => `${p.figure ?? ''}/${p.name}`)
-    this.stage.querySelector('.report')?.remove()
+    this.stage.querySelectorAll('.report').forEach((one) => one.remove())
     for (const [name, pane] of this.panes) {
       if (names.includes(name)) continue
       pane.root.remove()
@@ -336,7 +349,6 @@ export class App {
       const { figures } = await this.engine.ask<{ figures: Page[] }>(message)
       if (generation !== this.generation) return
       this.steps = figures
-      this.stepAt = 0
     }
     this.showStep()
   }
@@ -530,7 +542,10 @@ export class App {
     document.body.dataset.tab = this.tab
     const scene = !['task', 'motion', 'equation'].includes(this.opened?.kind ?? '')
     const singles = SINGLE.filter((name) => this.pages.has(name) || name === 'sheet' || name === this.tab || (SLOW.includes(name) && this.course?.can))
-    const reports = REPORTS.filter((name) => name !== 'limits' || (this.course?.can && typeof this.opened?.swept === 'number'))
+    const single = this.course?.can && typeof this.opened?.swept === 'number'
+    const reports = Object.entries(TOLD)
+      .filter(([name, { moves, beside }]) => name === this.tab || ((!moves || single) && (!beside || this.pages.has(beside))))
+      .map(([name]) => name)
     const names = scene ? ['live', 'steps', ...singles, ...reports] : ['sheet']
     const tab = (name: string) =>
       element(
@@ -596,7 +611,7 @@ export class App {
   }
 
   /** The files of a form. */
-  readonly files = (form: string, sides?: string) => this.saves.files(form, sides)
+  readonly files = (form: string, of?: string) => this.saves.files(form, of)
 
   /** Begins with an empty scene. */
   private create(): void {

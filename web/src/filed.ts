@@ -13,7 +13,7 @@ const ABSENT = 'none'
 const meta = () => document.querySelector<HTMLMetaElement>('meta[name="hodograph-file"]')
 
 /** The language that the command line asks for. */
-export const asked = (): Lang | null => (meta()?.dataset.lang || null) as Lang | null
+export const asked = (): Lang | null => (document.querySelector<HTMLMetaElement>('meta[data-lang]')?.dataset.lang || null) as Lang | null
 
 export class Filed {
   /** The file's name; null where the page has no file. */

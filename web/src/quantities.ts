@@ -54,7 +54,7 @@ export class Grain {
 }
 
 /** The parameter that a quantity is, if it is nothing else. */
-export function parameterOf(outline: Outline, quantity: unknown): string | null {
+export function parameterOf(outline: Pick<Outline, 'json'>, quantity: unknown): string | null {
   return typeof quantity === 'string' && outline.json.parameters?.[quantity] !== undefined ? quantity : null
 }
 
@@ -100,7 +100,7 @@ export function shown(outline: Outline, quantity: unknown): string {
 }
 
 /** Writes what was typed; a bare number takes the unit of what it replaces. */
-export function typed(outline: Outline, draft: Draft, path: JSONPath, text: string, usual: string): void {
+export function typed(outline: Pick<Outline, 'json'>, draft: Draft, path: JSONPath, text: string, usual: string): void {
   const name = parameterOf(outline, draft.at(path))
   const to: JSONPath = name === null ? path : ['parameters', name]
   const old = draft.at(to)

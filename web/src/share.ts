@@ -25,7 +25,7 @@ export async function shared(hash: string): Promise<string | null> {
 /** Offers a file for saving. */
 export function save(name: string, content: string | Blob | Uint8Array<ArrayBuffer>): void {
   const type = name.endsWith('.svg') ? 'image/svg+xml' : name.endsWith('.html') ? 'text/html' : 'text/plain'
-  const bytes = content instanceof Uint8Array ? new Blob([content], { type: 'application/pdf' }) : content
+  const bytes = content instanceof Uint8Array ? new Blob([content], { type: name.endsWith('.pdf') ? 'application/pdf' : 'application/octet-stream' }) : content
   const blob = typeof bytes === 'string' ? new Blob([bytes], { type: `${type};charset=utf-8` }) : bytes
   const url = URL.createObjectURL(blob)
   const link = document.createElement('a')

@@ -5,7 +5,7 @@ import { engine } from '../node-engine.js'
 
 const at = (name) => new URL(`../public/${name}`, import.meta.url).pathname
 const quick = process.env.HODOGRAPH_QUICK === '1'
-const FIGURES = ['sheet', 'equations', 'results', 'centres', 'loops', 'composite', 'curvature', 'centrodes', 'forces', 'lever', 'gears', 'kutzbach', 'attempts', 'groups', 'cam', 'curves']
+const FIGURES = ['sheet', 'equations', 'results', 'centres', 'loops', 'composite', 'curvature', 'centrodes', 'forces', 'lever', 'gears', 'kutzbach', 'attempts', 'groups', 'cam', 'curves', 'cycle', 'cam-alpha']
 
 test('every message is answered on every template', async () => {
   const fresh = () => engine(at('engine.wasm'), at('song.otf'))
@@ -18,7 +18,7 @@ test('every message is answered on every template', async () => {
       { do: 'motion' },
       { do: 'frame', what: ['mechanism', 'velocity', 'acceleration'], travel: 0.01, answers: true },
       { do: 'frame', what: kind === 'scene' ? FIGURES : ['sheet'], lang: 'zh', answers: true },
-      ...(kind === 'scene' ? [{ do: 'place', travel: 0.1 }, { do: 'export', form: 'csv' }] : []),
+      ...(kind === 'scene' ? [{ do: 'place', travel: 0.1 }, { do: 'export', form: 'csv' }, { do: 'export', form: 'dxf' }] : []),
       ...['html', 'lesson', 'text', 'json'].map((form) => ({ do: 'export', form })),
     ]
     for (const message of messages) {

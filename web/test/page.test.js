@@ -219,24 +219,109 @@ test('survives a trap in the engine', async () => {
   await context.close()
 })
 
+/** Begins with a template; waits for its drawing. */
+async function template(page, name) {
+  const { text } = await ask(page, { do: 'template', name })
+  await begin(page, text)
+  await page.waitForFunction((t) => window.hodograph.opened && window.hodograph.editor.text === t && !window.hodograph.engine.busy, text)
+  return text
+}
+
+/** The files of a form, as they would be saved: bytes. */
+const filesOf = (page, form, of) => page.evaluate(async ([form, of]) => {
+  window.hodograph.name = 'scene'
+  const files = await window.hodograph.files(form, of)
+  return files.map(({ name, text }) => ({ name, bytes: [...(typeof text === 'string' ? new TextEncoder().encode(text) : text)] }))
+}, [form, of])
+
+/** The saved files that differ from those that the program writes under the same names. */
+async function differing(page, folder, form, of, args) {
+  const made = await filesOf(page, form, of)
+  const out = join(folder, made[0].name)
+  run([...args, out])
+  return made.filter(({ name, bytes }) => !Buffer.from(bytes).equals(readFileSync(join(folder, name)))).map(({ name }) => `${form} ${of ?? ''} ${name}`)
+}
+
 test('documents are those of the program', async () => {
   const { page, context } = await opened()
-  await begin(page, (await ask(page, { do: 'template', name: 'crank-rocker' })).text)
-  await page.waitForFunction(() => /Crank-rocker/.test(document.title))
+  const folder = mkdtempSync(join(tmpdir(), 'hodograph-'))
+  const file = join(folder, 'told.json')
+  writeFileSync(file, await template(page, 'crank-rocker'))
+  const differ = []
+  for (const [form, of, command, ...more] of [
+    ['html', 'problem', 'worksheet', '--problem-only'], ['html', 'solution', 'worksheet', '--solution'], ['md', , 'worksheet'], ['typ', , 'worksheet'],
+    ['html', 'questions', 'worksheet', '--questions'], ['html', 'table', 'worksheet', '--solution', '--table', '12'],
+    ['pdf', 'questions', 'worksheet', '--questions'], ['pdf', 'table', 'worksheet', '--solution', '--table', '12'], ['pdf', 'frame', 'worksheet', '--frame'],
+    ['lesson', , 'lesson'], ['csv', , 'sweep'],
+  ]) differ.push(...await differing(page, folder, form, of, [command, file, '--lang', 'en', ...more, '-o']))
+  assert.deepEqual(differ, [])
+  await context.close()
+})
+
+test('lessons by a method are those of the program', async () => {
+  const { page, context } = await opened()
+  const folder = mkdtempSync(join(tmpdir(), 'hodograph-'))
+  const file = join(folder, 'told.json')
+  const differ = []
+  const all = [['crank-rocker', 'centres'], ['cam-offset-roller', 'cam'], ['planetary-gear', 'trains'], ['slider-crank', 'loops'], ['shaper', 'composite'], ['crank-rocker', 'curvature']]
+  for (const [name, method] of quick ? all.slice(0, 3) : all) {
+    writeFileSync(file, await template(page, name))
+    differ.push(...await differing(page, folder, 'lesson', method, ['lesson', file, '--lang', 'en', '--method', method, '-o']))
+  }
+  assert.deepEqual(differ, [])
+  const refused = await page.evaluate(() => window.hodograph.files('lesson', 'cam').then(() => null, (fault) => fault.diagnostics[0].message))
+  assert.ok(quick || (refused.en && refused.zh), 'a method that the scene does not have')
+  await context.close()
+})
+
+test('files of other programs are those of the program', async () => {
+  const { page, context } = await opened()
+  const folder = mkdtempSync(join(tmpdir(), 'hodograph-'))
+  const file = join(folder, 'told.json')
+  writeFileSync(file, await template(page, 'crank-rocker'))
+  const differ = []
+  for (const form of ['dxf', 'tikz', 'ggb', 'pylinkage', 'pylinkage-json', 'pmks']) {
+    differ.push(...await differing(page, folder, form, undefined, ['export', file, '--lang', 'en', '-o']))
+  }
+  await page.evaluate(() => { window.hodograph.tab = 'centres' })
+  for (const form of ['dxf', 'tikz']) {
+    differ.push(...await differing(page, folder, form, undefined, ['export', file, '--lang', 'en', '--figure', 'centres', '-o']))
+  }
+  await page.evaluate(() => { window.hodograph.tab = 'live' })
+  writeFileSync(file, await template(page, 'cam-offset-roller'))
+  for (const form of ['cam-dxf', 'cam-csv']) differ.push(...await differing(page, folder, form, undefined, ['cam', file, '--profile']))
+  assert.deepEqual(differ, [])
+  await page.click('.menu summary')
+  await page.click('[data-form="ggb"]')
+  await page.waitForFunction(() => /凸轮|cams/.test(document.querySelector('.note').textContent))
+  await context.close()
+})
+
+test('the motion cycle and the least base circle are those of the program', async () => {
+  const { page, context } = await opened()
   const folder = mkdtempSync(join(tmpdir(), 'hodograph-'))
   const file = join(folder, 'scene.json')
-  writeFileSync(file, await text(page))
-  const runs = [
-    ['worksheet', 'html', 'problem', '--problem-only'], ['worksheet', 'html', 'solution', '--solution'], ['worksheet', 'md'], ['worksheet', 'typ'],
-    ['lesson', 'lesson'], ['sweep', 'csv'],
-  ]
-  for (const [command, form, sides, ...more] of runs) {
-    await page.evaluate(() => { window.hodograph.name = 'scene' })
-    const files = await page.evaluate(([f, s]) => window.hodograph.files(f, s), [form, sides])
-    const out = join(folder, files[0].name)
-    run([command, file, '-o', out, '--lang', 'en', ...more])
-    for (const made of files) assert.equal(made.text, readFileSync(join(folder, made.name), 'utf8'), `${command} ${made.name}`)
-  }
+  writeFileSync(file, await template(page, 'cam-offset-roller'))
+  const told = (...args) => spawnSync(program, args, { encoding: 'utf8' }).stdout
+  const shown = (text) => page.waitForFunction((t) => document.querySelector('pre.report')?.textContent === t, text)
+  await page.click('[data-tab="cycle"]')
+  await shown(told('cycle', file, '--lang', 'en'))
+  await page.selectOption('.report select', 'polar')
+  const drawn = told('cycle', file, '--lang', 'en', '--form', 'polar', '-o', '-', '--format', 'svg')
+  await page.waitForFunction(() => document.querySelector('.report select')?.value === 'polar')
+  const [cycle] = await filesOf(page, 'svg')
+  assert.equal(Buffer.from(cycle.bytes).toString(), drawn)
+  await page.click('[data-tab="least"]')
+  await shown(told('cam', file, '--lang', 'en', '--alpha', '30deg'))
+  await page.fill('.report input', '25')
+  await page.press('.report input', 'Enter')
+  await shown(told('cam', file, '--lang', 'en', '--alpha', '25deg'))
+  run(['cam', file, '--lang', 'en', '--alpha', '25deg', '-o', folder, '--format', 'svg'])
+  const [least] = await filesOf(page, 'svg')
+  assert.equal(Buffer.from(least.bytes).toString(), readFileSync(join(folder, 'scene-cam-alpha.svg'), 'utf8'))
+  await page.click('[data-tab="live"]')
+  await page.waitForSelector('.stage[data-tab="live"] .pane svg')
+  assert.equal(await page.locator('.report').count(), 0)
   await context.close()
 })
 
@@ -249,9 +334,8 @@ test('limits and mobility are told as by the program', async () => {
   for (const lang of ['en', 'zh']) {
     for (const of of ['limits', 'mobility']) {
       await page.click(`[data-tab="${of}"]`)
-      await page.waitForSelector('.report')
       const { stdout } = spawnSync(program, [of, file, '--lang', lang], { encoding: 'utf8' })
-      await page.waitForFunction((t) => document.querySelector('.report')?.textContent === t, stdout)
+      await page.waitForFunction((t) => document.querySelector('pre.report')?.textContent === t, stdout)
     }
     await page.click('[data-tab="live"]')
     await page.waitForSelector('.pane svg')
@@ -319,6 +403,33 @@ test('the single file opens from a disk', async () => {
   await context.close()
 })
 
+test('a lesson with the engine inside is drawn anew for other lengths', async () => {
+  const folder = mkdtempSync(join(tmpdir(), 'hodograph-'))
+  const file = join(folder, 'lesson.html')
+  run(['lesson', join(dist, '../../templates/crank-rocker.json'), '--live', '--page', join(dist, 'hodograph.html'), '--lang', 'zh', '-o', file])
+  const { page, context, faults } = await opened(`file://${file}`, {}, (page) => page.waitForSelector('.stage[data-tab="steps"] .pane svg'))
+  assert.match(await page.title(), /曲柄摇杆/)
+  await page.click('.transport button:last-child')
+  await page.waitForFunction(() => /2 \//.test(document.querySelector('.reading').textContent))
+  const before = await page.locator('.pane svg').innerHTML()
+  assert.ok(await page.locator('.text').isHidden())
+  await page.fill('.given [id="given-parameters-l_AB"]', '90')
+  await page.press('.given [id="given-parameters-l_AB"]', 'Enter')
+  await page.waitForFunction((was) => document.querySelector('.pane svg').innerHTML !== was, before)
+  assert.match(await page.textContent('.reading'), /2 \//)
+  const { stdout } = spawnSync(program, ['solve', join(dist, '../../templates/crank-rocker.json'), '--set', 'l_AB=90'], { encoding: 'utf8' })
+  const omega = /omega_3 *= *([\d.]+)/.exec(stdout)[1]
+  await page.waitForFunction((is) => document.querySelector('.answers').textContent.includes(is), omega)
+  assert.equal(await page.inputValue('.given [id="given-parameters-l_AB"]'), '90 mm')
+  await page.fill('.given [id="given-parameters-l_AB"]', 'ninety')
+  await page.press('.given [id="given-parameters-l_AB"]', 'Enter')
+  await page.waitForSelector('.given [aria-invalid="true"]')
+  await page.click('.b-undo')
+  await page.waitForFunction((was) => document.querySelector('.pane svg').innerHTML === was, before)
+  assert.deepEqual(faults, [])
+  await context.close()
+})
+
 test('no rule of axe is broken: drawing, tools, gallery, dark, in both languages', async () => {
   const { page, context } = await opened()
   await page.evaluate(axe.source)
@@ -347,5 +458,11 @@ test('no rule of axe is broken: drawing, tools, gallery, dark, in both languages
 test('on a phone nothing is wider than the screen', async () => {
   const { page, context } = await opened(address, { viewport: { width: 390, height: 844 }, hasTouch: true })
   assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390)
+  // The whole list of what is saved can be reached.
+  await page.click('.menu summary')
+  const last = page.locator('.menu [data-form]').last()
+  await last.scrollIntoViewIfNeeded()
+  const box = await last.boundingBox()
+  assert.ok(await page.evaluate(([x, y]) => document.elementFromPoint(x, y)?.dataset.form, [box.x + 5, box.y + box.height / 2]) === 'scene')
   await context.close()
 })

@@ -32,6 +32,18 @@ pub enum CycleForm {
     Polar,
 }
 
+impl CycleForm {
+    /// Returns the form of a name: `bars`, `straight` or `polar`.
+    pub fn named(name: &str) -> Option<CycleForm> {
+        match name {
+            "bars" => Some(CycleForm::Bars),
+            "straight" => Some(CycleForm::Straight),
+            "polar" => Some(CycleForm::Polar),
+            _ => None,
+        }
+    }
+}
+
 /// Space on the left for names, width of the cycle, and space on the right (mm).
 const LEFT_MM: f64 = 50.0;
 const WIDTH_MM: f64 = 170.0;

@@ -1,7 +1,8 @@
 //! Arguments of the exchange with other programs.
 
 use super::{ClapArgs, CommonArgs, LookArgs};
-use crate::cli::values::{ExportFormat, ImportFormat, figures};
+use crate::cli::values::figures;
+use crate::exchange::{ExportFormat, ImportFormat};
 use crate::figure::list::FigureEntry;
 
 #[derive(ClapArgs, Debug)]

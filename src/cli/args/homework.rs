@@ -1,7 +1,8 @@
 //! Arguments of homework: variants of a problem, and the marking of answers.
 
 use super::{ClapArgs, CommonArgs, LookArgs};
-use crate::cli::values::{Platform, digits};
+use crate::cli::values::digits;
+use crate::homework::platforms::Platform;
 
 #[derive(ClapArgs, Debug)]
 #[command(

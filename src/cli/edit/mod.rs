@@ -3,34 +3,27 @@
 mod desk;
 mod http;
 
+use super::page::PageText;
 use super::target::is_stream;
 use super::{CommandResult, Failure, args, files, lang, stop};
 use crate::diag::{Diagnostic, both};
-use crate::scene::Lang;
 use desk::Desk;
 use http::{Request, Response};
 use std::io;
 use std::net::{Ipv4Addr, TcpListener, TcpStream};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Command, ExitCode, Stdio};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::time::Duration;
 
-/// The page in one file, as `npm run build` writes it.
-#[cfg(feature = "page")]
-const BUILT_IN: Option<&[u8]> = Some(include_bytes!("../../../web/dist/hodograph.html"));
-#[cfg(not(feature = "page"))]
-const BUILT_IN: Option<&[u8]> = None;
-
 /// Most connections at a time: a browser opens six to one server.
 const CONNECTIONS: usize = 32;
 /// Time between two looks for a request to stop.
 const PAUSE: Duration = Duration::from_millis(50);
-/// The rule for connections of the page's script, in the single file and here.
-const CONNECT: [&str; 2] = ["connect-src 'none'", "connect-src 'self'"];
-const CHARSET: &str = "<meta charset=\"utf-8\">";
+/// The rule for connections of the page's script: to this server.
+const CONNECT: &str = "connect-src 'self'";
 
 /// Runs the command.
 pub fn run(a: args::EditArgs) -> CommandResult {
@@ -66,7 +59,9 @@ pub fn run(a: args::EditArgs) -> CommandResult {
         }
         Some(_) | None => {}
     }
-    let page = page(a.page.as_deref(), &a.scene)?;
+    let name = file.file_name().map(|name| name.to_string_lossy().into_owned());
+    let page = PageText::read(a.page.as_deref())?;
+    let page = page.knowing("file", &name.unwrap_or_default(), CONNECT).into_bytes();
     let port = a.port.to_string();
     let no_port = |e: io::Error| {
         let d = Diagnostic::error(
@@ -144,73 +139,6 @@ fn word() -> io::Result<String> {
     let mut bytes = [0; 16];
     getrandom::fill(&mut bytes).map_err(io::Error::other)?;
     Ok(bytes.iter().map(|b| format!("{b:02x}")).collect())
-}
-
-/// Returns the page of a file: the named one, the one in the program, or one near the program.
-fn page(named: Option<&str>, scene: &str) -> Result<Vec<u8>, Failure> {
-    let read = |path: &Path| {
-        std::fs::read_to_string(path).map_err(|e| {
-            let help = both!("name the page, hodograph.html", "请指定页面文件 hodograph.html");
-            files::unreadable(path, &e).help(help)
-        })
-    };
-    let text = match (named, BUILT_IN) {
-        (Some(path), _) => {
-            read(Path::new(path)).map_err(|d| Failure::argument("--page", path, d))?
-        }
-        (None, Some(bytes)) => String::from_utf8_lossy(bytes).into_owned(),
-        (None, None) => near().iter().find_map(|path| read(path).ok()).ok_or_else(|| {
-            let d = Diagnostic::error(
-                "no-page",
-                both!("the page is not built", "页面尚未构建"),
-            );
-            let help = both!(
-                "`npm ci` and `npm run engine && npm run build` in the folder web build it; --page FILE names one that is elsewhere",
-                "在 web 文件夹中运行 `npm ci` 和 `npm run engine && npm run build` 即可构建；--page FILE 指定其他位置的页面"
-            );
-            Failure::input(d.help(help), "", "")
-        })?,
-    };
-    served(&text, scene).ok_or_else(|| {
-        let d = Diagnostic::error(
-            "no-page",
-            both!("this is not the page of hodograph in one file", "这不是 hodograph 的单文件页面"),
-        );
-        let help = both!(
-            "`npm run build` in the folder web writes it to dist/hodograph.html",
-            "在 web 文件夹中运行 `npm run build`，得到 dist/hodograph.html"
-        );
-        Failure::argument("--page", named.unwrap_or_default(), d.help(help))
-    })
-}
-
-/// Places of the page near the program: beside it, and in the checkout in whose folder `target` it
-/// is.
-fn near() -> Vec<PathBuf> {
-    let Ok(program) = std::env::current_exe() else { return Vec::new() };
-    let beside = program.parent().map(|folder| folder.join("hodograph.html"));
-    let above = program.ancestors().skip(1).take(4);
-    beside.into_iter().chain(above.map(|up| up.join("web/dist/hodograph.html"))).collect()
-}
-
-/// Returns the page for a file: its script may connect to this server, and knows the file's name
-/// and the language that the user asks for. `None` if the text is not the page.
-fn served(page: &str, scene: &str) -> Option<Vec<u8>> {
-    let (head, body) = page.split_once("<body>")?;
-    if !head.contains(CONNECT[0]) || !head.contains(CHARSET) {
-        return None;
-    }
-    let name = Path::new(scene).file_name()?.to_string_lossy().into_owned();
-    let name = name.replace('&', "&amp;").replace('"', "&quot;").replace('<', "&lt;");
-    let lang = lang::asked().map_or("", |l| match l {
-        Lang::En => "en",
-        Lang::Zh => "zh",
-    });
-    let known = format!(
-        "{CHARSET}\n<meta name=\"hodograph-file\" content=\"{name}\" data-lang=\"{lang}\">"
-    );
-    let head = head.replacen(CHARSET, &known, 1).replacen(CONNECT[0], CONNECT[1], 1);
-    Some(format!("{head}<body>{body}").into_bytes())
 }
 
 /// Opens an address in the user's browser; a machine without one still has the printed address.

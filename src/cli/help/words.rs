@@ -171,6 +171,12 @@ pub(super) const WORDS: &[(&str, &str, &str)] = &[
     ("lesson", "output", "要写的页面，或 `-`（标准输出）（默认：按机构文件命名）"),
     ("lesson", "method", "演示这一方法的作图；不指定时为所求量的图解（受力分析亦然）"),
     ("lesson", "reveal", "改为 reveal.js 的片段：各部分逐步显示的内嵌 SVG"),
+    ("lesson", "live", "改为内含计算引擎的页面：可改杆长等已知量，并重新作图"),
+    (
+        "lesson",
+        "page",
+        "与 --live 同用：页面文件 hodograph.html（默认：程序内含的、程序旁边的，或其源码目录中的）",
+    ),
     ("lesson", "width", "与 --reveal 同用：片段的宽度，如 240mm；先缩小图和字，再把各图上下排列"),
     ("lesson", "positions", "一整转或整个行程中的位置数，8 到 360；运动急变处自动加密"),
     ("lesson", "driver", "使第几个原动件运动，从 1 数起；含 `motions` 的文件：演示第几个运动"),

@@ -27,6 +27,48 @@ pub use moodle::moodle;
 pub use prairielearn::prairielearn;
 pub use qti::{QtiVersion, qti};
 
+/// Learning platforms.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Platform {
+    /// Moodle's XML.
+    Moodle,
+    /// QTI 3.0.
+    Qti3,
+    /// QTI 2.1.
+    Qti2,
+    /// Canvas.
+    Canvas,
+    /// PrairieLearn.
+    Prairielearn,
+}
+
+impl Platform {
+    /// All platforms, in the order of a list.
+    pub const ALL: [Platform; 5] = [
+        Platform::Moodle,
+        Platform::Qti3,
+        Platform::Qti2,
+        Platform::Canvas,
+        Platform::Prairielearn,
+    ];
+
+    /// The name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Platform::Moodle => "moodle",
+            Platform::Qti3 => "qti3",
+            Platform::Qti2 => "qti2",
+            Platform::Canvas => "canvas",
+            Platform::Prairielearn => "prairielearn",
+        }
+    }
+
+    /// Returns the platform of a name.
+    pub fn named(name: &str) -> Option<Platform> {
+        Platform::ALL.into_iter().find(|p| p.name() == name)
+    }
+}
+
 /// Resolution of pictures (dots per inch): sharp on a screen, small in a file.
 const DPI: f64 = 144.0;
 

@@ -150,7 +150,19 @@ mod tests {
         assert_ne!(moved["answers"], drawn["answers"]);
         let motion = ask(json!({"do": "motion", "handle": handle}));
         assert!(motion["full"] == true && motion["poses"].as_array().unwrap().len() >= 72);
-        for form in ["html", "md", "typ", "lesson", "csv", "text", "json"] {
+        for form in [
+            "html",
+            "md",
+            "typ",
+            "lesson",
+            "csv",
+            "text",
+            "json",
+            "dxf",
+            "tikz",
+            "pylinkage",
+            "pmks",
+        ] {
             let made = ask(json!({"do": "export", "handle": handle, "form": form}));
             assert!(made["files"][0]["text"].as_str().unwrap().len() > 100, "{form}: {made}");
         }

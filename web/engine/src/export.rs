@@ -1,17 +1,24 @@
-//! Documents of an opened file: worksheets, lesson, text, tables.
+//! Documents of an opened file: worksheets, lesson, text, tables, files of other programs.
 
-use crate::file::{CURVES, OpenFile, wanted};
+use crate::file::{OpenFile, wanted};
 use crate::words::{diagnostics, failed, look};
 use base64::{Engine as _, prelude::BASE64_STANDARD};
 use hodograph::diag::{Diagnostic, Faults, Warned, both};
+use hodograph::exchange::{self, ExportFormat};
+use hodograph::figure::list;
+use hodograph::figure::stepped::ConstructionMethod;
+use hodograph::paper::item::Figure;
 use hodograph::paper::words::words;
-use hodograph::problem::Pictures;
-use hodograph::problem::{self, Kind, Lesson, Look, Options, whole};
+use hodograph::problem::cams::{self, SurveyedCam};
+use hodograph::problem::turn::turn_table;
+use hodograph::problem::{self, Kind, Lesson, Look, Options, Pictures, whole, whole_page};
 use hodograph::render::pages::Page;
 use hodograph::report::table::{Csv, RowFormat, TableHead, TablePiece};
 use hodograph::scene::Swept;
 use hodograph::worksheet::pages;
-use hodograph::worksheet::{CompanionFile, WorksheetSides, WorksheetTask, html, markdown, typst};
+use hodograph::worksheet::{
+    CompanionFile, Document, WorksheetSides, WorksheetTask, html, markdown, typst,
+};
 use serde_json::{Value as Json, json};
 
 impl OpenFile {
@@ -21,11 +28,28 @@ impl OpenFile {
         let stem = message["stem"].as_str().unwrap_or("scene");
         if message["form"] == "pdf" {
             return match self.pages(message) {
-                Ok(of) => {
-                    // Writing to memory does not fail.
-                    let bytes = postcard::to_allocvec(&of).unwrap_or_default();
-                    let pages = BASE64_STANDARD.encode(bytes);
-                    json!({"ok": true, "files": [{"name": format!("{stem}.pdf"), "pages": pages}]})
+                Ok(all) => {
+                    let one = |(word, of): (&str, PdfPages)| {
+                        // Writing to memory does not fail.
+                        let bytes = postcard::to_allocvec(&of).unwrap_or_default();
+                        let pages = BASE64_STANDARD.encode(bytes);
+                        json!({"name": format!("{stem}{word}.pdf"), "pages": pages})
+                    };
+                    json!({"ok": true, "files": all.into_iter().map(one).collect::<Vec<_>>()})
+                }
+                Err(faults) => failed(&faults, &self.text),
+            };
+        }
+        if let Some(format) = message["form"].as_str().and_then(ExportFormat::named) {
+            let ending = format.endings().first().copied().unwrap_or_default();
+            let figure =
+                message["figure"].as_str().and_then(list::named).unwrap_or(list::MECHANISM);
+            // In digits like a text, not like a sheet.
+            let look = Look { digits: Look::default().digits, ..look(message) };
+            return match exchange::export(&self.solved, format, figure, &look) {
+                Ok(made) => {
+                    let file = bytes_of(format!("{stem}.{ending}"), &made.value);
+                    json!({"ok": true, "files": [file], "notes": diagnostics(&made.notes, &self.text)})
                 }
                 Err(faults) => failed(&faults, &self.text),
             };
@@ -39,28 +63,47 @@ impl OpenFile {
         }
     }
 
-    /// Returns the pages of a PDF, its title and language tag: of the figures `what` at a `travel`
-    /// of the driver, else of the worksheet.
-    fn pages(&self, message: &Json) -> Result<(Vec<Page>, String, String), Faults> {
+    /// Returns the PDF files with the words for their names: the sheet to draw on (`frame`) and its
+    /// overlay; the figures `what` at a `travel` of the driver; else the worksheet.
+    fn pages(&self, message: &Json) -> Result<Vec<(&'static str, PdfPages)>, Faults> {
         let look = look(message);
-        if message["what"].is_null() {
-            let sheet = self.solved.worksheet(sides(message), task(message), &look)?;
-            let tag = words(sheet.lang).tag.to_owned();
-            return Ok((pages::pages(&sheet), sheet.title, tag));
+        if message["frame"] == true {
+            let page = whole_page(message["page"].as_str().unwrap_or("a4"));
+            let page = page.map_err(|wrong| wrong.faults)?;
+            let all = self.solved.frame(&page, &look)?.into_iter();
+            let (blanks, overlays): (Vec<_>, Vec<_>) =
+                all.map(|page| (page.blank, page.overlay)).unzip();
+            return Ok(vec![("", of_figures(&blanks)), ("-overlay", of_figures(&overlays))]);
         }
-        let figures: Vec<_> = match message["what"][0].as_str() {
-            Some(CURVES) => whole::curves(self.text.as_bytes(), &look, true)?.value,
-            _ => {
+        if message["what"].is_null() {
+            let sheet = self.sheet(message, &look)?;
+            let tag = words(sheet.lang).tag.to_owned();
+            return Ok(vec![("", (pages::pages(&sheet), sheet.title, tag))]);
+        }
+        let name = message["what"][0].as_str().unwrap_or_default();
+        let figures: Vec<Figure> = match self.of_motion(name, message, true) {
+            Some(pages) => pages?.value,
+            None => {
                 let pictures = Pictures { figures: &wanted(message), ..Pictures::default() };
                 match message["travel"].as_f64() {
                     Some(travel) => self.at(travel, None)?.figures(&pictures, &look)?.value,
                     None => self.solved.figures(&pictures, &look)?.value,
                 }
             }
-        };
-        let first = figures.first().map(|(_, f)| (f.title.clone(), f.lang.clone()));
-        let (title, tag) = first.unwrap_or_default();
-        Ok((figures.iter().map(|(_, f)| Page::of(f)).collect(), title, tag))
+        }
+        .into_iter()
+        .map(|(_, figure)| figure)
+        .collect();
+        Ok(vec![("", of_figures(&figures))])
+    }
+
+    /// Returns the worksheet, with the results over the motion in `table` steps.
+    fn sheet(&self, message: &Json, look: &Look) -> Result<Document, Faults> {
+        let mut sheet = self.solved.worksheet(sides(message), task(message), look)?;
+        if let Some(steps) = message["table"].as_u64().and_then(|n| usize::try_from(n).ok()) {
+            sheet.blocks.extend(turn_table(self.text.as_bytes(), steps.clamp(1, 360), look)?.value);
+        }
+        Ok(sheet)
     }
 
     fn document(&self, message: &Json, stem: &str) -> Result<Warned<Vec<CompanionFile>>, Faults> {
@@ -70,7 +113,7 @@ impl OpenFile {
             let name = format!("{stem}.{ending}");
             Warned { value: vec![CompanionFile { name, text }], notes: Vec::new() }
         };
-        let sheet = || self.solved.worksheet(sides(message), task(message), &look);
+        let sheet = || self.sheet(message, &look);
         let beside = |ending: &str, (text, drawings): (String, Vec<CompanionFile>)| {
             let mut all = one(ending, text);
             all.value.extend(drawings);
@@ -89,7 +132,8 @@ impl OpenFile {
                 let options = Options { whole_motion: true, ..Options::with_figures() };
                 let solved = problem::solve(&self.problem, &options)?;
                 let swept = self.swept.unwrap_or(Swept::Driver(0));
-                let page = solved.lesson(&Lesson { swept, ..Lesson::default() }, &look)?;
+                let method = message["method"].as_str().and_then(ConstructionMethod::named);
+                let page = solved.lesson(&Lesson { swept, method, ..Lesson::default() }, &look)?;
                 let notes = page.notes;
                 Warned { notes, ..one("html", page.value) }
             }
@@ -112,8 +156,44 @@ impl OpenFile {
                 let notes = notes.into_iter().chain(table.notes).collect();
                 Warned { notes, ..one("csv", String::from_utf8_lossy(&out).into_owned()) }
             }
+            form @ ("cam-dxf" | "cam-csv") => {
+                let Some(scene) = self.scene() else {
+                    return Err(no_form(form, self.kind()).into());
+                };
+                let cams = cams::survey(scene, None, None)?;
+                let file = |(k, cam): (usize, &SurveyedCam)| {
+                    let number = if cams.len() > 1 { format!("-{}", k + 1) } else { String::new() };
+                    let (ending, text) = match form {
+                        "cam-dxf" => ("dxf", cam.profile_dxf(cams::STEPS as usize)),
+                        _ => (
+                            "csv",
+                            String::from_utf8_lossy(&cam.profile_csv(cams::STEPS as usize))
+                                .into_owned(),
+                        ),
+                    };
+                    CompanionFile { name: format!("{stem}-profile{number}.{ending}"), text }
+                };
+                Warned { value: cams.iter().enumerate().map(file).collect(), notes: Vec::new() }
+            }
             form => return Err(no_form(form, self.kind()).into()),
         })
+    }
+}
+
+/// Pages of a PDF, its title and language tag.
+type PdfPages = (Vec<Page>, String, String);
+
+fn of_figures(figures: &[Figure]) -> PdfPages {
+    let first = figures.first().map(|f| (f.title.clone(), f.lang.clone()));
+    let (title, tag) = first.unwrap_or_default();
+    (figures.iter().map(Page::of).collect(), title, tag)
+}
+
+/// Returns a file as `text`, or as `base64` if it is no text.
+fn bytes_of(name: String, bytes: &[u8]) -> Json {
+    match std::str::from_utf8(bytes) {
+        Ok(text) => json!({"name": name, "text": text}),
+        Err(_) => json!({"name": name, "base64": BASE64_STANDARD.encode(bytes)}),
     }
 }
 
@@ -129,6 +209,7 @@ fn task(message: &Json) -> WorksheetTask<'_> {
     match message["mistake"].as_str() {
         Some(name) => WorksheetTask::Mistake(name),
         None if message["loops"] == true => WorksheetTask::Loops,
+        None if message["questions"] == true => WorksheetTask::Questions,
         None => WorksheetTask::Polygons,
     }
 }

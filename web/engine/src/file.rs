@@ -5,8 +5,12 @@ use crate::moving::MovingFigures;
 use crate::plane;
 use crate::words::{diagnostics, failed};
 use hodograph::diag::{Both, Diagnostic, Faults, Warned};
+use hodograph::figure::cycle::CycleForm;
 use hodograph::figure::list::{self, FigureEntry, Pages};
 use hodograph::paper::label::Label;
+use hodograph::problem::cams::{self, SurveyedCam};
+use hodograph::problem::cycle::CycledScene;
+use hodograph::problem::range::RangeFault;
 use hodograph::problem::{self, Kind, Look, Options, Pictures, Problem, Solved, Verdict, whole};
 use hodograph::render::math::mathml;
 use hodograph::render::svg;
@@ -29,8 +33,9 @@ pub struct OpenFile {
     notes: Vec<Diagnostic>,
 }
 
-/// The name of the diagrams over the whole motion, which are none of [`list::LIST`].
-pub const CURVES: &str = "curves";
+/// The figures of the whole motion, which are none of [`list::LIST`]: diagrams of the answers, the
+/// motion cycle, the least base circle of a cam.
+const OF_MOTION: [&str; 3] = ["curves", "cycle", "cam-alpha"];
 
 /// Gives the mechanism a scale (m per mm), if it is one.
 fn hold_plane(scene: &mut Scene, mu: Option<f64>) {
@@ -172,9 +177,13 @@ impl OpenFile {
                 Err(faults) => missing.extend(faults.list),
             }
         }
-        if message["what"].as_array().is_some_and(|names| names.contains(&json!(CURVES))) {
-            match self.curves(&look) {
-                Ok(pages) => figures.extend(pages),
+        let named = |name: &&str| {
+            message["what"].as_array().is_some_and(|names| names.contains(&json!(name)))
+        };
+        for name in OF_MOTION.into_iter().filter(named) {
+            let made = self.of_motion(name, message, false);
+            match made.map(|pages| self.written(name, pages?)).transpose() {
+                Ok(pages) => figures.extend(pages.into_iter().flatten()),
                 Err(faults) => missing.extend(faults.list),
             }
         }
@@ -208,9 +217,59 @@ impl OpenFile {
         Ok(written)
     }
 
-    /// Draws the answers over the whole motion.
-    fn curves(&self, look: &Look) -> Result<Vec<Json>, Faults> {
-        self.written(CURVES, whole::curves(self.text.as_bytes(), look, false)?)
+    /// Draws a figure of the whole motion, the curves on pages of A4 if `paged`; `None` for another
+    /// name.
+    pub fn of_motion(
+        &self,
+        name: &str,
+        message: &Json,
+        paged: bool,
+    ) -> Option<Result<Warned<Pages>, Faults>> {
+        let look = crate::words::look(message);
+        let alone = |figure| vec![(name.to_owned(), figure)];
+        match name {
+            "curves" => Some(whole::curves(self.text.as_bytes(), &look, paged)),
+            "cycle" => Some(self.cycle().map(|made| {
+                let (lang, _) = look.of(made.value.scene.language, None);
+                let form = message["cycle"].as_str().and_then(CycleForm::named);
+                let form = form.unwrap_or(CycleForm::Bars);
+                made.map(|of| alone(of.figure(form, &look.style, lang)))
+            })),
+            "cam-alpha" => Some(self.with_cams(message, |cams, scene| {
+                let (lang, _) = look.of(scene.language, None);
+                let all = cams.iter().flat_map(|cam| cam.figures(&look.style, lang));
+                all.filter(|(word, _)| *word == name)
+                    .map(|(word, f)| (word.to_owned(), f))
+                    .collect()
+            })),
+            _ => None,
+        }
+    }
+
+    /// Returns the motion cycle of all outputs.
+    ///
+    /// # Errors
+    /// A file without a mechanism or driver; those of the limits of the motion.
+    pub fn cycle(&self) -> Result<Warned<CycledScene>, Faults> {
+        let (scene, _) = self.solved.needed_mechanism()?;
+        Ok(CycledScene::of(scene.clone(), None, &[])?)
+    }
+
+    /// Applies `take` to the cams of the scene, with the least ones for the pressure angle `alpha`.
+    ///
+    /// # Errors
+    /// A file without such cams; an `alpha` that is no allowed pressure angle.
+    pub fn with_cams<T>(
+        &self,
+        message: &Json,
+        take: impl FnOnce(&[SurveyedCam], &Scene) -> T,
+    ) -> Result<Warned<T>, Faults> {
+        let (scene, _) = self.solved.needed_mechanism()?;
+        let allowed = message["alpha"].as_str().map(|alpha| cams::allowed(alpha, None)).transpose();
+        let allowed = allowed.map_err(RangeFault::from)?;
+        let cams = cams::survey(scene, None, allowed)?;
+        let notes = cams.iter().flat_map(|cam| cam.report.faults()).collect();
+        Ok(Warned { value: take(&cams, scene), notes })
     }
 
     fn written(&self, figure: &str, pages: Warned<Pages>) -> Result<Vec<Json>, Faults> {
