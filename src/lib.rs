@@ -196,7 +196,7 @@
 //! report     diag notation digits number geom cam scene mechanism position answer force motion plan construct construction equilibrium analytic sweep paper render accuracy worked certified effort gears trains centres composite attempts curvature inversions loops synthesis particle equation
 //! figure     diag budget notation digits geom cam scene mechanism position answer force plan construct construction equilibrium analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions loops synthesis particle equation report
 //! webfont    paper
-//! worksheet  diag notation digits geom scene mechanism answer plan construct paper render worked certified centres attempts loops synthesis particle equation report figure webfont
+//! worksheet  diag notation digits geom scene mechanism answer plan construct paper render worked certified centres composite attempts loops synthesis particle equation report figure webfont
 //! lesson     diag budget notation digits geom scene mechanism position plan construct construction equilibrium sweep paper render worked certified centres synthesis particle report figure webfont
 //! problem    diag json kind notation digits geom scene mechanism position answer plan construct sweep paper render worked certified attempts synthesis particle equation report figure worksheet lesson
 //! zip        -

@@ -1,0 +1,66 @@
+//! A crank whose pin is enlarged until it surrounds the pivot: an eccentric disc in the ring of the
+//! next link.
+
+use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::notation::Notation;
+use hodograph_paper::paper::drawing::Drawing;
+use hodograph_paper::paper::item::{Dash, Shape};
+use hodograph_paper::paper::label::Label;
+use hodograph_paper::paper::place::LabelRequest;
+use hodograph_paper::paper::style::Style;
+use hodograph_paper::paper::symbols as sym;
+use hodograph_scene::{LinkId, PointId, Scene};
+use hodograph_worked::worked::Worked;
+
+use super::{MechanismDraft, SeriesFeatures};
+
+/// The disc beyond the pivot, and the width of the ring.
+const BEYOND_MM: f64 = 5.0;
+const RING_MM: f64 = 3.0;
+
+/// Draws the mechanism with the pin of a crank as a disc; labels are not yet placed.
+pub fn eccentric(
+    style: &Style,
+    scene: &Scene,
+    worked: &Worked,
+    notation: &Notation,
+    (crank, [pivot, pin]): (LinkId, [PointId; 2]),
+) -> Drawing {
+    let alone = SeriesFeatures::default();
+    let mut draft = MechanismDraft::new(style, scene, worked, notation, &alone);
+    draft.constructed = false;
+    let (Some(axis), Some(centre)) = (draft.point(pivot), draft.point(pin)) else {
+        draft.everything();
+        return draft.d;
+    };
+    let radius_mm = axis.distance(centre) + BEYOND_MM;
+    let ring_mm = radius_mm + RING_MM;
+    draft.forms[crank.0] = None;
+    // The bar of the next link begins at the ring.
+    let cut = |(from, to): (Point, Point)| {
+        let from_ring = |at: Point, other: Point| match (other - at).unit() {
+            Some(u) if at.distance(centre) < ring_mm => at + u * ring_mm,
+            Some(_) | None => at,
+        };
+        (from_ring(from, to), from_ring(to, from))
+    };
+    for form in draft.forms.iter_mut().flatten() {
+        form.bars.iter_mut().for_each(|bar| *bar = cut(*bar));
+    }
+    let id = draft.link_id(crank.0);
+    draft.d.shape("ring", "link", sym::round_body(style, centre, ring_mm));
+    draft.d.of_link(Some(crank.0));
+    draft.d.shape(&id, "link", sym::round_body(style, centre, radius_mm));
+    draft.d.of_link(None);
+    let eccentricity =
+        Shape::Line { from: axis, to: centre, stroke: style.thin.dashed(Dash::DashDot) };
+    let owner = draft.d.shape("eccentricity", "axis", eccentricity);
+    let request = LabelRequest::along(Label::math("e"), style.small_mm, axis, centre, 0.2);
+    draft.d.label("eccentricity", "axis", request.owned(owner));
+    draft.everything();
+    draft.numbers();
+    let inside = centre + Vec2::new(0.0, -radius_mm * 0.6);
+    let number = Label::text(scene.link_name(crank));
+    draft.d.label(&id, "number", LabelRequest::at_point(number, style.label_mm, inside, 0.0));
+    draft.d
+}
