@@ -18,7 +18,7 @@ use super::composite::named;
 use super::extremes::{amount, with_rows};
 use super::inversions::stand;
 use super::list::{FigureEntry, FigureInput, Pages, page};
-use super::mechanism::{eccentric, numbered};
+use super::mechanism::{eccentric, numbered, rod_in_block};
 use super::sheet::SheetDrafter;
 
 /// The evolution.
@@ -66,6 +66,9 @@ fn cell(w: &FigureInput, s: &EvolutionStage, lines: Vec<Phrase>, k: usize) -> Dr
     let maker = SheetDrafter { scene: &s.scene, worked: &s.worked, options, certified: Vec::new() };
     let part = match s.step {
         EvolutionStep::Disc => eccentric(style, &s.scene, &s.worked, notation, s.crank),
+        EvolutionStep::Exchanged if s.slides_on_ground() => {
+            rod_in_block(style, &s.scene, &s.worked, notation, s.crank.1[0])
+        }
         EvolutionStep::FourBar
         | EvolutionStep::ArcSlider
         | EvolutionStep::Straight
@@ -122,12 +125,9 @@ fn words(lang: Lang, s: &EvolutionStage, k: usize) -> Vec<Phrase> {
             Some(format!("偏心距 $e = l_{{{pivot}{pin}}}$：运动不变")),
         ),
         (EvolutionStep::Lever | EvolutionStep::Exchanged, _) => {
-            let bore = guide.is_some_and(|g| g.slider == Some(scene.ground)) || is_bore(scene);
-            let (rod, block) = match guide {
-                Some(g) if g.slider == Some(scene.ground) => (on, slider),
-                _ if bore => (slider, on),
-                _ => (on, slider),
-            };
+            // The slider of a slider-crank becomes the rod.
+            let bore = s.slides_on_ground() || is_bore(scene);
+            let (rod, block) = if bore { (slider, on) } else { (on, slider) };
             let caption = match (bore, lang) {
                 (true, Lang::En) => format!("Rod {rod} in block {block}"),
                 (true, Lang::Zh) => format!("构件 {rod} 为杆，构件 {block} 为块"),

@@ -23,6 +23,7 @@ pub mod course;
 mod curvature;
 pub mod curves;
 pub mod cycle;
+mod derivation;
 mod described;
 mod evolution;
 mod extremes;

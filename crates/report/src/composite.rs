@@ -3,10 +3,12 @@
 //! unwanted unknown. The terms are those of theoretical mechanics.
 
 mod coriolis;
+mod derivation;
 mod equated;
 mod motions;
 mod steps;
 
+pub use derivation::DerivationWords;
 pub use steps::CompositeStep;
 
 use super::answers::diagnostic;

@@ -25,6 +25,7 @@ use super::cognates;
 use super::composite;
 use super::coriolis;
 use super::curvature;
+use super::derivation;
 use super::evolution;
 use super::extremes;
 use super::inversions;
@@ -70,6 +71,7 @@ pub const LIST: &[&FigureEntry] = &[
     &extremes::ENTRY,
     &transmission::ENTRY,
     &composite::ENTRY,
+    &derivation::ENTRY,
     &coriolis::ENTRY,
     &coriolis::CASES_ENTRY,
     &loops::ENTRY,

@@ -76,7 +76,7 @@ pub fn composed(
 
 impl MechanismDraft<'_> {
     /// Draws a relative path, thin, behind the mechanism.
-    fn relative_path(&mut self, places: &[Point]) {
+    pub(super) fn relative_path(&mut self, places: &[Point]) {
         if places.len() < 2 {
             return;
         }

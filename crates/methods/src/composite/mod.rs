@@ -10,6 +10,7 @@
 
 pub mod contact;
 pub mod coriolis;
+pub mod derivation;
 mod equated;
 mod projection;
 mod solved;

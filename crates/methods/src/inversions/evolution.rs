@@ -49,12 +49,15 @@ pub struct EvolutionStage {
     pub rocker: Option<f64>,
 }
 
+impl EvolutionStage {
+    /// Returns true if a slider moves on a guide of the ground.
+    pub fn slides_on_ground(&self) -> bool {
+        self.scene.guides.iter().any(|g| g.on == self.scene.ground)
+    }
+}
+
 /// The rocker of the four-bar from which a slider-crank comes, in lengths of its coupler.
 const ROCKER: f64 = 1.2;
-/// The rod of an exchanged slide: distance of the fixed block from the pin, and length beyond the
-/// block, in lengths of the crank.
-const BLOCK: f64 = 1.6;
-const BEYOND: f64 = 0.9;
 /// Length of a lever beyond its block, as a part of the distance of block and pivot.
 const LEVER: f64 = 0.4;
 /// A distance below this part of the mechanism is zero.
@@ -203,14 +206,6 @@ impl Stages<'_> {
         let (ground, couples) = (self.link(scene.ground), self.link(coupler));
         let length = (place(joint) - at).norm();
         let degrees = format!("{} deg", direction.angle().to_degrees());
-        let arm = (place(crank.pin) - place(crank.pivot)).norm();
-        // The fixed block of the exchanged slide is on the side away from the crank.
-        let outward = direction.dot(place(joint) - place(crank.pivot));
-        let out = if outward < 0.0 { -direction } else { direction };
-        let block = self.free_point(&[&centre]);
-        let end = self.free_point(&[&centre, &block]);
-        let seat = place(joint) + out * (BLOCK * arm);
-        let tip = seat + out * (BEYOND * arm);
         let base = || {
             let mut links = Map::new();
             links.insert(self.link(crank.link), json!([a, b]));
@@ -239,15 +234,10 @@ impl Stages<'_> {
                         "pin": c, "slider": rocker, "on": ground, "centre": centre, "radius": length,
                     }));
                 }
-                EvolutionStep::Exchanged => {
-                    links.insert(rocker.clone(), json!([c, end]));
-                    links.insert(ground.clone(), json!([a, block]));
-                    points.extend([(block.clone(), seat), (end.clone(), tip)]);
-                    guides.push(json!({
-                        "pin": block, "slider": ground, "on": rocker, "line": format!("{c},{end}"),
-                    }));
-                }
-                EvolutionStep::Straight | EvolutionStep::Disc | EvolutionStep::Lever => {
+                EvolutionStep::Straight
+                | EvolutionStep::Disc
+                | EvolutionStep::Lever
+                | EvolutionStep::Exchanged => {
                     links.insert(ground.clone(), json!([a]));
                     guides
                         .push(json!({"pin": c, "slider": rocker, "on": ground, "angle": degrees}));
@@ -263,7 +253,9 @@ impl Stages<'_> {
         }
         let enlarged = out[if slides { 2 } else { 0 }].clone();
         out.push(EvolutionStage { step: EvolutionStep::Disc, ..enlarged });
-        out.push(stage(EvolutionStep::Exchanged)?);
+        // Block and rod of the exchanged slide move as slider and guide do.
+        let exchanged = out[2].clone();
+        out.push(EvolutionStage { step: EvolutionStep::Exchanged, ..exchanged });
         Ok(out)
     }
 

@@ -1,15 +1,16 @@
-//! A crank whose pin is enlarged until it surrounds the pivot: an eccentric disc in the ring of the
-//! next link.
+//! Forms of the same motion: a crank whose pin is enlarged until it surrounds the pivot, which is an
+//! eccentric disc in the ring of the next link; and a slider as a rod in a fixed block.
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::notation::Notation;
+use hodograph_board::plan::names::name_label;
 use hodograph_paper::paper::drawing::Drawing;
 use hodograph_paper::paper::item::{Dash, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
-use hodograph_scene::{LinkId, PointId, Scene};
+use hodograph_scene::{GuideId, LinkId, PointId, Scene};
 use hodograph_worked::worked::Worked;
 
 use super::{MechanismDraft, SeriesFeatures};
@@ -60,7 +61,50 @@ pub fn eccentric(
     draft.everything();
     draft.numbers();
     let inside = centre + Vec2::new(0.0, -radius_mm * 0.6);
-    let number = Label::text(scene.link_name(crank));
+    let number = Label::math(name_label(scene.link_name(crank)));
     draft.d.label(&id, "number", LabelRequest::at_point(number, style.label_mm, inside, 0.0));
+    draft.d
+}
+
+/// The block of a rod: distance from the pin, and length of the rod beyond it.
+const BLOCK_MM: f64 = 22.0;
+const ROD_BEYOND_MM: f64 = 12.0;
+/// Ground beside a block, in its lengths.
+const GROUND: f64 = 0.8;
+
+/// Draws a slider-crank with its slider as a rod in a fixed block; labels are not yet placed.
+pub fn rod_in_block(
+    style: &Style,
+    scene: &Scene,
+    worked: &Worked,
+    notation: &Notation,
+    pivot: PointId,
+) -> Drawing {
+    let alone = SeriesFeatures::default();
+    let mut draft = MechanismDraft::new(style, scene, worked, notation, &alone);
+    draft.constructed = false;
+    let Some((pin, tangent)) = draft.runner(GuideId(0)) else { return draft.d };
+    let inward = draft.point(pivot).is_some_and(|p| (p - pin).dot(tangent) > 0.0);
+    let along = if inward { -tangent } else { tangent };
+    let seat = pin + along * BLOCK_MM;
+    let tip = seat + along * ROD_BEYOND_MM;
+    let slider = scene.guides[0].slider.map_or("", |l| scene.link_name(l));
+    let id = format!("link-{slider}");
+    draft.d.draw(&id, "", sym::link(style, &[pin, tip]));
+    draft.d.draw("block", "", sym::block(style, seat, along.angle(), true));
+    // The ground is below the block.
+    let right = if along.x < 0.0 { -along } else { along };
+    let half = right * (style.block_length_mm * GROUND);
+    let below = right.perp() * (-style.block_width_mm / 2.0);
+    draft.d.draw("ground", "", sym::ground_line(style, seat + below - half, seat + below + half));
+    draft.plates(false);
+    draft.bars();
+    draft.joints();
+    draft.drivers();
+    draft.letters();
+    draft.numbers();
+    let number = Label::math(name_label(slider));
+    let request = LabelRequest::along(number, style.label_mm, pin, seat, style.link.width_mm / 2.0);
+    draft.d.label(&id, "number", request);
     draft.d
 }
