@@ -1,10 +1,12 @@
 //! `hodograph teeth`: numbers of teeth for a ratio.
 
 use super::args::TeethArgs;
-use super::{CommandResult, Failure, files, lang};
-use crate::diag::{Diagnostic, both};
+use super::{CommandResult, Failure, InputFile, files, lang};
+use crate::diag::{Diagnostic, Warned, both};
 use crate::gears::Basic;
+use crate::gears::unknown::{WantedGear, unknown_teeth};
 use crate::gears::wanted::{WantedPair, WantedTrain, pairs, stages};
+use crate::problem::{Kind, Wish};
 use crate::report::teeth;
 use crate::scene::edit;
 
@@ -16,10 +18,14 @@ const MOST_TEETH: u32 = 400;
 
 /// Runs the command.
 pub fn run(a: &TeethArgs) -> CommandResult {
-    let ratio = quotient(&a.ratio).ok_or_else(|| {
+    if let Some(scene) = &a.scene {
+        return in_scene(a, scene);
+    }
+    let given = a.ratio.as_deref().unwrap_or_default();
+    let ratio = quotient(given).ok_or_else(|| {
         let message =
-            both!("`{}` is no ratio of at least 1", "`{}` 不是不小于 1 的传动比", a.ratio);
-        refused("--ratio", &a.ratio, message)
+            both!("`{given}` is no ratio of at least 1", "`{given}` 不是不小于 1 的传动比");
+        refused("--ratio", given, message)
     })?;
     let within = part(&a.within)?;
     let teeth = whole_range(&a.teeth)?;
@@ -50,10 +56,39 @@ pub fn run(a: &TeethArgs) -> CommandResult {
         (None, None) => {
             let message =
                 both!("neither --distance nor --stages is given", "未给出 --distance 或 --stages");
-            return Err(refused("--ratio", &a.ratio, message));
+            return Err(refused("--ratio", given, message));
         }
     };
     if a.json { files::print(&format!("{json:#}\n")) } else { files::print(&text) }
+}
+
+/// Finds the teeth of a gear in a scene.
+fn in_scene(a: &TeethArgs, scene: &str) -> CommandResult {
+    let (gear, want) =
+        (a.gear.as_deref().unwrap_or_default(), a.want.as_deref().unwrap_or_default());
+    let (quantity, value) = want.split_once('=').ok_or_else(|| {
+        let message = both!("`{want}` is no NAME=VALUE", "`{want}` 不是 NAME=VALUE 的形式");
+        refused("--want", want, message)
+    })?;
+    let wish = WantedGear {
+        gear,
+        quantity: quantity.trim(),
+        value: value.trim(),
+        teeth: whole_range(&a.teeth)?,
+        within: part(&a.within)?,
+    };
+    let mut file = InputFile::open(scene, &[])?;
+    let mut found = file.read(|bytes| {
+        Kind::of(bytes).grants(Wish::Mechanism)?;
+        let value = unknown_teeth(&String::from_utf8_lossy(bytes), &wish)?;
+        Ok(Warned { value, notes: Vec::new() })
+    })?;
+    found.found.truncate(a.count);
+    if a.json {
+        files::print(&format!("{:#}\n", teeth::gear_json(&wish, &found)))
+    } else {
+        files::print(&teeth::gear_text(&wish, &found, lang::now()))
+    }
 }
 
 fn refused(option: &'static str, text: &str, message: crate::diag::Both) -> Failure {

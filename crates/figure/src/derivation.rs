@@ -37,6 +37,8 @@ pub const ENTRY: FigureEntry = FigureEntry {
     draw,
 };
 
+/// Length of the relative path shown before and behind the displacements, in their lengths.
+const NEAR: f64 = 1.5;
 /// Space for a triangle.
 const ROOM_MM: f64 = 70.0;
 
@@ -122,7 +124,7 @@ fn arrows(two: &TwoInstants) -> Vec<LoopArrow> {
     sides(two).map(arrow).into()
 }
 
-/// Returns the relative path on the frame at the later instant.
+/// Returns the relative path on the frame at the later instant, near the displacements.
 fn track(w: &FigureInput, two: &TwoInstants) -> Vec<Point> {
     let choice = two.solution.choice;
     let Frame::Link(link) = choice.frame else { return Vec::new() };
@@ -133,11 +135,23 @@ fn track(w: &FigureInput, two: &TwoInstants) -> Vec<Point> {
         return Vec::new();
     };
     let path = track_on(w.scene, scene.point_name(choice.of.point), scene.link_name(link));
-    path.unwrap_or_default().into_iter().map(|p| after.to_world(before.to_local(p))).collect()
+    let path: Vec<Point> =
+        path.unwrap_or_default().into_iter().map(|p| after.to_world(before.to_local(p))).collect();
+    let [_, carried, to] = two.places;
+    let reach =
+        NEAR * sides(two).map(|(_, _, [a, b])| a.distance(b)).into_iter().fold(0.0, f64::max);
+    // The path begins at the pose: both of its ends may be near.
+    let near = |p: &&Point| p.distance(carried).min(p.distance(to)) <= reach;
+    let ahead = path.iter().take_while(near);
+    let back: Vec<&Point> = path.iter().skip(1).rev().take_while(near).collect();
+    if ahead.clone().count() == path.len() {
+        return path;
+    }
+    back.into_iter().rev().chain(ahead).copied().collect()
 }
 
 /// A vector of a drawing, in units of its quantity.
-struct Edge {
+struct DerivationEdge {
     key: &'static str,
     symbol: String,
     from: Vec2,
@@ -147,7 +161,12 @@ struct Edge {
 }
 
 /// Draws vectors at a scale (SI per mm), with letters at some of their ends.
-fn polygon(style: &Style, mu: f64, edges: &[Edge], points: &[(Vec2, String)]) -> DrawingPart {
+fn polygon(
+    style: &Style,
+    mu: f64,
+    edges: &[DerivationEdge],
+    points: &[(Vec2, String)],
+) -> DrawingPart {
     let mut d = Drawing::new("derivation", style.clone());
     let paper = |v: Vec2| (v * (1.0 / mu)).to_point();
     for e in edges {
@@ -177,7 +196,7 @@ fn polygon(style: &Style, mu: f64, edges: &[Edge], points: &[(Vec2, String)]) ->
 }
 
 /// Returns the scale at which vectors from the origin fit.
-fn mu(w: &FigureInput, kind: Kind, edges: &[Edge]) -> f64 {
+fn mu(w: &FigureInput, kind: Kind, edges: &[DerivationEdge]) -> f64 {
     let ends = || edges.iter().flat_map(|e| [e.from, e.to]);
     let reach = |of: fn(Vec2) -> f64| {
         let (low, high) =
@@ -193,7 +212,7 @@ fn displacements(w: &FigureInput, two: &TwoInstants) -> DrawingPart {
     let from = two.places[0];
     let edges = sides(two).map(|(key, symbol, places)| {
         let [a, b] = places.map(|p| p - from);
-        Edge { key, symbol: symbol.to_owned(), from: a, to: b, light: key != "absolute" }
+        DerivationEdge { key, symbol: symbol.to_owned(), from: a, to: b, light: key != "absolute" }
     });
     let words =
         CompositeWords { scene: w.scene, lang: w.options.lang, notation: &w.options.notation };
@@ -210,14 +229,14 @@ fn changes(w: &FigureInput, two: &TwoInstants) -> [DrawingPart; 2] {
     let [_, transport, relative] = two.solution.velocity;
     let later = two.velocities;
     let of = |[one, middle, last]: [(&'static str, &str, Vec2); 3], parts: [&str; 2]| {
-        let whole = |(key, symbol, to): (&'static str, &str, Vec2)| Edge {
+        let whole = |(key, symbol, to): (&'static str, &str, Vec2)| DerivationEdge {
             key,
             symbol: symbol.to_owned(),
             from: Vec2::ZERO,
             to,
             light: false,
         };
-        let change = |key, symbol: &str, from, to| Edge {
+        let change = |key, symbol: &str, from, to| DerivationEdge {
             key,
             symbol: symbol.to_owned(),
             from,

@@ -2,6 +2,7 @@
 //! that it keeps or changes.
 
 use hodograph_base::diag::{Faults, Warned};
+use hodograph_base::geom::Point;
 use hodograph_board::construct::scale;
 use hodograph_board::plan::names::{name_label, point_label};
 use hodograph_mechanism::answer::MotionSource;
@@ -18,7 +19,7 @@ use super::composite::named;
 use super::extremes::{amount, with_rows};
 use super::inversions::stand;
 use super::list::{FigureEntry, FigureInput, Pages, page};
-use super::mechanism::{eccentric, numbered, rod_in_block};
+use super::mechanism::{AROUND_MM, eccentric, numbered, rod_in_block};
 use super::sheet::SheetDrafter;
 
 /// The evolution.
@@ -45,6 +46,8 @@ fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
         s.scene.paper.scales.set(Kind::Length, Some(mu));
         s.worked = work(&s.scene, Scope::Figure)?.value;
     }
+    // A disc that would cover other joints is left out.
+    stages.retain(|s| s.step != EvolutionStep::Disc || is_free(s, mu));
     let (mut parts, mut told) = (Vec::new(), Vec::new());
     for (k, s) in stages.iter().enumerate() {
         let lines = words(w.options.lang, s, k);
@@ -58,6 +61,16 @@ fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
         maker.alone(DrawingPart::of(parts.into_iter().flat_map(|p| p.items).collect()));
     figure.desc = told.join("; ");
     page(ENTRY.name, Some(figure))
+}
+
+/// Returns true if the ring around the crank's disc covers no other point.
+fn is_free(s: &EvolutionStage, mu: f64) -> bool {
+    let at = &s.worked.configuration.points;
+    let [pivot, pin] = s.crank.1;
+    let (Some(axis), Some(centre)) = (at[pivot.0], at[pin.0]) else { return false };
+    let ring = axis.distance(centre) + AROUND_MM * mu;
+    let other = |(k, _): &(usize, &Option<Point>)| *k != pivot.0 && *k != pin.0;
+    at.iter().enumerate().filter(other).all(|(_, p)| p.is_none_or(|p| p.distance(centre) > ring))
 }
 
 fn cell(w: &FigureInput, s: &EvolutionStage, lines: Vec<Phrase>, k: usize) -> DrawingPart {

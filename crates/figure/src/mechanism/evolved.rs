@@ -13,11 +13,13 @@ use hodograph_paper::paper::symbols as sym;
 use hodograph_scene::{GuideId, LinkId, PointId, Scene};
 use hodograph_worked::worked::Worked;
 
-use super::{MechanismDraft, SeriesFeatures};
+use super::{MechanismDraft, SAME_MM, SeriesFeatures};
 
 /// The disc beyond the pivot, and the width of the ring.
 const BEYOND_MM: f64 = 5.0;
 const RING_MM: f64 = 3.0;
+/// The ring beyond the pivot.
+pub const AROUND_MM: f64 = BEYOND_MM + RING_MM;
 
 /// Draws the mechanism with the pin of a crank as a disc; labels are not yet placed.
 pub fn eccentric(
@@ -35,12 +37,12 @@ pub fn eccentric(
         return draft.d;
     };
     let radius_mm = axis.distance(centre) + BEYOND_MM;
-    let ring_mm = radius_mm + RING_MM;
+    let ring_mm = axis.distance(centre) + AROUND_MM;
     draft.forms[crank.0] = None;
     // The bar of the next link begins at the ring.
     let cut = |(from, to): (Point, Point)| {
         let from_ring = |at: Point, other: Point| match (other - at).unit() {
-            Some(u) if at.distance(centre) < ring_mm => at + u * ring_mm,
+            Some(u) if at.distance(centre) < SAME_MM => at + u * ring_mm,
             Some(_) | None => at,
         };
         (from_ring(from, to), from_ring(to, from))

@@ -41,7 +41,7 @@ use hodograph_scene::{Guide, GuideId, GuidePath, LinkId, PointId, Scene, Through
 use hodograph_worked::worked::Worked;
 
 pub use composed::{Composed, ComposedVector, SHORTEST_MM, composed};
-pub use evolved::{eccentric, rod_in_block};
+pub use evolved::{AROUND_MM, eccentric, rod_in_block};
 use form::LinkForm;
 use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::item::{Colour, FigureItem, LineStroke, Shape};

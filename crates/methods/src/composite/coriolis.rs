@@ -115,3 +115,42 @@ fn decide(scene: &Scene, worked: &Worked, g: GuideId, of: Option<OnLink>) -> Sli
     };
     SlideCoriolis { guide: g, at: of.map(|of| of.point), verdict, omega, relative }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use hodograph_scene::read;
+    use hodograph_scene::templates::instantiate;
+
+    fn verdict(template: &str, values: &[(&str, &str)], pin: &str) -> (CoriolisVerdict, f64) {
+        let scene = read(instantiate(template, values).unwrap()).unwrap().value;
+        let (_, all) = coriolis(&scene).unwrap();
+        let here = |s: &&SlideCoriolis| s.at.is_some_and(|p| scene.point_name(p) == pin);
+        let found = all.iter().find(here).unwrap();
+        (found.verdict, found.acceleration().norm())
+    }
+
+    #[test]
+    fn a_guide_at_rest_or_in_translation_and_two_poses_have_none() {
+        let at = |phi| verdict("slotted-lever", &[("phi_1", phi)], "B").0;
+        assert_eq!(verdict("slider-crank", &[], "C").0, CoriolisVerdict::GuideFixed);
+        assert_eq!(verdict("scotch-yoke", &[], "B").0, CoriolisVerdict::GuideTranslates);
+        // The crank of 100 mm is square to the lever, or in line with it.
+        assert_eq!(at("acos(l_AB/l_AC) - 90 deg"), CoriolisVerdict::GuideDwells);
+        assert_eq!(at("-90 deg - acos(l_AB/l_AC)"), CoriolisVerdict::GuideDwells);
+        assert_eq!(at("90 deg"), CoriolisVerdict::NoSliding);
+        assert_eq!(at("-90 deg"), CoriolisVerdict::NoSliding);
+    }
+
+    /// 2 ω₃ v_r of the lever: the crank 0.1 m at 30°, the frame 0.25 m, ω₁ = 10 rad/s.
+    #[test]
+    fn a_turning_guide_has_two_omega_times_the_sliding() {
+        let (verdict, size) = verdict("slotted-lever", &[], "B");
+        let (x, y) = (0.1 * 0.75_f64.sqrt(), 0.1 * 0.5 + 0.25);
+        let (r2, v) = (x * x + y * y, [-0.5, 0.75_f64.sqrt()]);
+        let omega = (x * v[1] - y * v[0]) / r2;
+        let sliding = (x * v[0] + y * v[1]) / r2.sqrt();
+        assert_eq!(verdict, CoriolisVerdict::Present);
+        assert!((size - (2.0 * omega * sliding).abs()).abs() < 1e-12, "{size}");
+    }
+}

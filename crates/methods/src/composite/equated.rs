@@ -95,3 +95,38 @@ fn parts(s: &ChoiceSolution, of: DiagramKind) -> Vec<(CompositePart, Vec2)> {
         ],
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{ContactScene, level};
+    use super::*;
+    use hodograph_scene::read;
+    use hodograph_scene::templates::instantiate;
+
+    /// Both sides of each projection are equal, and each has one unknown.
+    #[test]
+    fn a_projection_leaves_one_relative_motion() {
+        for phi in ["25 deg", "40 deg", "-50 deg"] {
+            let scene = read(instantiate("two-slots", &[("phi_2", phi)]).unwrap()).unwrap().value;
+            let staged = ContactScene::new(&scene);
+            let choices = staged.shown(&scene, 2);
+            let (_, solved) = staged.solved(&choices, level(&scene)).unwrap().value;
+            let [pair] = &equated(&solved)[..] else { panic!("{phi}") };
+            assert_eq!((pair.of, pair.projections.len()), ([0, 1], 4));
+            for p in &pair.projections {
+                let sum = |k: usize| -> f64 {
+                    let parts = parts(&solved[k], p.of);
+                    let of = |part| parts.iter().find(|(own, _)| *own == part).unwrap().1.norm();
+                    p.terms[k].iter().map(|(part, angle)| of(*part) * angle.cos()).sum()
+                };
+                assert!((sum(0) - sum(1)).abs() < 1e-9, "{phi}: {p:?}");
+                let unknown = match p.of {
+                    DiagramKind::Acceleration => CompositePart::RelativeTangential,
+                    _ => CompositePart::RelativeVelocity,
+                };
+                let has = |k: usize| p.terms[k].iter().any(|(part, _)| *part == unknown);
+                assert!(has(p.wanted) && !has(1 - p.wanted), "{phi}: {p:?}");
+            }
+        }
+    }
+}

@@ -349,3 +349,48 @@ impl Stages<'_> {
         Ok(EvolutionStage { step, follower, crank, rocker, scene, worked })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use hodograph_mechanism::answer::MotionSource;
+    use hodograph_mechanism::mechanism::Level;
+    use hodograph_scene::templates;
+
+    fn stages(name: &str) -> Vec<(EvolutionStep, f64, f64)> {
+        let given = scene::read(templates::get(name).unwrap()).unwrap().value;
+        let worked = work(&given, Scope::Figure).unwrap().value;
+        let all = evolution(&given, &worked).unwrap();
+        let rates = |s: &EvolutionStage| {
+            let of = |level| s.worked.solution.turning(level, s.follower).unwrap();
+            (s.step, of(Level::Velocity), of(Level::Acceleration))
+        };
+        all.iter().map(rates).collect()
+    }
+
+    /// A slider in an arc moves as the rocker, a disc as the crank, a rod in a block as a block on a
+    /// rod; a straight guide has the tangent of the arc, so that only α differs.
+    #[test]
+    fn stages_keep_their_motion() {
+        let close = |a: f64, b: f64| (a - b).abs() <= 1e-9 * a.abs().max(1.0);
+        for (name, disc) in [("crank-rocker", 0), ("drag-link", 0), ("offset-slider-crank", 2)] {
+            let all = stages(name);
+            assert_eq!(all.len(), 5, "{name}");
+            assert!(all.iter().all(|s| close(s.1, all[0].1)), "{name}: {all:?}");
+            assert!(close(all[0].2, all[1].2) && close(all[3].2, all[disc].2), "{name}: {all:?}");
+            assert!(close(all[4].2, all[2].2) && !close(all[2].2, all[0].2), "{name}: {all:?}");
+        }
+        for name in ["slotted-lever", "oscillating-cylinder"] {
+            let [one, other] = stages(name)[..] else { panic!("{name}") };
+            assert!(close(one.1, other.1) && close(one.2, other.2), "{name}");
+        }
+    }
+
+    #[test]
+    fn other_mechanisms_are_refused() {
+        let given = scene::read(templates::get("shaper").unwrap()).unwrap().value;
+        let worked = work(&given, Scope::Figure).unwrap().value;
+        let faults = evolution(&given, &worked).unwrap_err();
+        assert_eq!(faults.list[0].code, "evolution");
+    }
+}

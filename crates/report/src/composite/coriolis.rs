@@ -21,7 +21,7 @@ impl CompositeWords<'_> {
         };
         Phrase::new(&match self.lang {
             Lang::En => format!("{runner} along the guide of link {on}"),
-            Lang::Zh => format!("{runner}沿构件 {on} 的导路"),
+            Lang::Zh => format!("{} 沿构件 {on} 的导路", runner.trim_end()),
         })
     }
 
