@@ -140,14 +140,14 @@ fn track(w: &FigureInput, two: &TwoInstants) -> Vec<Point> {
     let [_, carried, to] = two.places;
     let reach =
         NEAR * sides(two).map(|(_, _, [a, b])| a.distance(b)).into_iter().fold(0.0, f64::max);
-    // The path begins at the pose: both of its ends may be near.
     let near = |p: &&Point| p.distance(carried).min(p.distance(to)) <= reach;
-    let ahead = path.iter().take_while(near);
-    let back: Vec<&Point> = path.iter().skip(1).rev().take_while(near).collect();
-    if ahead.clone().count() == path.len() {
+    let off = |k: &usize| path[*k].distance(carried);
+    let Some(nearest) = (0..path.len()).min_by(|a, b| off(a).total_cmp(&off(b))) else {
         return path;
-    }
-    back.into_iter().rev().chain(ahead).copied().collect()
+    };
+    let (back, ahead) = path.split_at(nearest);
+    let back: Vec<&Point> = back.iter().rev().take_while(near).collect();
+    back.into_iter().rev().chain(ahead.iter().take_while(near)).copied().collect()
 }
 
 /// A vector of a drawing, in units of its quantity.

@@ -1,7 +1,7 @@
 //! The derivation of the theorems of composite motion, in words and numbers.
 
 use super::{CompositeWords, DIGITS, symbol};
-use hodograph_base::digits::{inked, legible, significant};
+use hodograph_base::digits::{inked, shortest, significant};
 use hodograph_base::geom::Vec2;
 use hodograph_board::plan::names::point_label;
 use hodograph_methods::composite::derivation::TwoInstants;
@@ -32,10 +32,8 @@ impl CompositeWords<'_> {
         let [absolute, transport, relative] = two.solution.velocity;
         let own = point_label(self.scene.point_name(two.solution.choice.of.point));
         let small = self.carried_point(two);
-        let time = self
-            .scene
-            .book
-            .label(Kind::Time, &legible(self.scene.book.value(Kind::Time, dt), DIGITS));
+        let time =
+            self.scene.book.label(Kind::Time, &shortest(self.scene.book.value(Kind::Time, dt)));
         let row = |over: &str, change: Vec2, limit: &str, value: Vec2, kind: Kind| {
             let quotient = self.amount(kind, change.norm() / dt);
             let value = self.amount(kind, value.norm());
