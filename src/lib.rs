@@ -181,13 +181,13 @@
 //! worked     diag digits geom scene mechanism position stated answer force motion plan construct equilibrium analytic sweep accuracy
 //! certified  diag digits number geom scene mechanism position answer motion plan construct accuracy worked
 //! effort     diag number geom scene mechanism position answer motion plan construct analytic sweep accuracy worked certified
-//! gears      geom
+//! gears      diag geom scene answer worked
 //! trains     scene
 //! centres    diag geom scene mechanism position answer worked certified construct
-//! composite  diag geom scene mechanism position answer worked
+//! composite  diag geom scene mechanism position answer construct sweep worked
 //! attempts   diag digits geom scene mechanism position answer plan construct worked
 //! curvature  diag geom scene mechanism position answer analytic sweep worked centres construct
-//! inversions diag scene mechanism position sweep worked curvature
+//! inversions diag geom scene mechanism position sweep worked curvature
 //! loops      diag digits kind geom linear scene mechanism position plan worked
 //! search     diag budget geom position
 //! synthesis  templates diag json digits number geom scene mechanism position construct sweep search

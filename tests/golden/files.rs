@@ -79,7 +79,7 @@ pub const CAM: &str = "cam-offset-roller";
 
 /// Kinds of picture that no other list has: template, the figure's name (`dimensions`: the
 /// mechanism with them).
-pub const ASKED: [(&str, &str); 22] = [
+pub const ASKED: [(&str, &str); 23] = [
     ("cam-offset-roller", "cam-instant"),
     ("cam-offset-roller", "replaced"),
     ("crank-rocker", "loops"),
@@ -99,6 +99,7 @@ pub const ASKED: [(&str, &str); 22] = [
     ("flat-face-mistake", "attempts"),
     ("flat-face-mistake", "composite"),
     ("slotted-lever", "derivation"),
+    ("shaper", "coriolis"),
     ("slotted-lever", "coriolis-cases"),
     ("offset-slider-crank", "evolution"),
     ("crank-rocker", "dimensions"),
@@ -106,7 +107,7 @@ pub const ASKED: [(&str, &str); 22] = [
 
 /// Pictures in the gallery in addition to the sheets: title, the command that draws it, the
 /// picture.
-pub const SHOWN: [(&str, &str, &str); 45] = [
+pub const SHOWN: [(&str, &str, &str); 46] = [
     (
         "Forces with friction: circles and angles",
         "draw --figure forces",
@@ -177,6 +178,7 @@ pub const SHOWN: [(&str, &str, &str); 45] = [
         "draw --figure derivation",
         "slotted-lever/derivation.en.png",
     ),
+    ("The Coriolis acceleration at each slide", "draw --figure coriolis", "shaper/coriolis.en.png"),
     (
         "Is there a Coriolis acceleration: eight cases",
         "draw --figure coriolis-cases",

@@ -33,9 +33,9 @@ pub const ENTRY: FigureEntry = FigureEntry {
 };
 
 /// Space for a mechanism.
-const ROOM_MM: f64 = 75.0;
+const ROOM_MM: f64 = 112.0;
 /// Drawings in a row.
-const PER_ROW: usize = 3;
+const PER_ROW: usize = 2;
 
 fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     let mut stages = evolution(w.scene, w.worked)?;

@@ -15,9 +15,8 @@ use hodograph_base::kind::Kind;
 use hodograph_board::plan::names::name_label;
 use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::quantity::{Frame, PointMotion};
-use hodograph_scene::{
-    Asked, CompositePoint, DriverKind, GuideId, LinkId, PointId, Scene, Through,
-};
+use hodograph_scene::{Asked, CompositePoint, GuideId, LinkId, PointId, Scene, Through};
+use std::f64::consts::TAU;
 
 /// Equations of both coordinates and of their first and second derivatives.
 pub type CoordinateEquations = [[Equation; 2]; 3];
@@ -324,13 +323,13 @@ impl<'a> ChainMaker<'a> {
         if self.base != self.scene.ground {
             index = format!("{index}/{}", name_label(self.scene.link_name(self.base)));
         }
-        let line = match driver.kind {
-            DriverKind::Turn { line: Some((a, b)), .. } => {
-                self.at.points[b.0]? - self.at.points[a.0]?
-            }
-            _ => self.at.direction(self.scene, l)?,
+        // A given angle is that of the driver's own line.
+        let told = driver.kind.position().map(hodograph_scene::Position::value);
+        let own = self.base == self.scene.ground && against == self.base;
+        let value = match told.filter(|_| own) {
+            Some(told) => rounded(wrapped(told.rem_euclid(TAU))),
+            None => rounded(self.turned(self.at.direction(self.scene, l)?).angle()),
         };
-        let value = rounded(self.turned(line).angle());
         if let Some(k) = self.variables.iter().position(|v| v.angular && v.index == index) {
             return Some((Some(k), value));
         }
