@@ -31,8 +31,8 @@ use crate::scales::DrawingScales;
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "derivation",
     about: [
-        "Derivation of the theorems of composite motion: displacements and velocities in Δt",
-        "点的合成运动定理的推导：Δt 内的位移三角形和速度变化",
+        "Theorems of composite motion derived: displacements, changes of velocities",
+        "点的合成运动定理的推导：位移三角形和速度变化",
     ],
     draw,
 };
