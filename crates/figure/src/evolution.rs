@@ -33,21 +33,31 @@ pub const ENTRY: FigureEntry = FigureEntry {
 };
 
 /// Space for a mechanism.
-const ROOM_MM: f64 = 112.0;
+const ROOM_MM: f64 = 80.0;
+/// Least length of the crank in a disc.
+const CRANK_MM: f64 = 18.0;
 /// Drawings in a row.
 const PER_ROW: usize = 2;
 
 fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     let mut stages = evolution(w.scene, w.worked)?;
-    // All stages have one scale.
-    let extent = stages.iter().map(|s| s.worked.configuration.extent()).fold(0.0, f64::max);
-    let mu = scale::choose_in(w.scene.paper.unit(Kind::Length), [extent; 2], [ROOM_MM; 2]);
+    let unit = w.scene.paper.unit(Kind::Length);
+    let mu = scale::choose_in(unit, [extent(&stages); 2], [ROOM_MM; 2]);
+    // All stages have one scale, but letters need space in the disc of a short crank.
+    let scale_of = |s: &EvolutionStage| match s.step {
+        EvolutionStep::Disc => scale::finer(unit, mu, (CRANK_MM * mu / s.arm()).max(1.0)),
+        EvolutionStep::FourBar
+        | EvolutionStep::ArcSlider
+        | EvolutionStep::Straight
+        | EvolutionStep::Lever
+        | EvolutionStep::Exchanged => mu,
+    };
+    // A disc that would cover other joints is left out.
+    stages.retain(|s| s.step != EvolutionStep::Disc || is_free(s, scale_of(s)));
     for s in &mut stages {
-        s.scene.paper.scales.set(Kind::Length, Some(mu));
+        s.scene.paper.scales.set(Kind::Length, Some(scale_of(s)));
         s.worked = work(&s.scene, Scope::Figure)?.value;
     }
-    // A disc that would cover other joints is left out.
-    stages.retain(|s| s.step != EvolutionStep::Disc || is_free(s, mu));
     let (mut parts, mut told) = (Vec::new(), Vec::new());
     for (k, s) in stages.iter().enumerate() {
         let lines = words(w.options.lang, s, k);
@@ -61,6 +71,11 @@ fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
         maker.alone(DrawingPart::of(parts.into_iter().flat_map(|p| p.items).collect()));
     figure.desc = told.join("; ");
     page(ENTRY.name, Some(figure))
+}
+
+/// Returns the size of the largest stage (m).
+fn extent(stages: &[EvolutionStage]) -> f64 {
+    stages.iter().map(|s| s.worked.configuration.extent()).fold(0.0, f64::max)
 }
 
 /// Returns true if the ring around the crank's disc covers no other point.

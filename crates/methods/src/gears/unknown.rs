@@ -24,6 +24,9 @@ pub struct WantedGear<'a> {
     pub within: f64,
 }
 
+/// The link of a gear in mesh with another, and its number of teeth.
+pub type GearMate = (String, u64);
+
 /// A number of teeth with the value that it gives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GearCandidate {
@@ -43,7 +46,7 @@ pub struct FoundGear {
     /// The kind of the quantity.
     pub kind: Kind,
     /// The gears in mesh with it: their links and numbers of teeth.
-    pub mates: Vec<(String, u64)>,
+    pub mates: Vec<GearMate>,
     /// Numbers of teeth that give the value within its deviation, the best first.
     pub found: Vec<GearCandidate>,
     /// The number of teeth that comes nearest to the value.
@@ -111,7 +114,7 @@ pub fn unknown_teeth(text: &str, wish: &WantedGear) -> Result<FoundGear, Faults>
 const ROUNDING: f64 = 1e-9;
 
 /// Returns the meshes of a gear (mesh and end), and its mates.
-fn meshes(root: &Json, gear: &str) -> (Vec<(usize, usize)>, Vec<(String, u64)>) {
+fn meshes(root: &Json, gear: &str) -> (Vec<(usize, usize)>, Vec<GearMate>) {
     let (mut places, mut mates) = (Vec::new(), Vec::new());
     let all = root["gears"].as_array().map_or(&[][..], Vec::as_slice);
     for (k, mesh) in all.iter().enumerate() {

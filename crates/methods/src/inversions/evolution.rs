@@ -50,6 +50,15 @@ pub struct EvolutionStage {
 }
 
 impl EvolutionStage {
+    /// Returns the length of the crank (m).
+    pub fn arm(&self) -> f64 {
+        let at = &self.worked.configuration.points;
+        match self.crank.1.map(|p| at[p.0]) {
+            [Some(pivot), Some(pin)] => pivot.distance(pin),
+            _ => 0.0,
+        }
+    }
+
     /// Returns true if a slider moves on a guide of the ground.
     pub fn slides_on_ground(&self) -> bool {
         self.scene.guides.iter().any(|g| g.on == self.scene.ground)
@@ -93,6 +102,9 @@ fn other() -> Diagnostic {
         "演化图适用于以连架杆为曲柄的铰链四杆机构、曲柄滑块机构、导杆机构和摇块机构"
     ))
 }
+
+/// Links, places and guides of a stage as in a file.
+type StageParts = (Map<String, Json>, Vec<(String, Point)>, Vec<Json>);
 
 /// A scene that is taken apart.
 struct Stages<'a> {
@@ -317,7 +329,7 @@ impl Stages<'_> {
         &self,
         step: EvolutionStep,
         crank: &DrivingCrank,
-        (links, points, guides): (Map<String, Json>, Vec<(String, Point)>, Vec<Json>),
+        (links, points, guides): StageParts,
         follower: &str,
         rocker: Option<f64>,
     ) -> Result<EvolutionStage, Faults> {
