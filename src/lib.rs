@@ -181,13 +181,13 @@
 //! worked     diag digits geom scene mechanism position stated answer force motion plan construct equilibrium analytic sweep accuracy
 //! certified  diag digits number geom scene mechanism position answer motion plan construct accuracy worked
 //! effort     diag number geom scene mechanism position answer motion plan construct analytic sweep accuracy worked certified
-//! gears      geom
+//! gears      diag geom scene answer worked
 //! trains     scene
 //! centres    diag geom scene mechanism position answer worked certified construct
-//! composite  diag geom scene mechanism position answer worked
+//! composite  diag geom scene mechanism position answer construct sweep worked
 //! attempts   diag digits geom scene mechanism position answer plan construct worked
 //! curvature  diag geom scene mechanism position answer analytic sweep worked centres construct
-//! inversions diag scene mechanism position sweep worked curvature
+//! inversions diag geom scene mechanism position sweep worked curvature
 //! loops      diag digits kind geom linear scene mechanism position plan worked
 //! search     diag budget geom position
 //! synthesis  templates diag json digits number geom scene mechanism position construct sweep search
@@ -196,7 +196,7 @@
 //! report     diag notation digits number geom cam scene mechanism position answer force motion plan construct construction equilibrium analytic sweep paper render accuracy worked certified effort gears trains centres composite attempts curvature inversions loops synthesis particle equation
 //! figure     diag budget notation digits geom cam scene mechanism position answer force plan construct construction equilibrium analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions loops synthesis particle equation report
 //! webfont    paper
-//! worksheet  diag notation digits geom scene mechanism answer plan construct paper render worked certified centres attempts loops synthesis particle equation report figure webfont
+//! worksheet  diag notation digits geom scene mechanism answer plan construct paper render worked certified centres composite attempts loops synthesis particle equation report figure webfont
 //! lesson     diag budget notation digits geom scene mechanism position plan construct construction equilibrium sweep paper render worked certified centres synthesis particle report figure webfont
 //! problem    diag json kind notation digits geom cam scene mechanism position answer plan construct sweep paper render worked certified gears attempts synthesis particle equation report figure worksheet lesson
 //! zip        -

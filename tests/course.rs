@@ -146,9 +146,12 @@ fn the_states_are_counted_and_say_what_lacks() {
     };
     let (whole, part, missing) = (count("whole"), count("in part"), count("missing"));
     assert_eq!((items.len(), whole + part + missing), (117, 117));
+    let of = |count: usize| format!("{count} {}", if count == 1 { "is" } else { "are" });
     let sentence = format!(
-        "{whole} of {} rows are whole,\n{part} are there in part, {missing} are missing.",
-        items.len()
+        "{whole} of {} rows are whole,\n{} there in part, {} missing.",
+        items.len(),
+        of(part),
+        of(missing)
     );
     assert!(page().contains(&sentence), "docs/course.md does not say: {sentence}");
     for Item { item, commands, shows, state, .. } in &items {

@@ -22,7 +22,9 @@ pub fn run(a: &args::LoopsArgs) -> CommandResult {
     let scene = replaced.as_ref().map_or(&input.scene, |(of, _)| &of.scene);
     let Warned { value, notes } = loops::loops(scene).map_err(|f| input.failed(f))?;
     let mut told: Vec<Diagnostic> = replaced_words(&input.scene).into_iter().map(linkage).collect();
-    told.extend(value.groups.is_empty().then(|| nothing(scene)));
+    told.extend(
+        (value.groups.is_empty() && value.motion.points.is_empty()).then(|| nothing(scene)),
+    );
     if a.json {
         files::print(&format!("{:#}\n", report::json(scene, &value)))?;
     } else {

@@ -1,13 +1,20 @@
-//! `hodograph teeth`: numbers of teeth for a ratio.
+//! `hodograph teeth`: numbers of teeth for a ratio, or of a gear in a scene.
 
 use super::args::TeethArgs;
-use super::{CommandResult, files, lang};
-use crate::problem::teeth::{TeethList, TeethRequest};
+use super::{CommandResult, InputFile, files, lang};
+use crate::diag::Warned;
+use crate::gears::unknown::unknown_teeth;
+use crate::problem::teeth::{TeethList, TeethRequest, wanted_gear};
+use crate::problem::{Kind, Wish};
+use crate::report::teeth;
 
 /// Runs the command.
 pub fn run(a: &TeethArgs) -> CommandResult {
+    if let Some(scene) = &a.scene {
+        return in_scene(a, scene);
+    }
     let found = TeethList::of(&TeethRequest {
-        ratio: &a.ratio,
+        ratio: a.ratio.as_deref().unwrap_or_default(),
         within: &a.within,
         teeth: &a.teeth,
         distance: a.distance.as_deref(),
@@ -22,5 +29,23 @@ pub fn run(a: &TeethArgs) -> CommandResult {
         files::print(&format!("{:#}\n", found.json()))
     } else {
         files::print(&found.text(lang::now()))
+    }
+}
+
+/// Finds the teeth of a gear in a scene.
+fn in_scene(a: &TeethArgs, scene: &str) -> CommandResult {
+    let [gear, want] = [&a.gear, &a.want].map(|text| text.as_deref().unwrap_or_default());
+    let wish = wanted_gear(gear, want, &a.teeth, &a.within)?;
+    let mut file = InputFile::open(scene, &[])?;
+    let mut found = file.read(|bytes| {
+        Kind::of(bytes).grants(Wish::Mechanism)?;
+        let value = unknown_teeth(&String::from_utf8_lossy(bytes), &wish)?;
+        Ok(Warned { value, notes: Vec::new() })
+    })?;
+    found.found.truncate(a.count);
+    if a.json {
+        files::print(&format!("{:#}\n", teeth::gear_json(&wish, &found)))
+    } else {
+        files::print(&teeth::gear_text(&wish, &found, lang::now()))
     }
 }

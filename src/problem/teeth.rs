@@ -3,6 +3,7 @@
 use super::range::WrongValue;
 use crate::diag::{Both, Diagnostic, both};
 use crate::gears::Basic;
+use crate::gears::unknown::WantedGear;
 use crate::gears::wanted::{FoundPair, WantedPair, WantedTrain, pairs, stages};
 use crate::report::teeth;
 use crate::scene::{Lang, edit};
@@ -134,6 +135,30 @@ impl TeethList {
             TeethList::Trains(wish, found) => teeth::stages_json(wish, found),
         }
     }
+}
+
+/// Returns the request for the number of teeth of a gear in a scene, such as gear `3` for
+/// `omega_5=3rad/s`.
+///
+/// # Errors
+/// Values that cannot be read or are out of bounds.
+pub fn wanted_gear<'a>(
+    gear: &'a str,
+    want: &'a str,
+    teeth: &str,
+    within: &str,
+) -> Result<WantedGear<'a>, WrongValue> {
+    let (quantity, value) = want.split_once('=').ok_or_else(|| {
+        let message = both!("`{want}` is no NAME=VALUE", "`{want}` 不是 NAME=VALUE 的形式");
+        refused("want", want, message)
+    })?;
+    Ok(WantedGear {
+        gear,
+        quantity: quantity.trim(),
+        value: value.trim(),
+        teeth: whole_range(teeth)?,
+        within: part(within)?,
+    })
 }
 
 fn refused(of: &'static str, text: &str, message: Both) -> WrongValue {

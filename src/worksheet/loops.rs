@@ -11,7 +11,7 @@ use crate::loops::{Equation, GroupLoops, Loops, placed};
 use crate::paper::label::Label;
 use crate::paper::phrase::Phrase;
 use crate::render::math::Math;
-use crate::report::loops::{LoopWords, closed};
+use crate::report::loops::{LoopWords, WrittenMotion, closed};
 use crate::scene::{Lang, Scene};
 use crate::worked::Worked;
 
@@ -27,7 +27,10 @@ pub fn by_loops(
     let all = placed(scene, &worked.mechanism, &worked.configuration)?;
     Ok(solved_by(scene, worked, options, |maker, blocks| {
         blocks.push(maker.heading(1, "Solution", "解"));
-        maker.loops(blocks, &all);
+        if !all.groups.is_empty() {
+            maker.loops(blocks, &all);
+        }
+        maker.motion(blocks, &all);
         maker.results_of_formulas(blocks);
     }))
 }
@@ -58,6 +61,24 @@ impl SheetMaker<'_> {
                 },
             ));
             self.group_loops(blocks, all, g, &words);
+        }
+    }
+
+    /// Writes the equations of motion of points that drivers move directly.
+    fn motion(&self, blocks: &mut Vec<DocumentBlock>, all: &Loops) {
+        let words = LoopWords::new(self.scene, all, self.lang());
+        let motions = words.motions();
+        if motions.is_empty() {
+            return;
+        }
+        blocks.push(self.heading(2, "Equations of motion", "运动方程"));
+        blocks.push(DocumentBlock::List { numbered: false, members: words.given_motions() });
+        for WrittenMotion { heading, parts } in motions {
+            blocks.push(DocumentBlock::Heading(3, heading.plain()));
+            for (sentence, equations) in parts {
+                blocks.push(DocumentBlock::Paragraph(sentence));
+                blocks.extend(equations.iter().map(|e| formula(&words, e)));
+            }
         }
     }
 

@@ -9,6 +9,7 @@
 //! the description of its figure for a screen reader.
 
 mod centres;
+mod composite;
 mod design;
 mod display;
 mod equation;

@@ -1,29 +1,26 @@
 //! A worksheet with questions on concepts, set and solved from a scene: degree of freedom and class,
-//! the number and the kinds of instantaneous centres, and at each slide whether there is a Coriolis
-//! acceleration.
+//! the number and the kinds of instantaneous centres, images, the three motions of a moving point, and
+//! at each slide whether there is a Coriolis acceleration.
 //!
 //! The problem shows the mechanism with its dimensions and asks; the solution answers each question
-//! with its reason. A Coriolis acceleration vanishes in a pose if the guide does not turn there, or
-//! if nothing slides along it.
+//! with its reason.
 
 use super::mobility::MobilitySheet;
 use super::speak::Speak;
 use super::{Document, DocumentBlock, SheetMaker, WorksheetOptions, WorksheetSides, document};
-use crate::answer::AnswerValue;
-use crate::centres::{CentreMethod, Centres, centres, omega, velocity};
+use crate::centres::{CentreMethod, Centres, centres};
 use crate::certified::steps;
-use crate::geom::Vec2;
+use crate::composite::ContactScene;
+use crate::composite::coriolis::{CoriolisVerdict, SlideCoriolis, coriolis};
 use crate::paper::label::Label;
 use crate::paper::phrase::{Phrase, capital};
 use crate::plan::names::{name_label, point_label};
 use crate::render::math::Math;
 use crate::report::centres::CentreWords;
+use crate::report::composite::CompositeWords;
 use crate::report::mobility::{Counted, class, kinds};
-use crate::scene::{Guide, Lang, LinkId, Scene};
+use crate::scene::{Lang, Scene};
 use crate::worked::Worked;
-
-/// Rates below this part of the greatest of their kind are zero.
-const ZERO: f64 = 1e-9;
 
 /// A question with the blocks of its answer.
 struct ConceptQuestion {
@@ -81,8 +78,11 @@ impl SheetMaker<'_> {
         all.extend(self.class(&counted));
         if let Ok(found) = centres(self.scene) {
             all.extend(self.of_centres(&found.value));
-            let guides = self.scene.guides.iter();
-            all.extend(guides.filter_map(|g| self.coriolis(g, &found.value)));
+        }
+        all.push(self.images());
+        all.extend(self.transport());
+        if let Ok((_, slides)) = coriolis(self.scene) {
+            all.extend(slides.iter().filter_map(|s| self.coriolis(s)));
         }
         all
     }
@@ -201,10 +201,11 @@ impl SheetMaker<'_> {
     }
 
     /// Asks for the Coriolis acceleration of a pin in its guide; `None` for a guide without a pin.
-    fn coriolis(&self, guide: &Guide, found: &Centres) -> Option<ConceptQuestion> {
+    fn coriolis(&self, s: &SlideCoriolis) -> Option<ConceptQuestion> {
         let scene = self.scene;
-        // The flank of a cam and the contact of wheels are guides that the file does not have.
-        let own = guide.rolling.is_none() && scene.cams.iter().all(|c| c.cam != guide.on);
+        let guide = &scene.guides[s.guide.0];
+        // The flank of a cam is a guide that the file does not have.
+        let own = scene.cams.iter().all(|c| c.cam != guide.on);
         let pin = guide.pin.filter(|_| own)?;
         let (point, on) =
             (point_label(scene.point_name(pin)), name_label(scene.link_name(guide.on)));
@@ -216,60 +217,99 @@ impl SheetMaker<'_> {
                 format!("点 ${point}$ 相对构件 ${on}$ 上导路运动时有无科氏加速度？在图示位置呢？")
             }
         });
-        let answer = if guide.on == scene.ground {
-            self.answered(
+        let answer = match s.verdict {
+            CoriolisVerdict::GuideFixed => self.answered(
                 "No: the guide is fixed, its angular velocity is always zero.",
                 "没有：导路固定，其角速度恒为零。",
-            )
-        } else {
-            let (turning, sliding) = self.guide_rates(guide, found)?;
-            match (turning, sliding) {
-                (true, true) => DocumentBlock::Paragraph(Phrase::new(&match self.lang() {
-                    Lang::En => format!(
-                        "Yes: the guide turns with link ${on}$ and the point slides along it, $a^k = 2\\omega_{{{on}}} v^r$, square to the guide; in this pose neither is zero."
-                    ),
-                    Lang::Zh => format!(
-                        "有：导路随构件 ${on}$ 转动，点又沿导路滑动，$a^k = 2\\omega_{{{on}}} v^r$，方向垂直于导路；图示位置两者都不为零。"
-                    ),
-                })),
-                (false, _) => self.answered(
-                    "In this pose there is none: the angular velocity of the guide is zero here.",
-                    "图示位置没有：此时导路的角速度为零。",
+            ),
+            CoriolisVerdict::GuideTranslates => self.answered(
+                "No: the guide translates, its angular velocity is always zero.",
+                "没有：导路作平移，其角速度恒为零。",
+            ),
+            CoriolisVerdict::Present => DocumentBlock::Paragraph(Phrase::new(&match self.lang() {
+                Lang::En => format!(
+                    "Yes: the guide turns with link ${on}$ and the point slides along it, $a^k = 2\\omega_{{{on}}} v^r$, square to the guide; in this pose neither is zero."
                 ),
-                (true, false) => self.answered(
-                    "In general yes, for the guide turns; in this pose it is zero, because the point does not slide along the guide here.",
-                    "一般有，因为导路转动；但图示位置相对速度为零，科氏加速度为零。",
+                Lang::Zh => format!(
+                    "有：导路随构件 ${on}$ 转动，点又沿导路滑动，$a^k = 2\\omega_{{{on}}} v^r$，方向垂直于导路；图示位置两者都不为零。"
                 ),
-            }
+            })),
+            CoriolisVerdict::GuideDwells => self.answered(
+                "In this pose there is none: the angular velocity of the guide is zero here.",
+                "图示位置没有：此时导路的角速度为零。",
+            ),
+            CoriolisVerdict::NoSliding => self.answered(
+                "In general yes, for the guide turns; in this pose it is zero, because the point does not slide along the guide here.",
+                "一般有，因为导路转动；但图示位置相对速度为零，科氏加速度为零。",
+            ),
         };
         Some(ConceptQuestion { asked, answer: vec![answer] })
     }
 
-    /// Returns whether a guide turns in the pose, and whether its pin slides along it.
-    fn guide_rates(&self, guide: &Guide, found: &Centres) -> Option<(bool, bool)> {
-        let (scene, worked) = (&found.scene, &found.worked);
-        let (solution, at) = (&worked.solution, &worked.configuration);
-        let rate = |l: LinkId| match solution.answer(scene, at, &omega(l, None))? {
-            AnswerValue::Scalar(x) => Some(x),
-            AnswerValue::Vector(_) | AnswerValue::Point(_) => None,
+    /// Asks for the three motions of the first moving point that serves.
+    fn transport(&self) -> Option<ConceptQuestion> {
+        let staged = ContactScene::new(self.scene);
+        let choice = staged.shown(self.scene, 1).into_iter().next()?;
+        let words = CompositeWords {
+            scene: &staged.scene,
+            lang: self.lang(),
+            notation: &self.options.notation,
         };
-        let speed = |p| match solution.answer(scene, at, &velocity(p))? {
-            AnswerValue::Vector(v) => Some(v),
-            AnswerValue::Scalar(_) | AnswerValue::Point(_) => None,
-        };
-        let links = scene.links_in_order();
-        let fastest = links.iter().filter_map(|l| rate(*l)).fold(0.0, |m: f64, w| m.max(w.abs()));
-        let own = rate(guide.on)?;
-        if own.abs() <= ZERO * fastest {
-            return Some((false, false));
+        let heading = words.heading(&choice).source();
+        let asked = Phrase::new(&match self.lang() {
+            Lang::En => format!(
+                "{heading}: what are its absolute, relative and transport motion? Of which point is $v_{{e}}$ the velocity?"
+            ),
+            Lang::Zh => format!(
+                "{heading}，其绝对运动、相对运动和牵连运动各是什么运动？$v_{{e}}$ 是哪一点的速度？"
+            ),
+        });
+        let motions = format!("{}{}", words.three_motions(&choice).source(), self.tr(".", "。"));
+        let answer = vec![
+            DocumentBlock::Paragraph(Phrase::new(&motions)),
+            self.paragraph(
+                "The transport motion is a motion of the frame, a body; $v_{e}$ is the velocity of the one point of it that coincides with the moving point in this instant. At the next instant it is another point.",
+                "牵连运动是动系（刚体）的运动；$v_{e}$ 是该瞬时动系上与动点重合的那一点（牵连点）的速度，下一瞬时牵连点是动系上的另一点。",
+            ),
+        ];
+        Some(ConceptQuestion { asked, answer })
+    }
+
+    /// Asks to which points images apply, and for the images of the links.
+    fn images(&self) -> ConceptQuestion {
+        let scene = self.scene;
+        let moving = scene.links_in_order().into_iter().filter(|l| *l != scene.ground);
+        let shown = moving.filter(|l| scene.links[l.0].points.len() >= 3).map(|l| {
+            let names: Vec<&str> =
+                scene.links[l.0].points.iter().take(3).map(|p| scene.point_name(*p)).collect();
+            let plane = name_label(&names.concat());
+            let image = plane.to_lowercase();
+            match self.lang() {
+                Lang::En => {
+                    format!("On link {} △${image}$ is similar to △${plane}$.", scene.link_name(l))
+                }
+                Lang::Zh => {
+                    format!("构件 {} 上 △${image}$ 与 △${plane}$ 相似。", scene.link_name(l))
+                }
+            }
+        });
+        let shown = shown.collect::<Vec<_>>().join(self.tr(" ", ""));
+        let none = self.tr(
+            "No moving link here has three named points.",
+            "本机构中没有含三个命名点的活动构件。",
+        );
+        ConceptQuestion {
+            asked: Phrase::new(self.tr(
+                "To which points may the velocity and the acceleration image be applied? Which links have one here?",
+                "速度影像和加速度影像适用于哪些点？本机构哪些构件可用？",
+            )),
+            answer: vec![
+                self.paragraph(
+                    "Only to points of one and the same link: their images form a figure similar to the link, with the letters in the same order, turned by 90° in the sense of $\\omega$ for velocities. From the vectors of two points of a link those of all its points follow; points of different links have no common image.",
+                    "只适用于同一构件上的点：各点的影像与构件上的图形相似，字母顺序一致，速度影像相对构件沿 $\\omega$ 方向转过 90°。已知同一构件上两点的速度（加速度），即可求该构件上任一点的速度（加速度）；不同构件上的点不能用影像求解。",
+                ),
+                DocumentBlock::Paragraph(Phrase::new(if shown.is_empty() { none } else { &shown })),
+            ],
         }
-        let pin = guide.pin?;
-        let base =
-            scene.links[guide.on.0].points.iter().copied().find(|p| at.points[p.0].is_some())?;
-        let arm: Vec2 = at.points[pin.0]? - at.points[base.0]?;
-        let carried = speed(base)? + arm.perp() * own;
-        let relative = speed(pin)? - carried;
-        let size = speed(pin)?.norm().max(carried.norm());
-        Some((true, relative.norm() > ZERO * size))
     }
 }

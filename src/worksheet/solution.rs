@@ -70,6 +70,7 @@ impl SheetMaker<'_> {
         for on in DiagramKind::POLYGONS {
             self.level(blocks, on);
         }
+        self.composite(blocks);
         self.forces(blocks);
         self.results(blocks, task.as_ref());
     }

@@ -30,7 +30,7 @@ fn commands_of_the_documents_run() {
                 let words: Vec<String> = words
                     .iter()
                     .map(|w| {
-                        if w.starts_with("templates/") || w.starts_with("docs/") {
+                        if ["templates/", "docs/", "tests/"].iter().any(|f| w.starts_with(f)) {
                             root.join(w).display().to_string()
                         } else {
                             (*w).to_string()

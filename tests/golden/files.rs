@@ -79,7 +79,7 @@ pub const CAM: &str = "cam-offset-roller";
 
 /// Kinds of picture that no other list has: template, the figure's name (`dimensions`: the
 /// mechanism with them).
-pub const ASKED: [(&str, &str); 19] = [
+pub const ASKED: [(&str, &str); 23] = [
     ("cam-offset-roller", "cam-instant"),
     ("cam-offset-roller", "replaced"),
     ("crank-rocker", "loops"),
@@ -98,12 +98,16 @@ pub const ASKED: [(&str, &str); 19] = [
     ("turning-plate", "composite"),
     ("flat-face-mistake", "attempts"),
     ("flat-face-mistake", "composite"),
+    ("slotted-lever", "derivation"),
+    ("shaper", "coriolis"),
+    ("slotted-lever", "coriolis-cases"),
+    ("offset-slider-crank", "evolution"),
     ("crank-rocker", "dimensions"),
 ];
 
 /// Pictures in the gallery in addition to the sheets: title, the command that draws it, the
 /// picture.
-pub const SHOWN: [(&str, &str, &str); 42] = [
+pub const SHOWN: [(&str, &str, &str); 46] = [
     (
         "Forces with friction: circles and angles",
         "draw --figure forces",
@@ -169,6 +173,22 @@ pub const SHOWN: [(&str, &str, &str); 42] = [
     ("Gears with their teeth", "draw --figure gears", "planetary-gear/gears.en.png"),
     ("The vector loop of the analytic method", "draw --figure loops", "crank-rocker/loops.en.png"),
     ("Composite motion of a point", "draw --figure composite", "turning-plate/composite.en.png"),
+    (
+        "The theorem of velocities, derived on a mechanism",
+        "draw --figure derivation",
+        "slotted-lever/derivation.en.png",
+    ),
+    ("The Coriolis acceleration at each slide", "draw --figure coriolis", "shaper/coriolis.en.png"),
+    (
+        "Is there a Coriolis acceleration: eight cases",
+        "draw --figure coriolis-cases",
+        "slotted-lever/coriolis-cases.en.png",
+    ),
+    (
+        "The evolution of the four-bar",
+        "draw --figure evolution",
+        "offset-slider-crank/evolution.en.png",
+    ),
     ("A pursuit with its course", "draw", "motions/pursuit-of-a-ship.en.png"),
     ("A plate that turns in space, in two views", "draw", "motions/plate-in-space.en.png"),
     ("A vector equation: two directions", "draw", "equations/two-directions.en.png"),

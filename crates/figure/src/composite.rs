@@ -6,7 +6,9 @@
 use hodograph_base::diag::{Both, Faults, Warned};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::construct::scale;
-use hodograph_methods::composite::{ChoiceSolution, ContactScene, level, name_of};
+use hodograph_methods::composite::{
+    ChoiceSolution, ChoiceUnknowns, ChoiceVerdict, ContactScene, equated, level, name_of,
+};
 use hodograph_report::composite::{CompositeWords, symbol};
 use hodograph_scene::quantity::composite::CompositePart as Piece;
 use hodograph_scene::quantity::{Frame, RelativePath};
@@ -62,7 +64,22 @@ fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     if choices.is_empty() {
         return page(ENTRY.name, None);
     }
-    let Warned { value: (worked, each), .. } = staged.solved(&choices, level(w.scene))?;
+    let Warned { value: (mut worked, mut each), .. } = staged.solved(&choices, level(w.scene))?;
+    // A point whose motion only two frames determine is shown in both.
+    if let [one] = &each[..]
+        && one.closure == ChoiceUnknowns::Open
+    {
+        let both: Vec<_> = staged
+            .choices(w.scene)
+            .into_iter()
+            .filter(|c| c.verdict == ChoiceVerdict::Serves && c.of == one.choice.of)
+            .take(2)
+            .collect();
+        let of_both = staged.solved(&both, level(w.scene))?.value;
+        if !equated(&of_both.1).is_empty() {
+            (worked, each) = of_both;
+        }
+    }
     let staged = FigureInput { scene: &staged.scene, ..*w };
     page(ENTRY.name, (!each.is_empty()).then(|| figure(&staged, &worked, &each)))
 }
@@ -131,7 +148,8 @@ pub(super) fn stepped(w: &FigureInput) -> Result<Option<SteppedMethod>, Faults> 
     };
     let at_point = |on, mu, parallelogram| {
         let composed = Composed {
-            at: s.choice.of.point,
+            at: Some(s.choice.of.point),
+            numbered: false,
             vectors: placed(on, mu),
             parallelogram,
             track: if parallelogram { track(&w, s) } else { Vec::new() },
@@ -165,39 +183,90 @@ pub(super) fn stepped(w: &FigureInput) -> Result<Option<SteppedMethod>, Faults> 
     Ok(Some(SteppedMethod { views, steps, ..SteppedMethod::default() }))
 }
 
+/// The moving points and frames that a scene names, with their motions and a drawing of each, all to
+/// one μ.
+pub struct NamedSolutions {
+    /// The scene with the points of contact of its cams.
+    pub staged: ContactScene,
+    /// The motions.
+    pub each: Vec<ChoiceSolution>,
+    /// Their drawings, without the equations.
+    pub figures: Vec<Figure>,
+}
+
+/// Solves and draws the choices that a scene names; `None` if it names none.
+///
+/// # Errors
+/// The faults of the scene.
+pub fn named_solutions(w: &FigureInput) -> Result<Option<NamedSolutions>, Faults> {
+    let staged = ContactScene::new(w.scene);
+    let choices = staged.shown(w.scene, 0);
+    if choices.is_empty() {
+        return Ok(None);
+    }
+    let (worked, each) = staged.solved(&choices, level(w.scene))?.value;
+    let w = FigureInput { scene: &staged.scene, ..*w };
+    let maker =
+        SheetDrafter { scene: w.scene, worked: &worked, options: w.options, certified: Vec::new() };
+    let scales = CompositeScales::of(&w, &each);
+    let words =
+        CompositeWords { scene: w.scene, lang: w.options.lang, notation: &w.options.notation };
+    let page = |(k, s): (usize, &ChoiceSolution)| {
+        let heading = words.heading(&s.choice);
+        let mut parts = drawings(&w, &maker, &scales, s, heading.label(), k);
+        let column: Vec<usize> = (0..parts.len()).collect();
+        arrange(&mut parts, &[column], w.options.style.small_mm);
+        let mut figure =
+            maker.alone(DrawingPart::of(parts.into_iter().flat_map(|p| p.items).collect()));
+        figure.desc = heading.plain();
+        figure
+    };
+    let figures = each.iter().enumerate().map(page).collect();
+    Ok(Some(NamedSolutions { staged, each, figures }))
+}
+
+/// Draws a choice: the velocities and accelerations at the moving point, and the polygon.
+fn drawings(
+    w: &FigureInput,
+    maker: &SheetDrafter,
+    scales: &CompositeScales,
+    s: &ChoiceSolution,
+    heading: Label,
+    k: usize,
+) -> Vec<DrawingPart> {
+    let mut parts = vec![velocities(w, maker, scales, s, heading, k)];
+    if let Some(mu) = scales.acceleration {
+        parts.push(accelerations(w, maker, mu, s, k));
+        parts.push(polygon(w, maker, mu, s, k));
+    }
+    parts
+}
+
 fn figure(w: &FigureInput, worked: &Worked, each: &[ChoiceSolution]) -> Figure {
     let maker = SheetDrafter { scene: w.scene, worked, options: w.options, certified: Vec::new() };
     let scales = CompositeScales::of(w, each);
     let words =
         CompositeWords { scene: w.scene, lang: w.options.lang, notation: &w.options.notation };
+    let both = words.equated(each);
     let mut parts: Vec<DrawingPart> = Vec::new();
-    let mut add = |part: DrawingPart| {
-        parts.push(part);
-        parts.len() - 1
-    };
     let mut columns: Vec<Vec<usize>> = Vec::new();
     for (k, s) in each.iter().enumerate() {
         let letter = if each.len() > 1 { format!("({}) ", k + 1) } else { String::new() };
-        let mut column = vec![add(velocities(
-            w,
-            &maker,
-            &scales,
-            s,
-            Label::text(letter).then(words.heading(&s.choice).label()),
-            k,
-        ))];
-        if let Some(mu) = scales.acceleration {
-            column.push(add(accelerations(w, &maker, mu, s, k)));
-            column.push(add(polygon(w, &maker, mu, s, k)));
+        let heading = Label::text(letter).then(words.heading(&s.choice).label());
+        let first = parts.len();
+        parts.extend(drawings(w, &maker, &scales, s, heading, k));
+        let mut lines = words.body(s, PER_LINE);
+        if k + 1 == each.len() {
+            lines.extend(both.iter().cloned());
         }
-        column.push(add(text(w, &words, s, k)));
-        columns.push(column);
+        parts.push(text(w, lines, k));
+        columns.push((first..parts.len()).collect());
     }
     arrange(&mut parts, &columns, w.options.style.small_mm);
     let mut figure =
         maker.alone(DrawingPart::of(parts.into_iter().flat_map(|p| p.items).collect()));
-    let told = each.iter().flat_map(|s| words.lines(s)).map(|l| l.plain()).collect::<Vec<_>>();
-    figure.desc = told.join("; ");
+    let told = each.iter().flat_map(|s| words.lines(s)).chain(both);
+    figure.desc = told.map(|l| l.plain()).collect::<Vec<_>>().join("; ");
     figure
 }
 
@@ -362,7 +431,8 @@ fn velocities(
     k: usize,
 ) -> DrawingPart {
     let composed = Composed {
-        at: s.choice.of.point,
+        at: Some(s.choice.of.point),
+        numbered: false,
         vectors: vectors(w, s, DiagramKind::Velocity, scales.velocity),
         parallelogram: true,
         track: track(w, s),
@@ -387,7 +457,8 @@ fn accelerations(
     k: usize,
 ) -> DrawingPart {
     let composed = Composed {
-        at: s.choice.of.point,
+        at: Some(s.choice.of.point),
+        numbered: false,
         vectors: vectors(w, s, DiagramKind::Acceleration, mu),
         parallelogram: false,
         track: Vec::new(),
@@ -476,9 +547,9 @@ fn edges(w: &FigureInput, all: &[ComposedVector]) -> DrawingPart {
 }
 
 /// The text below the drawings.
-fn text(w: &FigureInput, words: &CompositeWords, s: &ChoiceSolution, k: usize) -> DrawingPart {
+fn text(w: &FigureInput, lines: Vec<Phrase>, k: usize) -> DrawingPart {
     let style = &w.options.style;
-    let row = |(i, line): (usize, hodograph_paper::paper::phrase::Phrase)| {
+    let row = |(i, line): (usize, Phrase)| {
         let (label, id) =
             (line.label().in_fonts(&style.fonts), format!("composite-{}-line-{}", k + 1, i + 1));
         let cell = Cell {
@@ -490,12 +561,12 @@ fn text(w: &FigureInput, words: &CompositeWords, s: &ChoiceSolution, k: usize) -
         };
         Row { cells: vec![Some(cell)], height_mm: ROW_MM }
     };
-    let rows: Vec<Row> = words.body(s, PER_LINE).into_iter().enumerate().map(row).collect();
+    let rows: Vec<Row> = lines.into_iter().enumerate().map(row).collect();
     DrawingPart::of(grid::set(&rows, 0.0))
 }
 
 /// Prefixes the ids of a part, so that they differ between columns.
-fn named(mut part: DrawingPart, what: &str, k: usize) -> DrawingPart {
+pub(super) fn named(mut part: DrawingPart, what: &str, k: usize) -> DrawingPart {
     let name = |item: &mut FigureItem| {
         if !item.id.is_empty() {
             item.id = format!("{what}-{}-{}", k + 1, item.id);

@@ -91,7 +91,7 @@ fn named(item: &mut FigureItem, k: usize) {
 }
 
 /// Arranges parts in rows: captions of a row on one line, columns as wide as their widest part.
-fn stand(parts: &mut [DrawingPart], columns: usize) {
+pub(super) fn stand(parts: &mut [DrawingPart], columns: usize) {
     let width = |k: usize| {
         parts.iter().skip(k).step_by(columns).map(|p| p.bounds.width_mm()).fold(0.0, f64::max)
     };

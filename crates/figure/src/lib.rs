@@ -16,13 +16,16 @@ pub mod attempts;
 pub mod cam;
 pub mod centres;
 mod cognates;
-mod composite;
+pub mod composite;
+mod coriolis;
 #[doc(hidden)]
 pub mod course;
 mod curvature;
 pub mod curves;
 pub mod cycle;
+mod derivation;
 mod described;
+mod evolution;
 mod extremes;
 pub mod fit;
 pub mod forces;

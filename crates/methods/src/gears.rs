@@ -17,6 +17,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 mod outline;
+pub mod unknown;
 pub mod wanted;
 
 /// Returns inv α = tan α − α: the polar angle of an involute at the point with pressure angle α.

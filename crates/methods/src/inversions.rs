@@ -16,7 +16,7 @@
 //! assert_eq!(all.len(), 4);
 //! ```
 
-pub use chain::{ChainLink, part};
+pub use chain::{ChainLink, is_bore, part};
 use hodograph_base::diag::{Both, Diagnostic, Faults, Warned, both};
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_mechanism::position::{Configuration, Path};
@@ -28,6 +28,7 @@ use serde_json::{Map, Value as Json, json};
 mod belts;
 mod cams;
 mod chain;
+pub mod evolution;
 mod pairs;
 
 /// The largest permitted number of links: each link makes a figure.

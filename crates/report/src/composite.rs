@@ -2,9 +2,13 @@
 //! frames with the reasons, the components of the motion, and the projection that eliminates the
 //! unwanted unknown. The terms are those of theoretical mechanics.
 
+mod coriolis;
+mod derivation;
+mod equated;
 mod motions;
 mod steps;
 
+pub use derivation::DerivationWords;
 pub use steps::CompositeStep;
 
 use super::answers::diagnostic;
@@ -60,6 +64,11 @@ pub fn text(
     for s in solved {
         lines.push(String::new());
         lines.extend(w.lines(s).iter().map(|p| p.plain()));
+    }
+    let both = w.equated(solved);
+    if !both.is_empty() {
+        lines.push(String::new());
+        lines.extend(both.iter().map(|p| p.plain()));
     }
     lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
 }
@@ -433,20 +442,10 @@ impl CompositeWords<'_> {
                 ProjectionTerm::Part(part) => symbol(Some(part), p.of, self.notation),
             }
         };
-        let term = |(term, angle): &(ProjectionTerm, f64)| {
-            let symbol = symbol_of(*term);
-            let degrees = significant(angle.to_degrees(), 4);
-            match degrees.parse::<f64>() {
-                Ok(d) if d.abs() < 0.01 => symbol,
-                Ok(d) if (d - 180.0).abs() < 0.01 => format!("−{symbol}"),
-                _ => format!("{symbol}\\,\\cos {}°", inked(&degrees)),
-            }
-        };
         let (left, right): (Vec<_>, Vec<_>) =
             p.terms.iter().partition(|(term, _)| !matches!(term, ProjectionTerm::Part(_)));
-        let side = |terms: &[&(ProjectionTerm, f64)]| match terms {
-            [] => "0".to_owned(),
-            all => all.iter().map(|t| term(t)).collect::<Vec<_>>().join(" + ").replace("+ −", "− "),
+        let side = |terms: &[&(ProjectionTerm, f64)]| {
+            projected_sum(terms.iter().map(|(term, angle)| (symbol_of(*term), *angle)))
         };
         (self.on_line(p, known), format!("{} = {}", side(&left), side(&right)))
     }
@@ -501,6 +500,20 @@ impl CompositeWords<'_> {
             }
         }
     }
+}
+
+/// Returns the sum of the components on a line of vectors with their angles from it.
+fn projected_sum(terms: impl Iterator<Item = (String, f64)>) -> String {
+    let term = |(symbol, angle): (String, f64)| {
+        let degrees = significant(angle.to_degrees(), 4);
+        match degrees.parse::<f64>() {
+            Ok(d) if d.abs() < 0.01 => symbol,
+            Ok(d) if (d - 180.0).abs() < 0.01 => format!("−{symbol}"),
+            _ => format!("{symbol}\\,\\cos {}°", inked(&degrees)),
+        }
+    };
+    let all: Vec<String> = terms.map(term).collect();
+    if all.is_empty() { "0".to_owned() } else { all.join(" + ").replace("+ −", "− ") }
 }
 
 /// Returns the symbol of a component in the letters of theoretical mechanics with the marks of a
@@ -601,5 +614,6 @@ pub fn json(
             })
         })
         .collect();
-    json!({"choices": choices, "notes": notes.iter().map(diagnostic).collect::<Vec<_>>()})
+    let equated: Vec<String> = w.equated(solved).iter().map(|p| p.plain()).collect();
+    json!({"choices": choices, "equated": equated, "notes": notes.iter().map(diagnostic).collect::<Vec<_>>()})
 }

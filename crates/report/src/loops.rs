@@ -1,6 +1,10 @@
 //! The analytic method written out: the loops of each group, their equations and unknowns, as text
 //! and JSON.
 
+mod motion;
+
+pub use motion::WrittenMotion;
+
 use super::amount::length_unit;
 use super::columns::columns;
 use hodograph_base::digits::legible;
@@ -42,6 +46,10 @@ impl<'a> LoopWords<'a> {
             lines.extend([title.to_owned(), String::new()]);
         }
         let of = |v: &LoopVariable| [0, 1, 2].map(|order| plain(&self.variable(v, order)));
+        if self.all.groups.is_empty() {
+            lines.extend(self.motion_lines().into_iter().skip(1));
+            return lines.iter().map(|l| format!("{}\n", l.trim_end())).collect();
+        }
         let given = self.all.variables.iter().filter(|v| v.driver.is_some());
         let known: Vec<String> = given.map(|v| of(v).join(tr(self.lang, ", ", "，"))).collect();
         let known = known.join(tr(self.lang, "; ", "；"));
@@ -54,6 +62,7 @@ impl<'a> LoopWords<'a> {
         lines.push(tr(self.lang, "results:", "结果：").to_owned());
         let results: Vec<Vec<String>> = self.all.variables.iter().map(|v| of(v).to_vec()).collect();
         lines.extend(columns(&results, 1).into_iter().map(|l| format!("  {l}")));
+        lines.extend(self.motion_lines());
         lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
     }
 
@@ -446,12 +455,6 @@ pub fn json(scene: &Scene, all: &Loops) -> Json {
             })
         })
         .collect();
-    let equation = |e: &Equation| {
-        json!({
-            "left": e.left.text(), "right": e.right.text(), "value": e.right.value(),
-            "unit": e.kind.map_or("m²", Kind::si),
-        })
-    };
     let vector = |v: &LoopVector| {
         let [start, end] = v.places;
         json!({
@@ -468,7 +471,8 @@ pub fn json(scene: &Scene, all: &Loops) -> Json {
         .groups
         .iter()
         .map(|g| {
-            let list = |equations: &[Equation]| equations.iter().map(equation).collect::<Vec<_>>();
+            let list =
+                |equations: &[Equation]| equations.iter().map(equation_json).collect::<Vec<_>>();
             json!({
                 "links": g.links.iter().map(|l| scene.link_name(*l)).collect::<Vec<_>>(),
                 "kind": g.kind,
@@ -486,7 +490,15 @@ pub fn json(scene: &Scene, all: &Loops) -> Json {
             })
         })
         .collect();
-    json!({"variables": variables, "groups": groups})
+    let motion = LoopWords::new(scene, all, Lang::En).motion_json();
+    json!({"variables": variables, "groups": groups, "motion": motion})
+}
+
+fn equation_json(e: &Equation) -> Json {
+    json!({
+        "left": e.left.text(), "right": e.right.text(), "value": e.right.value(),
+        "unit": e.kind.map_or("m²", Kind::si),
+    })
 }
 
 fn form_name(form: PositionForm) -> &'static str {

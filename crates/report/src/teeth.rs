@@ -2,9 +2,11 @@
 
 use super::columns::columns;
 use hodograph_base::digits::{legible, shortest};
+use hodograph_methods::gears::unknown::{FoundGear, GearCandidate, WantedGear};
 use hodograph_methods::gears::wanted::{
     FoundPair, PairFit, WantedPair, WantedTrain, ratio_of, shares,
 };
+use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::Lang;
 use serde_json::{Value as Json, json};
@@ -149,5 +151,53 @@ pub fn stages_json(wish: &WantedTrain, found: &[Vec<[u32; 2]>]) -> Json {
         "ratio": wish.ratio,
         "shares": shares(wish),
         "trains": found.iter().map(train).collect::<Vec<_>>(),
+    })
+}
+
+/// Returns the numbers of teeth of a gear in a scene as a table.
+pub fn gear_text(wish: &WantedGear, all: &FoundGear, lang: Lang) -> String {
+    let (gear, name, book) = (wish.gear, wish.quantity, &all.scene.book);
+    let value = |si: f64| {
+        let number = legible(book.value(all.kind, si), DIGITS);
+        Label::math(book.label(all.kind, &number)).plain()
+    };
+    let wanted = value(all.wanted);
+    let mates: Vec<String> = all.mates.iter().map(|(link, z)| format!("z_{link} = {z}")).collect();
+    let mates = mates.join(tr(lang, ", ", "，"));
+    let count = all.found.len();
+    let mut out = match lang {
+        Lang::En => format!("Teeth of gear {gear} for {name} = {wanted} ({mates}): {count}\n"),
+        Lang::Zh => format!("齿轮 {gear} 的齿数，{name} = {wanted}（{mates}）：{count} 个\n"),
+    };
+    let head = [format!("z_{gear}"), name.to_owned(), tr(lang, "deviation", "偏差").to_owned()];
+    let row =
+        |c: &GearCandidate| vec![c.teeth.to_string(), value(c.value), percent(all.off(c.value))];
+    let rows: Vec<Vec<String>> =
+        std::iter::once(head.to_vec()).chain(all.found.iter().map(row)).collect();
+    if all.found.is_empty() {
+        if let Some(c) = &all.nearest {
+            let [z, value, off] = [c.teeth.to_string(), value(c.value), percent(all.off(c.value))];
+            out += &match lang {
+                Lang::En => format!("nearest: z_{gear} = {z} gives {value}, deviation {off}\n"),
+                Lang::Zh => format!("最接近的是 z_{gear} = {z}：{value}，偏差 {off}\n"),
+            };
+        }
+        return out;
+    }
+    out.extend(columns(&rows, 0).into_iter().map(|l| format!("  {}\n", l.trim_end())));
+    out
+}
+
+/// Returns the numbers of teeth of a gear in a scene as JSON, in SI.
+pub fn gear_json(wish: &WantedGear, all: &FoundGear) -> Json {
+    let one = |c: &GearCandidate| json!({"teeth": c.teeth, "value": c.value, "deviation": all.off(c.value)});
+    let mates = all.mates.iter().map(|(link, z)| json!({"link": link, "teeth": z}));
+    json!({
+        "gear": wish.gear,
+        "quantity": wish.quantity,
+        "wanted": all.wanted,
+        "mates": mates.collect::<Vec<_>>(),
+        "found": all.found.iter().map(one).collect::<Vec<_>>(),
+        "nearest": all.nearest.as_ref().map(one),
     })
 }

@@ -142,6 +142,18 @@ pub fn length(text: &str) -> Result<f64, Faults> {
     Ok(value.si())
 }
 
+/// Reads an angular velocity in radians per second; a bare number is in radians per second.
+///
+/// # Errors
+/// Text that is not an angular velocity.
+pub fn turning(text: &str) -> Result<f64, Faults> {
+    let value = quantity(text, "rad/s")?.value;
+    if value.dim != RequiredQuantity::Omega.dim() {
+        return Err(wrong(text, both!("an angular velocity", "角速度"), value));
+    }
+    Ok(value.si())
+}
+
 /// Reads a time in seconds; a bare number is in seconds.
 ///
 /// # Errors

@@ -97,9 +97,18 @@ pub struct LimitsArgs {
     after_help = "Teeth of the basic rack of ISO 53: pressure angle 20°, addendum 1 m, clearance 0.25 m"
 )]
 pub struct TeethArgs {
+    /// A scene in which the teeth of one gear are unknown; `-` reads standard input
+    #[arg(value_name = "SCENE", requires_all = ["gear", "want"])]
+    pub scene: Option<String>,
+    /// With a scene: the link of the gear
+    #[arg(long, value_name = "LINK", requires = "scene")]
+    pub gear: Option<String>,
+    /// With a scene: the wanted angular velocity or ratio, such as omega_5=3rad/s or i_52=3
+    #[arg(long, value_name = "NAME=VALUE", requires = "scene")]
+    pub want: Option<String>,
     /// The ratio z2/z1 of at least 1, or that of the whole train, such as 3.15 or 63/20
-    #[arg(long, value_name = "I")]
-    pub ratio: String,
+    #[arg(long, value_name = "I", required_unless_present = "scene", conflicts_with = "scene")]
+    pub ratio: Option<String>,
     /// Greatest deviation of the ratio
     #[arg(long, value_name = "PART", default_value = "1%")]
     pub within: String,

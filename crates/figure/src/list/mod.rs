@@ -23,7 +23,10 @@ use super::attempts;
 use super::centres;
 use super::cognates;
 use super::composite;
+use super::coriolis;
 use super::curvature;
+use super::derivation;
+use super::evolution;
 use super::extremes;
 use super::inversions;
 use super::loops;
@@ -68,11 +71,15 @@ pub const LIST: &[&FigureEntry] = &[
     &extremes::ENTRY,
     &transmission::ENTRY,
     &composite::ENTRY,
+    &derivation::ENTRY,
+    &coriolis::ENTRY,
+    &coriolis::CASES_ENTRY,
     &loops::ENTRY,
     &attempts::ENTRY,
     &curvature::ENTRY,
     &curvature::CENTRODES,
     &inversions::ENTRY,
+    &evolution::ENTRY,
     &cognates::ENTRY,
 ];
 

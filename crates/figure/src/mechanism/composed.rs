@@ -40,8 +40,10 @@ pub struct ComposedVector {
 /// The vectors at a point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Composed {
-    /// The moving point.
-    pub at: PointId,
+    /// The moving point; `None` without vectors.
+    pub at: Option<PointId>,
+    /// True if links have their numbers, and special points are left out.
+    pub numbered: bool,
     /// The absolute vector and its components.
     pub vectors: Vec<ComposedVector>,
     /// True if dashed lines close the parallelogram of two components.
@@ -62,7 +64,11 @@ pub fn composed(
     // A vector along a bar would be invisible on a dark bar.
     let style = &Style { link: style.link.coloured(BARS), ..style.clone() };
     let mut draft = MechanismDraft::new(style, scene, worked, notation, &alone);
+    draft.constructed = !what.numbered;
     draft.everything();
+    if what.numbered {
+        draft.numbers();
+    }
     draft.relative_path(&what.track);
     draft.vectors_at(what);
     draft.d.finish()
@@ -70,7 +76,7 @@ pub fn composed(
 
 impl MechanismDraft<'_> {
     /// Draws a relative path, thin, behind the mechanism.
-    fn relative_path(&mut self, places: &[Point]) {
+    pub(super) fn relative_path(&mut self, places: &[Point]) {
         if places.len() < 2 {
             return;
         }
@@ -83,7 +89,7 @@ impl MechanismDraft<'_> {
     }
 
     fn vectors_at(&mut self, what: &Composed) {
-        let (Some(from), style) = (self.point(what.at), self.style) else { return };
+        let (Some(from), style) = (what.at.and_then(|p| self.point(p)), self.style) else { return };
         let parts: Vec<&ComposedVector> = what.vectors.iter().filter(|v| !v.absolute).collect();
         if let (true, [a, b]) = (what.parallelogram, &parts[..]) {
             let stroke = style.thin.dashed(Dash::Dashed);

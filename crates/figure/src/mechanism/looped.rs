@@ -58,7 +58,7 @@ pub fn looped(
 }
 
 impl MechanismDraft<'_> {
-    fn closed_vector(&mut self, a: &LoopArrow) {
+    pub(super) fn closed_vector(&mut self, a: &LoopArrow) {
         let style = self.style;
         let [from, to] = a.places.map(|p| self.paper(p));
         let length = (to - from).norm();

@@ -7,7 +7,7 @@
 //! blocks, [`crosses`] blocks in two slots, [`dimensions`] the given lengths, [`directions`] guides
 //! that tables call t, [`letters`] numbers and letters, [`overlay`] everything over and behind the
 //! mechanism, [`composed`] the vectors of a composite motion,
-//! [`looped`] closed vectors, [`positions`] other positions with angles and lengths, [`replaced`] the
+//! [`looped`] closed vectors, [`evolved`] an eccentric disc and a rod in a block, [`positions`] other positions with angles and lengths, [`replaced`] the
 //! linkage in place of cams. Links and points without a position are left out.
 
 mod apart;
@@ -17,6 +17,7 @@ mod composed;
 mod crosses;
 pub(crate) mod dimensions;
 mod directions;
+mod evolved;
 mod form;
 mod letters;
 mod looped;
@@ -40,6 +41,7 @@ use hodograph_scene::{Guide, GuideId, GuidePath, LinkId, PointId, Scene, Through
 use hodograph_worked::worked::Worked;
 
 pub use composed::{Composed, ComposedVector, SHORTEST_MM, composed};
+pub use evolved::{AROUND_MM, eccentric, rod_in_block};
 use form::LinkForm;
 use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::item::{Colour, FigureItem, LineStroke, Shape};

@@ -15,6 +15,7 @@ use hodograph_scene::{GuideId, PointId, Scene};
 use hodograph_worked::worked::Worked;
 
 use super::composed::BARS;
+use super::looped::LoopArrow;
 use super::{MechanismDraft, SeriesFeatures};
 
 /// Distance of a dimension line from the pins.
@@ -67,6 +68,12 @@ pub struct PositionMarks {
     pub angles: Vec<MarkedAngle>,
     /// Lengths.
     pub lengths: Vec<MarkedLength>,
+    /// Vectors between places.
+    pub arrows: Vec<LoopArrow>,
+    /// A path that a point describes on a link (m); may be empty.
+    pub track: Vec<Point>,
+    /// A further place (m) with its letter.
+    pub place: Option<(Point, String)>,
     /// True if the mechanism's own position is in the background.
     pub light: bool,
 }
@@ -100,6 +107,18 @@ pub fn positions(
     }
     marks.angles.iter().for_each(|a| draft.marked_angle(a));
     marks.lengths.iter().for_each(|l| draft.marked_length(l));
+    draft.relative_path(&marks.track);
+    marks.arrows.iter().for_each(|a| draft.closed_vector(a));
+    if let Some((place, letter)) = &marks.place {
+        let at = draft.paper(*place);
+        draft.d.draw("place", "place", sym::dot(style, at));
+        let label = Label::math(letter);
+        draft.d.label(
+            "place",
+            "place",
+            LabelRequest::at_point(label, style.small_mm, at, style.dot_radius_mm),
+        );
+    }
     draft.d.finish()
 }
 

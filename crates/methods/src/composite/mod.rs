@@ -9,10 +9,14 @@
 //! drawing and by analysis.
 
 pub mod contact;
+pub mod coriolis;
+pub mod derivation;
+mod equated;
 mod projection;
 mod solved;
 
 pub use contact::ContactScene;
+pub use equated::{EquatedFrames, EquatedProjection, equated};
 pub use projection::{On, Projection, ProjectionTerm, projections};
 use solved::solved;
 pub use solved::{AxisRotation, ChoiceSolution, ChoiceUnknowns, KnownMotion};
@@ -192,6 +196,17 @@ impl ChoiceList<'_> {
             self.add_moving(under, Frame::Link(runner), place);
             if let GuidePath::Arc { centre, .. } = guide.path {
                 self.add_moving(OnLink { point: centre, link: None }, Frame::Link(runner), place);
+            }
+        }
+        // A link runs through a sleeve that turns about a fixed pin: its joints move along the guide.
+        if let (GuidePath::Line { .. }, Some(sleeve)) = (&guide.path, guide.slider)
+            && owns(scene, scene.ground, &of_pin)
+        {
+            let joined = |q: &&PointId| {
+                scene.carriers(**q).count() > 1 || scene.guides.iter().any(|g| g.pin == Some(**q))
+            };
+            for q in scene.links[guide.on.0].points.iter().filter(joined) {
+                self.add_moving(OnLink { point: *q, link: None }, Frame::Link(sleeve), place);
             }
         }
         if let GuidePath::Arc { centre, .. } = guide.path {

@@ -11,7 +11,7 @@ use hodograph_scene::quantity::RelativePath;
 use hodograph_scene::quantity::composite::CompositePart;
 
 /// A component on the line below this fraction of the largest vector counts as zero.
-const SQUARE: f64 = 1e-9;
+pub(super) const SQUARE: f64 = 1e-9;
 
 /// The line of a projection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,16 +71,8 @@ pub fn projections(s: &ChoiceSolution) -> Vec<Projection> {
 
 /// Returns the lines that the choice requires.
 fn lines(s: &ChoiceSolution) -> Vec<(On, Vec2)> {
-    let [absolute, _, relative] = s.velocity;
-    let along = match s.slip {
-        Some(slip) => Some(slip.normal.perp()),
-        // For a point at rest on a straight path, the acceleration gives the direction.
-        None => relative
-            .unit()
-            .or_else(|| tangential(s)?.unit())
-            .filter(|_| !matches!(s.choice.path, RelativePath::Unknown)),
-    };
-    match (s.closure, along) {
+    let [absolute, ..] = s.velocity;
+    match (s.closure, along(s)) {
         (ChoiceUnknowns::Side, _)
             if matches!(s.choice.path, RelativePath::Unknown) && s.slip.is_none() =>
         {
@@ -102,6 +94,24 @@ fn lines(s: &ChoiceSolution) -> Vec<(On, Vec2)> {
         }
         (ChoiceUnknowns::Crossing, None) | (ChoiceUnknowns::Open, _) => Vec::new(),
     }
+}
+
+/// Returns the direction of the relative path; `None` if it is not known.
+pub(super) fn along(s: &ChoiceSolution) -> Option<Vec2> {
+    match s.slip {
+        Some(slip) => Some(slip.normal.perp()),
+        // For a point at rest on a straight path, the acceleration gives the direction.
+        None => s.velocity[2]
+            .unit()
+            .or_else(|| tangential(s)?.unit())
+            .filter(|_| !matches!(s.choice.path, RelativePath::Unknown)),
+    }
+}
+
+/// Returns the angle of a vector from a line (rad, from 0 to π).
+pub(super) fn angle_from(v: Vec2, line: Vec2) -> Option<f64> {
+    let u = v.unit()?;
+    Some(Vec2::new(u.dot(line), u.cross(line).abs()).angle())
 }
 
 fn velocities(s: &ChoiceSolution) -> Vec<(ProjectionTerm, Vec2)> {
@@ -142,10 +152,7 @@ fn projected(
 ) -> Option<Projection> {
     let largest = vectors.iter().map(|v| v.1.norm()).fold(0.0, f64::max);
     let on_line = |(term, v): &(ProjectionTerm, Vec2)| {
-        let u = v.unit()?;
-        let share = u.dot(line);
-        let angle = Vec2::new(share, u.cross(line).abs()).angle();
-        (share.abs() * v.norm() > SQUARE * largest).then_some((*term, angle))
+        (v.dot(line).abs() > SQUARE * largest).then_some((*term, angle_from(*v, line)?))
     };
     let mut terms: Vec<(ProjectionTerm, f64)> = vectors.iter().filter_map(on_line).collect();
     if matches!(on, On::X | On::Y) {

@@ -68,7 +68,7 @@ fn pairs(scene: &Scene) -> Option<Vec<ChainPair>> {
 
 /// True if the guide is the bore of a block: a moving link with one joint, on the guide, for the rod
 /// of another link. A link that a driver turns is a lever.
-fn is_bore(scene: &Scene) -> bool {
+pub fn is_bore(scene: &Scene) -> bool {
     scene.guides.iter().any(|g| {
         let [joint] = scene.links[g.on.0].points[..] else { return false };
         let through =

@@ -148,6 +148,111 @@ impl Formula {
         Formula::Call(function, Box::new(self))
     }
 
+    /// The product of factors in one order: numbers, symbols, functions; equal ones as a square.
+    pub(super) fn ordered(factors: impl IntoIterator<Item = Formula>) -> Formula {
+        let (minus, product) = Formula::product(factors).unsigned();
+        let Formula::Product(mut factors) = product else {
+            return if minus { product.negative() } else { product };
+        };
+        let rank = |f: &Formula| match f {
+            Formula::Number(..) => 0,
+            Formula::Symbol(..) => 1,
+            Formula::Square(_) => 2,
+            Formula::Quotient(..) | Formula::Root(_) => 3,
+            Formula::Sum(_) | Formula::Product(_) => 4,
+            Formula::Call(..) | Formula::Direction { .. } => 5,
+        };
+        cancel(&mut factors);
+        factors.sort_by_key(|f| (rank(f), f.text()));
+        let mut out: Vec<Formula> = Vec::new();
+        for f in factors {
+            match out.last_mut() {
+                Some(last) if *last == f && !matches!(f, Formula::Number(..)) => {
+                    *last = Formula::Square(Box::new(f));
+                }
+                _ => out.push(f),
+            }
+        }
+        let product = if out.len() == 1 { out.swap_remove(0) } else { Formula::Product(out) };
+        if minus { product.negative() } else { product }
+    }
+
+    /// The sum of terms, with equal ones taken together.
+    pub(super) fn collected(terms: impl IntoIterator<Item = (bool, Formula)>) -> Formula {
+        let terms = match Formula::sum(terms) {
+            Formula::Sum(terms) => terms,
+            one => return one,
+        };
+        let mut counted: Vec<(i32, Formula)> = Vec::new();
+        for (minus, term) in terms {
+            let one = if minus { -1 } else { 1 };
+            match counted.iter_mut().find(|(_, t)| *t == term) {
+                Some((count, _)) => *count += one,
+                None => counted.push((one, term)),
+            }
+        }
+        Formula::sum(counted.into_iter().filter(|(count, _)| *count != 0).map(|(count, term)| {
+            (count < 0, Formula::ordered([Formula::whole(count.abs()), term]))
+        }))
+    }
+
+    /// The derivative by time; `rate` gives that of a symbol, `None` for a constant.
+    pub(super) fn derivative(&self, rate: &impl Fn(&str) -> Option<Formula>) -> Formula {
+        match self {
+            Formula::Symbol(text, _) => rate(text).unwrap_or_else(|| Formula::whole(0)),
+            Formula::Number(..) => Formula::whole(0),
+            Formula::Sum(terms) => {
+                Formula::collected(terms.iter().map(|(minus, t)| (*minus, t.derivative(rate))))
+            }
+            Formula::Product(factors) => {
+                let with = |k: usize| {
+                    let other = |(n, f): (usize, &Formula)| {
+                        if n == k { f.derivative(rate) } else { f.clone() }
+                    };
+                    Formula::ordered(factors.iter().enumerate().map(other))
+                };
+                Formula::collected((0..factors.len()).map(|k| (false, with(k))))
+            }
+            Formula::Quotient(a, b) => {
+                let (over, under) = (a.derivative(rate), b.derivative(rate));
+                let first = over.over((**b).clone());
+                let second = Formula::ordered([(**a).clone(), under]).over((**b).clone().squared());
+                Formula::collected([(false, first), (true, second)])
+            }
+            Formula::Root(a) => {
+                a.derivative(rate).over(Formula::ordered([Formula::whole(2), self.clone()]))
+            }
+            Formula::Square(a) => {
+                Formula::ordered([Formula::whole(2), (**a).clone(), a.derivative(rate)])
+            }
+            Formula::Call(function, a) => {
+                let one = || Formula::whole(1);
+                let own = (**a).clone();
+                let inner = a.derivative(rate);
+                match function {
+                    UnaryFunction::Cos => {
+                        Formula::ordered([own.call(UnaryFunction::Sin), inner]).negative()
+                    }
+                    UnaryFunction::Sin => Formula::ordered([own.call(UnaryFunction::Cos), inner]),
+                    UnaryFunction::Arcsin => {
+                        inner.over(Formula::sum([(false, one()), (true, own.squared())]).root())
+                    }
+                    UnaryFunction::Arctan => {
+                        inner.over(Formula::sum([(false, one()), (false, own.squared())]))
+                    }
+                }
+            }
+            Formula::Direction { x, y } => {
+                let cross = Formula::collected([
+                    (false, Formula::ordered([(**x).clone(), y.derivative(rate)])),
+                    (true, Formula::ordered([(**y).clone(), x.derivative(rate)])),
+                ]);
+                let squares = [x, y].map(|f| (false, (**f).clone().squared()));
+                cross.over(Formula::sum(squares))
+            }
+        }
+    }
+
     /// Takes a minus sign from the whole formula.
     pub(super) fn unsigned(self) -> (bool, Formula) {
         match self {
@@ -249,6 +354,30 @@ impl Formula {
         match self {
             Formula::Symbol(..) | Formula::Number(..) => self.text(),
             other => format!("({})", other.text()),
+        }
+    }
+}
+
+/// Takes a factor and an equal divisor out of a product.
+fn cancel(factors: &mut Vec<Formula>) {
+    let divided = |f: &Formula| match f {
+        Formula::Quotient(a, b) => Some(((**a).clone(), (**b).clone(), false)),
+        Formula::Square(of) => match &**of {
+            Formula::Quotient(a, b) => Some(((**a).clone(), (**b).clone(), true)),
+            _ => None,
+        },
+        _ => None,
+    };
+    for k in 0..factors.len() {
+        let Some((over, under, squared)) = divided(&factors[k]) else { continue };
+        if let Some(other) = factors.iter().position(|f| *f == under) {
+            factors[k] = if squared {
+                Formula::Quotient(Box::new(over.squared()), Box::new(under))
+            } else {
+                over
+            };
+            factors.remove(other);
+            return;
         }
     }
 }

@@ -13,10 +13,12 @@
 
 mod formula;
 mod graph;
+mod motion;
 mod solve;
 mod vectors;
 
 pub use formula::{Formula, UnaryFunction};
+pub use motion::{CoordinateEquations, FrameEquations, MotionEquations, PointEquations};
 pub use vectors::{LoopVariable, LoopVector, VectorAngle, VectorSize};
 
 use graph::Graph;
@@ -126,6 +128,8 @@ pub struct Loops {
     pub variables: Vec<LoopVariable>,
     /// The groups in the order of solution.
     pub groups: Vec<GroupLoops>,
+    /// The equations of motion of points that drivers move directly.
+    pub motion: MotionEquations,
 }
 
 /// Finds the loops of a scene and solves them.
@@ -199,7 +203,8 @@ pub fn placed(scene: &Scene, m: &Mechanism, at: &Configuration) -> Result<Loops,
             accelerations,
         });
     }
-    Ok(Loops { variables: maker.variables, groups })
+    let motion = motion::motion_equations(scene, at);
+    Ok(Loops { variables: maker.variables, groups, motion })
 }
 
 /// The fault of a group that its loops do not determine, or not to the printed digits.

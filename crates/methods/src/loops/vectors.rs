@@ -27,12 +27,12 @@ pub struct LoopVariable {
     /// The second derivative by time.
     pub second: f64,
     /// The carrier of a length.
-    along: SlideCarrier,
+    pub(super) along: SlideCarrier,
 }
 
 /// The carrier along which a length changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum SlideCarrier {
+pub(super) enum SlideCarrier {
     /// A guide on ground: the derivative is a velocity of the point.
     Ground,
     /// A guide on a moving link: the derivative is a relative velocity.
@@ -482,7 +482,7 @@ impl<'a> VectorMaker<'a> {
     }
 }
 
-fn wrapped(angle: f64) -> f64 {
+pub(super) fn wrapped(angle: f64) -> f64 {
     if angle > PI {
         angle - 2.0 * PI
     } else if angle <= -PI {
@@ -493,7 +493,7 @@ fn wrapped(angle: f64) -> f64 {
 }
 
 /// Returns the multiple of a right angle from which an angle differs by rounding only.
-fn rounded(angle: f64) -> f64 {
+pub(super) fn rounded(angle: f64) -> f64 {
     let turns = (angle / FRAC_PI_2).round();
     if (angle - turns * FRAC_PI_2).abs() < ROUNDING { wrapped(turns * FRAC_PI_2) } else { angle }
 }

@@ -23,7 +23,7 @@ impl CompositeWords<'_> {
     /// Returns the three motions by name:
     /// `Absolute motion: a circle about A; relative motion: ...; transport motion: rotation about C;
     /// transport point: ...`.
-    pub(super) fn three_motions(&self, c: &FrameChoice) -> Phrase {
+    pub fn three_motions(&self, c: &FrameChoice) -> Phrase {
         let ThreeMotions { absolute, relative, transport, carried } =
             self.motions(c, PointForm::Marked);
         Phrase::new(&match self.lang {

@@ -1,0 +1,218 @@
+//! The number of teeth of a gear in a mechanism for a wanted angular velocity or ratio: each number
+//! is put into the scene, which is solved again.
+//!
+//! Places are kept: the pitch circles share the distance of the centres in the ratio of the teeth.
+
+use hodograph_base::diag::{Both, Diagnostic, Faults, both};
+use hodograph_mechanism::answer::AnswerValue;
+use hodograph_scene::{Asked, Kind, Scene, edit, read_asking};
+use hodograph_worked::worked::{Scope, work};
+use serde_json::{Value as Json, json};
+
+/// A wanted value of a mechanism with a gear of unknown teeth.
+#[derive(Clone, Copy, Debug)]
+pub struct WantedGear<'a> {
+    /// The link of the gear.
+    pub gear: &'a str,
+    /// The quantity, such as `omega_5` or `i_52`.
+    pub quantity: &'a str,
+    /// Its value as written, such as `3 rad/s`.
+    pub value: &'a str,
+    /// The least and the greatest number of teeth.
+    pub teeth: [u32; 2],
+    /// The greatest relative deviation.
+    pub within: f64,
+}
+
+/// The link of a gear in mesh with another, and its number of teeth.
+pub type GearMate = (String, u64);
+
+/// A number of teeth with the value that it gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GearCandidate {
+    /// The number of teeth.
+    pub teeth: u32,
+    /// The value (SI).
+    pub value: f64,
+}
+
+/// The numbers of teeth of a gear.
+#[derive(Clone, Debug)]
+pub struct FoundGear {
+    /// The scene as given.
+    pub scene: Scene,
+    /// The wanted value (SI), and its kind.
+    pub wanted: f64,
+    /// The kind of the quantity.
+    pub kind: Kind,
+    /// The gears in mesh with it: their links and numbers of teeth.
+    pub mates: Vec<GearMate>,
+    /// Numbers of teeth that give the value within its deviation, the best first.
+    pub found: Vec<GearCandidate>,
+    /// The number of teeth that comes nearest to the value.
+    pub nearest: Option<GearCandidate>,
+}
+
+impl FoundGear {
+    /// Returns the relative deviation of a value.
+    pub fn off(&self, value: f64) -> f64 {
+        value / self.wanted - 1.0
+    }
+}
+
+/// Finds the numbers of teeth of a gear.
+///
+/// # Errors
+/// The faults of the scene and of the wanted value; `no-teeth` for a link that is no gear with
+/// teeth, and for a quantity that is neither an angular velocity nor a ratio.
+pub fn unknown_teeth(text: &str, wish: &WantedGear) -> Result<FoundGear, Faults> {
+    let scene = read_asking(text, wish.quantity)?.value;
+    let asked = match &scene.find[..] {
+        [one] => one.what,
+        _ => return Err(kinds(wish).into()),
+    };
+    let kind = match asked {
+        Asked::Turning(_) => asked.entry().kind,
+        Asked::Ratio(_) => Kind::Number,
+        _ => return Err(kinds(wish).into()),
+    };
+    let wanted = match kind {
+        Kind::Number => wish.value.parse().ok().filter(|x: &f64| x.is_finite()),
+        Kind::Omega => Some(edit::turning(wish.value)?),
+        _ => None,
+    };
+    let wanted = wanted.filter(|x| *x != 0.0).ok_or_else(|| kinds(wish))?;
+    let mut root: Json = serde_json::from_str(text).map_err(|_| no_gear(wish))?;
+    let (places, mates) = meshes(&root, wish.gear);
+    if places.is_empty() {
+        return Err(no_gear(wish).into());
+    }
+    let mut all = Vec::new();
+    let mut refused = None;
+    for teeth in wish.teeth[0]..=wish.teeth[1] {
+        for (mesh, end) in &places {
+            root["gears"][*mesh]["teeth"][*end] = json!(teeth);
+        }
+        match value_of(&root.to_string(), wish.quantity) {
+            Ok(Some(value)) => all.push(GearCandidate { teeth, value }),
+            Ok(None) => {}
+            Err(faults) => refused = refused.or(Some(faults)),
+        }
+    }
+    if let (true, Some(faults)) = (all.is_empty(), refused) {
+        return Err(faults);
+    }
+    let mut out = FoundGear { scene, wanted, kind, mates, found: Vec::new(), nearest: None };
+    all.sort_by(|a, b| out.off(a.value).abs().total_cmp(&out.off(b.value).abs()));
+    out.nearest = all.first().copied();
+    let fits = |c: &GearCandidate| (c.value / wanted - 1.0).abs() <= wish.within + ROUNDING;
+    out.found = all.into_iter().filter(fits).collect();
+    Ok(out)
+}
+
+/// Deviations below this are rounding errors.
+const ROUNDING: f64 = 1e-9;
+
+/// Returns the meshes of a gear (mesh and end), and its mates.
+fn meshes(root: &Json, gear: &str) -> (Vec<(usize, usize)>, Vec<GearMate>) {
+    let (mut places, mut mates) = (Vec::new(), Vec::new());
+    let all = root["gears"].as_array().map_or(&[][..], Vec::as_slice);
+    for (k, mesh) in all.iter().enumerate() {
+        for end in [0, 1] {
+            let teeth = |end: usize| mesh["teeth"][end].as_u64();
+            if mesh["links"][end] == gear && teeth(end).is_some() {
+                places.push((k, end));
+                let other = mesh["links"][1 - end].as_str().unwrap_or_default();
+                mates.extend(teeth(1 - end).map(|z| (other.to_owned(), z)));
+            }
+        }
+    }
+    (places, mates)
+}
+
+/// Returns the value of a quantity; `None` if the pose has none.
+fn value_of(text: &str, quantity: &str) -> Result<Option<f64>, Faults> {
+    let scene = read_asking(text, quantity)?.value;
+    let worked = work(&scene, Scope::Questions)?.value;
+    Ok(worked.results.first().and_then(|r| match r.value() {
+        AnswerValue::Scalar(x) => Some(x),
+        AnswerValue::Vector(_) | AnswerValue::Point(_) => None,
+    }))
+}
+
+fn no_gear(wish: &WantedGear) -> Diagnostic {
+    let gear = wish.gear;
+    refused(both!(
+        "link {gear} is no gear with a number of teeth in \"gears\"",
+        "构件 {gear} 不是 \"gears\" 中给出齿数的齿轮"
+    ))
+}
+
+fn kinds(wish: &WantedGear) -> Diagnostic {
+    let WantedGear { quantity, value, .. } = wish;
+    refused(both!(
+        "`{quantity}={value}` is no angular velocity or ratio with a value other than 0",
+        "`{quantity}={value}` 不是非零的角速度或传动比"
+    ))
+}
+
+fn refused(message: Both) -> Diagnostic {
+    Diagnostic::error("no-teeth", message).help(both!(
+        "as in `hodograph teeth scene.json --gear 5 --want omega_5=3rad/s` or `--want i_52=3`",
+        "例如 `hodograph teeth scene.json --gear 5 --want omega_5=3rad/s` 或 `--want i_52=3`"
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A gear on the coupler of a four-bar with AB and CD square to BC: ω_5 = ω_2 (1 + z_3/z_5).
+    const SCENE: &str = r#"{
+        "units": {"length": "mm"},
+        "links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"], "5": ["A"]},
+        "ground": "1",
+        "points": {"A": [0, 0], "B": [0, 45], "C": [90, 45], "D": [90, 10]},
+        "gears": [{"links": ["3", "5"], "centres": ["B", "A"], "teeth": [30, 20]}],
+        "driver": {"link": "2", "omega": "1 rad/s"},
+        "find": ["omega_5"]
+    }"#;
+
+    fn wish<'a>(quantity: &'a str, value: &'a str) -> WantedGear<'a> {
+        WantedGear { gear: "5", quantity, value, teeth: [10, 60], within: 0.0 }
+    }
+
+    #[test]
+    fn teeth_are_found_for_an_angular_velocity_and_for_a_ratio() {
+        for (quantity, value) in [("omega_5", "3 rad/s"), ("i_52", "3")] {
+            let all = unknown_teeth(SCENE, &wish(quantity, value)).unwrap();
+            let teeth: Vec<u32> = all.found.iter().map(|c| c.teeth).collect();
+            assert_eq!(teeth, [15], "{quantity}");
+            assert_eq!(all.mates, [("3".to_owned(), 30)]);
+        }
+        // Every number of teeth follows the formula.
+        let wide = WantedGear { within: 0.5, ..wish("omega_5", "3 rad/s") };
+        let all = unknown_teeth(SCENE, &wide).unwrap();
+        assert!(all.found.len() > 10);
+        for c in &all.found {
+            assert!((c.value - (1.0 + 30.0 / f64::from(c.teeth))).abs() < 1e-12, "{c:?}");
+        }
+    }
+
+    #[test]
+    fn nothing_is_found_where_no_whole_number_fits() {
+        let all = unknown_teeth(SCENE, &wish("omega_5", "2.99 rad/s")).unwrap();
+        assert!(all.found.is_empty());
+        assert_eq!(all.nearest.unwrap().teeth, 15);
+    }
+
+    #[test]
+    fn links_without_teeth_and_other_quantities_are_refused() {
+        let of_code = |wish: &WantedGear| {
+            unknown_teeth(SCENE, wish).unwrap_err().list.iter().map(|d| d.code).collect::<Vec<_>>()
+        };
+        assert_eq!(of_code(&WantedGear { gear: "4", ..wish("omega_5", "3 rad/s") }), ["no-teeth"]);
+        assert_eq!(of_code(&wish("v_B", "3 m/s")), ["no-teeth"]);
+        assert_eq!(of_code(&wish("omega_5", "3 m")), ["dimension"]);
+    }
+}
