@@ -88,7 +88,9 @@ fn swept_to_the_ends(scene: &Scene, limits: &MotionLimits, name: &str) -> usize 
     let (range, turns) = (&limits.range, scene.drivers[0].kind.turns());
     let unit = if turns { 1.0 } else { placed.at.extent() };
     if turns && range.full() {
-        let turn = (1..=24).map(|k| range.now + std::f64::consts::TAU * f64::from(k) / 24.0);
+        // Not in a dead centre, where a question may have no answer.
+        let turn =
+            (0..24).map(|k| range.now + std::f64::consts::TAU * (f64::from(k) + 0.37) / 24.0);
         assert_eq!(missing(turn.collect()), Vec::<f64>::new(), "in a full turn\n{name}");
     }
     for (end, sign) in range.ends.iter().zip([-1.0, 1.0]) {
