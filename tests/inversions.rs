@@ -70,7 +70,7 @@ fn a_limit_is_where_a_sweep_ends() {
             ended += swept_to_the_ends(&i.scene, &i.limits, &i.text);
         }
     }
-    assert!(ended > 320 / wide::every(8), "{ended}");
+    assert!(ended > 240 / wide::every(8), "{ended}");
 }
 
 /// Compares the limits of the first driver with the rows of a sweep, and returns their number.
