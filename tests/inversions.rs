@@ -3,9 +3,12 @@
 
 use hodograph::answer::MotionSource;
 use hodograph::inversions::{Inversion, inversions};
-use hodograph::mechanism::Level;
+use hodograph::mechanism::{Demand, Level, Mechanism};
+use hodograph::position;
+use hodograph::problem;
 use hodograph::scene::{self, LinkId, Scene, templates};
-use hodograph::sweep::extreme::Grashof;
+use hodograph::sweep::extreme::{Grashof, MotionLimits, limits};
+use hodograph::sweep::{self, PlacedScene, TravelEnds};
 
 mod wide;
 
@@ -46,6 +49,62 @@ fn wheels_roll_on_one_another_as_before() {
         "rack-stroke-doubler",
     ];
     assert_eq!(relative_motion_is_kept(&names), 4 + 5 + 5 + 3 + 4 + 5);
+}
+
+/// A sweep, which follows in its own steps, reaches all positions between the limits of a driver,
+/// and none beyond them. Always examined are a linkage with another assembly close beyond a limit,
+/// and one with limits of several joints close to one another, or behind a link on three legs.
+#[test]
+fn a_limit_is_where_a_sweep_ends() {
+    const ALWAYS: [&str; 2] = ["gear-linkage", "jansen-leg"];
+    let list = templates::list();
+    let names = list.iter().map(|t| t.name).step_by(wide::every(8));
+    let mut ended = 0;
+    for name in names.filter(|n| !ALWAYS.contains(n)).chain(ALWAYS) {
+        let scene = template(name, &[]);
+        let whole = problem::whole_motion(scene.clone()).value;
+        if let Ok(limits) = limits(&whole, &Mechanism::new(&whole).unwrap().value, 0) {
+            ended += swept_to_the_ends(&whole, &limits, name);
+        }
+        for i in inversions(&scene).map_or_else(|_| Vec::new(), |found| found.value) {
+            ended += swept_to_the_ends(&i.scene, &i.limits, &i.text);
+        }
+    }
+    assert!(ended > 240 / wide::every(8), "{ended}");
+}
+
+/// Compares the limits of the first driver with the rows of a sweep, and returns their number.
+fn swept_to_the_ends(scene: &Scene, limits: &MotionLimits, name: &str) -> usize {
+    let m = Mechanism::new(scene).unwrap().value;
+    let demand = Demand::of(scene, &m).with_all_positions();
+    // Without a position of its driver a scene has limits, but no pose.
+    let Ok(at) = position::configure(scene, &m, &demand) else { return 0 };
+    let at = at.value;
+    let placed = PlacedScene { scene, mechanism: &m, demand, at, ends: TravelEnds::default() };
+    let missing = |values: Vec<f64>| {
+        let rows = sweep::of_values(&placed, 0, values.clone()).unwrap().columns.remove(0).values;
+        values.into_iter().filter(|v| !rows.contains(v)).collect::<Vec<_>>()
+    };
+    let (range, turns) = (&limits.range, scene.drivers[0].kind.turns());
+    let unit = if turns { 1.0 } else { placed.at.extent() };
+    if turns && range.full() {
+        // Not in a dead centre, where a question may have no answer.
+        let turn =
+            (0..24).map(|k| range.now + std::f64::consts::TAU * (f64::from(k) + 0.37) / 24.0);
+        assert_eq!(missing(turn.collect()), Vec::<f64>::new(), "in a full turn\n{name}");
+    }
+    for (end, sign) in range.ends.iter().zip([-1.0, 1.0]) {
+        let Some(end) = end else { continue };
+        let way = end.value - range.now;
+        let mut within: Vec<f64> = (1..24).map(|k| range.now + way * f64::from(k) / 24.0).collect();
+        within.push(end.value - sign * (1e-6 * unit).min(0.5 * way.abs()));
+        within.sort_by(f64::total_cmp);
+        let none = Vec::<f64>::new();
+        assert_eq!(missing(within), none, "up to the limit at {}\n{name}", end.value);
+        let beyond = vec![end.value + sign * 1e-6 * unit];
+        assert_eq!(missing(beyond.clone()), beyond, "beyond the limit at {}\n{name}", end.value);
+    }
+    range.ends.iter().flatten().count()
 }
 
 /// Barrels and rods are treated like other links, and several drivers are kept.

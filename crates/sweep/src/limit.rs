@@ -128,6 +128,9 @@ const GROWTH: f64 = 1.05;
 /// miss a change point by less than that cannot be distinguished from one that has it.
 const TOUCHING: f64 = 1e-14;
 
+/// A part of a step of a search within which two limits are one: roots of rounding.
+const CLOSE: f64 = 1e-9;
+
 /// The greatest number of turns searched for limits: the pose of gears without a common factor in
 /// their numbers of teeth recurs after hundreds.
 const MOST_TURNS: u64 = 1000;
@@ -219,12 +222,46 @@ impl<'a> Probe<'a> {
         let xs = self.samples(self.now, until);
         for &x in &xs[1..xs.len() - 1] {
             let x = if (x - until) * (until - self.now) > 0.0 { until } else { x };
-            match self.program.advance(&state, x, &|x| self.turn(x)) {
-                Ok(reached) => state = reached,
-                Err(stuck) => return Some(self.fold(&stuck, until)),
+            let reached = self.program.advance(&state, x, &|x| self.turn(x));
+            let last = match &reached {
+                Ok(last) | Err(last) => last.clone(),
+            };
+            if self.missed(&last).is_some() {
+                return self.missed_between(state, last);
             }
+            if reached.is_err() {
+                return Some(self.fold(&last, until));
+            }
+            state = last;
         }
         None
+    }
+
+    /// The first joint that does not close with the followed links in a state.
+    fn missed(&self, state: &FollowedState) -> Option<usize> {
+        let registers = self.program.placed(state, &|x| self.turn(x));
+        let crossing = |c: Reg| registers[c.0 as usize].value;
+        self.program.joints.iter().position(|joint| crossing(joint.crossing) < -TOUCHING)
+    }
+
+    /// The limit between a state in which all joints close and one in which a joint does not.
+    fn missed_between(&self, mut inside: FollowedState, outside: FollowedState) -> Option<Event> {
+        let mut joint = self.missed(&outside)?;
+        let mut outside = outside.value;
+        loop {
+            let middle = 0.5 * (inside.value + outside);
+            // No double remains between.
+            if middle == inside.value || middle == outside {
+                return Some(self.event(joint, EventKind::Limit, inside.value));
+            }
+            match self.program.advance(&inside, middle, &|x| self.turn(x)) {
+                Ok(there) => match self.missed(&there) {
+                    Some(first) => (joint, outside) = (first, middle),
+                    None => inside = there,
+                },
+                Err(_) => outside = middle,
+            }
+        }
     }
 
     /// The crossings at many positions, joint by joint.
@@ -258,7 +295,7 @@ impl<'a> Probe<'a> {
                 // this one has no meaning.
                 let meaning = |i: usize| c[..j].iter().all(|u| u[i] >= -TOUCHING);
                 if i > 0 && c[j][i - 1] > TOUCHING && here < -TOUCHING && meaning(i) {
-                    return Some(self.event(j, EventKind::Limit, self.root(j, xs[i - 1], xs[i])));
+                    return Some(self.first_limit(j, self.root(j, xs[i - 1], xs[i]), xs[i - 1]));
                 }
                 let lowest = i > 0
                     && i + 1 < xs.len()
@@ -271,12 +308,26 @@ impl<'a> Probe<'a> {
                         return Some(self.event(j, EventKind::ChangePoint, at));
                     }
                     if least < 0.0 {
-                        return Some(self.event(j, EventKind::Limit, self.root(j, xs[i - 1], at)));
+                        return Some(self.first_limit(j, self.root(j, xs[i - 1], at), xs[i - 1]));
                     }
                 }
             }
         }
         None
+    }
+
+    /// The limit of a joint, or that of a later one which is met before it: from a position in which
+    /// all close.
+    fn first_limit(&self, joint: usize, value: f64, from: f64) -> Event {
+        let mut first = (joint, value);
+        for other in joint + 1..self.program.joints.len() {
+            // Before the limit of the earlier joint the later one has its meaning.
+            let before = first.1 + (from - first.1) * CLOSE;
+            if self.crossing(other, before).value < -TOUCHING {
+                first = (other, self.root(other, from, before));
+            }
+        }
+        self.event(first.0, EventKind::Limit, first.1)
     }
 
     fn event(&self, joint: usize, kind: EventKind, value: f64) -> Event {

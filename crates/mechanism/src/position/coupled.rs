@@ -2,7 +2,7 @@
 //!
 //! The unknowns are the poses of its links and the positions of its pins. Residuals are lengths
 //! (those of angles are multiplied by the size of the mechanism) by the shared equations
-//! ([`super::equations`]); their derivatives are written by hand.
+//! ([`super::equations`]), and so are their derivatives.
 
 mod phase;
 
@@ -11,11 +11,11 @@ use super::branch::GroupClosure;
 use super::equations::{self, FormMeasure, FormValue, PartPositions};
 use super::proof::{self, Unproven};
 use super::{Configuration, Path, Pose};
-use crate::mechanism::{GraphNode, Group, PairForm, Runner};
+use crate::mechanism::{GraphNode, Group, PairForm};
 use hodograph_base::diag::Diagnostic;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::number::Real;
-use hodograph_scene::{GuideId, LinkId, PointId, RollingId};
+use hodograph_scene::{GuideId, LinkId, PointId, Rolling, RollingId};
 
 /// Poses of the group's links and positions of its pins.
 #[derive(Clone)]
@@ -79,7 +79,12 @@ impl<N: Real> PartPositions<N> for PlacedGroup<'_, N> {
     }
 
     fn slip(&self, r: RollingId) -> Option<N> {
-        Some(self.system.slip(self, r)?.off)
+        self.system.slip(self, r)
+    }
+
+    fn rolling(&self, r: RollingId) -> (&Rolling, [N; 2]) {
+        let pair = &self.system.assembly.scene.rolling[r.0];
+        (pair, pair.sizes(&self.system.assembly.inputs))
     }
 }
 
@@ -144,41 +149,13 @@ impl<N: Real> CoupledGroup<'_, N> {
         vec![N::from_f64(0.0); 3 * self.links.len() + 2 * self.pins.len()]
     }
 
-    /// Adds ±k·(motion of a pin).
-    fn add_pin(&self, row: &mut [N], p: PointId, k: Vec2<N>) {
-        if let Some(i) = self.pins.iter().position(|q| *q == p) {
-            let i = 3 * self.links.len() + 2 * i;
-            row[i] = row[i] + k.x;
-            row[i + 1] = row[i + 1] + k.y;
-        }
-    }
-
-    /// Adds ±k·(motion of the point of a link at a position).
-    fn add_link(&self, at: &GroupPoses<N>, row: &mut [N], l: LinkId, place: Point<N>, k: Vec2<N>) {
-        if let Some(i) = self.links.iter().position(|q| *q == l) {
-            let turn = k.dot((place - at.poses[i].origin).perp()) / N::from_f64(self.scale);
-            for (j, c) in [k.x, k.y, turn].into_iter().enumerate() {
-                row[3 * i + j] = row[3 * i + j] + c;
+    /// Returns the index of a part's first unknown; `None` for a part that is already placed.
+    fn first(&self, part: GraphNode) -> Option<usize> {
+        match part {
+            GraphNode::Link(l) => Some(3 * self.links.iter().position(|k| *k == l)?),
+            GraphNode::Pin(p) => {
+                Some(3 * self.links.len() + 2 * self.pins.iter().position(|q| *q == p)?)
             }
-        }
-    }
-
-    /// Adds ±k·(motion of a runner).
-    fn add_runner(&self, at: &GroupPoses<N>, row: &mut [N], runner: Runner, k: Vec2<N>) {
-        match runner {
-            Runner::Pin(p) => self.add_pin(row, p, k),
-            Runner::Link(l) => {
-                if let Some(i) = self.links.iter().position(|q| *q == l) {
-                    self.add_link(at, row, l, at.poses[i].origin, k);
-                }
-            }
-        }
-    }
-
-    /// Adds the rotation of a link, as a length in which its step is measured.
-    fn add_turn(&self, row: &mut [N], l: LinkId, k: N) {
-        if let Some(i) = self.links.iter().position(|q| *q == l) {
-            row[3 * i + 2] = row[3 * i + 2] + k;
         }
     }
 
@@ -236,88 +213,29 @@ impl<N: Real> CoupledGroup<'_, N> {
         }
     }
 
-    /// Returns the equations at a state; `None` if one of them is not available.
+    /// Returns the equations at a state; `None` if one of them is not available. Steps of angles
+    /// are measured as lengths, like the deviations of angles.
     fn equations(&self, at: &GroupPoses<N>) -> Option<Vec<GroupEquation<N>>> {
         let (view, scale) = (PlacedGroup { system: self, at }, N::from_f64(self.scale));
         let mut list = Vec::new();
         for &form in &self.forms {
             let given = self.given(form)?;
-            let [first, second] = self.rows(form, given, &view)?;
+            let begin = list.len();
+            let mut tell = |off| list.push(GroupEquation { off, row: self.zeros() });
             match equations::off(form, given, &view)? {
-                FormMeasure::Apart(d) => {
-                    list.push(GroupEquation { off: d.x, row: first });
-                    list.push(GroupEquation { off: d.y, row: second });
-                }
-                FormMeasure::Length(off) => list.push(GroupEquation { off, row: first }),
-                FormMeasure::Angle(off) => {
-                    list.push(GroupEquation { off: off * scale, row: first })
-                }
+                FormMeasure::Apart(d) => [d.x, d.y].into_iter().for_each(tell),
+                FormMeasure::Length(off) => tell(off),
+                FormMeasure::Angle(off) => tell(off * scale),
             }
+            equations::slopes(form, given, &view, scale, |equation, part, by| {
+                let Some(first) = self.first(part) else { return };
+                let unknowns = if matches!(part, GraphNode::Link(_)) { 3 } else { 2 };
+                let row = &mut list[begin + equation].row[first..first + unknowns];
+                row.iter_mut().zip(by).for_each(|(c, by)| *c = *c + by);
+            })?;
         }
         (list.len() == self.zeros().len()).then_some(list)
     }
-
-    /// Returns the coefficients of a form's equations, with angles as lengths in which their steps
-    /// are measured; the second list is used only for a form with two equations.
-    fn rows(
-        &self,
-        form: PairForm,
-        given: FormValue<N>,
-        view: &PlacedGroup<N>,
-    ) -> Option<[Vec<N>; 2]> {
-        let mut rows = [self.zeros(), Vec::new()];
-        let row = &mut rows[0];
-        match form {
-            PairForm::Meet { pin, link } => {
-                let own = view.pose(link)?.to_world(view.local(link, pin)?);
-                rows[1] = self.zeros();
-                for (row, k) in rows.iter_mut().zip([Vec2::unit_x(), Vec2::unit_x().perp()]) {
-                    self.add_pin(row, pin, k);
-                    self.add_link(view.at, row, link, own, -k);
-                }
-            }
-            PairForm::OnPath { runner, guide, on } => {
-                let place = view.runner(runner)?;
-                let (k, foot) = match view.path(guide)?.to_world(&view.pose(on)?) {
-                    Path::Line { direction, .. } => (direction.perp(), place),
-                    Path::Arc { centre, .. } => (direction_from(centre, place), centre),
-                };
-                self.add_runner(view.at, row, runner, k);
-                self.add_link(view.at, row, on, foot, -k);
-            }
-            PairForm::AlongPath { runner, guide, on, .. } => {
-                let place = view.runner(runner)?;
-                let k = match view.path(guide)?.to_world(&view.pose(on)?) {
-                    Path::Line { direction, .. } => direction,
-                    // The angle at the centre, in metres of arc.
-                    Path::Arc { centre, radius } => {
-                        direction_from(centre, place).perp() * (radius / (place - centre).norm())
-                    }
-                };
-                self.add_runner(view.at, row, runner, k);
-                self.add_link(view.at, row, on, place, -k);
-            }
-            PairForm::Distance { from, to, .. } => {
-                let k = direction_from(view.point(from)?, view.point(to)?);
-                self.add_pin(row, to, k);
-                self.add_pin(row, from, -k);
-            }
-            PairForm::Angles { of, against, .. } => {
-                self.add_turn(row, of, N::from_f64(1.0));
-                if !matches!(given, FormValue::InPlane(_)) {
-                    self.add_turn(row, against, N::from_f64(-1.0));
-                }
-            }
-            PairForm::Related { pair, .. } => *row = self.slip(view, pair)?.row,
-        }
-        Some(rows)
-    }
-}
-
-/// Returns the unit vector from one point toward another.
-fn direction_from<N: Real>(from: Point<N>, to: Point<N>) -> Vec2<N> {
-    let d = to - from;
-    d * (N::from_f64(1.0) / d.norm())
 }
 
 impl<N: Real> proof::SquareSystem<N> for CoupledGroup<'_, N> {
@@ -355,7 +273,7 @@ impl<N: Real> proof::SquareSystem<N> for CoupledGroup<'_, N> {
 mod tests {
     use super::proof::SquareSystem;
     use super::*;
-    use crate::mechanism::{Demand, Mechanism};
+    use crate::mechanism::{Demand, Mechanism, Runner};
     use crate::position::{configure, newton};
     use hodograph_scene::{self as scene, templates};
     use std::collections::BTreeSet;

@@ -11,11 +11,12 @@
 //! H. B. Keller, *Numerical solution of bifurcation and nonlinear eigenvalue problems*, in:
 //! Applications of Bifurcation Theory (1977).
 
-use super::newton::{self, DriverValues, System};
+use super::newton::{self, DriverValues, SolvedPoses, System};
 use super::{Configuration, finish};
 use crate::mechanism::Mechanism;
+use hodograph_base::linear::LinearSystem;
 use hodograph_scene::Scene;
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 /// Greatest number of corrections of a point on the curve, and of the zero on it: close to the fold
 /// both converge in less than ten.
@@ -28,7 +29,7 @@ const FIRST: f64 = 1.0 / 1024.0;
 /// A fold farther away than this along the curve is not the limit that stops the mechanism.
 const NEAR: f64 = 0.25;
 
-/// Steps along the curve below this are rounding: the derivatives of the rate are differences.
+/// Steps along the curve below this are rounding: the derivative of the rate is a difference.
 const SLIGHT: f64 = 1e-10;
 
 /// The curve of all poses near one of them, intersected by planes square to its direction there.
@@ -46,10 +47,24 @@ impl PoseCurve<'_> {
     /// Returns the residuals; `z` contains the unknowns of the system, and the driver's value after
     /// them.
     fn residuals(&self, z: &DVector<f64>) -> DVector<f64> {
+        let (at, drivers) = self.pose(z);
+        self.system.residuals(&at, &drivers)
+    }
+
+    /// Returns the derivatives of the residuals, a column for each element of `z`.
+    fn slopes(&self, z: &DVector<f64>) -> Option<DMatrix<f64>> {
+        let (at, drivers) = self.pose(z);
+        let n = z.len() - 1;
+        let mut slopes = self.system.jacobian(&at, &drivers)?.insert_column(n, 0.0);
+        slopes.set_column(n, &(self.system.driver_column(self.driver) * self.unit));
+        Some(slopes)
+    }
+
+    fn pose(&self, z: &DVector<f64>) -> (SolvedPoses, DriverValues) {
         let n = z.len() - 1;
         let mut drivers = self.drivers.clone();
         drivers.0[self.driver] = z[n] * self.unit;
-        self.system.residuals(&self.system.unpack(&z.rows(0, n).into_owned()), &drivers)
+        (self.system.unpack(&z.rows(0, n).into_owned()), drivers)
     }
 
     /// Returns the point on the curve in the plane at a distance from the base, and the driver's
@@ -59,15 +74,11 @@ impl PoseCurve<'_> {
         let mut z = guess.clone();
         let mut last = f64::INFINITY;
         for _ in 0..PATIENCE {
-            let slopes = newton::slopes(&z, &|z| self.residuals(z));
-            if slopes.nrows() != n {
-                return None;
-            }
-            let mut square = slopes.insert_row(n, 0.0);
+            let mut square = self.slopes(&z)?.insert_row(n, 0.0);
             square.set_row(n, &self.along.transpose());
             let mut miss = self.residuals(&z).insert_row(n, 0.0);
             miss[n] = self.along.dot(&(&z - &self.base)) - distance;
-            let solve = square.lu();
+            let solve = LinearSystem::new(square);
             let step = solve.solve(&-miss)?;
             let size = step.amax();
             if !size.is_finite() || size > NEAR {
@@ -113,10 +124,7 @@ pub fn fold(
         along: DVector::zeros(n + 1),
         base,
     };
-    let slopes = newton::slopes(&curve.base, &|z| curve.residuals(z));
-    if slopes.nrows() != n || slopes.iter().any(|v| !v.is_finite()) {
-        return None;
-    }
+    let slopes = curve.slopes(&curve.base).filter(|s| s.iter().all(|v| v.is_finite()))?;
     // The direction with zero residuals: with a row of zeros it belongs to the smallest singular
     // value.
     let svd = slopes.insert_row(n, 0.0).svd(false, true);

@@ -4,9 +4,8 @@
 //! The unknowns are the poses of the chosen links (x, y, angle each) and the positions of pins that
 //! are on none of them. The equations of a group contain its own bodies and those of groups before
 //! it: their matrix is block triangular, and a step on a chain of n groups costs n small systems.
-//! The residuals are written for all kinds of constraint. Their derivatives are differences, which
-//! are independent of the analytic check; for each unknown they are taken only in the equations of
-//! the constraints of its link or pin, since the other equations do not change.
+//! The residuals and their derivatives are those of [`equations`], which the loop equations do not
+//! use.
 
 use super::equations::{self, FormMeasure, FormValue, PartPositions};
 use super::rolling::{self, RollingPose, RollingRecord};
@@ -14,8 +13,8 @@ use super::{Configuration, Path, Pose, Shapes};
 use crate::mechanism::{GraphNode, Group, Mechanism, PairForm, PairItem, constraints_of};
 use hodograph_base::budget::spend;
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_base::linear::LinearSystem;
-use hodograph_scene::{GuideId, LinkId, PointId, RollingId, Scene};
+use hodograph_base::linear::RowFactors;
+use hodograph_scene::{GuideId, LinkId, PointId, Rolling, RollingId, Scene};
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 
@@ -31,11 +30,13 @@ pub struct DriverValues(pub Vec<f64>);
 pub struct System<'a> {
     scene: &'a Scene,
     shapes: &'a Shapes,
-    links: Vec<LinkId>,
-    pins: Vec<PointId>,
+    /// The links and pins, in the order of their unknowns.
+    bodies: Vec<GraphNode>,
     /// Each form with its value at the start, unless a driver gives the value.
     forms: Vec<(PairForm, FormValue<f64>)>,
     blocks: Vec<GroupBlock>,
+    /// The first unknown of each link and of each point, if it is in the system.
+    firsts: (Vec<Option<usize>>, Vec<Option<usize>>),
     /// The rolling of each pair at the start.
     rolled: Vec<Option<RollingRecord>>,
     /// Deviation of each rolling pair from the phase in the scene at the start, as an angle of its
@@ -47,12 +48,10 @@ pub struct System<'a> {
     scale: f64,
 }
 
-/// The unknowns and equations of one group in a [`System`].
+/// The unknowns and equations of one group in a [`System`]: both are numbered through all groups, in
+/// the order of solution.
 struct GroupBlock {
-    /// Indices into [`System::links`].
-    links: Range<usize>,
-    /// Indices into [`System::pins`].
-    pins: Range<usize>,
+    unknowns: Range<usize>,
     /// Indices into [`System::forms`].
     forms: Range<usize>,
 }
@@ -67,30 +66,33 @@ impl<'a> System<'a> {
         start: &Configuration,
         groups: &[usize],
     ) -> System<'a> {
-        let mut links = Vec::new();
-        let mut pins = Vec::new();
-        let mut forms = Vec::new();
-        let mut blocks = Vec::new();
+        let (mut bodies, mut forms, mut blocks) = (Vec::new(), Vec::new(), Vec::new());
+        let mut firsts = (vec![None; scene.links.len()], vec![None; scene.points.len()]);
+        let mut unknowns = 0;
         for &g in groups {
             let group = &mechanism.groups[g];
-            let begin = [links.len(), pins.len(), forms.len()];
-            links.extend(&group.links);
-            pins.extend(&group.pins);
+            let begin = (unknowns, forms.len());
+            for &l in &group.links {
+                firsts.0[l.0] = Some(unknowns);
+                bodies.push(GraphNode::Link(l));
+                unknowns += 3;
+            }
+            for &p in &group.pins {
+                firsts.1[p.0] = Some(unknowns);
+                bodies.push(GraphNode::Pin(p));
+                unknowns += 2;
+            }
             let of_group = group.constraints.iter().map(|&c| mechanism.constraints[c].form());
             forms.extend(of_group.map(|form| (form, FormValue::Nothing)));
-            blocks.push(GroupBlock {
-                links: begin[0]..links.len(),
-                pins: begin[1]..pins.len(),
-                forms: begin[2]..forms.len(),
-            });
+            blocks.push(GroupBlock { unknowns: begin.0..unknowns, forms: begin.1..forms.len() });
         }
         let mut system = System {
             scene,
             shapes,
-            links,
-            pins,
+            bodies,
             forms,
             blocks,
+            firsts,
             rolled: vec![None; scene.rolling.len()],
             out_of_phase: vec![0.0; scene.rolling.len()],
             poses: start.poses.clone(),
@@ -153,87 +155,117 @@ impl<'a> System<'a> {
 
     pub(super) fn unpack(&self, x: &DVector<f64>) -> SolvedPoses {
         let mut solved = (self.poses.clone(), self.points.clone());
-        for (body, first) in self.bodies() {
-            self.put(body, |k| x[first + k], &mut solved);
-        }
+        self.put(x, &mut solved);
         solved
     }
 
+    /// Returns the unknowns in a configuration: two coordinates of each link and pin, and the angle
+    /// of a link.
     pub(super) fn pack(&self, start: &Configuration) -> Option<DVector<f64>> {
-        let bodies = self.bodies().map(|(body, _)| self.coordinates(body, start));
-        Some(DVector::from_vec(bodies.collect::<Option<Vec<_>>>()?.concat()))
-    }
-
-    /// Returns all bodies (a link by its index, a pin by its index after all links), each with the
-    /// index of its first unknown in the whole system.
-    fn bodies(&self) -> impl Iterator<Item = (usize, usize)> {
-        let mut unknowns = 0;
-        (0..self.links.len() + self.pins.len()).map(move |body| {
-            let first = unknowns;
-            unknowns += self.unknowns(body);
-            (body, first)
-        })
-    }
-
-    /// Returns the number of unknowns of a body.
-    fn unknowns(&self, body: usize) -> usize {
-        if body < self.links.len() { 3 } else { 2 }
-    }
-
-    /// Writes the pose or position of a body, whose k-th unknown is `x(k)`.
-    fn put(&self, body: usize, x: impl Fn(usize) -> f64, to: &mut SolvedPoses) {
-        let origin = Point::new(x(0) * self.scale, x(1) * self.scale);
-        match body.checked_sub(self.links.len()) {
-            None => to.0[self.links[body].0] = Some(Pose { origin, axis: Vec2::from_angle(x(2)) }),
-            Some(pin) => to.1[self.pins[pin].0] = Some(origin),
+        let mut x = Vec::new();
+        for body in &self.bodies {
+            let (place, angle) = match *body {
+                GraphNode::Link(l) => {
+                    let pose = start.poses[l.0]?;
+                    (pose.origin, Some(pose.axis.angle()))
+                }
+                GraphNode::Pin(p) => (start.points[p.0]?, None),
+            };
+            x.extend([place.x / self.scale, place.y / self.scale].into_iter().chain(angle));
         }
+        Some(DVector::from_vec(x))
     }
 
-    /// Returns the unknowns of a body in a configuration: two coordinates and, of a link, an angle.
-    fn coordinates(&self, body: usize, at: &Configuration) -> Option<Vec<f64>> {
-        let scaled = |p: Point| [p.x / self.scale, p.y / self.scale];
-        Some(match body.checked_sub(self.links.len()) {
-            None => {
-                let pose = at.poses[self.links[body].0]?;
-                let [x, y] = scaled(pose.origin);
-                vec![x, y, pose.axis.angle()]
+    /// Writes the poses and positions of all links and pins.
+    fn put(&self, x: &DVector<f64>, to: &mut SolvedPoses) {
+        let mut first = 0;
+        for body in &self.bodies {
+            let origin = Point::new(x[first] * self.scale, x[first + 1] * self.scale);
+            match *body {
+                GraphNode::Link(l) => {
+                    to.0[l.0] = Some(Pose { origin, axis: Vec2::from_angle(x[first + 2]) });
+                }
+                GraphNode::Pin(p) => to.1[p.0] = Some(origin),
             }
-            Some(pin) => scaled(at.points[self.pins[pin].0]?).to_vec(),
-        })
+            first += unknowns_of(*body);
+        }
     }
 
     /// Returns the residuals, each a length or an angle divided by the mechanism's size or one
     /// radian.
     pub(super) fn residuals(&self, at: &SolvedPoses, drivers: &DriverValues) -> DVector<f64> {
+        let view = PlacedSystem { system: self, poses: &at.0, points: &at.1 };
+        let s = 1.0 / self.scale;
         let mut r = Vec::with_capacity(2 * self.forms.len());
-        self.forms.iter().for_each(|f| self.residual(f, at, drivers, |v| r.push(v)));
+        for form in &self.forms {
+            match equations::off(form.0, given(form, drivers), &view)
+                .expect("all links and pins of a system are placed")
+            {
+                FormMeasure::Apart(d) => r.extend([d.x * s, d.y * s]),
+                FormMeasure::Length(x) => r.push(x * s),
+                FormMeasure::Angle(x) => r.push(x),
+            }
+        }
         DVector::from_vec(r)
     }
 
-    /// Reports the residuals of one form.
-    fn residual(
+    /// Reports the derivatives of the residuals of some forms: equation (counted from the first of
+    /// these forms), unknown, and the derivative, which is added to those of the same two.
+    fn slopes(
         &self,
-        (form, kept): &(PairForm, FormValue<f64>),
-        (poses, points): &SolvedPoses,
+        forms: &[(PairForm, FormValue<f64>)],
+        at: &SolvedPoses,
         drivers: &DriverValues,
-        mut told: impl FnMut(f64),
-    ) {
-        let given = match (form.driver(), form) {
-            (Some(d), PairForm::Angles { .. }) => FormValue::Turned(Vec2::from_angle(drivers.0[d])),
-            (Some(d), _) => FormValue::Length(drivers.0[d]),
-            (None, _) => *kept,
-        };
-        let s = 1.0 / self.scale;
-        match equations::off(*form, given, &PlacedSystem { system: self, poses, points })
-            .expect("all links and pins of a system are placed")
-        {
-            FormMeasure::Apart(d) => {
-                told(d.x * s);
-                told(d.y * s);
-            }
-            FormMeasure::Length(x) => told(x * s),
-            FormMeasure::Angle(x) => told(x),
+        mut told: impl FnMut(usize, usize, f64),
+    ) -> Option<()> {
+        let view = PlacedSystem { system: self, poses: &at.0, points: &at.1 };
+        let mut row = 0;
+        for form in forms {
+            let given = given(form, drivers);
+            equations::slopes(form.0, given, &view, self.scale, |equation, body, by| {
+                let first = match body {
+                    GraphNode::Link(l) => self.firsts.0[l.0],
+                    GraphNode::Pin(p) => self.firsts.1[p.0],
+                };
+                let Some(first) = first else { return };
+                let by = by.into_iter().take(unknowns_of(body)).enumerate();
+                by.for_each(|(k, by)| told(row + equation, first + k, by));
+            })?;
+            row += form.0.equations();
         }
+        Some(())
+    }
+
+    /// Returns the derivatives of the residuals, a column for each unknown; `None` if there are not
+    /// as many equations.
+    pub(super) fn jacobian(
+        &self,
+        at: &SolvedPoses,
+        drivers: &DriverValues,
+    ) -> Option<DMatrix<f64>> {
+        let rows = self.forms.iter().map(|(form, _)| form.equations()).sum();
+        let unknowns = self.bodies.iter().map(|body| unknowns_of(*body)).sum();
+        let mut matrix = DMatrix::zeros(rows, unknowns);
+        self.slopes(&self.forms, at, drivers, |row, k, by| matrix[(row, k)] += by)?;
+        (rows == unknowns).then_some(matrix)
+    }
+
+    /// Returns the derivatives of the residuals by the value of a driver (1/rad or 1/m).
+    pub(super) fn driver_column(&self, driver: usize) -> DVector<f64> {
+        let mut column = Vec::new();
+        for (form, _) in &self.forms {
+            let by = match form {
+                _ if form.driver() != Some(driver) => 0.0,
+                PairForm::Angles { .. } => -1.0,
+                PairForm::Meet { .. }
+                | PairForm::OnPath { .. }
+                | PairForm::AlongPath { .. }
+                | PairForm::Distance { .. }
+                | PairForm::Related { .. } => -1.0 / self.scale,
+            };
+            column.extend(std::iter::repeat_n(by, form.equations()));
+        }
+        DVector::from_vec(column)
     }
 
     /// Solves from the poses of `start` for the given driver values; `None` if Newton's method does
@@ -253,18 +285,9 @@ impl<'a> System<'a> {
         drivers: &DriverValues,
         tolerance: f64,
     ) -> Option<SolvedPoses> {
-        let blocks = self.group_systems();
-        let bodies = || blocks.iter().flat_map(|b| &b.bodies);
-        let mut x = Vec::new();
-        for b in bodies() {
-            x.extend(self.coordinates(b.body, start)?);
-        }
-        let mut x = DVector::from_vec(x);
+        let mut x = self.pack(start)?;
         let mut at = (start.poses.clone(), start.points.clone());
-        let put_all = |x: &DVector<f64>, at: &mut SolvedPoses| {
-            bodies().for_each(|b| self.put(b.body, |k| x[b.first + k], at));
-        };
-        put_all(&x, &mut at);
+        self.put(&x, &mut at);
         let mut last = f64::INFINITY;
         for _ in 0..60 {
             spend();
@@ -272,7 +295,7 @@ impl<'a> System<'a> {
             if r.len() != x.len() || r.iter().any(|v| !v.is_finite()) {
                 return None;
             }
-            let step = self.step(&x, &r, &mut at, &blocks, drivers)?;
+            let step = self.step(&r, &at, drivers)?;
             let size = step.amax();
             if !size.is_finite() {
                 return None;
@@ -281,7 +304,7 @@ impl<'a> System<'a> {
             // half the mechanism) is shortened.
             let damp = if size > 0.5 { 0.5 / size } else { 1.0 };
             x += step * damp;
-            put_all(&x, &mut at);
+            self.put(&x, &mut at);
             if size < tolerance || (size < 1e-9 && size >= last) {
                 return Some(at);
             }
@@ -290,97 +313,29 @@ impl<'a> System<'a> {
         (last < 1e-9).then_some(at)
     }
 
-    /// Returns the unknowns and equations of each group. Both are numbered through all groups, in
-    /// the order of solution.
-    fn group_systems(&self) -> Vec<GroupSystem> {
-        let mut unknowns = 0;
-        let mut row = 0;
-        let mut systems: Vec<GroupSystem> = Vec::with_capacity(self.blocks.len());
-        for block in &self.blocks {
-            let begin = [unknowns, row];
-            let mut bodies = Vec::new();
-            let pins = block.pins.clone().map(|pin| self.links.len() + pin);
-            for body in block.links.clone().chain(pins) {
-                bodies.push(GroupBody { body, first: unknowns, equations: Vec::new() });
-                unknowns += self.unknowns(body);
-            }
-            systems.push(GroupSystem { bodies, unknowns: begin[0]..unknowns, rows: row..row });
-            for form in block.forms.clone() {
-                let (one, other) = self.forms[form].0.ends();
-                for node in [one, other] {
-                    let body = systems
-                        .iter_mut()
-                        .flat_map(|s| &mut s.bodies)
-                        .find(|b| self.node(b.body) == node);
-                    if let Some(body) = body {
-                        body.equations.push((form, row));
-                    }
-                }
-                row += self.forms[form].0.equations();
-            }
-            if let Some(system) = systems.last_mut() {
-                system.rows = begin[1]..row;
-            }
-        }
-        systems
-    }
-
-    fn node(&self, body: usize) -> GraphNode {
-        match body.checked_sub(self.links.len()) {
-            None => GraphNode::Link(self.links[body]),
-            Some(pin) => GraphNode::Pin(self.pins[pin]),
-        }
-    }
-
     /// Returns a step of Newton's method on all equations. Their matrix is block triangular: the
     /// step of a group follows from those of the groups before it.
-    ///
-    /// The derivatives are central differences with a step of 2^-17: the residuals are at worst
-    /// quadratic near the solution, so that the error of the derivative (about 1e-11) only slows
-    /// the last step of the iteration and does not change its result. `at` contains the poses for
-    /// `x`.
     fn step(
         &self,
-        x: &DVector<f64>,
         r: &DVector<f64>,
-        at: &mut SolvedPoses,
-        systems: &[GroupSystem],
+        at: &SolvedPoses,
         drivers: &DriverValues,
     ) -> Option<DVector<f64>> {
-        const STEP: f64 = 1.0 / 131_072.0;
-        let mut step = DVector::zeros(x.len());
-        let mut rest = -r;
-        for GroupSystem { bodies, unknowns, rows } in systems {
-            let n = unknowns.len();
-            if rows.len() != n {
+        let mut step = -r;
+        for GroupBlock { unknowns, forms } in &self.blocks {
+            let (begin, n) = (unknowns.start, unknowns.len());
+            let forms = &self.forms[forms.clone()];
+            if forms.iter().map(|(form, _)| form.equations()).sum::<usize>() != n {
                 return None;
             }
-            let mut matrix = DMatrix::zeros(n, n);
-            // Coefficients of the group's unknowns in the equations of later groups.
-            let mut later: Vec<(usize, usize, f64)> = Vec::new();
-            for GroupBody { body, first, equations } in bodies {
-                for k in 0..self.unknowns(*body) {
-                    for (by, sign) in [(STEP, 0.5 / STEP), (-STEP, -0.5 / STEP)] {
-                        self.put(*body, |n| x[first + n] + if n == k { by } else { 0.0 }, at);
-                        for &(form, row) in equations {
-                            let mut row = row;
-                            self.residual(&self.forms[form], at, drivers, |v| {
-                                if rows.contains(&row) {
-                                    matrix[(row - rows.start, first + k - unknowns.start)] +=
-                                        sign * v;
-                                } else {
-                                    later.push((row, first + k, sign * v));
-                                }
-                                row += 1;
-                            });
-                        }
-                    }
-                }
-                self.put(*body, |n| x[first + n], at);
-            }
-            let own = LinearSystem::new(matrix).solve(&rest.rows(rows.start, n).into_owned())?;
-            step.rows_mut(unknowns.start, n).copy_from(&own);
-            later.iter().for_each(|(row, k, c)| rest[*row] -= c * step[*k]);
+            let mut rows = vec![0.0; n * n];
+            let (known, rest) = step.as_mut_slice().split_at_mut(begin);
+            self.slopes(forms, at, drivers, |row, k, by| match k.checked_sub(begin) {
+                Some(own) if own < n => rows[row * n + own] += by,
+                Some(_) => {}
+                None => rest[row] -= by * known[k],
+            })?;
+            RowFactors::new(n, rows).solve(&mut rest[..n])?;
         }
         Some(step)
     }
@@ -391,41 +346,21 @@ impl<'a> System<'a> {
     }
 }
 
-/// Returns the derivatives of residuals, a column for each unknown: central differences with a step
-/// of 2^-17, see [`System::solve`].
-pub(super) fn slopes(
-    x: &DVector<f64>,
-    residuals: &dyn Fn(&DVector<f64>) -> DVector<f64>,
-) -> DMatrix<f64> {
-    const STEP: f64 = 1.0 / 131_072.0;
-    let mut y = x.clone();
-    let columns: Vec<DVector<f64>> = (0..x.len())
-        .map(|k| {
-            y[k] = x[k] + STEP;
-            let hi = residuals(&y);
-            y[k] = x[k] - STEP;
-            let lo = residuals(&y);
-            y[k] = x[k];
-            (hi - lo) * (0.5 / STEP)
-        })
-        .collect();
-    DMatrix::from_columns(&columns)
+/// Returns the number of unknowns of a link or pin.
+fn unknowns_of(body: GraphNode) -> usize {
+    match body {
+        GraphNode::Link(_) => 3,
+        GraphNode::Pin(_) => 2,
+    }
 }
 
-/// The unknowns and equations of a group, see [`System::group_systems`].
-struct GroupSystem {
-    bodies: Vec<GroupBody>,
-    unknowns: Range<usize>,
-    rows: Range<usize>,
-}
-
-/// A body of a group: a link by its index in the system, or a pin by its index after all links.
-struct GroupBody {
-    body: usize,
-    /// Its first unknown.
-    first: usize,
-    /// The forms (index) in which it occurs, each with its first equation.
-    equations: Vec<(usize, usize)>,
+/// Returns the value of a form that a driver gives, or that it keeps.
+fn given((form, kept): &(PairForm, FormValue<f64>), drivers: &DriverValues) -> FormValue<f64> {
+    match (form.driver(), form) {
+        (Some(d), PairForm::Angles { .. }) => FormValue::Turned(Vec2::from_angle(drivers.0[d])),
+        (Some(d), _) => FormValue::Length(drivers.0[d]),
+        (None, _) => *kept,
+    }
 }
 
 /// A system with its links and pins in a given pose.
@@ -461,6 +396,10 @@ impl PartPositions<f64> for PlacedSystem<'_> {
             then.slip(&system.scene.rolling[r.0], system.shapes.rolling[r.0], &now)
         };
         Some(then.zip(now).map_or(0.0, slip) + system.out_of_phase[r.0])
+    }
+
+    fn rolling(&self, r: RollingId) -> (&Rolling, [f64; 2]) {
+        (&self.system.scene.rolling[r.0], self.system.shapes.rolling[r.0])
     }
 }
 
@@ -514,4 +453,67 @@ pub(super) fn placed(mechanism: &Mechanism, at: &Configuration) -> Vec<usize> {
             && g.pins.iter().all(|p| at.points[p.0].is_some())
     };
     (0..mechanism.groups.len()).filter(|&g| there(&mechanism.groups[g])).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanism::Demand;
+    use crate::position::configure;
+    use hodograph_scene::{self as scene, templates};
+
+    /// In poses off the root, at the instant and after it; by the drivers' values too.
+    #[test]
+    fn derivatives_are_central_differences_of_the_residuals() {
+        const STEP: f64 = 1e-5;
+        let mut seen = 0;
+        for t in templates::list() {
+            let scene = scene::read(templates::get(t.name).expect("listed")).expect(t.name).value;
+            let m = Mechanism::new(&scene).expect(t.name).value;
+            let demand = Demand::of(&scene, &m).with_all_positions();
+            let Ok(start) = configure(&scene, &m, &demand) else { continue };
+            let start = start.value;
+            let system = || System::new(&scene, &m, &start.shapes, &start, &placed(&m, &start));
+            for system in [system(), system().at_instant()] {
+                let drivers = driver_values(&scene, &start);
+                let x = system.pack(&start).expect(t.name);
+                let x =
+                    DVector::from_fn(x.len(), |k, _| x[k] + 0.03 * libm::sin(1.0 + 2.3 * k as f64));
+                let Some(slopes) = system.jacobian(&system.unpack(&x), &drivers) else {
+                    panic!("{}: not as many equations as unknowns", t.name)
+                };
+                let check = |k, own: f64, slope: f64, by: &str| {
+                    let off = (own - slope).abs();
+                    assert!(
+                        off < 1e-7 * (1.0 + slope.abs()),
+                        "{}, equation {k} by {by}: {own}, {slope}",
+                        t.name
+                    );
+                };
+                for k in 0..x.len() {
+                    let beside = |by: f64| {
+                        let mut x = x.clone();
+                        x[k] += by;
+                        system.residuals(&system.unpack(&x), &drivers)
+                    };
+                    let slope = (beside(STEP) - beside(-STEP)) / (2.0 * STEP);
+                    (0..x.len())
+                        .for_each(|i| check(i, slopes[(i, k)], slope[i], &format!("unknown {k}")));
+                }
+                for d in 0..scene.drivers.len() {
+                    let unit = if scene.drivers[d].kind.turns() { 1.0 } else { system.scale };
+                    let beside = |by: f64| {
+                        let mut drivers = drivers.clone();
+                        drivers.0[d] += by * unit;
+                        system.residuals(&system.unpack(&x), &drivers)
+                    };
+                    let slope = (beside(STEP) - beside(-STEP)) / (2.0 * STEP);
+                    let own = system.driver_column(d) * unit;
+                    (0..x.len()).for_each(|i| check(i, own[i], slope[i], &format!("driver {d}")));
+                }
+                seen += 1;
+            }
+        }
+        assert!(seen > 100, "{seen}");
+    }
 }

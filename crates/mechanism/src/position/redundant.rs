@@ -20,6 +20,7 @@ use crate::mechanism::{
     Core, Demand, GraphNode, Group, Level, Mechanism, Need, Opened, PairItem, constraints_of,
 };
 use hodograph_base::diag::{Both, Diagnostic, Faults};
+use hodograph_base::linear::LinearSystem;
 use hodograph_base::number::{Ball, Dd, Real};
 use hodograph_scene::{LinkId, PointId, Scene};
 
@@ -348,10 +349,9 @@ impl<'a> OpenedMotion<'a> {
     fn sense(&self, at: &Configuration) -> Option<bool> {
         let system =
             System::new(self.scene, self.m, &self.at.shapes, at, &newton::placed(self.m, at));
-        let x = system.pack(at)?;
         let held = newton::driver_values(self.scene, at);
-        let d =
-            newton::slopes(&x, &|x| system.residuals(&system.unpack(x), &held)).lu().determinant();
+        let there = (at.poses.clone(), at.points.clone());
+        let d = LinearSystem::new(system.jacobian(&there, &held)?).determinant();
         (d.is_finite() && d != 0.0).then_some(d > 0.0)
     }
 

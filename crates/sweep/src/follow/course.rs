@@ -8,7 +8,7 @@
 //! it, with its rates by the loop equations: the swept scene has a driver there instead of the
 //! contact, as it has for a cam and a follower carried by one link.
 
-use super::step::{STRAY, TravelPose, foretold, stray};
+use super::step::{TravelPose, foretold, is_followed};
 use crate::station::position_now;
 use hodograph_analytic as analytic;
 use hodograph_base::cam::in_half_turns;
@@ -366,8 +366,10 @@ impl Handed {
         while now.travel < 1.0 {
             let next = (now.travel + step).min(1.0);
             let guess = foretold(before.as_ref(), &now, next);
-            let Some(there) = closed(next, &guess).filter(|c| stray(c, &guess) < STRAY * extent)
-            else {
+            let half_way = |mean: &Configuration| closed(0.5 * (now.travel + next), mean);
+            let followed =
+                |c: &Configuration| is_followed([&now.configuration, &guess, c], extent, half_way);
+            let Some(there) = closed(next, &guess).filter(followed) else {
                 step *= 0.5;
                 if step < SHORTEST {
                     return None;

@@ -5,7 +5,7 @@
 //! drawn in them.
 
 use super::clock::SweptVariable;
-use super::step::{STRAY, TravelPose, foretold, stray};
+use super::step::{SLIGHT, TravelPose, foretold, is_followed, stray};
 use hodograph_base::budget::here;
 use std::borrow::Cow;
 use std::f64::consts::TAU;
@@ -69,6 +69,10 @@ impl PoseSweep {
 
 /// The number of halvings of a step after which the motion is taken to end: 5° become 0.0003°.
 const HALVINGS: usize = 14;
+/// The freedom of a joint close to the end of a motion: as a part of its way in the step before, and
+/// in sizes of the mechanism if there was none.
+const FREE: f64 = 8.0;
+const BROAD: f64 = 0.3;
 /// The distance of a joint from its place, in sizes of the mechanism, above which it is off the
 /// paper: the crossing of two lines that become parallel goes beyond all bounds.
 const FAR: f64 = 3.0;
@@ -289,15 +293,17 @@ impl<'a> PoseFollower<'a> {
             }
             while now.travel != target {
                 left = left.saturating_sub(1);
-                match self.next(before.as_ref(), &now, target).filter(|_| left > 0) {
-                    Some(next) => before = Some(std::mem::replace(&mut now, next)),
-                    None => {
-                        let end = self.end(&now, target);
-                        let limit = end.travel;
-                        poses.push(end);
-                        return (poses, Some(limit));
+                let end = match self.next(before.as_ref(), &now, target) {
+                    Ok(next) if left > 0 => {
+                        before = Some(std::mem::replace(&mut now, next));
+                        continue;
                     }
-                }
+                    Ok(_) => now,
+                    Err(beyond) => self.end(before.as_ref(), now, beyond),
+                };
+                let limit = end.travel;
+                poses.push(end);
+                return (poses, Some(limit));
             }
             poses.push(now.clone());
         }
@@ -305,14 +311,18 @@ impl<'a> PoseFollower<'a> {
     }
 
     /// The next pose on the way to a travel: there, or at a part of the way where the motion bends.
+    ///
+    /// # Errors
+    /// The nearest travel that has no pose close to the one it has now, if the motion ends.
     fn next(
         &self,
         before: Option<&TravelPose>,
         now: &TravelPose,
         target: f64,
-    ) -> Option<TravelPose> {
+    ) -> Result<TravelPose, f64> {
+        let extent = self.base.extent().max(f64::MIN_POSITIVE);
         let half = |travel: f64| now.travel + (travel - now.travel) / 2.0;
-        let mut travel = target;
+        let (mut travel, mut beyond) = (target, target);
         let mut halvings = 0;
         // After a short last part of the way, the next will hardly be much longer.
         let last = before.map_or(f64::INFINITY, |b| (now.travel - b.travel).abs());
@@ -321,19 +331,24 @@ impl<'a> PoseFollower<'a> {
         }
         while halvings < HALVINGS {
             let guess = foretold(before, now, travel);
+            let half_way = |mean: &Configuration| self.at(mean, half(travel));
             if let Some(configuration) = self.at(&guess, travel)
-                && self.stray(&configuration, &guess) < STRAY
+                && is_followed([&now.configuration, &guess, &configuration], extent, half_way)
             {
-                return Some(TravelPose { travel, configuration });
+                return Ok(TravelPose { travel, configuration });
             }
-            (travel, halvings) = (half(travel), halvings + 1);
+            (beyond, travel, halvings) = (travel, half(travel), halvings + 1);
         }
-        None
+        Err(beyond)
     }
 
-    /// The last pose before the motion ends, found by halving.
-    fn end(&self, now: &TravelPose, target: f64) -> TravelPose {
-        let (mut inside, mut outside) = (now.clone(), target);
+    /// The last pose before the motion ends, found by halving between a pose and the nearest travel
+    /// that [`PoseFollower::next`] refuses. Farther beyond an end there may be other assemblies.
+    fn end(&self, before: Option<&TravelPose>, now: TravelPose, mut outside: f64) -> TravelPose {
+        let moved = |from: &TravelPose, to: &Configuration| self.stray(&from.configuration, to);
+        let free = |moved: f64| (FREE * moved).clamp(SLIGHT, BROAD);
+        let mut most = before.map_or(BROAD, |b| free(moved(b, &now.configuration)));
+        let mut inside = now;
         loop {
             let middle = 0.5 * (inside.travel + outside);
             // No double remains between.
@@ -341,12 +356,13 @@ impl<'a> PoseFollower<'a> {
                 return inside;
             }
             // Close to its limit a mechanism moves as the root of the distance: the pose is not
-            // extrapolated, and nearness is judged broadly.
-            match self
-                .at(&inside.configuration, middle)
-                .filter(|c| self.stray(c, &inside.configuration) < 10.0 * STRAY)
-            {
-                Some(configuration) => inside = TravelPose { travel: middle, configuration },
+            // extrapolated, and nearness is judged broadly. The parts of the way become shorter,
+            // and a joint moves little more in one than in the part before it.
+            match self.at(&inside.configuration, middle).filter(|c| moved(&inside, c) < most) {
+                Some(configuration) => {
+                    most = free(moved(&inside, &configuration));
+                    inside = TravelPose { travel: middle, configuration };
+                }
                 None => outside = middle,
             }
         }

@@ -210,18 +210,25 @@ impl SweepProgram {
         }
     }
 
+    /// Returns the registers of all positions in a state.
+    pub fn placed(&self, at: &FollowedState, turn: TurnFunction) -> Vec<Dual> {
+        let (cos, sin, per_value) = turn(at.value);
+        let mut registers = self.inputs(at.value, cos, sin, per_value);
+        let mut done = 0;
+        for (track, f) in self.tracks.iter().zip(&at.links) {
+            self.derive_steps(done..track.step, &mut registers);
+            done = track.step;
+            track.store(f, &mut registers);
+        }
+        self.derive_steps(done..self.steps[0].len(), &mut registers);
+        registers
+    }
+
     /// Returns true if the lines along which a followed link's legs hold it are parallel in a state
     /// next to its fold; else they meet in one point.
     pub fn parallel(&self, track: usize, at: &FollowedState, turn: TurnFunction) -> bool {
         let t = &self.tracks[track];
-        let (cos, sin, per_value) = turn(at.value);
-        let mut registers = self.inputs(at.value, cos, sin, per_value);
-        let mut done = 0;
-        for (before, f) in self.tracks[..=track].iter().zip(&at.links) {
-            self.derive_steps(done..before.step, &mut registers);
-            done = before.step;
-            before.store(f, &mut registers);
-        }
+        let registers = self.placed(at, turn);
         let f = &at.links[track];
         // A leg holds the link along the gradient of its residual.
         let along = t

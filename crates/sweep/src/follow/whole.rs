@@ -3,7 +3,7 @@
 //! answer the questions there.
 
 use super::chains::{Chains, Follow, ValueFunction};
-use super::step::{STRAY, TravelPose, foretold, stray};
+use super::step::{TravelPose, foretold, is_followed};
 use crate::PlacedScene;
 use crate::chunks::SweepRows;
 use crate::compile::ask;
@@ -207,9 +207,12 @@ impl Follow for DrivenMechanism<'_> {
             }
             let next = if (to - value).abs() <= step.abs() { to } else { value + step };
             let guess = state.ahead(next);
-            match newton::moved(p.scene, p.mechanism, &guess, &self.holding(next))
-                .filter(|c| stray(c, &guess) < STRAY * extent)
-            {
+            let at = |guess: &Configuration, value: f64| {
+                newton::moved(p.scene, p.mechanism, guess, &self.holding(value))
+            };
+            let from = &state.now.configuration;
+            let half_way = |mean: &Configuration| at(mean, 0.5 * (value + next));
+            match at(&guess, next).filter(|c| is_followed([from, &guess, c], extent, half_way)) {
                 Some(configuration) => {
                     (state, step) =
                         (state.on(TravelPose { travel: next, configuration }), step * 1.5)
