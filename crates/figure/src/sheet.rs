@@ -512,18 +512,22 @@ impl SheetDrafter<'_> {
         title: String,
         desc: String,
     ) -> Figure {
-        let mut figure = Figure {
-            width_mm: size[0],
-            height_mm: size[1],
-            title,
-            desc,
-            lang: self.words().tag.into(),
-            paper: Colour::WHITE,
-            items,
-        };
-        self.options.style.palette.paint(&mut figure);
-        figure
+        painted(&self.options.style, self.options.lang, size, [title, desc], items)
     }
+}
+
+/// A figure of a style, with a title and a description for readers who cannot see it.
+pub(super) fn painted(
+    style: &Style,
+    lang: Lang,
+    [width_mm, height_mm]: [f64; 2],
+    [title, desc]: [String; 2],
+    items: Vec<FigureItem>,
+) -> Figure {
+    let (lang, paper) = (words(lang).tag.into(), Colour::WHITE);
+    let mut figure = Figure { width_mm, height_mm, title, desc, lang, paper, items };
+    style.palette.paint(&mut figure);
+    figure
 }
 
 /// A part with its name and its scales below; `id` distinguishes these labels from those of other
