@@ -297,9 +297,7 @@ impl MechanismDraft<'_> {
             let Some(u) = (foot - pin).unit() else { continue };
             let stroke = self.style.thin.dashed(Dash::DashDot);
             let shape = Shape::Line { from: pin, to: foot + u * FOOT_MM, stroke };
-            self.d.behind(|d| {
-                d.shape(&format!("axis-{}", g.0), "centre", shape);
-            });
+            self.d.shape(&format!("axis-{}", g.0), "centre", shape);
         }
     }
 

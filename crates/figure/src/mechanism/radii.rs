@@ -23,6 +23,8 @@ const DIRECTIONS: usize = 24;
 const FIRST_RAD: f64 = -0.7;
 /// Cost of the next direction: the first free one is taken.
 const TURN_COST: f64 = 0.1;
+/// Distance from a circle to the number outside it.
+const CLEAR_MM: f64 = 2.0;
 /// A smaller circle has no space for an arrowhead.
 const LEAST_MM: f64 = 2.0;
 
@@ -122,16 +124,14 @@ impl MechanismDraft<'_> {
             let tip = centre + u * radius.radius_mm;
             // The line begins beside the joint at the centre.
             let from = centre + u * self.style.pin_radius_mm.min(radius.radius_mm / 2.0);
-            for spot in self.spots((from, tip), &level) {
-                if spot.beyond.is_some_and(|[end, _]| end != tip) {
-                    continue;
-                }
+            let out = tip + u * CLEAR_MM;
+            let inside = self.spots((from, tip), &level).into_iter().filter(|s| s.beyond.is_none());
+            let beyond = self.spots((from, out), &level);
+            let beyond = beyond.into_iter().filter(|s| s.beyond.is_some_and(|b| b[0] == out));
+            for spot in inside.chain(beyond) {
                 let ink = Obstacles::of_turned(turned(&level, &spot));
-                if self.d.met(&ink, AIR_MM) > 0 {
-                    continue;
-                }
                 let arrow = Shape::Arrow { from, to: tip, stroke, head: self.style.thin_head };
-                let beyond = |[from, to]: [Point; 2]| Shape::Line { from, to, stroke };
+                let beyond = |[_, to]: [Point; 2]| Shape::Line { from: tip, to, stroke };
                 let lines: Vec<FigureItem> = [Some(arrow), spot.beyond.map(beyond)]
                     .into_iter()
                     .flatten()
