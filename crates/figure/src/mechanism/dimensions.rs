@@ -521,4 +521,31 @@ mod tests {
             last = Some(each);
         }
     }
+
+    /// The base circle and the roller of a cam have radii, and the offset of the follower has a
+    /// dimension without a sign; the centre of curvature, which the file does not place, has none.
+    #[test]
+    fn cams_and_rollers_are_dimensioned() {
+        let text = scene::templates::get("cam-offset-roller").unwrap();
+        let scene = scene::read(text).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        let (style, notation) =
+            (Style::default(), Notation::of_language(hodograph_scene::Lang::En));
+        let course = super::super::SeriesFeatures::default();
+        let mut draft = MechanismDraft::new(&style, &scene, &worked, &notation, &course);
+        draft.everything();
+        draft.dimensions();
+        let part = draft.d.finish();
+        let mut numbers: Vec<&str> = part
+            .items
+            .iter()
+            .filter_map(|i| match &i.shape {
+                Shape::Turned { label, .. } => Some(label.source()),
+                _ => None,
+            })
+            .collect();
+        numbers.sort_unstable();
+        assert_eq!(numbers, ["10", "R10", "R30"]);
+        assert!(part.items.iter().any(|i| i.id == "mechanism-axis-0"), "the foot is marked");
+    }
 }

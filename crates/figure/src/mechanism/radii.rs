@@ -130,6 +130,9 @@ impl MechanismDraft<'_> {
             let beyond = beyond.into_iter().filter(|s| s.beyond.is_some_and(|b| b[0] == out));
             for spot in inside.chain(beyond) {
                 let ink = Obstacles::of_turned(turned(&level, &spot));
+                if self.d.met(&ink, AIR_MM) > 0 {
+                    continue;
+                }
                 let arrow = Shape::Arrow { from, to: tip, stroke, head: self.style.thin_head };
                 let beyond = |[_, to]: [Point; 2]| Shape::Line { from: tip, to, stroke };
                 let lines: Vec<FigureItem> = [Some(arrow), spot.beyond.map(beyond)]

@@ -560,4 +560,31 @@ mod tests {
         // b–c is already an edge: the triangle needs two more lines.
         assert_eq!(items.iter().filter(|(id, _)| id.starts_with("vel-image")).count(), 2);
     }
+
+    /// In place of leader lines, a crowded polygon lists vectors by the letters at their ends; one
+    /// with space for its names, and one that grows step by step, have no list.
+    #[test]
+    fn a_crowded_polygon_has_a_key() {
+        let of = |name: &str, draw: fn(&Style, &PlanWriter, &Polygon) -> DrawingPart| {
+            let scene = read(templates::get(name).unwrap()).unwrap().value;
+            let worked = work(&scene, Scope::Figure).unwrap().value;
+            let (notation, lang) = (Notation::of_language(Lang::En), Lang::En);
+            let w = PlanWriter { scene: &scene, plan: &worked.plan, notation: &notation, lang };
+            let p = worked.construction.polygon(DiagramKind::Acceleration).unwrap();
+            let part = draw(&Style::default(), &w, p);
+            let is_key = |id: &str| id.starts_with("acc-key-");
+            let led = |id: &str| id.ends_with("-leader") && !id.contains("label-mark");
+            let texts = part.items.iter().filter(|i| is_key(&i.id)).map(|i| match &i.shape {
+                Shape::Label { label, .. } => label.source().to_owned(),
+                _ => String::new(),
+            });
+            (texts.collect::<Vec<_>>(), part.items.iter().filter(|i| led(&i.id)).count())
+        };
+        let (key, leaders) = of("stephenson-six-bar", polygon);
+        assert!(key.iter().any(|text| text == r"a_{H}:\quad o'h'"), "{key:?}");
+        assert!(leaders < key::LEADERS, "{leaders}");
+        let (none, leaders) = of("stephenson-six-bar", polygon_of_steps);
+        assert!(none.is_empty() && leaders >= key::LEADERS, "{none:?} {leaders}");
+        assert_eq!(of("shaper", polygon).0, Vec::<String>::new());
+    }
 }
