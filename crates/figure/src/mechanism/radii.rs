@@ -12,7 +12,7 @@ use hodograph_paper::paper::extent::turned_corners;
 use hodograph_paper::paper::item::{Dash, FigureItem, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::Obstacles;
-use hodograph_scene::{Contours, GivenQuantity, Kind, Sizes};
+use hodograph_scene::Kind;
 
 use super::MechanismDraft;
 use super::dimensions::{AIR_MM, CROSSED_COST, PlacedDimension, turned};
@@ -84,21 +84,17 @@ impl MechanismDraft<'_> {
             }
         }
         for (k, pair) in scene.rolling.iter().enumerate() {
-            let of = |i: usize, r: &GivenQuantity| (i, r.value, self.length_of(&r.text, r.value));
-            let given = match (&pair.flanks, &pair.contours) {
-                (None, Contours::Circles { sizes: Sizes::Radii([p, q]), .. }) => {
-                    vec![of(0, p), of(1, q)]
-                }
-                (None, Contours::Belt { radii: [p, q], teeth: None, .. }) => {
-                    vec![of(0, p), of(1, q)]
-                }
-                (None, Contours::Track { radius, .. }) => vec![of(1, radius)],
-                (Some(_), _) | (None, Contours::Circles { .. } | Contours::Belt { .. }) => continue,
-            };
-            for (i, r, number) in given {
+            if pair.flanks.is_some() || pair.teeth().is_some() {
+                continue;
+            }
+            let mut contours = pair.contours.clone();
+            let given = contours.radii_mut();
+            // A track has no radius: the only one is that of its wheel, which comes second.
+            for (i, r) in (2 - given.len().min(2)..2).zip(given) {
                 let link = scene.link_name(pair.links[i]);
                 let centre = pair.centres()[i].and_then(|p| self.point(p));
-                add(centre, self.mm(r), format!("dimension-wheel-{k}-{link}"), number);
+                let name = format!("dimension-wheel-{k}-{link}");
+                add(centre, self.mm(r.value), name, self.length_of(&r.text, r.value));
             }
         }
         // A wheel of several pairs has one radius.
