@@ -93,7 +93,8 @@ fn laid_out(w: &FigureInput, format: &PageFormat) -> LaidOut {
         vec![maker.captioned(given(maker.mechanism()), letter(), DiagramKind::Plane)];
     for on in DiagramKind::POLYGONS {
         if let Some(p) = worked.construction.polygon(on) {
-            drawings.push(maker.captioned(framed(maker.polygon(p)), letter(), on));
+            let part = maker.polygon_in(p, format.inner_mm()[0] - 2.0 * ROOM_MM);
+            drawings.push(maker.captioned(framed(part), letter(), on));
         }
     }
     let [width_mm, height_mm] = format.inner_mm();

@@ -97,6 +97,9 @@ impl PolygonDraft<'_> {
         done: &dyn Fn(Drawing) -> DrawingPart,
     ) -> DrawingPart {
         let mut part = done(self.draw(style, insets).0);
+        if self.listed.is_empty() {
+            return part;
+        }
         let mut key = self.key(style, part.bounds.width_mm().max(USUAL_MM));
         let left = part.bounds.centre().x - key.bounds.width_mm() / 2.0;
         key.stand_at(Point::new(left, part.bounds.min.y - APART_MM[0]));
