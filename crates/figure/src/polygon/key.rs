@@ -3,12 +3,11 @@
 //!
 //! This module decides when a polygon has a key, and which names it lists.
 
-use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::geom::Point;
 use hodograph_paper::paper::drawing::{Drawing, DrawingPart, id};
 use hodograph_paper::paper::grid::{self, Cell, Row};
 use hodograph_paper::paper::item::Anchor;
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_paper::paper::style::Style;
 
 use super::inset::Inset;
@@ -20,11 +19,13 @@ pub(super) const LEADERS: usize = 4;
 /// Above this number of vectors, no page holds all names: they are listed without a trial.
 const LISTED_AT_ONCE: usize = 30;
 /// Distance from the drawing to the key, and between its columns.
-const APART_MM: [f64; 2] = [5.0, 6.0];
+const APART_MM: [f64; 2] = [3.0, 6.0];
 /// A key may be as wide as this below a narrow drawing.
-const USUAL_MM: f64 = 65.0;
+const USUAL_MM: f64 = 110.0;
+/// Insets in place of leader lines make no drawing wider than this.
+const WIDEST_MM: f64 = 130.0;
 /// Row height, in type sizes.
-const LEADING: f64 = 1.7;
+const LEADING: f64 = 1.4;
 
 /// The place that the name of a vector found.
 #[derive(Clone, Copy, PartialEq)]
@@ -57,21 +58,29 @@ impl PolygonDraft<'_> {
         if lettered.iter().filter(|k| found(**k) == FoundPlace::Led).count() < leaders {
             return part;
         }
-        // Insets also name vectors that leader lines named.
-        let insets = self.insets(|k| found(k) != FoundPlace::Beside);
-        let (inside, outside): (Vec<usize>, Vec<usize>) =
-            lettered.into_iter().partition(|k| insets.iter().any(|inset| inset.arrows.contains(k)));
-        let listed: Vec<usize> =
-            outside.into_iter().filter(|k| found(*k) != FoundPlace::Beside).collect();
-        self.listed = listed;
-        if !inside.is_empty() {
-            let part = done(self.draw(style, &insets).0);
-            let missing = |k: &usize| self.found(*k, &part, &insets) != FoundPlace::Beside;
+        // Insets also name vectors that leader lines named, if the drawing becomes no larger.
+        let most_mm = [part.bounds.width_mm().max(WIDEST_MM), part.bounds.height_mm()];
+        let mut further = self.insets(|k| found(k) != FoundPlace::Beside);
+        loop {
+            let (inside, outside): (Vec<usize>, Vec<usize>) = lettered
+                .iter()
+                .copied()
+                .partition(|k| further.iter().any(|inset| inset.arrows.contains(k)));
+            let listed = outside
+                .into_iter()
+                .filter(|k| self.found(*k, &part, &insets) != FoundPlace::Beside);
+            self.listed = listed.collect();
+            let tried = done(self.draw(style, &further).0);
+            let size_mm = [tried.bounds.width_mm(), tried.bounds.height_mm()];
+            if (0..2).any(|k| size_mm[k] > most_mm[k]) && further.pop().is_some() {
+                continue;
+            }
+            let missing = |k: &usize| self.found(*k, &tried, &further) != FoundPlace::Beside;
             let more: Vec<usize> = inside.into_iter().filter(missing).collect();
             self.listed.extend(more);
             self.listed.sort_unstable();
+            return self.keyed(style, &further, done);
         }
-        self.keyed(style, &insets, done)
     }
 
     /// The place of a vector's name in a drawing with these insets.
@@ -124,7 +133,7 @@ impl PolygonDraft<'_> {
         [at(a.from).next(), tip].map(|l| l.map_or("", |l| &l.name))
     }
 
-    /// The heading and the listed names in columns of at most this width together, if one is that
+    /// The listed names in columns of at most this width together, if one is that
     /// narrow.
     fn key(&self, style: &Style, width_mm: f64) -> DrawingPart {
         let (word, size_mm) = (self.p.on.word(), style.small_mm);
@@ -153,15 +162,6 @@ impl PolygonDraft<'_> {
         };
         let fits = |columns: &usize| rows(*columns).bounds.width_mm() <= width_mm;
         let columns = (1..=entries.len()).rev().find(fits).unwrap_or(1);
-        let mut list = rows(columns);
-        let words = tr(self.w.lang, "Vectors by the letters at their ends", "以两端字母表示的矢量");
-        let heading = cell(Phrase::new(words).label(), String::new(), "key");
-        let row = Row { cells: vec![Some(heading)], height_mm: size_mm * LEADING };
-        let mut head = DrawingPart::of(grid::set(&[row], 0.0));
-        let left = list.bounds.min.x - head.bounds.min.x;
-        head.translate(Vec2::new(left, 0.0));
-        list.translate(Vec2::new(0.0, -size_mm * LEADING));
-        list.items.extend(head.items);
-        DrawingPart::of(list.items)
+        rows(columns)
     }
 }
