@@ -52,7 +52,9 @@ impl PolygonDraft<'_> {
         }
         let (drawing, names) = self.draw(style, &[]);
         let part = done(drawing);
-        let insets = self.insets(|arrow| part.left_out.contains(&names[arrow]));
+        let left_out = part.left_out.clone();
+        let unnamed = |arrow: usize| left_out.contains(&names[arrow]);
+        let insets = self.insets(unnamed);
         let part = if insets.is_empty() { part } else { done(self.draw(style, &insets).0) };
         let found = |k: usize| self.found(k, &part, &insets);
         if lettered.iter().filter(|k| found(**k) == FoundPlace::Led).count() < leaders {
@@ -60,8 +62,8 @@ impl PolygonDraft<'_> {
         }
         // Insets also name vectors that leader lines named, if the drawing becomes no larger.
         let most_mm = [part.bounds.width_mm().max(WIDEST_MM), part.bounds.height_mm()];
-        let mut further = self.insets(|k| found(k) != FoundPlace::Beside);
-        loop {
+        let more = self.insets(|k| found(k) != FoundPlace::Beside);
+        for further in [more, self.insets(unnamed)] {
             let (inside, outside): (Vec<usize>, Vec<usize>) = lettered
                 .iter()
                 .copied()
@@ -72,7 +74,7 @@ impl PolygonDraft<'_> {
             self.listed = listed.collect();
             let tried = done(self.draw(style, &further).0);
             let size_mm = [tried.bounds.width_mm(), tried.bounds.height_mm()];
-            if (0..2).any(|k| size_mm[k] > most_mm[k]) && further.pop().is_some() {
+            if (0..2).any(|k| size_mm[k] > most_mm[k]) {
                 continue;
             }
             let missing = |k: &usize| self.found(*k, &tried, &further) != FoundPlace::Beside;
@@ -81,6 +83,7 @@ impl PolygonDraft<'_> {
             self.listed.sort_unstable();
             return self.keyed(style, &further, done);
         }
+        self.keyed(style, &insets, done)
     }
 
     /// The place of a vector's name in a drawing with these insets.
