@@ -7,7 +7,7 @@
 use crate::budget::here;
 use rayon::prelude::*;
 
-use crate::construct::scale::Boxes;
+use crate::construct::scale::{self, Boxes};
 use crate::diag::{Diagnostic, Faults, both};
 use crate::equilibrium::GroupForces;
 use crate::figure::series::{SeriesScales, ends};
@@ -328,7 +328,7 @@ impl LessonInput<'_> {
             .min_by(|a, b| a.travel.abs().total_cmp(&b.travel.abs()))
             .map(|t| &t.worked);
         let boxes = own.map_or(Boxes::default(), |w| Boxes::of(&self.scene.paper, &w.plan));
-        let common = SeriesScales::of(&self.scene.paper, &poses, unlimited, boxes);
+        let common = SeriesScales::of(&self.scene.paper, &poses, unlimited, boxes, scale::fitted);
         let own_poses: Vec<(&Scene, &Worked)> =
             trials.iter().map(|t| (&t.scene, &t.worked)).collect();
         let of = |on| {

@@ -6,7 +6,7 @@ use serde_json::Value as Json;
 use std::fs;
 
 /// Commands on `s.json`, with few steps: many inputs find more than long ones.
-const COMMANDS: [&str; 28] = [
+const COMMANDS: [&str; 29] = [
     "solve s.json --steps",
     "curves s.json --steps 24 -o c.svg",
     "draw s.json --format svg -o out/",
@@ -35,6 +35,7 @@ const COMMANDS: [&str; 28] = [
     "export s.json -o e.ggb",
     "export s.json -o e.py",
     "export s.json -o e.txt",
+    "worksheet s.json --frame -o f.pdf",
 ];
 
 /// The scenes of the collected cases, in the order of their files.

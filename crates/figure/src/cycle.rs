@@ -5,7 +5,7 @@
 //! Forward strokes are grey, strokes back are white, and a dwell is only a line.
 
 use super::plot::PlotAxis;
-use super::sheet::swept_symbol;
+use super::sheet::{painted, swept_symbol};
 use hodograph_base::digits::{legible, shortest};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::plan::names::name_label;
@@ -16,7 +16,6 @@ use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::text::set;
-use hodograph_paper::paper::words::words;
 use hodograph_report::cycle::{MotionCycle, MotionPhase, OutputCycle, PhaseKind};
 use hodograph_scene::{Kind, Lang, Scene, Swept};
 use std::f64::consts::TAU;
@@ -105,17 +104,7 @@ pub fn figure(
     };
     let at = Point::new(width_mm / 2.0, height_mm - 10.0);
     d.words("title", at, Label::text(title.as_str()), style.caption_mm * 4.0 / 3.0, Anchor::Middle);
-    let mut figure = Figure {
-        width_mm,
-        height_mm,
-        title,
-        desc: cycle.text(scene, lang),
-        lang: words(lang).tag.into(),
-        paper: Colour::WHITE,
-        items: d.items,
-    };
-    style.palette.paint(&mut figure);
-    figure
+    painted(style, lang, [width_mm, height_mm], [title, cycle.text(scene, lang)], d.items)
 }
 
 /// Returns the symbol of an output, in the label language.

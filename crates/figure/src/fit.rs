@@ -9,7 +9,7 @@ use hodograph_base::diag::{Both, Diagnostic, Faults, Warned, both};
 use hodograph_base::geom::Vec2;
 use hodograph_board::construct::scale::coarser;
 use hodograph_scene::{ByKind, DiagramKind, PageFormat, SHEET_BORDER_MM, Scene};
-use hodograph_worked::worked::{Scope, Worked, work};
+use hodograph_worked::worked::Worked;
 
 use super::forces;
 use super::list::{Extras, FigureEntry, FigureInput, Pages, USUAL};
@@ -99,9 +99,12 @@ pub fn pages(
     if entry.name == USUAL.name && w.extras.poses == 0 {
         return sheet_pages(w, format);
     }
-    let mut needs = [0.0_f64; 2];
+    let (mut needs, mut tried) = ([0.0_f64; 2], Vec::new());
     for part in PARTS {
         let smaller = Smaller::of(w, part, &ByKind::default(), format)?;
+        if !smaller.is_new(&mut tried, ()) {
+            continue;
+        }
         let Warned { value, notes } = (entry.draw)(&smaller.wanted(w.extras))?;
         let placed: Result<Vec<_>, [f64; 2]> =
             value.into_iter().map(|(word, f)| Ok((word, on_page(format, f, false)?))).collect();
@@ -118,12 +121,16 @@ pub fn pages(
 fn sheet_pages(w: &FigureInput, format: &PageFormat) -> Result<Warned<Pages>, Faults> {
     let mut needs = [0.0_f64; 2];
     let mut best: Option<(f64, Warned<Pages>)> = None;
+    let mut tried = Vec::new();
     let least = LEAST_OF_FEWER * format.type_pt.unwrap_or_default();
     for part in PARTS {
         if best.is_some() && part < least {
             break;
         }
         let smaller = Smaller::of(w, part, &ByKind::default(), format)?;
+        if !smaller.is_new(&mut tried, fewer(part, format)) {
+            continue;
+        }
         match sheet_of(&smaller.wanted(w.extras), part, format) {
             Ok(made) if format.height_mm.is_infinite() => {
                 return Ok(if part == 1.0 { None } else { grown(w, part, format)? }.unwrap_or(made));
@@ -179,10 +186,14 @@ pub fn first_that_fits<T>(
     format: &PageFormat,
     draw: impl Fn(&FigureInput, bool) -> Result<Result<T, [f64; 2]>, Faults>,
 ) -> Result<T, Faults> {
-    let mut needs = [0.0_f64; 2];
+    let (mut needs, mut tried) = ([0.0_f64; 2], Vec::new());
     let beside = PARTS.into_iter().filter(|part| *part >= LEAST_TYPE).map(|part| (part, false));
     for (part, stacked) in beside.chain(PARTS.map(|part| (part, true))) {
-        match draw(&Smaller::of(w, part, &ByKind::default(), format)?.wanted(w.extras), stacked)? {
+        let smaller = Smaller::of(w, part, &ByKind::default(), format)?;
+        if !smaller.is_new(&mut tried, stacked) {
+            continue;
+        }
+        match draw(&smaller.wanted(w.extras), stacked)? {
             Ok(made) => return Ok(made),
             Err(size) => needs = size,
         }
@@ -399,10 +410,17 @@ impl Smaller {
             }
         }
         let again = part < 1.0 || w.scene.paper.size_mm.is_some();
-        let worked = if again { Some(work(&scene, Scope::Figure)?.value) } else { None };
-        let worked =
-            worked.map(|k| if w.worked.drafting.is_some() { k.with_drafting(&scene) } else { k });
+        let worked = if again { Some(w.worked.to_scales(&scene)?) } else { None };
         Ok(Smaller { scene, worked, before: w.worked.clone(), options })
+    }
+
+    /// Returns false if the same has been tried: the scales of a series are coarser than the size
+    /// factors. `with` is anything else that the drawing depends on.
+    fn is_new<T: PartialEq>(&self, tried: &mut Vec<(ByKind, SheetOptions, T)>, with: T) -> bool {
+        let this = (self.scene.paper.scales.clone(), self.options.clone(), with);
+        let is_new = !tried.contains(&this);
+        tried.push(this);
+        is_new
     }
 
     fn wanted<'a>(&'a self, extras: &'a Extras) -> FigureInput<'a> {

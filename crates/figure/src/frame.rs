@@ -5,14 +5,16 @@
 //! Both are one drawing, laid out once and then divided: what is given goes to the sheet, the
 //! vectors and letters of the polygons to the overlay.
 
+use std::cell::RefCell;
+
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_scene::{DiagramKind, PageFormat};
+use hodograph_scene::{ByKind, DiagramKind, PageFormat};
 
 use super::arrange::{SheetPieces, arrange_on};
 use super::fit::{first_that_fits, on_page};
 use super::list::FigureInput;
-use super::sheet::SheetDrafter;
+use super::sheet::{SheetDrafter, SheetOptions};
 use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::item::{Anchor, Colour, Figure, FigureItem, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
@@ -52,6 +54,7 @@ pub fn working_frame(w: &FigureInput, format: &PageFormat) -> Result<Vec<FramePa
         );
         return Err(Diagnostic::error("no-figure", message).help(help).into());
     }
+    let drawn: RefCell<Vec<(ByKind, SheetOptions, LaidOut)>> = RefCell::default();
     let draw = |most: usize| {
         first_that_fits("frame", w, format, |w, stacked| {
             // Pages arrange their drawings themselves; small drawings are for many pages only.
@@ -59,7 +62,17 @@ pub fn working_frame(w: &FigureInput, format: &PageFormat) -> Result<Vec<FramePa
             if few && stacked {
                 return Ok(Err([f64::INFINITY; 2]));
             }
-            Ok(match laid_out(w, format) {
+            let (scales, options) = (&w.scene.paper.scales, w.options);
+            let mut drawn = drawn.borrow_mut();
+            let made = match drawn.iter().find(|d| d.0 == *scales && d.1 == *options) {
+                Some((.., made)) => made.clone(),
+                None => {
+                    let made = laid_out(w, format);
+                    drawn.push((scales.clone(), options.clone(), made.clone()));
+                    made
+                }
+            };
+            Ok(match made {
                 Ok(pages) if pages.len() > most => Err(format.inner_mm()),
                 made => made,
             })
@@ -68,7 +81,10 @@ pub fn working_frame(w: &FigureInput, format: &PageFormat) -> Result<Vec<FramePa
     draw(1).or_else(|_| draw(usize::MAX))
 }
 
-fn laid_out(w: &FigureInput, format: &PageFormat) -> Result<Vec<FramePage>, [f64; 2]> {
+/// Pages, or the size (mm) of a drawing that is larger than a page.
+type LaidOut = Result<Vec<FramePage>, [f64; 2]>;
+
+fn laid_out(w: &FigureInput, format: &PageFormat) -> LaidOut {
     let (scene, worked, options) = (w.scene, w.worked, w.options);
     let maker = SheetDrafter { scene, worked, options, certified: Vec::new() };
     let mut letters = ["(a) ", "(b) ", "(c) "].into_iter();
@@ -77,7 +93,8 @@ fn laid_out(w: &FigureInput, format: &PageFormat) -> Result<Vec<FramePage>, [f64
         vec![maker.captioned(given(maker.mechanism()), letter(), DiagramKind::Plane)];
     for on in DiagramKind::POLYGONS {
         if let Some(p) = worked.construction.polygon(on) {
-            drawings.push(maker.captioned(framed(maker.polygon(p)), letter(), on));
+            let part = maker.polygon_in(p, format.inner_mm()[0] - 2.0 * ROOM_MM);
+            drawings.push(maker.captioned(framed(part), letter(), on));
         }
     }
     let [width_mm, height_mm] = format.inner_mm();

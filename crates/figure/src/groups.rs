@@ -3,6 +3,7 @@
 //! far end, in the order in which groups are removed.
 
 use super::mechanism::{MechanismPiece, apart};
+use super::sheet::painted;
 use hodograph_base::diag::Faults;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::notation::Notation;
@@ -14,7 +15,6 @@ use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::text;
-use hodograph_paper::paper::words::words;
 use hodograph_report::plan::{dyad, grade};
 use hodograph_scene::{Lang, Scene};
 use hodograph_worked::worked::{Worked, work_replaced};
@@ -128,17 +128,7 @@ pub(super) fn side_by_side(
         Lang::En => format!("{title}. {about}"),
         Lang::Zh => format!("{title}。{about}"),
     };
-    let mut figure = Figure {
-        width_mm,
-        height_mm,
-        title,
-        desc,
-        lang: words(lang).tag.into(),
-        paper: Colour::WHITE,
-        items,
-    };
-    style.palette.paint(&mut figure);
-    figure
+    painted(style, lang, [width_mm, height_mm], [title, desc], items)
 }
 
 fn group_name(g: &Assur, lang: Lang) -> String {

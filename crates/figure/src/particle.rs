@@ -20,7 +20,8 @@ use hodograph_report::particle as report;
 use hodograph_scene::{Book, DiagramKind, Lang};
 
 use super::arrange::Tree;
-use super::sheet::MARGIN_MM;
+use super::scales::DrawingScales;
+use super::sheet::{MARGIN_MM, painted, titled};
 use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::grid::{self, Cell, Row};
 use hodograph_paper::paper::item::{
@@ -32,13 +33,9 @@ use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::shown::ShownQuantity;
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
-use hodograph_paper::paper::words::words;
 
 /// Width of the text below.
 const TEXT_MM: f64 = 165.0;
-/// Distance from a drawing down to its caption, and from there to its scale.
-const CAPTION_MM: f64 = 6.0;
-const SCALE_MM: f64 = 5.6;
 
 /// The data common to all drawings.
 pub struct ParticleDrafter<'a> {
@@ -74,6 +71,12 @@ impl ParticleView {
         let told: Vec<String> =
             self.scales.iter().map(|(on, mu)| scale_formula(book, *on, *mu)).collect();
         told.join(",\\quad ")
+    }
+
+    /// Returns the scales with their graphic scales.
+    pub(super) fn with_bars(&self, book: &Book) -> DrawingScales {
+        let all = self.scales.iter().map(|(on, mu)| DrawingScales::of(book, *on, *mu));
+        all.reduce(DrawingScales::and).unwrap_or_default()
     }
 }
 
@@ -138,18 +141,7 @@ pub fn as_given(
     let mut items: Vec<FigureItem> = parts.into_iter().flat_map(|p| p.items).collect();
     distinct(&mut items);
     let title = lang.of(&problem.title).to_owned();
-    let tag = words(lang).tag.into();
-    let mut figure = Figure {
-        width_mm: page[0],
-        height_mm: page[1],
-        desc: title.clone(),
-        title,
-        lang: tag,
-        paper: Colour::WHITE,
-        items,
-    };
-    style.palette.paint(&mut figure);
-    Ok(figure)
+    Ok(painted(style, lang, page, [title.clone(), title], items))
 }
 
 /// Returns the notation of a language with the marks of a style.
@@ -220,18 +212,7 @@ impl ParticleDrafter<'_> {
         }
         distinct(&mut items);
         let desc = self.lines().iter().map(|l| l.plain()).collect::<Vec<_>>().join("; ");
-        let lang = words(self.lang).tag.into();
-        let mut figure = Figure {
-            width_mm: page[0],
-            height_mm: page[1],
-            title,
-            desc,
-            lang,
-            paper: Colour::WHITE,
-            items,
-        };
-        self.style.palette.paint(&mut figure);
-        Ok(figure)
+        Ok(painted(self.style, self.lang, page, [title, desc], items))
     }
 
     fn words(&self, class: &str, at: Point, label: Label, size_mm: f64) -> FigureItem {
@@ -244,27 +225,17 @@ impl ParticleDrafter<'_> {
 
     /// Adds the caption of a view, and its scales below.
     fn captioned(&self, view: ParticleView) -> DrawingPart {
-        let scale = view.scale(&self.problem.book);
-        let part = view.part;
-        let (x, y) = (part.bounds.centre().x, part.bounds.min.y - CAPTION_MM);
-        let mut items = part.items;
+        let scales = view.with_bars(&self.problem.book);
+        let mut part = view.part;
         let on = view.scales.last().map_or(DiagramKind::Plane, |(on, _)| *on);
         // Ids of the same view with the velocities and with the accelerations must differ.
         if on != DiagramKind::Plane {
-            items.iter_mut().for_each(|i| {
+            part.items.iter_mut().for_each(|i| {
                 i.id = format!("{}-{}", on.prefix(), i.id.trim_start_matches("polygon-"))
             });
         }
         let caption = Phrase::new(self.lang.of(&view.caption)).label();
-        let below = [
-            ("caption", y, caption, self.style.caption_mm),
-            ("scale", y - SCALE_MM, Label::math(scale), self.style.small_mm),
-        ];
-        items.extend(below.map(|(what, y, label, size)| {
-            self.words(what, Point::new(x, y), label, size)
-                .with_id(format!("{what}-{}", on.prefix()))
-        }));
-        DrawingPart::of(items)
+        titled(self.style, part, caption, &scales, on.prefix())
     }
 
     fn text(&self) -> DrawingPart {

@@ -3,6 +3,7 @@
 //! lower and farther left.
 
 use super::plot::{Plot, PlotAxis};
+use super::sheet::painted;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_paper::paper::extent::Rect;
 use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, FigureItem, LineStroke, Shape};
@@ -10,7 +11,6 @@ use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::style::Style;
-use hodograph_paper::paper::words::words;
 use hodograph_report::price::name;
 use hodograph_scene::{Lang, Scene};
 use hodograph_worked::accuracy::Rung;
@@ -184,17 +184,7 @@ pub fn figure(
         ),
         Lang::Zh => format!("各种求解方法的{subject}相对误差与用时（双对数坐标）。"),
     };
-    let mut figure = Figure {
-        width_mm,
-        height_mm,
-        title: heading,
-        desc,
-        lang: words(lang).tag.into(),
-        paper: Colour::WHITE,
-        items,
-    };
-    style.palette.paint(&mut figure);
-    figure
+    painted(style, lang, [width_mm, height_mm], [heading, desc], items)
 }
 
 /// The common features of both plots.

@@ -2,10 +2,14 @@
 //! limit, where vectors grow without bound.
 
 use hodograph_base::geom::Point;
-use hodograph_board::construct::scale::{self, Boxes, extent};
+use hodograph_board::construct::scale::{Boxes, extent};
 use hodograph_scene::{ByKind, DiagramKind, Kind, Paper};
 use hodograph_sweep::points::bounded;
 use hodograph_worked::worked::Worked;
+
+/// The choice of a scale: [`hodograph_board::construct::scale::fitted`], or
+/// [`hodograph_board::construct::scale::filling`] for what is seen and not measured.
+pub type ScaleChoice = fn(&Paper, Kind, [f64; 2], [f64; 2]) -> f64;
 
 /// One scale for each drawing.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,10 +30,11 @@ impl SeriesScales {
         poses: &[(f64, &Worked)],
         unlimited: bool,
         boxes: Boxes,
+        choice: ScaleChoice,
     ) -> SeriesScales {
         let places =
             poses.iter().flat_map(|(_, w)| w.configuration.points.iter().flatten().copied());
-        let lengths = scale::fitted(paper, Kind::Length, extent(places), boxes.diagram);
+        let lengths = choice(paper, Kind::Length, extent(places), boxes.diagram);
         let mu = ByKind::default().with(Kind::Length, Some(lengths));
         let mut scales = SeriesScales { mu, most: ByKind::default(), boxes };
         for on in DiagramKind::VECTORS {
@@ -42,8 +47,7 @@ impl SeriesScales {
             };
             let fitting = poses.iter().map(|p| p.1).filter(|w| size(w).is_some_and(|s| s <= most));
             let ends = fitting.flat_map(|w| ends(w, on));
-            let mu =
-                scale::fitted(paper, on.kind(), extent(ends.chain([Point::ORIGIN])), boxes.polygon);
+            let mu = choice(paper, on.kind(), extent(ends.chain([Point::ORIGIN])), boxes.polygon);
             scales.mu.set(on.kind(), Some(mu));
             scales.most.set(on.kind(), Some(most));
         }

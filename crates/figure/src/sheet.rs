@@ -78,7 +78,7 @@ pub fn sheet(scene: &Scene, worked: &Worked, options: &SheetOptions) -> Result<F
     let certified = certify(scene, worked, options.digits);
     let maker = SheetDrafter { scene, worked, options, certified };
     let title = maker.title();
-    let drawings = maker.drawings(true);
+    let drawings = maker.drawings(f64::INFINITY);
     let equations = maker.equations(&steps(scene, worked, None), None);
     let results = results::results(&options.style, &maker.answers());
     let pieces =
@@ -268,18 +268,27 @@ impl SheetDrafter<'_> {
         polygon::polygon(&self.options.style, &self.writer(), p)
     }
 
-    /// The drawings with their captions.
-    fn drawings(&self, lettered: bool) -> Vec<DrawingPart> {
+    /// A polygon for a page of this width: without a key and its insets if they are wider.
+    pub fn polygon_in(&self, p: &Polygon, width_mm: f64) -> DrawingPart {
+        let part = self.polygon(p);
+        if part.bounds.width_mm() <= width_mm {
+            return part;
+        }
+        polygon::polygon_of_steps(&self.options.style, &self.writer(), p)
+    }
+
+    /// The drawings with their captions, for a sheet or a page of this width.
+    fn drawings(&self, width_mm: f64) -> Vec<DrawingPart> {
         let mut all = vec![(DiagramKind::Plane, self.mechanism())];
         for on in DiagramKind::POLYGONS {
             if let Some(p) = self.worked.construction.polygon(on) {
-                all.push((on, self.polygon(p)));
+                all.push((on, self.polygon_in(p, width_mm)));
             }
         }
         let mut letters = ["(a) ", "(b) ", "(c) "].into_iter();
         all.into_iter()
             .map(|(on, part)| {
-                let letter = letters.next().filter(|_| lettered).unwrap_or_default();
+                let letter = letters.next().unwrap_or_default();
                 self.captioned(part, letter, on)
             })
             .collect()
@@ -443,7 +452,7 @@ impl SheetDrafter<'_> {
                 }
             }
         }
-        let mut drawings = self.drawings(true);
+        let mut drawings = self.drawings(width_mm);
         if fewer == Fewer::Drawings {
             let polygons = DiagramKind::POLYGONS
                 .into_iter()
@@ -512,18 +521,22 @@ impl SheetDrafter<'_> {
         title: String,
         desc: String,
     ) -> Figure {
-        let mut figure = Figure {
-            width_mm: size[0],
-            height_mm: size[1],
-            title,
-            desc,
-            lang: self.words().tag.into(),
-            paper: Colour::WHITE,
-            items,
-        };
-        self.options.style.palette.paint(&mut figure);
-        figure
+        painted(&self.options.style, self.options.lang, size, [title, desc], items)
     }
+}
+
+/// A figure of a style, with a title and a description for readers who cannot see it.
+pub(super) fn painted(
+    style: &Style,
+    lang: Lang,
+    [width_mm, height_mm]: [f64; 2],
+    [title, desc]: [String; 2],
+    items: Vec<FigureItem>,
+) -> Figure {
+    let (lang, paper) = (words(lang).tag.into(), Colour::WHITE);
+    let mut figure = Figure { width_mm, height_mm, title, desc, lang, paper, items };
+    style.palette.paint(&mut figure);
+    figure
 }
 
 /// A part with its name and its scales below; `id` distinguishes these labels from those of other

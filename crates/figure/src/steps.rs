@@ -12,6 +12,7 @@ use hodograph_worked::worked::Worked;
 
 use super::fit::Within;
 use super::forces::{self, GroupForceSteps};
+use super::polygon::polygon_of_steps;
 use super::sheet::{MARGIN_MM, SheetDrafter, SheetOptions};
 use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::extent::Rect;
@@ -171,7 +172,8 @@ impl PolygonSteps {
         (told, written): (&certified::CertifiedSteps, &[DrawingPart]),
         width_mm: Option<f64>,
     ) -> PolygonSteps {
-        let polygon = maker.captioned(maker.polygon(p), "", p.on);
+        let drawn = polygon_of_steps(&maker.options.style, &maker.writer(), p);
+        let polygon = maker.captioned(drawn, "", p.on);
         let sentences = sentences(&maker.writer(), &maker.worked.construction, p, told);
         let finds = |part: &DrawingPart| part.items.iter().flat_map(FigureItem::steps).max();
         // The pole has no equation; an action belongs to the first equation that is solved at it or

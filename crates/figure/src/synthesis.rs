@@ -5,6 +5,8 @@ mod positions;
 
 pub use positions::{MOVES, Scaled, deviation, generated, linkage, scaled};
 
+use crate::mechanism::supports::{cheapest_side, is_over_support};
+use crate::sheet::painted;
 use hodograph_base::diag::Faults;
 use hodograph_base::digits::{inked, shortest, significant};
 use hodograph_base::geom::{Point, Vec2};
@@ -21,7 +23,6 @@ use hodograph_paper::paper::shown::escaped;
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
 use hodograph_paper::paper::text;
-use hodograph_paper::paper::words::words;
 use hodograph_report::symbols::symbols;
 use hodograph_report::synthesis::positions;
 use hodograph_scene::{Kind, Lang};
@@ -46,8 +47,6 @@ const ANGLE_STEP_MM: f64 = 4.5;
 const LEAST_ANGLE_MM: f64 = 0.8;
 /// Two places nearer than this are one.
 const SAME_MM: f64 = 1e-2;
-/// A line nearer to the direction of a support than this (cosine) would cross it.
-const OVER_SUPPORT: f64 = 0.6;
 
 /// The settings of a figure.
 #[derive(Clone, Copy, Debug)]
@@ -327,12 +326,7 @@ fn free_side(board: &SynthesisBoard, at: Point) -> Vec2 {
         .filter(|ends| ends.iter().any(|end| end.distance(at) < SAME_MM))
         .flat_map(|ends| ends.into_iter().filter_map(|end| (end - at).unit()))
         .collect();
-    let taken = |side: &Vec2| leaving.iter().filter(|u| u.dot(*side) > OVER_SUPPORT).count();
-    let down = Vec2::new(0.0, -1.0);
-    [down, Vec2::new(0.0, 1.0), Vec2::new(-1.0, 0.0), Vec2::new(1.0, 0.0)]
-        .into_iter()
-        .min_by_key(taken)
-        .unwrap_or(down)
+    cheapest_side(|side| leaving.iter().filter(|u| is_over_support(**u, *side)).count() as f64)
 }
 
 /// The arc of an angle and the request of its name; `None` for an angle too small to be seen. Arcs
@@ -484,15 +478,6 @@ fn laid_out(
         y -= line;
     }
     distinct(&mut items);
-    let mut figure = Figure {
-        width_mm,
-        height_mm,
-        desc: title.clone(),
-        title,
-        lang: words(lang).tag.into(),
-        paper: Colour::WHITE,
-        items,
-    };
-    style.palette.paint(&mut figure);
-    (figure, shift)
+    let words = [title.clone(), title];
+    (painted(style, lang, [width_mm, height_mm], words, items), shift)
 }

@@ -5,7 +5,7 @@
 
 use super::arrange::Tree;
 use super::particle::ParticleView;
-use super::sheet::MARGIN_MM;
+use super::sheet::{MARGIN_MM, painted, titled};
 use super::tables::set_table;
 use hodograph_base::diag::{Both, both};
 use hodograph_base::geom::Point;
@@ -26,10 +26,6 @@ use hodograph_paper::paper::words::words;
 use hodograph_report::answers::DIGITS;
 use hodograph_report::vector_equation as report;
 use hodograph_scene::{DiagramKind, Lang};
-
-/// Distance from the drawing down to its caption, and from there to its scale.
-const CAPTION_MM: f64 = 6.0;
-const SCALE_MM: f64 = 5.6;
 
 /// The input of the drawing.
 #[derive(Clone, Copy)]
@@ -77,17 +73,8 @@ impl EquationSheet<'_> {
         }
         distinct(&mut items);
         let lines = report::lines(self.problem, self.solved, DIGITS);
-        let mut figure = Figure {
-            width_mm: page[0],
-            height_mm: page[1],
-            title,
-            desc: lines.iter().map(|l| l.plain()).collect::<Vec<_>>().join("; "),
-            lang: words(self.lang).tag.into(),
-            paper: Colour::WHITE,
-            items,
-        };
-        self.style.palette.paint(&mut figure);
-        figure
+        let desc = lines.iter().map(|l| l.plain()).collect::<Vec<_>>().join("; ");
+        painted(self.style, self.lang, page, [title, desc], items)
     }
 
     fn words(&self, class: &str, at: Point, label: Label, size_mm: f64) -> FigureItem {
@@ -121,18 +108,9 @@ impl EquationSheet<'_> {
 
     /// Adds caption and scale below the polygon.
     fn captioned(&self, view: ParticleView) -> DrawingPart {
-        let (scale, part) = (view.scale(&self.problem.book), view.part);
-        let (x, y) = (part.bounds.centre().x, part.bounds.min.y - CAPTION_MM);
-        let mut items = part.items;
+        let scales = view.with_bars(&self.problem.book);
         let caption = Label::text(self.lang.of(&view.caption));
-        for (what, y, label, size) in [
-            ("caption", y, caption, self.style.caption_mm),
-            ("scale", y - SCALE_MM, Label::math(scale), self.style.small_mm),
-        ] {
-            let id = format!("{what}-{}", self.drawn.on.prefix());
-            items.push(self.words(what, Point::new(x, y), label, size).with_id(id));
-        }
-        DrawingPart::of(items)
+        titled(self.style, view.part, caption, &scales, self.drawn.on.prefix())
     }
 
     /// Returns the polygon without its caption; each item has the class of its step.

@@ -86,8 +86,12 @@ impl GivenSentences<'_> {
 
     fn others(&self) -> Vec<String> {
         let mut all = Vec::new();
-        let places: Vec<String> =
-            (0..self.scene.points.len()).filter_map(|p| self.place(PointId(p))).collect();
+        // Points that only belong to the replacement of a cam are not in the file.
+        let places: Vec<String> = (0..self.scene.points.len())
+            .map(PointId)
+            .filter(|p| !self.is_of_cam(*p))
+            .filter_map(|p| self.place(p))
+            .collect();
         if !places.is_empty() {
             all.push(format!(
                 "{}{}",

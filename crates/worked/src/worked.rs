@@ -18,6 +18,7 @@ pub use far::{InfiniteCentre, NoAnswer, Unanswered};
 pub use joint::instant;
 pub use posed::{work_motion, work_pose, work_replaced};
 
+pub use self::pose::PoseDecisions;
 use self::pose::{DecidedPose, PoseInput, groups_of};
 use self::sizes::PoseSizes;
 use crate::accuracy::Rung;
@@ -80,6 +81,8 @@ pub struct Worked {
     pub bad_angles: Vec<BadAngle>,
     /// The tolerances of hand drawing, if [`Worked::with_drafting`] was called.
     pub drafting: Option<Drafting>,
+    /// The decisions about the pose.
+    pub decisions: PoseDecisions,
 }
 
 impl Worked {
@@ -100,6 +103,43 @@ impl Worked {
             let held = scene.paper.scales.get(on.kind()).or_else(|| self.scale(on));
             scene.paper.scales.set(on.kind(), held);
         }
+    }
+
+    /// Draws to the scales of another paper. `scene` differs from the worked one by its paper only;
+    /// the pose, the equations and the analysis are kept.
+    ///
+    /// # Errors
+    /// Those of the drawing.
+    pub fn to_scales(&self, scene: &Scene) -> Result<Worked, Faults> {
+        let posed = pose::to_scales(scene, self)?;
+        let drawn = answered(scene, self.mechanism.clone(), self.demand.clone(), posed).value;
+        let drawn = drawn.judged(scene, self.redundant.clone(), &self.bad_angles);
+        Ok(if self.drafting.is_some() { drawn.with_drafting(scene) } else { drawn })
+    }
+
+    /// Adds the crossings under bad angles, with the poses of `known` ones, and what links that
+    /// repeat others only approximately do to the agreement: they make two mechanisms of one,
+    /// because drawing and loop equations use different pairs of it.
+    fn judged(
+        mut self,
+        scene: &Scene,
+        redundant: Vec<position::redundant::Checked>,
+        known: &[BadAngle],
+    ) -> Worked {
+        self.bad_angles = bad_angles(&self.drawn(scene), construct::pencil_mm(&scene.paper), known);
+        let nearly = redundant
+            .iter()
+            .filter(|r| r.verdict == RedundancyVerdict::Almost)
+            .map(|r| r.off_m)
+            .fold(0.0, f64::max);
+        let blur = NEARLY * nearly / self.configuration.extent().max(f64::MIN_POSITIVE);
+        if nearly > 0.0 {
+            for a in self.results.iter_mut().filter_map(|r| r.agreement.as_mut()) {
+                *a = a.no_better_than(blur);
+            }
+        }
+        self.redundant = redundant;
+        self
     }
 
     /// Returns everything that is needed to draw the construction again with another pencil.
@@ -205,26 +245,12 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     notes.extend(placed.notes);
     let configuration = settled(scene, &mechanism, &demand, placed.value);
     stated::proved(scene, &mechanism, &configuration, Moment::Instant)?;
-    let Warned { value: mut worked, notes: more } =
+    let Warned { value: worked, notes: more } =
         stages(scene, mechanism, demand, configuration, true)?;
     notes.extend(more);
+    let worked = worked.judged(scene, redundant, &[]);
     let drawn = worked.drawn(scene);
-    let bad_angles = bad_angles(&drawn, construct::pencil_mm(&scene.paper));
-    notes.extend(bad_angles.iter().map(|b| b.diagnostic(&drawn)));
-    worked.bad_angles = bad_angles;
-    // Links that repeat others only approximately make two mechanisms of one: the drawing and the
-    // loop equations use different pairs of it.
-    let nearly = redundant
-        .iter()
-        .filter(|r| r.verdict == RedundancyVerdict::Almost)
-        .map(|r| r.off_m)
-        .fold(0.0, f64::max);
-    let blur = NEARLY * nearly / worked.configuration.extent().max(f64::MIN_POSITIVE);
-    for a in worked.results.iter_mut().filter_map(|r| r.agreement.as_mut()).filter(|_| nearly > 0.0)
-    {
-        *a = a.no_better_than(blur);
-    }
-    worked.redundant = redundant;
+    notes.extend(worked.bad_angles.iter().map(|b| b.diagnostic(&drawn)));
     Ok(Warned { value: worked, notes })
 }
 
@@ -262,16 +288,19 @@ fn stages(
     measured: bool,
 ) -> Result<Warned<Worked>, Faults> {
     let given = PoseInput { scene, mechanism: &mechanism, demand: &demand };
-    let DecidedPose {
-        configuration,
-        solution,
-        singular,
-        written,
-        near,
-        drawing,
-        drawings,
-        mut notes,
-    } = pose::pose(given, configuration, measured)?;
+    let posed = pose::pose(given, configuration, measured)?;
+    Ok(answered(scene, mechanism, demand, posed))
+}
+
+/// The answers in a decided pose.
+fn answered(
+    scene: &Scene,
+    mechanism: Mechanism,
+    demand: Demand,
+    posed: DecidedPose,
+) -> Warned<Worked> {
+    let DecidedPose { configuration, solution, decisions, drawing, drawings, mut notes } = posed;
+    let PoseDecisions { singular, written, near } = &decisions;
     let magnified = |level| drawing.magnified(level);
     let (plan, construction) = (&drawing.plan, &drawing.construction);
     notes.extend(solution.notes.iter().cloned());
@@ -368,7 +397,7 @@ fn stages(
             (_, Level::Position) | (None, _) => None,
             (Some(d), _) => {
                 let agreement = compare(d.value, computed, scale, magnified(level));
-                Some(match &near {
+                Some(match near {
                     Some(near) => near.promised(i, agreement),
                     // Solved as the singular pose next to it, the pose is known to the root of its
                     // rounding.
@@ -435,6 +464,7 @@ fn stages(
         redundant: Vec::new(),
         bad_angles: Vec::new(),
         drafting: None,
+        decisions,
     };
-    Ok(Warned { value: worked, notes })
+    Warned { value: worked, notes }
 }

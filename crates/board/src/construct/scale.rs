@@ -153,6 +153,21 @@ pub fn fitted(paper: &Paper, kind: Kind, extent: [f64; 2], room: [f64; 2]) -> f6
     paper.scale(kind, |unit| choose_in(unit, extent, room))
 }
 
+/// Returns the scale of a drawing that is seen and not measured: the scale that the paper fixes for
+/// its kind, or the smallest μ of two digits at which `extent` (SI) fits `room` (mm).
+pub fn filling(paper: &Paper, kind: Kind, extent: [f64; 2], room: [f64; 2]) -> f64 {
+    paper.scale(kind, |unit| {
+        let need = (extent[0] / room[0]).max(extent[1] / room[1]) / unit;
+        if !(need > 0.0 && need.is_finite()) {
+            return unit;
+        }
+        let last = libm::floor(libm::log10(need)) as i32 - 1;
+        // The rounding tolerance of `choose`.
+        let steps = libm::ceil(need / decimal(1.0, last) * (1.0 - 1e-9));
+        decimal(steps, last) * unit
+    })
+}
+
 /// Returns the largest preferred μ, round in a given unit (SI), with which a drawing is at least
 /// `factor` times as large as with `mu`.
 pub fn finer(unit: f64, mu: f64, factor: f64) -> f64 {
@@ -192,6 +207,16 @@ mod tests {
         assert_eq!(choose([0.1, 0.25], [100.0, 100.0]), 0.0025);
         assert_eq!(choose([0.0, 0.0], [100.0, 100.0]), 1.0);
         assert_eq!(choose([1.0e12, 0.0], [100.0, 100.0]), 1.0e10);
+    }
+
+    #[test]
+    fn a_drawing_that_is_only_seen_fills_its_space() {
+        let paper = Paper::default();
+        let of = |extent| filling(&paper, Kind::Length, extent, [100.0, 50.0]);
+        assert_eq!(of([0.231, 0.01]), 0.0024);
+        assert_eq!(of([0.1, 0.115]), 0.0023);
+        assert_eq!(of([100.0, 1.0]), 1.0);
+        assert_eq!(of([0.0, 0.0]), 1.0);
     }
 
     #[test]

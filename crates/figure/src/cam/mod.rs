@@ -9,6 +9,7 @@ pub mod motion;
 
 use crate::list::FigureInput;
 use crate::particle::ParticleView;
+use crate::sheet::painted;
 use crate::stepped::SteppedMethod;
 use hodograph_base::cam::{Disc, FollowerTip};
 use hodograph_base::diag::Both;
@@ -21,7 +22,6 @@ use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::place::{LabelRequest, Obstacles, place};
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::text;
-use hodograph_paper::paper::words::words;
 use hodograph_report::cam::{CamSubject, Report};
 use hodograph_scene::{DiagramKind, Kind, Lang, Scene};
 use std::f64::consts::TAU;
@@ -248,17 +248,7 @@ impl<'a> CamDrawing<'a> {
             Lang::En => format!("{kind}. {caption}."),
             Lang::Zh => format!("{kind}。{caption}。"),
         };
-        let mut figure = Figure {
-            width_mm,
-            height_mm,
-            title,
-            desc,
-            lang: words(lang).tag.into(),
-            paper: Colour::WHITE,
-            items,
-        };
-        style.palette.paint(&mut figure);
-        figure
+        painted(style, lang, [width_mm, height_mm], [title, desc], items)
     }
 }
 

@@ -3,6 +3,7 @@
 
 use super::super::plot::{Plot, PlotAxis, over};
 use super::{heading, words_at};
+use crate::sheet::painted;
 use hodograph_base::cam::{Follower, PieceSide, Shock, in_turn, round};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_paper::paper::drawing::DrawingPart;
@@ -13,7 +14,6 @@ use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::text;
-use hodograph_paper::paper::words::words;
 use hodograph_report::amount::number;
 use hodograph_report::cam::{Report, dwell};
 use hodograph_scene::{Book, Kind, Lang};
@@ -74,17 +74,7 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
         ),
         Lang::Zh => format!("凸轮转一周时从动件的位移、速度和加速度。{}。", said.join("；")),
     };
-    let mut figure = Figure {
-        width_mm,
-        height_mm,
-        title,
-        desc,
-        lang: words(lang).tag.into(),
-        paper: Colour::WHITE,
-        items,
-    };
-    style.palette.paint(&mut figure);
-    figure
+    painted(style, lang, [width_mm, height_mm], [title, desc], items)
 }
 
 /// Size of a diagram that is shown alone (mm).

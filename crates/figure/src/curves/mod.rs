@@ -12,6 +12,7 @@ pub use diagram::{CurveDiagram, CurveLegend, DiagramCurve, Panel};
 pub use polar::polar;
 
 use super::plot::{Plot, PlotAxis, over};
+use crate::sheet::painted;
 use diagram::DEGREE;
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_paper::paper::extent::Rect;
@@ -20,7 +21,6 @@ use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::{formula, tr};
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::style::Style;
-use hodograph_paper::paper::words::words;
 use hodograph_report::amount::number;
 use hodograph_scene::{Lang, Scene};
 
@@ -147,17 +147,7 @@ fn page(
         }
         Lang::Zh => format!("随 {} 变化的线图。{}。", formula(&diagram.driver[0]), said.join("；")),
     };
-    let mut figure = Figure {
-        width_mm,
-        height_mm,
-        title: heading,
-        desc,
-        lang: words(lang).tag.into(),
-        paper: Colour::WHITE,
-        items,
-    };
-    style.palette.paint(&mut figure);
-    figure
+    painted(style, lang, [width_mm, height_mm], [heading, desc], items)
 }
 
 /// Returns the stroke of the k-th curve of a panel; lines beyond the available dash patterns are

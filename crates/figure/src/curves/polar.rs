@@ -8,7 +8,7 @@ use super::diagram::DEGREE;
 use crate::arrange::{Tree, put_together};
 use crate::hodograph::{Hodograph, hodograph, runs};
 use crate::scales::DrawingScales;
-use crate::sheet::{MARGIN_MM, swept_symbol, titled};
+use crate::sheet::{MARGIN_MM, painted, swept_symbol, titled};
 use hodograph_base::digits::{inked, shortest};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::notation::Notation;
@@ -19,7 +19,6 @@ use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::{Phrase, tr};
 use hodograph_paper::paper::shown::question_id;
 use hodograph_paper::paper::style::Style;
-use hodograph_paper::paper::words::words;
 use hodograph_report::amount::symbol;
 use hodograph_scene::{DiagramKind, Lang, Scene, Swept};
 use hodograph_sweep::{Table, points::bounded};
@@ -145,17 +144,7 @@ pub fn polar(
         if heading.is_empty() { tr(lang, "Polar diagrams", "矢端曲线图") } else { heading }
             .to_owned();
     let desc = Phrase::new(&said).plain();
-    let mut figure = Figure {
-        width_mm,
-        height_mm,
-        title,
-        desc,
-        lang: words(lang).tag.into(),
-        paper: Colour::WHITE,
-        items: all.items,
-    };
-    style.palette.paint(&mut figure);
-    Some(figure)
+    Some(painted(style, lang, [width_mm, height_mm], [title, desc], all.items))
 }
 
 /// The driver's places at the numbered positions, in words.

@@ -11,14 +11,15 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use hodograph_base::digits::{inked, shortest};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_mechanism::position::Path;
 use hodograph_paper::paper::drawing::{Drawing, id};
 use hodograph_paper::paper::extent::turned_corners;
-use hodograph_paper::paper::item::{COARSE, Colour, FigureItem, PLACED, Shape};
+use hodograph_paper::paper::item::{COARSE, Colour, Dash, FigureItem, PLACED, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::{InkRaster, Obstacles, is_coarse};
 use hodograph_paper::paper::symbols as sym;
 use hodograph_scene::{
-    GivenQuantity, GuidePath, Kind, PointId, PointPlace, QuantityText, Scene, Through,
+    Cam, GivenQuantity, GuideId, GuidePath, Kind, PointId, PointPlace, QuantityText, Scene, Through,
 };
 
 use super::{MechanismDraft, form};
@@ -31,12 +32,12 @@ const LEVELS: i32 = 9;
 /// Distance from the dimension line up to its number.
 const GAP_MM: f64 = 0.8;
 /// Clear space around a number.
-const AIR_MM: f64 = 0.7;
+pub(super) const AIR_MM: f64 = 0.7;
 /// Costs of a place: a dimension or extension line crosses another line; the dimension line passes
 /// over a body; one step farther away; on the side of the mechanism's middle; the number away from
 /// the middle of its line; the number beyond the end of its line.
-const CROSSED_COST: f64 = 3.0;
-const OVER_COST: f64 = 5.0;
+pub(super) const CROSSED_COST: f64 = 8.0;
+const OVER_COST: f64 = 12.0;
 const FAR_COST: f64 = 1.0;
 const INSIDE_COST: f64 = 2.5;
 const ASIDE_COST: f64 = 0.8;
@@ -44,6 +45,8 @@ const BEYOND_COST: f64 = 2.0;
 /// Space around the drawing and around all places of dimensions: a number beyond the end of its
 /// line.
 const BORDER_MM: f64 = 20.0;
+/// Extension of an axis beyond a foot on it.
+const FOOT_MM: f64 = 4.0;
 /// Positions of a number along its line, as parts of it; after these, beyond either end.
 const STATIONS: [f64; 5] = [0.5, 0.35, 0.65, 0.22, 0.78];
 
@@ -61,18 +64,22 @@ pub fn id_of(scene: &Scene, a: PointId, b: PointId) -> String {
 type DimensionRequest = (Point, Point, String, String);
 
 /// A placed dimension.
-struct PlacedDimension {
-    lines: Vec<FigureItem>,
-    number: FigureItem,
+pub(super) struct PlacedDimension {
+    /// The dimension line with its arrowheads and other lines.
+    pub lines: Vec<FigureItem>,
+    /// The number.
+    pub number: FigureItem,
 }
 
 /// A place of a number: its base point and its direction, its cost, and the line that continues
 /// under it if it is beyond an end.
-struct NumberSpot {
+pub(super) struct NumberSpot {
     at: Point,
     angle_rad: f64,
-    cost: f64,
-    beyond: Option<[Point; 2]>,
+    /// The cost.
+    pub cost: f64,
+    /// The line that continues under the number.
+    pub beyond: Option<[Point; 2]>,
 }
 
 /// Bodies that no number may cover.
@@ -161,15 +168,20 @@ impl ObstacleSearch {
 }
 
 /// The corners of a number at a place.
-fn turned(level: &[Point; 4], spot: &NumberSpot) -> [Point; 4] {
+pub(super) fn turned(level: &[Point; 4], spot: &NumberSpot) -> [Point; 4] {
     let turn = Vec2::from_angle(spot.angle_rad);
     level.map(|corner| spot.at + corner.to_vec2().rotate_by(turn))
 }
 
 impl MechanismDraft<'_> {
-    /// Draws all dimensions.
+    /// Draws all dimensions; radii only if there are few enough to be compared with everything
+    /// drawn.
     pub(super) fn dimensions(&mut self) {
+        self.feet();
         let wanted = self.lengths();
+        if !is_coarse(wanted.len()) && !is_coarse(self.scene.rolling.len()) {
+            self.radii();
+        }
         let mut ways = ObstacleSearch::new(&self.d, self.bodies(), wanted.len());
         self.draw_dimensions(wanted, &mut ways);
     }
@@ -209,7 +221,7 @@ impl MechanismDraft<'_> {
                 self.dimension(&length.value),
             ));
         }
-        for p in (0..self.scene.points.len()).map(PointId) {
+        for p in (0..self.scene.points.len()).map(PointId).filter(|p| !of_cam(*p)) {
             let Some(at) = self.point(p) else { continue };
             match &self.scene.points[p.0].place {
                 PointPlace::InLink { base: (a, b), xy: [x, y] } => {
@@ -223,7 +235,7 @@ impl MechanismDraft<'_> {
                                 from,
                                 to,
                                 format!("dimension-{axis}-{name}"),
-                                self.dimension(given).trim_start_matches('−').to_owned(),
+                                self.dimension(given),
                             ));
                         }
                     };
@@ -237,39 +249,56 @@ impl MechanismDraft<'_> {
                 PointPlace::At(_) | PointPlace::Unknown => {}
             }
         }
-        wanted.extend(self.offsets());
+        wanted.extend(self.offsets().into_iter().map(|(_, offset)| offset));
         wanted.sort_by(|a, b| a.0.distance(a.1).total_cmp(&b.0.distance(b.1)));
         wanted
     }
 
     /// The offsets of guides, measured from the point that the guide would pass through without an
-    /// offset.
-    fn offsets(&self) -> Vec<DimensionRequest> {
+    /// offset, and those of the followers of cams, from the cam's pivot.
+    fn offsets(&self) -> Vec<(GuideId, DimensionRequest)> {
         let mut out = Vec::new();
         for (g, guide) in self.scene.guides.iter().enumerate().filter(|(_, g)| g.rolling.is_none())
         {
-            let GuidePath::Line { through, offset: Some(offset), .. } = &guide.path else {
-                continue;
+            let GuidePath::Line { through, offset, .. } = &guide.path else { continue };
+            let follows =
+                |c: &&Cam| Some(c.follower) == guide.slider && guide.pin == Some(c.follows.point());
+            let cam = self.scene.cams.iter().find(follows).and_then(|c| c.disc.as_ref());
+            let from = match (through, offset, cam) {
+                (Through::At(_), None, Some(cam)) => self.point(cam.pivot),
+                (_, None, _) | (Through::Pin, _, _) => None,
+                (Through::Point(p), Some(_), _) => self.point(*p),
+                (Through::At([x, y]), Some(_), _) => Some(self.paper(Point::new(x.value, y.value))),
             };
-            let from = match through {
-                Through::Point(p) => self.point(*p),
-                Through::At([x, y]) => Some(self.paper(Point::new(x.value, y.value))),
-                Through::Pin => None,
-            };
-            let (
-                Some(from),
-                Some(hodograph_mechanism::position::Path::Line { through, direction }),
-            ) = (from, self.guide(hodograph_scene::GuideId(g)))
+            let (Some(from), Some(Path::Line { through, direction })) =
+                (from, self.guide(GuideId(g)))
             else {
                 continue;
             };
             let foot = through + direction * (from - through).dot(direction);
             if from.distance(foot) > super::SAME_MM {
-                let number = self.dimension(offset).trim_start_matches('−').to_owned();
-                out.push((from, foot, format!("dimension-offset-{g}"), number));
+                let size = from.distance(foot) / self.mm(1.0);
+                let number = match offset {
+                    Some(offset) => self.dimension(offset),
+                    None => number(&self.scene.told(Kind::Length, "", size), size),
+                };
+                out.push((GuideId(g), (from, foot, format!("dimension-offset-{g}"), number)));
             }
         }
         out
+    }
+
+    /// Draws the axis of each guide with an offset from its runner to the foot of the offset, which
+    /// is marked by nothing else.
+    fn feet(&mut self) {
+        for (g, (_, foot, ..)) in self.offsets() {
+            let pin = self.scene.guides[g.0].pin.and_then(|p| self.point(p));
+            let Some(pin) = pin else { continue };
+            let Some(u) = (foot - pin).unit() else { continue };
+            let stroke = self.style.thin.dashed(Dash::DashDot);
+            let shape = Shape::Line { from: pin, to: foot + u * FOOT_MM, stroke };
+            self.d.shape(&format!("axis-{}", g.0), "centre", shape);
+        }
     }
 
     /// Plates, wheels and cams.
@@ -345,6 +374,11 @@ impl MechanismDraft<'_> {
             FigureItem::new("dimension", Shape::Line { from, to, stroke: self.style.thin })
         };
         lines.extend(spot.beyond.map(beyond));
+        Some(PlacedDimension { lines, number: self.written(&spot, label) })
+    }
+
+    /// A number at its place.
+    pub(super) fn written(&self, spot: &NumberSpot, label: &Label) -> FigureItem {
         let shape = Shape::Turned {
             at: spot.at,
             angle_rad: spot.angle_rad,
@@ -352,12 +386,12 @@ impl MechanismDraft<'_> {
             size_mm: self.style.small_mm,
             colour: Colour::BLACK,
         };
-        Some(PlacedDimension { lines, number: FigureItem::new("", shape) })
+        FigureItem::new("", shape)
     }
 
     /// The places of a number along its line; `level` has the corners of its box in horizontal
     /// position.
-    fn spots(&self, (p, q): (Point, Point), level: &[Point; 4]) -> Vec<NumberSpot> {
+    pub(super) fn spots(&self, (p, q): (Point, Point), level: &[Point; 4]) -> Vec<NumberSpot> {
         let length = p.distance(q);
         let Some(along) = (q - p).unit() else { return Vec::new() };
         // Readable from below, or from the right.
@@ -395,20 +429,23 @@ impl MechanismDraft<'_> {
         out
     }
 
-    /// A given length at its dimension line: millimetres, rounded to a micrometre, without their
-    /// name; all else with its unit.
+    /// A given length at its dimension line, without its sign: the picture shows the side.
     fn dimension(&self, given: &GivenQuantity) -> String {
-        let number = |value: f64| inked(&shortest((value * 1e3).round() / 1e3));
-        match self.scene.told(Kind::Length, &given.text, given.value) {
-            QuantityText::AsWritten(number, unit) if unit.name() != "mm" => {
-                unit.label(&inked(&number))
-            }
-            QuantityText::Computed(value, unit) if unit.name() != "mm" => {
-                unit.label(&number(value))
-            }
-            QuantityText::AsWritten(..) | QuantityText::Computed(..) | QuantityText::Usual => {
-                shortest((given.value * 1e6).round() / 1e3)
-            }
+        let size = given.value.abs();
+        let text = given.text.trim_start_matches(['-', '−']);
+        number(&self.scene.told(Kind::Length, text, size), size)
+    }
+}
+
+/// A length as the number of a dimension: millimetres, rounded to a micrometre, without their name;
+/// all else with its unit.
+pub(super) fn number(told: &QuantityText, si: f64) -> String {
+    let rounded = |value: f64| inked(&shortest((value * 1e3).round() / 1e3));
+    match told {
+        QuantityText::AsWritten(number, unit) if unit.name() != "mm" => unit.label(&inked(number)),
+        QuantityText::Computed(value, unit) if unit.name() != "mm" => unit.label(&rounded(*value)),
+        QuantityText::AsWritten(..) | QuantityText::Computed(..) | QuantityText::Usual => {
+            shortest((si * 1e6).round() / 1e3)
         }
     }
 }
@@ -483,5 +520,32 @@ mod tests {
             assert!(coarse > 3, "{n} points: {coarse}");
             last = Some(each);
         }
+    }
+
+    /// The base circle and the roller of a cam have radii, and the offset of the follower has a
+    /// dimension without a sign; the centre of curvature, which the file does not place, has none.
+    #[test]
+    fn cams_and_rollers_are_dimensioned() {
+        let text = scene::templates::get("cam-offset-roller").unwrap();
+        let scene = scene::read(text).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        let (style, notation) =
+            (Style::default(), Notation::of_language(hodograph_scene::Lang::En));
+        let course = super::super::SeriesFeatures::default();
+        let mut draft = MechanismDraft::new(&style, &scene, &worked, &notation, &course);
+        draft.everything();
+        draft.dimensions();
+        let part = draft.d.finish();
+        let mut numbers: Vec<&str> = part
+            .items
+            .iter()
+            .filter_map(|i| match &i.shape {
+                Shape::Turned { label, .. } => Some(label.source()),
+                _ => None,
+            })
+            .collect();
+        numbers.sort_unstable();
+        assert_eq!(numbers, ["10", "R10", "R30"]);
+        assert!(part.items.iter().any(|i| i.id == "mechanism-axis-0"), "the foot is marked");
     }
 }

@@ -25,11 +25,12 @@ mod marks;
 mod overlay;
 mod parted;
 mod positions;
+mod radii;
 mod rates;
 mod replaced;
 mod slides;
 pub(crate) mod special;
-mod supports;
+pub(crate) mod supports;
 mod swings;
 mod wheels;
 

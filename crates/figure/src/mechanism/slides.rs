@@ -24,8 +24,6 @@ const BEYOND_ROD_MM: f64 = 8.0;
 /// Length of a cylinder's barrel, as a part of the cylinder's length: the rod shows also when it is
 /// far in.
 const BARREL_PART: f64 = 0.5;
-/// A link that leaves the block at a larger angle (sine) decides the hatched side of the guide.
-const STEEP: f64 = 0.35;
 /// Half the length of a fixed curved slot.
 const FIXED_SLOT_HALF_MM: f64 = 13.0;
 
@@ -68,9 +66,12 @@ impl MechanismDraft<'_> {
         let rightward = direction.x > 1e-9 || direction.x.abs() <= 1e-9 && direction.y > 0.0;
         let mut u = if rightward { direction } else { -direction };
         let pull: f64 = self.leaving(p).iter().map(|v| u.cross(*v)).sum();
+        // The sine of the angle under which a link reaches the line before the line's end.
+        let half_mm = self.style.block_width_mm / 2.0;
+        let steep = half_mm / libm::hypot(half_mm, GUIDE_MM / 2.0);
         let turned = match self.course.hatched.get(g.0).copied().flatten() {
             Some(side) => side.dot(u.perp()) > 0.0,
-            None => pull < -STEEP,
+            None => pull < -steep,
         };
         if turned {
             u = -u;

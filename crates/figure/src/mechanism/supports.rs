@@ -21,6 +21,18 @@ const NEAR_MM: f64 = 22.0;
 /// The direction in which readers look for the ground.
 const DOWN: Vec2 = Vec2::new(0.0, -1.0);
 
+/// The side of a pivot for its support that costs least: of equal ones down, up, left or right, in
+/// this order.
+pub(crate) fn cheapest_side(cost: impl Fn(&Vec2) -> f64) -> Vec2 {
+    let sides = [DOWN, Vec2::new(0.0, 1.0), Vec2::new(-1.0, 0.0), Vec2::new(1.0, 0.0)];
+    sides.into_iter().min_by(|a, b| cost(a).total_cmp(&cost(b))).unwrap_or(DOWN)
+}
+
+/// True if a line that leaves a pivot in this direction would cover a support on a side.
+pub(crate) fn is_over_support(leaving: Vec2, side: Vec2) -> bool {
+    leaving.dot(side) > OVER_SUPPORT
+}
+
 impl MechanismDraft<'_> {
     /// The direction from a fixed pivot to its ground: down, unless something is in the way and
     /// another side is freer.
@@ -51,7 +63,7 @@ impl MechanismDraft<'_> {
         let leaving = self.leaving(p);
         let given = self.given_angles(p);
         let cost = |u: &Vec2| {
-            let link = leaving.iter().any(|v| v.dot(*u) > OVER_SUPPORT);
+            let link = leaving.iter().any(|v| is_over_support(*v, *u));
             let foot = at + *u * self.style.pivot_height_mm;
             let plate = self.forms.iter().flatten().any(|f| form::inside(foot, &f.plate));
             let angle = given.iter().any(|(from, sweep)| form::sweeps(*from, *sweep, u.angle()));
@@ -68,8 +80,7 @@ impl MechanismDraft<'_> {
             .map(|c| c.1)
             .sum::<f64>()
         };
-        let sides = [DOWN, Vec2::new(0.0, 1.0), Vec2::new(-1.0, 0.0), Vec2::new(1.0, 0.0)];
-        sides.into_iter().min_by(|a, b| cost(a).total_cmp(&cost(b))).unwrap_or(DOWN)
+        cheapest_side(cost)
     }
 
     /// The box around the ground line and the hatching of a support.

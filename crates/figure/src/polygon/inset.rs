@@ -206,6 +206,9 @@ impl PolygonDraft<'_> {
                 shape,
                 shown,
             );
+            if self.listed.contains(&k) {
+                continue;
+            }
             self.name(
                 d,
                 style,

@@ -1,7 +1,7 @@
 //! Draws a velocity or acceleration polygon from the actions of the drawing board.
 //!
 //! This module decides which vectors are drawn, each only once, which are thin, and how points and
-//! vectors are marked. [`inset`] enlarges vectors too small for their names, [`aside`] draws
+//! vectors are marked. [`inset`] enlarges vectors too small for their names, [`key`] lists names that find no place, [`aside`] draws
 //! overlapping vectors side by side, [`circles`] draws the images of rolling circles, [`names`]
 //! writes the names, [`mod@plates`] splits a polygon of many vectors. The positions are those of
 //! the board. Every item carries the class `step-N`, the index of the action that draws it, so that
@@ -10,6 +10,7 @@
 pub(crate) mod aside;
 mod circles;
 mod inset;
+mod key;
 mod marks;
 mod names;
 mod plates;
@@ -78,6 +79,8 @@ struct PolygonDraft<'a> {
     zeros: Vec<Zero>,
     lines: Vec<(Point, Point, usize)>,
     copies: Vec<([VertexId; 3], usize)>,
+    /// The arrows with names in the key.
+    listed: Vec<usize>,
     /// Differences between numbers of this polygon up to this (mm) are rounding errors.
     rounding_mm: f64,
 }
@@ -86,8 +89,19 @@ struct PolygonDraft<'a> {
 /// names become smaller.
 const MANY_ARROWS: usize = 16;
 
-/// Draws a polygon with its pole at the origin. A cluster too small for its names gets an inset.
+/// Draws a polygon with its pole at the origin. A cluster too small for its names gets an inset; a
+/// polygon of many leader lines, a key.
 pub fn polygon(style: &Style, w: &PlanWriter, p: &Polygon) -> DrawingPart {
+    named(style, w, p, key::LEADERS)
+}
+
+/// Draws a polygon for a series that shows it step by step: without a key, which would take the
+/// space of the drawing, unless it has too many vectors for anything else.
+pub fn polygon_of_steps(style: &Style, w: &PlanWriter, p: &Polygon) -> DrawingPart {
+    named(style, w, p, usize::MAX)
+}
+
+fn named(style: &Style, w: &PlanWriter, p: &Polygon, leaders: usize) -> DrawingPart {
     let (mut draft, style) = PolygonDraft::new(style, w, p, false);
     draft.side_by_side(style.vector.width_mm);
     let finished = |mut drawing: Drawing| {
@@ -96,14 +110,11 @@ pub fn polygon(style: &Style, w: &PlanWriter, p: &Polygon) -> DrawingPart {
         });
         drawing.finish()
     };
-    let (drawing, names) = draft.draw(&style, &[]);
-    let part = finished(drawing);
     if style.memory.is_some() {
-        // In a series, insets would appear and disappear from figure to figure.
-        return part;
+        // In a series, insets and keys would appear and disappear from figure to figure.
+        return finished(draft.draw(&style, &[]).0);
     }
-    let insets = draft.insets(|arrow| part.left_out.contains(&names[arrow]));
-    if insets.is_empty() { part } else { finished(draft.draw(&style, &insets).0) }
+    draft.named(&style, leaders, &finished)
 }
 
 /// Draws a polygon without insets and before its labels are placed, for series of drawings: with
@@ -130,6 +141,7 @@ impl<'a> PolygonDraft<'a> {
             zeros: vec![],
             lines: vec![],
             copies: vec![],
+            listed: vec![],
             rounding_mm,
         };
         draft.letter(Point::ORIGIN, PolygonMark::Pole, 0);
@@ -402,7 +414,7 @@ impl PolygonDraft<'_> {
                     Shape::Line { from, to, stroke: style.thin.coloured(a.colour) },
                 );
             }
-            if !insets.iter().any(|i| i.arrows.contains(&k)) {
+            if !self.listed.contains(&k) && !insets.iter().any(|i| i.arrows.contains(&k)) {
                 names[k] = self.name(
                     &mut d,
                     style,
@@ -547,5 +559,32 @@ mod tests {
         let items = drawn("crank-rocker", DiagramKind::Velocity);
         // b–c is already an edge: the triangle needs two more lines.
         assert_eq!(items.iter().filter(|(id, _)| id.starts_with("vel-image")).count(), 2);
+    }
+
+    /// In place of leader lines, a crowded polygon lists vectors by the letters at their ends; one
+    /// with space for its names, and one that grows step by step, have no list.
+    #[test]
+    fn a_crowded_polygon_has_a_key() {
+        let of = |name: &str, draw: fn(&Style, &PlanWriter, &Polygon) -> DrawingPart| {
+            let scene = read(templates::get(name).unwrap()).unwrap().value;
+            let worked = work(&scene, Scope::Figure).unwrap().value;
+            let (notation, lang) = (Notation::of_language(Lang::En), Lang::En);
+            let w = PlanWriter { scene: &scene, plan: &worked.plan, notation: &notation, lang };
+            let p = worked.construction.polygon(DiagramKind::Acceleration).unwrap();
+            let part = draw(&Style::default(), &w, p);
+            let is_key = |id: &str| id.starts_with("acc-key-");
+            let led = |id: &str| id.ends_with("-leader") && !id.contains("label-mark");
+            let texts = part.items.iter().filter(|i| is_key(&i.id)).map(|i| match &i.shape {
+                Shape::Label { label, .. } => label.source().to_owned(),
+                _ => String::new(),
+            });
+            (texts.collect::<Vec<_>>(), part.items.iter().filter(|i| led(&i.id)).count())
+        };
+        let (key, leaders) = of("stephenson-six-bar", polygon);
+        assert!(key.iter().any(|text| text == r"a_{H}:\quad o'h'"), "{key:?}");
+        assert!(leaders < key::LEADERS, "{leaders}");
+        let (none, leaders) = of("stephenson-six-bar", polygon_of_steps);
+        assert!(none.is_empty() && leaders >= key::LEADERS, "{none:?} {leaders}");
+        assert_eq!(of("shaper", polygon).0, Vec::<String>::new());
     }
 }

@@ -65,8 +65,10 @@ impl VectorName {
 pub(super) struct PointLetter {
     /// The position.
     pub at: Point,
-    name: String,
-    key: String,
+    /// The letter.
+    pub name: String,
+    /// The key of its mark.
+    pub key: String,
     step: usize,
 }
 
@@ -218,7 +220,7 @@ impl PolygonArrow {
 
     /// The names: one sign between names of the same vector, another one before those that coincide
     /// only within the precision of the paper.
-    fn name(&self) -> String {
+    pub(super) fn name(&self) -> String {
         // A normal component that is the total vector has the name of the total vector, if there is
         // one.
         let symbols = || self.symbols.iter().map(|n| n.symbol.as_str());

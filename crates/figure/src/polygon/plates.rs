@@ -12,6 +12,7 @@ use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::item::Colour;
 use hodograph_paper::paper::style::Style;
 
+use super::key::LEADERS;
 use super::{MANY_ARROWS, PolygonDraft, is_one};
 
 /// Space for a plate: beside its equations on an A4 page in landscape.
@@ -172,10 +173,7 @@ fn plate(
     let own = p.to_scale(mu);
     let mut draft = PolygonDraft::of(w, &own).only(mine)?;
     draft.side_by_side(style.vector.width_mm);
-    let (drawing, names) = draft.draw(style, &[]);
-    let part = drawing.finish();
-    let insets = draft.insets(|arrow| part.left_out.contains(&names[arrow]));
-    let part = if insets.is_empty() { part } else { draft.draw(style, &insets).0.finish() };
+    let part = draft.named(style, LEADERS, &Drawing::finish);
     Some((mu, part))
 }
 

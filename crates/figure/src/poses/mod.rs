@@ -12,14 +12,14 @@ pub use turn::{PoseFrames, turn};
 
 use hodograph_base::diag::{Diagnostic, Faults, Warned, both};
 use hodograph_base::geom::Point;
-use hodograph_board::construct::scale::Boxes;
+use hodograph_board::construct::scale::{self, Boxes};
 use hodograph_scene::{DiagramKind, PointId, Scene, Swept};
 use hodograph_sweep::follow::{PoseFollower, TravelPose};
 use hodograph_sweep::points::{PathMotion, at_equal_steps, motion};
 use hodograph_sweep::station;
 use hodograph_worked::worked::{Worked, work_motion, work_placed, work_pose};
 
-use super::series::SeriesScales;
+use super::series::{ScaleChoice, SeriesScales};
 use super::sheet::SheetOptions;
 use hodograph_paper::paper::item::{Anchor, Colour, Figure, FigureItem, Shape};
 use hodograph_paper::paper::label::Label;
@@ -67,7 +67,7 @@ pub fn sheets(
     options: &SheetOptions,
     wanted: &PosesContent,
 ) -> Result<Warned<Vec<Figure>>, Faults> {
-    let poses = Poses::of(scene, worked, wanted, BOXES)?;
+    let poses = Poses::of(scene, worked, wanted, (BOXES, scale::fitted))?;
     let style = Style { label_mm: options.style.small_mm, ..options.style.clone() };
     let options = SheetOptions { style, ..options.clone() };
     let pages = poses.table(&options, wanted.swept, false).pages(scene.paper.size_mm)?;
@@ -88,7 +88,7 @@ impl Poses {
         scene: &Scene,
         worked: &Worked,
         wanted: &PosesContent,
-        boxes: Boxes,
+        (boxes, choice): (Boxes, ScaleChoice),
     ) -> Result<Poses, Faults> {
         let motion_of_cams = work_motion(scene)?;
         let (scene, worked) =
@@ -115,7 +115,7 @@ impl Poses {
         let trials: Vec<(&TravelPose, (Scene, Worked))> =
             poses.iter().filter_map(|p| Some((p, work(p)?))).collect();
         let sized: Vec<(f64, &Worked)> = trials.iter().map(|(p, (_, w))| (p.travel, w)).collect();
-        let scales = SeriesScales::of(&scene.paper, &sized, sweep.is_unlimited(), boxes);
+        let scales = SeriesScales::of(&scene.paper, &sized, sweep.is_unlimited(), boxes, choice);
         let now = station::now(scene, &worked.configuration, wanted.swept);
         // Each trial is dropped when its row is made.
         let rows: Vec<PoseRow> = trials

@@ -9,7 +9,7 @@ use super::{PoseTable, Poses, PosesContent, text};
 use crate::sheet::{MARGIN_MM, SheetDrafter, SheetOptions, swept_symbol};
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_base::geom::Point;
-use hodograph_board::construct::scale::Boxes;
+use hodograph_board::construct::scale::{self, Boxes};
 use hodograph_paper::paper::item::{Anchor, Figure, FigureItem};
 use hodograph_paper::paper::label::Label;
 use hodograph_report::amount::scale_formula;
@@ -56,7 +56,7 @@ pub fn turn(
     wanted: &PosesContent,
     step_mm: f64,
 ) -> Result<Warned<PoseFrames>, Faults> {
-    let poses = Poses::of(scene, worked, wanted, BOXES)?;
+    let poses = Poses::of(scene, worked, wanted, (BOXES, scale::filling))?;
     let table = poses.table(options, wanted.swept, true);
     let columns = table.columns();
     let width: f64 = columns.iter().map(|c| c.bounds.width_mm()).sum::<f64>()

@@ -71,8 +71,13 @@ pub struct NearbyPose {
 }
 
 /// Returns the crossings under a bad angle, in drawing order, each vertex once; without remedies in
-/// a construction of more than a hundred crossings.
-pub fn bad_angles(drawn: &DraftedConstruction, pencil_mm: f64) -> Vec<BadAngle> {
+/// a construction of more than a hundred crossings. `known` are those of the same drawing to other
+/// scales, which have the same poses nearby.
+pub fn bad_angles(
+    drawn: &DraftedConstruction,
+    pencil_mm: f64,
+    known: &[BadAngle],
+) -> Vec<BadAngle> {
     let mut bad: Vec<CrossingTolerance> = Vec::new();
     for c in crossings(drawn.construction, pencil_mm) {
         if c.angle_deg() < BAD_DEG && bad.iter().all(|b| b.target != c.target) {
@@ -103,7 +108,13 @@ pub fn bad_angles(drawn: &DraftedConstruction, pencil_mm: f64) -> Vec<BadAngle> 
             pencil_mm,
             larger,
             special: other_point(drawn, crossing.target, pencil_mm, worst(&tolerances)),
-            pose: search.pose_for(&crossing),
+            pose: match known
+                .iter()
+                .find(|b| (b.crossing.on, b.crossing.target) == (crossing.on, crossing.target))
+            {
+                Some(found) => found.pose,
+                None => search.pose_for(&crossing),
+            },
         })
         .collect()
 }

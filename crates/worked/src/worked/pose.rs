@@ -5,6 +5,7 @@
 //! next to a singular pose, the trial is repeated with positions to the last digit; groups that
 //! still lose their digits are left out of the drawing.
 
+use super::Worked;
 use super::higher;
 use super::sizes::PoseSizes;
 use crate::accuracy::{
@@ -40,18 +41,25 @@ pub(super) struct DrawnAnswers {
 /// The number of evaluations of a construction: a trial for its scales, and the drawing.
 const TRIAL_AND_DRAWING: usize = 2;
 
+/// The decisions about a pose next to a singular one; they hold at all scales.
+#[derive(Clone, Debug, Default)]
+pub struct PoseDecisions {
+    /// The groups that are not drawn because they are singular, or lose their digits.
+    pub(super) singular: Vec<usize>,
+    /// The answers of longer numbers, if the pose is nearly singular.
+    pub(super) written: Option<Regular>,
+    /// The digits that drawing and loop equations keep, if they were measured.
+    pub(super) near: Option<KeptDigits>,
+}
+
 /// A pose with everything decided.
 pub(super) struct DecidedPose {
     /// The positions, as fine as necessary.
     pub configuration: Configuration,
     /// The solution of the loop equations.
     pub solution: Solution,
-    /// The groups that are not drawn because they are singular, or lose their digits.
-    pub singular: Vec<usize>,
-    /// The answers of longer numbers, if the pose is nearly singular.
-    pub written: Option<Regular>,
-    /// The digits that drawing and loop equations keep, if they were measured.
-    pub near: Option<KeptDigits>,
+    /// The decisions.
+    pub decisions: PoseDecisions,
     /// The drawing without the groups that are not drawn.
     pub drawing: DrawnAnswers,
     /// The number of evaluations of constructions: two, but more for poses that lose digits, or
@@ -86,12 +94,37 @@ pub(super) fn pose(
     if !lost.is_empty() {
         posed.leave_out(given, &lost)?;
     }
-    if let (Some(worst), None) = (posed.solution.near.first(), &posed.written) {
+    if let (Some(worst), None) = (posed.solution.near.first(), &posed.decisions.written) {
         let told = estimated(worst, posed.solution.condition);
         let condition = posed.solution.condition;
-        let note =
-            told.map(|told| posed.near.as_ref().map_or(told, |near| near.note(worst, condition)));
+        let note = told.map(|told| {
+            posed.decisions.near.as_ref().map_or(told, |near| near.note(worst, condition))
+        });
         posed.notes.extend(note);
+    }
+    Ok(posed)
+}
+
+/// Returns the pose of a finished work drawn to the scales of another paper. Nothing is decided
+/// again.
+///
+/// # Errors
+/// Those of the drawing.
+pub(super) fn to_scales(scene: &Scene, worked: &Worked) -> Result<DecidedPose, Faults> {
+    let Worked { mechanism, demand, configuration, plan, solution, decisions, .. } = worked;
+    let boxes = Boxes::of(&scene.paper, plan);
+    let construction = construct::construct(scene, mechanism, configuration, plan, &boxes)?;
+    let answers = construct::read(scene, mechanism, configuration, plan, &construction);
+    let mut posed = DecidedPose {
+        configuration: configuration.clone(),
+        solution: solution.clone(),
+        decisions: decisions.clone(),
+        drawing: DrawnAnswers { plan: plan.clone(), construction, answers },
+        drawings: worked.drawings,
+        notes: Vec::new(),
+    };
+    if posed.decisions.near.is_some() {
+        posed.measure(PoseInput { scene, mechanism, demand });
     }
     Ok(posed)
 }
@@ -114,9 +147,7 @@ fn trial(given: PoseInput, configuration: Configuration) -> Result<DecidedPose, 
     Ok(DecidedPose {
         configuration,
         solution,
-        singular,
-        written,
-        near: None,
+        decisions: PoseDecisions { singular, written, near: None },
         drawing,
         drawings,
         notes: Vec::new(),
@@ -198,11 +229,11 @@ impl DecidedPose {
     /// Measures the digits that both ways keep next to a singular pose. Returns the groups whose
     /// digits are lost.
     fn judge(&mut self, given: PoseInput) -> Vec<usize> {
-        if self.written.is_none() && self.solution.near.is_empty() {
+        if self.decisions.written.is_none() && self.solution.near.is_empty() {
             return Vec::new();
         }
         self.measure(given);
-        let Some(near) = &self.near else { return Vec::new() };
+        let Some(near) = &self.decisions.near else { return Vec::new() };
         let PoseInput { scene, mechanism, .. } = given;
         let sizes = PoseSizes::of(scene, &self.drawing.construction, &self.configuration);
         let read = self.drawing.values();
@@ -219,7 +250,7 @@ impl DecidedPose {
             })
         };
         // Questions that longer numbers already answer are not lost.
-        let open = |i: &usize| read[*i].is_some() || self.written.is_none();
+        let open = |i: &usize| read[*i].is_some() || self.decisions.written.is_none();
         let lost: Vec<usize> =
             (0..scene.find.len()).filter(open).filter(|i| near.lost(*i, agreed(*i))).collect();
         lost_groups(scene, mechanism, &self.solution, &lost)
@@ -234,22 +265,26 @@ impl DecidedPose {
             drawn: &self.drawing.values(),
             scale,
         };
-        self.near =
-            kept(scene, (mechanism, demand), &self.configuration, &ways, self.written.clone());
+        let PoseDecisions { written, near, .. } = &self.decisions;
+        let truth = written.clone().or_else(|| near.as_ref().map(|near| near.truth.clone()));
+        self.decisions.near = kept(scene, (mechanism, demand), &self.configuration, &ways, truth);
     }
 
     /// Leaves groups out of the drawing, with the answers of longer numbers; the other groups are
     /// judged by the remaining drawing.
     fn leave_out(&mut self, given: PoseInput, lost: &[usize]) -> Result<(), Faults> {
-        if let Some(near) = &self.near {
+        if let Some(near) = &self.decisions.near {
             let words = self.solution.near.first().map_or_else(
                 || both!("the links lie nearly as in a singular pose", "各构件接近奇异位置"),
                 |worst| worst.words.clone(),
             );
-            self.notes.extend(self.written.is_none().then(|| near_singular(&words, &near.truth)));
-            self.singular.extend(lost);
-            self.written = Some(near.truth.clone());
-            self.drawing = draw(given, &self.configuration, &self.singular, &mut self.drawings)?;
+            self.notes.extend(
+                self.decisions.written.is_none().then(|| near_singular(&words, &near.truth)),
+            );
+            self.decisions.singular.extend(lost);
+            self.decisions.written = Some(near.truth.clone());
+            self.drawing =
+                draw(given, &self.configuration, &self.decisions.singular, &mut self.drawings)?;
         }
         self.measure(given);
         Ok(())

@@ -1,10 +1,10 @@
 //! Tests of scenes with alternative notations, by their answers and notes.
 
-use super::{Scope, work};
+use super::{Scope, Worked, work};
 use hodograph_analytic::SingularKind;
 use hodograph_base::diag::Diagnostic;
 use hodograph_mechanism::answer::AnswerValue;
-use hodograph_scene::{read, templates};
+use hodograph_scene::{DiagramKind, read, templates};
 
 fn values(source: &str) -> Vec<AnswerValue> {
     let scene = read(source).unwrap_or_else(|f| panic!("{f}")).value;
@@ -268,4 +268,28 @@ fn what_rest_leaves_undefined_is_one_answer_of_many() {
         undefined += worked.unanswered.len();
     }
     assert!(undefined > 5, "only {undefined} questions without a value");
+}
+
+/// A finished work drawn to other scales is the work of a scene with these scales, to the last bit.
+#[test]
+fn scales_are_a_parameter_of_the_drawing() {
+    let flat = four_bar(r#"{"C": "left of BD", "E": "left of BC"}"#, LENGTHS);
+    let templates = ["shaper", "stephenson-six-bar", "four-bar-forces", "class-iv-six-bar"];
+    let texts = templates.iter().map(|name| templates::get(name).unwrap().to_owned());
+    for text in texts.chain([flat]) {
+        let mut scene = read(&text).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        for on in DiagramKind::ALL {
+            let coarser = worked.scale(on).map(|mu| 2.5 * mu);
+            scene.paper.scales.set(on.kind(), coarser);
+        }
+        let again = work(&scene, Scope::Figure).unwrap().value;
+        let drawn = worked.to_scales(&scene).unwrap();
+        assert_ne!(drawn.construction, worked.construction);
+        assert_eq!(drawn.construction, again.construction);
+        assert_eq!(drawn.results, again.results);
+        assert_eq!(drawn.bad_angles, again.bad_angles);
+        let mu = |w: &Worked| DiagramKind::ALL.map(|on| w.scale(on));
+        assert_eq!(mu(&drawn), mu(&again));
+    }
 }
