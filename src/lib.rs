@@ -119,7 +119,8 @@
 //! - [`templates`](problem::templates): the texts of the files under `templates/`, by their
 //!   names.
 //! - Small shared ones: [`geom`], [`linear`], [`trig`], [`digits`], [`diag`], [`budget`],
-//!   [`json`](hodograph_base::json), [`kind`], [`diagram`], [`lang`], [`notation`].
+//!   [`json`](hodograph_base::json), [`kind`], [`diagram`], [`lang`] with
+//!   [`translate`](hodograph_base::lang), [`notation`].
 //!
 //! # Crates
 //! The modules are grouped into crates under `crates/`. Cargo therefore refuses imports that the
@@ -129,6 +130,7 @@
 //! folder `templates/` is a crate, and the fonts are in `crates/paper`.
 //! ```text
 //! templates  templates
+//! translate  translate
 //! base       diag budget json digits trig number geom linear cam kind diagram lang notation
 //! scene      scene
 //! mechanism  mechanism position stated answer force motion
@@ -149,10 +151,11 @@
 //! the table with the imports of all files.
 //! ```text
 //! templates  -
+//! translate  -
 //! diag       -
 //! budget     diag
 //! json       diag
-//! lang       diag
+//! lang       diag translate
 //! kind       -
 //! diagram    diag lang kind
 //! notation   lang
@@ -161,25 +164,25 @@
 //! number     budget trig
 //! geom       number
 //! linear     -
-//! cam        number geom
+//! cam        number geom lang
 //! scene      templates diag json diagram kind lang digits trig number geom cam
 //! mechanism  diag scene
-//! position   diag budget digits trig number geom linear cam scene mechanism
+//! position   diag lang budget digits trig number geom linear cam scene mechanism
 //! stated     diag digits trig geom cam scene mechanism position
 //! answer     number geom scene mechanism position
 //! force      diag trig number geom scene mechanism position answer
 //! motion     number geom scene mechanism position answer force
 //! plan       diag notation scene mechanism
 //! construction budget diagram digits kind number geom
-//! construct  diag budget number geom scene mechanism position answer plan construction
+//! construct  diag lang budget number geom scene mechanism position answer plan construction
 //! equilibrium diag number diagram geom kind scene mechanism position answer force construct construction
 //! analytic   diag budget geom linear cam scene mechanism position answer force
 //! sweep      diag budget digits trig number geom cam scene mechanism position stated answer force motion analytic
 //! paper      diag budget json notation diagram lang geom
 //! render     diag geom paper
-//! accuracy   diag budget digits number geom scene mechanism position answer motion plan construct analytic equilibrium
+//! accuracy   diag lang budget digits number geom scene mechanism position answer motion plan construct analytic equilibrium
 //! worked     diag digits geom scene mechanism position stated answer force motion plan construct equilibrium analytic sweep accuracy
-//! certified  diag digits number geom scene mechanism position answer motion plan construct accuracy worked
+//! certified  diag lang digits number geom scene mechanism position answer motion plan construct accuracy worked
 //! effort     diag number geom scene mechanism position answer motion plan construct analytic sweep accuracy worked certified
 //! gears      diag geom scene answer worked
 //! trains     scene
@@ -190,19 +193,19 @@
 //! inversions diag geom scene mechanism position sweep worked curvature
 //! loops      diag digits kind geom linear scene mechanism position plan worked
 //! search     diag budget geom position
-//! synthesis  templates diag json digits number geom scene mechanism position construct sweep search
+//! synthesis  templates diag lang json digits number geom scene mechanism position construct sweep search
 //! particle   templates diag json digits number geom scene construct
-//! equation   templates diag json digits number geom scene position construct
-//! report     diag notation digits number geom cam scene mechanism position answer force motion plan construct construction equilibrium analytic sweep paper render accuracy worked certified effort gears trains centres composite attempts curvature inversions loops synthesis particle equation
-//! figure     diag budget notation digits geom cam scene mechanism position answer force plan construct construction equilibrium analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions loops synthesis particle equation report
+//! equation   templates diag lang json digits number geom scene position construct
+//! report     diag lang notation digits number geom cam scene mechanism position answer force motion plan construct construction equilibrium analytic sweep paper render accuracy worked certified effort gears trains centres composite attempts curvature inversions loops synthesis particle equation
+//! figure     diag lang budget notation digits geom cam scene mechanism position answer force plan construct construction equilibrium analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions loops synthesis particle equation report
 //! webfont    paper
-//! worksheet  diag notation digits geom scene mechanism answer plan construct paper render worked certified centres composite attempts loops synthesis particle equation report figure webfont
-//! lesson     diag budget notation digits geom scene mechanism position plan construct construction equilibrium sweep paper render worked certified centres synthesis particle report figure webfont
-//! problem    diag json kind notation digits geom cam scene mechanism position answer plan construct sweep paper render worked certified gears attempts synthesis particle equation report figure worksheet lesson
+//! worksheet  diag lang notation digits geom scene mechanism answer plan construct paper render worked certified centres composite attempts loops synthesis particle equation report figure webfont
+//! lesson     diag lang budget notation digits geom scene mechanism position plan construct construction equilibrium sweep paper render worked certified centres synthesis particle report figure webfont
+//! problem    diag lang json kind notation digits geom cam scene mechanism position answer plan construct sweep paper render worked certified gears attempts synthesis particle equation report figure worksheet lesson
 //! zip        -
 //! homework   diag digits scene answer sweep paper render worked attempts report figure worksheet problem zip
 //! exchange   diag notation geom scene position paper render worked figure problem zip
-//! cli        diag json notation digits scene mechanism plan sweep paper render worked certified effort centres composite attempts curvature inversions loops report figure worksheet lesson problem homework exchange zip
+//! cli        diag lang json notation digits scene mechanism plan sweep paper render worked certified effort centres composite attempts curvature inversions loops report figure worksheet lesson problem homework exchange zip
 //! ```
 //!
 //! # Extension
@@ -288,6 +291,9 @@ mod webfont;
 pub mod worksheet;
 #[cfg(feature = "exchange")]
 mod zip;
+
+// Compiled again when its Chinese texts change.
+const _: &str = include_str!("../po/zh.po");
 
 /// Runs the command-line program on the arguments of the process; only the binary calls it.
 #[cfg(feature = "cli")]

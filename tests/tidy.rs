@@ -5,6 +5,8 @@
 //! The test does not link the library: it reads the sources. Rules that a lint can check by types
 //! are in `clippy.toml`.
 
+#[path = "tidy/catalogues.rs"]
+mod catalogues;
 #[path = "tidy/codes.rs"]
 mod codes;
 #[path = "tidy/comments.rs"]
@@ -285,54 +287,6 @@ fn files_are_short_enough_to_be_overseen() {
         format!("{name} is no file any more: strike it off LONG_FILES in tests/tidy.rs")
     }));
     finish(&faults, "A file holds one idea, in some 450 lines at most.");
-}
-
-/// The two texts of each `both!` of a file, with the line in which it begins.
-fn pairs(text: &str) -> Vec<(usize, String, String)> {
-    let string = |text: &str| {
-        let from = text.find('"')? + 1;
-        let mut escaped = false;
-        let end = text[from..].find(|c| {
-            let ends = c == '"' && !escaped;
-            escaped = c == '\\' && !escaped;
-            ends
-        })?;
-        Some((text[from..from + end].to_owned(), from + end + 1))
-    };
-    let of = |at: usize| {
-        let line = text[..at].lines().count();
-        let (en, end) = string(&text[at..])?;
-        let (zh, _) = string(&text[at + end..])?;
-        Some((line, en, zh))
-    };
-    text.match_indices("both!(").filter_map(|(at, _)| of(at)).collect()
-}
-
-#[test]
-fn what_is_said_in_english_is_said_in_chinese() {
-    // Words outside of quotations and placeholders.
-    let english = |text: &str| {
-        let kept: String = text
-            .split('`')
-            .step_by(2)
-            .flat_map(|t| t.split('{').map(|t| t.split_once('}').map_or(t, |t| t.1)))
-            .collect();
-        words(&kept).any(|(_, w, _)| w.len() > 2 && w.chars().all(|c| c.is_ascii_lowercase()))
-    };
-    let chinese = |text: &str| text.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c));
-    let (mut seen, mut faults) = (0, Vec::new());
-    for (file, text) in
-        sources(&["rs"]).into_iter().filter(|(file, _)| file != "crates/base/src/diag.rs")
-    {
-        for (line, en, zh) in pairs(&text) {
-            seen += 1;
-            if english(&en) && !chinese(&zh) {
-                faults.push(format!("{file}:{line}: {en:?} has no Chinese but {zh:?}"));
-            }
-        }
-    }
-    assert!(seen > 300, "only {seen} texts were found");
-    finish(&faults, "Every text is in both languages: both!(\"English\", \"中文\").");
 }
 
 /// The README's Rust code is that of the crate's first page, which `cargo test` runs.

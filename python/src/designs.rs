@@ -72,7 +72,7 @@ impl Cycle {
     fn figure(&self, py: Python, form: &str, look_of: Named) -> PyResult<Picture> {
         run(py, || {
             let form = CycleForm::named(form).ok_or_else(|| {
-                unknown("form", both!("form", "形式"), form, &["bars", "straight", "polar"])
+                unknown("form", both!("form"), form, &["bars", "straight", "polar"])
             })?;
             let look = look(look_of, SHEET_DIGITS)?;
             let (lang, _) = in_look(&look, &self.of.scene);
@@ -181,7 +181,7 @@ impl Comparison {
 }
 
 fn no_scene() -> Refusal {
-    Refusal::of(Diagnostic::error("too-few", both!("no scene is given", "没有给出机构文件")))
+    Refusal::of(Diagnostic::error("too-few", both!("no scene is given")))
 }
 
 /// Reads the allowed pressure angles.
@@ -199,8 +199,8 @@ fn with_cam<T>(
     let scene = problem.scene()?;
     let all = cams::survey(&scene, number, allowed).map_err(|f| problem.refused(f))?;
     let [one] = all.as_slice() else {
-        let message = both!("the scene has {} cams", "机构文件有 {} 个凸轮", all.len());
-        let help = both!("say which: number=1", "请写明是哪一个：number=1");
+        let message = both!("the scene has {} cams", all.len());
+        let help = both!("say which: number=1");
         return Err(Diagnostic::error("which-cam", message).help(help).into());
     };
     Ok(take(&scene, one))

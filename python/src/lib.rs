@@ -22,6 +22,9 @@ mod solved;
 mod table;
 mod work;
 
+// Compiled again when its Chinese texts change.
+const _: &str = include_str!("../po/zh.po");
+
 use pyo3::prelude::*;
 
 pub use designs::{Comparison, Cycle};

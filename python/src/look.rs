@@ -13,8 +13,8 @@ pub type Named = (Option<String>, Option<String>, Option<String>, Option<usize>)
 
 /// Returns the refusal of a name that is none of those known.
 pub fn unknown(code: &'static str, of: Both, name: &str, known: &[&str]) -> Refusal {
-    let message = both!("there is no {} `{name}`", "没有{} `{name}`", of);
-    let help = both!("there are {}", "有 {}", Both::names(known));
+    let message = both!("there is no {} `{name}`", of);
+    let help = both!("there are {}", Both::names(known));
     Refusal::of(Diagnostic::error(code, message).help(help))
 }
 
@@ -24,7 +24,7 @@ pub fn look((lang, notation, named, digits): Named, usual: usize) -> Result<Look
         None => None,
         Some(name) => Some(
             Lang::named(name)
-                .ok_or_else(|| unknown("lang", both!("language", "语言"), name, &["en", "zh"]))?,
+                .ok_or_else(|| unknown("lang", both!("language"), name, &["en", "zh"]))?,
         ),
     };
     let notation = match notation.as_deref() {
@@ -32,7 +32,7 @@ pub fn look((lang, notation, named, digits): Named, usual: usize) -> Result<Look
         Some(name) => Some(Notation::named(name).ok_or_else(|| {
             let names = Notation::names();
             let names: Vec<&str> = names.iter().map(String::as_str).collect();
-            unknown("notation", both!("notation", "记法"), name, &names)
+            unknown("notation", both!("notation"), name, &names)
         })?),
     };
     let style = match named.as_deref() {
@@ -40,16 +40,12 @@ pub fn look((lang, notation, named, digits): Named, usual: usize) -> Result<Look
         Some(text) if text.trim_start().starts_with('{') => {
             style::read(text.as_bytes()).map_err(|f| Refusal::in_text(f, "style", text))?
         }
-        Some(name) => Style::named(name).ok_or_else(|| {
-            unknown("unknown-style", both!("style", "样式"), name, &Style::names())
-        })?,
+        Some(name) => Style::named(name)
+            .ok_or_else(|| unknown("unknown-style", both!("style"), name, &Style::names()))?,
     };
     let digits = digits.unwrap_or(usual);
     if !(1..=MOST_DIGITS).contains(&digits) {
-        let message = both!(
-            "digits: {digits} is not a whole number from 1 to {MOST_DIGITS}",
-            "digits：{digits} 不是 1 到 {MOST_DIGITS} 的整数"
-        );
+        let message = both!("digits: {digits} is not a whole number from 1 to {MOST_DIGITS}");
         return Err(Refusal::of(Diagnostic::error("digits", message)));
     }
     Ok(Look { lang, notation, style, digits })

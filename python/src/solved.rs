@@ -70,7 +70,7 @@ pub fn included(py: Python, source: Vec<u8>, read: &Bound<PyAny>) -> PyResult<Ve
         let bytes = read.call1((name,)).and_then(|bytes| bytes.extract::<Vec<u8>>());
         bytes.map_err(|e| {
             thrown = Some(e);
-            Diagnostic::error("cannot-read", both!("{name} cannot be read", "不能读取 {name}"))
+            Diagnostic::error("cannot-read", both!("{name} cannot be read"))
         })
     });
     made.map_err(|faults| thrown.unwrap_or_else(|| Refusal::of(faults).raised(py)))
@@ -512,9 +512,8 @@ impl Solved {
     #[pyo3(signature = (format, name, look_of))]
     fn export(&self, py: Python, format: &str, name: &str, look_of: Named) -> PyResult<Vec<u8>> {
         run(py, || {
-            let format = ExportFormat::named(format).ok_or_else(|| {
-                unknown("format", both!("format", "格式"), format, &names_of_formats())
-            })?;
+            let format = ExportFormat::named(format)
+                .ok_or_else(|| unknown("format", both!("format"), format, &names_of_formats()))?;
             let look = look(look_of, Look::default().digits)?;
             let made = exchange::export(&self.solved, format, named(name)?, &look);
             Ok(made.map_err(|f| self.of().refused(f))?.value)
@@ -539,7 +538,7 @@ impl Solved {
             let known = METHODS.map(|e| e.name);
             let method = |name| {
                 ConstructionMethod::named(name)
-                    .ok_or_else(|| unknown("method", both!("method", "方法"), name, &known))
+                    .ok_or_else(|| unknown("method", both!("method"), name, &known))
             };
             let method = method_name.map(method).transpose()?;
             let swept = match self.solved.mechanism() {
@@ -613,7 +612,7 @@ pub fn import_linkage(
         let known = ImportFormat::ALL.map(ImportFormat::name);
         let format = match format {
             Some(name) => ImportFormat::named(name)
-                .ok_or_else(|| unknown("format", both!("format", "格式"), name, &known))?,
+                .ok_or_else(|| unknown("format", both!("format"), name, &known))?,
             None => ImportFormat::of(ending, text),
         };
         let made = exchange::import(text, format).map_err(|f| Refusal::in_text(f, name, text))?;
@@ -631,8 +630,8 @@ fn width_of(width: Option<&str>) -> Result<Option<f64>, Refusal> {
 pub fn named(name: &str) -> Result<&'static FigureEntry, Refusal> {
     list::named(name).ok_or_else(|| {
         let names: Vec<&str> = list::LIST.iter().map(|e| e.name).collect();
-        let message = both!("there is no figure `{name}`", "没有图 `{name}`");
-        let help = both!("there are {}", "有 {}", hodograph::diag::Both::names(&names));
+        let message = both!("there is no figure `{name}`");
+        let help = both!("there are {}", hodograph::diag::Both::names(&names));
         Diagnostic::error("no-figure", message).help(help).into()
     })
 }

@@ -25,10 +25,7 @@ const INCH_MM: f64 = 25.4;
 pub fn run(a: AnimateArgs) -> CommandResult {
     let places = places(&a.output, &a.format, MotionFormat::Svg)?;
     if places.iter().any(|p| p.0 == MotionFormat::Png) {
-        let one = both!(
-            "ask for one file that moves: --format svg or --format gif",
-            "请写成一个动画文件：--format svg 或 --format gif"
-        );
+        let one = both!("ask for one file that moves: --format svg or --format gif");
         one_result(&a.output, usize::from(a.frames), one)?;
     }
     let style = style_of(&a.look)?;

@@ -47,7 +47,6 @@ pub fn batch(a: BatchArgs) -> CommandResult {
     })?;
     files::print(lang::of(&both!(
         "{}: {} mechanisms, {} rows, {} positions without one\n",
-        "{}：{} 个机构，{} 行，{} 个位置没有数据行\n",
         output,
         part.done,
         part.rows,
@@ -57,14 +56,13 @@ pub fn batch(a: BatchArgs) -> CommandResult {
 
 /// Returns a progress bar of mechanisms.
 pub fn bar(all: u64) -> ProgressBar {
-    long::bar(all, 0, &both!("mechanisms", "个机构"))
+    long::bar(all, 0, &both!("mechanisms"))
 }
 
 /// Warns of bytes of an earlier run that have been changed.
 pub fn changed(mechanisms: u64) {
     let words = both!(
-        "the bytes of {mechanisms} mechanisms are not those that were written: they are computed again",
-        "有 {mechanisms} 个机构的数据与写入时不同：重新计算"
+        "the bytes of {mechanisms} mechanisms are not those that were written: they are computed again"
     );
     errors::tell(&Diagnostic::warning("changed-bytes", words).into(), "", "");
 }
@@ -125,7 +123,7 @@ impl BatchRun {
     ) -> Result<T, Failure> {
         let (input, VariedArgs { vary, random, seed, range }) = (&self.input, &self.varied);
         if let Some(steps) = range.steps {
-            within(steps, MOST_POSITIONS, both!("a batch", "批量计算"))?;
+            within(steps, MOST_POSITIONS, both!("a batch"))?;
         }
         let choice = random
             .map_or(ParameterChoice::Grid, |count| ParameterChoice::Random { count, seed: *seed });
@@ -172,15 +170,11 @@ pub fn written(
     if part.done < all {
         let done = part.done;
         let after = if part.stays() {
-            both!("the same command goes on from there", "用同一命令可由此继续")
+            both!("the same command goes on from there")
         } else {
-            both!("what is written to a pipe begins anew", "写入管道的须从头开始")
+            both!("what is written to a pipe begins anew")
         };
-        return Err(Failure::Interrupted(both!(
-            "{done} of {all} mechanisms are done; {}",
-            "{all} 个机构已完成 {done} 个；{}",
-            after
-        )));
+        return Err(Failure::Interrupted(both!("{done} of {all} mechanisms are done; {}", after)));
     }
     Ok(part)
 }

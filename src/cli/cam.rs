@@ -34,15 +34,10 @@ pub fn run(a: args::CamArgs) -> CommandResult {
         if places::of_name::<FigureFormat>(folder).is_some() || is_stream(folder) {
             let d = Diagnostic::error(
                 "output",
-                both!(
-                    "{} would be a folder: a cam has two figures",
-                    "{}应为文件夹：凸轮有两幅图",
-                    places::shown(folder)
-                ),
+                both!("{} would be a folder: a cam has two figures", places::shown(folder)),
             );
             let d = d.help(both!(
-                "write -o out/; the profile alone goes to one file or to standard output: --profile -",
-                "请写 -o out/；仅廓线可写入一个文件或标准输出：--profile -"
+                "write -o out/; the profile alone goes to one file or to standard output: --profile -"
             ));
             return Err(Failure::argument("-o", folder, d));
         }
@@ -69,15 +64,8 @@ pub fn run(a: args::CamArgs) -> CommandResult {
     }
     if let Some(path) = &a.profile {
         let [one] = cams.as_slice() else {
-            let d = Diagnostic::error(
-                "which-cam",
-                both!("the scene has {} cams", "机构文件有 {} 个凸轮", cams.len()),
-            );
-            return Err(Failure::argument(
-                "--profile",
-                path,
-                d.help(both!("say which: --cam 1", "请写明是哪一个：--cam 1")),
-            ));
+            let d = Diagnostic::error("which-cam", both!("the scene has {} cams", cams.len()));
+            return Err(Failure::argument("--profile", path, d.help(both!("say which: --cam 1"))));
         };
         let format = if is_stream(path) {
             Some(in_stream(path, &[], Profile::Csv)?)
@@ -88,17 +76,9 @@ pub fn run(a: args::CamArgs) -> CommandResult {
             Some(Profile::Csv) => one.profile_csv(a.steps as usize),
             Some(Profile::Dxf) => one.profile_dxf(a.steps as usize).into_bytes(),
             None => {
-                let d = Diagnostic::error(
-                    "output",
-                    both!(
-                        "{path} is neither a .csv nor a .dxf file",
-                        "{path} 不是 .csv 或 .dxf 文件"
-                    ),
-                );
-                let d = d.help(both!(
-                    "write --profile cam.csv or --profile cam.dxf",
-                    "请写 --profile cam.csv 或 --profile cam.dxf"
-                ));
+                let d =
+                    Diagnostic::error("output", both!("{path} is neither a .csv nor a .dxf file"));
+                let d = d.help(both!("write --profile cam.csv or --profile cam.dxf"));
                 return Err(Failure::argument("--profile", path, d));
             }
         };

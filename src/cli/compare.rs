@@ -27,7 +27,7 @@ pub fn run(a: CompareArgs) -> CommandResult {
     };
     let style = style_of(&a.look)?;
     if a.scenes.len() > MOST {
-        let message = both!("a comparison has at most {MOST} scenes", "至多比较 {MOST} 个机构");
+        let message = both!("a comparison has at most {MOST} scenes");
         let d = Diagnostic::error("too-many", message);
         return Err(Failure::argument("SCENE", &a.scenes[MOST], d));
     }

@@ -62,10 +62,8 @@ fn asked(scene: &Scene, a: &args::CurvatureArgs) -> Result<CurvatureRequest, Fai
     let frame = against.unwrap_or(scene.ground);
     if links.contains(&frame) {
         let name = scene.link_name(frame);
-        let message =
-            both!("link {name} does not move, seen from itself", "构件 {name} 相对自身不动");
-        let d =
-            Diagnostic::error("link", message).help(both!("name a moving link", "请指定活动构件"));
+        let message = both!("link {name} does not move, seen from itself");
+        let d = Diagnostic::error("link", message).help(both!("name a moving link"));
         return Err(Failure::argument("--link", name, d));
     }
     if !links.is_empty() {
@@ -99,12 +97,9 @@ pub fn links_named(
         match scene.links.iter().position(|l| l.name == *name) {
             Some(l) => out.push(LinkId(l)),
             None => {
-                let d = Diagnostic::error(
-                    "unknown-link",
-                    both!("the scene has no link `{name}`", "机构文件没有构件 `{name}`"),
-                );
+                let d = Diagnostic::error("unknown-link", both!("the scene has no link `{name}`"));
                 let all = scene.links.iter().map(|l| l.name.as_str());
-                faults.push(d.help(suggest(name, all, both!("the links are", "构件有"))));
+                faults.push(d.help(suggest(name, all, both!("the links are"))));
             }
         }
     }

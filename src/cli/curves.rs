@@ -29,7 +29,7 @@ pub fn run(a: CurvesArgs) -> CommandResult {
     let mechanism = sweep::mechanism(&input.scene).map_err(|f| input.failed(f))?;
     let swept = swept_of(&input.scene, a.range.over.as_deref())?;
     let placed = PlacedScene::new(&input.scene, &mechanism).map_err(|f| input.failed(f))?;
-    let steps = within(a.range.steps.unwrap_or(STEPS), MOST_STEPS, both!("a diagram", "线图"))?;
+    let steps = within(a.range.steps.unwrap_or(STEPS), MOST_STEPS, both!("a diagram"))?;
     let timed;
     let swept_at: Box<dyn Fn(Vec<f64>) -> Option<Table>>;
     let table = match swept {
@@ -50,26 +50,17 @@ pub fn run(a: CurvesArgs) -> CommandResult {
     if table.rows() < 2 {
         let d = Diagnostic::error(
             "no-motion",
-            both!(
-                "fewer than two positions of the driver can be assembled: there is no curve",
-                "原动件可装配的位置不足两个：没有曲线"
-            ),
+            both!("fewer than two positions of the driver can be assembled: there is no curve"),
         );
-        let mut faults: Faults = d
-            .help(both!(
-                "choose another range with --from and --to",
-                "请用 --from 和 --to 另选范围"
-            ))
-            .into();
+        let mut faults: Faults = d.help(both!("choose another range with --from and --to")).into();
         faults.list.extend(table.notes);
         return Err(input.failed(faults));
     }
     let (lang, notation) = choices(&input.scene, &a.common);
     let notation = style.marks.over(&notation);
     let nothing = |table: Table| {
-        let mut faults: Faults = no_curve()
-            .help(both!("ask for other quantities with --find", "请用 --find 另选所求的量"))
-            .into();
+        let mut faults: Faults =
+            no_curve().help(both!("ask for other quantities with --find")).into();
         faults.list.extend(table.notes);
         faults
     };

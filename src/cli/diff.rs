@@ -30,15 +30,8 @@ pub fn run(a: DiffArgs) -> CommandResult {
 
 fn compared(a: &DiffArgs) -> CommandResult {
     if let Some(path) = a.output.as_deref().filter(|p| files::ending(p).as_deref() != Some("png")) {
-        let d = Diagnostic::error(
-            "output",
-            both!("{path} does not end in .png", "{path} 不以 .png 结尾"),
-        );
-        return Err(Failure::argument(
-            "-o",
-            path,
-            d.help(both!("write -o diff.png", "请写 -o diff.png")),
-        ));
+        let d = Diagnostic::error("output", both!("{path} does not end in .png"));
+        return Err(Failure::argument("-o", path, d.help(both!("write -o diff.png"))));
     }
     let (old, new) = (read(&a.old)?, read(&a.new)?);
     let usual = Options::default();
@@ -62,7 +55,7 @@ fn compared(a: &DiffArgs) -> CommandResult {
             lines.iter().take(TOLD).map(|line| format!("{}\n", lang::of(line))).collect();
         if lines.len() > TOLD {
             let more = lines.len() - TOLD;
-            text += &format!("{}\n", lang::of(&both!("and {more} more", "另有 {more} 处")));
+            text += &format!("{}\n", lang::of(&both!("and {more} more")));
         }
         files::print_names(&text)?;
     }

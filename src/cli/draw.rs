@@ -98,10 +98,7 @@ fn put(
         files::print_names(&format!("{}\n", a.output))?;
         return Ok(file.notes);
     }
-    let one = both!(
-        "ask for one with --figure, or for a document of pages: --format pdf",
-        "请用 --figure 只取一个图，或用 --format pdf 写成多页文件"
-    );
+    let one = both!("ask for one with --figure, or for a document of pages: --format pdf");
     one_result(&a.output, words.len(), one)?;
     let targets =
         names(a, name, words, &formats).map_err(|f| Failure::argument("-o", &a.output, f))?;
@@ -160,15 +157,11 @@ fn output(path: &str) -> Result<(), Faults> {
         Some(ending) if !folder && FigureFormat::of(&ending).is_none() => {
             let d = Diagnostic::error(
                 "output",
-                both!(
-                    "{path} is not a .svg, .png, .pdf or .tikz file",
-                    "{path} 不是 .svg、.png、.pdf 或 .tikz 文件"
-                ),
+                both!("{path} is not a .svg, .png, .pdf or .tikz file"),
             );
             Err(d
                 .help(both!(
-                    "write -o figure.svg, figure.png, figure.pdf or figure.tikz; a folder of that name is -o {path}/",
-                    "请写 -o figure.svg、figure.png、figure.pdf 或 figure.tikz；若是文件夹请指定 -o {path}/"
+                    "write -o figure.svg, figure.png, figure.pdf or figure.tikz; a folder of that name is -o {path}/"
                 ))
                 .into())
         }
@@ -195,16 +188,12 @@ fn read_style(name: &str) -> Result<Style, Failure> {
         return Ok(style);
     }
     if files::ending(name).as_deref() != Some("json") {
-        let d = Diagnostic::error(
-            "unknown-style",
-            both!("there is no style `{name}`", "没有样式 `{name}`"),
-        );
+        let d = Diagnostic::error("unknown-style", both!("there is no style `{name}`"));
         return Err(Failure::argument(
             "--style",
             name,
             d.help(both!(
                 "the styles are {}; a style of your own is a file ending in .json",
-                "样式有 {}；自定义样式是以 .json 结尾的文件",
                 Both::names(&Style::names())
             )),
         ));
@@ -245,19 +234,9 @@ fn names(
     if one {
         let d = Diagnostic::error(
             "output",
-            both!(
-                "{} is one file; {} figures are asked for",
-                "{} 是一个文件，而要画 {} 个图",
-                a.output,
-                words.len()
-            ),
+            both!("{} is one file; {} figures are asked for", a.output, words.len()),
         );
-        return Err(d
-            .help(both!(
-                "name a folder, such as -o out/, or ask for one figure",
-                "请指定文件夹，如 -o out/，或只画一个图"
-            ))
-            .into());
+        return Err(d.help(both!("name a folder, such as -o out/, or ask for one figure")).into());
     }
     let stem = files::stem(scene, "sheet");
     let file = |word: &str, f: FigureFormat| {

@@ -10,6 +10,7 @@ use crate::diag::{Both, Diagnostic, both};
 use crate::scene::Lang;
 use clap::Args as ClapArgs;
 use hodograph_base::json::fields::nearest;
+use hodograph_base::lang::say;
 use serde_json::{Value, json};
 
 /// The arguments of the command.
@@ -59,14 +60,8 @@ pub fn run(a: ExplainArgs) -> CommandResult {
 
 fn unknown(code: &str, all: &[CodeExplanation]) -> Diagnostic {
     let help = nearest(code, all.iter().map(|e| e.code));
-    let help = help.unwrap_or_else(|| {
-        both!("`hodograph explain` lists all codes", "`hodograph explain` 列出全部代码")
-    });
-    Diagnostic::error(
-        "unknown-code",
-        both!("no diagnostic has the code `{code}`", "没有代码为 `{code}` 的诊断"),
-    )
-    .help(help)
+    let help = help.unwrap_or_else(|| both!("`hodograph explain` lists all codes"));
+    Diagnostic::error("unknown-code", both!("no diagnostic has the code `{code}`")).help(help)
 }
 
 /// All explanations.
@@ -114,15 +109,10 @@ fn listed(all: &[CodeExplanation]) -> String {
 impl CodeExplanation {
     fn text(&self, lang: Lang) -> String {
         let [title, cause, cure] = [&self.title, &self.cause, &self.cure].map(|text| lang.of(text));
-        let example = self.example.map_or_else(String::new, |e| {
-            lang.of(&both!("Example: {}\n", "例：{}\n", e)).to_owned()
-        });
-        match lang {
-            Lang::En => {
-                format!("{}: {title}\n\nCause: {cause}\nCure: {cure}\n{example}", self.code)
-            }
-            Lang::Zh => format!("{}：{title}\n\n原因：{cause}\n对策：{cure}\n{example}", self.code),
-        }
+        let example = self
+            .example
+            .map_or_else(String::new, |e| lang.of(&both!("Example: {}\n", e)).to_owned());
+        say!(lang, "{}: {title}\n\nCause: {cause}\nCure: {cure}\n{example}", self.code)
     }
 
     fn json(&self) -> Value {

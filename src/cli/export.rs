@@ -78,14 +78,11 @@ pub fn mdbook(asked: Option<&str>, renderer: Option<&str>) -> CommandResult {
             });
         }
         (Some(other), _) => {
-            let d = Diagnostic::error(
-                "import",
-                both!("mdBook does not ask `{other}`", "mdBook 没有 `{other}` 这种询问"),
-            );
+            let d = Diagnostic::error("import", both!("mdBook does not ask `{other}`"));
             return Err(Failure::argument(
                 "supports",
                 other,
-                d.help(both!("the book comes on standard input", "书由标准输入给出")),
+                d.help(both!("the book comes on standard input")),
             ));
         }
         (None, _) => {}

@@ -40,10 +40,7 @@ pub fn scene(path: &str) -> Result<(String, Vec<u8>), Diagnostic> {
 }
 
 fn from_file(path: &str) -> Result<Vec<u8>, Diagnostic> {
-    let help = both!(
-        "name a scene file; `hodograph new crank-rocker -o scene.json` writes one",
-        "请指定机构文件；可用 `hodograph new crank-rocker -o scene.json` 生成一个"
-    );
+    let help = both!("name a scene file; `hodograph new crank-rocker -o scene.json` writes one");
     bounded(Path::new(path), LARGEST, help)
 }
 
@@ -53,10 +50,9 @@ fn from_stdin() -> Result<Vec<u8>, Diagnostic> {
     has_read(Path::new("/dev/stdin"));
     match io::stdin().lock().take(LARGEST).read_to_end(&mut bytes) {
         Ok(_) => Ok(bytes),
-        Err(e) => Err(Diagnostic::error(
-            "cannot-read",
-            both!("{STDIN} cannot be read: {}", "不能读取标准输入：{}", reason(&e)),
-        )),
+        Err(e) => {
+            Err(Diagnostic::error("cannot-read", both!("{STDIN} cannot be read: {}", reason(&e))))
+        }
     }
 }
 
@@ -66,7 +62,7 @@ pub fn table(path: &str) -> Result<(String, Vec<u8>), Diagnostic> {
     if path == "-" {
         return Ok((STDIN.to_owned(), from_stdin()?));
     }
-    let help = both!("name a table in CSV", "请指定 CSV 表格");
+    let help = both!("name a table in CSV");
     Ok((path.to_owned(), bounded(Path::new(path), LARGEST, help)?))
 }
 
@@ -75,37 +71,23 @@ pub fn style(path: &str) -> Result<Vec<u8>, Diagnostic> {
     bounded(
         Path::new(path),
         LARGEST,
-        both!(
-            "name a style file, or one of the styles print, slides, dark",
-            "请指定样式文件，或样式 print、slides、dark 之一"
-        ),
+        both!("name a style file, or one of the styles print, slides, dark"),
     )
 }
 
 /// Reads a figure's file.
 pub fn picture(path: &str) -> Result<Vec<u8>, Diagnostic> {
-    let bytes = bounded(
-        Path::new(path),
-        LARGEST + 1,
-        both!("name an SVG or a PNG", "请指定 SVG 或 PNG 文件"),
-    )?;
+    let bytes = bounded(Path::new(path), LARGEST + 1, both!("name an SVG or a PNG"))?;
     if bytes.len() as u64 > LARGEST {
         let most = LARGEST >> 20;
-        return Err(Diagnostic::error(
-            "diff-input",
-            both!("{path} has more than {most} MiB", "{path} 超过 {most} MiB"),
-        ));
+        return Err(Diagnostic::error("diff-input", both!("{path} has more than {most} MiB")));
     }
     Ok(bytes)
 }
 
 /// Reads a font's file.
 pub fn font(path: &Path) -> Result<Vec<u8>, Diagnostic> {
-    bounded(
-        path,
-        own::LARGEST as u64 + 1,
-        both!("name a font file: .otf or .ttf", "请指定字体文件：.otf 或 .ttf"),
-    )
+    bounded(path, own::LARGEST as u64 + 1, both!("name a font file: .otf or .ttf"))
 }
 
 fn bounded(path: &Path, most: u64, help: Both) -> Result<Vec<u8>, Diagnostic> {
@@ -131,10 +113,7 @@ pub fn read_now(path: &Path) -> Result<Option<Vec<u8>>, Diagnostic> {
 
 /// The fault of a file that cannot be read.
 pub fn unreadable(path: &Path, e: &io::Error) -> Diagnostic {
-    Diagnostic::error(
-        "cannot-read",
-        both!("{} cannot be read: {}", "不能读取 {}：{}", path.display(), reason(e)),
-    )
+    Diagnostic::error("cannot-read", both!("{} cannot be read: {}", path.display(), reason(e)))
 }
 
 /// A refusal by this program, in place of an error of the system.
@@ -155,14 +134,14 @@ pub fn reason(e: &io::Error) -> Both {
         return words.clone();
     }
     match e.kind() {
-        io::ErrorKind::NotFound => both!("{e}", "没有这个文件或文件夹"),
-        io::ErrorKind::PermissionDenied => both!("{e}", "没有访问权限"),
-        io::ErrorKind::IsADirectory => both!("{e}", "这是文件夹"),
-        io::ErrorKind::NotADirectory => both!("{e}", "路径中有不是文件夹的部分"),
-        io::ErrorKind::AlreadyExists => both!("{e}", "文件已存在"),
-        io::ErrorKind::StorageFull => both!("{e}", "存储空间已满"),
-        io::ErrorKind::ReadOnlyFilesystem => both!("{e}", "文件系统只读"),
-        _ => both!("{e}", "系统报告：{e}"),
+        io::ErrorKind::NotFound => both!("file not found" => "{e}"),
+        io::ErrorKind::PermissionDenied => both!("permission denied" => "{e}"),
+        io::ErrorKind::IsADirectory => both!("is a directory" => "{e}"),
+        io::ErrorKind::NotADirectory => both!("not a directory" => "{e}"),
+        io::ErrorKind::AlreadyExists => both!("file exists" => "{e}"),
+        io::ErrorKind::StorageFull => both!("storage full" => "{e}"),
+        io::ErrorKind::ReadOnlyFilesystem => both!("read-only file system" => "{e}"),
+        _ => both!("other fault of the system" => "{e}"),
     }
 }
 
@@ -184,7 +163,7 @@ pub fn print_with(fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result
     let mut out = io::stdout().lock();
     match fill(&mut out).and_then(|()| out.flush()) {
         Err(e) if e.kind() != io::ErrorKind::BrokenPipe => {
-            Err(Failure::Output(both!("standard output: {}", "标准输出：{}", reason(&e))))
+            Err(Failure::Output(both!("standard output: {}", reason(&e))))
         }
         _ => Ok(()),
     }

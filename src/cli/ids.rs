@@ -26,11 +26,8 @@ pub fn of_lesson(a: &args::LessonArgs) -> Result<(), Failure> {
     if a.look.id_prefix.is_empty() || a.reveal {
         return Ok(());
     }
-    let message = both!(
-        "a lesson is a page of its own: its ids have no prefix",
-        "教学演示是独立的页面，其 id 不加前缀"
-    );
-    let d = Diagnostic::error("id-prefix", message)
-        .help(both!("it is for figures and for --reveal", "前缀用于图形和 --reveal"));
+    let message = both!("a lesson is a page of its own: its ids have no prefix");
+    let d =
+        Diagnostic::error("id-prefix", message).help(both!("it is for figures and for --reveal"));
     Err(Failure::argument("--id-prefix", &a.look.id_prefix, d))
 }

@@ -24,15 +24,12 @@ pub fn run(a: args::InversionsArgs) -> CommandResult {
         let Some(picked) = all.iter().find(|i| i.scene.link_name(i.scene.ground) == name) else {
             let d = Diagnostic::error(
                 "unknown-link",
-                both!(
-                    "there is no inversion with link `{name}` as ground",
-                    "没有以构件 `{name}` 为机架的倒置机构"
-                ),
+                both!("there is no inversion with link `{name}` as ground"),
             );
             return Err(Failure::argument(
                 "--pick",
                 name,
-                d.help(suggest(name, known(), both!("the grounds are", "可为机架的构件有"))),
+                d.help(suggest(name, known(), both!("the grounds are"))),
             ));
         };
         match &a.output {
@@ -47,11 +44,7 @@ pub fn run(a: args::InversionsArgs) -> CommandResult {
         return Ok(ExitCode::SUCCESS);
     }
     if let Some(folder) = &a.output {
-        let one = both!(
-            "choose one: --pick {}",
-            "请选一个：--pick {}",
-            input.scene.link_name(input.scene.ground)
-        );
+        let one = both!("choose one: --pick {}", input.scene.link_name(input.scene.ground));
         places::one_result(folder, all.len().max(2), one)?;
         let stem = files::stem(&input.file.name, "scene");
         let mut together = Together::default();

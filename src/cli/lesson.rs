@@ -19,11 +19,8 @@ pub fn run(a: args::LessonArgs) -> CommandResult {
         .as_deref()
         .filter(|p| files::ending(p).is_some_and(|e| !LESSONS.contains(&e.as_str())))
     {
-        let d = Diagnostic::error(
-            "output",
-            both!("{path} does not end in .html", "{path} 不以 .html 结尾"),
-        )
-        .help(both!("write -o lesson.html", "请写 -o lesson.html"));
+        let d = Diagnostic::error("output", both!("{path} does not end in .html"))
+            .help(both!("write -o lesson.html"));
         return Err(Failure::argument("-o", path, d));
     }
     let width_mm = width(a.width.as_deref())?;

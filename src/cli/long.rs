@@ -14,11 +14,7 @@ pub fn bar(all: u64, done: u64, what: &Both) -> ProgressBar {
     } else {
         ProgressBar::hidden()
     };
-    let words = both!(
-        "{{bar:40}} {{pos}}/{{len}} {}  {{per_sec}}  {{eta}} left",
-        "{{bar:40}} {{pos}}/{{len}} {}  {{per_sec}}  剩余 {{eta}}",
-        what
-    );
+    let words = both!("{{bar:40}} {{pos}}/{{len}} {}  {{per_sec}}  {{eta}} left", what);
     let style = ProgressStyle::with_template(lang::of(&words));
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
     bar.set_position(done);

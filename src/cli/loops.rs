@@ -42,10 +42,7 @@ pub fn run(a: &args::LoopsArgs) -> CommandResult {
 
 /// The note on a link that is in place of the contact of a cam.
 fn linkage(words: Both) -> Diagnostic {
-    Diagnostic::note(
-        "loops",
-        both!("higher pairs are replaced by lower ones: {}", "高副低代：{}", words),
-    )
+    Diagnostic::note("loops", both!("higher pairs are replaced by lower ones: {}", words))
 }
 
 /// The warning that a mechanism has no loop of vectors, with the pin or the links on which it lacks.
@@ -57,17 +54,14 @@ fn nothing(scene: &Scene) -> Diagnostic {
     let message = match free {
         Some((pin, _)) => both!(
             "pin {} is on no link: it runs in two guides, and no vector leads to it along a body; no loop is written",
-            "销 {} 不在任何构件上，只在两条导路中滑动：没有构件上的矢量通到该点，未列封闭矢量方程",
             scene.point_name(pin)
         ),
         None => both!(
             "no joint closes a loop: the drivers move each link directly ({}), and nothing is unknown",
-            "没有运动副构成封闭矢量多边形：各构件均由原动件直接带动（{}），没有未知量",
             Both::names(&moved)
         ),
     };
     Diagnostic::warning("loops", message).help(both!(
-        "`hodograph solve` answers the questions; `hodograph sweep` writes x(t), y(t) as a table",
-        "所求量可用 `hodograph solve` 求解；x(t)、y(t) 可用 `hodograph sweep` 列表"
+        "`hodograph solve` answers the questions; `hodograph sweep` writes x(t), y(t) as a table"
     ))
 }

@@ -170,8 +170,7 @@ fn usage(e: &clap::Error, of_help: Lang) -> ExitCode {
     }
     match e.print() {
         Err(io) if !e.use_stderr() && io.kind() != std::io::ErrorKind::BrokenPipe => {
-            Failure::Output(both!("standard output: {}", "标准输出：{}", files::reason(&io)))
-                .report()
+            Failure::Output(both!("standard output: {}", files::reason(&io))).report()
         }
         _ => ExitCode::from(code),
     }
@@ -247,7 +246,7 @@ impl Failure {
                 ExitCode::from(2)
             }
             Failure::Output(message) => {
-                let line = both!("error: {}\n", "错误：{}\n", message);
+                let line = both!("error: {}\n", message);
                 errors::tell_line(&Diagnostic::error("cannot-write", message), lang::of(&line));
                 ExitCode::from(1)
             }
@@ -261,7 +260,7 @@ impl Failure {
 
 /// Reports the work that an interrupted run has left undone.
 fn interrupted(message: &Both) {
-    let line = both!("interrupted: {}\n", "已中断：{}\n", message);
+    let line = both!("interrupted: {}\n", message);
     errors::tell_line(&Diagnostic::error("interrupted", message.clone()), lang::of(&line));
 }
 

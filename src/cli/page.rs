@@ -26,7 +26,7 @@ impl PageText {
     pub fn read(named: Option<&str>) -> Result<PageText, Failure> {
         let read = |path: &Path| {
             std::fs::read_to_string(path).map_err(|e| {
-                let help = both!("name the page, hodograph.html", "请指定页面文件 hodograph.html");
+                let help = both!("name the page, hodograph.html");
                 files::unreadable(path, &e).help(help)
             })
         };
@@ -36,10 +36,9 @@ impl PageText {
             }
             (None, Some(bytes)) => String::from_utf8_lossy(bytes).into_owned(),
             (None, None) => near().iter().find_map(|path| read(path).ok()).ok_or_else(|| {
-                let d = Diagnostic::error("no-page", both!("the page is not built", "页面尚未构建"));
+                let d = Diagnostic::error("no-page", both!("the page is not built"));
                 let help = both!(
-                    "`npm ci` and `npm run engine && npm run build` in the folder web build it; --page FILE names one that is elsewhere",
-                    "在 web 文件夹中运行 `npm ci` 和 `npm run engine && npm run build` 即可构建；--page FILE 指定其他位置的页面"
+                    "`npm ci` and `npm run engine && npm run build` in the folder web build it; --page FILE names one that is elsewhere"
                 );
                 Failure::input(d.help(help), "", "")
             })?,
@@ -51,15 +50,9 @@ impl PageText {
         body.map(|body| PageText { text, body }).ok_or_else(|| {
             let d = Diagnostic::error(
                 "no-page",
-                both!(
-                    "this is not the page of hodograph in one file",
-                    "这不是 hodograph 的单文件页面"
-                ),
+                both!("this is not the page of hodograph in one file"),
             );
-            let help = both!(
-                "`npm run build` in the folder web writes it to dist/hodograph.html",
-                "在 web 文件夹中运行 `npm run build`，得到 dist/hodograph.html"
-            );
+            let help = both!("`npm run build` in the folder web writes it to dist/hodograph.html");
             Failure::argument("--page", named.unwrap_or_default(), d.help(help))
         })
     }

@@ -64,9 +64,7 @@ impl PartialTable {
         let job = Job { job: job.to_owned(), begin: begin.len() as u64 };
         let begun = text.len() >= journal::MARK.len();
         let found = own(&path).and_then(|file| match file {
-            Some(_) if !begun => {
-                Err(stranger(&path, both!("no journal tells of it", "没有记录文件提到它")))
-            }
+            Some(_) if !begun => Err(stranger(&path, both!("no journal tells of it"))),
             found => Ok(found),
         });
         let file = match found {
@@ -374,10 +372,7 @@ fn claimed(path: &Path) -> io::Result<File> {
         match file.try_lock() {
             Ok(()) => {}
             Err(TryLockError::WouldBlock) => {
-                return Err(io::Error::other(FileRefusal(both!(
-                    "another run is writing it",
-                    "另一个程序正在写入"
-                ))));
+                return Err(io::Error::other(FileRefusal(both!("another run is writing it"))));
             }
             // On a file system without locks, the user must not start two runs at once.
             Err(TryLockError::Error(e)) if e.kind() == io::ErrorKind::Unsupported => {}
@@ -394,7 +389,7 @@ fn claimed(path: &Path) -> io::Result<File> {
         return if journal::is_journal(&first) {
             Ok(file)
         } else {
-            Err(stranger(path, both!("it is no journal of a batch", "它不是批量计算的记录文件")))
+            Err(stranger(path, both!("it is no journal of a batch")))
         };
     }
 }
@@ -408,10 +403,7 @@ fn own(path: &Path) -> io::Result<Option<File>> {
         Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(None),
         Err(e) => return Err(e),
         Ok(m) if !m.is_file() || names(&m) > 1 => {
-            return Err(stranger(
-                path,
-                both!("it is a link or no plain file", "它是链接或不是普通文件"),
-            ));
+            return Err(stranger(path, both!("it is a link or no plain file")));
         }
         Ok(_) => {}
     }
@@ -421,9 +413,7 @@ fn own(path: &Path) -> io::Result<Option<File>> {
         // removed it.
         Ok(file) if has_name(&file, path) => Ok(Some(file)),
         Ok(_) if std::fs::symlink_metadata(path).is_err() => Ok(None),
-        Ok(_) => {
-            Err(stranger(path, both!("it is a link or no plain file", "它是链接或不是普通文件")))
-        }
+        Ok(_) => Err(stranger(path, both!("it is a link or no plain file"))),
         Err(e) => Err(e),
     }
 }
@@ -447,7 +437,6 @@ fn created(path: &Path) -> io::Result<File> {
 fn stranger(path: &Path, why: Both) -> io::Error {
     io::Error::other(FileRefusal(both!(
         "{} is in the way ({}): move it away, or name another output",
-        "{} 已存在（{}）：请移走，或另写输出文件",
         path.display(),
         why
     )))

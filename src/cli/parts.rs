@@ -126,12 +126,8 @@ impl PartFolder {
                 range: RangeArgs { over, from, to, steps, find },
             };
             let format = places::of_name(&format!("x.{}", request.format)).ok_or_else(|| {
-                let message = both!(
-                    "`{}` is no format of a batch",
-                    "`{}` 不是批量计算的格式",
-                    request.format
-                );
-                let help = both!("there are csv, npy, parquet", "有 csv、npy、parquet");
+                let message = both!("`{}` is no format of a batch", request.format);
+                let help = both!("there are csv, npy, parquet");
                 Failure::argument(
                     "format",
                     request.format,
@@ -231,15 +227,9 @@ impl PartFolder {
         if read(&path)? == description {
             return Ok(parts);
         }
-        let message = both!(
-            "{} holds the parts of another batch",
-            "{} 中是另一批量计算的分块",
-            folder.display()
-        );
-        let help = both!(
-            "name another folder, or remove it; {DESCRIPTION} in it describes its batch",
-            "请另取文件夹，或将其删除；其中的 {DESCRIPTION} 描述该批量计算"
-        );
+        let message = both!("{} holds the parts of another batch", folder.display());
+        let help =
+            both!("name another folder, or remove it; {DESCRIPTION} in it describes its batch");
         Err(parts.refused(Diagnostic::error("parts", message).help(help)))
     }
 
@@ -251,13 +241,9 @@ impl PartFolder {
             Failure::argument("FOLDER", &folder.display().to_string(), d)
         };
         if told.generator != GENERATOR {
-            return Err(fault(both!(
-                "the parts are of {}, this is {GENERATOR}",
-                "各分块由 {} 生成，而本程序为 {GENERATOR}",
-                told.generator
-            )));
+            return Err(fault(both!("the parts are of {}, this is {GENERATOR}", told.generator)));
         }
-        let unknown = || fault(both!("{DESCRIPTION} is damaged", "{DESCRIPTION} 已损坏"));
+        let unknown = || fault(both!("{DESCRIPTION} is damaged"));
         let format = places::of_name(&format!("x.{}", told.format)).ok_or_else(unknown)?;
         let lang = Lang::named(&told.language).ok_or_else(unknown)?;
         if told.mechanisms_per_part == 0 {
@@ -335,11 +321,9 @@ impl PartFolder {
         }
         if absent > 0 {
             let all = self.count();
-            let message =
-                both!("{absent} of {all} parts are missing", "共 {all} 个分块，缺少 {absent} 个");
+            let message = both!("{absent} of {all} parts are missing");
             let help = both!(
                 "run `batch --shard` again; `hodograph shards missing {}` lists them",
-                "请再次运行 `batch --shard`；`hodograph shards missing {}` 列出缺少的分块",
                 self.folder.display()
             );
             return Err(self.refused(Diagnostic::error("parts", message).help(help)));
@@ -357,7 +341,6 @@ impl PartFolder {
                     if !sound {
                         let words = both!(
                             "{} is damaged: `shards verify --remove-damaged`",
-                            "{} 已损坏：请用 `shards verify --remove-damaged`",
                             self.path(k).display()
                         );
                         return Err(io::Error::other(files::FileRefusal(words)));
@@ -416,15 +399,14 @@ fn read(path: &Path) -> Result<FolderDescription, Failure> {
     let name = path.display().to_string();
     let refused = |d: Diagnostic| {
         let d = d.help(both!(
-            "`hodograph batch SCENE --vary ... --shard 1/8 -o FOLDER` makes such a folder",
-            "`hodograph batch SCENE --vary ... --shard 1/8 -o FOLDER` 生成这样的文件夹"
+            "`hodograph batch SCENE --vary ... --shard 1/8 -o FOLDER` makes such a folder"
         ));
         Failure::argument("FOLDER", &name, d)
     };
     let absent = || files::unreadable(path, &io::ErrorKind::NotFound.into());
     let bytes = files::read_now(path).map_err(refused)?.ok_or_else(|| refused(absent()))?;
     serde_json::from_slice(&bytes).map_err(|e| {
-        let message = both!("{DESCRIPTION} cannot be read: {e}", "无法读取 {DESCRIPTION}：{e}");
+        let message = both!("{DESCRIPTION} cannot be read: {e}");
         Failure::argument("FOLDER", &name, Diagnostic::error("parts", message))
     })
 }

@@ -14,7 +14,7 @@ pub type OutputPlace<F> = (F, String);
 
 /// An output's name in sentences.
 pub fn shown(output: &str) -> Both {
-    if output == "-" { both!("standard output", "标准输出") } else { Both::same(output) }
+    if output == "-" { both!("standard output") } else { Both::same(output) }
 }
 
 /// The ending of a format's files: its name on the command line.
@@ -50,16 +50,9 @@ pub fn places<F: ValueEnum + Copy + PartialEq>(
         return Err(no_format::<F>(output));
     }
     if output.ends_with(std::path::is_separator) || std::path::Path::new(output).is_dir() {
-        let d = Diagnostic::error(
-            "output",
-            both!("{output} is a folder, a file is wanted here", "{output} 是文件夹，此处应为文件"),
-        );
+        let d = Diagnostic::error("output", both!("{output} is a folder, a file is wanted here"));
         let example = ending(formats[0]);
-        return Err(Failure::argument(
-            "-o",
-            output,
-            d.help(both!("write -o name.{example}", "请写 -o name.{example}")),
-        ));
+        return Err(Failure::argument("-o", output, d.help(both!("write -o name.{example}"))));
     }
     let name = |f: &F| {
         if formats.len() == 1 { output.to_owned() } else { format!("{output}.{}", ending(*f)) }
@@ -89,13 +82,11 @@ pub fn in_stream<F: ValueEnum + Copy>(output: &str, formats: &[F], usual: F) -> 
         [first, ..] => {
             let message = both!(
                 "{} takes one result, and --format asks for {}",
-                "{}只能写一个结果，而 --format 要求 {} 种格式",
                 shown(output),
                 formats.len()
             );
             let first = ending(*first);
-            let help =
-                both!("ask for one format: --format {first}", "请只取一种格式：--format {first}");
+            let help = both!("ask for one format: --format {first}");
             Err(Failure::argument("-o", output, Diagnostic::error("format", message).help(help)))
         }
     }
@@ -114,16 +105,11 @@ pub fn agrees<F: ValueEnum + Copy + PartialEq>(
         return Ok(());
     }
     let asked: Vec<String> = formats.iter().map(|f| ending(*f)).collect();
-    let message = both!(
-        "{output} ends in .{}, and --format says {}",
-        "{output} 以 .{} 结尾，而 --format 为 {}",
-        ending(named),
-        Both::names(&asked)
-    );
+    let message =
+        both!("{output} ends in .{}, and --format says {}", ending(named), Both::names(&asked));
     let stem = std::path::Path::new(output).with_extension("");
     let help = both!(
         "leave --format out, or the ending: -o {} --format {}",
-        "请去掉 --format，或去掉文件名的结尾：-o {} --format {}",
         stem.display(),
         asked.join(",")
     );
@@ -133,12 +119,10 @@ pub fn agrees<F: ValueEnum + Copy + PartialEq>(
 /// The fault of a name without a format of the command.
 pub fn no_format<F: ValueEnum + Copy>(output: &str) -> Failure {
     let all: Vec<String> = F::value_variants().iter().map(|f| format!(".{}", ending(*f))).collect();
-    let message = both!("{output} ends in none of {}", "{output} 不以 {} 结尾", Both::names(&all));
+    let message = both!("{output} ends in none of {}", Both::names(&all));
     let first = F::value_variants().first().copied().map(ending).unwrap_or_default();
-    let help = both!(
-        "name the file after its format, such as -o name.{first}, or add --format {first}",
-        "请按格式命名文件，如 -o name.{first}，或加上 --format {first}"
-    );
+    let help =
+        both!("name the file after its format, such as -o name.{first}, or add --format {first}");
     Failure::argument("-o", output, Diagnostic::error("output", message).help(help))
 }
 
@@ -150,11 +134,7 @@ pub fn one_result(output: &str, count: usize, how: Both) -> Result<(), Failure> 
     if count == 1 || !is_stream(output) {
         return Ok(());
     }
-    let message = both!(
-        "{} takes one result, and there are {count}",
-        "{}只能写一个结果，而结果有 {count} 个",
-        shown(output)
-    );
+    let message = both!("{} takes one result, and there are {count}", shown(output));
     Err(Failure::argument("-o", output, Diagnostic::error("output", message).help(how)))
 }
 
@@ -166,14 +146,8 @@ pub fn no_report_beside(output: Option<&str>, json: bool) -> Result<(), Failure>
     match output.filter(|o| json && super::target::is_stdout(o)) {
         None => Ok(()),
         Some(output) => {
-            let message = both!(
-                "-o {output} and --json both write to standard output",
-                "-o {output} 与 --json 都写到标准输出"
-            );
-            let help = both!(
-                "name a file with -o, or leave --json out",
-                "请用 -o 指定文件，或去掉 --json"
-            );
+            let message = both!("-o {output} and --json both write to standard output");
+            let help = both!("name a file with -o, or leave --json out");
             Err(Failure::argument("-o", output, Diagnostic::error("output", message).help(help)))
         }
     }

@@ -30,7 +30,7 @@ pub fn run(a: args::ReadingsArgs) -> CommandResult {
             Ok(read) => all.push(read),
             // Their places refer to a generated text: the reading is named instead.
             Err(f) => faults.list.extend(f.list.into_iter().map(|mut d| {
-                d.message = both!("reading `{}`: {}", "读法 `{}`：{}", reading.name, d.message);
+                d.message = both!("reading `{}`: {}", reading.name, d.message);
                 d.span = None;
                 d
             })),

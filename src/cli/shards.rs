@@ -21,13 +21,9 @@ pub fn format(output: &str, formats: &[BatchFormat]) -> Result<BatchFormat, Fail
         // The folder's name carries no format: that of a stream is the one asked for.
         return places::in_stream("-", formats, BatchFormat::Parquet);
     }
-    let message = both!(
-        "{output} is no name of a folder, and --shard writes parts into a folder",
-        "{output} 不是文件夹名，而 --shard 把各分块写入文件夹"
-    );
+    let message = both!("{output} is no name of a folder, and --shard writes parts into a folder");
     let help = both!(
-        "write -o parts/ --format parquet; `hodograph shards compact parts/ -o table.parquet` joins them",
-        "请写 -o parts/ --format parquet；再用 `hodograph shards compact parts/ -o table.parquet` 合并"
+        "write -o parts/ --format parquet; `hodograph shards compact parts/ -o table.parquet` joins them"
     );
     Err(Failure::argument("-o", output, Diagnostic::error("output", message).help(help)))
 }
@@ -45,7 +41,6 @@ pub fn compute(run: BatchRun, shard: Shard, per_part: Option<u64>, folder: &Path
     bar.finish_and_clear();
     files::print(lang::of(&both!(
         "{}: shard {} of {}, {} of {} parts: {} mechanisms, {} rows, {} positions without one\n",
-        "{}：第 {} 片（共 {} 片），含 {} 个分块（全部 {} 个）：{} 个机构，{} 行，{} 个位置没有数据行\n",
         folder.display(),
         shard.number,
         shard.of,
@@ -89,12 +84,11 @@ fn verify(parts: &PartFolder, folder: &str, remove: bool) -> CommandResult {
     let told = parts.verified(remove)?;
     let mut text = String::new();
     for &k in &told.damaged {
-        text += lang::of(&both!("{}: damaged\n", "{}：已损坏\n", parts.path(k).display()));
+        text += lang::of(&both!("{}: damaged\n", parts.path(k).display()));
     }
     let (absent, damaged) = (told.absent.len(), told.damaged.len());
     text += lang::of(&both!(
         "{folder}: {} parts, {absent} missing, {damaged} damaged; {} rows, {} positions without one, CRC-32 {:08x}\n",
-        "{folder}：共 {} 个分块，缺少 {absent} 个，损坏 {damaged} 个；{} 行，{} 个位置没有数据行，CRC-32 {:08x}\n",
         parts.count(),
         told.count.rows,
         told.count.missing,
@@ -109,7 +103,6 @@ fn compact(parts: &PartFolder, output: &str) -> CommandResult {
     let count = parts.joined(output)?;
     files::print(lang::of(&both!(
         "{output}: {} mechanisms, {} rows, {} positions without one\n",
-        "{output}：{} 个机构，{} 行，{} 个位置没有数据行\n",
         count.mechanisms,
         count.rows,
         count.missing

@@ -55,10 +55,7 @@ pub fn watch() {
             thread::sleep(TO_THE_END);
         }
         let _decided = undisturbed();
-        super::interrupted(&both!(
-            "what was being computed is not written",
-            "正在计算的内容没有写入"
-        ));
+        super::interrupted(&both!("what was being computed is not written"));
         super::errors::finish();
         process::exit(i32::from(INTERRUPTED));
     });

@@ -196,17 +196,10 @@ pub fn within(steps: usize, most: usize, what: Both) -> Result<usize, Failure> {
     if steps <= most {
         return Ok(steps);
     }
-    let d = Diagnostic::error(
-        "too-many",
-        both!(
-            "--steps {steps}: {} has at most {most} steps",
-            "--steps {steps}：{}至多 {most} 步",
-            what
-        ),
-    );
+    let d =
+        Diagnostic::error("too-many", both!("--steps {steps}: {} has at most {most} steps", what));
     let d = d.help(both!(
-        "write --steps {most} or fewer; `sweep` writes tables of up to ten million rows",
-        "请写 --steps {most} 或更少；`sweep` 可写至多一千万行的表"
+        "write --steps {most} or fewer; `sweep` writes tables of up to ten million rows"
     ));
     Err(Failure::argument("--steps", &steps.to_string(), d))
 }

@@ -90,11 +90,9 @@ pub fn run(a: SynthArgs) -> CommandResult {
 }
 
 fn no_course() -> Diagnostic {
-    let message = both!("this task has no function to tabulate", "此任务没有可列表的期望函数");
-    Diagnostic::error("no-curve", message).help(both!(
-        "leave --table out: it is of tasks with \"function\"",
-        "请去掉 --table：它只用于有 \"function\" 的任务"
-    ))
+    let message = both!("this task has no function to tabulate");
+    Diagnostic::error("no-curve", message)
+        .help(both!("leave --table out: it is of tasks with \"function\""))
 }
 
 /// Returns the speed of the search; other kinds have nothing to count.
@@ -103,9 +101,8 @@ fn speed(evaluations: Option<f64>, seconds: f64) -> Both {
     match evaluations {
         Some(count) => both!(
             "{count} positions in {took} s: {} a second",
-            "{count} 个位置，用时 {took} s：每秒 {} 个",
             significant(count / seconds.max(1e-9), 3)
         ),
-        None => both!("solved in {took} s", "用时 {took} s"),
+        None => both!("solved in {took} s"),
     }
 }

@@ -33,16 +33,8 @@ pub fn place<F: ValueEnum + Copy + PartialEq>(
     if all.len() == 1 {
         return Ok(all.swap_remove(0));
     }
-    let message = both!(
-        "a table is written in one format, and --format asks for {}",
-        "表格只能写成一种格式，而 --format 要求 {} 种",
-        all.len()
-    );
-    let help = both!(
-        "ask for one format: --format {}",
-        "请只取一种格式：--format {}",
-        places::ending(all[0].0)
-    );
+    let message = both!("a table is written in one format, and --format asks for {}", all.len());
+    let help = both!("ask for one format: --format {}", places::ending(all[0].0));
     Err(Failure::argument("-o", output, Diagnostic::error("format", message).help(help)))
 }
 
@@ -138,7 +130,7 @@ fn rows(
     out: &mut OutputFile,
 ) -> io::Result<()> {
     let count = sweep.count() as u64;
-    let bar = long::bar(count, 0, &both!("positions", "个位置"));
+    let bar = long::bar(count, 0, &both!("positions"));
     // The beginning assumes that all rows exist and are finite; otherwise it is replaced.
     let begin = format.begin(count, &sweep.notes());
     out.write_all(&begin)?;
@@ -163,7 +155,7 @@ fn by_columns(
     head: &TableHead,
     out: &mut OutputFile,
 ) -> io::Result<()> {
-    let bar = long::bar(sweep.count() as u64, 0, &both!("positions", "个位置"));
+    let bar = long::bar(sweep.count() as u64, 0, &both!("positions"));
     let mut spool = Spool::new(out.scratch()?);
     in_pieces(
         sweep,

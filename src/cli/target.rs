@@ -85,14 +85,10 @@ impl OutputTarget {
         if was_read(&file) {
             let d = Diagnostic::error(
                 "output",
-                both!(
-                    "{} is what is read here: writing to it would destroy it",
-                    "{} 正被读取：写入会毁掉它",
-                    path.display()
-                ),
+                both!("{} is what is read here: writing to it would destroy it", path.display()),
             );
             return Err(Failure::input(
-                d.help(both!("name another file, such as -o out/", "请另写文件，如 -o out/")),
+                d.help(both!("name another file, such as -o out/")),
                 "",
                 "",
             ));
@@ -131,12 +127,7 @@ impl OutputTarget {
 
 /// The failure of an output that cannot be written.
 pub fn unwritable(path: &Path, e: &io::Error) -> Failure {
-    Failure::Output(both!(
-        "{} cannot be written: {}",
-        "不能写入 {}：{}",
-        path.display(),
-        super::files::reason(e)
-    ))
+    Failure::Output(both!("{} cannot be written: {}", path.display(), super::files::reason(e)))
 }
 
 /// Returns the file at the end of a chain of links; `None` for an open file of a process
@@ -153,10 +144,7 @@ fn followed(path: &Path) -> io::Result<Option<PathBuf>> {
         let to = std::fs::read_link(&at)?;
         at = at.parent().unwrap_or(Path::new("")).join(to);
     }
-    Err(io::Error::other(super::files::FileRefusal(both!(
-        "too many symbolic links",
-        "符号链接过多"
-    ))))
+    Err(io::Error::other(super::files::FileRefusal(both!("too many symbolic links"))))
 }
 
 /// The folder of a file.

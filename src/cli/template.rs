@@ -9,21 +9,14 @@ use std::process::ExitCode;
 /// Writes a template.
 pub fn new(template: Option<&str>, set: &[String], output: Option<&str>) -> CommandResult {
     let names: Vec<&str> = templates::all().iter().map(|t| t.name).collect();
-    let all = |got: &str| suggest(got, names.iter().copied(), both!("the templates are", "模板有"));
+    let all = |got: &str| suggest(got, names.iter().copied(), both!("the templates are"));
     let Some(template) = template else {
-        let d = Diagnostic::error("no-template", both!("no template is named", "没有写出模板名"));
-        let help = both!(
-            "{}; `hodograph templates` tells what they are",
-            "{}；`hodograph templates` 列出其内容",
-            all("")
-        );
+        let d = Diagnostic::error("no-template", both!("no template is named"));
+        let help = both!("{}; `hodograph templates` tells what they are", all(""));
         return Err(Failure::argument("TEMPLATE", "", d.help(help)));
     };
     if !names.contains(&template) {
-        let d = Diagnostic::error(
-            "unknown-template",
-            both!("there is no template `{template}`", "没有模板 `{template}`"),
-        );
+        let d = Diagnostic::error("unknown-template", both!("there is no template `{template}`"));
         return Err(Failure::argument("TEMPLATE", template, d.help(all(template))));
     }
     let text = values::with_values(set, |values| templates::text(template, values))?;

@@ -198,11 +198,7 @@ fn clear_one(path: &Path) {
 /// Returns the result of writing, or the interruption if the user has asked to stop.
 fn unless_stopped(path: &Path, filled: io::Result<()>) -> Result<(), Failure> {
     if stop::asked() {
-        return Err(Failure::Interrupted(both!(
-            "{} is not written",
-            "{} 没有写入",
-            path.display()
-        )));
+        return Err(Failure::Interrupted(both!("{} is not written", path.display())));
     }
     filled.map_err(|e| unwritable(path, &e))
 }

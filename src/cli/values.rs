@@ -247,10 +247,7 @@ impl From<Language> for Lang {
 pub fn digits(s: &str) -> Result<usize, FileRefusal> {
     match s.parse::<usize>() {
         Ok(n) if (1..=MOST_DIGITS).contains(&n) => Ok(n),
-        _ => Err(FileRefusal(both!(
-            "not a whole number from 1 to {MOST_DIGITS}",
-            "不是 1 到 {MOST_DIGITS} 的整数"
-        ))),
+        _ => Err(FileRefusal(both!("not a whole number from 1 to {MOST_DIGITS}"))),
     }
 }
 
@@ -260,8 +257,7 @@ pub fn length(s: &str) -> Result<String, FileRefusal> {
         None => Ok(String::new()),
         Some(c) if c.is_ascii_digit() || "+-.(".contains(c) => Ok(s.to_string()),
         Some(_) => Err(FileRefusal(both!(
-            "not a length; write --drafting=0.1mm, or put --drafting after the scene",
-            "不是长度；请写 --drafting=0.1mm，或把 --drafting 放在机构文件之后"
+            "not a length; write --drafting=0.1mm, or put --drafting after the scene"
         ))),
     }
 }
@@ -270,10 +266,7 @@ pub fn length(s: &str) -> Result<String, FileRefusal> {
 pub fn steps(s: &str) -> Result<usize, FileRefusal> {
     match s.parse::<usize>() {
         Ok(n) if n <= 10_000_000 => Ok(n),
-        _ => Err(FileRefusal(both!(
-            "not a whole number from 0 to 10000000",
-            "不是 0 到 10000000 的整数"
-        ))),
+        _ => Err(FileRefusal(both!("not a whole number from 0 to 10000000"))),
     }
 }
 
@@ -282,10 +275,8 @@ pub fn steps(s: &str) -> Result<usize, FileRefusal> {
 pub fn dpi(s: &str) -> Result<f64, FileRefusal> {
     match s.parse::<f64>() {
         Ok(v) if (20.0..=1200.0).contains(&v) => Ok(v),
-        Ok(v) => {
-            Err(FileRefusal(both!("{v} is not between 20 and 1200", "{v} 不在 20 到 1200 之间")))
-        }
-        Err(_) => Err(FileRefusal(both!("not a number", "不是数"))),
+        Ok(v) => Err(FileRefusal(both!("{v} is not between 20 and 1200"))),
+        Err(_) => Err(FileRefusal(both!("not a number"))),
     }
 }
 
@@ -293,10 +284,8 @@ pub fn dpi(s: &str) -> Result<f64, FileRefusal> {
 pub fn tolerance(s: &str) -> Result<f64, FileRefusal> {
     match s.parse::<f64>() {
         Ok(v) if (0.0..=1000.0).contains(&v) => Ok(v),
-        Ok(v) => {
-            Err(FileRefusal(both!("{v} is not between 0 and 1000", "{v} 不在 0 到 1000 之间")))
-        }
-        Err(_) => Err(FileRefusal(both!("not a number", "不是数"))),
+        Ok(v) => Err(FileRefusal(both!("{v} is not between 0 and 1000"))),
+        Err(_) => Err(FileRefusal(both!("not a number"))),
     }
 }
 
@@ -304,10 +293,8 @@ pub fn tolerance(s: &str) -> Result<f64, FileRefusal> {
 pub fn seconds(s: &str) -> Result<f64, FileRefusal> {
     match s.parse::<f64>() {
         Ok(v) if (0.1..=600.0).contains(&v) => Ok(v),
-        Ok(v) => {
-            Err(FileRefusal(both!("{v} is not between 0.1 and 600", "{v} 不在 0.1 到 600 之间")))
-        }
-        Err(_) => Err(FileRefusal(both!("not a number", "不是数"))),
+        Ok(v) => Err(FileRefusal(both!("{v} is not between 0.1 and 600"))),
+        Err(_) => Err(FileRefusal(both!("not a number"))),
     }
 }
 
@@ -315,8 +302,8 @@ pub fn seconds(s: &str) -> Result<f64, FileRefusal> {
 pub fn taper(s: &str) -> Result<f64, FileRefusal> {
     match s.parse::<f64>() {
         Ok(v) if (0.5..=2.0).contains(&v) => Ok(v),
-        Ok(v) => Err(FileRefusal(both!("{v} is not between 0.5 and 2", "{v} 不在 0.5 到 2 之间"))),
-        Err(_) => Err(FileRefusal(both!("not a number", "不是数"))),
+        Ok(v) => Err(FileRefusal(both!("{v} is not between 0.5 and 2"))),
+        Err(_) => Err(FileRefusal(both!("not a number"))),
     }
 }
 
@@ -343,12 +330,8 @@ pub(super) fn with_values(
     let mut wrong = Vec::new();
     for s in set {
         let Some((name, value)) = s.split_once('=') else {
-            let d =
-                Diagnostic::error("set", both!("`--set {s}` has no `=`", "`--set {s}` 没有 `=`"))
-                    .help(both!(
-                        "write --set NAME=VALUE, such as --set l_AB=120",
-                        "请写 --set NAME=VALUE，如 --set l_AB=120"
-                    ));
+            let d = Diagnostic::error("set", both!("`--set {s}` has no `=`"))
+                .help(both!("write --set NAME=VALUE, such as --set l_AB=120"));
             wrong.push(SourceFaults::argument("--set", s, d));
             continue;
         };

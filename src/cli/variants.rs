@@ -14,7 +14,7 @@ use std::process::ExitCode;
 pub fn run(a: args::VariantsArgs) -> CommandResult {
     let style = style_of(&a.look)?;
     let mut input = SceneInput::read(&a.common)?.drawn_in(&style);
-    let folder = both!("name a folder: -o set/", "请指定文件夹：-o set/");
+    let folder = both!("name a folder: -o set/");
     places::one_result(&a.output, 4, folder)?;
     let students = match &a.roster {
         Some(path) => roster(path)?,
@@ -56,9 +56,9 @@ pub(super) fn table(path: &str) -> Result<(String, String), Failure> {
     match String::from_utf8(bytes) {
         Ok(text) => Ok((name, text)),
         Err(_) => {
-            let message = both!("{name} is not UTF-8 text", "{name} 不是 UTF-8 文本");
-            let d = Diagnostic::error("table", message)
-                .help(both!("save the table as \"CSV UTF-8\"", "请将表格另存为“CSV UTF-8”"));
+            let message = both!("{name} is not UTF-8 text");
+            let d =
+                Diagnostic::error("table", message).help(both!("save the table as \"CSV UTF-8\""));
             Err(Failure::input(d, path, ""))
         }
     }

@@ -82,11 +82,8 @@ fn frame(a: &args::WorksheetArgs) -> CommandResult {
     let page = whole_page(&a.page)?;
     let path = Path::new(&a.output);
     if is_stream(&a.output) || of_name(&a.output) != Some(SheetFormat::Pdf) {
-        let d = Diagnostic::error(
-            "output",
-            both!("{} is not a .pdf file", "{}不是 .pdf 文件", shown(&a.output)),
-        )
-        .help(both!("write -o frame.pdf", "请写 -o frame.pdf"));
+        let d = Diagnostic::error("output", both!("{} is not a .pdf file", shown(&a.output)))
+            .help(both!("write -o frame.pdf"));
         return Err(Failure::argument("-o", &a.output, d));
     }
     let style = style_of(&a.look)?;
@@ -167,14 +164,10 @@ fn counting(
 }
 
 fn no_drawings() -> Diagnostic {
-    let message = both!(
-        "the pose is not told in full: the sheet lists links and pairs, and has no drawings",
-        "位置未完全给定：习题列出构件和运动副，不附图"
-    );
-    Diagnostic::note("no-pose", message).help(both!(
-        "`hodograph mobility SCENE -o groups.pdf` says what is missing for drawings",
-        "`hodograph mobility SCENE -o groups.pdf` 说明绘图还缺少哪些数据"
-    ))
+    let message =
+        both!("the pose is not told in full: the sheet lists links and pairs, and has no drawings");
+    Diagnostic::note("no-pose", message)
+        .help(both!("`hodograph mobility SCENE -o groups.pdf` says what is missing for drawings"))
 }
 
 /// The files of a document.
@@ -204,10 +197,8 @@ impl Files {
             let out = Path::new(path);
             let stem = out.file_stem().and_then(|s| s.to_str()).unwrap_or("worksheet");
             let written = written(document, *format, stem).map_err(&failed)?;
-            let one = both!(
-                "a document with its drawings in one file: --format html or --format pdf",
-                "图文同在一个文件中：--format html 或 --format pdf"
-            );
+            let one =
+                both!("a document with its drawings in one file: --format html or --format pdf");
             one_result(&self.output, 1 + written.beside.len(), one)?;
             for picture in written.beside {
                 let path = out.with_file_name(&picture.name);

@@ -178,15 +178,8 @@ fn only(
     match (value.pop(), value.len()) {
         (Some((_, figure)), 0) => Ok(Warned { value: figure, notes }),
         (_, more) => {
-            let message = both!(
-                "the file takes one figure; {} are asked for",
-                "一个文件只有一个图，而要画 {} 个",
-                more + 1
-            );
-            let help = both!(
-                "ask for one with --figure, such as --figure velocity",
-                "请用 --figure 只取一个图，如 --figure velocity"
-            );
+            let message = both!("the file takes one figure; {} are asked for", more + 1);
+            let help = both!("ask for one with --figure, such as --figure velocity");
             Err(Diagnostic::error("output", message).help(help).into())
         }
     }
@@ -202,7 +195,7 @@ fn slides(solved: &Solved, look: &Look) -> Result<Warned<Vec<u8>>, Faults> {
 /// Refuses slides: each has a PNG beside its SVG.
 #[cfg(not(feature = "png"))]
 fn slides(_: &Solved, _: &Look) -> Result<Warned<Vec<u8>>, Faults> {
-    let message = both!("slides need the writer of PNG", "幻灯片需要 PNG 输出");
+    let message = both!("slides need the writer of PNG");
     Err(Diagnostic::error("export", message).into())
 }
 

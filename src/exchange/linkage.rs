@@ -68,7 +68,7 @@ impl Linkage {
         let mut faults = Faults::default();
         let mut lacking = |what: Both| faults.push(not_exported(what));
         if !scene.rolling.is_empty() || !scene.cams.is_empty() {
-            lacking(both!("wheels, belts and cams", "轮、带和凸轮"));
+            lacking(both!("wheels, belts and cams"));
         }
         let mut number = vec![None; scene.points.len()];
         let mut joints = Vec::new();
@@ -102,8 +102,8 @@ impl Linkage {
                     let block = guide.slider.and_then(|l| body_of[l.0]);
                     slides.push(LinkageSlide { joint, on, block, direction: *direction });
                 }
-                (_, GuidePath::Arc { .. }, _) => lacking(both!("circular slots", "圆弧槽")),
-                _ => lacking(both!("slides without a pin", "没有销的移动副")),
+                (_, GuidePath::Arc { .. }, _) => lacking(both!("circular slots")),
+                _ => lacking(both!("slides without a pin")),
             }
         }
         let crank = match scene.drivers.as_slice() {
@@ -120,10 +120,7 @@ impl Linkage {
             _ => None,
         };
         if crank.is_none() {
-            lacking(both!(
-                "drivers other than one crank about a fixed pivot",
-                "除一个绕固定铰链转动的曲柄以外的原动件"
-            ));
+            lacking(both!("drivers other than one crank about a fixed pivot"));
         }
         match crank {
             Some((crank, pivot, rate)) if !faults.has_errors() => {
@@ -141,9 +138,6 @@ impl Linkage {
 
 /// The fault of a part that a format does not have.
 pub(super) fn not_exported(what: Both) -> Diagnostic {
-    Diagnostic::error("export", both!("the format has no place for {}", "这种格式不能表示{}", what))
-        .help(both!(
-            "DXF and TikZ take every mechanism: `hodograph export SCENE -o x.dxf`",
-            "DXF 和 TikZ 可表示任何机构：`hodograph export SCENE -o x.dxf`"
-        ))
+    Diagnostic::error("export", both!("the format has no place for {}", what))
+        .help(both!("DXF and TikZ take every mechanism: `hodograph export SCENE -o x.dxf`"))
 }

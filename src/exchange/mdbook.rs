@@ -32,10 +32,9 @@ pub type ChapterFiles<'a> = dyn FnMut(&str, &str) -> Result<String, Diagnostic> 
 /// `import` if the input is not such an array; the faults of each scene.
 pub fn book(input: &str, files: &mut ChapterFiles) -> Result<String, Faults> {
     let wrong = |why: String| {
-        let message = both!("not a book of mdBook: {why}", "不是 mdBook 的输入：{why}");
+        let message = both!("not a book of mdBook: {why}");
         let help = both!(
-            "mdBook calls the preprocessor: [preprocessor.hodograph] command = \"hodograph mdbook\"",
-            "由 mdBook 调用：[preprocessor.hodograph] command = \"hodograph mdbook\""
+            "mdBook calls the preprocessor: [preprocessor.hodograph] command = \"hodograph mdbook\""
         );
         Faults::from(Diagnostic::error("import", message).help(help))
     };
@@ -138,11 +137,8 @@ fn drawn(
             Some(_) | None => None,
         };
         if known.is_none() {
-            let message = both!("`{word}` is not known in {path}", "{path} 中的 `{word}` 未知");
-            let help = both!(
-                "write figure=NAME, lang=zh, style=slides or steps",
-                "请写 figure=NAME、lang=zh、style=slides 或 steps"
-            );
+            let message = both!("`{word}` is not known in {path}");
+            let help = both!("write figure=NAME, lang=zh, style=slides or steps");
             return Err(Diagnostic::error("import", message).help(help).into());
         }
     }

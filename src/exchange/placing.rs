@@ -105,8 +105,7 @@ pub fn order(linkage: &Linkage) -> Result<Vec<PlacedJoint>, Faults> {
             None if known.iter().all(|k| *k) => return Ok(all),
             None => {
                 let what = both!(
-                    "groups that circles about placed joints and lines on the ground do not place",
-                    "不能由已知铰链的圆弧和机架上的直线确定的杆组"
+                    "groups that circles about placed joints and lines on the ground do not place"
                 );
                 return Err(not_exported(what).into());
             }

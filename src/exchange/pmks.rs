@@ -90,8 +90,7 @@ pub fn read(source: &str) -> Result<Linkage, Faults> {
         }
         match joint_line(&words) {
             Some(line) => lines.push(line),
-            None => faults
-                .push(wrong(both!("`{}` is not a joint", "`{}` 不是铰链", row.trim())).at(span)),
+            None => faults.push(wrong(both!("`{}` is not a joint", row.trim())).at(span)),
         }
     }
     if faults.has_errors() {
@@ -127,7 +126,7 @@ fn is_ground(name: &str) -> bool {
 
 fn linkage(lines: &[JointLine]) -> Result<Linkage, Both> {
     let Some(driven) = lines.iter().find(|l| l.driven).or(lines.first()) else {
-        return Err(both!("it has no joints", "其中没有铰链"));
+        return Err(both!("it has no joints"));
     };
     let mut bodies: Vec<LinkageBody> = Vec::new();
     for name in lines.iter().flat_map(|l| &l.links).filter(|name| !is_ground(name)) {
@@ -194,10 +193,7 @@ fn linkage(lines: &[JointLine]) -> Result<Linkage, Both> {
     let crank = driven.links.iter().find_map(|name| body(name));
     let pivot = joints.iter().position(|(j, _)| j.at == driven.at && j.fixed);
     let (Some(crank), Some(pivot)) = (crank, pivot.filter(|_| driven.kind == "R")) else {
-        return Err(both!(
-            "the driven joint is not a pin of a link on the ground",
-            "原动副不是构件与机架的转动副"
-        ));
+        return Err(both!("the driven joint is not a pin of a link on the ground"));
     };
     for (j, (_, on)) in joints.iter().enumerate() {
         on.iter().for_each(|b| bodies[*b].joints.push(j));
@@ -218,9 +214,7 @@ fn letter(k: usize) -> String {
 }
 
 fn wrong(why: Both) -> Diagnostic {
-    Diagnostic::error("import", both!("not a linkage of PMKS: {}", "不是 PMKS 的机构文件：{}", why))
-        .help(both!(
-            "a joint is a line such as `ground,link1,R,0,0`, a guide `ground,link3,P,280,0,0`",
-            "铰链写成 `ground,link1,R,0,0`，导路写成 `ground,link3,P,280,0,0`"
-        ))
+    Diagnostic::error("import", both!("not a linkage of PMKS: {}", why)).help(both!(
+        "a joint is a line such as `ground,link1,R,0,0`, a guide `ground,link3,P,280,0,0`"
+    ))
 }

@@ -51,11 +51,8 @@ pub fn pptx(w: &FigureInput) -> Result<Warned<Vec<u8>>, Faults> {
     }
     let ink = steps.iter().filter_map(|s| bounds(&s.figure.items)).reduce(Rect::union);
     let Some(ink) = ink else {
-        let message = both!("there is nothing to draw", "没有可画的图");
-        let help = both!(
-            "ask for velocities or accelerations in \"find\"",
-            "请在 \"find\" 中求速度或加速度"
-        );
+        let message = both!("there is nothing to draw");
+        let help = both!("ask for velocities or accelerations in \"find\"");
         return Err(Diagnostic::error("no-figure", message).help(help).into());
     };
     // All pictures have one size, so that slides do not jump.

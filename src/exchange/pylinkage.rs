@@ -7,7 +7,7 @@
 
 use super::linkage::{Linkage, LinkageBody, LinkageJoint, LinkageSlide, not_exported};
 use super::placing::{PlacedJoint, PlacingRule, order};
-use crate::diag::{Diagnostic, Faults, both};
+use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::geom::{Point, Vec2};
 use serde_json::{Value as Json, json};
 use std::f64::consts::TAU;
@@ -153,7 +153,6 @@ pub fn file(linkage: &Linkage) -> Result<String, Faults> {
                 } else if left.abs() < 1e-6 {
                     let what = both!(
                         "a straight lever with a third joint, {}, in a file; write a script, x.py",
-                        "文件中带有第三个铰链 {} 的直杠杆；请写成脚本 x.py",
                         linkage.joints[*j].name
                     );
                     return Err(not_exported(what).into());
@@ -163,10 +162,7 @@ pub fn file(linkage: &Linkage) -> Result<String, Faults> {
                 }
             }
             PlacingRule::Slotted { .. } => {
-                let what = both!(
-                    "a slot in a moving link in a file; write a script, x.py",
-                    "文件中的活动构件上的导槽；请写成脚本 x.py"
-                );
+                let what = both!("a slot in a moving link in a file; write a script, x.py");
                 return Err(not_exported(what).into());
             }
             PlacingRule::Circles { centres, bodies, .. } => {
@@ -199,11 +195,11 @@ fn body_of(linkage: &Linkage, joints: [usize; 3]) -> Option<usize> {
 /// `import` if it is not such a file, or has no driven link.
 pub fn read(source: &str) -> Result<Linkage, Faults> {
     let file: Json =
-        serde_json::from_str(source).map_err(|e| Faults::from(wrong(both!("{e}", "{e}"))))?;
+        serde_json::from_str(source).map_err(|e| Faults::from(wrong(Both::same(e.to_string()))))?;
     let list = |key: &str| file[key].as_array().cloned().unwrap_or_default();
     let (given, bars) = (list("joints"), list("links"));
     if bars.is_empty() || given.is_empty() {
-        return Err(wrong(both!("it has no joints and links", "其中没有铰链和构件")).into());
+        return Err(wrong(both!("it has no joints and links")).into());
     }
     let pair = |value: &Json| Some((value[0].as_f64()?, value[1].as_f64()?));
     let word = |value: &Json| value.as_str().unwrap_or_default().to_owned();
@@ -217,7 +213,7 @@ pub fn read(source: &str) -> Result<Linkage, Faults> {
     for (j, joint) in given.iter().enumerate() {
         let id = word(&joint["id"]);
         let Some((x, y)) = pair(&joint["position"]) else {
-            let d = wrong(both!("joint `{id}` has no place", "铰链 `{id}` 没有位置"));
+            let d = wrong(both!("joint `{id}` has no place"));
             return Err(d.into());
         };
         let fixed = joint["type"] == "ground" || grounded.contains(&id);
@@ -268,19 +264,13 @@ pub fn read(source: &str) -> Result<Linkage, Faults> {
         }
     }
     let Some((crank, pivot, rate)) = driven else {
-        return Err(wrong(both!("no link is a driver", "没有原动件")).into());
+        return Err(wrong(both!("no link is a driver")).into());
     };
     let title = word(&file["name"]);
     Ok(Linkage { title, joints, bodies, slides, crank, pivot, rate: rate.signum() })
 }
 
-fn wrong(why: crate::diag::Both) -> Diagnostic {
-    Diagnostic::error(
-        "import",
-        both!("not a mechanism of pylinkage: {}", "不是 pylinkage 的机构文件：{}", why),
-    )
-    .help(both!(
-        "write it with pylinkage.mechanism.mechanism_to_json",
-        "请用 pylinkage.mechanism.mechanism_to_json 写出"
-    ))
+fn wrong(why: Both) -> Diagnostic {
+    Diagnostic::error("import", both!("not a mechanism of pylinkage: {}", why))
+        .help(both!("write it with pylinkage.mechanism.mechanism_to_json"))
 }

@@ -80,11 +80,8 @@ pub fn scene(linkage: &Linkage) -> ImportedLinkage {
     let omega = OMEGA * linkage.rate.signum();
     all.insert("driver".into(), json!({"link": number(linkage.crank), "omega": omega}));
     all.insert("find".into(), json!(find));
-    let message = both!(
-        "lengths are read as millimetres, and the crank turns at {omega} rad/s",
-        "长度按毫米读入，曲柄的角速度取为 {omega} rad/s"
-    );
-    let help = both!("change \"units\" and \"driver\"", "可改 \"units\" 和 \"driver\"");
+    let message = both!("lengths are read as millimetres, and the crank turns at {omega} rad/s");
+    let help = both!("change \"units\" and \"driver\"");
     let notes = vec![Diagnostic::note("imported", message).help(help)];
     ImportedLinkage { text: format!("{:#}\n", Json::Object(all)), notes }
 }

@@ -64,7 +64,7 @@ pub fn variants(
 ) -> Result<Warned<Vec<HomeworkVariant>>, RangeFault> {
     let base = solved(text).map_err(RangeFault::Scene)?;
     let Some((scene, worked)) = base.mechanism() else {
-        let message = both!("variants are made of a mechanism", "只能由机构文件生成变式题");
+        let message = both!("variants are made of a mechanism");
         return Err(RangeFault::Scene(Diagnostic::error("not-a-scene", message).into()));
     };
     let grids = grids(scene, request.vary)?;
@@ -212,41 +212,28 @@ impl ShuffledOrder {
 fn too_few(found: usize, count: usize, refused: &RefusalCount, total: u64) -> Diagnostic {
     let mut reasons: Vec<Both> = Vec::new();
     if refused.impossible > 0 {
-        reasons.push(both!(
-            "{} cannot be assembled or solved",
-            "{} 个不能装配或求解",
-            refused.impossible
-        ));
+        reasons.push(both!("{} cannot be assembled or solved", refused.impossible));
     }
     if refused.singular > 0 {
-        reasons.push(both!("{} are near-singular", "{} 个接近奇异位置", refused.singular));
+        reasons.push(both!("{} are near-singular", refused.singular));
     }
     for (find, n) in &refused.unreadable {
-        reasons.push(both!(
-            "{n} give {find} too short to be read",
-            "{n} 个的 {find} 在图上太短，无法量取"
-        ));
+        reasons.push(both!("{n} give {find} too short to be read"));
     }
     if refused.equal > 0 {
-        reasons.push(both!(
-            "{} have the answers of another variant",
-            "{} 个与其他题答案相同",
-            refused.equal
-        ));
+        reasons.push(both!("{} have the answers of another variant", refused.equal));
     }
     let reasons = match reasons[..] {
         [] => Both::default(),
-        _ => both!(": {}", "：{}", Both::join(&reasons, ", ", "，")),
+        _ => both!(": {}", Both::join(&reasons, [", ", "，"])),
     };
     let message = both!(
         "{found} of {count} variants were found in {} of {total} poses{}",
-        "{count} 道变式题只找到 {found} 道（试了 {total} 个位形中的 {} 个）{}",
         refused.tried,
         reasons
     );
     Diagnostic::error("variants", message).help(both!(
-        "widen the ranges of --vary, make the steps smaller, or ask for fewer variants; a question that is too short everywhere is better left out of \"find\"",
-        "请扩大 --vary 的范围、减小步长或减少题数；总是太短的量最好从 \"find\" 中去掉"
+        "widen the ranges of --vary, make the steps smaller, or ask for fewer variants; a question that is too short everywhere is better left out of \"find\""
     ))
 }
 
@@ -275,12 +262,9 @@ fn has_quantity(text: &str) -> bool {
 }
 
 fn statement_left_out() -> Diagnostic {
-    let message = both!(
-        "the statement contains numbers: the variants leave it out and list what is given",
-        "题目文字中有数值：变式题不用这段文字，只列出已知条件"
-    );
+    let message =
+        both!("the statement contains numbers: the variants leave it out and list what is given");
     Diagnostic::warning("variants-statement", message).help(both!(
-        "write the statement without numbers; each sheet lists the given data of its variant",
-        "题目文字中请不写数值；每张题单会列出该题的已知条件"
+        "write the statement without numbers; each sheet lists the given data of its variant"
     ))
 }

@@ -50,8 +50,7 @@ pub(super) fn rows(text: &str) -> Result<Vec<Vec<TableCell>>, Faults> {
             all.push(done);
         }
         if all.len() > MOST_ROWS {
-            let message =
-                both!("the table has more than {MOST_ROWS} rows", "表格超过 {MOST_ROWS} 行");
+            let message = both!("the table has more than {MOST_ROWS} rows");
             return Err(Diagnostic::error("table", message).into());
         }
     }
@@ -72,10 +71,7 @@ fn cell(text: &str, from: usize, separator: u8) -> Result<(TableCell, usize), Fa
     let (mut out, mut at) = (String::new(), from + 1);
     loop {
         let Some(n) = bytes[at..].iter().position(|b| *b == b'"') else {
-            let d = Diagnostic::error(
-                "table",
-                both!("the quotation mark is not closed", "引号没有配对"),
-            );
+            let d = Diagnostic::error("table", both!("the quotation mark is not closed"));
             return Err(d.at(Span::new(from, from + 1)).into());
         };
         out += &text[at..at + n];
@@ -124,20 +120,19 @@ pub fn names(text: &str) -> Result<Vec<String>, Faults> {
             continue;
         }
         if names.contains(&cell.text) {
-            let message = both!("`{}` is listed twice", "`{}` 出现了两次", cell.text);
-            faults.push(Diagnostic::error("roster", message).at(cell.at).help(both!(
-                "add a number or a class to one of the names",
-                "请在其中一个姓名后加学号或班级"
-            )));
+            let message = both!("`{}` is listed twice", cell.text);
+            faults.push(
+                Diagnostic::error("roster", message)
+                    .at(cell.at)
+                    .help(both!("add a number or a class to one of the names")),
+            );
         }
         names.push(cell.text.clone());
     }
     if names.is_empty() && !faults.has_errors() {
-        let message = both!("the roster has no names", "名单中没有姓名");
-        faults.push(
-            Diagnostic::error("roster", message)
-                .help(both!("write one name in each line", "每行写一个姓名")),
-        );
+        let message = both!("the roster has no names");
+        faults
+            .push(Diagnostic::error("roster", message).help(both!("write one name in each line")));
     }
     if faults.has_errors() { Err(faults) } else { Ok(names) }
 }

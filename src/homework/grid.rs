@@ -81,7 +81,7 @@ pub(super) fn grids(scene: &Scene, vary: &[String]) -> Result<Vec<ParameterGrid>
             Ok(grid) if all.iter().any(|g| g.name == grid.name) => {
                 let d = Diagnostic::error(
                     "given-twice",
-                    both!("parameter `{}` is varied twice", "参数 `{}` 变化了两次", grid.name),
+                    both!("parameter `{}` is varied twice", grid.name),
                 );
                 wrong.push(WrongValue::new("vary", text, d));
             }
@@ -96,11 +96,10 @@ fn grid(scene: &Scene, text: &str) -> Result<ParameterGrid, Faults> {
     let unread = || {
         Diagnostic::error(
             "vary",
-            both!("`--vary {text}` cannot be read", "无法识别 `--vary {text}`"),
+            both!("`--vary {text}` cannot be read"),
         )
         .help(both!(
-            "write NAME=FROM..TO/STEP with plain numbers, such as --vary l_AB=80..120/5, or NAME=FROM..TO:N for N values",
-            "请用普通数字写 NAME=FROM..TO/STEP，如 --vary l_AB=80..120/5；或写 NAME=FROM..TO:N，取 N 个值"
+            "write NAME=FROM..TO/STEP with plain numbers, such as --vary l_AB=80..120/5, or NAME=FROM..TO:N for N values"
         ))
     };
     let (name, rest) = text.split_once('=').ok_or_else(unread)?;
@@ -162,10 +161,8 @@ fn grid(scene: &Scene, text: &str) -> Result<ParameterGrid, Faults> {
         }
     };
     if step <= 0 || wide(places) < 0 {
-        let message = both!(
-            "`{text}` has no values: a step is greater than zero, and FROM is not above TO",
-            "`{text}` 没有值：步长须大于零，且 FROM 不大于 TO"
-        );
+        let message =
+            both!("`{text}` has no values: a step is greater than zero, and FROM is not above TO");
         return Err(Diagnostic::error("vary", message).into());
     }
     let count = u64::try_from(wide(places) / step + 1).unwrap_or(u64::MAX);

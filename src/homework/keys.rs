@@ -188,16 +188,9 @@ pub fn read(text: &str) -> Result<Vec<ReadKey>, Faults> {
     let missing: Vec<&str> =
         HEAD[2..6].iter().copied().chain(["variant"]).filter(|n| column(n).is_none()).collect();
     if !missing.is_empty() {
-        let message = both!(
-            "the keys have no column {}",
-            "答案表缺少列 {}",
-            crate::diag::Both::names(&missing)
-        );
+        let message = both!("the keys have no column {}", crate::diag::Both::names(&missing));
         return Err(Diagnostic::error("keys", message)
-            .help(both!(
-                "name the answers.csv that `hodograph variants` has written",
-                "请指定 `hodograph variants` 写出的 answers.csv"
-            ))
+            .help(both!("name the answers.csv that `hodograph variants` has written"))
             .into());
     }
     let mut all = Vec::new();
@@ -220,7 +213,7 @@ fn entry(cell: &impl Fn(&str) -> TableCell) -> Result<ReadKey, Vec<Diagnostic>> 
     let mut faults = Vec::new();
     let mut wrong = |name: &str| {
         let c = cell(name);
-        let message = both!("`{}` is no {name}", "`{}` 不是 {name}", c.text);
+        let message = both!("`{}` is no {name}", c.text);
         faults.push(Diagnostic::error("keys", message).at(c.at));
     };
     let finite = |name: &str| cell(name).text.parse::<f64>().ok().filter(|v| v.is_finite());

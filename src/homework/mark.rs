@@ -102,7 +102,7 @@ pub fn mark(answers: &str, keys: &str) -> Result<MarkList, MarkFaults> {
             let answer = values.get(&(student, variant, k.entry.question.as_str()));
             let (mark, remark) = match answer.copied().flatten() {
                 Some(value) => judged(value, &k.entry),
-                None => (0.0, both!("no answer", "未作答")),
+                None => (0.0, both!("no answer")),
             };
             let question = k.entry.question.clone();
             marks.push(MarkedAnswer {
@@ -131,7 +131,7 @@ impl MarkList {
             marks.iter().for_each(|m| row(m, &m.question, m.mark, &m.remark));
             let (sum, count) = (marks.iter().map(|m| m.mark).sum(), marks.len());
             if let Some(first) = marks.first() {
-                row(first, "total", sum, &both!("of {count}", "满分 {count}"));
+                row(first, "total", sum, &both!("of {count}"));
             }
         }
         out
@@ -154,11 +154,8 @@ fn judged(value: f64, key: &KeyEntry) -> (f64, Both) {
         return (1.0, Both::default());
     }
     if off(-key.value) <= within {
-        let words = if key.kind.turns() {
-            both!("the sense is wrong", "转向错误")
-        } else {
-            both!("the sign is wrong", "正负号错误")
-        };
+        let words =
+            if key.kind.turns() { both!("the sense is wrong") } else { both!("the sign is wrong") };
         return (HALF, words);
     }
     // With the sense of the mistake, then with the other one, which is a mistake more.
@@ -168,17 +165,11 @@ fn judged(value: f64, key: &KeyEntry) -> (f64, Both) {
         nearest.filter(|m| by(m) <= within && by(m) < miss)
     });
     if let Some(m) = likely {
-        return (QUARTER, both!("likely mistake: {}", "可能的错误：{}", m.words()));
+        return (QUARTER, both!("likely mistake: {}", m.words()));
     }
     if miss <= INACCURATE * within {
         let [miss, within] = [miss, key.tolerance].map(|v| significant(v, 2));
-        return (
-            HALF,
-            both!(
-                "inaccurate: off by {miss}, allowed {within}",
-                "作图不准：误差 {miss}，允许 {within}"
-            ),
-        );
+        return (HALF, both!("inaccurate: off by {miss}, allowed {within}"));
     }
     let part = key.tolerance / key.value.abs().max(f64::MIN_POSITIVE);
     let slip = |f: &&f64| {
@@ -192,9 +183,9 @@ fn judged(value: f64, key: &KeyEntry) -> (f64, Both) {
             } else {
                 factor
             };
-            (HALF, both!("unit mixed up: a factor of {factor}", "单位换算错误：相差 {factor} 倍"))
+            (HALF, both!("unit mixed up: a factor of {factor}"))
         }
-        None => (0.0, both!("wrong value", "数值错误")),
+        None => (0.0, both!("wrong value")),
     }
 }
 
@@ -234,13 +225,9 @@ fn given(rows: &[Vec<TableCell>], keys: &VariantKeys) -> Result<Vec<GivenAnswer>
         .map(|(n, _)| n[0])
         .collect();
     if !missing.is_empty() {
-        let message =
-            both!("the answers have no column {}", "答案缺少列 {}", Both::names(&missing));
+        let message = both!("the answers have no column {}", Both::names(&missing));
         return Err(Diagnostic::error("answers", message)
-            .help(both!(
-                "the first line names the columns: student,variant,question,value,unit",
-                "第一行写列名：student,variant,question,value,unit"
-            ))
+            .help(both!("the first line names the columns: student,variant,question,value,unit"))
             .into());
     }
     let (mut all, mut seen): (Vec<GivenAnswer>, _) = (Vec::new(), BTreeSet::new());
@@ -254,8 +241,7 @@ fn given(rows: &[Vec<TableCell>], keys: &VariantKeys) -> Result<Vec<GivenAnswer>
         match answer(&cells, keys) {
             Ok(a) => {
                 if !seen.insert((a.student.clone(), a.variant, a.question.clone())) {
-                    let message =
-                        both!("{} answers {} twice", "{} 对 {} 作答了两次", a.student, a.question);
+                    let message = both!("{} answers {} twice", a.student, a.question);
                     faults.push(fault(message, &cells[2]));
                 }
                 all.push(a);
@@ -270,32 +256,25 @@ fn answer(cells: &[TableCell; 5], keys: &VariantKeys) -> Result<GivenAnswer, Vec
     let [student, variant, question, value, unit] = cells;
     let mut faults = Vec::new();
     if student.text.is_empty() {
-        faults.push(fault(both!("the row has no student", "此行没有学生"), student));
+        faults.push(fault(both!("the row has no student"), student));
     }
     let number = variant.text.parse::<usize>().ok();
     let of_variant = number.and_then(|n| keys.get(&n)).map(Vec::as_slice).unwrap_or_default();
     let owner = of_variant.iter().find_map(|k| k.student.as_ref());
     if of_variant.is_empty() {
-        let message = both!("there is no variant `{}`", "没有题号 `{}`", variant.text);
+        let message = both!("there is no variant `{}`", variant.text);
         faults.push(fault(message, variant));
     } else if let Some(owner) = owner.filter(|o| **o != student.text) {
-        let message = both!(
-            "variant {} is that of {owner}, not of {}",
-            "题号 {} 属于 {owner}，不属于 {}",
-            variant.text,
-            student.text
-        );
+        let message = both!("variant {} is that of {owner}, not of {}", variant.text, student.text);
         faults.push(fault(message, variant));
     }
     let key = of_variant.iter().find(|k| k.entry.question == question.text);
     if key.is_none() && !of_variant.is_empty() {
         let names: Vec<&str> = of_variant.iter().map(|k| k.entry.question.as_str()).collect();
-        let message = both!("the variant has no question `{}`", "此题没有问题 `{}`", question.text);
-        faults.push(fault(message, question).help(both!(
-            "its questions are {}",
-            "其问题有 {}",
-            Both::names(&names)
-        )));
+        let message = both!("the variant has no question `{}`", question.text);
+        faults.push(
+            fault(message, question).help(both!("its questions are {}", Both::names(&names))),
+        );
     }
     let read = key.map(|k| in_unit_of(&k.entry, value, unit));
     let value = match read {
@@ -354,19 +333,16 @@ fn in_unit_of(
         },
     };
     let Some(size) = number.trim().parse::<f64>().ok().filter(|v| v.is_finite()) else {
-        let message = both!("`{}` is no number", "`{}` 不是数", value.text);
+        let message = both!("`{}` is no number", value.text);
         let d = fault(message, value);
         return Err(if text.contains(',') {
-            d.help(both!("write a decimal point: 12.3", "小数点请写成 12.3"))
+            d.help(both!("write a decimal point: 12.3"))
         } else {
-            d.help(both!(
-                "write a number such as -12.3 or 12.3 cw (clockwise)",
-                "请写数，如 -12.3 或 12.3 cw（顺时针）"
-            ))
+            d.help(both!("write a number such as -12.3 or 12.3 cw (clockwise)"))
         });
     };
     if sense.is_some() && !key.kind.turns() {
-        let message = both!("{} has no sense of rotation", "{} 没有转向", key.question);
+        let message = both!("{} has no sense of rotation", key.question);
         return Err(fault(message, value));
     }
     let signed = sense.map_or(size, |s| s * size.abs());
@@ -377,11 +353,10 @@ fn in_unit_of(
     match (from, to) {
         (Ok(from), Ok(to)) => Ok(Some(signed * to.of(1.0) / from.of(1.0))),
         (Err(fitting), _) | (_, Err(fitting)) => {
-            let message =
-                both!("`{}` is no unit of {}", "`{}` 不是 {} 的单位", unit.text, key.question);
+            let message = both!("`{}` is no unit of {}", unit.text, key.question);
             let fitting: Vec<String> = fitting.into_iter().take(8).collect();
             let d = fault(message, unit);
-            Err(d.help(both!("units are {}", "单位有 {}", Both::names(&fitting))))
+            Err(d.help(both!("units are {}", Both::names(&fitting))))
         }
     }
 }

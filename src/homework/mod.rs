@@ -52,12 +52,8 @@ pub fn count(given: Option<usize>, students: usize, varies: bool) -> Result<usiz
     if (students.max(1)..=MOST_VARIANTS).contains(&count) {
         return Ok(count);
     }
-    let message = both!(
-        "{count} variants for {} names; there can be {} variants",
-        "{count} 道题对 {} 个姓名；最多 {} 道",
-        students,
-        MOST_VARIANTS
-    );
+    let message =
+        both!("{count} variants for {} names; there can be {} variants", students, MOST_VARIANTS);
     Err(WrongValue::new("count", &count.to_string(), Diagnostic::error("roster", message)))
 }
 
@@ -134,13 +130,13 @@ impl TypicalError {
     /// Returns the mistake in words: `Coriolis acceleration left out, at A`.
     pub fn words(&self) -> Both {
         use crate::scene::Lang;
-        let [en, zh] = [Lang::En, Lang::Zh].map(|lang| self.mistake.title(lang));
+        let mistake = Both::from([Lang::En, Lang::Zh].map(|lang| self.mistake.title(lang)));
         match &self.place {
             ErrorPlace::Point(p) => {
-                Both { en: format!("{en}, at {p}"), zh: format!("{zh}（{p} 处）") }
+                both!("{}, at {}", mistake, p)
             }
             ErrorPlace::Link(l) => {
-                Both { en: format!("{en}, of link {l}"), zh: format!("{zh}（构件 {l}）") }
+                both!("{}, of link {}", mistake, l)
             }
         }
     }

@@ -27,14 +27,10 @@ pub fn document(
     document.title = titled(&document.title, variant.number, lang);
     let name = variant.student.clone();
     let line = match sides {
-        WorksheetSides::Solution => name.map(|name| both!("For {name}", "学生：{name}")),
+        WorksheetSides::Solution => name.map(|name| both!("For {name}")),
         WorksheetSides::Problem | WorksheetSides::Both => {
             let name = name.unwrap_or_else(|| "_".repeat(24));
-            Some(both!(
-                "Name: {name}   Class: {0}   Date: {0}",
-                "姓名：{name}　班级：{0}　日期：{0}",
-                "_".repeat(12)
-            ))
+            Some(both!("Name: {name}   Class: {0}   Date: {0}", "_".repeat(12)))
         }
     };
     // The line is the first one below the heading of the side.
@@ -79,7 +75,7 @@ pub fn frames(
 
 /// Returns the title of a variant.
 pub(super) fn titled(title: &str, n: usize, lang: Lang) -> String {
-    format!("{title} · {}", lang.of(&both!("Variant {n}", "第 {n} 题")))
+    format!("{title} · {}", lang.of(&both!("Variant {n}")))
 }
 
 /// Returns one PDF with a side of all variants, one after the other.

@@ -29,6 +29,7 @@ use crate::sweep::station::position_now;
 use crate::synthesis::board::SynthesisBoard;
 use crate::synthesis::candidate::letters;
 use crate::synthesis::{DesignCandidate, Task};
+use hodograph_base::lang::each;
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 
@@ -37,30 +38,23 @@ const FRAMES: usize = 120;
 
 /// Words of this page in addition to those of the player: key, both languages.
 const WORDS: [(&str, [&str; 2]); 10] = [
-    ("construction", ["Construction", "作图"]),
-    ("linkage", ["The linkage", "所得机构"]),
-    ("positions", ["Wanted positions:", "预定位置："]),
-    ("home", ["To the first wanted position", "回到第一个预定位置"]),
-    ("instant", ["Position of the driver", "原动件位置"]),
+    ("construction", each!("heading" => "Construction")),
+    ("linkage", each!("The linkage")),
+    ("positions", each!("Wanted positions:")),
+    ("home", each!("To the first wanted position")),
+    ("instant", each!("Position of the driver")),
     ("given", ["", ""]),
-    ("answers", ["Results", "结果"]),
-    (
-        "measured",
-        ["Measured on paper × scale, and by the closed formula", "图上量得 × 比例尺，与公式值对照"],
-    ),
+    ("answers", each!("Results")),
+    ("measured", each!("Measured on paper × scale, and by the closed formula")),
     (
         "keys",
-        [
-            "Keys: → and ← the steps of the construction; 1, 2, 3 … the positions; + and − the driver; 0 the first position; Space runs; L language; D light or dark; P print; S window of the speaker.",
-            "键盘：→、← 作图步骤；1、2、3…… 预定位置；+、− 转动原动件，0 回到第一个位置；空格 运动；L 切换语言；D 浅色或深色；P 打印；S 讲者窗口。",
-        ],
+        each!(
+            "Keys: → and ← the steps of the construction; 1, 2, 3 … the positions; + and − the driver; 0 the first position; Space runs; L language; D light or dark; P print; S window of the speaker."
+        ),
     ),
     (
         "noscript",
-        [
-            "The page needs JavaScript to move; without it, it shows the finished construction.",
-            "本页需启用 JavaScript；未启用时仅显示完成的作图。",
-        ],
+        each!("The page needs JavaScript to move; without it, it shows the finished construction."),
     ),
 ];
 
@@ -251,8 +245,7 @@ impl LinkageMotion {
         stops: Vec<usize>,
         full: bool,
     ) -> Result<LinkageMotion, Faults> {
-        let none =
-            || Diagnostic::error("no-motion", both!("the linkage does not move", "机构不能运动"));
+        let none = || Diagnostic::error("no-motion", both!("the linkage does not move"));
         let first = pose_of(scene, &poses.first().ok_or_else(none)?.configuration);
         let mut names: Vec<String> = Vec::new();
         let mut index = |name: &String| match names.iter().position(|n| n == name) {

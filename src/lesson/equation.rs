@@ -12,27 +12,26 @@ use crate::report::answers::DIGITS;
 use crate::report::html::sentence as html;
 use crate::report::vector_equation as report;
 use crate::scene::Lang;
+use hodograph_base::lang::each;
 use serde_json::{Value, json};
 
 /// Words of this page in addition to those of the player.
 const WORDS: [(&str, [&str; 2]); 6] = [
-    ("home", ["Back to the given instant", "回到给定时刻"]),
-    ("instant", ["The instant", "时刻"]),
-    ("given", ["given", "已知"]),
-    ("answers", ["Answers", "结果"]),
+    ("home", each!("Back to the given instant")),
+    ("instant", each!("The instant")),
+    ("given", each!("given")),
+    ("answers", each!("Answers")),
     (
         "keys",
-        [
-            "Keys: → and ← the steps of the construction; L language; D light or dark; P print; S window of the speaker.",
-            "键盘：→、← 作图步骤；L 切换语言；D 浅色或深色；P 打印；S 讲者窗口。",
-        ],
+        each!(
+            "Keys: → and ← the steps of the construction; L language; D light or dark; P print; S window of the speaker."
+        ),
     ),
     (
         "noscript",
-        [
-            "The page needs JavaScript for its steps; without it, it shows the finished construction.",
-            "本页需启用 JavaScript 才能分步演示；未启用时仅显示完成的作图。",
-        ],
+        each!(
+            "The page needs JavaScript for its steps; without it, it shows the finished construction."
+        ),
     ),
 ];
 

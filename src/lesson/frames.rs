@@ -434,15 +434,11 @@ impl LessonInput<'_> {
             let d = Diagnostic::error(
                 "no-motion",
                 both!(
-                    "the mechanism cannot be followed from its pose: no pose beside it can be drawn",
-                    "从该位置无法跟踪机构的运动：其附近的位置都画不出"
+                    "the mechanism cannot be followed from its pose: no pose beside it can be drawn"
                 ),
             );
             return Err(d
-                .help(both!(
-                    "give another pose, or move another driver with --driver",
-                    "请改变位置，或用 --driver 另选原动件"
-                ))
+                .help(both!("give another pose, or move another driver with --driver"))
                 .into());
         }
         Ok(frames)

@@ -6,6 +6,7 @@
 //! construction anew in each pose, and [`super::player`] writes the page.
 
 use crate::budget::here;
+use hodograph_base::lang::each;
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
@@ -14,7 +15,7 @@ use super::frames::SolvedFrame;
 use super::page::moved;
 use super::player::{PlayerPage, drawings, legible, sizes};
 use super::steps::{LANGS, answer, certified};
-use crate::diag::{Diagnostic, Faults, both};
+use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::significant;
 use crate::figure::list::{Extras, FigureInput};
 use crate::figure::particle::ParticleView;
@@ -32,23 +33,21 @@ use crate::worked::{Worked, work_pose};
 
 /// Words of this page in addition to those of the player: key, both languages.
 const WORDS: [(&str, [&str; 2]); 6] = [
-    ("home", ["Back to the given position", "回到给定位置"]),
-    ("instant", ["Position of the driver", "原动件位置"]),
-    ("given", ["given position", "给定位置"]),
-    ("answers", ["Answers in this position", "该位置的结果"]),
+    ("home", each!("Back to the given position")),
+    ("instant", each!("Position of the driver")),
+    ("given", each!("given position")),
+    ("answers", each!("Answers in this position")),
     (
         "keys",
-        [
-            "Keys: → and ← the steps of the construction; + and − the driver, 0 the given position; Space runs; L language; D light or dark; P print; S window of the speaker.",
-            "键盘：→、← 作图步骤；+、− 转动原动件，0 回到给定位置；空格 运动；L 切换语言；D 浅色或深色；P 打印；S 讲者窗口。",
-        ],
+        each!(
+            "Keys: → and ← the steps of the construction; + and − the driver, 0 the given position; Space runs; L language; D light or dark; P print; S window of the speaker."
+        ),
     ),
     (
         "noscript",
-        [
-            "The page needs JavaScript to move; without it, it shows the finished construction in the given position.",
-            "本页需启用 JavaScript；未启用时仅显示给定位置完成的作图。",
-        ],
+        each!(
+            "The page needs JavaScript to move; without it, it shows the finished construction in the given position."
+        ),
     ),
 ];
 
@@ -118,7 +117,7 @@ pub(super) fn lesson(
         poses.par_iter().filter_map(|pose| here.enter(|| found(pose))).collect();
     let from_own = |k: &usize| frames[*k].frame.travel.abs();
     let Some(base) = (0..frames.len()).min_by(|a, b| from_own(a).total_cmp(&from_own(b))) else {
-        let words = both!("no position can be constructed", "没有任何位置可以作图");
+        let words = both!("no position can be constructed");
         return Err(Diagnostic::error("no-motion", words).into());
     };
     let told: Vec<Value> =
@@ -141,18 +140,17 @@ pub(super) fn lesson(
 }
 
 fn nothing(method: ConstructionMethod) -> Diagnostic {
-    let (en, zh) = match method {
-        ConstructionMethod::Centres => ("instantaneous centres", "速度瞬心"),
-        ConstructionMethod::Composite => ("a moving point with a moving frame", "动点和动系"),
-        ConstructionMethod::Curvature => ("a coupler", "连杆"),
-        ConstructionMethod::Cam => ("a cam with a profile", "有廓线的凸轮"),
-        ConstructionMethod::Trains => ("a gear train with known speeds", "转速已知的轮系"),
-        ConstructionMethod::Loops => ("vector loops", "封闭矢量多边形"),
-    };
-    let d = Diagnostic::error("method", both!("the scene does not have {en}", "机构中没有{zh}"));
+    let missing = Both::from(match method {
+        ConstructionMethod::Centres => each!("instantaneous centres"),
+        ConstructionMethod::Composite => each!("a moving point with a moving frame"),
+        ConstructionMethod::Curvature => each!("a coupler"),
+        ConstructionMethod::Cam => each!("a cam with a profile"),
+        ConstructionMethod::Trains => each!("a gear train with known speeds"),
+        ConstructionMethod::Loops => each!("vector loops"),
+    });
+    let d = Diagnostic::error("method", both!("the scene does not have {}", missing));
     d.help(both!(
-        "choose another --method; without it the lesson shows the polygons of the questions",
-        "请另选 --method；不指定时按所求的量演示图解"
+        "choose another --method; without it the lesson shows the polygons of the questions"
     ))
 }
 

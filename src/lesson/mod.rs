@@ -129,13 +129,10 @@ pub fn of_worked(
     let size = scene.links.len() + scene.links.iter().map(|l| l.points.len()).sum::<usize>();
     if size > MOST {
         let message = both!(
-            "the links and their points are {size} together; a page that draws every position of them is made up to {MOST}",
-            "构件及其上各点共 {size} 个；逐一画出各位置的网页最多允许 {MOST} 个"
+            "the links and their points are {size} together; a page that draws every position of them is made up to {MOST}"
         );
-        let help = both!(
-            "take a part of the mechanism, or `hodograph draw --steps` for one position",
-            "请只取一部分机构，或用 `hodograph draw --steps` 画一个位置"
-        );
+        let help =
+            both!("take a part of the mechanism, or `hodograph draw --steps` for one position");
         return Err(Diagnostic::error("too-many", message).help(help).into());
     }
     if let Swept::Driver(driver) = options.swept
@@ -143,12 +140,7 @@ pub fn of_worked(
     {
         return Err(Diagnostic::error(
             "driver",
-            both!(
-                "there is no driver {}: the scene has {}",
-                "没有第 {} 个原动件：共有 {} 个",
-                driver + 1,
-                scene.drivers.len()
-            ),
+            both!("there is no driver {}: the scene has {}", driver + 1, scene.drivers.len()),
         )
         .into());
     }
@@ -156,13 +148,8 @@ pub fn of_worked(
         && scene.is_led(driver)
     {
         let (name, _) = scene.driver_name(driver);
-        let message = both!(
-            "`{name}` follows its cam: it does not move by itself",
-            "`{name}` 由凸轮带动，不能单独运动"
-        );
-        return Err(Diagnostic::error("no-driver", message)
-            .help(both!("let the cam turn", "请使凸轮转动"))
-            .into());
+        let message = both!("`{name}` follows its cam: it does not move by itself");
+        return Err(Diagnostic::error("no-driver", message).help(both!("let the cam turn")).into());
     }
     let follower = PoseFollower::new(
         scene,
@@ -192,14 +179,10 @@ pub fn of_worked(
         let d = Diagnostic::warning(
             "lesson-still",
             both!(
-                "no pose beside this one can be drawn: the lesson shows it alone, and nothing in it moves",
-                "该位置附近的位置都画不出：只演示这一位置，没有运动"
+                "no pose beside this one can be drawn: the lesson shows it alone, and nothing in it moves"
             ),
         );
-        notes.push(d.help(both!(
-            "give another pose, or move another driver with --driver",
-            "请改变位置，或用 --driver 另选原动件"
-        )));
+        notes.push(d.help(both!("give another pose, or move another driver with --driver")));
     }
     let turns = follower.returns();
     if turns != 1 && options.swept.turns(scene) && sweep.limits == [None, None] {
@@ -207,15 +190,13 @@ pub fn of_worked(
             "lesson-turns",
             match (sweep.full, turns) {
                 (true, _) => both!(
-                    "the lesson shows {turns} turns of the driver: then all wheels stand as before",
-                    "演示原动件的 {turns} 转：此后各轮回到原位"
+                    "the lesson shows {turns} turns of the driver: then all wheels stand as before"
                 ),
                 (false, 0) => {
-                    both!("the lesson shows one turn of the driver: the wheels never stand as before", "演示原动件的一转：各轮不再回到原位")
+                    both!("the lesson shows one turn of the driver: the wheels never stand as before")
                 }
                 (false, _) => both!(
-                    "the lesson shows one turn of the driver: the wheels stand as before after {turns}",
-                    "演示原动件的一转：{turns} 转后各轮才回到原位"
+                    "the lesson shows one turn of the driver: the wheels stand as before after {turns}"
                 ),
             },
         ));
@@ -225,11 +206,10 @@ pub fn of_worked(
             Diagnostic::note(
                 "lesson-driver",
                 both!(
-                    "the scene has several drivers: the lesson moves one of them, the others hold their positions",
-                    "有几个原动件：演示中一个运动，其余保持位置"
+                    "the scene has several drivers: the lesson moves one of them, the others hold their positions"
                 ),
             )
-            .help(both!("with --over t all of them move, each at its rate", "用 --over t 可使它们各按其速度同时运动")),
+            .help(both!("with --over t all of them move, each at its rate")),
         );
     }
     Ok(Warned { value: page::page(scene, options, (&worked.mechanism, &sweep), &frames)?, notes })

@@ -21,27 +21,26 @@ use crate::report::answers::DIGITS;
 use crate::report::html::sentence as html;
 use crate::report::particle as report;
 use crate::scene::Lang;
+use hodograph_base::lang::each;
 use serde_json::{Value, json};
 
 /// Words of this page in addition to those of the player.
 const WORDS: [(&str, [&str; 2]); 6] = [
-    ("home", ["Back to the given instant", "回到给定时刻"]),
-    ("instant", ["The instant", "时刻"]),
-    ("given", ["given instant", "给定时刻"]),
-    ("answers", ["Answers at the instant", "该时刻的结果"]),
+    ("home", each!("Back to the given instant")),
+    ("instant", each!("The instant")),
+    ("given", each!("given instant")),
+    ("answers", each!("Answers at the instant")),
     (
         "keys",
-        [
-            "Keys: → and ← the steps of the construction; + and − the instant, 0 the given one; Space runs; L language; D light or dark; P print; S window of the speaker.",
-            "键盘：→、← 作图步骤；+、− 改变时刻，0 回到给定时刻；空格 运动；L 切换语言；D 浅色或深色；P 打印；S 讲者窗口。",
-        ],
+        each!(
+            "Keys: → and ← the steps of the construction; + and − the instant, 0 the given one; Space runs; L language; D light or dark; P print; S window of the speaker."
+        ),
     ),
     (
         "noscript",
-        [
-            "The page needs JavaScript to move; without it, it shows the finished construction at the given instant.",
-            "本页需启用 JavaScript；未启用时仅显示给定时刻完成的作图。",
-        ],
+        each!(
+            "The page needs JavaScript to move; without it, it shows the finished construction at the given instant."
+        ),
     ),
 ];
 
@@ -109,15 +108,10 @@ impl MotionFrame {
 fn nothing(which: usize) -> Diagnostic {
     let d = Diagnostic::error(
         "driver",
-        both!(
-            "there is no motion {} that has something to draw",
-            "没有第 {} 个可作图的运动",
-            which + 1
-        ),
+        both!("there is no motion {} that has something to draw", which + 1),
     );
     d.help(both!(
-        "pursuers, and points that move on something, have a construction; --driver counts them from 1",
-        "追踪点和在动系上运动的点有作图；--driver 从 1 数起"
+        "pursuers, and points that move on something, have a construction; --driver counts them from 1"
     ))
 }
 

@@ -3,6 +3,7 @@
 //! This module arranges the parts. The page is one file and fetches nothing.
 
 use crate::budget::here;
+use hodograph_base::lang::say;
 use serde_json::{Value, json};
 
 use crate::construct::pencil_mm;
@@ -254,10 +255,10 @@ fn figure(d: &Scenery, told: &[TrackOutput], frames: &Frames, lang: Lang) -> Str
 fn of_links(name: &str, links: &[LinkId], frames: &Frames, lang: Lang) -> String {
     let scene = &frames.list[frames.base].scene;
     let names: Vec<&str> = links.iter().map(|l| scene.link_name(*l)).collect();
-    match (lang, names.len()) {
-        (Lang::En, 1) => format!("{name}, link {}", names[0]),
-        (Lang::En, _) => format!("{name}, links {}", names.join(", ")),
-        (Lang::Zh, _) => format!("构件 {} 的{name}", names.join("、")),
+    let names = names.join(lang.pick([", ", "、"]));
+    match links.len() {
+        1 => say!(lang, "{name}, link {names}"),
+        _ => say!(lang, "{name}, links {names}"),
     }
 }
 

@@ -20,6 +20,7 @@ use crate::render::math::mathml;
 use crate::render::number::mm;
 use crate::render::svg::Elements;
 use crate::scene::{Book, Lang};
+use hodograph_base::lang::each;
 use serde_json::{Value, json};
 
 use super::steps::LANGS;
@@ -31,18 +32,18 @@ const SCRIPT: [&str; 3] =
     [include_str!("player/frames.js"), include_str!("sheets.js"), include_str!("player/player.js")];
 /// Words of the controls: key, both languages.
 const PLAYER: [(&str, [&str; 2]); 12] = [
-    ("first", ["First step", "第一步"]),
-    ("previous", ["Previous step", "上一步"]),
-    ("next", ["Next step", "下一步"]),
-    ("last", ["Show all steps", "显示全部步骤"]),
-    ("step", ["Step {} of {}", "第 {} 步，共 {} 步"]),
-    ("steps", ["Construction", "作图步骤"]),
-    ("play", ["Run or stop", "运动或停止"]),
-    ("theme", ["Light or dark", "浅色或深色"]),
+    ("first", each!("First step")),
+    ("previous", each!("Previous step")),
+    ("next", each!("Next step")),
+    ("last", each!("Show all steps")),
+    ("step", each!("Step {} of {}")),
+    ("steps", each!("steps" => "Construction")),
+    ("play", each!("Run or stop")),
+    ("theme", each!("Light or dark")),
     ("language", ["中文", "English"]),
-    ("coming", ["Next", "下一步"]),
-    ("speaker", ["Window of the speaker", "讲者窗口"]),
-    ("print", ["Print, six steps on a page", "打印（每页六步）"]),
+    ("coming", each!("Next")),
+    ("speaker", each!("Window of the speaker")),
+    ("print", each!("Print, six steps on a page")),
 ];
 
 /// Margin around a drawing (mm).

@@ -1,6 +1,7 @@
 //! The sentences of each step of the construction, and the answers, in all frames.
 
 use crate::budget::here;
+use hodograph_base::lang::tr;
 use serde_json::{Value, json};
 
 use rayon::prelude::*;
@@ -10,7 +11,7 @@ use crate::certified::{CertifiedSteps, certify, steps as certified_steps};
 use crate::equilibrium::GroupForces;
 use crate::figure::results::DIGITS;
 use crate::notation::Notation;
-use crate::paper::phrase::{Phrase, tr};
+use crate::paper::phrase::Phrase;
 use crate::paper::words::words;
 use crate::plan::text::PlanWriter;
 use crate::report::amount::{amount, sense, symbol};
@@ -76,7 +77,7 @@ fn listed(
     let count = said[0].iter().map(Vec::len).max().unwrap_or(0);
     // A pose in which fewer vectors are drawn gets a sentence for the steps of the others, too.
     for (lang, frames) in LANGS.into_iter().zip(&mut said) {
-        let rest = tr(lang, "In this position nothing more is drawn.", "该位置不再作图。");
+        let rest = tr!(lang, "In this position nothing more is drawn.");
         frames.iter_mut().filter(|s| !s.is_empty()).for_each(|s| s.resize(count, rest.to_owned()));
     }
     for n in 0..count {

@@ -123,10 +123,7 @@ pub fn notes(missing: u64) -> Vec<Diagnostic> {
     let note = |n| {
         Diagnostic::note(
             "no-position",
-            both!(
-                "{n} positions have no row: the mechanism cannot be assembled there",
-                "有 {n} 个位置没有数据行：机构在该处不能装配"
-            ),
+            both!("{n} positions have no row: the mechanism cannot be assembled there"),
         )
     };
     (missing > 0).then(|| note(missing)).into_iter().collect()
@@ -150,13 +147,9 @@ struct ParameterRange<'a> {
 
 fn range(text: &str) -> Result<ParameterRange<'_>, Faults> {
     let unread = || {
-        let d = Diagnostic::error(
-            "vary",
-            both!("`--vary {text}` cannot be read", "无法识别 `--vary {text}`"),
-        );
+        let d = Diagnostic::error("vary", both!("`--vary {text}` cannot be read"));
         Faults::from(d.help(both!(
-            "write NAME=FROM..TO:N, such as --vary l_BC=80..120:100; N is 1 to 10000000",
-            "请写 NAME=FROM..TO:N，如 --vary l_BC=80..120:100；N 为 1 到 10000000"
+            "write NAME=FROM..TO:N, such as --vary l_BC=80..120:100; N is 1 to 10000000"
         )))
     };
     let (name, rest) = text.split_once('=').ok_or_else(unread)?;
@@ -171,17 +164,11 @@ fn range(text: &str) -> Result<ParameterRange<'_>, Faults> {
     if let Some(dots) = text.find("...") {
         let d = Diagnostic::error(
             "vary",
-            both!(
-                "a range has two dots between its bounds; this one has three or more",
-                "范围的两端之间是两个点，此处有三个或更多"
-            ),
+            both!("a range has two dots between its bounds; this one has three or more"),
         );
         let d = d.at(Span::new(dots, text.len() - text[dots..].trim_start_matches('.').len()));
         return Err(d
-            .help(both!(
-                "write FROM..TO; before the point of a number write a digit, 0.5",
-                "请写 FROM..TO；小数点前要有数字，如 0.5"
-            ))
+            .help(both!("write FROM..TO; before the point of a number write a digit, 0.5"))
             .into());
     }
     let (from, to) = bounds.split_once("..").ok_or_else(unread)?;

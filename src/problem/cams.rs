@@ -60,12 +60,9 @@ pub fn allowed(rise: &str, back: Option<&str>) -> Result<AllowedPressure, WrongV
         }
         let d = Diagnostic::error(
             "cam-alpha",
-            both!(
-                "an allowed pressure angle is between 0° and 90°, not {text}",
-                "许用压力角应在 0° 与 90° 之间，不能是 {text}"
-            ),
+            both!("an allowed pressure angle is between 0° and 90°, not {text}"),
         );
-        Err(WrongValue::new(of, text, d.help(both!("usual is 30deg", "常用 30deg"))))
+        Err(WrongValue::new(of, text, d.help(both!("usual is 30deg"))))
     };
     Ok(AllowedPressure {
         rise: read("alpha", rise)?,
@@ -126,23 +123,14 @@ impl SurveyedCam<'_> {
 fn chosen(scene: &Scene, which: Option<usize>) -> Result<Vec<&Cam>, Faults> {
     let cams = &scene.cams;
     if cams.is_empty() {
-        let d = Diagnostic::error("no-cam", both!("the scene has no cam", "机构文件中没有凸轮"));
+        let d = Diagnostic::error("no-cam", both!("the scene has no cam"));
         return Err(d
-            .help(both!(
-                "add \"cams\"; `hodograph new cam-offset-roller` writes an example",
-                "请加上 \"cams\"；`hodograph new cam-offset-roller` 给出一例"
-            ))
+            .help(both!("add \"cams\"; `hodograph new cam-offset-roller` writes an example"))
             .into());
     }
     if let Some(k) = which.filter(|k| *k == 0 || *k > cams.len()) {
-        let d = Diagnostic::error(
-            "no-cam",
-            both!(
-                "there is no cam {k}: the scene has {}",
-                "没有第 {k} 个凸轮：机构文件共有 {} 个",
-                cams.len()
-            ),
-        );
+        let d =
+            Diagnostic::error("no-cam", both!("there is no cam {k}: the scene has {}", cams.len()));
         return Err(d.into());
     }
     let named = cams.iter().enumerate().filter(|(i, _)| which.is_none_or(|k| k == i + 1));
@@ -154,10 +142,9 @@ fn chosen(scene: &Scene, which: Option<usize>) -> Result<Vec<&Cam>, Faults> {
     let faults = named.map(|(_, c)| {
         let message = both!(
             "cam `{}` or its follower is carried by a moving link: its motion over a turn is that of the whole mechanism",
-            "凸轮 `{}` 或其从动件装在活动构件上：一周的运动取决于整个机构",
             scene.link_name(c.cam)
         );
-        Diagnostic::error("cam-pose", message).at(c.span).help(both!("use `curves` or `sweep`", "请用 `curves` 或 `sweep`"))
+        Diagnostic::error("cam-pose", message).at(c.span).help(both!("use `curves` or `sweep`"))
     });
     Err(Faults { list: faults.collect() })
 }

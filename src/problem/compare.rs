@@ -7,11 +7,11 @@ use crate::diag::{Diagnostic, both};
 use crate::figure::curves::{CurveDiagram, CurveLegend, DiagramCurve, Panel};
 use crate::mechanism::Mechanism;
 use crate::notation::Notation;
-use crate::paper::phrase::tr;
 use crate::report::comparison::{ComparedCell, ComparedRow, Comparison, MotionResult};
 use crate::report::limits::output_name;
 use crate::scene::{DiagramKind, Kind, Lang, Scene};
 use crate::sweep::extreme::{self, MotionLimits};
+use hodograph_base::lang::tr;
 use std::f64::consts::TAU;
 
 /// Places of the driver closer than this part of the whole motion are one.
@@ -84,16 +84,13 @@ pub fn compare(
     let mut diagram = CurveDiagram {
         driver: match all.first() {
             Some(first) if driver.is_some() => first.diagram.driver.clone(),
-            _ => [
-                tr(lang, "\\text{driver}", "\\text{原动件}").to_owned(),
-                comparison.driver_unit.0.clone(),
-            ],
+            _ => [tr!(lang, "\\text{driver}").to_owned(), comparison.driver_unit.0.clone()],
         },
         per_si: comparison.driver_unit.1,
         places: common_places(&all).iter().map(|x| x * comparison.driver_unit.1).collect(),
         panels: Vec::new(),
         legend: Some(CurveLegend {
-            heading: tr(lang, "Comparison of designs", "方案比较").to_owned(),
+            heading: tr!(lang, "Comparison of designs").to_owned(),
             names: comparison.names(lang),
         }),
     };
@@ -123,12 +120,10 @@ fn names(scenes: &[ComparedScene]) -> Vec<String> {
 
 fn other_driver(first: &str, this: &str) -> Diagnostic {
     let message = both!(
-        "`{this}` and `{first}` of the first scene are not of one kind: one turns, the other slides",
-        "`{this}` 与第一个机构的 `{first}` 不同类：一为转动，一为移动"
+        "`{this}` and `{first}` of the first scene are not of one kind: one turns, the other slides"
     );
     Diagnostic::error("other-driver", message).help(both!(
-        "compare mechanisms with drivers of one kind, or name another driver with --over",
-        "请比较原动件同类的机构，或用 --over 另指原动件"
+        "compare mechanisms with drivers of one kind, or name another driver with --over"
     ))
 }
 

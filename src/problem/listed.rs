@@ -4,12 +4,12 @@ use super::range::{RangeFault, SweptRange, driver_of, steps};
 use crate::figure::curves::CurveDiagram;
 use crate::notation::Notation;
 use crate::paper::label::Label;
-use crate::paper::phrase::tr;
 use crate::scene::{Lang, Scene, Swept};
 use crate::sweep::long::LongSweep;
 use crate::sweep::pieces::gather;
 use crate::sweep::{self, PlacedScene};
 use hodograph_base::digits::legible;
+use hodograph_base::lang::{say, tr};
 use serde_json::{Value as Json, json};
 use std::f64::consts::TAU;
 
@@ -79,13 +79,10 @@ pub fn text(scene: &Scene, diagram: &CurveDiagram, driver: &str, lang: Lang) -> 
     };
     for (panel, curve) in diagram.panels.iter().flat_map(|p| p.curves.iter().map(move |c| (p, c))) {
         out += &format!("{}\n", curve.name);
-        let words = [tr(lang, "highest", "最大值"), tr(lang, "lowest", "最小值")];
+        let words = [tr!(lang, "highest"), tr!(lang, "lowest")];
         for ((at, v), word) in curve.extremes.iter().zip(words) {
             let v = value(*v, &panel.unit);
-            out += &match lang {
-                Lang::En => format!("  {word} {v} at {name} = {}\n", place(*at)),
-                Lang::Zh => format!("  {word} {v}（{name} = {} 时）\n", place(*at)),
-            };
+            out += &say!(lang, "  {word} {v} at {name} = {}\n", place(*at));
         }
         let zeros: Vec<String> = curve
             .zeros
@@ -96,10 +93,7 @@ pub fn text(scene: &Scene, diagram: &CurveDiagram, driver: &str, lang: Lang) -> 
             })
             .collect();
         if !zeros.is_empty() {
-            out += &match lang {
-                Lang::En => format!("  zero at {name} = {}\n", zeros.join(", ")),
-                Lang::Zh => format!("  零点：{name} = {}\n", zeros.join("、")),
-            };
+            out += &say!(lang, "  zero at {name} = {}\n", zeros.join(lang.pick([", ", "、"])));
         }
     }
     out

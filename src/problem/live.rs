@@ -165,7 +165,6 @@ impl Live {
         if values.len() != self.start.len() {
             let message = both!(
                 "{} drivers move, and {} positions are given",
-                "有 {} 个原动件，却给出 {} 个位置",
                 self.start.len(),
                 values.len()
             );

@@ -124,13 +124,10 @@ impl Answered for MotionSolution {
             self.lang(look),
         )?;
         if pages.is_empty() {
-            let message = both!(
-                "there is nothing to draw: no point pursues another one or moves on a plate",
-                "没有可画的图：没有追踪运动，也没有在平板上运动的点"
-            );
+            let message =
+                both!("there is nothing to draw: no point pursues another one or moves on a plate");
             let help = both!(
-                "`hodograph solve` answers what is asked of laws alone; with \"links\" and the points \"on\" the ground it is a scene, which is drawn",
-                "仅由运动规律求得的量请用 `hodograph solve`；写出 \"links\" 并令各点在机架上运动（\"on\"），即成为可作图的机构文件"
+                "`hodograph solve` answers what is asked of laws alone; with \"links\" and the points \"on\" the ground it is a scene, which is drawn"
             );
             return Err(Diagnostic::error("no-figure", message).help(help).into());
         }

@@ -39,11 +39,8 @@ pub fn extras(
         && on.is_none_or(|on| worked.construction.polygon(on).is_none())
     {
         let kind = on.unwrap_or(DiagramKind::Velocity).vectors();
-        let d = Diagnostic::error(
-            "no-figure",
-            both!("the scene's questions call for no {}", "所求的量用不到{}", kind),
-        )
-        .help(both!("ask for one in \"find\"", "请在 \"find\" 中求相应的量"));
+        let d = Diagnostic::error("no-figure", both!("the scene's questions call for no {}", kind))
+            .help(both!("ask for one in \"find\""));
         wrong.push(WrongValue::new("vectors", word, d));
     }
     match points_named(scene, wanted.path, "path") {
@@ -78,12 +75,10 @@ pub fn points_named(
             Some(p) => points.push(p),
             None => {
                 let known = (0..scene.points.len()).map(|p| scene.point_name(PointId(p)));
-                let d = Diagnostic::error(
-                    "unknown-point",
-                    both!("the scene has no point `{name}`", "机构文件没有点 `{name}`"),
-                )
-                .at(Span::new(start, start + whole.len()));
-                faults.push(d.help(suggest(name, known, both!("the points are", "点有"))));
+                let d =
+                    Diagnostic::error("unknown-point", both!("the scene has no point `{name}`"))
+                        .at(Span::new(start, start + whole.len()));
+                faults.push(d.help(suggest(name, known, both!("the points are"))));
             }
         }
         start += whole.len() + 1;
@@ -104,9 +99,8 @@ pub fn whole_page(text: &str) -> Result<PageFormat, WrongValue> {
     if page.whole {
         return Ok(page);
     }
-    let message = both!("{text} is not a sheet of paper", "{text} 不是图纸幅面");
-    let d = Diagnostic::error("paper", message)
-        .help(both!("write --page a4 or --page a3", "请写 --page a4 或 --page a3"));
+    let message = both!("{text} is not a sheet of paper");
+    let d = Diagnostic::error("paper", message).help(both!("write --page a4 or --page a3"));
     Err(WrongValue::new("page", text, d))
 }
 

@@ -122,26 +122,15 @@ pub fn driver_of(scene: &Scene, over: Option<&str>) -> Result<usize, WrongValue>
     if let Some(d) = driver_named(scene, name)
         && scene.is_led(d)
     {
-        let message = both!(
-            "`{name}` follows its cam: it does not move by itself",
-            "`{name}` 由凸轮带动，不能单独运动"
-        );
-        let d =
-            Diagnostic::error("no-driver", message).help(both!("let the cam turn", "请使凸轮转动"));
+        let message = both!("`{name}` follows its cam: it does not move by itself");
+        let d = Diagnostic::error("no-driver", message).help(both!("let the cam turn"));
         return Err(WrongValue::new("over", name, d));
     }
     driver_named(scene, name).ok_or_else(|| {
         let own = (0..scene.drivers.len()).filter(|d| !scene.is_led(*d));
         let names: Vec<String> = own.map(|d| scene.driver_name(d).0).collect();
-        let d = Diagnostic::error(
-            "no-driver",
-            both!("the scene has no driver `{name}`", "机构文件没有原动件 `{name}`"),
-        );
-        WrongValue::new(
-            "over",
-            name,
-            d.help(both!("its drivers are {}", "其原动件有 {}", Both::names(&names))),
-        )
+        let d = Diagnostic::error("no-driver", both!("the scene has no driver `{name}`"));
+        WrongValue::new("over", name, d.help(both!("its drivers are {}", Both::names(&names))))
     })
 }
 
@@ -174,10 +163,8 @@ fn values(
 ) -> Result<ParameterSpan, WrongValue> {
     let bound = |text: Option<&str>, of: &'static str| {
         let missing = || {
-            Diagnostic::error("range", both!("--{of} is missing", "缺少 --{of}")).help(both!(
-                "a parameter has no default range: give --from and --to",
-                "参数没有默认范围：请给出 --from 和 --to"
-            ))
+            Diagnostic::error("range", both!("--{of} is missing"))
+                .help(both!("a parameter has no default range: give --from and --to"))
         };
         let text = text.ok_or_else(|| WrongValue::new("over", name, missing()))?;
         variation.value(scene, name, text).map_err(|f| WrongValue::new(of, text, f))?;
@@ -201,12 +188,9 @@ fn not_too_far(of: &'static str, text: &str, angle: Angle) -> Result<Angle, Wron
     }
     let d = Diagnostic::error(
         "range",
-        both!(
-            "this end of the range is {turns} turns away from zero; the limit is {MOST_TURNS}",
-            "范围的这一端距零点 {turns} 转；最多允许 {MOST_TURNS} 转"
-        ),
+        both!("this end of the range is {turns} turns away from zero; the limit is {MOST_TURNS}"),
     );
-    let d = d.help(both!("the motion repeats after one turn or a few", "运动每转一周或几周即重复"));
+    let d = d.help(both!("the motion repeats after one turn or a few"));
     Err(WrongValue::new(of, text, d))
 }
 
@@ -236,8 +220,7 @@ pub fn steps(
     let steps = range.steps.unwrap_or(STEPS);
     let Some(d) = placed.scene.drivers.get(driver) else {
         return Err(RangeFault::Scene(
-            Diagnostic::error("no-driver", both!("the scene has no driver", "机构文件没有原动件"))
-                .into(),
+            Diagnostic::error("no-driver", both!("the scene has no driver")).into(),
         ));
     };
     if d.kind.turns() {
@@ -290,11 +273,8 @@ pub fn listed_units(
     columns: &[(String, &'static str)],
 ) -> Result<Vec<(String, f64)>, WrongValue> {
     let book = scene.book.of_table(list).map_err(|word| {
-        let message = both!("`{word}` is no unit of an answer", "`{word}` 不是所求量的单位");
-        let help = both!(
-            "write `book`, or units such as mm,deg,mm/s,r/min",
-            "请写 `book`，或单位，如 mm,deg,mm/s,r/min"
-        );
+        let message = both!("`{word}` is no unit of an answer");
+        let help = both!("write `book`, or units such as mm,deg,mm/s,r/min");
         WrongValue::new("units", list, Diagnostic::error("unit", message).help(help))
     })?;
     Ok(units_of(scene, &book, columns))

@@ -50,16 +50,14 @@ pub fn whole_motion(scene: Scene) -> Warned<Scene> {
     let kept = |c: &crate::scene::Cam| {
         let (cam, follower) = (value.link_name(c.cam), value.link_name(c.follower));
         let message = both!(
-            "beyond the instant, cam `{cam}` is taken to go on with the piece of its profile that `{follower}` touches now",
-            "在此瞬时之外，凸轮 `{cam}` 仍按从动件 `{follower}` 此刻所接触的廓线段计算"
+            "beyond the instant, cam `{cam}` is taken to go on with the piece of its profile that `{follower}` touches now"
         );
         let warning = Diagnostic::warning("cam-piece", message).at(c.span);
         if c.posed.is_some() {
             return warning;
         }
         warning.help(both!(
-            "give the face a line of the follower that begins in its pivot, such as \"line\": \"CF\": then the contact goes from piece to piece",
-            "请给出平底在从动件上的直线（自转轴起），如 \"line\": \"CF\"，则接触点随廓线逐段移动"
+            "give the face a line of the follower that begins in its pivot, such as \"line\": \"CF\": then the contact goes from piece to piece"
         ))
     };
     let notes = value.kept_cams().map(kept).collect();
@@ -259,36 +257,22 @@ impl Verdict {
 }
 
 fn not_called_for(word: &str) -> Diagnostic {
-    let d = Diagnostic::error(
-        "no-figure",
-        both!("the scene's questions call for no figure `{word}`", "所求的量用不到图 `{word}`"),
-    );
-    d.help(both!(
-        "ask for one in \"find\", or leave `{word}` out of --figure",
-        "请在 \"find\" 中求相应的量，或从 --figure 中去掉 `{word}`"
-    ))
+    let d =
+        Diagnostic::error("no-figure", both!("the scene's questions call for no figure `{word}`"));
+    d.help(both!("ask for one in \"find\", or leave `{word}` out of --figure"))
 }
 
 fn no_steps() -> Diagnostic {
-    Diagnostic::error("no-figure", both!("there is nothing to draw", "没有可画的图")).help(both!(
-        "of what the scene asks no step is drawn: leave --steps out, or ask for velocities or accelerations in \"find\"",
-        "所求各量没有作图步骤：请去掉 --steps，或在 \"find\" 中求速度或加速度"
+    Diagnostic::error("no-figure", both!("there is nothing to draw")).help(both!(
+        "of what the scene asks no step is drawn: leave --steps out, or ask for velocities or accelerations in \"find\""
     ))
 }
 
 fn no_mistake(name: &str) -> Diagnostic {
     let message = match name {
-        "" => both!(
-            "no known mistake changes an answer of this scene",
-            "本题中没有会改变结果的典型错误"
-        ),
-        name => both!(
-            "the mistake `{name}` cannot be made in this scene",
-            "本题中不会出现错误 `{name}`"
-        ),
+        "" => both!("no known mistake changes an answer of this scene"),
+        name => both!("the mistake `{name}` cannot be made in this scene"),
     };
-    Diagnostic::error("attempt", message).help(both!(
-        "`hodograph attempts --all` lists those that can",
-        "`hodograph attempts --all` 列出可能的错误"
-    ))
+    Diagnostic::error("attempt", message)
+        .help(both!("`hodograph attempts --all` lists those that can"))
 }

@@ -33,11 +33,7 @@ pub(super) fn solve(task: &Task, options: &Options) -> Result<Solved, Faults> {
     let design = synthesis::solve(task)?;
     let (picked, count) = (options.candidate, design.candidates.len());
     if picked >= count {
-        let message = both!(
-            "there is no candidate {}: there are {count}",
-            "没有第 {} 个方案：共有 {count} 个",
-            picked + 1
-        );
+        let message = both!("there is no candidate {}: there are {count}", picked + 1);
         return Err(Diagnostic::error("no-candidate", message).into());
     }
     let candidate = &design.candidates[picked];
@@ -82,8 +78,7 @@ pub fn included(
 /// The message for a construction that does not close on paper.
 fn no_construction() -> Both {
     both!(
-        "This design does not close on paper: its construction with ruler and compasses cannot be drawn.",
-        "此设计在图纸上不能装配，无法画出作图步骤。"
+        "This design does not close on paper: its construction with ruler and compasses cannot be drawn."
     )
 }
 
@@ -131,7 +126,7 @@ impl Answered for Designed {
         if pictures.steps {
             let Some(at) = pages.iter().position(|p| p.0 == "construction") else {
                 let d = Diagnostic::error("no-construction", no_construction());
-                return Err(d.help(both!("leave --steps out", "请去掉 --steps")).into());
+                return Err(d.help(both!("leave --steps out")).into());
             };
             pages = figure::growing(&pages[at].1);
         }

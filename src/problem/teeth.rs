@@ -73,8 +73,7 @@ impl TeethList {
     /// Values that cannot be read or are out of bounds; neither distance nor stages.
     pub fn of(a: &TeethRequest) -> Result<TeethList, WrongValue> {
         let ratio = quotient(a.ratio).ok_or_else(|| {
-            let message =
-                both!("`{}` is no ratio of at least 1", "`{}` 不是不小于 1 的传动比", a.ratio);
+            let message = both!("`{}` is no ratio of at least 1", a.ratio);
             refused("ratio", a.ratio, message)
         })?;
         let within = part(a.within)?;
@@ -111,10 +110,7 @@ impl TeethList {
                 Ok(TeethList::Pairs(wish, found))
             }
             (None, None) => {
-                let message = both!(
-                    "neither --distance nor --stages is given",
-                    "未给出 --distance 或 --stages"
-                );
+                let message = both!("neither --distance nor --stages is given");
                 Err(refused("ratio", a.ratio, message))
             }
         }
@@ -149,7 +145,7 @@ pub fn wanted_gear<'a>(
     within: &str,
 ) -> Result<WantedGear<'a>, WrongValue> {
     let (quantity, value) = want.split_once('=').ok_or_else(|| {
-        let message = both!("`{want}` is no NAME=VALUE", "`{want}` 不是 NAME=VALUE 的形式");
+        let message = both!("`{want}` is no NAME=VALUE");
         refused("want", want, message)
     })?;
     Ok(WantedGear {
@@ -163,8 +159,7 @@ pub fn wanted_gear<'a>(
 
 fn refused(of: &'static str, text: &str, message: Both) -> WrongValue {
     let help = both!(
-        "as in `hodograph teeth --ratio 3 --distance 150mm --module 2,2.5` or `hodograph teeth --ratio 31.5 --stages 3`",
-        "例如 `hodograph teeth --ratio 3 --distance 150mm --module 2,2.5` 或 `hodograph teeth --ratio 31.5 --stages 3`"
+        "as in `hodograph teeth --ratio 3 --distance 150mm --module 2,2.5` or `hodograph teeth --ratio 31.5 --stages 3`"
     );
     WrongValue::new(of, text, Diagnostic::error("wrong-given", message).help(help))
 }
@@ -181,7 +176,7 @@ fn part(text: &str) -> Result<f64, WrongValue> {
     let (number, times) = text.strip_suffix('%').map_or((text, 1.0), |n| (n, 0.01));
     let value = number.trim().parse::<f64>().ok().map(|x| x * times);
     value.filter(|x| (0.0..=0.2).contains(x)).ok_or_else(|| {
-        let message = both!("`{text}` is no part from 0 to 20%", "`{text}` 不是 0 到 20% 的偏差");
+        let message = both!("`{text}` is no part from 0 to 20%");
         refused("within", text, message)
     })
 }
@@ -191,7 +186,7 @@ fn range(option: &'static str, text: &str) -> Result<[f64; 2], WrongValue> {
     let read = |t: &str| t.trim().trim_end_matches("deg").trim().parse::<f64>().ok();
     let both = text.split_once("..").and_then(|(a, b)| Some([read(a)?, read(b)?]));
     both.filter(|[a, b]| a.is_finite() && b.is_finite() && a <= b).ok_or_else(|| {
-        let message = both!("`{text}` is no range such as 8..20", "`{text}` 不是范围，如 8..20");
+        let message = both!("`{text}` is no range such as 8..20");
         refused(option, text, message)
     })
 }
@@ -199,10 +194,8 @@ fn range(option: &'static str, text: &str) -> Result<[f64; 2], WrongValue> {
 fn whole_range(text: &str) -> Result<[u32; 2], WrongValue> {
     let both = text.split_once("..").and_then(|(a, b)| Some([a.parse().ok()?, b.parse().ok()?]));
     both.filter(|[a, b]| 5 <= *a && a <= b && *b <= MOST_TEETH).ok_or_else(|| {
-        let message = both!(
-            "`{text}` is no range of teeth from 5 to {MOST_TEETH}, such as 17..120",
-            "`{text}` 不是 5 到 {MOST_TEETH} 的齿数范围，如 17..120"
-        );
+        let message =
+            both!("`{text}` is no range of teeth from 5 to {MOST_TEETH}, such as 17..120");
         refused("teeth", text, message)
     })
 }
@@ -210,8 +203,7 @@ fn whole_range(text: &str) -> Result<[u32; 2], WrongValue> {
 /// Returns modules (m): those given, in mm, or the usual ones.
 fn modules(given: &[f64]) -> Result<Vec<f64>, WrongValue> {
     if let Some(wrong) = given.iter().find(|m| !(0.01..=1000.0).contains(*m)) {
-        let message =
-            both!("a module of {wrong} mm is no size of a gear", "模数 {wrong} mm 不合理");
+        let message = both!("a module of {wrong} mm is no size of a gear");
         return Err(refused("module", &wrong.to_string(), message));
     }
     let all = if given.is_empty() { &MODULES_MM[..] } else { given };

@@ -6,13 +6,14 @@ use super::whole::{asking_for_motion, no_curve, usual};
 use crate::diag::{Faults, Warned};
 use crate::digits::{minus, shortest};
 use crate::figure::curves::CurveDiagram;
-use crate::paper::phrase::{Phrase, tr};
-use crate::scene::{Lang, Swept};
+use crate::paper::phrase::Phrase;
+use crate::scene::Swept;
 use crate::sweep::long::LongSweep;
 use crate::sweep::pieces::gather;
 use crate::sweep::timed::TimedSweep;
 use crate::sweep::{self, PlacedScene};
 use crate::worksheet::{DocumentBlock, DocumentTable, TableKind};
+use hodograph_base::lang::{say, tr};
 
 /// Significant digits of the greatest value of a column.
 const DIGITS: f64 = 5.0;
@@ -60,11 +61,8 @@ pub fn turn_table(
         return Err(no_curve().into());
     }
     let driver = &diagram.driver[0];
-    let title = tr(lang, "Results over the motion", "各位置的结果");
-    let sentence = match lang {
-        Lang::En => format!("Results at {count} equal steps of ${driver}$."),
-        Lang::Zh => format!("将 ${driver}$ 等分为 {count} 步，各位置的结果如下。"),
-    };
+    let title = tr!(lang, "Results over the motion");
+    let sentence = say!(lang, "Results at {count} equal steps of ${driver}$.");
     let mut blocks = vec![
         DocumentBlock::Heading(2, title.to_owned()),
         DocumentBlock::Paragraph(Phrase::new(&sentence)),

@@ -97,10 +97,7 @@ pub fn asking_for_motion(source: &[u8], find: Option<&str>) -> Result<Warned<Sce
 
 /// The fault of a scene whose questions have no curve.
 pub fn no_curve() -> Diagnostic {
-    Diagnostic::error(
-        "no-curve",
-        both!("nothing that is asked has a curve", "所求各量均无曲线可画"),
-    )
+    Diagnostic::error("no-curve", both!("nothing that is asked has a curve"))
 }
 
 /// Returns the quantity that moves where none is named.
@@ -109,7 +106,7 @@ pub fn no_curve() -> Diagnostic {
 /// `no-driver` for a scene without a driver.
 pub fn usual(scene: &Scene) -> Result<Swept, Faults> {
     if scene.drivers.is_empty() {
-        let message = both!("the scene has no driver", "机构文件没有原动件");
+        let message = both!("the scene has no driver");
         return Err(Diagnostic::error("no-driver", message).into());
     }
     Ok(Swept::usual(scene))
@@ -201,26 +198,14 @@ pub fn balanced(
     };
     let told = match delta {
         Some(text) => Some(number(text).ok_or_else(|| {
-            let message = both!(
-                "`{text}` is no coefficient of speed fluctuation",
-                "`{text}` 不是运转不均匀系数"
-            );
-            wrong(
-                message,
-                both!(
-                    "write a number between 0 and 1, such as 1/30 or 0.03",
-                    "请写 0 与 1 之间的数，如 1/30 或 0.03"
-                ),
-            )
+            let message = both!("`{text}` is no coefficient of speed fluctuation");
+            wrong(message, both!("write a number between 0 and 1, such as 1/30 or 0.03"))
         })?),
         None => None,
     };
     if scene.loads.is_empty() {
-        let message = both!(
-            "the scene has no loads: there is nothing for a flywheel to even out",
-            "机构文件没有载荷，不需要飞轮"
-        );
-        let help = both!("give \"forces\" or \"masses\"", "请给出 \"forces\" 或 \"masses\"");
+        let message = both!("the scene has no loads: there is nothing for a flywheel to even out");
+        let help = both!("give \"forces\" or \"masses\"");
         return if told.is_some() { Err(wrong(message, help)) } else { Ok(None) };
     }
     let question = if driver == 0 { "M_b".to_owned() } else { format!("M_b{}", driver + 1) };
@@ -242,20 +227,15 @@ pub fn balanced(
     let rate = scene.drivers[driver].rate.value;
     match (energy, told) {
         (Some(_), Some(_)) if rate == 0.0 => {
-            let message = both!("the driver stands still", "原动件静止");
-            Err(wrong(message, both!("give its \"omega\"", "请给出其 \"omega\"")))
+            let message = both!("the driver stands still");
+            Err(wrong(message, both!("give its \"omega\"")))
         }
         (Some(energy), delta) => Ok(Some(BalancedEnergy { energy, rate, delta })),
         (None, None) => Ok(None),
         (None, Some(_)) => {
-            let message = both!(
-                "the driver does not turn fully, or never comes to its first pose again",
-                "原动件不能整周转动，或不再回到原位"
-            );
-            Err(wrong(
-                message,
-                both!("a flywheel is for a driver that turns", "飞轮用于整周转动的原动件"),
-            ))
+            let message =
+                both!("the driver does not turn fully, or never comes to its first pose again");
+            Err(wrong(message, both!("a flywheel is for a driver that turns")))
         }
     }
 }

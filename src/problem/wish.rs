@@ -121,21 +121,12 @@ impl Kind {
     fn refuses(self, option: &str) -> Diagnostic {
         let (message, help) = match self {
             Kind::Task => (
-                both!(
-                    "{option} is of scenes, and this is a synthesis file",
-                    "{option} 只用于机构文件，而这是综合文件"
-                ),
-                both!(
-                    "leave it out, or make a scene first: `hodograph synth FILE -o scene.json`",
-                    "请去掉它，或先生成机构文件：`hodograph synth FILE -o scene.json`"
-                ),
+                both!("{option} is of scenes, and this is a synthesis file"),
+                both!("leave it out, or make a scene first: `hodograph synth FILE -o scene.json`"),
             ),
             Kind::Scene | Kind::Motion | Kind::Equation => (
-                both!(
-                    "{option} is of mechanisms, and this file has none",
-                    "{option} 只用于机构，而此文件没有机构"
-                ),
-                both!("leave {option} out", "请去掉 {option}"),
+                both!("{option} is of mechanisms, and this file has none"),
+                both!("leave {option} out"),
             ),
         };
         Diagnostic::error("not-a-scene", message).help(help)
@@ -143,11 +134,8 @@ impl Kind {
 }
 
 fn no_candidates() -> Diagnostic {
-    let message = both!(
-        "a scene has no candidates: they are of synthesis files",
-        "机构文件没有方案可选：只有综合文件才有"
-    );
-    Diagnostic::error("no-candidate", message).help(both!("leave --pick out", "请去掉 --pick"))
+    let message = both!("a scene has no candidates: they are of synthesis files");
+    Diagnostic::error("no-candidate", message).help(both!("leave --pick out"))
 }
 
 /// The refusal of a file without links by a command that needs them.
@@ -155,33 +143,19 @@ pub(super) fn no_mechanism(kind: Kind) -> Diagnostic {
     let (message, help): (Both, Both) = match kind {
         Kind::Task => (
             both!(
-                "this is a synthesis file: it says what a linkage is to do, and is no linkage yet",
-                "这是综合文件：只说明机构应实现的运动，还不是机构"
+                "this is a synthesis file: it says what a linkage is to do, and is no linkage yet"
             ),
             both!(
-                "`hodograph synth FILE -o scene.json` makes the scene; `draw`, `worksheet` and `lesson` take the file itself",
-                "请用 `hodograph synth FILE -o scene.json` 生成机构文件；`draw`、`worksheet`、`lesson` 可直接用综合文件"
+                "`hodograph synth FILE -o scene.json` makes the scene; `draw`, `worksheet` and `lesson` take the file itself"
             ),
         ),
         Kind::Equation => (
-            both!(
-                "this file has a vector equation without a mechanism: there are no links",
-                "此文件是矢量方程，没有机构：没有构件"
-            ),
-            both!(
-                "`solve`, `plan`, `draw`, `worksheet` and `lesson` take it",
-                "请用 `solve`、`plan`、`draw`、`worksheet`、`lesson`"
-            ),
+            both!("this file has a vector equation without a mechanism: there are no links"),
+            both!("`solve`, `plan`, `draw`, `worksheet` and `lesson` take it"),
         ),
         Kind::Scene | Kind::Motion => (
-            both!(
-                "this file has motions without a mechanism: there are no links",
-                "此文件是无机构的运动：没有构件"
-            ),
-            both!(
-                "`solve`, `draw`, `worksheet` and `lesson` take it",
-                "请用 `solve`、`draw`、`worksheet`、`lesson`"
-            ),
+            both!("this file has motions without a mechanism: there are no links"),
+            both!("`solve`, `draw`, `worksheet` and `lesson` take it"),
         ),
     };
     Diagnostic::error("not-a-scene", message).help(help)

@@ -12,20 +12,18 @@ use crate::figure::list::{Extras, FigureInput, named};
 use crate::paper::phrase::Phrase;
 use crate::report::amount::symbol;
 use crate::report::centres::CentreWords;
-use crate::scene::Lang;
+use hodograph_base::lang::{each, say, tr};
 
 impl SheetMaker<'_> {
     /// Writes the centres and the values that follow from them.
     pub(super) fn centres(&self, blocks: &mut Vec<DocumentBlock>, task: &CentreTask) {
         let words = CentreWords::marked(&task.found, self.lang());
-        blocks.push(self.heading(2, "Instantaneous centres", "速度瞬心"));
+        blocks.push(self.heading(2, each!("Instantaneous centres")));
         let counted = words.counts();
-        blocks.push(DocumentBlock::Paragraph(Phrase::new(&match self.lang() {
-            Lang::En => format!(
-                "The ground is one of the links, so that there are $N(N - 1)/2$ centres. {counted}."
-            ),
-            Lang::Zh => format!("机架也计为构件，瞬心数为 $N(N - 1)/2$。{counted}。"),
-        })));
+        blocks.push(DocumentBlock::Paragraph(Phrase::new(&say!(
+            self.lang(),
+            "The ground is one of the links, so that there are $N(N - 1)/2$ centres. {counted}."
+        ))));
         let (at_pairs, others): (Vec<_>, Vec<_>) =
             task.found.list.iter().partition(|c| matches!(c.step.how, CentreMethod::Primary(_)));
         let list =
@@ -33,13 +31,12 @@ impl SheetMaker<'_> {
         blocks.push(DocumentBlock::List { numbered: false, members: list(at_pairs) });
         if !others.is_empty() {
             blocks.push(self.paragraph(
-                "The three centres of any three links are collinear: each further centre lies on two such lines.",
-                "任意三个构件的三个瞬心共线：其余各瞬心均为两条这样的直线的交点。",
+                each!("The three centres of any three links are collinear: each further centre lies on two such lines."),
             ));
             blocks.push(DocumentBlock::List { numbered: true, members: list(others) });
         }
         self.drawn_centres(blocks);
-        blocks.push(self.heading(2, "Velocities by the centres", "用瞬心求速度"));
+        blocks.push(self.heading(2, each!("Velocities by the centres")));
         blocks.push(DocumentBlock::List {
             numbered: true,
             members: words.steps().iter().map(|s| Phrase::new(s)).collect(),
@@ -65,9 +62,9 @@ impl SheetMaker<'_> {
     /// The values by centres compared with those of the loop equations.
     pub(super) fn compared_centres(&self, blocks: &mut Vec<DocumentBlock>, task: &CentreTask) {
         let head = [
-            self.tr("quantity", "量"),
-            self.tr("by centres", "瞬心法"),
-            self.tr("loop equations", "解析"),
+            tr!(self.lang(), "quantity"),
+            tr!(self.lang(), "by centres"),
+            tr!(self.lang(), "loop equations"),
         ];
         let mut rows = vec![head.map(Phrase::new).to_vec()];
         for r in &self.worked.results {

@@ -8,7 +8,8 @@ use crate::figure::composite::{NamedSolutions, named_solutions};
 use crate::figure::list::{Extras, FigureInput};
 use crate::report::composite::CompositeWords;
 use crate::scene::quantity::Frame;
-use crate::scene::{Lang, LinkId, Scene};
+use crate::scene::{LinkId, Scene};
+use hodograph_base::lang::{each, say};
 
 /// Values in one line.
 const PER_LINE: usize = 3;
@@ -29,7 +30,7 @@ impl SheetMaker<'_> {
         };
         let scene = &staged.scene;
         let words = CompositeWords { scene, lang: self.lang(), notation: self.notation() };
-        blocks.push(self.heading(2, "Solution by composite motion", "用点的合成运动求解"));
+        blocks.push(self.heading(2, each!("Solution by composite motion")));
         let bodies: Vec<Option<LinkId>> = each.iter().map(|s| sought(scene, s)).collect();
         let one_body = bodies[0].is_some() && bodies.iter().all(|b| *b == bodies[0]);
         for (k, (s, figure)) in each.iter().zip(figures).enumerate() {
@@ -37,12 +38,13 @@ impl SheetMaker<'_> {
             let of = words.heading(&s.choice).plain();
             blocks.push(DocumentBlock::Heading(
                 3,
-                match (each.len(), one_body, self.lang()) {
-                    (1, ..) => of,
-                    (_, true, Lang::En) => format!("Solution {number}: {}", lower(&of)),
-                    (_, true, Lang::Zh) => format!("解法 {number}：{of}"),
-                    (_, false, Lang::En) => format!("({number}) {of}"),
-                    (_, false, Lang::Zh) => format!("（{number}）{of}"),
+                match (each.len(), one_body) {
+                    (1, _) => of,
+                    (_, true) => say!(self.lang(), "Solution {number}: {}", lower(&of)),
+                    (_, false) => {
+                        let [open, close] = self.lang().pick([["(", ") "], ["（", "）"]]);
+                        format!("{open}{number}{close}{of}")
+                    }
                 },
             ));
             blocks.push(DocumentBlock::Figure { name: "composite", figure: Box::new(figure) });
@@ -51,7 +53,7 @@ impl SheetMaker<'_> {
         }
         let members = words.equated(&each);
         if !members.is_empty() {
-            blocks.push(self.heading(3, "Both frames together", "联立求解"));
+            blocks.push(self.heading(3, each!("Both frames together")));
             blocks.push(DocumentBlock::List { numbered: false, members });
         }
     }

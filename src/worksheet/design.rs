@@ -15,7 +15,7 @@ use crate::digits::{inked, shortest, significant};
 use crate::figure::synthesis::{self as figure, Set};
 use crate::paper::item::Figure;
 use crate::paper::label::Label;
-use crate::paper::phrase::{Phrase, PhrasePiece, tr};
+use crate::paper::phrase::{Phrase, PhrasePiece};
 use crate::render::math::Math;
 use crate::report::drafting::DIGITS;
 use crate::report::limits::grashof_words;
@@ -26,6 +26,7 @@ use crate::synthesis::board::{PaperReading, SynthesisBoard};
 use crate::synthesis::by_hand::tolerances;
 use crate::synthesis::candidate::{letters, symbol};
 use crate::synthesis::{Compared, Design, DesignCandidate, Proof, Task};
+use hodograph_base::lang::{each, say, tr};
 
 /// Rows of a function's table, both ends included.
 const ROWS: usize = 25;
@@ -93,7 +94,7 @@ impl DesignMaker<'_> {
 
     fn problem(&self, blocks: &mut Vec<DocumentBlock>) {
         let stated = self.task.statement();
-        blocks.push(self.heading(1, "Problem", "题目"));
+        blocks.push(self.heading(1, each!("Problem")));
         blocks.push(DocumentBlock::Paragraph(self.said(&stated.task)));
         if let Some(board) = self.board.as_ref().filter(|_| stated.open_steps > 0) {
             let mut open = board.clone();
@@ -108,22 +109,20 @@ impl DesignMaker<'_> {
             members: all.iter().map(|b| self.said(b)).collect(),
         };
         blocks.extend([
-            self.heading(2, "Given", "已知"),
+            self.heading(2, each!("Given")),
             list(&stated.given),
-            self.heading(2, "Wanted", "求"),
+            self.heading(2, each!("Wanted")),
             list(&stated.wanted),
         ]);
     }
 
     fn solution(&self, blocks: &mut Vec<DocumentBlock>) {
-        blocks.push(self.heading(1, "Solution", "解"));
+        blocks.push(self.heading(1, each!("Solution")));
         if self.design.candidates.len() > 1 {
             let which = self.lang().of(&self.candidate.draft.which);
             let (k, n) = (self.pick + 1, self.design.candidates.len());
-            let text = match self.lang() {
-                Lang::En => format!("Carried out here: candidate {k} of {n}, {}.", symbols(which)),
-                Lang::Zh => format!("以下给出第 {k} 个方案（共 {n} 个）：{}。", symbols(which)),
-            };
+            let text =
+                say!(self.lang(), "Carried out here: candidate {k} of {n}, {}.", symbols(which));
             blocks.push(DocumentBlock::Paragraph(Phrase::new(&text)));
         }
         if let Some(board) = &self.board {
@@ -137,7 +136,7 @@ impl DesignMaker<'_> {
 
     /// The drawing, its steps, and the measured values.
     fn construction(&self, board: &SynthesisBoard, blocks: &mut Vec<DocumentBlock>) {
-        blocks.push(self.heading(2, "Construction", "作图"));
+        blocks.push(self.heading(2, each!("heading" => "Construction")));
         blocks.push(picture(
             "construction",
             figure::construction(self.task, self.candidate, board, self.set),
@@ -158,23 +157,15 @@ impl DesignMaker<'_> {
         if read.is_empty() {
             return;
         }
-        blocks.push(self.heading(2, "Measured on paper", "图上量取"));
-        let head = match self.lang() {
-            Lang::En => [
-                "quantity".into(),
-                "measured".into(),
-                format!("times $\\mu_l = {}\\,\\text{{m/mm}}$", inked(&shortest(board.mu_l))),
-                "closed formula".to_owned(),
-                format!("by hand ({} mm)", shortest(pencil_mm(&self.task.paper))),
-            ],
-            Lang::Zh => [
-                "量".into(),
-                "量取".into(),
-                format!("乘以 $\\mu_l = {}\\,\\text{{m/mm}}$", inked(&shortest(board.mu_l))),
-                "公式".to_owned(),
-                format!("手工作图误差（{} mm）", shortest(pencil_mm(&self.task.paper))),
-            ],
-        };
+        blocks.push(self.heading(2, each!("Measured on paper")));
+        let scale = inked(&shortest(board.mu_l));
+        let head = [
+            tr!(self.lang(), "quantity").to_owned(),
+            tr!(self.lang(), "measured").to_owned(),
+            say!(self.lang(), "times $\\mu_l = {scale}\\,\\text{{m/mm}}$"),
+            tr!(self.lang(), "closed formula").to_owned(),
+            say!(self.lang(), "by hand ({} mm)", shortest(pencil_mm(&self.task.paper))),
+        ];
         let mut rows = vec![head.iter().map(|h: &String| Phrase::new(h)).collect::<Vec<_>>()];
         for (r, tolerance, formula) in read {
             let (measured, drawn, exact) = match r.angle {
@@ -214,7 +205,7 @@ impl DesignMaker<'_> {
     }
 
     fn proof(&self, blocks: &mut Vec<DocumentBlock>) {
-        blocks.push(self.heading(2, "Closed formula", "公式计算"));
+        blocks.push(self.heading(2, each!("Closed formula")));
         for Proof { what, formulas } in self.task.proof(self.candidate) {
             blocks.push(DocumentBlock::Paragraph(self.said(&what)));
             blocks.extend(formulas.iter().map(|f| DocumentBlock::Formula(parts(f))));
@@ -223,20 +214,11 @@ impl DesignMaker<'_> {
 
     /// The finished linkage, and the results of sweeping its scene.
     fn linkage(&self, blocks: &mut Vec<DocumentBlock>) {
-        blocks.push(self.heading(2, "The linkage in its positions", "机构的各位置"));
+        blocks.push(self.heading(2, each!("The linkage in its positions")));
         blocks.push(picture("positions", figure::linkage(self.task, self.candidate, self.set)));
-        let swept = match self.lang() {
-            Lang::En => {
-                format!(
-                    "Followed from the first position, the linkage shows: {}.",
-                    motion(self.candidate, Lang::En).replace(" · ", "; ")
-                )
-            }
-            Lang::Zh => format!(
-                "由第一位置起考察其运动：{}。",
-                motion(self.candidate, Lang::Zh).replace(" · ", "；")
-            ),
-        };
+        let lang = self.lang();
+        let motion = motion(self.candidate, lang).replace(" · ", lang.pick(["; ", "；"]));
+        let swept = say!(lang, "Followed from the first position, the linkage shows: {motion}.");
         blocks.push(DocumentBlock::Paragraph(Phrase::new(&swept)));
         let said: Vec<Phrase> = self
             .candidate
@@ -252,13 +234,13 @@ impl DesignMaker<'_> {
     fn course(&self, blocks: &mut Vec<DocumentBlock>) {
         let Some(figure) = figure::deviation(self.task, self.candidate, self.set) else { return };
         let course = &self.candidate.draft.course;
-        blocks.push(self.heading(2, "Structural error", "结构误差"));
+        blocks.push(self.heading(2, each!("Structural error")));
         blocks.extend(
             figure::generated(self.task, self.candidate, self.set).map(|f| picture("function", f)),
         );
         blocks.push(picture("deviation", figure));
-        let wanted = tr(self.lang(), "wanted function", "期望函数");
-        let real = tr(self.lang(), "generated function", "再现函数");
+        let wanted = tr!(self.lang(), "wanted function");
+        let real = tr!(self.lang(), "generated function");
         let head = [
             "$x$".to_owned(),
             "$\\alpha_0 + \\alpha$".into(),
@@ -289,7 +271,7 @@ impl DesignMaker<'_> {
     }
 
     fn candidates(&self, blocks: &mut Vec<DocumentBlock>) {
-        blocks.push(self.heading(2, "All candidates", "全部方案"));
+        blocks.push(self.heading(2, each!("All candidates")));
         let lengths: Vec<&str> = self
             .candidate
             .draft
@@ -301,10 +283,10 @@ impl DesignMaker<'_> {
             .map(|n| n.name.as_str())
             .take(LENGTHS)
             .collect();
-        let mut head = vec![Phrase::default(), Phrase::new(tr(self.lang(), "candidate", "方案"))];
+        let mut head = vec![Phrase::default(), Phrase::new(tr!(self.lang(), "candidate"))];
         head.extend(lengths.iter().map(|n| Phrase::new(&format!("${}$", symbol(n)))));
         head.push(Phrase::new("$\\gamma_{\\text{min}}$"));
-        head.push(Phrase::new(tr(self.lang(), "type, defects", "类型、缺陷")));
+        head.push(Phrase::new(tr!(self.lang(), "type, defects")));
         let mut rows = vec![head];
         for (k, c) in self.design.candidates.iter().enumerate() {
             let mut row = vec![
@@ -329,7 +311,7 @@ impl DesignMaker<'_> {
             .numbers
             .iter()
             .map(|n| {
-                let colon = tr(self.lang(), ": ", "：");
+                let colon = tr!(self.lang(), ": ");
                 let words = |text: String| PhrasePiece::Words(text);
                 let what = words(format!("{}{colon}", self.lang().of(&n.what)));
                 Phrase::of_pieces(vec![
@@ -340,7 +322,7 @@ impl DesignMaker<'_> {
             })
             .collect();
         if !told.is_empty() {
-            blocks.push(self.heading(2, "Numbers of the task", "其他数据"));
+            blocks.push(self.heading(2, each!("Numbers of the task")));
             blocks.push(DocumentBlock::List { numbered: false, members: told });
         }
     }
@@ -351,9 +333,9 @@ impl DesignMaker<'_> {
         let defects = c.judged.defects.iter().map(|d| self.lang().of(&d.message).to_owned());
         let all: Vec<String> = grashof.into_iter().chain(defects).collect();
         if all.is_empty() {
-            tr(self.lang(), "no defect", "无运动缺陷").to_owned()
+            tr!(self.lang(), "no defect").to_owned()
         } else {
-            all.join(tr(self.lang(), "; ", "；"))
+            all.join(tr!(self.lang(), "; "))
         }
     }
 }

@@ -8,25 +8,25 @@ use crate::digits::{minus, shortest, significant};
 use crate::equation::{VectorTerm, unknowns};
 use crate::figure::vector_equation::EquationSheet;
 use crate::notation::Notation;
-use crate::paper::phrase::{Phrase, tr};
+use crate::paper::phrase::Phrase;
 use crate::paper::words::words;
 use crate::plan::text::EquationColumn;
 use crate::report::vector_equation::{columns, count, primes, value};
 use crate::scene::Lang;
+use hodograph_base::lang::{each, say, tr};
 
 /// Makes the worksheet.
 pub fn equation(sheet: &EquationSheet, options: &WorksheetOptions) -> Document {
     let lang = sheet.lang;
-    let heading = |level: u8, en: &'static str, zh: &'static str| {
-        DocumentBlock::Heading(level, tr(lang, en, zh).into())
-    };
+    let heading =
+        |level: u8, words: [&str; 2]| DocumentBlock::Heading(level, lang.pick(words).into());
     let table = || {
         let columns = columns(&sheet.problem.terms, sheet.notation);
         DocumentBlock::Table(equation_table(columns, lang, sheet.notation))
     };
     let mut blocks = Vec::new();
     if options.sides != WorksheetSides::Solution {
-        blocks.push(heading(1, "Problem", "题目"));
+        blocks.push(heading(1, each!("Problem")));
         if let Some(text) = &sheet.problem.statement {
             let lines = text.get(lang).lines();
             blocks.extend(lines.map(|l| DocumentBlock::Paragraph(Phrase::new(l))));
@@ -34,26 +34,26 @@ pub fn equation(sheet: &EquationSheet, options: &WorksheetOptions) -> Document {
         let list = |members| DocumentBlock::List { numbered: false, members };
         blocks.extend([
             table(),
-            heading(2, "Given", "已知"),
+            heading(2, each!("Given")),
             list(sheet.problem.terms.iter().filter_map(|t| given(sheet, t)).collect()),
-            heading(2, "Wanted", "求"),
+            heading(2, each!("Wanted")),
             list(wanted(sheet)),
         ]);
     }
     if options.sides != WorksheetSides::Problem {
-        blocks.push(heading(1, "Solution", "解"));
+        blocks.push(heading(1, each!("Solution")));
         let told = count(&sheet.problem.terms).sentence();
         blocks.push(DocumentBlock::Paragraph(Phrase::of_words(lang.of(&told))));
         if options.sides == WorksheetSides::Solution {
             blocks.push(table());
         }
-        blocks.push(heading(2, "Drawing", "作图"));
+        blocks.push(heading(2, each!("Drawing")));
         let figure = Box::new(sheet.figure(false));
         blocks.push(DocumentBlock::Figure { name: "equation", figure });
         let members = sheet.drawn.steps.iter().map(|s| Phrase::new(lang.of(s))).collect();
         blocks.push(DocumentBlock::List { numbered: true, members });
         blocks.extend([
-            heading(2, "Answers", "结果"),
+            heading(2, each!("Answers")),
             DocumentBlock::Table(answers(sheet, options.sheet.digits)),
         ]);
     }
@@ -108,32 +108,29 @@ fn given(sheet: &EquationSheet, term: &VectorTerm) -> Option<Phrase> {
         match &d.line {
             None => format!("∠ {angle}°"),
             Some(line) => {
-                let (open, close) = (tr(lang, " (", "（"), tr(lang, ")", "）"));
+                let (open, close) = (tr!(lang, " ("), tr!(lang, ")"));
                 let sign = if d.across { "⊥" } else { "∥" };
                 format!("{sign} {line}{open}{line} ∠ {angle}°{close}")
             }
         }
     });
     let told: Vec<String> = size.into_iter().chain(direction).collect();
-    let apart = tr(lang, ", ", "，");
+    let apart = tr!(lang, "clause" => ", ");
     (!told.is_empty()).then(|| Phrase::new(&format!("${}$: {}", term.symbol(0), told.join(apart))))
 }
 
 /// The unknowns, one line each.
 fn wanted(sheet: &EquationSheet) -> Vec<Phrase> {
     let [sizes, directions] = unknowns(&sheet.problem.terms);
-    let said = |k: &usize, en: &'static str, zh: &'static str| {
-        let symbol = sheet.problem.terms[*k].symbol(0);
-        Phrase::new(&tr(sheet.lang, en, zh).replace("{}", &format!("${symbol}$")))
-    };
-    let size = sizes.iter().map(|k| said(k, "magnitude of {}", "{} 的大小"));
-    size.chain(directions.iter().map(|k| said(k, "direction of {}", "{} 的方向"))).collect()
+    let symbol = |k: &usize| sheet.problem.terms[*k].symbol(0);
+    let size = sizes.iter().map(|k| say!(sheet.lang, "magnitude of ${}$", symbol(k)));
+    let direction = directions.iter().map(|k| say!(sheet.lang, "direction of ${}$", symbol(k)));
+    size.chain(direction).map(|text: String| Phrase::new(&text)).collect()
 }
 
 fn answers(sheet: &EquationSheet, digits: usize) -> DocumentTable {
     let lang = sheet.lang;
-    let head =
-        [tr(lang, "quantity", "量"), tr(lang, "drawing", "作图"), tr(lang, "closed form", "公式")];
+    let head = [tr!(lang, "quantity"), tr!(lang, "drawing"), tr!(lang, "closed form")];
     let mut rows = vec![head.iter().map(|h| Phrase::of_words(h)).collect::<Vec<_>>()];
     let (book, kind) = (&sheet.problem.book, sheet.problem.on.kind());
     for (k, root) in sheet.solved.roots.iter().enumerate() {

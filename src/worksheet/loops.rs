@@ -12,8 +12,9 @@ use crate::paper::label::Label;
 use crate::paper::phrase::Phrase;
 use crate::render::math::Math;
 use crate::report::loops::{LoopWords, WrittenMotion, closed};
-use crate::scene::{Lang, Scene};
+use crate::scene::Scene;
 use crate::worked::Worked;
+use hodograph_base::lang::{each, say, tr};
 
 /// Makes the worksheet of a scene whose solution is the analytic method.
 ///
@@ -26,7 +27,7 @@ pub fn by_loops(
 ) -> Result<Document, Faults> {
     let all = placed(scene, &worked.mechanism, &worked.configuration)?;
     Ok(solved_by(scene, worked, options, |maker, blocks| {
-        blocks.push(maker.heading(1, "Solution", "解"));
+        blocks.push(maker.heading(1, each!("Solution")));
         if !all.groups.is_empty() {
             maker.loops(blocks, &all);
         }
@@ -38,11 +39,10 @@ pub fn by_loops(
 impl SheetMaker<'_> {
     fn loops(&self, blocks: &mut Vec<DocumentBlock>, all: &Loops) {
         let words = LoopWords::new(self.scene, all, self.lang());
-        blocks.push(self.heading(2, "Vector loops", "封闭矢量方程"));
+        blocks.push(self.heading(2, each!("Vector loops")));
         blocks.push(self.paragraph(
-            "Links and guides form closed loops of vectors. Each vector has a length and an angle from the $x$ axis; the vectors along \
-             the two paths from the first joint to the last have the same sum.",
-            "各构件和导路构成封闭矢量多边形。每个矢量用其长度和方位角（与 $x$ 轴正向的夹角）表示；由同一起点沿两条路径到达同一终点，两条路径的矢量和相等，由此列出封闭矢量方程。",
+            each!("Links and guides form closed loops of vectors. Each vector has a length and an angle from the $x$ axis; the vectors along \
+             the two paths from the first joint to the last have the same sum."),
         ));
         let figures = pages(self.scene, self.worked, self.options, all);
         blocks.extend(
@@ -53,13 +53,7 @@ impl SheetMaker<'_> {
         for (k, g) in all.groups.iter().enumerate() {
             let number = k + 1;
             let heading = words.heading(g);
-            blocks.push(DocumentBlock::Heading(
-                2,
-                match self.lang() {
-                    Lang::En => format!("Group {number}: {heading}"),
-                    Lang::Zh => format!("杆组 {number}：{heading}"),
-                },
-            ));
+            blocks.push(DocumentBlock::Heading(2, say!(self.lang(), "Group {number}: {heading}")));
             self.group_loops(blocks, all, g, &words);
         }
     }
@@ -71,7 +65,7 @@ impl SheetMaker<'_> {
         if motions.is_empty() {
             return;
         }
-        blocks.push(self.heading(2, "Equations of motion", "运动方程"));
+        blocks.push(self.heading(2, each!("Equations of motion")));
         blocks.push(DocumentBlock::List { numbered: false, members: words.given_motions() });
         for WrittenMotion { heading, parts } in motions {
             blocks.push(DocumentBlock::Heading(3, heading.plain()));
@@ -90,14 +84,14 @@ impl SheetMaker<'_> {
         words: &LoopWords,
     ) {
         let line = |text: &str| Phrase::new(&format!("${text}$"));
-        blocks.push(self.heading(3, "Position", "位置"));
+        blocks.push(self.heading(3, each!("Position")));
         for of in &g.loops {
             blocks.push(DocumentBlock::Formula(vec![Math::Row(Label::math(closed(all, of)))]));
             let head = [
-                self.tr("vector", "矢量"),
-                self.tr("link", "构件"),
-                self.tr("length", "长度"),
-                self.tr("angle", "方位角"),
+                tr!(self.lang(), "vector"),
+                tr!(self.lang(), "link"),
+                tr!(self.lang(), "length"),
+                tr!(self.lang(), "angle"),
             ];
             let mut rows = vec![head.map(Phrase::new).to_vec()];
             rows.extend(of.iter().map(|v| {
@@ -106,7 +100,7 @@ impl SheetMaker<'_> {
             }));
             blocks.push(DocumentBlock::Table(DocumentTable { kind: TableKind::Values, rows }));
         }
-        blocks.push(self.paragraph("Real and imaginary parts:", "分别取实部和虚部："));
+        blocks.push(self.paragraph(each!("Real and imaginary parts:")));
         blocks.extend(g.closures.iter().map(|e| formula(words, e)));
         blocks.push(DocumentBlock::Paragraph(Phrase::new(&words.method(g))));
         blocks.extend(g.position.iter().map(|e| formula(words, e)));
@@ -115,8 +109,8 @@ impl SheetMaker<'_> {
             blocks.push(DocumentBlock::List { numbered: false, members: found });
         }
         let levels = [
-            (self.heading(3, "Velocity", "速度"), &g.velocities, 1),
-            (self.heading(3, "Acceleration", "加速度"), &g.accelerations, 2),
+            (self.heading(3, each!("Velocity")), &g.velocities, 1),
+            (self.heading(3, each!("Acceleration")), &g.accelerations, 2),
         ];
         for (heading, equations, order) in levels {
             blocks.push(heading);

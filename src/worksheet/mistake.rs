@@ -13,6 +13,7 @@ use crate::paper::phrase::Phrase;
 use crate::report::attempts::AttemptWords;
 use crate::scene::Scene;
 use crate::worked::Worked;
+use hodograph_base::lang::each;
 
 /// Makes the worksheet.
 pub fn find_the_mistake(
@@ -35,7 +36,7 @@ pub fn find_the_mistake(
         wrong.examined(&mut blocks, attempt, &words);
     }
     if options.sides != WorksheetSides::Problem {
-        blocks.push(maker.heading(1, "The mistake", "错误所在"));
+        blocks.push(maker.heading(1, each!("The mistake")));
         blocks.push(DocumentBlock::Paragraph(words.heading_set(attempt)));
         blocks.push(DocumentBlock::Figure {
             name: "mistake",
@@ -49,10 +50,9 @@ pub fn find_the_mistake(
 impl SheetMaker<'_> {
     /// The wrong solution, without any sign that it is wrong.
     fn examined(&self, blocks: &mut Vec<DocumentBlock>, attempt: &Attempt, words: &AttemptWords) {
-        blocks.push(self.heading(2, "A solution to be examined", "待检查的解法"));
+        blocks.push(self.heading(2, each!("A solution to be examined")));
         blocks.push(self.paragraph(
-            "The solution below contains one mistake. Find it, say why it is one, and give the right values.",
-            "下面的解法中有一处错误。请指出错误，说明理由，并求出正确结果。",
+            each!("The solution below contains one mistake. Find it, say why it is one, and give the right values."),
         ));
         let on = attempt.gap.on;
         for group in self.worked.plan.steps(on) {
@@ -67,7 +67,7 @@ impl SheetMaker<'_> {
         );
         let members: Vec<Phrase> = attempt.rows.iter().filter_map(|r| words.claimed(r)).collect();
         if !members.is_empty() {
-            blocks.push(self.paragraph("Its results:", "其结果："));
+            blocks.push(self.paragraph(each!("Its results:")));
             blocks.push(DocumentBlock::List { numbered: false, members });
         }
     }

@@ -22,6 +22,7 @@ use crate::report::mobility::{Counted, class, kinds};
 use crate::report::plan::group_set;
 use crate::scene::{Driver, Guide, Lang, LinkId, PointId, Scene};
 use crate::worked::Worked;
+use hodograph_base::lang::{each, say, tr};
 
 /// Makes the worksheet of a scene that is solved for [`crate::worked::Scope::Figure`].
 pub fn mobility(scene: &Scene, worked: &Worked, options: &WorksheetOptions) -> Document {
@@ -77,50 +78,41 @@ impl MobilitySheet<'_> {
     }
 
     fn asked_to_count(&self, blocks: &mut Vec<DocumentBlock>) {
-        blocks.push(self.heading(1, "Problem", "题目"));
+        blocks.push(self.heading(1, each!("Problem")));
         match &self.drawn {
             Some(maker) => {
-                blocks.push(self.paragraph(
-                    "The figure shows a planar mechanism; the arrow marks the driver.",
-                    "图示为一平面机构，箭头所示为原动件。",
-                ));
+                blocks.push(self.paragraph(each!(
+                    "The figure shows a planar mechanism; the arrow marks the driver."
+                )));
                 blocks.push(whole(maker));
-                blocks.push(self.heading(2, "Given", "已知"));
+                blocks.push(self.heading(2, each!("Given")));
                 blocks
                     .push(DocumentBlock::List { numbered: false, members: maker.givens().list() });
             }
             None => {
-                blocks.push(self.paragraph(
-                    "A planar mechanism consists of these links and pairs:",
-                    "某平面机构由下列构件和运动副组成：",
-                ));
+                blocks.push(
+                    self.paragraph(each!("A planar mechanism consists of these links and pairs:")),
+                );
                 blocks.push(DocumentBlock::List {
                     numbered: false,
                     members: pairs::listed(self.scene, self.lang()),
                 });
             }
         }
-        blocks.push(self.heading(2, "Wanted", "求"));
-        let determined = match (self.scene.drivers.is_empty(), self.lang()) {
-            (false, Lang::En) => "; is the motion of the mechanism determined?",
-            (false, Lang::Zh) => "；机构是否具有确定的运动？",
-            (true, Lang::En) => "; how many drivers does it need?",
-            (true, Lang::Zh) => "；机构需要几个原动件？",
+        blocks.push(self.heading(2, each!("Wanted")));
+        let determined = match self.scene.drivers.is_empty() {
+            false => tr!(self.lang(), "; is the motion of the mechanism determined?"),
+            true => tr!(self.lang(), "; how many drivers does it need?"),
         };
         let formula = "$F = 3n - (2p_l + p_h - p') - F'$";
         let members = [
-            self.tr(
-                "Compound hinges, local freedoms and virtual constraints, each with its reason.",
-                "指出复合铰链、局部自由度和虚约束，并说明理由。",
+            tr!(self.lang(),
+                "Compound hinges, local freedoms and virtual constraints, each with its reason."
             )
             .to_owned(),
-            match self.lang() {
-                Lang::En => format!("The degree of freedom {formula}{determined}"),
-                Lang::Zh => format!("计算自由度 {formula}{determined}"),
-            },
-            self.tr(
-                "The groups into which it is taken apart, beginning far from the drivers, each with its class; and the class of the mechanism.",
-                "由远离原动件处开始拆杆组，指出各杆组的级别，并确定机构的级别。",
+            say!(self.lang(), "The degree of freedom {formula}{determined}"),
+            tr!(self.lang(),
+                "The groups into which it is taken apart, beginning far from the drivers, each with its class; and the class of the mechanism."
             )
             .to_owned(),
         ];
@@ -135,12 +127,13 @@ impl MobilitySheet<'_> {
     }
 
     fn count(&self, blocks: &mut Vec<DocumentBlock>, counted: &Counted) {
-        blocks.push(self.heading(1, "Solution", "解"));
-        blocks.push(self.heading(2, "Degree of freedom", "自由度"));
+        blocks.push(self.heading(1, each!("Solution")));
+        blocks.push(self.heading(2, each!("Degree of freedom")));
         let Counts { moving, lower, higher } = counted.survey.counts;
-        let head = [self.tr("quantity", "量"), self.tr("number", "数目"), self.tr("which", "说明")]
-            .map(Phrase::new)
-            .to_vec();
+        let head =
+            [tr!(self.lang(), "quantity"), tr!(self.lang(), "number"), tr!(self.lang(), "which")]
+                .map(Phrase::new)
+                .to_vec();
         let mut rows = vec![head];
         let mut row = |name: &str, number: usize, reasons: Vec<Phrase>| {
             let mut reasons = reasons.into_iter();
@@ -155,17 +148,13 @@ impl MobilitySheet<'_> {
         let names: Vec<&str> = links.map(|l| self.link(l)).collect();
         let which =
             if names.len() == moving { names.join(self.words().comma) } else { String::new() };
-        row(self.tr("moving links $n$", "活动构件 $n$"), moving, vec![Phrase::of_words(&which)]);
-        row(
-            self.tr("lower pairs $p_l$", "低副 $p_l$"),
-            lower,
-            counted.lower(self.scene, self.lang()),
-        );
-        row(self.tr("higher pairs $p_h$", "高副 $p_h$"), higher, Vec::new());
+        row(tr!(self.lang(), "moving links $n$"), moving, vec![Phrase::of_words(&which)]);
+        row(tr!(self.lang(), "lower pairs $p_l$"), lower, counted.lower(self.scene, self.lang()));
+        row(tr!(self.lang(), "higher pairs $p_h$"), higher, Vec::new());
         let local: Vec<Phrase> = counted.local().iter().map(|b| self.said(b)).collect();
-        row(self.tr("local freedoms $F'$", "局部自由度 $F'$"), local.len(), local.clone());
+        row(tr!(self.lang(), "local freedoms $F'$"), local.len(), local.clone());
         row(
-            self.tr("virtual constraints $p'$", "虚约束 $p'$"),
+            tr!(self.lang(), "virtual constraints $p'$"),
             counted.sure,
             counted.repeats().iter().map(|b| self.said(b)).collect(),
         );
@@ -180,28 +169,24 @@ impl MobilitySheet<'_> {
 
     /// Sentence: the number of drivers that a mechanism without drivers needs.
     pub fn needed(&self, f: i64) -> String {
-        match (f, self.lang()) {
-            (..=0, Lang::En) => "It cannot move.".to_owned(),
-            (..=0, Lang::Zh) => "它不能运动，不是机构。".to_owned(),
-            (1, Lang::En) => "It needs one driver.".to_owned(),
-            (_, Lang::En) => format!("It needs {f} drivers."),
-            (_, Lang::Zh) => format!("需要 {f} 个原动件，机构才具有确定的运动。"),
+        match f {
+            ..=0 => tr!(self.lang(), "It cannot move.").to_owned(),
+            1 => say!(self.lang(), "It needs one driver."),
+            _ => say!(self.lang(), "It needs {f} drivers."),
         }
     }
 
     /// Sentence: whether this number of drivers determines the motion.
     pub fn determined(&self, f: i64, drivers: i64) -> String {
-        match (f == drivers, self.lang()) {
-            (true, Lang::En) => {
-                format!("As many freedoms as drivers ({drivers}): the motion is determined.")
-            }
-            (true, Lang::Zh) => format!("自由度等于原动件数（{drivers}），机构具有确定的运动。"),
-            (false, Lang::En) => format!(
+        match f == drivers {
+            true => say!(
+                self.lang(),
+                "As many freedoms as drivers ({drivers}): the motion is determined."
+            ),
+            false => say!(
+                self.lang(),
                 "{f} freedoms, {drivers} drivers: what carried parts do by themselves is not driven."
             ),
-            (false, Lang::Zh) => {
-                format!("自由度为 {f}，原动件数为 {drivers}：其余自由度不由原动件确定。")
-            }
         }
     }
 
@@ -211,8 +196,7 @@ impl MobilitySheet<'_> {
             return;
         }
         blocks.push(self.paragraph(
-            "Without local freedoms and virtual constraints, every higher pair replaced by a link with two lower pairs:",
-            "去掉局部自由度和虚约束，并将高副低代：",
+            each!("Without local freedoms and virtual constraints, every higher pair replaced by a link with two lower pairs:"),
         ));
         let (n, p) = (s.moving, s.lower);
         let formula = format!(
@@ -225,14 +209,12 @@ impl MobilitySheet<'_> {
     fn split(&self, blocks: &mut Vec<DocumentBlock>, counted: &Counted) {
         let given = counted.survey.choices.iter().find(|c| c.given);
         let Some(given) = given.or(counted.survey.choices.first()) else { return };
-        blocks.push(self.heading(2, "Groups", "杆组"));
+        blocks.push(self.heading(2, each!("Groups")));
         let (driven, highest) = (self.driven(given), class(given, self.lang()));
-        blocks.push(DocumentBlock::Paragraph(Phrase::of_words(&match self.lang() {
-            Lang::En => {
-                format!("Driver: {driven}. From the far end, one group after another is removed:")
-            }
-            Lang::Zh => format!("原动件为{driven}。由远离原动件处开始，依次拆下："),
-        })));
+        blocks.push(DocumentBlock::Paragraph(Phrase::of_words(&say!(
+            self.lang(),
+            "Driver: {driven}. From the far end, one group after another is removed:"
+        ))));
         let replaced = given.replaced();
         let listed = replaced.as_ref().unwrap_or(given);
         let members = listed
@@ -248,21 +230,16 @@ impl MobilitySheet<'_> {
         if let Some(figure) = self.drawn.as_ref().and_then(drawn) {
             blocks.push(DocumentBlock::Figure { name: "groups", figure: Box::new(figure) });
         }
-        blocks.push(DocumentBlock::Paragraph(Phrase::of_words(&match self.lang() {
-            Lang::En => {
-                format!("The driver and the ground remain. The class of the mechanism is the highest class of its groups: class {highest}.")
-            }
-            Lang::Zh => format!("最后剩下原动件和机架。机构的级别取决于杆组的最高级别：{highest}机构。"),
-        })));
+        blocks.push(DocumentBlock::Paragraph(Phrase::of_words(&say!(self.lang(), "The driver and the ground remain. The class of the mechanism is the highest class of its groups: class {highest}."))));
         let others: Vec<&ForDrivers> = counted.survey.choices.iter().filter(|c| !c.given).collect();
         if others.is_empty() {
             return;
         }
-        blocks.push(self.heading(2, "Other drivers", "换用其他原动件"));
+        blocks.push(self.heading(2, each!("Other drivers")));
         let head = [
-            self.tr("driver", "原动件"),
-            self.tr("class", "机构级别"),
-            self.tr("groups from the far end", "由远端拆下的杆组"),
+            tr!(self.lang(), "driver"),
+            tr!(self.lang(), "class"),
+            tr!(self.lang(), "groups from the far end"),
         ];
         let mut rows = vec![head.map(Phrase::new).to_vec()];
         for c in others {
@@ -275,25 +252,23 @@ impl MobilitySheet<'_> {
     /// The driven part: `link 2`, `the slider at C`.
     fn driven(&self, choice: &ForDrivers) -> String {
         let scene = &choice.scene;
-        let link = |l: LinkId| format!("{} {}", self.tr("link", "构件"), scene.link_name(l));
-        let turned = |l: LinkId, against: LinkId| match self.lang() {
-            _ if against == scene.ground => link(l),
-            Lang::En => format!("{} against {}", link(l), link(against)),
-            Lang::Zh => format!("{}（相对{}）", link(l), link(against)),
+        let link = |l: LinkId| format!("{} {}", tr!(self.lang(), "link"), scene.link_name(l));
+        let turned = |l: LinkId, against: LinkId| match against == scene.ground {
+            true => link(l),
+            false => say!(self.lang(), "{} against {}", link(l), link(against)),
         };
-        let slid = |guide: &Guide| match (guide.slider, self.lang()) {
-            (Some(l), _) => link(l),
-            (None, Lang::En) => {
-                format!("the pin {} in its slot", guide.pin.map_or("", |p| scene.point_name(p)))
-            }
-            (None, Lang::Zh) => {
-                format!("槽中的销 {}", guide.pin.map_or("", |p| scene.point_name(p)))
-            }
+        let slid = |guide: &Guide| match guide.slider {
+            Some(l) => link(l),
+            None => say!(
+                self.lang(),
+                "the pin {} in its slot",
+                guide.pin.map_or("", |p| scene.point_name(p))
+            ),
         };
         let cylinder = |[a, b]: [PointId; 2]| {
             format!(
                 "{} {}{}",
-                self.tr("the cylinder", "液压缸"),
+                tr!(self.lang(), "the cylinder"),
                 scene.point_name(a),
                 scene.point_name(b)
             )

@@ -34,11 +34,12 @@ use crate::figure::sheet;
 use crate::notation::Notation;
 use crate::paper::font::own::Fonts;
 use crate::paper::item::Figure;
-use crate::paper::phrase::{Phrase, tr};
+use crate::paper::phrase::Phrase;
 use crate::plan::text::PlanWriter;
 use crate::render::math::Math;
 use crate::scene::{Lang, LinkId, Scene};
 use crate::worked::Worked;
+use hodograph_base::lang::tr;
 use speak::Speak;
 
 pub use design::design;
@@ -221,7 +222,7 @@ fn solved_by(
 fn document(scene: &Scene, options: &WorksheetOptions, blocks: Vec<DocumentBlock>) -> Document {
     let lang = options.sheet.lang;
     let title = scene.title.get(lang);
-    let title = if title.is_empty() { tr(lang, "Planar mechanism", "平面机构") } else { title };
+    let title = if title.is_empty() { tr!(lang, "Planar mechanism") } else { title };
     Document { title: one_line(title), lang, fonts: options.sheet.style.fonts.clone(), blocks }
 }
 

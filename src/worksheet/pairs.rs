@@ -42,42 +42,33 @@ impl PairWords<'_> {
 
     fn names(&self, links: &[LinkId]) -> Both {
         let names: Vec<Both> = links.iter().map(|l| Both::same(self.scene.link_name(*l))).collect();
-        Both::join(&names, ", ", "、")
+        Both::join(&names, [", ", "、"])
     }
 
     fn links(&self) -> Both {
         let moving: Vec<LinkId> =
             (0..self.scene.links.len()).map(LinkId).filter(|l| *l != self.scene.ground).collect();
         let ground = self.scene.link_name(self.scene.ground);
-        both!(
-            "moving links {}; link {ground} is fixed",
-            "活动构件 {}；构件 {ground} 为机架",
-            self.names(&moving)
-        )
+        both!("moving links {}; link {ground} is fixed", self.names(&moving))
     }
 
     /// A pin that joins links.
     fn pin(&self, p: PointId) -> Option<Both> {
         let links: Vec<LinkId> = self.scene.carriers(p).collect();
         let point = self.point(p);
-        (links.len() > 1).then(|| {
-            both!("pin {point} joins links {}", "{point} 处构件 {} 铰接", self.names(&links))
-        })
+        (links.len() > 1).then(|| both!("pin {point} joins links {}", self.names(&links)))
     }
 
     fn guide(&self, g: &Guide) -> Both {
         let on = self.scene.link_name(g.on);
         let pin = g.pin.map(|p| self.point(p));
         match (g.slider.map(|s| self.scene.link_name(s)), pin) {
-            (Some(slider), Some(pin)) => both!(
-                "{slider} slides on {on} at {pin}",
-                "构件 {slider} 与 {on} 在 {pin} 处组成移动副"
-            ),
+            (Some(slider), Some(pin)) => both!("{slider} slides on {on} at {pin}"),
             (Some(slider), None) => {
-                both!("{slider} slides on {on}", "构件 {slider} 与 {on} 组成移动副")
+                both!("{slider} slides on {on}")
             }
             (None, Some(pin)) => {
-                both!("pin {pin} runs in a slot of {on}", "销 {pin} 在构件 {on} 的槽中移动（高副）")
+                both!("pin {pin} runs in a slot of {on}")
             }
             (None, None) => Both::default(),
         }
@@ -87,24 +78,13 @@ impl PairWords<'_> {
         let [cam, link] = [cam, follower].map(|l| self.scene.link_name(l));
         match follows {
             Follows::Edge(p) => {
-                both!(
-                    "the edge {} of {link} touches cam {cam}",
-                    "从动件 {link} 的尖顶 {} 与凸轮 {cam} 接触",
-                    self.point(*p)
-                )
+                both!("the edge {} of {link} touches cam {cam}", self.point(*p))
             }
             Follows::Roller(p, _) => self.roller(cam, link, *p, follower),
             Follows::Arc(p, _) => {
-                both!(
-                    "the round end about {} of {link} touches cam {cam}",
-                    "从动件 {link} 以 {} 为圆心的曲面与凸轮 {cam} 接触",
-                    self.point(*p)
-                )
+                both!("the round end about {} of {link} touches cam {cam}", self.point(*p))
             }
-            Follows::Face(_) => both!(
-                "the flat face of {link} touches cam {cam}",
-                "从动件 {link} 的平底与凸轮 {cam} 接触"
-            ),
+            Follows::Face(_) => both!("the flat face of {link} touches cam {cam}"),
         }
     }
 
@@ -116,22 +96,16 @@ impl PairWords<'_> {
             .find(|l| *l != link && self.scene.links[l.0].points.len() == 1);
         let point = self.point(pin);
         match own.map(|l| self.scene.link_name(l)) {
-            Some(roller) => both!(
-                "roller {roller} of {follower} about {point} touches cam {cam}",
-                "从动件 {follower} 的滚子 {roller}（轴 {point}）与凸轮 {cam} 接触"
-            ),
+            Some(roller) => both!("roller {roller} of {follower} about {point} touches cam {cam}"),
             None => {
-                both!(
-                    "the roller of {follower} about {point} touches cam {cam}",
-                    "从动件 {follower} 的滚子（轴 {point}）与凸轮 {cam} 接触"
-                )
+                both!("the roller of {follower} about {point} touches cam {cam}")
             }
         }
     }
 
     fn driver(&self, kind: &DriverKind) -> Both {
         if let Some((link, _)) = kind.turned() {
-            return both!("{} is driven", "原动件为构件 {}", self.scene.link_name(link));
+            return both!("{} is driven", self.scene.link_name(link));
         }
         if let Some(g) = kind.guide().map(|g| &self.scene.guides[g.0]) {
             let what = g
@@ -139,9 +113,9 @@ impl PairWords<'_> {
                 .map(|s| self.scene.link_name(s).to_owned())
                 .or(g.pin.map(|p| self.point(p)))
                 .unwrap_or_default();
-            return both!("{what} is driven along its guide", "原动件为沿导路移动的 {what}");
+            return both!("{what} is driven along its guide");
         }
         let [a, b] = kind.ends().map(|ends| ends.map(|p| self.point(p))).unwrap_or_default();
-        both!("the cylinder from {a} to {b} is driven", "{a}、{b} 间的液压缸为原动件")
+        both!("the cylinder from {a} to {b} is driven")
     }
 }

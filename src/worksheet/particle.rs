@@ -11,7 +11,7 @@ use crate::digits::significant;
 use crate::figure::particle::{as_given, notation, within_text};
 use crate::notation::Notation;
 use crate::paper::label::Label;
-use crate::paper::phrase::{Phrase, tr};
+use crate::paper::phrase::Phrase;
 use crate::particle::board::MotionDrawing;
 use crate::particle::{ParticleMotionKind, ParticleProblem, ParticleSolution};
 use crate::render::math::Math;
@@ -19,6 +19,7 @@ use crate::report::particle::{
     drawn, in_unit, integrated, largest, marked, sentence, symbol, unit, value,
 };
 use crate::scene::Lang;
+use hodograph_base::lang::{each, tr};
 
 /// Makes the worksheet.
 ///
@@ -32,12 +33,11 @@ pub fn particle(
 ) -> Result<Document, Diagnostic> {
     let lang = options.sheet.lang;
     let notation = &notation(&options.sheet.style, lang);
-    let heading = |level: u8, en: &'static str, zh: &'static str| {
-        DocumentBlock::Heading(level, tr(lang, en, zh).into())
-    };
+    let heading =
+        |level: u8, words: [&str; 2]| DocumentBlock::Heading(level, lang.pick(words).into());
     let mut blocks = Vec::new();
     if options.sides != WorksheetSides::Solution {
-        blocks.push(heading(1, "Problem", "题目"));
+        blocks.push(heading(1, each!("Problem")));
         if let Some(text) = &problem.statement {
             blocks.extend(text.get(lang).lines().map(|l| DocumentBlock::Paragraph(Phrase::new(l))));
         }
@@ -46,24 +46,24 @@ pub fn particle(
             blocks.push(DocumentBlock::Figure { name: "given", figure: Box::new(figure) });
         }
         let list = |members| DocumentBlock::List { numbered: false, members };
-        blocks.extend([heading(2, "Given", "已知"), list(given::given(problem, lang))]);
-        blocks.extend([heading(2, "Wanted", "求"), list(given::wanted(problem, lang, notation))]);
+        blocks.extend([heading(2, each!("Given")), list(given::given(problem, lang))]);
+        blocks.extend([heading(2, each!("Wanted")), list(given::wanted(problem, lang, notation))]);
     }
     if options.sides != WorksheetSides::Problem {
-        blocks.push(heading(1, "Solution", "解"));
+        blocks.push(heading(1, each!("Solution")));
         for d in board {
             blocks.extend(equations(problem, d, lang, notation));
             let figure = within_text(problem, solved, d, &options.sheet.style, lang)?;
             blocks.push(match d.calculated {
-                true => heading(2, "Calculated, shown to scale", "计算所得，按比例示出"),
-                false => heading(2, "Drawing", "作图"),
+                true => heading(2, each!("Calculated, shown to scale")),
+                false => heading(2, each!("Drawing")),
             });
             blocks.push(DocumentBlock::Figure { name: "motion", figure: Box::new(figure) });
             let steps = d.steps.iter().map(|s| sentence(s, lang, notation)).collect();
             blocks.push(DocumentBlock::List { numbered: true, members: steps });
         }
         blocks.extend([
-            heading(2, "Answers", "结果"),
+            heading(2, each!("Answers")),
             DocumentBlock::Table(answers(problem, solved, board, options, notation)),
         ]);
     }
@@ -83,9 +83,6 @@ fn equations(
     notation: &Notation,
 ) -> Vec<DocumentBlock> {
     let motion = &problem.motions[d.motion];
-    let say = |en: &'static str, zh: &'static str| {
-        DocumentBlock::Paragraph(Phrase::new(tr(lang, en, zh)))
-    };
     let formula = |source: &str| {
         DocumentBlock::Formula(vec![Math::Row(Label::math(marked(source, notation)))])
     };
@@ -100,10 +97,10 @@ fn equations(
             ]
         }
         ParticleMotionKind::OnPlate(..) => vec![
-            say(
-                "Moving point: the point; frame: the plate. What is along the axis, and $v_r$, $a_r$, is seen on the plate; what is square to the axis is seen along it.",
-                "动点：该点；动系：平板。沿轴的分量以及 $v_r$、$a_r$ 在板面视图中示出真实长度；垂直于轴的分量在沿轴视图中示出。",
-            ),
+            DocumentBlock::Paragraph(Phrase::new(tr!(
+                lang,
+                "Moving point: the point; frame: the plate. What is along the axis, and $v_r$, $a_r$, is seen on the plate; what is square to the axis is seen along it."
+            ))),
             formula("v_a = v_e + v_r ,\\quad v_e = \\omega \\times r"),
             formula(
                 "a_a = a_e^n + a_e^t + a_r^n + a_r^t + a_k ,\\quad a_k = 2 \\omega v_r \\sin \\theta",
@@ -121,8 +118,7 @@ fn answers(
     notation: &Notation,
 ) -> DocumentTable {
     let lang = options.sheet.lang;
-    let head =
-        [tr(lang, "quantity", "量"), tr(lang, "drawing", "作图"), tr(lang, "analysis", "解析")];
+    let head = [tr!(lang, "quantity"), tr!(lang, "drawing"), tr!(lang, "analysis")];
     let mut rows = vec![head.iter().map(|h| Phrase::of_words(h)).collect::<Vec<_>>()];
     for a in &solved.answers {
         let what = problem.find[a.find].what;

@@ -13,8 +13,9 @@ use crate::report::given::GivenSentences;
 use crate::report::statement::paragraphs;
 use crate::scene::quantity::combined::Operation;
 use crate::scene::quantity::{Frame, Meaning, Of};
-use crate::scene::{Asked, DiagramKind, Find, Kind, Lang, LinkId, OnLink, PointId};
+use crate::scene::{Asked, DiagramKind, Find, Kind, LinkId, OnLink, PointId};
 use crate::worked::Worked;
+use hodograph_base::lang::{each, say, tr};
 
 /// A wider drawing is placed in the text, not beside it; one that is also higher leaves no space
 /// for the rest of the problem.
@@ -25,25 +26,24 @@ const SMALLER: f64 = 0.85;
 
 impl SheetMaker<'_> {
     pub(super) fn problem(&self, blocks: &mut Vec<DocumentBlock>) {
-        blocks.push(self.heading(1, "Problem", "题目"));
+        blocks.push(self.heading(1, each!("Problem")));
         let stated = paragraphs(self.scene, self.lang());
         match stated.is_empty() {
             false => blocks.extend(stated.into_iter().map(DocumentBlock::Paragraph)),
-            true => blocks.push(self.paragraph(
-                "The figure shows a planar mechanism to scale. Solve it by vector polygons.",
-                "图示平面机构已按比例画出，试用矢量多边形图解法求解。",
-            )),
+            true => blocks.push(self.paragraph(each!(
+                "The figure shows a planar mechanism to scale. Solve it by vector polygons."
+            ))),
         }
         blocks.push(self.given_mechanism());
-        blocks.push(self.heading(2, "Given", "已知"));
+        blocks.push(self.heading(2, each!("Given")));
         blocks.push(DocumentBlock::List { numbered: false, members: self.givens().list() });
-        blocks.push(self.heading(2, "Wanted", "求"));
+        blocks.push(self.heading(2, each!("Wanted")));
         blocks.push(DocumentBlock::List { numbered: false, members: self.wanted() });
     }
 
     /// The wanted quantities, in the order of the scene; quantities of one kind share a line.
     fn wanted(&self) -> Vec<Phrase> {
-        let colon = self.tr(": ", "：");
+        let colon = tr!(self.lang(), ": ");
         let mut lines: Vec<Vec<&Find>> = Vec::new();
         for f in &self.scene.find {
             let kind = self.kind(&f.what);
@@ -117,127 +117,93 @@ impl SheetMaker<'_> {
 
     /// A wanted quantity in words.
     fn asked(&self, what: &Asked) -> String {
-        let spot = |p: &OnLink| match (p.link, self.lang()) {
-            (None, _) => self.point(p.point),
-            (Some(l), Lang::En) => {
-                format!("the point of link {} at {}", self.link(l), self.point(p.point))
-            }
-            (Some(l), Lang::Zh) => {
-                format!("构件 {} 上与 {} 重合的点", self.link(l), self.point(p.point))
+        let spot = |p: &OnLink| match p.link {
+            None => self.point(p.point),
+            Some(l) => {
+                say!(self.lang(), "the point of link {} at {}", self.link(l), self.point(p.point))
             }
         };
         // Coincident points are identified by their place and the two links.
         let of_link = |p: &OnLink| {
-            p.link.map_or(spot(p), |l| format!("{} {}", self.tr("link", "构件"), self.link(l)))
+            p.link.map_or(spot(p), |l| format!("{} {}", tr!(self.lang(), "link"), self.link(l)))
         };
         let name = what.entry().name(self.lang());
         if let Some(Meaning::Ratio([a, b], arm)) = what.meaning(self.scene) {
-            return match (arm.map(|h| self.link(h)), self.lang()) {
-                (None, Lang::En) => {
-                    format!("{name} of link {} to link {}", self.link(a), self.link(b))
+            return match arm.map(|h| self.link(h)) {
+                None => {
+                    say!(self.lang(), "{name} of link {} to link {}", self.link(a), self.link(b))
                 }
-                (None, Lang::Zh) => {
-                    format!("构件 {} 与构件 {} 的{name}", self.link(a), self.link(b))
-                }
-                (Some(h), Lang::En) => format!(
+                Some(h) => say!(
+                    self.lang(),
                     "{name} of link {} to link {}, both relative to the arm {h}",
                     self.link(a),
                     self.link(b)
                 ),
-                (Some(h), Lang::Zh) => {
-                    format!("构件 {} 与构件 {} 相对系杆 {h} 的{name}", self.link(a), self.link(b))
-                }
             };
         }
         if let Asked::Combined(c) = what {
             let [a, b] = c.operands.map(|q| self.asked(&q.asked()));
-            return match (c.operation, self.lang()) {
-                (Operation::Sum, Lang::En) => format!("the sum of the {a} and the {b}"),
-                (Operation::Difference, Lang::En) => {
-                    format!("the difference of the {a} and the {b}")
-                }
-                (Operation::Ratio, Lang::En) => format!("the ratio of the {a} to the {b}"),
-                (Operation::Sum, Lang::Zh) => format!("{a}与{b}之和"),
-                (Operation::Difference, Lang::Zh) => format!("{a}与{b}之差"),
-                (Operation::Ratio, Lang::Zh) => format!("{a}与{b}之比"),
+            return match c.operation {
+                Operation::Sum => say!(self.lang(), "the sum of the {a} and the {b}"),
+                Operation::Difference => say!(self.lang(), "the difference of the {a} and the {b}"),
+                Operation::Ratio => say!(self.lang(), "the ratio of the {a} to the {b}"),
             };
         }
         if let Asked::FromCentre(q) = what {
             let ([a, b], point) = (q.centre.links.map(|(l, _)| self.link(l)), self.point(q.point));
-            return match self.lang() {
-                Lang::En => format!(
-                    "distance of {point} from the instantaneous centre of links {a} and {b}"
-                ),
-                Lang::Zh => format!("{point} 到构件 {a}、{b} 的瞬心的距离"),
-            };
+            return say!(
+                self.lang(),
+                "distance of {point} from the instantaneous centre of links {a} and {b}"
+            );
         }
-        match (what.of(), self.lang()) {
-            (Of::Point(p), Lang::En) => format!("{name} of {}", spot(&p)),
-            (Of::Point(p), Lang::Zh) if p.link.is_some() => format!("{}的{name}", spot(&p)),
-            (Of::Point(p), Lang::Zh) => format!("{} 的{name}", spot(&p)),
-            (Of::Points(a, b), Lang::En) if a.point == b.point => {
-                format!(
+        let lang = self.lang();
+        match what.of() {
+            // A name of a link ends with its own particle in Chinese.
+            Of::Point(p) if p.link.is_some() => say!(lang, "of a link" => "{name} of {}", spot(&p)),
+            Of::Point(p) => say!(lang, "{name} of {}", spot(&p)),
+            Of::Points(a, b) if a.point == b.point && a.link.is_none() => {
+                say!(
+                    lang,
                     "{name} at {}, of {} relative to {}",
                     self.point(a.point),
                     of_link(&a),
                     of_link(&b)
                 )
             }
-            (Of::Points(a, b), Lang::Zh) if a.point == b.point && a.link.is_none() => {
-                format!("{} 对{} 的{name}", spot(&a), of_link(&b))
+            Of::Points(a, b) if a.point == b.point => {
+                say!(lang, "of a link" => "{name} at {}, of {} relative to {}", self.point(a.point), of_link(&a), of_link(&b))
             }
-            (Of::Points(a, b), Lang::Zh) if a.point == b.point => {
-                format!("{} 处{} 对{} 的{name}", self.point(a.point), of_link(&a), of_link(&b))
-            }
-            (Of::Points(a, b), Lang::En) => {
-                format!("{name} of {} relative to {}", spot(&a), spot(&b))
-            }
-            (Of::Points(a, b), Lang::Zh) => format!("{} 相对 {} 的{name}", spot(&a), spot(&b)),
-            (Of::Link(l), Lang::En) => format!("{name} of link {}", self.link(l)),
-            (Of::Link(l), Lang::Zh) => format!("构件 {} 的{name}", self.link(l)),
-            (Of::Links(a, b), lang) if what.entry().symbol == "P" => {
+            Of::Points(a, b) => say!(lang, "{name} of {} relative to {}", spot(&a), spot(&b)),
+            Of::Link(l) => say!(lang, "{name} of link {}", self.link(l)),
+            Of::Links(a, b) if what.entry().symbol == "P" => {
                 let fixed = |l: LinkId| l == self.scene.ground;
                 let moving = if fixed(a) { self.link(b) } else { self.link(a) };
-                match (fixed(a) || fixed(b), lang) {
-                    (true, Lang::En) => format!("absolute instantaneous centre of link {moving}"),
-                    (true, Lang::Zh) => format!("构件 {moving} 的绝对瞬心"),
-                    (false, Lang::En) => format!(
+                match fixed(a) || fixed(b) {
+                    true => say!(lang, "absolute instantaneous centre of link {moving}"),
+                    false => say!(
+                        lang,
                         "relative instantaneous centre of links {} and {}",
                         self.link(a),
                         self.link(b)
                     ),
-                    (false, Lang::Zh) => {
-                        format!("构件 {} 与构件 {} 的相对瞬心", self.link(a), self.link(b))
-                    }
                 }
             }
             // The names of the table say what they belong to.
-            (Of::Mechanism, _) => name.to_string(),
-            (Of::Links(a, b), Lang::En) if what.kind() == Kind::Force => {
-                format!("{name} of link {} on link {}", self.link(a), self.link(b))
+            Of::Mechanism => name.to_string(),
+            Of::Links(a, b) if what.kind() == Kind::Force => {
+                say!(lang, "{name} of link {} on link {}", self.link(a), self.link(b))
             }
-            (Of::Links(a, b), Lang::Zh) if what.kind() == Kind::Force => {
-                format!("构件 {} 对构件 {} 的{name}", self.link(a), self.link(b))
+            Of::Links(a, b) => {
+                say!(lang, "{name} of link {} relative to link {}", self.link(a), self.link(b))
             }
-            (Of::Links(a, b), Lang::En) => {
-                format!("{name} of link {} relative to link {}", self.link(a), self.link(b))
-            }
-            (Of::Links(a, b), Lang::Zh) => {
-                format!("构件 {} 相对构件 {} 的{name}", self.link(a), self.link(b))
-            }
-            (Of::Seen(p, frame), lang) => {
-                let own = match (frame, lang) {
-                    (Frame::Link(l), Lang::En) => format!("is fixed to link {}", self.link(l)),
-                    (Frame::Link(l), Lang::Zh) => format!("固连于构件 {} ", self.link(l)),
-                    (Frame::Point(c), Lang::En) => format!("translates with {}", spot(&c)),
-                    (Frame::Point(c), Lang::Zh) => format!("随 {} 平移", spot(&c)),
+            Of::Seen(p, frame) => {
+                let own = match frame {
+                    Frame::Link(l) => say!(lang, "is fixed to link {}", self.link(l)),
+                    Frame::Point(c) => say!(lang, "translates with {}", spot(&c)),
                 };
-                match lang {
-                    Lang::En => format!("{name} of the moving point {}; the frame {own}", spot(&p)),
-                    Lang::Zh => format!("动点为 {}、动系{own}时的{name}", spot(&p)),
-                }
+                say!(lang, "{name} of the moving point {}; the frame {own}", spot(&p))
             }
-            (Of::Line(a, b), _) => {
+            Of::Line(a, b) => {
                 format!(
                     "{name} ${}{}$",
                     point_label(self.scene.point_name(a)),

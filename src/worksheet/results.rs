@@ -14,8 +14,9 @@ use crate::render::math::Math;
 use crate::report::amount::{amount, number, sense, symbol};
 use crate::report::answers::{AnswerLine, at_infinity, lines, reason, verdict};
 use crate::report::drafting;
-use crate::scene::{Find, Lang};
+use crate::scene::Find;
 use crate::worked::Outcome;
+use hodograph_base::lang::{each, say, tr};
 
 /// Digits at which drawing and analysis are compared: more than are printed as results.
 pub(super) const COMPARED: usize = 8;
@@ -51,10 +52,10 @@ impl SheetMaker<'_> {
         let (scene, words, digits) = (self.scene, self.words(), self.options.digits);
         blocks.push(DocumentBlock::Heading(2, words.results.into()));
         let head = [
-            self.tr("quantity", "量"),
-            self.tr("measured", "量取"),
-            self.tr("value", "值"),
-            self.tr("sense or direction", "转向或方向"),
+            tr!(self.lang(), "quantity"),
+            tr!(self.lang(), "measured"),
+            tr!(self.lang(), "value"),
+            tr!(self.lang(), "sense or direction"),
         ];
         let mut rows = vec![head.map(Phrase::new).to_vec()];
         let mut said = Vec::new();
@@ -122,14 +123,10 @@ impl SheetMaker<'_> {
 
     /// Describes the loop equations.
     fn loop_equations(&self, blocks: &mut Vec<DocumentBlock>) {
-        blocks.push(self.heading(2, "Comparison with the loop equations", "与解析法比较"));
+        blocks.push(self.heading(2, each!("Comparison with the loop equations")));
         let [v, a] = self.worked.solution.size;
-        blocks.push(DocumentBlock::Paragraph(Phrase::new(&match (self.lang(), a) {
-            (Lang::En, 0) => format!("All constraints of the mechanism, differentiated with respect to time, give {v} linear equations in the {v} unknown velocities, which are solved simultaneously, without any polygon."),
-            (Lang::En, _) => format!("All constraints of the mechanism, differentiated once and twice with respect to time, give {v} linear equations in the unknown velocities and {a} in the unknown accelerations, which are solved simultaneously, without any polygon."),
-            (Lang::Zh, 0) => format!("将机构全部约束方程对时间求导，得到关于 {v} 个未知速度的线性方程组，不作矢量多边形，直接联立求解。"),
-            (Lang::Zh, _) => format!("将机构全部约束方程对时间求一阶和二阶导数，得到关于 {v} 个未知速度和 {a} 个未知加速度的线性方程组，不作矢量多边形，直接联立求解。"),
-        })));
+        blocks.push(DocumentBlock::Paragraph(Phrase::new(&match a { 0 => say!(self.lang(), "All constraints of the mechanism, differentiated with respect to time, give {v} linear equations in the {v} unknown velocities, which are solved simultaneously, without any polygon."),
+_ => say!(self.lang(), "All constraints of the mechanism, differentiated once and twice with respect to time, give {v} linear equations in the unknown velocities and {a} in the unknown accelerations, which are solved simultaneously, without any polygon."), })));
     }
 
     fn comparison(&self, blocks: &mut Vec<DocumentBlock>) {
@@ -140,11 +137,11 @@ impl SheetMaker<'_> {
         self.loop_equations(blocks);
         self.components(blocks);
         let mm = shortest(by_hand.pencil_mm);
-        let hand = fill(self.tr("by hand ({} mm)", "手工作图误差（{} mm）"), &[("", &mm)]);
+        let hand = fill(tr!(self.lang(), "by hand ({} mm)"), &[("", &mm)]);
         let head = [
-            self.tr("quantity", "量"),
-            self.tr("drawing", "图解"),
-            self.tr("loop equations", "解析"),
+            tr!(self.lang(), "quantity"),
+            tr!(self.lang(),"method" => "drawing"),
+            tr!(self.lang(), "loop equations"),
             &hand,
         ];
         let mut rows = vec![head.map(Phrase::new).to_vec()];

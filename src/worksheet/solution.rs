@@ -26,6 +26,7 @@ use crate::report::mobility::lower_set;
 use crate::report::plan::group_set;
 use crate::report::replaced::replaced_words;
 use crate::scene::{DiagramKind, Lang, Scene};
+use hodograph_base::lang::{each, say, tr};
 
 /// Digits of a length on paper in the choice of scales: a ruler gives no more.
 const RULER_DIGITS: usize = 4;
@@ -42,11 +43,11 @@ impl SheetMaker<'_> {
     /// Writes the solution. `alone`: true if no problem side precedes it, so that the mechanism is
     /// shown here.
     pub(super) fn solution(&self, blocks: &mut Vec<DocumentBlock>, alone: bool) {
-        blocks.push(self.heading(1, "Solution", "解"));
+        blocks.push(self.heading(1, each!("Solution")));
         let task = CentreTask::of(self.scene);
         if let Some(task) = &task {
             self.laws(blocks);
-            self.counted(blocks, self.tr("Degree of freedom", "自由度"));
+            self.counted(blocks, tr!(self.lang(), "Degree of freedom"));
             self.centres(blocks, task);
             if task.alone {
                 return self.results(blocks, Some(task));
@@ -58,7 +59,7 @@ impl SheetMaker<'_> {
         });
         if task.is_none() {
             self.laws(blocks);
-            self.counted(blocks, self.tr("Degree of freedom and groups", "自由度与杆组"));
+            self.counted(blocks, tr!(self.lang(), "Degree of freedom and groups"));
         }
         self.motions(blocks);
         self.groups(blocks);
@@ -91,7 +92,7 @@ impl SheetMaker<'_> {
             lang: self.lang(),
             of,
         };
-        blocks.push(self.heading(2, "Forces", "力分析"));
+        blocks.push(self.heading(2, each!("Forces")));
         for (k, group) in of.groups.iter().enumerate() {
             blocks.push(DocumentBlock::Heading(3, w.heading(group)));
             if let (Some(name), Some(figure)) =
@@ -115,7 +116,7 @@ impl SheetMaker<'_> {
     fn laws(&self, blocks: &mut Vec<DocumentBlock>) {
         let members = self.givens().laws();
         if !members.is_empty() {
-            blocks.push(self.heading(2, "Laws of time at the instant", "该瞬时的运动规律"));
+            blocks.push(self.heading(2, each!("Laws of time at the instant")));
             blocks.push(DocumentBlock::List { numbered: false, members });
         }
     }
@@ -124,11 +125,7 @@ impl SheetMaker<'_> {
     fn motions(&self, blocks: &mut Vec<DocumentBlock>) {
         let members = named(self.scene, self.lang(), &self.options.notation);
         if !members.is_empty() {
-            blocks.push(self.heading(
-                2,
-                "Moving point, frame and three motions",
-                "动点、动系与三种运动",
-            ));
+            blocks.push(self.heading(2, each!("Moving point, frame and three motions")));
             blocks.push(DocumentBlock::List { numbered: false, members });
         }
     }
@@ -138,14 +135,10 @@ impl SheetMaker<'_> {
         let f = &self.worked.mechanism.mobility;
         blocks.push(DocumentBlock::Heading(2, heading.into()));
         let (n, low, high) = (f.moving, f.lower, f.higher);
-        let known = match self.lang() {
-            Lang::En => format!(
-                "Moving links $n = {n}$, lower pairs $p_l = {low}$, higher pairs $p_h = {high}$:"
-            ),
-            Lang::Zh => {
-                format!("活动构件数 $n = {n}$，低副数 $p_l = {low}$，高副数 $p_h = {high}$：")
-            }
-        };
+        let known = say!(
+            self.lang(),
+            "Moving links $n = {n}$, lower pairs $p_l = {low}$, higher pairs $p_h = {high}$:"
+        );
         blocks.push(DocumentBlock::Paragraph(Phrase::new(&known)));
         let why = lower_set(self.scene, &compound(self.scene), self.lang());
         if !why.is_empty() {
@@ -162,15 +155,15 @@ impl SheetMaker<'_> {
     fn groups(&self, blocks: &mut Vec<DocumentBlock>) {
         let m = &self.worked.mechanism;
         let drivers = self.scene.own_drivers();
-        let verdict = match self.lang() {
-            Lang::En if drivers == 1 => {
+        let verdict = match drivers {
+            1 => say!(
+                self.lang(),
                 "With one driver its motion is determined. Groups in the order of solving:"
-                    .to_owned()
-            }
-            Lang::En => format!(
+            ),
+            _ => say!(
+                self.lang(),
                 "With {drivers} drivers its motion is determined. Groups in the order of solving:"
             ),
-            Lang::Zh => format!("原动件数为 {drivers}，机构具有确定的运动。杆组按求解顺序为："),
         };
         blocks.push(DocumentBlock::Paragraph(Phrase::new(&verdict)));
         let groups = m.assur(self.scene).into_iter().filter(|g| !g.is_carried());
@@ -193,10 +186,7 @@ impl SheetMaker<'_> {
             let ends =
                 name_label(&format!("{}{}", self.scene.point_name(a), self.scene.point_name(b)));
             let on_paper = mm(l.value.value / mu_of_figure);
-            mu += &match self.lang() {
-                Lang::En => format!(": $l_{{{ends}}}$ is drawn ${on_paper}$ long"),
-                Lang::Zh => format!("：$l_{{{ends}}}$ 的图示长度为 ${on_paper}$"),
-            };
+            mu += &say!(self.lang(), ": $l_{{{ends}}}$ is drawn ${on_paper}$ long");
         }
         members.push(mu);
         for on in DiagramKind::POLYGONS {
@@ -207,11 +197,10 @@ impl SheetMaker<'_> {
                     .map(|p| format!("${}$", scale_formula(book, on, p.mu))),
             );
         }
-        blocks.push(self.heading(2, "Scales", "比例尺"));
+        blocks.push(self.heading(2, each!("Scales")));
         blocks.push(self.paragraph(
-            "The scales are chosen from the series 1, 2, 2.5, 5 times a power of ten, so that each drawing is as large as the paper \
-             allows. A length measured on paper, multiplied by its scale, is the quantity.",
-            "比例尺取自 1、2、2.5、5 乘以 10 的幂的系列，使图形在图纸允许的范围内尽量大。图上量得的长度乘以相应的比例尺，即为该量的大小。",
+            each!("The scales are chosen from the series 1, 2, 2.5, 5 times a power of ten, so that each drawing is as large as the paper \
+             allows. A length measured on paper, multiplied by its scale, is the quantity."),
         ));
         blocks.push(DocumentBlock::List {
             numbered: false,
@@ -238,7 +227,7 @@ impl SheetMaker<'_> {
 
     fn polygon(&self, blocks: &mut Vec<DocumentBlock>, on: DiagramKind, polygon: &Polygon) {
         let name = on.name(self.lang());
-        blocks.push(self.heading(3, &format!("Construction of the {name}"), &format!("作{name}")));
+        blocks.push(DocumentBlock::Heading(3, say!(self.lang(), "Construction of the {name}")));
         blocks.extend(self.figure(on.word(), on));
         let members = sentences(&self.writer(), &self.worked.construction, polygon, self.told);
         blocks.push(DocumentBlock::List { numbered: true, members });
@@ -271,26 +260,19 @@ impl SheetMaker<'_> {
         method: Method,
         columns: Vec<EquationColumn>,
     ) {
-        let why = match (method, self.lang()) {
-            (Method::SameLink, Lang::En) => "two points of one link",
-            (Method::SameLink, Lang::Zh) => "基点法",
-            (Method::Cylinder, Lang::En) => "the ends of a cylinder, on barrel and rod",
-            (Method::Cylinder, Lang::Zh) => "液压缸两端，分别为缸筒与活塞杆上的点",
-            (Method::Coincident, Lang::En) => "coincident points of two links",
-            (Method::Coincident, Lang::Zh) => "重合点法",
-            (Method::Strand, Lang::En) => "the ends of a strand, which does not slip",
-            (Method::Strand, Lang::Zh) => "带（链）段两端的点，不打滑",
-            (Method::Special, Lang::En) => "special point method",
-            (Method::Special, Lang::Zh) => "特殊点法",
-            (Method::Trial, Lang::En) => "trial polygon",
-            (Method::Trial, Lang::Zh) => "试作多边形",
-            (Method::Driven, Lang::En) => "everything is known",
-            (Method::Driven, Lang::Zh) => "各项均已知",
+        let why = match method {
+            Method::SameLink => tr!(self.lang(), "two points of one link"),
+            Method::Cylinder => tr!(self.lang(), "the ends of a cylinder, on barrel and rod"),
+            Method::Coincident => tr!(self.lang(), "coincident points of two links"),
+            Method::Strand => tr!(self.lang(), "the ends of a strand, which does not slip"),
+            Method::Special => tr!(self.lang(), "special point method"),
+            Method::Trial => tr!(self.lang(), "trial polygon"),
+            Method::Driven => tr!(self.lang(), "everything is known"),
         };
-        blocks.push(DocumentBlock::Paragraph(Phrase::new(&match self.lang() {
-            Lang::En => format!("For ${vector}$ ({why}):"),
-            Lang::Zh => format!("求 ${vector}$（{why}）："),
-        })));
+        blocks.push(DocumentBlock::Paragraph(Phrase::new(&say!(
+            self.lang(),
+            "For ${vector}$ ({why}):"
+        ))));
         blocks.push(DocumentBlock::Table(equation_table(columns, self.lang(), self.notation())));
     }
 

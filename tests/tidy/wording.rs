@@ -1,6 +1,7 @@
 //! Consistent terms in all Chinese texts of the sources and templates, and words that a reader of
 //! mechanics does not expect.
 
+use super::catalogues::{CatalogueEntry, entries};
 use super::{files, finish, sources};
 
 /// Words that must not occur, each with the one that the books have.
@@ -40,7 +41,9 @@ const ENGLISH: &[(&str, &str)] = &[
 
 #[test]
 fn one_thing_has_one_term() {
-    let texts = [sources(&["rs", "js", "html"]), files("templates", &["json"])].concat();
+    let texts =
+        [sources(&["rs", "js", "html", "po"]), files("po", &["po"]), files("templates", &["json"])]
+            .concat();
     assert!(texts.len() > 300, "only {} files", texts.len());
     let mut faults = Vec::new();
     for (file, text) in &texts {
@@ -72,14 +75,9 @@ fn half_width(text: &str) -> Option<String> {
 
 #[test]
 fn no_half_width_mark_follows_chinese() {
-    let mut faults = Vec::new();
-    let mut seen = 0;
-    for (file, text) in sources(&["rs"]) {
-        for (line, _, zh) in super::pairs(&text) {
-            seen += 1;
-            faults.extend(half_width(&zh).map(|found| format!("{file}:{line}: {found} in {zh:?}")));
-        }
-    }
-    assert!(seen > 300, "only {seen} texts");
+    let found = |e: &CatalogueEntry| {
+        Some(format!("{}:{}: {} in {:?}", e.file, e.line, half_width(&e.zh)?, e.zh))
+    };
+    let faults: Vec<String> = entries().iter().filter_map(found).collect();
     finish(&faults, "Chinese has its own colon, comma and semicolon.");
 }

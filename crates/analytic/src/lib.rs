@@ -56,6 +56,9 @@ use pose::PosedLayout;
 use singular::Blocks;
 use staged::{LARGE, StagedFactors};
 
+// Compiled again when its Chinese texts change.
+const _: &str = include_str!("../po/zh.po");
+
 /// Velocities and accelerations of all links that the demand covers, each up to its requested
 /// level.
 #[derive(Clone, Debug, PartialEq)]
@@ -237,7 +240,7 @@ impl LoopSystem {
         if rows.len() != n {
             return Err(Diagnostic::error(
                 "not-square",
-                both!("{} equations for {n} unknowns", "{} 个方程，{n} 个未知数", rows.len()),
+                both!("{} equations for {n} unknowns", rows.len()),
             )
             .into());
         }
@@ -340,7 +343,6 @@ fn overflow(scene: &Scene, layout: &rows::UnknownLayout) -> Diagnostic {
         "overflow",
         both!(
             "the numbers of links {} are too large or too small to be solved",
-            "构件 {} 的数值过大或过小，无法求解",
             Both::names(&names)
         ),
     )

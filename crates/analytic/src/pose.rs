@@ -288,47 +288,37 @@ impl PosedLayout<'_> {
 fn note(s: &Singularity) -> Diagnostic {
     let words = &s.words;
     let by = match s.decided {
-        Some(Decided::Side) => both!(
-            "\"side\" says which is meant, as it is just after the pose",
-            "由 \"side\" 按该位置稍后的情形确定"
-        ),
+        Some(Decided::Side) => both!("\"side\" says which is meant, as it is just after the pose"),
         Some(Decided::Sketch) => {
-            both!("taken is the one that leads toward the sketch", "取趋向草图的一种")
+            both!("taken is the one that leads toward the sketch")
         }
         Some(Decided::Kind) => both!(
-            "taken is the one on which the assembly keeps its kind (a parallelogram stays a parallelogram)",
-            "取保持装配型式的一种（平行四边形仍为平行四边形）"
+            "taken is the one on which the assembly keeps its kind (a parallelogram stays a parallelogram)"
         ),
         Some(Decided::Sense) => both!(
-            "taken is the one on which the first link of them that turns goes counter-clockwise",
-            "取其中首个转动构件逆时针转动的一种"
+            "taken is the one on which the first link of them that turns goes counter-clockwise"
         ),
         None => Both::default(),
     };
-    let undrawn = both!(
-        "their velocities are not crossed on paper, they come from the loop equations",
-        "其速度不由作图求交，而由封闭矢量方程（解析法）求得"
-    );
+    let undrawn =
+        both!("their velocities are not crossed on paper, they come from the loop equations");
     match s.kind {
         SingularKind::ChangePoint if s.other.is_some() => Diagnostic::note(
             "change-point",
             both!(
                 "change point: {}, and two motions lead through this pose; {}; {}",
-                "运动不确定位置：{}，有两种运动可通过该位置；{}；{}",
                 words,
                 by,
                 undrawn
             ),
         )
         .help(both!(
-            "the other motion stands beside the answers; \"side\", told for the pose just after, chooses",
-            "另一种运动附在结果旁；可用 \"side\" 按该位置稍后的情形选取"
+            "the other motion stands beside the answers; \"side\", told for the pose just after, chooses"
         )),
         SingularKind::ChangePoint => Diagnostic::note(
             "change-point",
             both!(
                 "change point: {}, and one motion only leads through this pose with the driver moving as given; {}",
-                "运动不确定位置：{}，按所给原动件运动只有一种运动可通过该位置；{}",
                 words,
                 undrawn
             ),
@@ -337,18 +327,16 @@ fn note(s: &Singularity) -> Diagnostic {
             "driver-at-limit",
             both!(
                 "the driver stands at its limit and turns back: {}, and the links pass through in one sense or the other; {}; {}",
-                "原动件在极限位置折返：{}，各构件可沿两种转向之一通过；{}；{}",
                 words,
                 by,
                 undrawn
             ),
         )
         .help(both!(
-            "the other sense stands beside the answers; \"side\", told for the pose just after, chooses",
-            "另一种转向附在结果旁；可用 \"side\" 按该位置稍后的情形选取"
+            "the other sense stands beside the answers; \"side\", told for the pose just after, chooses"
         )),
         SingularKind::Rest => {
-            Diagnostic::note("at-rest", both!("{} while the drivers stand still: everything rests", "{}，而原动件不动：各构件静止", words))
+            Diagnostic::note("at-rest", both!("{} while the drivers stand still: everything rests", words))
         }
     }
 }

@@ -120,24 +120,22 @@ pub(super) fn held(
     let letters = |l: LinkId| {
         let of = if block.contains(&l) { on(l) } else { scene.links[l.0].points.clone() };
         match of[..] {
-            [a, b] => both!(" ({}{})", "（{}{}）", scene.point_name(a), scene.point_name(b)),
+            [a, b] => both!(" ({}{})", scene.point_name(a), scene.point_name(b)),
             // A closing bracket ends the letters; a name alone is followed by a space.
-            _ => both!("", " "),
+            _ => Both { en: String::new(), zh: " ".to_owned() },
         }
     };
-    let bars: Vec<Both> = links
-        .iter()
-        .map(|l| both!("link {}{}", "构件 {}{}", scene.link_name(*l), letters(*l)))
-        .collect();
+    let bars: Vec<Both> =
+        links.iter().map(|l| both!("link {}{}", scene.link_name(*l), letters(*l))).collect();
     let guide = |g: &GuideId| match (scene.guides[g.0].pin, scene.guides[g.0].slider) {
         _ if scene.contact_words(*g).is_some() => {
-            both!("the line of {}", "{}的导向线", scene.guide_words(*g))
+            both!("the line of {}", scene.guide_words(*g))
         }
-        (Some(p), _) => both!("the guide of {}", "{} 的导路", scene.point_name(p)),
-        (None, Some(s)) => both!("the guide of link {}", "构件 {} 的导路", scene.link_name(s)),
-        (None, None) => both!("the guide", "导路"),
+        (Some(p), _) => both!("the guide of {}", scene.point_name(p)),
+        (None, Some(s)) => both!("the guide of link {}", scene.link_name(s)),
+        (None, None) => both!("the guide"),
     };
-    let at_joint = joint.map_or_else(Both::default, |p| both!(" at {}", "{}", scene.point_name(p)));
+    let at_joint = joint.map_or_else(Both::default, |p| both!(" at {}", scene.point_name(p)));
     let carries_guide = |l: LinkId| {
         guides.iter().any(|g| scene.guides[g.0].on == l || scene.guides[g.0].slider == Some(l))
     };
@@ -148,34 +146,25 @@ pub(super) fn held(
             match joint {
                 Some(_) => both!(
                     "{} lie in line{}{}",
-                    "{}在 {} 处共线{}",
                     Both::listed(&all),
                     at_joint,
                     coincident(scene, at, &pins)
                 ),
-                None => both!(
-                    "{} lie in line{}",
-                    "{}共线{}",
-                    Both::listed(&all),
-                    coincident(scene, at, &pins)
-                ),
+                None => both!("{} lie in line{}", Both::listed(&all), coincident(scene, at, &pins)),
             }
         }
         ([g], _) if bars.len() == 1 && on(links[0]).len() == 2 && !carries_guide(links[0]) => {
-            both!("{} lies square to {}", "{}垂直于{}", bars[0], guide(g))
+            both!("{} lies square to {}", bars[0], guide(g))
         }
         _ => {
             let cylinders = drivers.iter().map(|d| mover_words(scene, *d));
             let all: Vec<Both> =
                 bars.into_iter().chain(guides.iter().map(guide)).chain(cylinders).collect();
             let verb = if all.len() == 1 { "leaves" } else { "leave" };
-            let at_joint = Both {
-                zh: joint.map_or_else(String::new, |p| format!("在 {} 处", scene.point_name(p))),
-                ..at_joint
-            };
+            let place = |p: PointId| both!("at the joint" => "at {}", scene.point_name(p)).zh;
+            let at_joint = Both { zh: joint.map_or_else(String::new, place), ..at_joint };
             both!(
                 "{} {} one freedom open{}{}",
-                "{0}{2}余下一个自由度{1:.0}{3}",
                 Both::listed(&all),
                 verb,
                 at_joint,
@@ -204,12 +193,7 @@ fn coincident(scene: &Scene, at: &Configuration, pins: &[PointId]) -> Both {
     };
     for (i, a) in pins.iter().enumerate() {
         if let Some(b) = pins[i + 1..].iter().find(|b| close(a, b)) {
-            return both!(
-                " ({} and {} coincide)",
-                "（{} 与 {} 重合）",
-                scene.point_name(*a),
-                scene.point_name(*b)
-            );
+            return both!(" ({} and {} coincide)", scene.point_name(*a), scene.point_name(*b));
         }
     }
     Both::default()
@@ -233,7 +217,7 @@ fn moving_drivers(scene: &Scene) -> Both {
         .filter(|d| moves(&scene.drivers[*d]))
         .map(|d| mover_words(scene, d))
         .collect();
-    if all.is_empty() { both!("the driver", "原动件") } else { Both::listed(&all) }
+    if all.is_empty() { both!("the driver") } else { Both::listed(&all) }
 }
 
 /// Returns the diagnostic about a part without a motion.
@@ -252,61 +236,53 @@ pub(super) fn refusal(
             "dead-centre",
             both!(
                 "dead centre: {}, and {} cannot move them through this pose: the velocities of {} are unbounded",
-                "死点：{}，{}不能带动其通过该位置：{}的速度趋于无穷大",
                 text,
                 drivers,
                 free
             ),
         )
         .help(both!(
-            "drive another link, or choose a pose nearby; a machine is carried through by its flywheel",
-            "请换原动件，或取附近的位置；实际机器靠飞轮的惯性通过死点"
+            "drive another link, or choose a pose nearby; a machine is carried through by its flywheel"
         )),
         RefusalReason::Locked => Diagnostic::warning(
             "locked",
             both!(
                 "{}: the links can be assembled in this pose, but {} cannot move on from it as asked",
-                "{}：构件可在该位置装配，但{}不能按所给运动由此继续",
                 text,
                 drivers
             ),
         )
         .help(both!(
-            "choose another pose or other lengths; at the limit of its range a driver can only turn back",
-            "请改变位置或长度；原动件在极限位置只能折返"
+            "choose another pose or other lengths; at the limit of its range a driver can only turn back"
         )),
         RefusalReason::Loose => Diagnostic::warning(
             "undetermined",
             both!(
                 "{}: {} can move while the drivers stand, and nothing determines that motion",
-                "{}：原动件不动时{}仍可运动，其运动不确定",
                 text,
                 free
             ),
         )
         .help(both!(
-            "choose another pose or other lengths: coincident joints leave a link free to turn",
-            "请改变位置或长度：铰链重合时构件可自由转动"
+            "choose another pose or other lengths: coincident joints leave a link free to turn"
         )),
         RefusalReason::Several => Diagnostic::warning(
             "singular",
             both!(
                 "{}: more than one freedom is open in this pose, and which motion follows is not decided",
-                "{}：该位置余下不止一个自由度，运动不确定",
                 text
             ),
         )
-        .help(both!("choose another pose, or drive another link", "请改变位置或换原动件")),
+        .help(both!("choose another pose, or drive another link")),
         RefusalReason::NoAcceleration => Diagnostic::warning(
             "acceleration-undetermined",
             both!(
                 "{}: the velocities are finite in this pose, but no finite accelerations of {} follow from them",
-                "{}：该位置速度有限，但{}的加速度不是有限值",
                 text,
                 free
             ),
         )
-        .help(both!("ask for velocities only, or choose another pose", "请只求速度，或改变位置")),
+        .help(both!("ask for velocities only, or choose another pose")),
     };
     match held.joint {
         Some(p) => d.at(scene.points[p.0].span),
@@ -328,13 +304,8 @@ fn free_links(scene: &Scene, layout: &UnknownLayout, part: &FactoredBlock) -> Bo
         .collect();
     links.sort_unstable();
     links.dedup();
-    let names: Vec<Both> =
-        links.iter().map(|l| both!("link {}", "构件 {} ", scene.link_name(*l))).collect();
-    if names.is_empty() {
-        both!("the joints there", "该处的运动副")
-    } else {
-        Both::listed(&names)
-    }
+    let names: Vec<Both> = links.iter().map(|l| both!("link {}", scene.link_name(*l))).collect();
+    if names.is_empty() { both!("the joints there") } else { Both::listed(&names) }
 }
 
 #[cfg(test)]

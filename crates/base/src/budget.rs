@@ -88,14 +88,10 @@ impl Budget {
 impl Spent {
     fn diagnostic(self) -> Diagnostic {
         let message = match self {
-            Spent::Time => both!(
-                "the computation takes longer than its budget of time",
-                "计算超出了限定的时间"
-            ),
-            Spent::Cancelled => both!("the computation was cancelled", "计算已被取消"),
+            Spent::Time => both!("the computation takes longer than its budget of time"),
+            Spent::Cancelled => both!("the computation was cancelled"),
         };
-        Diagnostic::error("stopped", message)
-            .help(both!("allow more time, or ask for less", "请放宽时限，或减少所求内容"))
+        Diagnostic::error("stopped", message).help(both!("allow more time, or ask for less"))
     }
 }
 

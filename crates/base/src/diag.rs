@@ -5,8 +5,7 @@
 //! and its severity.
 //!
 //! Every message is a [`Both`]: English and Chinese, created together by `both!`; the output code
-//! chooses the language. A plain string has another type, so the compiler finds a message without
-//! its Chinese text.
+//! chooses the language. A message without a Chinese text does not compile.
 
 pub mod json;
 mod place;
@@ -58,7 +57,7 @@ impl Both {
     }
 
     /// Joins several texts with a separator for each language.
-    pub fn join<'a>(all: impl IntoIterator<Item = &'a Both>, en: &str, zh: &str) -> Both {
+    pub fn join<'a>(all: impl IntoIterator<Item = &'a Both>, [en, zh]: [&str; 2]) -> Both {
         let mut out = Both::default();
         for (i, one) in all.into_iter().enumerate() {
             if i > 0 {
@@ -95,13 +94,17 @@ impl Both {
             [] => Both::default(),
             [one] => one.clone(),
             [head @ .., last] => {
-                let head = Both::join(head, ", ", "、");
-                Both {
-                    en: format!("{} and {}", head.en, last.en),
-                    zh: format!("{}和{}", head.zh, last.zh),
-                }
+                let head = Both::join(head, [", ", "、"]);
+                both!("{} and {}", head, last)
             }
         }
+    }
+}
+
+/// Makes a text of its two languages, English first; see [`each!`](crate::each!).
+impl<T: Into<String>> From<[T; 2]> for Both {
+    fn from([en, zh]: [T; 2]) -> Both {
+        Both { en: en.into(), zh: zh.into() }
     }
 }
 
@@ -162,17 +165,26 @@ impl Piece for &Both {
     }
 }
 
-/// Creates a text in both languages, `both!("link {} is too long", "构件 {} 过长", name)`: two
-/// `format!` sentences and the values of both.
+/// Creates a text in both languages, `both!("link {} is too long", name)`: two `format!` sentences
+/// and the values of both. The Chinese sentence is that of `po/zh.po` of the crate.
 ///
-/// The second sentence may use the values in another order (`{1}`); a [`Both`] among them is
+/// The Chinese sentence may use the values in another order (`{1}`); a [`Both`] among them is
 /// inserted in the language of the sentence. An ending that only English has (`link{}` with an `s`)
 /// is dropped with `{1:.0}`. Each value is evaluated once for each language, so it must not be
-/// consumed.
+/// consumed. `both!("cam" => "out")` gives the context of an English text with several translations.
 #[macro_export]
 macro_rules! both {
-    ($en:literal, $zh:literal $(, $value:expr)* $(,)?) => {
-        $crate::diag::Both { en: format!($en $(, $crate::diag::Piece::en(&$value))*), zh: format!($zh $(, $crate::diag::Piece::zh(&$value))*) }
+    ($context:literal => $en:literal $(, $value:expr)* $(,)?) => {
+        $crate::diag::Both {
+            en: format!($en $(, $crate::diag::Piece::en(&$value))*),
+            zh: $crate::lang::zh_format!($context => $en $(, $crate::diag::Piece::zh(&$value))*),
+        }
+    };
+    ($en:literal $(, $value:expr)* $(,)?) => {
+        $crate::diag::Both {
+            en: format!($en $(, $crate::diag::Piece::en(&$value))*),
+            zh: $crate::lang::zh_format!($en $(, $crate::diag::Piece::zh(&$value))*),
+        }
     };
 }
 pub use both;
@@ -390,7 +402,7 @@ mod tests {
     #[test]
     fn lists_have_the_comma_of_their_language() {
         let told = |all: Both| {
-            Diagnostic::error("x", both!("the points are {}", "点有 {}", all)).english_in_chinese()
+            Diagnostic::error("x", both!("the points are {}", all)).english_in_chinese()
         };
         assert_eq!(told(Both::names(&["A", "B", "C"])), None);
         assert!(told(Both::same("A, B, C")).is_some());

@@ -3,7 +3,7 @@
 
 use crate::diag::{Both, both};
 use crate::kind::{Kind, Level};
-use crate::lang::Lang;
+use crate::lang::{Lang, tr};
 use serde::{Deserialize, Serialize};
 
 /// A kind of diagram.
@@ -131,34 +131,30 @@ impl DiagramKind {
     /// Returns the name of one of its vectors.
     pub fn vector(self) -> Both {
         match self {
-            DiagramKind::Plane => both!("length", "长度"),
-            DiagramKind::Velocity => both!("velocity", "速度"),
-            DiagramKind::Acceleration => both!("acceleration", "加速度"),
-            DiagramKind::Force => both!("force", "力"),
+            DiagramKind::Plane => both!("length"),
+            DiagramKind::Velocity => both!("velocity"),
+            DiagramKind::Acceleration => both!("acceleration"),
+            DiagramKind::Force => both!("force"),
         }
     }
 
     /// Returns the name of several of its vectors.
     pub fn vectors(self) -> Both {
         match self {
-            DiagramKind::Plane => both!("lengths", "长度"),
-            DiagramKind::Velocity => both!("velocities", "速度"),
-            DiagramKind::Acceleration => both!("accelerations", "加速度"),
-            DiagramKind::Force => both!("forces", "力"),
+            DiagramKind::Plane => both!("lengths"),
+            DiagramKind::Velocity => both!("velocities"),
+            DiagramKind::Acceleration => both!("accelerations"),
+            DiagramKind::Force => both!("forces"),
         }
     }
 
     /// Returns the name of the drawing, as a caption.
     pub const fn caption(self, lang: Lang) -> &'static str {
-        match (self, lang) {
-            (DiagramKind::Plane, Lang::En) => "Kinematic diagram",
-            (DiagramKind::Velocity, Lang::En) => "Velocity polygon",
-            (DiagramKind::Acceleration, Lang::En) => "Acceleration polygon",
-            (DiagramKind::Force, Lang::En) => "Force polygon",
-            (DiagramKind::Plane, Lang::Zh) => "机构运动简图",
-            (DiagramKind::Velocity, Lang::Zh) => "速度多边形",
-            (DiagramKind::Acceleration, Lang::Zh) => "加速度多边形",
-            (DiagramKind::Force, Lang::Zh) => "力多边形",
+        match self {
+            DiagramKind::Plane => tr!(lang, "Kinematic diagram"),
+            DiagramKind::Velocity => tr!(lang, "Velocity polygon"),
+            DiagramKind::Acceleration => tr!(lang, "Acceleration polygon"),
+            DiagramKind::Force => tr!(lang, "Force polygon"),
         }
     }
 

@@ -1,6 +1,7 @@
 //! The languages of the program.
 
 use crate::diag::Both;
+pub use hodograph_translate::{zh, zh_format};
 
 /// A language of the figures and texts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -37,4 +38,55 @@ impl Lang {
             Lang::Zh => &text.zh,
         }
     }
+
+    /// Returns the element of this language, `lang.pick(each!("stroke"))`.
+    pub const fn pick<T: Copy>(self, [en, zh]: [T; 2]) -> T {
+        match self {
+            Lang::En => en,
+            Lang::Zh => zh,
+        }
+    }
 }
+
+/// Formats a text in one language, `say!(lang, "link {}", name)`; see [`both!`](crate::both!).
+#[macro_export]
+macro_rules! say {
+    ($lang:expr, $context:literal => $en:literal $(, $value:expr)* $(,)?) => {
+        match $lang {
+            $crate::lang::Lang::En => format!($en $(, $crate::diag::Piece::en(&$value))*),
+            $crate::lang::Lang::Zh => {
+                $crate::lang::zh_format!($context => $en $(, $crate::diag::Piece::zh(&$value))*)
+            }
+        }
+    };
+    ($lang:expr, $en:literal $(, $value:expr)* $(,)?) => {
+        match $lang {
+            $crate::lang::Lang::En => format!($en $(, $crate::diag::Piece::en(&$value))*),
+            $crate::lang::Lang::Zh => {
+                $crate::lang::zh_format!($en $(, $crate::diag::Piece::zh(&$value))*)
+            }
+        }
+    };
+}
+pub use say;
+
+/// Returns a fixed text in one language, `tr!(lang, "stroke")`; see [`both!`](crate::both!).
+#[macro_export]
+macro_rules! tr {
+    ($lang:expr, $($text:tt)*) => {
+        $crate::lang::Lang::pick($lang, $crate::each!($($text)*))
+    };
+}
+pub use tr;
+
+/// Returns a fixed text in each language, English first; for tables. See [`Lang::pick`].
+#[macro_export]
+macro_rules! each {
+    ($context:literal => $en:literal $(,)?) => {
+        [$en, $crate::lang::zh!($context => $en)]
+    };
+    ($en:literal $(,)?) => {
+        [$en, $crate::lang::zh!($en)]
+    };
+}
+pub use each;

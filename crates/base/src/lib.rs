@@ -30,3 +30,6 @@ pub mod linear;
 pub mod notation;
 pub mod number;
 pub mod trig;
+
+// Compiled again when its Chinese texts change.
+const _: &str = include_str!("../po/zh.po");

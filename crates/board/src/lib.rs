@@ -21,3 +21,6 @@ pub mod construct;
 pub mod construction;
 pub mod equilibrium;
 pub mod plan;
+
+// Compiled again when its Chinese texts change.
+const _: &str = include_str!("../po/zh.po");

@@ -168,15 +168,11 @@ pub(super) fn arrange(
             "paper-too-small",
             both!(
                 "the sheet needs {w:.0} mm by {h:.0} mm, the paper has {} by {}",
-                "图面需要 {w:.0} mm × {h:.0} mm，而图纸为 {} × {}",
                 size[0],
                 size[1]
             ),
         )
-        .help(both!(
-            "give a larger paper, leave its size to the sheet, or ask for less",
-            "请用更大的图纸，或不规定图幅，或少求一些量"
-        ))
+        .help(both!("give a larger paper, leave its size to the sheet, or ask for less"))
         .into());
     }
     let mut parts = layout.parts;

@@ -4,6 +4,7 @@
 
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::each;
 use hodograph_board::construct::{Edge, Polygon};
 use hodograph_board::plan::VertexId;
 use hodograph_board::plan::text::{PlanWriter, vertex_name};
@@ -32,10 +33,7 @@ use hodograph_paper::paper::text::set;
 /// Each wrong solution on its own page.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "attempts",
-    about: [
-        "Wrong solutions over the right one, a page for each",
-        "错误解法与正确解法对照，每种一页",
-    ],
+    about: each!("Wrong solutions over the right one, a page for each"),
     draw,
 };
 

@@ -3,7 +3,7 @@
 
 use hodograph_base::diag::{Diagnostic, Faults, Warned};
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_paper::paper::phrase::tr;
+use hodograph_base::lang::{each, tr};
 use hodograph_scene::DiagramKind;
 use hodograph_synthesis::cognates::Cognates;
 use std::f64::consts::TAU;
@@ -19,10 +19,7 @@ use hodograph_paper::paper::symbols as sym;
 /// The cognates.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "cognates",
-    about: [
-        "The cognates of a four-bar with a coupler point, with their construction",
-        "四杆机构的同源机构及其作图",
-    ],
+    about: each!("The cognates of a four-bar with a coupler point, with their construction"),
     draw,
 };
 
@@ -109,8 +106,7 @@ fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
         certified: Vec::new(),
     };
     let (_, mu) = maker.caption(DiagramKind::Plane);
-    let words =
-        tr(w.options.lang, "Cognates (Roberts–Chebyshev): ", "同源机构（罗伯茨–切比雪夫）：");
+    let words = tr!(w.options.lang, "Cognates (Roberts–Chebyshev): ");
     let caption =
         Label::text(words).then(Label::math("ABCD,\\quad AA_{1}P_{1}F,\\quad DD_{1}P_{2}F"));
     let figure = maker.alone(maker.titled(d.finish(), caption, &mu, "cognates"));

@@ -5,6 +5,7 @@
 
 use hodograph_base::diag::{Both, Faults, Warned};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::each;
 use hodograph_board::construct::scale;
 use hodograph_methods::composite::{
     ChoiceSolution, ChoiceUnknowns, ChoiceVerdict, ContactScene, equated, level, name_of,
@@ -36,10 +37,7 @@ use hodograph_paper::paper::style::Captioned;
 /// The parallelograms and the components of the accelerations.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "composite",
-    about: [
-        "Composite motion of a point: its parallelogram and its parts",
-        "点的合成运动：动点处的速度平行四边形和加速度各分量",
-    ],
+    about: each!("Composite motion of a point: its parallelogram and its parts"),
     draw,
 };
 
@@ -161,19 +159,14 @@ pub(super) fn stepped(w: &FigureInput) -> Result<Option<SteppedMethod>, Faults> 
         at_point(DiagramKind::Velocity, scales.velocity, true),
         DiagramKind::Velocity,
         scales.velocity,
-        ["Velocities at the moving point", "动点处的速度平行四边形"],
+        each!("Velocities at the moving point"),
     )];
     if let Some(mu) = scales.acceleration {
         let words = [Lang::En, Lang::Zh]
             .map(|lang| hodograph_paper::paper::words::words(lang).composite_acceleration);
         let on = DiagramKind::Acceleration;
         views.push(view(at_point(on, mu, false), on, mu, words));
-        views.push(view(
-            edges(&w, &placed(on, mu)),
-            on,
-            mu,
-            ["Acceleration polygon", "加速度多边形"],
-        ));
+        views.push(view(edges(&w, &placed(on, mu)), on, mu, each!("Acceleration polygon")));
     }
     let steps = en
         .iter()

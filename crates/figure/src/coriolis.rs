@@ -3,12 +3,13 @@
 
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_base::geom::Vec2;
+use hodograph_base::lang::each;
 use hodograph_board::construct::scale;
 use hodograph_methods::composite::coriolis::{CoriolisVerdict, SlideCoriolis, coriolis};
 use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::item::Figure;
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::phrase::Phrase;
 use hodograph_paper::paper::shown::{ShownLength, ShownQuantity};
 use hodograph_report::composite::{CompositeWords, symbol};
 use hodograph_scene::quantity::composite::CompositePart;
@@ -27,19 +28,13 @@ use crate::scales::DrawingScales;
 /// The decision at each slide of the scene.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "coriolis",
-    about: [
-        "Coriolis acceleration at each slide: is there one, and why",
-        "各移动副处有无科氏加速度及其理由",
-    ],
+    about: each!("Coriolis acceleration at each slide: is there one, and why"),
     draw,
 };
 /// The cases of the textbooks.
 pub const CASES_ENTRY: FigureEntry = FigureEntry {
     name: "coriolis-cases",
-    about: [
-        "Eight slides of the textbooks: is there a Coriolis acceleration",
-        "有无科氏加速度的八种情况",
-    ],
+    about: each!("Eight slides of the textbooks: is there a Coriolis acceleration"),
     draw: cases,
 };
 
@@ -72,34 +67,24 @@ const fn case(
 /// The cases: a guide at rest, a translating one, four turning ones, and the two poses of a turning
 /// guide in which there is none.
 const CASES: [CoriolisCase; 8] = [
-    case("offset-slider-crank", &[], "C", ["Slider on a fixed guide", "滑块沿固定导路滑动"]),
-    case(
-        "scotch-yoke",
-        &[("alpha_1", "0 rad/s^2")],
-        "B",
-        ["Block in a translating guide", "滑块沿平移导杆滑动"],
-    ),
-    case("slotted-lever", &[], "B", ["Block on an oscillating guide", "滑块沿摆动导杆滑动"]),
+    case("offset-slider-crank", &[], "C", each!("Slider on a fixed guide")),
+    case("scotch-yoke", &[("alpha_1", "0 rad/s^2")], "B", each!("Block in a translating guide")),
+    case("slotted-lever", &[], "B", each!("Block on an oscillating guide")),
     case(
         "slotted-lever",
         &[("l_AB", "250 mm"), ("l_AC", "100 mm"), ("phi_1", "20 deg")],
         "B",
-        ["Block on a rotating guide", "滑块沿转动导杆滑动"],
+        each!("Block on a rotating guide"),
     ),
-    case("oscillating-cylinder", &[], "B", ["Rod in an oscillating block", "导杆在摇块中滑动"]),
-    case("curved-slot", &[], "B", ["Pin in a turning curved slot", "销在转动的圆弧槽中滑动"]),
+    case("oscillating-cylinder", &[], "B", each!("Rod in an oscillating block")),
+    case("curved-slot", &[], "B", each!("Pin in a turning curved slot")),
     case(
         "slotted-lever",
         &[("phi_1", "acos(l_AB/l_AC) - 90 deg")],
         "B",
-        ["Guide at its extreme position", "导杆处于极限位置"],
+        each!("Guide at its extreme position"),
     ),
-    case(
-        "slotted-lever",
-        &[("phi_1", "90 deg")],
-        "B",
-        ["Crank in line with the guide", "曲柄与导杆共线"],
-    ),
+    case("slotted-lever", &[("phi_1", "90 deg")], "B", each!("Crank in line with the guide")),
 ];
 
 fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
@@ -132,8 +117,8 @@ fn cases(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
         let (worked, slides) = coriolis(&scene)?;
         let here = |s: &&SlideCoriolis| s.at.is_some_and(|p| scene.point_name(p) == case.pin);
         let Some(s) = slides.iter().find(here) else { continue };
-        let [en, zh] = case.name;
-        let caption = Phrase::new(&format!("({}) {}", k + 1, tr(w.options.lang, en, zh)));
+        let name = w.options.lang.pick(case.name);
+        let caption = Phrase::new(&format!("({}) {name}", k + 1));
         told.push(described(w, &scene, &caption, s));
         cells.push(cell(w, (&scene, &worked), s, caption, k));
     }

@@ -8,12 +8,12 @@ use super::plot::PlotAxis;
 use super::sheet::{painted, swept_symbol};
 use hodograph_base::digits::{legible, shortest};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::tr;
 use hodograph_board::plan::names::name_label;
 use hodograph_paper::paper::item::{
     Anchor, Colour, Figure, FigureItem, LineStroke, PathPiece, Shape,
 };
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::text::set;
 use hodograph_report::cycle::{MotionCycle, MotionPhase, OutputCycle, PhaseKind};
@@ -97,9 +97,9 @@ pub fn figure(
         CycleForm::Straight => d.rows(&symbol, RISE_MM, CycleDiagram::rises),
     };
     let title = match scene.title.get(lang) {
-        "" => tr(lang, "Motion cycle", "运动循环图").to_owned(),
+        "" => tr!(lang, "Motion cycle").to_owned(),
         title => {
-            format!("{title}{}{}", tr(lang, ": ", "："), tr(lang, "motion cycle", "运动循环图"))
+            format!("{title}{}{}", tr!(lang, ": "), tr!(lang, "motion cycle"))
         }
     };
     let at = Point::new(width_mm / 2.0, height_mm - 10.0);

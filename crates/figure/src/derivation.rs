@@ -3,13 +3,14 @@
 
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::{each, tr};
 use hodograph_board::construct::scale;
 use hodograph_board::plan::names::point_label;
 use hodograph_methods::composite::derivation::{TwoInstants, two_instants};
 use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::item::{LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::phrase::Phrase;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
@@ -30,10 +31,7 @@ use crate::scales::DrawingScales;
 /// The derivation.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "derivation",
-    about: [
-        "Theorems of composite motion derived: displacements, changes of velocities",
-        "点的合成运动定理的推导：位移三角形和速度变化",
-    ],
+    about: each!("Theorems of composite motion derived: displacements, changes of velocities"),
     draw,
 };
 
@@ -220,7 +218,7 @@ fn displacements(w: &FigureInput, two: &TwoInstants) -> DrawingPart {
     let letters = [own.clone(), words.carried_point(two), format!("{own}_{{1}}")];
     let points: Vec<(Vec2, String)> = two.places.iter().map(|p| *p - from).zip(letters).collect();
     let mu = mu(w, Kind::Length, &edges);
-    let caption = tr(w.options.lang, "Displacements in $\\Delta t$", "$\\Delta t$ 内的位移");
+    let caption = tr!(w.options.lang, "Displacements in $\\Delta t$");
     titled(w, polygon(&w.options.style, mu, &edges, &points), caption, DiagramKind::Plane, mu)
 }
 
@@ -270,8 +268,8 @@ fn changes(w: &FigureInput, two: &TwoInstants) -> [DrawingPart; 2] {
         ),
     ];
     let captions = [
-        tr(w.options.lang, "Transport velocities of both instants", "两瞬时的牵连速度"),
-        tr(w.options.lang, "Relative velocities of both instants", "两瞬时的相对速度"),
+        tr!(w.options.lang, "Transport velocities of both instants"),
+        tr!(w.options.lang, "Relative velocities of both instants"),
     ];
     let mut captions = captions.into_iter();
     all.map(|edges| {

@@ -1,10 +1,10 @@
 //! Describes a figure for readers who cannot see it: the drawings on it, with the links of the
 //! mechanism and the vectors of the polygons.
 
+use hodograph_base::lang::{each, say, tr};
 use std::collections::HashSet;
 
 use hodograph_paper::paper::item::{FigureItem, Shape};
-use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{Lang, Scene};
 
 /// Maximum number of names of one kind; the others are counted.
@@ -21,32 +21,26 @@ pub fn described(scene: &Scene, lang: Lang, title: &str, items: &[FigureItem]) -
             .map(|l| scene.links[l].name.clone())
             .collect();
         let (links, ground) = (list(lang, moving), scene.link_name(scene.ground));
-        shown.push(match lang {
-            Lang::En => format!("kinematic diagram to scale, links {links}, ground {ground}"),
-            Lang::Zh => format!("按比例绘制的机构运动简图，构件 {links}，机架 {ground}"),
-        });
+        shown.push(say!(lang, "kinematic diagram to scale, links {links}, ground {ground}"));
     }
-    let polygons = [
-        ("velocity", "velocity polygon", "速度多边形"),
-        ("acceleration", "acceleration polygon", "加速度多边形"),
-    ];
-    for (kind, en, zh) in polygons {
+    let polygons =
+        [("velocity", each!("velocity polygon")), ("acceleration", each!("acceleration polygon"))];
+    for (kind, name) in polygons {
         if !items.iter().any(|i| i.class.starts_with(&format!("{kind} pole"))) {
             continue;
         }
         let names = vectors(items, kind);
-        let what = tr(lang, en, zh);
-        shown.push(match (lang, names.is_empty()) {
-            (_, true) => what.to_owned(),
-            (Lang::En, false) => format!("{what} of {}", list(lang, names)),
-            (Lang::Zh, false) => format!("{what}（{}）", list(lang, names)),
+        let what = lang.pick(name);
+        shown.push(match names.is_empty() {
+            true => what.to_owned(),
+            false => say!(lang, "{what} of {}", list(lang, names)),
         });
     }
     if word("table") || word("statement") {
-        shown.push(tr(lang, "vector equations", "矢量方程").to_owned());
+        shown.push(tr!(lang, "vector equations").to_owned());
     }
     if word("result") {
-        shown.push(tr(lang, "results", "结果").to_owned());
+        shown.push(tr!(lang, "results").to_owned());
     }
     let (colon, between, end) = match lang {
         Lang::En => (": ", "; ", ". "),
@@ -78,10 +72,9 @@ fn vectors(items: &[FigureItem], kind: &str) -> Vec<String> {
 fn list(lang: Lang, mut names: Vec<String>) -> String {
     let more = names.len().saturating_sub(TOLD);
     names.truncate(TOLD);
-    let told = names.join(tr(lang, ", ", "、"));
-    match (lang, more) {
-        (_, 0) => told,
-        (Lang::En, more) => format!("{told} and {more} more"),
-        (Lang::Zh, more) => format!("{told}，另有 {more} 个"),
+    let told = names.join(tr!(lang, "list" => ", "));
+    match more {
+        0 => told,
+        more => say!(lang, "{told} and {more} more"),
     }
 }

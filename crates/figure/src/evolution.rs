@@ -3,6 +3,7 @@
 
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_base::geom::Point;
+use hodograph_base::lang::{each, say, tr};
 use hodograph_board::construct::scale;
 use hodograph_board::plan::names::{name_label, point_label};
 use hodograph_mechanism::answer::MotionSource;
@@ -25,10 +26,7 @@ use super::sheet::SheetDrafter;
 /// The evolution.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "evolution",
-    about: [
-        "Evolution of the four-bar: pivot at infinity, enlarged pin, exchanged slide",
-        "机构的演化：转动副变移动副、扩大转动副、副元素逆换",
-    ],
+    about: each!("Evolution of the four-bar: pivot at infinity, enlarged pin, exchanged slide"),
     draw,
 };
 
@@ -125,49 +123,33 @@ fn words(lang: Lang, s: &EvolutionStage, k: usize) -> Vec<Phrase> {
     let slider = guide.and_then(|g| g.slider).map_or("", link);
     let on = guide.map_or("", |g| link(g.on));
     let rocker = s.rocker.map(|l| amount(book, Kind::Length, l));
-    let (caption, change) = match (s.step, lang) {
-        (EvolutionStep::FourBar, Lang::En) => ("Four-bar".to_owned(), None),
-        (EvolutionStep::FourBar, Lang::Zh) => ("铰链四杆机构".to_owned(), None),
-        (EvolutionStep::ArcSlider, Lang::En) => (
-            format!("The rocker as a slider in an arc about ${centre}$"),
-            rocker.map(|r| format!("radius ${r}$, the length of the rocker: the same motion")),
+    let (caption, change) = match s.step {
+        EvolutionStep::FourBar => (tr!(lang, "Four-bar").to_owned(), None),
+        EvolutionStep::ArcSlider => (
+            say!(lang, "The rocker as a slider in an arc about ${centre}$"),
+            rocker.map(|r| say!(lang, "radius ${r}$, the length of the rocker: the same motion")),
         ),
-        (EvolutionStep::ArcSlider, Lang::Zh) => (
-            format!("摇杆改为以 ${centre}$ 为圆心的圆弧导轨中的滑块"),
-            rocker.map(|r| format!("半径 ${r}$，即摇杆长：运动不变")),
+        EvolutionStep::Straight => (
+            tr!(lang, "Slider-crank: the pivot of the rocker at infinity").to_owned(),
+            Some(
+                tr!(lang, "the arc is its tangent: $\\omega$ is the same at the instant")
+                    .to_owned(),
+            ),
         ),
-        (EvolutionStep::Straight, Lang::En) => (
-            "Slider-crank: the pivot of the rocker at infinity".to_owned(),
-            Some("the arc is its tangent: $\\omega$ is the same at the instant".to_owned()),
+        EvolutionStep::Disc => (
+            say!(lang, "Pin ${pin}$ enlarged until it surrounds ${pivot}$: eccentric disc"),
+            Some(say!(lang, "$e = l_{{{pivot}{pin}}}$: the same motion")),
         ),
-        (EvolutionStep::Straight, Lang::Zh) => (
-            "摇杆长 → ∞：曲柄滑块机构".to_owned(),
-            Some("圆弧变为其切线：该瞬时 $\\omega$ 不变".to_owned()),
-        ),
-        (EvolutionStep::Disc, Lang::En) => (
-            format!("Pin ${pin}$ enlarged until it surrounds ${pivot}$: eccentric disc"),
-            Some(format!("$e = l_{{{pivot}{pin}}}$: the same motion")),
-        ),
-        (EvolutionStep::Disc, Lang::Zh) => (
-            format!("扩大转动副 ${pin}$ 至包含 ${pivot}$：偏心轮机构"),
-            Some(format!("偏心距 $e = l_{{{pivot}{pin}}}$：运动不变")),
-        ),
-        (EvolutionStep::Lever | EvolutionStep::Exchanged, _) => {
+        EvolutionStep::Lever | EvolutionStep::Exchanged => {
             // The slider of a slider-crank becomes the rod.
             let bore = s.slides_on_ground() || is_bore(scene);
             let (rod, block) = if bore { (slider, on) } else { (on, slider) };
-            let caption = match (bore, lang) {
-                (true, Lang::En) => format!("Rod {rod} in block {block}"),
-                (true, Lang::Zh) => format!("构件 {rod} 为杆，构件 {block} 为块"),
-                (false, Lang::En) => format!("Block {block} on guide {rod}"),
-                (false, Lang::Zh) => format!("构件 {block} 为块，构件 {rod} 为导杆"),
+            let caption = match bore {
+                true => say!(lang, "Rod {rod} in block {block}"),
+                false => say!(lang, "Block {block} on guide {rod}"),
             };
             let change = (s.step == EvolutionStep::Exchanged).then(|| {
-                match lang {
-                    Lang::En => "elements of the slide exchanged: the same relative motion",
-                    Lang::Zh => "移动副元素逆换：相对运动不变",
-                }
-                .to_owned()
+                tr!(lang, "elements of the slide exchanged: the same relative motion").to_owned()
             });
             (caption, change)
         }

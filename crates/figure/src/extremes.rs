@@ -6,13 +6,13 @@
 use hodograph_base::diag::{Both, Diagnostic, Faults, Warned, both};
 use hodograph_base::digits::shortest;
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::{each, tr};
 use hodograph_board::plan::names::name_label;
 use hodograph_mechanism::position::Configuration;
 use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::grid::{self, Cell, Row};
 use hodograph_paper::paper::item::Anchor;
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::tr;
 use hodograph_report::amount::number;
 use hodograph_report::limits::output_words;
 use hodograph_scene::{Book, DiagramKind, Kind, Lang, LinkId, PointId, Scene};
@@ -29,10 +29,7 @@ use super::sheet::{SheetDrafter, SheetOptions, swept_symbol};
 /// The extreme positions.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "extremes",
-    about: [
-        "Both extreme positions: swing, stroke, angle of the cranks, time ratio",
-        "从动件的两个极限位置，及极位夹角、摆角、行程、行程速度变化系数",
-    ],
+    about: each!("Both extreme positions: swing, stroke, angle of the cranks, time ratio"),
     draw,
 };
 
@@ -105,7 +102,7 @@ fn none(scene: &Scene, limits: &MotionLimits) -> Diagnostic {
             // An output without extremes turns fully if its driver does.
             DrivenOutput::Turning(l) if limits.range.full() && swing.extremes.is_empty() => {
                 let name = scene.link_name(l);
-                let Both { en, zh } = both!("link {name} turns fully", "构件 {name} 整周转动");
+                let Both { en, zh } = both!("link {name} turns fully");
                 if lang == Lang::Zh { zh } else { en }
             }
             DrivenOutput::Turning(_) | DrivenOutput::Sliding(_) => words,
@@ -114,20 +111,14 @@ fn none(scene: &Scene, limits: &MotionLimits) -> Diagnostic {
     };
     let message = if limits.swings.is_empty() {
         both!(
-            "besides the driver no link turns about a pin of the ground and nothing slides on it: no output has extreme positions",
-            "除原动件外，没有绕机架铰链转动的构件，也没有沿机架移动的滑块：没有可求极限位置的从动件"
+            "besides the driver no link turns about a pin of the ground and nothing slides on it: no output has extreme positions"
         )
     } else {
-        let (en, zh) = (said(Lang::En).join("; "), said(Lang::Zh).join("；"));
-        Both {
-            en: format!("no output has two extreme positions: {en}"),
-            zh: format!("没有具有两个极限位置的从动件：{zh}"),
-        }
+        let reasons = Both { en: said(Lang::En).join("; "), zh: said(Lang::Zh).join("；") };
+        both!("no output has two extreme positions: {}", reasons)
     };
-    Diagnostic::error("no-extremes", message).help(both!(
-        "see `limits` for the range of the driver and the outputs",
-        "原动件的范围和各从动件见 `limits`"
-    ))
+    Diagnostic::error("no-extremes", message)
+        .help(both!("see `limits` for the range of the driver and the outputs"))
 }
 
 fn page(
@@ -156,7 +147,7 @@ fn page(
     let maker = SheetDrafter { scene, worked, options, certified: Vec::new() };
     let (style, notation) = (&options.style, &options.notation);
     let part = positions(style, (scene, worked), notation, &course, &marks);
-    let words = tr(options.lang, "Extreme positions", "极限位置");
+    let words = tr!(options.lang, "Extreme positions");
     let mu = maker.caption(DiagramKind::Plane).1;
     let titled = maker.titled(part, Label::text(words), &mu, ENTRY.name);
     let rows = numbers(scene, limits, group, options.lang);
@@ -393,11 +384,7 @@ fn ratio(scene: &Scene, output: &OutputEnds, lang: Lang) -> Option<Label> {
         }
         None => Label::math(format!(
             "K = {slow}/{fast} = {k}\\text{{{}}}",
-            tr(
-                lang,
-                " (the cam's angles of both strokes, without dwells)",
-                "（推程角与回程角之比，不计休止）"
-            )
+            tr!(lang, " (the cam's angles of both strokes, without dwells)")
         )),
     })
 }

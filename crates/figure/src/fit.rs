@@ -198,10 +198,7 @@ pub fn first_that_fits<T>(
             Err(size) => needs = size,
         }
     }
-    let help = both!(
-        "give more room; scales that the scene fixes are kept",
-        "请给更大的幅面；机构文件规定的比例尺保持不变"
-    );
+    let help = both!("give more room; scales that the scene fixes are kept");
     Err(too_small(name, needs, format).help(help).into())
 }
 
@@ -323,38 +320,24 @@ fn too_small(name: &str, needs: [f64; 2], format: &PageFormat) -> Diagnostic {
     let (x, y) = (format.width_mm, format.height_mm);
     let message = if y.is_infinite() {
         both!(
-            "the figure `{name}` needs {w:.0} mm in the smallest type that can be read; the width is {x} mm",
-            "图 `{name}` 用可读的最小字号也需宽 {w:.0} mm，而给定宽度为 {x} mm"
+            "the figure `{name}` needs {w:.0} mm in the smallest type that can be read; the width is {x} mm"
         )
     } else {
         both!(
-            "the figure `{name}` needs {w:.0} mm by {h:.0} mm in the smallest type that can be read; the paper has {x} by {y}",
-            "图 `{name}` 用可读的最小字号也需 {w:.0} mm × {h:.0} mm，而图纸为 {x} × {y}"
+            "the figure `{name}` needs {w:.0} mm by {h:.0} mm in the smallest type that can be read; the paper has {x} by {y}"
         )
     };
     Diagnostic::error("paper-too-small", message).help(both!(
-        "give more room, or ask for parts of it by --figure; scales that the scene fixes are kept",
-        "请给更大的幅面，或用 --figure 只画其中的部分；机构文件规定的比例尺保持不变"
+        "give more room, or ask for parts of it by --figure; scales that the scene fixes are kept"
     ))
 }
 
 fn left_out(what: &[Both], format: &PageFormat) -> Option<Diagnostic> {
-    let list =
-        |of: fn(&Both) -> &str, comma: &str| what.iter().map(of).collect::<Vec<_>>().join(comma);
-    let (en, zh) = (list(|b| &b.en, ", "), list(|b| &b.zh, "、"));
+    let parts = Both::join(what, [", ", "、"]);
     let [w, _] = format.inner_mm();
     (!what.is_empty()).then(|| {
-        Diagnostic::note(
-            "left-out",
-            both!(
-                "left out for want of room ({w:.0} mm): {en}",
-                "因幅面不够（{w:.0} mm）而略去：{zh}"
-            ),
-        )
-        .help(both!(
-            "draw it by itself with --figure, or give more room",
-            "请用 --figure 单独画，或给更大的幅面"
-        ))
+        Diagnostic::note("left-out", both!("left out for want of room ({w:.0} mm): {}", parts))
+            .help(both!("draw it by itself with --figure, or give more room"))
     })
 }
 

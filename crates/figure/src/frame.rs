@@ -47,11 +47,8 @@ pub struct FramePage {
 pub fn working_frame(w: &FigureInput, format: &PageFormat) -> Result<Vec<FramePage>, Faults> {
     let any = |on: &DiagramKind| w.worked.construction.polygon(*on).is_some();
     if !DiagramKind::POLYGONS.iter().any(any) {
-        let message = both!("there is no polygon to draw", "没有要作的矢量多边形");
-        let help = both!(
-            "ask for velocities or accelerations in \"find\"",
-            "请在 \"find\" 中求速度或加速度"
-        );
+        let message = both!("there is no polygon to draw");
+        let help = both!("ask for velocities or accelerations in \"find\"");
         return Err(Diagnostic::error("no-figure", message).help(help).into());
     }
     let drawn: RefCell<Vec<(ByKind, SheetOptions, LaidOut)>> = RefCell::default();
@@ -161,7 +158,7 @@ fn divided(figure: Figure) -> FramePage {
 
 /// A line for the name, above the border of the page.
 fn name(w: &FigureInput, format: &PageFormat) -> FigureItem {
-    let text = w.options.lang.of(&both!("Name: {}", "姓名：{}", "_".repeat(30))).to_owned();
+    let text = w.options.lang.of(&both!("Name: {}", "_".repeat(30))).to_owned();
     let shape = Shape::Label {
         at: Point::new(NAME_MM[0], format.height_mm - NAME_MM[1]),
         label: Label::text(text).in_fonts(&w.options.style.fonts),

@@ -43,13 +43,9 @@ pub(super) fn pairs(maker: &SheetDrafter) -> Result<Warned<Pages>, Faults> {
     let (mut pages, mut notes, mut faults) = (Pages::new(), Vec::new(), Faults::default());
     if let (true, Some(bare)) = (all.is_empty(), scene.rolling.iter().find(|r| r.kind.meshes())) {
         let at = scene.point_name(bare.at[0]);
-        let message = both!(
-            "the gear pair at `{at}` has radii, but no numbers of teeth",
-            "`{at}` 处的齿轮副只有半径，没有齿数"
-        );
+        let message = both!("the gear pair at `{at}` has radii, but no numbers of teeth");
         faults.push(Diagnostic::error("gear-no-teeth", message).at(bare.span).help(both!(
-            "give \"teeth\": [20, 40] and \"module\": \"2 mm\" in place of \"radii\"",
-            "请用 \"teeth\": [20, 40] 与 \"module\": \"2 mm\" 代替 \"radii\""
+            "give \"teeth\": [20, 40] and \"module\": \"2 mm\" in place of \"radii\""
         )));
     }
     for (rolling, flanks) in &all {
@@ -100,14 +96,8 @@ fn meant(maker: &SheetDrafter, rolling: &Rolling, flanks: &Flanks) -> Result<Gea
     let scene = maker.scene;
     let fault = |code, message| Diagnostic::error(code, message).at(rolling.span);
     let impossible = || {
-        fault(
-            "gear-teeth",
-            both!("no involute teeth can be made with these sizes", "按所给参数无法形成渐开线轮齿"),
-        )
-        .help(both!(
-            "check module, teeth, shift and the distance of the centres",
-            "请检查模数、齿数、变位系数和中心距"
-        ))
+        fault("gear-teeth", both!("no involute teeth can be made with these sizes"))
+            .help(both!("check module, teeth, shift and the distance of the centres"))
     };
     let mate = mate(rolling);
     let [i, j] = order(scene, rolling);
@@ -158,13 +148,11 @@ fn meant(maker: &SheetDrafter, rolling: &Rolling, flanks: &Flanks) -> Result<Gea
                 return Err(fault(
                     "gear-shift",
                     both!(
-                        "the profile shifts make the centres {wanted} apart without backlash, but they are {distance} apart",
-                        "按变位系数无侧隙中心距为 {wanted}，而实际中心距为 {distance}"
+                        "the profile shifts make the centres {wanted} apart without backlash, but they are {distance} apart"
                     ),
                 )
                 .help(both!(
-                    "give one shift, \"shift\": [x1]: the other follows from the distance",
-                    "只给一个变位系数 \"shift\": [x1]，另一个由中心距确定"
+                    "give one shift, \"shift\": [x1]: the other follows from the distance"
                 )));
             }
             (module, given)
@@ -178,11 +166,10 @@ fn remarks(scene: &Scene, rolling: &Rolling, pair: &GearPair) -> Vec<Diagnostic>
     let at = scene.point_name(rolling.at[0]);
     let note = |code, message| Diagnostic::warning(code, message).at(rolling.span);
     let mut out = Vec::new();
-    let larger = || both!("give the smaller gear a larger shift", "请加大小齿轮的变位系数");
+    let larger = || both!("give the smaller gear a larger shift");
     if pair.interferes() {
         let message = both!(
-            "at `{at}` a tip reaches beyond the line of action's end N: the flanks interfere",
-            "`{at}` 处齿顶超过啮合极限点 N，将发生干涉"
+            "at `{at}` a tip reaches beyond the line of action's end N: the flanks interfere"
         );
         out.push(note("gear-interference", message).help(larger()));
     }
@@ -193,40 +180,34 @@ fn remarks(scene: &Scene, rolling: &Rolling, pair: &GearPair) -> Vec<Diagnostic>
         if gear.shift < least {
             let (name, least) = (scene.link_name(rolling.links[k]), significant(least, 3));
             let message = both!(
-                "gear {name} is undercut where a rack cuts it: its profile shift is below {least}",
-                "齿轮 {name} 用齿条型刀具加工时发生根切：变位系数小于 {least}"
+                "gear {name} is undercut where a rack cuts it: its profile shift is below {least}"
             );
-            out.push(note("gear-undercut", message).help(both!(
-                "\"shift\": [x1, x2] gives profile shifts; more teeth need none",
-                "用 \"shift\": [x1, x2] 给出变位系数；或增加齿数"
-            )));
+            out.push(
+                note("gear-undercut", message)
+                    .help(both!("\"shift\": [x1, x2] gives profile shifts; more teeth need none")),
+            );
         }
     }
     if pair.without_involute() {
         let message = both!(
-            "the ring's teeth at `{at}` reach inside its base circle, where they have no involute",
-            "`{at}` 处内齿轮齿顶圆小于基圆，该段无渐开线"
+            "the ring's teeth at `{at}` reach inside its base circle, where they have no involute"
         );
-        let help =
-            both!("give the ring more teeth or a larger shift", "请增加内齿轮齿数或加大其变位系数");
+        let help = both!("give the ring more teeth or a larger shift");
         out.push(note("gear-ring-tip", message).help(help));
     }
     if pair.tips_overlap() {
         let message = both!(
-            "at `{at}` the tips of gear and ring overlap beside the line of action: their numbers of teeth are too near",
-            "`{at}` 处内外齿轮齿顶发生齿廓重叠干涉：两轮齿数差过小"
+            "at `{at}` the tips of gear and ring overlap beside the line of action: their numbers of teeth are too near"
         );
         out.push(
-            note("gear-overlap", message)
-                .help(both!("make the difference of the teeth larger", "请加大齿数差")),
+            note("gear-overlap", message).help(both!("make the difference of the teeth larger")),
         );
     }
     if pair.gears.iter().any(|g| g.teeth > 0 && g.pointed(&pair.basic)) {
         out.push(note(
             "gear-pointed",
             both!(
-                "at `{at}` a tooth is pointed before its tip circle, or a ring's space before its root",
-                "`{at}` 处轮齿在齿顶圆内（或内齿轮齿槽在齿根圆内）已变尖"
+                "at `{at}` a tooth is pointed before its tip circle, or a ring's space before its root"
             ),
         ));
     }
@@ -234,10 +215,7 @@ fn remarks(scene: &Scene, rolling: &Rolling, pair: &GearPair) -> Vec<Diagnostic>
         let ratio = significant(pair.contact_ratio(), 3);
         out.push(note(
             "contact-ratio",
-            both!(
-                "the contact ratio at `{at}` is {ratio}: below 1 the gears lose contact",
-                "`{at}` 处重合度为 {ratio}，小于 1，传动不连续"
-            ),
+            both!("the contact ratio at `{at}` is {ratio}: below 1 the gears lose contact"),
         ));
     }
     out

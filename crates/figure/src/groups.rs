@@ -4,15 +4,15 @@
 
 use super::mechanism::{MechanismPiece, apart};
 use super::sheet::painted;
-use hodograph_base::diag::Faults;
+use hodograph_base::diag::{Both, Faults};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::{say, tr};
 use hodograph_base::notation::Notation;
 use hodograph_mechanism::mechanism::Assur;
 use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::extent::translate;
 use hodograph_paper::paper::item::{Anchor, Colour, Figure, FigureItem, Shape};
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::text;
 use hodograph_report::plan::{dyad, grade};
@@ -51,29 +51,21 @@ pub fn figure(
     let mut named = Vec::new();
     for (piece, drawing) in parts {
         let name = match piece {
-            MechanismPiece::Driven => tr(lang, "driver and ground", "原动件和机架").to_owned(),
+            MechanismPiece::Driven => tr!(lang, "driver and ground").to_owned(),
             MechanismPiece::Group(g) => {
                 number -= 1;
                 format!("{}. {}", number + 1, group_name(&g, lang))
             }
-            MechanismPiece::Repeats => tr(lang, "virtual constraint", "虚约束").to_owned(),
+            MechanismPiece::Repeats => tr!(lang, "virtual constraint").to_owned(),
         };
         named.push((drawing.finish(), name));
     }
     let heading = match &linkage {
-        Some(_) => tr(
-            lang,
-            "Groups drawn apart, higher pairs replaced by lower ones",
-            "拆杆组（高副低代后）",
-        ),
-        None => tr(lang, "Groups drawn apart", "拆杆组"),
+        Some(_) => tr!(lang, "Groups drawn apart, higher pairs replaced by lower ones"),
+        None => tr!(lang, "Groups drawn apart"),
     };
-    let about = match lang {
-        Lang::En => {
-            format!("What is driven with the ground, and {groups} groups, each in its pose.")
-        }
-        Lang::Zh => format!("原动件和机架，以及 {groups} 个杆组，均按其位置绘出。"),
-    };
+    let about =
+        say!(lang, "What is driven with the ground, and {groups} groups, each in its pose.");
     Ok(side_by_side(scene, named, (heading, &about, &[]), style, lang))
 }
 
@@ -122,7 +114,7 @@ pub(super) fn side_by_side(
     }
     let title = match scene.title.get(lang) {
         "" => heading.to_owned(),
-        title => format!("{title}{}{heading}", tr(lang, ": ", "：")),
+        title => format!("{title}{}{heading}", tr!(lang, ": ")),
     };
     let desc = match lang {
         Lang::En => format!("{title}. {about}"),
@@ -134,10 +126,7 @@ pub(super) fn side_by_side(
 fn group_name(g: &Assur, lang: Lang) -> String {
     let kind = dyad(g).map_or(String::new(), |kind| format!(" {kind}"));
     let class = g.class().unwrap_or_default();
-    match lang {
-        Lang::En => format!("class {class}{kind}"),
-        Lang::Zh => format!("{}杆组{kind}", grade(class)),
-    }
+    say!(lang, "class {}{kind}", Both { en: class.to_owned(), zh: grade(class).to_owned() })
 }
 
 /// The part with its name below, and the baseline of the name.

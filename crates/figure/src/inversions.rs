@@ -3,6 +3,7 @@
 
 use hodograph_base::diag::{Faults, Warned};
 use hodograph_base::geom::Point;
+use hodograph_base::lang::each;
 use hodograph_methods::inversions::{Inversion, inversions};
 use hodograph_report::inversions as report;
 use hodograph_scene::DiagramKind;
@@ -18,7 +19,7 @@ use hodograph_paper::paper::label::Label;
 /// All inversions.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "inversions",
-    about: ["Each link of the chain as ground in turn", "机构的倒置：依次以各构件为机架"],
+    about: each!("Each link of the chain as ground in turn"),
     draw,
 };
 

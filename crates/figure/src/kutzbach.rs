@@ -13,12 +13,13 @@ mod steps;
 
 pub(super) use steps::stepped;
 
+use hodograph_base::lang::each;
 use std::f64::consts::TAU;
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_board::plan::names::{name_label, point_label};
 use hodograph_methods::trains::{GearTrain, TrainSpeeds, trains};
-use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::phrase::Phrase;
 use hodograph_report::trains::{number, omega, table, turns};
 use hodograph_scene::{DiagramKind, Kind, LinkId, PointId};
 
@@ -76,8 +77,8 @@ pub(super) fn plans(maker: &SheetDrafter) -> Vec<(String, Figure)> {
 }
 
 /// Captions in both languages.
-const CAPTION: [&str; 2] = ["Kutzbach plan: linear and angular velocities", "线速度图与转速图"];
-const TABLE: [&str; 2] = ["Willis' table", "列表法（转化机构法）"];
+const CAPTION: [&str; 2] = each!("Kutzbach plan: linear and angular velocities");
+const TABLE: [&str; 2] = each!("Willis' table");
 
 /// The plan as drawn.
 struct KutzbachDrawing {
@@ -108,7 +109,7 @@ impl KutzbachPlan<'_> {
                 let scales = DrawingScales::of(book, plane, mu_l)
                     .and(DrawingScales::of(book, velocity, mu_v))
                     .and(DrawingScales::words(of_rates));
-                let caption = Label::text(tr(lang, CAPTION[0], CAPTION[1]));
+                let caption = Label::text(lang.pick(CAPTION));
                 let mut part = self.maker.titled(part, caption, &scales, "kutzbach");
                 let mut beside = table;
                 beside.stand_at(Point::new(part.bounds.max.x + TABLE_MM, part.bounds.max.y));
@@ -402,7 +403,7 @@ impl KutzbachPlan<'_> {
                 id,
             })
         };
-        let heading = Label::text(tr(lang, TABLE[0], TABLE[1]));
+        let heading = Label::text(lang.pick(TABLE));
         let shape = Shape::Label {
             at: Point::ORIGIN,
             label: heading.in_fonts(&style.fonts),

@@ -61,3 +61,6 @@ pub mod synthesis;
 pub mod tables;
 mod transmission;
 pub mod vector_equation;
+
+// Compiled again when its Chinese texts change.
+const _: &str = include_str!("../po/zh.po");

@@ -6,6 +6,7 @@ use super::particle::ParticleView;
 use super::sheet::{SheetDrafter, SheetOptions};
 use super::stepped::SteppedMethod;
 use hodograph_base::diag::{Both, Faults, Warned};
+use hodograph_base::lang::each;
 use hodograph_methods::loops::{LoopVector, Loops, VectorSize, placed};
 use hodograph_paper::paper::item::Figure;
 use hodograph_paper::paper::label::Label;
@@ -18,10 +19,7 @@ use std::collections::BTreeSet;
 /// The closed vectors of the analytic method.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "loops",
-    about: [
-        "The vector loops of the analytic method, one page for each loop",
-        "解析法的封闭矢量多边形，每个多边形一页",
-    ],
+    about: each!("The vector loops of the analytic method, one page for each loop"),
     draw,
 };
 
@@ -53,11 +51,7 @@ pub(super) fn stepped(w: &FigureInput) -> Result<SteppedMethod, Faults> {
             let options = w.options;
             let part = looped(&options.style, w.scene, w.worked, &options.notation, &arrows);
             let [en, zh] = heading.clone();
-            let caption = if several {
-                Both { en, zh }
-            } else {
-                Both { en: "Vector loop".to_owned(), zh: "封闭矢量多边形".to_owned() }
-            };
+            let caption = if several { Both { en, zh } } else { each!("Vector loop").into() };
             let scales = vec![(DiagramKind::Plane, w.worked.construction.diagram.mu)];
             out.views.push(ParticleView { part, caption, scales });
             out.steps.extend(of.iter().map(|v| both(&words, |words| words.vector(v))));

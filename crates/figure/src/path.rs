@@ -6,13 +6,14 @@
 //! hodograph, [`super::mechanism`] the mechanism with its overlay, [`hodograph_sweep::points`]
 //! follows the points.
 
-use hodograph_base::diag::{Diagnostic, Faults, Warned, both};
+use hodograph_base::diag::{Both, Diagnostic, Faults, Warned, both};
 use hodograph_base::digits::direction_degrees;
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::{say, tr};
 use hodograph_board::construct::scale::{self, Boxes};
 use hodograph_board::plan::names::point_label;
-use hodograph_paper::paper::phrase::{Phrase, capital, fill, tr};
-use hodograph_scene::{DiagramKind, Kind, Lang, LinkId, PointId, Scene, Swept};
+use hodograph_paper::paper::phrase::{Phrase, capital, fill};
+use hodograph_scene::{DiagramKind, Kind, LinkId, PointId, Scene, Swept};
 use hodograph_sweep::points::{
     PathMotion, PointMoment, alone, at_equal_steps, bounded, motion, questions, seen_from,
 };
@@ -140,17 +141,9 @@ fn drawn(
     if moved.moments.len() < 2 {
         let d = Diagnostic::error(
             "no-motion",
-            both!(
-                "the mechanism cannot be followed from its pose: there is no path",
-                "从该位置无法跟踪机构的运动：没有轨迹"
-            ),
+            both!("the mechanism cannot be followed from its pose: there is no path"),
         );
-        return Err(d
-            .help(both!(
-                "give another pose, or move another driver with --over",
-                "请改变位置，或用 --over 另选原动件"
-            ))
-            .into());
+        return Err(d.help(both!("give another pose, or move another driver with --over")).into());
     }
     if let Some(link) = against {
         let base = &worked.configuration;
@@ -178,10 +171,7 @@ fn drawn(
     if scene.own_drivers() > 1 && wanted.swept != Swept::Time {
         notes.push(Diagnostic::note(
             "path-driver",
-            both!(
-                "the scene has several drivers: one of them moves, the others stand still here",
-                "有几个原动件：此处只有一个运动，其余静止"
-            ),
+            both!("the scene has several drivers: one of them moves, the others stand still here"),
         ));
     }
     let (items, size) = stand(page.maker.title(), drawings, text);
@@ -195,15 +185,13 @@ fn check(scene: &Scene, wanted: &PathContent) -> Result<(), Faults> {
     if let Swept::Driver(driver) = wanted.swept
         && driver >= scene.drivers.len()
     {
-        faults.push(Diagnostic::error(
-            "no-driver",
-            both!("the scene has no driver {}", "机构文件没有第 {} 个原动件", driver + 1),
-        ));
+        faults
+            .push(Diagnostic::error("no-driver", both!("the scene has no driver {}", driver + 1)));
     }
     if wanted.points.is_empty() {
         faults.push(
-            Diagnostic::error("no-path", both!("no point is named", "未指定点"))
-                .help(both!("name one with --point", "请用 --point 指定一个点")),
+            Diagnostic::error("no-path", both!("no point is named"))
+                .help(both!("name one with --point")),
         );
     }
     let stands =
@@ -211,16 +199,9 @@ fn check(scene: &Scene, wanted: &PathContent) -> Result<(), Faults> {
     for p in wanted.points.iter().filter(stands) {
         let d = Diagnostic::error(
             "no-path",
-            both!(
-                "point {} stands still: it has no path",
-                "点 {} 静止，没有轨迹",
-                scene.point_name(*p)
-            ),
+            both!("point {} stands still: it has no path", scene.point_name(*p)),
         );
-        faults.push(
-            d.at(scene.points[p.0].span)
-                .help(both!("name a point that moves", "请指定一个运动的点")),
-        );
+        faults.push(d.at(scene.points[p.0].span).help(both!("name a point that moves")));
     }
     if faults.has_errors() { Err(faults) } else { Ok(()) }
 }
@@ -289,17 +270,13 @@ impl PathPage<'_> {
             .map(|p| format!("${}$", point_label(self.scene().point_name(*p))))
             .collect();
         let seen = self.against.map(|l| self.scene().link_name(l));
-        let words = match (&names[..], self.maker.options.lang, seen) {
-            (names, Lang::Zh, None) => format!("点 {} 的轨迹", names.join("、")),
-            (names, Lang::Zh, Some(link)) => {
-                format!("点 {} 相对构件 {link} 的运动轨迹", names.join("、"))
-            }
-            ([one], Lang::En, None) => format!("Path of {one}"),
-            (names, Lang::En, None) => format!("Paths of {}", names.join(", ")),
-            ([one], Lang::En, Some(link)) => format!("Path of {one} seen from link {link}"),
-            (names, Lang::En, Some(link)) => {
-                format!("Paths of {} seen from link {link}", names.join(", "))
-            }
+        let lang = self.maker.options.lang;
+        let all = names.join(lang.pick([", ", "、"]));
+        let words = match (names.len(), seen) {
+            (1, None) => say!(lang, "Path of {all}"),
+            (_, None) => say!(lang, "Paths of {all}"),
+            (1, Some(link)) => say!(lang, "Path of {all} seen from link {link}"),
+            (_, Some(link)) => say!(lang, "Paths of {all} seen from link {link}"),
         };
         let (_, mu) = maker.caption(DiagramKind::Plane);
         maker.titled(part, Phrase::new(&words).label(), &mu, "mechanism")
@@ -354,10 +331,8 @@ impl PathPage<'_> {
                 // Several points have captions with the same scale.
                 let id = format!("{}-hodograph-{}", on.prefix(), escaped(name));
                 let (vector, point) = (on.vector(), point_label(name));
-                let words = match self.maker.options.lang {
-                    Lang::En => format!("{} hodograph of ${point}$", capital(&vector.en)),
-                    Lang::Zh => format!("点 ${point}$ 的{}矢端曲线", vector.zh),
-                };
+                let vector = Both { en: capital(&vector.en), ..vector };
+                let words = say!(self.maker.options.lang, "{} hodograph of ${}$", vector, point);
                 parts.push(self.maker.titled(
                     part,
                     Phrase::new(&words).label(),
@@ -394,7 +369,7 @@ impl PathPage<'_> {
                 let height_mm = if name == "number" && block > 0 { ROW_MM * 1.6 } else { ROW_MM };
                 rows.push(Row { cells: std::iter::once(first).chain(rest).collect(), height_mm });
             };
-            row("number", Label::text(tr(lang, "Position", "位置")), &|k| {
+            row("number", Label::text(tr!(lang, "Position")), &|k| {
                 Label::math((block * IN_ROW + k + 1).to_string())
             });
             row("driver", Label::math(over(&driver, &unit)), &|k| {
@@ -443,16 +418,11 @@ impl PathPage<'_> {
 
     fn remarks(&self) -> Vec<&'static str> {
         let lang = self.maker.options.lang;
-        let cut = tr(
+        let cut = tr!(
             lang,
-            "Next to a limit the vectors grow beyond all bounds; there the hodographs leave the paper.",
-            "接近极限位置时矢量趋于无穷大，该处的矢端曲线超出图纸。",
+            "Next to a limit the vectors grow beyond all bounds; there the hodographs leave the paper."
         );
-        let alone = tr(
-            lang,
-            "One driver moves, the others stand still.",
-            "一个原动件运动，其余原动件静止。",
-        );
+        let alone = tr!(lang, "One driver moves, the others stand still.");
         let mut said = Vec::new();
         said.extend(self.cut.then_some(cut));
         let several = self.scene().own_drivers() > 1;
@@ -466,10 +436,11 @@ impl PathPage<'_> {
         if let Some(link) = self.against.map(|l| self.scene().link_name(l)) {
             let points: Vec<&str> =
                 self.moved.points.iter().map(|p| self.scene().point_name(*p)).collect();
-            return match lang {
-                Lang::En => format!("Path of {} seen from link {link}.", points.join(", ")),
-                Lang::Zh => format!("点 {} 相对构件 {link} 的运动轨迹。", points.join("、")),
-            };
+            return say!(
+                lang,
+                "Path of {} seen from link {link}.",
+                points.join(lang.pick([", ", "、"]))
+            );
         }
         let mut said = Vec::new();
         for (k, point) in self.moved.points.iter().enumerate() {
@@ -483,17 +454,16 @@ impl PathPage<'_> {
                 .first()
                 .and_then(|m| m.vectors[k][0])
                 .map(|v| direction_degrees(v.angle()));
-            let words = tr(
+            let words = tr!(
                 lang,
-                "Path of point {}, its velocity and its acceleration drawn from one pole through {travel}: speed from {slow} to {fast} {unit}, at position 1 towards {first}°.",
-                "点 {} 的轨迹，及其速度、加速度在{travel}中的矢端曲线：速度大小 {slow} 至 {fast} {unit}，位置 1 的方向 {first}°。",
+                "Path of point {}, its velocity and its acceleration drawn from one pole through {travel}: speed from {slow} to {fast} {unit}, at position 1 towards {first}°."
             );
             let travel = match (self.moved.full, self.moved.limits) {
-                (true, _) => tr(lang, "a full turn", "原动件一整转"),
+                (true, _) => tr!(lang, "a full turn"),
                 (_, [true, true]) => {
-                    tr(lang, "the travel between its limits", "两极限位置之间的行程")
+                    tr!(lang, "the travel between its limits")
                 }
-                _ => tr(lang, "the travel", "行程"),
+                _ => tr!(lang, "the travel"),
             };
             let plain = |v: f64| hodograph_base::digits::significant(v, 3);
             let book = &self.scene().book;

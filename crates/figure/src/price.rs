@@ -5,10 +5,10 @@
 use super::plot::{Plot, PlotAxis};
 use super::sheet::painted;
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::{say, tr};
 use hodograph_paper::paper::extent::Rect;
 use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, FigureItem, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::style::Style;
 use hodograph_report::price::name;
@@ -66,11 +66,11 @@ impl MethodFamily {
 
     fn words(self, lang: Lang) -> &'static str {
         match self {
-            MethodFamily::Drawing => tr(lang, "drawing board", "图解法"),
-            MethodFamily::Closed => tr(lang, "closed form, group by group", "杆组法"),
-            MethodFamily::Loops => tr(lang, "loop equations, Newton", "解析法，牛顿迭代"),
-            MethodFamily::Differences => tr(lang, "finite differences", "有限差分"),
-            MethodFamily::Certified => tr(lang, "certified (bound)", "可靠界"),
+            MethodFamily::Drawing => tr!(lang, "drawing board"),
+            MethodFamily::Closed => tr!(lang, "closed form, group by group"),
+            MethodFamily::Loops => tr!(lang, "loop equations, Newton"),
+            MethodFamily::Differences => tr!(lang, "finite differences"),
+            MethodFamily::Certified => tr!(lang, "certified (bound)"),
         }
     }
 
@@ -147,16 +147,15 @@ pub fn figure(
     let height_mm = panels * panel_mm + heading_mm;
     let title = scene.title.get(lang);
     let subject = if ways.iter().any(|m| m.errors[1].is_some()) {
-        tr(lang, "accelerations", "加速度")
+        tr!(lang, "accelerations")
     } else {
-        tr(lang, "velocities", "速度")
+        tr!(lang, "velocities")
     };
-    let heading = match lang {
-        Lang::En => {
-            format!("What accuracy costs{}{title}", if title.is_empty() { "" } else { ": " })
-        }
-        Lang::Zh => format!("精度的代价{}{title}", if title.is_empty() { "" } else { "：" }),
-    };
+    let heading = say!(
+        lang,
+        "What accuracy costs{}{title}",
+        if title.is_empty() { "" } else { lang.pick([": ", "："]) }
+    );
     let label = Shape::Label {
         at: Point::new(LEFT_MM, height_mm - 8.0),
         label: Label::text(heading.as_str()).in_fonts(&style.fonts),
@@ -167,10 +166,7 @@ pub fn figure(
     let mut items = vec![FigureItem::new("heading", label)];
     let corner = Point::new(LEFT_MM, height_mm - heading_mm - ABOVE_MM - PLOT_MM[1]);
     let frame = Rect::new(corner, corner + Vec2::new(PLOT_MM[0], PLOT_MM[1]));
-    let error = match lang {
-        Lang::En => format!("relative error of the {subject}"),
-        Lang::Zh => format!("{subject}的相对误差"),
-    };
+    let error = say!(lang, "relative error of the {subject}");
     let look = PriceStyle { style, error: Label::text(error), lang };
     items.extend(look.against_time(frame, ways));
     if panels > 1.0 {
@@ -178,12 +174,10 @@ pub fn figure(
         items
             .extend(look.against_distance(Rect::new(frame.min + below, frame.max + below), series));
     }
-    let desc = match lang {
-        Lang::En => format!(
-            "Relative error of the {subject} against time on logarithmic axes, for every way to the answer."
-        ),
-        Lang::Zh => format!("各种求解方法的{subject}相对误差与用时（双对数坐标）。"),
-    };
+    let desc = say!(
+        lang,
+        "Relative error of the {subject} against time on logarithmic axes, for every way to the answer."
+    );
     painted(style, lang, [width_mm, height_mm], [heading, desc], items)
 }
 
@@ -204,7 +198,7 @@ impl PriceStyle<'_> {
         let axes = [PlotAxis::powers(libm::floor(lo), libm::ceil(hi)), errors_axis(errors)];
         let mut plot = Plot::new("time".into(), self.style, frame, axes);
         plot.axes(
-            Some(Label::text(tr(self.lang, "time of a whole solution / s", "一次求解用时 / s"))),
+            Some(Label::text(tr!(self.lang, "time of a whole solution / s"))),
             self.error.clone(),
         );
         let mut pencils = Vec::new();
@@ -261,11 +255,7 @@ impl PriceStyle<'_> {
             frame,
             [PlotAxis::powers(far, near), errors_axis(errors)],
         );
-        let below = tr(
-            self.lang,
-            "distance of the driver from its limit, rad (m)",
-            "原动件距极限位置，rad（m）",
-        );
+        let below = tr!(self.lang, "distance of the driver from its limit, rad (m)");
         plot.axes(Some(Label::text(below)), self.error.clone());
         let ways: Vec<AnswerMethod> = series
             .iter()

@@ -28,12 +28,9 @@ pub(super) fn check(scene: &Scene, wanted: &PathContent, link: LinkId) -> Result
         let (point, name) = (scene.point_name(*p), scene.link_name(link));
         let d = Diagnostic::error(
             "no-path",
-            both!(
-                "point {point} belongs to link {name}: it does not move on it",
-                "点 {point} 在构件 {name} 上，相对该构件不动"
-            ),
+            both!("point {point} belongs to link {name}: it does not move on it"),
         );
-        faults.push(d.help(both!("name a point of another link", "请指定其他构件上的点")));
+        faults.push(d.help(both!("name a point of another link")));
     }
     if faults.has_errors() { Err(faults) } else { Ok(()) }
 }

@@ -5,8 +5,8 @@ use super::groups::side_by_side;
 use super::mechanism::{SeriesFeatures, drawing, replaced};
 use super::sheet::SheetOptions;
 use hodograph_base::diag::{Diagnostic, Faults, both};
+use hodograph_base::lang::tr;
 use hodograph_paper::paper::item::Figure;
-use hodograph_paper::paper::phrase::tr;
 use hodograph_report::replaced::{momentary, replacing_words};
 use hodograph_scene::Scene;
 use hodograph_worked::worked::{Worked, work_replaced};
@@ -23,15 +23,15 @@ pub fn figure(scene: &Scene, worked: &Worked, options: &SheetOptions) -> Result<
     let given = drawing(style, scene, worked, notation, &SeriesFeatures::default());
     let lower = replaced(style, (scene, worked), (&of.scene, &linkage), notation);
     let parts = vec![
-        (given.finish(), tr(lang, "with higher pairs", "高副机构").to_owned()),
-        (lower.finish(), tr(lang, "with lower pairs only", "低副替代机构").to_owned()),
+        (given.finish(), tr!(lang, "with higher pairs").to_owned()),
+        (lower.finish(), tr!(lang, "with lower pairs only").to_owned()),
     ];
     let mut lines: Vec<String> =
         of.links.iter().map(|l| lang.of(&replacing_words(scene, &of, l)).to_owned()).collect();
     lines.extend(scene.has_momentary_cams().then(|| lang.of(&momentary()).to_owned()));
-    let heading = tr(lang, "Higher pairs replaced by lower ones", "高副低代");
-    let about = lines.join(tr(lang, "; ", "；"));
-    let about = format!("{about}{}", tr(lang, ".", "。"));
+    let heading = tr!(lang, "Higher pairs replaced by lower ones");
+    let about = lines.join(tr!(lang, "sentence" => "; "));
+    let about = format!("{about}{}", tr!(lang, "."));
     Ok(side_by_side(scene, parts, (heading, &about, &lines), style, lang))
 }
 
@@ -40,22 +40,20 @@ fn none(scene: &Scene) -> Diagnostic {
     match scene.cams.iter().find(|c| c.contact.is_none()) {
         None => Diagnostic::error(
             "no-replacement",
-            both!("the scene has no cam", "机构文件中没有凸轮"),
+            both!("the scene has no cam"),
         )
         .help(both!(
-            "add \"cams\"; `hodograph new cam-eccentric` writes an example",
-            "请加上 \"cams\"；`hodograph new cam-eccentric` 给出一例"
+            "add \"cams\"; `hodograph new cam-eccentric` writes an example"
         )),
         Some(cam) => Diagnostic::error(
             "no-replacement",
             both!(
                 "at this instant the profile of cam `{}` is straight where it touches `{}`: its centre of curvature is infinitely far away",
-                "在此位置，凸轮 `{}` 与 `{}` 接触处的廓线为直线，曲率中心在无穷远处",
                 scene.link_name(cam.cam),
                 scene.link_name(cam.follower)
             ),
         )
         .at(cam.span)
-        .help(both!("choose another angle of the cam", "请另选凸轮转角")),
+        .help(both!("choose another angle of the cam")),
     }
 }

@@ -2,6 +2,7 @@
 //! then the difference between drawing and loop equations.
 
 use hodograph_base::digits::inked;
+use hodograph_base::lang::say;
 use hodograph_base::notation::Notation;
 use hodograph_board::construct::ShownAs;
 use hodograph_board::plan::text::PlanWriter;
@@ -12,7 +13,7 @@ use hodograph_paper::paper::phrase::{Phrase, fill};
 use hodograph_report::answers::{AnswerLine, at_infinity, lines as by_question, reason, verdict};
 use hodograph_report::centres as report_of_centres;
 use hodograph_report::drafting::{self, ToleranceAmount};
-use hodograph_scene::{Asked, Book, DiagramKind, Find, Kind, Lang, Scene};
+use hodograph_scene::{Asked, Book, DiagramKind, Find, Kind, Scene};
 use hodograph_worked::certified::ladder::{
     Certified, CertifiedNumber, MissingDigits, READING_DIGITS,
 };
@@ -310,12 +311,10 @@ pub fn crossings_agree(
     let worst = worked.results.iter().filter_map(off).reduce(f64::max)?;
     let digits =
         if worst < 1e-15 { 15 } else { (-libm::ceil(libm::log10(worst))).max(0.0) as usize };
-    Some(Phrase::new(&match words.lang() {
-        Lang::En => format!(
-            "Centres by lines and by the velocities of the loop equations agree to {digits} digits."
-        ),
-        Lang::Zh => format!("瞬心作图与解析法的速度结果有 {digits} 位数字一致。"),
-    }))
+    Some(Phrase::new(&say!(
+        words.lang(),
+        "Centres by lines and by the velocities of the loop equations agree to {digits} digits."
+    )))
 }
 
 /// A cell of the list.

@@ -5,6 +5,7 @@
 
 use hodograph_base::diag::{Both, Faults, both};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::say;
 use hodograph_base::notation::Notation;
 use hodograph_board::construct::Polygon;
 use hodograph_board::plan::names::name_label;
@@ -434,21 +435,19 @@ impl SheetDrafter<'_> {
             equations.iter_mut().for_each(|(_, lines)| lines.retain(fits));
             match (all - count(&equations), all) {
                 (0, _) => {}
-                (gone, all) if gone == all => out.push(both!("the equations", "方程")),
-                (gone, all) => {
-                    out.push(both!("{gone} of {all} equations", "{all} 个方程中的 {gone} 个"))
-                }
+                (gone, all) if gone == all => out.push(both!("the equations")),
+                (gone, all) => out.push(both!("{gone} of {all} equations")),
             }
             let (part, whole) = results::results_in(&self.options.style, &self.answers(), width_mm);
             match (fits(&part), whole) {
                 (true, true) => results = part,
                 (true, false) => {
                     results = part;
-                    out.push(both!("the lengths measured", "图上量得的长度"));
+                    out.push(both!("the lengths measured"));
                 }
                 (false, _) => {
                     results = DrawingPart::of(Vec::new());
-                    out.push(both!("the results", "结果"));
+                    out.push(both!("the results"));
                 }
             }
         }
@@ -464,10 +463,10 @@ impl SheetDrafter<'_> {
                 .zip(&levels)
                 .filter(|(part, on)| **on != DiagramKind::Plane && !fits(part));
             out.extend(gone.map(|(_, on)| match on {
-                DiagramKind::Plane => both!("the mechanism", "机构运动简图"),
-                DiagramKind::Velocity => both!("the velocity polygon", "速度多边形"),
-                DiagramKind::Acceleration => both!("the acceleration polygon", "加速度多边形"),
-                DiagramKind::Force => both!("the force polygons", "力多边形"),
+                DiagramKind::Plane => both!("the mechanism"),
+                DiagramKind::Velocity => both!("the velocity polygon"),
+                DiagramKind::Acceleration => both!("the acceleration polygon"),
+                DiagramKind::Force => both!("the force polygons"),
             }));
             let mut on = levels.iter();
             drawings.retain(|part| on.next() == Some(&DiagramKind::Plane) || fits(part));
@@ -476,7 +475,7 @@ impl SheetDrafter<'_> {
         let wide = |group: &[DrawingPart; 3]| !group.iter().all(fits);
         if fewer >= Fewer::Words && forces.iter().any(wide) {
             forces.clear();
-            out.push(both!("the forces", "受力分析"));
+            out.push(both!("the forces"));
         }
         (SheetPieces { title, drawings, equations, results, forces }, out)
     }
@@ -484,10 +483,9 @@ impl SheetDrafter<'_> {
     /// The title of a page of several.
     pub fn page_title(&self, width_mm: f64, page: usize, pages: usize) -> Option<DrawingPart> {
         let title = self.scene.title.get(self.options.lang);
-        let text = match self.options.lang {
-            _ if page == 1 => title.to_owned(),
-            Lang::En => format!("{title} ({page} of {pages})"),
-            Lang::Zh => format!("{title}（第 {page} 页，共 {pages} 页）"),
+        let text = match page {
+            1 => title.to_owned(),
+            _ => say!(self.options.lang, "{title} ({page} of {pages})"),
         };
         (!title.is_empty()).then(|| self.title_in(&text, width_mm))
     }

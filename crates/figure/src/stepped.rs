@@ -2,6 +2,7 @@
 //! figures; the class of each item that a step adds has the step's number (`step-2`).
 
 use hodograph_base::diag::{Both, Faults};
+use hodograph_base::lang::each;
 
 use super::list::FigureInput;
 use super::particle::ParticleView;
@@ -61,44 +62,32 @@ pub const METHODS: [MethodEntry; 6] = [
     entry(
         ConstructionMethod::Centres,
         "centres",
-        [
-            "Centres of velocity one by one, with the circle diagram",
-            "逐个求速度瞬心，并画瞬心多边形",
-        ],
+        each!("Centres of velocity one by one, with the circle diagram"),
     ),
     entry(
         ConstructionMethod::Composite,
         "composite",
-        ["Composite motion: moving point, frame, parallelogram, polygon", "点的合成运动逐步作图"],
+        each!("Composite motion: moving point, frame, parallelogram, polygon"),
     ),
     entry(
         ConstructionMethod::Curvature,
         "curvature",
-        [
-            "Curvature of paths by Bobillier and Euler-Savary",
-            "轨迹曲率逐步作图（博比利尔、欧拉–萨瓦里）",
-        ],
+        each!("Curvature of paths by Bobillier and Euler-Savary"),
     ),
     entry(
         ConstructionMethod::Cam,
         "cam",
-        [
-            "A cam: law, inversion, pressure angle, curvature radius",
-            "凸轮运动规律、反转法、压力角、曲率半径",
-        ],
+        each!("A cam: law, inversion, pressure angle, curvature radius"),
     ),
     entry(
         ConstructionMethod::Trains,
         "trains",
-        [
-            "A gear train: Kutzbach's plan ray by ray, Willis' table",
-            "轮系线速度图与转速图、列表法逐步求解",
-        ],
+        each!("A gear train: Kutzbach's plan ray by ray, Willis' table"),
     ),
     entry(
         ConstructionMethod::Loops,
         "loops",
-        ["The analytic method: vector loops and their derivatives", "解析法封闭矢量方程及其导数"],
+        each!("The analytic method: vector loops and their derivatives"),
     ),
 ];
 

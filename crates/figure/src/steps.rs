@@ -3,10 +3,11 @@
 //! solved, and the sentence of the step. All figures have one size, so that slides do not jump.
 
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::say;
 use hodograph_board::construct::Polygon;
 use hodograph_paper::paper::phrase::Phrase;
 use hodograph_report::construction::sentences;
-use hodograph_scene::{DiagramKind, Lang, Scene};
+use hodograph_scene::{DiagramKind, Scene};
 use hodograph_worked::certified;
 use hodograph_worked::worked::Worked;
 
@@ -143,10 +144,7 @@ impl<'a> StepFigures<'a> {
         text.stand_at(Point::new(MARGIN_MM, top - self.drawings_mm[1] - GAP_MM));
         diagram.items.append(&mut polygon.items);
         diagram.items.append(&mut text.items);
-        let step = match self.maker.options.lang {
-            Lang::En => format!("step {number} of {total}"),
-            Lang::Zh => format!("第 {number} 步，共 {total} 步"),
-        };
+        let step = say!(self.maker.options.lang, "step {number} of {total}");
         let title = format!("{} · {step}", self.maker.heading_words());
         self.maker.described(diagram.items, self.size, title, steps.sentences[k].plain())
     }

@@ -10,6 +10,7 @@ use crate::sheet::painted;
 use hodograph_base::diag::Faults;
 use hodograph_base::digits::{inked, shortest, significant};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::tr;
 use hodograph_board::construct::scale::choose;
 use hodograph_paper::paper::extent::{Rect, translate};
 use hodograph_paper::paper::item::{
@@ -17,7 +18,7 @@ use hodograph_paper::paper::item::{
 };
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::lines::wrapped;
-use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::phrase::Phrase;
 use hodograph_paper::paper::place::{LabelRequest, Obstacles, place};
 use hodograph_paper::paper::shown::escaped;
 use hodograph_paper::paper::style::Style;
@@ -302,7 +303,7 @@ pub fn construction(
         items.extend(labels);
     }
     let lines = if whole { sentences(candidate, board, set) } else { Vec::new() };
-    let part = tr(lang, "construction", "作图");
+    let part = tr!(lang, "construction");
     page(task, part, items, room, (Some(scale_of(board.mu_l)), lines), set)
 }
 
@@ -380,7 +381,7 @@ fn sentences(
     for (k, step) in board.steps.iter().enumerate() {
         add(&symbols(&format!("({}) {}", k + 1, lang.of(&step.text))));
     }
-    let (open, close) = (tr(lang, " (", "（"), tr(lang, ")", "）"));
+    let (open, close) = (tr!(lang, " ("), tr!(lang, ")"));
     let readings = board.readings.iter().filter_map(|r| {
         let formula = candidate.number(&r.name)?.abs();
         let name = format!("${}$", symbol(&r.name));
@@ -402,9 +403,8 @@ fn sentences(
             ),
         })
     });
-    let read =
-        tr(lang, "Measured, in brackets the closed formula: ", "图上量得（括号内为公式值）：");
-    add(&format!("{read}{}", readings.collect::<Vec<_>>().join(tr(lang, "; ", "；"))));
+    let read = tr!(lang, "Measured, in brackets the closed formula: ");
+    add(&format!("{read}{}", readings.collect::<Vec<_>>().join(tr!(lang, "sentence" => "; "))));
     lines
 }
 

@@ -7,11 +7,11 @@
 
 use hodograph_base::diag::{Diagnostic, Faults, Warned, both};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::{each, tr};
 use hodograph_mechanism::mechanism::{ConstraintLine, Core};
 use hodograph_mechanism::position::Configuration;
 use hodograph_paper::paper::item::Figure;
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{DiagramKind, Kind, PointId, Scene};
 use hodograph_sweep::extreme::{self, Grashof, GroupTransmission, MotionLimits};
 use hodograph_worked::worked::{Worked, work_motion};
@@ -26,10 +26,7 @@ use super::sheet::{SheetDrafter, swept_symbol};
 /// The transmission angles.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "transmission",
-    about: [
-        "Transmission angles: at the pose, and at the position where they are least",
-        "传动角：所给位置的传动角和最小传动角",
-    ],
+    about: each!("Transmission angles: at the pose, and at the position where they are least"),
     draw,
 };
 
@@ -70,18 +67,13 @@ fn none(worked: &Worked) -> Diagnostic {
     let higher = worked.mechanism.groups.iter().any(|g| g.class().is_some_and(|c| c != "II"));
     let message = if higher {
         both!(
-            "the mechanism has a group above class II, for which no transmission angle is defined",
-            "机构含有高于Ⅱ级的杆组，传动角无定义"
+            "the mechanism has a group above class II, for which no transmission angle is defined"
         )
     } else {
-        both!(
-            "no dyad transmits by a bar: on a lever with a slide γ is 90° in every position",
-            "没有以连杆传力的二级杆组：导杆机构的传动角恒为 90°"
-        )
+        both!("no dyad transmits by a bar: on a lever with a slide γ is 90° in every position")
     };
     Diagnostic::error("no-transmission", message).help(both!(
-        "transmission angles are drawn for dyads with a pin between two bars, or between a bar and a slider",
-        "传动角只对两杆铰接、或连杆与滑块铰接的二级杆组作图"
+        "transmission angles are drawn for dyads with a pin between two bars, or between a bar and a slider"
     ))
 }
 
@@ -216,7 +208,7 @@ fn page(
     let options = w.options;
     let maker = SheetDrafter { scene, worked, options, certified: Vec::new() };
     let part = positions(&options.style, (scene, worked), &options.notation, &course, &marks);
-    let words = tr(options.lang, "Transmission angle", "传动角");
+    let words = tr!(options.lang, "Transmission angle");
     let mu = maker.caption(DiagramKind::Plane).1;
     let titled = maker.titled(part, Label::text(words), &mu, ENTRY.name);
     let mut rows = Vec::new();
@@ -246,7 +238,7 @@ fn formula(w: &FigureInput, scene: &Scene, [a, b, c, d]: [f64; 4], angles: [f64;
     let book = &scene.book;
     let length = |x: f64| amount(book, Kind::Length, x);
     let angle = |x: f64| amount(book, Kind::Angle, x);
-    let words = tr(w.options.lang, "crank, coupler, output, frame: ", "曲柄、连杆、从动件、机架：");
+    let words = tr!(w.options.lang, "crank, coupler, output, frame: ");
     let mut rows = vec![Label::math(format!(
         "\\text{{{words}}}a = {},\\ b = {},\\ c = {},\\ d = {}",
         length(a),

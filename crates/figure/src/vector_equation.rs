@@ -181,7 +181,7 @@ impl EquationSheet<'_> {
 /// The name of the polygon.
 fn caption(on: DiagramKind) -> Both {
     match on {
-        DiagramKind::Plane => both!("Vector polygon", "矢量多边形"),
+        DiagramKind::Plane => both!("Vector polygon"),
         DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => {
             let [en, zh] = [Lang::En, Lang::Zh].map(|lang| on.caption(lang).to_owned());
             Both { en, zh }

@@ -23,3 +23,6 @@ pub mod mechanism;
 pub mod motion;
 pub mod position;
 pub mod stated;
+
+// Compiled again when its Chinese texts change.
+const _: &str = include_str!("../po/zh.po");

@@ -71,11 +71,7 @@ pub fn inversions(scene: &Scene) -> Result<Warned<Vec<Inversion>>, Faults> {
             Err(faults) => {
                 let name = scene.link_name(ground);
                 let why = faults.list.first().map_or_else(Both::default, |d| d.message.clone());
-                let message = both!(
-                    "with link {name} as ground nothing moves: {}",
-                    "以构件 {name} 为机架时不能运动：{}",
-                    why
-                );
+                let message = both!("with link {name} as ground nothing moves: {}", why);
                 notes.push(Diagnostic::warning("inversion", message));
             }
         }
@@ -88,24 +84,16 @@ fn refused(scene: &Scene) -> Result<(), Faults> {
     let mut faults = Faults::default();
     cams::refused(scene, &mut faults);
     if scene.drivers.is_empty() {
-        let message = both!(
-            "nothing drives the chain, which is inverted as it moves",
-            "没有原动件，无法倒置其运动"
-        );
+        let message = both!("nothing drives the chain, which is inverted as it moves");
         faults.push(
-            Diagnostic::error("inversion-drivers", message)
-                .help(both!("give the scene a driver", "请给一个原动件")),
+            Diagnostic::error("inversion-drivers", message).help(both!("give the scene a driver")),
         );
     }
     if scene.links.len() > MOST_LINKS {
-        let message = both!(
-            "{} links; at most {MOST_LINKS} are taken",
-            "{} 个构件；最多可有 {MOST_LINKS} 个",
-            scene.links.len()
-        );
+        let message = both!("{} links; at most {MOST_LINKS} are taken", scene.links.len());
         faults.push(
             Diagnostic::error("too-many-links", message)
-                .help(both!("take a part of the mechanism", "请只取一部分机构")),
+                .help(both!("take a part of the mechanism")),
         );
     }
     if faults.list.is_empty() { Ok(()) } else { Err(faults) }
@@ -115,13 +103,7 @@ fn refused(scene: &Scene) -> Result<(), Faults> {
 fn invert(scene: &Scene, at: &Configuration, ground: LinkId) -> Result<Inversion, Faults> {
     let none = || {
         let name = scene.link_name(ground);
-        Diagnostic::error(
-            "inversion",
-            both!(
-                "no link is pinned to link {name} or slides on it",
-                "没有构件与构件 {name} 铰接或沿其滑动"
-            ),
-        )
+        Diagnostic::error("inversion", both!("no link is pinned to link {name} or slides on it"))
     };
     let (mut first, mut why) = (None, None);
     let candidates = match &scene.drivers[..] {
@@ -246,8 +228,9 @@ fn written(scene: &Scene, at: &Configuration, ground: LinkId, driver: Json) -> S
         if text.is_empty() { fixed } else { format!("{text} – {fixed}") }
     };
     let fixed = scene.link_name(ground);
+    let which = both!("link {fixed} fixed");
     let mut out = json!({
-        "title": {"en": title(&scene.title.en, format!("link {fixed} fixed")), "zh": title(&scene.title.zh, format!("构件 {fixed} 为机架"))},
+        "title": {"en": title(&scene.title.en, which.en), "zh": title(&scene.title.zh, which.zh)},
         "links": links,
         "ground": fixed,
         "points": points,

@@ -13,3 +13,6 @@
 
 pub mod paper;
 pub mod render;
+
+// Compiled again when its Chinese texts change.
+const _: &str = include_str!("../po/zh.po");

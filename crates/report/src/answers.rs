@@ -5,11 +5,12 @@ use super::drafting;
 use hodograph_analytic::{Decided, RefusalReason as Refusal, SingularKind, Singularity};
 use hodograph_base::diag::Diagnostic;
 use hodograph_base::digits::{direction_degrees, legible, minus, shortest, significant};
+use hodograph_base::lang::{say, tr};
 use hodograph_base::notation::Notation;
 use hodograph_board::construct::MeasuredDistance;
 use hodograph_board::plan::text::PlanWriter;
 use hodograph_mechanism::answer::AnswerValue;
-use hodograph_paper::paper::phrase::{fill, formula, sense, tr};
+use hodograph_paper::paper::phrase::{fill, formula, sense};
 use hodograph_scene::{Book, DiagramKind, Find, Kind, Lang, Scene};
 use hodograph_worked::certified::ladder::{
     AnswerPart, Certified, CertifiedNumber, MissingDigits, READING_DIGITS,
@@ -110,11 +111,7 @@ pub fn text(
         out.push_str(&format!(
             "{}\n",
             fill(
-                tr(
-                    lang,
-                    "greatest relative difference between drawing and analysis: {}",
-                    "图解法与解析法结果的最大相对差：{}"
-                ),
+                tr!(lang, "greatest relative difference between drawing and analysis: {}"),
                 &[("", &significant(worst, 1))],
             )
         ));
@@ -148,11 +145,10 @@ pub fn lines<'a>(worked: &'a Worked, certified: &'a [Certified]) -> Vec<AnswerLi
 /// Returns the direction of a centre at infinity: `at infinity, ∠ 35.00°`.
 pub fn at_infinity(far: &InfiniteCentre, lang: Lang) -> String {
     match far.direction_deg {
-        Some(degrees) => fill(
-            tr(lang, "at infinity, ∠ {}°", "无穷远处，∠ {}°"),
-            &[("", &legible(degrees, DIRECTION_DIGITS))],
-        ),
-        None => tr(lang, "everywhere: no relative motion", "任意点：无相对运动").to_owned(),
+        Some(degrees) => {
+            fill(tr!(lang, "at infinity, ∠ {}°"), &[("", &legible(degrees, DIRECTION_DIGITS))])
+        }
+        None => tr!(lang, "everywhere: no relative motion").to_owned(),
     }
 }
 
@@ -242,10 +238,9 @@ fn certainty_words(c: &Certified, digits: usize, lang: Lang) -> String {
     if let MissingDigits::NextOrder(known) = why {
         // The note on the pose states this once for all answers; it is repeated only where digits
         // are missing.
-        return match lang {
-            _ if *known >= digits => String::new(),
-            Lang::En => format!("[{known} digits are true: {}]", why.words(lang)),
-            Lang::Zh => format!("[仅 {known} 位数字可靠：{}]", why.words(lang)),
+        return match *known >= digits {
+            true => String::new(),
+            false => say!(lang, "[{known} digits are true: {}]", why.words(lang)),
         };
     }
     let certain = c
@@ -255,11 +250,9 @@ fn certainty_words(c: &Certified, digits: usize, lang: Lang) -> String {
         .map(|(_, n)| n.text(digits).map_or(0, |t| t.1))
         .min();
     let why = why.words(lang);
-    match (certain, lang) {
-        (Some(k @ 1..), Lang::En) => format!("[{k} digits are certain: {why}]"),
-        (Some(k @ 1..), Lang::Zh) => format!("[仅 {k} 位数字可靠：{why}]"),
-        (_, Lang::En) => format!("[not certified: {why}]"),
-        (_, Lang::Zh) => format!("[未经验证：{why}]"),
+    match certain {
+        Some(k @ 1..) => say!(lang, "[{k} digits are certain: {why}]"),
+        _ => say!(lang, "[not certified: {why}]"),
     }
 }
 
@@ -275,12 +268,13 @@ fn measured_words(
     let others: Vec<String> =
         r.others.iter().map(|v| value_words(&w.scene.book, find, *v, c, digits, lang)).collect();
     match &r.drawn {
-        None if !others.is_empty() => match lang {
-            Lang::En => format!("(loop equations; on the other motion {})", others.join(", ")),
-            Lang::Zh => format!("（解析；另一运动：{}）", others.join("，")),
-        },
-        None if r.longer.is_some() => tr(lang, "(longer numbers)", "（高精度数）").into(),
-        None => tr(lang, "(loop equations)", "（解析）").into(),
+        None if !others.is_empty() => say!(
+            lang,
+            "(loop equations; on the other motion {})",
+            others.join(lang.pick([", ", "，"]))
+        ),
+        None if r.longer.is_some() => tr!(lang, "(longer numbers)").into(),
+        None => tr!(lang, "(loop equations)").into(),
         Some(a) => match &a.measured {
             // If nothing moves there is no polygon and no scale.
             Some(_) if worked.construction.is_empty(find.what.diagram()) => String::new(),
@@ -326,7 +320,7 @@ fn agreement_words(r: &Outcome, lang: Lang) -> String {
         Some(a) if !a.holds() => {
             format!(
                 "{} {}",
-                tr(lang, "DRAWING AND ANALYSIS DISAGREE:", "图解与解析不一致："),
+                tr!(lang, "DRAWING AND ANALYSIS DISAGREE:"),
                 significant(a.difference, 2)
             )
         }

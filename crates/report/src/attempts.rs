@@ -6,13 +6,14 @@
 
 use crate::amount::{amount, number, sense as certified_sense, symbol};
 use hodograph_base::digits::{direction_degrees, inked, significant};
+use hodograph_base::lang::{say, tr};
 use hodograph_base::notation::Notation;
 use hodograph_board::plan::PlanStep;
 use hodograph_board::plan::names::name_label;
 use hodograph_board::plan::text::{EquationColumn, PlanWriter};
 use hodograph_mechanism::answer::AnswerValue;
 use hodograph_methods::attempts::{Attempt, AttemptAnswer, EquationPart, Site, SolutionSide};
-use hodograph_paper::paper::phrase::{Phrase, sense, tr};
+use hodograph_paper::paper::phrase::{Phrase, sense};
 use hodograph_paper::paper::words::words;
 use hodograph_scene::{Book, Find, GivenQuantity, Lang, Scene};
 use hodograph_worked::certified::Certified;
@@ -51,10 +52,6 @@ pub struct Framed {
 }
 
 impl AttemptWords<'_> {
-    fn tr(&self, en: &'static str, zh: &'static str) -> &'static str {
-        tr(self.lang, en, zh)
-    }
-
     /// Returns the name of the mistake and its location.
     pub fn heading(&self, a: &Attempt) -> String {
         let title = a.site.mistake().title(self.lang);
@@ -153,21 +150,18 @@ impl AttemptWords<'_> {
             format!("{}{}{}", w.image(on, from.0), w.image(on, from.1), w.image(on, *target));
         let spots = format!("{}{}{}", w.spot(from.0), w.spot(from.1), w.spot(*target));
         let (vector, similar) = (w.vector(on, *target), &w.notation.similar);
-        let image = match self.lang {
-            Lang::En => format!("${vector}$ by the image: Δ${images}$ ${similar}$ Δ${spots}$"),
-            Lang::Zh => format!("由影像求 ${vector}$：Δ${images}$ ${similar}$ Δ${spots}$"),
-        };
+        let image = say!(self.lang, "${vector}$ by the image: Δ${images}$ ${similar}$ Δ${spots}$");
         Some(Phrase::new(&image))
     }
 
     /// Returns the legend of a frame in a figure.
     pub fn frame(&self, a: &Attempt) -> String {
-        self.tr("framed: ", "框内：").to_owned() + self.fault(a)
+        tr!(self.lang, "framed: ").to_owned() + self.fault(a)
     }
 
     /// Returns the legend of the brackets that replace the frame in plain text.
     fn brackets(&self, a: &Attempt) -> String {
-        self.tr("in brackets: ", "方括号内：").to_owned() + self.fault(a)
+        tr!(self.lang, "in brackets: ").to_owned() + self.fault(a)
     }
 
     /// Returns the fault of the framed part.
@@ -175,25 +169,19 @@ impl AttemptWords<'_> {
         let missing =
             matches!((&a.shown.missing, a.shown.side), (Some(_), _) | (None, SolutionSide::Right));
         match (missing, printed(a)) {
-            (true, true) => self.tr("left out in print", "原解漏掉的项"),
-            (false, true) => self.tr("wrong in print", "原解中错误的部分"),
-            (true, false) => self.tr("often left out", "常被漏掉的项"),
-            (false, false) => self.tr("often taken wrongly", "常被取错的部分"),
+            (true, true) => tr!(self.lang, "left out in print"),
+            (false, true) => tr!(self.lang, "wrong in print"),
+            (true, false) => tr!(self.lang, "often left out"),
+            (false, false) => tr!(self.lang, "often taken wrongly"),
         }
     }
 
     /// Returns the legend of the drawing.
     pub fn frame_of_drawing(&self, a: &Attempt) -> &'static str {
         if printed(a) {
-            self.tr(
-                "Right (black) and as printed (red, *), from one pole",
-                "正确解（黑）与原解（红，加 *），同一极点",
-            )
+            tr!(self.lang, "Right (black) and as printed (red, *), from one pole")
         } else {
-            self.tr(
-                "Right (black) and as it is often done (red, *), from one pole",
-                "正确解（黑）与常见错解（红，加 *），同一极点",
-            )
+            tr!(self.lang, "Right (black) and as it is often done (red, *), from one pole")
         }
     }
 
@@ -248,7 +236,7 @@ impl AttemptWords<'_> {
     /// Returns the line of a question: printed value, value by that equation, true value.
     pub fn row(&self, row: &AttemptAnswer) -> Phrase {
         let symbol = symbol(self.asked(row), self.notation);
-        Phrase::new(&format!("${symbol}${}{}", self.tr(": ", "："), self.comparison(row)))
+        Phrase::new(&format!("${symbol}${}{}", tr!(self.lang, ": "), self.comparison(row)))
     }
 
     /// Returns the line of a question without formulas: the quantity is written as in `find`.
@@ -256,7 +244,7 @@ impl AttemptWords<'_> {
         format!(
             "{}{}{}",
             self.asked(row).text,
-            self.tr(": ", "："),
+            tr!(self.lang, ": "),
             Phrase::new(&self.comparison(row)).plain()
         )
     }
@@ -271,24 +259,20 @@ impl AttemptWords<'_> {
         parts.extend(
             row.printed
                 .as_ref()
-                .map(|p| format!("{} {}", self.tr("printed", "原书"), self.printed(find, p))),
+                .map(|p| format!("{} {}", tr!(self.lang, "printed"), self.printed(find, p))),
         );
         match row.wrong {
             Some(v) => parts.push(format!(
                 "{} {}",
-                self.tr("by that equation", "按该方程"),
+                tr!(self.lang, "by that equation"),
                 self.plain(find, v)
             )),
-            None => parts.push(self.tr("not answered by that equation", "该方程不能求").to_owned()),
+            None => parts.push(tr!(self.lang, "not answered by that equation").to_owned()),
         }
-        parts.push(format!("{} {}", self.tr("true", "正确值"), self.truth(row)));
+        parts.push(format!("{} {}", tr!(self.lang, "true"), self.truth(row)));
         if !reproduced(row) {
             parts.push(
-                self.tr(
-                    "the printed number does not come from this mistake",
-                    "原书数值并非由此错误得出",
-                )
-                .to_owned(),
+                tr!(self.lang, "the printed number does not come from this mistake").to_owned(),
             );
         }
         parts.join(" · ")
@@ -314,10 +298,7 @@ impl AttemptWords<'_> {
             .book
             .label(kind, &number(self.scene.book.value(kind, a.gap.vector.norm()), DIGITS));
         let name = gap_symbol(&wrong, a);
-        match self.lang {
-            Lang::En => Phrase::new(&format!("gap between the tips: $|{name}| = {size}$")),
-            Lang::Zh => Phrase::new(&format!("矢端偏差：$|{name}| = {size}$")),
-        }
+        Phrase::new(&say!(self.lang, "gap between the tips: $|{name}| = {size}$"))
     }
 
     /// Returns the reason for the mistake, in the author's words if there are any.
@@ -384,14 +365,7 @@ pub fn text(words: &AttemptWords, all: &[Attempt]) -> String {
         lines.push(title.to_owned());
     }
     if all.is_empty() {
-        lines.push(
-            words
-                .tr(
-                    "no known mistake changes an answer of this scene",
-                    "本题中没有会改变结果的典型错误",
-                )
-                .to_owned(),
-        );
+        lines.push(tr!(words.lang, "no known mistake changes an answer of this scene").to_owned());
     }
     for (k, a) in all.iter().enumerate() {
         lines.push(String::new());

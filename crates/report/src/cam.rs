@@ -15,7 +15,7 @@ use hodograph_base::cam::{
 };
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::digits::legible;
-use hodograph_paper::paper::phrase::tr;
+use hodograph_base::lang::{say, tr};
 use hodograph_scene::{Cam, Follows, Kind, Lang, Scene, TurningCam};
 use serde_json::{Value as Json, json};
 use std::f64::consts::TAU;
@@ -135,23 +135,17 @@ impl Report<'_> {
     /// Returns the lines of the report, each with its subject.
     pub fn lines(&self, lang: Lang) -> Vec<(CamSubject, String)> {
         let mut out = Vec::new();
-        let comma = tr(lang, ", ", "，");
+        let comma = tr!(lang, "clause" => ", ");
         let mut line = |subject: CamSubject, text: String| out.push((subject, text));
         let scene = self.scene;
         let (cam, follower) = (scene.link_name(self.cam.cam), scene.link_name(self.cam.follower));
         let kind = kind(self.cam, self.disc(), lang);
-        line(
-            CamSubject::Data,
-            match lang {
-                Lang::En => format!("cam {cam}, follower {follower}: {kind}"),
-                Lang::Zh => format!("凸轮 {cam}，从动件 {follower}：{kind}"),
-            },
-        );
+        line(CamSubject::Data, say!(lang, "cam {cam}, follower {follower}: {kind}"));
         line(
             CamSubject::Data,
             format!(
                 "  {} r₀ = {}",
-                tr(lang, "base circle", "基圆半径"),
+                tr!(lang, "base circle"),
                 self.say(CamNumber::Base, PrintedUnit::Length, self.disc().base())
             ),
         );
@@ -162,7 +156,7 @@ impl Report<'_> {
                 CamSubject::Data,
                 format!(
                     "  {} r_r = {}",
-                    tr(lang, "radius of the follower's end", "滚子（圆端）半径"),
+                    tr!(lang, "radius of the follower's end"),
                     self.say(CamNumber::End, PrintedUnit::Length, radius)
                 ),
             );
@@ -175,7 +169,7 @@ impl Report<'_> {
                     CamSubject::Data,
                     format!(
                         "  {} e = {}",
-                        tr(lang, "offset", "偏距"),
+                        tr!(lang, "offset"),
                         self.say(
                             CamNumber::Offset,
                             PrintedUnit::Length,
@@ -189,7 +183,7 @@ impl Report<'_> {
                     CamSubject::Data,
                     format!(
                         "  {} d = {}",
-                        tr(lang, "distance of the pivots", "中心距"),
+                        tr!(lang, "distance of the pivots"),
                         self.say(CamNumber::Distance, PrintedUnit::Length, pivot.norm())
                     ),
                 );
@@ -198,7 +192,7 @@ impl Report<'_> {
                         CamSubject::Data,
                         format!(
                             "  {} l = {}",
-                            tr(lang, "arm", "摆杆长"),
+                            tr!(lang, "arm"),
                             self.say(CamNumber::Arm, PrintedUnit::Length, arm)
                         ),
                     );
@@ -209,7 +203,7 @@ impl Report<'_> {
             CamSubject::Law,
             format!(
                 "  {} h = {}",
-                tr(lang, "stroke", "行程"),
+                tr!(lang, "stroke"),
                 self.say(CamNumber::Stroke, PrintedUnit::Lift(0), self.survey.stroke)
             ),
         );
@@ -264,27 +258,14 @@ impl Report<'_> {
             let subject = if order == 1 { CamSubject::Velocity } else { CamSubject::Acceleration };
             line(
                 subject,
-                match lang {
-                    Lang::En => {
-                        format!(
-                            "  {symbol}: {} at φ = {}, {} at φ = {}",
-                            high.1, high.0, low.1, low.0
-                        )
-                    }
-                    Lang::Zh => format!(
-                        "  φ = {} 时 {symbol} = {}，φ = {} 时 {symbol} = {}",
-                        high.0, high.1, low.0, low.1
-                    ),
-                },
+                say!(lang, "  {symbol}: {} at φ = {}, {} at φ = {}", high.1, high.0, low.1, low.0),
             );
         }
         for (k, j) in s.jumps.iter().enumerate() {
             line(CamSubject::Acceleration, format!("  {}", self.jump(k, j, lang)));
         }
-        let names = [
-            tr(lang, "greatest pressure angle, out", "推程最大压力角"),
-            tr(lang, "greatest pressure angle, back", "回程最大压力角"),
-        ];
+        let names =
+            [tr!(lang, "greatest pressure angle, out"), tr!(lang, "greatest pressure angle, back")];
         for (k, name) in names.into_iter().enumerate() {
             if s.pressure[k].is_some() {
                 line(
@@ -298,13 +279,9 @@ impl Report<'_> {
         }
         if s.least_rho.is_some() {
             let name = match self.disc().touch {
-                FollowerTip::Point { .. } => tr(
-                    lang,
-                    "least convex radius of the pitch curve",
-                    "理论廓线外凸部分的最小曲率半径",
-                ),
+                FollowerTip::Point { .. } => tr!(lang, "least convex radius of the pitch curve"),
                 FollowerTip::Flat { .. } => {
-                    tr(lang, "least radius of the profile", "廓线的最小曲率半径")
+                    tr!(lang, "least radius of the profile")
                 }
             };
             line(
@@ -325,13 +302,13 @@ impl Report<'_> {
                 CamSubject::Instant,
                 format!(
                     "  {} φ = {}{}{}",
-                    tr(lang, "at the instant", "图示位置"),
+                    tr!(lang, "at the instant"),
                     self.say(
                         CamNumber::Now(Now::Phi),
                         PrintedUnit::Degrees,
                         in_turn(self.turning.phi)
                     ),
-                    tr(lang, ": ", "："),
+                    tr!(lang, ": "),
                     lifts.collect::<Vec<_>>().join(comma)
                 ),
             );
@@ -339,7 +316,7 @@ impl Report<'_> {
                 FollowerTip::Point { .. } => {
                     let pressure =
                         self.say(CamNumber::Now(Now::Pressure), PrintedUnit::Degrees, pressure);
-                    format!("{} {pressure}{comma}", tr(lang, "pressure angle", "压力角"))
+                    format!("{} {pressure}{comma}", tr!(lang, "pressure angle"))
                 }
                 FollowerTip::Flat { .. } => String::new(),
             };
@@ -347,7 +324,7 @@ impl Report<'_> {
                 String::new()
             } else {
                 let told = self.say(CamNumber::Now(Now::Pitch), PrintedUnit::Length, rho_pitch);
-                format!("{comma}{} {told}", tr(lang, "of the pitch curve", "理论廓线"))
+                format!("{comma}{} {told}", tr!(lang, "of the pitch curve"))
             };
             line(
                 CamSubject::Instant,
@@ -362,18 +339,18 @@ impl Report<'_> {
 
     fn stage(&self, k: usize, way: StageMotion, out: bool, lang: Lang) -> String {
         let gain = |h: f64| self.say(CamNumber::Gain(k), PrintedUnit::Lift(0), h);
-        let comma = tr(lang, ", ", "，");
+        let comma = tr!(lang, "clause" => ", ");
         let law = |l: MotionLaw| match lang {
             Lang::En => format!("{} motion", l.name()),
-            Lang::Zh => l.name_zh().to_owned(),
+            Lang::Zh => l.words(lang).to_owned(),
         };
         match way {
             StageMotion::Rise(h, l) => {
-                format!("{} {}{comma}{}", tr(lang, "rise", "推程"), gain(h), law(l))
+                format!("{} {}{comma}{}", tr!(lang, "rise"), gain(h), law(l))
             }
             StageMotion::Dwell => dwell(out, lang).to_owned(),
             StageMotion::Return(h, l) => {
-                format!("{} {}{comma}{}", tr(lang, "return", "回程"), gain(h), law(l))
+                format!("{} {}{comma}{}", tr!(lang, "return"), gain(h), law(l))
             }
         }
     }
@@ -390,17 +367,14 @@ impl Report<'_> {
             unit,
             if mark == CamExtreme::Radius { value } else { value.abs() },
         );
-        match lang {
-            Lang::En => format!(": {value} at φ = {at}"),
-            Lang::Zh => format!("：{value}（φ = {at} 时）"),
-        }
+        say!(lang, ": {value} at φ = {at}")
     }
 
     /// Returns a shock in words.
     fn jump(&self, k: usize, j: &Jump, lang: Lang) -> String {
         let name = match j.shock {
-            Shock::Rigid => tr(lang, "rigid shock", "刚性冲击"),
-            Shock::Soft => tr(lang, "soft shock", "柔性冲击"),
+            Shock::Rigid => tr!(lang, "rigid shock"),
+            Shock::Soft => tr!(lang, "soft shock"),
         };
         let order = j.shock.order();
         let (symbol, factor) = (self.symbol(order), libm::pow(self.omega(), order as f64));
@@ -408,10 +382,7 @@ impl Report<'_> {
             self.say(CamNumber::Jump(k, side), PrintedUnit::Lift(order), j.sides[side] * factor)
         });
         let at = self.say(CamNumber::JumpAt(k), PrintedUnit::Degrees, in_turn(j.phi));
-        match lang {
-            Lang::En => format!("{name} at φ = {at}: {symbol} from {b} to {a}"),
-            Lang::Zh => format!("φ = {at} 处有{name}：{symbol} 由 {b} 变为 {a}"),
-        }
+        say!(lang, "{name} at φ = {at}: {symbol} from {b} to {a}")
     }
 
     /// Returns the report as JSON: SI, angles in radians.
@@ -464,10 +435,12 @@ impl Report<'_> {
         let rigid = self.survey.jumps.iter().enumerate().filter(|(_, j)| j.shock == Shock::Rigid);
         let mut out: Vec<Diagnostic> = rigid
             .map(|(k, j)| {
-                let message = both!("{}", "{}", Both { en: self.jump(k, j, Lang::En), zh: self.jump(k, j, Lang::Zh) });
+                let message = both!(
+                    "{}",
+                    Both { en: self.jump(k, j, Lang::En), zh: self.jump(k, j, Lang::Zh) }
+                );
                 Diagnostic::warning("impulse", message).help(both!(
-                    "the acceleration is infinite there: choose a law whose velocity begins at zero",
-                    "该处加速度为无穷大：请选用起始速度为零的运动规律"
+                    "the acceleration is infinite there: choose a law whose velocity begins at zero"
                 ))
             })
             .collect();
@@ -483,24 +456,20 @@ impl Report<'_> {
                 let message = match self.disc().touch {
                     FollowerTip::Point { radius } => both!(
                         "the profile is undercut: at φ = {at} the pitch curve has the radius {rho}, the roller {}",
-                        "运动失真：φ = {at} 处理论廓线的曲率半径为 {rho}，滚子半径为 {}",
                         self.say(CamNumber::End, PrintedUnit::Length, radius)
                     ),
                     FollowerTip::Flat { .. } => both!(
-                        "the profile is undercut: at φ = {at} a flat face would need the radius {rho}",
-                        "运动失真：φ = {at} 处平底从动件要求的曲率半径为 {rho}"
+                        "the profile is undercut: at φ = {at} a flat face would need the radius {rho}"
                     ),
                 };
                 let d = Diagnostic::warning("undercut", message);
                 match least_base {
                     Some(base) => d.help(both!(
                         "the least base circle that avoids it is {}; or take a smaller roller, a longer angle, a gentler law",
-                        "避免失真的最小基圆半径为 {}；或减小滚子、加大运动角、改用较平缓的规律",
                         self.say(CamNumber::LeastBase, PrintedUnit::Length, base)
                     )),
                     None => d.help(both!(
-                        "no base circle avoids it: take a smaller roller or a longer angle",
-                        "加大基圆也不能避免：请减小滚子或加大运动角"
+                        "no base circle avoids it: take a smaller roller or a longer angle"
                     )),
                 }
             }
@@ -508,32 +477,29 @@ impl Report<'_> {
                 "roller-too-large",
                 both!(
                     "the roller does not go into the hollow of radius {} (φ = {})",
-                    "滚子放不进半径为 {} 的内凹廓线（φ = {}）",
                     self.say(CamNumber::Hollow, PrintedUnit::Length, -rho),
                     self.say(CamNumber::HollowAt, PrintedUnit::Degrees, in_turn(phi))
                 ),
             )
-            .help(both!("take a smaller roller", "请减小滚子")),
+            .help(both!("take a smaller roller")),
             Fault::Pressure { phi, angle, usual, rising } => Diagnostic::warning(
                 "pressure-angle",
                 both!(
                     "the pressure angle reaches {} at φ = {} {}; usual is at most {}",
-                    "压力角在 φ = {1} {2}达到 {0}；许用值为 {3}",
                     self.say(CamNumber::Most(CamExtreme::Pressure(usize::from(!rising))), PrintedUnit::Degrees, angle.abs()),
                     self.say(CamNumber::At(CamExtreme::Pressure(usize::from(!rising))), PrintedUnit::Degrees, in_turn(phi)),
-                    if rising { both!("as the follower goes out", "（推程）") } else { both!("as it comes back", "（回程）") },
+                    if rising { both!("as the follower goes out") } else { both!("as it comes back") },
                     degrees(usual)
                 ),
             )
             .help(both!(
-                "take a larger base circle, a longer angle, or an offset toward the side of the rise",
-                "请加大基圆、加大运动角，或采用合适的偏置"
+                "take a larger base circle, a longer angle, or an offset toward the side of the rise"
             )),
             Fault::NoContact { phi } => Diagnostic::warning(
                 "no-contact",
-                both!("at φ = {} the follower touches nothing", "φ = {} 处从动件接触不到廓线", degrees(in_turn(phi))),
+                both!("at φ = {} the follower touches nothing", degrees(in_turn(phi))),
             )
-            .help(both!("the follower cannot go round: check radii, offset and arm", "凸轮不能转过一周：请检查各半径、偏距和摆杆长")),
+            .help(both!("the follower cannot go round: check radii, offset and arm")),
         }
     }
 
@@ -587,7 +553,7 @@ impl Report<'_> {
 
 /// Returns the name of a dwell: the outer one with `outer`, with the follower farthest out.
 pub fn dwell(outer: bool, lang: Lang) -> &'static str {
-    if outer { tr(lang, "outer dwell", "远休止") } else { tr(lang, "inner dwell", "近休止") }
+    if outer { tr!(lang, "outer dwell") } else { tr!(lang, "inner dwell") }
 }
 
 /// Returns degrees without trailing zeros.
@@ -606,14 +572,14 @@ fn degrees(radians: f64) -> String {
 /// Returns the type of the cam in words.
 pub fn kind(cam: &Cam, disc: &Disc, lang: Lang) -> String {
     let moves = match disc.follower {
-        Follower::Translating { .. } => tr(lang, "translating", "直动"),
-        Follower::Oscillating { .. } => tr(lang, "oscillating", "摆动"),
+        Follower::Translating { .. } => tr!(lang, "translating"),
+        Follower::Oscillating { .. } => tr!(lang, "oscillating"),
     };
     let end = match cam.follows {
-        Follows::Edge(_) => tr(lang, "knife-edge follower", "尖顶从动件"),
-        Follows::Roller(..) => tr(lang, "roller follower", "滚子从动件"),
-        Follows::Arc(..) => tr(lang, "mushroom follower", "曲面从动件"),
-        Follows::Face(_) => tr(lang, "flat-faced follower", "平底从动件"),
+        Follows::Edge(_) => tr!(lang, "knife-edge follower"),
+        Follows::Roller(..) => tr!(lang, "roller follower"),
+        Follows::Arc(..) => tr!(lang, "mushroom follower"),
+        Follows::Face(_) => tr!(lang, "flat-faced follower"),
     };
     match lang {
         Lang::En => format!("{moves} {end}"),

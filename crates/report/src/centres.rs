@@ -5,13 +5,14 @@ use super::columns::columns;
 use super::drafting;
 use super::writing::PointForm;
 use hodograph_base::digits::{direction_degrees, legible, line_degrees};
+use hodograph_base::lang::{say, tr};
 use hodograph_board::plan::names::name_label;
 use hodograph_mechanism::answer::AnswerValue;
 use hodograph_methods::centres::{
     Centre, CentreMotion, CentreMotionSource, CentrePlace, Centres, LinkPair, RelativeMotion,
     Speed, omega, velocity,
 };
-use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::phrase::Phrase;
 use hodograph_scene::{Kind, Lang, LinkId, Scene};
 
 /// Significant digits of the table.
@@ -44,7 +45,7 @@ pub fn text(found: &Centres, lang: Lang) -> String {
     lines.push(String::new());
     lines.push(w.proof());
     lines.push(String::new());
-    lines.push(tr(lang, "velocities by centres:", "用瞬心求速度：").into());
+    lines.push(tr!(lang, "velocities by centres:").into());
     lines.extend(w.steps().into_iter().map(|s| format!("  {s}")));
     lines.push(String::new());
     lines.extend(columns(&w.ways(), 1));
@@ -76,23 +77,15 @@ impl<'a> CentreWords<'a> {
         let c = &self.found.closure;
         let (n, all, primary, [more, taken]) =
             (c.links.len(), c.steps.len(), c.primary, c.found_by());
-        match (self.lang, taken) {
-            (Lang::En, 0) => format!(
+        match taken {
+            0 => say!(
+                self.lang,
                 "{n} links, {all} centres: {primary} at the pairs, {more} by the theorem of three centres"
             ),
-            (Lang::En, _) => {
-                format!(
-                    "{n} links, {all} centres: {primary} at the pairs, {taken} from velocities, {more} by the theorem of three centres"
-                )
-            }
-            (Lang::Zh, 0) => format!(
-                "{n} 个构件，{all} 个瞬心：{primary} 个由运动副直接得到，{more} 个由三心定理求得"
+            _ => say!(
+                self.lang,
+                "{n} links, {all} centres: {primary} at the pairs, {taken} from velocities, {more} by the theorem of three centres"
             ),
-            (Lang::Zh, _) => {
-                format!(
-                    "{n} 个构件，{all} 个瞬心：{primary} 个由运动副直接得到，{taken} 个由速度求得，{more} 个由三心定理求得"
-                )
-            }
         }
     }
 
@@ -115,10 +108,10 @@ impl<'a> CentreWords<'a> {
             legible(if zero { 0.0 } else { x * per_metre }, DIGITS)
         };
         let mut rows = vec![vec![
-            tr(lang, "centre", "瞬心").to_owned(),
-            tr(lang, "kind", "类别").to_owned(),
-            tr(lang, "round", "轮次").to_owned(),
-            tr(lang, "how", "求法").to_owned(),
+            tr!(lang, "centre").to_owned(),
+            tr!(lang, "kind").to_owned(),
+            tr!(lang, "round").to_owned(),
+            tr!(lang, "how").to_owned(),
             format!("x / {unit}"),
             format!("y / {unit}"),
         ]];
@@ -134,10 +127,10 @@ impl<'a> CentreWords<'a> {
             match c.place {
                 Some(CentrePlace::At(p)) => row.extend([number(p.x, c), number(p.y, c)]),
                 Some(CentrePlace::Infinity(u)) => row.extend([
-                    tr(lang, "at infinity", "无穷远").to_owned(),
+                    tr!(lang, "at infinity").to_owned(),
                     format!("∠ {}°", legible(line_degrees(u.angle()), DIGITS)),
                 ]),
-                None => row.extend([tr(lang, "not determined", "不定").to_owned(), String::new()]),
+                None => row.extend([tr!(lang, "not determined").to_owned(), String::new()]),
             }
             row.extend(by_hand.map(|t| {
                 t.centres[k].map_or_else(|| "–".to_owned(), |m| legible(m * per_metre, 2))
@@ -150,9 +143,9 @@ impl<'a> CentreWords<'a> {
     /// Returns the kind of a centre: absolute if one of its links is the ground, else relative.
     fn kind(&self, c: &Centre) -> &'static str {
         if c.step.pair.has(self.scene.ground) {
-            tr(self.lang, "absolute", "绝对瞬心")
+            tr!(self.lang, "absolute")
         } else {
-            tr(self.lang, "relative", "相对瞬心")
+            tr!(self.lang, "relative")
         }
     }
 
@@ -163,10 +156,11 @@ impl<'a> CentreWords<'a> {
         let names: Vec<String> = of_ground
             .map(|pair| format!("$P_{{{}}}$", name_label(&pair.indices(self.scene))))
             .collect();
-        Phrase::new(&match self.lang {
-            Lang::En => format!("absolute: {}; the others relative", names.join(", ")),
-            Lang::Zh => format!("绝对瞬心：{}；其余为相对瞬心", names.join("、")),
-        })
+        Phrase::new(&say!(
+            self.lang,
+            "absolute: {}; the others relative",
+            names.join(self.lang.pick([", ", "、"]))
+        ))
     }
 
     /// Returns the meaning of the tolerances, if there are any.
@@ -179,26 +173,20 @@ impl<'a> CentreWords<'a> {
     fn proof(&self) -> String {
         let found = self.found;
         let to = |off: f64| match off {
-            off if off < ROUNDING => tr(self.lang, "to rounding", "只差舍入误差").to_owned(),
-            off => format!("{} {}", tr(self.lang, "to", "相对差"), legible(off, 2)),
+            off if off < ROUNDING => tr!(self.lang, "to rounding").to_owned(),
+            off => format!("{} {}", tr!(self.lang, "to"), legible(off, 2)),
         };
         let (residual, triple) = (to(found.worst_residual()), to(found.worst_triple));
         let none = found.list.iter().all(|c| c.residual.is_none());
-        match self.lang {
-            _ if none => tr(
+        match none {
+            true => {
+                tr!(self.lang, "the loop equations have no motion in this pose to check them by")
+                    .to_owned()
+            }
+            false => say!(
                 self.lang,
-                "the loop equations have no motion in this pose to check them by",
-                "该位置封闭矢量方程（解析法）无解，不能校核",
-            )
-            .to_owned(),
-            Lang::En => format!(
                 "checked by the loop equations: each centre has the same velocity on both links ({residual}); the three centres of any three links are collinear ({triple})"
             ),
-            Lang::Zh => {
-                format!(
-                    "用封闭矢量方程（解析法）校核：各瞬心在两构件上的速度相同（{residual}），任意三个构件的三个瞬心共线（{triple}）"
-                )
-            }
         }
     }
 
@@ -234,12 +222,7 @@ impl<'a> CentreWords<'a> {
         let mut steps = Vec::new();
         if self.found.at_rest {
             steps.push(
-                tr(
-                    self.lang,
-                    "the drivers are at rest: a unit of their rate is taken",
-                    "原动件静止：取单位速度",
-                )
-                .to_owned(),
+                tr!(self.lang, "the drivers are at rest: a unit of their rate is taken").to_owned(),
             );
         }
         steps.extend(uses.links.iter().map(|t| self.turning(t)));
@@ -255,8 +238,8 @@ impl<'a> CentreWords<'a> {
 
     fn sense(&self, omega: f64) -> &'static str {
         match omega {
-            o if o > 0.0 => tr(self.lang, ", counter-clockwise", "，逆时针"),
-            o if o < 0.0 => tr(self.lang, ", clockwise", "，顺时针"),
+            o if o > 0.0 => tr!(self.lang, ", counter-clockwise"),
+            o if o < 0.0 => tr!(self.lang, ", clockwise"),
             _ => "",
         }
     }
@@ -305,17 +288,12 @@ impl<'a> CentreWords<'a> {
         match t.by {
             CentreMotionSource::Driver | CentreMotionSource::Analysis => {
                 let why = if t.by == CentreMotionSource::Driver {
-                    tr(
-                        lang,
-                        if self.scene.own_drivers() > 1 {
-                            "  (a driver)"
-                        } else {
-                            "  (the driver)"
-                        },
-                        "（原动件）",
-                    )
+                    match self.scene.own_drivers() {
+                        0 | 1 => tr!(lang, "  (the driver)"),
+                        _ => tr!(lang, "  (a driver)"),
+                    }
                 } else {
-                    tr(lang, "  (by the analysis)", "（由解析法）")
+                    tr!(lang, "  (by the analysis)")
                 };
                 match slide {
                     Some(v) => format!("{v_k} = {}{why}", slides(v)),
@@ -325,49 +303,35 @@ impl<'a> CentreWords<'a> {
             CentreMotionSource::Ratio { link, of_other, own: arm } => {
                 let (x, m) = (self.name(t.link, link), self.symbol(link));
                 let (o, c) = (self.name(frame, t.link), self.name(frame, link));
-                let sense = match (lang, rate * self.rate_of(link)) {
-                    (_, 0.0) => String::new(),
-                    (Lang::En, p) if p > 0.0 => {
-                        format!("; {x} lies outside {c}{o}: the same sense")
-                    }
-                    (Lang::En, _) => format!("; {x} lies between {c} and {o}: opposite senses"),
-                    (Lang::Zh, p) if p > 0.0 => format!("；{x} 在 {c}{o} 之外：转向相同"),
-                    (Lang::Zh, _) => format!("；{x} 在 {c}{o} 之间：转向相反"),
+                let sense = match rate * self.rate_of(link) {
+                    0.0 => String::new(),
+                    p if p > 0.0 => say!(lang, "; {x} lies outside {c}{o}: the same sense"),
+                    _ => say!(lang, "; {x} lies between {c} and {o}: opposite senses"),
                 };
                 let ratio = legible(if rate == 0.0 { 0.0 } else { of_other / arm }, DIGITS);
                 let (over, then) = if frame == self.scene.ground {
-                    ("/", tr(lang, "; ", "；"))
+                    ("/", tr!(lang, "; "))
                 } else {
-                    (" : ", tr(lang, "; ", "；"))
+                    (" : ", tr!(lang, "; "))
                 };
                 let (near, far) = (self.length(of_other), self.length(arm));
                 format!(
                     "{own}{over}{m} = {c}{x}/{o}{x} = {near} / {far} = {ratio}{sense}{then}{own} = {rate_words}"
                 )
             }
-            CentreMotionSource::Together(m) => match lang {
-                Lang::En => format!(
-                    "{} lies at infinity: {own} = {} = {rate_words}",
-                    self.name(t.link, m),
-                    self.symbol(m)
-                ),
-                Lang::Zh => format!(
-                    "{} 在无穷远处：{own} = {} = {rate_words}",
-                    self.name(t.link, m),
-                    self.symbol(m)
-                ),
-            },
+            CentreMotionSource::Together(m) => say!(
+                lang,
+                "{} lies at infinity: {own} = {} = {rate_words}",
+                self.name(t.link, m),
+                self.symbol(m)
+            ),
             CentreMotionSource::Wedge(m) => {
                 let (x, v_m) = (self.name(t.link, m), self.v(self.scene.link_name(m)));
                 let v = slide.map_or(String::new(), slides);
-                match lang {
-                    Lang::En => format!(
-                        "{x} lies at infinity: {v_k} and {v_m} have one component along its direction; {v_k} = {v}"
-                    ),
-                    Lang::Zh => {
-                        format!("{x} 在无穷远处：{v_k} 与 {v_m} 沿其方向的分量相等；{v_k} = {v}")
-                    }
-                }
+                say!(
+                    lang,
+                    "{x} lies at infinity: {v_k} and {v_m} have one component along its direction; {v_k} = {v}"
+                )
             }
             CentreMotionSource::Slides { link, arm } => {
                 let (x, c, m) =
@@ -416,10 +380,10 @@ impl<'a> CentreWords<'a> {
     fn ways(&self) -> Vec<Vec<String>> {
         let lang = self.lang;
         let mut rows = vec![vec![
-            tr(lang, "magnitude", "量").to_owned(),
-            tr(lang, "by centres", "瞬心法").to_owned(),
-            tr(lang, "drawn", "图解").to_owned(),
-            tr(lang, "loop equations", "解析").to_owned(),
+            tr!(lang, "magnitude").to_owned(),
+            tr!(lang, "by centres").to_owned(),
+            tr!(lang, "drawn").to_owned(),
+            tr!(lang, "loop equations").to_owned(),
         ]];
         let most = self.found.uses.links.iter().map(|t| t.omega.abs()).fold(0.0, f64::max);
         let fastest = self.fastest();
@@ -466,8 +430,8 @@ pub fn places(found: &Centres, lang: Lang) -> String {
     let w = CentreWords::new(found, lang);
     let place = |c: &Centre| match c.place {
         Some(CentrePlace::At(p)) => format!("({}, {})", w.length(p.x), w.length(p.y)),
-        Some(CentrePlace::Infinity(_)) => tr(lang, "at infinity", "无穷远").to_owned(),
-        None => tr(lang, "not determined", "不定").to_owned(),
+        Some(CentrePlace::Infinity(_)) => tr!(lang, "at infinity").to_owned(),
+        None => tr!(lang, "not determined").to_owned(),
     };
     found
         .list

@@ -3,36 +3,33 @@
 
 use super::centres::CentreWords;
 use super::writing::PointForm;
+use hodograph_base::lang::{say, tr};
 use hodograph_board::plan::names::name_label;
 use hodograph_methods::centres::{
     Centre, CentreLocus, CentreMethod, CentrePlace, LinkPair, Origin, Primary,
 };
-use hodograph_paper::paper::phrase::{Phrase, fill, tr};
+use hodograph_paper::paper::phrase::{Phrase, fill};
 use hodograph_scene::{GuidePath, Lang, PointId};
 
 impl CentreWords<'_> {
     /// Returns the construction of a centre in plain characters: `pin B`, `23·34 × 12·14`.
     pub fn how(&self, c: &Centre) -> String {
-        let given = if c.step.given_drivers {
-            tr(self.lang, " (for the given drivers)", "（对给定的原动件运动）")
-        } else {
-            ""
-        };
+        let given =
+            if c.step.given_drivers { tr!(self.lang, " (for the given drivers)") } else { "" };
         let how = match (&c.step.how, c.origin) {
             (CentreMethod::Primary(primary), _) => self.primary(*primary, PointForm::Plain),
             (_, Some(Origin::Crossing(lines))) => self.crossing(c, lines, PointForm::Plain),
             (CentreMethod::Lines(_), Some(Origin::Velocities)) => {
-                tr(self.lang, "velocities, as its lines coincide", "速度（所作的线重合）")
-                    .to_owned()
+                tr!(self.lang, "velocities, as its lines coincide").to_owned()
             }
             (CentreMethod::Velocities, Some(Origin::Velocities)) => {
-                let how = tr(self.lang, "velocities of the analysis", "解析法的速度");
+                let how = tr!(self.lang, "velocities of the analysis");
                 self.normals(c).map_or_else(
                     || how.to_owned(),
                     |normals| {
                         format!(
                             "{how}{}{}",
-                            tr(self.lang, ", ", "，"),
+                            tr!(self.lang, "clause" => ", "),
                             Phrase::new(&normals).plain()
                         )
                     },
@@ -48,9 +45,9 @@ impl CentreWords<'_> {
         Phrase::new(&match (&c.step.how, c.origin) {
             (CentreMethod::Primary(primary), _) => self.primary(*primary, PointForm::Marked),
             (_, Some(Origin::Crossing(lines))) => self.crossing(c, lines, PointForm::Marked),
-            (_, Some(Origin::Velocities)) => self
-                .normals(c)
-                .unwrap_or_else(|| tr(self.lang, "from velocities", "由速度求得").to_owned()),
+            (_, Some(Origin::Velocities)) => {
+                self.normals(c).unwrap_or_else(|| tr!(self.lang, "from velocities").to_owned())
+            }
             (_, Some(Origin::Pair) | None) => "–".to_owned(),
         })
     }
@@ -60,8 +57,7 @@ impl CentreWords<'_> {
         let (i, j) = (c.step.pair.i, c.step.pair.j);
         let name = |a, b| format!("P_{{{}}}", name_label(&self.pair(a, b).indices(self.scene)));
         let far = matches!(c.place, Some(CentrePlace::Infinity(_)));
-        let at_infinity =
-            if far { tr(self.lang, ", at infinity", "，在无穷远处") } else { "" };
+        let at_infinity = if far { tr!(self.lang, ", at infinity") } else { "" };
         let slides =
             matches!(c.step.how, CentreMethod::Primary(Primary::Slide(_) | Primary::Cylinder(_)));
         let own = name(i, j);
@@ -71,18 +67,17 @@ impl CentreWords<'_> {
                 self.line(c.step.pair, line, PointForm::Marked)
             }
         };
-        Phrase::new(&match (c.origin, self.lang) {
-            (Some(Origin::Crossing([a, b])), Lang::En) => {
-                format!("${own}$ is the intersection of {} and {}{at_infinity}.", line(a), line(b))
+        Phrase::new(&match c.origin {
+            Some(Origin::Crossing([a, b])) => say!(
+                self.lang,
+                "${own}$ is the intersection of {} and {}{at_infinity}.",
+                line(a),
+                line(b)
+            ),
+            _ if far && slides => {
+                say!(self.lang, "sliding" => "${own}$: {}{at_infinity}.", self.found_by(c).source())
             }
-            (Some(Origin::Crossing([a, b])), Lang::Zh) => {
-                format!("${own}$ 为 {} 与 {} 的交点{at_infinity}。", line(a), line(b))
-            }
-            (_, Lang::En) => format!("${own}$: {}{at_infinity}.", self.found_by(c).source()),
-            (_, Lang::Zh) if far && slides => {
-                format!("${own}$：在{}方向的无穷远处。", self.found_by(c).source())
-            }
-            (_, Lang::Zh) => format!("${own}$：{}{at_infinity}。", self.found_by(c).source()),
+            _ => say!(self.lang, "${own}$: {}{at_infinity}.", self.found_by(c).source()),
         })
     }
 
@@ -90,10 +85,7 @@ impl CentreWords<'_> {
     /// find.
     fn normals(&self, c: &Centre) -> Option<String> {
         let [a, b] = self.found.normals(c)?.map(|n| name_label(self.scene.point_name(n.point)));
-        Some(match self.lang {
-            Lang::En => format!("normals to $v_{{{a}}}$, $v_{{{b}}}$"),
-            Lang::Zh => format!("$v_{{{a}}}$、$v_{{{b}}}$ 的垂线"),
-        })
+        Some(say!(self.lang, "normals to $v_{{{a}}}$, $v_{{{b}}}$"))
     }
 
     /// Returns two lines that intersect in a centre.
@@ -104,20 +96,20 @@ impl CentreWords<'_> {
     fn primary(&self, primary: Primary, writing: PointForm) -> String {
         let point = |p: PointId| writing.point(self.scene.point_name(p));
         match primary {
-            Primary::Pin(p) => format!("{} {}", tr(self.lang, "pin", "转动副"), point(p)),
+            Primary::Pin(p) => format!("{} {}", tr!(self.lang, "pin"), point(p)),
             Primary::Slide(g) => {
                 let guide = &self.scene.guides[g.0];
                 let at = guide.pin.map_or(String::new(), |p| format!(" {}", point(p)));
-                format!("{}{at}", tr(self.lang, "perpendicular to the guide", "垂直于导路"))
+                format!("{}{at}", tr!(self.lang, "perpendicular to the guide"))
             }
             Primary::Contact(r) => {
                 let rolling = &self.scene.rolling[r.0];
                 let words = if rolling.kind.meshes() {
-                    tr(self.lang, "pitch point", "节点")
+                    tr!(self.lang, "pitch point")
                 } else if rolling.kind.is_flexible() {
-                    tr(self.lang, "rope leaves at", "绳的切点")
+                    tr!(self.lang, "rope leaves at")
                 } else {
-                    tr(self.lang, "rolling contact", "滚动接触点")
+                    tr!(self.lang, "rolling contact")
                 };
                 format!("{words} {}", point(rolling.at[0]))
             }
@@ -125,17 +117,13 @@ impl CentreWords<'_> {
                 let [a, b] =
                     self.scene.rolling[r.0].centres().map(|p| p.map_or(String::new(), point));
                 let inner = self.scene.rolling[r.0].is_crossed();
-                let words = match (self.lang, inner) {
-                    (Lang::En, true) => "inner tangent × line of centres",
-                    (Lang::En, false) => "outer tangent × line of centres",
-                    (Lang::Zh, true) => "内公切线 × 连心线",
-                    (Lang::Zh, false) => "外公切线 × 连心线",
+                let words = match inner {
+                    true => tr!(self.lang, "inner tangent × line of centres"),
+                    false => tr!(self.lang, "outer tangent × line of centres"),
                 };
                 format!("{words} {a}{b}")
             }
-            Primary::Cylinder(_) => {
-                tr(self.lang, "perpendicular to the cylinder", "垂直于液压缸").to_owned()
-            }
+            Primary::Cylinder(_) => tr!(self.lang, "perpendicular to the cylinder").to_owned(),
         }
     }
 
@@ -164,19 +152,14 @@ impl CentreWords<'_> {
                             Lang::Zh => format!(" {} ", writing.point(at)),
                         })
                         .unwrap_or_default();
-                    return fill(
-                        tr(self.lang, "common normal at the contact{}", "接触点{}处的公法线"),
-                        &[("", &at)],
-                    );
+                    return fill(tr!(self.lang, "common normal at the contact{}"), &[("", &at)]);
                 }
-                match (&guide.path, self.lang) {
-                    (GuidePath::Line { .. }, Lang::En) => format!("normal of the slot at {pin}"),
-                    (GuidePath::Arc { .. }, Lang::En) => format!("radius of the slot at {pin}"),
-                    (GuidePath::Line { .. }, Lang::Zh) => format!("{pin} 处槽的法线"),
-                    (GuidePath::Arc { .. }, Lang::Zh) => format!("{pin} 处槽的半径"),
+                match &guide.path {
+                    GuidePath::Line { .. } => say!(self.lang, "normal of the slot at {pin}"),
+                    GuidePath::Arc { .. } => say!(self.lang, "radius of the slot at {pin}"),
                 }
             }
-            CentreLocus::Infinity => tr(self.lang, "the line at infinity", "无穷远直线").to_owned(),
+            CentreLocus::Infinity => tr!(self.lang, "the line at infinity").to_owned(),
         }
     }
 }

@@ -3,8 +3,8 @@
 
 use super::columns::columns;
 use hodograph_base::digits::{legible, shortest};
+use hodograph_base::lang::{say, tr};
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::Lang;
 use serde_json::{Value as Json, json};
 
@@ -46,25 +46,15 @@ impl MotionResult {
 
     /// Returns the words of the table.
     pub fn words(self, lang: Lang) -> &'static str {
-        let zh = match self {
-            MotionResult::Stroke => "行程",
-            MotionResult::TimeRatio => "行程速度变化系数 K",
-            MotionResult::Transmission => "最小传动角 γ",
-            MotionResult::Highest => "最大值",
-            MotionResult::Lowest => "最小值",
-            MotionResult::Greatest => "绝对值最大",
-            MotionResult::Mean => "平均值",
-        };
-        let en = match self {
-            MotionResult::TimeRatio => "time ratio K",
-            MotionResult::Transmission => "least transmission angle γ",
-            MotionResult::Stroke
-            | MotionResult::Highest
-            | MotionResult::Lowest
-            | MotionResult::Greatest
-            | MotionResult::Mean => self.key(),
-        };
-        tr(lang, en, zh)
+        match self {
+            MotionResult::Stroke => tr!(lang, "stroke"),
+            MotionResult::TimeRatio => tr!(lang, "time ratio K"),
+            MotionResult::Transmission => tr!(lang, "least transmission angle γ"),
+            MotionResult::Highest => tr!(lang, "maximum" => "highest"),
+            MotionResult::Lowest => tr!(lang, "minimum" => "lowest"),
+            MotionResult::Greatest => tr!(lang, "greatest magnitude"),
+            MotionResult::Mean => tr!(lang, "mean"),
+        }
     }
 }
 
@@ -123,10 +113,7 @@ impl Comparison {
             Lang::En => self.driver.clone(),
             Lang::Zh => self.driver.replacen("phi", "φ", 1),
         };
-        let mut out = match lang {
-            Lang::En => format!("Comparison of designs over the whole motion of {driver}\n"),
-            Lang::Zh => format!("方案比较（{driver} 的整个运动）\n"),
-        };
+        let mut out = say!(lang, "Comparison of designs over the whole motion of {driver}\n");
         self.names(lang).iter().for_each(|name| out += &format!("{name}\n"));
         let head = [String::new(), String::new()].into_iter();
         let mut rows = vec![head.chain((1..=self.files.len()).map(|k| k.to_string())).collect()];

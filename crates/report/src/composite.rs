@@ -17,6 +17,7 @@ use super::writing::PointForm;
 use hodograph_base::diag::Diagnostic;
 use hodograph_base::digits::{direction_degrees, inked, significant};
 use hodograph_base::geom::Vec2;
+use hodograph_base::lang::{say, tr};
 use hodograph_base::notation::Notation;
 use hodograph_board::plan::names::name_label;
 use hodograph_methods::composite::contact::ContactSlip;
@@ -24,7 +25,7 @@ use hodograph_methods::composite::{
     AxisRotation, ChoicePlace, ChoiceSolution, ChoiceVerdict, ContactScene, FrameChoice,
     KnownMotion, On, Projection, ProjectionTerm, name_of, projections,
 };
-use hodograph_paper::paper::phrase::{Phrase, capital, sense, tr};
+use hodograph_paper::paper::phrase::{Phrase, capital, sense};
 use hodograph_scene::quantity::composite::CompositePart;
 use hodograph_scene::quantity::{Frame, RelativePath};
 use hodograph_scene::{DiagramKind, GuidePath, Kind, Lang, Scene};
@@ -51,12 +52,7 @@ pub fn text(
     }
     if all.is_empty() {
         lines.push(
-            tr(
-                lang,
-                "no pair of moving bodies offers a moving point and a frame",
-                "没有可作动点和动系的运动物体",
-            )
-            .to_owned(),
+            tr!(lang, "no pair of moving bodies offers a moving point and a frame").to_owned(),
         );
     } else {
         lines.extend(columns(&w.table(all), usize::MAX));
@@ -107,10 +103,10 @@ impl CompositeWords<'_> {
     fn table(&self, all: &[FrameChoice]) -> Vec<Vec<String>> {
         let lang = self.lang;
         let head = [
-            tr(lang, "moving point", "动点"),
-            tr(lang, "frame", "动系"),
-            tr(lang, "at", "位置"),
-            tr(lang, "verdict", "结论"),
+            tr!(lang, "moving point"),
+            tr!(lang, "frame"),
+            tr!(lang, "at"),
+            tr!(lang, "verdict"),
             "",
         ];
         let row = |c: &FrameChoice| {
@@ -128,14 +124,10 @@ impl CompositeWords<'_> {
 
     /// Returns a frame: `link 2`, `translating with C`.
     fn frame(&self, frame: Frame, writing: PointForm) -> String {
-        match (frame, self.lang) {
-            (Frame::Link(l), Lang::En) => format!("link {}", self.scene.link_name(l)),
-            (Frame::Link(l), Lang::Zh) => format!("构件 {}", self.scene.link_name(l)),
-            (Frame::Point(p), Lang::En) => {
-                format!("translating with {}", writing.point(&name_of(self.scene, &p)))
-            }
-            (Frame::Point(p), Lang::Zh) => {
-                format!("随 {} 平移", writing.point(&name_of(self.scene, &p)))
+        match frame {
+            Frame::Link(l) => say!(self.lang, "link {}", self.scene.link_name(l)),
+            Frame::Point(p) => {
+                say!(self.lang, "translating with {}", writing.point(&name_of(self.scene, &p)))
             }
         }
     }
@@ -143,22 +135,22 @@ impl CompositeWords<'_> {
     fn place(&self, c: &FrameChoice) -> String {
         let lang = self.lang;
         match c.place {
-            ChoicePlace::Named => tr(lang, "as asked", "按题意").to_owned(),
+            ChoicePlace::Named => tr!(lang, "as asked").to_owned(),
             ChoicePlace::Pin(p) => {
-                format!("{} {}", tr(lang, "pin", "转动副"), self.scene.point_name(p))
+                format!("{} {}", tr!(lang, "pin"), self.scene.point_name(p))
             }
             ChoicePlace::Guide(g) => {
                 let guide = &self.scene.guides[g.0];
                 let name = guide.pin.map_or("", |p| self.scene.point_name(p));
-                format!("{} {name}", tr(lang, "guide at", "移动副"))
+                format!("{} {name}", tr!(lang, "guide at"))
             }
             ChoicePlace::Cam(_) => {
-                format!("{} {}", tr(lang, "contact", "接触点"), self.scene.point_name(c.of.point))
+                format!("{} {}", tr!(lang, "contact"), self.scene.point_name(c.of.point))
             }
             ChoicePlace::Contact(r) => {
                 format!(
                     "{} {}",
-                    tr(lang, "contact", "接触点"),
+                    tr!(lang, "contact"),
                     self.scene.point_name(self.scene.rolling[r.0].at[0])
                 )
             }
@@ -168,11 +160,11 @@ impl CompositeWords<'_> {
     /// Returns the verdict in a word or two.
     pub fn verdict(&self, verdict: ChoiceVerdict) -> &'static str {
         match verdict {
-            ChoiceVerdict::Serves => tr(self.lang, "serves", "可用"),
-            ChoiceVerdict::PathUnknown => tr(self.lang, "path not known", "轨迹未知"),
-            ChoiceVerdict::PointChanges => tr(self.lang, "point changes", "不是固定点"),
-            ChoiceVerdict::SameBody => tr(self.lang, "same body", "同一物体"),
-            ChoiceVerdict::FrameFixed => tr(self.lang, "frame stands still", "动系不动"),
+            ChoiceVerdict::Serves => tr!(self.lang, "serves"),
+            ChoiceVerdict::PathUnknown => tr!(self.lang, "path not known"),
+            ChoiceVerdict::PointChanges => tr!(self.lang, "point changes"),
+            ChoiceVerdict::SameBody => tr!(self.lang, "same body"),
+            ChoiceVerdict::FrameFixed => tr!(self.lang, "frame stands still"),
         }
     }
 
@@ -180,33 +172,27 @@ impl CompositeWords<'_> {
     fn reason(&self, c: &FrameChoice) -> String {
         let (scene, lang) = (self.scene, self.lang);
         match c.verdict {
-            ChoiceVerdict::Serves if c.path == RelativePath::Unknown => tr(
+            ChoiceVerdict::Serves if c.path == RelativePath::Unknown => tr!(
                 lang,
-                "momentary contact: v_r along the tangent, a_r^n known from the velocities",
-                "瞬时接触点：v_r 沿公切线，a_r^n 由速度求得",
+                "momentary contact: v_r along the tangent, a_r^n known from the velocities"
             )
             .to_owned(),
             ChoiceVerdict::Serves => self.path(c, PointForm::Plain),
-            ChoiceVerdict::PathUnknown => tr(
+            ChoiceVerdict::PathUnknown => tr!(
                 lang,
-                "its path in the frame is not known: neither the direction of v_r nor a_r^n",
-                "相对轨迹未知：v_r 的方向和 a_r^n 均未知",
+                "its path in the frame is not known: neither the direction of v_r nor a_r^n"
             )
             .to_owned(),
-            ChoiceVerdict::PointChanges => tr(
+            ChoiceVerdict::PointChanges => tr!(
                 lang,
-                "another point of the body lies at the contact at every instant; its relative path is not the guide or profile",
-                "接触处每瞬时是该物体上不同的点，其相对轨迹不是导路或廓线",
+                "another point of the body lies at the contact at every instant; its relative path is not the guide or profile"
             )
             .to_owned(),
             ChoiceVerdict::SameBody => {
                 let point = scene.point_name(c.of.point);
-                match lang {
-                    Lang::En => format!("{point} belongs to the frame: no relative motion"),
-                    Lang::Zh => format!("{point} 在动系上，没有相对运动"),
-                }
+                say!(lang, "{point} belongs to the frame: no relative motion")
             }
-            ChoiceVerdict::FrameFixed => tr(lang, "nothing is carried", "没有牵连运动").to_owned(),
+            ChoiceVerdict::FrameFixed => tr!(lang, "nothing is carried").to_owned(),
         }
     }
 
@@ -216,8 +202,7 @@ impl CompositeWords<'_> {
         match c.path {
             RelativePath::Guide(g) => match scene.guides[g.0].path {
                 GuidePath::Line { .. } => {
-                    tr(lang, "relative path: a straight line, the guide", "相对轨迹：沿导路的直线")
-                        .to_owned()
+                    tr!(lang, "relative path: a straight line, the guide").to_owned()
                 }
                 GuidePath::Arc { centre, .. } => {
                     self.circle(&writing.point(scene.point_name(centre)))
@@ -229,10 +214,7 @@ impl CompositeWords<'_> {
     }
 
     fn circle(&self, centre: &str) -> String {
-        match self.lang {
-            Lang::En => format!("relative path: a circle about {centre}"),
-            Lang::Zh => format!("相对轨迹：以 {centre} 为圆心的圆"),
-        }
+        say!(self.lang, "relative path: a circle about {centre}")
     }
 
     /// Returns the heading of a choice: `moving point A, frame fixed to link 2`.
@@ -241,17 +223,15 @@ impl CompositeWords<'_> {
             PointForm::Marked.point(&name_of(self.scene, &c.of)),
             self.frame(c.frame, PointForm::Marked),
         );
-        Phrase::new(&match (c.frame, self.lang) {
-            (Frame::Link(_), Lang::En) => format!("Moving point {point}, frame fixed to {frame}"),
-            (Frame::Point(_), Lang::En) => format!("Moving point {point}, frame {frame}"),
-            (Frame::Link(_), Lang::Zh) => format!("动点 {point}，动系固连于{frame}"),
-            (Frame::Point(_), Lang::Zh) => format!("动点 {point}，动系{frame}"),
+        Phrase::new(&match c.frame {
+            Frame::Link(_) => say!(self.lang, "Moving point {point}, frame fixed to {frame}"),
+            Frame::Point(_) => say!(self.lang, "Moving point {point}, frame {frame}"),
         })
     }
 
     /// Returns a projection in one line.
     fn projected(&self, words: &str, equation: &str) -> String {
-        format!("{words}{}${equation}$", tr(self.lang, " ", ""))
+        format!("{words}{}${equation}$", self.lang.pick([" ", ""]))
     }
 
     /// Returns all lines of a choice: heading, path, equations with values, projections.
@@ -343,19 +323,12 @@ impl CompositeWords<'_> {
     fn first(&self, s: &ChoiceSolution) -> Phrase {
         let lang = self.lang;
         Phrase::new(&match s.choice.verdict {
-            ChoiceVerdict::Serves if s.slip.is_some() => tr(
-                lang,
-                "Momentary contact: $v_{r}$ along the common tangent",
-                "瞬时接触点：$v_{r}$ 沿公切线",
-            )
-            .to_owned(),
+            ChoiceVerdict::Serves if s.slip.is_some() => {
+                tr!(lang, "Momentary contact: $v_{r}$ along the common tangent").to_owned()
+            }
             ChoiceVerdict::Serves => capital(&self.path(&s.choice, PointForm::Marked)),
             ChoiceVerdict::PathUnknown if !s.acceleration.is_empty() => {
-                let words = tr(
-                    lang,
-                    "Relative path not known: $a_{r}$ is the closing side",
-                    "相对轨迹未知：$a_{r}$ 由封闭边得出",
-                );
+                let words = tr!(lang, "Relative path not known: $a_{r}$ is the closing side");
                 words.to_owned()
             }
             ChoiceVerdict::PathUnknown
@@ -379,13 +352,8 @@ impl CompositeWords<'_> {
                 "\\Omega^2\\rho_2 − (v_{s} − \\Omega\\rho_2)^2/(\\rho_1 + \\rho_2)"
             }
         };
-        let first = tr(
-            lang,
-            "Momentary contact: $v_{r}$ along the common tangent",
-            "瞬时接触点：$v_{r}$ 沿公切线",
-        );
-        let normal =
-            tr(lang, "along the outward normal of the frame's contour:", "沿动系轮廓外法线：");
+        let first = tr!(lang, "Momentary contact: $v_{r}$ along the common tangent");
+        let normal = tr!(lang, "along the outward normal of the frame's contour:");
         let equation = format!(
             "$a^{{n}}_{{r}} = {formula} = {}$",
             told(Kind::Acceleration, slip.acceleration())
@@ -422,7 +390,7 @@ impl CompositeWords<'_> {
     }
 
     fn comma(&self) -> &'static str {
-        tr(self.lang, ", ", "，")
+        tr!(self.lang, "clause" => ", ")
     }
 
     /// Returns an equation in one line: `projected square to v_r (on 120°):` and
@@ -464,39 +432,29 @@ impl CompositeWords<'_> {
         };
         let wanted = match (known, p.of) {
             (KnownMotion::Transport, DiagramKind::Acceleration) => {
-                tr(lang, " for $a_{a}$", "，求 $a_{a}$")
+                tr!(lang, " for $a_{a}$")
             }
-            (KnownMotion::Transport, _) => tr(lang, " for $v_{a}$", "，求 $v_{a}$"),
+            (KnownMotion::Transport, _) => tr!(lang, " for $v_{a}$"),
             (KnownMotion::Absolute, DiagramKind::Acceleration) => {
-                tr(lang, " for the transport part", "，求牵连加速度")
+                tr!(lang, " for the transport part")
             }
-            (KnownMotion::Absolute, _) => tr(lang, " for $v_{e}$", "，求 $v_{e}$"),
+            (KnownMotion::Absolute, _) => tr!(lang, " for $v_{e}$"),
             (KnownMotion::Both, _) => "",
         };
         // A point at rest in its frame has no v_r to be perpendicular to.
         let rests = p.of == DiagramKind::Velocity && p.rests;
-        match (p.on, lang) {
-            (On::X, Lang::En) => format!("Projected on the x axis{wanted}:"),
-            (On::X, Lang::Zh) => format!("向 x 轴投影{wanted}："),
-            (On::Y, Lang::En) => "Projected on the y axis:".to_owned(),
-            (On::Y, Lang::Zh) => "向 y 轴投影：".to_owned(),
-            (On::Along, Lang::En) => {
-                format!("Projected on the relative path (${degrees}$°) for ${relative}$:")
+        match p.on {
+            On::X => say!(lang, "Projected on the x axis{wanted}:"),
+            On::Y => tr!(lang, "Projected on the y axis:").to_owned(),
+            On::Along => {
+                say!(lang, "Projected on the relative path (${degrees}$°) for ${relative}$:")
             }
-            (On::Along, Lang::Zh) => {
-                format!("向相对轨迹的切线方向（${degrees}$°）投影，求 ${relative}$：")
-            }
-            (On::Across, Lang::En) if rests => format!(
+            On::Across if rests => say!(
+                lang,
                 "Projected on the perpendicular to the relative path (${degrees}$°){wanted}:"
             ),
-            (On::Across, Lang::Zh) if rests => {
-                format!("向垂直于相对轨迹的方向（${degrees}$°）投影{wanted}：")
-            }
-            (On::Across, Lang::En) => {
-                format!("Projected on the perpendicular to ${relative}$ (${degrees}$°){wanted}:")
-            }
-            (On::Across, Lang::Zh) => {
-                format!("向垂直于 ${relative}$ 的方向（${degrees}$°）投影{wanted}：")
+            On::Across => {
+                say!(lang, "Projected on the perpendicular to ${relative}$ (${degrees}$°){wanted}:")
             }
         }
     }

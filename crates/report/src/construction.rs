@@ -2,11 +2,12 @@
 
 use crate::amount::scale_formula;
 use hodograph_base::digits::{inked, shortest, significant};
+use hodograph_base::lang::{say, tr};
 use hodograph_board::construct::{Action, PlanDrawing, Polygon, PolygonMark};
 use hodograph_board::plan::names::name_label;
 use hodograph_board::plan::text::PlanWriter;
 use hodograph_board::plan::{Method, PlanStep, Rate, Term, TurningBody, VertexId};
-use hodograph_paper::paper::phrase::{Phrase, formula, sense, tr};
+use hodograph_paper::paper::phrase::{Phrase, formula, sense};
 use hodograph_scene::{Book, DiagramKind, Kind, Lang};
 use hodograph_worked::certified::CertifiedSteps;
 use hodograph_worked::certified::ladder::CertifiedNumber;
@@ -24,13 +25,11 @@ pub fn sentences(
 ) -> Vec<Phrase> {
     let on = polygon.on;
     let (pole, mu) = (w.pole(on), scale_formula(&w.scene.book, on, polygon.mu));
-    let mut out = vec![Phrase::new(&match w.lang {
-        Lang::En if paper.is_empty(on) => {
-            format!("Take the pole ${pole}$; nothing is drawn, so that there is no scale.")
+    let mut out = vec![Phrase::new(&match paper.is_empty(on) {
+        true => {
+            say!(w.lang, "Take the pole ${pole}$; nothing is drawn, so that there is no scale.")
         }
-        Lang::Zh if paper.is_empty(on) => format!("取极点 ${pole}$；无矢量可作，不需比例尺。"),
-        Lang::En => format!("Take the pole ${pole}$; scale ${mu}$."),
-        Lang::Zh => format!("取极点 ${pole}$，比例尺 ${mu}$。"),
+        false => say!(w.lang, "Take the pole ${pole}$; scale ${mu}$."),
     })];
     out.extend(
         (0..polygon.actions.len()).map(|i| Phrase::new(&sentence(w, paper, polygon, i, steps))),
@@ -45,7 +44,7 @@ pub fn text(w: &PlanWriter, paper: &PlanDrawing, steps: &CertifiedSteps) -> Stri
     out.push_str(&format!(
         "{}{}{}\n",
         DiagramKind::Plane.name(w.lang),
-        tr(w.lang, ": ", "："),
+        tr!(w.lang, ": "),
         formula(&scale_formula(&w.scene.book, DiagramKind::Plane, paper.diagram.mu))
     ));
     for on in DiagramKind::POLYGONS {
@@ -60,11 +59,7 @@ pub fn text(w: &PlanWriter, paper: &PlanDrawing, steps: &CertifiedSteps) -> Stri
     if let Some(why) = &steps.why {
         out.push_str(&format!(
             "\n{}{}\n",
-            tr(
-                w.lang,
-                "numbers with fewer digits have no more that are certain: ",
-                "位数较少的数值无更多可靠位数："
-            ),
+            tr!(w.lang, "numbers with fewer digits have no more that are certain: "),
             why.words(w.lang)
         ));
     }
@@ -128,52 +123,36 @@ fn sentence(
             };
             let begins = matches!(e.to.0, PolygonMark::Image(v) if v == t.of);
             let chosen = w.choice(on, t.of).filter(|_| begins);
-            match w.lang {
-                Lang::En => {
-                    let chosen =
-                        chosen.map_or_else(String::new, |rate| format!("Choose ${rate}$: "));
-                    let from_here = if chosen.is_empty() { "From" } else { "from" };
-                    format!(
-                        "{chosen}{from_here} ${from}$ lay off ${symbol}{given}$, {}, ${direction}$, which gives ${to}$.",
-                        edge(0, *i)
-                    )
-                }
-                Lang::Zh => {
-                    let chosen = chosen.map_or_else(String::new, |rate| format!("取 ${rate}$，"));
-                    format!(
-                        "{chosen}自 ${from}$ 作 ${symbol}{given}$，长 {}，${direction}$，得 ${to}$。",
-                        edge(0, *i)
-                    )
-                }
+            match chosen {
+                Some(rate) => say!(
+                    w.lang,
+                    "Choose ${rate}$: from ${from}$ lay off ${symbol}{given}$, {}, ${direction}$, which gives ${to}$.",
+                    edge(0, *i)
+                ),
+                None => say!(
+                    w.lang,
+                    "From ${from}$ lay off ${symbol}{given}$, {}, ${direction}$, which gives ${to}$.",
+                    edge(0, *i)
+                ),
             }
         }
         Action::Nothing { terms, target, .. } => {
             let symbols: Vec<String> = terms.iter().map(|t| w.symbol(on, t)).collect();
             let (symbols, image) = (symbols.join(" = "), target.map(|v| w.image(on, v)));
-            match (w.lang, image) {
-                (Lang::En, None) => {
-                    format!("${symbols}$ = 0, for the driver is at rest: nothing is laid off.")
+            match image {
+                None => {
+                    say!(w.lang, "${symbols}$ = 0, for the driver is at rest: nothing is laid off.")
                 }
-                (Lang::Zh, None) => format!("${symbols}$ = 0（原动件该瞬时静止），不作图。"),
-                (Lang::En, Some(image)) => {
-                    format!(
-                        "${symbols}$ = 0, for the driver is at rest: nothing is laid off, ${image}$ lies where the vector would begin."
-                    )
-                }
-                (Lang::Zh, Some(image)) => {
-                    format!("${symbols}$ = 0（原动件该瞬时静止），不作图，${image}$ 即在其起点。")
-                }
+                Some(image) => say!(
+                    w.lang,
+                    "${symbols}$ = 0, for the driver is at rest: nothing is laid off, ${image}$ lies where the vector would begin."
+                ),
             }
         }
         Action::Line { terms, mark: from, .. } => {
             let from = mark(w, on, from);
             let (symbol, direction) = (symbols(w, on, terms), w.direction(&terms[0]));
-            match w.lang {
-                Lang::En => {
-                    format!("Through ${from}$ draw the direction of ${symbol}$, ${direction}$.")
-                }
-                Lang::Zh => format!("过 ${from}$ 作 ${symbol}$ 的方向线，${direction}$。"),
-            }
+            say!(w.lang, "Through ${from}$ draw the direction of ${symbol}$, ${direction}$.")
         }
         Action::Cross { target, edges, sine } => {
             let angle = tell(StepNumber::Angle, libm::asin(sine.abs().min(1.0)).to_degrees());
@@ -186,17 +165,11 @@ fn sentence(
                 .enumerate()
                 .map(|(k, i)| format!("${}$ = {}", symbols(w, on, &p.edges[*i].terms), edge(k, *i)))
                 .collect();
-            match w.lang {
-                Lang::En => {
-                    format!(
-                        "The lines intersect at ${image}$ at {angle}°{moved}: {}.",
-                        lengths.join(", ")
-                    )
-                }
-                Lang::Zh => {
-                    format!("两线交于 ${image}$，交角 {angle}°{moved}：{}。", lengths.join("，"))
-                }
-            }
+            say!(
+                w.lang,
+                "The lines intersect at ${image}$ at {angle}°{moved}: {}.",
+                lengths.join(w.lang.pick([", ", "，"]))
+            )
         }
         Action::Trials { target, sine, .. } => {
             let angle = tell(StepNumber::Angle, libm::asin(sine.abs().min(1.0)).to_degrees());
@@ -207,46 +180,29 @@ fn sentence(
                 (w.image(on, *target), w.vector(on, *target), from_pole(*target));
             let [a, b] =
                 w.plan.trials(on, *target).map(|pair| pair.map(|v| w.image(on, v)).concat());
-            match w.lang {
-                Lang::En => {
-                    format!(
-                        "The lines ${a}$ and ${b}$ of the two trials intersect at ${image}$ at {angle}°{moved}: ${vector}$ = {length}."
-                    )
-                }
-                Lang::Zh => format!(
-                    "两次试作的直线 ${a}$ 与 ${b}$ 交于 ${image}$，交角 {angle}°{moved}：${vector}$ = {length}。"
-                ),
-            }
+            say!(
+                w.lang,
+                "The lines ${a}$ and ${b}$ of the two trials intersect at ${image}$ at {angle}°{moved}: ${vector}$ = {length}."
+            )
         }
         Action::Reach(v) => {
             let (image, vector) = (w.image(on, *v), w.vector(on, *v));
             if let Some((from, connection)) = touched(w, on, *v) {
                 let why = equal_velocities(w, *v, connection);
                 let (other, length) = (w.image(on, from), from_pole(*v));
-                return match w.lang {
-                    Lang::En => {
-                        format!("{why}: ${image}$ falls on ${other}$, ${vector}$ = {length}.")
-                    }
-                    Lang::Zh => {
-                        format!("{why}：${image}$ 与 ${other}$ 重合，${vector}$ = {length}。")
-                    }
-                };
+                return say!(w.lang, "{why}: ${image}$ falls on ${other}$, ${vector}$ = {length}.");
             }
-            match (w.lang, w.choice(on, *v)) {
-                (Lang::En, None) => format!(
+            match w.choice(on, *v) {
+                None => say!(
+                    w.lang,
                     "Nothing is added: ${image}$ lies where it starts, ${vector}$ = {}.",
                     from_pole(*v)
                 ),
-                (Lang::Zh, None) => {
-                    format!("无附加分量，${image}$ 即在起点，${vector}$ = {}。", from_pole(*v))
-                }
-                (Lang::En, Some(rate)) => format!(
+                Some(rate) => say!(
+                    w.lang,
                     "Choose ${rate}$: ${image}$ lies where it starts, ${vector}$ = {}.",
                     from_pole(*v)
                 ),
-                (Lang::Zh, Some(rate)) => {
-                    format!("取 ${rate}$，${image}$ 即在起点，${vector}$ = {}。", from_pole(*v))
-                }
             }
         }
         Action::Copy { target, from } => {
@@ -254,21 +210,15 @@ fn sentence(
             let (spot_a, spot_b, spot_x) = (w.spot(from.0), w.spot(from.1), w.spot(*target));
             let vector = w.vector(on, *target);
             let in_line = paper.diagram.in_line([from.0, from.1, *target]);
-            match w.lang {
-                Lang::En if in_line => format!(
+            match in_line {
+                true => say!(
+                    w.lang,
                     "On the line ${a}{b}$ mark ${image}$ so that ${a}{b}/{a}{image} = {spot_a}{spot_b}/{spot_a}{spot_x}$, in the same order: ${vector}$ = {}.",
                     from_pole(*target)
                 ),
-                Lang::Zh if in_line => format!(
-                    "在 ${a}{b}$ 所在直线上取 ${image}$，使 ${a}{b}/{a}{image} = {spot_a}{spot_b}/{spot_a}{spot_x}$ 且字母顺序一致：${vector}$ = {}。",
-                    from_pole(*target)
-                ),
-                Lang::En => format!(
+                false => say!(
+                    w.lang,
                     "On ${a}{b}$ construct the triangle ${a}{b}{image}$ similar to ${spot_a}{spot_b}{spot_x}$, letters in the same order: ${vector}$ = {}.",
-                    from_pole(*target)
-                ),
-                Lang::Zh => format!(
-                    "以 ${a}{b}$ 为一边作三角形 ${a}{b}{image}$，使其与三角形 ${spot_a}{spot_b}{spot_x}$ 相似且字母顺序一致：${vector}$ = {}。",
                     from_pole(*target)
                 ),
             }
@@ -277,10 +227,7 @@ fn sentence(
             let e = &p.edges[*i];
             let (from, to) = (mark(w, on, &e.from.0), mark(w, on, &e.to.0));
             let symbol = symbols(w, on, &e.terms);
-            match w.lang {
-                Lang::En => format!("Join ${from}$ and ${to}$: ${symbol}$ = {}.", edge(0, *i)),
-                Lang::Zh => format!("连接 ${from}$、${to}$：${symbol}$ = {}。", edge(0, *i)),
-            }
+            say!(w.lang, "Join ${from}$ and ${to}$: ${symbol}$ = {}.", edge(0, *i))
         }
         Action::Perpendicular { edges: [along, across], .. } => {
             let (n, t) = (&p.edges[*along], &p.edges[*across]);
@@ -288,23 +235,16 @@ fn sentence(
             let line = w.line(n.terms[0].of, n.terms[0].to);
             let [normal, tangential] = [n, t].map(|e| symbols(w, on, &e.terms));
             let lengths = [edge(0, *along), edge(1, *across)];
-            match w.lang {
-                Lang::En => format!(
-                    "From ${to}$ drop the perpendicular on the parallel to ${line}$ through ${from}$; its foot is ${foot}$: ${normal}$ = {}, ${tangential}$ = {}.",
-                    lengths[0], lengths[1]
-                ),
-                Lang::Zh => format!(
-                    "自 ${to}$ 向过 ${from}$ 且平行于 ${line}$ 的直线作垂线，垂足为 ${foot}$：${normal}$ = {}，${tangential}$ = {}。",
-                    lengths[0], lengths[1]
-                ),
-            }
+            say!(
+                w.lang,
+                "From ${to}$ drop the perpendicular on the parallel to ${line}$ through ${from}$; its foot is ${foot}$: ${normal}$ = {}, ${tangential}$ = {}.",
+                lengths[0],
+                lengths[1]
+            )
         }
         Action::Same { target, from } => {
             let (image, other) = (w.image(on, *target), w.image(on, *from));
-            match w.lang {
-                Lang::En => format!("The link does not turn: ${image}$ falls on ${other}$."),
-                Lang::Zh => format!("构件作平动，${image}$ 与 ${other}$ 重合。"),
-            }
+            say!(w.lang, "The link does not turn: ${image}$ falls on ${other}$.")
         }
         Action::Rate(i) => {
             let r = &paper.rates[*i];
@@ -324,15 +264,12 @@ fn sentence(
             let sense = if sense.is_empty() {
                 String::new()
             } else {
-                format!("{}{sense}", tr(w.lang, ", ", "，"))
-            };
-            let [verb, given, is, stop] = match w.lang {
-                Lang::En => ["Calculate ", "", "is given as", "."],
-                Lang::Zh => ["计算 ", "已知 ", "=", "。"],
+                format!("{}{sense}", tr!(w.lang, "clause" => ", "))
             };
             match r.measured {
-                Some(m) => format!(
-                    "{verb}${symbol}$ = {} · {} / {} = ${value}${sense}{stop}",
+                Some(m) => say!(
+                    w.lang,
+                    "Calculate ${symbol}$ = {} · {} / {} = ${value}${sense}.",
                     millimetres(0, m.length),
                     factor(book, on, p.mu),
                     book.text(
@@ -340,13 +277,12 @@ fn sentence(
                         &tell(StepNumber::Arm, book.value(Kind::Length, m.arm))
                     ),
                 ),
-                None if w.plan.is_still(r.body) => match w.lang {
-                    Lang::En => format!("The link does not turn: ${symbol}$ = 0."),
-                    Lang::Zh => format!("构件作平动：${symbol}$ = 0。"),
-                },
+                None if w.plan.is_still(r.body) => {
+                    say!(w.lang, "The link does not turn: ${symbol}$ = 0.")
+                }
                 None => match sum(w, on, r.body) {
-                    Some(sum) => format!("{verb}${symbol} = {sum}$ = ${value}${sense}{stop}"),
-                    None => format!("{given}${symbol}$ {is} ${value}${sense}{stop}"),
+                    Some(sum) => say!(w.lang, "Calculate ${symbol} = {sum}$ = ${value}${sense}."),
+                    None => say!(w.lang, "${symbol}$ is given as ${value}${sense}."),
                 },
             }
         }
@@ -357,22 +293,18 @@ fn sentence(
 /// found: a strand or a contact without slip, or a point that belongs to two links.
 fn equal_velocities(w: &PlanWriter, v: VertexId, connection: Method) -> String {
     let common = w.plan.special(v).and_then(|s| Some([s.link, s.with?]));
-    match (connection, common, w.lang) {
-        (Method::Strand, _, Lang::En) => {
-            "As the strand does not slip, its two ends have one velocity".into()
+    match (connection, common) {
+        (Method::Strand, _) => {
+            tr!(w.lang, "As the strand does not slip, its two ends have one velocity").into()
         }
-        (Method::Strand, _, Lang::Zh) => "带（链）段不打滑，两端点速度相同".into(),
-        (_, Some(links), lang) => {
+        (_, Some(links)) => {
             let (point, [a, b]) = (w.spot(v), links.map(|l| w.scene.link_name(l)));
-            match lang {
-                Lang::En => format!(
-                    "As ${point}$ is a common point of links {a} and {b}, it has one velocity on both"
-                ),
-                Lang::Zh => format!("${point}$ 为构件 {a} 与 {b} 的公共点，在两构件上速度相同"),
-            }
+            say!(
+                w.lang,
+                "As ${point}$ is a common point of links {a} and {b}, it has one velocity on both"
+            )
         }
-        (_, None, Lang::En) => "At the contact the two points have one velocity".into(),
-        (_, None, Lang::Zh) => "接触点处两点速度相同".into(),
+        (_, None) => tr!(w.lang, "At the contact the two points have one velocity").into(),
     }
 }
 
@@ -429,10 +361,7 @@ fn factor(book: &Book, on: DiagramKind, mu: f64) -> String {
 /// Returns the effect of a pencil error (mm) on an intersection.
 fn moved(lang: Lang, pencil_mm: f64, by: &str) -> String {
     let e = shortest(pencil_mm);
-    match lang {
-        Lang::En => format!(", where a pencil error of {e} mm moves it by {by} mm"),
-        Lang::Zh => format!("（{e} mm 的作图误差使交点偏移 {by} mm）"),
-    }
+    say!(lang, ", where a pencil error of {e} mm moves it by {by} mm")
 }
 
 #[cfg(test)]
@@ -461,12 +390,8 @@ mod tests {
             assert!(said.contains(reason), "{said}");
             assert!(!said.contains("contact") && !said.contains("接触"), "{said}");
             let plan = crate::plan::text(&scene, &worked.mechanism, &w, None);
-            let method = tr(
-                lang,
-                "a_U2(1) — special point method, α_2(1) = 0 chosen",
-                "a_U2(1) — 特殊点法，取 α_2(1) = 0",
-            );
-            assert!(plan.contains(method) && !plan.contains(tr(lang, "trial", "试作")), "{plan}");
+            let method = tr!(lang, "a_U2(1) — special point method, α_2(1) = 0 chosen");
+            assert!(plan.contains(method) && !plan.contains(tr!(lang, "trial")), "{plan}");
             let of = worked.equilibrium.as_ref().unwrap();
             let forces = ForceWriter { scene: &scene, notation: &notation, lang, of }.text();
             assert!(forces.contains("65^t + F_"), "{forces}");

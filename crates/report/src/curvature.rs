@@ -5,12 +5,13 @@ use super::columns::columns;
 use super::drafting;
 use hodograph_base::digits::{direction_degrees, legible};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::{each, say, tr};
 use hodograph_board::plan::names::{name_label, point_label};
 use hodograph_methods::curvature::drawing::CurvatureDrawing;
 use hodograph_methods::curvature::motion::{Bend, PlaneState};
 use hodograph_methods::curvature::plane::PlanePoint;
 use hodograph_methods::curvature::{LinkCurvatures, OfLink, OfPoint};
-use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::phrase::Phrase;
 use hodograph_scene::{Kind, Lang, LinkId, PointId, Scene};
 
 /// Most significant digits of the table.
@@ -44,7 +45,7 @@ pub fn text(found: &LinkCurvatures, steps: bool, lang: Lang) -> String {
         lines.extend(columns(&w.points(of), usize::MAX).into_iter().map(|r| format!("  {r}")));
         lines.extend(w.by_hand(of).map(|told| format!("  {told}")));
         if let Some(apart) = of.apart() {
-            let told = tr(lang, "drawing and analysis are apart by", "作图与解析相差");
+            let told = tr!(lang, "drawing and analysis are apart by");
             lines.push(format!("  {told} {apart:.1e}"));
         }
         if steps {
@@ -109,11 +110,9 @@ impl CurvatureWords<'_> {
     pub fn heading(&self, of: &OfLink) -> String {
         let against = self.scene().link_name(self.found.against);
         let seen = self.found.against != self.scene().ground;
-        match (self.lang, seen) {
-            (Lang::En, false) => format!("link {}", self.link(of.link)),
-            (Lang::En, true) => format!("link {}, seen from link {against}", self.link(of.link)),
-            (Lang::Zh, false) => format!("构件 {}", self.link(of.link)),
-            (Lang::Zh, true) => format!("构件 {} 相对构件 {against}", self.link(of.link)),
+        match seen {
+            false => say!(self.lang, "link {}", self.link(of.link)),
+            true => say!(self.lang, "link {}, seen from link {against}", self.link(of.link)),
         }
     }
 
@@ -255,30 +254,21 @@ impl CurvatureWords<'_> {
         let mut out = Vec::new();
         match of.state {
             PlaneState::Rest => {
-                out.push(tr(lang, "the link is at rest in this pose: it has no pole", "该位置构件静止，没有瞬心").to_owned())
+                out.push(tr!(lang, "the link is at rest in this pose: it has no pole").to_owned())
             }
             PlaneState::Translation(v) => {
                 let direction = legible(direction_degrees(v.perp().angle()), 5);
-                out.push(match lang {
-                    Lang::En => format!("the link translates at this instant: ${pole}$ lies at infinity, toward {direction}°; points whose path is straight lie on a line, not on a circle"),
-                    Lang::Zh => format!("该瞬时构件作平动：${pole}$ 在 {direction}° 方向的无穷远处；轨迹为直的点在一条直线上，不构成圆"),
-                });
+                out.push(say!(lang, "the link translates at this instant: ${pole}$ lies at infinity, toward {direction}°; points whose path is straight lie on a line, not on a circle"));
             }
-            PlaneState::Turning(p) if p.stands() => out.push(match lang {
-                Lang::En => {
-                    format!("${pole}$ stands still at this instant: the inflection circle has shrunk to it, all paths bend about it")
-                }
-                Lang::Zh => format!("该瞬时 ${pole}$ 不动：拐点圆缩为一点，各点轨迹的曲率中心都是它"),
-            }),
+            PlaneState::Turning(p) if p.stands() => out.push(say!(lang, "${pole}$ stands still at this instant: the inflection circle has shrunk to it, all paths bend about it")),
             PlaneState::Turning(_) => {}
         }
         out.extend(self.not_drawn(of));
         if self.found.at_rest {
             out.push(
-                tr(
+                tr!(
                     lang,
-                    "all drivers rest: values that depend on the rate are for one unit of it",
-                    "原动件均静止：与速度有关的值按单位速度给出",
+                    "all drivers rest: values that depend on the rate are for one unit of it"
                 )
                 .to_owned(),
             );
@@ -288,10 +278,9 @@ impl CurvatureWords<'_> {
 
     /// Returns the note of a figure on the points taken from the analysis.
     pub fn calculated(&self) -> Phrase {
-        Phrase::new(tr(
+        Phrase::new(tr!(
             self.lang,
-            "pole, inflection circle and centres of curvature are shown where they are calculated",
-            "图中速度瞬心、拐点圆和曲率中心的位置由计算得到",
+            "pole, inflection circle and centres of curvature are shown where they are calculated"
         ))
     }
 
@@ -299,13 +288,11 @@ impl CurvatureWords<'_> {
     pub fn undrawn(&self, names: &[String]) -> Option<Phrase> {
         let marked: Vec<String> = names.iter().map(|name| format!("${name}$")).collect();
         (!marked.is_empty()).then(|| {
-            Phrase::new(&match self.lang {
-                Lang::En => format!(
-                    "not drawn, as their construction leaves the paper: {}",
-                    marked.join(", ")
-                ),
-                Lang::Zh => format!("作图超出图纸而未画出：{}", marked.join("、")),
-            })
+            Phrase::new(&say!(
+                self.lang,
+                "not drawn, as their construction leaves the paper: {}",
+                marked.join(self.lang.pick([", ", "、"]))
+            ))
         })
     }
 
@@ -314,27 +301,19 @@ impl CurvatureWords<'_> {
         let (lang, pole) = (self.lang, self.pole(of));
         match &of.drawing {
             CurvatureDrawing::Rays(_) | CurvatureDrawing::Rolling(_) => None,
-            CurvatureDrawing::Hinge(p) => Some(match lang {
-                Lang::En => format!("both links carry ${}$: it is the pole for good", self.point(*p)),
-                Lang::Zh => format!("两构件在 ${}$ 铰接：它始终是瞬心", self.point(*p)),
-            }),
-            CurvatureDrawing::Parallel(_) => Some(match lang {
-                Lang::En => format!("the two rays are parallel: they cross in no ${pole}$ on paper"),
-                Lang::Zh => format!("两条极射线平行：纸上没有交点 ${pole}$"),
-            }),
+            CurvatureDrawing::Hinge(p) => Some(say!(lang, "both links carry ${}$: it is the pole for good", self.point(*p))),
+            CurvatureDrawing::Parallel(_) => Some(say!(lang, "the two rays are parallel: they cross in no ${pole}$ on paper")),
             CurvatureDrawing::OneLine(_) => Some(
-                tr(
+                tr!(
                     lang,
-                    "both rays lie on one line, a dead point: they do not tell the pole; the values are those of the analysis",
-                    "两条极射线重合（死点）：不能定出瞬心；所给为解析值",
+                    "both rays lie on one line, a dead point: they do not tell the pole; the values are those of the analysis"
                 )
                 .to_owned(),
             ),
             CurvatureDrawing::NoRays => Some(
-                tr(
+                tr!(
                     lang,
-                    "fewer than two points have paths with a known centre: it is not drawn; the values are those of the analysis",
-                    "已知轨迹曲率中心的点少于两个：不作图；所给为解析值",
+                    "fewer than two points have paths with a known centre: it is not drawn; the values are those of the analysis"
                 )
                 .to_owned(),
             ),
@@ -351,15 +330,15 @@ impl CurvatureWords<'_> {
         let mut rows = vec![vec![
             String::new(),
             String::new(),
-            tr(lang, "drawing", "作图").into(),
-            tr(lang, "analysis", "解析").into(),
+            tr!(lang, "drawing").into(),
+            tr!(lang, "analysis").into(),
         ]];
-        rows[0].extend(of.by_hand.as_ref().map(|_| tr(lang, "by hand", "手工误差").to_owned()));
+        rows[0].extend(of.by_hand.as_ref().map(|_| tr!(lang, "by hand").to_owned()));
         let mut row =
             |symbol: String, name: [&'static str; 2], by_drawing: String, by_analysis: String| {
                 let mut cells = vec![
                     Phrase::new(&format!("${symbol}$")).plain(),
-                    tr(lang, name[0], name[1]).to_owned(),
+                    lang.pick(name).to_owned(),
                     by_drawing,
                     by_analysis,
                 ];
@@ -375,25 +354,20 @@ impl CurvatureWords<'_> {
                 cells.extend(of.by_hand.as_ref().map(|_| self.tolerance(bound)));
                 rows.push(cells);
             };
-        row(
-            self.pole(of),
-            ["pole", "速度瞬心"],
-            place(drawn.map(|d| d.pole)),
-            self.place(pole.pole),
-        );
+        row(self.pole(of), each!("pole"), place(drawn.map(|d| d.pole)), self.place(pole.pole));
         if pole.stands() {
             return rows;
         }
         let letter = |l: &str| self.letter(l, of);
         row(
             letter("J"),
-            ["inflection pole", "拐点极"],
+            each!("inflection pole"),
             place(drawn.map(|d| d.pole + d.normal)),
             self.place(pole.inflection_pole()),
         );
         row(
             letter("d"),
-            ["inflection circle", "拐点圆直径"],
+            each!("inflection circle"),
             drawn.map_or_else(none, |d| self.length(d.normal.norm())),
             self.length(pole.diameter()),
         );
@@ -402,36 +376,35 @@ impl CurvatureWords<'_> {
         };
         row(
             "t".into(),
-            ["pole tangent", "瞬心切线"],
+            each!("pole tangent"),
             drawn.map_or_else(none, |d| tangent(d.normal.perp())),
             tangent(pole.normal.perp()),
         );
         row(
             letter("U"),
-            ["Ball's point", "鲍尔点"],
+            each!("Ball's point"),
             place(drawn.and_then(|d| d.ball)),
             place(pole.ball),
         );
         row(
             letter("u"),
-            ["pole velocity", "瞬心移动速度"],
+            each!("pole velocity"),
             drawn.and_then(|d| d.pole_velocity).map_or_else(none, |u| self.velocity(u)),
             self.velocity(pole.pole_velocity),
         );
         row(
             letter("K"),
-            ["acceleration pole", "加速度瞬心"],
+            each!("acceleration pole"),
             place(drawn.and_then(|d| d.acceleration_pole)),
             self.place(pole.acceleration_pole),
         );
-        let bresse = pole.bresse.map_or_else(
-            || tr(lang, "the line PJ (α = 0)", "直线 PJ（α = 0）").to_owned(),
-            |d| self.length(d.norm()),
-        );
+        let bresse = pole
+            .bresse
+            .map_or_else(|| tr!(lang, "the line PJ (α = 0)").to_owned(), |d| self.length(d.norm()));
         let bresse_drawn = drawn.and_then(|d| d.bresse).filter(|_| pole.bresse.is_some());
         row(
             letter("b"),
-            ["Bresse's circle", "布雷斯圆直径"],
+            each!("Bresse's circle"),
             bresse_drawn.map_or_else(none, |d| self.length(d.norm())),
             bresse,
         );
@@ -451,12 +424,12 @@ impl CurvatureWords<'_> {
                     Some(PlanePoint::At(c)) => {
                         format!("{}  {}", self.length(c.distance(p.at)), self.place(c))
                     }
-                    Some(PlanePoint::Infinity(_)) => tr(self.lang, "∞", "∞").to_owned(),
+                    Some(PlanePoint::Infinity(_)) => tr!(self.lang, "∞").to_owned(),
                     None => "–".to_owned(),
                 };
                 let mut row = vec![
                     format!("ρ_{name}"),
-                    tr(self.lang, "radius, centre", "曲率半径、中心").to_owned(),
+                    tr!(self.lang, "radius, centre").to_owned(),
                     drawn,
                     format!("{radius}  {centre}"),
                 ];
@@ -489,7 +462,7 @@ impl CurvatureWords<'_> {
                 Bend::Rest => continue,
             });
         }
-        let comma = tr(lang, ", ", "，");
+        let comma = tr!(lang, "clause" => ", ");
         if parts.is_empty() { Vec::new() } else { vec![Phrase::new(&parts.join(comma))] }
     }
 
@@ -498,21 +471,13 @@ impl CurvatureWords<'_> {
         let lang = self.lang;
         match p.bend {
             Bend::About(centre, radius) => (self.length(radius), self.place(centre)),
-            Bend::Straight => (
-                "∞".into(),
-                tr(lang, "on the inflection circle: its path is straight", "在拐点圆上，轨迹为直")
-                    .into(),
-            ),
-            Bend::AtPole => (
-                "0".into(),
-                tr(
-                    lang,
-                    "it is the pole: its path has a cusp or stops",
-                    "即瞬心：轨迹有尖点或停止",
-                )
-                .into(),
-            ),
-            Bend::Rest => ("–".into(), tr(lang, "at rest", "静止").into()),
+            Bend::Straight => {
+                ("∞".into(), tr!(lang, "on the inflection circle: its path is straight").into())
+            }
+            Bend::AtPole => {
+                ("0".into(), tr!(lang, "it is the pole: its path has a cusp or stops").into())
+            }
+            Bend::Rest => ("–".into(), tr!(lang, "at rest").into()),
         }
     }
 }

@@ -2,16 +2,17 @@
 
 use super::curvature::CurvatureWords;
 use hodograph_base::geom::Vec2;
+use hodograph_base::lang::{say, tr};
 use hodograph_methods::curvature::drawing::{CurvatureDrawing, RayMethod, Rays, RollingWheel};
 use hodograph_methods::curvature::known::{CurvatureRay, CurvatureReason};
 use hodograph_methods::curvature::plane::PlanePoint;
 use hodograph_methods::curvature::{OfLink, OfPoint};
-use hodograph_paper::paper::phrase::{Phrase, capital, tr};
+use hodograph_paper::paper::phrase::{Phrase, capital};
 use hodograph_scene::{Lang, PointId};
 
 /// Returns the text with a capital first letter and a full stop.
 fn sentence(text: String, lang: Lang) -> String {
-    capital(&text) + tr(lang, ".", "。")
+    capital(&text) + tr!(lang, ".")
 }
 
 /// Part of the construction that a step draws.
@@ -62,27 +63,19 @@ impl CurvatureWords<'_> {
             return self.set(out);
         }
         let measured = of.drawn().map_or_else(String::new, |d| self.on_paper(d.normal.norm()));
-        let circle = match lang {
-            Lang::En => format!(
-                "draw the circle on the diameter ${pole}{j}$ ({measured} on paper), the inflection circle; the pole tangent $t$ is perpendicular to it at ${pole}$"
-            ),
-            Lang::Zh => format!(
-                "以 ${pole}{j}$（图上 {measured}）为直径作圆，即拐点圆；过 ${pole}$ 作其垂线，即瞬心切线 $t$"
-            ),
-        };
+        let circle = say!(
+            lang,
+            "draw the circle on the diameter ${pole}{j}$ ({measured} on paper), the inflection circle; the pole tangent $t$ is perpendicular to it at ${pole}$"
+        );
         out.push((CurvatureStage::Circle, circle));
         let centre = |p: &OfPoint| Some((CurvatureStage::Centre(p.point), self.of_point(of, p)?));
         out.extend(of.points.iter().filter_map(centre));
         if of.read.is_some() {
             let k = self.letter("K", of);
-            let sentence = match lang {
-                Lang::En => format!(
-                    "turn ${pole}{j}$ about ${pole}$ by the angle whose tangent is $\\alpha/\\omega^{{2}}$; the foot of the perpendicular from ${j}$ to it is the acceleration pole ${k}$"
-                ),
-                Lang::Zh => format!(
-                    "将 ${pole}{j}$ 绕 ${pole}$ 转过正切为 $\\alpha/\\omega^{{2}}$ 的角，由 ${j}$ 向其作垂线，垂足即加速度瞬心 ${k}$"
-                ),
-            };
+            let sentence = say!(
+                lang,
+                "turn ${pole}{j}$ about ${pole}$ by the angle whose tangent is $\\alpha/\\omega^{{2}}$; the foot of the perpendicular from ${j}$ to it is the acceleration pole ${k}$"
+            );
             out.push((CurvatureStage::AccelerationPole, sentence));
         }
         if let CurvatureDrawing::Rays(rays) = &of.drawing
@@ -107,24 +100,16 @@ impl CurvatureWords<'_> {
         let [b, c] = rays.known.each_ref().map(|k| self.moving(k));
         let [g, h] =
             rays.known.each_ref().map(|k| self.below(corner, k.why.moving().unwrap_or(PointId(0))));
-        match self.lang {
-            Lang::En => [
-                format!(
-                    "the perpendiculars to the rays at ${b}$ and ${c}$ cut $t$ and the line ${pole}{j}$; the corners ${g}$ and ${h}$ complete the rectangles with the corner ${pole}$"
-                ),
-                format!(
-                    "${g}{h}$ meets the parallel to $t$ through ${j}$ at ${corner}$; ${foot}$ is its foot on $t$; the foot of the perpendicular from ${pole}$ to ${foot}{j}$ is Ball's point ${u}$"
-                ),
-            ],
-            Lang::Zh => [
-                format!(
-                    "过 ${b}$、${c}$ 分别作射线的垂线，与 $t$ 和直线 ${pole}{j}$ 相交；以交点和 ${pole}$ 为顶点作矩形，得 ${pole}$ 的对角顶点 ${g}$、${h}$"
-                ),
-                format!(
-                    "${g}{h}$ 与过 ${j}$ 且平行于 $t$ 的直线交于 ${corner}$；由 ${corner}$ 向 $t$ 作垂线得垂足 ${foot}$；由 ${pole}$ 向 ${foot}{j}$ 作垂线，垂足即鲍尔点 ${u}$"
-                ),
-            ],
-        }
+        [
+            say!(
+                self.lang,
+                "the perpendiculars to the rays at ${b}$ and ${c}$ cut $t$ and the line ${pole}{j}$; the corners ${g}$ and ${h}$ complete the rectangles with the corner ${pole}$"
+            ),
+            say!(
+                self.lang,
+                "${g}{h}$ meets the parallel to $t$ through ${j}$ at ${corner}$; ${foot}$ is its foot on $t$; the foot of the perpendicular from ${pole}$ to ${foot}{j}$ is Ball's point ${u}$"
+            ),
+        ]
     }
 
     fn moving(&self, k: &CurvatureRay) -> String {
@@ -147,47 +132,27 @@ impl CurvatureWords<'_> {
 
     fn ray(&self, k: &CurvatureRay) -> String {
         let (moving, fixed, lang) = (self.moving(k), self.fixed(k), self.lang);
-        match (k.why, lang) {
-            (CurvatureReason::Crank(_, _, by), Lang::En) => {
-                format!(
-                    "${moving}$ moves on a circle about ${fixed}$ (link {}): draw the ray ${fixed}{moving}$",
-                    self.scene().link_name(by)
-                )
-            }
-            (CurvatureReason::Crank(_, _, by), Lang::Zh) => {
-                format!(
-                    "${moving}$ 绕 ${fixed}$ 作圆周运动（构件 {}）：作射线 ${fixed}{moving}$",
-                    self.scene().link_name(by)
-                )
-            }
-            (CurvatureReason::Straight(..), Lang::En) => {
-                format!(
-                    "${moving}$ moves on a straight line: the ray is perpendicular to its guide, the centre lies at infinity"
-                )
-            }
-            (CurvatureReason::Straight(..), Lang::Zh) => {
-                format!("${moving}$ 沿直线运动：射线垂直于导路，曲率中心在无穷远处")
-            }
-            (CurvatureReason::Arc(..), Lang::En) => format!(
+        match k.why {
+            CurvatureReason::Crank(_, _, by) => say!(
+                lang,
+                "${moving}$ moves on a circle about ${fixed}$ (link {}): draw the ray ${fixed}{moving}$",
+                self.scene().link_name(by)
+            ),
+            CurvatureReason::Straight(..) => say!(
+                lang,
+                "${moving}$ moves on a straight line: the ray is perpendicular to its guide, the centre lies at infinity"
+            ),
+            CurvatureReason::Arc(..) => say!(
+                lang,
                 "${moving}$ moves on an arc about ${fixed}$: draw the ray ${fixed}{moving}$"
             ),
-            (CurvatureReason::Arc(..), Lang::Zh) => {
-                format!("${moving}$ 沿以 ${fixed}$ 为中心的圆弧运动：作射线 ${fixed}{moving}$")
-            }
-            (CurvatureReason::Through(..), Lang::En) => format!(
+            CurvatureReason::Through(..) => say!(
+                lang,
                 "a line of the link along its guide always leads through ${fixed}$: draw the ray perpendicular to it through ${fixed}$; the moving point lies at infinity"
             ),
-            (CurvatureReason::Through(..), Lang::Zh) => {
-                format!(
-                    "构件上沿导路的直线始终通过 ${fixed}$：过 ${fixed}$ 作其垂线为射线，动点在无穷远处"
-                )
-            }
-            (CurvatureReason::Borrowed(_, of), Lang::En) => format!(
+            CurvatureReason::Borrowed(_, of) => say!(
+                lang,
                 "${moving}$ belongs to link {} too, whose drawing gives the centre ${fixed}$ of its path: draw the ray ${fixed}{moving}$",
-                self.scene().link_name(of)
-            ),
-            (CurvatureReason::Borrowed(_, of), Lang::Zh) => format!(
-                "${moving}$ 又在构件 {} 上，由该构件的作图得其轨迹的曲率中心 ${fixed}$：作射线 ${fixed}{moving}$",
                 self.scene().link_name(of)
             ),
         }
@@ -203,92 +168,62 @@ impl CurvatureWords<'_> {
         let known = rays.known.iter().enumerate();
         let mut out: Vec<(CurvatureStage, String)> =
             known.map(|(k, ray)| (CurvatureStage::Ray(k), self.ray(ray))).collect();
-        let crossing = match lang {
-            Lang::En => format!("the rays intersect at the pole ${pole}$"),
-            Lang::Zh => format!("两射线交于瞬心 ${pole}$"),
-        };
+        let crossing = say!(lang, "the rays intersect at the pole ${pole}$");
         out.push((CurvatureStage::Pole, crossing));
         let [b, c] = &rays.known;
         if let Some(q) = rays.collineation {
             let (moving, fixed) =
                 ((self.moving(b), self.moving(c)), (self.fixed(b), self.fixed(c)));
             let at = if q.at().is_none() {
-                tr(
-                    lang,
-                    " (at infinity: the axis is parallel to both)",
-                    "（在无穷远处：轴与两线平行）",
-                )
+                tr!(lang, " (at infinity: the axis is parallel to both)")
             } else {
                 ""
             };
             let q = self.on_axis();
-            let axis = match lang {
-                Lang::En => format!(
-                    "${}{}$ and ${}{}$ intersect at ${q}${at}; ${pole}{q}$ is the collineation axis (Bobillier)",
-                    moving.0, moving.1, fixed.0, fixed.1
-                ),
-                Lang::Zh => {
-                    format!(
-                        "${}{}$ 与 ${}{}$ 交于 ${q}${at}；${pole}{q}$ 为共线轴（博比利尔）",
-                        moving.0, moving.1, fixed.0, fixed.1
-                    )
-                }
-            };
+            let axis = say!(
+                lang,
+                "${}{}$ and ${}{}$ intersect at ${q}${at}; ${pole}{q}$ is the collineation axis (Bobillier)",
+                moving.0,
+                moving.1,
+                fixed.0,
+                fixed.1
+            );
             out.push((CurvatureStage::Collineation, axis));
         }
         for k in [1, 0] {
             let (own, other) = (&rays.known[k], &rays.known[1 - k]);
             let (j, m, o) = (self.straight(own), self.moving(own), self.moving(other));
-            let found = match (rays.how[k], lang) {
-                (RayMethod::Given, Lang::En) => {
-                    format!("the path of ${m}$ is straight: ${j} = {m}$")
-                }
-                (RayMethod::Given, Lang::Zh) => format!("${m}$ 的轨迹为直线：${j} = {m}$"),
-                (RayMethod::Collineation(PlanePoint::Infinity(_)), Lang::En) => {
-                    format!(
-                        "the parallel to the axis through ${o}$ meets the ray of ${m}$ at ${j}$"
-                    )
-                }
-                (RayMethod::Collineation(PlanePoint::Infinity(_)), Lang::Zh) => {
-                    format!("过 ${o}$ 作共线轴的平行线，交 ${m}$ 的射线于 ${j}$")
-                }
-                (RayMethod::Collineation(PlanePoint::At(_)), _) => {
+            let found = match rays.how[k] {
+                RayMethod::Given => say!(lang, "the path of ${m}$ is straight: ${j} = {m}$"),
+                RayMethod::Collineation(PlanePoint::Infinity(_)) => say!(
+                    lang,
+                    "the parallel to the axis through ${o}$ meets the ray of ${m}$ at ${j}$"
+                ),
+                RayMethod::Collineation(PlanePoint::At(_)) => {
                     let (q, a) = (format!("{}_{{{}}}", self.on_axis(), 2 - k), self.fixed(other));
-                    match lang {
-                        Lang::En => format!(
-                            "the parallel to the ray of ${m}$ through ${a}$ meets the axis at ${q}$; ${q}{o}$ meets the ray at ${j}$"
-                        ),
-                        Lang::Zh => format!(
-                            "过 ${a}$ 作 ${m}$ 的射线的平行线，交共线轴于 ${q}$；${q}{o}$ 交该射线于 ${j}$"
-                        ),
-                    }
-                }
-                (RayMethod::Proportion, Lang::En) => {
-                    format!(
-                        "on the ray of ${m}$: $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ gives ${j}$ (Euler–Savary)",
-                        self.fixed(own)
+                    say!(
+                        lang,
+                        "the parallel to the ray of ${m}$ through ${a}$ meets the axis at ${q}$; ${q}{o}$ meets the ray at ${j}$"
                     )
                 }
-                (RayMethod::Proportion, Lang::Zh) => {
-                    format!(
-                        "在 ${m}$ 的射线上由 $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ 得 ${j}$（欧拉–萨瓦里）",
-                        self.fixed(own)
-                    )
-                }
+                RayMethod::Proportion => say!(
+                    lang,
+                    "on the ray of ${m}$: $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ gives ${j}$ (Euler–Savary)",
+                    self.fixed(own)
+                ),
             };
             out.push((CurvatureStage::Straight(k), found));
         }
         let (jb, jc, j) = (self.straight(b), self.straight(c), self.letter("J", of));
         let stands = rays.normal() == Vec2::ZERO;
-        let inflection = match (lang, stands) {
-            (Lang::En, false) => format!(
+        let inflection = match stands {
+            false => say!(
+                lang,
                 "the perpendiculars to the rays at ${jb}$ and ${jc}$ intersect at the inflection pole ${j}$"
             ),
-            (Lang::Zh, false) => format!("过 ${jb}$、${jc}$ 分别作射线的垂线，交于拐点极 ${j}$"),
-            (Lang::En, true) => {
-                format!("both fall on ${pole}$: it stands still, there is no inflection circle")
+            true => {
+                say!(lang, "both fall on ${pole}$: it stands still, there is no inflection circle")
             }
-            (Lang::Zh, true) => format!("两点都落在 ${pole}$ 上：瞬心不动，没有拐点圆"),
         };
         out.push((CurvatureStage::Inflection, inflection));
         out
@@ -296,14 +231,10 @@ impl CurvatureWords<'_> {
 
     fn of_rolling(&self, of: &OfLink, _: &RollingWheel) -> Vec<(CurvatureStage, String)> {
         let (pole, j) = (self.pole(of), self.letter("J", of));
-        let contact = match self.lang {
-            Lang::En => format!(
-                "the link rolls on the other: the contact is the pole ${pole}$, the centres of both contours lie on the pole normal; $1/{pole}{j}$ = 1/(moving radius) − 1/(fixed radius), both counted from ${pole}$ along it"
-            ),
-            Lang::Zh => format!(
-                "构件沿另一构件纯滚动：接触点即瞬心 ${pole}$，两廓线的中心在瞬心法线上；自 ${pole}$ 沿法线计，$1/{pole}{j}$ = 1/(动圆半径) − 1/(定圆半径)"
-            ),
-        };
+        let contact = say!(
+            self.lang,
+            "the link rolls on the other: the contact is the pole ${pole}$, the centres of both contours lie on the pole normal; $1/{pole}{j}$ = 1/(moving radius) − 1/(fixed radius), both counted from ${pole}$ along it"
+        );
         vec![(CurvatureStage::Rolling, contact)]
     }
 
@@ -329,16 +260,13 @@ impl CurvatureWords<'_> {
         }
         let radius =
             drawn.centre.at().map_or_else(String::new, |c| self.on_paper(c.distance(p.at)));
-        Some(match (drawn.centre, lang) {
-            (PlanePoint::Infinity(_), Lang::En) => {
-                format!("${e}$ lies on the inflection circle: its path is straight")
+        Some(match drawn.centre {
+            PlanePoint::Infinity(_) => {
+                say!(lang, "${e}$ lies on the inflection circle: its path is straight")
             }
-            (PlanePoint::Infinity(_), Lang::Zh) => format!("${e}$ 在拐点圆上：其轨迹为直"),
-            (PlanePoint::At(_), Lang::En) => format!(
+            PlanePoint::At(_) => say!(
+                lang,
                 "draw the perpendicular to ${pole}{e}$ at ${pole}$: it meets ${e}{j}$ at ${h}$; the parallel to ${pole}{j}$ through ${h}$ meets ${pole}{e}$ at ${centre}$, the centre of the path of ${e}$: ${e}{centre}$ = {radius} on paper"
-            ),
-            (PlanePoint::At(_), Lang::Zh) => format!(
-                "过 ${pole}$ 作 ${pole}{e}$ 的垂线，交 ${e}{j}$ 于 ${h}$；过 ${h}$ 作 ${pole}{j}$ 的平行线，交 ${pole}{e}$ 于 ${centre}$，即 ${e}$ 轨迹的曲率中心，图上 ${e}{centre}$ = {radius}"
             ),
         })
     }

@@ -9,7 +9,7 @@
 use super::limits::output_name;
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::digits::legible;
-use hodograph_paper::paper::phrase::tr;
+use hodograph_base::lang::{say, tr};
 use hodograph_scene::{Kind, Lang, Scene};
 use hodograph_sweep::extreme::{DrivenOutput, MotionLimits, Swing};
 use serde_json::{Value as Json, json};
@@ -37,10 +37,10 @@ impl PhaseKind {
     /// Returns the word for it.
     pub fn words(self, lang: Lang) -> &'static str {
         match self {
-            PhaseKind::Forward => tr(lang, "forward", "工作行程"),
-            PhaseKind::Return => tr(lang, "return", "回程"),
-            PhaseKind::Dwell => tr(lang, "dwell", "停歇"),
-            PhaseKind::Steady => tr(lang, "no extreme position", "无极限位置"),
+            PhaseKind::Forward => tr!(lang, "forward"),
+            PhaseKind::Return => tr!(lang, "return"),
+            PhaseKind::Dwell => tr!(lang, "dwell"),
+            PhaseKind::Steady => tr!(lang, "no extreme position"),
         }
     }
 
@@ -114,9 +114,8 @@ impl MotionCycle {
         for name in names {
             let Some(output) = self.outputs.iter().find(|o| o.name == *name) else {
                 let all: Vec<String> = self.outputs.iter().map(|o| o.name.clone()).collect();
-                let message =
-                    both!("the mechanism has no output `{name}`", "机构没有输出件 `{name}`");
-                let help = both!("its outputs are {}", "其输出件有 {}", Both::names(&all));
+                let message = both!("the mechanism has no output `{name}`");
+                let help = both!("its outputs are {}", Both::names(&all));
                 return Err(Diagnostic::error("no-output", message).help(help));
             };
             chosen.push(output.clone());
@@ -223,10 +222,7 @@ impl MotionCycle {
         }
         let driver = named(&self.driver.0, lang);
         let ends = self.ends.map(|x| amount(scene, self.driver.1, x));
-        out += &match lang {
-            Lang::En => format!("Motion cycle: {driver} from {} to {}\n", ends[0], ends[1]),
-            Lang::Zh => format!("运动循环：{driver} 由 {} 到 {}\n", ends[0], ends[1]),
-        };
+        out += &say!(lang, "Motion cycle: {driver} from {} to {}\n", ends[0], ends[1]);
         for output in &self.outputs {
             out += &format!("{}\n", output.heading(scene, lang));
             for phase in &output.phases {
@@ -283,14 +279,18 @@ impl OutputCycle {
     /// Returns name, stroke and time ratio: `phi_3: 60.0°, K = 1.2`.
     pub fn heading(&self, scene: &Scene, lang: Lang) -> String {
         let mut parts = Vec::new();
-        parts.extend(self.stroke.map(|stroke| {
-            format!("{} {}", tr(lang, "stroke", "行程"), amount(scene, self.kind, stroke))
-        }));
+        parts.extend(
+            self.stroke.map(|stroke| {
+                format!("{} {}", tr!(lang, "stroke"), amount(scene, self.kind, stroke))
+            }),
+        );
         parts.extend(self.time_ratio.map(|k| format!("K = {}", legible(k, DIGITS))));
         let name = named(&self.name, lang);
         match parts.is_empty() {
             true => name,
-            false => format!("{name}{}{}", tr(lang, ": ", "："), parts.join(tr(lang, ", ", "，"))),
+            false => {
+                format!("{name}{}{}", tr!(lang, ": "), parts.join(tr!(lang, "clause" => ", ")))
+            }
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Diagnostics as text for a terminal: the source line, a mark below the location, the advice.
 
+use hodograph_base::lang::{tr, zh};
 use std::borrow::Cow;
 
 use miette::{
@@ -9,7 +10,6 @@ use miette::{
 use textwrap::WordSplitter;
 
 use hodograph_base::diag::{Diagnostic, Faults, LineColumn, Severity, Span, both};
-use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::Lang;
 
 /// Width of the text in columns, fixed for the tests: that of a printed listing, and no wider than
@@ -60,14 +60,14 @@ pub fn render_in(faults: &Faults, source_name: &str, source: &str, lang: Lang) -
             match lang {
                 Lang::En => out.push_str(text),
                 // The printer has one built-in word, as wide as the Chinese one.
-                Lang::Zh => out.push_str(&text.replace("\n  help: ", "\n  建议：")),
+                Lang::Zh => out.push_str(&text.replace("\n  help: ", zh!("\n  help: "))),
             }
         } else {
             out.push_str(&plain(d, span, source_name, &seen, lang));
         }
     }
     if let Some(more) = faults.list.len().checked_sub(MAX_SHOWN).filter(|n| *n > 0) {
-        out.push_str(lang.of(&both!("... and {more} more\n", "……另有 {more} 条\n")));
+        out.push_str(lang.of(&both!("... and {more} more\n")));
     }
     out
 }
@@ -139,7 +139,7 @@ fn report(d: &Diagnostic, span: Option<Span>, name: &str, source: &str, lang: La
         shown = shown.with_help(visible(lang.of(help)));
     }
     if let Some(s) = span {
-        shown = shown.with_label(LabeledSpan::at(s.start..s.end, tr(lang, "here", "此处")));
+        shown = shown.with_label(LabeledSpan::at(s.start..s.end, tr!(lang, "here")));
         return Report::new(shown)
             .with_source_code(NamedSource::new(name, Characters(source.to_owned())));
     }
@@ -155,9 +155,9 @@ fn line_length(span: Span, source: &str) -> usize {
 
 fn plain(d: &Diagnostic, span: Option<Span>, name: &str, source: &str, lang: Lang) -> String {
     let kind = match d.severity {
-        Severity::Note => tr(lang, "note", "提示"),
-        Severity::Warning => tr(lang, "warning", "警告"),
-        Severity::Error => tr(lang, "error", "错误"),
+        Severity::Note => tr!(lang, "note"),
+        Severity::Warning => tr!(lang, "warning"),
+        Severity::Error => tr!(lang, "error"),
     };
     let place = span
         .map(|s| LineColumn::of(source, s.start))

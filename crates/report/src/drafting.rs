@@ -1,8 +1,9 @@
 //! Tolerances of drawing by hand: as words beside an answer, as a table, as JSON.
 
 use hodograph_base::digits::{shortest, significant};
+use hodograph_base::lang::{say, tr};
 use hodograph_board::plan::text::{PlanWriter, vertex_name};
-use hodograph_paper::paper::phrase::{formula, tr};
+use hodograph_paper::paper::phrase::formula;
 use hodograph_scene::{Book, DiagramKind, Find, Kind, Lang, Scene};
 use hodograph_worked::accuracy::{CrossingTolerance, Drafting, Tolerance};
 use hodograph_worked::certified::CertifiedSteps;
@@ -30,16 +31,10 @@ pub fn amount(book: &Book, find: &Find, t: &Tolerance) -> Option<ToleranceAmount
 
 /// Returns the meaning of tolerances on a drawing of the mechanism alone.
 pub fn by_hand_words(lang: Lang, pencil_mm: f64, mu_l: f64) -> String {
-    match lang {
-        Lang::En => {
-            format!(
-                "by hand: 95 of 100 drawings to μ_l = {mu_l} m/mm with a pencil error of {pencil_mm} mm fall within ±"
-            )
-        }
-        Lang::Zh => format!(
-            "手工误差：按 μ_l = {mu_l} m/mm、作图误差 {pencil_mm} mm 作图，100 次中有 95 次在 ± 之内"
-        ),
-    }
+    say!(
+        lang,
+        "by hand: 95 of 100 drawings to μ_l = {mu_l} m/mm with a pencil error of {pencil_mm} mm fall within ±"
+    )
 }
 
 /// The form of a tolerance.
@@ -67,16 +62,10 @@ pub fn text(w: &PlanWriter, worked: &Worked, steps: &CertifiedSteps) -> String {
     let Some(d) = &worked.drafting else { return String::new() };
     let (lang, book) = (w.lang, &w.scene.book);
     let pencil = shortest(d.pencil_mm);
-    let mut out = match lang {
-        hodograph_scene::Lang::En => {
-            format!("drawn by hand, 95 % of the marks within {pencil} mm\n")
-        }
-        hodograph_scene::Lang::Zh => format!("手工作图，95% 的点误差不超过 {pencil} mm\n"),
-    };
+    let mut out = say!(lang, "drawn by hand, 95 % of the marks within {pencil} mm\n");
     if !d.crossings.is_empty() {
-        let head = ["crossing", "angle", "moves by", ""];
-        let zh = ["交点", "交角", "偏移", ""];
-        let mut rows = vec![[0, 1, 2, 3].map(|i| tr(lang, head[i], zh[i]).to_string())];
+        let head = [tr!(lang, "crossing"), tr!(lang, "angle"), tr!(lang, "moves by"), ""];
+        let mut rows = vec![head.map(str::to_owned)];
         let certain = DiagramKind::OF_MOTION
             .into_iter()
             .flat_map(|on| steps.crossings(&worked.construction, on));
@@ -92,7 +81,7 @@ pub fn text(w: &PlanWriter, worked: &Worked, steps: &CertifiedSteps) -> String {
                         &told(StepNumber::Off, book.value(c.on.kind(), c.moves)),
                     ),
                 ],
-                None => [tr(lang, "off the paper", "移出图纸").to_string(), String::new()],
+                None => [tr!(lang, "off the paper").to_string(), String::new()],
             };
             [crossing_name(w, c), format!("{}°", told(StepNumber::Angle, c.angle_deg())), moves, si]
         }));
@@ -101,13 +90,13 @@ pub fn text(w: &PlanWriter, worked: &Worked, steps: &CertifiedSteps) -> String {
     let forces = if worked.equilibrium.is_some() { "μ_F" } else { "" };
     let mut rows = vec![
         [
-            tr(lang, "for 1 %", "误差 1% 时"),
-            tr(lang, "larger by", "放大"),
+            tr!(lang, "for 1 %"),
+            tr!(lang, "larger by"),
             "μ_l",
             "μ_v",
             "μ_a",
             forces,
-            tr(lang, "paper", "图纸"),
+            tr!(lang, "paper"),
         ]
         .map(str::to_string),
     ];
@@ -120,7 +109,7 @@ pub fn text(w: &PlanWriter, worked: &Worked, steps: &CertifiedSteps) -> String {
         let by = if l.factor > 1.0 {
             format!("× {}", shortest(l.rounded()))
         } else {
-            tr(lang, "as it is", "不必").to_string()
+            tr!(lang, "as it is").to_string()
         };
         let mu = DiagramKind::ALL.map(|on| {
             let kind = on.kind();
@@ -128,7 +117,7 @@ pub fn text(w: &PlanWriter, worked: &Worked, steps: &CertifiedSteps) -> String {
                 format!("{} {}", shortest(book.value(kind, mu)), book.scale_name(kind))
             })
         });
-        let sheet = l.sheet().unwrap_or(tr(lang, "larger than A0", "大于 A0"));
+        let sheet = l.sheet().unwrap_or(tr!(lang, "larger than A0"));
         let [l_, v, a, f] = mu;
         rows.push([
             find.text.clone(),

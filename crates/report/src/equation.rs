@@ -2,13 +2,14 @@
 //!
 //! This module decides which equations need a table. Worksheets and lessons use its result.
 
+use hodograph_base::lang::{say, tr};
 use hodograph_board::construct::PlanDrawing;
 use hodograph_board::plan::names::mate_letter;
 use hodograph_board::plan::text::{EquationColumn, PlanWriter};
 use hodograph_board::plan::{PlanStep, TermChain, VertexId};
-use hodograph_paper::paper::phrase::{Phrase, fill, tr};
+use hodograph_paper::paper::phrase::{Phrase, fill};
 use hodograph_paper::paper::words::words;
-use hodograph_scene::{DiagramKind, Lang};
+use hodograph_scene::DiagramKind;
 
 /// The written form of a step.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,40 +44,30 @@ pub fn written(
                     parts(all.map(|v| w.spot(v)))
                 )
             };
-            line(match w.lang {
-                Lang::En if paper.diagram.in_line(all) => format!(
+            line(match paper.diagram.in_line(all) {
+                true => say!(
+                    w.lang,
                     "${vector}$ by the image of link {link}, points in line: ${}$.",
                     ratio()
                 ),
-                Lang::Zh if paper.diagram.in_line(all) => {
-                    format!("由构件 {link} 上共线各点的影像求 ${vector}$：${}$。", ratio())
-                }
-                Lang::En => {
-                    format!(
-                        "${vector}$ by the image of link {link}: ${images}$ is similar to ${spots}$, letters in the same order."
-                    )
-                }
-                Lang::Zh => format!(
-                    "由构件 {link} 的影像求 ${vector}$：${images}$ 与 ${spots}$ 相似，字母顺序一致。"
+                false => say!(
+                    w.lang,
+                    "${vector}$ by the image of link {link}: ${images}$ is similar to ${spots}$, letters in the same order."
                 ),
             })
         }
         PlanStep::Trials { target, images, mates } => {
             let [vector, image] = [w.vector(on, *target), w.image(on, *target)];
             let [a, b] = [images, mates].map(|pair| pair.map(|v| w.image(on, v)).concat());
-            line(match w.lang {
-                Lang::En => format!(
-                    "${vector}$: ${image}$ lies where the lines ${a}$ and ${b}$ of the two trials cross."
-                ),
-                Lang::Zh => {
-                    format!("求 ${vector}$：两次试作所得直线 ${a}$ 与 ${b}$ 的交点即 ${image}$。")
-                }
-            })
+            line(say!(
+                w.lang,
+                "${vector}$: ${image}$ lies where the lines ${a}$ and ${b}$ of the two trials cross."
+            ))
         }
         PlanStep::Same { target, from, link } => {
             let why = words(w.lang).no_turning.replace("{}", w.scene.link_name(*link));
             let formula = format!("{} = {}", w.summand(on, *target), w.summand(on, *from));
-            line(format!("${formula}${}{why}", tr(w.lang, ": ", "：")))
+            line(format!("${formula}${}{why}", tr!(w.lang, ": ")))
         }
     }
 }
@@ -105,8 +96,11 @@ fn equation(
         let head = if vector == part { vector } else { format!("{vector} = {part}") };
         let known =
             if magnitude == w.notation.known { String::new() } else { format!(" = {magnitude}") };
-        let given = if known.is_empty() { tr(w.lang, " (given)", "（已知）") } else { "" };
-        return line(format!("${head}{known}${given}{}${direction}$", tr(w.lang, ", ", "，")));
+        let given = if known.is_empty() { tr!(w.lang, " (given)") } else { "" };
+        return line(format!(
+            "${head}{known}${given}{}${direction}$",
+            tr!(w.lang, "clause" => ", ")
+        ));
     }
     if let [chain] = chains
         && chain.known.is_empty()

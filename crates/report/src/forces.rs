@@ -10,13 +10,14 @@ mod symbols;
 
 use hodograph_base::digits::{inked, significant};
 use hodograph_base::geom::Vec2;
+use hodograph_base::lang::{say, tr};
 use hodograph_base::notation::Notation;
 use hodograph_board::construction::{MarkId, NumberId};
 use hodograph_board::equilibrium::{
     About, Equilibrium, ForceEdge, ForceTerm, GroupForces, MomentResult, Moments, Party,
 };
 use hodograph_board::plan::names::name_label;
-use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::phrase::Phrase;
 use hodograph_scene::{Kind, Lang, Scene};
 
 /// Digits of measured lengths and forces in sentences: one more than a ruler provides.
@@ -156,25 +157,19 @@ impl ForceWriter<'_> {
     /// Returns the heading of a group: `Links 4, 5 (RRP)`.
     pub fn heading(&self, group: &GroupForces) -> String {
         let names: Vec<&str> = group.links.iter().map(|l| self.scene.link_name(*l)).collect();
-        let kind = match (group.kind, self.lang) {
-            ("driver", Lang::En) => "driver",
-            ("driver", Lang::Zh) => "原动件",
-            ("RH", Lang::En) => "pivot and one line of action",
-            ("RH", Lang::Zh) => "转动副与一条作用线",
-            ("PH", Lang::En) => "guide and one line of action",
-            ("PH", Lang::Zh) => "移动副与一条作用线",
-            ("III", Lang::En) => "class III",
-            ("III", Lang::Zh) => "Ⅲ级杆组",
-            ("IV", Lang::En) => "class IV",
-            ("IV", Lang::Zh) => "Ⅳ级杆组",
-            ("VI", Lang::En) => "class VI",
-            ("VI", Lang::Zh) => "Ⅵ级杆组",
-            (kind, _) => kind,
+        let kind = match group.kind {
+            "driver" => tr!(self.lang, "driver"),
+            "RH" => tr!(self.lang, "pivot and one line of action"),
+            "PH" => tr!(self.lang, "guide and one line of action"),
+            "III" => tr!(self.lang, "class III"),
+            "IV" => tr!(self.lang, "class IV"),
+            "VI" => tr!(self.lang, "class VI"),
+            kind => kind,
         };
-        match (self.lang, names.len()) {
-            (Lang::En, 1) => format!("Link {} ({kind})", names[0]),
-            (Lang::En, _) => format!("Links {} ({kind})", names.join(", ")),
-            (Lang::Zh, _) => format!("构件 {}（{kind}）", names.join("、")),
+        let links = names.join(self.lang.pick([", ", "、"]));
+        match names.len() {
+            1 => say!(self.lang, "Link {links} ({kind})"),
+            _ => say!(self.lang, "Links {links} ({kind})"),
         }
     }
 
@@ -222,10 +217,7 @@ impl ForceWriter<'_> {
             About::Point(_) => format!("${}$", self.about(m.about)),
             About::Crossing { of, .. } => {
                 let ([a, b], point) = (of.map(|t| self.symbol(t)), self.about(m.about));
-                match self.lang {
-                    Lang::En => format!("${point}$, where the lines of ${a}$ and ${b}$ cross"),
-                    Lang::Zh => format!("${a}$ 与 ${b}$ 作用线的交点 ${point}$"),
-                }
+                say!(self.lang, "${point}$, where the lines of ${a}$ and ${b}$ cross")
             }
         };
         let mut sum = MomentSum::default();
@@ -282,15 +274,18 @@ impl ForceWriter<'_> {
         } else {
             format!("{given} + ({}) = 0", sum.text)
         };
-        match self.lang {
-            Lang::En => format!(
-                "Moments of link{} {} about {about}: ${equation}$, hence ${result}$.",
-                if names.len() > 1 { "s" } else { "" },
-                names.join(", ")
-            ),
-            Lang::Zh => {
-                format!("构件 {} 对 {about} 取矩：${equation}$，得 ${result}$。", names.join("、"))
+        let links = names.join(self.lang.pick([", ", "、"]));
+        match names.len() {
+            1 => {
+                say!(
+                    self.lang,
+                    "Moments of link {links} about {about}: ${equation}$, hence ${result}$."
+                )
             }
+            _ => say!(
+                self.lang,
+                "Moments of links {links} about {about}: ${equation}$, hence ${result}$."
+            ),
         }
     }
 
@@ -303,25 +298,16 @@ impl ForceWriter<'_> {
         let value = self.amount(Kind::Force, self.number(m.value));
         let names = m.links.iter().skip(1).map(|l| self.scene.link_name(*l)).collect::<Vec<_>>();
         let last = m.links.first().map_or("", |l| self.scene.link_name(*l));
-        match self.lang {
-            Lang::En => format!(
-                "${symbol}$ is tried twice. The moments of link{} {} with the bars about {} pivot{} give the forces along the other bars; those of link {last} about ${about}$ then leave ${}$ for ${symbol} = {}$ and ${}$ for ${symbol} = {}$. They are linear in ${symbol}$, hence ${symbol} = {value}$.",
-                if names.len() > 1 { "s" } else { "" },
-                names.join(", "),
-                if names.len() > 1 { "their" } else { "its" },
-                if names.len() > 1 { "s" } else { "" },
-                left[0],
-                tried[0],
-                left[1],
-                tried[1]
+        let links = names.join(self.lang.pick([", ", "、"]));
+        let ([f, g], [m, n]) = (tried, left);
+        match names.len() {
+            1 => say!(
+                self.lang,
+                "${symbol}$ is tried twice. The moments of link {links} with the bars about its pivot give the forces along the other bars; those of link {last} about ${about}$ then leave ${m}$ for ${symbol} = {f}$ and ${n}$ for ${symbol} = {g}$. They are linear in ${symbol}$, hence ${symbol} = {value}$."
             ),
-            Lang::Zh => format!(
-                "对 ${symbol}$ 试取两次：构件 {} 连同各杆依次对其铰链取矩，得其余各杆的轴向力；构件 {last} 对 ${about}$ 的力矩剩余，在 ${symbol} = {}$ 时为 ${}$，在 ${symbol} = {}$ 时为 ${}$；剩余与 ${symbol}$ 成线性关系，得 ${symbol} = {value}$。",
-                names.join("、"),
-                tried[0],
-                left[0],
-                tried[1],
-                left[1]
+            _ => say!(
+                self.lang,
+                "${symbol}$ is tried twice. The moments of links {links} with the bars about their pivots give the forces along the other bars; those of link {last} about ${about}$ then leave ${m}$ for ${symbol} = {f}$ and ${n}$ for ${symbol} = {g}$. They are linear in ${symbol}$, hence ${symbol} = {value}$."
             ),
         }
     }
@@ -379,16 +365,12 @@ impl ForceWriter<'_> {
                 .filter(|s| !s.known)
                 .map(|s| format!("${}$", self.symbol(s.term)))
                 .collect();
-            let unknown = unknown.join(tr(self.lang, ", ", "、"));
-            let sentence = match self.lang {
-                Lang::En => format!(
-                    "Equilibrium of forces: ${}$; the polygon gives {unknown}.",
-                    self.equation(&sides)
-                ),
-                Lang::Zh => {
-                    format!("力平衡：${}$；由力多边形得 {unknown}。", self.equation(&sides))
-                }
-            };
+            let unknown = unknown.join(tr!(self.lang, "list" => ", "));
+            let sentence = say!(
+                self.lang,
+                "Equilibrium of forces: ${}$; the polygon gives {unknown}.",
+                self.equation(&sides)
+            );
             out.push(Phrase::new(&sentence));
         }
         out.extend(self.after(group));
@@ -404,7 +386,7 @@ impl ForceWriter<'_> {
             hodograph_base::digits::shortest(book.value(Kind::Force, self.of.mu())),
             book.scale_name(Kind::Force)
         );
-        out += &format!("{}μ_F = {mu}\n", tr(self.lang, "force polygons: ", "力多边形："));
+        out += &format!("{}μ_F = {mu}\n", tr!(self.lang, "force polygons: "));
         for group in &self.of.groups {
             out += &format!("  {}\n", self.heading(group));
             for (k, s) in self.sentences(group).iter().enumerate() {
@@ -422,13 +404,10 @@ impl ForceWriter<'_> {
         let mut out = String::new();
         for undrawn in &self.of.undrawn {
             let names: Vec<&str> = undrawn.links.iter().map(|l| self.scene.link_name(*l)).collect();
-            out += &match self.lang {
-                Lang::En => {
-                    let (links, are) =
-                        if names.len() == 1 { ("Link", "is") } else { ("Links", "are") };
-                    format!("  {links} {} {are} not drawn: {}\n", names.join(", "), undrawn.why.en)
-                }
-                Lang::Zh => format!("  构件 {} 不作图：{}\n", names.join("、"), undrawn.why.zh),
+            let links = names.join(self.lang.pick([", ", "、"]));
+            out += &match names.len() {
+                1 => say!(self.lang, "  Link {links} is not drawn: {}\n", undrawn.why),
+                _ => say!(self.lang, "  Links {links} are not drawn: {}\n", undrawn.why),
             };
         }
         out

@@ -11,9 +11,10 @@ mod rolling;
 
 use super::amount::{number, scale};
 use hodograph_base::digits::{self, shortest};
+use hodograph_base::lang::{say, tr};
 use hodograph_board::plan::names::name_label;
 use hodograph_board::plan::text::point_label;
-use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::phrase::Phrase;
 use hodograph_paper::paper::words::{Words, words};
 use hodograph_scene::{
     Angle, Book, DriverKind, GivenQuantity, Kind, Lang, LinkId, PointId, PointPlace, QuantityText,
@@ -38,10 +39,6 @@ pub struct GivenSentences<'a> {
 impl GivenSentences<'_> {
     fn lang(&self) -> Lang {
         self.lang
-    }
-
-    fn tr(&self, en: &'static str, zh: &'static str) -> &'static str {
-        tr(self.lang, en, zh)
     }
 
     fn words(&self) -> &'static Words {
@@ -77,7 +74,7 @@ impl GivenSentences<'_> {
         if !lengths.is_empty() {
             all.push(format!(
                 "{}{}",
-                self.tr("lengths: ", "长度："),
+                tr!(self.lang, "lengths: "),
                 lengths.join(self.words().comma)
             ));
         }
@@ -95,8 +92,8 @@ impl GivenSentences<'_> {
         if !places.is_empty() {
             all.push(format!(
                 "{}{}",
-                self.tr("points: ", "点："),
-                places.join(self.tr("; ", "；"))
+                tr!(self.lang, "points: "),
+                places.join(tr!(self.lang, "; "))
             ));
         }
         // Guides that belong to rolling pairs and cams are not in the file.
@@ -115,10 +112,7 @@ impl GivenSentences<'_> {
                 .map(|d| self.driver(d)),
         );
         all.extend(self.loads());
-        all.push(match self.lang() {
-            Lang::En => format!("link {} is fixed", self.link(self.scene.ground)),
-            Lang::Zh => format!("构件 {} 为机架", self.link(self.scene.ground)),
-        });
+        all.push(say!(self.lang(), "link {} is fixed", self.link(self.scene.ground)));
         all
     }
 
@@ -150,67 +144,42 @@ impl GivenSentences<'_> {
                     format!("${}{}$", point_label(self.name(*a)), point_label(self.name(*b)));
                 let (a, b) = (self.point(*a), self.point(*b));
                 let back = x.value < 0.0;
-                let along = match self.lang() {
-                    Lang::En => format!(
-                        "${symbol}$ is ${}$ from {a} {} {b}",
-                        self.unsigned(x),
-                        if back { "away from" } else { "toward" }
-                    ),
-                    Lang::Zh => format!(
-                        "${symbol}$ 自 {a} 沿 {line} {} ${}$",
-                        if back { "的反方向" } else { "方向" },
-                        self.unsigned(x)
-                    ),
+                let size = self.unsigned(x);
+                let along = match back {
+                    true => say!(self.lang(), "${symbol}$ is ${size}$ from {a} away from {b}"),
+                    false => say!(self.lang(), "${symbol}$ is ${size}$ from {a} toward {b}"),
                 };
                 let left = y.value > 0.0;
-                match self.lang() {
+                let size = self.unsigned(y);
+                match left {
                     _ if y.value == 0.0 => along,
-                    Lang::En => format!(
-                        "{along} and ${}$ to the {}",
-                        self.unsigned(y),
-                        if left { "left" } else { "right" }
-                    ),
-                    Lang::Zh => format!(
-                        "{along}、向{} ${}$",
-                        if left { "左" } else { "右" },
-                        self.unsigned(y)
-                    ),
+                    true => say!(self.lang(), "{along} and ${size}$ to the left"),
+                    false => say!(self.lang(), "{along} and ${size}$ to the right"),
                 }
             }
             PointPlace::Polar { base: (a, b), length: l, angle: turn } => {
                 let (from, to) = (point_label(self.name(*a)), point_label(self.name(*b)));
                 let known = format!("${from}{symbol} = {}$", self.length(l));
-                match self.lang() {
-                    Lang::En => format!(
-                        "{known}, turned by ${}$ from ${from}{to}$ (counter-clockwise plus)",
-                        self.angle(turn)
-                    ),
-                    Lang::Zh => format!(
-                        "{known}，由 ${from}{to}$ 转过 ${}$（逆时针为正）",
-                        self.angle(turn)
-                    ),
-                }
+                say!(
+                    self.lang(),
+                    "{known}, turned by ${}$ from ${from}{to}$ (counter-clockwise plus)",
+                    self.angle(turn)
+                )
             }
         })
     }
 
     fn driver(&self, d: usize) -> String {
         let driver = &self.scene.drivers[d];
-        let comma = self.tr(", ", "，");
+        let comma = tr!(self.lang,"clause" => ", ");
         let mut out = match &driver.kind {
             DriverKind::Turn { link, against, angle: given, .. } => {
                 let name = self.link(*link);
-                let mut out = match self.lang() {
-                    Lang::En => format!("driver: link {name}"),
-                    Lang::Zh => format!("原动件：构件 {name}"),
-                };
+                let mut out = say!(self.lang(), "driver: link {name}");
                 let number = if *against == self.scene.ground {
                     name.to_owned()
                 } else {
-                    out += &match self.lang() {
-                        Lang::En => format!(", turning relative to link {}", self.link(*against)),
-                        Lang::Zh => format!("，相对构件 {} 转动", self.link(*against)),
-                    };
+                    out += &say!(self.lang(), ", turning relative to link {}", self.link(*against));
                     format!("{name}/{}", self.link(*against))
                 };
                 let number = name_label(&number);
@@ -231,10 +200,7 @@ impl GivenSentences<'_> {
                     .map(|p| self.point(p))
                     .or(g.slider.map(|s| self.link(s).to_owned()))
                     .unwrap_or_default();
-                let mut out = match self.lang() {
-                    Lang::En => format!("driver: {what} along its guide"),
-                    Lang::Zh => format!("原动件：{what} 沿导路移动"),
-                };
+                let mut out = say!(self.lang(), "driver: {what} along its guide");
                 if let Some(law) = &driver.law {
                     return out + &self.by_law(d, law);
                 }
@@ -245,10 +211,7 @@ impl GivenSentences<'_> {
             }
             DriverKind::Cylinder { a, b, length: given, .. } => {
                 let ends = name_label(&format!("{}{}", self.name(*a), self.name(*b)));
-                let mut out = match self.lang() {
-                    Lang::En => format!("driver: cylinder ${ends}$"),
-                    Lang::Zh => format!("原动件：液压缸 ${ends}$"),
-                };
+                let mut out = say!(self.lang(), "driver: cylinder ${ends}$");
                 if let Some(law) = &driver.law {
                     return out + &self.by_law(d, law);
                 }
@@ -275,7 +238,7 @@ impl GivenSentences<'_> {
         if !driver.rate_told {
             return out;
         }
-        let comma = self.tr(", ", "，");
+        let comma = tr!(self.lang,"clause" => ", ");
         let told = |symbol: &str, given: &GivenQuantity, kind: Kind| {
             // The sense of rotation is given in words.
             let shown = |number: String| {
@@ -292,7 +255,7 @@ impl GivenSentences<'_> {
         out += &told(symbols[0], &driver.rate, kinds[0]);
         match &driver.acceleration {
             Some(a) if a.value != 0.0 => out += &told(symbols[1], a, kinds[1]),
-            _ => out += self.tr(" (constant)", "（匀速）"),
+            _ => out += tr!(self.lang, " (constant)"),
         }
         out
     }

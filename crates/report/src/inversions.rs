@@ -4,8 +4,8 @@
 use super::answers::diagnostic;
 use super::{limits, trains};
 use hodograph_base::diag::Diagnostic;
+use hodograph_base::lang::{say, tr};
 use hodograph_methods::inversions::{ChainLink, Inversion};
-use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{Lang, Scene};
 use hodograph_sweep::extreme::DrivenOutput;
 use serde_json::{Value as Json, json};
@@ -31,31 +31,27 @@ pub fn text(scene: &Scene, all: &[Inversion], lang: Lang) -> String {
 /// Returns the line of an inversion:
 /// `link 4 fixed (as in the scene): crank-rocker; link 1 turns fully`.
 pub fn line(i: &Inversion, lang: Lang) -> String {
-    let original = if i.original { tr(lang, " (as in the scene)", "（原机构）") } else { "" };
-    format!("{}{original}{}{}", heading(i, lang), tr(lang, ": ", "："), words(i, lang))
+    let original = if i.original { tr!(lang, " (as in the scene)") } else { "" };
+    format!("{}{original}{}{}", heading(i, lang), tr!(lang, ": "), words(i, lang))
 }
 
 /// Returns the heading of an inversion: `link 4 fixed`.
 pub fn heading(i: &Inversion, lang: Lang) -> String {
     let ground = i.scene.link_name(i.scene.ground);
-    match lang {
-        Lang::En => format!("link {ground} fixed"),
-        Lang::Zh => format!("构件 {ground} 为机架"),
-    }
+    say!(lang, "link {ground} fixed")
 }
 
 /// Returns the type and the fully rotating links.
 pub fn words(i: &Inversion, lang: Lang) -> String {
     let mut parts: Vec<String> = name(i, lang).into_iter().map(str::to_owned).collect();
     let turning = turning(i);
-    parts.push(match (lang, turning.len()) {
-        (Lang::En, 0) => "no link on the ground turns fully".to_owned(),
-        (Lang::En, 1) => format!("link {} turns fully", turning[0]),
-        (Lang::En, _) => format!("links {} turn fully", turning.join(", ")),
-        (Lang::Zh, 0) => "没有连架杆整周转动".to_owned(),
-        (Lang::Zh, _) => format!("构件 {} 整周转动", turning.join("、")),
+    let links = turning.join(lang.pick([", ", "、"]));
+    parts.push(match turning.len() {
+        0 => tr!(lang, "no link on the ground turns fully").to_owned(),
+        1 => say!(lang, "link {links} turns fully"),
+        _ => say!(lang, "links {links} turn fully"),
     });
-    parts.join(tr(lang, "; ", "；"))
+    parts.join(tr!(lang, "; "))
 }
 
 /// Returns the name of an inversion of a chain of four links with slides; `None` for other chains.
@@ -63,17 +59,17 @@ fn chain(i: &Inversion, lang: Lang) -> Option<&'static str> {
     // With the crank as ground, the link with the guide rotates about its pin.
     let full = || i.limits.range.full() && i.limits.swings.iter().all(|s| s.stroke.is_none());
     Some(match i.part? {
-        ChainLink::Guide => tr(lang, "crank-slider", "曲柄滑块机构"),
-        ChainLink::Slider => tr(lang, "fixed slider (hand pump)", "移动导杆机构（定块机构）"),
-        ChainLink::Coupler => tr(lang, "swinging block (oscillating cylinder)", "曲柄摇块机构"),
-        ChainLink::Crank if full() => tr(lang, "turning guide (Whitworth)", "转动导杆机构"),
-        ChainLink::Crank => tr(lang, "oscillating guide (crank-shaper)", "摆动导杆机构"),
-        ChainLink::Cross => tr(lang, "double slider (elliptic trammel)", "双滑块机构（椭圆规）"),
-        ChainLink::Block => tr(lang, "Scotch yoke", "正弦机构"),
+        ChainLink::Guide => tr!(lang, "crank-slider"),
+        ChainLink::Slider => tr!(lang, "fixed slider (hand pump)"),
+        ChainLink::Coupler => tr!(lang, "swinging block (oscillating cylinder)"),
+        ChainLink::Crank if full() => tr!(lang, "turning guide (Whitworth)"),
+        ChainLink::Crank => tr!(lang, "oscillating guide (crank-shaper)"),
+        ChainLink::Cross => tr!(lang, "double slider (elliptic trammel)"),
+        ChainLink::Block => tr!(lang, "Scotch yoke"),
         ChainLink::Connector => {
-            tr(lang, "double turning block (Oldham coupling)", "双转块机构（十字滑块联轴器）")
+            tr!(lang, "double turning block (Oldham coupling)")
         }
-        ChainLink::Alternate => tr(lang, "tangent mechanism", "正切机构"),
+        ChainLink::Alternate => tr!(lang, "tangent mechanism"),
     })
 }
 

@@ -6,7 +6,8 @@ pub mod ranges;
 
 use hodograph_base::diag::{Both, both};
 use hodograph_base::digits::legible;
-use hodograph_paper::paper::phrase::{fill, tr};
+use hodograph_base::lang::{say, tr};
+use hodograph_paper::paper::phrase::fill;
 use hodograph_scene::{Book, Kind, Lang, LinkId, PointId, Scene};
 use hodograph_sweep::extreme::{DrivenOutput, Grashof, MotionLimits, OutputExtreme, Swing};
 use hodograph_sweep::limit::{Event, EventKind};
@@ -49,12 +50,9 @@ pub fn text(scene: &Scene, driver: usize, limits: &MotionLimits, lang: Lang) -> 
             scene.length_words(c),
             scene.length_words(d)
         );
-        let of = tr(lang, "driver, coupler, output, frame", "原动件、连杆、从动件、机架");
+        let of = tr!(lang, "driver, coupler, output, frame");
         let kind = grashof_words(kind, lang);
-        line(match lang {
-            Lang::En => format!("Grashof: {kind} ({of}: {sums})"),
-            Lang::Zh => format!("杆长条件：{kind}（{of}：{sums}）"),
-        });
+        line(say!(lang, "Grashof: {kind} ({of}: {sums})"));
     }
     for s in &limits.swings {
         line(w.swing(s));
@@ -63,10 +61,10 @@ pub fn text(scene: &Scene, driver: usize, limits: &MotionLimits, lang: Lang) -> 
         }
     }
     if let Some(worst) = limits.transmission.iter().min_by(|a, b| a.angle.total_cmp(&b.angle)) {
-        line(tr(lang, "smallest transmission angles γ:", "最小传动角 γ：").to_owned());
+        line(tr!(lang, "smallest transmission angles γ:").to_owned());
         for t in &limits.transmission {
             let mark = if std::ptr::eq(t, worst) && limits.transmission.len() > 1 {
-                tr(lang, "  (the worst)", "（最小）")
+                tr!(lang, "  (the worst)")
             } else {
                 ""
             };
@@ -173,33 +171,26 @@ impl<'a> LimitWords<'a> {
     }
 
     fn at(&self, value: f64) -> String {
-        match self.lang {
-            Lang::En => format!(" at {} = {}", self.name, self.value(value)),
-            Lang::Zh => {
-                format!("（{} = {} 时）", self.coordinate_name(&self.name), self.value(value))
-            }
-        }
+        say!(self.lang, " at {} = {}", self.coordinate_name(&self.name), self.value(value))
     }
 
     fn range(&self) -> String {
         let r = &self.limits.range;
         match &r.ends {
-            [None, None] if self.angular => format!(
-                "{} {}",
-                self.coordinate_name(&self.name),
-                tr(self.lang, "turns fully", "可整周转动")
-            ),
+            [None, None] if self.angular => {
+                format!("{} {}", self.coordinate_name(&self.name), tr!(self.lang, "turns fully"))
+            }
             [low, high] => {
                 let end = |e: &Option<Event>| {
                     e.as_ref().map_or_else(
-                        || tr(self.lang, "no limit found", "未见极限").to_owned(),
+                        || tr!(self.lang, "no limit found").to_owned(),
                         |e| self.value(e.value),
                     )
                 };
                 format!(
                     "{} {} {} … {}",
                     self.coordinate_name(&self.name),
-                    tr(self.lang, "goes", "的范围："),
+                    tr!(self.lang, "goes"),
                     end(low),
                     end(high)
                 )
@@ -214,16 +205,12 @@ impl<'a> LimitWords<'a> {
         let both = match (*turns, *seen) {
             (1, _) => return None,
             (0, _) => {
-                both!(
-                    "the wheels never stand as before; extreme positions are those of one turn",
-                    "各轮不再回到原位；极限位置取自一转"
-                )
+                both!("the wheels never stand as before; extreme positions are those of one turn")
             }
             (n, 1) => both!(
-                "the wheels stand as before after {n} turns; extreme positions are those of one",
-                "{n} 转后各轮回到原位；极限位置取自一转"
+                "the wheels stand as before after {n} turns; extreme positions are those of one"
             ),
-            (n, _) => both!("the wheels stand as before after {n} turns", "{n} 转后各轮回到原位"),
+            (n, _) => both!("the wheels stand as before after {n} turns"),
         };
         let Both { en, zh } = both;
         Some(if self.lang == Lang::Zh { zh } else { en })
@@ -231,28 +218,25 @@ impl<'a> LimitWords<'a> {
 
     fn joint(&self, links: &[LinkId], pin: Option<PointId>) -> String {
         let names: Vec<_> = links.iter().map(|l| self.scene.link_name(*l)).collect();
-        let word = if names.len() == 1 {
-            tr(self.lang, "link", "构件")
-        } else {
-            tr(self.lang, "links", "构件")
-        };
-        let names = names.join(tr(self.lang, ", ", "、"));
+        let word = if names.len() == 1 { tr!(self.lang, "link") } else { tr!(self.lang, "links") };
+        let names = names.join(tr!(self.lang, "list" => ", "));
         match (pin.map(|p| self.scene.point_name(p)), names.is_empty()) {
             (Some(p), true) => p.to_owned(),
-            (Some(p), false) => format!("{word} {names} {} {p}", tr(self.lang, "at", "在")),
+            (Some(p), false) => {
+                format!("{word} {names} {} {p}", tr!(self.lang, "position" => "at"))
+            }
             (None, _) => format!("{word} {names}"),
         }
     }
 
     fn event(&self, e: &Event) -> String {
         let what = match e.kind {
-            EventKind::Limit => tr(self.lang, "limit", "极限位置"),
-            EventKind::ChangePoint => tr(self.lang, "change point", "变点"),
+            EventKind::Limit => tr!(self.lang, "limit"),
+            EventKind::ChangePoint => tr!(self.lang, "change point"),
         };
-        let line =
-            || format!("{} {}", self.joint(&e.links, e.pin), tr(self.lang, "in line", "共线"));
+        let line = || format!("{} {}", self.joint(&e.links, e.pin), tr!(self.lang, "in line"));
         let why = e.toggle.as_ref().map_or_else(line, |t| t.words(self.scene, self.lang));
-        format!("{what}{}{}{why}", self.at(e.value), tr(self.lang, ": ", "："))
+        format!("{what}{}{}{why}", self.at(e.value), tr!(self.lang, ": "))
     }
 
     fn output(&self, output: DrivenOutput) -> String {
@@ -270,25 +254,21 @@ impl<'a> LimitWords<'a> {
         let (lang, name) = (self.lang, self.coordinate_name(&self.output(s.output)));
         let Some(stroke) = s.stroke else {
             return match s.extremes.is_empty() {
-                true => format!("{name} {}", tr(lang, "has no extreme position", "无极限位置")),
+                true => format!("{name} {}", tr!(lang, "has no extreme position")),
                 false => format!(
                     "{name} {}",
-                    tr(
-                        lang,
-                        "has no stroke, as no limit of the driver was found",
-                        "无行程（未见原动件的极限）"
-                    )
+                    tr!(lang, "has no stroke, as no limit of the driver was found")
                 ),
             };
         };
         let word = match s.output {
-            DrivenOutput::Turning(_) => tr(lang, "swings", "摆角"),
-            DrivenOutput::Sliding(_) => tr(lang, "has a stroke of", "行程"),
+            DrivenOutput::Turning(_) => tr!(lang, "swings"),
+            DrivenOutput::Sliding(_) => tr!(lang, "has a stroke of"),
         };
         let ratio = s.time_ratio.map_or(String::new(), |k| {
             let theta = std::f64::consts::PI * (k - 1.0) / (k + 1.0);
             fill(
-                tr(lang, ", time ratio K = {k} (θ = {})", "，行程速度变化系数 K = {k}（θ = {}）"),
+                tr!(lang, ", time ratio K = {k} (θ = {})"),
                 &[("k", &legible(k, 6)), ("", &angle(&self.scene.book, theta))],
             )
         });
@@ -297,18 +277,10 @@ impl<'a> LimitWords<'a> {
 
     fn extreme(&self, s: &Swing, e: &OutputExtreme) -> String {
         let remark = match e.until {
-            _ if e.at_limit => {
-                tr(self.lang, "  (the driver goes no farther)", "（原动件到达极限）").to_owned()
-            }
-            Some(until) => tr(self.lang, " to {}  (a dwell)", "，至 {}（停歇）")
-                .replace("{}", &self.value(until)),
+            _ if e.at_limit => tr!(self.lang, "  (the driver goes no farther)").to_owned(),
+            Some(until) => tr!(self.lang, " to {}  (a dwell)").replace("{}", &self.value(until)),
             None if s.extremes.iter().any(|e| e.at_limit) => String::new(),
-            None => tr(
-                self.lang,
-                "  (a dead centre if it is driven from there)",
-                "（若以该构件为原动件，此处为死点）",
-            )
-            .to_owned(),
+            None => tr!(self.lang, "  (a dead centre if it is driven from there)").to_owned(),
         };
         format!(
             "{} = {}{}{remark}",
@@ -326,18 +298,18 @@ impl<'a> LimitWords<'a> {
 /// Returns Grashof's type in words.
 pub fn grashof_words(kind: Grashof, lang: Lang) -> &'static str {
     match kind {
-        Grashof::CrankRocker => tr(lang, "crank-rocker", "曲柄摇杆机构"),
+        Grashof::CrankRocker => tr!(lang, "crank-rocker"),
         Grashof::RockerCrank => {
-            tr(lang, "rocker-crank (the rocker drives)", "摇杆曲柄机构（摇杆主动）")
+            tr!(lang, "rocker-crank (the rocker drives)")
         }
-        Grashof::DoubleCrank => tr(lang, "double crank (drag link)", "双曲柄机构"),
+        Grashof::DoubleCrank => tr!(lang, "double crank (drag link)"),
         Grashof::DoubleRocker => {
-            tr(lang, "double rocker, the coupler turns fully", "双摇杆机构（连杆可整周转动）")
+            tr!(lang, "double rocker, the coupler turns fully")
         }
         Grashof::TripleRocker => {
-            tr(lang, "double rocker, no link turns fully", "双摇杆机构（不满足杆长条件）")
+            tr!(lang, "double rocker, no link turns fully")
         }
-        Grashof::ChangePoint => tr(lang, "change-point mechanism", "变点机构"),
+        Grashof::ChangePoint => tr!(lang, "change-point mechanism"),
     }
 }
 

@@ -8,13 +8,14 @@ pub use motion::WrittenMotion;
 use super::amount::length_unit;
 use super::columns::columns;
 use hodograph_base::digits::legible;
+use hodograph_base::lang::{say, tr};
 use hodograph_board::plan::names::point_label;
 use hodograph_methods::loops::{
     Equation, Formula, GroupLoops, LoopSystem, LoopVariable, LoopVector, Loops, PositionForm,
     UnaryFunction, VectorSize,
 };
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::phrase::Phrase;
 use hodograph_paper::render::math::Math;
 use hodograph_scene::{Kind, Lang, Scene};
 use serde_json::{Value as Json, json};
@@ -51,15 +52,16 @@ impl<'a> LoopWords<'a> {
             return lines.iter().map(|l| format!("{}\n", l.trim_end())).collect();
         }
         let given = self.all.variables.iter().filter(|v| v.driver.is_some());
-        let known: Vec<String> = given.map(|v| of(v).join(tr(self.lang, ", ", "，"))).collect();
-        let known = known.join(tr(self.lang, "; ", "；"));
-        lines.push(format!("{}{known}", tr(self.lang, "given: ", "已知：")));
+        let known: Vec<String> =
+            given.map(|v| of(v).join(tr!(self.lang, "clause" => ", "))).collect();
+        let known = known.join(tr!(self.lang, "; "));
+        lines.push(format!("{}{known}", tr!(self.lang, "given: ")));
         for g in &self.all.groups {
             lines.push(String::new());
             lines.extend(self.group(g));
         }
         lines.push(String::new());
-        lines.push(tr(self.lang, "results:", "结果：").to_owned());
+        lines.push(tr!(self.lang, "results:").to_owned());
         let results: Vec<Vec<String>> = self.all.variables.iter().map(|v| of(v).to_vec()).collect();
         lines.extend(columns(&results, 1).into_iter().map(|l| format!("  {l}")));
         lines.extend(self.motion_lines());
@@ -82,7 +84,7 @@ impl<'a> LoopWords<'a> {
             true => format!("    {} = {}", plain(&equation(e)), plain(&self.value_of(e))),
             false => format!("    {}", plain(&equation(e))),
         };
-        lines.push(tr(self.lang, "  real and imaginary parts:", "  实部和虚部：").into());
+        lines.push(tr!(self.lang, "  real and imaginary parts:").into());
         lines.extend(g.closures.iter().map(|e| format!("    {}", plain(&equation(e)))));
         lines.push(format!("  {}", Phrase::new(&self.method(g)).plain()));
         lines.extend(g.position.iter().map(with_value));
@@ -90,13 +92,13 @@ impl<'a> LoopWords<'a> {
             lines.extend(g.unknowns.iter().map(|k| format!("    {}", plain(&self.result(*k, 0)))));
         }
         let levels = [
-            (tr(self.lang, "velocity", "速度"), &g.velocities, 1),
-            (tr(self.lang, "acceleration", "加速度"), &g.accelerations, 2),
+            (tr!(self.lang, "velocity"), &g.velocities, 1),
+            (tr!(self.lang, "acceleration"), &g.accelerations, 2),
         ];
         for (name, equations, order) in levels {
             lines.push(format!(
                 "  {name}{}{}",
-                tr(self.lang, ": ", "："),
+                tr!(self.lang, ": "),
                 Phrase::new(self.derived(order)).plain()
             ));
             let rows: Vec<Vec<String>> = self
@@ -121,15 +123,11 @@ impl<'a> LoopWords<'a> {
         let [way, link, length, angle] = self.row(v);
         let turned = match v.angle.variable {
             Some(_) => format!("${angle}$"),
-            None => format!("{}${angle}$", tr(self.lang, "its angle is ", "方位角为 ")),
+            None => format!("{}${angle}$", tr!(self.lang, "its angle is ")),
         };
-        match (self.lang, link.is_empty()) {
-            (Lang::En, false) => {
-                format!("The vector ${way}$ on link {link}: ${length}$, {turned}.")
-            }
-            (Lang::En, true) => format!("The vector ${way}$: ${length}$, {turned}."),
-            (Lang::Zh, false) => format!("构件 {link} 上的矢量 ${way}$：${length}$，{turned}。"),
-            (Lang::Zh, true) => format!("矢量 ${way}$：${length}$，{turned}。"),
+        match link.is_empty() {
+            false => say!(self.lang, "The vector ${way}$ on link {link}: ${length}$, {turned}."),
+            true => say!(self.lang, "The vector ${way}$: ${length}$, {turned}."),
         }
     }
 
@@ -141,42 +139,38 @@ impl<'a> LoopWords<'a> {
         let row = |text: String| vec![Math::Row(Label::math(text))];
         let display = |equations: &[Equation]| equations.iter().map(|e| self.display(e)).collect();
         let loops = g.loops.iter().map(|of| row(closed(self.all, of))).collect();
-        let sum =
-            tr(lang, "The vectors along both ways have the same sum:", "沿两条路径的矢量和相等：");
-        let parts = tr(lang, "Real and imaginary parts:", "分别取实部和虚部：");
+        let sum = tr!(lang, "The vectors along both ways have the same sum:");
+        let parts = tr!(lang, "Real and imaginary parts:");
         let mut out = vec![
             (sum.to_owned(), loops),
             (parts.to_owned(), display(&g.closures)),
             (self.method(g), Vec::new()),
         ];
-        let gives = |e: &Equation| match lang {
-            Lang::En => format!("This gives ${}$:", e.left.text()),
-            Lang::Zh => format!("由此得 ${}$：", e.left.text()),
-        };
+        let gives = |e: &Equation| say!(lang, "This gives ${}$:", e.left.text());
         // First what the formulas of the unknowns need, then each unknown.
         let first = g.position.len().saturating_sub(g.unknowns.len());
         let (needed, found) = g.position.split_at(first);
         if !needed.is_empty() {
-            let words = tr(lang, "The formulas use:", "公式中：");
+            let words = tr!(lang, "The formulas use:");
             out.push((words.to_owned(), display(needed)));
         }
         out.extend(found.iter().map(|e| (gives(e), display(std::slice::from_ref(e)))));
         let results =
             |order: usize| g.unknowns.iter().map(|k| row(self.result(*k, order))).collect();
         if g.position.is_empty() {
-            out.push((tr(lang, "The unknowns are:", "解得：").to_owned(), results(0)));
+            out.push((tr!(lang, "The unknowns are:").to_owned(), results(0)));
         }
         for (equations, order) in [(&g.velocities, 1), (&g.accelerations, 2)] {
             // The system is not written out.
             let derived = self.derived(order).split([':', '：', '（']).next().unwrap_or_default();
             let derived = derived.split(" ($b$").next().unwrap_or_default();
             if equations.is_empty() {
-                out.push((format!("{derived}{}", tr(lang, ":", "：")), results(order)));
+                out.push((format!("{derived}{}", tr!(lang, ":")), results(order)));
                 continue;
             }
             let projected = self.projected().trim_end_matches([':', '：']);
             out.push((
-                format!("{derived}{}{projected}{}", tr(lang, ". ", "。"), tr(lang, ".", "。")),
+                format!("{derived}{}{projected}{}", tr!(lang, ". "), tr!(lang, ".")),
                 Vec::new(),
             ));
             out.extend(equations.iter().map(|e| (gives(e), display(std::slice::from_ref(e)))));
@@ -187,10 +181,10 @@ impl<'a> LoopWords<'a> {
     /// Returns the heading of a group: its links and kind.
     pub fn heading(&self, g: &GroupLoops) -> String {
         let names: Vec<&str> = g.links.iter().map(|l| self.scene.link_name(*l)).collect();
-        match (self.lang, &names[..]) {
-            (Lang::En, [one]) => format!("link {one} ({})", g.kind),
-            (Lang::En, _) => format!("links {} ({})", names.join(", "), g.kind),
-            (Lang::Zh, _) => format!("构件 {}（{}）", names.join("、"), g.kind),
+        let links = names.join(self.lang.pick([", ", "、"]));
+        match names.len() {
+            1 => say!(self.lang, "link {links} ({})", g.kind),
+            _ => say!(self.lang, "links {links} ({})", g.kind),
         }
     }
 
@@ -199,73 +193,55 @@ impl<'a> LoopWords<'a> {
     pub fn method(&self, g: &GroupLoops) -> String {
         let unknowns: Vec<String> =
             g.unknowns.iter().map(|k| format!("${}$", self.symbol(*k, 0))).collect();
-        let (list, how) = (unknowns.join(tr(self.lang, ", ", "、")), self.form(g.form));
-        match self.lang {
-            Lang::En => format!("Unknowns: {list}. {how}"),
-            Lang::Zh => format!("未知量：{list}。{how}"),
-        }
+        let (list, how) = (unknowns.join(tr!(self.lang, "list" => ", ")), self.form(g.form));
+        say!(self.lang, "Unknowns: {list}. {how}")
     }
 
     fn form(&self, form: PositionForm) -> &'static str {
-        match (form, self.lang) {
-            (PositionForm::TwoAngles, Lang::En) => {
+        match form {
+            PositionForm::TwoAngles => tr!(
+                self.lang,
                 "Isolate the terms with one unknown angle on one side; squaring and adding both equations eliminates it. With \
                  $t = \\tan(\\varphi/2)$ a quadratic equation remains; the assembly determines the sign of the root."
-            }
-            (PositionForm::TwoAngles, Lang::Zh) => {
-                "将含其中一个未知角的项单独移到等号一侧，两式平方后相加，消去该角；再令 $t = \\tan(\\varphi/2)$ 得关于 $t$ 的一元二次方程，根号前的正负号由机构的装配形式确定。"
-            }
-            (PositionForm::AngleAndLength, Lang::En) => {
+            ),
+            PositionForm::AngleAndLength => tr!(
+                self.lang,
                 "The component perpendicular to the guide contains only the unknown angle."
-            }
-            (PositionForm::AngleAndLength, Lang::Zh) => {
-                "将矢量方程向垂直于导路的方向投影，所得方程只含未知角。"
-            }
-            (PositionForm::SlottedLever, Lang::En) => {
+            ),
+            PositionForm::SlottedLever => tr!(
+                self.lang,
                 "Squaring and adding both equations eliminates the angle; the two components then give the angle in its quadrant."
-            }
-            (PositionForm::SlottedLever, Lang::Zh) => {
-                "两式平方后相加，消去未知角，求得未知长度；再由两个分量求该角，并由分量的正负号确定其所在象限。"
-            }
-            (PositionForm::TwoLengths, Lang::En) => {
+            ),
+            PositionForm::TwoLengths => tr!(
+                self.lang,
                 "The component perpendicular to each guide contains only the other unknown distance."
-            }
-            (PositionForm::TwoLengths, Lang::Zh) => {
-                "将矢量方程向垂直于一条导路的方向投影，所得方程只含沿另一导路的未知长度。"
-            }
-            (PositionForm::Newton, Lang::En) => {
+            ),
+            PositionForm::Newton => tr!(
+                self.lang,
                 "Newton's method finds them; its Jacobian is the coefficient matrix of the velocity equations."
-            }
-            (PositionForm::Newton, Lang::Zh) => {
-                "用牛顿法求解，其雅可比矩阵与速度方程组的系数矩阵相同。"
-            }
+            ),
         }
     }
 
     /// Returns the sentence before the linear system of a derivative.
     pub fn derived(&self, order: usize) -> &'static str {
-        match (order, self.lang) {
-            (1, Lang::En) => {
+        match order {
+            1 => tr!(
+                self.lang,
                 "Differentiating the real and imaginary parts with respect to time gives linear equations for the unknown velocities ($b$ is the right side):"
-            }
-            (1, Lang::Zh) => {
-                "将实部、虚部两式对时间求导，得关于未知速度和角速度的线性方程组（$b$ 为右端项）："
-            }
-            (_, Lang::En) => {
+            ),
+            _ => tr!(
+                self.lang,
                 "Differentiating once more gives linear equations for the unknown accelerations, with the same coefficients:"
-            }
-            (_, Lang::Zh) => {
-                "再对时间求导，得关于未知加速度和角加速度的线性方程组，其系数矩阵不变："
-            }
+            ),
         }
     }
 
     /// Returns the sentence before the formulas by projection.
     pub fn projected(&self) -> &'static str {
-        tr(
+        tr!(
             self.lang,
-            "To eliminate the other unknown, multiply both sides by $e^{−i\\varphi}$ and take the real or the imaginary part:",
-            "两边同乘 $e^{−i\\varphi}$，取实部或虚部，消去另一未知量：",
+            "To eliminate the other unknown, multiply both sides by $e^{−i\\varphi}$ and take the real or the imaginary part:"
         )
     }
 

@@ -5,6 +5,7 @@ use super::plan::{dyad, grade, group_words};
 use super::replaced;
 use hodograph_base::diag::{Both, both};
 use hodograph_base::digits::minus;
+use hodograph_base::lang::{say, tr};
 use hodograph_board::plan::names::name_label;
 use hodograph_mechanism::mechanism::{
     Assur, Counts, ForDrivers, Local, MobilitySurvey, Opened, PairItem,
@@ -12,7 +13,7 @@ use hodograph_mechanism::mechanism::{
 use hodograph_mechanism::position::redundant::{
     Checked, RedundancyVerdict, RepeatReason, by_topology, look, opened_words,
 };
-use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::phrase::Phrase;
 use hodograph_scene::{GuideId, Lang, PointId, Rolling, Scene};
 use serde_json::{Value as Json, json};
 
@@ -130,45 +131,31 @@ fn repeats_words(survey: &MobilitySurvey, i: usize, checked: Option<&Checked>) -
     let (what, _) = opened_words(scene, &m.redundant[i].opened);
     match checked {
         Some(c) if known(checked) == RedundantState::Repeats => {
-            both!("{}: {}", "{}：{}", what, c.reason.words(scene, c.positions))
+            both!("{}: {}", what, c.reason.words(scene, c.positions))
         }
         Some(Checked { reason: reason @ RepeatReason::Triangle(_), positions, .. }) => {
-            both!("{} is none: {}", "{} 不是虚约束：{}", what, reason.words(scene, *positions))
+            both!("{} is none: {}", what, reason.words(scene, *positions))
         }
         Some(Checked { verdict: RedundancyVerdict::Shaky, off_m, .. }) => {
             let off = scene.length_words(*off_m);
             both!(
                 "{} is none: shaky, mobile to first order, it locks at a finite turn, off by {off}",
-                "{} 不是虚约束：仅瞬时可动（一阶），有限转角时卡死，偏差 {off}",
                 what
             )
         }
         Some(c) => {
             let off = scene.length_words(c.off_m);
-            both!(
-                "{} is none: it locks the mechanism, off by {off}",
-                "{} 不是虚约束：机构被卡死，偏差 {off}",
-                what
-            )
+            both!("{} is none: it locks the mechanism, off by {off}", what)
         }
-        None => both!("{} may be one: lengths decide", "{} 可能是虚约束：由尺寸决定", what),
+        None => both!("{} may be one: lengths decide", what),
     }
 }
 
 fn local_words(l: &Local) -> Both {
     if l.bare {
-        return both!(
-            "pin {} turns in its slots without moving anything",
-            "销 {} 在槽中的自转不影响其他构件",
-            l.pin
-        );
+        return both!("pin {} turns in its slots without moving anything", l.pin);
     }
-    both!(
-        "link {} turns about {} alone and moves nothing else",
-        "构件 {} 绕 {} 的自转不影响其他构件",
-        l.link,
-        l.pin
-    )
+    both!("link {} turns about {} alone and moves nothing else", l.link, l.pin)
 }
 
 /// Returns F = 3n − (2 p_l + p_h − p′) − F′ with its numbers.
@@ -198,7 +185,7 @@ pub fn kinds(choice: &ForDrivers, lang: Lang) -> String {
     };
     let replaced = choice.replaced();
     let groups = replaced.as_ref().unwrap_or(choice).from_the_far_end();
-    groups.iter().map(kind).collect::<Vec<_>>().join(tr(lang, ", ", "、"))
+    groups.iter().map(kind).collect::<Vec<_>>().join(tr!(lang, "list" => ", "))
 }
 
 /// The counts of a scene, with all reasons.
@@ -258,11 +245,7 @@ impl Counted {
 }
 
 fn compound_words(name: &str, links: usize) -> Both {
-    both!(
-        "{name} joins {links} links: compound hinge, {} pairs",
-        "{name} 处 {links} 个构件组成复合铰链，计 {} 个转动副",
-        links - 1
-    )
+    both!("{name} joins {links} links: compound hinge, {} pairs", links - 1)
 }
 
 /// Returns the reasons for the count of lower pairs: pins of more than two links, and rolling
@@ -276,10 +259,7 @@ fn lower_words(
         compound.iter().map(|(p, links)| compound_words(&point(scene.point_name(*p)), *links));
     let rolls = scene.rolling.iter().filter(|r| r.kind.is_lower()).map(|r| {
         let contact = point(scene.point_name(r.at[0]));
-        both!(
-            "{contact}: rolling without slipping takes two freedoms and counts as a lower pair",
-            "{contact} 处为纯滚动，约束数为 2，按低副计"
-        )
+        both!("{contact}: rolling without slipping takes two freedoms and counts as a lower pair")
     });
     hinges.chain(rolls).collect()
 }
@@ -310,8 +290,7 @@ fn doubled(scene: &Scene, survey: &MobilitySurvey) -> Vec<Both> {
         .map(|r| {
             let [a, b] = r.links.map(|l| scene.link_name(l));
             both!(
-                "links {a} and {b}: no other pair keeps their distance, the teeth touch on both flanks and count two",
-                "构件 {a} 与 {b}：没有其他运动副保持其距离，轮齿两侧接触，计 2 个高副"
+                "links {a} and {b}: no other pair keeps their distance, the teeth touch on both flanks and count two"
             )
         })
         .collect()
@@ -341,27 +320,24 @@ pub fn text(
         line(title.to_owned());
     }
     let Counts { moving, lower, higher } = survey.counts;
-    line(say(both!("moving links n = {moving}", "活动构件数 n = {moving}")));
-    line(say(both!("lower pairs p_l = {lower}", "低副数 p_l = {lower}")));
+    line(say(both!("moving links n = {moving}")));
+    line(say(both!("lower pairs p_l = {lower}")));
     lower_words(scene, &survey.compound, str::to_owned)
         .into_iter()
         .for_each(|why| line(format!("  {}", say(why))));
-    line(say(both!("higher pairs p_h = {higher}", "高副数 p_h = {higher}")));
+    line(say(both!("higher pairs p_h = {higher}")));
     doubled(scene, survey).into_iter().for_each(|why| line(format!("  {}", say(why))));
-    line(say(both!("local freedoms F′ = {}", "局部自由度 F′ = {}", survey.local.len())));
+    line(say(both!("local freedoms F′ = {}", survey.local.len())));
     survey.local.iter().for_each(|l| line(format!("  {}", say(local_words(l)))));
     let (sure, open) = repeated(survey, checked);
-    line(say(both!("virtual constraints p′ = {sure}", "虚约束 p′ = {sure}")));
+    line(say(both!("virtual constraints p′ = {sure}")));
     for (i, c) in checked.iter().enumerate() {
         line(format!("  {}", say(repeats_words(survey, i, c.as_ref()))));
     }
     line(formula(&survey.counts, sure, survey.local.len()));
     if open > 0 {
         let f = survey.counts.freedom(sure + open, survey.local.len());
-        line(say(both!(
-            "F = {f} if what may repeat others does",
-            "若可能的虚约束成立，则 F = {f}"
-        )));
+        line(say(both!("F = {f} if what may repeat others does")));
     }
     let s = survey.substituted(|i| {
         checked.get(i).is_some_and(|c| known(c.as_ref()) != RedundantState::Locks)
@@ -370,8 +346,7 @@ pub fn text(
         let f = s.freedom(0, 0);
         let (n, p) = (s.moving, s.lower);
         line(say(both!(
-            "without these, higher pairs replaced by lower ones: n = {n}, p_l = {p}, F = 3·{n} − 2·{p} = {f}",
-            "去掉局部自由度和虚约束并高副低代后：n = {n}，p_l = {p}，F = 3·{n} − 2·{p} = {f}"
+            "without these, higher pairs replaced by lower ones: n = {n}, p_l = {p}, F = 3·{n} − 2·{p} = {f}"
         )));
         let scene = survey.choices.first().map(|c| &c.scene);
         for words in scene.into_iter().flat_map(replaced::replaced_words) {
@@ -380,14 +355,7 @@ pub fn text(
     }
     let locked = checked.iter().any(|c| known(c.as_ref()) == RedundantState::Locks);
     if locked || survey.choices.is_empty() {
-        line(
-            tr(
-                lang,
-                "no choice of drivers on ground moves it as they say",
-                "机架上没有能使其具有确定运动的原动件",
-            )
-            .into(),
-        );
+        line(tr!(lang, "no choice of drivers on ground moves it as they say").into());
     }
     for choice in survey.choices.iter().filter(|_| !locked) {
         line(String::new());
@@ -406,15 +374,10 @@ pub fn text(
 }
 
 fn choice_words(choice: &ForDrivers, lang: Lang) -> String {
-    let names = choice.names().join(tr(lang, ", ", "、"));
+    let names = choice.names().join(tr!(lang, "list" => ", "));
     let class = class(choice, lang);
-    let given = if choice.given { tr(lang, " (given)", "（给定）") } else { "" };
-    match lang {
-        Lang::En => {
-            format!("driven by {names}{given}: mechanism of class {class}; groups from the far end")
-        }
-        Lang::Zh => format!("原动件 {names}{given}：{class}机构；由远离原动件处拆杆组"),
-    }
+    let given = if choice.given { tr!(lang, " (given)") } else { "" };
+    say!(lang, "driven by {names}{given}: mechanism of class {class}; groups from the far end")
 }
 
 /// Returns the report as JSON.

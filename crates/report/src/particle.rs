@@ -5,6 +5,7 @@ use super::answers::diagnostic;
 use crate::amount::scale_formula;
 use hodograph_base::diag::{Both, Diagnostic};
 use hodograph_base::digits::{legible, minus, plain};
+use hodograph_base::lang::tr;
 use hodograph_base::notation::Notation;
 use hodograph_base::number::Ball;
 use hodograph_base::number::decimal::{Certain, Enclosure};
@@ -14,7 +15,7 @@ use hodograph_methods::particle::pursuit::PursuitEnd;
 use hodograph_methods::particle::{
     Mutual, ParticleMotionKind, ParticleProblem, ParticleQuantity, ParticleSolution, ParticleValue,
 };
-use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::phrase::Phrase;
 use hodograph_scene::{Book, DiagramKind, Kind as Quantity, Lang};
 use serde_json::{Value as Json, json};
 
@@ -103,7 +104,7 @@ pub fn value(
         minus(&number(&enclosed(book, kind(what), e), in_unit(book, what, size), digits))
     };
     match value {
-        ParticleValue::None(d) => format!("{} ({})", tr(lang, "none", "无"), lang.of(&d.message)),
+        ParticleValue::None(d) => format!("{} ({})", tr!(lang, "none"), lang.of(&d.message)),
         ParticleValue::Scalar(e) => format!("{} {unit}", told(e, e.approx.abs().max(size))),
         ParticleValue::Vector(parts, whole) => {
             let size = whole.approx.max(size);
@@ -123,10 +124,9 @@ pub fn value(
 
 /// Returns the note on a pursuit.
 pub fn integrated(lang: Lang) -> &'static str {
-    tr(
+    tr!(
         lang,
-        "The pursuit is integrated (Gragg, Bulirsch, Stoer; the errors of the steps are added up and bound all printed digits); what follows at the instant is exact.",
-        "追踪运动由数值积分求得（Gragg–Bulirsch–Stoer 法，所给位数由各步误差之和确定）；该瞬时的其余量由此精确导出。",
+        "The pursuit is integrated (Gragg, Bulirsch, Stoer; the errors of the steps are added up and bound all printed digits); what follows at the instant is exact."
     )
 }
 
@@ -170,7 +170,7 @@ pub fn text(
             String::new(),
             |off| {
                 let off = if off < 1e-14 { "0".to_owned() } else { format!("{off:.0e}") };
-                format!("   {} {off}", tr(lang, "drawing differs by", "作图相差"))
+                format!("   {} {off}", tr!(lang, "drawing differs by"))
             },
         );
         out += &format!("{:wide$} = {told}{beside}\n", find.text);
@@ -196,8 +196,8 @@ pub fn text(
 /// Returns the heading of the steps of a drawing.
 fn head(drawn: &MotionDrawing, lang: Lang) -> &'static str {
     match drawn.calculated {
-        true => tr(lang, "Calculated, shown to scale: ", "计算所得，按比例示出："),
-        false => tr(lang, "Drawing: ", "作图："),
+        true => tr!(lang, "Calculated, shown to scale: "),
+        false => tr!(lang, "Drawing: "),
     }
 }
 

@@ -4,6 +4,7 @@ use crate::equation::mate;
 use crate::forces::ForceWriter;
 use crate::replaced::replaced_words;
 use hodograph_base::digits::minus;
+use hodograph_base::lang::{say, tr, zh, zh_format};
 use hodograph_board::plan::names::name_label;
 use hodograph_board::plan::text::{EquationColumn, PlanWriter};
 use hodograph_board::plan::{
@@ -11,7 +12,7 @@ use hodograph_board::plan::{
     TurningBody,
 };
 use hodograph_mechanism::mechanism::{Assur, ConstraintLine, Mechanism, PairItem, moved_words};
-use hodograph_paper::paper::phrase::{Phrase, formula, tr};
+use hodograph_paper::paper::phrase::{Phrase, formula};
 use hodograph_scene::{DiagramKind, GuideId, Lang, PointId, Scene};
 use unicode_width::UnicodeWidthStr;
 
@@ -31,20 +32,19 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &PlanWriter, forces: Option<&ForceW
     let f = &m.mobility;
     line(format!(
         "{}F = 3·{} − 2·{} − {} = {}{}{}",
-        tr(lang, "mobility: ", "自由度："),
+        tr!(lang, "mobility: "),
         f.moving,
         f.lower,
         f.higher,
         minus(&f.freedom.to_string()),
-        tr(lang, "; ", "；"),
-        match (lang, scene.own_drivers()) {
-            (Lang::En, 1) => "1 driver".to_string(),
-            (Lang::En, n) => format!("{n} drivers"),
-            (Lang::Zh, n) => format!("原动件 {n} 个"),
+        tr!(lang, "; "),
+        match scene.own_drivers() {
+            1 => tr!(lang, "1 driver").to_owned(),
+            n => say!(lang, "{n} drivers"),
         }
     ));
     line(String::new());
-    line(tr(lang, "groups in solving order", "杆组（按求解顺序）").into());
+    line(tr!(lang, "groups in solving order").into());
     let mut number = 0;
     for g in m.assur(scene).iter().filter(|g| !g.is_carried()) {
         number += 1;
@@ -54,13 +54,13 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &PlanWriter, forces: Option<&ForceW
         line(format!("  {}", lang.of(&words)));
     }
     line(String::new());
-    line(tr(lang, "effects", "考虑的因素").into());
+    line(tr!(lang, "effects").into());
     for (effect, included, reason) in &w.plan.effects {
         line(format!(
             "  {} {}{}{}",
-            if *included { tr(lang, "in ", "计入") } else { tr(lang, "out", "不计") },
+            if *included { tr!(lang, "in ") } else { tr!(lang, "out") },
             effect_words(scene, m, *effect, lang),
-            tr(lang, ": ", "："),
+            tr!(lang, ": "),
             reason_words(*reason, lang)
         ));
     }
@@ -86,13 +86,12 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &PlanWriter, forces: Option<&ForceW
         let names: Vec<_> = m.groups[*g].links.iter().map(|l| scene.link_name(*l)).collect();
         line(format!(
             "{} {}{}{}",
-            tr(lang, "links", "构件"),
-            names.join(tr(lang, ", ", "、")),
-            tr(lang, ": ", "："),
-            tr(
+            tr!(lang, "links"),
+            names.join(tr!(lang, "list" => ", ")),
+            tr!(lang, ": "),
+            tr!(
                 lang,
-                "in or behind a group higher than class III, not drawn; `solve` answers from the loop equations",
-                "属于Ⅳ级及以上杆组或在其后，不能作图；solve 由解析法给出结果"
+                "in or behind a group higher than class III, not drawn; `solve` answers from the loop equations"
             )
         ));
     }
@@ -102,10 +101,10 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &PlanWriter, forces: Option<&ForceW
 /// Returns the class of a group or of a mechanism in Chinese notation.
 pub fn grade(class: &str) -> &'static str {
     match class {
-        "I" => "Ⅰ级",
-        "II" => "Ⅱ级",
-        "III" => "Ⅲ级",
-        _ => "Ⅳ级及以上",
+        "I" => zh!("grade" => "I"),
+        "II" => zh!("grade" => "II"),
+        "III" => zh!("grade" => "III"),
+        _ => zh!("grade" => "IV"),
     }
 }
 
@@ -140,41 +139,35 @@ fn group(
     let at: Vec<String> = g.inner().into_iter().map(|p| point(scene.point_name(p))).collect();
     let led = g.drivers(m).any(|d| scene.is_led(d));
     let what = match (g.class(), lang) {
-        (None, lang) if led => tr(lang, "follower of the cam", "凸轮从动件").into(),
+        (None, lang) if led => tr!(lang, "follower of the cam").into(),
         // The "driven link" of English books is the follower.
-        (None, Lang::En) => match g.kind() {
-            "driven slider" => "driving slider".into(),
-            _ => "driving link".into(),
-        },
-        (None, Lang::Zh) => match g.kind() {
-            "driven slider" => "原动滑块".into(),
-            _ => "原动件".into(),
+        (None, lang) => match g.kind() {
+            "driven slider" => tr!(lang, "driving slider").into(),
+            _ => tr!(lang, "driving link").into(),
         },
         (Some(class), Lang::En) => match g.kind() {
             "higher group" => format!("class {class}"),
             kind => format!("class {class}, {kind}"),
         },
-        (Some(class), Lang::Zh) => format!(
-            "{}杆组{}",
-            grade(class),
-            dyad(g).map_or(String::new(), |kind| format!(" {kind}"))
-        ),
+        (Some(class), Lang::Zh) => {
+            let kind = dyad(g).map_or(String::new(), |kind| format!(" {kind}"));
+            zh_format!("group" => "class {}{kind}", grade(class))
+        }
     };
-    let comma = tr(lang, ", ", "、");
+    let comma = tr!(lang, "list" => ", ");
     let links = match links.len() {
         0 => String::new(),
         // A dyad has two links: the other one replaces a contact, a belt or a rope.
-        1 if g.class() == Some("II") && g.drivers(m).next().is_none() => match lang {
-            Lang::En => format!("link {} and an equivalent link: ", links[0]),
-            Lang::Zh => format!("构件 {} 和替代构件：", links[0]),
-        },
-        1 => format!("{} {}{}", tr(lang, "link", "构件"), links[0], tr(lang, ": ", "：")),
-        _ => format!("{} {}{}", tr(lang, "links", "构件"), links.join(comma), tr(lang, ": ", "：")),
+        1 if g.class() == Some("II") && g.drivers(m).next().is_none() => {
+            say!(lang, "link {} and an equivalent link: ", links[0])
+        }
+        1 => format!("{} {}{}", tr!(lang, "link"), links[0], tr!(lang, ": ")),
+        _ => format!("{} {}{}", tr!(lang, "links"), links.join(comma), tr!(lang, ": ")),
     };
     let at = if at.is_empty() || g.class().is_none() {
         String::new()
     } else {
-        format!("{} {}", tr(lang, ", at", "，内接副"), at.join(comma))
+        format!("{} {}", tr!(lang, ", at"), at.join(comma))
     };
     format!("{links}{what}{at}")
 }
@@ -187,19 +180,17 @@ fn holds_contact(m: &Mechanism, g: &Assur, contact: Option<GuideId>) -> bool {
 
 pub(super) fn effect_words(scene: &Scene, m: &Mechanism, e: Effect, lang: Lang) -> String {
     match e {
-        Effect::Velocities => tr(lang, "velocities", "速度").into(),
-        Effect::Accelerations => tr(lang, "accelerations", "加速度").into(),
+        Effect::Velocities => tr!(lang, "velocities").into(),
+        Effect::Accelerations => tr!(lang, "accelerations").into(),
         Effect::DriverRate(d) | Effect::DriverAcceleration(d) => {
             let words = moved_words(scene, d);
             let name = match lang {
                 Lang::En => words.en,
                 Lang::Zh => words.zh,
             };
-            match (e, lang) {
-                (Effect::DriverRate(_), Lang::En) => format!("velocity of the driver ({name})"),
-                (Effect::DriverRate(_), Lang::Zh) => format!("原动件的（角）速度（{name}）"),
-                (_, Lang::En) => format!("acceleration of the driver ({name})"),
-                (_, Lang::Zh) => format!("原动件的（角）加速度（{name}）"),
+            match e {
+                Effect::DriverRate(_) => say!(lang, "velocity of the driver ({name})"),
+                _ => say!(lang, "acceleration of the driver ({name})"),
             }
         }
         Effect::Coriolis(g) => {
@@ -210,25 +201,21 @@ pub(super) fn effect_words(scene: &Scene, m: &Mechanism, e: Effect, lang: Lang) 
                 .map(|p| scene.point_name(p))
                 .or(guide.slider.map(|s| scene.link_name(s)))
                 .unwrap_or_default();
-            match lang {
-                Lang::En => format!("Coriolis acceleration at {at} in the guide on link {on}"),
-                Lang::Zh => format!("{at} 相对构件 {on} 上导路的科氏加速度"),
-            }
+            say!(lang, "Coriolis acceleration at {at} in the guide on link {on}")
         }
         Effect::Group(g) => {
             let names: Vec<_> = m.groups[g].links.iter().map(|l| scene.link_name(*l)).collect();
             if names.is_empty() {
                 let pins: Vec<_> = m.groups[g].pins.iter().map(|p| scene.point_name(*p)).collect();
-                return format!(
-                    "{} {}",
-                    tr(lang, "joint", "运动副"),
-                    pins.join(tr(lang, ", ", "、"))
-                );
+                return format!("{} {}", tr!(lang, "joint"), pins.join(tr!(lang, "list" => ", ")));
             }
             format!(
                 "{} {}",
-                tr(lang, if names.len() == 1 { "link" } else { "links" }, "构件"),
-                names.join(tr(lang, ", ", "、"))
+                match names.len() {
+                    1 => tr!(lang, "link"),
+                    _ => tr!(lang, "links"),
+                },
+                names.join(tr!(lang, "list" => ", "))
             )
         }
     }
@@ -236,14 +223,14 @@ pub(super) fn effect_words(scene: &Scene, m: &Mechanism, e: Effect, lang: Lang) 
 
 pub(super) fn reason_words(r: Reason, lang: Lang) -> &'static str {
     match r {
-        Reason::Asked => tr(lang, "asked for", "题目要求"),
-        Reason::NotAsked => tr(lang, "no question calls for it", "题目未涉及"),
-        Reason::Accelerated => tr(lang, "it is given", "题目给出"),
-        Reason::AtRest => tr(lang, "the driver is at rest at this instant", "原动件该瞬时静止"),
-        Reason::ConstantRate => tr(lang, "its rate is constant", "原动件匀速"),
-        Reason::GuideTurns => tr(lang, "the guide turns", "导路转动"),
-        Reason::GuideDoesNotTurn => tr(lang, "the guide does not turn", "导路不转动"),
-        Reason::GuideNotReached => tr(lang, "no question calls for this guide", "题目未涉及该导路"),
+        Reason::Asked => tr!(lang, "asked for"),
+        Reason::NotAsked => tr!(lang, "no question calls for it"),
+        Reason::Accelerated => tr!(lang, "it is given"),
+        Reason::AtRest => tr!(lang, "the driver is at rest at this instant"),
+        Reason::ConstantRate => tr!(lang, "its rate is constant"),
+        Reason::GuideTurns => tr!(lang, "the guide turns"),
+        Reason::GuideDoesNotTurn => tr!(lang, "the guide does not turn"),
+        Reason::GuideNotReached => tr!(lang, "no question calls for this guide"),
     }
 }
 
@@ -257,10 +244,9 @@ fn group_lines(
     let mut out = Vec::new();
     if group.alternatives.len() > 1 {
         out.push(
-            tr(
+            tr!(
                 lang,
-                "special point: whichever pair of legs crosses most squarely; here the first",
-                "特殊点：取交角最好的一对；此处列出第一对",
+                "special point: whichever pair of legs crosses most squarely; here the first"
             )
             .into(),
         );
@@ -283,39 +269,27 @@ pub(super) fn between_words(w: &PlanWriter, on: DiagramKind, between: &Between) 
     let symbols = |terms: &[Term]| {
         terms.iter().map(|t| formula(&w.symbol(on, t))).collect::<Vec<_>>().join(" + ")
     };
-    match (between, w.lang) {
-        (Between::Join(t), Lang::En) => format!("{}: join {from} and {end}", symbols(&[*t])),
-        (Between::Join(t), Lang::Zh) => format!("{}：连接 {from}、{end}", symbols(&[*t])),
-        (Between::Perpendicular { normal, tangential }, lang) => {
+    match between {
+        Between::Join(t) => say!(w.lang, "{}: join {from} and {end}", symbols(&[*t])),
+        Between::Perpendicular { normal, tangential } => {
             let (parts, line) =
                 ([*normal, *tangential].map(|t| symbols(&[t])), formula(&w.line(of, to)));
-            match lang {
-                Lang::En => format!(
-                    "{}, {}: perpendicular from {end} on the parallel to {line} through {from}",
-                    parts[0], parts[1]
-                ),
-                Lang::Zh => format!(
-                    "{}、{}：自 {end} 向过 {from} 且平行于 {line} 的直线作垂线",
-                    parts[0], parts[1]
-                ),
-            }
+            say!(
+                w.lang,
+                "{}, {}: perpendicular from {end} on the parallel to {line} through {from}",
+                parts[0],
+                parts[1]
+            )
         }
-        (Between::LayOff { known, rest }, Lang::En) => {
-            let joined = if rest.is_empty() {
-                String::new()
-            } else {
-                format!(", then join to {end}: {}", symbols(rest))
-            };
-            format!("lay off {} from {from}{joined}", symbols(known))
+        Between::LayOff { known, rest } if rest.is_empty() => {
+            say!(w.lang, "lay off {} from {from}", symbols(known))
         }
-        (Between::LayOff { known, rest }, Lang::Zh) => {
-            let joined = if rest.is_empty() {
-                String::new()
-            } else {
-                format!("，再连至 {end}：{}", symbols(rest))
-            };
-            format!("自 {from} 作 {}{joined}", symbols(known))
-        }
+        Between::LayOff { known, rest } => say!(
+            w.lang,
+            "lay off {} from {from}, then join to {end}: {}",
+            symbols(known),
+            symbols(rest)
+        ),
     }
 }
 
@@ -331,7 +305,7 @@ pub(super) fn rate_words(
     Some(match rate {
         Rate::Zero => return None,
         Rate::Given { .. } => {
-            format!("{symbol}{}", tr(w.lang, ": given by the driver", "：由原动件给定"))
+            format!("{symbol}{}", tr!(w.lang, ": given by the driver"))
         }
         Rate::Same(l) => format!("{symbol} = {}", formula(&w.turning(on, TurningBody::Link(l)))),
         Rate::Measured { of, to } => {
@@ -343,26 +317,21 @@ pub(super) fn rate_words(
 /// Returns the definition of a special point: by the legs of its triad, else by the intersecting
 /// lines.
 fn special_words(w: &PlanWriter, special: &Special, name: &str) -> String {
-    match (special.legs, w.lang) {
-        (Some((a, b)), Lang::En) => {
-            format!("{name}: crossing of the constraint lines of legs {} and {}", a + 1, b + 1)
+    let lang = w.lang;
+    match special.legs {
+        Some((a, b)) => {
+            say!(lang, "{name}: crossing of the constraint lines of legs {} and {}", a + 1, b + 1)
         }
-        (Some((a, b)), Lang::Zh) => {
-            format!("{name}：第 {} 与第 {} 条支链约束线的交点", a + 1, b + 1)
-        }
-        (None, lang) => {
+        None => {
             let [a, b] = special.lines.each_ref().map(|line| line_words(w, line));
             let (link, with) =
                 (w.scene.link_name(special.link), special.with.map(|l| w.scene.link_name(l)));
-            match (lang, with) {
-                (Lang::En, None) => format!("{name}: point of link {link} where {a} and {b} meet"),
-                (Lang::Zh, None) => format!("{name}：构件 {link} 上 {a} 与 {b} 的交点"),
-                (Lang::En, Some(with)) => format!(
+            match with {
+                None => say!(lang, "{name}: point of link {link} where {a} and {b} meet"),
+                Some(with) => say!(
+                    lang,
                     "{name}: common point of links {link} and {with}, where {a} and {b} meet"
                 ),
-                (Lang::Zh, Some(with)) => {
-                    format!("{name}：构件 {link} 与 {with} 的公共点，即 {a} 与 {b} 的交点")
-                }
             }
         }
     }
@@ -375,14 +344,12 @@ fn line_words(w: &PlanWriter, line: &SpecialLine) -> String {
         SpecialLine::Leg(ConstraintLine::Along { near, far }) => {
             format!("{}{}", name(far), name(near))
         }
-        SpecialLine::Leg(ConstraintLine::Normal { pin, .. }) => match w.lang {
-            Lang::En => format!("the normal to the guide at {}", name(pin)),
-            Lang::Zh => format!("过 {} 的导路垂线", name(pin)),
-        },
-        SpecialLine::Leg(ConstraintLine::Tangent { at, .. }) => match w.lang {
-            Lang::En => format!("the tangent at {}", name(at)),
-            Lang::Zh => format!("过 {} 的公切线", name(at)),
-        },
+        SpecialLine::Leg(ConstraintLine::Normal { pin, .. }) => {
+            say!(w.lang, "the normal to the guide at {}", name(pin))
+        }
+        SpecialLine::Leg(ConstraintLine::Tangent { at, .. }) => {
+            say!(w.lang, "the tangent at {}", name(at))
+        }
         SpecialLine::Through { pin, special } => {
             format!("{}{}", formula(&w.spot(special)), name(pin))
         }
@@ -400,10 +367,9 @@ fn step_lines(
         PlanStep::Equation { target, chains, method } => {
             *equation += 1;
             let why = method_words(*method, lang);
-            let chosen = w.choice(on, *target).map_or_else(String::new, |rate| match lang {
-                Lang::En => format!(", {} chosen", formula(&rate)),
-                Lang::Zh => format!("，取 {}", formula(&rate)),
-            });
+            let chosen = w
+                .choice(on, *target)
+                .map_or_else(String::new, |rate| say!(lang, ", {} chosen", formula(&rate)));
             let vector = formula(&w.vector(on, *target));
             let mut out = vec![format!("({equation}) {vector} — {why}{chosen}")];
             if let Some(special) = w.plan.introduced(step) {
@@ -424,9 +390,9 @@ fn step_lines(
             vec![format!(
                 "{} — {} {}{}△{} {} △{}",
                 formula(&w.vector(on, *target)),
-                tr(lang, "image, link", "影像法，构件"),
+                tr!(lang, "image, link"),
                 w.scene.link_name(*link),
-                tr(lang, ": ", "："),
+                tr!(lang, ": "),
                 formula(&images),
                 formula(&w.notation.similar),
                 formula(&points)
@@ -436,40 +402,34 @@ fn step_lines(
             let [a, b] =
                 [images, mates].map(|pair| formula(&pair.map(|v| w.image(on, v)).concat()));
             let (vector, image) = (formula(&w.vector(on, *target)), formula(&w.image(on, *target)));
-            vec![match lang {
-                Lang::En => format!("{vector} — two trials: {image} where {a} and {b} cross"),
-                Lang::Zh => format!("{vector} — 两次试作：{a} 与 {b} 交于 {image}"),
-            }]
+            vec![say!(lang, "{vector} — two trials: {image} where {a} and {b} cross")]
         }
         PlanStep::Same { link, target, from } => vec![format!(
             "{} = {} — {}",
             formula(&w.vector(on, *target)),
             formula(&w.vector(on, *from)),
-            match lang {
-                Lang::En => format!("link {} does not turn", w.scene.link_name(*link)),
-                Lang::Zh => format!("构件 {} 作平动", w.scene.link_name(*link)),
-            }
+            say!(lang, "link {} does not turn", w.scene.link_name(*link))
         )],
     }
 }
 
 pub(super) fn method_words(method: Method, lang: Lang) -> &'static str {
     match method {
-        Method::Driven => tr(lang, "known", "已知"),
-        Method::SameLink => tr(lang, "points of one link", "基点法"),
+        Method::Driven => tr!(lang, "known"),
+        Method::SameLink => tr!(lang, "points of one link"),
         Method::Cylinder => {
-            tr(lang, "ends of a cylinder, on barrel and rod", "液压缸两端（缸筒与活塞杆上的点）")
+            tr!(lang, "ends of a cylinder, on barrel and rod")
         }
-        Method::Coincident => tr(lang, "coincident points", "重合点法"),
-        Method::Strand => tr(lang, "ends of a strand, without slip", "带（链）段两端的点，不打滑"),
-        Method::Special => tr(lang, "special point method", "特殊点法"),
-        Method::Trial => tr(lang, "trial polygon", "试作多边形"),
+        Method::Coincident => tr!(lang, "coincident points"),
+        Method::Strand => tr!(lang, "ends of a strand, without slip"),
+        Method::Special => tr!(lang, "special point method"),
+        Method::Trial => tr!(lang, "trial polygon"),
     }
 }
 
 /// Returns an equation table in aligned characters: symbols, magnitudes, directions.
 pub(super) fn table(lang: Lang, columns: &[EquationColumn]) -> Vec<String> {
-    let heads = ["", tr(lang, "magnitude", "大小"), tr(lang, "direction", "方向")];
+    let heads = ["", tr!(lang, "of a vector" => "magnitude"), tr!(lang, "direction")];
     let head = heads.iter().map(|h| h.width()).max().unwrap_or(0);
     let mut lines: Vec<String> = heads.iter().map(|h| pad(h, head)).collect();
     for c in columns {

@@ -2,7 +2,7 @@
 
 use super::columns::columns;
 use hodograph_base::digits::significant;
-use hodograph_paper::paper::phrase::tr;
+use hodograph_base::lang::{each, tr};
 use hodograph_scene::{Lang, Scene};
 use hodograph_worked::accuracy::Rung;
 use hodograph_worked::effort::ways::{AnswerMethod, MethodMeasurement, TogglePose};
@@ -13,30 +13,26 @@ pub fn name(way: AnswerMethod, lang: Lang) -> String {
     let power = |x: f64| format!("{x:e}");
     match way {
         AnswerMethod::Paper(mm) => {
-            format!("{} {mm} mm", tr(lang, "paper, pencil", "图纸，铅笔误差"))
+            format!("{} {mm} mm", tr!(lang, "paper, pencil"))
         }
-        AnswerMethod::DrawingSingle => tr(lang, "drawing, f32", "图解 f32").into(),
-        AnswerMethod::Drawing => tr(lang, "drawing, f64", "图解 f64").into(),
-        AnswerMethod::ClosedSingle => tr(lang, "closed form, f32", "杆组法 f32").into(),
-        AnswerMethod::Closed => tr(lang, "closed form, f64", "杆组法 f64").into(),
-        AnswerMethod::ClosedDouble => {
-            tr(lang, "closed form, double-double", "杆组法 双双精度").into()
-        }
+        AnswerMethod::DrawingSingle => tr!(lang, "drawing, f32").into(),
+        AnswerMethod::Drawing => tr!(lang, "drawing, f64").into(),
+        AnswerMethod::ClosedSingle => tr!(lang, "closed form, f32").into(),
+        AnswerMethod::Closed => tr!(lang, "closed form, f64").into(),
+        AnswerMethod::ClosedDouble => tr!(lang, "closed form, double-double").into(),
         AnswerMethod::ClosedLong(bits) => {
-            format!("{} {bits} bit", tr(lang, "closed form,", "杆组法"))
+            format!("{} {bits} bit", tr!(lang, "closed form,"))
         }
         AnswerMethod::Loops(t) => {
-            format!("{} {}", tr(lang, "loop equations, Newton to", "解析法，牛顿迭代至"), power(t))
+            format!("{} {}", tr!(lang, "loop equations, Newton to"), power(t))
         }
         AnswerMethod::Differences(h) => {
-            format!("{} {}", tr(lang, "finite differences, step", "有限差分，步长"), power(h))
+            format!("{} {}", tr!(lang, "finite differences, step"), power(h))
         }
-        AnswerMethod::Certified(Rung::Double) => tr(lang, "certified, f64", "可靠界 f64").into(),
-        AnswerMethod::Certified(Rung::DoubleDouble) => {
-            tr(lang, "certified, double-double", "可靠界 双双精度").into()
-        }
+        AnswerMethod::Certified(Rung::Double) => tr!(lang, "certified, f64").into(),
+        AnswerMethod::Certified(Rung::DoubleDouble) => tr!(lang, "certified, double-double").into(),
         AnswerMethod::Certified(Rung::Long(bits)) => {
-            format!("{} {bits} bit", tr(lang, "certified,", "可靠界"))
+            format!("{} {bits} bit", tr!(lang, "certified,"))
         }
     }
 }
@@ -47,7 +43,7 @@ fn error(e: Option<f64>, lang: Lang) -> String {
         None => "–".into(),
         Some(0.0) => "0".into(),
         Some(e) if e.is_finite() => format!("{e:.1e}"),
-        Some(_) => tr(lang, "fails", "失效").into(),
+        Some(_) => tr!(lang, "fails").into(),
     }
 }
 
@@ -67,12 +63,12 @@ fn table(rows: &[Vec<String>]) -> String {
 /// Returns the table of all ways of solution.
 pub fn text(scene: &Scene, ways: &[MethodMeasurement], lang: Lang) -> String {
     let heading = [
-        ("way", "方法"),
-        ("velocity", "速度误差"),
-        ("acceleration", "加速度误差"),
-        ("time", "用时"),
+        each!("way"),
+        each!("error" => "velocity"),
+        each!("error" => "acceleration"),
+        each!("time"),
     ];
-    let mut rows = vec![heading.map(|(en, zh)| tr(lang, en, zh).to_string()).to_vec()];
+    let mut rows = vec![heading.map(|words| lang.pick(words).to_owned()).to_vec()];
     for m in ways {
         let both = |k: usize| match (m.errors[k], m.within_95[k]) {
             (Some(_), Some(_)) => {
@@ -83,10 +79,9 @@ pub fn text(scene: &Scene, ways: &[MethodMeasurement], lang: Lang) -> String {
         rows.push(vec![name(m.way, lang), both(0), both(1), time(m.seconds)]);
     }
     let title = scene.title.get(lang);
-    let note = tr(
+    let note = tr!(
         lang,
-        "worst relative error of the answers against 512-bit arithmetic; on paper the median of 400 drawings (95 %); certified: the bound; time: median of a whole solution from positions to answers",
-        "误差为各结果相对 512 位运算的最大相对误差；图纸为 400 次作图的中位数（95%）；可靠界为所保证的误差上限；用时为由位置到结果的中位数",
+        "worst relative error of the answers against 512-bit arithmetic; on paper the median of 400 drawings (95 %); certified: the bound; time: median of a whole solution from positions to answers"
     );
     format!(
         "{}{}\n{note}\n",
@@ -100,14 +95,14 @@ pub fn text(scene: &Scene, ways: &[MethodMeasurement], lang: Lang) -> String {
 pub fn series_text(series: &[TogglePose], lang: Lang) -> String {
     let Some(first) = series.iter().find(|n| !n.ways.is_empty()) else { return String::new() };
     let mut rows = vec![
-        std::iter::once(tr(lang, "before the toggle", "距极限位置").to_string())
+        std::iter::once(tr!(lang, "before the toggle").to_string())
             .chain(first.ways.iter().map(|m| name(m.way, lang)))
             .collect::<Vec<_>>(),
     ];
     for near in series {
         let mut row = vec![format!("{:.0e}", near.distance)];
         match near.ways.len() {
-            0 => row.extend(first.ways.iter().map(|_| tr(lang, "fails", "失效").to_string())),
+            0 => row.extend(first.ways.iter().map(|_| tr!(lang, "fails").to_string())),
             _ => row.extend(near.ways.iter().map(|m| error(m.errors[1].or(m.errors[0]), lang))),
         }
         rows.push(row);

@@ -2,9 +2,9 @@
 //! wrong equations that the scene names, compared with the printed values.
 
 use hodograph_base::digits::{direction_degrees, legible};
+use hodograph_base::lang::{say, tr};
 use hodograph_mechanism::answer::AnswerValue;
 use hodograph_methods::attempts::Attempt;
-use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{Find, Lang, Scene};
 use hodograph_worked::worked::Worked;
 use serde_json::{Value as Json, json};
@@ -96,11 +96,9 @@ fn value_words(scene: &Scene, find: &Find, value: AnswerValue) -> String {
 
 /// Returns the table as text: a column for each reading; a star marks values that agree with print.
 pub fn text(all: &[SolvedReading], lang: Lang) -> String {
-    let name = |r: &SolvedReading| match (r.name.as_str(), lang) {
-        ("", Lang::En) => "as given".to_owned(),
-        ("", Lang::Zh) => "原题读法".to_owned(),
-        (name, Lang::En) => format!("reading {name}"),
-        (name, Lang::Zh) => format!("读法 {name}"),
+    let name = |r: &SolvedReading| match r.name.as_str() {
+        "" => tr!(lang, "as given").to_owned(),
+        name => say!(lang, "reading {name}"),
     };
     let mut rows: Vec<Vec<String>> =
         vec![std::iter::once(String::new()).chain(all.iter().map(name)).collect()];
@@ -145,9 +143,9 @@ pub fn text(all: &[SolvedReading], lang: Lang) -> String {
     out +=
         match (starred, all.iter().any(|r| r.scene.attempts.iter().any(|a| !a.printed.is_empty())))
         {
-            (true, _) => tr(lang, "* what was printed\n", "* 即原书所印数值\n"),
+            (true, _) => tr!(lang, "* what was printed\n"),
             (false, true) => {
-                tr(lang, "no reading gives what was printed\n", "各种读法都得不到原书所印数值\n")
+                tr!(lang, "no reading gives what was printed\n")
             }
             (false, false) => "",
         };

@@ -14,26 +14,23 @@ pub fn replacing_words(scene: &Scene, of: &ReplacedScene, link: &ReplacingLink) 
     match (link.on_cam.map(point), link.on_follower.map(point)) {
         (Some(k), Some(b)) => {
             let end = match c.follows {
-                Follows::Edge(_) => both!("the edge", "尖顶"),
-                Follows::Roller(..) => both!("the roller's centre", "滚子中心"),
-                Follows::Arc(..) | Follows::Face(_) => both!("the centre of the end", "端部圆心"),
+                Follows::Edge(_) => both!("the edge"),
+                Follows::Roller(..) => both!("the roller's centre"),
+                Follows::Arc(..) | Follows::Face(_) => both!("the centre of the end"),
             };
             both!(
                 "link {own}: bar {k}{b} from the centre of curvature {k} of cam {cam} to {} {b} of link {follower}",
-                "构件 {own}：杆 {k}{b}，连接凸轮 {cam} 廓线的曲率中心 {k} 与构件 {follower} 的{} {b}",
                 end
             )
         }
         (None, b) => {
             let b = b.unwrap_or_default();
             both!(
-                "link {own}: block pinned at {b} to link {follower}, sliding on cam {cam} along its straight profile",
-                "构件 {own}：滑块，与构件 {follower} 铰接于 {b}，沿凸轮 {cam} 的直线廓线方向移动"
+                "link {own}: block pinned at {b} to link {follower}, sliding on cam {cam} along its straight profile"
             )
         }
         (Some(k), None) => both!(
-            "link {own}: block pinned at {k}, the centre of curvature of cam {cam}, sliding on link {follower} along its face",
-            "构件 {own}：滑块，与凸轮 {cam} 铰接于廓线的曲率中心 {k}，沿构件 {follower} 的平底方向移动"
+            "link {own}: block pinned at {k}, the centre of curvature of cam {cam}, sliding on link {follower} along its face"
         ),
     }
 }
@@ -48,8 +45,7 @@ pub fn replaced_words(scene: &Scene) -> Vec<Both> {
 /// Returns the remark that the linkage is right at the instant only.
 pub fn momentary() -> Both {
     both!(
-        "this linkage has the velocities and accelerations of this instant; it changes with the position",
-        "此低副替代机构为瞬时替代：仅保证该瞬时的速度和加速度不变，随位置而改变"
+        "this linkage has the velocities and accelerations of this instant; it changes with the position"
     )
 }
 

@@ -29,8 +29,7 @@ pub fn faults(scene: &Scene) -> Faults {
             let d = Diagnostic { span: Some(*span), ..fault.clone() };
             let forms = "$v_{B3B2}^r$, $\\omega_1$, $b'_2$, $\\text{words}$";
             let help = both!(
-                "see the label language: {forms}; a dollar sign that is to be printed is `\\$`",
-                "参见标注的写法：{forms}；要印出的美元符号写作 `\\$`"
+                "see the label language: {forms}; a dollar sign that is to be printed is `\\$`"
             );
             // A fault in a text for both languages is reported once.
             if !faults.list.iter().any(|f| f.span == d.span && f.message == d.message) {

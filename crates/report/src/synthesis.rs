@@ -5,10 +5,10 @@ use super::limits::grashof_words;
 use hodograph_base::diag::{Both, Diagnostic};
 use hodograph_base::digits::{legible, metres, minus, shortest};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::{say, tr};
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
 use hodograph_mechanism::position::{self, Configuration, Path};
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::{self as scene, Book, Guide, Kind, Lang, PointId, Scene};
 use hodograph_sweep::station::position_now;
 use hodograph_sweep::{self as sweep, PlacedScene, Stations, Width};
@@ -93,19 +93,15 @@ pub fn motion(c: &DesignCandidate, lang: Lang) -> String {
     let mut parts = Vec::new();
     parts.extend(j.grashof.map(|g| grashof_words(g, lang).to_owned()));
     parts.push(
-        tr(
-            lang,
-            if j.rotates { "the driver turns fully" } else { "the driver swings" },
-            if j.rotates { "原动件整周转动" } else { "原动件摆动" },
-        )
+        match j.rotates {
+            true => tr!(lang, "the driver turns fully"),
+            false => tr!(lang, "the driver swings"),
+        }
         .to_owned(),
     );
     if let Some((angle, at)) = j.transmission {
         let (angle, at) = (legible(angle.to_degrees(), 5), legible(turn(at.to_degrees()), 5));
-        parts.push(match lang {
-            Lang::En => format!("least γ = {angle}° at {at}°"),
-            Lang::Zh => format!("原动件转至 {at}° 时传动角最小，γ = {angle}°"),
-        });
+        parts.push(say!(lang, "least γ = {angle}° at {at}°"));
     }
     if let Some(k) = j.time_ratio {
         parts.push(format!("K = {}", legible(k, 6)));
@@ -165,23 +161,15 @@ pub fn taken(design: &Design, lang: Lang) -> String {
     let Some(first) = design.candidates.first() else { return String::new() };
     let j = &first.judged;
     let why = match (j.defects.is_empty(), j.rotates, design.candidates.len()) {
-        (_, _, 1) => tr(lang, "it is the only one", "只有这一个方案"),
-        (false, ..) => tr(lang, "it has the fewest defects, but has some", "缺陷最少，但仍有缺陷"),
-        (true, true, _) => tr(
+        (_, _, 1) => tr!(lang, "it is the only one"),
+        (false, ..) => tr!(lang, "it has the fewest defects, but has some"),
+        (true, true, _) => tr!(
             lang,
-            "no defect, a crank that turns fully, the best transmission angle among those",
-            "无运动缺陷，原动件整周转动，且其中传动角最好",
+            "no defect, a crank that turns fully, the best transmission angle among those"
         ),
-        (true, false, _) => tr(
-            lang,
-            "no defect, the best transmission angle among those",
-            "无运动缺陷，且其中传动角最好",
-        ),
+        (true, false, _) => tr!(lang, "no defect, the best transmission angle among those"),
     };
-    match lang {
-        Lang::En => format!("Taken: 1 ({why})."),
-        Lang::Zh => format!("取方案 1（{why}）。"),
-    }
+    say!(lang, "Taken: 1 ({why}).")
 }
 
 /// Returns the construction as JSON: steps, the marks that each adds (m), and the readings (mm of
@@ -351,10 +339,7 @@ pub fn traced(candidate: &DesignCandidate, point: &str) -> Vec<Vec<Point>> {
 
 /// Returns the construction step by step, with the readings.
 pub fn steps(candidate: &DesignCandidate, board: &SynthesisBoard, lang: Lang) -> String {
-    let mut out = match lang {
-        Lang::En => format!("\nConstruction (μ_l = {} m/mm)\n", shortest(board.mu_l)),
-        Lang::Zh => format!("\n作图（μ_l = {} m/mm）\n", shortest(board.mu_l)),
-    };
+    let mut out = say!(lang, "\nConstruction (μ_l = {} m/mm)\n", shortest(board.mu_l));
     for (k, step) in board.steps.iter().enumerate() {
         let at = |p: Point| {
             [p.x, p.y]
@@ -370,7 +355,7 @@ pub fn steps(candidate: &DesignCandidate, board: &SynthesisBoard, lang: Lang) ->
             .marks
             .iter()
             .map(|(name, p)| format!("{} ({})", Label::math(name.as_str()).plain(), at(*p)));
-        let marks = marks.collect::<Vec<_>>().join(tr(lang, ", ", "，"));
+        let marks = marks.collect::<Vec<_>>().join(tr!(lang, "clause" => ", "));
         let marks = match (marks.is_empty(), lang) {
             (true, _) => String::new(),
             (false, Lang::En) => format!(" [{marks} mm]"),
@@ -395,10 +380,7 @@ pub fn steps(candidate: &DesignCandidate, board: &SynthesisBoard, lang: Lang) ->
             }
         };
         let name = printed(&r.name);
-        out += &match lang {
-            Lang::En => format!("{name} = {drawn}; formula {formula}, off by {off}\n"),
-            Lang::Zh => format!("{name} = {drawn}；公式 {formula}，相对差 {off}\n"),
-        };
+        out += &say!(lang, "{name} = {drawn}; formula {formula}, off by {off}\n");
     }
     out
 }

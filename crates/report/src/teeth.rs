@@ -2,12 +2,12 @@
 
 use super::columns::columns;
 use hodograph_base::digits::{legible, shortest};
+use hodograph_base::lang::{say, tr};
 use hodograph_methods::gears::unknown::{FoundGear, GearCandidate, WantedGear};
 use hodograph_methods::gears::wanted::{
     FoundPair, PairFit, WantedPair, WantedTrain, ratio_of, shares,
 };
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::Lang;
 use serde_json::{Value as Json, json};
 use std::f64::consts::PI;
@@ -20,10 +20,10 @@ const ZERO: f64 = 1e-12;
 /// Returns the kind of drive by the sum of profile shifts.
 pub fn drive(sum: f64, equal_and_opposite: bool, lang: Lang) -> &'static str {
     match (sum, equal_and_opposite) {
-        (s, _) if s > ZERO => tr(lang, "positive drive", "正传动"),
-        (s, _) if s < -ZERO => tr(lang, "negative drive", "负传动"),
-        (_, true) => tr(lang, "equal and opposite shifts", "等变位齿轮传动"),
-        (_, false) => tr(lang, "standard gears", "标准齿轮传动"),
+        (s, _) if s > ZERO => tr!(lang, "positive drive"),
+        (s, _) if s < -ZERO => tr!(lang, "negative drive"),
+        (_, true) => tr!(lang, "equal and opposite shifts"),
+        (_, false) => tr!(lang, "standard gears"),
     }
 }
 
@@ -38,10 +38,7 @@ fn mm(m: f64) -> String {
 /// Returns the pairs as a table; lengths are in millimetres.
 pub fn pairs_text(wish: &WantedPair, found: &[FoundPair], lang: Lang) -> String {
     let (ratio, distance) = (shortest(wish.ratio), mm(wish.distance));
-    let mut out = match lang {
-        Lang::En => format!("Pairs for i = {ratio} at a' = {distance} mm: {}\n", found.len()),
-        Lang::Zh => format!("i = {ratio}、a' = {distance} mm 的齿轮副：{} 个\n", found.len()),
-    };
+    let mut out = say!(lang, "Pairs for i = {ratio} at a' = {distance} mm: {}\n", found.len());
     if found.is_empty() {
         return out;
     }
@@ -59,13 +56,9 @@ pub fn pairs_text(wish: &WantedPair, found: &[FoundPair], lang: Lang) -> String 
                 contact.map_or_else(dash, |c| legible(c, 4)),
                 drive(sum, false, lang).to_owned(),
             ],
-            PairFit::Helical(angle) => [
-                "0".to_owned(),
-                dash(),
-                degrees(angle),
-                dash(),
-                tr(lang, "helical", "斜齿轮传动").to_owned(),
-            ],
+            PairFit::Helical(angle) => {
+                ["0".to_owned(), dash(), degrees(angle), dash(), tr!(lang, "helical").to_owned()]
+            }
         };
         let height = (2.0 * wish.basic.addendum + wish.basic.clearance) * p.module;
         rows.push(vec![
@@ -115,10 +108,7 @@ pub fn stages_text(wish: &WantedTrain, found: &[Vec<[u32; 2]>], lang: Lang) -> S
         .map(|(k, i)| format!("i{} = {}", k + 1, legible(*i, DIGITS)))
         .collect();
     let (ratio, share) = (shortest(wish.ratio), share.join(", "));
-    let mut out = match lang {
-        Lang::En => format!("Total ratio {ratio} in {} stages: {share}\n", wish.stages),
-        Lang::Zh => format!("总传动比 {ratio} 分为 {} 级：{share}\n", wish.stages),
-    };
+    let mut out = say!(lang, "Total ratio {ratio} in {} stages: {share}\n", wish.stages);
     let mut head: Vec<String> = (1..=wish.stages)
         .flat_map(|k| [format!("z{}/z{}", 2 * k, 2 * k - 1), format!("i{k}")])
         .collect();
@@ -134,7 +124,7 @@ pub fn stages_text(wish: &WantedTrain, found: &[Vec<[u32; 2]>], lang: Lang) -> S
         rows.push(row);
     }
     if found.is_empty() {
-        out += tr(lang, "no train within these limits\n", "在此范围内无解\n");
+        out += tr!(lang, "no train within these limits\n");
         return out;
     }
     columns(&rows, 0).iter().for_each(|line| out += &format!("{}\n", line.trim_end()));
@@ -163,13 +153,10 @@ pub fn gear_text(wish: &WantedGear, all: &FoundGear, lang: Lang) -> String {
     };
     let wanted = value(all.wanted);
     let mates: Vec<String> = all.mates.iter().map(|(link, z)| format!("z_{link} = {z}")).collect();
-    let mates = mates.join(tr(lang, ", ", "，"));
+    let mates = mates.join(tr!(lang, "clause" => ", "));
     let count = all.found.len();
-    let mut out = match lang {
-        Lang::En => format!("Teeth of gear {gear} for {name} = {wanted} ({mates}): {count}\n"),
-        Lang::Zh => format!("齿轮 {gear} 的齿数，{name} = {wanted}（{mates}）：{count} 个\n"),
-    };
-    let head = [format!("z_{gear}"), name.to_owned(), tr(lang, "deviation", "偏差").to_owned()];
+    let mut out = say!(lang, "Teeth of gear {gear} for {name} = {wanted} ({mates}): {count}\n");
+    let head = [format!("z_{gear}"), name.to_owned(), tr!(lang, "deviation").to_owned()];
     let row =
         |c: &GearCandidate| vec![c.teeth.to_string(), value(c.value), percent(all.off(c.value))];
     let rows: Vec<Vec<String>> =
@@ -177,10 +164,7 @@ pub fn gear_text(wish: &WantedGear, all: &FoundGear, lang: Lang) -> String {
     if all.found.is_empty() {
         if let Some(c) = &all.nearest {
             let [z, value, off] = [c.teeth.to_string(), value(c.value), percent(all.off(c.value))];
-            out += &match lang {
-                Lang::En => format!("nearest: z_{gear} = {z} gives {value}, deviation {off}\n"),
-                Lang::Zh => format!("最接近的是 z_{gear} = {z}：{value}，偏差 {off}\n"),
-            };
+            out += &say!(lang, "nearest: z_{gear} = {z} gives {value}, deviation {off}\n");
         }
         return out;
     }

@@ -2,12 +2,13 @@
 //! analysis.
 
 use hodograph_base::digits::{inked, significant};
+use hodograph_base::lang::{each, say, tr};
 use hodograph_board::plan::TurningBody;
 use hodograph_board::plan::names::name_label;
 use hodograph_mechanism::answer::MotionSource;
 use hodograph_mechanism::mechanism::Level;
 use hodograph_methods::trains::{GearTrain, TrainSpeeds, given, trains};
-use hodograph_paper::paper::phrase::{Phrase, capital, formula, tr};
+use hodograph_paper::paper::phrase::{Phrase, capital, formula};
 use hodograph_scene::{DiagramKind, Kind, Lang, LinkId, Scene};
 use hodograph_worked::worked::Worked;
 use unicode_width::UnicodeWidthStr;
@@ -74,17 +75,14 @@ pub fn table(
     };
     let ratio = |g: usize| train.gears[g].ratio.clone();
     let mut rows = vec![(
-        match lang {
-            Lang::En => format!("{arm} held, {first} turns once"),
-            Lang::Zh => format!("{arm} 固定，{first} 转 1 周"),
-        },
+        say!(lang, "{arm} held, {first} turns once"),
         row("0".into(), &|g| ratio(g).formula()),
     )];
     if train.gears.iter().any(|g| g.ratio.formula().contains('/')) {
         rows.push((String::new(), row("0".into(), &|g| number(ratio(g).value, digits))));
     }
     rows.push((
-        tr(lang, "the same times $x$", "乘以 $x$").into(),
+        tr!(lang, "the same times $x$").into(),
         row("0".into(), &|g| shown(ratio(g).value * t.first)),
     ));
     let unit = scene.book.name(Kind::Omega);
@@ -97,10 +95,10 @@ pub fn table(
         return TrainTable { head, rows, results: results(scene, train, t, digits) };
     }
     rows.push((
-        tr(lang, "all turn by $y$ with the arm", "整体附加 $y$").into(),
+        tr!(lang, "all turn by $y$ with the arm").into(),
         row(shown(t.arm), &|_| shown(t.arm)),
     ));
-    rows.push((with_unit(tr(lang, "sum", "合成")), row(shown(t.arm), &|g| shown(rates[g]))));
+    rows.push((with_unit(tr!(lang, "sum")), row(shown(t.arm), &|g| shown(rates[g]))));
     TrainTable { head, rows, results: results(scene, train, t, digits) }
 }
 
@@ -114,20 +112,20 @@ pub fn sentences(
 ) -> Vec<String> {
     let table = table(scene, train, t, lang, digits);
     let mut rows: Vec<String> = Vec::new();
-    let (colon, comma, stop) = (tr(lang, ": ", "："), tr(lang, ", ", "，"), tr(lang, ".", "。"));
+    let (colon, comma, stop) = (tr!(lang, ": "), tr!(lang, "clause" => ", "), tr!(lang, "."));
     let last = table.rows.len().saturating_sub(1);
     for (k, (words, cells)) in table.rows.iter().enumerate() {
         let cells = table.head.iter().zip(cells).map(|(w, c)| format!("${w}$: ${c}$"));
         let cells = cells.collect::<Vec<_>>().join(comma);
         let words = match words.as_str() {
-            "" => tr(lang, "The ratios as numbers", "各传动比的数值"),
+            "" => tr!(lang, "The ratios as numbers"),
             words => words,
         };
         // The results follow from the last row.
         let results: String = if k == last {
             let each = table.results.iter().map(|r| format!("${r}$"));
             let each = each.collect::<Vec<_>>().join(comma);
-            format!("{}{each}{stop}", tr(lang, " Therefore ", "由此得 "))
+            format!("{}{each}{stop}", tr!(lang, " Therefore "))
         } else {
             String::new()
         };
@@ -197,13 +195,13 @@ fn of_train(
 ) -> String {
     let arm = scene.link_name(train.arm);
     let strands = train.meshes.iter().all(|m| scene.rolling[m.0].contact().is_none());
-    let en = if strands { "belt or chain drive" } else { "gear train" };
-    let zh = if strands { "带（链）传动，" } else { "" };
-    let mut lines = vec![match (lang, train.arm == scene.ground) {
-        (Lang::En, true) => format!("{en} with fixed axes, by Willis' table:"),
-        (Lang::En, false) => format!("{en} with arm {arm}, by Willis' table:"),
-        (Lang::Zh, true) => format!("{zh}定轴轮系（列表法）："),
-        (Lang::Zh, false) => format!("{zh}周转轮系，系杆 {arm}（列表法）："),
+    let drive = lang.pick(match strands {
+        true => each!("belt or chain drive"),
+        false => ["gear train", ""],
+    });
+    let mut lines = vec![match train.arm == scene.ground {
+        true => say!(lang, "{drive} with fixed axes, by Willis' table:"),
+        false => say!(lang, "{drive} with arm {arm}, by Willis' table:"),
     }];
     let table = table(scene, train, t, lang, DIGITS);
     let cells = |words: &str, cells: &[String]| {
@@ -225,12 +223,12 @@ fn of_train(
     if let Some([drawn, solved]) = apart(worked, train, t) {
         lines.push(format!(
             "  {}",
-            match lang {
-                Lang::En if drawn == "0" && solved == "0" => "polygon and analysis give the same angular velocities".to_owned(),
-                Lang::Zh if drawn == "0" && solved == "0" => "与速度多边形及解析结果一致".to_owned(),
-                Lang::En =>
-                    format!("greatest relative difference of the angular velocities: {drawn} in the polygon, {solved} in the analysis"),
-                Lang::Zh => format!("角速度的最大相对差：速度多边形 {drawn}，解析法 {solved}"),
+            match drawn == "0" && solved == "0" {
+                true => tr!(lang, "polygon and analysis give the same angular velocities").to_owned(),
+                false => say!(
+                    lang,
+                    "greatest relative difference of the angular velocities: {drawn} in the polygon, {solved} in the analysis"
+                ),
             }
         ));
     }

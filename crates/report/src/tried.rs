@@ -3,12 +3,13 @@
 
 use crate::plan::{group_words, method_words, table};
 use hodograph_base::diag::{Both, both};
+use hodograph_base::lang::{say, tr};
 use hodograph_board::plan::text::{PlanWriter, vertex_name};
 use hodograph_board::plan::tried::{GroupTrial, PointTrial, unknowns};
 use hodograph_board::plan::{PlanStep, TermChain, VertexId};
 use hodograph_mechanism::mechanism::Mechanism;
-use hodograph_paper::paper::phrase::{formula, tr};
-use hodograph_scene::{DiagramKind, Lang};
+use hodograph_paper::paper::phrase::formula;
+use hodograph_scene::DiagramKind;
 use serde_json::{Value as Json, json};
 
 /// Returns the trials as text. `w` writes the plan that comes with them.
@@ -21,17 +22,14 @@ pub fn text(m: &Mechanism, w: &PlanWriter, tried: &[GroupTrial]) -> String {
             continue;
         }
         let what = lang.of(&on.vectors()).to_owned();
-        out += &match lang {
-            Lang::En => format!("\n{what}: points tried, and the unknowns of their equations\n"),
-            Lang::Zh => format!("\n{what}：试选的点及其方程的未知量\n"),
-        };
+        out += &say!(lang, "\n{what}: points tried, and the unknowns of their equations\n");
         for trial in groups.iter().filter(|t| !t.points.is_empty()) {
             if let Some(group) = m.assur_of(w.scene, trial.group) {
                 out += &format!("  {}\n", group_words(w.scene, m, &group, lang));
             }
             for point in &trial.points {
                 let name = point_name(w, point.target);
-                out += &format!("    {}\n", tr(lang, "try {}", "选 {} 点").replace("{}", &name));
+                out += &format!("    {}\n", tr!(lang, "try {}").replace("{}", &name));
                 if !point.chains.is_empty() {
                     out += &equation(w, on, point.target, &point.chains);
                 }
@@ -57,10 +55,7 @@ fn point_name(w: &PlanWriter, v: VertexId) -> String {
 /// The number of unknowns in words.
 fn verdict(w: &PlanWriter, point: &PointTrial) -> Both {
     if point.chains.is_empty() {
-        return both!(
-            "no known point on its links: there is no equation",
-            "其所在构件上没有已知点：列不出方程"
-        );
+        return both!("no known point on its links: there is no equation");
     }
     counted(w, &point.chains)
 }
@@ -68,17 +63,11 @@ fn verdict(w: &PlanWriter, point: &PointTrial) -> Both {
 fn counted(w: &PlanWriter, chains: &[TermChain]) -> Both {
     let [open, settled] = unknowns(w.plan, chains);
     if open > 0 && settled == 0 {
-        both!(
-            "its direction is known, and no equation gives its magnitude: not solvable",
-            "只知其方向，没有方程求其大小：方程不可解"
-        )
+        both!("its direction is known, and no equation gives its magnitude: not solvable")
     } else if open <= settled {
-        both!("{open} unknowns: solvable", "未知量 {open} 个：方程可解")
+        both!("{open} unknowns: solvable")
     } else {
-        both!(
-            "{open} unknowns, a plane equation settles {settled}: not solvable",
-            "未知量 {open} 个，一个平面矢量方程只能解 {settled} 个：方程不可解"
-        )
+        both!("{open} unknowns, a plane equation settles {settled}: not solvable")
     }
 }
 
@@ -92,7 +81,7 @@ fn taken(w: &PlanWriter, trial: &GroupTrial) -> String {
             PlanStep::Equation { target, chains, method } => {
                 out += &format!(
                     "    {}{} — {}\n",
-                    tr(lang, "taken: ", "取："),
+                    tr!(lang, "taken: "),
                     name(*target),
                     method_words(*method, lang)
                 );
@@ -103,7 +92,7 @@ fn taken(w: &PlanWriter, trial: &GroupTrial) -> String {
                 }
             }
             PlanStep::Image { target, .. } => {
-                out += &format!("    {} — {}\n", name(*target), tr(lang, "image", "影像法"));
+                out += &format!("    {} — {}\n", name(*target), tr!(lang, "image"));
             }
             PlanStep::Same { .. } | PlanStep::Trials { .. } => {}
         }

@@ -7,6 +7,7 @@ use crate::particle::{enclosed, number};
 use crate::plan::table;
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::digits::minus;
+use hodograph_base::lang::tr;
 use hodograph_base::notation::Notation;
 use hodograph_base::number::decimal::Enclosure;
 use hodograph_board::plan::text::EquationColumn;
@@ -14,7 +15,7 @@ use hodograph_methods::equation::board::EquationDrawing;
 use hodograph_methods::equation::{
     EquationCase, EquationSolution, RootVector, VectorEquation, VectorTerm, unknowns,
 };
-use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::phrase::Phrase;
 use hodograph_scene::Lang;
 use serde_json::{Value as Json, json};
 
@@ -128,10 +129,10 @@ pub fn lines(problem: &VectorEquation, solved: &EquationSolution, digits: usize)
 pub fn count(terms: &[VectorTerm]) -> Both {
     let all: usize = unknowns(terms).iter().map(Vec::len).sum();
     let verdict = match EquationCase::of(terms) {
-        Ok(case) => both!("solvable: {}", "方程可解：{}", case.words()),
-        Err(_) => both!("not solvable", "方程不可解"),
+        Ok(case) => both!("solvable: {}", case.words()),
+        Err(_) => both!("not solvable"),
     };
-    both!("{all} unknowns; {}", "未知量 {all} 个；{}", verdict)
+    both!("{all} unknowns; {}", verdict)
 }
 
 /// Returns the table of an equation with the count of its unknowns, as `plan` prints it.
@@ -165,14 +166,14 @@ pub fn text(
     for (k, v) in &all {
         let beside = apart(solved, drawn, *k, v).map_or_else(String::new, |off| {
             let off = if off < 1e-14 { "0".to_owned() } else { format!("{off:.0e}") };
-            format!("   {} {off}", tr(lang, "drawing differs by", "作图相差"))
+            format!("   {} {off}", tr!(lang, "drawing differs by"))
         });
         let told = value(problem, solved, v, digits);
         out += &format!("{:wide$} = {told}{beside}\n", name(*k, v.term));
     }
     if steps {
         let scale = Phrase::new(&format!("${}$", scale_formula(&problem.book, drawn.on, drawn.mu)));
-        out += &format!("\n{}{}\n", tr(lang, "Drawing: ", "作图："), scale.plain());
+        out += &format!("\n{}{}\n", tr!(lang, "Drawing: "), scale.plain());
         for (k, step) in drawn.steps.iter().enumerate() {
             out += &format!("{}. {}\n", k + 1, Phrase::new(lang.of(step)).plain());
         }

@@ -35,7 +35,7 @@ pub(super) const MAX_STATEMENT: usize = 10_000;
 /// Decodes a whole file; it must give the data that `extent` demands. Faults are collected, and the
 /// readable parts are returned so that later stages find their faults too.
 pub(super) fn scene(root: &Node, extent: RequiredData, faults: &mut Faults) -> Option<RawScene> {
-    let f = Fields::open(root, both!("a scene", "机构文件"), keys::SCENE, faults)?;
+    let f = Fields::open(root, both!("a scene"), keys::SCENE, faults)?;
     let mut raw = RawScene { extent, ..RawScene::default() };
     if let Some(node) = f.get("title") {
         raw.title = localized(node, "\"title\"", MAX_TITLE, faults);
@@ -45,8 +45,7 @@ pub(super) fn scene(root: &Node, extent: RequiredData, faults: &mut Faults) -> O
     }
     for (key, node) in entries(f.get("parameters"), "\"parameters\"", faults) {
         raw.parameters.extend(
-            quantity(node, both!("parameter `{}`", "参数 `{}`", key.text), faults)
-                .map(|q| (key.clone(), q)),
+            quantity(node, both!("parameter `{}`", key.text), faults).map(|q| (key.clone(), q)),
         );
     }
     if let Some(node) = f.get("time") {
@@ -54,23 +53,18 @@ pub(super) fn scene(root: &Node, extent: RequiredData, faults: &mut Faults) -> O
         if let Some((name, _)) = raw.parameters.iter().find(|(name, _)| name.text == TIME) {
             let d = Diagnostic::error(
                 "given-twice",
-                both!(
-                    "\"time\" and the parameter `t` both give the instant",
-                    "\"time\" 与参数 `t` 都给出时刻"
-                ),
+                both!("\"time\" and the parameter `t` both give the instant"),
             );
-            faults.push(d.at(name.span).help(both!(
-                "leave one of them out, or give the parameter another name",
-                "请去掉其一，或将参数改名"
-            )));
+            faults.push(
+                d.at(name.span)
+                    .help(both!("leave one of them out, or give the parameter another name")),
+            );
         }
         raw.parameters.extend(motion::time(node, faults));
     }
     for (key, node) in entries(f.get("units"), "\"units\"", faults) {
-        raw.units.extend(
-            word(node, both!("unit of `{}`", "`{}` 的单位", key.text), faults)
-                .map(|w| (key.clone(), w)),
-        );
+        raw.units
+            .extend(word(node, both!("unit of `{}`", key.text), faults).map(|w| (key.clone(), w)));
     }
     for (key, node) in entries(f.get("answers"), "\"answers\"", faults) {
         raw.answers.extend(
@@ -80,20 +74,19 @@ pub(super) fn scene(root: &Node, extent: RequiredData, faults: &mut Faults) -> O
     let before = faults.list.len();
     let links = f.need("links", "{\"1\": [\"A\", \"B\"], ...}", faults);
     for (key, node) in entries(links, "\"links\"", faults) {
-        let points = words(Some(node), both!("link `{}`", "构件 `{}`", key.text), faults);
+        let points = words(Some(node), both!("link `{}`", key.text), faults);
         raw.links.push(RawLink { name: key.clone(), points });
     }
     raw.links_sound = faults.list.len() == before;
     raw.ground = f
-        .need("ground", both!("\"4\", the name of the fixed link", "\"4\"（机架的名称）"), faults)
+        .need("ground", both!("\"4\", the name of the fixed link"), faults)
         .and_then(|n| word(n, "\"ground\"", faults));
     for (key, node) in entries(f.get("points"), "\"points\"", faults) {
         raw.points.extend(place(node, faults).map(|p| (key.clone(), p)));
     }
     for (key, node) in entries(f.get("lengths"), "\"lengths\"", faults) {
         raw.lengths.extend(
-            quantity(node, both!("length `{}`", "长度 `{}`", key.text), faults)
-                .map(|q| (key.clone(), q)),
+            quantity(node, both!("length `{}`", key.text), faults).map(|q| (key.clone(), q)),
         );
     }
     for node in items(f.get("guides"), "\"guides\"", faults) {
@@ -128,10 +121,7 @@ pub(super) fn scene(root: &Node, extent: RequiredData, faults: &mut Faults) -> O
             faults.push(
                 Diagnostic::error(
                     "empty",
-                    both!(
-                        "\"driver\" is empty: nothing drives the mechanism",
-                        "\"driver\" 为空：没有原动件"
-                    ),
+                    both!("\"driver\" is empty: nothing drives the mechanism"),
                 )
                 .at(*span),
             );
@@ -151,15 +141,13 @@ pub(super) fn scene(root: &Node, extent: RequiredData, faults: &mut Faults) -> O
     loads::loads(&f, &mut raw, faults);
     for (key, node) in entries(f.get("sketch"), "\"sketch\"", faults) {
         raw.sketch.extend(
-            two_quantities(node, both!("sketch of `{}`", "`{}` 的草图位置", key.text), faults)
+            two_quantities(node, both!("sketch of `{}`", key.text), faults)
                 .map(|q| (key.clone(), q)),
         );
     }
     for (key, node) in entries(f.get("side"), "\"side\"", faults) {
-        raw.sides.extend(
-            word(node, both!("side of `{}`", "`{}` 的 side", key.text), faults)
-                .map(|w| (key.clone(), w)),
-        );
+        raw.sides
+            .extend(word(node, both!("side of `{}`", key.text), faults).map(|w| (key.clone(), w)));
     }
     raw.find = f.get("find").map(|n| words(Some(n), "\"find\"", faults));
     for node in items(f.get("composite"), "\"composite\"", faults) {
@@ -169,7 +157,7 @@ pub(super) fn scene(root: &Node, extent: RequiredData, faults: &mut Faults) -> O
         raw.attempts.extend(attempts::attempt(node, faults));
     }
     for (key, node) in entries(f.get("readings"), "\"readings\"", faults) {
-        if object(node, both!("reading `{}`", "读法 `{}`", key.text), faults).is_some() {
+        if object(node, both!("reading `{}`", key.text), faults).is_some() {
             raw.readings.push(key.clone());
         }
     }
@@ -198,15 +186,12 @@ pub(super) fn front(root: &Node, faults: &mut Faults) -> RawScene {
     raw.title = get("title").and_then(|node| localized(node, "\"title\"", MAX_TITLE, faults));
     for (key, node) in entries(get("parameters"), "\"parameters\"", faults) {
         raw.parameters.extend(
-            quantity(node, both!("parameter `{}`", "参数 `{}`", key.text), faults)
-                .map(|q| (key.clone(), q)),
+            quantity(node, both!("parameter `{}`", key.text), faults).map(|q| (key.clone(), q)),
         );
     }
     for (key, node) in entries(get("units"), "\"units\"", faults) {
-        raw.units.extend(
-            word(node, both!("unit of `{}`", "`{}` 的单位", key.text), faults)
-                .map(|w| (key.clone(), w)),
-        );
+        raw.units
+            .extend(word(node, both!("unit of `{}`", key.text), faults).map(|w| (key.clone(), w)));
     }
     for (key, node) in entries(get("answers"), "\"answers\"", faults) {
         raw.answers.extend(
@@ -254,12 +239,7 @@ fn within<'a, T>(
     match all.get(limit) {
         None => all,
         Some(first) => {
-            let message = both!(
-                "{} has {} entries; at most {limit} are allowed",
-                "{}有 {} 项，最多允许 {limit} 项",
-                *what,
-                all.len()
-            );
+            let message = both!("{} has {} entries; at most {limit} are allowed", *what, all.len());
             faults.push(Diagnostic::error("too-many", message).at(span(first)));
             &all[..limit]
         }
@@ -275,11 +255,7 @@ fn flag(node: &Node, key: &str, faults: &mut Faults) -> Option<bool> {
         | NodeKind::Null
         | NodeKind::Array(_)
         | NodeKind::Object(_) => {
-            let message = both!(
-                "\"{key}\" is {}, not true or false",
-                "\"{key}\" 是{}，应为 true 或 false",
-                node.what()
-            );
+            let message = both!("\"{key}\" is {}, not true or false", node.what());
             faults.push(Diagnostic::error("wrong-type", message).at(node.span));
             None
         }
@@ -290,7 +266,7 @@ fn words(node: Option<&Node>, what: impl Into<FaultSubject>, faults: &mut Faults
     let what = what.into();
     items(node, &what, faults)
         .iter()
-        .filter_map(|n| word(n, both!("an entry of {}", "{}的一项", what), faults))
+        .filter_map(|n| word(n, both!("an entry of {}", what), faults))
         .collect()
 }
 
@@ -306,33 +282,24 @@ pub(super) fn localized(
 
 fn place(node: &Node, faults: &mut Faults) -> Option<RawPlace> {
     if let NodeKind::Array(_) = node.kind {
-        return two_quantities(node, both!("a place", "位置"), faults).map(RawPlace::At);
+        return two_quantities(node, both!("a place"), faults).map(RawPlace::At);
     }
     let has = |key: &str| matches!(&node.kind, NodeKind::Object(m) if m.iter().any(|(k, _)| k.text == key));
     let (xy, polar) = (has("x") || has("y"), has("length") || has("angle"));
     if xy && polar {
         let d = Diagnostic::error(
             "two-places",
-            both!(
-                "the place is given in two ways, by x and y and by length and angle",
-                "位置给了两次：既有 x、y，又有 length、angle"
-            ),
+            both!("the place is given in two ways, by x and y and by length and angle"),
         );
-        faults.push(d.at(node.span).help(both!(
-            "keep \"x\" and \"y\", or \"length\" and \"angle\"",
-            "请只保留 \"x\"、\"y\"，或只保留 \"length\"、\"angle\""
-        )));
+        faults
+            .push(d.at(node.span).help(both!("keep \"x\" and \"y\", or \"length\" and \"angle\"")));
         return None;
     }
     let example = "\"100 mm\"";
     if polar {
-        let f = Fields::open(node, both!("a place", "位置"), keys::PLACE_POLAR, faults)?;
+        let f = Fields::open(node, both!("a place"), keys::PLACE_POLAR, faults)?;
         let base = f
-            .need(
-                "base",
-                both!("\"BC\", two points of the link", "\"BC\"（该构件上的两点）"),
-                faults,
-            )
+            .need("base", both!("\"BC\", two points of the link"), faults)
             .and_then(|n| word(n, "\"base\"", faults));
         let length =
             f.need("length", example, faults).and_then(|n| quantity(n, "\"length\"", faults));
@@ -340,9 +307,9 @@ fn place(node: &Node, faults: &mut Faults) -> Option<RawPlace> {
             f.need("angle", "\"30 deg\"", faults).and_then(|n| quantity(n, "\"angle\"", faults));
         return Some(RawPlace::Polar { base: base?, length: length?, angle: angle? });
     }
-    let f = Fields::open(node, both!("a place", "位置"), keys::PLACE_XY, faults)?;
+    let f = Fields::open(node, both!("a place"), keys::PLACE_XY, faults)?;
     let base = f
-        .need("base", both!("\"BC\", two points of the link", "\"BC\"（该构件上的两点）"), faults)
+        .need("base", both!("\"BC\", two points of the link"), faults)
         .and_then(|n| word(n, "\"base\"", faults));
     let x = f.need("x", example, faults).and_then(|n| quantity(n, "\"x\"", faults));
     let y = f.need("y", example, faults).and_then(|n| quantity(n, "\"y\"", faults));
@@ -350,7 +317,7 @@ fn place(node: &Node, faults: &mut Faults) -> Option<RawPlace> {
 }
 
 fn guide(node: &Node, faults: &mut Faults) -> Option<RawGuide> {
-    let f = Fields::open(node, both!("a guide", "导路"), keys::GUIDE, faults)?;
+    let f = Fields::open(node, both!("a guide"), keys::GUIDE, faults)?;
     let before = faults.list.len();
     let mut name = |key: &str| f.get(key).and_then(|n| word(n, &format!("\"{key}\""), faults));
     let (pin, slider, on, line, centre) =
@@ -443,12 +410,7 @@ pub(super) fn quantity(
         NodeKind::Number(text) => (text.clone(), true),
         NodeKind::Text(_) => (written(node, what, faults)?, false),
         _ => {
-            return wrong(
-                node,
-                what,
-                both!("a quantity such as \"100 mm\"", "量，如 \"100 mm\""),
-                faults,
-            );
+            return wrong(node, what, both!("a quantity such as \"100 mm\""), faults);
         }
     };
     Some(RawQuantity { text, span: node.span, bare })
@@ -483,15 +445,10 @@ pub(super) fn two_quantities(
         items => {
             let d = Diagnostic::error(
                 "wrong-count",
-                both!(
-                    "{} has two values, this has {}",
-                    "{}应有两个值，此处有 {} 个",
-                    what,
-                    items.len()
-                ),
+                both!("{} has two values, this has {}", what, items.len()),
             )
             .at(node.span);
-            faults.push(d.help(both!("write [x, y]", "请写作 [x, y]")));
+            faults.push(d.help(both!("write [x, y]")));
             None
         }
     }

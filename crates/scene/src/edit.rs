@@ -22,12 +22,9 @@ pub fn with_find(text: &str, find: &[&str]) -> Result<String, Faults> {
     let mut faults = Faults::default();
     let (source, root) = json::parse(text.as_bytes(), &mut faults)?;
     let NodeKind::Object(members) = &root.kind else {
-        return Err(Diagnostic::error(
-            "not-a-scene",
-            both!("a scene is a JSON object", "机构文件是一个 JSON 对象"),
-        )
-        .at(root.span)
-        .into());
+        return Err(Diagnostic::error("not-a-scene", both!("a scene is a JSON object"))
+            .at(root.span)
+            .into());
     };
     let list = serde_json::json!(find).to_string();
     let mut out = source.to_owned();
@@ -54,7 +51,7 @@ pub fn with_find(text: &str, find: &[&str]) -> Result<String, Faults> {
 /// assert_eq!(new, r#"{"parameters": {"r": "120 mm", "s": "2*r"}}"#);
 /// ```
 pub fn with_parameters(text: &str, values: &[(&str, &str)]) -> Result<String, Faults> {
-    super::templates::with_parameters(text, values, both!("the scene", "机构文件"))
+    super::templates::with_parameters(text, values, both!("the scene"))
 }
 
 /// Reads an angle as in a scene, such as `30 deg` or `pi/6`; a bare number is in degrees. If the
@@ -125,7 +122,7 @@ impl ReadQuantity {
 fn angle_read(text: &str) -> Result<ReadQuantity, Faults> {
     let read = quantity(text, "deg")?;
     if read.value.dim != Dim::ANGLE {
-        return Err(wrong(text, both!("an angle", "角度"), read.value));
+        return Err(wrong(text, both!("an angle"), read.value));
     }
     Ok(read)
 }
@@ -137,7 +134,7 @@ fn angle_read(text: &str) -> Result<ReadQuantity, Faults> {
 pub fn length(text: &str) -> Result<f64, Faults> {
     let value = quantity(text, "mm")?.value;
     if (value.dim.length, value.dim.time) != (1, 0) {
-        return Err(wrong(text, both!("a length", "长度"), value));
+        return Err(wrong(text, both!("a length"), value));
     }
     Ok(value.si())
 }
@@ -149,7 +146,7 @@ pub fn length(text: &str) -> Result<f64, Faults> {
 pub fn turning(text: &str) -> Result<f64, Faults> {
     let value = quantity(text, "rad/s")?.value;
     if value.dim != RequiredQuantity::Omega.dim() {
-        return Err(wrong(text, both!("an angular velocity", "角速度"), value));
+        return Err(wrong(text, both!("an angular velocity"), value));
     }
     Ok(value.si())
 }
@@ -168,7 +165,7 @@ pub fn turning(text: &str) -> Result<f64, Faults> {
 pub fn time(text: &str) -> Result<f64, Faults> {
     let value = quantity(text, "s")?.value;
     if value.dim != RequiredQuantity::Time.dim() {
-        return Err(wrong(text, both!("a time", "时间"), value));
+        return Err(wrong(text, both!("a time"), value));
     }
     Ok(value.si())
 }
@@ -176,12 +173,7 @@ pub fn time(text: &str) -> Result<f64, Faults> {
 fn wrong(text: &str, wanted: Both, value: DimensionedValue) -> Faults {
     Diagnostic::error(
         "dimension",
-        both!(
-            "`{text}` is {}; {} is wanted",
-            "`{text}` 是{}；此处需要{}",
-            value.dim.describe(),
-            wanted
-        ),
+        both!("`{text}` is {}; {} is wanted", value.dim.describe(), wanted),
     )
     .into()
 }

@@ -105,7 +105,7 @@ pub fn evaluate<N: Real>(
                 Operator::Sub => add(a, b, true).map_err(fault)?,
                 Operator::Mul => multiply(a, b, 1),
                 Operator::Div if b.number.approx() == 0.0 => {
-                    return Err(fault(both!("division by zero", "除数为零")));
+                    return Err(fault(both!("division by zero")));
                 }
                 Operator::Div => multiply(a, b, -1),
                 Operator::Pow => power(a, b).map_err(fault)?,
@@ -117,15 +117,11 @@ pub fn evaluate<N: Real>(
     // Quantities of kinematics have far smaller exponents than 20, and the arithmetic of exponents
     // remains small.
     if value.dim.exponents().iter().any(|k| k.abs() > 20) {
-        return Err(fault(both!(
-            "the powers of the units are beyond all measure",
-            "单位的幂次过大"
-        )));
+        return Err(fault(both!("the powers of the units are beyond all measure")));
     }
     if !size.is_finite() || size > HUGE || (size != 0.0 && size < 1.0 / HUGE) {
         return Err(fault(both!(
             "the value {:e} is beyond all measure (1e-90 to 1e90)",
-            "数值 {:e} 超出可用范围（1e-90 到 1e90）",
             value.number.approx()
         )));
     }
@@ -133,11 +129,10 @@ pub fn evaluate<N: Real>(
 }
 
 fn literal<N: Real>(text: &str) -> Result<N, Both> {
-    let number: f64 =
-        text.parse().map_err(|e| both!("`{text}` is not a number: {e}", "`{text}` 不是数：{e}"))?;
+    let number: f64 = text.parse().map_err(|e| both!("`{text}` is not a number: {e}"))?;
     let mantissa = text.split(['e', 'E']).next().unwrap_or_default();
     if number == 0.0 && mantissa.bytes().any(|b| (b'1'..=b'9').contains(&b)) {
-        return Err(both!("`{text}` is too small for a number", "`{text}` 过小，无法表示"));
+        return Err(both!("`{text}` is too small for a number"));
     }
     // Values that are too large are refused later, so their decimals need no conversion.
     Ok(if number == 0.0 || number.abs() > HUGE {
@@ -182,8 +177,8 @@ fn add<N: Real>(
         let (first, second) = if minus { (b.dim, a.dim) } else { (a.dim, b.dim) };
         let [first, second] = [first.describe(), second.describe()];
         return Err(match minus {
-            true => both!("{} cannot be subtracted from {}", "不能从{1}中减去{0}", first, second),
-            false => both!("{} cannot be added to {}", "{}不能与{}相加", first, second),
+            true => both!("{} cannot be subtracted from {}", first, second),
+            false => both!("{} cannot be added to {}", first, second),
         });
     }
     // A length in metres and an arc in metres times radians, v/r and ω: in these sums radians are
@@ -201,25 +196,18 @@ fn power<N: Real>(
     b: DimensionedValue<N>,
 ) -> Result<DimensionedValue<N>, Both> {
     if b.dim != Dim::NUMBER {
-        return Err(both!(
-            "an exponent is a pure number, this is {}",
-            "指数应为纯数，此处为{}",
-            b.dim.describe()
-        ));
+        return Err(both!("an exponent is a pure number, this is {}", b.dim.describe()));
     }
     let exponent = b.number.approx();
     let whole = libm::rint(exponent);
     if a.dim == Dim::NUMBER {
         if a.number.approx() < 0.0 && whole != exponent {
-            return Err(both!("a negative number has no broken power", "负数没有非整数次幂"));
+            return Err(both!("a negative number has no broken power"));
         }
         return Ok(DimensionedValue::number(a.number.pow(b.number)));
     }
     if whole != exponent || whole.abs() > 6.0 {
-        return Err(both!(
-            "the exponent of a quantity with a unit is a whole number from -6 to 6",
-            "带单位的量，其指数应为 -6 到 6 的整数"
-        ));
+        return Err(both!("the exponent of a quantity with a unit is a whole number from -6 to 6"));
     }
     let k = whole as i32;
     if k == 1 {
@@ -238,23 +226,15 @@ fn call<N: Real>(f: Function, a: DimensionedValue<N>) -> Result<DimensionedValue
         true => Ok(()),
         false if dim == Dim::ANGLE && a.dim == Dim::NUMBER && a.number.approx() == 0.0 => Ok(()),
         false if dim == Dim::ANGLE && a.dim == Dim::NUMBER => Err(both!(
-            "{name} wants an angle, this is a pure number: write `deg` or `rad` after it",
-            "{name} 需要角度，此处为纯数：请在后面写 `deg` 或 `rad`"
+            "{name} wants an angle, this is a pure number: write `deg` or `rad` after it"
         )),
-        false => Err(both!(
-            "{name} wants {}, this is {}",
-            "{name} 需要{}，此处为{}",
-            dim.describe(),
-            a.dim.describe()
-        )),
+        false => Err(both!("{name} wants {}, this is {}", dim.describe(), a.dim.describe())),
     };
     let inverse = |name: &str, known: fn(f64) -> Angle, g: &dyn Fn(N) -> DimensionedValue<N>| {
         wants(Dim::NUMBER, name)?;
         let x = a.number.approx();
         match known(x) {
-            Angle::Rad(r) if r.is_nan() => {
-                Err(both!("{name} has no value at {x}", "{name} 在 {x} 处无值"))
-            }
+            Angle::Rad(r) if r.is_nan() => Err(both!("{name} has no value at {x}")),
             // The angle in degrees is exact only if the number equals its `f64`.
             Angle::Deg(d) if a.number == N::from_f64(x) => {
                 Ok(DimensionedValue::deg(N::from_f64(d)))
@@ -269,19 +249,11 @@ fn call<N: Real>(f: Function, a: DimensionedValue<N>) -> Result<DimensionedValue
         Function::Abs => DimensionedValue { number: a.number.magnitude(), ..a },
         Function::Sqrt => {
             if a.number.approx() < 0.0 {
-                return Err(both!(
-                    "sqrt of the negative value {}",
-                    "对负值 {} 开平方",
-                    a.number.approx()
-                ));
+                return Err(both!("sqrt of the negative value {}", a.number.approx()));
             }
             let d = a.dim;
             if d.exponents().iter().any(|k| k % 2 != 0) {
-                return Err(both!(
-                    "sqrt of {}: its unit is no square",
-                    "对{}开平方：其单位不是平方",
-                    d.describe()
-                ));
+                return Err(both!("sqrt of {}: its unit is no square", d.describe()));
             }
             let dim = Dim {
                 length: d.length / 2,
@@ -303,19 +275,14 @@ fn call<N: Real>(f: Function, a: DimensionedValue<N>) -> Result<DimensionedValue
             wants(Dim::ANGLE, "tan")?;
             let (s, c) = a.sin_cos();
             if c.approx() == 0.0 {
-                return Err(both!("tan of a right angle", "直角的正切不存在"));
+                return Err(both!("tan of a right angle"));
             }
             DimensionedValue::number(s / c)
         }
         Function::Ln | Function::Log10 => {
             wants(Dim::NUMBER, f.name())?;
             if a.number.approx() <= 0.0 {
-                return Err(both!(
-                    "{} has no value at {}",
-                    "{} 在 {} 处无值",
-                    f.name(),
-                    a.number.approx()
-                ));
+                return Err(both!("{} has no value at {}", f.name(), a.number.approx()));
             }
             let ln = a.number.ln();
             DimensionedValue::number(if f == Function::Ln {

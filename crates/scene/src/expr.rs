@@ -157,10 +157,9 @@ fn within(text: &str, length: usize, parentheses: usize) -> Result<(), Diagnosti
     if text.len() > length {
         return Err(fault(both!(
             "an expression has at most {length} bytes, this has {}",
-            "表达式至多 {length} 字节，此处有 {} 字节",
             text.len()
         ))
-        .help(both!("name its parts in \"parameters\"", "请在 \"parameters\" 中给各部分命名")));
+        .help(both!("name its parts in \"parameters\"")));
     }
     let mut depth = 0usize;
     for (i, c) in text.char_indices() {
@@ -170,11 +169,8 @@ fn within(text: &str, length: usize, parentheses: usize) -> Result<(), Diagnosti
             _ => {}
         }
         if depth > parentheses {
-            return Err(fault(both!(
-                "parentheses are nested more than {parentheses} deep",
-                "括号嵌套超过 {parentheses} 层"
-            ))
-            .at(Span::new(i, i + 1)));
+            return Err(fault(both!("parentheses are nested more than {parentheses} deep"))
+                .at(Span::new(i, i + 1)));
         }
     }
     Ok(())
@@ -192,7 +188,7 @@ pub fn parse(text: &str, parameters: &[&str]) -> Result<Expr, Diagnostic> {
     if text.len() > MAX_LENGTH && depth(&tree) > MAX_DEPTH {
         return Err(Diagnostic::error(
             "expression",
-            both!("an expression has more than {MAX_DEPTH} levels", "表达式的层数超过 {MAX_DEPTH}"),
+            both!("an expression has more than {MAX_DEPTH} levels"),
         ));
     }
     Ok(tree)

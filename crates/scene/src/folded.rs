@@ -90,12 +90,7 @@ impl<N: Real> Folded<N> {
         if value.number.is_decided() || !value.number.0[0].is_decided() {
             return Ok(value);
         }
-        let message: Both = both!(
-            "`{}` has no derivative at t = {} s",
-            "`{}` 在 t = {} s 处不可导",
-            self.text,
-            t.approx()
-        );
+        let message: Both = both!("`{}` has no derivative at t = {} s", self.text, t.approx());
         Err(Diagnostic::error("law", message))
     }
 
@@ -118,9 +113,7 @@ fn valued<N: Real>(
 ) -> Result<DimensionedValue<N>, Diagnostic> {
     evaluate(expr, lookup).map_err(|e| match e {
         NoValue::Fault(d) => d,
-        NoValue::Reported => {
-            Diagnostic::error("expression", both!("a parameter has no value", "参数无值"))
-        }
+        NoValue::Reported => Diagnostic::error("expression", both!("a parameter has no value")),
     })
 }
 

@@ -222,16 +222,13 @@ impl Curve {
         match evaluate(&self.expr, &lookup) {
             Ok(value) if value.dim == Dim::NUMBER => Ok(value.number),
             Ok(value) => {
-                let message = both!(
-                    "a function of numbers is wanted, this is {}",
-                    "此处需要数值函数，现为{}",
-                    value.dim.describe()
-                );
+                let message =
+                    both!("a function of numbers is wanted, this is {}", value.dim.describe());
                 Err(Diagnostic::error("dimension", message))
             }
             Err(NoValue::Fault(d)) => Err(Diagnostic { span: None, ..d }),
             Err(NoValue::Reported) => {
-                Err(Diagnostic::error("expression", both!("the function has no value", "函数无值")))
+                Err(Diagnostic::error("expression", both!("the function has no value")))
             }
         }
     }

@@ -71,6 +71,9 @@ use hodograph_base::diag::{Diagnostic, Faults, Severity, Span, Warned, both};
 use hodograph_base::json;
 use raw::RequiredData;
 
+// Compiled again when its Chinese texts change.
+const _: &str = include_str!("../po/zh.po");
+
 /// Reads the pencil error in the form of `"paper": {"pencil": ...}`, such as `0.1 mm`; returns mm.
 ///
 /// # Errors
@@ -212,10 +215,8 @@ pub fn read_at_any_rate(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Fault
         .ok()
         .filter(|read| read.value.find.iter().all(asks_no_rate));
     let mut read = free.ok_or(faults)?;
-    let message = both!(
-        "no rate is given, and nothing asked depends on it: one unit of it is taken",
-        "未给出原动件的速度，所求各量与之无关：取单位速度"
-    );
+    let message =
+        both!("no rate is given, and nothing asked depends on it: one unit of it is taken");
     read.notes.push(Diagnostic::note("free-rate", message));
     Ok(read)
 }

@@ -3,7 +3,7 @@
 //! This module defines the names only. The module `attempts` decides where a scene allows a mistake
 //! and how the mistake changes the equations, with one file for each.
 
-use hodograph_base::lang::Lang;
+use hodograph_base::lang::{Lang, each};
 
 /// A known mistake.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -54,22 +54,20 @@ impl Mistake {
     /// Returns its name in headings.
     pub fn title(self, lang: Lang) -> &'static str {
         let [en, zh] = match self {
-            Mistake::ContactPoint => [
-                "Momentary contact point taken as a permanent coincident point",
-                "把瞬时接触点当作始终不变的重合点",
-            ],
-            Mistake::NoCoriolis => ["Coriolis acceleration left out", "漏掉科氏加速度"],
-            Mistake::CoriolisWrongOmega => {
-                ["Coriolis acceleration with the wrong angular velocity", "科氏加速度用错角速度"]
+            Mistake::ContactPoint => {
+                each!("Momentary contact point taken as a permanent coincident point")
             }
-            Mistake::RollingPointAZero => [
-                "Contact point of a rolling wheel taken without acceleration",
-                "认为纯滚动接触点加速度为零",
-            ],
-            Mistake::ImageAcrossLinks => ["Image across two links", "跨构件使用影像"],
-            Mistake::NoNormal => ["Normal acceleration left out", "漏掉法向加速度"],
+            Mistake::NoCoriolis => each!("Coriolis acceleration left out"),
+            Mistake::CoriolisWrongOmega => {
+                each!("Coriolis acceleration with the wrong angular velocity")
+            }
+            Mistake::RollingPointAZero => {
+                each!("Contact point of a rolling wheel taken without acceleration")
+            }
+            Mistake::ImageAcrossLinks => each!("Image across two links"),
+            Mistake::NoNormal => each!("Normal acceleration left out"),
             Mistake::AccelerationByCentre => {
-                ["Acceleration by the instantaneous centre of velocity", "用速度瞬心求加速度"]
+                each!("Acceleration by the instantaneous centre of velocity")
             }
         };
         match lang {

@@ -1,6 +1,7 @@
 //! Joined names, as in print: `AB`, `O2B`, `B3B2`, `omega_3/2`, separated with the names that the
 //! scene declares.
 
+use hodograph_base::lang::each;
 use std::collections::HashMap;
 
 use super::model::{Link, LinkId, NamedPoint, OnLink, PointId};
@@ -43,18 +44,12 @@ pub(super) fn check(name: &Word, what: Named) -> Option<Diagnostic> {
     }
     let (message, help) = match what {
         Named::Link => (
-            both!("`{text}` cannot name a link", "`{text}` 不能作构件名"),
-            both!(
-                "up to {MAX_NAME} letters, digits, ' or _",
-                "至多 {MAX_NAME} 个字母、数字、' 或 _"
-            ),
+            both!("`{text}` cannot name a link"),
+            both!("up to {MAX_NAME} letters, digits, ' or _"),
         ),
         Named::Point => (
-            both!("`{text}` cannot name a point", "`{text}` 不能作点名"),
-            both!(
-                "a letter first, up to {MAX_NAME} letters, digits, ' or _",
-                "以字母开头，至多 {MAX_NAME} 个字母、数字、' 或 _"
-            ),
+            both!("`{text}` cannot name a point"),
+            both!("a letter first, up to {MAX_NAME} letters, digits, ' or _"),
         ),
     };
     Some(Diagnostic::error("name", message).at(name.span).help(help))
@@ -62,7 +57,7 @@ pub(super) fn check(name: &Word, what: Named) -> Option<Diagnostic> {
 
 /// Returns a list of readings for the author to choose from.
 pub(super) fn written(readings: &[String]) -> Both {
-    both!("write {}", "请写 {}", Both { en: readings.join(" or "), zh: readings.join(" 或 ") })
+    both!("write {}", Both::from(each!(" or ").map(|or| readings.join(or))))
 }
 
 fn within_run(text: &str, word: &Word) -> Result<(), Diagnostic> {
@@ -70,8 +65,7 @@ fn within_run(text: &str, word: &Word) -> Result<(), Diagnostic> {
         return Ok(());
     }
     let message = both!(
-        "a name of more than {MAX_RUN} letters cannot be made of the names of points and links",
-        "超过 {MAX_RUN} 个字母的名称不可能由点名和构件名组成"
+        "a name of more than {MAX_RUN} letters cannot be made of the names of points and links"
     );
     Err(Diagnostic::error("name", message).at(word.span))
 }
@@ -111,17 +105,10 @@ impl<'a> Names<'a> {
     /// Returns the link `text`, which is a part of `word`.
     pub fn link_in(&self, text: &str, word: &Word) -> Result<LinkId, Diagnostic> {
         self.find_link(text).ok_or_else(|| {
-            let d = Diagnostic::error(
-                "unknown-link",
-                both!("there is no link `{text}`", "没有构件 `{text}`"),
-            )
-            .at(word.span);
+            let d =
+                Diagnostic::error("unknown-link", both!("there is no link `{text}`")).at(word.span);
             let near = || {
-                suggest(
-                    text,
-                    self.links.iter().map(|l| l.name.as_str()),
-                    both!("the links are", "构件有"),
-                )
+                suggest(text, self.links.iter().map(|l| l.name.as_str()), both!("the links are"))
             };
             d.help(self.meant_link(text).unwrap_or_else(near))
         })
@@ -136,33 +123,19 @@ impl<'a> Names<'a> {
             let mut on =
                 self.links.iter().filter(|l| l.points.contains(&p) && l.points.contains(&q));
             let name = &on.next().filter(|_| on.next().is_none())?.name;
-            Some(both!(
-                "{a} and {b} are on link `{name}`: write `{name}`",
-                "{a} 和 {b} 在构件 `{name}` 上：请写 `{name}`"
-            ))
+            Some(both!("{a} and {b} are on link `{name}`: write `{name}`"))
         };
         let relative = |(a, b): (&str, &str)| {
-            (self.find_link(a)? != self.find_link(b)?).then(|| {
-                both!(
-                    "for link `{a}` relative to link `{b}` write `{a}/{b}`",
-                    "构件 `{a}` 相对于构件 `{b}` 请写 `{a}/{b}`"
-                )
-            })
+            (self.find_link(a)? != self.find_link(b)?)
+                .then(|| both!("for link `{a}` relative to link `{b}` write `{a}/{b}`"))
         };
         halves().find_map(carrier).or_else(|| halves().find_map(relative))
     }
 
     fn no_point(&self, text: &str, word: &Word) -> Diagnostic {
-        let d = Diagnostic::error(
-            "unknown-point",
-            both!("there is no point `{text}` on any link", "各构件上都没有点 `{text}`"),
-        )
-        .at(word.span);
-        d.help(suggest(
-            text,
-            self.points.iter().map(|p| p.name.as_str()),
-            both!("the points are", "点有"),
-        ))
+        let d = Diagnostic::error("unknown-point", both!("there is no point `{text}` on any link"))
+            .at(word.span);
+        d.help(suggest(text, self.points.iter().map(|p| p.name.as_str()), both!("the points are")))
     }
 
     /// Returns two different points, as in `AB` or `O2,B`.
@@ -189,11 +162,7 @@ impl<'a> Names<'a> {
                     });
                     let d = Diagnostic::error(
                         "ambiguous",
-                        both!(
-                            "`{text}` can be read in {} ways",
-                            "`{text}` 有 {} 种读法",
-                            many.len()
-                        ),
+                        both!("`{text}` can be read in {} ways", many.len()),
                     )
                     .at(word.span);
                     return Err(d.help(written(&readings.collect::<Vec<_>>())));
@@ -201,12 +170,9 @@ impl<'a> Names<'a> {
             }
         };
         if a == b {
-            let d = Diagnostic::error(
-                "same-point",
-                both!("`{text}` names the same point twice", "`{text}` 两次写了同一点"),
-            )
-            .at(word.span);
-            return Err(d.help(both!("two different points are wanted", "需要两个不同的点")));
+            let d = Diagnostic::error("same-point", both!("`{text}` names the same point twice"))
+                .at(word.span);
+            return Err(d.help(both!("two different points are wanted")));
         }
         Ok((a, b))
     }
@@ -220,25 +186,22 @@ impl<'a> Names<'a> {
                 let rest = &text[p.name.len()..];
                 let d = Diagnostic::error(
                     "unknown-point",
-                    both!("in `{text}` there is no point `{rest}`", "`{text}` 中没有点 `{rest}`"),
+                    both!("in `{text}` there is no point `{rest}`"),
                 )
                 .at(word.span);
                 d.help(suggest(
                     rest,
                     self.points.iter().map(|p| p.name.as_str()),
-                    both!("the points are", "点有"),
+                    both!("the points are"),
                 ))
             }
             _ => {
-                let d = Diagnostic::error(
-                    "unknown-point",
-                    both!("`{text}` does not name two points", "`{text}` 不是两个点的名称"),
-                )
-                .at(word.span);
+                let d =
+                    Diagnostic::error("unknown-point", both!("`{text}` does not name two points"))
+                        .at(word.span);
                 let names: Vec<_> = self.points.iter().map(|p| p.name.as_str()).collect();
                 d.help(both!(
                     "write two of the points one after the other or with a comma; the points are {}",
-                    "请连写两个点名，或用逗号隔开；点有 {}",
                     Both::names(&names)
                 ))
             }
@@ -292,7 +255,7 @@ impl<'a> Names<'a> {
             many => {
                 let d = Diagnostic::error(
                     "ambiguous",
-                    both!("`{text}` can be read in {} ways", "`{text}` 有 {} 种读法", many.len()),
+                    both!("`{text}` can be read in {} ways", many.len()),
                 )
                 .at(word.span);
                 Err(d.help(written(&many.iter().map(|r| self.print(r)).collect::<Vec<_>>())))
@@ -316,17 +279,14 @@ impl<'a> Names<'a> {
         Ok(match self.find_link(frame) {
             Some(link) => Frame::Link(link),
             None if self.singles(frame).is_empty() => {
-                let message = both!(
-                    "the frame `{frame}` is neither a link nor a point",
-                    "动系 `{frame}` 既不是构件也不是点"
-                );
+                let message = both!("the frame `{frame}` is neither a link nor a point");
                 let all = self
                     .links
                     .iter()
                     .map(|l| l.name.as_str())
                     .chain(self.points.iter().map(|p| p.name.as_str()));
                 let d = Diagnostic::error("unknown-frame", message).at(word.span);
-                return Err(d.help(suggest(frame, all, both!("there are", "有"))));
+                return Err(d.help(suggest(frame, all, both!("there are"))));
             }
             None => Frame::Point(self.one_on_link(frame, word)?),
         })
@@ -337,10 +297,7 @@ impl<'a> Names<'a> {
         match self.on_links(text, word)? {
             (one, None) => Ok(one),
             (_, Some(_)) => {
-                let message = both!(
-                    "`{text}` names two points; here is place for one",
-                    "`{text}` 写了两个点；此处只能写一个点"
-                );
+                let message = both!("`{text}` names two points; here is place for one");
                 Err(Diagnostic::error("unknown-point", message).at(word.span))
             }
         }
@@ -405,10 +362,7 @@ impl<'a> Names<'a> {
             && p.name.len() < text.len()
         {
             let rest = &text[p.name.len()..];
-            let message = both!(
-                "in `{text}`, `{rest}` is neither a link nor a point",
-                "`{text}` 中的 `{rest}` 既不是构件也不是点"
-            );
+            let message = both!("in `{text}`, `{rest}` is neither a link nor a point");
             let all = self
                 .links
                 .iter()
@@ -417,7 +371,7 @@ impl<'a> Names<'a> {
             return Diagnostic::error("unknown-point", message).at(word.span).help(suggest(
                 rest,
                 all,
-                both!("there are", "有"),
+                both!("there are"),
             ));
         }
         self.no_point(text, word)

@@ -90,12 +90,11 @@ pub fn page(text: &str) -> Result<PageFormat, Faults> {
         let known = known.join(", ");
         return Err(Diagnostic::error(
             "paper",
-            both!("there is no page format `{text}`", "没有页面格式 `{text}`"),
+            both!("there is no page format `{text}`"),
         )
         .at(Span::new(0, text.len()))
         .help(both!(
-            "write one of {known}, also with -landscape; 16:9 or 4:3 for slides; a width such as 80mm, or with the greatest height 80mmx120mm",
-            "请写 {known} 之一（横放加 -landscape）；投影用 16:9 或 4:3；或写宽度如 80mm，或连同最大高度 80mmx120mm"
+            "write one of {known}, also with -landscape; 16:9 or 4:3 for slides; a width such as 80mm, or with the greatest height 80mmx120mm"
         ))
         .into());
     }

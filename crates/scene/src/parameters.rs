@@ -43,14 +43,10 @@ pub(super) fn by_dependence(parameters: &[(Word, RawQuantity)]) -> (Vec<usize>, 
         let mut others: Vec<usize> = lacks[i].iter().copied().collect();
         others.sort_unstable();
         let others: Vec<&str> = others.into_iter().map(|k| names[k]).collect();
-        let message = both!(
-            "parameter `{}` rests on itself, by way of {}",
-            "参数 `{}` 经由 {} 又取决于自身",
-            name.text,
-            Both::names(&others)
-        );
+        let message =
+            both!("parameter `{}` rests on itself, by way of {}", name.text, Both::names(&others));
         let d = Diagnostic::error("circular-parameter", message).at(quantity.span);
-        circular.push(d.help(both!("give one of them as a number", "请把其中一个写成数值")));
+        circular.push(d.help(both!("give one of them as a number")));
     }
     (order, circular)
 }

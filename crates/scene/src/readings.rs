@@ -27,13 +27,8 @@ pub struct Reading {
 /// assert_eq!(all[1].text, r#"{"points":{"A":[1,2],"B":[1,0]}}"#);
 /// ```
 pub fn readings(text: &str) -> Result<Vec<Reading>, Faults> {
-    let mut scene: Value =
-        serde_json::from_str(text.trim_start_matches('\u{feff}')).map_err(|e| {
-            Diagnostic::error(
-                "json",
-                both!("the scene cannot be read: {e}", "机构文件不能读取：{e}"),
-            )
-        })?;
+    let mut scene: Value = serde_json::from_str(text.trim_start_matches('\u{feff}'))
+        .map_err(|e| Diagnostic::error("json", both!("the scene cannot be read: {e}")))?;
     let patches = scene.as_object_mut().and_then(|o| o.shift_remove("readings"));
     let mut all = vec![Reading { name: String::new(), text: scene.to_string() }];
     for (name, patch) in patches.as_ref().and_then(Value::as_object).into_iter().flatten() {

@@ -61,10 +61,7 @@ impl Scene {
         };
         let nowhere = |cam: &RawCam| cam.angle.is_some() && angle(cam).is_none();
         if self.source.as_ref().is_some_and(|Source(source)| source.0.cams.iter().any(nowhere)) {
-            let message = both!(
-                "how a cam behind wheels stands is told for one pose",
-                "轮系带动的凸轮，其位置只对一个位置给定"
-            );
+            let message = both!("how a cam behind wheels stands is told for one pose");
             return Err(Diagnostic::error("no-source", message).into());
         }
         let fixed = |name: &str| {
@@ -117,12 +114,7 @@ impl Scene {
     }
 
     fn reread(&self, change: impl FnOnce(&mut RawScene)) -> Result<Scene, Faults> {
-        let none = || {
-            Diagnostic::error(
-                "no-source",
-                both!("the scene was not read from a file", "机构不是从文件读入的"),
-            )
-        };
+        let none = || Diagnostic::error("no-source", both!("the scene was not read from a file"));
         let Source(source) = self.source.as_ref().ok_or_else(none)?;
         let (raw, text) = source.as_ref();
         let mut raw = raw.clone();

@@ -46,11 +46,8 @@ pub fn list() -> Vec<SceneTemplate> {
 /// An unknown name; the diagnostic suggests the nearest one.
 pub fn get(name: &str) -> Result<&'static str, Diagnostic> {
     SCENES.iter().find(|(n, _)| *n == name).map(|(_, text)| *text).ok_or_else(|| {
-        let d = Diagnostic::error(
-            "unknown-template",
-            both!("there is no template `{name}`", "没有模板 `{name}`"),
-        );
-        d.help(suggest(name, SCENES.iter().map(|(n, _)| *n), both!("the templates are", "模板有")))
+        let d = Diagnostic::error("unknown-template", both!("there is no template `{name}`"));
+        d.help(suggest(name, SCENES.iter().map(|(n, _)| *n), both!("the templates are")))
     })
 }
 
@@ -70,7 +67,7 @@ pub fn get(name: &str) -> Result<&'static str, Diagnostic> {
 /// assert!(text.contains(r#""l_AB": "80 mm""#) && text.contains(r#""omega_1": "-2 rad/s""#));
 /// ```
 pub fn instantiate(name: &str, values: &[(&str, &str)]) -> Result<String, Faults> {
-    with_parameters(get(name)?, values, both!("template `{name}`", "模板 `{name}` "))
+    with_parameters(get(name)?, values, both!("template `{name}`"))
 }
 
 /// Returns the text of a scene with other values for some of its parameters; `whose` begins a
@@ -88,19 +85,14 @@ pub(super) fn with_parameters(
         let Some(i) = names.iter().position(|n| n == parameter) else {
             let d = Diagnostic::error(
                 "unknown-parameter",
-                both!("{} has no parameter `{parameter}`", "{}没有参数 `{parameter}`", whose),
+                both!("{} has no parameter `{parameter}`", whose),
             );
             faults.push(if names.is_empty() {
                 d.help(both!(
-                    "name values that are to be set: \"parameters\": {{\"{parameter}\": ...}}",
-                    "要改的数值须先命名：\"parameters\": {{\"{parameter}\": ...}}"
+                    "name values that are to be set: \"parameters\": {{\"{parameter}\": ...}}"
                 ))
             } else {
-                d.help(suggest(
-                    parameter,
-                    names.iter().copied(),
-                    both!("the parameters are", "参数有"),
-                ))
+                d.help(suggest(parameter, names.iter().copied(), both!("the parameters are")))
             });
             continue;
         };
@@ -109,17 +101,14 @@ pub(super) fn with_parameters(
             Ok(new) if edits.iter().any(|(span, _)| *span == old.span) => {
                 faults.push(Diagnostic::error(
                     "given-twice",
-                    both!(
-                        "parameter `{parameter}` is set twice, the second time to `{new}`",
-                        "参数 `{parameter}` 设了两次，第二次为 `{new}`"
-                    ),
+                    both!("parameter `{parameter}` is set twice, the second time to `{new}`"),
                 ));
             }
             Ok(new) => edits.push((old.span, quoted(&new))),
             // The place would count in the value, which is in no file.
             Err(d) => faults.push(Diagnostic {
                 span: None,
-                message: both!("parameter `{parameter}`: {}", "参数 `{parameter}`：{}", d.message),
+                message: both!("parameter `{parameter}`: {}", d.message),
                 ..d
             }),
         }
@@ -176,15 +165,9 @@ fn replacement_in(
     }
     let d = Diagnostic::error(
         "no-unit",
-        both!(
-            "`{new}` has no unit, and `{old}` does not tell which one is meant",
-            "`{new}` 没有单位，从 `{old}` 也看不出单位"
-        ),
+        both!("`{new}` has no unit, and `{old}` does not tell which one is meant"),
     );
-    Err(d.help(both!(
-        "write {parameter}=\"{new} mm\", or whichever unit it has",
-        "请写 {parameter}=\"{new} mm\"，或所需的单位"
-    )))
+    Err(d.help(both!("write {parameter}=\"{new} mm\", or whichever unit it has")))
 }
 
 /// A parameter that can be set.

@@ -78,19 +78,19 @@ impl Dim {
             _ if self.mass != 0 => {
                 match RequiredQuantity::OF_MASS.into_iter().find(|w| w.dim() == self) {
                     Some(wanted) => wanted.describe(),
-                    None => both!("a quantity in {}", "以 {} 为单位的量", self.units()),
+                    None => both!("a quantity in {}", self.units()),
                 }
             }
-            (0, 0, 0) => both!("a pure number", "纯数"),
-            (1, 0, 0) => both!("a length", "长度"),
-            (2, 0, 0) => both!("an area", "面积"),
-            (0, 1, 0) => both!("a time", "时间"),
-            (0, 0, 1) => both!("an angle", "角度"),
-            (0, -1, 1) => both!("an angular velocity", "角速度"),
-            (0, -2, 1) => both!("an angular acceleration", "角加速度"),
-            (1, -1, 0) => both!("a velocity", "速度"),
-            (1, -2, 0) => both!("an acceleration", "加速度"),
-            _ => both!("a quantity in {}", "以 {} 为单位的量", self.units()),
+            (0, 0, 0) => both!("a pure number"),
+            (1, 0, 0) => both!("a length"),
+            (2, 0, 0) => both!("an area"),
+            (0, 1, 0) => both!("a time"),
+            (0, 0, 1) => both!("an angle"),
+            (0, -1, 1) => both!("an angular velocity"),
+            (0, -2, 1) => both!("an angular acceleration"),
+            (1, -1, 0) => both!("a velocity"),
+            (1, -2, 0) => both!("an acceleration"),
+            _ => both!("a quantity in {}", self.units()),
         }
     }
 
@@ -304,26 +304,26 @@ impl RequiredQuantity {
     /// Returns it in words for a message: `a length`.
     pub fn describe(self) -> Both {
         match self {
-            RequiredQuantity::Length => both!("a length", "长度"),
-            RequiredQuantity::Angle => both!("an angle", "角度"),
-            RequiredQuantity::Omega => both!("an angular velocity", "角速度"),
-            RequiredQuantity::Alpha => both!("an angular acceleration", "角加速度"),
-            RequiredQuantity::Velocity => both!("a velocity", "速度"),
-            RequiredQuantity::Acceleration => both!("an acceleration", "加速度"),
-            RequiredQuantity::Time => both!("a time", "时间"),
-            RequiredQuantity::Number => both!("a number", "数"),
-            RequiredQuantity::ScaleOfLengths => both!("a scale of lengths", "长度比例尺"),
-            RequiredQuantity::ScaleOfVelocities => both!("a scale of velocities", "速度比例尺"),
+            RequiredQuantity::Length => both!("a length"),
+            RequiredQuantity::Angle => both!("an angle"),
+            RequiredQuantity::Omega => both!("an angular velocity"),
+            RequiredQuantity::Alpha => both!("an angular acceleration"),
+            RequiredQuantity::Velocity => both!("a velocity"),
+            RequiredQuantity::Acceleration => both!("an acceleration"),
+            RequiredQuantity::Time => both!("a time"),
+            RequiredQuantity::Number => both!("a number"),
+            RequiredQuantity::ScaleOfLengths => both!("a scale of lengths"),
+            RequiredQuantity::ScaleOfVelocities => both!("a scale of velocities"),
             RequiredQuantity::ScaleOfAccelerations => {
-                both!("a scale of accelerations", "加速度比例尺")
+                both!("a scale of accelerations")
             }
-            RequiredQuantity::Force => both!("a force", "力"),
-            RequiredQuantity::Moment => both!("a moment", "力矩"),
-            RequiredQuantity::Power => both!("a power", "功率"),
-            RequiredQuantity::Mass => both!("a mass", "质量"),
-            RequiredQuantity::Inertia => both!("a moment of inertia", "转动惯量"),
-            RequiredQuantity::Stiffness => both!("a stiffness", "刚度"),
-            RequiredQuantity::ScaleOfForces => both!("a scale of forces", "力比例尺"),
+            RequiredQuantity::Force => both!("a force"),
+            RequiredQuantity::Moment => both!("a moment"),
+            RequiredQuantity::Power => both!("a power"),
+            RequiredQuantity::Mass => both!("a mass"),
+            RequiredQuantity::Inertia => both!("a moment of inertia"),
+            RequiredQuantity::Stiffness => both!("a stiffness"),
+            RequiredQuantity::ScaleOfForces => both!("a scale of forces"),
         }
     }
 
@@ -337,13 +337,13 @@ impl RequiredQuantity {
             || !mentions(expr, front::TIME)
             || lacking.iter().any(|(_, n)| !(0..=1).contains(n))
         {
-            return both!("write it in {}", "请以 {} 为单位", self.usual_unit());
+            return both!("write it in {}", self.usual_unit());
         }
         let below = if seconds == 1 { "s".to_owned() } else { format!("s^{seconds}") };
         let above = lacking.iter().find(|(_, n)| *n == 1);
         let factor =
             above.map_or(format!("1/(1 {below})"), |(unit, _)| format!("1 {unit}/{below}"));
-        both!("t counts in seconds: multiply by {factor}", "t 以秒计：请乘以 {factor}")
+        both!("t counts in seconds: multiply by {factor}")
     }
 
     /// Returns a unit to suggest for a bare number.

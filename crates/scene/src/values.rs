@@ -86,26 +86,16 @@ impl<'a> Values<'a> {
             };
             let value = evaluated.as_ref().map(|(_, value)| *value);
             if !expr::is_name(&name.text) {
-                let d = Diagnostic::error(
-                    "name",
-                    both!("`{}` cannot name a parameter", "`{}` 不能作参数名", name.text),
-                )
-                .at(name.span);
-                faults.push(d.help(both!(
-                    "a name is a letter followed by letters, digits or _",
-                    "名称以字母开头，后接字母、数字或 _"
-                )));
+                let d = Diagnostic::error("name", both!("`{}` cannot name a parameter", name.text))
+                    .at(name.span);
+                faults.push(d.help(both!("a name is a letter followed by letters, digits or _")));
             } else if expr::is_reserved(&name.text) {
                 let d = Diagnostic::error(
                     "name",
-                    both!(
-                        "`{}` is a unit or a function and cannot name a parameter",
-                        "`{}` 是单位或函数，不能作参数名",
-                        name.text
-                    ),
+                    both!("`{}` is a unit or a function and cannot name a parameter", name.text),
                 )
                 .at(name.span);
-                faults.push(d.help(both!("call it `{}0`", "可改称 `{}0`", name.text)));
+                faults.push(d.help(both!("call it `{}0`", name.text)));
                 // The name counts as declared: its uses are not reported again.
                 values.names.push(&name.text);
                 values.known.insert(&name.text, None);
@@ -135,17 +125,13 @@ impl<'a> Values<'a> {
         else {
             let d = Diagnostic::error(
                 "unknown-key",
-                both!(
-                    "`{}` is not a quantity of \"units\"",
-                    "`{}` 不是 \"units\" 中的量",
-                    key.text
-                ),
+                both!("`{}` is not a quantity of \"units\"", key.text),
             )
             .at(key.span);
             faults.push(d.help(suggest(
                 &key.text,
                 RequiredQuantity::TABLE.iter().map(|(k, _)| *k),
-                both!("the quantities are", "量有"),
+                both!("the quantities are"),
             )));
             return;
         };
@@ -157,15 +143,10 @@ impl<'a> Values<'a> {
             Ok(_) => {
                 let d = Diagnostic::error(
                     "unit",
-                    both!(
-                        "`{}` is not a unit of {}",
-                        "`{}` 不是{}的单位",
-                        unit.text,
-                        wanted.describe()
-                    ),
+                    both!("`{}` is not a unit of {}", unit.text, wanted.describe()),
                 )
                 .at(unit.span);
-                faults.push(d.help(both!("write \"{}\"", "请写 \"{}\"", wanted.usual_unit())));
+                faults.push(d.help(both!("write \"{}\"", wanted.usual_unit())));
             }
             Err(fault) => faults.list.extend(fault),
         }
@@ -180,7 +161,7 @@ impl<'a> Values<'a> {
             .map(|(name, _)| {
                 Diagnostic::warning(
                     "unused-parameter",
-                    both!("parameter `{}` is not used", "参数 `{}` 没有用到", name.text),
+                    both!("parameter `{}` is not used", name.text),
                 )
                 .at(name.span)
             })
@@ -242,12 +223,8 @@ impl<'a> Values<'a> {
             return Ok(law);
         }
         let text = &quantity.text;
-        let message = both!(
-            "{} is wanted here, `{text}` is {}",
-            "此处需要{}，`{text}` 是{}",
-            wanted.describe(),
-            value.dim.describe()
-        );
+        let message =
+            both!("{} is wanted here, `{text}` is {}", wanted.describe(), value.dim.describe());
         let d = Diagnostic::error("dimension", message).help(wanted.missing(value.dim, &law.expr));
         Err(vec![d.at(quantity.span)])
     }
@@ -261,14 +238,9 @@ impl<'a> Values<'a> {
         if value.dim == Dim::TIME && !law.depends_on_time() || zero {
             return Ok(law);
         }
-        let message = both!(
-            "a time is wanted here, `{}` is {}",
-            "此处需要时间，`{}` 是{}",
-            quantity.text,
-            value.dim.describe()
-        );
-        let d =
-            Diagnostic::error("dimension", message).help(both!("write it in s", "请以 s 为单位"));
+        let message =
+            both!("a time is wanted here, `{}` is {}", quantity.text, value.dim.describe());
+        let d = Diagnostic::error("dimension", message).help(both!("write it in s"));
         Err(vec![d.at(quantity.span)])
     }
 
@@ -340,7 +312,7 @@ impl<'a> Values<'a> {
         }
         let d = Diagnostic::error(
             "not-positive",
-            both!("{} is {}; it must be greater than zero", "{}为 {}，应大于零", what, given.text),
+            both!("{} is {}; it must be greater than zero", what, given.text),
         );
         faults.push(d.at(quantity.span));
         None
@@ -352,15 +324,12 @@ impl<'a> Values<'a> {
             Ok((_, value, _)) if value.dim == Dim::NUMBER => return Some(value.number),
             Ok((_, value, _)) => {
                 let text = &quantity.text;
-                let message = both!(
-                    "a number is wanted here, `{text}` is {}",
-                    "此处需要数值，`{text}` 是{}",
-                    value.dim.describe()
-                );
+                let message =
+                    both!("a number is wanted here, `{text}` is {}", value.dim.describe());
                 Some(
                     Diagnostic::error("dimension", message)
                         .at(quantity.span)
-                        .help(both!("write it without a unit", "请不带单位")),
+                        .help(both!("write it without a unit")),
                 )
             }
             Err(fault) => fault,
@@ -480,17 +449,12 @@ impl<'a> Values<'a> {
             if value.dim.serves(wanted.dim()) {
                 return Ok((text.clone(), value, ball));
             }
-            let message = both!(
-                "{} is wanted here, `{text}` is {}",
-                "此处需要{}，`{text}` 是{}",
-                wanted.describe(),
-                value.dim.describe()
-            );
+            let message =
+                both!("{} is wanted here, `{text}` is {}", wanted.describe(), value.dim.describe());
             let d = Diagnostic::error("dimension", message).at(quantity.span);
             return Err(match expr::unit_in_divisor(text, expr) {
                 Some(meant) => d.help(both!(
-                    "a unit binds to the number before it and not to the quotient: write \"{meant}\"",
-                    "单位只属于它前面的数，不属于整个商：请写 \"{meant}\""
+                    "a unit binds to the number before it and not to the quotient: write \"{meant}\""
                 )),
                 None => d.help(wanted.missing(value.dim, expr)),
             });
@@ -514,11 +478,7 @@ impl<'a> Values<'a> {
         let Some(unit) = wanted.key().and_then(|k| self.units.get(k)) else {
             let d = Diagnostic::error(
                 "no-unit",
-                both!(
-                    "{} is wanted here, `{text}` has no unit",
-                    "此处需要{}，`{text}` 没有单位",
-                    wanted.describe()
-                ),
+                both!("{} is wanted here, `{text}` has no unit", wanted.describe()),
             )
             .at(quantity.span);
             let usual = wanted.usual_unit();
@@ -526,10 +486,9 @@ impl<'a> Values<'a> {
                 if simple { format!("{text} {usual}") } else { format!("({text}) * 1 {usual}") };
             return Err(match wanted.key() {
                 Some(key) => d.help(both!(
-                    "write \"{proposal}\", or give \"units\": {{\"{key}\": \"{usual}\"}} for all bare numbers",
-                    "请写 \"{proposal}\"，或用 \"units\": {{\"{key}\": \"{usual}\"}} 给所有不带单位的数规定单位"
+                    "write \"{proposal}\", or give \"units\": {{\"{key}\": \"{usual}\"}} for all bare numbers"
                 )),
-                None => d.help(both!("write \"{proposal}\"", "请写 \"{proposal}\"")),
+                None => d.help(both!("write \"{proposal}\"")),
             });
         };
         let text = with_unit(unit);
@@ -538,8 +497,7 @@ impl<'a> Values<'a> {
             Ok((_, value, ball)) => Ok((text, value, ball)),
             // Number and unit have been read separately; together they can only be too large.
             Err(fault) => Err(fault.unwrap_or_else(|| {
-                Diagnostic::error("expression", both!("`{text}` has no value", "`{text}` 无值"))
-                    .at(quantity.span)
+                Diagnostic::error("expression", both!("`{text}` has no value")).at(quantity.span)
             })),
         }
     }

@@ -21,21 +21,17 @@ impl Scene {
     pub fn contact_words(&self, g: GuideId) -> Option<Both> {
         if let Some(cam) = self.cams.iter().find(|c| c.contact == Some(g)) {
             let [cam, follower] = [cam.cam, cam.follower].map(|l| self.link_name(l));
-            return Some(both!(
-                "the contact of cam {cam} and follower {follower}",
-                "凸轮 {cam} 与从动件 {follower} 的接触"
-            ));
+            return Some(both!("the contact of cam {cam} and follower {follower}"));
         }
         let rolling = &self.rolling[self.guides[g.0].rolling?.0];
         let [a, b] = rolling.links.map(|l| self.link_name(l));
-        Some(both!("the contact of links {a} and {b}", "构件 {a} 与构件 {b} 的接触"))
+        Some(both!("the contact of links {a} and {b}"))
     }
 
     /// Returns the name of a guide, or of the contact that it replaces: `the guide on link 3`.
     pub fn guide_words(&self, g: GuideId) -> Both {
         let on = self.link_name(self.guides[g.0].on);
-        self.contact_words(g)
-            .unwrap_or_else(|| both!("the guide on link {on}", "构件 {on} 上的导路"))
+        self.contact_words(g).unwrap_or_else(|| both!("the guide on link {on}"))
     }
 
     /// Returns the name of a driver's position, and its kind: an angle or a length.

@@ -28,6 +28,9 @@ use nalgebra::{SMatrix, SVector};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
+// Compiled again when its Chinese texts change.
+const _: &str = include_str!("../po/zh.po");
+
 /// The number of samples of a coupler curve.
 const SAMPLES: usize = 64;
 /// The number of linkages in a population, and of generations in a run: with these nine runs of ten
@@ -220,24 +223,16 @@ pub fn remarks(fit: &Fit, points: &[Point]) -> Vec<Diagnostic> {
     let grown = || {
         let message = both!(
             "a link has grown to the bound of {} times the path: the places call for a slider-crank, or lie on one arc",
-            "杆长已达轨迹尺寸的 {} 倍的上限：这些点宜用曲柄滑块机构，或近似在一段圆弧上",
             LARGEST
         );
-        let help = both!(
-            "spread the points over more of the path, or give more of them",
-            "请把各点分布到更长的轨迹上，或给出更多的点"
-        );
+        let help = both!("spread the points over more of the path, or give more of them");
         Diagnostic::warning("pivot-far", message).help(help)
     };
     let at_border = || {
         let message = both!(
-            "the best crank-rocker is all but a change point: shortest and longest link together are as long as the others",
-            "最优的曲柄摇杆机构几乎处于变点：最短与最长杆之和等于另两杆之和"
+            "the best crank-rocker is all but a change point: shortest and longest link together are as long as the others"
         );
-        let help = both!(
-            "give more places, or take another of the candidates",
-            "请给出更多的点，或取其他方案"
-        );
+        let help = both!("give more places, or take another of the candidates");
         Diagnostic::warning("change-point", message).help(help)
     };
     let [a, b, c, d] = linkage.lengths;

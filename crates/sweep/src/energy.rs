@@ -106,11 +106,7 @@ impl BalancingMoment<'_> {
         };
         let solution = analytic::solve(&scene, p.mechanism, &at, &p.demand)?;
         let none = || {
-            let message = both!(
-                "the balancing moment has no value at {}°",
-                "{}° 处平衡力矩无值",
-                angle.to_degrees()
-            );
+            let message = both!("the balancing moment has no value at {}°", angle.to_degrees());
             Diagnostic::error("no-moment", message)
         };
         let forces = solution.forces().ok_or_else(none)?;

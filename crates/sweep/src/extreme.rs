@@ -185,7 +185,7 @@ fn at_unit_speed(scene: &Scene, driver: usize) -> Result<Scene, Faults> {
     let Some(d) = scene.drivers.get_mut(driver) else {
         return Err(Diagnostic::error(
             "no-driver",
-            both!("the scene has no driver {}", "机构文件没有第 {} 个原动件", driver + 1),
+            both!("the scene has no driver {}", driver + 1),
         )
         .into());
     };

@@ -155,8 +155,7 @@ impl<'a> General<'a> {
 }
 
 fn not_defined(scene: &Scene, f: &Find) -> Diagnostic {
-    Diagnostic::error("not-defined", both!("{}: {}", "{}：{}", f.text, f.what.no_value(scene)))
-        .at(f.span)
+    Diagnostic::error("not-defined", both!("{}: {}", f.text, f.what.no_value(scene))).at(f.span)
 }
 
 /// The columns of an answer, infinite where it is; `None` where it has no value.
@@ -175,10 +174,7 @@ fn numbers(
 fn finite(row: Vec<f64>) -> Result<Vec<f64>, Faults> {
     match row.iter().all(|v| v.is_finite()) {
         true => Ok(row),
-        false => {
-            Err(Diagnostic::error("overflow", both!("a number is out of range", "数值超出范围"))
-                .into())
-        }
+        false => Err(Diagnostic::error("overflow", both!("a number is out of range")).into()),
     }
 }
 
@@ -211,10 +207,7 @@ impl Afresh {
 fn unfollowed(scene: &Scene) -> Result<(), Faults> {
     let Some(cam) = scene.lost_follower() else { return Ok(()) };
     let (cam, follower) = (scene.link_name(cam.cam), scene.link_name(cam.follower));
-    let message = both!(
-        "the follower `{follower}` cannot be moved so far on cam `{cam}`",
-        "从动件 `{follower}` 在凸轮 `{cam}` 上不能运动到此处"
-    );
+    let message = both!("the follower `{follower}` cannot be moved so far on cam `{cam}`");
     Err(Diagnostic::error("limit", message).into())
 }
 
@@ -234,8 +227,8 @@ pub(super) fn driver_words(scene: &Scene, driver: usize, value: f64) -> String {
 pub(super) fn links_words(scene: &Scene, links: &[LinkId]) -> Both {
     let names: Vec<_> = links.iter().map(|l| scene.link_name(*l)).collect();
     match names[..] {
-        [one] => both!("link {one}", "构件 {one}"),
-        _ => both!("links {}", "构件 {}", Both::names(&names)),
+        [one] => both!("link {one}"),
+        _ => both!("links {}", Both::names(&names)),
     }
 }
 
@@ -247,7 +240,6 @@ pub(super) fn change_note(scene: &Scene, driver: usize, change: &Event) -> Diagn
         "change-point",
         both!(
             "at {at} {} lie in line (a change point); the motion is carried on smoothly to the other side",
-            "{at} 处{}共线（运动不确定位置）；运动平滑地延续到另一侧",
             links
         ),
     )
@@ -258,10 +250,7 @@ pub(super) fn again_note(scene: &Scene, driver: usize, until: f64) -> Diagnostic
     let until = driver_words(scene, driver, until);
     Diagnostic::note(
         "change-point",
-        both!(
-            "the same change points come again, on every further turn, as far as {until}",
-            "此后每转一周都再次出现同样的运动不确定位置，直到 {until}"
-        ),
+        both!("the same change points come again, on every further turn, as far as {until}"),
     )
 }
 
@@ -270,22 +259,17 @@ pub(super) fn limit_note(scene: &Scene, driver: usize, limit: &Event) -> Diagnos
     let at = driver_words(scene, driver, limit.value);
     let what = limit.toggle.as_ref().map_or_else(
         || {
-            let pin = limit
-                .pin
-                .map_or(Both::default(), |p| both!(" at {}", "在 {} 处", scene.point_name(p)));
+            let pin = limit.pin.map_or(Both::default(), |p| both!(" at {}", scene.point_name(p)));
             let links = links_words(scene, &limit.links);
             match limit.links.len() {
                 // A slot at the end of its reach.
-                1 => both!("{} reaches no farther{}", "{}{}不能再够到", links, pin),
-                _ => both!("{} come into line{}", "{}{}共线", links, pin),
+                1 => both!("{} reaches no farther{}", links, pin),
+                _ => both!("{} come into line{}", links, pin),
             }
         },
         |t| Both { en: t.words(scene, Lang::En), zh: t.words(scene, Lang::Zh) },
     );
-    Diagnostic::note(
-        "limit",
-        both!("the driver goes no farther than {at}: there {}", "原动件最远到 {at}：{}", what),
-    )
+    Diagnostic::note("limit", both!("the driver goes no farther than {at}: there {}", what))
 }
 
 /// A run of missing rows, and the reason why the first of them is missing.
@@ -313,8 +297,8 @@ pub(super) fn runs(missing: &BTreeMap<usize, Faults>, first: usize) -> Vec<RowGa
 /// The range of a run of rows; `words` names a row by its swept value.
 fn range_words(words: &dyn Fn(usize) -> String, rows: &Range<usize>) -> Both {
     match rows.len() {
-        1 => both!("at {}", "{} 处", words(rows.start)),
-        _ => both!("from {} to {}", "{} 到 {} ", words(rows.start), words(rows.end - 1)),
+        1 => both!("at {}", words(rows.start)),
+        _ => both!("from {} to {}", words(rows.start), words(rows.end - 1)),
     }
 }
 
@@ -322,12 +306,12 @@ fn range_words(words: &dyn Fn(usize) -> String, rows: &Range<usize>) -> Both {
 pub(super) fn gap_notes(words: &dyn Fn(usize) -> String, gaps: &[RowGap]) -> Vec<Diagnostic> {
     let note = |RowGap { rows, why }: &RowGap| {
         let count = match rows.len() {
-            1 => both!("1 row is", "1 行"),
-            n => both!("{n} rows are", "{n} 行"),
+            1 => both!("1 row is"),
+            n => both!("{n} rows are"),
         };
         Diagnostic::warning(
             "no-position",
-            both!("{} missing {}: {}", "{1}缺少 {0}：{2}", count, range_words(words, rows), why),
+            both!("{} missing {}: {}", count, range_words(words, rows), why),
         )
     };
     gaps.iter().map(note).collect()
@@ -339,8 +323,5 @@ pub(super) fn infinite_note(
     name: &str,
     rows: &Range<usize>,
 ) -> Diagnostic {
-    Diagnostic::note(
-        "infinite",
-        both!("{name} is infinite {}", "{name} 在 {}为无穷大", range_words(words, rows)),
-    )
+    Diagnostic::note("infinite", both!("{name} is infinite {}", range_words(words, rows)))
 }

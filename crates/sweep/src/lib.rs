@@ -89,6 +89,9 @@ use program::SweepProgram;
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 
+// Compiled again when its Chinese texts change.
+const _: &str = include_str!("../po/zh.po");
+
 /// A scene placed at its instant, ready to be swept.
 pub struct PlacedScene<'a> {
     /// The scene.
@@ -184,7 +187,7 @@ impl<'a> Sweep<'a> {
         if driver >= scene.drivers.len() {
             return Err(Diagnostic::error(
                 "no-driver",
-                both!("the scene has no driver {}", "机构文件没有第 {} 个原动件", driver + 1),
+                both!("the scene has no driver {}", driver + 1),
             )
             .into());
         }
@@ -308,7 +311,6 @@ fn compiled(placed: &PlacedScene, driver: usize) -> Result<SweepProgram, Diagnos
             (placed.scene.link_name(cam.cam), placed.scene.link_name(cam.follower));
         let message = both!(
             "the contact of cam {} with {} has no compiled form: each position is solved by itself",
-            "凸轮 {} 与 {} 的接触不能预编译，逐位置求解（较慢）",
             cam,
             follower
         );

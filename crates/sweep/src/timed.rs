@@ -58,11 +58,10 @@ impl<'a> TimedSweep<'a> {
         if !(reach[0] + reach[1]).is_finite() || follower.steps(reach) > MOST_STEPS {
             let message = both!(
                 "from {from} s to {to} s the drivers turn more than {} times",
-                "从 {from} s 到 {to} s，原动件转过 {} 转以上",
                 MOST_STEPS / 36
             );
             return Err(Diagnostic::error("range", message)
-                .help(both!("take a shorter time", "请缩短时间"))
+                .help(both!("take a shorter time"))
                 .into());
         }
         let sweep = follower.through(reach, STEPS);
@@ -93,24 +92,14 @@ impl<'a> TimedSweep<'a> {
         let message = match pose.map(|pose| {
             (self.sweep.far(pose), event(mechanism, travel, &pose.configuration).toggle)
         }) {
-            Some((true, _)) => both!(
-                "beyond t = {at} s a joint leaves the paper",
-                "t = {at} s 以后有运动副超出图纸"
-            ),
+            Some((true, _)) => both!("beyond t = {at} s a joint leaves the paper"),
             Some((false, Some(toggle))) => {
                 let held =
                     Both { en: toggle.words(scene, Lang::En), zh: toggle.words(scene, Lang::Zh) };
-                both!(
-                    "the drivers go no farther than t = {at} s: there {}",
-                    "原动件最远到 t = {at} s：{}",
-                    held
-                )
+                both!("the drivers go no farther than t = {at} s: there {}", held)
             }
             Some((false, None)) | None => {
-                both!(
-                    "the mechanism cannot be followed beyond t = {at} s",
-                    "机构的运动在 t = {at} s 以后无法跟踪"
-                )
+                both!("the mechanism cannot be followed beyond t = {at} s")
             }
         };
         Diagnostic::error("limit", message).into()

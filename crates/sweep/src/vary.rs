@@ -139,19 +139,16 @@ impl Variation {
                 Some(i) if !varied.contains(&i) => varied.push(i),
                 Some(_) => faults.push(Diagnostic::error(
                     "given-twice",
-                    both!("parameter `{name}` is varied twice", "参数 `{name}` 变化了两次"),
+                    both!("parameter `{name}` is varied twice"),
                 )),
                 None => {
                     let d = Diagnostic::error(
                         "unknown-parameter",
-                        both!("the scene has no parameter `{name}`", "机构文件没有参数 `{name}`"),
+                        both!("the scene has no parameter `{name}`"),
                     );
                     faults.push(d.help(match known[..] {
-                        [] => both!(
-                            "give the lengths to be varied names in \"parameters\"",
-                            "请在 \"parameters\" 中给要变化的长度命名"
-                        ),
-                        _ => both!("its parameters are {}", "其参数有 {}", Both::names(&known)),
+                        [] => both!("give the lengths to be varied names in \"parameters\""),
+                        _ => both!("its parameters are {}", Both::names(&known)),
                     }));
                 }
             }
@@ -219,19 +216,14 @@ impl Variation {
         let i = known
             .iter()
             .position(|k| *k == name)
-            .ok_or_else(|| Diagnostic::error("unknown-parameter", both!("`{name}`", "`{name}`")))?;
+            .ok_or_else(|| Diagnostic::error("unknown-parameter", both!("`{name}`")))?;
         let written = templates::replacement(name, &scene.parameters[i].1.text, text, &[])?;
         let value = self.evaluate(&expr::parse(&written, &[])?, &[])?;
         let usual = self.evaluate(&self.parameters[i].1, &self.values(&[])?)?;
         if value.dim != usual.dim {
             return Err(Diagnostic::error(
                 "dimension",
-                both!(
-                    "`{text}` is {}; `{name}` is {}",
-                    "`{text}` 是{}；`{name}` 是{}",
-                    value.dim.describe(),
-                    usual.dim.describe()
-                ),
+                both!("`{text}` is {}; `{name}` is {}", value.dim.describe(), usual.dim.describe()),
             )
             .into());
         }
@@ -287,11 +279,9 @@ impl Variation {
         };
         evaluate(expr, &lookup).map_err(|e| match e {
             NoValue::Fault(d) => Diagnostic { span: None, ..d }.into(),
-            NoValue::Reported => Diagnostic::error(
-                "unknown-parameter",
-                both!("a parameter has no value", "有参数没有值"),
-            )
-            .into(),
+            NoValue::Reported => {
+                Diagnostic::error("unknown-parameter", both!("a parameter has no value")).into()
+            }
         })
     }
 
@@ -343,7 +333,7 @@ impl Variation {
                     if *positive && si <= 0.0 {
                         return Err(Diagnostic::error(
                             "not-positive",
-                            both!("`{}` becomes {}", "`{}` 变为 {}", given.text, shortest(si)),
+                            both!("`{}` becomes {}", given.text, shortest(si)),
                         )
                         .at(given.span)
                         .into());

@@ -366,7 +366,6 @@ impl SynthesisBoard {
         let cut = ray.place(reach);
         self.step(both!(
             "With AC{} as opening about A cut AC{} at {letter}; halve {letter}C{}: the half is the crank AB, the rest the coupler BC",
-            "以 A 为圆心、AC{} 为半径截 AC{} 于 {letter}；平分 {letter}C{}，其半为曲柄 AB，余长为连杆 BC",
             2 - far,
             far + 1,
             far + 1
@@ -378,7 +377,6 @@ impl SynthesisBoard {
         let (crank, b) = (middle.distance(long), ray.place(middle.distance(long)));
         self.step(both!(
             "Draw the crank circle about A; B lies on AC{}: the linkage in that limit",
-            "以 A 为圆心作曲柄圆；B 在 AC{} 上：机构的该极限位置",
             far + 1
         ));
         self.circle(a, crank, Weight::Given);

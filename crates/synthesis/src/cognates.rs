@@ -19,6 +19,7 @@ use super::fourbar::{FourBar, Heading, named_lengths};
 use super::{KindOfTask, Proof, Statement, TaskResult, USUAL_OMEGA, Wish};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::each;
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
 use hodograph_mechanism::position::{Configuration, configure};
 use hodograph_scene::{self as scene, LinkId, PointId, Scene, templates};
@@ -27,10 +28,7 @@ use std::f64::consts::TAU;
 /// Cognates as a kind of task.
 pub const KIND: KindOfTask = KindOfTask {
     name: "cognates",
-    what: [
-        "the two other four-bars with the same coupler curve",
-        "同源机构：连杆曲线相同的另外两个四杆机构",
-    ],
+    what: each!("the two other four-bars with the same coupler curve"),
     keys: &["scene", "point"],
     read,
 };
@@ -106,14 +104,11 @@ impl Cognates {
 fn none(scene: &Scene) -> Diagnostic {
     let message = both!(
         "cognates are of a four-bar of four pins with a point on its coupler; in this scene: links {}, guides {}",
-        "同源机构由四个转动副的四杆机构及其连杆上一点求得；该机构有 {} 个构件、{} 个导路",
         scene.links.len(),
         scene.guides.len()
     );
-    let help = both!(
-        "write links 1: AB, 2: BCE, 3: CD, 4: AD, such as `hodograph new crank-rocker`",
-        "构件写成 1: AB、2: BCE、3: CD、4: AD，例如 `hodograph new crank-rocker`"
-    );
+    let help =
+        both!("write links 1: AB, 2: BCE, 3: CD, 4: AD, such as `hodograph new crank-rocker`");
     Diagnostic::error("not-a-four-bar", message).help(help)
 }
 
@@ -160,12 +155,9 @@ fn four_bar(
                 && scene.carriers(p).count() > 1 =>
         {
             let name = scene.point_name(p);
-            let message = both!(
-                "`{name}` is a pin, not a free point of the coupler",
-                "`{name}` 是转动副，不是连杆上的自由点"
-            );
+            let message = both!("`{name}` is a pin, not a free point of the coupler");
             Diagnostic::error("not-a-four-bar", message)
-                .help(both!("name a point that lies on the coupler alone", "请写只在连杆上的点"))
+                .help(both!("name a point that lies on the coupler alone"))
         }
         Some(_) | None => none(scene),
     })
@@ -193,8 +185,7 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
             Ok(text) => text.to_owned(),
             Err(d) => {
                 fault(d.help(both!(
-                    "name a template, a scene file beside this one, or write the scene itself",
-                    "请写模板名、同一文件夹中的机构文件名，或机构文件本身"
+                    "name a template, a scene file beside this one, or write the scene itself"
                 )));
                 return None;
             }
@@ -207,10 +198,7 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
             return form.refuse(
                 node,
                 "scene",
-                both!(
-                    "the name of a template or scene file, or a scene",
-                    "模板名、机构文件名或机构文件本身"
-                ),
+                both!("the name of a template or scene file, or a scene"),
             );
         }
     };
@@ -225,7 +213,7 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
         Ok(made) => made,
         Err(faults) => {
             for d in faults.list {
-                let message = both!("in the scene: {}", "机构文件中：{}", d.message);
+                let message = both!("in the scene: {}", d.message);
                 fault(Diagnostic { message, ..d });
             }
             return None;
@@ -238,7 +226,7 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
                 None => {
                     let d = Diagnostic::error(
                         "unknown-point",
-                        both!("the scene has no point `{}`", "机构文件没有点 `{}`", word.text),
+                        both!("the scene has no point `{}`", word.text),
                     );
                     form.fault(d.at(word.span));
                     return None;
@@ -250,11 +238,10 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
     match Cognates::of_scene(&scene, &at, point) {
         Ok(cognates) => {
             let name = if scene.title.en.is_empty() && scene.title.zh.is_empty() {
-                both!("Cognates of a four-bar", "四杆机构的同源机构")
+                both!("Cognates of a four-bar")
             } else {
                 both!(
                     "Cognates of: {}",
-                    "同源机构：{}",
                     Both { en: scene.title.en.clone(), zh: scene.title.zh.clone() }
                 )
             };
@@ -293,12 +280,12 @@ impl CognatesTask {
         let mut numbers = named_lengths(linkage.lengths());
         numbers.push(DesignNumber::length(
             "BE",
-            both!("from B to the coupler point", "B 到连杆上 E 点"),
+            both!("from B to the coupler point"),
             linkage.b.distance(self.cognates.e),
         ));
         numbers.push(DesignNumber::length(
             "CE",
-            both!("from C to the coupler point", "C 到连杆上 E 点"),
+            both!("from C to the coupler point"),
             linkage.c.distance(self.cognates.e),
         ));
         Draft::new(which, linkage.scene(heading), numbers, wanted.collect())
@@ -317,29 +304,19 @@ impl Wish for CognatesTask {
     fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
         let c = &self.cognates;
         let mut notes = Vec::new();
-        let mut drafts =
-            vec![self.draft(both!("the given linkage", "给定的机构"), &c.given, heading, |p| p.0)];
+        let mut drafts = vec![self.draft(both!("the given linkage"), &c.given, heading, |p| p.0)];
         let [left, right] = c.four_bars();
         let names = [
-            both!(
-                "left cognate AA1P1F (its AB turns as the given BC)",
-                "左同源机构 AA1P1F（其 AB 与原 BC 转角相同）"
-            ),
-            both!(
-                "right cognate FP2D1D (its AB turns as the given AB)",
-                "右同源机构 FP2D1D（其 AB 与原 AB 转角相同）"
-            ),
+            both!("left cognate AA1P1F (its AB turns as the given BC)"),
+            both!("right cognate FP2D1D (its AB turns as the given AB)"),
         ];
         let links: [TurnsAs; 2] = [|p| p.1, |p| p.0];
         for ((linkage, name), link) in [left, right].into_iter().zip(names).zip(links) {
             match linkage {
                 Some(linkage) => drafts.push(self.draft(name, &linkage, heading, link)),
                 None => {
-                    let message = both!(
-                        "{}: a link has no length, for E lies on a pin of the coupler",
-                        "{}：有构件长为零，因为 E 在连杆的铰链上",
-                        name
-                    );
+                    let message =
+                        both!("{}: a link has no length, for E lies on a pin of the coupler", name);
                     notes.push(Diagnostic::note("cognate-collapses", message));
                 }
             }
@@ -351,19 +328,11 @@ impl Wish for CognatesTask {
             ]
         };
         let numbers = [
-            place("F", both!("third pivot", "第三个固定铰链"), c.f),
-            place("A1", both!("parallelogram A B E A1", "平行四边形 A B E A1"), c.left[0]),
-            place(
-                "P1",
-                both!("triangle A1EP1, similar to BCE", "三角形 A1EP1，与 BCE 相似"),
-                c.left[1],
-            ),
-            place("D1", both!("parallelogram D C E D1", "平行四边形 D C E D1"), c.right[0]),
-            place(
-                "P2",
-                both!("triangle ED1P2, similar to BCE", "三角形 ED1P2，与 BCE 相似"),
-                c.right[1],
-            ),
+            place("F", both!("third pivot"), c.f),
+            place("A1", both!("parallelogram A B E A1"), c.left[0]),
+            place("P1", both!("triangle A1EP1, similar to BCE"), c.left[1]),
+            place("D1", both!("parallelogram D C E D1"), c.right[0]),
+            place("P2", both!("triangle ED1P2, similar to BCE"), c.right[1]),
         ];
         Ok(TaskResult { drafts, numbers: numbers.into_iter().flatten().collect(), notes })
     }
@@ -387,17 +356,13 @@ impl CognatesTask {
     fn drawn(&self, board: &mut SynthesisBoard, k: usize) -> Option<()> {
         let FourBar { a, b, c, d, .. } = self.cognates.given;
         let [a, b, c, d, e] = [a, b, c, d, self.cognates.e].map(|p| board.at(p));
-        board.step(both!(
-            "Draw the given linkage ABCD with its coupler point E",
-            "作给定机构 ABCD 及连杆点 E"
-        ));
+        board.step(both!("Draw the given linkage ABCD with its coupler point E"));
         for (p, q) in [(a, b), (b, c), (c, d), (b, e), (c, e)] {
             board.line(p, q, Weight::Given);
         }
         board.mark("A", a).mark("B", b).mark("C", c).mark("D", d).mark("E", e);
         board.step(both!(
-            "Draw the parallelograms ABEA1 and DCED1 (two openings of the compasses each)",
-            "用圆规作平行四边形 ABEA1 与 DCED1"
+            "Draw the parallelograms ABEA1 and DCED1 (two openings of the compasses each)"
         ));
         let [a1, d1] = [(a, b), (d, c)].map(|(pivot, pin)| {
             let corner = pivot + (e - pin);
@@ -407,17 +372,13 @@ impl CognatesTask {
         });
         board.mark("A_1", a1).mark("D_1", d1);
         board.step(both!(
-            "Draw triangles similar to BCE: over A1E the triangle A1EP1, over ED1 the triangle ED1P2, over AD the triangle ADF",
-            "作与三角形 BCE 相似的三角形：以 A1E 为底作 A1EP1，以 ED1 为底作 ED1P2，以 AD 为底作 ADF"
+            "Draw triangles similar to BCE: over A1E the triangle A1EP1, over ED1 the triangle ED1P2, over AD the triangle ADF"
         ));
         let p1 = similar(board, [a1, e], [b, c, e])?;
         let p2 = similar(board, [d1, e], [c, b, e])?;
         let f = similar(board, [a, d], [b, c, e])?;
         board.mark("P_1", p1).mark("P_2", p2).mark("F", f);
-        board.step(both!(
-            "The linkages AA1P1F and FP2D1D carry E too",
-            "机构 AA1P1F 与 FP2D1D 的 E 点轨迹相同"
-        ));
+        board.step(both!("The linkages AA1P1F and FP2D1D carry E too"));
         for [p, q, r, s] in [[a, a1, p1, f], [f, p2, d1, d]] {
             board.line(p, q, Weight::Result).line(q, r, Weight::Result).line(r, s, Weight::Result);
         }

@@ -52,13 +52,10 @@ impl<'a> TaskForm<'a> {
     pub fn idle(&self, keys: &[&'static str]) -> Vec<Diagnostic> {
         let idle = keys.iter().filter(|k| self.has(k) && !self.taken.borrow().contains(**k));
         let told = |key: &&str| {
-            let message = both!(
-                "`{key}` says nothing here: nothing in this task depends on it",
-                "`{key}` 在此不起作用：本题与它无关"
-            );
+            let message = both!("`{key}` says nothing here: nothing in this task depends on it");
             Diagnostic::warning("unused-key", message)
                 .at(self.span(key))
-                .help(both!("leave it out", "请去掉它"))
+                .help(both!("leave it out"))
         };
         idle.map(told).collect()
     }
@@ -100,10 +97,7 @@ impl<'a> TaskForm<'a> {
         if value > 0.0 {
             return Some(value);
         }
-        let d = Diagnostic::error(
-            "not-positive",
-            both!("\"{key}\" must be greater than zero", "\"{key}\" 应大于零"),
-        );
+        let d = Diagnostic::error("not-positive", both!("\"{key}\" must be greater than zero"));
         self.fault(d.at(self.span(key)));
         None
     }
@@ -177,10 +171,7 @@ impl<'a> TaskForm<'a> {
         }
         let d = Diagnostic::error(
             "out-of-range",
-            both!(
-                "\"{key}\" is {value}; a whole number from {least} to {most} is wanted",
-                "\"{key}\" 为 {value}，应为 {least} 到 {most} 的整数"
-            ),
+            both!("\"{key}\" is {value}; a whole number from {least} to {most} is wanted"),
         );
         self.fault(d.at(self.span(key)));
         None
@@ -206,16 +197,9 @@ impl<'a> TaskForm<'a> {
         let found = word(node, &format!("\"{key}\""), &mut self.faults.borrow_mut())?;
         let one = known.iter().find(|k| **k == found.text).copied();
         if one.is_none() {
-            let d = Diagnostic::error(
-                "unknown-word",
-                both!("there is no {key} `{}`", "\"{key}\" 没有 `{}`", found.text),
-            )
-            .at(found.span);
-            self.fault(d.help(suggest(
-                &found.text,
-                known.iter().copied(),
-                both!("known are", "可用的有"),
-            )));
+            let d = Diagnostic::error("unknown-word", both!("there is no {key} `{}`", found.text))
+                .at(found.span);
+            self.fault(d.help(suggest(&found.text, known.iter().copied(), both!("known are"))));
         }
         one
     }
@@ -245,12 +229,9 @@ impl<'a> TaskForm<'a> {
         all.try_into().ok().or_else(|| {
             let d = Diagnostic::error(
                 "wrong-count",
-                both!(
-                    "\"{key}\" has {N} values here, this has {found}",
-                    "\"{key}\" 此处应有 {N} 个值，现有 {found} 个"
-                ),
+                both!("\"{key}\" has {N} values here, this has {found}"),
             );
-            self.fault(d.at(node.span).help(both!("write {example}", "请写 {example}")));
+            self.fault(d.at(node.span).help(both!("write {example}")));
             None
         })
     }
@@ -265,10 +246,7 @@ impl<'a> TaskForm<'a> {
         let count = items.len();
         let d = Diagnostic::error(
             "wrong-count",
-            both!(
-                "\"{key}\" has {count} entries; {least} to {MOST} are wanted",
-                "\"{key}\" 有 {count} 项，应为 {least} 到 {MOST} 项"
-            ),
+            both!("\"{key}\" has {count} entries; {least} to {MOST} are wanted"),
         );
         self.fault(d.at(node.span));
         None

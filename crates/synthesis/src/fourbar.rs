@@ -149,9 +149,9 @@ pub fn named_lengths(lengths: [f64; 4]) -> Vec<super::candidate::DesignNumber> {
     use super::candidate::DesignNumber;
     let [ab, bc, cd, ad] = lengths;
     vec![
-        DesignNumber::length("AB", both!("crank", "曲柄"), ab),
-        DesignNumber::length("BC", both!("coupler", "连杆"), bc),
-        DesignNumber::length("CD", both!("follower", "从动连架杆"), cd),
-        DesignNumber::length("AD", both!("frame", "机架"), ad),
+        DesignNumber::length("AB", both!("crank"), ab),
+        DesignNumber::length("BC", both!("coupler"), bc),
+        DesignNumber::length("CD", both!("follower"), cd),
+        DesignNumber::length("AD", both!("frame"), ad),
     ]
 }

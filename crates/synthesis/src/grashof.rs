@@ -64,11 +64,7 @@ pub fn ranges(lengths: [f64; 4], which: FourBarLength) -> Result<Vec<Range>, Dia
     let k = which as usize;
     let mut others: Vec<f64> = (0..4).filter(|i| *i != k).map(|i| lengths[i]).collect();
     if let Some(bad) = others.iter().find(|l| !(**l > 0.0 && l.is_finite())) {
-        let message = both!(
-            "a length of {} is none: all are greater than zero",
-            "长度 {} 无效：各杆长应大于零",
-            metres(*bad)
-        );
+        let message = both!("a length of {} is none: all are greater than zero", metres(*bad));
         return Err(Diagnostic::error("not-positive", message));
     }
     others.sort_by(f64::total_cmp);

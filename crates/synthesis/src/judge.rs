@@ -93,7 +93,6 @@ pub fn judge(draft: Draft, gamma: f64) -> Result<DesignCandidate, Faults> {
     if let Some((angle, _)) = judged.transmission.filter(|(angle, _)| *angle < gamma - 1e-9) {
         let message = both!(
             "the transmission angle falls to {}°; {}° is wanted",
-            "最小传动角为 {}°，要求不小于 {}°",
             significant(angle.to_degrees(), 4),
             significant(gamma.to_degrees(), 4)
         );
@@ -107,19 +106,15 @@ pub fn judge(draft: Draft, gamma: f64) -> Result<DesignCandidate, Faults> {
 fn demands(draft: &Draft, judged: &mut Judged) {
     for demand in &draft.demands {
         let missed = match *demand {
-            Demand::FullTurn => (!judged.rotates)
-                .then(|| both!("the driver does not turn fully", "原动件不能整周转动")),
-            Demand::TimeRatio(k) => off(judged.time_ratio, k).then(|| {
-                told(judged.time_ratio, &both!("time ratio", "行程速度变化系数"), k, |v| {
-                    significant(v, 6)
-                })
-            }),
-            Demand::Stroke(h) => off(judged.stroke, h)
-                .then(|| told(judged.stroke, &both!("stroke", "行程"), h, metres)),
+            Demand::FullTurn => (!judged.rotates).then(|| both!("the driver does not turn fully")),
+            Demand::TimeRatio(k) => off(judged.time_ratio, k)
+                .then(|| told(judged.time_ratio, &both!("time ratio"), k, |v| significant(v, 6))),
+            Demand::Stroke(h) => {
+                off(judged.stroke, h).then(|| told(judged.stroke, &both!("stroke"), h, metres))
+            }
             Demand::Swing(psi) => {
                 let degrees = |v: f64| format!("{}°", significant(v.to_degrees(), 6));
-                off(judged.stroke, psi)
-                    .then(|| told(judged.stroke, &both!("swing", "摆角"), psi, degrees))
+                off(judged.stroke, psi).then(|| told(judged.stroke, &both!("swing"), psi, degrees))
             }
         };
         if let Some(message) = missed {
@@ -137,13 +132,7 @@ fn off(real: Option<f64>, wanted: f64) -> bool {
 
 fn told(real: Option<f64>, what: &Both, wanted: f64, written: impl Fn(f64) -> String) -> Both {
     let real = real.map_or("—".to_owned(), &written);
-    both!(
-        "the whole motion has the {} {} instead of {}",
-        "整个运动的{}为 {}，而不是 {}",
-        what,
-        real,
-        written(wanted)
-    )
+    both!("the whole motion has the {} {} instead of {}", what, real, written(wanted))
 }
 
 fn least(limits: &MotionLimits) -> Option<(f64, f64)> {
@@ -170,7 +159,6 @@ fn positions(draft: &Draft, walk: &Walk, judged: &mut Judged) -> Vec<(usize, f64
     if !branch.is_empty() {
         let message = both!(
             "position {} lies beyond a dead point of the driver, seen from position 1",
-            "从位置 1 到位置 {} 原动件须越过死点",
             listed(&branch)
         );
         judged.defects.push(Diagnostic::warning("defect-branch", message));
@@ -178,7 +166,6 @@ fn positions(draft: &Draft, walk: &Walk, judged: &mut Judged) -> Vec<(usize, f64
     if !circuit.is_empty() {
         let message = both!(
             "position {} lies on another circuit than position 1: no motion joins them",
-            "位置 {} 与位置 1 不在同一运动回路上：不拆开便不能到达",
             listed(&circuit)
         );
         judged.defects.push(Diagnostic::warning("defect-circuit", message));
@@ -216,7 +203,6 @@ fn turned_otherwise(draft: &Draft, drivers: &[(usize, f64)]) -> Option<Diagnosti
         .collect();
     let message = both!(
         "the driver does not turn fully: it comes to position {} by another turn than the wanted one",
-        "原动件不能整周转动：到达位置 {} 的转角与要求不符",
         listed(&other)
     );
     (!other.is_empty()).then(|| Diagnostic::warning("defect-order", message))
@@ -432,18 +418,10 @@ pub fn accuracy(candidate: &DesignCandidate) -> Both {
         let size = metres(judged.size_m);
         // Between its precision points a function has its structural error.
         return if candidate.draft.course.is_empty() {
-            both!("what was wanted is met exactly (size {size})", "精确满足要求（机构尺寸 {size}）")
+            both!("what was wanted is met exactly (size {size})")
         } else {
-            both!(
-                "the precision points are met exactly (size {size})",
-                "在各结点处精确满足（机构尺寸 {size}）"
-            )
+            both!("the precision points are met exactly (size {size})")
         };
     }
-    both!(
-        "greatest deviation {} (size {})",
-        "最大偏差 {}（机构尺寸 {}）",
-        metres(judged.off_m),
-        metres(judged.size_m)
-    )
+    both!("greatest deviation {} (size {})", metres(judged.off_m), metres(judged.size_m))
 }

@@ -67,6 +67,9 @@ use std::cell::RefCell;
 use std::fmt::Debug;
 use std::sync::Arc;
 
+// Compiled again when its Chinese texts change.
+const _: &str = include_str!("../po/zh.po");
+
 /// A task of one kind, as read from its file.
 pub trait Wish: Debug + Send + Sync {
     /// The title if the file has none.
@@ -207,7 +210,7 @@ fn of_kind(root: &Node, text: &str, faults: &RefCell<Faults>) -> Option<Task> {
     let keys: Vec<&str> = front::KEYS.iter().chain(&COMMON).chain(kind.keys).copied().collect();
     let fields = Fields::open(
         root,
-        both!("a synthesis file of this kind", "此类综合文件"),
+        both!("a synthesis file of this kind"),
         &keys,
         &mut faults.borrow_mut(),
     )?;
@@ -243,26 +246,17 @@ fn of_kind(root: &Node, text: &str, faults: &RefCell<Faults>) -> Option<Task> {
 fn kind_of(root: &Node, faults: &mut Faults) -> Option<&'static KindOfTask> {
     let NodeKind::Object(members) = &root.kind else {
         faults.push(
-            Diagnostic::error(
-                "not-a-task",
-                both!("a synthesis file is a JSON object", "综合文件是一个 JSON 对象"),
-            )
-            .at(root.span),
+            Diagnostic::error("not-a-task", both!("a synthesis file is a JSON object"))
+                .at(root.span),
         );
         return None;
     };
     let Some((_, node)) = members.iter().find(|(k, _)| k.text == "synthesis") else {
         let d = Diagnostic::error(
             "not-a-task",
-            both!(
-                "this is no synthesis file: it has no key `synthesis`",
-                "这不是综合文件：没有键 `synthesis`"
-            ),
+            both!("this is no synthesis file: it has no key `synthesis`"),
         );
-        faults.push(d.help(both!(
-            "a scene goes to `hodograph solve` or `hodograph draw`",
-            "机构文件请用 `hodograph solve` 或 `hodograph draw`"
-        )));
+        faults.push(d.help(both!("a scene goes to `hodograph solve` or `hodograph draw`")));
         return None;
     };
     let name = json::fields::word(node, "\"synthesis\"", faults)?;
@@ -270,13 +264,13 @@ fn kind_of(root: &Node, faults: &mut Faults) -> Option<&'static KindOfTask> {
     if found.is_none() {
         let d = Diagnostic::error(
             "unknown-kind",
-            both!("there is no kind of synthesis `{}`", "没有综合类型 `{}`", name.text),
+            both!("there is no kind of synthesis `{}`", name.text),
         )
         .at(name.span);
         faults.push(d.help(suggest(
             &name.text,
             KINDS.iter().map(|k| k.name),
-            both!("the kinds are", "类型有"),
+            both!("the kinds are"),
         )));
     }
     found
@@ -328,7 +322,6 @@ pub fn construct(
         {
             let message = both!(
                 "{} is {} on the drawing and {} by the formula",
-                "{} 作图得 {}，公式得 {}",
                 reading.name,
                 board.value(reading),
                 number

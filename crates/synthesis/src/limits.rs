@@ -19,16 +19,16 @@ use super::{KindOfTask, Proof, Statement, TaskResult, Wish};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::{metres, significant};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::each;
 use serde_json::{Value as Json, json};
 use std::f64::consts::PI;
 
 /// Limit positions as a kind of task.
 pub const KIND: KindOfTask = KindOfTask {
     name: "limits",
-    what: [
-        "linkages by the limit positions of their output: crank-rocker, slider-crank, press",
-        "按输出构件极限位置设计：曲柄摇杆、曲柄滑块、压床",
-    ],
+    what: each!(
+        "linkages by the limit positions of their output: crank-rocker, slider-crank, press"
+    ),
     keys: &[
         "linkage", "rocker", "frame", "angles", "places", "x1", "x2", "y", "stroke", "CE/CD",
         "EF/DE",
@@ -75,11 +75,8 @@ fn press(form: &TaskForm) -> Option<Box<dyn Wish>> {
         let positive = value > 0.0;
         if !positive {
             form.fault(
-                Diagnostic::error(
-                    "not-positive",
-                    both!("\"{key}\" must be greater than zero", "\"{key}\" 应大于零"),
-                )
-                .at(form.span(key)),
+                Diagnostic::error("not-positive", both!("\"{key}\" must be greater than zero"))
+                    .at(form.span(key)),
             );
         }
         positive.then_some(value)
@@ -87,13 +84,9 @@ fn press(form: &TaskForm) -> Option<Box<dyn Wish>> {
     let (ce_cd, ef_de) = (ratio("CE/CD"), ratio("EF/DE"));
     if let Some((p, q)) = angles.filter(|(p, q)| !(0.0 <= *p && p < q && *q <= PI)) {
         let [p, q] = [p, q].map(|a| significant(a.to_degrees(), 4));
-        let message = both!(
-            "the limits {p}° and {q}° are not two angles of 0° to 180° in order",
-            "极限角 {p}°、{q}° 应在 0° 到 180° 之间且前小后大"
-        );
+        let message = both!("the limits {p}° and {q}° are not two angles of 0° to 180° in order");
         let help = both!(
-            "they count clockwise from the upward vertical: write the upper limit first, such as [\"60 deg\", \"120 deg\"]",
-            "角度自竖直向上顺时针计：先写上极限，例如 [\"60 deg\", \"120 deg\"]"
+            "they count clockwise from the upward vertical: write the upper limit first, such as [\"60 deg\", \"120 deg\"]"
         );
         form.fault(Diagnostic::error("out-of-range", message).at(form.span("angles")).help(help));
         return None;
@@ -166,17 +159,11 @@ impl Press {
     /// Warnings for a crank that does not turn fully and a ram that reverses between the limits.
     fn warned(&self) -> Vec<Diagnostic> {
         let crank = || {
-            let message = both!(
-                "the crank does not turn through with A in this place",
-                "A 在此位置时曲柄不能整周转动"
-            );
+            let message = both!("the crank does not turn through with A in this place");
             Diagnostic::warning("not-a-crank", message).help(self.nearest())
         };
         let ram = || {
-            let message = both!(
-                "the ram turns back between the limits: EF lies down too far",
-                "滑块在两极限位置之间反向：EF 倾斜过大"
-            );
+            let message = both!("the ram turns back between the limits: EF lies down too far");
             Diagnostic::warning("not-one-way", message).help(self.nearest_line())
         };
         let crank = (!self.turns()).then(crank);
@@ -204,16 +191,9 @@ impl Press {
         match number(self.x2 * 1e3, self.stroke * 1e3, |mm| with(mm).turns() && with(mm).one_way())
         {
             Some(mm) => {
-                both!(
-                    "\"x2\": \"{} mm\" does; so may a greater \"EF/DE\"",
-                    "\"x2\": \"{} mm\" 时可以；也可增大 \"EF/DE\"",
-                    told(mm)
-                )
+                both!("\"x2\": \"{} mm\" does; so may a greater \"EF/DE\"", told(mm))
             }
-            None => both!(
-                "take \"x2\" nearer to E, or a greater \"EF/DE\"",
-                "请使 \"x2\" 更接近 E，或增大 \"EF/DE\""
-            ),
+            None => both!("take \"x2\" nearer to E, or a greater \"EF/DE\""),
         }
     }
 
@@ -227,12 +207,8 @@ impl Press {
         let (key, value) =
             if off(x1, self.a.x * 1e3) <= off(y, -self.a.y * 1e3) { ("x1", x1) } else { ("y", y) };
         match value {
-            Some(mm) => both!(
-                "\"{key}\": \"{} mm\" gives a crank that turns through",
-                "\"{key}\": \"{} mm\" 时曲柄能整周转动",
-                told(mm)
-            ),
-            None => both!("take \"angles\" that are nearer to one another", "请使两极限角更接近"),
+            Some(mm) => both!("\"{key}\": \"{} mm\" gives a crank that turns through", told(mm)),
+            None => both!("take \"angles\" that are nearer to one another"),
         }
     }
 
@@ -267,15 +243,12 @@ impl Press {
 
 impl Wish for Press {
     fn title(&self) -> Both {
-        both!("Press with a stroke of {}", "行程为 {} 的压床机构", metres(self.stroke))
+        both!("Press with a stroke of {}", metres(self.stroke))
     }
 
     fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
         let Some(de) = self.de() else {
-            let message = both!(
-                "the link EF does not reach the ram's line in one of the limits",
-                "在某一极限位置上 EF 不能到达滑块导路"
-            );
+            let message = both!("the link EF does not reach the ram's line in one of the limits");
             let help = self.nearest_line();
             return Err(Diagnostic::error("no-real-solution", message).help(help).into());
         };
@@ -284,10 +257,7 @@ impl Wish for Press {
         let far = c.map(|c| self.a.distance(c));
         let (ab, bc) = ((far[0] - far[1]).abs() / 2.0, (far[0] + far[1]) / 2.0);
         if ab <= 1e-9 * bc {
-            let message = both!(
-                "AC1 and AC2 are equal: the crank would have no length",
-                "AC1 与 AC2 相等：曲柄长为零"
-            );
+            let message = both!("AC1 and AC2 are equal: the crank would have no length");
             return Err(Diagnostic::error("no-real-solution", message).help(self.nearest()).into());
         }
         let wanted: Vec<WantedPosition> = (0..2)
@@ -306,27 +276,21 @@ impl Wish for Press {
         let theta = libm::atan2(between, (c[0] - self.a).dot(c[1] - self.a));
         let k = (PI + theta) / (PI - theta);
         let numbers = vec![
-            DesignNumber::length("AB", both!("crank", "曲柄"), ab),
-            DesignNumber::length("BC", both!("coupler", "连杆"), bc),
-            DesignNumber::length("CD", both!("rocker to the coupler", "摇杆上至连杆"), cd),
-            DesignNumber::length("DE", both!("rocker", "摇杆"), de),
-            DesignNumber::length("EF", both!("link to the ram", "连接滑块的连杆"), de * self.ef_de),
-            DesignNumber::angle(
-                "theta",
-                both!("crank angle between the limit positions", "极位夹角"),
-                theta,
-            ),
-            DesignNumber::ratio("K", both!("time ratio", "行程速度变化系数"), k),
+            DesignNumber::length("AB", both!("crank"), ab),
+            DesignNumber::length("BC", both!("coupler"), bc),
+            DesignNumber::length("CD", both!("rocker to the coupler"), cd),
+            DesignNumber::length("DE", both!("rocker"), de),
+            DesignNumber::length("EF", both!("link to the ram"), de * self.ef_de),
+            DesignNumber::angle("theta", both!("crank angle between the limit positions"), theta),
+            DesignNumber::ratio("K", both!("time ratio"), k),
         ];
         let rough = [("C", c[0]), ("F", wanted.first().map_or(Point::ORIGIN, |w| w.places[2].1))];
         let driver = wanted.first().map_or(0.0, |w| w.driver);
         let scene = self.scene([ab, bc, cd, de], driver, &rough, heading);
         let demands = vec![Demand::FullTurn, Demand::TimeRatio(k), Demand::Stroke(self.stroke)];
         let notes = self.warned();
-        let draft = Draft {
-            demands,
-            ..Draft::new(both!("the only solution", "唯一解"), scene, numbers, wanted)
-        };
+        let draft =
+            Draft { demands, ..Draft::new(both!("the only solution"), scene, numbers, wanted) };
         Ok(TaskResult { drafts: vec![draft], notes, ..TaskResult::default() })
     }
 
@@ -341,16 +305,12 @@ impl Wish for Press {
             let half = PaperLine::ray(Point::new(0.0, board.mm(self.stroke) / 2.0), 0.0);
             let e = lay(p).cross(&half)?;
             board.step(both!(
-                "Draw the rocker's limits from D; a parallel at H/2 over the horizontal meets the upper one at E1: DE",
-                "由 D 作摇杆两极限方向；在水平线上方 H/2 处作平行线，与上极限方向交于 E1，得 DE"
+                "Draw the rocker's limits from D; a parallel at H/2 over the horizontal meets the upper one at E1: DE"
             ));
             board.line(half.at, e, Weight::Thin).read("DE", d, e);
             d.distance(e)
         } else {
-            board.step(both!(
-                "Draw the rocker's limits from D and lay off DE",
-                "由 D 作摇杆两极限方向，量取 DE"
-            ));
+            board.step(both!("Draw the rocker's limits from D and lay off DE"));
             board.mm(draft.numbers.iter().find(|n| n.name == "DE")?.value)
         };
         let [e1, e2] = [p, q].map(|angle| lay(angle).place(de));
@@ -361,10 +321,7 @@ impl Wish for Press {
             .mark("E_1", e1)
             .mark("E_2", e2);
         let [c1, c2] = [e1, e2].map(|e| d + (e - d) * (1.0 / (1.0 + self.ce_cd)));
-        board.step(both!(
-            "Divide DE by the given ratio: C1 and C2; mark A",
-            "按给定比例分 DE 得 C1、C2；标出 A"
-        ));
+        board.step(both!("Divide DE by the given ratio: C1 and C2; mark A"));
         board
             .line(a, c1, Weight::Thin)
             .line(a, c2, Weight::Thin)

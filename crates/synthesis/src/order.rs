@@ -24,10 +24,6 @@ pub fn defect(drivers: &[(usize, f64)], rotates: bool) -> Option<Diagnostic> {
     }
     met.sort_by(|a, b| a.1.total_cmp(&b.1));
     let order = met.iter().map(|(i, _)| (i + 1).to_string()).collect::<Vec<_>>();
-    let message = both!(
-        "the driver meets the positions in the order {}",
-        "原动件经过各位置的次序为 {}",
-        Both::names(&order)
-    );
+    let message = both!("the driver meets the positions in the order {}", Both::names(&order));
     Some(Diagnostic::warning("defect-order", message))
 }

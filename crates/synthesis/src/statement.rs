@@ -153,19 +153,13 @@ pub fn of(draft: &Draft, name: &str) -> f64 {
 
 /// The lengths of a four-bar as unknowns.
 pub fn four_bar_wanted() -> Both {
-    both!(
-        "the lengths $l_{{AB}}$ (crank), $l_{{BC}}$ (coupler), $l_{{CD}}$ (follower)",
-        "杆长 $l_{{AB}}$（曲柄）、$l_{{BC}}$（连杆）、$l_{{CD}}$（从动连架杆）"
-    )
+    both!("the lengths $l_{{AB}}$ (crank), $l_{{BC}}$ (coupler), $l_{{CD}}$ (follower)")
 }
 
 /// The time ratio and the angle that follows from it.
 pub fn angle_of_limits(k: f64, theta: f64) -> Proof {
     Proof::new(
-        both!(
-            "The crank angle between the limit positions follows from the time ratio:",
-            "由行程速度变化系数求极位夹角："
-        ),
+        both!("The crank angle between the limit positions follows from the time ratio:"),
         [format!(
             "\\theta = 180\\degree \\times \\frac{{K − 1}}{{K + 1}} = 180\\degree \\times \\frac{{{0} − 1}}{{{0} + 1}} = {1}",
             number(k),
@@ -181,8 +175,7 @@ pub fn half_difference(ac: [f64; 2], ab: f64, bc: f64) -> Proof {
     let (l, s) = (far + 1, 2 - far);
     Proof::new(
         both!(
-            "In its limit positions crank and coupler lie in line: $l_{{AC_{l}}} = l_{{BC}} + l_{{AB}}$ and $l_{{AC_{s}}} = l_{{BC}} − l_{{AB}}$.",
-            "两极限位置上曲柄与连杆共线：$l_{{AC_{l}}} = l_{{BC}} + l_{{AB}}$，$l_{{AC_{s}}} = l_{{BC}} − l_{{AB}}$。"
+            "In its limit positions crank and coupler lie in line: $l_{{AC_{l}}} = l_{{BC}} + l_{{AB}}$ and $l_{{AC_{s}}} = l_{{BC}} − l_{{AB}}$."
         ),
         [
             format!("l_{{AC_{l}}} = {} ,\\quad l_{{AC_{s}}} = {}", length(long), length(short)),

@@ -20,6 +20,7 @@ use super::{KindOfTask, Proof, Statement, TaskResult, Wish};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::{metres, significant};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::each;
 use hodograph_mechanism::mechanism::Mechanism;
 use hodograph_scene as scene;
 use hodograph_sweep::zoom::{self, SoughtExtreme, extreme_row};
@@ -30,10 +31,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// Straight lines as a kind of task.
 pub const KIND: KindOfTask = KindOfTask {
     name: "straight-line",
-    what: [
-        "straight-line linkages: Watt, Chebyshev, Roberts, Hoeken, Scott-Russell, Peaucellier",
-        "直线机构：瓦特、切比雪夫、罗伯茨、霍肯、斯科特-罗素、波塞利耶",
-    ],
+    what: each!(
+        "straight-line linkages: Watt, Chebyshev, Roberts, Hoeken, Scott-Russell, Peaucellier"
+    ),
     keys: &["linkage", "length", "swing", "ratios"],
     read,
 };
@@ -102,14 +102,10 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
         let message = if swings {
             both!(
                 "\"swing\" is to be more than 0 and at most {}°",
-                "\"swing\" 应大于 0 且不超过 {}°",
                 significant(2.0 * most.to_degrees(), 3)
             )
         } else {
-            both!(
-                "this linkage has its own range; it takes no \"swing\"",
-                "该机构的转角范围是固定的，不能写 \"swing\""
-            )
+            both!("this linkage has its own range; it takes no \"swing\"")
         };
         form.fault(Diagnostic::error("out-of-range", message).at(form.span("swing")));
         return None;
@@ -129,16 +125,15 @@ fn ratios(form: &TaskForm, linkage: Linkage) -> Option<[f64; 2]> {
     }
     let message = if linkage == Linkage::Hoeken {
         both!(
-            "frame {frame} and rods {rod} over a crank of 1 do not let it turn: both must be more than 1, and 1 + frame less than twice the rod",
-            "以曲柄为 1，机架 {frame}、杆 {rod} 时曲柄不能整周转动：两者都应大于 1，且 1 + 机架 < 2 × 杆"
+            "frame {frame} and rods {rod} over a crank of 1 do not let it turn: both must be more than 1, and 1 + frame less than twice the rod"
         )
     } else {
-        both!("\"ratios\" are of Hoeken's linkage alone", "\"ratios\" 只用于霍肯机构")
+        both!("\"ratios\" are of Hoeken's linkage alone")
     };
     let help = if linkage == Linkage::Hoeken {
         nearest_ratios([frame, rod])
     } else {
-        both!("leave it out", "请去掉它")
+        both!("leave it out")
     };
     form.fault(Diagnostic::error("out-of-range", message).at(form.span("ratios")).help(help));
     None
@@ -149,7 +144,7 @@ fn nearest_ratios([frame, rod]: [f64; 2]) -> Both {
     let up = |v: f64| (v * 1e3).ceil() / 1e3;
     let frame = up(frame.max(1.01));
     let rod = up(rod.max(0.505 * (1.0 + frame)));
-    both!("write [{frame}, {rod}]", "请写 [{frame}, {rod}]")
+    both!("write [{frame}, {rod}]")
 }
 
 /// A linkage at a scale: its scene, the driver's range, the axis of the line, and the places of E
@@ -167,12 +162,12 @@ impl StraightLineTask {
     /// The name of the linkage.
     fn name(&self) -> Both {
         match self.linkage {
-            Linkage::Watt => both!("Watt", "瓦特"),
-            Linkage::Chebyshev => both!("Chebyshev", "切比雪夫"),
-            Linkage::Roberts => both!("Roberts", "罗伯茨"),
-            Linkage::Hoeken => both!("Hoeken", "霍肯"),
-            Linkage::ScottRussell => both!("Scott Russell", "斯科特-罗素"),
-            Linkage::Peaucellier => both!("Peaucellier", "波塞利耶"),
+            Linkage::Watt => both!("Watt"),
+            Linkage::Chebyshev => both!("Chebyshev"),
+            Linkage::Roberts => both!("Roberts"),
+            Linkage::Hoeken => both!("Hoeken"),
+            Linkage::ScottRussell => both!("Scott Russell"),
+            Linkage::Peaucellier => both!("Peaucellier"),
         }
     }
 
@@ -205,7 +200,7 @@ impl StraightLineTask {
             let mut numbers = super::fourbar::named_lengths(l.lengths());
             numbers.push(DesignNumber::length(
                 "BE",
-                both!("to the point that runs straight", "到作直线运动的点"),
+                both!("to the point that runs straight"),
                 l.e.map_or(0.0, Vec2::norm),
             ));
             Some(ScaledLinkage {
@@ -238,8 +233,8 @@ impl StraightLineTask {
                     places: vec![("E".into(), place_of(at))],
                 });
                 let numbers = vec![
-                    DesignNumber::length("AB", both!("crank", "曲柄"), k),
-                    DesignNumber::length("CE", both!("rod", "连杆"), 2.0 * k),
+                    DesignNumber::length("AB", both!("crank"), k),
+                    DesignNumber::length("CE", both!("rod"), 2.0 * k),
                 ];
                 Some(ScaledLinkage {
                     scene: scott_russell(k, 0.3 * s, heading),
@@ -257,13 +252,9 @@ impl StraightLineTask {
                     })
                 });
                 let numbers = vec![
-                    DesignNumber::length(
-                        "KC",
-                        both!("crank, and its distance from O", "曲柄，及其到 O 的距离"),
-                        2.0 * k,
-                    ),
-                    DesignNumber::length("OX", both!("long arms", "长杆"), 6.0 * k),
-                    DesignNumber::length("CX", both!("sides of the rhombus", "菱形的边"), 2.5 * k),
+                    DesignNumber::length("KC", both!("crank, and its distance from O"), 2.0 * k),
+                    DesignNumber::length("OX", both!("long arms"), 6.0 * k),
+                    DesignNumber::length("CX", both!("sides of the rhombus"), 2.5 * k),
                 ];
                 Some(ScaledLinkage {
                     scene: peaucellier(k, 0.5 * s, heading)?,
@@ -389,12 +380,7 @@ fn peaucellier(k: f64, angle: f64, heading: &Heading) -> Option<Json> {
 
 impl Wish for StraightLineTask {
     fn title(&self) -> Both {
-        both!(
-            "{}'s straight-line linkage, {} long",
-            "{}直线机构，直线段长 {}",
-            self.name(),
-            metres(self.length)
-        )
+        both!("{}'s straight-line linkage, {} long", self.name(), metres(self.length))
     }
 
     fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
@@ -402,20 +388,17 @@ impl Wish for StraightLineTask {
         let none = || {
             Diagnostic::error(
                 "no-real-solution",
-                both!("the linkage does not reach over this swing", "在此摆角内机构不能装配"),
+                both!("the linkage does not reach over this swing"),
             )
         };
         let Some(made) = self.made(scale, heading).filter(|_| scale.is_finite()) else {
-            return Err(none().help(both!("take a smaller \"swing\"", "请减小 \"swing\"")).into());
+            return Err(none().help(both!("take a smaller \"swing\"")).into());
         };
         let measured = measure(&made, self.length)?;
         let mut numbers = made.numbers;
         numbers.extend(measured.numbers());
-        let which = if measured.deviation == 0.0 {
-            both!("exact", "精确直线")
-        } else {
-            both!("nearly straight", "近似直线")
-        };
+        let which =
+            if measured.deviation == 0.0 { both!("exact") } else { both!("nearly straight") };
         let draft = Draft {
             error: measured.deviation,
             ..Draft::new(which, made.scene, numbers, made.wanted)
@@ -458,54 +441,34 @@ impl MeasuredStretch {
     fn numbers(&self) -> Vec<DesignNumber> {
         let [(low_at, low), (high_at, high)] = self.extremes;
         let mut out = vec![
-            DesignNumber::length("length", both!("length along the line", "直线段长"), self.length),
+            DesignNumber::length("length", both!("length along the line"), self.length),
             DesignNumber::length(
                 "deviation",
-                both!("from the least to the greatest deviation", "最大与最小偏离之差"),
+                both!("from the least to the greatest deviation"),
                 self.deviation,
             ),
             DesignNumber::ratio(
                 "relative",
-                both!("deviation over length", "偏差与长度之比"),
+                both!("deviation over length"),
                 self.deviation / self.length,
             ),
         ];
         // A straight line has no least and no greatest place.
         if self.deviation > 0.0 {
             out.extend([
-                DesignNumber::length(
-                    "least",
-                    both!("least coordinate across the line", "横向坐标最小值"),
-                    low,
-                ),
-                DesignNumber::angle(
-                    "at_least",
-                    both!("the driver there", "此处原动件的位置"),
-                    low_at,
-                ),
+                DesignNumber::length("least", both!("least coordinate across the line"), low),
+                DesignNumber::angle("at_least", both!("the driver there"), low_at),
                 DesignNumber::length(
                     "greatest",
-                    both!("greatest coordinate across the line", "横向坐标最大值"),
+                    both!("greatest coordinate across the line"),
                     high,
                 ),
-                DesignNumber::angle(
-                    "at_greatest",
-                    both!("the driver there", "此处原动件的位置"),
-                    high_at,
-                ),
+                DesignNumber::angle("at_greatest", both!("the driver there"), high_at),
             ]);
         }
         out.extend([
-            DesignNumber::angle(
-                "from",
-                both!("the driver where the line begins", "直线段起点的原动件位置"),
-                self.range[0],
-            ),
-            DesignNumber::angle(
-                "to",
-                both!("the driver where it ends", "直线段终点的原动件位置"),
-                self.range[1],
-            ),
+            DesignNumber::angle("from", both!("the driver where the line begins"), self.range[0]),
+            DesignNumber::angle("to", both!("the driver where it ends"), self.range[1]),
         ]);
         out
     }
@@ -542,7 +505,7 @@ fn measure(made: &ScaledLinkage, wanted: f64) -> Result<MeasuredStretch, Faults>
     let [Some(a), Some(b), Some(low), Some(high)] = four else {
         return Err(Diagnostic::error(
             "no-motion",
-            both!("the linkage does not move through its range", "机构不能在该范围内运动"),
+            both!("the linkage does not move through its range"),
         )
         .into());
     };

@@ -7,7 +7,7 @@
 use super::super::Failure;
 use super::super::files::{read_now, write};
 use super::http::{Request, Response};
-use crate::diag::{Both, both};
+use crate::diag::Both;
 use std::hash::{DefaultHasher, Hasher as _};
 use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -96,7 +96,7 @@ impl Desk {
                 Err(Failure::Output(why) | Failure::Interrupted(why)) => failed(&why),
                 Err(Failure::Input(all)) => {
                     let first = all.iter().find_map(|f| f.faults.list.first());
-                    failed(&first.map_or(both!("", ""), |d| d.message.clone()))
+                    failed(&first.map_or(Both::default(), |d| d.message.clone()))
                 }
             },
             Err(why) => failed(&why),

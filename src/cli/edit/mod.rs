@@ -30,21 +30,15 @@ pub fn run(a: args::EditArgs) -> CommandResult {
     let file = PathBuf::from(&a.scene);
     let fault = |d: Diagnostic| Failure::input(d, &a.scene, "");
     if is_stream(&a.scene) {
-        let d = Diagnostic::error(
-            "cannot-edit",
-            both!("{} is not a file that can be saved", "{} 不是可保存的文件", a.scene),
-        );
-        return Err(fault(d.help(both!("name a file", "请指定文件"))));
+        let d =
+            Diagnostic::error("cannot-edit", both!("{} is not a file that can be saved", a.scene));
+        return Err(fault(d.help(both!("name a file"))));
     }
     match files::read_now(&file).map_err(fault)? {
         Some(bytes) if std::str::from_utf8(&bytes).is_err() => {
-            let d = Diagnostic::error(
-                "cannot-edit",
-                both!("{} is not UTF-8 text", "{} 不是 UTF-8 文本", a.scene),
-            );
+            let d = Diagnostic::error("cannot-edit", both!("{} is not UTF-8 text", a.scene));
             let help = both!(
-                "save the file as UTF-8: the page would lose the letters that it cannot read",
-                "请将文件存为 UTF-8：页面会丢失不能识别的字符"
+                "save the file as UTF-8: the page would lose the letters that it cannot read"
             );
             return Err(fault(d.help(help)));
         }
@@ -52,7 +46,6 @@ pub fn run(a: args::EditArgs) -> CommandResult {
             let missing = io::ErrorKind::NotFound.into();
             let help = both!(
                 "`hodograph new crank-rocker -o {0}` writes a first scene, `hodograph edit {0} --new` begins with an empty one",
-                "`hodograph new crank-rocker -o {0}` 生成一个机构文件，`hodograph edit {0} --new` 从空白的机构文件开始",
                 a.scene
             );
             return Err(fault(files::unreadable(&file, &missing).help(help)));
@@ -66,9 +59,9 @@ pub fn run(a: args::EditArgs) -> CommandResult {
     let no_port = |e: io::Error| {
         let d = Diagnostic::error(
             "no-port",
-            both!("port {} cannot be used: {}", "不能使用端口 {}：{}", port, files::reason(&e)),
+            both!("port {} cannot be used: {}", port, files::reason(&e)),
         );
-        let help = both!("without --port a free one is taken", "不写 --port 时自动选用空闲端口");
+        let help = both!("without --port a free one is taken");
         Failure::argument("--port", &port, d.help(help))
     };
     let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, a.port)).map_err(no_port)?;
@@ -79,7 +72,7 @@ pub fn run(a: args::EditArgs) -> CommandResult {
     let desk = Arc::new(Desk::new(file, page, &word, port));
     stop::watch();
     let address = desk.address();
-    let end = both!("Ctrl-C ends", "按 Ctrl-C 结束");
+    let end = both!("Ctrl-C ends");
     files::print(&format!("{address}\n{}: {}\n", a.scene, lang::of(&end)))?;
     if !a.no_open {
         open(&address);

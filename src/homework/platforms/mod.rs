@@ -170,7 +170,7 @@ pub fn questions(all: &[HomeworkVariant], look: &Look) -> Result<PlatformSet, Fa
             return Err(too_long().into());
         }
         let Some(figure) = figure else {
-            let message = both!("the problem has no picture", "题目没有图");
+            let message = both!("the problem has no picture");
             return Err(Diagnostic::error("no-figure", message).into());
         };
         let picture = png::render(&svg::write(figure)?.value, DPI)?;
@@ -190,14 +190,9 @@ pub fn questions(all: &[HomeworkVariant], look: &Look) -> Result<PlatformSet, Fa
 
 fn too_long() -> Diagnostic {
     let most = MOST_TEXT >> 20;
-    let message = both!(
-        "the problem, repeated in each question, takes more than {most} MiB",
-        "题目在每个问题中重复，共超过 {most} MiB"
-    );
-    Diagnostic::error("too-many", message).help(both!(
-        "ask for fewer variants, or for less in \"find\"",
-        "请减少题数，或在 \"find\" 中少求一些量"
-    ))
+    let message = both!("the problem, repeated in each question, takes more than {most} MiB");
+    Diagnostic::error("too-many", message)
+        .help(both!("ask for fewer variants, or for less in \"find\""))
 }
 
 fn question(
@@ -226,25 +221,18 @@ fn question(
         "" => String::new(),
         unit => {
             let unit = markup::unit(unit);
-            lang.of(&both!(" in {unit}", "（单位 {unit}）")).to_owned()
+            lang.of(&both!(" in {unit}")).to_owned()
         }
     };
     let what = match (axis, vector, key.kind.turns()) {
-        (Some(axis), ..) => both!(
-            "the coordinate <i>{axis}</i> of {shown}{unit}",
-            "{shown} 的坐标 <i>{axis}</i>{unit}"
-        ),
-        (None, true, _) => both!("the magnitude of {shown}{unit}", "{shown} 的大小{unit}"),
+        (Some(axis), ..) => both!("the coordinate <i>{axis}</i> of {shown}{unit}"),
+        (None, true, _) => both!("the magnitude of {shown}{unit}"),
         (None, false, true) => {
-            both!("{shown}{unit}, positive if counter-clockwise", "{shown}{unit}，逆时针为正")
+            both!("{shown}{unit}, positive if counter-clockwise")
         }
-        (None, false, false) => both!("{shown}{unit}", "{shown}{unit}"),
+        (None, false, false) => both!("{shown}{unit}"),
     };
-    let prompt = both!(
-        "Find {}. Write a number with a decimal point.",
-        "求 {}。答案写成数，小数用小数点。",
-        what
-    );
+    let prompt = both!("Find {}. Write a number with a decimal point.", what);
     let plain: String =
         text.chars().map(|c| if c.is_ascii_alphanumeric() || c == '_' { c } else { '-' }).collect();
     let plain = axis.map_or(plain.clone(), |axis| format!("{plain}-{axis}"));
@@ -266,18 +254,14 @@ fn judgements(key: &KeyEntry, lang: Lang) -> Vec<Judgement> {
     };
     let mut all = vec![own(key.value, key.tolerance, 1.0, &crate::diag::Both::default())];
     if key.kind.turns() && key.value.abs() > key.tolerance {
-        let words =
-            both!("The sense is wrong: counter-clockwise is positive.", "转向错误：逆时针为正。");
+        let words = both!("The sense is wrong: counter-clockwise is positive.");
         all.push(own(-key.value, key.tolerance, HALF, &words));
     }
     for m in &key.mistakes {
-        let words = both!("Likely mistake: {}.", "可能的错误：{}。", m.words());
+        let words = both!("Likely mistake: {}.", m.words());
         all.push(own(m.value, key.tolerance, 0.0, &words));
     }
-    let words = both!(
-        "Inaccurate: draw larger or sharpen the pencil.",
-        "作图不够准确：请放大比例或削尖铅笔。"
-    );
+    let words = both!("Inaccurate: draw larger or sharpen the pencil.");
     all.push(own(key.value, INACCURATE * key.tolerance, HALF, &words));
     all
 }

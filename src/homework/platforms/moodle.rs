@@ -25,13 +25,10 @@ pub fn moodle(set: &PlatformSet) -> Result<String, Diagnostic> {
     if pictures > MOST_PICTURES {
         let most = MOST_PICTURES >> 20;
         let message = both!(
-            "the pictures of {count} questions take more than {most} MiB in one file for Moodle",
-            "{count} 个问题的图在一个 Moodle 文件中超过 {most} MiB"
+            "the pictures of {count} questions take more than {most} MiB in one file for Moodle"
         );
-        return Err(Diagnostic::error("too-many", message).help(both!(
-            "ask for fewer variants, or for less in \"find\"",
-            "请减少题数，或在 \"find\" 中少求一些量"
-        )));
+        return Err(Diagnostic::error("too-many", message)
+            .help(both!("ask for fewer variants, or for less in \"find\"")));
     }
     let mut out = String::with_capacity(pictures.div_ceil(3) * 4 + count * QUESTION);
     out += "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<quiz>\n";

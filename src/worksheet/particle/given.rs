@@ -36,30 +36,24 @@ pub fn given(problem: &ParticleProblem, lang: Lang) -> Vec<Phrase> {
     }
     out.extend(problem.plates.iter().map(|p| plate(problem, p)));
     out.extend(problem.motions.iter().map(|m| motion(problem, m)));
-    out.push(both!("the instant: t = {}", "所求时刻：t = {}", printed_law(problem, &problem.time)));
+    out.push(both!("the instant: t = {}", printed_law(problem, &problem.time)));
     out.iter().map(|said| Phrase::new(lang.of(said))).collect()
 }
 
 fn plate(problem: &ParticleProblem, p: &Plate) -> Both {
     let axis = p.axis.letter();
     let place = match &p.offset {
-        Some(offset) => both!(
-            "lies {} beside the axis {}",
-            "与 {1} 轴相距 {0}",
-            printed_law(problem, offset),
-            axis
-        ),
-        None => both!("contains the axis {axis}", "过 {axis} 轴"),
+        Some(offset) => both!("lies {} beside the axis {}", printed_law(problem, offset), axis),
+        None => both!("contains the axis {axis}"),
     };
     let turning = match &p.turning {
-        PlateRotation::Law(law) => both!("φ = {}", "φ = {}", printed_law(problem, law)),
+        PlateRotation::Law(law) => both!("φ = {}", printed_law(problem, law)),
         PlateRotation::Now { angle, omega, alpha } => {
-            let alpha = alpha.as_ref().map_or_else(Both::default, |a| {
-                both!(", α = {0}", "，α = {0}", printed_law(problem, a))
-            });
+            let alpha = alpha
+                .as_ref()
+                .map_or_else(Both::default, |a| both!(", α = {0}", printed_law(problem, a)));
             both!(
                 "at the instant φ = {}, ω = {}{}",
-                "该时刻 φ = {}，ω = {}{}",
                 printed_law(problem, angle),
                 printed_law(problem, omega),
                 alpha
@@ -69,7 +63,6 @@ fn plate(problem: &ParticleProblem, p: &Plate) -> Both {
     let from = p.axis.order()[0];
     both!(
         "plate {} {} and turns about it; {}, φ from the axis {}",
-        "平板 {} {}，并绕其转动；{}，φ 自 {} 轴量起",
         p.link,
         place,
         turning,
@@ -85,7 +78,6 @@ fn motion(problem: &ParticleProblem, m: &ParticleMotion) -> Both {
     match &m.kind {
         ParticleMotionKind::Toward { from, target, speed } => both!(
             "${point}$ starts at {} and always runs toward ${}$ with the speed {}",
-            "${point}$ 自 {} 出发，始终朝向 ${}$ 运动，速率 {}",
             at(from),
             problem.motions[*target].point,
             printed_law(problem, speed)
@@ -93,24 +85,14 @@ fn motion(problem: &ParticleProblem, m: &ParticleMotion) -> Both {
         ParticleMotionKind::Fixed(PathLaw::Free(place))
             if place.iter().all(|law| !law.depends_on_time()) =>
         {
-            both!("${point}$ is at rest at {}", "${point}$ 静止于 {}", at(place))
+            both!("${point}$ is at rest at {}", at(place))
         }
-        ParticleMotionKind::Fixed(way) => path(
-            problem,
-            point,
-            &both!("moves", "运动："),
-            way,
-            &both!("from the axis x", "与 x 轴夹角"),
-        ),
+        ParticleMotionKind::Fixed(way) => {
+            path(problem, point, &both!("moves"), way, &both!("from the axis x"))
+        }
         ParticleMotionKind::OnPlate(k, way) => {
             let link = &problem.plates[*k].link;
-            path(
-                problem,
-                point,
-                &both!("moves on plate {link}", "在平板 {link} 上运动："),
-                way,
-                &both!("from the axis", "与转轴夹角"),
-            )
+            path(problem, point, &both!("moves on plate {link}"), way, &both!("from the axis"))
         }
     }
 }
@@ -128,7 +110,6 @@ fn path(
     match way {
         PathLaw::Line { from, angle, s, .. } => both!(
             "${point}$ {} along a line from {} at {} {}, s = {}",
-            "${point}$ {}沿直线，起点 {}，角度 {}（{}），s = {}",
             moves,
             at(from),
             printed_law(problem, angle),
@@ -137,7 +118,6 @@ fn path(
         ),
         PathLaw::Circle { centre, radius, angle, s } => both!(
             "${point}$ {} round a circle about {} of radius {}, s = {} of arc counter-clockwise from {}",
-            "${point}$ {}沿圆周，圆心 {}，半径 {}，弧长 s = {}，自 {} 逆时针量起",
             moves,
             at(centre),
             printed_law(problem, radius),
@@ -146,7 +126,6 @@ fn path(
         ),
         PathLaw::Polar { pole, r, phi } => both!(
             "${point}$ {} about {}, r = {}, φ = {} (polar coordinates)",
-            "${point}$ {}极点 {}，极坐标 r = {}，φ = {}",
             moves,
             at(pole),
             printed_law(problem, r),
@@ -155,7 +134,6 @@ fn path(
         PathLaw::Free([x, y]) => {
             both!(
                 "${point}$ {} by x = {}, y = {}",
-                "${point}$ {}x = {}，y = {}",
                 moves,
                 printed_law(problem, x),
                 printed_law(problem, y)
@@ -184,37 +162,37 @@ fn asked(problem: &ParticleProblem, what: ParticleQuantity) -> Both {
     };
     let point = |k: usize| &problem.motions[k].point;
     match what {
-        ParticleQuantity::MeetingTime(_) => both!("time of meeting", "相遇的时间"),
-        ParticleQuantity::MeetingPlace(_) => both!("place of meeting", "相遇的地点"),
+        ParticleQuantity::MeetingTime(_) => both!("time of meeting"),
+        ParticleQuantity::MeetingPlace(_) => both!("place of meeting"),
         ParticleQuantity::Distance(k) => {
-            both!("length of the line ${}$", "连线 ${}$ 的长度", pair(k))
+            both!("length of the line ${}$", pair(k))
         }
         ParticleQuantity::LineOmega(k) => {
-            both!("angular velocity of the line ${}$", "连线 ${}$ 的角速度", pair(k))
+            both!("angular velocity of the line ${}$", pair(k))
         }
-        ParticleQuantity::Place(k) => both!("place of ${}$", "${}$ 的位置", point(k)),
-        ParticleQuantity::Velocity(k) => both!("velocity of ${}$", "${}$ 的速度", point(k)),
+        ParticleQuantity::Place(k) => both!("place of ${}$", point(k)),
+        ParticleQuantity::Velocity(k) => both!("velocity of ${}$", point(k)),
         ParticleQuantity::Acceleration(k) => {
-            both!("acceleration of ${}$", "${}$ 的加速度", point(k))
+            both!("acceleration of ${}$", point(k))
         }
         ParticleQuantity::Curvature(k) => {
-            both!("radius of curvature of the path of ${}$", "${}$ 的轨迹的曲率半径", point(k))
+            both!("radius of curvature of the path of ${}$", point(k))
         }
         ParticleQuantity::Part(k, part) => {
-            both!("{} of ${}$", "${1}$ 的{0}", named(part), point(k))
+            both!("{} of ${}$", named(part), point(k))
         }
         ParticleQuantity::Between([a, b], m) => {
             let (a, b) = (point(a), point(b));
             match m {
-                Mutual::Distance => both!("distance of ${a}$ and ${b}$", "${a}$ 与 ${b}$ 的距离"),
+                Mutual::Distance => both!("distance of ${a}$ and ${b}$"),
                 Mutual::Turning => {
-                    both!("angular velocity of the line ${a}{b}$", "连线 ${a}{b}$ 的角速度")
+                    both!("angular velocity of the line ${a}{b}$")
                 }
                 Mutual::Velocity => {
-                    both!("velocity of ${a}$ relative to ${b}$", "${a}$ 相对 ${b}$ 的速度")
+                    both!("velocity of ${a}$ relative to ${b}$")
                 }
                 Mutual::Acceleration => {
-                    both!("acceleration of ${a}$ relative to ${b}$", "${a}$ 相对 ${b}$ 的加速度")
+                    both!("acceleration of ${a}$ relative to ${b}$")
                 }
             }
         }
@@ -223,18 +201,18 @@ fn asked(problem: &ParticleProblem, what: ParticleQuantity) -> Both {
 
 fn named(part: PlateComponent) -> Both {
     match part {
-        PlateComponent::TransportVelocity => both!("transport velocity", "牵连速度"),
-        PlateComponent::RelativeVelocity => both!("relative velocity", "相对速度"),
-        PlateComponent::Transport => both!("transport acceleration", "牵连加速度"),
-        PlateComponent::TransportNormal => both!("normal transport acceleration", "法向牵连加速度"),
+        PlateComponent::TransportVelocity => both!("transport velocity"),
+        PlateComponent::RelativeVelocity => both!("relative velocity"),
+        PlateComponent::Transport => both!("transport acceleration"),
+        PlateComponent::TransportNormal => both!("normal transport acceleration"),
         PlateComponent::TransportTangential => {
-            both!("tangential transport acceleration", "切向牵连加速度")
+            both!("tangential transport acceleration")
         }
-        PlateComponent::Relative => both!("relative acceleration", "相对加速度"),
-        PlateComponent::RelativeNormal => both!("normal relative acceleration", "法向相对加速度"),
+        PlateComponent::Relative => both!("relative acceleration"),
+        PlateComponent::RelativeNormal => both!("normal relative acceleration"),
         PlateComponent::RelativeTangential => {
-            both!("tangential relative acceleration", "切向相对加速度")
+            both!("tangential relative acceleration")
         }
-        PlateComponent::Coriolis => both!("Coriolis acceleration", "科氏加速度"),
+        PlateComponent::Coriolis => both!("Coriolis acceleration"),
     }
 }

@@ -216,5 +216,5 @@ fn task(message: &Json) -> WorksheetTask<'_> {
 
 fn no_form(form: &str, kind: Kind) -> Diagnostic {
     let word = kind.word();
-    Diagnostic::error("format", both!("no `{form}` of a {word}", "没有 `{form}` 格式（{word}）"))
+    Diagnostic::error("format", both!("no `{form}` of a {word}"))
 }

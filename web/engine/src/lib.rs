@@ -22,5 +22,8 @@ mod plane;
 mod report;
 mod words;
 
+// Compiled again when its Chinese texts change.
+const _: &str = include_str!("../po/zh.po");
+
 pub use engine::Engine;
 use hodograph::paper::font::give_song;

@@ -43,8 +43,7 @@ impl OpenFile {
                 Ok(self.with_cams(message, text)?.value)
             }
             (of, ..) => {
-                let message =
-                    both!("there is no report `{of}` of this file", "此文件没有 `{of}` 报告");
+                let message = both!("there is no report `{of}` of this file");
                 Err(Diagnostic::error("format", message).into())
             }
         }

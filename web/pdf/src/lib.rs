@@ -11,7 +11,7 @@
 #[path = "../../engine/src/abi.rs"]
 pub mod abi;
 
-use hodograph_base::diag::{Diagnostic, Faults, both};
+use hodograph_base::diag::{Both, Diagnostic, Faults};
 use hodograph_paper::paper::font::give_song;
 use hodograph_paper::render::{pages::Page, pdf};
 
@@ -24,7 +24,7 @@ impl Engine {
     /// fault as JSON, in both languages.
     pub fn answer(&mut self, message: &[u8]) -> Vec<u8> {
         let written = postcard::from_bytes::<(Vec<Page>, String, String)>(message)
-            .map_err(|e| Faults::from(Diagnostic::error("pdf", both!("{e}", "{e}"))))
+            .map_err(|e| Faults::from(Diagnostic::error("pdf", Both::same(e.to_string()))))
             .and_then(|(pages, title, lang)| pdf::document(&pages, &title, &lang));
         match written {
             Ok(file) => file.value,

@@ -79,13 +79,13 @@ impl<'a> Fields<'a> {
             if !keys.contains(&key.text.as_str()) {
                 let d = Diagnostic::error(
                     "unknown-key",
-                    both!("`{}` is not a key of {}", "`{}` 不是{}的键", key.text, what),
+                    both!("`{}` is not a key of {}", key.text, what),
                 )
                 .at(key.span);
                 faults.push(d.help(suggest(
                     &key.text,
                     keys.iter().copied(),
-                    both!("the keys are", "可用的键有"),
+                    both!("the keys are"),
                 )));
             }
         }
@@ -106,10 +106,7 @@ impl<'a> Fields<'a> {
     ) -> Option<&'a Node> {
         let found = self.get(key);
         if found.is_none() {
-            let d = Diagnostic::error(
-                "missing-key",
-                both!("{} has no `{key}`", "{}缺少 `{key}`", self.what),
-            );
+            let d = Diagnostic::error("missing-key", both!("{} has no `{key}`", self.what));
             // An object longer than a line is quoted by its opening brace alone: the whole would
             // fill the page.
             let long = self.span.end - self.span.start > LINE;
@@ -119,7 +116,7 @@ impl<'a> Fields<'a> {
                 d.at(self.span)
             };
             let example = example.into();
-            faults.push(d.help(both!("add \"{key}\": {}", "请加上 \"{key}\"：{}", example)));
+            faults.push(d.help(both!("add \"{key}\": {}", example)));
         }
         found
     }
@@ -138,7 +135,7 @@ pub fn object<'a>(
 ) -> Option<&'a [(Word, Node)]> {
     match &node.kind {
         NodeKind::Object(members) => Some(members),
-        _ => wrong(node, what, both!("an object", "对象 {{...}}"), faults),
+        _ => wrong(node, what, both!("example" => "an object"), faults),
     }
 }
 
@@ -150,7 +147,7 @@ pub fn list<'a>(
 ) -> Option<&'a [Node]> {
     match &node.kind {
         NodeKind::Array(items) => Some(items),
-        _ => wrong(node, what, both!("a list", "列表 [...]"), faults),
+        _ => wrong(node, what, both!("example" => "a list"), faults),
     }
 }
 
@@ -159,13 +156,11 @@ pub fn word(node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> 
     match &node.kind {
         NodeKind::Text(text) if text.trim().is_empty() => {
             let what = what.into();
-            faults.push(
-                Diagnostic::error("empty", both!("{} is empty", "{}为空", what)).at(node.span),
-            );
+            faults.push(Diagnostic::error("empty", both!("{} is empty", what)).at(node.span));
             None
         }
         NodeKind::Text(text) => Some(Word { text: text.clone(), span: node.span }),
-        _ => wrong(node, what, both!("a text", "文字 \"...\""), faults),
+        _ => wrong(node, what, both!("example" => "a text"), faults),
     }
 }
 
@@ -179,13 +174,11 @@ pub fn wrong<T>(
     let what = what.into();
     let d = Diagnostic::error(
         "wrong-type",
-        both!("{} must be {}, this is {}", "{}应为{}，此处为{}", what, wanted, node.what()),
+        both!("{} must be {}, this is {}", what, wanted, node.what()),
     )
     .at(node.span);
     faults.push(match &node.kind {
-        NodeKind::Number(n) if wanted.en == "a text" => {
-            d.help(both!("write \"{n}\"", "请写作 \"{n}\""))
-        }
+        NodeKind::Number(n) if wanted.en == "a text" => d.help(both!("write \"{n}\"")),
         _ => d,
     });
     None
@@ -201,7 +194,7 @@ pub fn suggest<'a>(
     nearest(got, known.clone()).unwrap_or_else(|| {
         // All names: the expected name may be the last.
         let known: Vec<&str> = known.collect();
-        both!("{} {}", "{} {}", otherwise, Both::names(&known))
+        both!("{} {}", otherwise, Both::names(&known))
     })
 }
 
@@ -226,7 +219,7 @@ pub fn nearest<'a>(got: &str, known: impl Iterator<Item = &'a str>) -> Option<Bo
             if best.is_some_and(|b| b.0 >= score) { best } else { Some((score, k)) }
         },
     );
-    near.map(|(_, name)| both!("did you mean `{name}`?", "是否想写 `{name}`？"))
+    near.map(|(_, name)| both!("did you mean `{name}`?"))
 }
 
 /// Returns a text of at most `most` characters that serves for both languages, or one text for
@@ -242,18 +235,15 @@ pub fn localized(
         let f = Fields::open(node, what, &["en", "zh"], faults)?;
         let mut text = |key: &str| {
             f.get(key)
-                .and_then(|n| word(n, both!("`{key}` of {what}", "{what} 的 `{key}`"), faults))
+                .and_then(|n| word(n, both!("`{key}` of {what}"), faults))
                 .and_then(|w| no_longer(w, what, most, faults))
         };
         let texts = ["en", "zh"].map(&mut text);
         if f.get("en").is_none() && f.get("zh").is_none() {
             faults.push(
-                Diagnostic::error("empty", both!("{what} says nothing", "{what} 没有内容"))
+                Diagnostic::error("empty", both!("{what} says nothing"))
                     .at(node.span)
-                    .help(both!(
-                        "give \"en\", \"zh\" or both",
-                        "请给出 \"en\" 或 \"zh\"，或两者都给出"
-                    )),
+                    .help(both!("give \"en\", \"zh\" or both")),
             );
         }
         return Some(texts);
@@ -269,10 +259,7 @@ fn no_longer(word: Word, what: &str, most: usize, faults: &mut Faults) -> Option
         faults.push(
             Diagnostic::error(
                 "too-long",
-                both!(
-                    "{what} has {count} characters; at most {most} are allowed",
-                    "{what} 有 {count} 个字符，最多允许 {most} 个"
-                ),
+                both!("{what} has {count} characters; at most {most} are allowed"),
             )
             .at(word.span),
         );

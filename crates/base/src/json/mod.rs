@@ -60,12 +60,12 @@ impl Node {
     /// Returns a description of the value for a message: "a number".
     pub fn what(&self) -> Both {
         match self.kind {
-            NodeKind::Text(_) => both!("a text", "文字"),
-            NodeKind::Number(_) => both!("a number", "数"),
-            NodeKind::Bool(_) => both!("true or false", "true 或 false"),
-            NodeKind::Null => both!("null", "空值 null"),
-            NodeKind::Array(_) => both!("a list", "列表"),
-            NodeKind::Object(_) => both!("an object", "对象"),
+            NodeKind::Text(_) => both!("a text"),
+            NodeKind::Number(_) => both!("a number"),
+            NodeKind::Bool(_) => both!("true or false"),
+            NodeKind::Null => both!("null"),
+            NodeKind::Array(_) => both!("a list"),
+            NodeKind::Object(_) => both!("an object"),
         }
     }
 }
@@ -100,19 +100,15 @@ impl Node {
 pub fn parse<'a>(bytes: &'a [u8], faults: &mut Faults) -> Result<(&'a str, Node), Diagnostic> {
     if bytes.len() > MAX_BYTES {
         let message = both!(
-            "the file has more than {MAX_BYTES} bytes; none that is written by hand is so long",
-            "文件超过 {MAX_BYTES} 字节；手写的文件不会这样长"
+            "the file has more than {MAX_BYTES} bytes; none that is written by hand is so long"
         );
         return Err(Diagnostic::error("too-large", message));
     }
     let source = std::str::from_utf8(bytes).map_err(|e| {
         let at = e.valid_up_to();
-        Diagnostic::error(
-            "not-utf8",
-            both!("byte {at} is not UTF-8 text", "第 {at} 字节不是 UTF-8 文字"),
-        )
-        .at(Span::new(at, at + e.error_len().unwrap_or(1)))
-        .help(both!("save the file as UTF-8", "请把文件存为 UTF-8 编码"))
+        Diagnostic::error("not-utf8", both!("byte {at} is not UTF-8 text"))
+            .at(Span::new(at, at + e.error_len().unwrap_or(1)))
+            .help(both!("save the file as UTF-8"))
     })?;
     check_depth(bytes)?;
     // Some editors begin UTF-8 files with a byte order mark; the parser does not accept it, and the
@@ -121,10 +117,7 @@ pub fn parse<'a>(bytes: &'a [u8], faults: &mut Faults) -> Result<(&'a str, Node)
     let parsed =
         parse_to_ast(&source[base..], &CollectOptions::default(), &strict()).map_err(|e| {
             let range = e.range();
-            let d = Diagnostic::error(
-                "json",
-                both!("not valid JSON: {}", "JSON 格式有误：{}", sentence(e.kind())),
-            );
+            let d = Diagnostic::error("json", both!("not valid JSON: {}", sentence(e.kind())));
             let d = d.at(Span::new(base + range.start, base + range.end));
             match advice(e.kind()) {
                 Some(help) => d.help(help),
@@ -132,12 +125,8 @@ pub fn parse<'a>(bytes: &'a [u8], faults: &mut Faults) -> Result<(&'a str, Node)
             }
         })?;
     let Some(value) = parsed.value else {
-        return Err(Diagnostic::error("json", both!("the file is empty", "文件是空的")).help(
-            both!(
-                "what is read here is one JSON object: {{ ... }}",
-                "此处应为一个 JSON 对象：{{ ... }}"
-            ),
-        ));
+        return Err(Diagnostic::error("json", both!("the file is empty"))
+            .help(both!("what is read here is one JSON object: {{ ... }}")));
     };
     let node = convert(value, base, source, faults);
     Ok((source, node))
@@ -202,21 +191,18 @@ fn sentence(kind: &ParseErrorKind) -> Both {
 fn advice(kind: &ParseErrorKind) -> Option<Both> {
     Some(match kind {
         ParseErrorKind::TrailingCommasNotAllowed => {
-            both!("take the last comma away", "请删去最后的逗号")
+            both!("take the last comma away")
         }
         ParseErrorKind::CommentsNotAllowed => {
-            both!(
-                "JSON has no comments; a remark can stand in \"statement\"",
-                "JSON 没有注释；说明可写在 \"statement\" 中"
-            )
+            both!("JSON has no comments; a remark can stand in \"statement\"")
         }
-        ParseErrorKind::SingleQuotedStringsNotAllowed => both!("write \"...\"", "请写作 \"...\""),
-        ParseErrorKind::ExpectedComma => both!("put a comma before this", "请在前面加逗号"),
+        ParseErrorKind::SingleQuotedStringsNotAllowed => both!("write \"...\""),
+        ParseErrorKind::ExpectedComma => both!("put a comma before this"),
         ParseErrorKind::UnexpectedWord | ParseErrorKind::ExpectedStringObjectProperty => {
-            both!("put it in quotation marks: \"...\"", "请加引号：\"...\"")
+            both!("put it in quotation marks: \"...\"")
         }
         ParseErrorKind::BareDecimalPointNumbersNotAllowed => {
-            both!("write a digit on both sides of the point: 0.5", "小数点两边都要有数字：0.5")
+            both!("write a digit on both sides of the point: 0.5")
         }
         _ => return None,
     })
@@ -243,8 +229,7 @@ fn check_depth(bytes: &[u8]) -> Result<(), Diagnostic> {
         }
         if depth > MAX_DEPTH {
             let message = both!(
-                "brackets are nested more than {MAX_DEPTH} deep; four levels are all that is needed",
-                "括号嵌套超过 {MAX_DEPTH} 层；四层已足够"
+                "brackets are nested more than {MAX_DEPTH} deep; four levels are all that is needed"
             );
             return Err(Diagnostic::error("too-deep", message).at(Span::new(i, i + 1)));
         }
@@ -266,11 +251,7 @@ fn convert(value: ast::Value<'_>, base: usize, source: &str, faults: &mut Faults
                 faults.push(
                     Diagnostic::error(
                         "json",
-                        both!(
-                            "not valid JSON: `{}` is not a JSON number",
-                            "JSON 格式有误：`{}` 不是 JSON 的数",
-                            n.value
-                        ),
+                        both!("not valid JSON: `{}` is not a JSON number", n.value),
                     )
                     .at(span),
                 );
@@ -299,11 +280,11 @@ fn convert(value: ast::Value<'_>, base: usize, source: &str, faults: &mut Faults
                 if known.insert(key.text.clone()) {
                     members.push((key, value));
                 } else {
-                    let message = both!("`{}` stands here twice", "`{}` 在此出现两次", key.text);
+                    let message = both!("`{}` stands here twice", key.text);
                     faults.push(
                         Diagnostic::error("duplicate-key", message)
                             .at(key.span)
-                            .help(both!("keep one of the two", "请保留其中一个")),
+                            .help(both!("keep one of the two")),
                     );
                 }
             }
@@ -318,14 +299,9 @@ fn check_string(word: &Word, source: &str, faults: &mut Faults) {
     let raw = source.get(word.span.start..word.span.end).unwrap_or_default();
     if let Some(i) = raw.bytes().position(|b| b < 0x20) {
         let at = Span::new(word.span.start + i, word.span.start + i + 1);
-        let message = both!(
-            "not valid JSON: a line break or control character inside a text",
-            "JSON 格式有误：文字中有换行或控制字符"
-        );
+        let message = both!("not valid JSON: a line break or control character inside a text");
         faults.push(
-            Diagnostic::error("json", message)
-                .at(at)
-                .help(both!("write \\n for a line break", "换行请写 \\n")),
+            Diagnostic::error("json", message).at(at).help(both!("write \\n for a line break")),
         );
     } else if let Some(d) = unprintable(word) {
         let place = unprintable_char(&word.text).and_then(|c| written(c, raw));
@@ -341,24 +317,13 @@ fn check_string(word: &Word, source: &str, faults: &mut Faults) {
 /// as U+FFFE (ill-formed in XML).
 pub fn unprintable(word: &Word) -> Option<Diagnostic> {
     let c = unprintable_char(&word.text)?;
-    let kind = if c.is_control() {
-        both!("a control character", "控制字符")
-    } else {
-        both!("which is no character", "不是字符")
-    };
+    let kind =
+        if c.is_control() { both!("a control character") } else { both!("which is no character") };
     let d = Diagnostic::error(
         "text",
-        both!(
-            "this text holds U+{1:04X}, {0}: no figure can show it",
-            "文字中有 U+{1:04X}（{0}），图上无法表示",
-            kind,
-            u32::from(c)
-        ),
+        both!("this text holds U+{1:04X}, {0}: no figure can show it", kind, u32::from(c)),
     );
-    Some(
-        d.at(word.span)
-            .help(both!("take it out; a line break is written \\n", "请删去；换行写作 \\n")),
-    )
+    Some(d.at(word.span).help(both!("take it out; a line break is written \\n")))
 }
 
 fn unprintable_char(text: &str) -> Option<char> {

@@ -73,7 +73,6 @@ fn best_alternative(
         "dead-centre",
         both!(
             "the three legs of link {} are parallel: it is at a dead centre",
-            "构件 {} 的三条支链平行：处于死点",
             scene.link_name(*link)
         ),
     )

@@ -6,14 +6,12 @@ use crate::construction::{MarkId, Stop, Why};
 use crate::plan::text::{held_by, vertex_name};
 use crate::plan::{Plan, Term, TermConnection, VertexId, VertexPlace};
 use hodograph_base::diag::{Both, Diagnostic, both};
+use hodograph_base::lang::each;
 use hodograph_scene::{DiagramKind, Scene};
 
 /// Returns the diagnostic for numbers that cannot be drawn.
 pub(super) fn overflow() -> Diagnostic {
-    Diagnostic::error(
-        "overflow",
-        both!("the numbers are too large or too small to be drawn", "数值过大或过小，无法作图"),
-    )
+    Diagnostic::error("overflow", both!("the numbers are too large or too small to be drawn"))
 }
 
 /// Returns the diagnostic for a construction that stops.
@@ -34,23 +32,17 @@ pub(super) fn refusal(acts: &Acts, scene: &Scene, plan: &Plan, stop: &Stop) -> D
             let name = vertex_name(scene, plan, v);
             Diagnostic::error(
                 "dead-centre",
-                both!(
-                    "the lines that cross in {name} are parallel in this pose",
-                    "在该位置，应交于 {name} 的两直线平行"
-                ),
+                both!("the lines that cross in {name} are parallel in this pose"),
             )
-            .help(both!("choose another pose", "请改变位置"))
+            .help(both!("choose another pose"))
         }
         (Why::Coincide | Why::Missing(_), None, Some(ends)) => {
             let [a, b] = ends.map(|k| vertex_name(scene, plan, VertexId(k.index())));
             Diagnostic::error(
                 "coincident-points",
-                both!(
-                    "{a} and {b} coincide in this pose: their line has no direction",
-                    "{a} 与 {b} 在该位置重合，连线没有方向"
-                ),
+                both!("{a} and {b} coincide in this pose: their line has no direction"),
             )
-            .help(both!("choose another pose, or other lengths", "请改变位置或长度"))
+            .help(both!("choose another pose, or other lengths"))
         }
         (Why::Coincide | Why::Missing(_), None, None) => overflow(),
     }
@@ -72,21 +64,20 @@ fn dead_centre(
         .flatten()
         .all(|t| matches!(t.by, TermConnection::Turning(_) | TermConnection::Cylinder(_)))
     {
-        both!("lie in line", "共线")
+        both!("lie in line")
     } else {
-        both!("leave the same direction open", "所余方向相同")
+        both!("leave the same direction open")
     };
     let d = Diagnostic::error(
         "dead-centre",
         both!(
             "dead centre: {} {} at {at}, so that its {} is not determined",
-            "死点：{}在 {at} 处{}，{}不能确定",
-            Both::join(&words, " and ", "与"),
+            Both::join(&words, each!(" and ")),
             lie,
             on.vector()
         ),
     )
-    .help(both!("choose another pose, or drive another link", "请改变位置或换原动件"));
+    .help(both!("choose another pose, or drive another link"));
     match plan.vertex(target).spot {
         VertexPlace::Point(p) => d.at(scene.points[p.0].span),
         VertexPlace::Special(_) => d,

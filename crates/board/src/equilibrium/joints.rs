@@ -187,24 +187,23 @@ impl Joints {
         let point = |p: PointId| scene.point_name(p);
         let slider = |g: GuideId| {
             let name = scene.guides[g.0].slider.map_or("", |s| scene.link_name(s));
-            both!("slider {name}", "滑块 {name}")
+            both!("slider {name}")
         };
-        let hinged = |hinge: Hinge| {
-            hinge.arc().map_or_else(|| both!("pin {}", "销 {}", point(hinge.at)), slider)
-        };
+        let hinged =
+            |hinge: Hinge| hinge.arc().map_or_else(|| both!("pin {}", point(hinge.at)), slider);
         let outer = self.outer.iter().map(|o| match *o {
             OuterJoint::Pin { hinge, .. } => hinged(hinge),
             OuterJoint::Slide { guide, .. } => slider(guide),
-            OuterJoint::Slot { at, .. } => both!("pin {} in a slot", "槽中的销 {}", point(at)),
-            OuterJoint::Mesh { at, .. } => both!("contact {}", "接触点 {}", point(at)),
+            OuterJoint::Slot { at, .. } => both!("pin {} in a slot", point(at)),
+            OuterJoint::Mesh { at, .. } => both!("contact {}", point(at)),
             OuterJoint::Cylinder { at, .. } => {
-                both!("cylinder at {}", "销 {} 处的液压缸", point(at))
+                both!("cylinder at {}", point(at))
             }
             OuterJoint::Balance { at, .. } => {
-                both!("balancing force at {}", "作用于 {} 的平衡力", point(at))
+                both!("balancing force at {}", point(at))
             }
             OuterJoint::Turn { driver, .. } | OuterJoint::Push { driver, .. } => {
-                both!("driver {}", "驱动 {}", driver + 1)
+                both!("driver {}", driver + 1)
             }
         });
         let inner = self.inner.iter().map(|pair| match *pair {
@@ -212,12 +211,7 @@ impl Joints {
             DyadJoint::Slide { guide, .. } => slider(guide),
         });
         let all = Both::listed(&outer.chain(inner).collect::<Vec<_>>());
-        both!(
-            "there is no method for {} links with {}",
-            "没有适用于 {} 个构件、{}的作图方法",
-            links.len(),
-            all
-        )
+        both!("there is no method for {} links with {}", links.len(), all)
     }
 }
 
@@ -332,8 +326,7 @@ pub(super) fn joints(
                     None if mine(by) => {
                         let (pin, slot) = (scene.point_name(p), scene.link_name(by));
                         return Err(both!(
-                            "pin {pin} runs in a slot of link {slot}, which belongs to the same group",
-                            "销 {pin} 在同组构件 {slot} 的槽中滑动"
+                            "pin {pin} runs in a slot of link {slot}, which belongs to the same group"
                         ));
                     }
                     Some(_) | None => {}
@@ -368,7 +361,6 @@ pub(super) fn joints(
                                 .ok_or_else(|| {
                                     both!(
                                         "the slider {} meets nothing at a point",
-                                        "滑块 {} 上没有任何连接点",
                                         scene.link_name(slider)
                                     )
                                 })?;
@@ -420,10 +412,7 @@ pub(super) fn joints(
         let (on, by) = match (mine(a), mine(b)) {
             (true, true) => {
                 let [a, b] = [a, b].map(|l| scene.link_name(l));
-                return Err(both!(
-                    "its links {a} and {b} roll on each other",
-                    "组内构件 {a} 与 {b} 相互滚动"
-                ));
+                return Err(both!("its links {a} and {b} roll on each other"));
             }
             (true, false) if upstream(b) => (a, b),
             (false, true) if upstream(a) => (b, a),
@@ -431,10 +420,7 @@ pub(super) fn joints(
         };
         let place = pair.at[0];
         if !matches!(pair.touch(), Touch::Point(_)) || at.points[place.0].is_none() {
-            return Err(both!(
-                "the pull of belts, chains and ropes is not drawn",
-                "带、链、绳的拉力不作图"
-            ));
+            return Err(both!("the pull of belts, chains and ropes is not drawn"));
         }
         outer.push(OuterJoint::Mesh { rolling, at: place, on, by });
     }
@@ -448,10 +434,7 @@ pub(super) fn joints(
                 }));
             } else if mine(against) && open[link.0] {
                 let [of, on] = [against, link].map(|l| scene.link_name(l));
-                return Err(both!(
-                    "a driver on its link {of} turns link {on}",
-                    "其构件 {of} 上的驱动使构件 {on} 转动"
-                ));
+                return Err(both!("a driver on its link {of} turns link {on}"));
             }
         }
         if let Some(guide) = driver.kind.guide().filter(|g| driven(scene, *g).is_none()) {
@@ -474,11 +457,7 @@ pub(super) fn joints(
 
 /// Returns the reason for which a pin has no construction.
 pub(super) fn too_many(scene: &Scene, pin: PointId) -> Both {
-    both!(
-        "pin {} joins too many for a construction",
-        "销 {} 连接的构件过多，无法作图",
-        scene.point_name(pin)
-    )
+    both!("pin {} joins too many for a construction", scene.point_name(pin))
 }
 
 /// Returns the pin that a driver moves along a slot.
@@ -496,10 +475,7 @@ fn driven(scene: &Scene, guide: GuideId) -> Option<Hinge> {
 fn balance(scene: &Scene, driver: usize, on: LinkId) -> Result<Option<OuterJoint>, Both> {
     let Some(balance) = &scene.loads.balance else { return Ok(None) };
     if balance.link != on {
-        return Err(both!(
-            "the balance does not act on the link of the driver",
-            "平衡力（力矩）不作用在原动件上"
-        ));
+        return Err(both!("the balance does not act on the link of the driver"));
     }
     Ok(balance.force.as_ref().map(|(at, _)| OuterJoint::Balance { driver, at: *at, on }))
 }

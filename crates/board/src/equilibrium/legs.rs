@@ -121,10 +121,7 @@ impl Scribe<'_> {
                 && self.all_on(link, &[leg.far()]).iter().any(|a| a.force.is_some())
             {
                 let name = self.scene.link_name(link);
-                return Err(both!(
-                    "the sliding block {name} has loads of its own",
-                    "滑块 {name} 本身受载"
-                ));
+                return Err(both!("the sliding block {name} has loads of its own"));
             }
         }
         let sine = |[i, j, _]: &[usize; 3]| {

@@ -123,9 +123,9 @@ pub(super) fn written(
             continue;
         }
         let result = if links.iter().any(|l| broken[l.0]) {
-            Err(both!("it carries a group that is not drawn", "它承受未作图杆组的反力"))
+            Err(both!("it carries a group that is not drawn"))
         } else if rods.iter().any(|l| !scribe.acting[l.0].is_empty()) {
-            Err(both!("the cylinder that moves it has loads of its own", "驱动它的液压缸本身受载"))
+            Err(both!("the cylinder that moves it has loads of its own"))
         } else {
             rods.iter().for_each(|l| open[l.0] = false);
             joints(scene, m, at, &links, &open).and_then(|joints| scribe.group(&links, &joints, at))

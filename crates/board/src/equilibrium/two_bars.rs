@@ -61,11 +61,7 @@ impl Scribe<'_> {
             .filter_map(Hinge::pin)
             .find(|p| !self.pin_loads(*p, group.links[0]).is_empty())
         {
-            return Err(both!(
-                "a further group presses on pin {}",
-                "销 {} 上还作用着另一杆组",
-                self.scene.point_name(pin)
-            ));
+            return Err(both!("a further group presses on pin {}", self.scene.point_name(pin)));
         }
         let along = group.bars.map(|b| {
             let [p, q] = b.pins.map(|p| at.points[p.at.0]);

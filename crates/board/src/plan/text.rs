@@ -75,19 +75,17 @@ pub fn held_by(scene: &Scene, plan: &Plan, t: &Term) -> Both {
     let line = || line_name(scene, plan, t.to, t.of);
     match t.by {
         TermConnection::Turning(TurningBody::Link(l)) => {
-            both!("link {} ({})", "构件 {}（{}）", scene.link_name(l), line())
+            both!("link {} ({})", scene.link_name(l), line())
         }
         TermConnection::Turning(TurningBody::Cylinder(_)) | TermConnection::Cylinder(_) => {
-            both!("cylinder {}", "液压缸 {}", line())
+            both!("cylinder {}", line())
         }
-        TermConnection::Guide { guide, .. } => both!(
-            "the guide on link {}",
-            "构件 {} 上的导路",
-            scene.link_name(scene.guides[guide.0].on)
-        ),
+        TermConnection::Guide { guide, .. } => {
+            both!("the guide on link {}", scene.link_name(scene.guides[guide.0].on))
+        }
         TermConnection::Contact(pair) => {
             let [a, b] = scene.rolling[pair.0].links.map(|l| scene.link_name(l));
-            both!("the contact of links {a} and {b}", "构件 {a} 与 {b} 的接触")
+            both!("the contact of links {a} and {b}")
         }
         TermConnection::Frame { .. } | TermConnection::Apart => Both::same(line()),
     }

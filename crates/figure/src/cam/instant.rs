@@ -5,10 +5,10 @@
 use super::{CamDrawing, heading};
 use hodograph_base::cam::{CamJet, CamMotion, Follower, FollowerTip, round};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::tr;
 use hodograph_board::construct::scale::choose_in;
 use hodograph_paper::paper::item::{Colour, Dash, Figure, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::style::Style;
 use hodograph_report::cam::Report;
@@ -57,16 +57,13 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Option<Figure> {
         d.pressure(station.contact.rotate_by(turn), station.normal.rotate_by(turn), station.q.0[0]);
     }
     d.stages(far * d.d.scale + STAGES_MM);
-    let title = tr(lang, "the instant", "图示位置");
-    let caption = match (disc.touch, lang) {
-        (FollowerTip::Point { radius }, Lang::En) if radius > 0.0 => {
+    let title = tr!(lang, "the instant");
+    let caption = match disc.touch {
+        FollowerTip::Point { radius } if radius > 0.0 => tr!(
+            lang,
             "thick: profile; chain line: pitch curve; circles: base circles of profile (thin) and pitch curve (dashed); n–n: normal"
-        }
-        (FollowerTip::Point { radius }, Lang::Zh) if radius > 0.0 => {
-            "粗线为实际廓线，点画线为理论廓线，细圆、虚圆为实际廓线、理论廓线的基圆，n–n 为法线"
-        }
-        (_, Lang::En) => "thick: profile; circle: base circle",
-        (_, Lang::Zh) => "粗线为廓线，细圆为基圆",
+        ),
+        _ => tr!(lang, "thick: profile; circle: base circle"),
     };
     let title = heading(report.scene, title, lang);
     Some(d.d.finish(mu, title, caption, lang))

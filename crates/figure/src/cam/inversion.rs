@@ -4,11 +4,11 @@
 use super::{CamDrawing, heading};
 use hodograph_base::cam::{CamMotion, CamStation, Disc, Follower, FollowerTip, PieceSide, round};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::tr;
 use hodograph_board::construct::scale::choose_in;
 use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::item::{Colour, Dash, Figure, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::place::{Bar, LabelRequest, Obstacles};
 use hodograph_paper::paper::style::Style;
 use hodograph_report::cam::Report;
@@ -71,7 +71,7 @@ fn drawn<'a>(report: &'a Report, style: &'a Style, first: Option<usize>) -> (Cam
 /// Draws the figure.
 pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     let (d, mu) = drawn(report, style, None);
-    let title = heading(report.scene, tr(lang, "profile by inversion", "反转法绘制凸轮廓线"), lang);
+    let title = heading(report.scene, tr!(lang, "profile by inversion"), lang);
     d.finish(mu, title, &legend(&report.turning.disc, lang), lang)
 }
 
@@ -88,33 +88,25 @@ fn legend(disc: &Disc, lang: Lang) -> String {
     let offset = matches!(disc.follower, Follower::Translating { offset, .. } if offset != 0.0);
     let swinging = matches!(disc.follower, Follower::Oscillating { .. });
     let mut dashed = Vec::new();
-    dashed.extend(prime_m(disc).map(|_| tr(lang, "prime circle", "理论廓线基圆")));
-    dashed.extend(swinging.then(|| tr(lang, "circle of the pivots", "从动件转动中心所在圆")));
+    dashed.extend(prime_m(disc).map(|_| tr!(lang, "prime circle")));
+    dashed.extend(swinging.then(|| tr!(lang, "circle of the pivots")));
     let (thick, between) = (
         if rolling {
-            tr(lang, "thick: profile", "粗线为实际廓线")
+            tr!(lang, "thick: profile")
         } else {
-            tr(lang, "thick: profile", "粗线为廓线")
+            tr!(lang, "inversion" => "thick: profile")
         },
-        tr(lang, "; ", "，"),
+        tr!(lang, "clause" => "; "),
     );
     let mut parts = vec![thick.to_owned()];
-    parts.extend(
-        rolling.then(|| tr(lang, "chain line: pitch curve", "点画线为理论廓线").to_owned()),
-    );
-    let thin = match (offset, lang) {
-        (true, Lang::En) => "thin: stations of the follower, base and offset circles",
-        (true, Lang::Zh) => "细线为从动件各位置及基圆、偏距圆",
-        (false, Lang::En) => "thin: stations of the follower, base circle",
-        (false, Lang::Zh) => "细线为从动件各位置及基圆",
+    parts.extend(rolling.then(|| tr!(lang, "chain line: pitch curve").to_owned()));
+    let thin = match offset {
+        true => tr!(lang, "thin: stations of the follower, base and offset circles"),
+        false => tr!(lang, "thin: stations of the follower, base circle"),
     };
     parts.push(thin.to_owned());
     if !dashed.is_empty() {
-        parts.push(format!(
-            "{}{}",
-            tr(lang, "dashed: ", "虚线为"),
-            dashed.join(tr(lang, ", ", "、"))
-        ));
+        parts.push(format!("{}{}", tr!(lang, "dashed: "), dashed.join(tr!(lang, "list" => ", "))));
     }
     parts.join(between)
 }

@@ -4,10 +4,10 @@
 use super::{CamDrawing, heading};
 use hodograph_base::cam::{Follower, LeastCam, PressureDiagram, PressureWedge};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::tr;
 use hodograph_board::construct::scale::choose_in;
 use hodograph_paper::paper::item::{Colour, Dash, Figure, Shape};
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::style::Style;
 use hodograph_report::cam::{LeastCams, Report};
@@ -60,20 +60,16 @@ pub fn figure(report: &Report, least: &LeastCams, style: &Style, lang: Lang) -> 
     {
         d.centre("O′", start, kept);
     }
-    let title = tr(lang, "least base circle", "按许用压力角确定基圆半径");
-    let caption = match (report.turning.disc.follower, lang) {
-        (Follower::Translating { .. }, Lang::En) => {
+    let title = tr!(lang, "least base circle");
+    let caption = match report.turning.disc.follower {
+        Follower::Translating { .. } => tr!(
+            lang,
             "thick: s′–s diagram; grey: places of the cam's centre that keep the angles; O: the best, O′: with the given offset"
-        }
-        (Follower::Translating { .. }, Lang::Zh) => {
-            "粗线为 ds/dφ–s 图，灰色为轴心许用区域；O 为基圆最小的轴心，O′ 为保持偏距时的轴心"
-        }
-        (Follower::Oscillating { .. }, Lang::En) => {
+        ),
+        Follower::Oscillating { .. } => tr!(
+            lang,
             "thick: apices of the wedges; grey: places of the cam's centre that keep the angles; O: the best; P: pivot"
-        }
-        (Follower::Oscillating { .. }, Lang::Zh) => {
-            "粗线为各位置压力角限制线的顶点，灰色为轴心许用区域；O 为基圆最小的轴心，P 为摆杆转动中心"
-        }
+        ),
     };
     let title = heading(report.scene, title, lang);
     d.d.finish(mu, title, caption, lang)

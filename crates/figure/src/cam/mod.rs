@@ -15,10 +15,10 @@ use hodograph_base::cam::{Disc, FollowerTip};
 use hodograph_base::diag::Both;
 use hodograph_base::digits::{inked, shortest};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::{each, say, tr};
 use hodograph_paper::paper::extent::{Rect, bounds, translate};
 use hodograph_paper::paper::item::{Anchor, Colour, Figure, FigureItem, PLACED, Shape, tag};
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::place::{LabelRequest, Obstacles, place};
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::text;
@@ -41,31 +41,20 @@ pub(super) fn stepped(w: &FigureInput) -> Option<SteppedMethod> {
     let flat = matches!(report.turning.disc.touch, FollowerTip::Flat { .. });
     if rolls {
         steps.push(both(&|lang| {
-            tr(
-                lang,
-                "The smooth curve through the centres of the roller is the pitch curve.",
-                "将各滚子中心连成光滑曲线，即理论廓线。",
-            )
-            .to_owned()
+            tr!(lang, "The smooth curve through the centres of the roller is the pitch curve.")
+                .to_owned()
         }));
     }
     steps.push(both(&|lang| {
         match (rolls, flat) {
-            (true, _) => tr(
+            (true, _) => tr!(
                 lang,
-                "The curve that touches all circles of the roller from inside is the profile.",
-                "作各滚子圆的内包络线，即实际廓线。",
+                "The curve that touches all circles of the roller from inside is the profile."
             ),
-            (false, true) => tr(
-                lang,
-                "The curve that touches all places of the face is the profile.",
-                "作平底各位置的包络线，即凸轮廓线。",
-            ),
-            (false, false) => tr(
-                lang,
-                "The smooth curve through the tips is the profile.",
-                "将各尖顶位置连成光滑曲线，即凸轮廓线。",
-            ),
+            (false, true) => {
+                tr!(lang, "The curve that touches all places of the face is the profile.")
+            }
+            (false, false) => tr!(lang, "The smooth curve through the tips is the profile."),
         }
         .to_owned()
     }));
@@ -74,17 +63,16 @@ pub(super) fn stepped(w: &FigureInput) -> Option<SteppedMethod> {
     steps.extend(pressure.into_iter().chain(curvature).map(subject));
     let style = &w.options.style;
     let (profile, mu) = inversion::stepped(&report, style, first);
-    let caption = |en: &str, zh: &str| Both { en: en.to_owned(), zh: zh.to_owned() };
     let mut views = vec![ParticleView {
         part: profile,
-        caption: caption("Profile by inversion", "反转法绘制凸轮廓线"),
+        caption: each!("Profile by inversion").into(),
         scales: vec![(DiagramKind::Plane, mu)],
     }];
     let diagrams = motion::stepped(&report, style, w.options.lang, 1);
-    let captions = [["Displacement", "位移"], ["Velocity", "速度"], ["Acceleration", "加速度"]];
-    views.extend(diagrams.into_iter().zip(captions).map(|(part, [en, zh])| ParticleView {
+    let captions = [each!("Displacement"), each!("Velocity"), each!("Acceleration")];
+    views.extend(diagrams.into_iter().zip(captions).map(|(part, caption)| ParticleView {
         part,
-        caption: caption(en, zh),
+        caption: caption.into(),
         scales: Vec::new(),
     }));
     Some(SteppedMethod { views, steps, ..SteppedMethod::default() })
@@ -95,18 +83,14 @@ fn station(report: &Report, k: usize, lang: Lang) -> String {
     let phi = TAU * k as f64 / inversion::STATIONS as f64;
     let degrees = shortest((phi.to_degrees() * 1e4).round() / 1e4);
     let lift = report.lift_words(phi).unwrap_or_else(|| "–".to_owned());
-    match (k, lang) {
-        (0, Lang::En) => format!(
+    match k {
+        0 => say!(
+            lang,
             "The cam is held, and the follower goes round it with $−\\omega$. Station 0: the follower at its beginning, with the lift {lift}."
         ),
-        (0, Lang::Zh) => format!(
-            "设想凸轮不动，从动件连同导路以 $−\\omega$ 绕凸轮轴心反转。位置 0：从动件的起始位置，位移为 {lift}。"
-        ),
-        (_, Lang::En) => format!(
+        _ => say!(
+            lang,
             "Station {k}: the cam has turned by $\\varphi = {degrees}°$; the follower is drawn turned back by this angle, with the lift {lift}."
-        ),
-        (_, Lang::Zh) => format!(
-            "位置 {k}：凸轮转过 $\\varphi = {degrees}°$；将从动件反转同一角度，并量取位移 {lift}。"
         ),
     }
 }

@@ -6,11 +6,11 @@ use super::{heading, words_at};
 use crate::sheet::painted;
 use hodograph_base::cam::{Follower, PieceSide, Shock, in_turn, round};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::{say, tr};
 use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::extent::Rect;
 use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, FigureItem, Shape, tag};
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::text;
@@ -42,7 +42,7 @@ struct DerivativePlot {
 /// Draws the diagrams.
 pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     let height_mm = ABOVE_MM + 3.0 * PLOT_MM[1] + 2.0 * BETWEEN_MM + BELOW_MM;
-    let title = heading(report.scene, tr(lang, "motion of the follower", "从动件运动线图"), lang);
+    let title = heading(report.scene, tr!(lang, "motion of the follower"), lang);
     // A long title widens the paper.
     let title_mm = text::set(&Label::text(title.as_str()).in_fonts(&style.fonts)).width_em
         * style.caption_mm
@@ -67,13 +67,11 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
         let marked = [k == 2, k == 0];
         items.extend(panel(report, style, lang, (kept, marked), (frame, 12), &mut said));
     }
-    let desc = match lang {
-        Lang::En => format!(
-            "Displacement, velocity and acceleration of the follower over a turn of the cam. {}.",
-            said.join("; ")
-        ),
-        Lang::Zh => format!("凸轮转一周时从动件的位移、速度和加速度。{}。", said.join("；")),
-    };
+    let desc = say!(
+        lang,
+        "Displacement, velocity and acceleration of the follower over a turn of the cam. {}.",
+        said.join(lang.pick(["; ", "；"]))
+    );
     painted(style, lang, [width_mm, height_mm], [title, desc], items)
 }
 
@@ -254,7 +252,7 @@ fn shocks(
         let (at, text) = match j.shock {
             Shock::Soft => {
                 let values = j.sides.map(|s| s * kept.factor);
-                (plot.at(phi, 0.5 * (values[0] + values[1])), tr(lang, "soft", "柔性"))
+                (plot.at(phi, 0.5 * (values[0] + values[1])), tr!(lang, "soft"))
             }
             Shock::Rigid => {
                 let up = j.sides[1] > j.sides[0];
@@ -268,14 +266,7 @@ fn shocks(
                     Shape::Arrow { from: zero, to: end, stroke: style.thin, head: style.thin_head },
                     None,
                 );
-                (
-                    end,
-                    if up {
-                        tr(lang, "rigid: +∞", "刚性：+∞")
-                    } else {
-                        tr(lang, "rigid: −∞", "刚性：−∞")
-                    },
-                )
+                (end, if up { tr!(lang, "rigid: +∞") } else { tr!(lang, "rigid: −∞") })
             }
         };
         said.push(format!("{text} {}°", number(phi, DIGITS)));
@@ -359,10 +350,8 @@ fn stages(plot: &mut Plot, report: &Report, lang: Lang) {
             (_, false) => "Φ′_s",
         };
         let words = match (p.way, lang) {
-            (1, Lang::En) => "rise",
-            (1, Lang::Zh) => "推程",
-            (-1, Lang::En) => "return",
-            (-1, Lang::Zh) => "回程",
+            (1, _) => tr!(lang, "rise"),
+            (-1, _) => tr!(lang, "return"),
             (_, Lang::En) => "dwell",
             (_, Lang::Zh) => dwell(p.out, lang),
         };

@@ -10,6 +10,7 @@ pub(super) mod rays;
 
 use hodograph_base::diag::{Both, Faults, Warned};
 use hodograph_base::geom::Point;
+use hodograph_base::lang::each;
 use hodograph_board::plan::names::name_label;
 use hodograph_methods::centres::{CentreMethod, Centres, LinkPair, centres, placed};
 use hodograph_paper::paper::words::{Words, words};
@@ -36,7 +37,7 @@ const PER_PLATE: usize = 5;
 /// All centres with the circle diagram.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "centres",
-    about: ["The instantaneous centres, with the circle diagram", "速度瞬心及瞬心多边形"],
+    about: each!("The instantaneous centres, with the circle diagram"),
     draw,
 };
 

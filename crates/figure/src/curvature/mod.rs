@@ -10,6 +10,7 @@ mod construction;
 mod rolling;
 
 use hodograph_base::diag::{Both, Faults, Warned};
+use hodograph_base::lang::each;
 use hodograph_methods::curvature::{CurvatureRequest, couplers, curvature};
 use hodograph_paper::paper::phrase::capital;
 use hodograph_report::curvature::CurvatureWords;
@@ -22,19 +23,13 @@ use super::stepped::SteppedMethod;
 /// Pole, inflection circle, centres of curvature.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "curvature",
-    about: [
-        "Inflection circle and centres of curvature, with construction",
-        "拐点圆和轨迹的曲率中心及其作图",
-    ],
+    about: each!("Inflection circle and centres of curvature, with construction"),
     draw,
 };
 /// The paths of the pole.
 pub const CENTRODES: FigureEntry = FigureEntry {
     name: "centrodes",
-    about: [
-        "The paths of the pole in the fixed and the moving plane",
-        "瞬心线（定瞬心线和动瞬心线）",
-    ],
+    about: each!("The paths of the pole in the fixed and the moving plane"),
     draw: paths,
 };
 

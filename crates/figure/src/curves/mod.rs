@@ -15,10 +15,11 @@ use super::plot::{Plot, PlotAxis, over};
 use crate::sheet::painted;
 use diagram::DEGREE;
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::{say, tr};
 use hodograph_paper::paper::extent::Rect;
 use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, FigureItem, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::{formula, tr};
+use hodograph_paper::paper::phrase::formula;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::style::Style;
 use hodograph_report::amount::number;
@@ -91,7 +92,7 @@ fn page(
     let x = PlotAxis::of(&diagram.places, diagram.driver[1] == DEGREE, 12);
     let heading = match (&diagram.legend, scene.title.get(lang)) {
         (Some(legend), _) => legend.heading.clone(),
-        (None, "") => tr(lang, "Motion", "运动线图").to_owned(),
+        (None, "") => tr!(lang, "Motion").to_owned(),
         (None, title) => title.to_owned(),
     };
     let mut items = Vec::new();
@@ -141,12 +142,12 @@ fn page(
             frame.max + Vec2::new(RIGHT_MM, BETWEEN_MM / 2.0),
         )));
     }
-    let desc = match lang {
-        Lang::En => {
-            format!("Diagrams against {}. {}.", formula(&diagram.driver[0]), said.join("; "))
-        }
-        Lang::Zh => format!("随 {} 变化的线图。{}。", formula(&diagram.driver[0]), said.join("；")),
-    };
+    let desc = say!(
+        lang,
+        "Diagrams against {}. {}.",
+        formula(&diagram.driver[0]),
+        said.join(lang.pick(["; ", "；"]))
+    );
     painted(style, lang, [width_mm, height_mm], [heading, desc], items)
 }
 

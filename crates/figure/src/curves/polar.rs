@@ -11,12 +11,13 @@ use crate::scales::DrawingScales;
 use crate::sheet::{MARGIN_MM, painted, swept_symbol, titled};
 use hodograph_base::digits::{inked, shortest};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::{say, tr};
 use hodograph_base::notation::Notation;
 use hodograph_board::construct::scale;
 use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::item::{Anchor, Colour, Figure, FigureItem, Shape};
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::phrase::Phrase;
 use hodograph_paper::paper::shown::question_id;
 use hodograph_paper::paper::style::Style;
 use hodograph_report::amount::symbol;
@@ -94,10 +95,7 @@ pub fn polar(
             mu,
             book: &scene.book,
         };
-        let caption = match lang {
-            Lang::En => format!("Polar diagram of ${}$", symbol(find, notation)),
-            Lang::Zh => format!("${}$ 的矢端曲线图", symbol(find, notation)),
-        };
+        let caption = say!(lang, "Polar diagram of ${}$", symbol(find, notation));
         let caption = Phrase::new(&caption).label();
         drawings.push(titled(
             style,
@@ -140,9 +138,7 @@ pub fn polar(
     let [width_mm, height_mm] =
         [all.bounds.width_mm() + 2.0 * MARGIN_MM, all.bounds.height_mm() + 2.0 * MARGIN_MM];
     all.stand_at(Point::new(MARGIN_MM, height_mm - MARGIN_MM));
-    let title =
-        if heading.is_empty() { tr(lang, "Polar diagrams", "矢端曲线图") } else { heading }
-            .to_owned();
+    let title = if heading.is_empty() { tr!(lang, "Polar diagrams") } else { heading }.to_owned();
     let desc = Phrase::new(&said).plain();
     Some(painted(style, lang, [width_mm, height_mm], [title, desc], all.items))
 }
@@ -162,9 +158,6 @@ fn positions(scene: &Scene, swept: Swept, places: &[f64], lang: Lang) -> String 
     };
     let list: Vec<String> = places.iter().map(|x| format!("${}$", number(x))).collect();
     let unit = if degree { String::new() } else { format!(" ${unit}$") };
-    let list = list.join(tr(lang, ", ", "、"));
-    match lang {
-        Lang::En => format!("Positions 1 to {}: ${driver}$ = {list}{unit}", places.len()),
-        Lang::Zh => format!("位置 1～{}：${driver}$ = {list}{unit}", places.len()),
-    }
+    let list = list.join(tr!(lang, "list" => ", "));
+    say!(lang, "Positions 1 to {}: ${driver}$ = {list}{unit}", places.len())
 }

@@ -6,12 +6,13 @@ use crate::arrange::{Tree, put_together};
 use crate::scales::DrawingScales;
 use crate::sheet::{SheetDrafter, SheetOptions};
 use hodograph_base::geom::Point;
+use hodograph_base::lang::tr;
 use hodograph_board::construct::source;
 use hodograph_board::equilibrium::{ForceTerm, Lever};
 use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::item::{Dash, Figure, Shape};
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::phrase::Phrase;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::symbols;
 use hodograph_scene::{DiagramKind, PointId, Scene};
@@ -38,11 +39,7 @@ pub fn lever(scene: &Scene, worked: &Worked, options: &SheetOptions) -> Option<F
     let maker = SheetDrafter { scene, worked, options, certified: Vec::new() };
     let page = ForcePage::of(&maker, of);
     let scale = DrawingScales::of(&scene.book, DiagramKind::Velocity, lever.mu);
-    let caption = tr(
-        options.lang,
-        "Zhukovsky's lever: velocities turned clockwise by 90°",
-        "茹可夫斯基杠杆：速度多边形顺时针转过 90°",
-    );
+    let caption = tr!(options.lang, "Zhukovsky's lever: velocities turned clockwise by 90°");
     let drawing =
         maker.titled(page.on_lever(&lever), Phrase::new(caption).label(), &scale, "lever");
     let words = page.text(&page.w.lever(&lever, &page.pole()), "moments", TEXT_MM);

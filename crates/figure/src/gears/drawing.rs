@@ -1,5 +1,6 @@
 //! The drawing of a gear pair: teeth, circles, line of action, contacts.
 
+use hodograph_base::lang::{say, tr};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use hodograph_base::geom::{Point, Vec2};
@@ -10,11 +11,10 @@ use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::extent::on_circle;
 use hodograph_paper::paper::item::{Dash, LineStroke, PathPiece, Shape};
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
-use hodograph_scene::{DiagramKind, Kind, Lang};
+use hodograph_scene::{DiagramKind, Kind};
 
 use super::DrawnGears;
 use crate::scales::DrawingScales;
@@ -179,18 +179,12 @@ impl DrawnGears<'_> {
         self.action(&mut d, reach, k);
         let scales = DrawingScales::of(&maker.scene.book, DiagramKind::Plane, mu);
         let (lang, a, b) = (maker.options.lang, self.name(0), self.name(1));
-        let names = match (pair.mate, lang) {
-            (Mate::Gear, Lang::En) => format!("Gears {a} and {b}"),
-            (Mate::Gear, Lang::Zh) => format!("齿轮 {a} 与 {b}"),
-            (Mate::Ring, Lang::En) => format!("Gear {a} in ring {b}"),
-            (Mate::Ring, Lang::Zh) => format!("齿轮 {a} 与内齿轮 {b}"),
-            (Mate::Rack, Lang::En) => format!("Gear {a} on rack {b}"),
-            (Mate::Rack, Lang::Zh) => format!("齿轮 {a} 与齿条 {b}"),
+        let names = match pair.mate {
+            Mate::Gear => say!(lang, "Gears {a} and {b}"),
+            Mate::Ring => say!(lang, "Gear {a} in ring {b}"),
+            Mate::Rack => say!(lang, "Gear {a} on rack {b}"),
         };
-        let words = match lang {
-            Lang::En => format!("{names}; {a} drives, clockwise"),
-            Lang::Zh => format!("{names}（{a} 主动，顺时针）"),
-        };
+        let words = say!(lang, "{names}; {a} drives, clockwise");
         maker.titled(d.finish(), Label::text(words), &scales, "gears")
     }
 
@@ -249,9 +243,9 @@ impl DrawnGears<'_> {
         let half = PI * self.pair.basic.module * (f64::from(TEETH) + 0.8) * k;
         let lang = self.maker.options.lang;
         let lines = [
-            ("pitch", tr(lang, "pitch line", "节线"), 0.0, style.thin.dashed(Dash::DashDot), 1.0),
-            ("tip", tr(lang, "tip line", "齿顶线"), -tip * k, style.thin, -1.0),
-            ("root", tr(lang, "root line", "齿根线"), root * k, style.thin, -1.0),
+            ("pitch", tr!(lang, "pitch line"), 0.0, style.thin.dashed(Dash::DashDot), 1.0),
+            ("tip", tr!(lang, "tip line"), -tip * k, style.thin, -1.0),
+            ("root", tr!(lang, "root line"), root * k, style.thin, -1.0),
         ];
         let corners = self.rack_corners(k);
         for (name, words, y, stroke, side) in lines {

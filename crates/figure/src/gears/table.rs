@@ -2,12 +2,12 @@
 
 use hodograph_base::digits::{inked, significant};
 use hodograph_base::geom::Point;
+use hodograph_base::lang::tr;
 use hodograph_methods::gears::{Gear, Mate, standard};
 use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::grid::{self, Cell, Row};
 use hodograph_paper::paper::item::{Anchor, Colour, FigureItem, Shape};
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::tr;
 use hodograph_report::teeth::drive;
 use hodograph_scene::Kind;
 use std::f64::consts::PI;
@@ -70,99 +70,66 @@ impl DrawnGears<'_> {
             if ring { pitch - wide } else { wide }
         };
         let each = [
-            (tr(lang, "teeth", "齿数"), "z", of(&|g| g.teeth.to_string())),
-            (tr(lang, "profile shift", "变位系数"), "x", of(&|g| number(g.shift))),
-            (tr(lang, "least shift without undercut", "最小变位系数"), "x_{min}", of(&least)),
-            (tr(lang, "reference radius", "分度圆半径"), "r", of(&|g| self.length(g.reference))),
-            (tr(lang, "base radius", "基圆半径"), "r_b", of(&|g| self.length(g.base))),
-            (tr(lang, "operating pitch radius", "节圆半径"), "r'", of(&|g| self.length(g.pitch))),
-            (tr(lang, "tip radius", "齿顶圆半径"), "r_a", of(&|g| self.length(g.tip))),
-            (tr(lang, "root radius", "齿根圆半径"), "r_f", of(&|g| self.length(g.root))),
-            (tr(lang, "tooth thickness", "分度圆齿厚"), "s", of(&|g| self.length(thickness(g)))),
-            (
-                tr(lang, "width of space", "分度圆齿槽宽"),
-                "e",
-                of(&|g| self.length(pitch - thickness(g))),
-            ),
-            (
-                tr(lang, "depth of tooth", "全齿高"),
-                "h",
-                of(&|g| self.length((g.tip - g.root).abs())),
-            ),
+            (tr!(lang, "teeth"), "z", of(&|g| g.teeth.to_string())),
+            (tr!(lang, "profile shift"), "x", of(&|g| number(g.shift))),
+            (tr!(lang, "least shift without undercut"), "x_{min}", of(&least)),
+            (tr!(lang, "reference radius"), "r", of(&|g| self.length(g.reference))),
+            (tr!(lang, "base radius"), "r_b", of(&|g| self.length(g.base))),
+            (tr!(lang, "operating pitch radius"), "r'", of(&|g| self.length(g.pitch))),
+            (tr!(lang, "tip radius"), "r_a", of(&|g| self.length(g.tip))),
+            (tr!(lang, "root radius"), "r_f", of(&|g| self.length(g.root))),
+            (tr!(lang, "tooth thickness"), "s", of(&|g| self.length(thickness(g)))),
+            (tr!(lang, "width of space"), "e", of(&|g| self.length(pitch - thickness(g)))),
+            (tr!(lang, "depth of tooth"), "h", of(&|g| self.length((g.tip - g.root).abs()))),
         ];
         let degrees = |a: f64| format!("{}°", number(a.to_degrees()));
         let [b2, b1] = pair.contact();
         let mut common = vec![
-            (tr(lang, "module", "模数"), "m", self.length(basic.module)),
-            (tr(lang, "pitch", "齿距"), "p", self.length(pitch)),
-            (tr(lang, "pressure angle", "压力角"), "\\alpha", degrees(basic.alpha)),
-            (tr(lang, "operating pressure angle", "啮合角"), "\\alpha'", degrees(pair.operating)),
+            (tr!(lang, "module"), "m", self.length(basic.module)),
+            (tr!(lang, "pitch"), "p", self.length(pitch)),
+            (tr!(lang, "pressure angle"), "\\alpha", degrees(basic.alpha)),
+            (tr!(lang, "operating pressure angle"), "\\alpha'", degrees(pair.operating)),
         ];
         let centres = || {
             [
                 (
-                    tr(lang, "standard centre distance", "标准中心距"),
+                    tr!(lang, "standard centre distance"),
                     "a",
                     self.length(standard(basic, pair.mate, pair.gears.map(|g| g.teeth))),
                 ),
-                (
-                    tr(lang, "operating centre distance", "实际中心距"),
-                    "a'",
-                    self.length(pair.distance),
-                ),
+                (tr!(lang, "operating centre distance"), "a'", self.length(pair.distance)),
             ]
         };
         let shift = || number(pair.mate.shift(pair.gears.map(|g| g.shift)));
         match pair.mate {
             Mate::Gear => {
                 common.extend(centres());
-                common.push((
-                    tr(lang, "sum of profile shifts", "变位系数和"),
-                    "x_{\\Sigma}",
-                    shift(),
-                ));
+                common.push((tr!(lang, "sum of profile shifts"), "x_{\\Sigma}", shift()));
             }
             Mate::Ring => {
                 common.extend(centres());
-                common.push((
-                    tr(lang, "difference of profile shifts", "变位系数差"),
-                    "x_{}-x_{}",
-                    shift(),
-                ));
+                common.push((tr!(lang, "difference of profile shifts"), "x_{}-x_{}", shift()));
             }
             Mate::Rack => {
                 let [tip, root] = pair.rack();
                 common.extend([
-                    (
-                        tr(lang, "pitch line to the gear's axis", "节线至轮心距离"),
-                        "r'",
-                        self.length(pair.distance),
-                    ),
-                    (
-                        tr(lang, "pitch line to the tip line", "节线至齿条齿顶线"),
-                        "h_a",
-                        self.length(tip),
-                    ),
-                    (
-                        tr(lang, "pitch line to the root line", "节线至齿条齿根线"),
-                        "h_f",
-                        self.length(root),
-                    ),
+                    (tr!(lang, "pitch line to the gear's axis"), "r'", self.length(pair.distance)),
+                    (tr!(lang, "pitch line to the tip line"), "h_a", self.length(tip)),
+                    (tr!(lang, "pitch line to the root line"), "h_f", self.length(root)),
                 ]);
             }
         }
         if pair.mate != Mate::Rack {
             let shifts = pair.gears.map(|g| g.shift);
             let kind = drive(pair.mate.shift(shifts), shifts != [0.0; 2], lang);
-            common.push((tr(lang, "kind of drive", "传动类型"), "", format!("\\text{{{kind}}}")));
+            common.push((tr!(lang, "kind of drive"), "", format!("\\text{{{kind}}}")));
         }
         common.extend([
-            (tr(lang, "length of contact", "实际啮合线段"), "B_{}B_{}", self.length(b1 - b2)),
-            (tr(lang, "base pitch", "基圆齿距"), "p_b", self.length(pair.base_pitch())),
-            (tr(lang, "contact ratio", "重合度"), "\\varepsilon", number(pair.contact_ratio())),
+            (tr!(lang, "length of contact"), "B_{}B_{}", self.length(b1 - b2)),
+            (tr!(lang, "base pitch"), "p_b", self.length(pair.base_pitch())),
+            (tr!(lang, "contact ratio"), "\\varepsilon", number(pair.contact_ratio())),
         ]);
-        let mut head =
-            vec![tr(lang, "gear", "齿轮").to_owned(), String::new(), self.name(0).to_owned()];
+        let mut head = vec![tr!(lang, "gear").to_owned(), String::new(), self.name(0).to_owned()];
         if rounds == 2 {
             head.push(self.name(1).to_owned());
         }
@@ -204,7 +171,7 @@ impl DrawnGears<'_> {
         let mut items: Vec<FigureItem> = grid::set(&rows, GAP_MM);
         let heading = Shape::Label {
             at: Point::new(0.0, 2.0),
-            label: Label::text(tr(lang, "Gear pair", "齿轮副参数")).in_fonts(&style.fonts),
+            label: Label::text(tr!(lang, "Gear pair")).in_fonts(&style.fonts),
             size_mm: style.caption_mm,
             anchor: Anchor::Start,
             colour: Colour::BLACK,

@@ -2,9 +2,9 @@
 //! the angular velocities, the rows of the table.
 
 use hodograph_base::diag::Both;
+use hodograph_base::lang::{say, tr};
 use hodograph_board::plan::names::point_label;
 use hodograph_methods::trains::{given, trains};
-use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::style::Style;
 use hodograph_report::trains::{omega, sentences, turns};
 use hodograph_scene::{Lang, LinkId};
@@ -132,81 +132,57 @@ impl KutzbachPlan<'_> {
         let name = |l: LinkId| scene.link_name(l);
         let point = |p: &str| format!("${}$", point_label(p));
         let names: Vec<String> = stations.iter().map(|s| point(&s.name)).collect();
-        let mut out = vec![match lang {
-            Lang::En => format!(
-                "The line of centres is drawn upright, with the pitch circles and the points {}. Velocities are perpendicular to it; they begin on the vertical zero line.",
-                names.join(", ")
-            ),
-            Lang::Zh => format!(
-                "将连心线竖直画出，并画出各节圆及点 {}。各点速度垂直于连心线，自竖直零线画起。",
-                names.join("、")
-            ),
-        }];
+        let mut out = vec![say!(
+            lang,
+            "The line of centres is drawn upright, with the pitch circles and the points {}. Velocities are perpendicular to it; they begin on the vertical zero line.",
+            names.join(lang.pick([", ", "、"]))
+        )];
         for (k, link) in self.order.iter().enumerate() {
             let shared = self.shared(stations, &self.order[..k], *link);
             let rate = self.rate_text(self.rate(*link));
             let symbol = omega(scene, *link);
             let known = given(scene, *link).is_some() || shared.len() < 2;
-            out.push(match (known, lang) {
-                (true, Lang::En) => format!(
-                    "Link {} is known: ${symbol} = {rate}$. Its velocities grow in proportion to the distance from its axis; their ends lie on a straight line, the ray {}.",
-                    name(*link),
-                    name(*link)
+            let name_of = name(*link);
+            out.push(match known {
+                true => say!(
+                    lang,
+                    "Link {name_of} is known: ${symbol} = {rate}$. Its velocities grow in proportion to the distance from its axis; their ends lie on a straight line, the ray {name_of}."
                 ),
-                (true, Lang::Zh) => format!(
-                    "构件 {} 为已知：${symbol} = {rate}$。其上各点速度与到转轴的距离成正比，速度端点在一条直线（速度线 {}）上。",
-                    name(*link),
-                    name(*link)
-                ),
-                (false, Lang::En) => {
-                    let each = shared.iter().map(|(p, l)| {
-                        if *l == scene.ground {
-                            format!("{} has no velocity, as it is a point of the fixed link too", point(p))
-                        } else {
-                            format!("{} has the velocity of link {}", point(p), name(*l))
-                        }
-                    });
-                    format!(
-                        "Link {}: {}. The line through both ends is its ray.",
-                        name(*link),
-                        each.take(2).collect::<Vec<_>>().join("; ")
-                    )
-                }
-                (false, Lang::Zh) => {
-                    let each = shared.iter().map(|(p, l)| {
-                        if *l == scene.ground {
-                            format!("{} 点也在固定构件上，速度为零", point(p))
-                        } else {
-                            format!("{} 点与构件 {} 同速", point(p), name(*l))
-                        }
-                    });
-                    format!(
-                        "构件 {}：{}。过两速度端点的直线即其速度线。",
-                        name(*link),
-                        each.take(2).collect::<Vec<_>>().join("；")
+                false => {
+                    let ends: Vec<String> = shared
+                        .iter()
+                        .take(2)
+                        .map(|(p, l)| match *l == scene.ground {
+                            true => say!(
+                                lang,
+                                "{} has no velocity, as it is a point of the fixed link too",
+                                point(p)
+                            ),
+                            false => say!(lang, "{} has the velocity of link {}", point(p), name(*l)),
+                        })
+                        .collect();
+                    say!(
+                        lang,
+                        "Link {name_of}: {}. The line through both ends is its ray.",
+                        ends.join(lang.pick(["; ", "；"]))
                     )
                 }
             });
         }
         out.push(
-            tr(
+            tr!(
                 lang,
-                "Angular velocities are laid off on a horizontal line; the pole $P$ is above its zero point.",
-                "在水平线上量取角速度，极点 $P$ 位于其零点正上方。",
+                "Angular velocities are laid off on a horizontal line; the pole $P$ is above its zero point."
             )
             .to_owned(),
         );
         out.extend(self.order.iter().map(|link| {
             let (symbol, rate) = (omega(scene, *link), self.rate_text(self.rate(*link)));
-            match lang {
-                Lang::En => format!(
-                    "The parallel to the ray {} through $P$ cuts off ${symbol} = {rate}$.",
-                    name(*link)
-                ),
-                Lang::Zh => {
-                    format!("过 $P$ 作速度线 {} 的平行线，截得 ${symbol} = {rate}$。", name(*link))
-                }
-            }
+            say!(
+                lang,
+                "The parallel to the ray {} through $P$ cuts off ${symbol} = {rate}$.",
+                name(*link)
+            )
         }));
         out
     }

@@ -2,6 +2,7 @@
 
 use crate::cam::{instant, inversion, motion};
 use hodograph_base::diag::{Faults, Warned};
+use hodograph_base::lang::each;
 use hodograph_report::cam::Report;
 
 use super::{FigureEntry, FigureInput, Pages};
@@ -9,20 +10,14 @@ use super::{FigureEntry, FigureInput, Pages};
 /// Diagrams of the follower, and the profile by inversion 反转法.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "cam",
-    about: [
-        "Cams: motion of the follower over a turn, and the profile by inversion",
-        "凸轮：从动件位移、类速度、类加速度线图和反转法作廓线",
-    ],
+    about: each!("Cams: motion of the follower over a turn, and the profile by inversion"),
     draw,
 };
 
 /// Each cam at the instant, with α, s, h and the angles of rise, dwells and return.
 pub const INSTANT: FigureEntry = FigureEntry {
     name: "cam-instant",
-    about: [
-        "Cams at the instant: pressure angle, s, h, base circle, pitch curve",
-        "凸轮的图示位置：压力角、位移、行程、基圆、理论廓线",
-    ],
+    about: each!("Cams at the instant: pressure angle, s, h, base circle, pitch curve"),
     draw: draw_instant,
 };
 

@@ -2,26 +2,24 @@
 
 use crate::sheet::{diagram, drawing};
 use hodograph_base::diag::{Faults, Warned};
+use hodograph_base::lang::each;
 use hodograph_scene::DiagramKind;
 
 use super::{FigureEntry, FigureInput, Pages, page};
 
 /// The mechanism.
-pub const MECHANISM: FigureEntry = FigureEntry {
-    name: "mechanism",
-    about: ["The kinematic diagram", "机构运动简图"],
-    draw: mechanism,
-};
+pub const MECHANISM: FigureEntry =
+    FigureEntry { name: "mechanism", about: each!("The kinematic diagram"), draw: mechanism };
 /// The velocity polygon.
 pub const VELOCITY: FigureEntry = FigureEntry {
     name: "velocity",
-    about: ["The velocity polygon", "速度多边形"],
+    about: each!("The velocity polygon"),
     draw: |w| page(VELOCITY.name, drawing(w.scene, w.worked, w.options, DiagramKind::Velocity)),
 };
 /// The acceleration polygon.
 pub const ACCELERATION: FigureEntry = FigureEntry {
     name: "acceleration",
-    about: ["The acceleration polygon", "加速度多边形"],
+    about: each!("The acceleration polygon"),
     draw: |w| {
         page(ACCELERATION.name, drawing(w.scene, w.worked, w.options, DiagramKind::Acceleration))
     },

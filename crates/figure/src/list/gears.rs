@@ -3,6 +3,7 @@
 use crate::gears::pairs;
 use crate::sheet::SheetDrafter;
 use hodograph_base::diag::{Faults, Warned};
+use hodograph_base::lang::each;
 use hodograph_worked::certified::certify;
 
 use super::{FigureEntry, FigureInput, Pages};
@@ -10,10 +11,7 @@ use super::{FigureEntry, FigureInput, Pages};
 /// Gear pairs: flanks, circles, line of action, table.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "gears",
-    about: [
-        "Gear pairs with teeth, line of action and contact ratio",
-        "齿轮副：齿廓、啮合线和重合度",
-    ],
+    about: each!("Gear pairs with teeth, line of action and contact ratio"),
     draw,
 };
 

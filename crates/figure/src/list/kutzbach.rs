@@ -3,6 +3,7 @@
 use crate::kutzbach::plans;
 use crate::sheet::SheetDrafter;
 use hodograph_base::diag::{Faults, Warned};
+use hodograph_base::lang::each;
 use hodograph_worked::certified::certify;
 
 use super::{FigureEntry, FigureInput, Pages};
@@ -10,7 +11,7 @@ use super::{FigureEntry, FigureInput, Pages};
 /// Gear trains: velocities over the line of centres, angular velocities, and the table.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "kutzbach",
-    about: ["Gear trains: Kutzbach's plan and Willis' table", "轮系：线速度图、转速图和列表法"],
+    about: each!("Gear trains: Kutzbach's plan and Willis' table"),
     draw,
 };
 

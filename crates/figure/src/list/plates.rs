@@ -6,9 +6,10 @@ use crate::polygon::plates;
 use crate::scales::DrawingScales;
 use crate::sheet::SheetDrafter;
 use hodograph_base::diag::{Faults, Warned};
+use hodograph_base::lang::{each, tr};
 use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::phrase::Phrase;
 use hodograph_paper::paper::style::Captioned;
 use hodograph_report::plan::group_set;
 use hodograph_scene::DiagramKind;
@@ -19,10 +20,7 @@ use super::{FigureEntry, FigureInput, Pages};
 /// The plates.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "plates",
-    about: [
-        "The polygons split by group, with the equations of each",
-        "按杆组分开的速度和加速度多边形及其方程",
-    ],
+    about: each!("The polygons split by group, with the equations of each"),
     draw,
 };
 
@@ -42,7 +40,7 @@ fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
             let words = Phrase::new(&format!(
                 "{}{}",
                 maker.name(Captioned::Drawing(on)),
-                tr(lang, ", ", "，")
+                tr!(lang, "clause" => ", ")
             ))
             .label();
             let words = group.into_iter().fold(words, Label::then);

@@ -2,13 +2,14 @@
 
 use crate::replaced;
 use hodograph_base::diag::{Faults, Warned};
+use hodograph_base::lang::each;
 
 use super::{FigureEntry, FigureInput, Pages, page};
 
 /// The mechanism, and the linkage of lower pairs in place of it.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "replaced",
-    about: ["Cams: the linkage of lower pairs in place of the contact", "高副低代：低副替代机构"],
+    about: each!("Cams: the linkage of lower pairs in place of the contact"),
     draw,
 };
 

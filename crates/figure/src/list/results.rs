@@ -1,12 +1,13 @@
 //! The results, alone.
 
 use crate::sheet;
+use hodograph_base::lang::each;
 
 use super::{FigureEntry, page};
 
 /// The results.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "results",
-    about: ["The results", "结果"],
+    about: each!("The results"),
     draw: |w| page(ENTRY.name, Some(sheet::results(w.scene, w.worked, w.options))),
 };

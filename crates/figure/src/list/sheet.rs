@@ -2,13 +2,13 @@
 
 use crate::{poses, sheet};
 use hodograph_base::diag::{Faults, Warned};
+use hodograph_base::lang::each;
 
 use super::{FigureEntry, FigureInput, Pages, page};
 use hodograph_scene::Swept;
 
 /// The whole sheet.
-pub const ENTRY: FigureEntry =
-    FigureEntry { name: "sheet", about: ["The whole sheet", "整张图"], draw };
+pub const ENTRY: FigureEntry = FigureEntry { name: "sheet", about: each!("The whole sheet"), draw };
 
 fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     if w.extras.poses == 0 {

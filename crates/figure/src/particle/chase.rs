@@ -15,15 +15,9 @@ use hodograph_scene::DiagramKind;
 fn caption(until: f64, meets: bool) -> Both {
     let last = significant(until, if meets { 5 } else { 3 });
     if meets {
-        both!(
-            "Courses from $t = 0$ to the meeting $P$ at {last} s, lines of sight at equal times",
-            "自 $t = 0$ 至 {last} s 相遇于 $P$ 的轨迹，视线间隔时间相等"
-        )
+        both!("Courses from $t = 0$ to the meeting $P$ at {last} s, lines of sight at equal times")
     } else {
-        both!(
-            "Courses from $t = 0$ to {last} s, lines of sight at equal times; no meeting",
-            "自 $t = 0$ 至 {last} s 的轨迹，视线间隔时间相等；不相遇"
-        )
+        both!("Courses from $t = 0$ to {last} s, lines of sight at equal times; no meeting")
     }
 }
 
@@ -79,10 +73,7 @@ impl ParticleDrafter<'_> {
         self.line(&mut d, "line", vec![a, b], self.style.thin);
         self.named(&mut d, &motion.point, a);
         self.named(&mut d, target, b);
-        let caption = both!(
-            "At the start, $t = 0$, with the path of ${target}$",
-            "$t = 0$ 时的起始位置及 ${target}$ 的轨迹"
-        );
+        let caption = both!("At the start, $t = 0$, with the path of ${target}$");
         Some(ParticleView {
             part: d.finish(),
             caption,
@@ -186,9 +177,9 @@ impl ParticleDrafter<'_> {
         d.draw("pole", "pole", sym::dot(style, Point::ORIGIN));
         d.label_at("pole", "pole", &pole, Point::ORIGIN, style.dot_radius_mm, None);
         let caption = match on {
-            DiagramKind::Acceleration => both!("Acceleration of the pursuer", "追踪点的加速度"),
+            DiagramKind::Acceleration => both!("Acceleration of the pursuer"),
             DiagramKind::Plane | DiagramKind::Velocity | DiagramKind::Force => {
-                both!("Velocities at the instant", "此瞬时的速度")
+                both!("Velocities at the instant")
             }
         };
         ParticleView { part: d.finish(), caption, scales: vec![(on, mu)] }

@@ -1,7 +1,7 @@
 //! Draws the two views of a plate that turns in space: perpendicular to it, and along its axis.
 
 use super::{ParticleDrafter, ParticleView, step};
-use hodograph_base::diag::{Diagnostic, both};
+use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_methods::particle::ParticleMotionKind;
 use hodograph_methods::particle::board::{Arrow, MotionDrawing, Views};
@@ -30,10 +30,7 @@ impl ParticleDrafter<'_> {
         let (Views::Plate { places, .. }, ParticleMotionKind::OnPlate(k, way)) =
             (&drawn.views, &motion.kind)
         else {
-            return Err(Diagnostic::error(
-                "plate",
-                both!("`{}` moves on no plate", "`{}` 不在平板上运动", motion.point),
-            ));
+            return Err(Diagnostic::error("plate", both!("`{}` moves on no plate", motion.point)));
         };
         let plate = &self.problem.plates[*k];
         let (m, mu) = (places[0], drawn.scale(DiagramKind::Plane));
@@ -87,9 +84,9 @@ impl ParticleDrafter<'_> {
             ),
         );
         let caption = match on {
-            DiagramKind::Plane => both!("View on the plate", "板面视图"),
+            DiagramKind::Plane => both!("View on the plate"),
             DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => {
-                both!("View on the plate (calculated)", "板面视图（计算所得）")
+                both!("View on the plate (calculated)")
             }
         };
         Ok(ParticleView { part: d.finish(), caption, scales: self.scales(drawn, on) })
@@ -151,7 +148,7 @@ impl ParticleDrafter<'_> {
         let (Views::Plate { places, along, .. }, ParticleMotionKind::OnPlate(k, _)) =
             (&drawn.views, &motion.kind)
         else {
-            return ParticleView { part: d.finish(), caption: both!("", ""), scales: Vec::new() };
+            return ParticleView { part: d.finish(), caption: Both::default(), scales: Vec::new() };
         };
         let plate = &self.problem.plates[*k];
         let (m, o) = (places[1], Point::ORIGIN);
@@ -243,12 +240,9 @@ impl ParticleDrafter<'_> {
         }
         self.named(&mut d, &motion.point, m);
         let caption = match on {
-            DiagramKind::Plane => both!("View along the axis", "沿轴视图"),
+            DiagramKind::Plane => both!("View along the axis"),
             DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => {
-                both!(
-                    "View along the axis (calculated; $v'$, $a'$ as they are seen there)",
-                    "沿轴视图（计算所得；$v'$、$a'$ 为其投影）"
-                )
+                both!("View along the axis (calculated; $v'$, $a'$ as they are seen there)")
             }
         };
         ParticleView { part: d.finish(), caption, scales: self.scales(drawn, on) }

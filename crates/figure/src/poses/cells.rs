@@ -9,13 +9,13 @@ use crate::hodograph::runs;
 use crate::sheet::SheetOptions;
 use crate::{mechanism, polygon};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::tr;
 use hodograph_board::construct::Polygon;
 use hodograph_board::plan::text::PlanWriter;
 use hodograph_paper::paper::drawing::{Drawing, DrawingPart, Habits};
 use hodograph_paper::paper::extent::Rect;
 use hodograph_paper::paper::item::{Anchor, Colour, Dash, FigureItem, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::shown::escaped;
 use hodograph_scene::{DiagramKind, Scene};
 use hodograph_worked::worked::Worked;
@@ -135,9 +135,9 @@ impl PoseTable<'_> {
     fn absent(&self, row: &PoseRow) -> Vec<FigureItem> {
         let lang = self.options.lang;
         let said = if row.unbounded() {
-            tr(lang, "limit: unbounded", "极限位置：无穷大")
+            tr!(lang, "limit: unbounded")
         } else {
-            tr(lang, "too large for the paper", "超出图纸")
+            tr!(lang, "too large for the paper")
         };
         let style = &self.options.style;
         let said = text("absent", Point::ORIGIN, Label::text(said), style.small_mm, Anchor::Middle)

@@ -136,16 +136,10 @@ impl Poses {
         if rows.is_empty() || rows.len() < 2 && wanted.count > 1 {
             let d = Diagnostic::error(
                 "no-motion",
-                both!(
-                    "the mechanism cannot be followed from its pose",
-                    "从该位置无法跟踪机构的运动"
-                ),
+                both!("the mechanism cannot be followed from its pose"),
             );
             return Err(d
-                .help(both!(
-                    "give another pose, or ask for the sheet of this one",
-                    "请改变位置，或只画该位置的图"
-                ))
+                .help(both!("give another pose, or ask for the sheet of this one"))
                 .into());
         }
         let moved = (!wanted.points.is_empty()).then(|| {
@@ -182,18 +176,12 @@ impl Poses {
         if rows.len() < wanted.count {
             notes.push(Diagnostic::note(
                 "poses",
-                both!(
-                    "{} of {} poses can be drawn",
-                    "{1} 个位置中可画出 {0} 个",
-                    rows.len(),
-                    wanted.count
-                ),
+                both!("{} of {} poses can be drawn", rows.len(), wanted.count),
             ));
         }
         if scene.own_drivers() > 1 && wanted.swept != Swept::Time {
             let text = both!(
-                "the scene has several drivers: one of them moves from pose to pose, the others hold their positions, with their rates",
-                "有几个原动件：其中一个逐个位置运动，其余保持位置和速度"
+                "the scene has several drivers: one of them moves from pose to pose, the others hold their positions, with their rates"
             );
             notes.push(Diagnostic::note("poses-driver", text));
         }

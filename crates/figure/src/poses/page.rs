@@ -9,10 +9,11 @@ use crate::sheet::{MARGIN_MM, SheetDrafter, swept_symbol};
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_base::digits::{inked, shortest};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::tr;
 use hodograph_paper::paper::extent::Rect;
 use hodograph_paper::paper::item::{Anchor, Figure, FigureItem, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::{Phrase, fill, formula, tr};
+use hodograph_paper::paper::phrase::{Phrase, fill, formula};
 use hodograph_report::amount::scale_formula;
 use hodograph_scene::{DiagramKind, Kind};
 
@@ -109,14 +110,12 @@ impl PoseTable<'_> {
                     let d = Diagnostic::error(
                         "paper-too-small",
                         both!(
-                            "a row of the sheet needs {one_w:.0} mm by {one_h:.0} mm, the paper has {w} by {h}",
-                            "一行图需要 {one_w:.0} mm × {one_h:.0} mm，而图纸为 {w} × {h}"
+                            "a row of the sheet needs {one_w:.0} mm by {one_h:.0} mm, the paper has {w} by {h}"
                         ),
                     );
                     return Err(d
                         .help(both!(
-                            "give a larger paper, leave its size to the sheet, or ask for less",
-                            "请用更大的图纸，或不规定图幅，或少求一些量"
+                            "give a larger paper, leave its size to the sheet, or ask for less"
                         ))
                         .into());
                 }
@@ -225,14 +224,13 @@ impl PosePage<'_> {
         let mut figure = maker.figure(items, self.size_mm);
         if pages > 1 {
             let (first, last) = (rows.start + 1, rows.end);
-            let positions = tr(lang, "positions", "位置");
+            let positions = tr!(lang, "positions");
             figure.title = format!("{} · {positions} {first}–{last}", figure.title);
         }
         let driver = swept_symbol(&table.rows[0].scene, table.swept).0;
-        let words = tr(
+        let words = tr!(
             lang,
-            "The mechanism with its velocity and acceleration polygons in {} positions at equal steps of {1}, all to the same scales.",
-            "机构在 {1} 等间隔的 {} 个位置上的运动简图、速度多边形和加速度多边形，采用同一组比例尺。",
+            "The mechanism with its velocity and acceleration polygons in {} positions at equal steps of {1}, all to the same scales."
         );
         figure.desc = fill(words, &[("", &table.rows.len().to_string()), ("1", &formula(&driver))]);
         figure
@@ -273,7 +271,7 @@ impl PosePage<'_> {
         let scene = &table.rows[0].scene;
         let (driver, kind) = swept_symbol(scene, table.swept);
         let unit = scene.book.fine(kind).0;
-        let first = Label::text(tr(lang, "Position", "位置"));
+        let first = Label::text(tr!(lang, "Position"));
         let mut heads = vec![(first, over(&driver, &unit))];
         heads.extend(self.columns.iter().map(|column| table.head(column)));
         for (k, head) in heads.into_iter().enumerate() {

@@ -5,11 +5,11 @@ use super::{ROOM_MM, Set, around, laid_out, page, scale_of};
 use crate::plot::{Plot, PlotAxis};
 use hodograph_base::digits::{inked, significant};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::tr;
 use hodograph_board::construct::scale::choose;
 use hodograph_paper::paper::extent::{Rect, bounds};
 use hodograph_paper::paper::item::{Anchor, Colour, Dash, Figure, FigureItem, PLACED, Shape, tag};
 use hodograph_paper::paper::label::Label;
-use hodograph_paper::paper::phrase::tr;
 use hodograph_paper::paper::place::{LabelRequest, Obstacles, place};
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
@@ -136,7 +136,7 @@ pub fn scaled(task: &Task, candidate: &DesignCandidate, set: Set) -> Scaled {
     for (request, at) in wanted.iter().zip(&placed) {
         items.extend(at.items(request, PLACED, style.thin));
     }
-    let part = tr(lang, "the wanted positions", "各预定位置");
+    let part = tr!(lang, "the wanted positions");
     let (figure, shift) = laid_out(task, part, items, room, (Some(scale_of(mu)), Vec::new()), set);
     Scaled { figure, mu_l: mu, shift }
 }
@@ -181,7 +181,7 @@ pub fn deviation(task: &Task, candidate: &DesignCandidate, set: Set) -> Option<F
     }
     let room = frame.grown(16.0);
     let items = plot.finish(room);
-    Some(page(task, tr(lang, "structural error", "结构误差"), items, room, (None, Vec::new()), set))
+    Some(page(task, tr!(lang, "structural error"), items, room, (None, Vec::new()), set))
 }
 
 /// Draws the wanted and the actual output angle over the range of a function, with its precision
@@ -202,8 +202,7 @@ pub fn generated(task: &Task, candidate: &DesignCandidate, set: Set) -> Option<F
         Some(Label::math("x").in_fonts(&style.fonts)),
         Label::math("(\\varphi_0 + \\varphi)/(\\degree)"),
     );
-    let words =
-        [tr(lang, "generated function", "再现函数"), tr(lang, "wanted function", "期望函数")];
+    let words = [tr!(lang, "generated function"), tr!(lang, "wanted function")];
     let strokes = [style.thin, style.vector.dashed(Dash::Dashed)];
     for (k, (stroke, word)) in strokes.into_iter().zip(words).enumerate() {
         let value = |c: &Compared| if k == 0 { c.real } else { c.wanted };
@@ -236,7 +235,7 @@ pub fn generated(task: &Task, candidate: &DesignCandidate, set: Set) -> Option<F
     }
     let room = frame.grown(16.0);
     let items = plot.finish(room);
-    let part = tr(lang, "wanted and generated function", "期望函数与再现函数");
+    let part = tr!(lang, "wanted and generated function");
     Some(page(task, part, items, room, (None, Vec::new()), set))
 }
 

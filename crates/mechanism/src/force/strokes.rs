@@ -47,10 +47,8 @@ pub fn ends<'a>(
                 let along = found.direction.dot(Vec2::new(cos, sin));
                 if along.abs() < BACK {
                     let name = scene.point_name(*point);
-                    let message = both!(
-                        "the slider at {name} does not move in the direction of \"toward\"",
-                        "{name} 处的滑块不沿 \"toward\" 的方向运动"
-                    );
+                    let message =
+                        both!("the slider at {name} does not move in the direction of \"toward\"");
                     return Err(Diagnostic::error("stroke", message).at(toward.span));
                 }
                 along > 0.0
@@ -171,26 +169,17 @@ fn golden(mut a: f64, mut b: f64, value: impl Fn(f64) -> Option<f64>) -> Option<
 
 fn ambiguous_stroke(scene: &Scene, point: PointId, course: &LoadCourse) -> Diagnostic {
     let name = scene.point_name(point);
-    let message = both!(
-        "which of the two strokes of {name} is the working one is not told",
-        "没有说明 {name} 的哪一个行程是工作行程"
-    );
-    let help = both!(
-        "add \"toward\": \"0 deg\", the direction of the working stroke",
-        "请加上 \"toward\": \"0 deg\"（工作行程的方向）"
-    );
+    let message = both!("which of the two strokes of {name} is the working one is not told");
+    let help = both!("add \"toward\": \"0 deg\", the direction of the working stroke");
     Diagnostic::error("stroke", message).at(course.span).help(help)
 }
 
 fn no_stroke(scene: &Scene, point: PointId, course: &LoadCourse) -> Diagnostic {
     let name = scene.point_name(point);
     let message = both!(
-        "{name} has no stroke: the first driver, told by its angle, must turn fully while {name} goes to and fro",
-        "{name} 没有行程：第一个原动件须给出转角并能整周转动，且 {name} 作往复运动"
+        "{name} has no stroke: the first driver, told by its angle, must turn fully while {name} goes to and fro"
     );
-    let help = both!(
-        "tell the load without \"over\" and \"diagram\", or by the angle of a driven link",
-        "请去掉 \"over\" 和 \"diagram\"，或按原动件的转角给出载荷"
-    );
+    let help =
+        both!("tell the load without \"over\" and \"diagram\", or by the angle of a driven link");
     Diagnostic::error("stroke", message).at(course.span).help(help)
 }

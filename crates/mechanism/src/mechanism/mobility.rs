@@ -240,8 +240,8 @@ fn augment(
 
 fn describe(scene: &Scene, n: GraphNode) -> Both {
     match n {
-        GraphNode::Link(l) => both!("link {}", "构件 {}", scene.link_name(l)),
-        GraphNode::Pin(p) => both!("pin {}", "销 {}", scene.point_name(p)),
+        GraphNode::Link(l) => both!("link {}", scene.link_name(l)),
+        GraphNode::Pin(p) => both!("pin {}", scene.point_name(p)),
     }
 }
 
@@ -261,23 +261,20 @@ fn too_free(
         "too-few-constraints",
         both!(
             "mobility F = {}: the pairs and the {drivers} driver{} leave {missing} freedom{} open, at {}",
-            "自由度 F = {}：{drivers} 个原动件{1:.0}和各运动副还余下 {missing} 个自由度{2:.0}，在{3}",
             count(scene, constraints).freedom,
             if drivers == 1 { "" } else { "s" },
             if missing == 1 { "" } else { "s" },
-            Both::join(&names, ", ", "、")
+            Both::join(&names, [", ", "、"])
         ),
     )
     .at(span)
     .help(match unlisted_pivots(scene) {
         Some(names) => both!(
             "if {} are fixed pivots, list them under the ground link; otherwise give the joint, guide or driver that is missing",
-            "若 {} 是固定铰链，请列入机架；否则请补上所缺的运动副、导路或原动件",
             names
         ),
         None => both!(
             "give {missing} more driver{}, or the joint or guide that is missing there",
-            "请再给 {missing} 个原动件{:.0}，或补上所缺的运动副或导路",
             if missing == 1 { "" } else { "s" }
         ),
     })
@@ -323,19 +320,15 @@ fn too_tight(
         "too-many-constraints",
         both!(
             "{} condition{} too many: mobility F = {}, {} driver{}; no freedom is left for {}",
-            "多出 {} 个约束{:.0}：自由度 F = {}，原动件 {} 个{:.0}；没有自由度可供{}约束",
             unmatched.len(),
             if unmatched.len() == 1 { "" } else { "s" },
             count(scene, constraints).freedom,
             scene.own_drivers(),
             if scene.own_drivers() == 1 { "" } else { "s" },
-            Both::join(&names, ", ", "、")
+            Both::join(&names, [", ", "、"])
         ),
     )
-    .help(both!(
-        "leave out a driver, or a link or joint that only repeats what others fix",
-        "请去掉一个原动件，或起重复约束作用的构件或运动副"
-    ));
+    .help(both!("leave out a driver, or a link or joint that only repeats what others fix"));
     match span {
         Some(s) => d.at(s),
         None => d,

@@ -275,14 +275,12 @@ fn curved_sliders(scene: &Scene, passive: &[Option<Passive>]) -> Faults {
             Diagnostic::error(
                 "curved-slider",
                 both!(
-                    "link {slider} slides on a curved guide and has more than its pin there: it turns about {centre} on link {on}",
-                    "构件 {slider} 在圆弧导路上滑动，且不止一个销：它绕构件 {on} 上的 {centre} 转动"
+                    "link {slider} slides on a curved guide and has more than its pin there: it turns about {centre} on link {on}"
                 ),
             )
             .at(guide.span)
             .help(both!(
-                "make {centre} a point of link {slider} and leave the guide out, or give a block of its own to the guide",
-                "请把 {centre} 写为构件 {slider} 上的点并去掉导路，或给导路另设滑块"
+                "make {centre} a point of link {slider} and leave the guide out, or give a block of its own to the guide"
             )),
         );
     }
@@ -300,13 +298,11 @@ fn cylinder_parts(scene: &Scene, passive: &[Option<Passive>], faults: &mut Fault
         for l in links.into_iter().flatten().filter(|l| part(*l)) {
             let message = both!(
                 "link {} is a part of a cylinder: no guide and no other driver can rest on it",
-                "构件 {} 是液压缸的一部分：其上不能再有导路或原动件",
                 scene.link_name(l)
             );
             let d = Diagnostic::error("cylinder-part", message).at(span);
             faults.push(d.help(both!(
-                "describe barrel and rod as links with a guide between them, and drive the slide",
-                "请把缸体和活塞杆写成构件，其间设导路，并以移动副为原动件"
+                "describe barrel and rod as links with a guide between them, and drive the slide"
             )));
         }
     }

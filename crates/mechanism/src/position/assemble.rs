@@ -46,10 +46,7 @@ pub(super) fn later<'a, N: Real>(
     if posed || silent || pointless {
         return Err(Diagnostic::error(
             "pose-given",
-            both!(
-                "nothing in the scene tells the pose at another time",
-                "机构文件中没有数据说明其他时刻的位置"
-            ),
+            both!("nothing in the scene tells the pose at another time"),
         )
         .into());
     }
@@ -235,12 +232,10 @@ impl<'a, N: Real> Assembly<'a, N> {
         self.guide_in_plane(g).ok_or_else(|| {
             let message = both!(
                 "{} is not placed: nothing says through which point it runs",
-                "{}位置未定：没有说明它通过哪一点",
                 self.scene.guide_words(g)
             );
             Diagnostic::error("guide-not-placed", message).at(self.scene.guides[g.0].span).help(both!(
-                "give \"through\" (a point of that link, or coordinates on ground), or the pin's coordinates in \"points\"",
-                "请给出 \"through\"（该构件上的点，或机架上的坐标），或在 \"points\" 中给出销的坐标"
+                "give \"through\" (a point of that link, or coordinates on ground), or the pin's coordinates in \"points\""
             ))
         })
     }
@@ -404,7 +399,6 @@ impl<'a, N: Real> Assembly<'a, N> {
                 "coincident-points",
                 both!(
                     "{pa} and {pb} of link {} coincide: it has no direction",
-                    "构件 {} 的 {pa} 与 {pb} 重合，没有方向",
                     self.scene.link_name(l)
                 ),
             )
@@ -443,10 +437,7 @@ impl<'a, N: Real> Assembly<'a, N> {
                         let far_at = self.known(far);
                         Pose::from_point_and_direction(d, runner - d, far_at, at - far_at)
                             .ok_or_else(|| {
-                                self.degenerate(
-                                    guide,
-                                    both!("the pin lies on the pivot", "销在铰链中心上"),
-                                )
+                                self.degenerate(guide, both!("the pin lies on the pivot"))
                             })?
                     };
                     poses.push((link, pose));
@@ -494,11 +485,8 @@ impl<'a, N: Real> Assembly<'a, N> {
 
     pub(super) fn degenerate(&self, g: GuideId, why: Both) -> Diagnostic {
         let guide = self.scene.guide_words(g);
-        Diagnostic::error(
-            "degenerate-guide",
-            both!("{} gives it no direction: {}", "{}不能确定其方向：{}", guide, why),
-        )
-        .at(self.scene.guides[g.0].span)
+        Diagnostic::error("degenerate-guide", both!("{} gives it no direction: {}", guide, why))
+            .at(self.scene.guides[g.0].span)
     }
 
     /// Returns the position of a driven runner in the frame of the link that carries its guide.
@@ -513,15 +501,11 @@ impl<'a, N: Real> Assembly<'a, N> {
                 "guide-not-placed",
                 both!(
                     "the guide on link {} is not placed in that link",
-                    "构件 {} 上的导路在该构件中位置未定",
                     self.scene.link_name(link)
                 ),
             )
             .at(self.scene.guides[guide.0].span)
-            .help(both!(
-                "give \"line\" or \"through\" by points of the link",
-                "请用该构件上的点给出 \"line\" 或 \"through\""
-            ))
+            .help(both!("give \"line\" or \"through\" by points of the link"))
         })?;
         Ok(path.point_at(self.way_along(driver)?))
     }
@@ -529,16 +513,11 @@ impl<'a, N: Real> Assembly<'a, N> {
     pub(super) fn driver_without_value(&self, driver: usize, key: &str, what: Both) -> Diagnostic {
         Diagnostic::error(
             "driver-without-position",
-            both!(
-                "the driver does not say {}, and no coordinates give it",
-                "原动件没有说明{}，坐标也没有给定",
-                what
-            ),
+            both!("the driver does not say {}, and no coordinates give it", what),
         )
         .at(self.scene.drivers[driver].span)
         .help(both!(
-            "add \"{key}\" to the driver, or the coordinates of the moving joints to \"points\"",
-            "请在原动件中加上 \"{key}\"，或在 \"points\" 中给出活动铰链的坐标"
+            "add \"{key}\" to the driver, or the coordinates of the moving joints to \"points\""
         ))
     }
 }
@@ -548,6 +527,6 @@ pub(super) fn names_of(scene: &Scene, group: &Group) -> Both {
     let names: Vec<_> = group.links.iter().map(|l| scene.link_name(*l)).collect();
     match names[..] {
         [one] => Both::same(format!(" {one}")),
-        _ => both!("s {}", " {}", Both::names(&names)),
+        _ => both!("s {}", Both::names(&names)),
     }
 }

@@ -44,11 +44,8 @@ fn misordered(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option<Diagno
     }
     let doubled_area: f64 =
         centres.windows(2).map(|w| (w[0] - centres[0]).cross(w[1] - centres[0])).sum();
-    let message = both!(
-        "the belt or chain names its wheels counter-clockwise",
-        "传动带（链）的各轮是按逆时针方向写的"
-    );
-    let help = both!("name them clockwise, in the opposite order", "请按相反的顺序（顺时针）写出");
+    let message = both!("the belt or chain names its wheels counter-clockwise");
+    let help = both!("name them clockwise, in the opposite order");
     (doubled_area > 0.0).then(|| Diagnostic::error("belt-order", message).at(pair.span).help(help))
 }
 
@@ -69,20 +66,15 @@ pub(super) fn misfit(
     }
     let (p, q) = (scene.point_name(p), scene.point_name(q));
     let (distance, radii) = (scene.length_words(distance), scene.length_words(radii));
-    let wheels = if pair.kind.is_toothed() {
-        both!("sprockets", "链轮")
-    } else {
-        both!("pulleys", "带轮")
-    };
+    let wheels = if pair.kind.is_toothed() { both!("sprockets") } else { both!("pulleys") };
     let message = both!(
         "the {0} about {p} and {q} overlap: {p}{q} is {distance}, and their radii make {radii}",
-        "绕 {p} 与 {q} 的两{0}重叠：{p}{q} 为 {distance}，两半径之和为 {radii}",
         wheels
     );
     Some(
         Diagnostic::error("belt-overlap", message)
             .at(pair.span)
-            .help(both!("correct a radius or a centre", "请改正半径或圆心")),
+            .help(both!("correct a radius or a centre")),
     )
 }
 
@@ -112,11 +104,8 @@ pub(super) fn slack(
     }
     let off = libm::atan(of_rope.cross(of_load) / of_rope.dot(of_load)).abs().to_degrees();
     let load = scene.link_name(load);
-    let message = both!(
-        "the rope of load {load} runs at {0}° to the guide of the load",
-        "牵引构件 {load} 的绳与该构件的导路成 {0}°",
-        significant(off, 4)
-    );
-    let help = both!("give both the same direction", "请使二者方向一致");
+    let message =
+        both!("the rope of load {load} runs at {0}° to the guide of the load", significant(off, 4));
+    let help = both!("give both the same direction");
     Some(Diagnostic::error("rope-direction", message).at(pair.span).help(help))
 }

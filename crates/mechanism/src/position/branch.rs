@@ -91,7 +91,6 @@ pub(super) fn choose<N: Real>(
                 "side-impossible",
                 both!(
                     "in none of the {} assemblies of link{} does {} lie to the {} of {}{}",
-                    "构件{1} 的 {0} 种装配形式中，{2} 都不在 {4}{5} 的{3}",
                     trials.len(),
                     link_names(),
                     scene.point_name(side.point),
@@ -146,7 +145,6 @@ pub(super) fn choose<N: Real>(
             let note = idle.map(|side| {
                 let message = both!(
                     "{}; \"sketch\" decides",
-                    "{}；由 \"sketch\" 确定",
                     fits_all(scene, side, left.len(), &link_names())
                 );
                 Diagnostic::note("side-undecided", message).at(side.span)
@@ -169,11 +167,10 @@ pub(super) fn choose<N: Real>(
             Some((p, at, other)) => (
                 both!(
                     "the one with {p} at {} was taken, not the one with {p} at {}",
-                    "取 {p} 在 {} 的一种，而不是在 {} 的一种",
                     place(scene, at),
                     place(scene, other)
                 ),
-                both!("a rough place of {p} in \"sketch\"", "\"sketch\" 中 {p} 的大致位置"),
+                both!("a rough place of {p} in \"sketch\""),
             ),
             None => {
                 // The assembly of a link known by one pin is described by its direction alone.
@@ -185,49 +182,28 @@ pub(super) fn choose<N: Real>(
                 });
                 let which = match turned {
                     Some((l, mine, there)) => both!(
-                        "the one with link {l} at {mine}° was taken, not the one with link {l} at {there}°",
-                        "取构件 {l} 在 {mine}° 方向的一种，而不是在 {there}° 方向的一种"
+                        "the one with link {l} at {mine}° was taken, not the one with link {l} at {there}°"
                     ),
-                    None => both!("the first was taken", "取第一种"),
+                    None => both!("the first was taken"),
                 };
-                (which, both!("rough places in \"sketch\"", "\"sketch\" 中的大致位置"))
+                (which, both!("rough places in \"sketch\""))
             }
         };
         match idle {
             Some(side) => {
-                let message = both!(
-                    "{}: {}",
-                    "{}：{}",
-                    fits_all(scene, side, left.len(), &link_names()),
-                    which
-                );
-                Diagnostic::note("side-undecided", message).at(side.span).help(both!(
-                    "name another line in \"side\", or {}",
-                    "请在 \"side\" 中另写一条直线，或给出{}",
-                    hint
-                ))
+                let message =
+                    both!("{}: {}", fits_all(scene, side, left.len(), &link_names()), which);
+                Diagnostic::note("side-undecided", message)
+                    .at(side.span)
+                    .help(both!("name another line in \"side\", or {}", hint))
             }
             None => {
-                let all = both!(
-                    "link{} can be assembled in {} ways",
-                    "构件{} 有 {} 种装配形式",
-                    link_names(),
-                    left.len()
-                );
+                let all = both!("link{} can be assembled in {} ways", link_names(), left.len());
                 Diagnostic::note(
                     "assembly-by-default",
-                    both!(
-                        "{} and the scene does not say which: {}",
-                        "{}，机构文件没有说明取哪一种：{}",
-                        all,
-                        which
-                    ),
+                    both!("{} and the scene does not say which: {}", all, which),
                 )
-                .help(both!(
-                    "say it with \"side\" or {}",
-                    "请用 \"side\" 说明，或给出{}",
-                    hint
-                ))
+                .help(both!("say it with \"side\" or {}", hint))
             }
         }
     };
@@ -253,14 +229,13 @@ fn falls_together<N: Real>(placed: &[Option<Point<N>>], trial: &GroupClosure<N>)
 
 /// Returns the word for a side, left or right.
 fn turned(side: &Side) -> Both {
-    if side.left { both!("left", "左侧") } else { both!("right", "右侧") }
+    if side.left { both!("left") } else { both!("right") }
 }
 
 fn fits_all(scene: &Scene, side: &Side, ways: usize, links: &Both) -> Both {
     let [point, from, to] = [side.point, side.from, side.to].map(|p| scene.point_name(p));
     both!(
         "{point} lies to the {0} of {from}{to} in all {ways} assemblies of link{1}: this side does not decide",
-        "构件{1} 的 {ways} 种装配形式中 {point} 都在 {from}{to} 的{0}：这个 side 不起作用",
         turned(side),
         links
     )

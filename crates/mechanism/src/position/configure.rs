@@ -47,19 +47,13 @@ pub fn configure(
         let names: Vec<Both> = first
             .open
             .iter()
-            .map(|(g, _)| both!("link{}", "构件{}", names_of(scene, &mechanism.groups[*g])))
+            .map(|(g, _)| both!("link{}", names_of(scene, &mechanism.groups[*g])))
             .collect();
-        let names = Both::join(&names, ", of ", "、");
-        let hint = both!(
-            "or say with \"side\" or \"sketch\" which assembly of {} is meant",
-            "或用 \"side\" 或 \"sketch\" 说明{}取哪一种装配形式",
-            names
-        );
+        let names = Both::join(&names, [", of ", "、"]);
+        let hint = both!("or say with \"side\" or \"sketch\" which assembly of {} is meant", names);
         let mut faults = first.faults;
         for d in faults.list.iter_mut().filter(|d| does_not_close(d)) {
-            d.help = Some(
-                d.help.take().map_or_else(|| hint.clone(), |h| both!("{}; {}", "{}；{}", h, hint)),
-            );
+            d.help = Some(d.help.take().map_or_else(|| hint.clone(), |h| both!("{}; {}", h, hint)));
         }
         faults
     })

@@ -130,7 +130,7 @@ impl Assembly<'_, f64> {
         let d = match &guide.path {
             GuidePath::Line { direction: GuideDirection::Along(a, b, _), .. } => {
                 let (a, b) = (self.scene.point_name(*a), self.scene.point_name(*b));
-                self.degenerate(g, both!("{a} and {b} coincide", "{a} 与 {b} 重合"))
+                self.degenerate(g, both!("{a} and {b} coincide"))
             }
             GuidePath::Line { .. } | GuidePath::Arc { .. } => match self.need_guide(g) {
                 Err(d) => d,
@@ -170,35 +170,30 @@ impl Assembly<'_, f64> {
                 let (pin, off) = (self.scene.point_name(p), self.scene.length_words(off));
                 match &contact {
                     Some(contact) => {
-                        both!("{} is missed by {off} at {pin}", "{}相差 {off}（{pin} 处）", contact)
+                        both!("{} is missed by {off} at {pin}", contact)
                     }
                     None => {
                         let on = self.scene.link_name(guide.on);
-                        both!(
-                            "pin {pin} lies {off} beside its guide on link {on}",
-                            "销 {pin} 偏离构件 {on} 上的导路 {off}"
-                        )
+                        both!("pin {pin} lies {off} beside its guide on link {on}")
                     }
                 }
             };
             if off > same_place(extent, at) {
                 let d = match &contact {
                     Some(_) => Diagnostic::error("contact-missed", beside()).help(both!(
-                        "correct the coordinates, the radius or where the face or track lies, or leave out what can be derived",
-                        "请改正坐标、半径或平底（轨道）的位置，或去掉可推出的数据"
+                        "correct the coordinates, the radius or where the face or track lies, or leave out what can be derived"
                     )),
                     None => Diagnostic::error("pin-off-guide", beside()).help(both!(
-                        "correct its coordinates or the guide, or leave out what can be derived",
-                        "请改正其坐标或导路，或去掉可推出的数据"
+                        "correct its coordinates or the guide, or leave out what can be derived"
                     )),
                 };
                 self.faults.push(d.at(guide.span));
             } else if off > distinguishable_length(extent, at) {
                 let what = match guide.path {
                     GuidePath::Arc { .. } => {
-                        both!("the radius is what they make it", "半径由坐标确定")
+                        both!("the radius is what they make it")
                     }
-                    GuidePath::Line { .. } => both!("the guide runs through them", "导路通过该处"),
+                    GuidePath::Line { .. } => both!("the guide runs through them"),
                 };
                 self.notes.push(given_twice(beside(), what, guide.span));
             }
@@ -216,7 +211,6 @@ impl Assembly<'_, f64> {
                 let message = || {
                     both!(
                         "{} lies {} from where the data of link {} put it",
-                        "{} 与按构件 {2} 的数据所得位置相差 {1}",
                         self.scene.point_name(*p),
                         self.scene.length_words(off),
                         self.scene.links[l].name
@@ -224,13 +218,12 @@ impl Assembly<'_, f64> {
                 };
                 if off > same_place(extent, at) {
                     self.faults.push(Diagnostic::error("pin-off-link", message()).at(self.scene.points[p.0].span).help(both!(
-                        "coordinates and lengths contradict each other: leave one out, or move rough coordinates to \"sketch\"",
-                        "坐标与长度相矛盾：请去掉其一，或把粗略坐标移到 \"sketch\""
+                        "coordinates and lengths contradict each other: leave one out, or move rough coordinates to \"sketch\""
                     )));
                 } else if off > distinguishable_length(extent, at) {
                     self.notes.push(given_twice(
                         message(),
-                        both!("the lengths are what they make them", "长度由坐标确定"),
+                        both!("the lengths are what they make them"),
                         self.scene.points[p.0].span,
                     ));
                 }
@@ -251,11 +244,10 @@ impl Assembly<'_, f64> {
                 self.notes.push(given_twice(
                     both!(
                         "{na}{nb} = {} is {} off what the coordinates make it",
-                        "{na}{nb} = {} 与坐标所定的值相差 {}",
                         length.value.text,
                         self.scene.length_words(off)
                     ),
-                    both!("the length is what they make it", "长度由坐标确定"),
+                    both!("the length is what they make it"),
                     length.value.span,
                 ));
             }
@@ -275,11 +267,10 @@ impl Assembly<'_, f64> {
                 self.notes.push(given_twice(
                     both!(
                         "the driver's angle {} is {} rad off the coordinates of link {link}",
-                        "原动件角度 {} 与构件 {link} 的坐标相差 {} rad",
                         angle.text,
                         significant(off, 2)
                     ),
-                    both!("the angle is what they make it", "角度由坐标确定"),
+                    both!("the angle is what they make it"),
                     angle.span,
                 ));
             }
@@ -289,13 +280,12 @@ impl Assembly<'_, f64> {
                         "contradictory-angle",
                         both!(
                             "the driver's angle {} contradicts the coordinates of link {}",
-                            "原动件角度 {} 与构件 {} 的坐标相矛盾",
                             angle.text,
                             self.scene.link_name(link)
                         ),
                     )
                     .at(angle.span)
-                    .help(both!("leave one of the two out", "请去掉其中一个")),
+                    .help(both!("leave one of the two out")),
                 );
             }
         }
@@ -330,7 +320,6 @@ fn given_twice(how: Both, so: Both, span: Span) -> Diagnostic {
         "given-twice",
         both!(
             "{}: the coordinates are taken, and {}; all digits are those of the coordinates",
-            "{}：取坐标值，{}；全部数字均按坐标计算",
             how,
             so
         ),

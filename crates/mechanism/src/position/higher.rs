@@ -29,24 +29,21 @@ impl<N: Real> Assembly<'_, N> {
                 "sketch-needed",
                 both!(
                     "links {} can only be placed from a rough pose: {}",
-                    "构件 {} 只能由大致位置求解：{}",
                     Both::names(&names),
                     what
                 ),
             )
             .at(self.scene.links[group.links[0].0].span)
-            .help(both!(
-                "give rough coordinates of their joints in \"sketch\"",
-                "请在 \"sketch\" 中给出各铰链的大致坐标"
-            ))
+            .help(both!("give rough coordinates of their joints in \"sketch\""))
         };
         let rough = self.rough_places(group);
         let rough = |p: PointId| rough[p.0];
         let mut start = self.snapshot();
         for &p in &group.pins {
-            start.points[p.0] = Some(rough(p).ok_or_else(|| {
-                lacking(both!("{} is not sketched", "{} 没有大致位置", self.scene.point_name(p)))
-            })?);
+            start.points[p.0] =
+                Some(rough(p).ok_or_else(|| {
+                    lacking(both!("{} is not sketched", self.scene.point_name(p)))
+                })?);
         }
         let sliders: Vec<(LinkId, LinkId)> = group
             .constraints
@@ -84,7 +81,6 @@ impl<N: Real> Assembly<'_, N> {
             let [a, .., b] = known[..] else {
                 return Err(lacking(both!(
                     "link {} has fewer than two placed points",
-                    "构件 {} 已有位置的点不足两个",
                     self.scene.link_name(l)
                 )));
             };
@@ -92,7 +88,6 @@ impl<N: Real> Assembly<'_, N> {
             if start.poses[l.0].is_none() {
                 return Err(lacking(both!(
                     "the sketched points of link {} coincide",
-                    "构件 {} 的草图点重合",
                     self.scene.link_name(l)
                 )));
             }
@@ -105,7 +100,6 @@ impl<N: Real> Assembly<'_, N> {
             let on = form.ends().1;
             return Err(lacking(both!(
                 "a guide on {} is given at the instant only, which does not fix it in that link",
-                "{}上的导路只给定了该时刻的方向，并未在其中固定",
                 self.node_name(on)
             )));
         }
@@ -114,12 +108,11 @@ impl<N: Real> Assembly<'_, N> {
         let (poses, points) = system.solve(&start, &drivers).ok_or_else(|| {
             Diagnostic::error(
                 "no-convergence",
-                both!("links {} were not brought together from the sketch", "由草图未能求得构件 {} 的装配位置", Both::names(&names)),
+                both!("links {} were not brought together from the sketch", Both::names(&names)),
             )
             .at(self.scene.links[group.links[0].0].span)
             .help(both!(
-                "improve the sketch, with all joints of these links so that it tells on which side each lies, or check whether the lengths can be assembled",
-                "请改进草图，并给出这些构件的全部铰链（以判定各点在哪一侧），或检查各长度能否装配"
+                "improve the sketch, with all joints of these links so that it tells on which side each lies, or check whether the lengths can be assembled"
             ))
         })?;
         let pins =
@@ -165,7 +158,7 @@ impl<N: Real> Assembly<'_, N> {
 
     fn node_name(&self, n: GraphNode) -> Both {
         match n {
-            GraphNode::Link(l) => both!("link {}", "构件 {} ", self.scene.link_name(l)),
+            GraphNode::Link(l) => both!("before a sign" => "link {}", self.scene.link_name(l)),
             GraphNode::Pin(p) => Both::same(self.scene.point_name(p)),
         }
     }

@@ -86,15 +86,11 @@ impl<N: Real> Assembly<'_, N> {
             "no-closed-form",
             both!(
                 "link {} is held in a way for which a rough pose is needed",
-                "构件 {} 的约束方式需要给出大致位置",
                 self.scene.link_name(link)
             ),
         )
         .at(self.scene.links[link.0].span)
-        .help(both!(
-            "give the coordinates of its joints at the instant in \"points\"",
-            "请在 \"points\" 中给出该时刻各铰链的坐标"
-        ))
+        .help(both!("give the coordinates of its joints at the instant in \"points\""))
     }
 
     /// Returns the direction of a link's frame, from the link with which it turns or relative to
@@ -117,14 +113,12 @@ impl<N: Real> Assembly<'_, N> {
                 Err(Diagnostic::error(
                     "angle-not-given",
                     both!(
-                        "link {name} keeps its direction, but its angle against the guide is not given",
-                        "构件 {name} 的方向不变，但与导路的夹角未给定"
+                        "link {name} keeps its direction, but its angle against the guide is not given"
                     ),
                 )
                 .at(self.scene.links[link.0].span)
                 .help(both!(
-                    "give the coordinates of two of its points at the instant in \"points\"",
-                    "请在 \"points\" 中给出其上两点在该时刻的坐标"
+                    "give the coordinates of two of its points at the instant in \"points\""
                 )))
             } else if self.is_along_guide(link) {
                 self.slid_along(link).ok_or_else(|| self.no_closure(link))
@@ -143,7 +137,7 @@ impl<N: Real> Assembly<'_, N> {
             return Err(self.driver_without_value(
                 d,
                 "angle",
-                both!("at which angle link {name} stands", "构件 {name} 的角度"),
+                both!("at which angle link {name} stands"),
             ));
         };
         let own = self.line_in(link, line);
@@ -165,15 +159,11 @@ impl<N: Real> Assembly<'_, N> {
             .ok_or_else(|| {
                 Diagnostic::error(
                     "angle-of-nothing",
-                    both!(
-                        "the angle of link {name} has no line to count from",
-                        "构件 {name} 的角度没有可量取的直线"
-                    ),
+                    both!("the angle of link {name} has no line to count from"),
                 )
                 .at(angle.span)
                 .help(both!(
-                    "name two different points of the link with \"line\" (and \"against_line\")",
-                    "请用 \"line\"（及 \"against_line\"）写该构件上两个不同的点"
+                    "name two different points of the link with \"line\" (and \"against_line\")"
                 ))
             })
     }
@@ -243,14 +233,12 @@ impl<N: Real> Assembly<'_, N> {
                     "guide-not-placed",
                     both!(
                         "the guide on link {} is given at the instant only, which does not fix it in that link",
-                        "构件 {} 上的导路只给定了该时刻的方向，在该构件中并未固定",
                         self.scene.link_name(link)
                     ),
                 )
                 .at(self.scene.guides[guide.0].span)
                 .help(both!(
-                    "give it by \"line\", \"angle\" and \"through\" with points of the link, or the link's points by coordinates",
-                    "请用该构件上的点给出 \"line\"、\"angle\" 和 \"through\"，或用坐标给出该构件的点"
+                    "give it by \"line\", \"angle\" and \"through\" with points of the link, or the link's points by coordinates"
                 )))
             };
         };
@@ -276,10 +264,7 @@ impl<N: Real> Assembly<'_, N> {
                     .map(|at| {
                         Pose::from_point_and_direction(d, centre - d, pivot_at, at - pivot_at)
                             .ok_or_else(|| {
-                                self.degenerate(
-                                    guide,
-                                    both!("its centre lies on the pivot", "其圆心在铰链中心上"),
-                                )
+                                self.degenerate(guide, both!("its centre lies on the pivot"))
                             })
                     })
                     .collect();
@@ -293,7 +278,6 @@ impl<N: Real> Assembly<'_, N> {
                         guide,
                         both!(
                             "pin {} lies on the pivot {}",
-                            "销 {} 在铰链 {} 的中心上",
                             self.scene.point_name(runner),
                             self.scene.point_name(pivot)
                         ),
@@ -318,12 +302,11 @@ impl<N: Real> Assembly<'_, N> {
             "cannot-assemble",
             both!(
                 "the slot of link {} cannot reach pin {r}: {p}{r} is {by} short of the slot's distance from {p}",
-                "构件 {} 的导槽够不到销 {r}：{p}{r} 比导槽到 {p} 的距离短 {by}",
                 self.scene.link_name(link)
             ),
         )
         .at(self.scene.links[link.0].span)
-        .help(both!("change the slot's offset, a length, or the driver's position", "请改变导槽的偏距、某一长度或原动件的位置"))
+        .help(both!("change the slot's offset, a length, or the driver's position"))
     }
 
     fn poses_at_angle(
@@ -385,23 +368,14 @@ impl<N: Real> Assembly<'_, N> {
         let (la, lb) = (self.triad_leg(link, a)?.locus(axis), self.triad_leg(link, b)?.locus(axis));
         let origins = kernel::meet(la, lb).map_err(|miss| {
             let how = match miss {
-                Miss::Parallel(0.0) => both!("its two guides run parallel", "它的两条导路平行"),
+                Miss::Parallel(0.0) => both!("its two guides run parallel"),
                 Miss::TooFar(x) | Miss::TooNear(x) | Miss::Parallel(x) => {
-                    both!(
-                        "its two joints miss each other by {}",
-                        "它的两个运动副相差 {}",
-                        self.scene.length_words(x)
-                    )
+                    both!("its two joints miss each other by {}", self.scene.length_words(x))
                 }
             };
             Diagnostic::error(
                 "cannot-assemble",
-                both!(
-                    "link {} cannot be placed: {}",
-                    "构件 {} 无法装配：{}",
-                    self.scene.link_name(link),
-                    how
-                ),
+                both!("link {} cannot be placed: {}", self.scene.link_name(link), how),
             )
             .at(self.scene.links[link.0].span)
         })?;
@@ -477,26 +451,15 @@ impl<N: Real> Assembly<'_, N> {
     pub(super) fn unproven(&self, links: &[LinkId], why: Unproven) -> Diagnostic {
         let names: Vec<_> = links.iter().map(|l| self.scene.link_name(*l)).collect();
         let why = match why {
-            Unproven::NoRoot => both!("Newton's method does not settle", "牛顿法不收敛"),
+            Unproven::NoRoot => both!("Newton's method does not settle"),
             Unproven::NotUnique => {
-                both!(
-                    "another assembly may lie closer than the numbers can tell",
-                    "另一种装配形式可能过于接近，数值无法区分"
-                )
+                both!("another assembly may lie closer than the numbers can tell")
             }
-            Unproven::NotWritten => both!(
-                "its pose is not told by lengths and drivers alone",
-                "仅由长度和原动件不能确定其位置"
-            ),
+            Unproven::NotWritten => both!("its pose is not told by lengths and drivers alone"),
         };
         Diagnostic::error(
             "not-proved",
-            both!(
-                "the assembly of link {} is not proved: {}",
-                "构件 {} 的装配未能证明：{}",
-                Both::names(&names),
-                why
-            ),
+            both!("the assembly of link {} is not proved: {}", Both::names(&names), why),
         )
         .at(self.scene.links[links[0].0].span)
     }
@@ -516,15 +479,11 @@ impl<N: Real> Assembly<'_, N> {
                 "cannot-assemble",
                 both!(
                     "link {} cannot be placed on its three legs in any position",
-                    "构件 {} 的三条支链在任何位置都不能装配",
                     self.scene.link_name(link)
                 ),
             )
             .at(self.scene.links[link.0].span)
-            .help(both!(
-                "change a length of the group or the driver's position",
-                "请改变该杆组的某一长度或原动件的位置"
-            )));
+            .help(both!("change a length of the group or the driver's position")));
         }
         Ok(found
             .into_iter()

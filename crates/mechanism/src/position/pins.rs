@@ -38,16 +38,12 @@ impl<N: Real> Assembly<'_, N> {
             "not-placed",
             both!(
                 "{} is not placed on link {}",
-                "{} 在构件 {} 上的位置未定",
                 self.scene.point_name(pin),
                 self.scene.link_name(link)
             ),
         )
         .at(self.scene.points[pin.0].span)
-        .help(both!(
-            "give a length, or its coordinates in \"points\"",
-            "请给出长度，或在 \"points\" 中给出其坐标"
-        ))
+        .help(both!("give a length, or its coordinates in \"points\""))
     }
 
     fn locus_of_pin(&self, hold: &Hold) -> Result<Locus<N>, Diagnostic> {
@@ -91,13 +87,8 @@ impl<N: Real> Assembly<'_, N> {
     }
 
     fn cylinder_length(&self, driver: usize) -> Result<N, Diagnostic> {
-        let lacking = || {
-            self.driver_without_value(
-                driver,
-                "length",
-                both!("how long the cylinder is", "液压缸的长度"),
-            )
-        };
+        let lacking =
+            || self.driver_without_value(driver, "length", both!("how long the cylinder is"));
         self.driven_length(driver).ok_or_else(lacking)
     }
 
@@ -107,7 +98,7 @@ impl<N: Real> Assembly<'_, N> {
             self.driver_without_value(
                 driver,
                 "position",
-                both!("how far the slider is along its guide", "滑块在导路上的位置"),
+                both!("how far the slider is along its guide"),
             )
         };
         self.driven_length(driver).ok_or_else(lacking)
@@ -140,32 +131,22 @@ impl<N: Real> Assembly<'_, N> {
         let p = self.scene.point_name(pin);
         let how = match miss {
             Miss::TooFar(x) => {
-                both!("they end {} apart", "两端相距 {}", self.scene.length_words(x))
+                both!("they end {} apart", self.scene.length_words(x))
             }
-            Miss::TooNear(x) => both!(
-                "one is {} too long for the other",
-                "其一比另一长出 {}",
-                self.scene.length_words(x)
-            ),
-            Miss::Parallel(0.0) => both!(
-                "they coincide, so that the joint's place is undetermined",
-                "两者重合，铰链位置不定"
-            ),
-            Miss::Parallel(x) => both!(
-                "they run parallel, {} apart",
-                "两者平行，相距 {}",
-                self.scene.length_words(x)
-            ),
+            Miss::TooNear(x) => {
+                both!("one is {} too long for the other", self.scene.length_words(x))
+            }
+            Miss::Parallel(0.0) => {
+                both!("they coincide, so that the joint's place is undetermined")
+            }
+            Miss::Parallel(x) => both!("they run parallel, {} apart", self.scene.length_words(x)),
         };
         let d = Diagnostic::error(
             "cannot-assemble",
-            both!("{} and {} cannot meet at {p}: {}", "{}与{}不能在 {p} 相交：{}", wa, wb, how),
+            both!("{} and {} cannot meet at {p}: {}", wa, wb, how),
         )
         .at(self.scene.points[pin.0].span);
-        d.help(both!(
-            "change a length, the driver's position, or a pivot",
-            "请改变某一长度、原动件的位置或固定铰链"
-        ))
+        d.help(both!("change a length, the driver's position, or a pivot"))
     }
 
     fn hold_words(&self, pin: PointId, hold: &Hold) -> Both {
@@ -175,20 +156,16 @@ impl<N: Real> Assembly<'_, N> {
                 let length = self.strut_length(near, far, strut).map_or(0.0, Real::approx);
                 let (far, length) = (self.scene.point_name(far), self.scene.length_words(length));
                 match strut {
-                    Strut::Bar(link) => both!(
-                        "link {} ({far}{p} = {length})",
-                        "构件 {}（{far}{p} = {length}）",
-                        name(link)
-                    ),
+                    Strut::Bar(link) => both!("link {} ({far}{p} = {length})", name(link)),
                     Strut::Cylinder(_) => {
-                        both!("the cylinder {far}{p} ({length})", "液压缸 {far}{p}（{length}）")
+                        both!("the cylinder {far}{p} ({length})")
                     }
-                    Strut::Ram { link, .. } => both!("link {}", "构件 {} ", name(link)),
+                    Strut::Ram { link, .. } => both!("before a sign" => "link {}", name(link)),
                 }
             }
             Hold::Guide { guide, .. } => self.scene.guide_words(guide),
             Hold::Slot { .. } | Hold::Glide { .. } | Hold::Rolls { .. } => {
-                both!("the joint at {p}", "{p} 处的运动副")
+                both!("the joint at {p}")
             }
         }
     }

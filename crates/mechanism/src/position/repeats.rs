@@ -275,24 +275,21 @@ impl RepeatReason {
                 // The pair's own crank is first in the list, and is named last.
                 let others = cranks.iter().skip(1).chain(cranks.first());
                 let names: Vec<Both> = others.map(|c| Both::same(line(scene, *c))).collect();
-                both!("equal parallel cranks {}", "等长平行曲柄 {}", Both::listed(&names))
+                both!("equal parallel cranks {}", Both::listed(&names))
             }
             RepeatReason::ParallelGuides(g) => {
                 let on = scene.link_name(scene.guides[g.0].on);
-                both!("parallel guides on link {on}", "构件 {on} 上的平行导路")
+                both!("parallel guides on link {on}")
             }
             RepeatReason::CoaxialPins(p, q) => {
-                both!("coaxial pins {} and {}", "轴线重合的转动副 {} 和 {}", name(p), name(q))
+                both!("coaxial pins {} and {}", name(p), name(q))
             }
             RepeatReason::SameCircle([p, q], b, d) | RepeatReason::SameLine([p, q], b, d) => {
                 let of = |p: &PointId| line(scene, (*p, *b));
                 let (first, second, radius) = (of(p), of(q), line(scene, (*b, *d)));
                 match self {
                     RepeatReason::SameLine(..) => {
-                        both!(
-                            "its pin runs on that line anyway ({first} = {second} = {radius})",
-                            "该销的轨迹本来就是该直线（{first} = {second} = {radius}）"
-                        )
+                        both!("its pin runs on that line anyway ({first} = {second} = {radius})")
                     }
                     RepeatReason::ParallelCranks(_)
                     | RepeatReason::ParallelGuides(_)
@@ -303,24 +300,20 @@ impl RepeatReason {
                     | RepeatReason::OneNormal
                     | RepeatReason::Found => both!(
                         "{} runs on that circle anyway ({first} = {second} = {radius})",
-                        "{} 的轨迹本来就是该圆（{first} = {second} = {radius}）",
                         name(b)
                     ),
                 }
             }
             RepeatReason::RepeatedPlanets(like) => {
-                both!("it repeats planet {like}", "与行星轮 {like} 重复")
+                both!("it repeats planet {like}")
             }
             RepeatReason::Triangle([a, b]) => {
                 let [a, b] = [a, b].map(|l| scene.link_name(*l));
-                both!(
-                    "it makes a rigid triangle with links {a} and {b}",
-                    "与构件 {a}、{b} 组成刚性三角形"
-                )
+                both!("it makes a rigid triangle with links {a} and {b}")
             }
-            RepeatReason::OneNormal => both!("two contacts on one normal", "两处接触的公法线重合"),
+            RepeatReason::OneNormal => both!("two contacts on one normal"),
             RepeatReason::Found => {
-                both!("it holds at {positions} positions", "在 {positions} 个位置均成立")
+                both!("it holds at {positions} positions")
             }
         }
     }
@@ -329,17 +322,12 @@ impl RepeatReason {
 /// Returns the name of the opened item, and its span in the file.
 pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
     match opened {
-        Opened::Link(l) => {
-            (both!("link {}", "构件 {}", scene.link_name(*l)), scene.links[l.0].span)
-        }
+        Opened::Link(l) => (both!("link {}", scene.link_name(*l)), scene.links[l.0].span),
         Opened::Guide(GuideId(g)) if scene.guides[*g].rolling.is_some() => {
             let guide = &scene.guides[*g];
             let (on, axle) =
                 (scene.link_name(guide.on), guide.pin.map_or("", |p| scene.point_name(p)));
-            let words = both!(
-                "the touching of the wheel about {axle} and link {on}",
-                "绕 {axle} 的滚轮与构件 {on} 的接触"
-            );
+            let words = both!("the touching of the wheel about {axle} and link {on}");
             (words, guide.span)
         }
         Opened::Guide(g) if contact_of(scene, *g).is_some() => contact_words(scene, *g),
@@ -350,10 +338,7 @@ pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
                 guide.pin.map(|p| scene.point_name(p)).or(guide.slider.map(|s| scene.link_name(s))),
             );
             let runner = runner.unwrap_or_default();
-            (
-                both!("the guide of {runner} on link {on}", "构件 {on} 上 {runner} 的导路"),
-                guide.span,
-            )
+            (both!("the guide of {runner} on link {on}"), guide.span)
         }
         Opened::Rolling(r) => (words_of(scene, PairItem::Rolling(*r)), scene.rolling[r.0].span),
         Opened::Pin(p, l) => (words_of(scene, PairItem::Pin(*p, *l)), scene.links[l.0].span),
@@ -367,14 +352,8 @@ fn contact_words(scene: &Scene, g: GuideId) -> (Both, Span) {
     };
     let [own, follower] = [cam.cam, cam.follower].map(|l| scene.link_name(l));
     let words = match contact_of(scene, g) {
-        Some((2, _)) => both!(
-            "the second contact of cam {own} and follower {follower}",
-            "凸轮 {own} 与从动件 {follower} 的第二处接触"
-        ),
-        Some((1, 2..)) => both!(
-            "the first contact of cam {own} and follower {follower}",
-            "凸轮 {own} 与从动件 {follower} 的第一处接触"
-        ),
+        Some((2, _)) => both!("the second contact of cam {own} and follower {follower}"),
+        Some((1, 2..)) => both!("the first contact of cam {own} and follower {follower}"),
         Some(_) | None => scene.guide_words(g),
     };
     (words, cam.span)
@@ -390,7 +369,7 @@ fn way_words(scene: &Scene, checked: &Checked) -> Option<Both> {
     } else {
         scene.length_words(moved)
     };
-    Some(both!("when the driver {name} changes by {by}", "原动件 {name} 改变 {by} 时"))
+    Some(both!("when the driver {name} changes by {by}"))
 }
 
 /// Returns given lengths that are nearly equal to that of an opened link.
@@ -424,45 +403,40 @@ pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Dia
     let (what, span) = opened_words(scene, opened);
     let why = checked.reason.words(scene, checked.positions);
     let off = scene.length_words(checked.off_m);
-    let when =
-        way_words(scene, checked).unwrap_or_else(|| both!("in the pose itself", "在给定位置"));
+    let when = way_words(scene, checked).unwrap_or_else(|| both!("in the pose itself"));
     let (positions, freedom) = (checked.positions, m.mobility.freedom);
     match checked.verdict {
         RedundancyVerdict::Virtual => {
             let bound = match checked.bound_m {
                 _ if positions == 1 => {
-                    both!("the driver could not be moved, so that only the pose shows it", "原动件无法移动，仅由该位置得知")
+                    both!("the driver could not be moved, so that only the pose shows it")
                 }
                 Some(bound) => both!(
                     "left open, it holds at {positions} positions to within {} m",
-                    "去掉后在 {positions} 个位置仍成立，偏差不大于 {} m",
                     significant(bound.max(SHOWN), 1)
                 ),
                 None => both!(
-                    "left open, it holds at {positions} positions as far as double precision can tell",
-                    "去掉后在 {positions} 个位置仍成立（双精度范围内）"
+                    "left open, it holds at {positions} positions as far as double precision can tell"
                 ),
             };
-            Diagnostic::note("virtual", both!("{} only repeats what the others fix: {}; {}", "{} 为虚约束：{}；{}", what, why, bound))
+            Diagnostic::note("virtual", both!("{} only repeats what the others fix: {}; {}", what, why, bound))
                 .at(span)
         }
         RedundancyVerdict::Almost => Diagnostic::warning(
             "almost-virtual",
             both!(
                 "{} nearly repeats what the others fix: left open, it is off by {off} {}; it is taken for a virtual constraint",
-                "{} 近似为虚约束：去掉后{1}偏差 {off}；按虚约束处理",
                 what,
                 when
             ),
         )
         .at(span)
         .help(match &suspects(scene, m, checked)[..] {
-            [] => both!("give the numbers to more digits", "请给出更多位数"),
+            [] => both!("give the numbers to more digits"),
             list => {
                 let names: Vec<Both> = list.iter().map(Both::same).collect();
                 both!(
                     "look at {}: as they are given the mechanism moves only by its play",
-                    "请检查 {}：按所给数值，机构仅能靠间隙运动",
                     Both::listed(&names)
                 )
             }
@@ -471,7 +445,6 @@ pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Dia
             "shaky",
             both!(
                 "{} makes the mechanism shaky, mobility F = {freedom}: mobile to first order in this pose, it locks at a finite turn, off by {off} {}",
-                "{} 使机构仅瞬时可动，自由度 F = {freedom}：该位置一阶可动，有限转角时卡死，{1}偏差 {off}",
                 what,
                 when
             ),
@@ -482,7 +455,6 @@ pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Dia
             "locked",
             both!(
                 "{} locks the mechanism, mobility F = {freedom}: {} would have to give {off} {}",
-                "{} 使机构卡死，自由度 F = {freedom}：{2}，{1}须让出 {off}",
                 what,
                 joint(scene, m, opened),
                 when
@@ -495,7 +467,7 @@ pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Dia
 
 /// Returns the joint at which an opened pair gives way.
 fn joint(scene: &Scene, m: &Mechanism, opened: &Opened) -> Both {
-    let pin = |p: PointId| both!("joint {}", "铰链 {}", scene.point_name(p));
+    let pin = |p: PointId| both!("joint {}", scene.point_name(p));
     match opened {
         Opened::Link(l) => m.held(*l).map_or_else(Both::default, |(a, b)| {
             // The pivot on ground does not move.
@@ -515,33 +487,22 @@ fn help(scene: &Scene, opened: &Opened) -> Both {
     match opened {
         Opened::Link(l) => both!(
             "leave link {0} out, let one end of it run in a slot, or make it equal and parallel to another link between the same two",
-            "请去掉构件 {0}，或将其一端改为槽，或使其与连接同样两构件的另一构件等长且平行",
             scene.link_name(*l)
         ),
         Opened::Guide(g) if scene.guides[g.0].rolling.is_some() => both!(
-            "let the axle of the wheel keep its distance from the track: correct a radius, the axle's place or the angle of the track, or free the axle",
-            "请使轮轴到轨道的距离与轮半径相符：修改半径、轮轴位置或轨道角度，或放开轮轴"
+            "let the axle of the wheel keep its distance from the track: correct a radius, the axle's place or the angle of the track, or free the axle"
         ),
-        Opened::Guide(g) if contact_of(scene, *g).is_some() => both!(
-            "make the two faces as far apart as the cam is broad, or leave one contact out",
-            "请使两平底的间距等于凸轮的宽度，或去掉一处接触"
-        ),
+        Opened::Guide(g) if contact_of(scene, *g).is_some() => {
+            both!("make the two faces as far apart as the cam is broad, or leave one contact out")
+        }
         Opened::Guide(_) => both!(
-            "leave the guide out; of two guides of one slider the second is parallel to the first",
-            "请去掉该导路；同一滑块的两条导路应相互平行"
+            "leave the guide out; of two guides of one slider the second is parallel to the first"
         ),
         Opened::Rolling(_) => {
-            both!(
-                "leave the pair out, or give it the ratio that the others ask for",
-                "请去掉该副，或按其余运动副取其传动比"
-            )
+            both!("leave the pair out, or give it the ratio that the others ask for")
         }
         Opened::Pin(p, _) => {
-            both!(
-                "put {0} where the other pin is, or leave it out",
-                "请把 {0} 放到另一销处，或去掉它",
-                scene.point_name(*p)
-            )
+            both!("put {0} where the other pin is, or leave it out", scene.point_name(*p))
         }
     }
 }

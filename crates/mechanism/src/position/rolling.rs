@@ -451,12 +451,11 @@ impl<N: Real> Assembly<'_, N> {
     fn no_phase(&self, link: LinkId) -> Diagnostic {
         Diagnostic::error(
             "phase-needed",
-            both!("nothing says at which angle wheel {} stands", "没有说明轮 {} 的角度", self.scene.link_name(link)),
+            both!("nothing says at which angle wheel {} stands", self.scene.link_name(link)),
         )
         .at(self.scene.links[link.0].span)
         .help(both!(
-            "give the coordinates of two of its points at the instant in \"points\", or \"phase\" with the pair",
-            "请在 \"points\" 中给出其上两点在该时刻的坐标，或在该副中给出 \"phase\""
+            "give the coordinates of two of its points at the instant in \"points\", or \"phase\" with the pair"
         ))
     }
 }
@@ -491,25 +490,21 @@ pub(super) fn misfit(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option
             "gear-radii",
             match hollow {
                 None => both!(
-                    "the radii make the centres {given} apart, but {p}{q} is {distance}",
-                    "按半径两圆心相距 {given}，而 {p}{q} 为 {distance}"
+                    "the radii make the centres {given} apart, but {p}{q} is {distance}"
                 ),
                 Some(_) => both!(
-                    "the radii make the centres {given} apart (one runs inside the other), but {p}{q} is {distance}",
-                    "按半径两圆心相距 {given}（内切），而 {p}{q} 为 {distance}"
+                    "the radii make the centres {given} apart (one runs inside the other), but {p}{q} is {distance}"
                 ),
             },
         )
         .at(pair.span)
         .help(if pair.kind.meshes() {
             both!(
-                "correct a radius or a centre; \"teeth\" without \"module\" divide whatever distance there is; \"ring\" names an internal gear",
-                "请改正半径或圆心；只给 \"teeth\" 而不给 \"module\" 时按实际中心距分配；内齿轮用 \"ring\" 写明"
+                "correct a radius or a centre; \"teeth\" without \"module\" divide whatever distance there is; \"ring\" names an internal gear"
             )
         } else {
             both!(
-                "correct a radius or a centre; \"inside\": true lets a wheel roll inside its track",
-                "请改正半径或圆心；轮在圆形轨道内侧滚动时写 \"inside\": true"
+                "correct a radius or a centre; \"inside\": true lets a wheel roll inside its track"
             )
         }),
     )
@@ -520,13 +515,10 @@ fn coincident(scene: &Scene, pair: &Rolling, [p, q]: [PointId; 2]) -> Diagnostic
     let (p, q) = (scene.point_name(p), scene.point_name(q));
     Diagnostic::error(
         "no-contact",
-        both!(
-            "{p} and {q} lie in one place: the two gears touch nowhere",
-            "{p} 与 {q} 重合：两齿轮没有接触点"
-        ),
+        both!("{p} and {q} lie in one place: the two gears touch nowhere"),
     )
     .at(pair.span)
-    .help(both!("place the centres apart from one another", "请把两圆心分开放置"))
+    .help(both!("place the centres apart from one another"))
 }
 
 #[cfg(test)]

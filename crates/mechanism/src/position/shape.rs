@@ -213,26 +213,18 @@ fn impossible_triangle(
 ) -> Diagnostic {
     let (p, a, b) = (scene.point_name(p), scene.point_name(a), scene.point_name(b));
     let by = match miss {
-        Miss::TooFar(x) => both!(
-            "{a}{p} + {p}{b} is shorter than {a}{b} by {}",
-            "{a}{p} + {p}{b} 比 {a}{b} 短 {}",
-            scene.length_words(x)
-        ),
+        Miss::TooFar(x) => {
+            both!("{a}{p} + {p}{b} is shorter than {a}{b} by {}", scene.length_words(x))
+        }
         Miss::TooNear(x) => both!(
             "one of {a}{p}, {p}{b} is longer than the two other sides together by {}",
-            "{a}{p}、{p}{b} 之一比另两边之和长 {}",
             scene.length_words(x)
         ),
-        Miss::Parallel(_) => both!("{a} and {b} coincide", "{a} 与 {b} 重合"),
+        Miss::Parallel(_) => both!("{a} and {b} coincide"),
     };
     Diagnostic::error(
         "impossible-triangle",
-        both!(
-            "the lengths of link {} make no triangle {a}{b}{p}: {}",
-            "构件 {} 的长度不能构成三角形 {a}{b}{p}：{}",
-            scene.link_name(l),
-            by
-        ),
+        both!("the lengths of link {} make no triangle {a}{b}{p}: {}", scene.link_name(l), by),
     )
     .at(scene.links[l.0].span)
 }
@@ -252,15 +244,14 @@ fn missing_length<N: Real>(
         .map(|(q, _)| format!("{}{name}", scene.point_name(*q)))
         .collect();
     let wanted = if points.len() >= 2 {
-        both!("two lengths to points of the link", "到该构件上两点的长度")
+        both!("two lengths to points of the link")
     } else {
-        both!("its length", "其长度")
+        both!("its length")
     };
     Diagnostic::error(
         "missing-length",
         both!(
             "point {name} of link {} is not placed: give {} ({})",
-            "构件 {} 的点 {name} 位置未定：请给出{}（{}）",
             scene.link_name(l),
             wanted,
             Both::names(&missing)
@@ -268,8 +259,7 @@ fn missing_length<N: Real>(
     )
     .at(scene.links[l.0].span)
     .help(both!(
-        "or its coordinates in \"points\", such as \"{name}\": {{\"base\": ..., \"x\": ..., \"y\": ...}}",
-        "或在 \"points\" 中给出其坐标，如 \"{name}\": {{\"base\": ..., \"x\": ..., \"y\": ...}}"
+        "or its coordinates in \"points\", such as \"{name}\": {{\"base\": ..., \"x\": ..., \"y\": ...}}"
     ))
 }
 
@@ -295,7 +285,6 @@ fn check_given_lengths<N: Real>(
                     "contradictory-length",
                     both!(
                         "{}{} is given as {}, but the other data of link {} make it {}",
-                        "{}{} 给定为 {}，而按构件 {} 的其他数据应为 {}",
                         scene.point_name(given.a),
                         scene.point_name(given.b),
                         given.value.text,
@@ -304,10 +293,7 @@ fn check_given_lengths<N: Real>(
                     ),
                 )
                 .at(given.value.span)
-                .help(both!(
-                    "leave one of the two out; rough coordinates belong in \"sketch\"",
-                    "请去掉其一；粗略坐标应写在 \"sketch\" 中"
-                )),
+                .help(both!("leave one of the two out; rough coordinates belong in \"sketch\"")),
             );
         }
     }

@@ -12,6 +12,7 @@
 use super::Configuration;
 use crate::mechanism::{ConstraintLine, Core, Group, Hold, Leg, Mechanism, Strut};
 use hodograph_base::geom::{Point, Vec2, cross_lines};
+use hodograph_base::lang::say;
 use hodograph_scene::{Lang, LinkId, PointId, Scene};
 
 /// Sine below which two lines coincide. At a limit found to the last digit of the driver the sine
@@ -92,22 +93,13 @@ impl Toggle {
     pub fn words(&self, scene: &Scene, lang: Lang) -> String {
         match self {
             Toggle::Line { pin, legs } => match legs.each_ref().map(|l| bar(scene, l, lang)) {
-                [Some(a), Some(b)] => match lang {
-                    Lang::En => format!("{a} and {b} lie in line"),
-                    Lang::Zh => format!("{a}与{b}共线"),
-                },
-                [Some(bar), None] | [None, Some(bar)] => match lang {
-                    Lang::En => {
-                        format!("{bar} stands square to the guide of {}", scene.point_name(*pin))
-                    }
-                    Lang::Zh => format!("{bar}垂直于点 {} 的导路", scene.point_name(*pin)),
-                },
-                [None, None] => match lang {
-                    Lang::En => {
-                        format!("the two guides of {} run parallel", scene.point_name(*pin))
-                    }
-                    Lang::Zh => format!("点 {} 的两条导路平行", scene.point_name(*pin)),
-                },
+                [Some(a), Some(b)] => say!(lang, "{a} and {b} lie in line"),
+                [Some(bar), None] | [None, Some(bar)] => {
+                    say!(lang, "{bar} stands square to the guide of {}", scene.point_name(*pin))
+                }
+                [None, None] => {
+                    say!(lang, "the two guides of {} run parallel", scene.point_name(*pin))
+                }
             },
             Toggle::Legs { link, legs, parallel } => {
                 let legs: Vec<String> = legs
@@ -115,32 +107,24 @@ impl Toggle {
                     .map(|l| bar(scene, l, lang).unwrap_or_else(|| normal(scene, l, lang)))
                     .collect();
                 let link = scene.link_name(*link);
-                match lang {
-                    Lang::En => {
-                        let how = if *parallel {
-                            "run parallel"
-                        } else {
-                            "lie on lines through one point"
-                        };
-                        format!("{}, the legs of link {link}, {how}", listed(&legs, lang))
-                    }
-                    Lang::Zh => {
-                        let how = if *parallel { "相互平行" } else { "交于一点" };
-                        format!("构件 {link} 的三条支链（{}）{how}", listed(&legs, lang))
+                let legs = listed(&legs, lang);
+                match parallel {
+                    true => say!(lang, "{legs}, the legs of link {link}, run parallel"),
+                    false => {
+                        say!(
+                            lang,
+                            "{legs}, the legs of link {link}, lie on lines through one point"
+                        )
                     }
                 }
             }
             Toggle::Open(links) => {
                 let names: Vec<String> =
                     links.iter().map(|l| scene.link_name(*l).to_owned()).collect();
-                match lang {
-                    Lang::En if links.len() == 1 => {
-                        format!("link {} leaves one freedom open", listed(&names, lang))
-                    }
-                    Lang::En => format!("links {} leave one freedom open", listed(&names, lang)),
-                    Lang::Zh => {
-                        format!("构件 {} 处于奇异位置，多出一个瞬时自由度", listed(&names, lang))
-                    }
+                let names = listed(&names, lang);
+                match links.len() {
+                    1 => say!(lang, "link {names} leaves one freedom open"),
+                    _ => say!(lang, "links {names} leave one freedom open"),
                 }
             }
         }
@@ -202,24 +186,17 @@ fn bar(scene: &Scene, leg: &Leg, lang: Lang) -> Option<String> {
     // In the order of the scene, so that one line has one name: AB, never BA.
     let Some(Hold::Distance { near, far, strut }) = leg.hold() else { return None };
     let letters = format!("{}{}", scene.point_name(near.min(far)), scene.point_name(near.max(far)));
-    match (strut, lang) {
-        (Strut::Bar(link), Lang::En) => Some(format!("link {} ({letters})", scene.link_name(link))),
-        (Strut::Bar(link), Lang::Zh) => {
-            Some(format!("构件 {}（{letters}）", scene.link_name(link)))
-        }
-        (Strut::Cylinder(_), Lang::En) => Some(format!("cylinder {letters}")),
-        (Strut::Cylinder(_), Lang::Zh) => Some(format!("油缸 {letters}")),
-        (Strut::Ram { .. }, _) => None,
+    match strut {
+        Strut::Bar(link) => Some(say!(lang, "link {} ({letters})", scene.link_name(link))),
+        Strut::Cylinder(_) => Some(say!(lang, "cylinder {letters}")),
+        Strut::Ram { .. } => None,
     }
 }
 
 /// Returns the name of the line along which a guide holds: `the normal to the guide at C`.
 fn normal(scene: &Scene, leg: &Leg, lang: Lang) -> String {
     let pin = leg.line().map_or("", |line| scene.point_name(line.pin()));
-    match lang {
-        Lang::En => format!("the normal to the guide at {pin}"),
-        Lang::Zh => format!("过 {pin} 的导路垂线"),
-    }
+    say!(lang, "the normal to the guide at {pin}")
 }
 
 fn listed(all: &[String], lang: Lang) -> String {

@@ -43,11 +43,10 @@ pub struct Breach {
 impl Breach {
     /// Returns the breach as an error.
     pub fn diagnostic(&self) -> Diagnostic {
-        Diagnostic::error(UNPROVEN, both!("the position found is not that of the scene: {}", "所得位置与题设不符：{}", self.words))
+        Diagnostic::error(UNPROVEN, both!("the position found is not that of the scene: {}", self.words))
             .at(self.span)
             .help(both!(
-                "check what the scene gives here; where several assemblies are possible, say with \"side\", \"sketch\" or coordinates which one is meant",
-                "请检查此处的给定条件；若有多种装配，请用 \"side\"、\"sketch\" 或坐标说明取哪一种"
+                "check what the scene gives here; where several assemblies are possible, say with \"side\", \"sketch\" or coordinates which one is meant"
             ))
     }
 }
@@ -182,10 +181,7 @@ impl Judge<'_> {
             self.length_off(is - l.value.value, a, span, |j| {
                 let (a, b) = (j.name(l.a), j.name(l.b));
                 let is = j.scene.length_words(is);
-                both!(
-                    "{a}{b} comes out as {is}, given is {given}",
-                    "{a}{b} 得 {is}，题设为 {given}"
-                )
+                both!("{a}{b} comes out as {is}, given is {given}")
             });
         }
     }
@@ -231,7 +227,7 @@ impl Judge<'_> {
             let off = at.distance(stated);
             self.length_off(off, at, point.span, |j| {
                 let (name, off) = (&point.name, j.scene.length_words(off));
-                both!("{name} lies {off} from its given place", "{name} 偏离给定位置 {off}")
+                both!("{name} lies {off} from its given place")
             });
         }
     }
@@ -260,11 +256,7 @@ impl Judge<'_> {
                     let off = now.distance(*from) - then.distance(*was);
                     self.length_off(off, *now, link.span, |j| {
                         let (p, q, off) = (j.name(*p), j.name(*q), j.scene.length_words(off.abs()));
-                        both!(
-                            "{q}{p} of link {} has changed by {off}",
-                            "构件 {} 上 {q}{p} 变化了 {off}",
-                            link.name
-                        )
+                        both!("{q}{p} of link {} has changed by {off}", link.name)
                     });
                 }
             }
@@ -289,12 +281,9 @@ impl Judge<'_> {
                 let [p, a, b] = [side.point, side.from, side.to].map(|p| j.name(p));
                 let off = j.scene.length_words(wrong);
                 match side.left {
-                    true => both!(
-                        "{p} lies {off} to the right of {a}{b}",
-                        "{p} 在 {a}{b} 右侧 {off} 处"
-                    ),
+                    true => both!("{p} lies {off} to the right of {a}{b}"),
                     false => {
-                        both!("{p} lies {off} to the left of {a}{b}", "{p} 在 {a}{b} 左侧 {off} 处")
+                        both!("{p} lies {off} to the left of {a}{b}")
                     }
                 }
             });
@@ -361,10 +350,7 @@ impl Judge<'_> {
             self.length_off(off, at, guide.span, |j| {
                 let (pin, link, off) =
                     (j.name(pin), j.scene.link_name(guide.on), j.scene.length_words(off.abs()));
-                both!(
-                    "{pin} lies {off} beside its guide on link {link}",
-                    "{pin} 偏离构件 {link} 上的导路 {off}"
-                )
+                both!("{pin} lies {off} beside its guide on link {link}")
             });
         }
     }
@@ -393,10 +379,7 @@ impl Judge<'_> {
                     let off = of.divide_by(from).divide_by(way_of(&angle.value)).angle();
                     let name = self.scene.link_name(*link).to_owned();
                     self.angle_off(off, angle.span, |off| {
-                        both!(
-                            "link {name} is turned {off} from its driver's angle",
-                            "构件 {name} 与原动件角度相差 {off}"
-                        )
+                        both!("link {name} is turned {off} from its driver's angle")
                     });
                 }
                 DriverKind::Slide { guide, position: Some(position) } => {
@@ -406,10 +389,7 @@ impl Judge<'_> {
                     let off = along.dot(at - through) - position.value;
                     self.length_off(off, at, position.span, |j| {
                         let (pin, off) = (j.name(pin), j.scene.length_words(off.abs()));
-                        both!(
-                            "{pin} lies {off} from its driver's position",
-                            "{pin} 与原动件位置相差 {off}"
-                        )
+                        both!("{pin} lies {off} from its driver's position")
                     });
                 }
                 DriverKind::Cylinder { a, b, length: Some(length), .. } => {
@@ -417,10 +397,7 @@ impl Judge<'_> {
                     let off = p.distance(q) - length.value;
                     self.length_off(off, p, length.span, |j| {
                         let (a, b, off) = (j.name(*a), j.name(*b), j.scene.length_words(off.abs()));
-                        both!(
-                            "cylinder {a}{b} is {off} off its length",
-                            "缸 {a}{b} 的长度相差 {off}"
-                        )
+                        both!("cylinder {a}{b} is {off} off its length")
                     });
                 }
                 DriverKind::Turn { angle: None, .. }
@@ -450,10 +427,7 @@ impl Judge<'_> {
                 let off = at.distance(to) - apart;
                 self.length_off(off, at, pair.span, |j| {
                     let (p, q, off) = (j.name(*p), j.name(*q), j.scene.length_words(off.abs()));
-                    both!(
-                        "{p}{q} is {off} off the distance at which the wheels touch",
-                        "{p}{q} 与两轮相切的中心距相差 {off}"
-                    )
+                    both!("{p}{q} is {off} off the distance at which the wheels touch")
                 });
             }
             Contours::Track { .. } | Contours::Circles { .. } | Contours::Belt { .. } => {}
@@ -508,10 +482,7 @@ impl Judge<'_> {
         let names = pair.links.map(|l| self.scene.link_name(l).to_owned());
         self.angle_off(off, phase.span, |off| {
             let [a, b] = &names;
-            both!(
-                "wheel {b} is turned {off} from its phase on wheel {a}",
-                "轮 {b} 相对轮 {a} 的相位相差 {off}"
-            )
+            both!("wheel {b} is turned {off} from its phase on wheel {a}")
         });
     }
 
@@ -523,10 +494,7 @@ impl Judge<'_> {
             if let (Some(off), Moment::Instant) = (self.turned_off(cam), self.moment) {
                 let name = self.scene.link_name(cam.cam).to_owned();
                 self.angle_off(off, cam.span, |off| {
-                    both!(
-                        "cam {name} is turned {off} from its given angle",
-                        "凸轮 {name} 与给定角度相差 {off}"
-                    )
+                    both!("cam {name} is turned {off} from its given angle")
                 });
             }
             let Some(FollowerClearance { clearance, at }) = self.contact(cam) else { continue };
@@ -534,14 +502,8 @@ impl Judge<'_> {
                 let (cam, follower) = (j.scene.link_name(cam.cam), j.scene.link_name(cam.follower));
                 let off = j.scene.length_words(clearance.abs());
                 match clearance < 0.0 {
-                    true => both!(
-                        "follower {follower} cuts {off} into cam {cam}",
-                        "从动件 {follower} 切入凸轮 {cam} 达 {off}"
-                    ),
-                    false => both!(
-                        "follower {follower} stands {off} off cam {cam}",
-                        "从动件 {follower} 与凸轮 {cam} 相距 {off}"
-                    ),
+                    true => both!("follower {follower} cuts {off} into cam {cam}"),
+                    false => both!("follower {follower} stands {off} off cam {cam}"),
                 }
             });
         }

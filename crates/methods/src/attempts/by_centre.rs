@@ -99,7 +99,6 @@ pub fn hung_on_pole(scene: &Scene, plan: &Plan, link: LinkId) -> Option<(Plan, E
 pub fn why(scene: &Scene, l: LinkId) -> Both {
     let l = scene.link_name(l);
     both!(
-        "The instantaneous centre of link {l} has zero velocity at this instant, but its acceleration is not zero: the accelerations are not those of a rotation about it.",
-        "构件 {l} 的速度瞬心在该瞬时速度为零，但其加速度一般不为零，因此求加速度时不能把构件看作绕该点作定轴转动。"
+        "The instantaneous centre of link {l} has zero velocity at this instant, but its acceleration is not zero: the accelerations are not those of a rotation about it."
     )
 }

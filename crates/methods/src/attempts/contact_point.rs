@@ -143,7 +143,6 @@ pub fn why(scene: &Scene, index: usize, frame: LinkId) -> Both {
     let (e, owner, frame) = (name(scene, index), scene.link_name(owner), scene.link_name(frame));
     let centre = cam.circle.map_or("", |c| scene.point_name(c.0));
     both!(
-        "${e}$ is the point of contact at this instant only: the point of link {owner} at ${e}$ does not move along the tangent of link {frame}, so its relative acceleration has a component along the common normal $n\\text{{–}}n$ as well. ${centre}$, the centre of the profile, stays the same point of its link: take it as the coincident point.",
-        "${e}$ 只是该瞬时的接触点：构件 {owner} 上的 ${e}$ 点并不沿构件 {frame} 的公切线作直线运动，相对加速度还有沿公法线 $n\\text{{–}}n$ 的分量。廓线圆心 ${centre}$ 才是构件上始终不变的点，应取它为重合点。"
+        "${e}$ is the point of contact at this instant only: the point of link {owner} at ${e}$ does not move along the tangent of link {frame}, so its relative acceleration has a component along the common normal $n\\text{{–}}n$ as well. ${centre}$, the centre of the profile, stays the same point of its link: take it as the coincident point."
     )
 }

@@ -83,8 +83,7 @@ pub fn turned_by(plan: &Plan, guide: GuideId, link: LinkId) -> Option<(Plan, Equ
 pub fn why_needed(scene: &Scene, g: GuideId) -> Both {
     let on = scene.link_name(scene.guides[g.0].on);
     both!(
-        "The guide turns with link {on} while the point slides along it, so the relative velocity changes its direction as well: the Coriolis acceleration $2\\omega_{{{on}}} \\times v_r$ must be added.",
-        "导路随构件 {on} 转动，点又沿导路滑动，相对速度的方向随之改变，故必有科氏加速度 $2\\omega_{{{on}}} \\times v_r$。"
+        "The guide turns with link {on} while the point slides along it, so the relative velocity changes its direction as well: the Coriolis acceleration $2\\omega_{{{on}}} \\times v_r$ must be added."
     )
 }
 
@@ -92,7 +91,6 @@ pub fn why_needed(scene: &Scene, g: GuideId) -> Both {
 pub fn why_of_carrier(scene: &Scene, g: GuideId, other: LinkId) -> Both {
     let (on, other) = (scene.link_name(scene.guides[g.0].on), scene.link_name(other));
     both!(
-        "The Coriolis acceleration takes the angular velocity of the moving frame, link {on}, which carries the guide: $2\\omega_{{{on}}} \\times v_r$; link {other} is not the frame.",
-        "科氏加速度中的角速度是动系（带导路的构件 {on}）的角速度，应为 $2\\omega_{{{on}}} \\times v_r$；构件 {other} 不是动系。"
+        "The Coriolis acceleration takes the angular velocity of the moving frame, link {on}, which carries the guide: $2\\omega_{{{on}}} \\times v_r$; link {other} is not the frame."
     )
 }

@@ -77,7 +77,6 @@ pub fn on_points_of(scene: &Scene, plan: &Plan, point: PointId) -> Option<(Plan,
 pub fn why(scene: &Scene, p: PointId, own: LinkId, other: LinkId) -> Both {
     let (p, own, other) = (scene.point_name(p), scene.link_name(own), scene.link_name(other));
     both!(
-        "Velocity and acceleration images are similar to figures of one rigid link only: ${p}$ belongs to link {own}, the side on which its image is constructed to link {other}, and the angle between the two links changes.",
-        "影像原理只适用于同一构件上的点：${p}$ 属于构件 {own}，而所取的边属于构件 {other}，两构件间的夹角是变化的。"
+        "Velocity and acceleration images are similar to figures of one rigid link only: ${p}$ belongs to link {own}, the side on which its image is constructed to link {other}, and the angle between the two links changes."
     )
 }

@@ -125,29 +125,21 @@ impl Site {
     pub fn place(&self, scene: &Scene) -> Both {
         if let Site::CoriolisWrongOmega(g, l) = *self {
             let point = scene.guides[g.0].pin.map_or("", |p| scene.point_name(p));
-            return both!(
-                "at {point}, with ω of link {}",
-                "{point} 处，用构件 {} 的角速度",
-                scene.link_name(l)
-            );
+            return both!("at {point}, with ω of link {}", scene.link_name(l));
         }
         if let Site::ContactPoint(c, l) = *self {
             let point = hodograph_worked::worked::contact::name(scene, c);
-            return both!(
-                "at {point}, frame on link {}",
-                "{point} 处，动系取在构件 {} 上",
-                scene.link_name(l)
-            );
+            return both!("at {point}, frame on link {}", scene.link_name(l));
         }
         if let Site::RollingPointAsBase(r, p) = *self {
             let (contact, point) =
                 (scene.point_name(scene.rolling[r.0].at[0]), scene.point_name(p));
-            return both!("at {contact}, as the base of {point}", "以 {contact} 为基点求 {point}");
+            return both!("at {contact}, as the base of {point}");
         }
         match self.point(scene) {
-            Some(point) => both!("at {point}", "{point} 处"),
+            Some(point) => both!("at {point}"),
             None => {
-                both!("of link {}", "构件 {}", self.link(scene).map_or("", |l| scene.link_name(l)))
+                both!("of link {}", self.link(scene).map_or("", |l| scene.link_name(l)))
             }
         }
     }
@@ -204,21 +196,16 @@ fn not_one(scene: &Scene, attempt: &Attempted, offered: &[Site], fitting: usize)
     let name = attempt.mistake.name();
     let places: Vec<Both> = offered.iter().map(|s| s.place(scene)).collect();
     let message = match fitting {
-        0 => both!("`{name}` cannot be made there", "该处不会出现错误 `{name}`"),
+        0 => both!("`{name}` cannot be made there"),
         _ => {
-            both!("`{name}` can be made at {fitting} places", "错误 `{name}` 可出现在 {fitting} 处")
+            both!("`{name}` can be made at {fitting} places")
         }
     };
     let help = match offered {
-        [] => both!(
-            "no equation of this scene offers it; see `hodograph attempts`",
-            "本题的方程中没有此类错误；见 `hodograph attempts`"
-        ),
-        _ => both!(
-            "it can be made {}: name \"pair\" or \"link\"",
-            "可出现在：{}；请写明 \"pair\" 或 \"link\"",
-            Both::join(&places, "; ", "；")
-        ),
+        [] => both!("no equation of this scene offers it; see `hodograph attempts`"),
+        _ => {
+            both!("it can be made {}: name \"pair\" or \"link\"", Both::join(&places, ["; ", "；"]))
+        }
     };
     Diagnostic::error("attempt", message).at(attempt.span).help(help)
 }
@@ -259,16 +246,7 @@ const MOST: usize = 40;
 
 fn nothing(site: &Site, said: &Attempted) -> Diagnostic {
     let name = site.mistake().name();
-    Diagnostic::error(
-        "attempt",
-        both!(
-            "`{name}` changes nothing in this pose, or cannot be drawn",
-            "在该位置错误 `{name}` 不改变结果，或无法作图"
-        ),
-    )
-    .at(said.span)
-    .help(both!(
-        "choose another pose, or another mistake: `hodograph attempts --all`",
-        "请改变位置，或换一种错误：`hodograph attempts --all`"
-    ))
+    Diagnostic::error("attempt", both!("`{name}` changes nothing in this pose, or cannot be drawn"))
+        .at(said.span)
+        .help(both!("choose another pose, or another mistake: `hodograph attempts --all`"))
 }

@@ -37,7 +37,6 @@ pub fn left_out(plan: &Plan, link: LinkId) -> Option<(Plan, EquationPart)> {
 pub fn why(scene: &Scene, l: LinkId) -> Both {
     let l = scene.link_name(l);
     both!(
-        "Link {l} turns at this instant: the relative acceleration of any two of its points has the normal component $l\\omega_{{{l}}}^2$ along the line joining them, whether or not $\\omega_{{{l}}}$ changes.",
-        "构件 {l} 在该瞬时有转动，其上任意两点的相对加速度必有沿两点连线的法向分量 $l\\omega_{{{l}}}^2$，与角速度是否变化无关。"
+        "Link {l} turns at this instant: the relative acceleration of any two of its points has the normal component $l\\omega_{{{l}}}^2$ along the line joining them, whether or not $\\omega_{{{l}}}$ changes."
     )
 }

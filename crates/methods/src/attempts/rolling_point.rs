@@ -167,7 +167,6 @@ fn own_acceleration(scene: &Scene, pair: RollingId, wheel: LinkId) -> Missing {
 pub fn why(scene: &Scene, r: RollingId) -> Both {
     let at = scene.point_name(scene.rolling[r.0].at[0]);
     both!(
-        "At ${at}$ the velocities agree, and so do the tangential accelerations; along the normal the point of the wheel still has $\\Omega^2 \\rho_1 \\rho_2/(\\rho_1+\\rho_2)$ toward the centre of the wheel. Zero velocity does not mean zero acceleration.",
-        "${at}$ 处两点速度相等，切向加速度也相等；但轮上接触点沿法线有指向轮心的加速度 $\\Omega^2 \\rho_1 \\rho_2/(\\rho_1+\\rho_2)$。速度为零并不意味着加速度为零。"
+        "At ${at}$ the velocities agree, and so do the tangential accelerations; along the normal the point of the wheel still has $\\Omega^2 \\rho_1 \\rho_2/(\\rho_1+\\rho_2)$ toward the centre of the wheel. Zero velocity does not mean zero acceleration."
     )
 }

@@ -113,14 +113,10 @@ pub fn centres(scene: &Scene) -> Result<Warned<Centres>, Faults> {
     if scene.links.len() > MOST_LINKS {
         let message = both!(
             "{} links have {} centres; at most {MOST_LINKS} links are taken",
-            "{} 个构件有 {} 个瞬心；最多可有 {MOST_LINKS} 个构件",
             scene.links.len(),
             count(scene.links.len())
         );
-        let help = both!(
-            "take the part of the mechanism whose centres are wanted",
-            "请只取需求瞬心的部分机构"
-        );
+        let help = both!("take the part of the mechanism whose centres are wanted");
         return Err(Diagnostic::error("too-many-links", message).help(help).into());
     }
     let (asking, at_rest) = asking_all(scene);
@@ -247,7 +243,6 @@ fn remarks(scene: &Scene, closure: &CentreClosure, list: &[Centre]) -> Vec<Diagn
                 "centre-stalled",
                 both!(
                     "the theorem of three centres alone finds {found} of {all} centres and then has no second line for any other; {} is taken from the velocities of the analysis, and the theorem goes on",
-                    "仅用三心定理求得 {all} 个瞬心中的 {found} 个，其余均缺第二条线；由解析法的速度定出 {} 后继续用三心定理",
                     taken
                 ),
             )
@@ -256,7 +251,6 @@ fn remarks(scene: &Scene, closure: &CentreClosure, list: &[Centre]) -> Vec<Diagn
                 "centre-given-drivers",
                 both!(
                     "{found} of {all} centres hold whatever the {} drivers do; {}, taken from the velocities, and those found with it hold for the given rates of the drivers",
-                    "{all} 个瞬心中有 {found} 个与 {} 个原动件的运动无关；由速度定出的 {} 以及由其求得的瞬心只对给定的原动件速度成立",
                     closure.freedoms,
                     taken
                 ),
@@ -264,21 +258,9 @@ fn remarks(scene: &Scene, closure: &CentreClosure, list: &[Centre]) -> Vec<Diagn
         });
     }
     for (why, words) in [
-        (
-            Undetermined::LinesCoincide,
-            both!("the lines drawn for it coincide in this pose", "该位置上所作的线重合"),
-        ),
-        (
-            Undetermined::NoLines,
-            both!(
-                "the centres that its lines need are missing in this pose",
-                "该位置缺少作线所需的瞬心"
-            ),
-        ),
-        (
-            Undetermined::NoMotion,
-            both!("the links have no relative motion in this pose", "该位置两构件无相对运动"),
-        ),
+        (Undetermined::LinesCoincide, both!("the lines drawn for it coincide in this pose")),
+        (Undetermined::NoLines, both!("the centres that its lines need are missing in this pose")),
+        (Undetermined::NoMotion, both!("the links have no relative motion in this pose")),
     ] {
         let by_velocities: Vec<String> =
             list.iter().filter(|c| c.why == Some(why) && c.place.is_some()).map(name).collect();
@@ -287,20 +269,14 @@ fn remarks(scene: &Scene, closure: &CentreClosure, list: &[Centre]) -> Vec<Diagn
         if !by_velocities.is_empty() {
             let message = both!(
                 "{}: {}; the velocities of the analysis tell the place",
-                "{}：{}；由解析法的速度定位",
                 Both::names(&by_velocities),
                 words
             );
             notes.push(Diagnostic::note("centre-undetermined", message));
         }
         if !none.is_empty() {
-            let message = both!(
-                "{} has no certain place: {}",
-                "{} 的位置不定：{}",
-                Both::names(&none),
-                words
-            );
-            let help = both!("choose a pose nearby", "请取附近的位置");
+            let message = both!("{} has no certain place: {}", Both::names(&none), words);
+            let help = both!("choose a pose nearby");
             notes.push(Diagnostic::warning("centre-undetermined", message).help(help));
         }
     }

@@ -72,11 +72,7 @@ pub fn centrodes(
     steps: usize,
 ) -> Result<Centrodes, Faults> {
     if scene.drivers.is_empty() {
-        return Err(Diagnostic::error(
-            "no-driver",
-            both!("the scene has no driver", "机构文件没有原动件"),
-        )
-        .into());
+        return Err(Diagnostic::error("no-driver", both!("the scene has no driver")).into());
     }
     let mut alone = scene.clone();
     for (d, of) in alone.drivers.iter_mut().enumerate() {
@@ -139,12 +135,9 @@ pub fn centrodes(
         let name = scene.link_name(link);
         let d = Diagnostic::error(
             "no-pole",
-            both!(
-                "link {name} does not turn: its pole lies at infinity",
-                "构件 {name} 不转动：其瞬心在无穷远处"
-            ),
+            both!("link {name} does not turn: its pole lies at infinity"),
         );
-        return Err(d.help(both!("choose a link that turns", "请选转动的构件")).into());
+        return Err(d.help(both!("choose a link that turns")).into());
     }
     Ok(Centrodes { link, against, stations, closed: sweep.full })
 }

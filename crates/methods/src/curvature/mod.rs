@@ -242,11 +242,10 @@ pub fn curvature(
 ) -> Result<Warned<LinkCurvatures>, Faults> {
     if asked.links.is_empty() {
         let message = both!(
-            "all moving links turn about fixed pins or slide on the ground: none has a pole that moves",
-            "活动构件都绕固定铰链转动或沿机架滑动：没有瞬心移动的构件"
+            "all moving links turn about fixed pins or slide on the ground: none has a pole that moves"
         );
         return Err(Diagnostic::error("no-coupler", message)
-            .help(both!("name a link with --link", "请用 --link 指定构件"))
+            .help(both!("name a link with --link"))
             .into());
     }
     let (mut asking, at_rest) = moving_at_all(scene);
@@ -269,11 +268,9 @@ pub fn curvature(
 fn unknown(scene: &Scene, link: LinkId) -> Diagnostic {
     let name = scene.link_name(link);
     let message = both!(
-        "link {name} has no velocity or acceleration in this pose: its curvature is not told",
-        "构件 {name} 在该位置没有确定的速度或加速度：不能求其曲率"
+        "link {name} has no velocity or acceleration in this pose: its curvature is not told"
     );
-    Diagnostic::warning("no-curvature", message)
-        .help(both!("choose a pose nearby", "请取附近的位置"))
+    Diagnostic::warning("no-curvature", message).help(both!("choose a pose nearby"))
 }
 
 /// Returns the questions for the motion of a link: ω, α, and velocity and acceleration of its

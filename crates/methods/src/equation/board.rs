@@ -9,6 +9,7 @@ use super::{EquationCase, VectorEquation, VectorTerm};
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::digits::significant;
 use hodograph_base::geom::{Point, Vec2, cross_lines};
+use hodograph_base::lang::each;
 use hodograph_base::number::{Big, Real, within};
 use hodograph_board::construct::scale::{extent, fitted};
 use hodograph_mechanism::position::kernel::crossing;
@@ -87,7 +88,7 @@ impl EquationMark {
     /// Returns its name in a sentence about a diagram.
     fn words(&self, on: DiagramKind) -> Both {
         match self.name.as_str() {
-            "" if DiagramKind::POLYGONS.contains(&on) => both!("the pole", "极点"),
+            "" if DiagramKind::POLYGONS.contains(&on) => both!("the pole"),
             "" => spaced(&format!("${START}$")),
             name => spaced(&format!("${name}$")),
         }
@@ -189,7 +190,7 @@ impl EquationBoard<'_> {
         {
             Some((line, across)) => Both::same(format!("{}{line}", if across { "⊥" } else { "∥" })),
             None => {
-                both!("at {}°", "方向角 {}°", degrees(self.given[term].1.unwrap_or(Vec2::ZERO)))
+                both!("at {}°", degrees(self.given[term].1.unwrap_or(Vec2::ZERO)))
             }
         }
     }
@@ -220,7 +221,6 @@ impl EquationBoard<'_> {
             let to = from.at + unit * length;
             let text = both!(
                 "From {} lay off {}, {} mm {}, which gives ${letter}$",
-                "自{}作 {}，长 {} mm，{}，得 ${letter}$",
                 from.words(self.problem.on),
                 self.symbol(k),
                 mm(length),
@@ -248,7 +248,6 @@ impl EquationBoard<'_> {
         let Some(&y) = wanted.get(1) else {
             self.out.steps.push(both!(
                 "Both sides of the equation end at one mark: {} closes the polygon from {} to {}",
-                "方程两边终于同一点：{} 为自{}至{}的封闭边",
                 self.symbol(x),
                 p.words(self.problem.on),
                 q.words(self.problem.on)
@@ -296,7 +295,6 @@ impl EquationBoard<'_> {
                 self.out.loci.push((line, step));
                 self.out.steps.push(both!(
                     "Through {} draw the direction of {symbol}, {}",
-                    "过{}作 {symbol} 的方向线，{}",
                     at.words(self.problem.on),
                     self.along(term)
                 ));
@@ -306,7 +304,6 @@ impl EquationBoard<'_> {
                 self.out.loci.extend(arc(at.at, radius, meets).map(|a| (a, step)));
                 self.out.steps.push(both!(
                     "About {} strike an arc with the length of {symbol}, {} mm, as radius",
-                    "以{}为圆心、{symbol} 的长度 {} mm 为半径作弧",
                     at.words(self.problem.on),
                     mm(radius)
                 ));
@@ -335,29 +332,25 @@ impl EquationBoard<'_> {
         let [a, b] = [x, y].map(|k| self.symbol(k));
         let met = match case {
             EquationCase::Magnitudes(_) | EquationCase::Vector(_) => {
-                both!("The lines intersect at {}", "两直线交于{}", list)
+                both!("The lines intersect at {}", list)
             }
-            EquationCase::Directions(_) => both!("The arcs intersect at {}", "两弧交于{}", list),
+            EquationCase::Directions(_) => both!("The arcs intersect at {}", list),
             EquationCase::Mixed { .. } => {
-                both!("Line and arc intersect at {}", "直线与弧交于{}", list)
+                both!("Line and arc intersect at {}", list)
             }
         };
-        let ends = |from: &Both, to: &Both| both!("from {} to {}", "自{}至{}", from, to);
-        let m = Both { en: list.en.replace(" and ", " or "), zh: list.zh.replace('和', "或") };
+        let ends = |from: &Both, to: &Both| both!("from {} to {}", from, to);
+        let [and, or] = [each!(" and "), each!(" or ")];
+        let m = Both { en: list.en.replace(and[0], or[0]), zh: list.zh.replace(and[1], or[1]) };
         let of_y = if same_side {
             ends(&m, &q.words(self.problem.on))
         } else {
             ends(&q.words(self.problem.on), &m)
         };
-        let drawn = both!(
-            "{}: {a} goes {}, {b} {}",
-            "{}：{a} 为{}，{b} 为{}",
-            met,
-            ends(&p.words(self.problem.on), &m),
-            of_y
-        );
+        let drawn =
+            both!("{}: {a} goes {}, {b} {}", met, ends(&p.words(self.problem.on), &m), of_y);
         let drawn = match meets {
-            [_, _] => both!("{}; both polygons are solutions", "{}；两个多边形均为解", drawn),
+            [_, _] => both!("{}; both polygons are solutions", drawn),
             _ => drawn,
         };
         for (k, (at, name)) in meets.iter().zip(names).enumerate() {
@@ -378,7 +371,7 @@ impl EquationBoard<'_> {
         let given = self.problem.terms[term].direction.as_ref().filter(|d| d.line.is_none());
         let against = self.given[term].1.is_some_and(|u| u.dot(v) < 0.0);
         if given.is_some() && against {
-            both!(", against the given direction", "，与给定方向相反")
+            both!(", against the given direction")
         } else {
             Both::default()
         }
@@ -396,7 +389,6 @@ impl EquationBoard<'_> {
             .map(|(term, v)| {
                 both!(
                     "${}$ = {} mm · $\\mu_{}$ = {} at {}°{}",
-                    "${}$ = {} mm · $\\mu_{}$ = {}，方向角 {}°{}",
                     self.problem.terms[*term].symbol(primes * (root + 1)),
                     mm(v.norm()),
                     self.out.on.letter(),
@@ -409,16 +401,7 @@ impl EquationBoard<'_> {
         for (term, on_paper) in all {
             self.out.readings.push(EquationReading { term: *term, root, on_paper: *on_paper });
         }
-        self.out.steps.push(Both {
-            en: format!(
-                "Measure {}",
-                told.iter().map(|b| b.en.as_str()).collect::<Vec<_>>().join("; ")
-            ),
-            zh: format!(
-                "量得 {}",
-                told.iter().map(|b| b.zh.as_str()).collect::<Vec<_>>().join("；")
-            ),
-        });
+        self.out.steps.push(both!("Measure {}", Both::join(&told, ["; ", "；"])));
     }
 }
 

@@ -170,20 +170,16 @@ impl EquationCase {
     pub fn words(self) -> Both {
         match self {
             EquationCase::Vector(_) => both!(
-                "magnitude and direction of one vector are unknown: the closing side of the polygon",
-                "一个矢量的大小和方向未知：由矢量多边形的封闭边求得"
+                "magnitude and direction of one vector are unknown: the closing side of the polygon"
             ),
-            EquationCase::Magnitudes(_) => both!(
-                "two magnitudes are unknown, their directions known: two lines that cross",
-                "两个矢量的大小未知而方向已知：由两直线的交点求得"
-            ),
-            EquationCase::Directions(_) => both!(
-                "two directions are unknown, their magnitudes known: two circles that cross",
-                "两个矢量的方向未知而大小已知：由两圆弧的交点求得"
-            ),
+            EquationCase::Magnitudes(_) => {
+                both!("two magnitudes are unknown, their directions known: two lines that cross")
+            }
+            EquationCase::Directions(_) => {
+                both!("two directions are unknown, their magnitudes known: two circles that cross")
+            }
             EquationCase::Mixed { .. } => both!(
-                "the magnitude of one vector and the direction of another are unknown: a line and a circle that cross",
-                "一个矢量的大小和另一矢量的方向未知：由直线与圆弧的交点求得"
+                "the magnitude of one vector and the direction of another are unknown: a line and a circle that cross"
             ),
         }
     }
@@ -199,8 +195,8 @@ pub fn unknowns(terms: &[VectorTerm]) -> [Vec<usize>; 2] {
 
 /// Returns the names of unknowns: `magnitude of v_C, direction of v_CB`.
 fn listed(terms: &[VectorTerm], sizes: &[usize], directions: &[usize]) -> Both {
-    let size = |k: &usize| both!("magnitude of {}", "{} 的大小", terms[*k].name);
-    let direction = |k: &usize| both!("direction of {}", "{} 的方向", terms[*k].name);
+    let size = |k: &usize| both!("magnitude of {}", terms[*k].name);
+    let direction = |k: &usize| both!("direction of {}", terms[*k].name);
     let all: Vec<Both> = sizes.iter().map(size).chain(directions.iter().map(direction)).collect();
     Both {
         en: all.iter().map(|b| b.en.as_str()).collect::<Vec<_>>().join(", "),
@@ -212,30 +208,17 @@ fn not_two(terms: &[VectorTerm], sizes: &[usize], directions: &[usize]) -> Diagn
     let count = sizes.len() + directions.len();
     let names = listed(terms, sizes, directions);
     let message = match count {
-        0 => both!(
-            "not solvable: 0 unknowns; a plane equation settles two",
-            "方程不可解：没有未知量；一个平面矢量方程可解两个未知量"
-        ),
-        1 => both!(
-            "not solvable: 1 unknown ({}); a plane equation settles two",
-            "方程不可解：只有 1 个未知量（{}）；一个平面矢量方程可解两个未知量",
-            names
-        ),
-        _ => both!(
-            "not solvable: {count} unknowns ({}); a plane equation settles two",
-            "方程不可解：有 {count} 个未知量（{}）；一个平面矢量方程只能解两个未知量",
-            names
-        ),
+        0 => both!("not solvable: 0 unknowns; a plane equation settles two"),
+        1 => both!("not solvable: 1 unknown ({}); a plane equation settles two", names),
+        _ => both!("not solvable: {count} unknowns ({}); a plane equation settles two", names),
     };
     let help = if count < 2 {
         both!(
-            "leave out another magnitude or direction: with all given the equation may contradict itself",
-            "请再去掉一个大小或方向：已知量过多，方程可能自相矛盾"
+            "leave out another magnitude or direction: with all given the equation may contradict itself"
         )
     } else {
         both!(
             "give {} of them, or eliminate a vector: set two equations of it equal, such as v_A + v_CA = v_B + v_CB",
-            "请再给出其中 {} 个，或消去一个矢量：将含该矢量的两个方程联立，如 v_A + v_CA = v_B + v_CB",
             count - 2
         )
     };

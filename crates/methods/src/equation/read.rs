@@ -60,7 +60,7 @@ pub fn read(source: impl AsRef<[u8]>) -> Result<Warned<VectorEquation>, Faults> 
 
 fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<VectorEquation> {
     let keys: Vec<&str> = front::KEYS.iter().chain(&KEYS).copied().collect();
-    let f = Fields::open(root, both!("a vector equation", "矢量方程文件"), &keys, faults)?;
+    let f = Fields::open(root, both!("a vector equation"), &keys, faults)?;
     let raw = RawFront::decode(root, faults);
     let front = Front::new(&raw, text, faults);
     let statement = f.get("statement").and_then(|n| front.statement(n, faults));
@@ -81,10 +81,10 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<VectorEquatio
     };
     let terms: Vec<VectorTerm> = named?.iter().map(term).collect();
     faults.list.extend(front.unused());
-    let title = front.title.as_ref().map_or_else(
-        || both!("Vector equation", "矢量方程"),
-        |t| Both { en: t.en.clone(), zh: t.zh.clone() },
-    );
+    let title = front
+        .title
+        .as_ref()
+        .map_or_else(|| both!("Vector equation"), |t| Both { en: t.en.clone(), zh: t.zh.clone() });
     Some(VectorEquation {
         title,
         statement,
@@ -101,17 +101,13 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<VectorEquatio
 fn sides(text: &str) -> Result<Vec<(bool, String)>, Diagnostic> {
     let fault = |message: Both| {
         Diagnostic::error("equation", message).help(both!(
-            "write sums of vectors, or 0, on both sides of one sign of equality: \"v_C = v_B + v_CB\"; a difference is moved to the other side",
-            "请在一个等号两边写矢量之和（或 0），如 \"v_C = v_B + v_CB\"；带负号的项请移到等号另一边"
+            "write sums of vectors, or 0, on both sides of one sign of equality: \"v_C = v_B + v_CB\"; a difference is moved to the other side"
         ))
     };
     let sides: Vec<&str> = text.split('=').collect();
     let [left, right] = sides[..] else {
         let count = sides.len() - 1;
-        return Err(fault(both!(
-            "the equation has {count} signs of equality",
-            "方程中有 {count} 个等号"
-        )));
+        return Err(fault(both!("the equation has {count} signs of equality")));
     };
     let mut all: Vec<(bool, String)> = Vec::new();
     for (is_left, side) in [(true, left), (false, right)] {
@@ -119,28 +115,20 @@ fn sides(text: &str) -> Result<Vec<(bool, String)>, Diagnostic> {
         for name in side.split('+').map(str::trim).filter(|_| side.trim() != "0") {
             if !is_name(name) {
                 return Err(fault(both!(
-                    "`{name}` is not the name of a vector: a letter, then letters, `^` with a superscript, `_` with an index",
-                    "`{name}` 不是矢量的名称：名称以字母开头，可带 `^` 上标和 `_` 下标"
+                    "`{name}` is not the name of a vector: a letter, then letters, `^` with a superscript, `_` with an index"
                 )));
             }
             if all.iter().any(|(_, n)| n == name) {
-                return Err(fault(both!(
-                    "the vector `{name}` is in the equation twice",
-                    "矢量 `{name}` 在方程中出现两次"
-                )));
+                return Err(fault(both!("the vector `{name}` is in the equation twice")));
             }
             all.push((is_left, name.to_owned()));
         }
     }
     if all.is_empty() {
-        return Err(fault(both!("the equation has no vectors", "方程中没有矢量")));
+        return Err(fault(both!("the equation has no vectors")));
     }
     if all.len() > MOST {
-        return Err(fault(both!(
-            "the equation has {} vectors; {MOST} is the most",
-            "方程有 {} 个矢量；最多 {MOST} 个",
-            all.len()
-        )));
+        return Err(fault(both!("the equation has {} vectors; {MOST} is the most", all.len())));
     }
     Ok(all)
 }
@@ -174,13 +162,8 @@ impl VectorReader<'_> {
     fn constant(&mut self, node: &Node, wanted: RequiredQuantity, key: &str) -> Option<Law> {
         let law = self.front.law(node, wanted, 0.0, &format!("\"{key}\""), self.faults)?;
         if law.depends_on_time() {
-            let message = both!("`{}` depends on the time `t`", "`{}` 含时间 `t`", law.text);
-            self.fault(
-                "equation",
-                node.span,
-                message,
-                both!("an equation holds at one instant", "方程只针对一个瞬时"),
-            );
+            let message = both!("`{}` depends on the time `t`", law.text);
+            self.fault("equation", node.span, message, both!("an equation holds at one instant"));
             return None;
         }
         Some(law)
@@ -206,14 +189,13 @@ impl VectorReader<'_> {
             if let Some(all) = named
                 && !all.iter().any(|(_, n)| *n == name.text)
             {
-                let message =
-                    both!("the equation has no vector `{}`", "方程中没有矢量 `{}`", name.text);
+                let message = both!("the equation has no vector `{}`", name.text);
                 let known = all.iter().map(|(_, n)| n.as_str());
-                let help = suggest(&name.text, known, both!("its vectors are", "方程中的矢量有"));
+                let help = suggest(&name.text, known, both!("its vectors are"));
                 self.fault("unknown-key", name.span, message, help);
                 continue;
             }
-            let fields = Fields::open(node, both!("a vector", "矢量"), &VECTOR, self.faults);
+            let fields = Fields::open(node, both!("a vector"), &VECTOR, self.faults);
             out.extend(fields.map(|f| (name.clone(), f)));
         }
         out
@@ -226,15 +208,11 @@ impl VectorReader<'_> {
             let written = word(node, "\"quantity\"", self.faults)?;
             let found = DiagramKind::ALL.into_iter().find(|on| name(*on) == written.text);
             if found.is_none() {
-                let message = both!(
-                    "`{}` is no quantity of an equation",
-                    "`{}` 不是方程的物理量",
-                    written.text
-                );
+                let message = both!("`{}` is no quantity of an equation", written.text);
                 let help = suggest(
                     &written.text,
                     DiagramKind::ALL.into_iter().map(name),
-                    both!("the quantities are", "物理量有"),
+                    both!("the quantities are"),
                 );
                 self.fault("unknown-word", written.span, message, help);
             }
@@ -272,16 +250,11 @@ impl VectorReader<'_> {
         let value = law.at(0.0).ok()?.si().0[0];
         let turnable = fields.and_then(|f| f.get("direction")).is_none_or(is_unknown);
         if value < 0.0 || turnable && value == 0.0 {
-            let message = both!(
-                "the magnitude `{}` is {value} {}",
-                "大小 `{}` 为 {value} {}",
-                law.text,
-                on.kind().si()
-            );
+            let message = both!("the magnitude `{}` is {value} {}", law.text, on.kind().si());
             let help = if value < 0.0 {
-                both!("turn the direction by 180° instead", "请改用大小为正、方向转过 180° 的写法")
+                both!("turn the direction by 180° instead")
             } else {
-                both!("a vector of length 0 has no direction", "零矢量没有方向")
+                both!("a vector of length 0 has no direction")
             };
             self.fault("not-positive", node.span, message, help);
             return None;
@@ -309,15 +282,12 @@ impl VectorReader<'_> {
             let (line, angle) = (Some(name.text.clone()), angle.clone()?);
             return Some(TermDirection { angle, line, across });
         }
-        let message = both!("there is no line `{line}`", "没有直线 `{line}`");
+        let message = both!("there is no line `{line}`");
         let names: Vec<&str> = self.lines.iter().map(|(name, _)| name.text.as_str()).collect();
         let help = if names.is_empty() {
-            both!(
-                "give its angle: \"lines\": {{\"{line}\": \"30 deg\"}}",
-                "请给出其角度：\"lines\": {{\"{line}\": \"30 deg\"}}"
-            )
+            both!("give its angle: \"lines\": {{\"{line}\": \"30 deg\"}}")
         } else {
-            suggest(line, names.into_iter(), both!("the lines are", "直线有"))
+            suggest(line, names.into_iter(), both!("the lines are"))
         };
         self.fault("unknown-word", at, message, help);
         None

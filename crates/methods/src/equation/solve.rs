@@ -133,7 +133,7 @@ fn vector<N: Certain>(term: usize, v: Vec2<N>) -> Result<RootVector, Diagnostic>
     let undecided = || {
         Diagnostic::error(
             "equation-no-solution",
-            both!("the numbers of the equation have no value", "方程的数值不存在"),
+            both!("the numbers of the equation have no value"),
         )
     };
     let size = v.norm();
@@ -160,19 +160,12 @@ fn crossed<N: Real>(
         let names = case.vectors();
         let [x, y] = [names[0], names[1]].map(|k| &problem.terms[k].name);
         let across = u.cross(r.sum).approx();
-        let message = both!(
-            "not solvable: the directions of {x} and {y} are parallel",
-            "方程不可解：{x} 与 {y} 的方向平行"
-        );
+        let message = both!("not solvable: the directions of {x} and {y} are parallel");
         let help = if across.abs() <= u.cross(r.sum).radius() {
-            both!(
-                "the known sum has the same direction: any sum of the two closes the polygon",
-                "已知矢量之和也沿此方向：两者只有代数和确定"
-            )
+            both!("the known sum has the same direction: any sum of the two closes the polygon")
         } else {
             both!(
                 "the two lines of the polygon do not cross: they are {} {} apart",
-                "多边形中的两直线不相交：相距 {} {}",
                 legible(across.abs(), 4),
                 problem.on.kind().si()
             )
@@ -199,12 +192,11 @@ fn circles<N: Real>(
                 problem,
                 case,
                 both!(
-                    "the known vectors sum to 0 and both circles are the same: every direction closes the polygon",
-                    "已知矢量之和为零，两圆重合：任意方向都使多边形封闭"
+                    "the known vectors sum to 0 and both circles are the same: every direction closes the polygon"
                 ),
             )
         } else {
-            missed(problem, case, gap, both!("one circle encloses the other", "一圆在另一圆内"))
+            missed(problem, case, gap, both!("one circle encloses the other"))
         });
     }
     let two = N::from_f64(2.0);
@@ -221,10 +213,10 @@ fn circles<N: Real>(
         CircleMeeting::Apart => {
             let (d, x, y) = (distance.approx(), x.approx(), y.approx());
             Err(if d > x + y {
-                missed(problem, case, d - x - y, both!("the circles lie apart", "两圆外离"))
+                missed(problem, case, d - x - y, both!("the circles lie apart"))
             } else {
                 let gap = (x - y).abs() - d;
-                missed(problem, case, gap, both!("one circle encloses the other", "一圆在另一圆内"))
+                missed(problem, case, gap, both!("one circle encloses the other"))
             })
         }
         CircleMeeting::Touching => Ok(vec![(pair(N::from_f64(0.0)), 0.0)]),
@@ -249,7 +241,7 @@ fn line_circle<N: Real>(
     match standing(rest) {
         CircleMeeting::Apart => {
             let gap = across.approx().abs() - y.approx();
-            Err(missed(problem, case, gap, both!("the line passes the circle", "直线与圆相离")))
+            Err(missed(problem, case, gap, both!("the line passes the circle")))
         }
         CircleMeeting::Touching => Ok(vec![(pair(N::from_f64(0.0)), 0.0)]),
         CircleMeeting::Crossing => {
@@ -279,19 +271,16 @@ fn standing<N: Real>(square: N) -> CircleMeeting {
 fn missed(problem: &VectorEquation, case: EquationCase, gap: f64, how: Both) -> Diagnostic {
     let kind = problem.on.kind();
     let by = problem.book.text(kind, &legible(problem.book.value(kind, gap), 4));
-    apart(problem, case, both!("{}; they miss each other by {by}", "{}，相差 {by}", how))
+    apart(problem, case, both!("{}; they miss each other by {by}", how))
 }
 
 fn apart(problem: &VectorEquation, case: EquationCase, why: Both) -> Diagnostic {
     let names: Vec<&str> = case.vectors().iter().map(|k| problem.terms[*k].name.as_str()).collect();
     let message = both!(
         "no solution for {}: {}",
-        "{} 无解：{}",
         Both { en: names.join(" and "), zh: names.join("、") },
         why
     );
-    Diagnostic::error("equation-no-solution", message).help(both!(
-        "check the magnitudes: no triangle has these sides",
-        "请核对各矢量的大小：以此为边不能构成三角形"
-    ))
+    Diagnostic::error("equation-no-solution", message)
+        .help(both!("check the magnitudes: no triangle has these sides"))
 }

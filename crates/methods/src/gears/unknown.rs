@@ -142,24 +142,17 @@ fn value_of(text: &str, quantity: &str) -> Result<Option<f64>, Faults> {
 
 fn no_gear(wish: &WantedGear) -> Diagnostic {
     let gear = wish.gear;
-    refused(both!(
-        "link {gear} is no gear with a number of teeth in \"gears\"",
-        "构件 {gear} 不是 \"gears\" 中给出齿数的齿轮"
-    ))
+    refused(both!("link {gear} is no gear with a number of teeth in \"gears\""))
 }
 
 fn kinds(wish: &WantedGear) -> Diagnostic {
     let WantedGear { quantity, value, .. } = wish;
-    refused(both!(
-        "`{quantity}={value}` is no angular velocity or ratio with a value other than 0",
-        "`{quantity}={value}` 不是非零的角速度或传动比"
-    ))
+    refused(both!("`{quantity}={value}` is no angular velocity or ratio with a value other than 0"))
 }
 
 fn refused(message: Both) -> Diagnostic {
     Diagnostic::error("no-teeth", message).help(both!(
-        "as in `hodograph teeth scene.json --gear 5 --want omega_5=3rad/s` or `--want i_52=3`",
-        "例如 `hodograph teeth scene.json --gear 5 --want omega_5=3rad/s` 或 `--want i_52=3`"
+        "as in `hodograph teeth scene.json --gear 5 --want omega_5=3rad/s` or `--want i_52=3`"
     ))
 }
 

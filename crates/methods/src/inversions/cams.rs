@@ -14,12 +14,10 @@ pub(super) fn refused(scene: &Scene, faults: &mut Faults) {
     for c in scene.cams.iter().filter(|c| c.circle.is_none()) {
         let [cam, follower] = [c.cam, c.follower].map(|l| scene.link_name(l));
         let message = both!(
-            "cam {cam} drives follower {follower} by a profile whose touched piece follows from the angle that a driver gives the cam",
-            "凸轮 {cam} 推动从动件 {follower}，其廓线上的接触段由原动件给出的凸轮转角确定"
+            "cam {cam} drives follower {follower} by a profile whose touched piece follows from the angle that a driver gives the cam"
         );
         let help = both!(
-            "replace it by the lower pair at the instant, a circle about the centre of curvature: \"profile\": {{\"centre\", \"radius\"}}",
-            "请按该瞬时的曲率圆代替廓线：\"profile\": {{\"centre\", \"radius\"}}"
+            "replace it by the lower pair at the instant, a circle about the centre of curvature: \"profile\": {{\"centre\", \"radius\"}}"
         );
         faults.push(Diagnostic::error("inversion-pairs", message).at(c.span).help(help));
     }

@@ -93,13 +93,11 @@ fn other() -> Diagnostic {
     Diagnostic::error(
         "evolution",
         both!(
-            "the mechanism is neither a four-bar nor a chain with one slide that a crank drives",
-            "机构既不是铰链四杆机构，也不是由曲柄驱动的单移动副四杆机构"
+            "the mechanism is neither a four-bar nor a chain with one slide that a crank drives"
         ),
     )
     .help(both!(
-        "the evolution is drawn for four-bars, slider-cranks, levers with a block and swinging blocks whose crank is on the ground",
-        "演化图适用于以连架杆为曲柄的铰链四杆机构、曲柄滑块机构、导杆机构和摇块机构"
+        "the evolution is drawn for four-bars, slider-cranks, levers with a block and swinging blocks whose crank is on the ground"
     ))
 }
 

@@ -77,13 +77,9 @@ impl Graph {
         if let Some(pair) = scene.rolling.first() {
             let [a, b] = pair.links.map(|l| scene.link_name(l));
             let message = both!(
-                "links {a} and {b} roll on each other: their rotations are related by their radii, not by a loop of vectors",
-                "构件 {a} 与 {b} 作滚动接触：两者的转动由半径联系，不构成封闭矢量多边形"
+                "links {a} and {b} roll on each other: their rotations are related by their radii, not by a loop of vectors"
             );
-            let help = both!(
-                "`hodograph solve` and `hodograph draw` take such pairs",
-                "`hodograph solve` 和 `hodograph draw` 可求解此类运动副"
-            );
+            let help = both!("`hodograph solve` and `hodograph draw` take such pairs");
             return Err(Diagnostic::error("loops", message).help(help));
         }
         let mut g = Graph {

@@ -214,12 +214,10 @@ fn open(scene: &Scene, links: &[LinkId]) -> Diagnostic {
         "loops",
         both!(
             "the vector loops do not determine the group of links {} in this pose: it is at a dead centre or near one",
-            "在此位置，封闭矢量方程不能确定由构件 {} 组成的杆组：该杆组处于或接近死点",
             Both::names(&names)
         ),
     )
     .help(both!(
-        "`hodograph solve` answers there, with the number of true digits; or choose another pose",
-        "`hodograph solve` 可在该处求解并给出正确位数；或另选位置"
+        "`hodograph solve` answers there, with the number of true digits; or choose another pose"
     ))
 }

@@ -193,10 +193,7 @@ pub fn meaning(
     if let Some(found) = known.iter().find(plain).or_else(|| known.iter().find(framed)) {
         return Ok(ParticleQuestion { text: text.to_owned(), what: found.what });
     }
-    let d = Diagnostic::error(
-        "unknown-question",
-        both!("`{text}` is no quantity of this file", "`{text}` 不是此文件中的量"),
-    )
-    .at(span);
-    Err(d.help(suggest(text, known.iter().map(|f| f.text.as_str()), both!("there are", "有"))))
+    let d = Diagnostic::error("unknown-question", both!("`{text}` is no quantity of this file"))
+        .at(span);
+    Err(d.help(suggest(text, known.iter().map(|f| f.text.as_str()), both!("there are"))))
 }

@@ -336,7 +336,6 @@ fn plate(
     let steps = vec![
         both!(
             "View on the plate: $v_r$ along the path is {} mm long; its part across the axis is {} mm, along it {} mm, which is $v_{{{}}}$",
-            "板面视图：$v_r$ 沿轨迹，长 {} mm；垂直于轴的分量为 {} mm，沿轴的分量为 {} mm，即 $v_{{{}}}$",
             mm(paper_v(on.velocity).norm()),
             mm(across.abs()),
             mm(paper_v(on.velocity).y.abs()),
@@ -344,7 +343,6 @@ fn plate(
         ),
         both!(
             "View along the axis: the arm is {} mm long; $v_e$ = $\\omega$ · {} m square to it, $v_r'$ = {} mm along the plate; the diagonal is {} mm",
-            "沿轴视图：臂长 {} mm；$v_e$ = $\\omega$ · {} m，与臂垂直；$v_r'$ = {} mm，沿板；对角线长 {} mm",
             mm(arm.norm()),
             mm(reach),
             mm(across.abs()),
@@ -352,28 +350,21 @@ fn plate(
         ),
         both!(
             "View on the plate: the relative acceleration $a_r$ is {} mm long, its part across the axis {} mm",
-            "板面视图：相对加速度 $a_r$ 长 {} mm，其垂直于轴的分量 {} mm",
             mm(paper_a(a_r).norm()),
             mm(paper_a(a_r).x.abs())
         ),
         both!(
             "Calculate $a_c = 2 \\omega v_r \\sin \\theta$ = $2 \\omega$ · {} mm · $\\mu_v$ = {} m/s²; it is square to the plate, $v_r'$ turned by 90° in the sense of $\\omega$",
-            "计算 $a_k = 2 \\omega v_r \\sin \\theta$ = $2 \\omega$ · {} mm · $\\mu_v$ = {} m/s²，垂直于板面，方向为 $v_r'$ 沿 $\\omega$ 转向转过 90°",
             mm(across.abs()),
             mm(ak.norm())
         ),
         both!(
             "View along the axis: $a^n_e$ = $\\omega^2$ · {} m toward the axis{}; the sum of all parts is {} mm long; along the axis $a_{{{}}}$ = {} mm in the view on the plate",
-            "沿轴视图：$a^n_e$ = $\\omega^2$ · {} m，指向轴{}；各分量之和长 {} mm；板面视图上沿轴 $a_{{{}}}$ = {} mm",
             mm(reach),
             if alpha == 0.0 {
-                both!("", "")
+                Both::default()
             } else {
-                both!(
-                    ", $a^t_e$ = $\\alpha$ · {} m square to it",
-                    "，$a^t_e$ = $\\alpha$ · {} m，与之垂直",
-                    mm(reach)
-                )
+                both!(", $a^t_e$ = $\\alpha$ · {} m square to it", mm(reach))
             },
             mm(paper_a(whole).norm()),
             plate.axis.letter(),

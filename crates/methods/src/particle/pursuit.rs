@@ -212,12 +212,9 @@ impl Chase<'_> {
             let (v, w) = (v.approx(), b[0].hypot(b[1]).approx());
             if v.is_nan() || v <= 0.0 {
                 let t = here.t.approx();
-                let message = both!(
-                    "the pursuer's speed is {v} m/s at t = {t} s",
-                    "t = {t} s 时追踪点的速率为 {v} m/s"
-                );
+                let message = both!("the pursuer's speed is {v} m/s at t = {t} s");
                 return Err(Diagnostic::error("pursuit", message)
-                    .help(both!("it must be greater than zero", "应大于零")));
+                    .help(both!("it must be greater than zero")));
             }
             if !(l.is_finite() && v.is_finite() && w.is_finite()) {
                 break;
@@ -267,12 +264,10 @@ impl Chase<'_> {
         let t = here.t.approx();
         let message = both!(
             "the pursuit is not followed beyond t = {t:.4e} s, where the two are {:.4e} m apart",
-            "追踪运动只积分到 t = {t:.4e} s，此时两点相距 {:.4e} m",
             here.distance()
         );
         let help = both!(
-            "the steps of the integration become too small or too many; what holds at an earlier \"time\" can be asked",
-            "积分步长过小或步数过多；可求较早 \"time\" 的结果"
+            "the steps of the integration become too small or too many; what holds at an earlier \"time\" can be asked"
         );
         Err(Diagnostic::error(LOST, message).help(help))
     }

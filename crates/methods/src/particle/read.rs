@@ -74,12 +74,7 @@ struct ParticleReader<'a> {
 
 fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<ParticleProblem> {
     let keys: Vec<&str> = front::KEYS.iter().chain(&KEYS).copied().collect();
-    let f = Fields::open(
-        root,
-        both!("a file of motions without a mechanism", "无机构的运动文件"),
-        &keys,
-        faults,
-    )?;
+    let f = Fields::open(root, both!("a file of motions without a mechanism"), &keys, faults)?;
     let raw = RawFront::decode(root, faults);
     let front = Front::new(&raw, text, faults);
     let zero = Law::zero();
@@ -89,18 +84,15 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<ParticleProbl
     };
     let now = time.at(0.0).map_or(0.0, |v| v.number.0[0]);
     if now < 0.0 {
-        let d = Diagnostic::error("time", both!("the instant is {now} s", "时刻为 {now} s"));
+        let d = Diagnostic::error("time", both!("the instant is {now} s"));
         faults.push(
             d.at(f.get("time").map_or(f.span(), |n| n.span))
-                .help(both!("it counts from the start, 0 s", "时刻从起点 0 s 算起")),
+                .help(both!("it counts from the start, 0 s")),
         );
     }
     if let Some(name) = f.get("parameters").and_then(|n| member(n, TIME)) {
-        let d = Diagnostic::error(
-            "name",
-            both!("`t` is the time in the laws of motions", "`t` 在运动规律中表示时间"),
-        );
-        faults.push(d.at(name.span).help(both!("call it `t0`", "可改称 `t0`")));
+        let d = Diagnostic::error("name", both!("`t` is the time in the laws of motions"));
+        faults.push(d.at(name.span).help(both!("call it `t0`")));
         return None;
     }
     let mut r = ParticleReader {
@@ -142,11 +134,7 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<ParticleProbl
     for (name, _) in r.places.iter().filter(|(name, _)| !used(name, &out.motions)) {
         let d = Diagnostic::warning(
             "unused-point",
-            both!(
-                "the point `{}` has no motion, and nothing asks for it",
-                "点 `{}` 没有运动，也未被求及",
-                name.text
-            ),
+            both!("the point `{}` has no motion, and nothing asks for it", name.text),
         );
         r.faults.push(d.at(name.span));
     }
@@ -164,11 +152,11 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<ParticleProbl
 fn usual_title(motions: &[ParticleMotion]) -> Both {
     let any = |is: fn(&ParticleMotionKind) -> bool| motions.iter().any(|m| is(&m.kind));
     if any(|k| matches!(k, ParticleMotionKind::Toward { .. })) {
-        both!("Pursuit", "追踪问题")
+        both!("Pursuit")
     } else if any(|k| matches!(k, ParticleMotionKind::OnPlate(..))) {
-        both!("A point on a turning plate", "转动平板上的点")
+        both!("A point on a turning plate")
     } else {
-        both!("Motion by laws of time", "按给定规律的运动")
+        both!("Motion by laws of time")
     }
 }
 
@@ -185,13 +173,8 @@ impl ParticleReader<'_> {
             return Some(law);
         };
         let at = f.get("radius").map_or(f.span(), |n| n.span);
-        let message = both!("the radius `{}` is {value} m", "半径 `{}` 为 {value} m", law.text);
-        self.fault(
-            "not-positive",
-            at,
-            message,
-            both!("give a length greater than 0", "请给出大于 0 的长度"),
-        );
+        let message = both!("the radius `{}` is {value} m", law.text);
+        self.fault("not-positive", at, message, both!("give a length greater than 0"));
         None
     }
 
@@ -224,17 +207,8 @@ impl ParticleReader<'_> {
     fn two(&mut self, node: &Node, key: &str) -> Option<[Law; 2]> {
         let items = list(node, &format!("\"{key}\""), self.faults)?;
         let [x, y] = items else {
-            let message = both!(
-                "\"{key}\" has two coordinates, this has {}",
-                "\"{key}\" 有两个坐标，此处有 {} 个",
-                items.len()
-            );
-            self.fault(
-                "wrong-count",
-                node.span,
-                message,
-                both!("write [\"0 m\", \"3 km\"]", "请写 [\"0 m\", \"3 km\"]"),
-            );
+            let message = both!("\"{key}\" has two coordinates, this has {}", items.len());
+            self.fault("wrong-count", node.span, message, both!("write [\"0 m\", \"3 km\"]"));
             return None;
         };
         let (x, y) = (
@@ -263,33 +237,23 @@ impl ParticleReader<'_> {
         let all: Vec<Plate> = items.iter().take(MOST).filter_map(|n| self.plate(n)).collect();
         for (k, node) in items.iter().enumerate().take(MOST).skip(1) {
             if all.len() == items.len() && all[..k].iter().any(|p| p.link == all[k].link) {
-                let message = both!("there are two plates `{}`", "有两块平板 `{}`", all[k].link);
-                self.fault(
-                    "twice",
-                    node.span,
-                    message,
-                    both!("give each a number of its own", "请各用一个编号"),
-                );
+                let message = both!("there are two plates `{}`", all[k].link);
+                self.fault("twice", node.span, message, both!("give each a number of its own"));
             }
         }
         all
     }
 
     fn plate(&mut self, node: &Node) -> Option<Plate> {
-        let f = Fields::open(node, both!("a plate", "平板"), &PLATE, self.faults)?;
+        let f = Fields::open(node, both!("a plate"), &PLATE, self.faults)?;
         let link = self.word(&f, "link", "\"2\"");
         let axis = match f.get("axis") {
             Some(n) => {
                 let found = word(n, "\"axis\"", self.faults)?;
                 let axis = SpaceAxis::ALL.into_iter().find(|a| a.letter() == found.text);
                 if axis.is_none() {
-                    let message = both!("there is no axis `{}`", "没有轴 `{}`", found.text);
-                    self.fault(
-                        "unknown-word",
-                        found.span,
-                        message,
-                        both!("the axes are x, y, z", "轴有 x、y、z"),
-                    );
+                    let message = both!("there is no axis `{}`", found.text);
+                    self.fault("unknown-word", found.span, message, both!("the axes are x, y, z"));
                 }
                 axis?
             }
@@ -310,16 +274,8 @@ impl ParticleReader<'_> {
         let turning = if angle.depends_on_time() {
             for key in ["omega", "alpha"] {
                 if let Some(n) = f.get(key) {
-                    let message = both!(
-                        "the angle is a law of time, which says `{key}` already",
-                        "转角已是时间的函数，`{key}` 由它给出"
-                    );
-                    self.fault(
-                        "given-twice",
-                        n.span,
-                        message,
-                        both!("leave `{key}` out", "请去掉 `{key}`"),
-                    );
+                    let message = both!("the angle is a law of time, which says `{key}` already");
+                    self.fault("given-twice", n.span, message, both!("leave `{key}` out"));
                 }
             }
             PlateRotation::Law(angle)
@@ -333,12 +289,8 @@ impl ParticleReader<'_> {
         };
         if let Some(law) = offset.as_ref().filter(|law| law.depends_on_time()) {
             let at = f.get("offset").map_or(node.span, |n| n.span);
-            let message = both!(
-                "the distance of the plate from the axis changes: `{}`",
-                "平板到轴的距离在变化：`{}`",
-                law.text
-            );
-            self.fault("law", at, message, both!("it is a length that stays", "应为不变的长度"));
+            let message = both!("the distance of the plate from the axis changes: `{}`", law.text);
+            self.fault("law", at, message, both!("it is a length that stays"));
         }
         Some(Plate { link: link?.text, axis, turning, offset })
     }
@@ -351,16 +303,12 @@ impl ParticleReader<'_> {
         );
         let items = node.and_then(|n| list(n, "\"motions\"", self.faults)).unwrap_or_default();
         if items.is_empty() || items.len() > MOST {
-            let message = both!(
-                "\"motions\" has {} entries; 1 to {MOST} are wanted",
-                "\"motions\" 有 {} 项，应为 1 到 {MOST} 项",
-                items.len()
-            );
+            let message = both!("\"motions\" has {} entries; 1 to {MOST} are wanted", items.len());
             self.fault(
                 "wrong-count",
                 node.map_or(f.span(), |n| n.span),
                 message,
-                both!("say how points move", "请给出点的运动"),
+                both!("say how points move"),
             );
             return Vec::new();
         }
@@ -374,9 +322,8 @@ impl ParticleReader<'_> {
                 continue;
             };
             if all.iter().any(|m| m.point == point.text) {
-                let message =
-                    both!("the point `{}` has two motions", "点 `{}` 有两个运动", point.text);
-                self.fault("twice", point.span, message, both!("keep one of them", "请保留一个"));
+                let message = both!("the point `{}` has two motions", point.text);
+                self.fault("twice", point.span, message, both!("keep one of them"));
             }
             toward.extend(target.map(|t| (all.len(), t)));
             all.push(ParticleMotion { point: point.text, kind });
@@ -397,12 +344,10 @@ impl ParticleReader<'_> {
                 Some((_, ParticleMotionKind::Toward { .. } | ParticleMotionKind::OnPlate(..))) => {
                     let message = both!(
                         "`{}` is no target: it has no law of its own in the plane",
-                        "`{}` 不能作目标：它在平面内没有自己的运动规律",
                         name.text
                     );
                     let help = both!(
-                        "the target moves by a law: along a line, round a circle, or by x and y",
-                        "目标应按规律沿直线、圆或以 x、y 运动"
+                        "the target moves by a law: along a line, round a circle, or by x and y"
                     );
                     self.fault("pursuit", name.span, message, help);
                 }
@@ -423,11 +368,11 @@ impl ParticleReader<'_> {
     }
 
     fn no_motion(&mut self, name: &Word, all: &[ParticleMotion]) {
-        let message = both!("the point `{}` has no motion", "点 `{}` 没有运动", name.text);
+        let message = both!("the point `{}` has no motion", name.text);
         let near = suggest(
             &name.text,
             all.iter().map(|m| m.point.as_str()),
-            both!("points that move are", "运动的点有"),
+            both!("points that move are"),
         );
         self.fault("unknown-point", name.span, message, near);
     }
@@ -437,11 +382,11 @@ impl ParticleReader<'_> {
         node: &Node,
         plates: &[Plate],
     ) -> Option<(Word, ParticleMotionKind, Option<Word>)> {
-        let f = Fields::open(node, both!("a motion", "运动"), &MOTION, self.faults)?;
+        let f = Fields::open(node, both!("a motion"), &MOTION, self.faults)?;
         let point = self.word(&f, "point", "\"A\"")?;
         if f.get("toward").is_some() || f.get("speed").is_some() {
             let wrong = ["on", "angle", "to_axis", "centre", "radius", "s", "x", "y", "r", "phi"];
-            self.none_of(&f, &wrong, &both!("a point that runs toward another one", "追踪运动"));
+            self.none_of(&f, &wrong, &both!("a point that runs toward another one"));
             let target = self.word(&f, "toward", "\"B\"");
             let speed = self.need(&f, "speed", RequiredQuantity::Velocity, "\"5 m/s\"");
             let from = self.from(&f, &point, true);
@@ -457,11 +402,11 @@ impl ParticleReader<'_> {
                 let on = word(n, "\"on\"", self.faults)?;
                 let found = plates.iter().position(|p| p.link == on.text);
                 if found.is_none() {
-                    let message = both!("there is no plate `{}`", "没有平板 `{}`", on.text);
+                    let message = both!("there is no plate `{}`", on.text);
                     let near = suggest(
                         &on.text,
                         plates.iter().map(|p| p.link.as_str()),
-                        both!("the plates are", "平板有"),
+                        both!("the plates are"),
                     );
                     self.fault("unknown-plate", on.span, message, near);
                 }
@@ -481,8 +426,8 @@ impl ParticleReader<'_> {
     fn none_of(&mut self, f: &Fields, wrong: &[&'static str], what: &Both) {
         for key in wrong {
             if let Some(n) = f.get(key) {
-                let message = both!("{} has no `{key}`", "{}没有 `{key}`", what);
-                self.fault("motion", n.span, message, both!("leave `{key}` out", "请去掉 `{key}`"));
+                let message = both!("{} has no `{key}`", what);
+                self.fault("motion", n.span, message, both!("leave `{key}` out"));
             }
         }
     }
@@ -498,12 +443,8 @@ impl ParticleReader<'_> {
         }
         // The fault of its place is reported there.
         if known.is_none() && !self.misplaced.contains(&point.text) {
-            let message = both!("where `{}` starts is not said", "未给出 `{}` 的起点", point.text);
-            let help = both!(
-                "add \"points\": {{\"{}\": [0, 0]}}",
-                "请加 \"points\": {{\"{}\": [0, 0]}}",
-                point.text
-            );
+            let message = both!("where `{}` starts is not said", point.text);
+            let help = both!("add \"points\": {{\"{}\": [0, 0]}}", point.text);
             self.fault("missing-key", point.span, message, help);
         }
         known
@@ -513,7 +454,7 @@ impl ParticleReader<'_> {
         let has = |key: &str| f.get(key).is_some();
         if has("r") || has("phi") {
             let wrong = ["angle", "to_axis", "centre", "radius", "s", "x", "y"];
-            self.none_of(f, &wrong, &both!("a motion by polar coordinates", "以极坐标给出的运动"));
+            self.none_of(f, &wrong, &both!("a motion by polar coordinates"));
             let (r, phi) = (
                 self.need(f, "r", RequiredQuantity::Length, "\"4 m/s*t\""),
                 self.need(f, "phi", RequiredQuantity::Angle, "\"2 rad/s*t\""),
@@ -525,7 +466,7 @@ impl ParticleReader<'_> {
             self.none_of(
                 f,
                 &["angle", "to_axis", "centre", "radius", "s", "from"],
-                &both!("a motion by coordinates", "以坐标给出的运动"),
+                &both!("a motion by coordinates"),
             );
             let (x, y) = (
                 self.need(f, "x", RequiredQuantity::Length, "\"4 m/s*t\""),
@@ -535,13 +476,13 @@ impl ParticleReader<'_> {
         }
         let s = self.need(f, "s", RequiredQuantity::Length, "\"4 m/s*t\"");
         if has("centre") {
-            self.none_of(f, &["to_axis", "from"], &both!("a motion on a circle", "圆周运动"));
+            self.none_of(f, &["to_axis", "from"], &both!("a motion on a circle"));
             let centre = f.get("centre").and_then(|n| self.two(n, "centre"));
             let radius = self.radius(f);
             let angle = self.may(f, "angle", RequiredQuantity::Angle);
             return Some(PathLaw::Circle { centre: centre?, radius: radius?, angle, s: s? });
         }
-        self.none_of(f, &["radius"], &both!("a motion along a line", "直线运动"));
+        self.none_of(f, &["radius"], &both!("a motion along a line"));
         let from = self.from(f, point, !on_plate);
         let (key, example) = if on_plate {
             ("to_axis", "\"60 deg\", from the axis")
@@ -552,11 +493,7 @@ impl ParticleReader<'_> {
         self.none_of(
             f,
             &[other],
-            &if on_plate {
-                both!("a line on a plate", "平板上的直线")
-            } else {
-                both!("a line in the fixed plane", "定平面内的直线")
-            },
+            &if on_plate { both!("a line on a plate") } else { both!("a line in the fixed plane") },
         );
         let angle = self.need(f, key, RequiredQuantity::Angle, example);
         Some(PathLaw::Line { from: from?, angle: angle?, from_axis: on_plate, s: s? })

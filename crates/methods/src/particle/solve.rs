@@ -183,12 +183,11 @@ fn caught(
             "pursuit",
             both!(
                 "{} has caught {target} at {} s, before the instant of {now} s",
-                "{0} 在 {1} s 时已追上 {target}，早于所求时刻 {now} s",
                 m.point,
                 time.approx()
             ),
         );
-        return Err(d.help(both!("take a \"time\" before that", "请取更早的 \"time\"")).into());
+        return Err(d.help(both!("take a \"time\" before that")).into());
     }
     Ok(if long { at_instant::<Dd>(problem, chase)? } else { at_instant::<f64>(problem, chase)? })
 }
@@ -217,10 +216,7 @@ pub fn course(chase: &Chase, times: &[f64]) -> Result<Vec<pursuit::PursuitState<
 }
 
 fn undecided() -> Diagnostic {
-    Diagnostic::error(
-        "undecided",
-        both!("its digits cannot be told apart from zero", "无法确定其数字"),
-    )
+    Diagnostic::error("undecided", both!("its digits cannot be told apart from zero"))
 }
 
 fn scalar<N: Certain>(x: N) -> ParticleValue {
@@ -255,7 +251,6 @@ fn meeting(
             "never-meets",
             both!(
                 "{} does not catch {target}: at {until:.4e} s they are {distance:.4e} m apart",
-                "{} 追不上 {target}：{until:.4e} s 时相距 {distance:.4e} m",
                 m.point
             ),
         )),
@@ -397,7 +392,7 @@ fn mutual<N: Certain>(a: [[N; 2]; 3], b: [[N; 2]; 3], m: Mutual) -> ParticleValu
     let square = d[0] * d[0] + d[1] * d[1];
     match m {
         Mutual::Distance | Mutual::Turning if square.approx() == 0.0 => ParticleValue::None(
-            Diagnostic::error("straight", both!("the two points are in one place", "两点重合")),
+            Diagnostic::error("straight", both!("the two points are in one place")),
         ),
         Mutual::Distance => scalar(square.sqrt()),
         Mutual::Turning => scalar(cross(d, off(1)) / square),
@@ -407,13 +402,7 @@ fn mutual<N: Certain>(a: [[N; 2]; 3], b: [[N; 2]; 3], m: Mutual) -> ParticleValu
 }
 
 fn straight(point: &str) -> Diagnostic {
-    Diagnostic::error(
-        "straight",
-        both!(
-            "the path of {point} does not bend at the instant",
-            "此瞬时 {point} 的轨迹不弯曲（ρ = ∞）"
-        ),
-    )
+    Diagnostic::error("straight", both!("the path of {point} does not bend at the instant"))
 }
 
 /// Returns an answer from laws alone: in `f64` with its error bound, or in longer numbers if that

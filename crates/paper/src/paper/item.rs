@@ -46,13 +46,10 @@ impl Figure {
         let coarse = |i: &&FigureItem| i.class.rsplit(' ').nth(1) == Some(COARSE);
         let count = self.items.iter().filter(coarse).count();
         let message = both!(
-            "{count} labels are more than can be weighed against one another: each took the best place that was left",
-            "{count} 个标注过多，不能统一优化：各取所余的最佳位置"
+            "{count} labels are more than can be weighed against one another: each took the best place that was left"
         );
-        let help = both!(
-            "draw fewer points, or ask for less in \"find\"; --figure draws one part alone",
-            "请少画一些点，或在 \"find\" 中少求一些；--figure 可只画一部分"
-        );
+        let help =
+            both!("draw fewer points, or ask for less in \"find\"; --figure draws one part alone");
         (count > 0)
             .then(|| Diagnostic::note("coarse-labels", message).help(help))
             .into_iter()

@@ -1,7 +1,7 @@
 //! Sentences with words and formulas, in one of the two languages.
 
 use crate::paper::label::Label;
-use hodograph_base::lang::Lang;
+use hodograph_base::lang::{Lang, tr};
 
 /// A sentence: words that are printed unchanged, and formulas in the label language.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -111,14 +111,6 @@ pub fn fill(sentence: &str, values: &[(&str, &str)]) -> String {
     out + rest
 }
 
-/// Returns the text in the given language.
-pub fn tr(lang: Lang, en: &'static str, zh: &'static str) -> &'static str {
-    match lang {
-        Lang::En => en,
-        Lang::Zh => zh,
-    }
-}
-
 /// Returns the text with a capital first letter.
 pub fn capital(text: &str) -> String {
     let mut rest = text.chars();
@@ -129,11 +121,11 @@ pub fn capital(text: &str) -> String {
 /// Returns the words for a sense of rotation.
 pub fn sense(lang: Lang, value: f64) -> &'static str {
     if value > 0.0 {
-        tr(lang, "counter-clockwise", "逆时针")
+        tr!(lang, "counter-clockwise")
     } else if value < 0.0 {
-        tr(lang, "clockwise", "顺时针")
+        tr!(lang, "clockwise")
     } else {
-        tr(lang, "zero", "为零")
+        tr!(lang, "zero")
     }
 }
 

@@ -101,12 +101,11 @@ fn set_anew(label: &Label) -> Typeset {
         let label = shortened(label.source());
         let message = both!(
             "label `{label}`: no embedded font has the character {c} (U+{:04X})",
-            "标注 `{label}`：内置字体没有字符 {c}（U+{:04X}）",
             u32::from(c)
         );
         faults.push(
             Diagnostic::warning("missing-glyph", message)
-                .help(both!("write it with other characters", "请改用其他字符")),
+                .help(both!("write it with other characters")),
         );
     }
     let (bottom, top) = line.vertical_ink();

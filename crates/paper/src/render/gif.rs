@@ -33,37 +33,29 @@ pub fn write(frames: &[String], dpi: f64, seconds: f64) -> Result<Vec<u8>, Diagn
         let pixmap = png::pixels(svg, dpi)?;
         let here = [pixmap.width(), pixmap.height()].map(|v| u16::try_from(v).ok());
         let ([Some(w), Some(h)], true) = (here, size.is_none_or(|s| s == here)) else {
-            return Err(fault(both!(
-                "the frames are not of one size that a GIF can have",
-                "各帧大小不一，或超出 GIF 的限度"
-            )));
+            return Err(fault(both!("the frames are not of one size that a GIF can have")));
         };
         let bytes = usize::from(w) * usize::from(h) * 3 * frames.len();
         if bytes > BYTES_MAX {
             let message = both!(
                 "{} frames of {} by {} pixels are more than a GIF is made for",
-                "{} 帧 {} × {} 像素超出 GIF 的用途",
                 frames.len(),
                 w,
                 h
             );
-            return Err(fault(message).help(both!(
-                "choose a lower --dpi, fewer --frames, or .svg",
-                "请减小 --dpi 或 --frames，或改用 .svg"
-            )));
+            return Err(fault(message).help(both!("choose a lower --dpi, fewer --frames, or .svg")));
         }
         size = Some([Some(w), Some(h)]);
         pictures
             .push(pixmap.data().chunks_exact(4).map(|p| [p[0], p[1], p[2]]).collect::<Vec<_>>());
     }
     let Some([Some(w), Some(h)]) = size else {
-        return Err(fault(both!("there is no frame", "没有帧")));
+        return Err(fault(both!("there is no frame")));
     };
     let delay = (seconds * TICKS / frames.len() as f64)
         .round()
         .clamp(SHORTEST_TICKS, f64::from(u16::MAX)) as u16;
-    encode(&pictures, [w, h], delay)
-        .map_err(|e| fault(both!("the picture cannot be encoded: {e}", "图像不能编码：{e}")))
+    encode(&pictures, [w, h], delay).map_err(|e| fault(both!("the picture cannot be encoded: {e}")))
 }
 
 fn fault(message: hodograph_base::diag::Both) -> Diagnostic {

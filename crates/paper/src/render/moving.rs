@@ -20,11 +20,7 @@ use super::{escaped, not_finite};
 /// `not-finite` for a number that is not finite, or if there is no figure.
 pub fn write(frames: &[&Figure], seconds: f64) -> Result<String, Faults> {
     let Some(first) = frames.first().filter(|_| seconds.is_finite() && seconds > 0.0) else {
-        return Err(not_finite(both!(
-            "there is no frame, or no time to show it",
-            "没有帧，或没有时间"
-        ))
-        .into());
+        return Err(not_finite(both!("there is no frame, or no time to show it")).into());
     };
     let mut elements = Elements::new(first.height_mm);
     let mut shown: Vec<Vec<String>> = Vec::new();

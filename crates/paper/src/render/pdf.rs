@@ -84,16 +84,9 @@ pub fn document(pages: &[Page], title: &str, lang: &str) -> Result<Warned<Vec<u8
     for page in pages {
         let (w, h) = (page.width_mm, page.height_mm);
         if !(w > 0.0 && h > 0.0 && w <= SIDE_MAX_MM && h <= SIDE_MAX_MM) {
-            let help = both!(
-                "a page of a PDF is at most {SIDE_MAX_MM} mm long and wide",
-                "PDF 页面的边长不超过 {SIDE_MAX_MM} mm"
-            );
+            let help = both!("a page of a PDF is at most {SIDE_MAX_MM} mm long and wide");
             faults.push(
-                Diagnostic::error(
-                    "page-size",
-                    both!("the page is {w} mm by {h} mm", "页面为 {w} mm × {h} mm"),
-                )
-                .help(help),
+                Diagnostic::error("page-size", both!("the page is {w} mm by {h} mm")).help(help),
             );
         }
         for item in page.parts.iter().flat_map(|p| &p.items) {
@@ -101,10 +94,7 @@ pub fn document(pages: &[Page], title: &str, lang: &str) -> Result<Warned<Vec<u8
                 let name = if item.id.is_empty() { &item.class } else { &item.id };
                 faults.push(Diagnostic::error(
                     "not-finite",
-                    both!(
-                        "item `{name}` has a coordinate that is not a number",
-                        "图元 `{name}` 的坐标不是数"
-                    ),
+                    both!("item `{name}` has a coordinate that is not a number"),
                 ));
             }
             if let Shape::Label { label, .. } | Shape::Turned { label, .. } = &item.shape {
@@ -119,17 +109,9 @@ pub fn document(pages: &[Page], title: &str, lang: &str) -> Result<Warned<Vec<u8
         match Font::new(Data::from(face.bytes()), 0) {
             Some(font) => drop(fonts.insert(key, font)),
             None => {
-                let d = Diagnostic::error(
-                    "font",
-                    both!(
-                        "the font {face:?} cannot be put into a PDF",
-                        "字体 {face:?} 不能嵌入 PDF"
-                    ),
-                );
-                faults.push(d.help(both!(
-                    "write an SVG or a PNG, or give another font",
-                    "请输出 SVG 或 PNG，或换字体"
-                )));
+                let d =
+                    Diagnostic::error("font", both!("the font {face:?} cannot be put into a PDF"));
+                faults.push(d.help(both!("write an SVG or a PNG, or give another font")));
             }
         }
     }
@@ -143,16 +125,13 @@ pub fn document(pages: &[Page], title: &str, lang: &str) -> Result<Warned<Vec<u8
         ..SerializeSettings::default()
     };
     let made = written(pages, title, lang, &fonts, settings).or_else(|e| {
-        let told = both!("the PDF does not meet PDF/UA-1: {e}", "PDF 不符合 PDF/UA-1：{e}");
+        let told = both!("the PDF does not meet PDF/UA-1: {e}");
         faults.push(Diagnostic::warning("pdf-ua", told));
         written(pages, title, lang, &fonts, SerializeSettings::default())
     });
     match made {
         Ok(value) => Ok(Warned { value, notes: faults.list }),
-        Err(e) => {
-            Err(Diagnostic::error("pdf", both!("the PDF cannot be made: {e}", "不能生成 PDF：{e}"))
-                .into())
-        }
+        Err(e) => Err(Diagnostic::error("pdf", both!("the PDF cannot be made: {e}")).into()),
     }
 }
 

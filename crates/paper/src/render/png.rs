@@ -22,22 +22,14 @@ const SIDE_MAX: f64 = 16384.0;
 /// document cannot be read.
 pub fn render(svg: &str, dpi: f64) -> Result<Vec<u8>, Diagnostic> {
     let pixmap = pixels(svg, dpi)?;
-    encode(&pixmap, dpi).map_err(|e| {
-        Diagnostic::error(
-            "png-size",
-            both!("the picture cannot be encoded: {e}", "图像不能编码：{e}"),
-        )
-    })
+    encode(&pixmap, dpi)
+        .map_err(|e| Diagnostic::error("png-size", both!("the picture cannot be encoded: {e}")))
 }
 
 /// Returns the pixels of a document on white paper, all of them opaque.
 pub(super) fn pixels(svg: &str, dpi: f64) -> Result<tiny_skia::Pixmap, Diagnostic> {
-    let tree = usvg::Tree::from_str(svg, &usvg::Options::default()).map_err(|e| {
-        Diagnostic::error(
-            "png-svg",
-            both!("the SVG document cannot be read: {e}", "不能读取 SVG：{e}"),
-        )
-    })?;
+    let tree = usvg::Tree::from_str(svg, &usvg::Options::default())
+        .map_err(|e| Diagnostic::error("png-svg", both!("the SVG document cannot be read: {e}")))?;
     let scale = dpi / CSS_DPI;
     let (w, h) = (
         (f64::from(tree.size().width()) * scale).round(),
@@ -47,11 +39,10 @@ pub(super) fn pixels(svg: &str, dpi: f64) -> Result<tiny_skia::Pixmap, Diagnosti
         Diagnostic::error(
             "png-size",
             both!(
-                "at {dpi} dpi the picture would be {w} by {h} pixels; each side may be 1 to {SIDE_MAX}",
-                "在 {dpi} dpi 下图像为 {w} × {h} 像素；每边应为 1 到 {SIDE_MAX}"
+                "at {dpi} dpi the picture would be {w} by {h} pixels; each side may be 1 to {SIDE_MAX}"
             ),
         )
-        .help(both!("choose another resolution", "请改变分辨率"))
+        .help(both!("choose another resolution"))
     };
     if !(w >= 1.0 && h >= 1.0 && w <= SIDE_MAX && h <= SIDE_MAX) {
         return Err(size_fault());

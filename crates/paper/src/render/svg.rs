@@ -99,7 +99,6 @@ fn root(figure: &Figure) -> Result<Document, Faults> {
     if !(figure.width_mm.is_finite() && figure.height_mm.is_finite()) {
         return Err(not_finite(both!(
             "the paper is {} mm by {} mm",
-            "图纸为 {} mm × {} mm",
             figure.width_mm,
             figure.height_mm
         ))
@@ -218,10 +217,7 @@ impl SvgWriter {
             return Some(self.item(item));
         }
         let name = if item.id.is_empty() { &item.class } else { &item.id };
-        self.faults.push(not_finite(both!(
-            "item `{name}` has a coordinate that is not a number",
-            "图元 `{name}` 的坐标不是数"
-        )));
+        self.faults.push(not_finite(both!("item `{name}` has a coordinate that is not a number")));
         None
     }
 

@@ -42,10 +42,7 @@ pub fn tikz(figure: &Figure) -> Result<String, Faults> {
     let mut faults = Faults::default();
     for item in figure.items.iter().filter(|item| !item.is_finite()) {
         let name = if item.id.is_empty() { &item.class } else { &item.id };
-        faults.push(not_finite(both!(
-            "item `{name}` has a coordinate that is not a number",
-            "图元 `{name}` 的坐标不是数"
-        )));
+        faults.push(not_finite(both!("item `{name}` has a coordinate that is not a number")));
     }
     if faults.has_errors() {
         return Err(faults);

@@ -6,7 +6,7 @@ use hodograph_base::cam::{
 };
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::digits::{legible, minus};
-use hodograph_paper::paper::phrase::tr;
+use hodograph_base::lang::{say, tr};
 use hodograph_scene::{Kind, Lang};
 use serde_json::{Value as Json, json};
 
@@ -35,12 +35,10 @@ impl Report<'_> {
         let wrong = |d: Diagnostic| d.at(self.cam.span);
         let diagram = PressureDiagram::of(self.disc(), allowed).ok_or_else(|| {
             let message = both!(
-                "the base circle of cam `{name}` does not follow from a pressure angle: its profile is given, or its follower has a flat face",
-                "凸轮 `{name}` 的基圆半径不能由压力角确定：其廓线已给定，或从动件为平底"
+                "the base circle of cam `{name}` does not follow from a pressure angle: its profile is given, or its follower has a flat face"
             );
             wrong(Diagnostic::error("cam-alpha", message).help(both!(
-                "give \"profile\": {{\"base\": ..., \"law\": [...]}} and an edge, a roller or a round end",
-                "请用 \"profile\": {{\"base\": ..., \"law\": [...]}}，并用尖顶、滚子或曲面从动件"
+                "give \"profile\": {{\"base\": ..., \"law\": [...]}} and an edge, a roller or a round end"
             )))
         })?;
         let kept = match self.disc().follower {
@@ -48,14 +46,11 @@ impl Report<'_> {
             Follower::Oscillating { .. } => None,
         };
         let best = diagram.least(allowed, None).ok_or_else(|| {
-            let message = both!(
-                "no place of the centre of cam `{name}` keeps the pressure angles",
-                "凸轮 `{name}` 的轴心无论在何处，压力角都超过许用值"
-            );
-            wrong(Diagnostic::error("cam-alpha", message).help(both!(
-                "allow larger angles, or give the stages more of the turn",
-                "请增大许用压力角，或增大各段运动角"
-            )))
+            let message = both!("no place of the centre of cam `{name}` keeps the pressure angles");
+            wrong(
+                Diagnostic::error("cam-alpha", message)
+                    .help(both!("allow larger angles, or give the stages more of the turn")),
+            )
         })?;
         Ok(LeastCams { allowed, kept, best })
     }
@@ -92,15 +87,12 @@ impl Report<'_> {
     pub fn least_text(&self, least: &LeastCams, lang: Lang) -> String {
         let AllowedPressure { rise, back } = least.allowed;
         let (rise, back) = (degrees(rise), degrees(back));
-        let mut out = match lang {
-            Lang::En => format!("  allowed pressure angle {rise} out, {back} back\n"),
-            Lang::Zh => format!("  许用压力角：推程 [α] = {rise}，回程 [α′] = {back}\n"),
-        };
-        let kept = least.kept.as_ref().map(|c| (c, tr(lang, "with this offset", "保持偏距")));
+        let mut out = say!(lang, "  allowed pressure angle {rise} out, {back} back\n");
+        let kept = least.kept.as_ref().map(|c| (c, tr!(lang, "with this offset")));
         let best = match self.disc().follower {
-            Follower::Translating { .. } => tr(lang, "with the best offset", "取最佳偏距"),
+            Follower::Translating { .. } => tr!(lang, "with the best offset"),
             Follower::Oscillating { .. } => {
-                tr(lang, "with the best distance of the pivots", "取最佳中心距")
+                tr!(lang, "with the best distance of the pivots")
             }
         };
         for (of, name) in kept.into_iter().chain([(&least.best, best)]) {
@@ -113,21 +105,16 @@ impl Report<'_> {
         let symbol = if self.swings() { "d" } else { "e" };
         let apart = format!("{symbol} = {}", self.length(self.apart(of)));
         let [pitch, base] = [of.pitch_base, of.base(self.end())].map(|r| self.length(r));
-        let mut out = match lang {
-            Lang::En => format!(
-                "    {name} {apart}: least base circle of the pitch curve {pitch}, of the profile r₀ = {base}\n"
-            ),
-            Lang::Zh => format!(
-                "    {name} {apart}：理论廓线基圆半径最小为 {pitch}，实际廓线 r₀ = {base}\n"
-            ),
-        };
+        let mut out = say!(
+            lang,
+            "    {name} {apart}: least base circle of the pitch curve {pitch}, of the profile r₀ = {base}\n"
+        );
         let mut at: Vec<(f64, bool)> = of.touched.iter().map(|(w, _)| (w.phi, w.rising)).collect();
         at.sort_by(|a, b| a.0.total_cmp(&b.0));
         let at: Vec<String> = at
             .into_iter()
             .map(|(phi, rising)| {
-                let way =
-                    if rising { tr(lang, "out", "推程") } else { tr(lang, "back", "回程") };
+                let way = if rising { tr!(lang, "cam" => "out") } else { tr!(lang, "back") };
                 let phi = degrees((phi * 1e6).round() / 1e6);
                 match lang {
                     Lang::En => format!("φ = {phi} ({way})"),
@@ -135,21 +122,14 @@ impl Report<'_> {
                 }
             })
             .collect();
-        let at = at.join(tr(lang, ", ", "、"));
-        out += &match lang {
-            Lang::En => format!("      the allowed angle is reached at {at}\n"),
-            Lang::Zh => format!("      压力角达到许用值的位置：{at}\n"),
-        };
+        let at = at.join(tr!(lang, "list" => ", "));
+        out += &say!(lang, "      the allowed angle is reached at {at}\n");
         if let Some(rho) = least_radius(of) {
             let (rho, most) = (self.length(rho), self.length(ROLLER * rho));
-            out += &match lang {
-                Lang::En => format!(
-                    "      least convex radius of the pitch curve ρ = {rho}: roller r_r ≤ 0.8 ρ = {most}\n"
-                ),
-                Lang::Zh => format!(
-                    "      理论廓线外凸部分最小曲率半径 ρ_min = {rho}：滚子半径 r_r ≤ 0.8 ρ_min = {most}\n"
-                ),
-            };
+            out += &say!(
+                lang,
+                "      least convex radius of the pitch curve ρ = {rho}: roller r_r ≤ 0.8 ρ = {most}\n"
+            );
         }
         out
     }

@@ -3,7 +3,8 @@
 use super::{DIGITS, Report};
 use hodograph_base::cam::PieceSide;
 use hodograph_base::digits::legible;
-use hodograph_paper::paper::phrase::{capital, tr};
+use hodograph_base::lang::tr;
+use hodograph_paper::paper::phrase::capital;
 use hodograph_scene::Lang;
 
 /// The subject of a line of the report.
@@ -30,10 +31,10 @@ impl Report<'_> {
     pub fn sentence(&self, subject: CamSubject, lang: Lang) -> Option<String> {
         let lines = self.lines(lang).into_iter().filter(|(of, _)| *of == subject);
         let lines: Vec<String> = lines
-            .map(|(_, line)| line.trim().replace("  ", tr(lang, ", ", "，")))
+            .map(|(_, line)| line.trim().replace("  ", tr!(lang, "clause" => ", ")))
             .map(|line| line.replace("r_r ", "$r_{r}$ "))
             .collect();
-        let [between, stop] = [tr(lang, "; ", "；"), tr(lang, ".", "。")];
+        let [between, stop] = [tr!(lang, "; "), tr!(lang, ".")];
         (!lines.is_empty()).then(|| format!("{}{stop}", capital(&lines.join(between))))
     }
 

@@ -2,27 +2,24 @@
 
 use super::{CompositeWords, DIGITS, symbol};
 use hodograph_base::digits::{inked, significant};
+use hodograph_base::lang::{say, tr};
 use hodograph_board::plan::names::name_label;
 use hodograph_methods::composite::coriolis::{CoriolisVerdict, SlideCoriolis};
-use hodograph_paper::paper::phrase::{Phrase, sense, tr};
+use hodograph_paper::paper::phrase::{Phrase, sense};
 use hodograph_scene::quantity::composite::CompositePart;
-use hodograph_scene::{DiagramKind, Kind, Lang};
+use hodograph_scene::{DiagramKind, Kind};
 
 impl CompositeWords<'_> {
     /// Returns the name of a slide: `B along the guide of link 3`.
     pub fn slide(&self, s: &SlideCoriolis) -> Phrase {
         let (scene, guide) = (self.scene, &self.scene.guides[s.guide.0]);
         let on = scene.link_name(guide.on);
-        let runner = match (guide.pin, guide.slider, self.lang) {
-            (Some(pin), ..) => format!("${}$", name_label(scene.point_name(pin))),
-            (None, Some(l), Lang::En) => format!("Link {}", scene.link_name(l)),
-            (None, Some(l), Lang::Zh) => format!("构件 {} ", scene.link_name(l)),
-            (None, None, _) => String::new(),
+        let runner = match (guide.pin, guide.slider) {
+            (Some(pin), _) => format!("${}$", name_label(scene.point_name(pin))),
+            (None, Some(l)) => say!(self.lang, "Link {}", scene.link_name(l)),
+            (None, None) => String::new(),
         };
-        Phrase::new(&match self.lang {
-            Lang::En => format!("{runner} along the guide of link {on}"),
-            Lang::Zh => format!("{} 沿构件 {on} 的导路", runner.trim_end()),
-        })
+        Phrase::new(&say!(self.lang, "{runner} along the guide of link {on}"))
     }
 
     /// Returns the decision on a slide: the value of a_k, or zero with the reason; then the numbers
@@ -37,20 +34,12 @@ impl CompositeWords<'_> {
             let number = inked(&significant(scene.book.value(kind, value), DIGITS));
             scene.book.label(kind, &number)
         };
-        let none = |why: &str| vec![format!("${a} = 0${}{why}", tr(lang, ": ", "："))];
+        let none = |why: &str| vec![format!("${a} = 0${}{why}", tr!(lang, ": "))];
         let lines = match s.verdict {
-            CoriolisVerdict::GuideFixed => none(tr(lang, "the guide is at rest", "导路固定不动")),
-            CoriolisVerdict::GuideTranslates => {
-                none(tr(lang, "the guide translates", "导路作平移，不转动"))
-            }
-            CoriolisVerdict::GuideDwells => none(&match lang {
-                Lang::En => format!("${omega} = 0$ at this instant"),
-                Lang::Zh => format!("该瞬时 ${omega} = 0$"),
-            }),
-            CoriolisVerdict::NoSliding => none(&match lang {
-                Lang::En => format!("${v} = 0$ at this instant"),
-                Lang::Zh => format!("该瞬时 ${v} = 0$"),
-            }),
+            CoriolisVerdict::GuideFixed => none(tr!(lang, "the guide is at rest")),
+            CoriolisVerdict::GuideTranslates => none(tr!(lang, "the guide translates")),
+            CoriolisVerdict::GuideDwells => none(&say!(lang, "${omega} = 0$ at this instant")),
+            CoriolisVerdict::NoSliding => none(&say!(lang, "${v} = 0$ at this instant")),
             CoriolisVerdict::Present => {
                 let size = told(Kind::Acceleration, s.acceleration().norm());
                 let numbers = format!(
@@ -60,10 +49,7 @@ impl CompositeWords<'_> {
                     told(Kind::Velocity, s.relative.norm())
                 );
                 let turned = sense(lang, s.omega);
-                let direction = match lang {
-                    Lang::En => format!("direction: ${v}$ turned by 90° {turned}, as ${omega}$"),
-                    Lang::Zh => format!("方向：${v}$ 顺 ${omega}$ 转向（{turned}）转过 90°"),
-                };
+                let direction = say!(lang, "direction: ${v}$ turned by 90° {turned}, as ${omega}$");
                 vec![format!("${a} = 2{omega} {v} = {size}$"), numbers, direction]
             }
         };

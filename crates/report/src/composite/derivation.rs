@@ -3,11 +3,12 @@
 use super::{CompositeWords, DIGITS, symbol};
 use hodograph_base::digits::{inked, shortest, significant};
 use hodograph_base::geom::Vec2;
+use hodograph_base::lang::{say, tr};
 use hodograph_board::plan::names::point_label;
 use hodograph_methods::composite::derivation::TwoInstants;
-use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::phrase::Phrase;
 use hodograph_scene::quantity::composite::CompositePart;
-use hodograph_scene::{DiagramKind, Kind, Lang};
+use hodograph_scene::{DiagramKind, Kind};
 
 /// The lines beside the drawings.
 pub struct DerivationWords {
@@ -39,26 +40,21 @@ impl CompositeWords<'_> {
             let value = self.amount(kind, value.norm());
             Phrase::new(&format!(
                 "$|{over}|/\\Delta t = {quotient}${}$|{limit}| = {value}$",
-                tr(lang, "; as $\\Delta t \\to 0$: ", "；$\\Delta t \\to 0$ 时 ")
+                tr!(lang, "; as $\\Delta t \\to 0$: ")
             ))
         };
         let v = Kind::Velocity;
         let mut displacements = vec![
-            Phrase::new(&match lang {
-                Lang::En => format!(
-                    "In $\\Delta t = {time}$ the point goes from ${own}$ to ${own}_{{1}}$, the frame's point from ${own}$ to ${small}$:"
-                ),
-                Lang::Zh => format!(
-                    "在 $\\Delta t = {time}$ 内动点由 ${own}$ 到 ${own}_{{1}}$，牵连点由 ${own}$ 到 ${small}$："
-                ),
-            }),
+            Phrase::new(&say!(
+                lang,
+                "In $\\Delta t = {time}$ the point goes from ${own}$ to ${own}_{{1}}$, the frame's point from ${own}$ to ${small}$:"
+            )),
             Phrase::new("$\\Delta r_{a} = \\Delta r_{e} + \\Delta r_{r}$"),
             row("\\Delta r_{a}", to - from, "v_{a}", absolute, v),
             row("\\Delta r_{e}", carried - from, "v_{e}", transport, v),
             row("\\Delta r_{r}", to - carried, "v_{r}", relative, v),
         ];
-        let limit =
-            tr(lang, "Divided by $\\Delta t$, in the limit: ", "除以 $\\Delta t$ 并取极限：");
+        let limit = tr!(lang, "Divided by $\\Delta t$, in the limit: ");
         displacements.push(Phrase::new(&format!("{limit}$v_{{a}} = v_{{e}} + v_{{r}}$")));
         let acceleration = |parts: &[CompositePart]| {
             two.solution
@@ -81,14 +77,7 @@ impl CompositeWords<'_> {
                 CompositePart::RelativeNormal,
                 CompositePart::RelativeTangential,
             ]);
-            velocities.push(Phrase::new(&match lang {
-                Lang::En => format!(
-                    "$v_{{e1}}$: velocity of ${small}$; $v_{{r1}}$: $v_{{r}}$ turned with the frame; $v_{{e}}'$, $v_{{r}}'$: at ${own}_{{1}}$"
-                ),
-                Lang::Zh => format!(
-                    "$v_{{e1}}$ 为 ${small}$ 点的速度；$v_{{r1}}$ 为随动系转过的 $v_{{r}}$；$v_{{e}}'$、$v_{{r}}'$ 为在 ${own}_{{1}}$ 处的速度"
-                ),
-            }));
+            velocities.push(Phrase::new(&say!(lang, "$v_{{e1}}$: velocity of ${small}$; $v_{{r1}}$: $v_{{r}}$ turned with the frame; $v_{{e}}'$, $v_{{r}}'$: at ${own}_{{1}}$")));
             velocities.push(Phrase::new(
                 "$\\Delta v_{a} = \\Delta v_{e} + \\Delta v_{e}^{*} + \\Delta v_{r}^{*} + \\Delta v_{r}$",
             ));
@@ -117,7 +106,7 @@ impl CompositeWords<'_> {
             let k = symbol(Some(CompositePart::Coriolis), DiagramKind::Acceleration, self.notation);
             velocities.push(Phrase::new(&format!(
                 "{limit}$a_{{a}} = a_{{e}} + a_{{r}} + {k}${}${k} = 2\\omega \\times v_{{r}}$",
-                tr(lang, ", ", "，")
+                tr!(lang, "clause" => ", ")
             )));
         }
         DerivationWords { displacements, velocities }

@@ -2,14 +2,15 @@
 
 use super::{CompositeWords, projected_sum, symbol};
 use hodograph_base::digits::{direction_degrees, inked, significant};
+use hodograph_base::lang::say;
 use hodograph_board::plan::names::name_label;
 use hodograph_methods::composite::{
     ChoiceSolution, EquatedFrames, EquatedProjection, equated, name_of,
 };
 use hodograph_paper::paper::phrase::Phrase;
+use hodograph_scene::DiagramKind;
 use hodograph_scene::quantity::Frame;
 use hodograph_scene::quantity::composite::CompositePart;
-use hodograph_scene::{DiagramKind, Lang};
 
 impl CompositeWords<'_> {
     /// Returns the lines on frames that only together determine the motion of their moving point:
@@ -21,14 +22,10 @@ impl CompositeWords<'_> {
     fn frames(&self, e: &EquatedFrames, solved: &[ChoiceSolution]) -> Vec<Phrase> {
         let both = e.of.map(|k| &solved[k]);
         let point = name_label(&name_of(self.scene, &both[0].choice.of));
-        let mut out = vec![Phrase::new(&match self.lang {
-            Lang::En => format!(
-                "Each equation alone has three unknowns; both give the motion of the same point ${point}$:"
-            ),
-            Lang::Zh => format!(
-                "每个方程各有三个未知量，不能单独求解；两式表示同一动点 ${point}$ 的运动，联立："
-            ),
-        })];
+        let mut out = vec![Phrase::new(&say!(
+            self.lang,
+            "Each equation alone has three unknowns; both give the motion of the same point ${point}$:"
+        ))];
         for of in DiagramKind::POLYGONS {
             let of_level: Vec<&EquatedProjection> =
                 e.projections.iter().filter(|p| p.of == of).collect();
@@ -64,12 +61,10 @@ impl CompositeWords<'_> {
                 projected_sum(terms.iter().map(|(part, a)| (self.in_frame(s, *part, p.of), *a)))
             })
             .collect();
-        let words = match self.lang {
-            Lang::En => format!(
-                "Projected on the perpendicular to ${other}$ (${degrees}$°) for ${wanted}$:"
-            ),
-            Lang::Zh => format!("向垂直于 ${other}$ 的方向（${degrees}$°）投影，求 ${wanted}$："),
-        };
+        let words = say!(
+            self.lang,
+            "Projected on the perpendicular to ${other}$ (${degrees}$°) for ${wanted}$:"
+        );
         Phrase::new(&self.projected(&words, &sides.join(" = ")))
     }
 

@@ -3,10 +3,11 @@
 
 use super::{CompositeWords, symbol};
 use hodograph_base::geom::Vec2;
+use hodograph_base::lang::{say, tr};
 use hodograph_methods::composite::{ChoiceSolution, KnownMotion, projections};
-use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::phrase::Phrase;
 use hodograph_scene::quantity::composite::CompositePart;
-use hodograph_scene::{DiagramKind, Kind, Lang};
+use hodograph_scene::{DiagramKind, Kind};
 
 /// A step of the construction.
 pub struct CompositeStep {
@@ -27,7 +28,7 @@ impl CompositeWords<'_> {
             draws: draws.to_vec(),
             text: Phrase::new(text),
         };
-        let stop = tr(lang, ". ", "。");
+        let stop = tr!(lang, ". ");
         let line = |p: &Phrase| format!("{}{}", p.source(), stop.trim_end());
         let heading =
             [self.heading(&s.choice), self.three_motions(&s.choice)].map(|p| p.source()).join(stop);
@@ -40,7 +41,7 @@ impl CompositeWords<'_> {
         out.push(step(
             DiagramKind::Plane,
             &[],
-            &format!("{}{}", path.join(tr(lang, " ", "")), stop.trim_end()),
+            &format!("{}{}", path.join(lang.pick([" ", ""])), stop.trim_end()),
         ));
         let velocities: Vec<(Option<CompositePart>, Vec2)> =
             [None, Some(CompositePart::TransportVelocity), Some(CompositePart::RelativeVelocity)]
@@ -93,40 +94,24 @@ impl CompositeWords<'_> {
         };
         out.push(step(
             Vec::new(),
-            match (on, lang) {
-                (DiagramKind::Velocity, Lang::En) => format!("The velocities: {equation}."),
-                (DiagramKind::Velocity, Lang::Zh) => format!("速度合成定理：{equation}。"),
-                (_, Lang::En) => format!("The accelerations: {equation}."),
-                (_, Lang::Zh) => format!("加速度合成定理：{equation}。"),
+            match on {
+                DiagramKind::Velocity => say!(lang, "The velocities: {equation}."),
+                _ => say!(lang, "The accelerations: {equation}."),
             },
         ));
         for (part, value) in known {
             let reason = self.reason_of(part);
-            out.push(step(
-                vec![part],
-                match lang {
-                    Lang::En => format!("Lay off {reason}: {value}."),
-                    Lang::Zh => format!("作{reason}：{value}。"),
-                },
-            ));
+            out.push(step(vec![part], say!(lang, "Lay off {reason}: {value}.")));
         }
         let draws = rest.iter().map(|(part, _)| *part).collect();
         let values = rest.into_iter().map(|(_, text)| text).collect::<Vec<_>>().join(self.comma());
         out.push(step(
             draws,
-            match (on, lang) {
-                (DiagramKind::Velocity, Lang::En) => {
-                    format!("The parallelogram with the diagonal $v_{{a}}$ gives {values}.")
+            match on {
+                DiagramKind::Velocity => {
+                    say!(lang, "The parallelogram with the diagonal $v_{{a}}$ gives {values}.")
                 }
-                (DiagramKind::Velocity, Lang::Zh) => {
-                    format!("以 $v_{{a}}$ 为对角线作平行四边形，得 {values}。")
-                }
-                (_, Lang::En) => {
-                    format!("The lines of the unknown vectors close the polygon: {values}.")
-                }
-                (_, Lang::Zh) => {
-                    format!("由未知矢量的方向线封闭加速度多边形，得 {values}。")
-                }
+                _ => say!(lang, "The lines of the unknown vectors close the polygon: {values}."),
             },
         ));
     }
@@ -135,38 +120,30 @@ impl CompositeWords<'_> {
     fn reason_of(&self, part: Option<CompositePart>) -> &'static str {
         let lang = self.lang;
         match part {
-            None => tr(lang, "the absolute motion, which is known", "已知的绝对运动矢量"),
-            Some(CompositePart::TransportVelocity | CompositePart::Transport) => tr(
+            None => tr!(lang, "the absolute motion, which is known"),
+            Some(CompositePart::TransportVelocity | CompositePart::Transport) => {
+                tr!(lang, "the transport motion: that of the frame's point at the moving point")
+            }
+            Some(CompositePart::TransportNormal) => {
+                tr!(lang, "the normal transport part $\\omega^2 r$, toward the axis of the frame")
+            }
+            Some(CompositePart::TransportTangential) => {
+                tr!(lang, "the tangential transport part $\\alpha r$, square to the radius")
+            }
+            Some(CompositePart::RelativeNormal) => tr!(
                 lang,
-                "the transport motion: that of the frame's point at the moving point",
-                "牵连点的运动矢量",
+                "the normal relative part $v_{r}^2/\\rho$, toward the centre of the relative path"
             ),
-            Some(CompositePart::TransportNormal) => tr(
+            Some(CompositePart::Coriolis) => tr!(
                 lang,
-                "the normal transport part $\\omega^2 r$, toward the axis of the frame",
-                "牵连法向加速度 $\\omega^2 r$，指向动系转轴",
-            ),
-            Some(CompositePart::TransportTangential) => tr(
-                lang,
-                "the tangential transport part $\\alpha r$, square to the radius",
-                "牵连切向加速度 $\\alpha r$，垂直于转动半径",
-            ),
-            Some(CompositePart::RelativeNormal) => tr(
-                lang,
-                "the normal relative part $v_{r}^2/\\rho$, toward the centre of the relative path",
-                "相对法向加速度 $v_{r}^2/\\rho$，指向相对轨迹的曲率中心",
-            ),
-            Some(CompositePart::Coriolis) => tr(
-                lang,
-                "the Coriolis part $2\\omega v_{r}$: $v_{r}$ turned by 90° in the sense of $\\omega$",
-                "科氏加速度 $2\\omega v_{r}$，方向为 $v_{r}$ 顺 $\\omega$ 转向转过 90°",
+                "the Coriolis part $2\\omega v_{r}$: $v_{r}$ turned by 90° in the sense of $\\omega$"
             ),
             Some(
                 CompositePart::RelativeVelocity
                 | CompositePart::Relative
                 | CompositePart::Path
                 | CompositePart::RelativeTangential,
-            ) => tr(lang, "the relative motion", "相对运动矢量"),
+            ) => tr!(lang, "the relative motion"),
         }
     }
 }

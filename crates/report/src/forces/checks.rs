@@ -4,12 +4,13 @@
 use super::{ForceWriter, MomentSum, NO_ARM_MM};
 use hodograph_base::digits::{direction_degrees, inked, significant};
 use hodograph_base::geom::Vec2;
+use hodograph_base::lang::{say, tr};
 use hodograph_board::equilibrium::{ForceTerm, ForceTotals, Lever};
 use hodograph_board::plan::names::name_label;
 use hodograph_mechanism::position::Configuration;
-use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::phrase::Phrase;
+use hodograph_scene::Kind;
 use hodograph_scene::quantity::ROUNDING;
-use hodograph_scene::{Kind, Lang};
 
 impl ForceWriter<'_> {
     /// Returns the checks as plain text.
@@ -32,13 +33,9 @@ impl ForceWriter<'_> {
         let whole = ForceTotals::of(self.scene, at, self.of).map(|whole| self.whole(&whole));
         let by_lever = lever.map(|(lever, pole)| self.lever(lever, pole)).unwrap_or_default();
         let heading = match (whole.is_some(), by_lever.is_empty()) {
-            (true, false) => tr(
-                self.lang,
-                "Checks: all links together, Zhukovsky's lever",
-                "校核：整个机构的平衡、茹可夫斯基杠杆",
-            ),
-            (true, true) => tr(self.lang, "Check: all links together", "校核：整个机构的平衡"),
-            (false, _) => tr(self.lang, "Check by Zhukovsky's lever", "用茹可夫斯基杠杆校核"),
+            (true, false) => tr!(self.lang, "Checks: all links together, Zhukovsky's lever"),
+            (true, true) => tr!(self.lang, "Check: all links together"),
+            (false, _) => tr!(self.lang, "Check by Zhukovsky's lever"),
         };
         let all: Vec<Phrase> = whole.into_iter().chain(by_lever).collect();
         (!all.is_empty()).then_some((heading, all))
@@ -56,14 +53,10 @@ impl ForceWriter<'_> {
             None => format!("${}$", self.amount(Kind::Force, 0.0)),
         };
         let (loads, ground) = (sum(whole.loads), sum(whole.ground));
-        Phrase::new(&match self.lang {
-            Lang::En => format!(
-                "The loads of all links add up to {loads}, the reactions of the ground on the links to {ground}."
-            ),
-            Lang::Zh => {
-                format!("各构件上的载荷之和为 {loads}，机架对各构件的反力之和为 {ground}。")
-            }
-        })
+        Phrase::new(&say!(
+            self.lang,
+            "The loads of all links add up to {loads}, the reactions of the ground on the links to {ground}."
+        ))
     }
 
     /// Returns the moments of all loads about the pole, with arms as measured, and the result.
@@ -89,10 +82,7 @@ impl ForceWriter<'_> {
             "$\\Sigma M_{{{pole}}} = {} = {moment}\\,\\text{{N·mm}}$",
             if sum.terms == 0 { "0" } else { &sum.text }
         );
-        let total = match self.lang {
-            Lang::En => format!("Moments of all loads about ${pole}$: {equation}."),
-            Lang::Zh => format!("各载荷对 ${pole}$ 取矩：{equation}。"),
-        };
+        let total = say!(self.lang, "Moments of all loads about ${pole}$: {equation}.");
         // A balancing force at a point has its own arm on the lever.
         let balance = self.scene.loads.balance.as_ref();
         let by_lever =
@@ -130,11 +120,9 @@ impl ForceWriter<'_> {
                 )
             }
         };
-        let given = match (self.lang, beside) {
-            (Lang::En, Some(value)) => format!("{relation}; the force polygons give ${value}$."),
-            (Lang::Zh, Some(value)) => format!("{relation}；力多边形得 ${value}$。"),
-            (Lang::En, None) => format!("{relation}."),
-            (Lang::Zh, None) => format!("{relation}。"),
+        let given = match beside {
+            Some(value) => say!(self.lang, "{relation}; the force polygons give ${value}$."),
+            None => format!("{relation}{}", self.lang.pick([".", "。"])),
         };
         [total, given].iter().map(|text| Phrase::new(text)).collect()
     }

@@ -2,12 +2,12 @@
 
 use super::{DIGITS, ForceWriter};
 use hodograph_base::digits::{inked, significant};
+use hodograph_base::lang::{say, tr};
 use hodograph_board::equilibrium::ForceTerm;
 use hodograph_board::equilibrium::{GroupForces, Party, ReactionComponent};
 use hodograph_mechanism::force::Cause;
-use hodograph_paper::paper::phrase::tr;
 use hodograph_scene::quantity::{Contact, contacts};
-use hodograph_scene::{Kind, Lang, LinkId, Rub};
+use hodograph_scene::{Kind, LinkId, Rub};
 
 impl ForceWriter<'_> {
     /// Returns the part of a reaction that the polygon contains: for a guide with friction the
@@ -65,12 +65,10 @@ impl ForceWriter<'_> {
                 }
             });
         }
-        let all = (!all.is_empty()).then(|| all.join(tr(self.lang, "; ", "；")))?;
-        Some(match self.lang {
-            Lang::En => format!(
-                "Friction, from polygons that are drawn again until the forces stand: {all}."
-            ),
-            Lang::Zh => format!("摩擦（反复作力多边形，直至各力不变）：{all}。"),
-        })
+        let all = (!all.is_empty()).then(|| all.join(tr!(self.lang, "; ")))?;
+        Some(say!(
+            self.lang,
+            "Friction, from polygons that are drawn again until the forces stand: {all}."
+        ))
     }
 }

@@ -12,10 +12,11 @@
 use super::{DIGITS, ForceWriter};
 use hodograph_base::digits::{inked, significant};
 use hodograph_base::geom::Point;
+use hodograph_base::lang::say;
 use hodograph_board::plan::names::{name_label, point_label};
 use hodograph_mechanism::force::Cause;
 use hodograph_scene::quantity::parties;
-use hodograph_scene::{Kind, Lang, Mass, PointId};
+use hodograph_scene::{Kind, Mass, PointId};
 
 /// Largest distance of a centre of mass from the line of the pins, as a fraction of the rod, at
 /// which it counts as on the line.
@@ -59,16 +60,11 @@ impl ForceWriter<'_> {
         let couple = self.amount(Kind::Moment, (m * l1 * l3 - j) * alpha);
         let [split_near, split_far] = [kg(m * l3 / l), kg(m * l1 / l)];
         let [exact_near, exact_far] = [kg(m * l2 / (l1 + l2)), kg(m * l1 / (l1 + l2))];
-        Some(match self.lang {
-            Lang::En => format!(
-                "Link {link} as two masses: ${exact_near}$ at ${near}$ and ${exact_far}$ at $K$, ${centre}K={small}$ beyond ${centre}$; or ${split_near}$ at ${near}$ \
+        Some(say!(
+            self.lang,
+            "Link {link} as two masses: ${exact_near}$ at ${near}$ and ${exact_far}$ at $K$, ${centre}K={small}$ beyond ${centre}$; or ${split_near}$ at ${near}$ \
                  and ${split_far}$ at ${far}$ with the couple $m(ab-k^2)\\alpha_{{{link}}}={couple}$, $a$ and $b$ from ${centre}$ to the pins."
-            ),
-            Lang::Zh => format!(
-                "构件 {link} 的质量代换：${near}$ 处 ${exact_near}$，$K$ 处 ${exact_far}$（${centre}K={small}$，在 ${centre}$ 的另一侧）；或 ${near}$ 处 ${split_near}$、\
-                 ${far}$ 处 ${split_far}$，另加力偶 $m(ab-k^2)\\alpha_{{{link}}}={couple}$，$a$、$b$ 为 ${centre}$ 到两销的距离。"
-            ),
-        })
+        ))
     }
 
     /// Returns a point of the mechanism (m).

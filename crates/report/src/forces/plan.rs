@@ -2,18 +2,19 @@
 
 use super::ForceWriter;
 use crate::plan::table;
+use hodograph_base::lang::{say, tr};
 use hodograph_board::equilibrium::{About, ForceEdge, GroupForces, MomentResult, Moments};
 use hodograph_board::plan::names::{name_label, point_label};
 use hodograph_board::plan::text::EquationColumn;
-use hodograph_paper::paper::phrase::{formula, tr};
-use hodograph_scene::{Lang, LinkId};
+use hodograph_paper::paper::phrase::formula;
+use hodograph_scene::LinkId;
 use serde_json::{Value as Json, json};
 
 impl ForceWriter<'_> {
     /// Returns the plan as lines of text, after the `before` equations of velocities and
     /// accelerations.
     pub fn plan(&self, before: usize) -> String {
-        let mut out = format!("{}\n", tr(self.lang, "forces", "力"));
+        let mut out = format!("{}\n", tr!(self.lang, "forces"));
         let mut number = before;
         for group in &self.of.groups {
             out += &format!("  {}\n", self.heading(group));
@@ -26,8 +27,7 @@ impl ForceWriter<'_> {
             for sides in self.equations(group) {
                 number += 1;
                 let rows = table(self.lang, &self.planned(&sides));
-                out +=
-                    &format!("  ({number}) {}\n", tr(self.lang, "equilibrium of forces", "力平衡"));
+                out += &format!("  ({number}) {}\n", tr!(self.lang, "equilibrium of forces"));
                 out.extend(rows.iter().map(|row| format!("      {}\n", row.trim_end())));
             }
             out += &lines(after);
@@ -77,15 +77,12 @@ impl ForceWriter<'_> {
         let names: Vec<&str> = m.links.iter().map(|l| self.scene.link_name(*l)).collect();
         let (about, given) = (formula(&self.about(m.about)), formula(&self.given(m)));
         if matches!(m.gives, MomentResult::Trial { .. }) {
-            return format!("{}{given}", tr(self.lang, "two trials: ", "两次试算："));
+            return format!("{}{given}", tr!(self.lang, "two trials: "));
         }
-        match self.lang {
-            Lang::En => format!(
-                "moments of link{} {} about {about}: {given}",
-                if names.len() > 1 { "s" } else { "" },
-                names.join(", ")
-            ),
-            Lang::Zh => format!("构件 {} 对 {about} 取矩：{given}", names.join("、")),
+        let links = names.join(self.lang.pick([", ", "、"]));
+        match names.len() {
+            1 => say!(self.lang, "moments of link {links} about {about}: {given}"),
+            _ => say!(self.lang, "moments of links {links} about {about}: {given}"),
         }
     }
 

@@ -2,12 +2,13 @@
 
 use super::{DIGITS, ForceWriter};
 use hodograph_base::digits::{inked, significant};
+use hodograph_base::lang::{say, tr};
 use hodograph_board::construction::{MarkId, Op};
 use hodograph_board::equilibrium::{
     Act, ForceEdge, ForceTerm, GroupForces, Party, ReactionComponent,
 };
-use hodograph_paper::paper::phrase::{Phrase, tr};
-use hodograph_scene::{Kind, Lang};
+use hodograph_paper::paper::phrase::Phrase;
+use hodograph_scene::Kind;
 
 impl ForceWriter<'_> {
     /// Returns the sentence of each step of a group, in the order of
@@ -28,10 +29,7 @@ impl ForceWriter<'_> {
             Act::Cross(to) => self.crossed(group, *to),
             Act::Read(side) => {
                 let reading = self.reading(group, side).unwrap_or_default();
-                match self.lang {
-                    Lang::En => format!("The polygon gives ${reading}$."),
-                    Lang::Zh => format!("由力多边形量得 ${reading}$。"),
-                }
+                say!(self.lang, "The polygon gives ${reading}$.")
             }
         }
     }
@@ -92,30 +90,26 @@ impl ForceWriter<'_> {
                 .iter()
                 .map(|s| format!("${s}$"))
                 .collect::<Vec<_>>()
-                .join(tr(self.lang, ", ", "、"))
+                .join(tr!(self.lang, "list" => ", "))
         };
-        let reactions = match (self.lang, unknown.len()) {
-            (_, 0) => String::new(),
-            (Lang::En, 1) => format!(" The reaction {} is sought.", list(&unknown)),
-            (Lang::En, _) => format!(" The reactions {} are sought.", list(&unknown)),
-            (Lang::Zh, _) => format!("待求反力 {}。", list(&unknown)),
+        let (lang, sought, acting) = (self.lang, list(&unknown), list(&known));
+        let reactions = match unknown.len() {
+            0 => String::new(),
+            1 => say!(lang, " The reaction {sought} is sought."),
+            _ => say!(lang, " The reactions {sought} are sought."),
         };
-        let loads = match (self.lang, known.len(), names.len()) {
-            (Lang::En, 0, 1) => " No load acts on it.".into(),
-            (Lang::En, 0, _) => " No load acts on them.".into(),
-            (Lang::En, 1, 1) => format!(" {} acts on it.", list(&known)),
-            (Lang::En, 1, _) => format!(" {} acts on them.", list(&known)),
-            (Lang::En, _, 1) => format!(" {} act on it.", list(&known)),
-            (Lang::En, ..) => format!(" {} act on them.", list(&known)),
-            (Lang::Zh, 0, _) => "其上无载荷。".into(),
-            (Lang::Zh, ..) => format!("其上作用有 {}。", list(&known)),
+        let loads = match (known.len(), names.len()) {
+            (0, 1) => tr!(lang, " No load acts on it.").into(),
+            (0, _) => tr!(lang, " No load acts on them.").into(),
+            (1, 1) => say!(lang, " {acting} acts on it."),
+            (1, _) => say!(lang, " {acting} acts on them."),
+            (_, 1) => say!(lang, " {acting} act on it."),
+            (_, _) => say!(lang, " {acting} act on them."),
         };
-        match self.lang {
-            Lang::En if names.len() == 1 => {
-                format!("Draw link {} apart.{loads}{reactions}", names[0])
-            }
-            Lang::En => format!("Draw links {} apart.{loads}{reactions}", names.join(", ")),
-            Lang::Zh => format!("取构件 {} 为分离体。{loads}{reactions}", names.join("、")),
+        let links = names.join(lang.pick([", ", "、"]));
+        match names.len() {
+            1 => say!(lang, "Draw link {links} apart.{loads}{reactions}"),
+            _ => say!(lang, "Draw links {links} apart.{loads}{reactions}"),
         }
     }
 
@@ -127,13 +121,11 @@ impl ForceWriter<'_> {
         let from = self.vertex(group, self.of.construction.vectors[side.vector.index()].from);
         let line = format!("${symbol} = {size}$");
         let length = format!("${ends} = {mm}\\,\\text{{mm}}$");
-        match (self.lang, begun) {
-            (Lang::En, false) => {
-                format!("Choose a point ${from}$. From ${from}$ lay off {line}: {length}.")
+        match begun {
+            false => {
+                say!(self.lang, "Choose a point ${from}$. From ${from}$ lay off {line}: {length}.")
             }
-            (Lang::En, true) => format!("From ${from}$ lay off {line}: {length}."),
-            (Lang::Zh, false) => format!("任取一点 ${from}$，自 ${from}$ 作 {line}：{length}。"),
-            (Lang::Zh, true) => format!("自 ${from}$ 作 {line}：{length}。"),
+            true => say!(self.lang, "From ${from}$ lay off {line}: {length}."),
         }
     }
 
@@ -153,19 +145,14 @@ impl ForceWriter<'_> {
             let side = group.sides.iter().chain(&group.diagonals).find(on)?;
             Some((self.symbol(side.term), self.vertex(group, through)))
         };
-        match (self.lang, line(0), line(1)) {
-            (Lang::En, Some((a, p)), Some((b, q))) => {
-                format!(
-                    "Draw the line of ${a}$ through ${p}$ and that of ${b}$ through ${q}$; they cross in ${at}$."
-                )
+        match (line(0), line(1)) {
+            (Some((a, p)), Some((b, q))) => say!(
+                self.lang,
+                "Draw the line of ${a}$ through ${p}$ and that of ${b}$ through ${q}$; they cross in ${at}$."
+            ),
+            (_, _) => {
+                say!(self.lang, "Draw the two lines of known direction; they cross in ${at}$.")
             }
-            (Lang::Zh, Some((a, p)), Some((b, q))) => {
-                format!("过 ${p}$ 作 ${a}$ 的方向线，过 ${q}$ 作 ${b}$ 的方向线，两线交于 ${at}$。")
-            }
-            (Lang::En, ..) => {
-                format!("Draw the two lines of known direction; they cross in ${at}$.")
-            }
-            (Lang::Zh, ..) => format!("作两条已知方向线，交于 ${at}$。"),
         }
     }
 }

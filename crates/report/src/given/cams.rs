@@ -4,7 +4,8 @@
 use super::super::cam::dwell;
 use super::GivenSentences;
 use hodograph_base::cam::{CamMotion, MotionLaw, ProfileSegment, StageMotion};
-use hodograph_scene::{Cam, Follows, GuideId, Lang, PointId};
+use hodograph_base::lang::{say, tr};
+use hodograph_scene::{Cam, Follows, GuideId, PointId};
 
 impl GivenSentences<'_> {
     /// Returns true if a guide represents the contact of a cam.
@@ -22,25 +23,19 @@ impl GivenSentences<'_> {
     pub(super) fn cam(&self, c: &Cam) -> String {
         let (cam, follower) = (self.link(c.cam), self.link(c.follower));
         let length = |m: f64| self.scene.length_words(m);
-        let end = match (c.follows, self.lang()) {
-            (Follows::Edge(_), Lang::En) => "knife edge".to_owned(),
-            (Follows::Edge(_), Lang::Zh) => "尖顶".to_owned(),
-            (Follows::Roller(_, r), Lang::En) => format!("roller of radius {}", length(r)),
-            (Follows::Roller(_, r), Lang::Zh) => format!("滚子半径 {}", length(r)),
-            (Follows::Arc(_, r), Lang::En) => format!("round end of radius {}", length(r)),
-            (Follows::Arc(_, r), Lang::Zh) => format!("曲面半径 {}", length(r)),
-            (Follows::Face(_), Lang::En) => "flat face".to_owned(),
-            (Follows::Face(_), Lang::Zh) => "平底".to_owned(),
+        let end = match c.follows {
+            Follows::Edge(_) => tr!(self.lang(), "knife edge").to_owned(),
+            Follows::Roller(_, r) => say!(self.lang(), "roller of radius {}", length(r)),
+            Follows::Arc(_, r) => say!(self.lang(), "round end of radius {}", length(r)),
+            Follows::Face(_) => tr!(self.lang(), "flat face").to_owned(),
         };
         let profile = match (&c.circle, c.disc.as_ref().map(|t| &t.disc.motion)) {
-            (Some((centre, radius)), _) => match self.lang() {
-                Lang::En => {
-                    format!("a circle of radius {} about {}", length(*radius), self.point(*centre))
-                }
-                Lang::Zh => {
-                    format!("以 {} 为圆心、半径 {} 的圆", self.point(*centre), length(*radius))
-                }
-            },
+            (Some((centre, radius)), _) => say!(
+                self.lang(),
+                "a circle of radius {} about {}",
+                length(*radius),
+                self.point(*centre)
+            ),
             (None, Some(CamMotion::Profile(segments))) => self.pieces(segments),
             (None, Some(CamMotion::Law { base, program })) => {
                 let swings = matches!(
@@ -48,42 +43,35 @@ impl GivenSentences<'_> {
                     Some(hodograph_base::cam::Follower::Oscillating { .. })
                 );
                 let gain = |h: f64| if swings { degrees(h) } else { length(h) };
-                let law = |l: MotionLaw| self.tr(l.name(), l.name_zh());
+                let law = |l: MotionLaw| l.words(self.lang());
                 let over = |a: f64| degrees(a);
                 let stages = program.stages().iter().zip(program.outer()).map(|(s, out)| {
-                    match (s.way, self.lang()) {
-                        (StageMotion::Rise(h, l), Lang::En) => {
-                            format!("rise {} over {} ({})", gain(h), over(s.over), law(l))
+                    let (lang, angle) = (self.lang(), over(s.over));
+                    match s.way {
+                        StageMotion::Rise(h, l) => {
+                            say!(lang, "rise {} over {angle} ({})", gain(h), law(l))
                         }
-                        (StageMotion::Rise(h, l), Lang::Zh) => {
-                            format!("推程 {}，转角 {}（{}）", gain(h), over(s.over), law(l))
+                        StageMotion::Return(h, l) => {
+                            say!(lang, "return {} over {angle} ({})", gain(h), law(l))
                         }
-                        (StageMotion::Return(h, l), Lang::En) => {
-                            format!("return {} over {} ({})", gain(h), over(s.over), law(l))
-                        }
-                        (StageMotion::Return(h, l), Lang::Zh) => {
-                            format!("回程 {}，转角 {}（{}）", gain(h), over(s.over), law(l))
-                        }
-                        (StageMotion::Dwell, Lang::En) => format!("dwell {}", over(s.over)),
-                        (StageMotion::Dwell, Lang::Zh) => {
-                            format!("{} {}", dwell(out, Lang::Zh), over(s.over))
-                        }
+                        StageMotion::Dwell => format!("{} {angle}", dwell(out, lang)),
                     }
                 });
                 let stages: Vec<String> = stages.collect();
                 let base = length(*base);
-                match self.lang() {
-                    Lang::En => format!("base circle {base}, {}", stages.join(", ")),
-                    Lang::Zh => format!("基圆半径 {base}，{}", stages.join("；")),
-                }
+                say!(
+                    self.lang(),
+                    "base circle {base}, {}",
+                    stages.join(self.lang().pick([", ", "；"]))
+                )
             }
             (None, None) => c.posed.as_ref().map(|p| self.pieces(&p.segments)).unwrap_or_default(),
         };
-        match self.lang() {
-            Lang::En if profile.is_empty() => format!("cam {cam} with follower {follower} ({end})"),
-            Lang::Zh if profile.is_empty() => format!("凸轮 {cam}，从动件 {follower}（{end}）"),
-            Lang::En => format!("cam {cam} with follower {follower} ({end}); profile: {profile}"),
-            Lang::Zh => format!("凸轮 {cam}，从动件 {follower}（{end}）；廓线：{profile}"),
+        match profile.is_empty() {
+            true => say!(self.lang(), "cam {cam} with follower {follower} ({end})"),
+            false => {
+                say!(self.lang(), "cam {cam} with follower {follower} ({end}); profile: {profile}")
+            }
         }
     }
 }
@@ -92,12 +80,12 @@ impl GivenSentences<'_> {
     /// Returns the pieces of a profile.
     fn pieces(&self, segments: &[ProfileSegment]) -> String {
         let one = |s: &ProfileSegment| match s {
-            ProfileSegment::Line { .. } => self.tr("line", "直线").to_owned(),
+            ProfileSegment::Line { .. } => tr!(self.lang, "line").to_owned(),
             ProfileSegment::Arc { radius, .. } if *radius == 0.0 => {
-                self.tr("corner", "尖点").to_owned()
+                tr!(self.lang, "corner").to_owned()
             }
             ProfileSegment::Arc { radius, .. } => {
-                format!("{} {}", self.tr("arc", "圆弧"), self.scene.length_words(*radius))
+                format!("{} {}", tr!(self.lang, "arc"), self.scene.length_words(*radius))
             }
         };
         segments.iter().map(one).collect::<Vec<_>>().join(self.words().comma)

@@ -2,6 +2,7 @@
 //! solution.
 
 use super::GivenSentences;
+use hodograph_base::lang::tr;
 use hodograph_board::plan::names::name_label;
 use hodograph_paper::paper::label::greek;
 use hodograph_paper::paper::phrase::Phrase;
@@ -58,7 +59,7 @@ impl GivenSentences<'_> {
     /// rates.
     pub(super) fn by_law(&self, d: usize, law: &TimeLaw) -> String {
         let position = self.symbols(d).position;
-        let comma = self.tr(", ", "，");
+        let comma = tr!(self.lang,"clause" => ", ");
         let named = law
             .parameters
             .iter()
@@ -92,7 +93,7 @@ impl GivenSentences<'_> {
         };
         all.push(format!("${first} = {}$", amount(driver.rate.value, kinds[0])));
         all.push(format!("${second} = {}$", amount(a, kinds[1])));
-        all.join(self.tr(", ", "，"))
+        all.join(tr!(self.lang,"clause" => ", "))
     }
 
     fn symbols(&self, d: usize) -> Symbols {

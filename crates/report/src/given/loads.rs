@@ -1,8 +1,9 @@
 //! Masses, forces and springs in the given data.
 
 use super::{GivenSentences, as_written, inked};
+use hodograph_base::lang::{say, tr};
 use hodograph_board::plan::names::name_label;
-use hodograph_scene::{Abscissa, GivenQuantity, Lang, LoadCourse, LoadSize, LoadTravel, Mass, Rub};
+use hodograph_scene::{Abscissa, GivenQuantity, LoadCourse, LoadSize, LoadTravel, Mass, Rub};
 
 impl GivenSentences<'_> {
     /// Returns the given masses, loads and springs, one line each.
@@ -14,19 +15,17 @@ impl GivenSentences<'_> {
             let down = x.value == 0.0 && y.value < 0.0;
             let amount = format!("$g = {}\\,\\text{{m/s}}^2$", inked(size));
             let direction = inked(libm::atan2(y.value, x.value).to_degrees());
-            all.push(match (self.lang(), down) {
-                (Lang::En, true) => format!("gravity {amount}, downward"),
-                (Lang::Zh, true) => format!("重力加速度 {amount}，方向向下"),
-                (Lang::En, false) => format!("gravity {amount}, at ${direction}\\degree$"),
-                (Lang::Zh, false) => format!("重力加速度 {amount}，方向角 ${direction}\\degree$"),
+            all.push(match down {
+                true => say!(self.lang(), "gravity {amount}, downward"),
+                false => say!(self.lang(), "gravity {amount}, at ${direction}\\degree$"),
             });
         }
         let masses: Vec<String> = loads.masses.iter().map(|m| self.mass(m)).collect();
         if !masses.is_empty() {
             all.push(format!(
                 "{}{}",
-                self.tr("masses: ", "质量："),
-                masses.join(self.tr("; ", "；"))
+                tr!(self.lang, "masses: "),
+                masses.join(tr!(self.lang, "; "))
             ));
         }
         let applied: Vec<String> = loads
@@ -47,32 +46,24 @@ impl GivenSentences<'_> {
                     (true, None) => "M".to_owned(),
                     (false, _) => self.amount(given, unit),
                 };
-                let told = match (&a.size, at, self.lang()) {
-                    (LoadSize::Couple(m), _, Lang::En) => {
-                        format!("${}$ on link {link}", amount(m, "N·m"))
+                let lang = self.lang();
+                let told = match (&a.size, at) {
+                    (LoadSize::Couple(m), _) => {
+                        say!(lang, "${}$ on link {link}", amount(m, "N·m"))
                     }
-                    (LoadSize::Couple(m), _, Lang::Zh) => {
-                        format!("构件 {link} 上 ${}$", amount(m, "N·m"))
+                    (LoadSize::AgainstTurning(m), _) => {
+                        say!(lang, "${}$ on link {link}, against its turning", amount(m, "N·m"))
                     }
-                    (LoadSize::AgainstTurning(m), _, Lang::En) => {
-                        format!("${}$ on link {link}, against its turning", amount(m, "N·m"))
+                    (LoadSize::AgainstMotion(f), Some(p)) => {
+                        say!(lang, "${}$ at {p} of link {link}, against its motion", amount(f, "N"))
                     }
-                    (LoadSize::AgainstTurning(m), _, Lang::Zh) => {
-                        format!("构件 {link} 上 ${}$，与转向相反", amount(m, "N·m"))
-                    }
-                    (LoadSize::AgainstMotion(f), Some(p), Lang::En) => {
-                        format!("${}$ at {p} of link {link}, against its motion", amount(f, "N"))
-                    }
-                    (LoadSize::AgainstMotion(f), Some(p), Lang::Zh) => {
-                        format!("构件 {link} 的 {p} 点 ${}$，与运动方向相反", amount(f, "N"))
-                    }
-                    (LoadSize::Components([x, y]), Some(p), Lang::En) => {
-                        format!("$({}, {})$ at {p} of link {link}", amount(x, "N"), amount(y, "N"))
-                    }
-                    (LoadSize::Components([x, y]), Some(p), Lang::Zh) => {
-                        format!("构件 {link} 的 {p} 点 $({}, {})$", amount(x, "N"), amount(y, "N"))
-                    }
-                    (LoadSize::Directed { force, line, angle }, Some(p), lang) => {
+                    (LoadSize::Components([x, y]), Some(p)) => say!(
+                        lang,
+                        "$({}, {})$ at {p} of link {link}",
+                        amount(x, "N"),
+                        amount(y, "N")
+                    ),
+                    (LoadSize::Directed { force, line, angle }, Some(p)) => {
                         let mut direction = line.map_or_else(String::new, |(a, b)| {
                             format!("{}{}", self.point(a), self.point(b))
                         });
@@ -83,21 +74,16 @@ impl GivenSentences<'_> {
                                 .collect::<Vec<_>>()
                                 .join(" + ");
                         }
-                        match lang {
-                            Lang::En => format!(
-                                "${}$ at {p} of link {link}, along {direction}",
-                                amount(force, "N")
-                            ),
-                            Lang::Zh => format!(
-                                "构件 {link} 的 {p} 点 ${}$，方向 {direction}",
-                                amount(force, "N")
-                            ),
-                        }
+                        say!(
+                            lang,
+                            "${}$ at {p} of link {link}, along {direction}",
+                            amount(force, "N")
+                        )
                     }
-                    (LoadSize::AgainstMotion(f) | LoadSize::Directed { force: f, .. }, None, _) => {
+                    (LoadSize::AgainstMotion(f) | LoadSize::Directed { force: f, .. }, None) => {
                         format!("${}$", amount(f, "N"))
                     }
-                    (LoadSize::Components([x, y]), None, _) => {
+                    (LoadSize::Components([x, y]), None) => {
                         format!("$({}, {})$", amount(x, "N"), amount(y, "N"))
                     }
                 };
@@ -107,8 +93,8 @@ impl GivenSentences<'_> {
         if !applied.is_empty() {
             all.push(format!(
                 "{}{}",
-                self.tr("loads: ", "载荷："),
-                applied.join(self.tr("; ", "；"))
+                tr!(self.lang, "loads: "),
+                applied.join(tr!(self.lang, "; "))
             ));
         }
         let springs: Vec<String> = loads
@@ -126,16 +112,16 @@ impl GivenSentences<'_> {
         if !springs.is_empty() {
             all.push(format!(
                 "{}{}",
-                self.tr("springs: ", "弹簧："),
-                springs.join(self.tr("; ", "；"))
+                tr!(self.lang, "springs: "),
+                springs.join(tr!(self.lang, "; "))
             ));
         }
         let friction: Vec<String> = loads.friction.iter().map(|f| self.friction(&f.at)).collect();
         if !friction.is_empty() {
             all.push(format!(
                 "{}{}",
-                self.tr("friction: ", "摩擦："),
-                friction.join(self.tr("; ", "；"))
+                tr!(self.lang, "friction: "),
+                friction.join(tr!(self.lang, "; "))
             ));
         }
         all
@@ -149,15 +135,12 @@ impl GivenSentences<'_> {
                     self.length(circle),
                     name_label(self.scene.link_name(*fast)),
                 );
-                match (self.lang(), self.scene.carriers(*point).count() > 2) {
-                    (Lang::En, false) => format!("friction circle $\\rho = {circle}$ at {pin}"),
-                    (Lang::En, true) => format!(
+                match self.scene.carriers(*point).count() > 2 {
+                    false => say!(self.lang(), "friction circle $\\rho = {circle}$ at {pin}"),
+                    true => say!(
+                        self.lang(),
                         "friction circle $\\rho = {circle}$ at {pin}, whose pin is fast in link {fast}"
                     ),
-                    (Lang::Zh, false) => format!("{pin} 处摩擦圆半径 $\\rho = {circle}$"),
-                    (Lang::Zh, true) => {
-                        format!("{pin} 处摩擦圆半径 $\\rho = {circle}$，销固定在构件 {fast} 上")
-                    }
                 }
             }
             Rub::Guide { guide, f } => {
@@ -167,10 +150,7 @@ impl GivenSentences<'_> {
                     slider.or_else(|| own.pin.map(|p| self.point(p))).unwrap_or_default(),
                     inked(f.value),
                 );
-                match self.lang() {
-                    Lang::En => format!("$f = {f}$ in the guide of {link}"),
-                    Lang::Zh => format!("{link} 的导路 $f = {f}$"),
-                }
+                say!(self.lang(), "$f = {f}$ in the guide of {link}")
             }
         }
     }
@@ -188,24 +168,17 @@ impl GivenSentences<'_> {
             .zip(course.stations.last())
             .map(|(a, b)| [place(&a.at), place(&b.at)]);
         let Some([from, to]) = ends else { return String::new() };
-        let along = match (&course.along, self.lang()) {
-            (LoadTravel::Stroke { point, .. }, Lang::En) => {
-                format!("the working stroke of {}", self.point(*point))
+        let lang = self.lang();
+        let along = match &course.along {
+            LoadTravel::Stroke { point, .. } => {
+                say!(lang, "the working stroke of {}", self.point(*point))
             }
-            (LoadTravel::Stroke { point, .. }, Lang::Zh) => {
-                format!("{} 的工作行程", self.point(*point))
-            }
-            (LoadTravel::Turn { driver, .. }, lang) => {
+            LoadTravel::Turn { driver, .. } => {
                 let link = self.scene.drivers[*driver]
                     .kind
                     .turned()
                     .map_or("", |(l, _)| self.scene.link_name(l));
-                let angle = format!("$\\varphi_{{{}}}$", name_label(link));
-                if lang == Lang::En {
-                    format!("the angle {angle}")
-                } else {
-                    format!("转角 {angle}")
-                }
+                say!(lang, "the angle $\\varphi_{{{}}}$", name_label(link))
             }
         };
         let unit = if couple { "N·m" } else { "N" };
@@ -216,11 +189,13 @@ impl GivenSentences<'_> {
                 Some(format!("{}: ${}$", place(&s.at), self.amount(s.amount.as_ref()?, unit)))
             })
             .collect();
-        match (points.is_empty(), self.lang()) {
-            (true, Lang::En) => format!(", from {from} to {to} of {along}"),
-            (true, Lang::Zh) => format!("，作用于{along} {from} 至 {to}"),
-            (false, Lang::En) => format!(", over {along} ({})", points.join("; ")),
-            (false, Lang::Zh) => format!("，随{along}变化（{}）", points.join("；")),
+        match points.is_empty() {
+            true => say!(self.lang(), ", from {from} to {to} of {along}"),
+            false => say!(
+                self.lang(),
+                ", over {along} ({})",
+                points.join(self.lang().pick(["; ", "；"]))
+            ),
         }
     }
 
@@ -239,9 +214,9 @@ impl GivenSentences<'_> {
             mass.j.as_ref().map(|j| format!("$J_{{{link}}} = {}$", self.amount(j, "kg·m^2"))),
         );
         if let Some(p) = at {
-            parts.push(self.tr("at ", "质心 ").to_owned() + &p);
+            parts.push(tr!(self.lang, "at ").to_owned() + &p);
         }
-        parts.join(self.tr(", ", "，"))
+        parts.join(tr!(self.lang,"clause" => ", "))
     }
 
     /// Returns an amount as it is written if it is a number with its unit, else in SI units.

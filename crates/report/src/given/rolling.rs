@@ -2,9 +2,8 @@
 
 use super::GivenSentences;
 use super::guide::Lay;
-use hodograph_scene::{
-    Contours, Flanks, GuideDirection, GuidePath, Lang, Rolling, RollingKind, Sizes,
-};
+use hodograph_base::lang::{say, tr};
+use hodograph_scene::{Contours, Flanks, GuideDirection, GuidePath, Rolling, RollingKind, Sizes};
 
 impl GivenSentences<'_> {
     /// Returns a rolling pair in one sentence:
@@ -14,25 +13,18 @@ impl GivenSentences<'_> {
         parts.extend(self.crossing(pair));
         if let Some(phase) = &pair.phase {
             let angle = self.angle(phase);
-            parts.push(match self.lang() {
-                Lang::En => format!(
-                    "its line ${angle}$ from the line of centres when that of the other lies on it"
-                ),
-                Lang::Zh => format!("另一轮的直线与连心线重合时，其直线与连心线成 ${angle}$"),
-            });
+            parts.push(say!(
+                self.lang(),
+                "its line ${angle}$ from the line of centres when that of the other lies on it"
+            ));
         }
         let [at, end] = pair.at.map(|p| self.point(p));
-        parts.push(match (pair.kind, self.lang()) {
-            (RollingKind::Gears, Lang::En) => format!("pitch point {at}"),
-            (RollingKind::Gears, Lang::Zh) => format!("节点 {at}"),
-            (RollingKind::Wheel, Lang::En) => format!("touching in {at}, without slip"),
-            (RollingKind::Wheel, Lang::Zh) => format!("接触点 {at}，纯滚动"),
-            (RollingKind::Rope, Lang::En) => format!("running off the drum at {at}"),
-            (RollingKind::Rope, Lang::Zh) => format!("绳在 {at} 处离开卷筒"),
-            (RollingKind::Belt, Lang::En) => format!("a strand from {at} to {end}, without slip"),
-            (RollingKind::Belt, Lang::Zh) => format!("带段自 {at} 至 {end}，不打滑"),
-            (RollingKind::Chain, Lang::En) => format!("a strand from {at} to {end}"),
-            (RollingKind::Chain, Lang::Zh) => format!("链段自 {at} 至 {end}"),
+        parts.push(match pair.kind {
+            RollingKind::Gears => say!(self.lang(), "pitch point {at}"),
+            RollingKind::Wheel => say!(self.lang(), "touching in {at}, without slip"),
+            RollingKind::Rope => say!(self.lang(), "running off the drum at {at}"),
+            RollingKind::Belt => say!(self.lang(), "a strand from {at} to {end}, without slip"),
+            RollingKind::Chain => say!(self.lang(), "a strand from {at} to {end}"),
         });
         format!("{}{}", self.pair(pair), parts.join(self.words().comma))
     }
@@ -40,61 +32,39 @@ impl GivenSentences<'_> {
     /// Returns the two links and their arrangement.
     fn pair(&self, pair: &Rolling) -> String {
         let [a, b] = pair.links.map(|l| self.link(l));
-        let (en, fixed) = (self.lang() == Lang::En, pair.links[0] == self.scene.ground);
-        let on = match (fixed, en) {
-            (true, true) => "the ground".to_owned(),
-            (true, false) => "机架".to_owned(),
-            (false, true) => format!("link {a}"),
-            (false, false) => format!("构件 {a} "),
+        let lang = self.lang();
+        let on = match pair.links[0] == self.scene.ground {
+            true => tr!(lang, "the ground").to_owned(),
+            false => say!(lang, "before a verb" => "link {a}"),
         };
         match (&pair.contours, pair.kind == RollingKind::Gears) {
             (Contours::Belt { .. }, _) => self.belt(pair),
             (Contours::Track { .. }, _) if pair.kind == RollingKind::Rope => {
                 let Lay { course, .. } = self.track(pair);
-                if en {
-                    format!("a rope wound on drum {b} draws {on}{course}: ")
-                } else {
-                    format!("绕在卷筒 {b} 上的绳{course}牵引{on}：")
-                }
+                say!(lang, "a rope wound on drum {b} draws {on}{course}: ")
             }
-            (Contours::Circles { hollow: None, .. }, true) if en => format!("gears {a} and {b}: "),
-            (Contours::Circles { hollow: None, .. }, true) => format!("齿轮 {a} 与 {b}："),
+            (Contours::Circles { hollow: None, .. }, true) => say!(lang, "gears {a} and {b}: "),
             (Contours::Circles { hollow: Some(i), .. }, true) => {
                 let (ring, inner) = if *i == 0 { (a, b) } else { (b, a) };
-                if en {
-                    format!("gear {inner} in the ring gear {ring}: ")
-                } else {
-                    format!("齿轮 {inner} 与内齿轮 {ring}：")
-                }
+                say!(lang, "gear {inner} in the ring gear {ring}: ")
             }
             (Contours::Track { .. }, toothed) => {
                 // The offset of the wheel centre's guide from the track is the radius, which is
                 // stated separately.
                 let Lay { attribute, course, name, .. } = self.track(pair);
-                match (toothed, en) {
-                    (true, true) => format!("gear {b} on the {attribute}rack of {on}{course}: "),
-                    (true, false) => {
-                        format!("齿轮 {b} 与{on}上{course}{attribute}齿条{name}啮合：")
-                    }
-                    (false, true) => {
-                        format!("wheel {b} rolls on a {attribute}straight track of {on}{course}: ")
-                    }
-                    (false, false) => {
-                        format!("轮 {b} 沿{on}上{course}{attribute}直线轨道{name}滚动：")
-                    }
+                match toothed {
+                    true => say!(lang, "gear {b} on the {attribute}rack of {on}{course}{name}: "),
+                    false => say!(
+                        lang,
+                        "wheel {b} rolls on a {attribute}straight track of {on}{course}{name}: "
+                    ),
                 }
             }
             (Contours::Circles { centres, hollow, .. }, false) => {
                 let centre = self.point(centres[0]);
-                match (hollow.is_some(), en) {
-                    (true, true) => {
-                        format!("wheel {b} rolls inside a circle of {on} about {centre}: ")
-                    }
-                    (false, true) => {
-                        format!("wheel {b} rolls on a circle of {on} about {centre}: ")
-                    }
-                    (true, false) => format!("轮 {b} 沿{on}上以 {centre} 为圆心的圆内侧滚动："),
-                    (false, false) => format!("轮 {b} 沿{on}上以 {centre} 为圆心的圆外侧滚动："),
+                match hollow.is_some() {
+                    true => say!(lang, "wheel {b} rolls inside a circle of {on} about {centre}: "),
+                    false => say!(lang, "wheel {b} rolls on a circle of {on} about {centre}: "),
                 }
             }
         }
@@ -116,7 +86,10 @@ impl GivenSentences<'_> {
                 }
                 | GuidePath::Arc { .. },
             )
-            | None => Lay { course: self.tr("", "的").to_owned(), ..Lay::default() },
+            | None => Lay {
+                course: tr!(self.lang(), "course of a guide" => "").to_owned(),
+                ..Lay::default()
+            },
         }
     }
 

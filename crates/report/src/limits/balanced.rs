@@ -2,7 +2,7 @@
 
 use super::LimitWords;
 use hodograph_base::digits::legible;
-use hodograph_paper::paper::phrase::tr;
+use hodograph_base::lang::{say, tr};
 use hodograph_scene::{Kind, Lang, Scene};
 use hodograph_sweep::energy::Energy;
 use hodograph_sweep::extreme::MotionLimits;
@@ -26,24 +26,15 @@ impl BalancedEnergy {
         let w = LimitWords::new(scene, driver, limits, lang);
         let of = |kind: Kind, x: f64| scene.book.text(kind, &legible(scene.book.value(kind, x), 6));
         let e = &self.energy;
-        let mut out = format!(
-            "{}{}\n",
-            tr(lang, "mean balancing moment ", "平均平衡力矩 "),
-            of(Kind::Moment, e.mean)
-        );
+        let mut out =
+            format!("{}{}\n", tr!(lang, "mean balancing moment "), of(Kind::Moment, e.mean));
         let surplus = legible(e.surplus, 6);
-        out += &match lang {
-            Lang::En => format!(
-                "  greatest surplus of energy ΔW = {surplus} J: slowest{}, fastest{}\n",
-                w.at(e.slowest),
-                w.at(e.fastest)
-            ),
-            Lang::Zh => format!(
-                "  最大盈亏功 ΔW = {surplus} J：最慢{}，最快{}\n",
-                w.at(e.slowest),
-                w.at(e.fastest)
-            ),
-        };
+        out += &say!(
+            lang,
+            "  greatest surplus of energy ΔW = {surplus} J: slowest{}, fastest{}\n",
+            w.at(e.slowest),
+            w.at(e.fastest)
+        );
         if let Some(delta) = self.delta {
             let inertia = legible(e.flywheel(self.rate, delta), 6);
             let rpm = |part: f64| {
@@ -51,14 +42,10 @@ impl BalancedEnergy {
             };
             let (slow, fast) = (rpm(-0.5), rpm(0.5));
             let delta = legible(delta, 6);
-            out += &match lang {
-                Lang::En => format!(
-                    "  flywheel for δ = {delta}: J_F = ΔW/(ω²δ) = {inertia} kg·m²; {slow} to {fast} r/min\n"
-                ),
-                Lang::Zh => format!(
-                    "  δ = {delta} 时飞轮转动惯量 J_F = ΔW/(ω²δ) = {inertia} kg·m²；转速 {slow} 至 {fast} r/min\n"
-                ),
-            };
+            out += &say!(
+                lang,
+                "  flywheel for δ = {delta}: J_F = ΔW/(ω²δ) = {inertia} kg·m²; {slow} to {fast} r/min\n"
+            );
         }
         out
     }

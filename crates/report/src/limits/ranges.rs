@@ -1,7 +1,8 @@
 //! The ranges of a four-bar linkage's lengths for each of Grashof's types, as text and JSON.
 
-use super::{grashof_words, tr};
+use super::grashof_words;
 use hodograph_base::diag::{Diagnostic, both};
+use hodograph_base::lang::{say, tr};
 use hodograph_scene::{Lang, Scene};
 use hodograph_sweep::extreme::MotionLimits;
 use hodograph_synthesis::grashof::{FourBarLength, Range, ranges};
@@ -18,12 +19,9 @@ pub fn of(limits: &MotionLimits) -> Result<Vec<OfLength>, Diagnostic> {
     let Some((_, lengths)) = limits.grashof else {
         let d = Diagnostic::error(
             "not-a-four-bar",
-            both!(
-                "Grashof's types are of a four-bar of four pins with a crank as driver",
-                "类型划分只用于由曲柄驱动的、四个转动副的四杆机构"
-            ),
+            both!("Grashof's types are of a four-bar of four pins with a crank as driver"),
         );
-        return Err(d.help(both!("leave --ranges out", "请去掉 --ranges")));
+        return Err(d.help(both!("leave --ranges out")));
     };
     FourBarLength::ALL
         .into_iter()
@@ -33,10 +31,10 @@ pub fn of(limits: &MotionLimits) -> Result<Vec<OfLength>, Diagnostic> {
 
 fn named(which: FourBarLength, lang: Lang) -> &'static str {
     match which {
-        FourBarLength::Driver => tr(lang, "driver", "原动件"),
-        FourBarLength::Coupler => tr(lang, "coupler", "连杆"),
-        FourBarLength::Output => tr(lang, "output", "从动连架杆"),
-        FourBarLength::Frame => tr(lang, "frame", "机架"),
+        FourBarLength::Driver => tr!(lang, "driver"),
+        FourBarLength::Coupler => tr!(lang, "coupler"),
+        FourBarLength::Output => tr!(lang, "output"),
+        FourBarLength::Frame => tr!(lang, "fixed link" => "frame"),
     }
 }
 
@@ -45,20 +43,9 @@ pub fn text(scene: &Scene, all: &[OfLength], lang: Lang) -> String {
     let mut out = String::new();
     let words = |m: f64| scene.length_words(m);
     for (which, now, ranges) in all {
-        out += &match lang {
-            Lang::En => {
-                format!("{} (now {}), the others held:\n", named(*which, lang), words(*now))
-            }
-            Lang::Zh => {
-                format!("{}（现为 {}），其余杆长不变：\n", named(*which, lang), words(*now))
-            }
-        };
+        out += &say!(lang, "{} (now {}), the others held:\n", named(*which, lang), words(*now));
         for r in ranges {
-            let end = if r.change_point {
-                tr(lang, "; change point at the end", "；末端为变点机构")
-            } else {
-                ""
-            };
+            let end = if r.change_point { tr!(lang, "; change point at the end") } else { "" };
             out += &format!(
                 "  {} .. {}  {}{end}\n",
                 words(r.from),

@@ -1,11 +1,12 @@
 //! The equations of motion of points that drivers move directly.
 
 use super::{LoopWords, equation_json, gives, plain};
+use hodograph_base::lang::{say, tr};
 use hodograph_board::plan::names::{name_label, point_label};
 use hodograph_methods::loops::{Equation, FrameEquations, LoopVariable, PointEquations};
-use hodograph_paper::paper::phrase::{Phrase, tr};
+use hodograph_paper::paper::phrase::Phrase;
+use hodograph_scene::Kind;
 use hodograph_scene::quantity::Frame;
-use hodograph_scene::{Kind, Lang};
 use serde_json::{Value as Json, json};
 
 /// A heading, its sentences each with the equations below it.
@@ -25,21 +26,13 @@ impl LoopWords<'_> {
             let relative = driver.kind.turned().is_some_and(|(_, l)| l != self.scene.ground);
             let law = driver.law.as_ref().filter(|_| !relative).map(|law| law.text.clone());
             let symbol = v.symbol(0).text();
-            Some(Phrase::new(&match (law, self.lang) {
-                (Some(law), Lang::En) => {
-                    format!("${symbol}$ = {law}; at $t = {}$: ${values}$", self.instant())
+            let lang = self.lang;
+            Some(Phrase::new(&match (law, self.constant(v)) {
+                (Some(law), _) => {
+                    say!(lang, "${symbol}$ = {law}; at $t = {}$: ${values}$", self.instant())
                 }
-                (Some(law), Lang::Zh) => {
-                    format!("${symbol}$ = {law}；$t = {}$ 时 ${values}$", self.instant())
-                }
-                (None, Lang::En) => match self.constant(v) {
-                    Some(law) => format!("${symbol} = {law}$; at the instant: ${values}$"),
-                    None => format!("at the instant: ${values}$"),
-                },
-                (None, Lang::Zh) => match self.constant(v) {
-                    Some(law) => format!("${symbol} = {law}$；该瞬时 ${values}$"),
-                    None => format!("该瞬时 ${values}$"),
-                },
+                (None, Some(law)) => say!(lang, "${symbol} = {law}$; at the instant: ${values}$"),
+                (None, None) => say!(lang, "at the instant: ${values}$"),
             }))
         };
         self.all.motion.variables.iter().filter_map(line).collect()
@@ -73,22 +66,14 @@ impl LoopWords<'_> {
     fn of_point(&self, p: &PointEquations) -> Vec<WrittenMotion> {
         let lang = self.lang;
         let name = point_label(self.scene.point_name(p.of));
-        let rates = || {
-            Phrase::new(tr(
-                lang,
-                "Differentiated with respect to time, once and twice:",
-                "对时间求一阶、二阶导数：",
-            ))
-        };
+        let rates =
+            || Phrase::new(tr!(lang, "Differentiated with respect to time, once and twice:"));
         let mut out = Vec::new();
         if let Some([place, velocity, acceleration]) = &p.absolute {
             out.push(WrittenMotion {
-                heading: Phrase::new(&match lang {
-                    Lang::En => format!("Equations of motion of ${name}$"),
-                    Lang::Zh => format!("点 ${name}$ 的运动方程"),
-                }),
+                heading: Phrase::new(&say!(lang, "Equations of motion of ${name}$")),
                 parts: vec![
-                    (Phrase::new(tr(lang, "Coordinates:", "坐标：")), place.to_vec()),
+                    (Phrase::new(tr!(lang, "Coordinates:")), place.to_vec()),
                     (rates(), velocity.iter().chain(acceleration).cloned().collect()),
                 ],
             });
@@ -97,11 +82,10 @@ impl LoopWords<'_> {
             let [place, velocity, acceleration] = &f.relative;
             let mut parts = Vec::new();
             if let Some(both) = &f.from_relative {
-                let words =
-                    tr(lang, "Of absolute and relative coordinates:", "绝对坐标与相对坐标的关系：");
+                let words = tr!(lang, "Of absolute and relative coordinates:");
                 parts.push((Phrase::new(words), both.to_vec()));
             }
-            let words = tr(lang, "Relative equations of motion:", "相对运动方程：");
+            let words = tr!(lang, "Relative equations of motion:");
             parts.push((Phrase::new(words), place.to_vec()));
             let [v, a] = f.sizes.clone();
             let rated = velocity.iter().cloned().chain([v]);
@@ -114,26 +98,17 @@ impl LoopWords<'_> {
     fn of_frame(&self, name: &str, f: &FrameEquations) -> Phrase {
         let scene = self.scene;
         let origin = point_label(scene.point_name(f.origin));
-        Phrase::new(&match (f.frame, self.lang) {
-            (Frame::Link(l), Lang::En) => {
+        Phrase::new(&match f.frame {
+            Frame::Link(l) => {
                 let line = self.axis(&scene.links[l.0].points);
-                format!(
+                say!(
+                    self.lang,
                     "Motion of ${name}$ in the axes of link {}, from ${origin}${line}",
                     scene.link_name(l)
                 )
             }
-            (Frame::Link(l), Lang::Zh) => {
-                let line = self.axis(&scene.links[l.0].points);
-                format!(
-                    "点 ${name}$ 相对构件 {} 的运动，动系原点 ${origin}${line}",
-                    scene.link_name(l)
-                )
-            }
-            (Frame::Point(_), Lang::En) => {
-                format!("Motion of ${name}$ in axes that translate with ${origin}$")
-            }
-            (Frame::Point(_), Lang::Zh) => {
-                format!("点 ${name}$ 相对随 ${origin}$ 平移的动系的运动")
+            Frame::Point(_) => {
+                say!(self.lang, "Motion of ${name}$ in axes that translate with ${origin}$")
             }
         })
     }
@@ -143,10 +118,7 @@ impl LoopWords<'_> {
         let [a, b, ..] = points else { return String::new() };
         let line = [a, b].map(|p| self.scene.point_name(*p)).concat();
         let line = name_label(&line);
-        match self.lang {
-            Lang::En => format!(" with $x'$ along ${line}$"),
-            Lang::Zh => format!("，$x'$ 轴沿 ${line}$"),
-        }
+        say!(self.lang, " with $x'$ along ${line}$")
     }
 
     /// Returns the equations of motion as lines of text.
@@ -155,7 +127,7 @@ impl LoopWords<'_> {
         if motions.is_empty() {
             return Vec::new();
         }
-        let given = tr(self.lang, "given motions:", "已知运动：").to_owned();
+        let given = tr!(self.lang, "given motions:").to_owned();
         let mut lines = vec![String::new(), given];
         lines.extend(self.given_motions().iter().map(|p| format!("  {}", p.plain())));
         for m in motions {

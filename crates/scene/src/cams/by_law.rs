@@ -39,11 +39,8 @@ impl CamReplacement<'_> {
         for stage in stages {
             let over = self.number_text(&stage.over, RequiredQuantity::Angle, faults);
             if let Some(over) = over.as_ref().filter(|o| o.value.is_nan() || o.value <= 0.0) {
-                let message = both!(
-                    "a stage goes over {}; it must be greater than zero",
-                    "该段转角为 {}，应大于零",
-                    over.text
-                );
+                let message =
+                    both!("a stage goes over {}; it must be greater than zero", over.text);
                 faults.push(Diagnostic::error("not-positive", message).at(stage.over.span));
             }
             let mut gain = |q: &RawQuantity| {
@@ -88,24 +85,17 @@ impl CamReplacement<'_> {
         if (sum - std::f64::consts::TAU).abs() > 1e-9 {
             let degrees = significant(sum.to_degrees(), 6);
             open(
-                both!(
-                    "the stages of the law go over {degrees}°, not 360°",
-                    "运动规律各段共转 {degrees}°，不是 360°"
-                ),
-                both!(
-                    "make up the rest with {{\"dwell\": ...}}",
-                    "其余可用 {{\"dwell\": ...}} 补足"
-                ),
+                both!("the stages of the law go over {degrees}°, not 360°"),
+                both!("make up the rest with {{\"dwell\": ...}}"),
                 faults,
             );
         }
         if lift.abs() > 1e-9 * program.stroke().abs() {
             open(
                 both!(
-                    "what the law rises it does not return: the follower ends elsewhere than it began",
-                    "升程与回程不等：从动件转完一周没有回到起点"
+                    "what the law rises it does not return: the follower ends elsewhere than it began"
                 ),
-                both!("make the returns as large as the rises", "请使各回程之和等于各升程之和"),
+                both!("make the returns as large as the rises"),
                 faults,
             );
         }
@@ -257,11 +247,7 @@ impl CamReplacement<'_> {
     /// Reports why a law is not possible here, or what data it lacks.
     fn no_law(&self, lacking: Lacking, faults: &mut Faults) {
         let (cam, follower) = (&self.raw.cam.text, &self.raw.follower.text);
-        let message = both!(
-            "the law of cam `{cam}` cannot move `{follower}`: {}",
-            "凸轮 `{cam}` 的运动规律无法带动从动件 `{follower}`：{}",
-            lacking.what
-        );
+        let message = both!("the law of cam `{cam}` cannot move `{follower}`: {}", lacking.what);
         faults.push(Diagnostic::error("cam-pose", message).at(self.raw.span).help(lacking.help));
     }
 
@@ -269,13 +255,9 @@ impl CamReplacement<'_> {
     /// contact.
     fn not_through(&self) -> Lacking {
         Lacking {
-            what: both!(
-                "the end that touches has no fixed place in its guide or on its arm",
-                "接触端在导路或摆杆上没有确定的位置"
-            ),
+            what: both!("the end that touches has no fixed place in its guide or on its arm"),
             help: both!(
-                "let the guide pass through the point that touches, or give its distance from the pivot; a face stands square to its guide, or passes through its pivot or lies at an `offset` from it",
-                "请使导路通过接触点，或给出接触点到转轴的距离；平底应垂直于导路，或通过转轴、与转轴相距 `offset`"
+                "let the guide pass through the point that touches, or give its distance from the pivot; a face stands square to its guide, or passes through its pivot or lies at an `offset` from it"
             ),
         }
     }

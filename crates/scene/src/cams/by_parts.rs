@@ -154,12 +154,10 @@ impl CamReplacement<'_> {
     fn no_line<T>(&self, frame: LinkId, faults: &mut Faults) -> Option<T> {
         let (follower, frame) = (&self.raw.follower.text, self.bare.link_name(frame));
         let message = both!(
-            "the face of `{follower}` slides on the moving link `{frame}`: its direction follows from the pose, which only coordinates tell before the contact is replaced",
-            "从动件 `{follower}` 的平底在活动构件 `{frame}` 上移动：其方向由位置决定，而高副低代之前只有坐标能给出位置"
+            "the face of `{follower}` slides on the moving link `{frame}`: its direction follows from the pose, which only coordinates tell before the contact is replaced"
         );
         faults.push(Diagnostic::error("cam-pose", message).at(self.raw.span).help(both!(
-            "give the profile as a law or as one circle with an \"angle\" of the face, or let the carrier be the ground (`hodograph inversions`)",
-            "请用运动规律给出廓线，或用单个圆并给出平底的 \"angle\"，或以该构件为机架（`hodograph inversions`）"
+            "give the profile as a law or as one circle with an \"angle\" of the face, or let the carrier be the ground (`hodograph inversions`)"
         )));
         None
     }
@@ -237,14 +235,14 @@ impl CamReplacement<'_> {
             {
                 let message = both!(
                     "centre `{}` is not a point of the cam `{}`",
-                    "圆心 `{}` 不是凸轮 `{}` 上的点",
                     word.text,
                     self.raw.cam.text
                 );
-                faults.push(Diagnostic::error("not-on-link", message).at(word.span).help(both!(
-                    "name it in \"links\" among the points of the cam",
-                    "请在 \"links\" 中把它写入凸轮的点"
-                )));
+                faults.push(
+                    Diagnostic::error("not-on-link", message)
+                        .at(word.span)
+                        .help(both!("name it in \"links\" among the points of the cam")),
+                );
             }
             match part {
                 RawPart::Circle { centre, radius } => {
@@ -273,15 +271,13 @@ impl CamReplacement<'_> {
                         None => {
                             let [a, b] = [a, b].map(|p| self.bare.point_name(p));
                             let message = both!(
-                                "the tangent of the circles about {a} and {b} needs their distance",
-                                "求绕 {a} 和 {b} 两圆的公切线须知两圆心的距离"
+                                "the tangent of the circles about {a} and {b} needs their distance"
                             );
-                            faults.push(Diagnostic::error("cam-centres", message).at(*span).help(
-                                both!(
-                                    "add \"{a},{b}\" to \"lengths\"",
-                                    "请在 \"lengths\" 中加上 \"{a},{b}\""
-                                ),
-                            ));
+                            faults.push(
+                                Diagnostic::error("cam-centres", message)
+                                    .at(*span)
+                                    .help(both!("add \"{a},{b}\" to \"lengths\"")),
+                            );
                         }
                     }
                 }
@@ -296,23 +292,17 @@ impl CamReplacement<'_> {
 
     pub(super) fn broken(&self, broken: Broken, faults: &mut Faults) {
         let message = match broken {
-            Broken::NoCircle => both!("the profile has no circle", "廓线中没有圆"),
+            Broken::NoCircle => both!("the profile has no circle"),
             Broken::NoNeighbour(i) => {
-                both!(
-                    "part {} of the profile has no circle on both sides",
-                    "廓线第 {} 段的两侧不都是圆",
-                    i + 1
-                )
+                both!("part {} of the profile has no circle on both sides", i + 1)
             }
             Broken::Apart(i) => both!(
                 "part {} of the profile cannot touch its neighbours: their centres are too near or too far apart",
-                "廓线第 {} 段不能与相邻两段相切：圆心过近或过远",
                 i + 1
             ),
         };
         faults.push(Diagnostic::error("cam-profile", message).at(self.raw.span).help(both!(
-            "list arcs and lines counter-clockwise round the cam: a circle, \"tangent\" or {{\"radius\"}}, the next circle, ...",
-            "请沿凸轮逆时针列出各段：圆、\"tangent\" 或 {{\"radius\"}}、下一圆……"
+            "list arcs and lines counter-clockwise round the cam: a circle, \"tangent\" or {{\"radius\"}}, the next circle, ..."
         )));
     }
 }

@@ -46,12 +46,10 @@ impl CamReplacement<'_> {
             let (cam, follower) = (&self.raw.cam.text, &self.raw.follower.text);
             Lacking {
                 what: both!(
-                    "no link carries both: cam `{cam}` has to turn about a pin of the link in which `{follower}` slides or turns",
-                    "没有同一构件同时支承二者：凸轮 `{cam}` 应绕从动件 `{follower}` 的导路或转轴所在构件上的一点转动"
+                    "no link carries both: cam `{cam}` has to turn about a pin of the link in which `{follower}` slides or turns"
                 ),
                 help: both!(
-                    "let one link carry the pivot of the cam and the guide or pivot of the follower",
-                    "请使凸轮轴心与从动件的导路（或转轴）位于同一构件上"
+                    "let one link carry the pivot of the cam and the guide or pivot of the follower"
                 ),
             }
         }))
@@ -86,12 +84,10 @@ impl CamReplacement<'_> {
         let lacking = |what: Both, help: Both| Lacking { what, help };
         let turned = self.turns(cam, frame).ok_or_else(|| lacking(
             both!(
-                "no driver turns cam `{cam_name}` against link `{frame_name}`, which carries it and its follower, nor a wheel that meshes with it",
-                "没有原动件使凸轮 `{cam_name}` 相对于支承它和从动件的构件 `{frame_name}` 转动，也没有与之啮合的主动轮"
+                "no driver turns cam `{cam_name}` against link `{frame_name}`, which carries it and its follower, nor a wheel that meshes with it"
             ),
             both!(
-                "give {{\"link\": \"{cam_name}\", \"against\": \"{frame_name}\", \"angle\": \"30 deg\", \"omega\": ...}} as its driver: the angle between the first two points of the one and of the other",
-                "请给出原动件 {{\"link\": \"{cam_name}\", \"against\": \"{frame_name}\", \"angle\": \"30 deg\", \"omega\": ...}}，角度为两构件各自前两点连线的夹角"
+                "give {{\"link\": \"{cam_name}\", \"against\": \"{frame_name}\", \"angle\": \"30 deg\", \"omega\": ...}} as its driver: the angle between the first two points of the one and of the other"
             ),
         ))?;
         let own = self
@@ -114,14 +110,8 @@ impl CamReplacement<'_> {
         };
         let local = locals(scene, cam, pivot, world).ok_or_else(|| {
             lacking(
-                both!(
-                    "the points of cam `{cam_name}` are not placed in it",
-                    "凸轮 `{cam_name}` 上的点在其中没有确定位置"
-                ),
-                both!(
-                    "give their distances in \"lengths\", or their coordinates",
-                    "请在 \"lengths\" 中给出各点距离，或给出坐标"
-                ),
+                both!("the points of cam `{cam_name}` are not placed in it"),
+                both!("give their distances in \"lengths\", or their coordinates"),
             )
         })?;
         let d = &scene.drivers[turned.driver];
@@ -155,13 +145,9 @@ impl CamReplacement<'_> {
     fn unplaced(&self, p: PointId, frame: LinkId) -> Lacking {
         let (point, link) = (self.bare.point_name(p), self.bare.link_name(frame));
         Lacking {
-            what: both!(
-                "where {point} stands in link `{link}` is not told",
-                "没有给出 {point} 在构件 `{link}` 中的位置"
-            ),
+            what: both!("where {point} stands in link `{link}` is not told"),
             help: both!(
-                "give its coordinates, in the plane or in the link, or its distances from the first two points of the link",
-                "请给出其坐标（平面内或构件内），或到该构件前两点的距离"
+                "give its coordinates, in the plane or in the link, or its distances from the first two points of the link"
             ),
         }
     }
@@ -219,12 +205,10 @@ impl CamReplacement<'_> {
         let name = self.bare.link_name(link);
         Lacking {
             what: both!(
-                "the guide of follower `{name}` is not a straight one that is fixed in the link that carries the cam",
-                "从动件 `{name}` 的导路不是固定在支承凸轮的构件上的直线导路"
+                "the guide of follower `{name}` is not a straight one that is fixed in the link that carries the cam"
             ),
             help: both!(
-                "give it a pin, a point that it passes through, and as its direction a `line` of that link (on the ground an `angle`)",
-                "请给出导路的销、所通过的点，并以该构件上的 `line`（机架上可用 `angle`）给出方向"
+                "give it a pin, a point that it passes through, and as its direction a `line` of that link (on the ground an `angle`)"
             ),
         }
     }

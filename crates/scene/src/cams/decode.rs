@@ -13,11 +13,9 @@ use hodograph_base::json::{Node, NodeKind, Word};
 /// member could not be read, so that the remaining members are not judged alone.
 pub(crate) fn cam(node: &Node, extent: RequiredData, faults: &mut Faults) -> Option<RawCam> {
     let before = faults.list.len();
-    let f = Fields::open(node, both!("a cam", "凸轮"), keys::CAM, faults)?;
-    let cam =
-        f.need("cam", both!("\"2\", the link that is the cam", "\"2\"（作凸轮的构件）"), faults);
-    let follower =
-        f.need("follower", both!("\"3\", the link that it moves", "\"3\"（从动件）"), faults);
+    let f = Fields::open(node, both!("a cam"), keys::CAM, faults)?;
+    let cam = f.need("cam", both!("\"2\", the link that is the cam"), faults);
+    let follower = f.need("follower", both!("\"3\", the link that it moves"), faults);
     let counted = extent.is_of_pairs();
     let profile = if counted {
         f.get("profile")
@@ -53,26 +51,18 @@ fn follows(f: &Fields, counted: bool, faults: &mut Faults) -> Option<RawFollows>
     let [kind] = given.as_slice() else {
         let (message, help) = match given.is_empty() {
             true => (
+                both!("nothing says with what the follower touches the cam"),
                 both!(
-                    "nothing says with what the follower touches the cam",
-                    "没有说明从动件以什么与凸轮接触"
-                ),
-                both!(
-                    "add \"edge\": \"B\", \"roller\": {{\"pin\": \"B\", \"radius\": \"10 mm\"}}, \"arc\" or \"face\"",
-                    "请加上 \"edge\": \"B\"（尖顶）、\"roller\": {{\"pin\": \"B\", \"radius\": \"10 mm\"}}（滚子）、\"arc\"（曲面）或 \"face\"（平底）"
+                    "add \"edge\": \"B\", \"roller\": {{\"pin\": \"B\", \"radius\": \"10 mm\"}}, \"arc\" or \"face\""
                 ),
             ),
             false => (
                 both!(
                     "the follower touches the cam in {} ways: {}",
-                    "从动件与凸轮的接触写了 {} 种：{}",
                     given.len(),
                     Both::names(&given)
                 ),
-                both!(
-                    "keep one of them; each contact is a cam of its own in the list",
-                    "请只保留一种；每个接触在列表中各写一项"
-                ),
+                both!("keep one of them; each contact is a cam of its own in the list"),
             ),
         };
         faults.push(Diagnostic::error("cam-follower", message).at(f.span()).help(help));
@@ -126,17 +116,9 @@ fn face(node: &Node, faults: &mut Faults) -> Option<RawFace> {
 fn one_of(said: &Word, words: [&str; 2], faults: &mut Faults) -> Option<usize> {
     let found = words.iter().position(|w| *w == said.text);
     if found.is_none() {
-        let d = Diagnostic::error(
-            "unknown-word",
-            both!("`{}` is not understood here", "此处不认识 `{}`", said.text),
-        )
-        .at(said.span);
-        faults.push(d.help(both!(
-            "write \"{}\" or \"{}\"",
-            "请写 \"{}\" 或 \"{}\"",
-            words[0],
-            words[1]
-        )));
+        let d = Diagnostic::error("unknown-word", both!("`{}` is not understood here", said.text))
+            .at(said.span);
+        faults.push(d.help(both!("write \"{}\" or \"{}\"", words[0], words[1])));
     }
     found
 }
@@ -144,17 +126,8 @@ fn one_of(said: &Word, words: [&str; 2], faults: &mut Faults) -> Option<usize> {
 fn profile(node: &Node, faults: &mut Faults) -> Option<RawProfile> {
     let law = matches!(&node.kind, NodeKind::Object(m) if m.iter().any(|(k, _)| k.text == "law" || k.text == "base"));
     if law {
-        let f = Fields::open(
-            node,
-            both!("a profile by a law", "按运动规律的廓线"),
-            keys::CAM_LAW,
-            faults,
-        )?;
-        let base = f.need(
-            "base",
-            both!("\"30 mm\", the radius of the base circle", "\"30 mm\"（基圆半径）"),
-            faults,
-        );
+        let f = Fields::open(node, both!("a profile by a law"), keys::CAM_LAW, faults)?;
+        let base = f.need("base", both!("\"30 mm\", the radius of the base circle"), faults);
         let base = base.and_then(|n| quantity(n, "\"base\"", faults));
         let start = f.get("start").and_then(|n| quantity(n, "\"start\"", faults));
         let turns = f.get("turns").and_then(|n| word(n, "\"turns\"", faults));
@@ -181,10 +154,7 @@ fn profile(node: &Node, faults: &mut Faults) -> Option<RawProfile> {
         NodeKind::Text(_) | NodeKind::Number(_) | NodeKind::Bool(_) | NodeKind::Null => wrong(
             node,
             "\"profile\"",
-            both!(
-                "a circle, a list of arcs and lines, or a law",
-                "圆、由圆弧和直线组成的列表，或运动规律"
-            ),
+            both!("a circle, a list of arcs and lines, or a law"),
             faults,
         ),
     }
@@ -196,18 +166,14 @@ fn part(node: &Node, faults: &mut Faults) -> Option<RawPart> {
         if said.text == "tangent" {
             return Some(RawPart::Tangent(said.span));
         }
-        let d = Diagnostic::error(
-            "unknown-word",
-            both!("`{}` is no part of a profile", "`{}` 不是廓线的一段", said.text),
-        )
-        .at(said.span);
+        let d = Diagnostic::error("unknown-word", both!("`{}` is no part of a profile", said.text))
+            .at(said.span);
         faults.push(d.help(both!(
-            "write \"tangent\", {{\"centre\": \"Q\", \"radius\": ...}}, {{\"radius\": ...}} or {{\"corner\": \"P\"}}",
-            "请写 \"tangent\"、{{\"centre\": \"Q\", \"radius\": ...}}、{{\"radius\": ...}} 或 {{\"corner\": \"P\"}}"
+            "write \"tangent\", {{\"centre\": \"Q\", \"radius\": ...}}, {{\"radius\": ...}} or {{\"corner\": \"P\"}}"
         )));
         return None;
     }
-    let f = Fields::open(node, both!("a part of a profile", "廓线的一段"), keys::CAM_PART, faults)?;
+    let f = Fields::open(node, both!("a part of a profile"), keys::CAM_PART, faults)?;
     if let Some(corner) = f.get("corner") {
         return word(corner, "\"corner\"", faults).map(RawPart::Corner);
     }
@@ -221,19 +187,14 @@ fn part(node: &Node, faults: &mut Faults) -> Option<RawPart> {
 }
 
 fn stage(node: &Node, faults: &mut Faults) -> Option<RawStage> {
-    let f =
-        Fields::open(node, both!("a stage of the law", "运动规律的一段"), keys::CAM_STAGE, faults)?;
+    let f = Fields::open(node, both!("a stage of the law"), keys::CAM_STAGE, faults)?;
     let kinds = ["rise", "dwell", "return"];
     let given: Vec<&str> = kinds.into_iter().filter(|k| f.get(k).is_some()).collect();
     let [kind] = given.as_slice() else {
-        let message = both!(
-            "a stage is one of `rise`, `dwell`, `return`",
-            "每段应为 `rise`、`dwell`、`return` 之一"
-        );
+        let message = both!("a stage is one of `rise`, `dwell`, `return`");
         let d = Diagnostic::error("cam-law", message).at(node.span);
         faults.push(d.help(both!(
-            "write {{\"rise\": \"20 mm\", \"over\": \"120 deg\", \"law\": \"cycloidal\"}} or {{\"dwell\": \"60 deg\"}}",
-            "请写 {{\"rise\": \"20 mm\", \"over\": \"120 deg\", \"law\": \"cycloidal\"}} 或 {{\"dwell\": \"60 deg\"}}"
+            "write {{\"rise\": \"20 mm\", \"over\": \"120 deg\", \"law\": \"cycloidal\"}} or {{\"dwell\": \"60 deg\"}}"
         )));
         return None;
     };
@@ -253,12 +214,9 @@ fn known_law(said: Word, faults: &mut Faults) -> Option<Word> {
     if MotionLaw::named(&said.text).is_some() {
         return Some(said);
     }
-    let otherwise: Both = both!("the laws are", "运动规律有");
-    let d = Diagnostic::error(
-        "unknown-law",
-        both!("`{}` is no motion law", "没有名为 `{}` 的运动规律", said.text),
-    )
-    .at(said.span);
+    let otherwise: Both = both!("the laws are");
+    let d =
+        Diagnostic::error("unknown-law", both!("`{}` is no motion law", said.text)).at(said.span);
     faults.push(d.help(suggest(&said.text, MotionLaw::ALL.iter().map(|l| l.name()), otherwise)));
     None
 }

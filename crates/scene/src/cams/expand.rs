@@ -116,7 +116,7 @@ impl CamReplacement<'_> {
     }
 
     pub(super) fn positive(&self, q: &RawQuantity, faults: &mut Faults) -> Option<NumberText> {
-        let given = self.values.positive_length(q, both!("the radius", "半径"), faults)?;
+        let given = self.values.positive_length(q, both!("the radius"), faults)?;
         Some(NumberText { value: given.value, text: given.text })
     }
 
@@ -142,35 +142,25 @@ impl CamReplacement<'_> {
                     Some(_) => Diagnostic::error(
                         "cam-follower",
                         both!(
-                            "a face passes through a point of the follower, not through coordinates",
-                            "平底应通过从动件上的点，而非坐标"
+                            "a face passes through a point of the follower, not through coordinates"
                         ),
                     ),
-                    None => Diagnostic::error(
-                        "missing-key",
-                        both!("\"face\" has no `through`", "\"face\" 没有 `through`"),
-                    ),
+                    None => Diagnostic::error("missing-key", both!("\"face\" has no `through`")),
                 };
                 faults.push(d.at(self.raw.span).help(both!(
-                    "add \"through\": \"C\", a point of the follower; a follower that slides in one guide needs none",
-                    "请加上 \"through\": \"C\"，即从动件上的一点；只在一条导路中滑动的从动件可以不写"
+                    "add \"through\": \"C\", a point of the follower; a follower that slides in one guide needs none"
                 )));
             }
             return None;
         };
         if cam == follower {
-            let message = both!(
-                "link `{}` cannot be cam and follower at once",
-                "构件 `{}` 不能既是凸轮又是从动件",
-                self.raw.cam.text
-            );
+            let message = both!("link `{}` cannot be cam and follower at once", self.raw.cam.text);
             faults.push(Diagnostic::error("cam-follower", message).at(self.raw.follower.span));
             return None;
         }
         if !self.bare.links[follower.0].points.contains(&point) {
             let message = both!(
                 "`{}` is not a point of the follower `{}`",
-                "`{}` 不是从动件 `{}` 上的点",
                 self.bare.point_name(point),
                 self.raw.follower.text
             );
@@ -448,19 +438,17 @@ impl CamReplacement<'_> {
 
     /// Reports that the piece in contact is unknown; `why` is the fault on the carrying link.
     pub(super) fn no_pose<T>(&self, why: Option<&Lacking>, faults: &mut Faults) -> Option<T> {
-        let why = why.map_or(Both::default(), |l| both!(": {}", "：{}", l.what));
+        let why = why.map_or(Both::default(), |l| both!(": {}", l.what));
         let d = Diagnostic::error(
             "cam-pose",
             both!(
                 "nothing tells which part of the profile of cam `{}` is touched{}",
-                "无法判断凸轮 `{}` 的哪一段廓线接触{}",
                 self.raw.cam.text,
                 why
             ),
         );
         faults.push(d.at(self.raw.span).help(both!(
-            "let one link, the ground or another, carry the pivot of the cam and the guide (through the point that touches) or pivot of the follower, and give the cam a driver against it with \"angle\"; where different links carry them, give the angles of their drivers, or coordinates of the cam's first two points and of the point that touches (of a face its \"angle\")",
-            "请使同一构件（机架或其他构件）支承凸轮轴心和从动件（通过接触点）的导路或转轴，并给出凸轮相对于它的带 \"angle\" 的原动件；二者由不同构件支承时，请给出各原动件的角度，或凸轮前两点和接触点的坐标（平底则给出 \"angle\"）"
+            "let one link, the ground or another, carry the pivot of the cam and the guide (through the point that touches) or pivot of the follower, and give the cam a driver against it with \"angle\"; where different links carry them, give the angles of their drivers, or coordinates of the cam's first two points and of the point that touches (of a face its \"angle\")"
         )));
         None
     }
@@ -470,15 +458,14 @@ impl CamReplacement<'_> {
             "no-contact",
             both!(
                 "the follower `{}` does not reach the profile of cam `{}` in this pose",
-                "在此位置从动件 `{}` 够不到凸轮 `{}` 的廓线",
                 self.raw.follower.text,
                 self.raw.cam.text
             ),
         );
-        faults.push(d.at(self.raw.span).help(both!(
-            "check the radii, the offset of the guide and the length of the arm",
-            "请检查各半径、导路的偏距和摆杆长度"
-        )));
+        faults.push(
+            d.at(self.raw.span)
+                .help(both!("check the radii, the offset of the guide and the length of the arm")),
+        );
         None
     }
 
@@ -503,7 +490,6 @@ impl CamReplacement<'_> {
         let [b, a] = a.map(|a| significant(a, 4));
         let message = both!(
             "two pieces of the profile meet here: the acceleration of `{}` jumps from {b} to {a} {unit}; drawn is what follows",
-            "此处为廓线两段的接点：`{}` 的加速度由 {b} 跃变为 {a} {unit}；图中取其后一段",
             self.raw.follower.text
         );
         faults.push(Diagnostic::note("joint", message).at(self.raw.span));

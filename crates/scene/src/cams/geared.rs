@@ -240,8 +240,7 @@ impl CamReplacement<'_> {
         }
         let Some(q) = &self.raw.angle else { return Some(()) };
         let help = both!(
-            "`angle` says how a cam stands that gears, a belt or a chain turn; leave it away",
-            "`angle` 用于说明由齿轮、带或链带动的凸轮的位置；请去掉"
+            "`angle` says how a cam stands that gears, a belt or a chain turn; leave it away"
         );
         let mut wrong = |message| {
             faults.push(Diagnostic::error("cam-angle", message).at(q.span).help(help.clone()))
@@ -251,16 +250,12 @@ impl CamReplacement<'_> {
         let Some((turned, pair)) = turned.and_then(|t| {
             t.train.as_ref().and_then(|(_, path)| path.first().copied()).map(|i| (t, i))
         }) else {
-            wrong(both!(
-                "no wheels turn cam `{name}`: its driver says how it stands",
-                "凸轮 `{name}` 不是由轮系带动：其位置由原动件给出"
-            ));
+            wrong(both!("no wheels turn cam `{name}`: its driver says how it stands"));
             return None;
         };
         if self.bare.rolling[pair].phase.is_some() || self.line_of(cam).is_some() {
             wrong(both!(
-                "the phase of its wheel, or coordinates, say already how cam `{name}` stands",
-                "凸轮 `{name}` 的位置已由 `phase` 或坐标给出"
+                "the phase of its wheel, or coordinates, say already how cam `{name}` stands"
             ));
             return None;
         }
@@ -313,21 +308,14 @@ impl CamReplacement<'_> {
         let name = self.bare.link_name(cam);
         if turned.direct() {
             return Lacking {
-                what: both!(
-                    "the driver of cam `{name}` has no angle",
-                    "凸轮 `{name}` 的原动件没有给出角度"
-                ),
-                help: both!("add \"angle\" to it", "请给原动件加上 \"angle\""),
+                what: both!("the driver of cam `{name}` has no angle"),
+                help: both!("add \"angle\" to it"),
             };
         }
         Lacking {
-            what: both!(
-                "wheels turn cam `{name}`, and nothing says at which angle it stands",
-                "凸轮 `{name}` 由轮系带动，没有说明它所在的角度"
-            ),
+            what: both!("wheels turn cam `{name}`, and nothing says at which angle it stands"),
             help: both!(
-                "add \"angle\": \"30 deg\" to the cam, the angle of its first two points (of a cam with one point the one from which its law counts), or \"phase\" to the pair",
-                "请给凸轮加上 \"angle\": \"30 deg\"（其前两点连线的角度；只有一点的凸轮即运动规律所计的转角），或在该轮副中给出 \"phase\""
+                "add \"angle\": \"30 deg\" to the cam, the angle of its first two points (of a cam with one point the one from which its law counts), or \"phase\" to the pair"
             ),
         }
     }

@@ -47,14 +47,10 @@ pub(crate) fn settled(raw: &RawScene, faults: &mut Faults) -> RawScene {
         if declared.is_some_and(|l| l.points.len() != 1 || l.points[0].text != pin.text)
             || is_used(raw, &name.text)
         {
-            let d = Diagnostic::error(
-                "roller-link",
-                both!("link `{}` is no roller", "构件 `{}` 不是滚子", name.text),
-            )
-            .at(name.span);
+            let d = Diagnostic::error("roller-link", both!("link `{}` is no roller", name.text))
+                .at(name.span);
             faults.push(d.help(both!(
                 "the link of a roller has its centre `{}` and no other point, and nothing else is said of it",
-                "滚子构件只有中心 `{}` 一个点，且不在别处使用",
                 pin.text
             )));
             continue;

@@ -9,7 +9,7 @@ use hodograph_base::json::{Node, Word};
 
 /// Decodes a wrong solution.
 pub(super) fn attempt(node: &Node, faults: &mut Faults) -> Option<RawAttempt> {
-    let f = Fields::open(node, both!("an attempt", "错误解法"), keys::ATTEMPT, faults)?;
+    let f = Fields::open(node, both!("an attempt"), keys::ATTEMPT, faults)?;
     let mistake =
         f.need("mistake", "\"no-coriolis\"", faults).and_then(|n| word(n, "\"mistake\"", faults));
     let mut optional = |key: &'static str, told: &'static str| -> Option<Option<Word>> {
@@ -22,8 +22,7 @@ pub(super) fn attempt(node: &Node, faults: &mut Faults) -> Option<RawAttempt> {
     let mut printed = Vec::new();
     for (key, node) in entries(f.get("printed"), "\"printed\"", faults) {
         printed.extend(
-            quantity(node, both!("printed `{}`", "印出的 `{}`", key.text), faults)
-                .map(|q| (key.clone(), q)),
+            quantity(node, both!("printed `{}`", key.text), faults).map(|q| (key.clone(), q)),
         );
     }
     let why = f.get("why").and_then(|n| localized(n, "\"why\"", 1000, faults));

@@ -26,14 +26,14 @@ pub(super) fn belts(f: &Fields, raw: &mut RawScene, faults: &mut Faults) {
         Section {
             kind: RollingKind::Belt,
             keys: keys::BELT,
-            what: both!("a belt", "带传动"),
+            what: both!("a belt"),
             wheels: "pulleys",
             sizes: ("radii", "[\"50 mm\", \"120 mm\"]"),
         },
         Section {
             kind: RollingKind::Chain,
             keys: keys::CHAIN,
-            what: both!("a chain", "链传动"),
+            what: both!("a chain"),
             wheels: "sprockets",
             sizes: ("teeth", "[19, 38]"),
         },
@@ -82,54 +82,34 @@ fn strands(
     if n < 2 || centres.len() != n || values.len() != n {
         let message = both!(
             "{} runs round two or more wheels, each with its centre and size: there are {n} of \"{wheels}\", {} of \"centres\", {} of \"{sizes}\"",
-            "{}须绕过两个以上的轮，每个轮有圆心和尺寸：\"{wheels}\" 有 {n} 个，\"centres\" {} 个，\"{sizes}\" {} 个",
             section.what,
             centres.len(),
             values.len()
         );
-        let help = both!(
-            "write as many of each, in the order in which it runs round them",
-            "请按绕过的顺序写出，数目相同"
-        );
+        let help = both!("write as many of each, in the order in which it runs round them");
         faults.push(Diagnostic::error("wrong-count", message).at(f.span()).help(help));
         return None;
     }
     for word in reversed.iter().filter(|w| links.iter().all(|l| l.text != w.text)) {
         let names: Vec<&str> = links.iter().map(|l| l.text.as_str()).collect();
-        let message =
-            both!("`{}` is not among \"{wheels}\"", "`{}` 不在 \"{wheels}\" 之中", word.text);
-        let help = both!("they are {}", "它们是 {}", Both::names(&names));
+        let message = both!("`{}` is not among \"{wheels}\"", word.text);
+        let help = both!("they are {}", Both::names(&names));
         faults.push(Diagnostic::error("unknown-link", message).at(word.span).help(help));
     }
     if crossed && (n != 2 || !reversed.is_empty()) {
-        let message = both!(
-            "\"crossed\" is said of two pulleys without \"reversed\"",
-            "\"crossed\" 只用于两个带轮且不写 \"reversed\" 的情形"
-        );
-        let help = both!(
-            "name the pulleys that turn the other way in \"reversed\"",
-            "请在 \"reversed\" 中写出反向转动的带轮"
-        );
+        let message = both!("\"crossed\" is said of two pulleys without \"reversed\"");
+        let help = both!("name the pulleys that turn the other way in \"reversed\"");
         faults.push(Diagnostic::error("belt", message).at(f.span()).help(help));
     }
     if section.kind == RollingKind::Chain && n == 2 && !reversed.is_empty() {
-        let message = both!(
-            "a chain round two sprockets does not cross itself",
-            "绕过两个链轮的链条不能交叉"
-        );
-        let help = both!("leave \"reversed\" away", "请去掉 \"reversed\"");
+        let message = both!("a chain round two sprockets does not cross itself");
+        let help = both!("leave \"reversed\" away");
         faults.push(Diagnostic::error("belt", message).at(reversed[0].span).help(help));
     }
     if let Some(at) = at.as_ref().filter(|at| at.len() != 2 * (n - 1)) {
-        let message = both!(
-            "\"at\" names {} points, not {}",
-            "\"at\" 写了 {} 个点，应为 {} 个",
-            at.len(),
-            2 * (n - 1)
-        );
+        let message = both!("\"at\" names {} points, not {}", at.len(), 2 * (n - 1));
         let help = both!(
-            "name both ends of the strand between each wheel and the next: \"at\": [\"M\", \"N\"]",
-            "请写出每两个相邻轮之间带段的两个端点：\"at\": [\"M\", \"N\"]"
+            "name both ends of the strand between each wheel and the next: \"at\": [\"M\", \"N\"]"
         );
         faults.push(
             Diagnostic::error("wrong-count", message)
@@ -138,14 +118,8 @@ fn strands(
         );
     }
     if let Some(q) = phase.as_ref().filter(|_| n != 2) {
-        let message = both!(
-            "\"phase\" is said of two wheels, here are {n}",
-            "\"phase\" 只用于两个轮，此处有 {n} 个"
-        );
-        let help = both!(
-            "give coordinates of a second point of each wheel in \"points\"",
-            "请在 \"points\" 中给出各轮上另一点的坐标"
-        );
+        let message = both!("\"phase\" is said of two wheels, here are {n}");
+        let help = both!("give coordinates of a second point of each wheel in \"points\"");
         faults.push(Diagnostic::error("phase", message).at(q.span).help(help));
     }
     if faults.list.len() > before {

@@ -8,10 +8,10 @@ use hodograph_base::json::fields::{Fields, word};
 
 /// Decodes a moving point and a frame.
 pub(super) fn composite(node: &Node, faults: &mut Faults) -> Option<RawComposite> {
-    let f = Fields::open(node, both!("a composite motion", "合成运动"), keys::COMPOSITE, faults)?;
+    let f = Fields::open(node, both!("a composite motion"), keys::COMPOSITE, faults)?;
     let point = f.need("point", "\"A\"", faults).and_then(|n| word(n, "\"point\"", faults));
     let frame = f
-        .need("frame", both!("\"2\", a link or a point", "\"2\"（构件或点）"), faults)
+        .need("frame", both!("\"2\", a link or a point"), faults)
         .and_then(|n| word(n, "\"frame\"", faults));
     let on = f.get("on").map(|n| word(n, "\"on\"", faults));
     Some(RawComposite {

@@ -7,12 +7,13 @@ use super::{quantity, words};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::json::Node;
 use hodograph_base::json::fields::{Fields, object, suggest, word};
+use hodograph_base::lang::each;
 
 /// The three kinds of driver: the key that determines the kind, its name, all its keys.
 const KINDS: [(&str, [&str; 2], &[&str]); 3] = [
-    ("link", ["a turning driver", "转动原动件"], keys::TURN),
-    ("slide", ["a sliding driver", "移动原动件"], keys::SLIDE),
-    ("cylinder", ["a cylinder", "液压缸"], keys::CYLINDER),
+    ("link", each!("a turning driver"), keys::TURN),
+    ("slide", each!("a sliding driver"), keys::SLIDE),
+    ("cylinder", each!("a cylinder"), keys::CYLINDER),
 ];
 
 fn words_of([en, zh]: [&str; 2]) -> Both {
@@ -21,7 +22,7 @@ fn words_of([en, zh]: [&str; 2]) -> Both {
 
 pub(super) fn driver(node: &Node, raw: &RawScene, faults: &mut Faults) -> Option<RawDriver> {
     let extent = raw.extent;
-    let members = object(node, both!("a driver", "原动件"), faults)?;
+    let members = object(node, both!("a driver"), faults)?;
     let present: Vec<_> =
         KINDS.iter().filter(|(mark, ..)| members.iter().any(|(k, _)| k.text == *mark)).collect();
     let (mark, what, known) = match present.as_slice() {
@@ -29,10 +30,7 @@ pub(super) fn driver(node: &Node, raw: &RawScene, faults: &mut Faults) -> Option
         [] => {
             let d = Diagnostic::error(
                 "driver-kind",
-                both!(
-                    "a driver says neither `link`, nor `slide`, nor `cylinder`",
-                    "原动件没有写 `link`、`slide` 或 `cylinder`"
-                ),
+                both!("a driver says neither `link`, nor `slide`, nor `cylinder`"),
             )
             .at(node.span);
             let near = members
@@ -41,8 +39,7 @@ pub(super) fn driver(node: &Node, raw: &RawScene, faults: &mut Faults) -> Option
                 .find(|s| s.en.starts_with("did"));
             faults.push(d.help(near.unwrap_or_else(|| {
                 both!(
-                    "name the turning \"link\", the pin that is to \"slide\", or the ends of the \"cylinder\"",
-                    "请写出转动的 \"link\"、沿导路移动的销 \"slide\"，或 \"cylinder\" 的两端"
+                    "name the turning \"link\", the pin that is to \"slide\", or the ends of the \"cylinder\""
                 )
             })));
             return None;
@@ -53,14 +50,12 @@ pub(super) fn driver(node: &Node, raw: &RawScene, faults: &mut Faults) -> Option
                 "driver-kind",
                 both!(
                     "one driver mixes {}",
-                    "一个原动件混用了 {}",
                     Both { en: marks.join(" and "), zh: marks.join("、") }
                 ),
             )
             .at(node.span);
             faults.push(d.help(both!(
-                "give a list of drivers, one for each: \"driver\": [{{...}}, {{...}}]",
-                "请写成列表，每个原动件一项：\"driver\": [{{...}}, {{...}}]"
+                "give a list of drivers, one for each: \"driver\": [{{...}}, {{...}}]"
             )));
             return None;
         }
@@ -77,21 +72,10 @@ pub(super) fn driver(node: &Node, raw: &RawScene, faults: &mut Faults) -> Option
         {
             let d = Diagnostic::error(
                 "driver-kind",
-                both!(
-                    "`{}` belongs to {}, this is {}",
-                    "`{}` 是{}的键，此处为{}",
-                    key.text,
-                    words_of(other),
-                    words_of(what)
-                ),
+                both!("`{}` belongs to {}, this is {}", key.text, words_of(other), words_of(what)),
             )
             .at(key.span);
-            faults.push(d.help(both!(
-                "the keys of {} are {}",
-                "{}的键有 {}",
-                words_of(what),
-                Both::names(known)
-            )));
+            faults.push(d.help(both!("the keys of {} are {}", words_of(what), Both::names(known))));
             mixed = true;
         }
     }
@@ -113,14 +97,8 @@ pub(super) fn driver(node: &Node, raw: &RawScene, faults: &mut Faults) -> Option
         // A position that is a law of time gives the rates too, unless the file does.
         Some(q) => {
             if let Some(node) = f.get(second) {
-                let message = both!(
-                    "the position is a law of time, which says `{second}` already",
-                    "位置是时间的函数，`{second}` 由它给出"
-                );
-                let help = both!(
-                    "leave `{second}` out, or add `{key}`",
-                    "请去掉 `{second}`，或写出 `{key}`"
-                );
+                let message = both!("the position is a law of time, which says `{second}` already");
+                let help = both!("leave `{second}` out, or add `{key}`");
                 faults.push(Diagnostic::error("given-twice", message).at(node.span).help(help));
             }
             let (rate, of_law, law) = differentiated(q, raw, faults)?
@@ -130,12 +108,7 @@ pub(super) fn driver(node: &Node, raw: &RawScene, faults: &mut Faults) -> Option
         }
         None => {
             let rate = if extent.is_at_rest() { f.get(key) } else { f.need(key, example, faults) };
-            (
-                rate.and_then(|n| {
-                    quantity(n, both!("the rate of a driver", "原动件的速度"), faults)
-                }),
-                None,
-            )
+            (rate.and_then(|n| quantity(n, both!("the rate of a driver"), faults)), None)
         }
     };
     // A name that could not be read does not count as absent.
@@ -151,11 +124,7 @@ pub(super) fn driver(node: &Node, raw: &RawScene, faults: &mut Faults) -> Option
         _ => RawDriverKind::Cylinder {
             ends: name("cylinder")?,
             length,
-            links: words(
-                f.get("links"),
-                both!("\"links\" of a cylinder", "液压缸的 \"links\""),
-                faults,
-            ),
+            links: words(f.get("links"), both!("\"links\" of a cylinder"), faults),
         },
     };
     (faults.list.len() == before).then_some(())?;

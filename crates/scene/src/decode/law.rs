@@ -56,16 +56,10 @@ pub(super) fn differentiated(
             Ok(d) => Some(d),
             Err(why) => {
                 let message = match why {
-                    NoDerivative::Corner => both!(
-                        "`{}`: abs has a corner, and no derivative there",
-                        "`{}`：abs 有尖点，不可导",
-                        law.text
-                    ),
-                    NoDerivative::Exponent => both!(
-                        "`{}`: the exponent depends on time",
-                        "`{}`：指数随时间变化",
-                        law.text
-                    ),
+                    NoDerivative::Corner => {
+                        both!("`{}`: abs has a corner, and no derivative there", law.text)
+                    }
+                    NoDerivative::Exponent => both!("`{}`: the exponent depends on time", law.text),
                 };
                 faults.push(Diagnostic::error("law", message).at(law.span));
                 None
@@ -74,16 +68,11 @@ pub(super) fn differentiated(
     };
     let parsed = |text: &String, faults: &mut Faults| -> Option<Expr> {
         let involved = |_| {
-            let message = both!(
-                "`{}` is too involved to be differentiated twice",
-                "`{}` 过于复杂，无法求二阶导数",
-                law.text
-            );
+            let message = both!("`{}` is too involved to be differentiated twice", law.text);
             let d = Diagnostic::error("law", message).at(law.span);
-            faults.push(d.help(both!(
-                "write it with fewer products and powers of what depends on t",
-                "请减少含 t 的乘积与乘方"
-            )));
+            faults.push(
+                d.help(both!("write it with fewer products and powers of what depends on t")),
+            );
         };
         expr::parse(text, &names).map_err(involved).ok()
     };

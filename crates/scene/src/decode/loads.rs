@@ -50,12 +50,7 @@ fn name(node: &Node, what: &str, faults: &mut Faults) -> Option<Word> {
 }
 
 fn mass(link: &Word, node: &Node, raw: &mut RawScene, faults: &mut Faults) -> Option<RawMass> {
-    let f = Fields::open(
-        node,
-        both!("the mass of link `{}`", "构件 `{}` 的质量", link.text),
-        keys::MASS,
-        faults,
-    )?;
+    let f = Fields::open(node, both!("the mass of link `{}`", link.text), keys::MASS, faults)?;
     let (m, weight) = (optional(&f, "m", faults, amount), optional(&f, "weight", faults, amount));
     let (j, k) = (optional(&f, "J", faults, amount), optional(&f, "k", faults, amount));
     let at = match f.get("at") {
@@ -88,33 +83,26 @@ fn mass(link: &Word, node: &Node, raw: &mut RawScene, faults: &mut Faults) -> Op
         span: node.span,
     };
     if let (Some(_), Some(weight)) = (&mass.m, &mass.weight) {
-        let message =
-            both!("link `{}` has a mass and a weight", "构件 `{}` 同时给出质量和重量", link.text);
+        let message = both!("link `{}` has a mass and a weight", link.text);
         faults.push(
             Diagnostic::error("given-twice", message)
                 .at(weight.span)
-                .help(both!("keep one of them", "请只保留其一")),
+                .help(both!("keep one of them")),
         );
     }
     if let (Some(_), Some(k)) = (&mass.j, &mass.k) {
-        let message = both!(
-            "link `{}` has J and a radius of gyration",
-            "构件 `{}` 同时给出 J 和回转半径",
-            link.text
-        );
+        let message = both!("link `{}` has J and a radius of gyration", link.text);
         faults.push(
-            Diagnostic::error("given-twice", message)
-                .at(k.span)
-                .help(both!("keep one of them", "请只保留其一")),
+            Diagnostic::error("given-twice", message).at(k.span).help(both!("keep one of them")),
         );
     }
     Some(mass)
 }
 
 fn force(node: &Node, faults: &mut Faults) -> Option<RawApplied> {
-    let f = Fields::open(node, both!("a force", "力"), keys::FORCE, faults)?;
+    let f = Fields::open(node, both!("a force"), keys::FORCE, faults)?;
     let on = f
-        .need("on", both!("\"3\", the link on which it acts", "\"3\"（受力构件）"), faults)
+        .need("on", both!("\"3\", the link on which it acts"), faults)
         .and_then(|n| name(n, "\"on\"", faults));
     let at = optional(&f, "at", faults, name);
     let force = match f.get("F") {
@@ -132,14 +120,8 @@ fn force(node: &Node, faults: &mut Faults) -> Option<RawApplied> {
         (optional(&f, "line", faults, name), optional(&f, "against", faults, name));
     let course = match (f.get("over"), f.get("diagram")) {
         (Some(_), Some(diagram)) => {
-            let message = both!(
-                "a load has a diagram or a part of the motion, not both",
-                "载荷或按线图变化，或在一段行程内为常量，不能两者都给"
-            );
-            let help = both!(
-                "the diagram ends where its points end: leave \"over\" out",
-                "线图的起止点就是作用范围：请去掉 \"over\""
-            );
+            let message = both!("a load has a diagram or a part of the motion, not both");
+            let help = both!("the diagram ends where its points end: leave \"over\" out");
             faults.push(Diagnostic::error("given-twice", message).at(diagram.span).help(help));
             return None;
         }
@@ -175,14 +157,9 @@ fn over_part(node: &Node, faults: &mut Faults) -> Option<RawCourse> {
 /// Decodes a diagram: amounts at places of a stroke or at angles.
 fn diagram(node: &Node, faults: &mut Faults) -> Option<RawCourse> {
     let f = Fields::open(node, "\"diagram\"", keys::DIAGRAM, faults)?;
-    let points = f.need(
-        "points",
-        both!("[[0, \"0 N\"], [1, \"400 N\"]]", "[[0, \"0 N\"], [1, \"400 N\"]]"),
-        faults,
-    )?;
+    let points = f.need("points", both!("[[0, \"0 N\"], [1, \"400 N\"]]"), faults)?;
     let points = items(Some(points), "\"points\"", faults).iter().map(|n| {
-        let [at, amount] =
-            two_quantities(n, both!("a point of the diagram", "线图上的点"), faults)?;
+        let [at, amount] = two_quantities(n, both!("a point of the diagram"), faults)?;
         Some((at, Some(amount)))
     });
     let points = points.collect::<Option<Vec<_>>>()?;
@@ -210,9 +187,9 @@ fn course(
 }
 
 fn spring(node: &Node, faults: &mut Faults) -> Option<RawSpring> {
-    let f = Fields::open(node, both!("a spring", "弹簧"), keys::SPRING, faults)?;
+    let f = Fields::open(node, both!("a spring"), keys::SPRING, faults)?;
     let mut end = |key: &str| {
-        f.need(key, both!("\"B\", a point", "\"B\"（点名）"), faults)
+        f.need(key, both!("\"B\", a point"), faults)
             .and_then(|n| name(n, &format!("\"{key}\""), faults))
     };
     let (from, to) = (end("from"), end("to"));

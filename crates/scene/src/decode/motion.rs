@@ -17,21 +17,21 @@ pub(super) fn time(node: &Node, faults: &mut Faults) -> Option<(Word, RawQuantit
 
 /// Decodes one motion: adds its guide and its driver.
 pub(super) fn motion(node: &Node, raw: &mut RawScene, faults: &mut Faults) -> Option<()> {
-    let f = Fields::open(node, both!("a motion", "运动"), keys::MOTION, faults)?;
+    let f = Fields::open(node, both!("a motion"), keys::MOTION, faults)?;
     let point = f.need("point", "\"M\"", faults).and_then(|n| word(n, "\"point\"", faults));
     let on = f
-        .need("on", both!("\"2\", the link on which it moves", "\"2\"（所在构件）"), faults)
+        .need("on", both!("\"2\", the link on which it moves"), faults)
         .and_then(|n| word(n, "\"on\"", faults));
     let way = way(&f, faults);
     let s = f.need("s", "\"6 cm/s*t\"", faults).and_then(|n| quantity(n, "\"s\"", faults));
     let (point, on, way, s) = (point?, on?, way?, s?);
     let names: Vec<&str> = raw.parameters.iter().map(|(name, _)| name.text.as_str()).collect();
     if !names.contains(&TIME) {
-        let message = both!("a law of time needs the instant", "运动规律需要给出时刻");
+        let message = both!("a law of time needs the instant");
         faults.push(
             Diagnostic::error("missing-key", message)
                 .at(node.span)
-                .help(both!("add \"time\": \"1 s\"", "请加 \"time\": \"1 s\"")),
+                .help(both!("add \"time\": \"1 s\"")),
         );
         return None;
     }
@@ -82,35 +82,25 @@ fn way(f: &Fields, faults: &mut Faults) -> Option<PathShape> {
     let Some(centre) = f.get("centre") else {
         for key in ["radius", "angle"] {
             if let Some(node) = f.get(key) {
-                let message = both!(
-                    "only a motion on an arc about a `centre` has `{key}`",
-                    "只有绕 `centre` 的圆弧运动才有 `{key}`"
+                let message = both!("only a motion on an arc about a `centre` has `{key}`");
+                faults.push(
+                    Diagnostic::error("motion", message)
+                        .at(node.span)
+                        .help(both!("add \"centre\": \"C\", or leave it away")),
                 );
-                faults.push(Diagnostic::error("motion", message).at(node.span).help(both!(
-                    "add \"centre\": \"C\", or leave it away",
-                    "请加上 \"centre\": \"C\"，或去掉它"
-                )));
                 return None;
             }
         }
-        let example = both!(
-            "\"AB\", from which point toward which; or \"centre\" and \"radius\"",
-            "\"AB\"（从哪点向哪点）；或 \"centre\" 和 \"radius\""
-        );
+        let example = both!("\"AB\", from which point toward which; or \"centre\" and \"radius\"");
         return f
             .need("line", example, faults)
             .and_then(|n| word(n, "\"line\"", faults))
             .map(PathShape::Line);
     };
     if let Some(line) = f.get("line") {
-        let message = both!(
-            "a motion is along a `line` or about a `centre`, not both",
-            "运动沿直线 `line` 或绕 `centre`，不能两者都写"
-        );
+        let message = both!("a motion is along a `line` or about a `centre`, not both");
         faults.push(
-            Diagnostic::error("motion", message)
-                .at(line.span)
-                .help(both!("keep one of the two", "请保留其中一个")),
+            Diagnostic::error("motion", message).at(line.span).help(both!("keep one of the two")),
         );
         return None;
     }

@@ -10,7 +10,7 @@ use hodograph_base::json::{Node, Word};
 
 /// Decodes a gear pair, or a gear and its rack; a mobility count needs no sizes.
 pub(super) fn gear(node: &Node, extent: RequiredData, faults: &mut Faults) -> Option<RawRolling> {
-    let f = Fields::open(node, both!("a gear pair", "齿轮副"), keys::GEAR, faults)?;
+    let f = Fields::open(node, both!("a gear pair"), keys::GEAR, faults)?;
     let before = faults.list.len();
     let links = f
         .need("links", "[\"2\", \"4\"]", faults)
@@ -38,17 +38,9 @@ pub(super) fn gear(node: &Node, extent: RequiredData, faults: &mut Faults) -> Op
         (Some(radii), None, None) => RawSizes::Radii(radii),
         (None, Some(teeth), module) => RawSizes::Teeth(teeth, module),
         (Some(_), Some(_), _) | (Some(_), None, Some(_)) => {
-            let d = Diagnostic::error(
-                "two-sizes",
-                both!(
-                    "a gear pair has both `radii` and `teeth`",
-                    "齿轮副同时给了 `radii` 和 `teeth`"
-                ),
-            );
-            fault(d.help(both!(
-                "keep \"radii\", or \"teeth\" and \"module\"",
-                "请只保留 \"radii\"，或 \"teeth\" 与 \"module\""
-            )));
+            let d =
+                Diagnostic::error("two-sizes", both!("a gear pair has both `radii` and `teeth`"));
+            fault(d.help(both!("keep \"radii\", or \"teeth\" and \"module\"")));
             return None;
         }
         (None, None, module) if extent.is_of_pairs() => {
@@ -57,58 +49,36 @@ pub(super) fn gear(node: &Node, extent: RequiredData, faults: &mut Faults) -> Op
         (None, None, _) => {
             let d = Diagnostic::error(
                 "missing-key",
-                both!(
-                    "a gear pair has neither `radii` nor `teeth`",
-                    "齿轮副没有 `radii` 或 `teeth`"
-                ),
+                both!("a gear pair has neither `radii` nor `teeth`"),
             );
             fault(d.help(both!(
-                "give the pitch radii, \"radii\": [\"30 mm\", \"60 mm\"], or the numbers of teeth, \"teeth\": [20, 40]",
-                "请给出节圆半径 \"radii\": [\"30 mm\", \"60 mm\"]，或齿数 \"teeth\": [20, 40]"
+                "give the pitch radii, \"radii\": [\"30 mm\", \"60 mm\"], or the numbers of teeth, \"teeth\": [20, 40]"
             )));
             return None;
         }
     };
     let [a, b] = &links[..] else {
-        let d = Diagnostic::error(
-            "wrong-count",
-            both!("\"links\" of a gear pair names two links", "齿轮副的 \"links\" 须写两个构件"),
-        );
-        fault(d.help(both!(
-            "write \"links\": [\"2\", \"4\"]; three gears in mesh are two pairs",
-            "请写 \"links\": [\"2\", \"4\"]；三个齿轮相啮合是两个齿轮副"
-        )));
+        let d = Diagnostic::error("wrong-count", both!("\"links\" of a gear pair names two links"));
+        fault(d.help(both!("write \"links\": [\"2\", \"4\"]; three gears in mesh are two pairs")));
         return None;
     };
     let among = |w: &Option<Word>| w.as_ref().map(|w| links.iter().position(|l| l.text == w.text));
     let (hollow, flat) = (among(&ring), among(&rack));
     for (given, place, what) in
-        [(&ring, hollow, both!("the ring", "内齿轮")), (&rack, flat, both!("the rack", "齿条"))]
+        [(&ring, hollow, both!("the ring")), (&rack, flat, both!("the rack"))]
     {
         if let (Some(word), Some(None)) = (given, place) {
-            let message = both!(
-                "{} `{}` is not one of the two links",
-                "{} `{}` 不是这两个构件之一",
-                what,
-                word.text
-            );
-            let names = both!("they are {}, {}", "它们是 {}、{}", a.text, b.text);
+            let message = both!("{} `{}` is not one of the two links", what, word.text);
+            let names = both!("they are {}, {}", a.text, b.text);
             faults.push(Diagnostic::error("unknown-link", message).at(word.span).help(names));
             return None;
         }
     }
     if let (Some(word), Some(_)) = (&ring, &rack) {
-        let d = Diagnostic::error(
-            "ring-and-rack",
-            both!(
-                "a gear pair has both a `ring` and a `rack`",
-                "齿轮副同时写了内齿轮 `ring` 和齿条 `rack`"
-            ),
-        );
-        faults.push(d.at(word.span).help(both!(
-            "a gear runs inside a ring, or on a rack: keep one",
-            "齿轮或在内齿轮中，或在齿条上：请只保留其一"
-        )));
+        let d =
+            Diagnostic::error("ring-and-rack", both!("a gear pair has both a `ring` and a `rack`"));
+        faults
+            .push(d.at(word.span).help(both!("a gear runs inside a ring, or on a rack: keep one")));
         return None;
     }
     let sides = match (flat.flatten(), &centres[..]) {
@@ -118,28 +88,16 @@ pub(super) fn gear(node: &Node, extent: RequiredData, faults: &mut Faults) -> Op
             side(b, Some(d), hollow.flatten() == Some(1)),
         ],
         (Some(_), _) => {
-            let d = Diagnostic::error(
-                "wrong-count",
-                both!("a gear on a rack has one centre", "齿轮齿条副只有一个圆心"),
-            );
-            fault(d.help(both!(
-                "write \"centres\": [\"C\"], the centre of the gear",
-                "请写 \"centres\": [\"C\"]，即齿轮的圆心"
-            )));
+            let d = Diagnostic::error("wrong-count", both!("a gear on a rack has one centre"));
+            fault(d.help(both!("write \"centres\": [\"C\"], the centre of the gear")));
             return None;
         }
         (None, _) => {
             let d = Diagnostic::error(
                 "wrong-count",
-                both!(
-                    "a gear pair has two centres, one on each link",
-                    "齿轮副有两个圆心，各在一个构件上"
-                ),
+                both!("a gear pair has two centres, one on each link"),
             );
-            fault(d.help(both!(
-                "name the \"rack\" if one of them is straight",
-                "若其一为齿条，请写 \"rack\""
-            )));
+            fault(d.help(both!("name the \"rack\" if one of them is straight")));
             return None;
         }
     };
@@ -161,7 +119,7 @@ pub(super) fn gear(node: &Node, extent: RequiredData, faults: &mut Faults) -> Op
 /// Decodes a wheel that rolls without slip on a straight or round track; a mobility count needs
 /// no radius.
 pub(super) fn wheel(node: &Node, extent: RequiredData, faults: &mut Faults) -> Option<RawRolling> {
-    let f = Fields::open(node, both!("a rolling wheel", "滚轮"), keys::ROLLING, faults)?;
+    let f = Fields::open(node, both!("a rolling wheel"), keys::ROLLING, faults)?;
     let before = faults.list.len();
     let link = f.need("wheel", "\"4\"", faults).and_then(|n| word(n, "\"wheel\"", faults));
     let centre = f.need("centre", "\"B\"", faults).and_then(|n| word(n, "\"centre\"", faults));
@@ -196,20 +154,16 @@ pub(super) fn wheel(node: &Node, extent: RequiredData, faults: &mut Faults) -> O
         (Some(_), None, _) if extent.is_of_pairs() => radii.insert(0, written("100 mm", node.span)),
         (Some(_), None, _) => {
             return fault(
-                both!("a round track has no `track_radius`", "圆形轨道没有 `track_radius`"),
-                both!("give the radius of the track's own circle", "请给出轨道圆的半径"),
+                both!("a round track has no `track_radius`"),
+                both!("give the radius of the track's own circle"),
             );
         }
         (None, Some(_), _) | (None, None, Some(_)) => {
             return fault(
                 both!(
-                    "`track_radius` and `inside` belong to a round track, whose centre is not named",
-                    "`track_radius` 与 `inside` 用于圆形轨道，而其圆心未写"
+                    "`track_radius` and `inside` belong to a round track, whose centre is not named"
                 ),
-                both!(
-                    "name its centre, \"track\", a point of the link that carries it",
-                    "请写其圆心 \"track\"，即所在构件上的一点"
-                ),
+                both!("name its centre, \"track\", a point of the link that carries it"),
             );
         }
     }

@@ -11,7 +11,7 @@ use hodograph_base::json::fields::{Fields, word};
 
 /// Decodes a drum, its load, and the direction of the rope, which has the drum on its left.
 pub(super) fn rope(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
-    let f = Fields::open(node, both!("a rope", "绳"), keys::ROPE, faults)?;
+    let f = Fields::open(node, both!("a rope"), keys::ROPE, faults)?;
     let drum = f.need("drum", "\"2\"", faults).and_then(|n| word(n, "\"drum\"", faults));
     let centre = f.need("centre", "\"O\"", faults).and_then(|n| word(n, "\"centre\"", faults));
     let load = f.need("load", "\"3\"", faults).and_then(|n| word(n, "\"load\"", faults));

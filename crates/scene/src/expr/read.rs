@@ -70,62 +70,36 @@ fn unreadable(text: &str, at: usize) -> Diagnostic {
     let fault = |message: Both| Diagnostic::error("expression", message);
     let rest = text.get(at..).unwrap_or_default();
     match rest.chars().next() {
-        None => {
-            fault(both!("`{text}` ends too early", "`{text}` 不完整")).at(Span::new(0, text.len()))
-        }
+        None => fault(both!("`{text}` ends too early")).at(Span::new(0, text.len())),
         // A comma between digits is a decimal comma: commas separate nothing here.
         Some(',') if decimal_comma(text, at) => {
-            let d = fault(both!("`{text}` has a comma in a number", "`{text}` 的数中有逗号"))
-                .at(Span::new(at, at + 1));
-            d.help(both!(
-                "write the decimal point: \"{}.{}\"",
-                "请用小数点：\"{}.{}\"",
-                &text[..at],
-                &text[at + 1..]
-            ))
+            let d = fault(both!("`{text}` has a comma in a number")).at(Span::new(at, at + 1));
+            d.help(both!("write the decimal point: \"{}.{}\"", &text[..at], &text[at + 1..]))
         }
         Some(',') => {
-            let d = fault(both!(
-                "`{text}` has a comma between two values",
-                "`{text}` 的两个值之间有逗号"
-            ))
-            .at(Span::new(at, at + 1));
+            let d =
+                fault(both!("`{text}` has a comma between two values")).at(Span::new(at, at + 1));
             d.help(both!(
-                "a function takes one value; the angle whose tangent is y/x is \"atan(y/x)\"",
-                "函数只取一个值；正切为 y/x 的角写作 \"atan(y/x)\""
+                "a function takes one value; the angle whose tangent is y/x is \"atan(y/x)\""
             ))
         }
         Some(c) => {
-            let d = fault(both!(
-                "`{text}` cannot be read from `{rest}` on",
-                "`{text}` 从 `{rest}` 起无法识别"
-            ))
-            .at(Span::new(at, at + c.len_utf8()));
+            let d = fault(both!("`{text}` cannot be read from `{rest}` on"))
+                .at(Span::new(at, at + c.len_utf8()));
             let turns = |words: &[&str]| words.iter().any(|w| rest.starts_with(w));
             if turns(&["clockwise", "cw", "顺时针"]) {
-                return d.help(both!(
-                    "clockwise is a minus sign: \"-{}\"",
-                    "顺时针用负号：\"-{}\"",
-                    text[..at].trim()
-                ));
+                return d.help(both!("clockwise is a minus sign: \"-{}\"", text[..at].trim()));
             }
             if turns(&["counter", "anti", "ccw", "逆时针"]) {
-                return d.help(both!(
-                    "counter-clockwise is positive: \"{}\"",
-                    "逆时针为正：\"{}\"",
-                    text[..at].trim()
-                ));
+                return d.help(both!("counter-clockwise is positive: \"{}\"", text[..at].trim()));
             }
             let before = text[..at].trim_end();
             if ["deg", "°"].iter().any(|d| before.ends_with(d)) && c.is_ascii_digit() {
-                return d.help(both!(
-                    "minutes and seconds of arc: \"20°30′15″\", \"20 deg 30' 15''\"",
-                    "角度的分和秒：\"20°30′15″\"、\"20 deg 30' 15''\""
-                ));
+                return d
+                    .help(both!("minutes and seconds of arc: \"20°30′15″\", \"20 deg 30' 15''\""));
             }
             d.help(both!(
-                "an expression is made of numbers, units, parameters, + - * / ^ ( ) and functions, such as \"2*r + 5 mm\"",
-                "表达式由数、单位、参数、+ - * / ^ ( ) 和函数组成，如 \"2*r + 5 mm\""
+                "an expression is made of numbers, units, parameters, + - * / ^ ( ) and functions, such as \"2*r + 5 mm\""
             ))
         }
     }
@@ -300,14 +274,8 @@ fn part(i: &mut ExpressionInput, unit: &'static Unit, marks: &[&'static str]) ->
     let most =
         matches!(&count.kind, ExprKind::Number(n) if n.parse().is_ok_and(|n: f64| n >= 60.0));
     if most {
-        let message = both!(
-            "a degree has 60 minutes and a minute 60 seconds of arc",
-            "1 度为 60 分，1 分为 60 秒"
-        );
-        let help = both!(
-            "write less than 60, and the rest before it",
-            "请写小于 60 的数，余下部分并入前一级"
-        );
+        let message = both!("a degree has 60 minutes and a minute 60 seconds of arc");
+        let help = both!("write less than 60, and the rest before it");
         i.state.unknown.get_or_insert(
             Diagnostic::error("expression", message)
                 .at(Span::new(count.span.start, at.end))
@@ -425,47 +393,32 @@ pub(super) fn is_letter(c: char) -> bool {
 }
 
 fn not_a_function(name: &str, parameters: &[&str]) -> Diagnostic {
-    let d =
-        Diagnostic::error("unknown-name", both!("`{name}` is not a function", "`{name}` 不是函数"));
+    let d = Diagnostic::error("unknown-name", both!("`{name}` is not a function"));
     if parameters.contains(&name) || unit_named(name).is_some() {
-        d.help(both!("for a product write `{name}*(...)`", "乘积请写 `{name}*(...)`"))
+        d.help(both!("for a product write `{name}*(...)`"))
     } else {
-        d.help(suggest(
-            name,
-            FUNCTIONS.iter().map(|(n, _)| *n),
-            both!("the functions are", "函数有"),
-        ))
+        d.help(suggest(name, FUNCTIONS.iter().map(|(n, _)| *n), both!("the functions are")))
     }
 }
 
 fn not_a_name(name: &str, parameters: &[&str]) -> Diagnostic {
-    let d = Diagnostic::error(
-        "unknown-name",
-        both!("`{name}` is neither a parameter nor a unit", "`{name}` 既不是参数也不是单位"),
-    );
+    let d = Diagnostic::error("unknown-name", both!("`{name}` is neither a parameter nor a unit"));
     let known = parameters.iter().copied().chain(UNITS.iter().map(|u| u.name));
     if FUNCTIONS.iter().any(|(n, _)| *n == name) {
-        d.help(both!(
-            "`{name}` is a function: write `{name}(...)`",
-            "`{name}` 是函数：请写 `{name}(...)`"
-        ))
+        d.help(both!("`{name}` is a function: write `{name}(...)`"))
     } else if parameters.is_empty() {
-        let near = suggest(name, known, both!("the units are", "单位有"));
-        d.help(both!(
-            "{} (\"parameters\" of the scene name values)",
-            "{}（数值可在 \"parameters\" 中命名）",
-            near
-        ))
+        let near = suggest(name, known, both!("the units are"));
+        d.help(both!("{} (\"parameters\" of the scene name values)", near))
     } else {
-        d.help(suggest(name, known, both!("there are", "有")))
+        d.help(suggest(name, known, both!("there are")))
     }
 }
 
 fn not_a_unit(name: &str, parameters: &[&str]) -> Diagnostic {
-    let d = Diagnostic::error("unknown-unit", both!("`{name}` is not a unit", "`{name}` 不是单位"));
+    let d = Diagnostic::error("unknown-unit", both!("`{name}` is not a unit"));
     if parameters.contains(&name) || is_pi(name) {
-        d.help(both!("for a product write `*{name}`", "乘积请写 `*{name}`"))
+        d.help(both!("for a product write `*{name}`"))
     } else {
-        d.help(suggest(name, UNITS.iter().map(|u| u.name), both!("the units are", "单位有")))
+        d.help(suggest(name, UNITS.iter().map(|u| u.name), both!("the units are")))
     }
 }

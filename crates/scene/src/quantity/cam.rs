@@ -21,6 +21,7 @@ use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::digits::significant;
 use hodograph_base::geom::Vec2;
 use hodograph_base::kind::Kind;
+use hodograph_base::lang::each;
 use hodograph_base::number::Real;
 
 /// A quantity of a cam and its follower.
@@ -89,44 +90,26 @@ const WORDS: [(CamProperty, &str, CamProperty); 9] = [
 
 impl Quantity for CamQuantity {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new(
-            "s",
-            "s_3",
-            Kind::Length,
-            ValueForm::Scalar,
-            ["lift of the follower", "从动件位移"],
-        ),
+        Entry::new("s", "s_3", Kind::Length, ValueForm::Scalar, each!("lift of the follower")),
         Entry::new(
             "psi",
             "psi_3",
             Kind::Angle,
             ValueForm::Scalar,
-            ["lift of the swinging follower", "摆动从动件角位移"],
+            each!("lift of the swinging follower"),
         )
         .printed("\\psi", OverSign::Nothing),
-        Entry::new("h", "h_3", Kind::Length, ValueForm::Scalar, ["stroke of the follower", "行程"]),
-        Entry::new(
-            "Psi",
-            "Psi_3",
-            Kind::Angle,
-            ValueForm::Scalar,
-            ["swing of the follower", "最大摆角"],
-        )
-        .printed("\\Psi", OverSign::Nothing),
-        Entry::new(
-            "Phi",
-            "Phi_3",
-            Kind::Angle,
-            ValueForm::Scalar,
-            ["angle of the rise", "推程运动角"],
-        )
-        .printed("\\Phi", OverSign::Nothing),
+        Entry::new("h", "h_3", Kind::Length, ValueForm::Scalar, each!("stroke of the follower")),
+        Entry::new("Psi", "Psi_3", Kind::Angle, ValueForm::Scalar, each!("swing of the follower"))
+            .printed("\\Psi", OverSign::Nothing),
+        Entry::new("Phi", "Phi_3", Kind::Angle, ValueForm::Scalar, each!("angle of the rise"))
+            .printed("\\Phi", OverSign::Nothing),
         Entry::new(
             "pressure",
             "pressure_3",
             Kind::Angle,
             ValueForm::Scalar,
-            ["pressure angle", "压力角"],
+            each!("pressure angle"),
         )
         .printed("\\alpha", OverSign::Sign("p")),
         Entry::new(
@@ -134,7 +117,7 @@ impl Quantity for CamQuantity {
             "rho_2/3",
             Kind::Length,
             ValueForm::Scalar,
-            ["radius of curvature of the profile", "廓线曲率半径"],
+            each!("radius of curvature of the profile"),
         )
         .printed("\\rho", OverSign::Nothing),
         Entry::new(
@@ -142,7 +125,7 @@ impl Quantity for CamQuantity {
             "rb_min_2",
             Kind::Length,
             ValueForm::Scalar,
-            ["least base radius without undercut", "不失真的最小基圆半径"],
+            each!("least base radius without undercut"),
         )
         .printed("r", OverSign::Nothing),
         Entry::new(
@@ -150,7 +133,7 @@ impl Quantity for CamQuantity {
             "face_half_3",
             Kind::Length,
             ValueForm::Scalar,
-            ["half length of the face", "平底的最小半长"],
+            each!("half length of the face"),
         )
         .printed("l", OverSign::Nothing),
     ];
@@ -176,25 +159,15 @@ impl Quantity for CamQuantity {
             }));
         }
         if matches!(what, CamProperty::Turn(OfTurn::BaseMin | OfTurn::FaceHalf)) {
-            let message = both!(
-                "`{}` is not a quantity that can be asked",
-                "`{}` 不是可求的量",
-                question.text()
-            );
+            let message = both!("`{}` is not a quantity that can be asked", question.text());
             let example = Self::WRITTEN[question.row(Self::WRITTEN)].example;
-            return Err(question.fault(message).help(both!("write {example}", "请写 {example}")));
+            return Err(question.fault(message).help(both!("write {example}")));
         }
         if what == CamProperty::Rho {
             let Some((cam, follower)) = names.split_once('/') else {
-                let d = question.fault(both!(
-                    "`{}` does not say of which cam and follower",
-                    "`{}` 没有说明是哪个凸轮和从动件",
-                    question.text()
-                ));
-                return Err(d.help(both!(
-                    "write rho_2/3: of cam 2 at follower 3; or rho_min_2",
-                    "请写 rho_2/3（凸轮 2 与从动件 3 接触处），或 rho_min_2"
-                )));
+                let d = question
+                    .fault(both!("`{}` does not say of which cam and follower", question.text()));
+                return Err(d.help(both!("write rho_2/3: of cam 2 at follower 3; or rho_min_2")));
             };
             let (link, follower) = (question.link(cam.trim())?, question.link(follower.trim())?);
             return Ok(Some(CamQuantity { what, link, follower: Some(follower), end: None }));
@@ -220,26 +193,19 @@ impl Quantity for CamQuantity {
     fn no_value(&self, scene: &Scene) -> Both {
         let link = scene.link_name(self.link);
         match self.what {
-            CamProperty::Turn(OfTurn::RhoMin) => both!(
-                "the profile of cam {link} is nowhere convex",
-                "凸轮 {link} 的廓线没有外凸部分"
-            ),
+            CamProperty::Turn(OfTurn::RhoMin) => {
+                both!("the profile of cam {link} is nowhere convex")
+            }
             CamProperty::Rho => {
-                both!(
-                    "the profile of cam {link} is straight there, or touches nothing",
-                    "凸轮 {link} 的廓线在该处为直线，或没有接触"
-                )
+                both!("the profile of cam {link} is straight there, or touches nothing")
             }
             CamProperty::Turn(OfTurn::BaseMin) => {
-                both!(
-                    "no base circle of cam {link} avoids an undercut",
-                    "加大凸轮 {link} 的基圆也不能避免失真"
-                )
+                both!("no base circle of cam {link} avoids an undercut")
             }
             CamProperty::Turn(
                 OfTurn::PressureStart | OfTurn::PressureOut | OfTurn::PressureBack,
             ) => {
-                both!("follower {link} does not move so", "从动件 {link} 没有该运动")
+                both!("follower {link} does not move so")
             }
             CamProperty::Lift
             | CamProperty::Swing
@@ -247,10 +213,7 @@ impl Quantity for CamQuantity {
             | CamProperty::Angle
             | CamProperty::Pressure
             | CamProperty::Turn(_) => {
-                both!(
-                    "the follower {link} touches nothing in this pose",
-                    "从动件 {link} 在该位置没有接触"
-                )
+                both!("the follower {link} touches nothing in this pose")
             }
         }
     }
@@ -269,7 +232,6 @@ impl Quantity for CamQuantity {
                 "no-cam",
                 both!(
                     "`{}` needs a cam that turns about a pin of the link in which its follower slides or turns",
-                    "`{}` 需要绕从动件导路（或转轴）所在构件上一点转动的凸轮",
                     find.text
                 ),
             );
@@ -279,8 +241,7 @@ impl Quantity for CamQuantity {
                 Some(pair) => {
                     let [cam, follower] = [pair.cam, pair.follower].map(|l| scene.link_name(l));
                     d.help(both!(
-                        "no link carries both the pivot of cam `{cam}` and the guide or pivot of `{follower}`: list the pivot in \"links\" among the points of the ground, or of the link that carries the follower",
-                        "没有构件同时支承凸轮 `{cam}` 的轴心和 `{follower}` 的导路或转轴：请在 \"links\" 中把轴心写入机架（或支承从动件的构件）的点"
+                        "no link carries both the pivot of cam `{cam}` and the guide or pivot of `{follower}`: list the pivot in \"links\" among the points of the ground, or of the link that carries the follower"
                     ))
                 }
             });
@@ -288,8 +249,7 @@ impl Quantity for CamQuantity {
         let swings = matches!(t.disc.follower, Follower::Oscillating { .. });
         if let Some(needed) = self.lacking(t) {
             return Some(
-                Diagnostic::error("find", both!("`{}` is of {}", "`{}` 属于{}", find.text, needed))
-                    .at(find.span),
+                Diagnostic::error("find", both!("`{}` is of {}", find.text, needed)).at(find.span),
             );
         }
         let wrong = match self.what {
@@ -300,22 +260,13 @@ impl Quantity for CamQuantity {
         wrong.then(|| {
             let name = scene.link_name(cam.follower);
             let (kind, help) = if swings {
-                (
-                    both!("swings", "摆动"),
-                    both!("ask for psi_{name} and Psi_{name}", "请求 psi_{name} 和 Psi_{name}"),
-                )
+                (both!("swings"), both!("ask for psi_{name} and Psi_{name}"))
             } else {
-                (
-                    both!("slides", "移动"),
-                    both!("ask for s_{name} and h_{name}", "请求 s_{name} 和 h_{name}"),
-                )
+                (both!("slides"), both!("ask for s_{name} and h_{name}"))
             };
-            Diagnostic::error(
-                "cam-follower",
-                both!("follower `{name}` {}", "从动件 `{name}` 作{}", kind),
-            )
-            .at(find.span)
-            .help(help)
+            Diagnostic::error("cam-follower", both!("follower `{name}` {}", kind))
+                .at(find.span)
+                .help(help)
         })
     }
 
@@ -324,7 +275,7 @@ impl Quantity for CamQuantity {
             .pair(scene)
             .filter(|c| self.what == CamProperty::Rho && c.is_touched_straight())?;
         let name = scene.link_name(cam.cam);
-        Some(both!("the profile of cam {name} is straight there", "凸轮 {name} 的廓线在该处为直线"))
+        Some(both!("the profile of cam {name} is straight there"))
     }
 
     fn note(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
@@ -337,12 +288,10 @@ impl Quantity for CamQuantity {
         let (cam, phi) =
             (scene.link_name(self.link), significant(in_turn(undercut).to_degrees(), 6));
         let message = both!(
-            "the profile of cam `{cam}` is undercut: its radius of curvature changes sign, and is least at φ = {phi}°",
-            "凸轮 `{cam}` 的廓线运动失真：曲率半径变号，在 φ = {phi}° 处最小"
+            "the profile of cam `{cam}` is undercut: its radius of curvature changes sign, and is least at φ = {phi}°"
         );
         Some(Diagnostic::warning("undercut", message).at(find.span).help(both!(
-            "take a larger base circle, a smaller roller, a longer angle or a gentler law; `hodograph cam` tells the least base circle",
-            "请加大基圆或运动角，减小滚子，或改用较平缓的规律；`hodograph cam` 给出最小基圆"
+            "take a larger base circle, a smaller roller, a longer angle or a gentler law; `hodograph cam` tells the least base circle"
         )))
     }
 
@@ -440,12 +389,12 @@ impl CamQuantity {
         );
         match self.what {
             CamProperty::Turn(OfTurn::FaceHalf) if !flat => {
-                Some(both!("a sliding flat-faced follower", "直动平底从动件"))
+                Some(both!("a sliding flat-faced follower"))
             }
             CamProperty::Turn(OfTurn::BaseMin)
                 if !matches!(t.disc.motion, CamMotion::Law { .. }) =>
             {
-                Some(both!("a cam by a law", "按运动规律给定的凸轮"))
+                Some(both!("a cam by a law"))
             }
             CamProperty::Lift
             | CamProperty::Swing

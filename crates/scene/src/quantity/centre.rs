@@ -12,6 +12,7 @@ use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::geom::Vec2;
 use hodograph_base::kind::Kind;
+use hodograph_base::lang::each;
 use hodograph_base::number::Real;
 
 /// The instantaneous centre of two links.
@@ -23,15 +24,10 @@ pub struct InstantCentre {
 }
 
 impl Quantity for InstantCentre {
-    const WRITTEN: &'static [Entry] = &[Entry::new(
-        "P",
-        "P_13",
-        Kind::Length,
-        ValueForm::Point,
-        ["instantaneous centre", "速度瞬心"],
-    )
-    .printed("P", OverSign::Nothing)
-    .at_level(Level::Velocity)];
+    const WRITTEN: &'static [Entry] =
+        &[Entry::new("P", "P_13", Kind::Length, ValueForm::Point, each!("instantaneous centre"))
+            .printed("P", OverSign::Nothing)
+            .at_level(Level::Velocity)];
 
     fn read(question: &Question<'_>) -> Result<Option<InstantCentre>, Diagnostic> {
         if question.names().is_empty() {
@@ -54,10 +50,7 @@ impl Quantity for InstantCentre {
 
     fn no_value(&self, scene: &Scene) -> Both {
         let [i, j] = self.links.map(|(l, _)| scene.link_name(l));
-        both!(
-            "links {i} and {j} do not turn against one another",
-            "构件 {i} 与 {j} 之间没有相对转动"
-        )
+        both!("links {i} and {j} do not turn against one another")
     }
 
     fn needs(&self) -> Vec<(Need, Level)> {
@@ -108,12 +101,10 @@ impl InstantCentre {
             }
             *point = own.or(other);
             if point.is_none() {
-                let message =
-                    both!("`{}`: the scene has no point", "`{}`：题目中没有点", question.text());
-                return Err(question.fault(message).help(both!(
-                    "`hodograph centres` tells all centres",
-                    "`hodograph centres` 给出所有瞬心"
-                )));
+                let message = both!("`{}`: the scene has no point", question.text());
+                return Err(question
+                    .fault(message)
+                    .help(both!("`hodograph centres` tells all centres")));
             }
         }
         Ok(InstantCentre { links: of })

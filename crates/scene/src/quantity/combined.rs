@@ -2,6 +2,7 @@
 //! quantities. The ratio of two vectors is that of their magnitudes.
 
 use super::*;
+use hodograph_base::lang::each;
 
 /// The operation that combines two quantities.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -99,7 +100,7 @@ const LEVELS: [Level; 3] = [Level::Position, Level::Velocity, Level::Acceleratio
 /// One row for each kind, form and level of a combination.
 static ENTRIES: [Entry; KINDS.len() * FORMS.len() * LEVELS.len()] = {
     let first =
-        Entry::new("", "omega_2 + omega_4", Kind::Number, ValueForm::Scalar, ["quantity", "量"]);
+        Entry::new("", "omega_2 + omega_4", Kind::Number, ValueForm::Scalar, each!("quantity"));
     let mut all = [first; KINDS.len() * FORMS.len() * LEVELS.len()];
     let mut k = 0;
     while k < all.len() {
@@ -203,10 +204,7 @@ impl Quantity for Combined {
 
     fn no_value(&self, scene: &Scene) -> Both {
         match self.operation {
-            Operation::Ratio => both!(
-                "one of the two has no value, or the divisor is zero",
-                "其中一个量无定义，或分母为零"
-            ),
+            Operation::Ratio => both!("one of the two has no value, or the divisor is zero"),
             Operation::Sum | Operation::Difference => self.operands[0].asked().no_value(scene),
         }
     }

@@ -12,6 +12,7 @@ use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::geom::Point;
 use hodograph_base::kind::Kind;
+use hodograph_base::lang::each;
 use hodograph_base::number::Real;
 
 /// A part of the motion of a point that is observed from a frame.
@@ -68,28 +69,16 @@ impl CompositePart {
 
 impl Quantity for Composite {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new(
-            "ve",
-            "ve_E/1",
-            Kind::Velocity,
-            ValueForm::Vector,
-            ["transport velocity", "牵连速度"],
-        )
-        .printed("v", OverSign::Sign("e")),
-        Entry::new(
-            "vr",
-            "vr_E/1",
-            Kind::Velocity,
-            ValueForm::Vector,
-            ["relative velocity", "相对速度"],
-        )
-        .printed("v", OverSign::Sliding),
+        Entry::new("ve", "ve_E/1", Kind::Velocity, ValueForm::Vector, each!("transport velocity"))
+            .printed("v", OverSign::Sign("e")),
+        Entry::new("vr", "vr_E/1", Kind::Velocity, ValueForm::Vector, each!("relative velocity"))
+            .printed("v", OverSign::Sliding),
         Entry::new(
             "ae",
             "ae_E/1",
             Kind::Acceleration,
             ValueForm::Vector,
-            ["transport acceleration", "牵连加速度"],
+            each!("transport acceleration"),
         )
         .printed("a", OverSign::Sign("e")),
         Entry::new(
@@ -97,7 +86,7 @@ impl Quantity for Composite {
             "aen_E/1",
             Kind::Acceleration,
             ValueForm::Vector,
-            ["normal transport acceleration", "牵连法向加速度"],
+            each!("normal transport acceleration"),
         )
         .printed("a", OverSign::Sign("e\\,n")),
         Entry::new(
@@ -105,7 +94,7 @@ impl Quantity for Composite {
             "aet_E/1",
             Kind::Acceleration,
             ValueForm::Vector,
-            ["tangential transport acceleration", "牵连切向加速度"],
+            each!("tangential transport acceleration"),
         )
         .printed("a", OverSign::Sign("e\\,t")),
         Entry::new(
@@ -113,7 +102,7 @@ impl Quantity for Composite {
             "ar_E/1",
             Kind::Acceleration,
             ValueForm::Vector,
-            ["relative acceleration", "相对加速度"],
+            each!("relative acceleration"),
         )
         .printed("a", OverSign::Sliding),
         Entry::new(
@@ -121,7 +110,7 @@ impl Quantity for Composite {
             "arn_E/1",
             Kind::Acceleration,
             ValueForm::Vector,
-            ["normal relative acceleration", "相对法向加速度"],
+            each!("normal relative acceleration"),
         )
         .printed("a", OverSign::SlidingPart("n")),
         Entry::new(
@@ -129,7 +118,7 @@ impl Quantity for Composite {
             "art_E/1",
             Kind::Acceleration,
             ValueForm::Vector,
-            ["tangential relative acceleration", "相对切向加速度"],
+            each!("tangential relative acceleration"),
         )
         .printed("a", OverSign::SlidingPart("t")),
         Entry::new(
@@ -137,7 +126,7 @@ impl Quantity for Composite {
             "ak_E/1",
             Kind::Acceleration,
             ValueForm::Vector,
-            ["Coriolis acceleration", "科氏加速度"],
+            each!("Coriolis acceleration"),
         )
         .printed("a", OverSign::Coriolis),
         Entry::new(
@@ -145,7 +134,7 @@ impl Quantity for Composite {
             "path_E/1",
             Kind::Length,
             ValueForm::Point,
-            ["place on the relative path", "相对轨迹上的位置"],
+            each!("place on the relative path"),
         )
         .printed("r", OverSign::Sliding),
     ];
@@ -226,12 +215,10 @@ impl Quantity for Composite {
         let point = name(scene, &self.of);
         match self.part {
             CompositePart::TransportNormal | CompositePart::TransportTangential => both!(
-                "the point of the frame at {point} stands still, so that nothing says what is along its path and what is square to it",
-                "动系上与 {point} 重合的点不动，无从区分沿其轨迹和垂直于轨迹的分量"
+                "the point of the frame at {point} stands still, so that nothing says what is along its path and what is square to it"
             ),
             CompositePart::RelativeNormal | CompositePart::RelativeTangential => both!(
-                "{point} does not move in its frame, so that nothing says what is along its path and what is square to it",
-                "{point} 相对动系不动，无从区分沿相对轨迹和垂直于轨迹的分量"
+                "{point} does not move in its frame, so that nothing says what is along its path and what is square to it"
             ),
             CompositePart::TransportVelocity
             | CompositePart::RelativeVelocity
@@ -239,7 +226,7 @@ impl Quantity for Composite {
             | CompositePart::Relative
             | CompositePart::Coriolis
             | CompositePart::Path => {
-                both!("nothing defines it in this pose", "该位置此量无定义")
+                both!("nothing defines it in this pose")
             }
         }
     }
@@ -315,32 +302,23 @@ pub(crate) fn unusable(scene: &Scene, of: &OnLink, frame: Frame, text: &str) -> 
     };
     let bare = |l: crate::LinkId| scene.links[l.0].points.is_empty();
     let message = match frame {
-        _ if frame.is_fixed(scene) => both!(
-            "`{text}`: {own} stands still; a frame that carries nothing parts no motion",
-            "`{text}`：{own} 固定不动；静止的参考系不能分解运动"
-        ),
-        _ if frame.carries(scene, of) => both!(
-            "`{text}`: {point} belongs to {own} for good, so it does not move in that frame",
-            "`{text}`：{point} 就是 {own} 上的点，相对该动系不动"
-        ),
+        _ if frame.is_fixed(scene) => {
+            both!("`{text}`: {own} stands still; a frame that carries nothing parts no motion")
+        }
+        _ if frame.carries(scene, of) => {
+            both!("`{text}`: {point} belongs to {own} for good, so it does not move in that frame")
+        }
         Frame::Link(l) if text.starts_with("path") && bare(l) => {
-            both!(
-                "`{text}`: link {own} has no point from which a place is counted",
-                "`{text}`：构件 {own} 上没有可作原点的点"
-            )
+            both!("`{text}`: link {own} has no point from which a place is counted")
         }
         Frame::Link(_) | Frame::Point(_) => return None,
     };
     let help = if !scene.guides.is_empty() {
         both!(
-            "the moving point and the frame are on different moving bodies, such as a pin and the link in which it slides; `hodograph composite` lists those that serve",
-            "动点和动系应在不同的运动物体上，例如销钉与其滑动所在的构件；`hodograph composite` 列出可用的选择"
+            "the moving point and the frame are on different moving bodies, such as a pin and the link in which it slides; `hodograph composite` lists those that serve"
         )
     } else {
-        both!(
-            "`hodograph composite` lists the frames that serve",
-            "`hodograph composite` 列出可用的动系"
-        )
+        both!("`hodograph composite` lists the frames that serve")
     };
     Some(Diagnostic::error("frame-unusable", message).help(help))
 }

@@ -15,6 +15,7 @@ use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::kind::Kind;
+use hodograph_base::lang::each;
 use hodograph_base::number::Real;
 
 /// A quantity of a path, or of the pole of a link.
@@ -71,7 +72,7 @@ impl Quantity for Curvature {
             "rho_E",
             Kind::Length,
             ValueForm::Scalar,
-            ["radius of curvature of the path", "轨迹曲率半径"],
+            each!("radius of curvature of the path"),
         )
         .printed("\\rho", OverSign::Nothing)
         .at_level(Level::Acceleration),
@@ -80,35 +81,29 @@ impl Quantity for Curvature {
             "O_E",
             Kind::Length,
             ValueForm::Point,
-            ["centre of curvature of the path", "轨迹曲率中心"],
+            each!("centre of curvature of the path"),
         )
         .at_level(Level::Acceleration),
-        Entry::new("J", "J_2", Kind::Length, ValueForm::Point, ["inflection pole", "拐点极"])
+        Entry::new("J", "J_2", Kind::Length, ValueForm::Point, each!("inflection pole"))
             .at_level(Level::Acceleration),
         Entry::new(
             "d",
             "d_2",
             Kind::Length,
             ValueForm::Scalar,
-            ["diameter of the inflection circle", "拐点圆直径"],
+            each!("diameter of the inflection circle"),
         )
         .at_level(Level::Acceleration),
-        Entry::new("K", "K_2", Kind::Length, ValueForm::Point, ["acceleration pole", "加速度瞬心"])
+        Entry::new("K", "K_2", Kind::Length, ValueForm::Point, each!("acceleration pole"))
             .at_level(Level::Acceleration),
-        Entry::new(
-            "u",
-            "u_2",
-            Kind::Velocity,
-            ValueForm::Vector,
-            ["pole velocity", "瞬心移动速度"],
-        )
-        .at_level(Level::Acceleration),
+        Entry::new("u", "u_2", Kind::Velocity, ValueForm::Vector, each!("pole velocity"))
+            .at_level(Level::Acceleration),
         Entry::new(
             "p",
             "p_2",
             Kind::Length,
             ValueForm::Point,
-            ["pole in the axes of the link", "瞬心在构件坐标系中的位置"],
+            each!("pole in the axes of the link"),
         )
         .at_level(Level::Velocity),
     ];
@@ -128,11 +123,8 @@ impl Quantity for Curvature {
             let (point, second) = question.points()?;
             return match second {
                 None => Ok(Some(Curvature::Path(point, *of))),
-                Some(_) => Err(question.fault(both!(
-                    "`{}` names two points; a path is of one",
-                    "`{}` 写了两个点；轨迹只属于一个点",
-                    question.text()
-                ))),
+                Some(_) => Err(question
+                    .fault(both!("`{}` names two points; a path is of one", question.text()))),
             };
         }
         let names = question.names();
@@ -142,12 +134,8 @@ impl Quantity for Curvature {
         };
         if links[0] == links[1] {
             return Err(question
-                .fault(both!(
-                    "`{}` is of a link against itself",
-                    "`{}` 是构件相对自身的量",
-                    question.text()
-                ))
-                .help(both!("ask for a moving link", "请求活动构件的量")));
+                .fault(both!("`{}` is of a link against itself", question.text()))
+                .help(both!("ask for a moving link")));
         }
         let mut of = links.map(|l| (l, None));
         for (link, point) in of.iter_mut().filter(|(l, _)| !question.is_ground(*l)) {
@@ -155,10 +143,9 @@ impl Quantity for Curvature {
             if point.is_none() {
                 let d = question.fault(both!(
                     "`{}`: a link without a point of its own has no such quantity in `find`",
-                    "`{}`：没有点的构件不能在 `find` 中求该量",
                     question.text()
                 ));
-                return Err(d.help(both!("give the link a point", "请给该构件一个点")));
+                return Err(d.help(both!("give the link a point")));
             }
         }
         Ok(Some(Curvature::Pole(of, POLES[row - PATHS.len()])))
@@ -188,16 +175,12 @@ impl Quantity for Curvature {
             Curvature::Path(p, _) => {
                 let name = scene.point_name(p.point);
                 both!(
-                    "{name} stands still or its path is straight there: it has no centre of curvature",
-                    "{name} 不动，或其轨迹在该处为直线：没有曲率中心"
+                    "{name} stands still or its path is straight there: it has no centre of curvature"
                 )
             }
             Curvature::Pole(links, _) => {
                 let [i, j] = links.map(|(l, _)| scene.link_name(l));
-                both!(
-                    "links {i} and {j} do not turn against one another: they have no pole",
-                    "构件 {i} 与 {j} 之间没有相对转动，没有极点"
-                )
+                both!("links {i} and {j} do not turn against one another: they have no pole")
             }
         }
     }

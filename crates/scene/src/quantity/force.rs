@@ -14,6 +14,7 @@ use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::geom::Vec2;
 use hodograph_base::kind::Kind;
+use hodograph_base::lang::each;
 use hodograph_base::number::Real;
 
 /// A quantity of forces.
@@ -92,13 +93,13 @@ const EFFICIENCY: usize = 10;
 
 impl Quantity for Force {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new("F", "F_12", Kind::Force, ValueForm::Vector, ["reaction", "运动副反力"]),
+        Entry::new("F", "F_12", Kind::Force, ValueForm::Vector, each!("reaction")),
         Entry::new(
             "Fn",
             "Fn_12",
             Kind::Force,
             ValueForm::Vector,
-            ["reaction along the link, or square to the guide", "沿杆（或垂直于导路）的反力分量"],
+            each!("reaction along the link, or square to the guide"),
         )
         .printed("F", OverSign::Sign("n")),
         Entry::new(
@@ -106,25 +107,25 @@ impl Quantity for Force {
             "Ft_12",
             Kind::Force,
             ValueForm::Vector,
-            ["reaction square to the link, or along the guide", "垂直于杆（或沿导路）的反力分量"],
+            each!("reaction square to the link, or along the guide"),
         )
         .printed("F", OverSign::Sign("t")),
-        Entry::new("F", "F_b", Kind::Force, ValueForm::Scalar, ["balancing force", "平衡力"]),
+        Entry::new("F", "F_b", Kind::Force, ValueForm::Scalar, each!("balancing force")),
         Entry::new(
             "h",
             "h_65",
             Kind::Length,
             ValueForm::Scalar,
-            ["distance of the force of a guide from the pin", "导路反力到销中心的距离"],
+            each!("distance of the force of a guide from the pin"),
         ),
-        Entry::new("M", "M_b", Kind::Moment, ValueForm::Scalar, ["balancing moment", "平衡力矩"]),
-        Entry::new("FI", "FI_2", Kind::Force, ValueForm::Vector, ["inertia force", "惯性力"])
+        Entry::new("M", "M_b", Kind::Moment, ValueForm::Scalar, each!("balancing moment")),
+        Entry::new("FI", "FI_2", Kind::Force, ValueForm::Vector, each!("inertia force"))
             .printed("F_I", OverSign::Nothing),
-        Entry::new("MI", "MI_2", Kind::Moment, ValueForm::Scalar, ["inertia couple", "惯性力偶矩"])
+        Entry::new("MI", "MI_2", Kind::Moment, ValueForm::Scalar, each!("inertia couple"))
             .printed("M_I", OverSign::Nothing),
-        Entry::new("P", "P", Kind::Power, ValueForm::Scalar, ["power of the driver", "原动件功率"]),
-        Entry::new("F", "F_sh", Kind::Force, ValueForm::Vector, ["shaking force", "总惯性力"]),
-        Entry::new("eta", "eta", Kind::Number, ValueForm::Scalar, ["efficiency", "机械效率"])
+        Entry::new("P", "P", Kind::Power, ValueForm::Scalar, each!("power of the driver")),
+        Entry::new("F", "F_sh", Kind::Force, ValueForm::Vector, each!("shaking force")),
+        Entry::new("eta", "eta", Kind::Number, ValueForm::Scalar, each!("efficiency"))
             .printed("\\eta", OverSign::Nothing),
     ];
 
@@ -229,28 +230,23 @@ impl Quantity for Force {
     fn no_value(&self, _scene: &Scene) -> Both {
         match self.0 {
             ForceQuantity::Offset(_) => {
-                both!(
-                    "the force of the guide is zero: it has a couple, but no line of action",
-                    "导路反力为零：只有力偶，没有作用线"
-                )
+                both!("the force of the guide is zero: it has a couple, but no line of action")
             }
             ForceQuantity::Reaction(..) | ForceQuantity::OfPin(..) | ForceQuantity::Couple(_) => {
                 both!(
-                    "the reactions are not determined: a link or pair only repeats what the others hold, or a belt pulls with a tension that is not told",
-                    "反力不确定：有构件或运动副只重复其余的约束，或带的拉力未知"
+                    "the reactions are not determined: a link or pair only repeats what the others hold, or a belt pulls with a tension that is not told"
                 )
             }
             ForceQuantity::Balance { .. } | ForceQuantity::Power => both!(
-                "the balancing force does no work in this pose: its line passes through the pole of its link, or its point is at rest",
-                "该位置平衡力不做功：其作用线通过所在构件的瞬心，或作用点静止"
+                "the balancing force does no work in this pose: its line passes through the pole of its link, or its point is at rest"
             ),
             ForceQuantity::Efficiency => {
-                both!("the balancing moment does no work here", "该位置平衡力矩不做功")
+                both!("the balancing moment does no work here")
             }
             ForceQuantity::InertiaForce(_)
             | ForceQuantity::InertiaCouple(_)
             | ForceQuantity::Shaking => {
-                both!("the forces are not determined in this pose", "该位置的力不确定")
+                both!("the forces are not determined in this pose")
             }
         }
     }
@@ -262,22 +258,20 @@ impl Quantity for Force {
                 let [a, b] = [i, j].map(|l| scene.link_name(l));
                 match contacts(scene, i, j)[..] {
                     [Contact::Pin(p)] if part != ReactionPart::Whole => bar(scene, p, j).is_none().then(|| {
-                        at(both!("`{}`: link {b} has no second joint", "`{}`：构件 {b} 没有第二个运动副", find.text))
-                            .help(both!("ask for F_{a}{b}", "请求 F_{a}{b}"))
+                        at(both!("`{}`: link {b} has no second joint", find.text))
+                            .help(both!("ask for F_{a}{b}"))
                     }),
                     [Contact::Guide(g, _)] if matches!(scene.guides[g.0].path, GuidePath::Line { .. }) => None,
                     [_] if part != ReactionPart::Whole => Some(
                         at(both!(
                             "`{}`: links {a} and {b} are joined neither by a pin nor by a straight guide",
-                            "`{}`：构件 {a} 与 {b} 不是以转动副或直线移动副相连",
                             find.text
                         ))
-                        .help(both!("ask for F_{a}{b}", "请求 F_{a}{b}")),
+                        .help(both!("ask for F_{a}{b}")),
                     ),
                     [_] => None,
                     [_, _, ..] => Some(at(both!(
                         "`{}`: links {a} and {b} press on each other in several places",
-                        "`{}`：构件 {a} 与 {b} 在多处接触",
                         find.text
                     ))),
                     [] => Some(self.not_joined(scene, find, [i, j])),
@@ -289,7 +283,6 @@ impl Quantity for Force {
                 (!joined).then(|| {
                     at(both!(
                         "`{}`: no pin at {pin} acts on link {}",
-                        "`{}`：{pin} 处没有销作用于构件 {}",
                         find.text,
                         scene.link_name(link)
                     ))
@@ -301,11 +294,7 @@ impl Quantity for Force {
                     .any(|c| matches!(c, Contact::Guide(g, _) if slides(scene, *g)));
                 (!guided).then(|| {
                     let [a, b] = [i, j].map(|l| scene.link_name(l));
-                    at(both!(
-                        "`{}`: no straight guide joins links {a} and {b}",
-                        "`{}`：构件 {a} 与 {b} 之间没有直线移动副",
-                        find.text
-                    ))
+                    at(both!("`{}`: no straight guide joins links {a} and {b}", find.text))
                 })
             }
             ForceQuantity::InertiaForce(l) | ForceQuantity::InertiaCouple(l) => {
@@ -318,9 +307,8 @@ impl Quantity for Force {
                 });
                 (!has).then(|| {
                     let name = scene.link_name(l);
-                    at(both!("`{}`: link {name} has no mass of this kind", "`{}`：构件 {name} 没有相应的质量", find.text)).help(both!(
-                        "add it to \"masses\": {{\"{name}\": {{\"m\": \"2 kg\", \"J\": \"0.01 kg*m^2\", \"at\": \"S{name}\"}}}}",
-                        "请在 \"masses\" 中写 {{\"{name}\": {{\"m\": \"2 kg\", \"J\": \"0.01 kg*m^2\", \"at\": \"S{name}\"}}}}"
+                    at(both!("`{}`: link {name} has no mass of this kind", find.text)).help(both!(
+                        "add it to \"masses\": {{\"{name}\": {{\"m\": \"2 kg\", \"J\": \"0.01 kg*m^2\", \"at\": \"S{name}\"}}}}"
                     ))
                 })
             }
@@ -334,20 +322,16 @@ impl Quantity for Force {
                     let (asked, right) = if force { (f, m) } else { (m, f) };
                     at(both!(
                         "`{}`: the balance is kept by a {}",
-                        "`{}`：平衡由{}保持",
                         find.text,
-                        if force { both!("moment", "力矩") } else { both!("force", "力") }
+                        if force { both!("moment") } else { both!("force") }
                     ))
-                    .help(both!("ask for {right} instead of {asked}", "请以 {right} 代替 {asked}"))
+                    .help(both!("ask for {right} instead of {asked}"))
                 })
             }
             ForceQuantity::Efficiency => scene.loads.friction.is_empty().then(|| {
-                let message =
-                    both!("`{}`: the scene has no friction", "`{}`：机构文件没有摩擦", find.text);
-                at(message).help(both!(
-                    "give \"friction\": [{{\"pin\": \"B\", \"circle\": \"4 mm\"}}]",
-                    "请给出 \"friction\": [{{\"pin\": \"B\", \"circle\": \"4 mm\"}}]"
-                ))
+                let message = both!("`{}`: the scene has no friction", find.text);
+                at(message)
+                    .help(both!("give \"friction\": [{{\"pin\": \"B\", \"circle\": \"4 mm\"}}]"))
             }),
             ForceQuantity::Power | ForceQuantity::Shaking => None,
         }
@@ -433,23 +417,16 @@ impl Force {
                 let pin = scene.point_name(p);
                 let message = both!(
                     "`{}` is not one force: pin {pin} joins more links than {a} and {b}",
-                    "`{}` 不是确定的力：销 {pin} 除构件 {a}、{b} 外还连接其他构件",
                     find.text
                 );
-                Diagnostic::error("shared-pin", message).at(find.span).help(both!(
-                    "ask for the force of the pin on a link: F_{pin}{b}",
-                    "请求销对构件的力：F_{pin}{b}"
-                ))
+                Diagnostic::error("shared-pin", message)
+                    .at(find.span)
+                    .help(both!("ask for the force of the pin on a link: F_{pin}{b}"))
             }
             None => {
-                let message = both!(
-                    "`{}`: links {a} and {b} are not joined",
-                    "`{}`：构件 {a} 与 {b} 不直接相连",
-                    find.text
-                );
+                let message = both!("`{}`: links {a} and {b} are not joined", find.text);
                 Diagnostic::error("find", message).at(find.span).help(both!(
-                    "name two links that touch, such as F_12, or a pin and a link, such as F_B3",
-                    "请写两个直接相连的构件，如 F_12，或写销与构件，如 F_B3"
+                    "name two links that touch, such as F_12, or a pin and a link, such as F_B3"
                 ))
             }
         }
@@ -467,24 +444,15 @@ fn balanced(names: &str) -> Option<usize> {
 fn moving(question: &Question<'_>) -> Result<LinkId, Diagnostic> {
     let link = question.link(question.names())?;
     if question.is_ground(link) {
-        return Err(question.fault(both!(
-            "`{}`: the ground does not move",
-            "`{}`：机架不运动",
-            question.text()
-        )));
+        return Err(question.fault(both!("`{}`: the ground does not move", question.text())));
     }
     Ok(link)
 }
 
 fn reaction_wanted(question: &Question<'_>) -> Diagnostic {
-    let message = both!(
-        "`{}` names neither two links nor a pin and a link",
-        "`{}` 没有写明两个构件，也没有写明销与构件",
-        question.text()
-    );
+    let message = both!("`{}` names neither two links nor a pin and a link", question.text());
     question.fault(message).help(both!(
-        "write F_12 (of link 1 on link 2), F_B3 (of pin B on link 3), F_b (balancing force) or F_sh (shaking force)",
-        "请写 F_12（构件 1 对构件 2）、F_B3（销 B 对构件 3）、F_b（平衡力）或 F_sh（总惯性力）"
+        "write F_12 (of link 1 on link 2), F_B3 (of pin B on link 3), F_b (balancing force) or F_sh (shaking force)"
     ))
 }
 

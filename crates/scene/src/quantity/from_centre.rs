@@ -9,6 +9,7 @@ use crate::model::{OnLink, PointId, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic};
 use hodograph_base::kind::Kind;
+use hodograph_base::lang::each;
 use hodograph_base::number::Real;
 
 /// The distance of a point from an instantaneous centre.
@@ -26,7 +27,7 @@ impl Quantity for FromCentre {
         "P_13D",
         Kind::Length,
         ValueForm::Scalar,
-        ["distance from the instantaneous centre", "点到速度瞬心的距离"],
+        each!("distance from the instantaneous centre"),
     )
     .printed("P", OverSign::Nothing)
     .at_level(Level::Velocity)];

@@ -113,7 +113,7 @@ trait Quantity: Copy + Into<Asked> {
     /// Returns the reason why it has no value although the motion is known: a divisor vanishes, or
     /// it needs the direction of a zero vector.
     fn no_value(&self, _scene: &Scene) -> Both {
-        both!("nothing defines it in this pose", "该位置此量无定义")
+        both!("nothing defines it in this pose")
     }
 
     /// Returns the reason why it is infinite in the pose of the scene, if it is.

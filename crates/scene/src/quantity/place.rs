@@ -8,6 +8,7 @@ use crate::model::{Find, GuideId, GuidePath, LinkId, OnLink, PointId, Scene, Thr
 use crate::resolve::Question;
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::kind::Kind;
+use hodograph_base::lang::each;
 use hodograph_base::number::Real;
 
 /// A quantity of position.
@@ -44,20 +45,20 @@ const ALONG: usize = 4;
 
 impl Quantity for Place {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new("x", "x_E", Kind::Length, ValueForm::Scalar, ["coordinate $x$", "坐标 $x$"])
+        Entry::new("x", "x_E", Kind::Length, ValueForm::Scalar, each!("coordinate $x$"))
             .counted_from_origin(),
-        Entry::new("y", "y_E", Kind::Length, ValueForm::Scalar, ["coordinate $y$", "坐标 $y$"])
+        Entry::new("y", "y_E", Kind::Length, ValueForm::Scalar, each!("coordinate $y$"))
             .counted_from_origin(),
-        Entry::new("phi", "phi_3", Kind::Angle, ValueForm::Scalar, ["angle", "位置角"])
+        Entry::new("phi", "phi_3", Kind::Angle, ValueForm::Scalar, each!("angle"))
             .printed("\\varphi", OverSign::Nothing)
             .counted_from_origin(),
-        Entry::new("l", "l_AB", Kind::Length, ValueForm::Scalar, ["distance", "距离"]),
+        Entry::new("l", "l_AB", Kind::Length, ValueForm::Scalar, each!("distance")),
         Entry::new(
             "s",
             "s_F",
             Kind::Length,
             ValueForm::Scalar,
-            ["coordinate along the guide", "沿导路的位移"],
+            each!("coordinate along the guide"),
         )
         .counted_from_origin(),
     ];
@@ -69,7 +70,6 @@ impl Quantity for Place {
                 if !question.has_angle(link) {
                     return Err(question.fault(both!(
                         "link `{0}` has no two points, so it has no angle",
-                        "构件 `{0}` 没有两个点，因而没有角度",
                         question.names()
                     )));
                 }
@@ -93,18 +93,15 @@ impl Quantity for Place {
                     [] => {
                         let d = question.fault(both!(
                             "`{}`: `{names}` runs in no guide, and is no follower of a cam",
-                            "`{}`：`{names}` 不在导路中移动，也不是凸轮从动件",
                             question.text()
                         ));
-                        return Err(d.help(both!(
-                            "name a pin or slider that runs in a straight guide",
-                            "请写在直导路中移动的销或滑块"
-                        )));
+                        return Err(
+                            d.help(both!("name a pin or slider that runs in a straight guide"))
+                        );
                     }
                     [..] => {
                         return Err(question.fault(both!(
                             "`{}`: `{names}` runs in several guides",
-                            "`{}`：`{names}` 在几条导路中移动",
                             question.text()
                         )));
                     }
@@ -118,11 +115,9 @@ impl Quantity for Place {
                 }
                 let link = question.link(names)?;
                 let Some(point) = question.first_point(link) else {
-                    return Err(question.fault(both!(
-                        "`{}`: link `{names}` has no point",
-                        "`{}`：构件 `{names}` 没有点",
-                        question.text()
-                    )));
+                    return Err(
+                        question.fault(both!("`{}`: link `{names}` has no point", question.text()))
+                    );
                 };
                 Place::Along(guide, point, Of::Link(link))
             }
@@ -131,7 +126,6 @@ impl Quantity for Place {
                 (_, Some(_)) => {
                     return Err(question.fault(both!(
                         "`{}` names two points; a coordinate has one",
-                        "`{}` 写了两个点；坐标只属于一个点",
                         question.text()
                     )));
                 }
@@ -178,24 +172,13 @@ impl Quantity for Place {
         let d = match &scene.guides[guide.0].path {
             GuidePath::Arc { .. } => Diagnostic::error(
                 "find",
-                both!(
-                    "`{}` runs along an arc: its coordinate is an angle",
-                    "`{}` 沿圆弧移动，没有沿导路的直线位移",
-                    find.text
-                ),
+                both!("`{}` runs along an arc: its coordinate is an angle", find.text),
             ),
             GuidePath::Line { through: Through::Pin, .. } => Diagnostic::error(
                 "find",
-                both!(
-                    "`{}` counts from the `through` of its guide, which has none",
-                    "`{}` 自导路的 `through` 起算，而该导路没有给出",
-                    find.text
-                ),
+                both!("`{}` counts from the `through` of its guide, which has none", find.text),
             )
-            .help(both!(
-                "add \"through\", a point or a place that the guide passes",
-                "请给出导路通过的点或位置 \"through\""
-            )),
+            .help(both!("add \"through\", a point or a place that the guide passes")),
             GuidePath::Line { through: Through::Point(_) | Through::At(_), .. } => return None,
         };
         Some(d.at(find.span))

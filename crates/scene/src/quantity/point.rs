@@ -6,6 +6,7 @@ use crate::model::{OnLink, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::Diagnostic;
 use hodograph_base::kind::Kind;
+use hodograph_base::lang::each;
 
 /// The motion of a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,10 +26,10 @@ impl PointMotion {
 
 impl Quantity for PointMotion {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new("v", "v_E", Kind::Velocity, ValueForm::Vector, ["velocity", "速度"])
-            .several_are(["velocities", "各点的速度"]),
-        Entry::new("a", "a_E", Kind::Acceleration, ValueForm::Vector, ["acceleration", "加速度"])
-            .several_are(["accelerations", "各点的加速度"]),
+        Entry::new("v", "v_E", Kind::Velocity, ValueForm::Vector, each!("velocity"))
+            .several_are(each!("velocities")),
+        Entry::new("a", "a_E", Kind::Acceleration, ValueForm::Vector, each!("acceleration"))
+            .several_are(each!("accelerations")),
     ];
 
     fn read(question: &Question<'_>) -> Result<Option<PointMotion>, Diagnostic> {

@@ -7,6 +7,7 @@ use crate::model::{LinkId, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::kind::Kind;
+use hodograph_base::lang::each;
 
 /// A transmission ratio.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,15 +19,10 @@ pub struct Ratio {
 }
 
 impl Quantity for Ratio {
-    const WRITTEN: &'static [Entry] = &[Entry::new(
-        "i",
-        "i_23",
-        Kind::Number,
-        ValueForm::Scalar,
-        ["transmission ratio", "传动比"],
-    )
-    .printed("i", OverSign::Nothing)
-    .at_level(Level::Velocity)];
+    const WRITTEN: &'static [Entry] =
+        &[Entry::new("i", "i_23", Kind::Number, ValueForm::Scalar, each!("transmission ratio"))
+            .printed("i", OverSign::Nothing)
+            .at_level(Level::Velocity)];
 
     fn read(question: &Question<'_>) -> Result<Option<Ratio>, Diagnostic> {
         let (links, arm) = match question.names().split_once('/') {
@@ -40,23 +36,16 @@ impl Quantity for Ratio {
         if arm.is_none() && links.iter().any(|l| question.is_ground(*l)) {
             let d = question.fault(both!(
                 "`{}` is a ratio with the ground, which does not turn",
-                "`{}` 是与机架之间的传动比，而机架不转动",
                 question.text()
             ));
             return Err(d.help(both!(
-                "name two moving links, or an arm behind /, such as i_24/3: then all are seen from it",
-                "请写两个活动构件，或在 / 后写系杆，如 i_24/3（相对系杆的传动比）"
+                "name two moving links, or an arm behind /, such as i_24/3: then all are seen from it"
             )));
         }
         if arm.is_some_and(|a| links.contains(&a)) {
-            let d = question.fault(both!(
-                "`{}`: the arm does not turn against itself",
-                "`{}`：系杆相对自身不转动",
-                question.text()
-            ));
-            return Err(
-                d.help(both!("name two links other than the arm", "请写系杆以外的两个构件"))
-            );
+            let d = question
+                .fault(both!("`{}`: the arm does not turn against itself", question.text()));
+            return Err(d.help(both!("name two links other than the arm")));
         }
         Ok(Some(Ratio { links, arm }))
     }
@@ -76,15 +65,11 @@ impl Quantity for Ratio {
     fn no_value(&self, scene: &Scene) -> Both {
         let of = scene.link_name(self.links[1]);
         match self.arm {
-            None => both!(
-                "link {of} does not turn, and a ratio over its angular velocity is none",
-                "构件 {of} 不转动，以其角速度为分母的传动比不存在"
-            ),
+            None => both!("link {of} does not turn, and a ratio over its angular velocity is none"),
             Some(arm) => {
                 let arm = scene.link_name(arm);
                 both!(
-                    "link {of} does not turn against the arm {arm}, and a ratio over that angular velocity is none",
-                    "构件 {of} 相对系杆 {arm} 不转动，以该角速度为分母的传动比不存在"
+                    "link {of} does not turn against the arm {arm}, and a ratio over that angular velocity is none"
                 )
             }
         }

@@ -9,6 +9,7 @@ use crate::model::{Find, OnLink, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::kind::Kind;
+use hodograph_base::lang::each;
 
 /// The motion of a point relative to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,21 +48,18 @@ impl RelativePart {
 impl Quantity for Relative {
     fn no_value(&self, scene: &Scene) -> Both {
         let [a, b] = [self.of, self.to].map(|p| scene.point_name(p.point));
-        both!(
-            "{a} and {b} lie at one place and have no line between them",
-            "{a} 与 {b} 重合，没有连线"
-        )
+        both!("{a} and {b} lie at one place and have no line between them")
     }
 
     const WRITTEN: &'static [Entry] = &[
-        Entry::new("v", "v_CB", Kind::Velocity, ValueForm::Vector, ["velocity", "速度"]),
-        Entry::new("a", "a_CB", Kind::Acceleration, ValueForm::Vector, ["acceleration", "加速度"]),
+        Entry::new("v", "v_CB", Kind::Velocity, ValueForm::Vector, each!("velocity")),
+        Entry::new("a", "a_CB", Kind::Acceleration, ValueForm::Vector, each!("acceleration")),
         Entry::new(
             "an",
             "an_CB",
             Kind::Acceleration,
             ValueForm::Vector,
-            ["normal acceleration", "法向加速度"],
+            each!("normal acceleration"),
         )
         .printed("a", OverSign::Sign("n")),
         Entry::new(
@@ -69,7 +67,7 @@ impl Quantity for Relative {
             "at_CB",
             Kind::Acceleration,
             ValueForm::Vector,
-            ["tangential acceleration", "切向加速度"],
+            each!("tangential acceleration"),
         )
         .printed("a", OverSign::Sign("t")),
     ];
@@ -80,14 +78,9 @@ impl Quantity for Relative {
         if matches!(part, RelativePart::Normal | RelativePart::Tangential) && of.point == to.point {
             let d = question.fault(both!(
                 "`{}`: two links at one place have no line between them",
-                "`{}`：重合点之间没有连线",
                 question.text()
             ));
-            return Err(d.help(both!(
-                "ask for ar_ or ak_ with {}",
-                "请用 {} 求 ar_ 或 ak_",
-                question.names()
-            )));
+            return Err(d.help(both!("ask for ar_ or ak_ with {}", question.names())));
         }
         Ok(Some(Relative { part, of, to }))
     }
@@ -123,12 +116,10 @@ impl Quantity for Relative {
         let (a, b) = (name(scene, &self.of), name(scene, &self.to));
         let message = both!(
             "`{}`: {a} and {b} are on no common link, so their relative acceleration has no normal and tangential part",
-            "`{}`：{a} 与 {b} 不在同一构件上，其相对加速度没有法向和切向分量",
             find.text
         );
         Some(Diagnostic::error("find", message).at(find.span).help(both!(
-            "ask a_{a}{b} for the whole, or name two points of one link or the ends of a cylinder",
-            "请求总的 a_{a}{b}，或写同一构件上的两点或液压缸的两端"
+            "ask a_{a}{b} for the whole, or name two points of one link or the ends of a cylinder"
         )))
     }
 }

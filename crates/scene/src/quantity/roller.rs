@@ -11,6 +11,7 @@ use crate::resolve::Question;
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::geom::Vec2;
 use hodograph_base::kind::Kind;
+use hodograph_base::lang::each;
 use hodograph_base::number::Real;
 
 /// The spin of a roller.
@@ -28,7 +29,7 @@ impl Quantity for RollerSpin {
         "spin_3",
         Kind::Omega,
         ValueForm::Scalar,
-        ["angular velocity of the roller", "滚子角速度"],
+        each!("angular velocity of the roller"),
     )
     .printed("\\omega", OverSign::Sign("s"))];
 
@@ -60,11 +61,9 @@ impl Quantity for RollerSpin {
         if self.on.is_some() {
             return None;
         }
-        let message =
-            both!("`{}` needs a follower with a roller", "`{}` 需要滚子从动件", find.text);
+        let message = both!("`{}` needs a follower with a roller", find.text);
         Some(Diagnostic::error("no-cam", message).at(find.span).help(both!(
-            "give the cam pair a \"roller\": {{\"pin\": \"B\", \"radius\": \"10 mm\"}}",
-            "请在凸轮副中写 \"roller\": {{\"pin\": \"B\", \"radius\": \"10 mm\"}}"
+            "give the cam pair a \"roller\": {{\"pin\": \"B\", \"radius\": \"10 mm\"}}"
         )))
     }
 

@@ -11,6 +11,7 @@ use crate::model::{Find, Guide, OnLink, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::kind::Kind;
+use hodograph_base::lang::each;
 
 /// The sliding of a point on another link. Both points are at one place, or are the ends of a
 /// cylinder; one may be the pin itself (`vr_BB3`).
@@ -43,20 +44,14 @@ impl SlidingTerm {
 
 impl Quantity for Sliding {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new(
-            "vr",
-            "vr_B3B2",
-            Kind::Velocity,
-            ValueForm::Vector,
-            ["sliding velocity", "相对滑动速度"],
-        )
-        .printed("v", OverSign::Sliding),
+        Entry::new("vr", "vr_B3B2", Kind::Velocity, ValueForm::Vector, each!("sliding velocity"))
+            .printed("v", OverSign::Sliding),
         Entry::new(
             "ar",
             "ar_B3B2",
             Kind::Acceleration,
             ValueForm::Vector,
-            ["sliding acceleration", "相对滑动加速度"],
+            each!("sliding acceleration"),
         )
         .printed("a", OverSign::Sliding),
         Entry::new(
@@ -64,7 +59,7 @@ impl Quantity for Sliding {
             "ak_B3B2",
             Kind::Acceleration,
             ValueForm::Vector,
-            ["Coriolis acceleration", "科氏加速度"],
+            each!("Coriolis acceleration"),
         )
         .printed("a", OverSign::Coriolis),
     ];
@@ -78,14 +73,10 @@ impl Quantity for Sliding {
         // The ends of a cylinder slide along their line; other sliding points coincide. One of the
         // two may be the pin itself: vr_BB3 is the sliding of pin B on link 3.
         if of.point != to.point && !question.are_ends_of_a_cylinder(of.point, to.point) {
-            let d = question.fault(both!(
-                "`{}`: sliding is between two links at one place",
-                "`{}`：相对滑动是同一位置上两构件之间的",
-                question.text()
-            ));
+            let d = question
+                .fault(both!("`{}`: sliding is between two links at one place", question.text()));
             return Err(d.help(both!(
                 "name the place twice, each time with its link: {1}_{0}3{0}2",
-                "请两次写同一位置，各加构件名：{1}_{0}3{0}2",
                 question.point_name(of.point),
                 question.symbol()
             )));
@@ -131,14 +122,10 @@ impl Quantity for Sliding {
             Some(PointJoint::Link(_)) | None => {}
         }
         let (a, b) = (name(scene, &self.of), name(scene, &self.to));
-        let message = both!(
-            "`{}`: no guide joins {a} and {b}, so neither slides along the other",
-            "`{}`：{a} 与 {b} 之间没有导路，不存在相对滑动",
-            find.text
-        );
+        let message =
+            both!("`{}`: no guide joins {a} and {b}, so neither slides along the other", find.text);
         Some(Diagnostic::error("find", message).at(find.span).help(both!(
             "ask v_{a}{b} or a_{a}{b}, or name the coincident points of a slider and the link that carries its guide{}",
-            "请求 v_{a}{b} 或 a_{a}{b}，或写滑块与导路所在构件的重合点{}",
             example(scene)
         )))
     }
@@ -161,7 +148,7 @@ fn example(scene: &Scene) -> Both {
     let pair = |g: &Guide| {
         let p = scene.point_name(g.pin?);
         let runner = g.slider.map_or("", |s| scene.link_name(s));
-        Some(both!(", such as {p}{runner}{p}{}", "，如 {p}{runner}{p}{}", scene.link_name(g.on)))
+        Some(both!(", such as {p}{runner}{p}{}", scene.link_name(g.on)))
     };
     scene.guides.iter().find_map(pair).unwrap_or_default()
 }

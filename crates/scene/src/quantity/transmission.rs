@@ -10,6 +10,7 @@ use crate::resolve::Question;
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::geom::Vec2;
 use hodograph_base::kind::Kind;
+use hodograph_base::lang::each;
 use hodograph_base::number::Real;
 
 /// A transmission angle.
@@ -34,7 +35,7 @@ impl Quantity for Transmission {
         "gamma_C",
         Kind::Angle,
         ValueForm::Scalar,
-        ["transmission angle", "传动角"],
+        each!("transmission angle"),
     )
     .printed("\\gamma", OverSign::Nothing)
     .at_level(Level::Position)];
@@ -43,14 +44,8 @@ impl Quantity for Transmission {
         match question.points()? {
             (OnLink { point, link: None }, None) => Ok(Some(Transmission { at: point })),
             _ => {
-                let message = both!(
-                    "`{}`: a transmission angle is at one pin",
-                    "`{}`：传动角属于一个铰链",
-                    question.text()
-                );
-                Err(question
-                    .fault(message)
-                    .help(both!("write for example gamma_C", "例如写 gamma_C")))
+                let message = both!("`{}`: a transmission angle is at one pin", question.text());
+                Err(question.fault(message).help(both!("write for example gamma_C")))
             }
         }
     }
@@ -77,7 +72,7 @@ impl Quantity for Transmission {
     }
 
     fn no_value(&self, scene: &Scene) -> Both {
-        both!("a link at {} has no length", "{} 处的构件长度为零", scene.point_name(self.at))
+        both!("a link at {} has no length", scene.point_name(self.at))
     }
 
     fn fault(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
@@ -86,13 +81,11 @@ impl Quantity for Transmission {
         }
         let message = both!(
             "`{}`: at {} no rod meets the one link that it moves",
-            "`{}`：{} 处不是连杆与一个从动构件的铰接点",
             find.text,
             scene.point_name(self.at)
         );
         Some(Diagnostic::error("find", message).at(find.span).help(both!(
-            "name the pin at which the coupler drives the rocker, the slider or the next rod",
-            "请写连杆与摇杆（滑块或下一连杆）相连的铰链"
+            "name the pin at which the coupler drives the rocker, the slider or the next rod"
         )))
     }
 

@@ -6,6 +6,7 @@ use crate::model::{LinkId, Scene};
 use crate::resolve::Question;
 use hodograph_base::diag::{Diagnostic, both};
 use hodograph_base::kind::Kind;
+use hodograph_base::lang::each;
 
 /// The rotation of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,24 +21,18 @@ pub struct Turning {
 
 impl Quantity for Turning {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new(
-            "omega",
-            "omega_3",
-            Kind::Omega,
-            ValueForm::Scalar,
-            ["angular velocity", "角速度"],
-        )
-        .printed("\\omega", OverSign::Nothing)
-        .several_are(["angular velocities of the links", "各构件的角速度"]),
+        Entry::new("omega", "omega_3", Kind::Omega, ValueForm::Scalar, each!("angular velocity"))
+            .printed("\\omega", OverSign::Nothing)
+            .several_are(each!("angular velocities of the links")),
         Entry::new(
             "alpha",
             "alpha_3",
             Kind::Alpha,
             ValueForm::Scalar,
-            ["angular acceleration", "角加速度"],
+            each!("angular acceleration"),
         )
         .printed("\\alpha", OverSign::Nothing)
-        .several_are(["angular accelerations of the links", "各构件的角加速度"]),
+        .several_are(each!("angular accelerations of the links")),
     ];
 
     fn read(question: &Question<'_>) -> Result<Option<Turning>, Diagnostic> {
@@ -45,11 +40,8 @@ impl Quantity for Turning {
         if let Some((of, to)) = question.names().split_once('/') {
             let (of, to) = (question.link(of.trim())?, question.link(to.trim())?);
             if of == to {
-                return Err(question.fault(both!(
-                    "`{}` is of a link against itself: zero",
-                    "`{}` 是构件相对自身的量，为零",
-                    question.text()
-                )));
+                return Err(question
+                    .fault(both!("`{}` is of a link against itself: zero", question.text())));
             }
             return Ok(Some(Turning { rate, of, against: Some(to) }));
         }
@@ -57,11 +49,10 @@ impl Quantity for Turning {
         if question.is_ground(of) {
             let d = question.fault(both!(
                 "link `{}` is the ground: it does not turn, so `{}` is zero",
-                "构件 `{}` 是机架，不转动，`{}` 为零",
                 question.names(),
                 question.text()
             ));
-            return Err(d.help(both!("ask for a moving link", "请求活动构件的量")));
+            return Err(d.help(both!("ask for a moving link")));
         }
         Ok(Some(Turning { rate, of, against: None }))
     }

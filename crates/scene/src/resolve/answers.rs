@@ -13,17 +13,13 @@ pub(super) fn book(raw: &RawScene, faults: &mut Faults) -> Book {
         let Some(kind) = kind else {
             let d = Diagnostic::error(
                 "unknown-key",
-                both!(
-                    "`{}` is not a quantity of \"answers\"",
-                    "`{}` 不是 \"answers\" 中的量",
-                    key.text
-                ),
+                both!("`{}` is not a quantity of \"answers\"", key.text),
             )
             .at(key.span);
             faults.push(d.help(suggest(
                 &key.text,
                 Kind::ALL.iter().filter_map(|k| RequiredQuantity::of(*k).key()),
-                both!("the quantities are", "可用的量有"),
+                both!("the quantities are"),
             )));
             continue;
         };
@@ -34,7 +30,6 @@ pub(super) fn book(raw: &RawScene, faults: &mut Faults) -> Book {
                     "unit",
                     both!(
                         "`{}` is not a unit of {}",
-                        "`{}` 不是{}的单位",
                         unit.text,
                         RequiredQuantity::of(kind).describe()
                     ),
@@ -43,14 +38,9 @@ pub(super) fn book(raw: &RawScene, faults: &mut Faults) -> Book {
                 let min = if RequiredQuantity::of(kind).dim().time == 0 {
                     Both::default()
                 } else {
-                    both!("; min and h may stand for s", "；s 可换为 min 或 h")
+                    both!("; min and h may stand for s")
                 };
-                faults.push(d.help(both!(
-                    "units that fit are {}{}",
-                    "可用的单位有 {}{}",
-                    Both::names(&fitting),
-                    min
-                )));
+                faults.push(d.help(both!("units that fit are {}{}", Both::names(&fitting), min)));
             }
         }
     }

@@ -29,12 +29,8 @@ pub(super) fn applied(
         None => false,
         Some(word) if word.text == "motion" => true,
         Some(word) => {
-            let message = both!(
-                "`{}` is nothing that a force acts against",
-                "`{}` 不是力可以反抗的对象",
-                word.text
-            );
-            fault(message, both!("write \"motion\"", "请写 \"motion\""), word.span, faults);
+            let message = both!("`{}` is nothing that a force acts against", word.text);
+            fault(message, both!("write \"motion\""), word.span, faults);
             return None;
         }
     };
@@ -49,16 +45,10 @@ pub(super) fn applied(
                 .or(raw.against.as_ref())
                 .map(|w| w.span))
             {
-                let message = both!(
-                    "components of a force already tell its direction",
-                    "力的分量已经给出方向"
-                );
+                let message = both!("components of a force already tell its direction");
                 fault(
                     message,
-                    both!(
-                        "give its magnitude as \"F\", or leave this out",
-                        "请以 \"F\" 给出大小，或去掉此项"
-                    ),
+                    both!("give its magnitude as \"F\", or leave this out"),
                     span,
                     faults,
                 );
@@ -73,17 +63,8 @@ pub(super) fn applied(
         (_, Some(word), _) => Some(on_link(c, word, link, faults)?),
         (_, None, [one]) => Some(*one),
         (_, None, _) => {
-            let message = both!(
-                "the force on link `{}` has no point of application",
-                "构件 `{}` 上的力没有作用点",
-                raw.on.text
-            );
-            fault(
-                message,
-                both!("give \"at\": {}", "请给出 \"at\"：{}", c.points_of(link)),
-                raw.span,
-                faults,
-            );
+            let message = both!("the force on link `{}` has no point of application", raw.on.text);
+            fault(message, both!("give \"at\": {}", c.points_of(link)), raw.span, faults);
             return None;
         }
     };
@@ -107,22 +88,13 @@ fn load_amount(
             Some((_, false)) | None => LoadAmount::Magnitude(largest.clone()),
         }),
         (_, _, Some(_)) => {
-            let message =
-                both!("the amounts of a load stand in its diagram", "载荷的大小已由线图给出");
-            fault(
-                message,
-                both!("leave \"F\" or \"M\" out", "请去掉 \"F\" 或 \"M\""),
-                raw.span,
-                faults,
-            );
+            let message = both!("the amounts of a load stand in its diagram");
+            fault(message, both!("leave \"F\" or \"M\" out"), raw.span, faults);
             None
         }
         (None, None, None) | (Some(_), Some(_), None) => {
-            let message = both!(
-                "a load is either a force \"F\" or a couple \"M\"",
-                "载荷或为力 \"F\"，或为力偶 \"M\""
-            );
-            fault(message, both!("give one of them", "请给出其一"), raw.span, faults);
+            let message = both!("a load is either a force \"F\" or a couple \"M\"");
+            fault(message, both!("give one of them"), raw.span, faults);
             None
         }
         (None, Some(moment), None) => {
@@ -153,16 +125,13 @@ fn couple(
         ("angle", raw.angle.as_ref().map(|q| q.span)),
     ] {
         if let Some(span) = span {
-            let message = both!(
-                "a couple has no \"{key}\": it acts alike everywhere on its link",
-                "力偶没有 \"{key}\"：它在构件上处处等效"
-            );
-            fault(message, both!("leave it out", "请去掉"), span, faults);
+            let message = both!("a couple has no \"{key}\": it acts alike everywhere on its link");
+            fault(message, both!("leave it out"), span, faults);
             return None;
         }
     }
     Some(if against {
-        LoadSize::AgainstTurning(positive(given, both!("a resisting couple", "阻力矩"), faults)?)
+        LoadSize::AgainstTurning(positive(given, both!("a resisting couple"), faults)?)
     } else {
         LoadSize::Couple(given)
     })
@@ -180,31 +149,18 @@ fn directed(
     let angle = transpose(raw.angle.as_ref().map(|q| c.values.angle(q, faults)))?;
     match (against, line.is_some() || angle.is_some()) {
         (true, false) => {
-            Some(LoadSize::AgainstMotion(positive(given, both!("a resistance", "阻力"), faults)?))
+            Some(LoadSize::AgainstMotion(positive(given, both!("a resistance"), faults)?))
         }
         (false, true) => Some(LoadSize::Directed { force: given, line, angle }),
         (true, true) => {
-            let message = both!(
-                "a force against the motion has no direction of its own",
-                "与运动方向相反的力没有另外的方向"
-            );
-            fault(
-                message,
-                both!("leave \"angle\" and \"line\" out", "请去掉 \"angle\" 和 \"line\""),
-                raw.span,
-                faults,
-            );
+            let message = both!("a force against the motion has no direction of its own");
+            fault(message, both!("leave \"angle\" and \"line\" out"), raw.span, faults);
             None
         }
         (false, false) => {
-            let message = both!(
-                "the force on link `{}` has no direction",
-                "构件 `{}` 上的力没有方向",
-                raw.on.text
-            );
+            let message = both!("the force on link `{}` has no direction", raw.on.text);
             let help = both!(
-                "give \"angle\": \"270 deg\", \"line\": \"BC\" (from B toward C), or \"against\": \"motion\"",
-                "请给出 \"angle\": \"270 deg\"、\"line\": \"BC\"（由 B 指向 C）或 \"against\": \"motion\""
+                "give \"angle\": \"270 deg\", \"line\": \"BC\" (from B toward C), or \"against\": \"motion\""
             );
             fault(message, help, raw.span, faults);
             None
@@ -218,11 +174,11 @@ fn line_of(c: &Context, word: &Word, faults: &mut Faults) -> Option<(PointId, Po
     if c.common(a, b).is_some() {
         return Some((a, b));
     }
-    let message = both!("`{}` is not a line of one link", "`{}` 不是同一构件上的直线", word.text);
+    let message = both!("`{}` is not a line of one link", word.text);
     faults.push(
         Diagnostic::error("not-on-link", message)
             .at(word.span)
-            .help(both!("name two points of a link", "请写同一构件上的两点")),
+            .help(both!("name two points of a link")),
     );
     None
 }
@@ -291,25 +247,20 @@ fn course(
         LoadTravel::Stroke { .. } => false,
     };
     let message = if stations.len() < 2 {
-        both!("a diagram has two points at least", "线图至少要有两点")
+        both!("a diagram has two points at least")
     } else if !kinds {
-        both!("parts of the stroke and lengths stand side by side", "行程分数与长度混用")
+        both!("parts of the stroke and lengths stand side by side")
     } else if !rising {
-        both!("the places do not rise: {}", "位置不是递增的：{}", words(&places))
+        both!("the places do not rise: {}", words(&places))
     } else if !stations.iter().all(inside) {
-        both!(
-            "a part of the stroke lies between 0 and 1: {}",
-            "行程分数应在 0 与 1 之间：{}",
-            words(&places)
-        )
+        both!("a part of the stroke lies between 0 and 1: {}", words(&places))
     } else if turn {
-        both!("the angles go beyond one period", "角度范围超过一个周期")
+        both!("the angles go beyond one period")
     } else {
         return Some((LoadCourse { along, stations, span: raw.span }, is_couple));
     };
     let help = both!(
-        "write places in the order of the working stroke, all as parts from 0 to 1 or all as lengths, or angles within one period",
-        "请按工作行程的先后写位置，或都用 0 到 1 的分数，或都用长度；角度应在一个周期之内"
+        "write places in the order of the working stroke, all as parts from 0 to 1 or all as lengths, or angles within one period"
     );
     fault(message, help, raw.span, faults);
     None
@@ -337,14 +288,12 @@ fn along(
             let Some(guide) = guides.iter().position(|(g, _)| straight(g)) else {
                 let message = both!(
                     "`{}` has no stroke: it is no pin in a straight guide on ground",
-                    "`{}` 没有行程：它不是机架上直线导路中的销",
                     word.text
                 );
                 fault(
                     message,
                     both!(
-                        "name the pin of a slider, or tell the load by an angle: \"turn\": \"1\"",
-                        "请写滑块的销，或按转角给出：\"turn\": \"1\""
+                        "name the pin of a slider, or tell the load by an angle: \"turn\": \"1\""
                     ),
                     word.span,
                     faults,
@@ -363,12 +312,8 @@ fn along(
             let Some(driver) =
                 drivers.iter().position(|d| d.kind.turned() == Some((link, c.ground)))
             else {
-                let message = both!(
-                    "link `{}` is no driver that turns on ground",
-                    "构件 `{}` 不是相对机架转动的原动件",
-                    word.text
-                );
-                fault(message, both!("name a driven link", "请写原动件"), word.span, faults);
+                let message = both!("link `{}` is no driver that turns on ground", word.text);
+                fault(message, both!("name a driven link"), word.span, faults);
                 return None;
             };
             let period = match &raw.period {
@@ -381,24 +326,16 @@ fn along(
                 },
             };
             if period.value.degrees() <= 0.0 {
-                let message = both!(
-                    "the period is {}; it must be positive",
-                    "周期为 {}，应为正",
-                    period.text
-                );
+                let message = both!("the period is {}; it must be positive", period.text);
                 faults.push(Diagnostic::error("not-positive", message).at(period.span));
                 return None;
             }
             Some(LoadTravel::Turn { driver, period })
         }
         (None, None) | (Some(_), Some(_)) => {
-            let message = both!(
-                "what the load depends on is either a stroke or an angle",
-                "载荷或随行程变化，或随转角变化"
-            );
+            let message = both!("what the load depends on is either a stroke or an angle");
             let help = both!(
-                "give \"slide\": \"C\" (the pin of a slider) or \"turn\": \"1\" (a driven link)",
-                "请给出 \"slide\": \"C\"（滑块的销）或 \"turn\": \"1\"（原动件）"
+                "give \"slide\": \"C\" (the pin of a slider) or \"turn\": \"1\" (a driven link)"
             );
             fault(message, help, raw.span, faults);
             None

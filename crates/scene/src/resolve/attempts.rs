@@ -14,11 +14,11 @@ pub(super) fn attempts(c: &Context, faults: &mut Faults) -> Vec<Attempted> {
 fn attempt(c: &Context, raw: &RawAttempt, faults: &mut Faults) -> Option<Attempted> {
     let mistake = Mistake::ALL.into_iter().find(|m| m.name() == raw.mistake.text);
     if mistake.is_none() {
-        let message = both!("`{}` is no known mistake", "`{}` 不是已知的错误", raw.mistake.text);
+        let message = both!("`{}` is no known mistake", raw.mistake.text);
         let help = suggest(
             &raw.mistake.text,
             Mistake::ALL.iter().map(|m| m.name()),
-            both!("the known mistakes are", "已知的错误有"),
+            both!("the known mistakes are"),
         );
         faults.push(Diagnostic::error("attempt", message).at(raw.mistake.span).help(help));
     }

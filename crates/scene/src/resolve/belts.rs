@@ -19,17 +19,15 @@ pub(super) fn round(
         RawSizes::Radii(radii) => {
             let radii: Vec<Option<GivenQuantity>> = radii
                 .iter()
-                .map(|r| {
-                    c.values.positive_length(r, both!("the radius of a pulley", "带轮半径"), faults)
-                })
+                .map(|r| c.values.positive_length(r, both!("the radius of a pulley"), faults))
                 .collect();
             <[Option<GivenQuantity>; 2]>::try_from(radii).ok().map(|radii| (radii, None))
         }
         RawSizes::Teeth(teeth, pitch) => {
             let counts: Vec<Option<u32>> = teeth.iter().map(|z| whole(c, z, faults)).collect();
-            let pitch = pitch.as_ref().filter(|p| {
-                c.values.positive_length(p, both!("the pitch", "节距"), faults).is_some()
-            });
+            let pitch = pitch
+                .as_ref()
+                .filter(|p| c.values.positive_length(p, both!("the pitch"), faults).is_some());
             let radius = |(q, z): (&RawQuantity, Option<u32>)| {
                 // With z teeth on the sprocket and pitch p, the chain advances z p per revolution.
                 let text = format!("({})*{}/(2*pi)", pitch?.text, z?);
@@ -53,13 +51,11 @@ pub(super) fn round(
     if arm.is_none() {
         let message = both!(
             "no link carries both {} and {}: nothing keeps the belt tight",
-            "没有同时带有 {} 与 {} 的构件：带不能张紧",
             c.point_name(p),
             c.point_name(q)
         );
         faults.push(Diagnostic::error("belt-arm", message).at(raw.span).help(both!(
-            "list both centres among the points of the ground, or of the arm that carries the wheels",
-            "请把两个圆心都写在机架或承载两轮的构件的点中"
+            "list both centres among the points of the ground, or of the arm that carries the wheels"
         )));
     }
     let ([a, b], teeth) = sizes?;
@@ -89,12 +85,10 @@ pub(super) fn taut(
     }
     let (load, axis) = (c.link_name(load), c.point_name(axis));
     let message = both!(
-        "the load `{load}` of a rope slides in no guide of a link that carries the drum's axis {axis}",
-        "绳所牵引的构件 `{load}` 没有在带有卷筒轴 {axis} 的构件上的导路中滑动"
+        "the load `{load}` of a rope slides in no guide of a link that carries the drum's axis {axis}"
     );
     faults.push(Diagnostic::error("rope-load", message).at(raw.span).help(both!(
-        "add a guide with \"slider\": \"{load}\" in the direction of the rope, on the ground or the link that carries {axis}",
-        "请在机架或带有 {axis} 的构件上，沿绳的方向加一条 \"slider\": \"{load}\" 的导路"
+        "add a guide with \"slider\": \"{load}\" in the direction of the rope, on the ground or the link that carries {axis}"
     )));
     None
 }

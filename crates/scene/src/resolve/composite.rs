@@ -32,11 +32,7 @@ pub(super) fn composite(c: &Context, faults: &mut Faults) -> Vec<ObservedPoint> 
         if out.iter().any(|s| s.of == of && s.frame == frame) {
             let text = format!("{}/{}", raw.point.text, raw.frame.text);
             faults.push(
-                Diagnostic::warning(
-                    "given-twice",
-                    both!("`{text}` is given twice", "`{text}` 写了两次"),
-                )
-                .at(raw.span),
+                Diagnostic::warning("given-twice", both!("`{text}` is given twice")).at(raw.span),
             );
             continue;
         }
@@ -68,15 +64,11 @@ fn at_contact(
     };
     if on != own && on != follower {
         let (e, a, b) = (&raw.point.text, &pair.cam.text, &pair.follower.text);
-        let message = both!(
-            "links {a} and {b} touch at {e}; link {} does not",
-            "{e} 是构件 {a} 与 {b} 的接触点，不在构件 {} 上",
-            c.link_name(on)
-        );
+        let message = both!("links {a} and {b} touch at {e}; link {} does not", c.link_name(on));
         faults.push(
             Diagnostic::error("not-on-link", message)
                 .at(raw.span)
-                .help(both!("write \"on\": \"{b}\"", "请写 \"on\": \"{b}\"")),
+                .help(both!("write \"on\": \"{b}\"")),
         );
         return None;
     }
@@ -102,21 +94,14 @@ pub(super) fn judged(scene: &Scene, faults: &mut Faults) {
                     scene.link_name(on),
                     both!(
                         "link {0} itself, or a body at rest, parts no motion of link {0}",
-                        "构件 {0} 自身或静止的物体不能作为其上点的动系",
                         scene.link_name(on)
                     ),
                 );
-                let help = both!(
-                    "name the other link, or the centre of the profile",
-                    "请写另一构件，或廓线的圆心"
-                );
+                let help = both!("name the other link, or the centre of the profile");
                 faults.push(
-                    Diagnostic::error(
-                        "frame-unusable",
-                        both!("`{text}`: {}", "`{text}`：{}", link),
-                    )
-                    .at(s.span)
-                    .help(help),
+                    Diagnostic::error("frame-unusable", both!("`{text}`: {}", link))
+                        .at(s.span)
+                        .help(help),
                 );
             }
             CompositePoint::Contact { .. } => {}

@@ -62,23 +62,17 @@ pub(super) fn declare(raw: &RawScene, faults: &mut Faults) -> Declared {
         for word in &link.points {
             let id = r.point(word, faults);
             if points.contains(&id) {
-                let message = both!(
-                    "link `{}` names point `{}` twice",
-                    "构件 `{}` 两次写了点 `{}`",
-                    link.name.text,
-                    word.text
-                );
+                let message = both!("link `{}` names point `{}` twice", link.name.text, word.text);
                 faults.push(
                     Diagnostic::error("same-point", message)
                         .at(word.span)
-                        .help(both!("name it once", "请只写一次")),
+                        .help(both!("name it once")),
                 );
             } else {
                 points.push(id);
             }
             if r.points.len() > MAX_POINTS {
-                let message =
-                    both!("there are more than {MAX_POINTS} points", "点超过 {MAX_POINTS} 个");
+                let message = both!("there are more than {MAX_POINTS} points");
                 faults.push(Diagnostic::error("too-many", message).at(word.span));
                 return Declared {
                     points: r.points,
@@ -126,19 +120,12 @@ pub(super) fn declare(raw: &RawScene, faults: &mut Faults) -> Declared {
     if r.links.len() > MAX_LINKS {
         faults.push(Diagnostic::error(
             "too-many",
-            both!(
-                "there are {} links; at most {MAX_LINKS} are allowed",
-                "有 {} 个构件，最多允许 {MAX_LINKS} 个",
-                r.links.len()
-            ),
+            both!("there are {} links; at most {MAX_LINKS} are allowed", r.links.len()),
         ));
     } else if r.links.len() < 2 && !raw.links.is_empty() {
         let d = Diagnostic::error(
             "too-few-links",
-            both!(
-                "a mechanism has at least two links, counting the ground; there is one",
-                "机构至少有两个构件（包括机架），此处只有一个"
-            ),
+            both!("a mechanism has at least two links, counting the ground; there is one"),
         );
         faults.push(d.at(raw.links[0].name.span));
     }
@@ -213,17 +200,12 @@ fn declare_ground(raw: &RawScene, r: &mut Register, faults: &mut Faults) -> Opti
     if !carries && pivots.is_empty() {
         let d = Diagnostic::error(
             "unknown-link",
-            both!(
-                "the ground `{}` is not among the links and carries no guide",
-                "机架 `{}` 不在构件之列，也没有导路",
-                word.text
-            ),
+            both!("the ground `{}` is not among the links and carries no guide", word.text),
         );
         let known = raw.links.iter().map(|l| l.name.text.as_str());
-        let near = suggest(&word.text, known, both!("the links are", "构件有"));
+        let near = suggest(&word.text, known, both!("the links are"));
         faults.push(d.at(word.span).help(both!(
             "{}; list its fixed pivots, as in \"{}\": [\"A\", \"D\"]",
-            "{}；请列出其固定铰链，如 \"{}\": [\"A\", \"D\"]",
             near,
             word.text
         )));
@@ -234,13 +216,11 @@ fn declare_ground(raw: &RawScene, r: &mut Register, faults: &mut Faults) -> Opti
         let quoted: Vec<String> = names.iter().map(|n| format!("\"{n}\"")).collect();
         let message = both!(
             "{} taken as fixed: they have coordinates and sit on one link only",
-            "{} 视为固定铰链：有坐标，且只在一个构件上",
             Both::names(&names)
         );
         let d = Diagnostic::note("implied-pivots", message).at(word.span);
         faults.push(d.help(both!(
             "to say it: \"{}\": [{}] in \"links\"",
-            "可在 \"links\" 中写明：\"{}\": [{}]",
             word.text,
             quoted.join(", ")
         )));
@@ -281,16 +261,10 @@ fn empty_links(raw: &RawScene, r: &Register, ground: Option<LinkId>, faults: &mu
         {
             let d = Diagnostic::error(
                 "no-points",
-                both!(
-                    "link `{}` has no points and no guide",
-                    "构件 `{}` 既没有点也没有导路",
-                    link.name
-                ),
+                both!("link `{}` has no points and no guide", link.name),
             )
             .at(link.span);
-            faults.push(
-                d.help(both!("name its points: [\"A\", \"B\"]", "请写出它的点：[\"A\", \"B\"]")),
-            );
+            faults.push(d.help(both!("name its points: [\"A\", \"B\"]")));
         }
     }
 }

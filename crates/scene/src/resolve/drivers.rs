@@ -47,10 +47,10 @@ pub(super) fn drivers(
         if out.iter().any(|d| same_motion(&d.kind, &kind)) {
             let d = Diagnostic::error(
                 "given-twice",
-                both!("this motion is already given by another driver", "另一原动件已给定这一运动"),
+                both!("this motion is already given by another driver"),
             )
             .at(raw.span);
-            faults.push(d.help(both!("keep one of the two", "请保留其中一个")));
+            faults.push(d.help(both!("keep one of the two")));
             continue;
         }
         out.push(Driver {
@@ -111,34 +111,21 @@ fn turn(
     {
         let message = both!(
             "the driver's angle {} is beyond 2⁵³ degrees, where double precision does not tell the places of wheels that roll",
-            "原动件角度 {} 超过 2⁵³ 度，双精度数已无法确定滚动轮的位置",
             angle.text
         );
         let d = Diagnostic::error("out-of-range", message).at(angle.span);
-        faults.push(d.help(both!(
-            "take off whole turns after which all wheels stand as before",
-            "请减去使各轮回到原位的整转数"
-        )));
+        faults.push(d.help(both!("take off whole turns after which all wheels stand as before")));
         return None;
     }
     let (link, against) = (link?, against?);
     if link == against {
         let name = c.link_name(link);
         let d = if link == c.ground {
-            Diagnostic::error(
-                "driver",
-                both!(
-                    "link `{name}` is the ground: it cannot be driven",
-                    "构件 `{name}` 是机架，不能作原动件"
-                ),
-            )
-            .help(both!("drive a moving link", "请以活动构件为原动件"))
+            Diagnostic::error("driver", both!("link `{name}` is the ground: it cannot be driven"))
+                .help(both!("drive a moving link"))
         } else {
-            Diagnostic::error(
-                "driver",
-                both!("link `{name}` cannot turn against itself", "构件 `{name}` 不能相对自身转动"),
-            )
-            .help(both!("name another link in \"against\"", "请在 \"against\" 中写另一构件"))
+            Diagnostic::error("driver", both!("link `{name}` cannot turn against itself"))
+                .help(both!("name another link in \"against\""))
         };
         faults.push(d.at(raw.span));
         return None;
@@ -162,11 +149,8 @@ fn turn(
     if angle.is_some() {
         for (l, line) in [(link, line), (against, against_line)] {
             if (l != c.ground) && !has_direction(l, line) {
-                let message = both!(
-                    "link `{}` has no line whose angle could be given",
-                    "构件 `{}` 没有可给定角度的直线",
-                    c.link_name(l)
-                );
+                let message =
+                    both!("link `{}` has no line whose angle could be given", c.link_name(l));
                 faults.push(Diagnostic::error("driver", message).at(raw.span).help(c.points_of(l)));
                 return None;
             }
@@ -208,12 +192,11 @@ fn guided(
     let name = c.link_name(link);
     let message = both!(
         "the driver puts link `{name}` at {}, but its guide, which is its direction, is at {}",
-        "原动件给定构件 `{name}` 的角度为 {}，而代表其方向的导路为 {}",
         given.text,
         stated.text
     );
     let d = Diagnostic::error("contradictory-angle", message).at(given.span);
-    faults.push(d.help(both!("leave one of the two angles out", "请去掉其中一个角度")));
+    faults.push(d.help(both!("leave one of the two angles out")));
     None
 }
 
@@ -279,22 +262,20 @@ fn slide(
                 .chain(wheels)
                 .map(|w| w.text.as_str());
             let nothing = runners.clone().next().is_none();
-            let d = Diagnostic::error(
-                "driver",
-                both!("no guide has a pin or slider `{}`", "没有导路以 `{}` 为销或滑块", word.text),
-            )
-            .at(word.span);
+            let d =
+                Diagnostic::error("driver", both!("no guide has a pin or slider `{}`", word.text))
+                    .at(word.span);
             faults.push(if nothing {
-                d.help(both!("add \"guides\"", "请加上 \"guides\""))
+                d.help(both!("add \"guides\""))
             } else {
-                d.help(suggest(&word.text, runners, both!("there are", "有")))
+                d.help(suggest(&word.text, runners, both!("there are")))
             });
             None
         }
         _ => {
             let d = Diagnostic::error(
                 "ambiguous",
-                both!("`{}` runs in {} guides", "`{}` 在 {} 条导路中", word.text, meant.len()),
+                both!("`{}` runs in {} guides", word.text, meant.len()),
             )
             .at(word.span);
             let runners = |i: usize| {
@@ -313,12 +294,8 @@ fn slide(
                 .map(|n| format!("\"{n}\""))
                 .collect();
             faults.push(d.help(match names.as_slice() {
-                [] => both!("name the sliders of these guides", "请给这些导路的滑块命名"),
-                _ => both!(
-                    "name what runs in one of them only: {}",
-                    "请写只在一条导路中的销或滑块：{}",
-                    Both::names(&names)
-                ),
+                [] => both!("name the sliders of these guides"),
+                _ => both!("name what runs in one of them only: {}", Both::names(&names)),
             }));
             None
         }
@@ -333,18 +310,15 @@ fn cylinder(
     faults: &mut Faults,
 ) -> Option<DriverKind> {
     let length = match length {
-        Some(q) => Some(c.values.positive_length(
-            q,
-            both!("the length of the cylinder", "液压缸的长度"),
-            faults,
-        )?),
+        Some(q) => {
+            Some(c.values.positive_length(q, both!("the length of the cylinder"), faults)?)
+        }
         None => None,
     };
     let (a, b) = note(c.names.pair(ends), faults)?;
     if let Some(link) = c.common(a, b) {
         let message = both!(
             "`{}` and `{}` are both on link `{}`, so no cylinder can move them",
-            "`{}` 和 `{}` 同在构件 `{}` 上，液压缸不能使其运动",
             c.point_name(a),
             c.point_name(b),
             c.link_name(link)
@@ -357,29 +331,24 @@ fn cylinder(
     if !matches!(ids.as_slice(), [] | [_, _]) || (ids.len() == 2 && ids[0] == ids[1]) {
         let d = Diagnostic::error(
             "driver",
-            both!(
-                "\"links\" of a cylinder numbers two links, the barrel and the rod",
-                "液压缸的 \"links\" 应写两个构件：缸体和活塞杆"
-            ),
+            both!("\"links\" of a cylinder numbers two links, the barrel and the rod"),
         )
         .at(ends.span);
-        faults.push(
-            d.help(both!("write \"links\": [\"5\", \"6\"]", "请写 \"links\": [\"5\", \"6\"]")),
-        );
+        faults.push(d.help(both!("write \"links\": [\"5\", \"6\"]")));
         sound = false;
     }
     for ((id, word), end) in ids.iter().zip(links).zip([a, b]) {
         if let Some(other) = c.names.links[id.0].points.iter().find(|p| **p != end) {
             let message = both!(
                 "link `{}` of the cylinder has a further point `{}`",
-                "液压缸的构件 `{}` 还有点 `{}`",
                 word.text,
                 c.point_name(*other)
             );
-            faults.push(Diagnostic::error("driver", message).at(word.span).help(both!(
-                "describe barrel and rod as links with a guide between them",
-                "请把缸体和活塞杆写成构件，其间设导路"
-            )));
+            faults.push(
+                Diagnostic::error("driver", message)
+                    .at(word.span)
+                    .help(both!("describe barrel and rod as links with a guide between them")),
+            );
             sound = false;
         }
     }

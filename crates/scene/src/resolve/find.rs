@@ -4,6 +4,7 @@ use super::*;
 use crate::cams::raw::RawFollows;
 use crate::quantity::combined::halves;
 use crate::quantity::{self, Asked, Combined, Entry, Frame, Level, Of, PointMotion, Rate, Turning};
+use hodograph_base::lang::each;
 use std::borrow::Cow;
 
 pub(super) fn find(c: &Context, faults: &mut Faults) -> Vec<Find> {
@@ -15,12 +16,9 @@ pub(super) fn find(c: &Context, faults: &mut Faults) -> Vec<Find> {
             continue;
         };
         if out.iter().any(|f| f.text == word.text) {
-            let d = Diagnostic::warning(
-                "given-twice",
-                both!("`{}` is asked twice", "`{}` 求了两次", word.text),
-            )
-            .at(word.span);
-            faults.push(d.help(both!("ask once", "请只求一次")));
+            let d = Diagnostic::warning("given-twice", both!("`{}` is asked twice", word.text))
+                .at(word.span);
+            faults.push(d.help(both!("ask once")));
             continue;
         }
         out.push(Find { what, text: word.text.clone(), span: word.span });
@@ -45,11 +43,7 @@ fn of_links(c: &Context, word: &Word, what: Asked) -> Result<Asked, Diagnostic> 
         return Ok(what);
     };
     let name = c.point_name(contact.point);
-    let message = both!(
-        "`{}`: {name} is a point of contact, not a point of a link",
-        "`{}`：{name} 是接触点，不是构件上的点",
-        word.text
-    );
+    let message = both!("`{}`: {name} is a point of contact, not a point of a link", word.text);
     let there = |(pair, at): (&'_ RawRolling, &[PointId; 2])| {
         [0, 1].map(|k| Some(pair.sides[k].clone()).filter(|_| at[k] == contact.point))
     };
@@ -62,11 +56,9 @@ fn of_links(c: &Context, word: &Word, what: Asked) -> Result<Asked, Diagnostic> 
     let of_cams =
         cams.flat_map(|cam| [&cam.cam, &cam.follower]).map(|w| c.names.run(name, &w.text));
     let names: Vec<Both> = sides.map(of).chain(of_cams).map(Both::same).collect();
-    Err(Diagnostic::error("find", message).at(word.span).help(both!(
-        "name the link whose point is meant: {}",
-        "请写明是哪个构件上的点：{}",
-        Both::join(&names, " or ", " 或 ")
-    )))
+    Err(Diagnostic::error("find", message)
+        .at(word.span)
+        .help(both!("name the link whose point is meant: {}", Both::join(&names, each!(" or ")))))
 }
 
 /// Returns the questions of a scene without `find`: v and a of every moving point, ω and α of every
@@ -142,10 +134,9 @@ fn combined(c: &Context, word: &Word) -> Option<Result<Asked, Diagnostic>> {
         .find_map(|(operation, [a, b])| Some((operation, [part(a)?, part(b)?])))?;
     Some(Combined::new(operation, operands).map(Asked::from).ok_or_else(|| {
         let [a, b] = operands.map(|q| q.kind().si());
-        let d = Diagnostic::error("find", both!("`{}` combines {a} with {b}", "`{}` 组合了 {a} 与 {b}", word.text)).at(word.span);
+        let d = Diagnostic::error("find", both!("`{}` combines {a} with {b}", word.text)).at(word.span);
         d.help(both!(
-            "a sum is of two quantities of one kind, and a ratio has a unit of length, velocity, acceleration or turning, or none",
-            "和、差的两个量须同类；比值须为长度、速度、加速度、角速度、角加速度或无量纲"
+            "a sum is of two quantities of one kind, and a ratio has a unit of length, velocity, acceleration or turning, or none"
         ))
     }))
 }
@@ -165,34 +156,24 @@ fn one(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
     let fault = |message: Both| Diagnostic::error("find", message).at(word.span);
     let alone = is_alone(spelt(&text)).then_some((&*text, ""));
     let Some((symbol, rest)) = text.split_once('_').or(alone) else {
-        let d = fault(both!(
-            "`{}` is not a quantity that can be asked",
-            "`{}` 不是可求的量",
-            word.text
-        ));
+        let d = fault(both!("`{}` is not a quantity that can be asked", word.text));
         if matches!(word.text.as_str(), "F" | "class") {
             return Err(d.help(both!(
-                "`hodograph mobility` counts the freedoms of the scene and tells the class of its groups",
-                "`hodograph mobility` 给出自由度和杆组级别"
+                "`hodograph mobility` counts the freedoms of the scene and tells the class of its groups"
             )));
         }
         return Err(d.help(both!(
-            "write the symbol, _ and the points or links, such as v_E, a_CB, omega_3, ak_B3B2",
-            "请写符号、_ 和点名或构件名，如 v_E、a_CB、omega_3、ak_B3B2"
+            "write the symbol, _ and the points or links, such as v_E, a_CB, omega_3, ak_B3B2"
         )));
     };
     let symbol = spelt(symbol);
     let symbols = quantity::symbols();
     let Some(entry) = symbols.iter().find(|e| e.symbol == symbol) else {
-        let d = fault(both!(
-            "`{symbol}` in `{}` is not a quantity that can be asked",
-            "`{}` 中的 `{symbol}` 不是可求的量",
-            word.text
-        ));
+        let d = fault(both!("`{symbol}` in `{}` is not a quantity that can be asked", word.text));
         return Err(d.help(suggest(
             symbol,
             symbols.iter().map(|e| e.symbol),
-            both!("the quantities are", "量有"),
+            both!("the quantities are"),
         )));
     };
     let question = Question { c, word, symbol: entry.symbol, names: rest };
@@ -237,15 +218,8 @@ impl Question<'_> {
         if driver < drivers.max(1) {
             return Ok(driver);
         }
-        let message = both!(
-            "`{}`: the scene has no driver of this number",
-            "`{}`：没有该序号的原动件",
-            self.text()
-        );
-        Err(self.fault(message).help(both!(
-            "count them in the order of the file, from 1 on",
-            "按文件中的次序从 1 数起"
-        )))
+        let message = both!("`{}`: the scene has no driver of this number", self.text());
+        Err(self.fault(message).help(both!("count them in the order of the file, from 1 on")))
     }
 
     /// Returns true if a table has its symbol.
@@ -298,27 +272,15 @@ impl Question<'_> {
         match found[..] {
             [links] => self.different(links),
             _ => {
-                let d = self.fault(both!(
-                    "`{}` does not name two links",
-                    "`{}` 没有写明两个构件",
-                    self.text()
-                ));
-                Err(d.help(both!(
-                    "write the two names with a comma, such as {}_1,3",
-                    "请用逗号隔开两个构件名，如 {}_1,3",
-                    self.symbol
-                )))
+                let d = self.fault(both!("`{}` does not name two links", self.text()));
+                Err(d.help(both!("write the two names with a comma, such as {}_1,3", self.symbol)))
             }
         }
     }
 
     fn different(&self, links: [LinkId; 2]) -> Result<[LinkId; 2], Diagnostic> {
         if links[0] == links[1] {
-            return Err(self.fault(both!(
-                "`{}` names one link twice",
-                "`{}` 两次写了同一构件",
-                self.text()
-            )));
+            return Err(self.fault(both!("`{}` names one link twice", self.text())));
         }
         Ok(links)
     }
@@ -402,11 +364,9 @@ impl Question<'_> {
         let (of, to) = self.points()?;
         let to = to.ok_or_else(|| self.names_one_point())?;
         if of == to {
-            return Err(self.fault(both!(
-                "`{}` is of a point relative to itself: zero",
-                "`{}` 是一点相对自身的量，为零",
-                self.text()
-            )));
+            return Err(
+                self.fault(both!("`{}` is of a point relative to itself: zero", self.text()))
+            );
         }
         Ok((of, to))
     }
@@ -421,11 +381,10 @@ impl Question<'_> {
             // A symbol all of whose quantities have a frame.
             let (symbol, first) =
                 (self.symbol, quantity::symbols().into_iter().find(|e| e.symbol == self.symbol));
-            let d = self.fault(both!("`{}` names no frame", "`{}` 没有写动系", self.text()));
+            let d = self.fault(both!("`{}` names no frame", self.text()));
             let example = first.map_or("", |e| e.example);
             return Err(d.help(both!(
-                "write the moving point, a stroke, and the link or point from which it is seen: {symbol}_A/2, such as {example}",
-                "请写动点、斜线和动系（构件或点）：{symbol}_A/2，如 {example}"
+                "write the moving point, a stroke, and the link or point from which it is seen: {symbol}_A/2, such as {example}"
             )));
         };
         self.c.names.seen_from(point.trim(), frame.trim(), self.word).map(Some)
@@ -476,21 +435,17 @@ impl Question<'_> {
             quantity::symbols().iter().find(|e| e.symbol == symbol).map_or("", |e| e.example);
         let d = self.fault(both!(
             "`{}` names one point; `{symbol}` is of one point relative to another",
-            "`{}` 只写了一个点；`{symbol}` 是一点相对另一点的量",
             self.text()
         ));
-        d.help(both!("write for example {example}", "例如写 {example}"))
+        d.help(both!("write for example {example}"))
     }
 
     /// Returns the fault of a quantity of a point that names a link, with the points of the link as
     /// help.
     fn of_a_link(&self) -> Diagnostic {
         let (c, symbol, link) = (self.c, self.symbol, self.names);
-        let d = self.fault(both!(
-            "`{link}` in `{}` is a link; `{symbol}` is of a point",
-            "`{}` 中的 `{link}` 是构件；`{symbol}` 是点的量",
-            self.text()
-        ));
+        let d =
+            self.fault(both!("`{link}` in `{}` is a link; `{symbol}` is of a point", self.text()));
         let own = c.names.links.iter().find(|l| l.name == link).map_or(&[][..], |l| &l.points);
         let own = own.iter().map(|p| format!("{symbol}_{}", c.point_name(*p)));
         // Where a pin runs in the link's guide, the link has a coincident point with its own
@@ -505,7 +460,7 @@ impl Question<'_> {
         let all: Vec<String> =
             if PointMotion::takes(self) { own.chain(pins).collect() } else { own.collect() };
         d.help(if all.is_empty() {
-            both!("name a point", "请写一个点")
+            both!("name a point")
         } else {
             super::super::names::written(&all)
         })

@@ -38,12 +38,10 @@ pub(super) fn centres(
         let names: Vec<&str> = laid.iter().map(|p| c.point_name(*p)).collect();
         let message = both!(
             "no place is given for {}, and no answer depends on it: drawn along the x axis",
-            "没有给出 {} 的位置，所求各量也与其无关：画在 x 轴上",
             Both::names(&names)
         );
         let help = both!(
-            "coordinates in \"points\", or a length and the driver's \"angle\", say otherwise",
-            "可在 \"points\" 中给出坐标，或给出长度和原动件的 \"angle\""
+            "coordinates in \"points\", or a length and the driver's \"angle\", say otherwise"
         );
         faults.push(
             Diagnostic::note("free-centre", message).at(c.names.points[laid[0].0].span).help(help),

@@ -15,11 +15,9 @@ pub(super) fn friction(
         (Some(pin), None) => at_pin(c, pin, raw, faults).map(|pair| vec![pair]),
         (None, Some(slider)) => in_guides(c, guides, slider, raw, faults),
         (None, None) | (Some(_), Some(_)) => {
-            let message =
-                both!("friction is in a pin or at a slider", "摩擦在转动副的销上，或在滑块上");
+            let message = both!("friction is in a pin or at a slider");
             let help = both!(
-                "write {{\"pin\": \"B\", \"circle\": \"4 mm\"}} or {{\"slider\": \"3\", \"f\": 0.1}}",
-                "请写 {{\"pin\": \"B\", \"circle\": \"4 mm\"}} 或 {{\"slider\": \"3\", \"f\": 0.1}}"
+                "write {{\"pin\": \"B\", \"circle\": \"4 mm\"}} or {{\"slider\": \"3\", \"f\": 0.1}}"
             );
             fault(message, help, raw.span, faults)
         }
@@ -41,7 +39,7 @@ fn coefficient(c: &Context, raw: &RawQuantity, faults: &mut Faults) -> Option<Gi
         text: raw.text.clone(),
         span: raw.span,
     };
-    positive(given, both!("a coefficient of friction", "摩擦系数"), faults)
+    positive(given, both!("a coefficient of friction"), faults)
 }
 
 fn at_pin(c: &Context, pin: &Word, raw: &RawFriction, faults: &mut Faults) -> Option<Rub> {
@@ -49,14 +47,8 @@ fn at_pin(c: &Context, pin: &Word, raw: &RawFriction, faults: &mut Faults) -> Op
     let links: Vec<LinkId> =
         (0..c.names.links.len()).map(LinkId).filter(|l| c.carries(*l, point)).collect();
     if links.len() < 2 {
-        let message =
-            both!("`{}` is no pin that joins two links", "`{}` 不是连接两个构件的销", pin.text);
-        return fault(
-            message,
-            both!("name a joint, or the slider of a guide", "请写转动副，或导路的滑块"),
-            pin.span,
-            faults,
-        );
+        let message = both!("`{}` is no pin that joins two links", pin.text);
+        return fault(message, both!("name a joint, or the slider of a guide"), pin.span, faults);
     }
     let on =
         transpose(raw.on.as_ref().map(|word| note(c.names.link(word), faults).map(|l| (l, word))))?;
@@ -66,21 +58,16 @@ fn at_pin(c: &Context, pin: &Word, raw: &RawFriction, faults: &mut Faults) -> Op
         (on, _) => {
             let names: Vec<&str> = links.iter().map(|l| c.names.links[l.0].name.as_str()).collect();
             let message = match on {
-                Some((_, word)) => both!(
-                    "link `{}` does not carry the pin `{}`",
-                    "构件 `{}` 上没有销 `{}`",
-                    word.text,
-                    pin.text
-                ),
+                Some((_, word)) => {
+                    both!("link `{}` does not carry the pin `{}`", word.text, pin.text)
+                }
                 None => both!(
                     "`{}` joins {} links: in which of them is the pin fast?",
-                    "`{}` 连接 {} 个构件：销固定在哪个构件上？",
                     pin.text,
                     links.len()
                 ),
             };
-            let help =
-                both!("write \"on\", one of {}", "请写 \"on\"，可取 {}", Both::names(&names));
+            let help = both!("write \"on\", one of {}", Both::names(&names));
             return fault(message, help, on.map_or(pin.span, |(_, word)| word.span), faults);
         }
     };
@@ -98,22 +85,15 @@ fn at_pin(c: &Context, pin: &Word, raw: &RawFriction, faults: &mut Faults) -> Op
             )?
         }
         _ => {
-            let message = both!(
-                "the friction circle of `{}` is not told",
-                "没有说明 `{}` 处摩擦圆的大小",
-                pin.text
-            );
-            let help = both!(
-                "give its radius \"circle\", or \"radius\" of the pin and \"f\"",
-                "请给出摩擦圆半径 \"circle\"，或轴颈半径 \"radius\" 与 \"f\""
-            );
+            let message = both!("the friction circle of `{}` is not told", pin.text);
+            let help = both!("give its radius \"circle\", or \"radius\" of the pin and \"f\"");
             return fault(message, help, raw.span, faults);
         }
     };
     Some(Rub::Pin {
         point,
         fast,
-        circle: positive(circle, both!("the radius of a friction circle", "摩擦圆半径"), faults)?,
+        circle: positive(circle, both!("the radius of a friction circle"), faults)?,
     })
 }
 
@@ -127,12 +107,8 @@ fn in_guides(
     let link = note(c.names.link(slider), faults)?;
     let on = transpose(raw.on.as_ref().map(|word| note(c.names.link(word), faults)))?;
     let Some(f) = &raw.f else {
-        let message = both!(
-            "the friction of slider `{}` is not told",
-            "没有说明滑块 `{}` 的摩擦系数",
-            slider.text
-        );
-        return fault(message, both!("give \"f\"", "请给出 \"f\""), raw.span, faults);
+        let message = both!("the friction of slider `{}` is not told", slider.text);
+        return fault(message, both!("give \"f\""), raw.span, faults);
     };
     let f = coefficient(c, f, faults)?;
     let runs = |g: &Guide| {
@@ -150,17 +126,8 @@ fn in_guides(
         .map(|(k, _)| Rub::Guide { guide: GuideId(k), f: f.clone() })
         .collect();
     if found.is_empty() {
-        let message = both!(
-            "link `{}` slides in no straight guide",
-            "构件 `{}` 不在直线导路中滑动",
-            slider.text
-        );
-        return fault(
-            message,
-            both!("name a slider, or a pin", "请写滑块，或写销"),
-            slider.span,
-            faults,
-        );
+        let message = both!("link `{}` slides in no straight guide", slider.text);
+        return fault(message, both!("name a slider, or a pin"), slider.span, faults);
     }
     Some(found)
 }

@@ -13,15 +13,12 @@ pub(super) fn guides(c: &Context, places: &[PointPlace], faults: &mut Faults) ->
         if out.iter().any(|(g, _)| {
             (g.pin, g.slider, g.on) == (guide.pin, guide.slider, guide.on) && guide.slider.is_some()
         }) {
-            let message = both!(
-                "this slider already slides on link `{}`",
-                "该滑块已在构件 `{}` 上滑动",
-                c.link_name(guide.on)
+            let message = both!("this slider already slides on link `{}`", c.link_name(guide.on));
+            faults.push(
+                Diagnostic::error("given-twice", message)
+                    .at(raw.span)
+                    .help(both!("one guide joins two links; a second one would stop them")),
             );
-            faults.push(Diagnostic::error("given-twice", message).at(raw.span).help(both!(
-                "one guide joins two links; a second one would stop them",
-                "一条导路连接两个构件；再加一条就不能运动了"
-            )));
             continue;
         }
         out.push((guide, i));
@@ -33,16 +30,11 @@ fn guide(c: &Context, raw: &RawGuide, places: &[PointPlace], faults: &mut Faults
     if raw.pin.is_none() && raw.slider.is_none() {
         let d = Diagnostic::error(
             "missing-key",
-            both!(
-                "a guide has neither `pin` nor `slider`, so nothing runs in it",
-                "导路既没有 `pin` 也没有 `slider`"
-            ),
+            both!("a guide has neither `pin` nor `slider`, so nothing runs in it"),
         )
         .at(raw.span);
-        faults.push(d.help(both!(
-            "name the running \"pin\", the sliding link \"slider\", or both",
-            "请写其中的销 \"pin\"、滑块 \"slider\"，或两者都写"
-        )));
+        faults
+            .push(d.help(both!("name the running \"pin\", the sliding link \"slider\", or both")));
         return None;
     }
     let on = match &raw.on {
@@ -58,27 +50,19 @@ fn guide(c: &Context, raw: &RawGuide, places: &[PointPlace], faults: &mut Faults
         faults.push(d);
     };
     if slider == Some(on) {
-        let message = both!(
-            "link `{}` cannot slide on itself",
-            "构件 `{}` 不能相对自身滑动",
-            c.link_name(on)
-        );
+        let message = both!("link `{}` cannot slide on itself", c.link_name(on));
         fault(
             Diagnostic::error("guide", message)
                 .at(raw.span)
-                .help(both!("name another link in \"on\"", "请在 \"on\" 中写另一构件")),
+                .help(both!("name another link in \"on\"")),
             faults,
         );
     }
     if let (Some(pin), Some(slider), Some(word)) = (pin, slider, &raw.pin)
         && !c.carries(slider, pin)
     {
-        let message = both!(
-            "pin `{}` is not on slider `{}`",
-            "销 `{}` 不在滑块 `{}` 上",
-            c.point_name(pin),
-            c.link_name(slider)
-        );
+        let message =
+            both!("pin `{}` is not on slider `{}`", c.point_name(pin), c.link_name(slider));
         fault(
             Diagnostic::error("not-on-link", message).at(word.span).help(c.points_of(slider)),
             faults,
@@ -89,16 +73,12 @@ fn guide(c: &Context, raw: &RawGuide, places: &[PointPlace], faults: &mut Faults
     {
         let message = both!(
             "pin `{}` is a point of link `{}`, which carries the guide: it cannot run in it",
-            "销 `{}` 是导路所在构件 `{}` 上的点，不能在其中移动",
             c.point_name(pin),
             c.link_name(on)
         );
         let d = Diagnostic::error("guide", message).at(word.span);
         fault(
-            d.help(both!(
-                "the pin belongs to the link that runs, the guide to the link in \"on\"",
-                "销属于移动的构件，导路属于 \"on\" 中的构件"
-            )),
+            d.help(both!("the pin belongs to the link that runs, the guide to the link in \"on\"")),
             faults,
         );
     }
@@ -108,18 +88,13 @@ fn guide(c: &Context, raw: &RawGuide, places: &[PointPlace], faults: &mut Faults
     };
     let length = raw.length.as_ref().map(|q| {
         if slider.is_none() || raw.centre.is_some() {
-            let message = both!(
-                "`length` is that of a slider in a straight guide",
-                "`length` 是直线导路中滑块的长度"
-            );
+            let message = both!("`length` is that of a slider in a straight guide");
             fault(
-                Diagnostic::error("guide", message)
-                    .at(q.span)
-                    .help(both!("leave \"length\" away", "请去掉 \"length\"")),
+                Diagnostic::error("guide", message).at(q.span).help(both!("leave \"length\" away")),
                 faults,
             );
         }
-        c.values.positive_length(q, both!("the length", "长度"), faults)
+        c.values.positive_length(q, both!("the length"), faults)
     });
     let mut guide = Guide {
         pin,
@@ -168,9 +143,7 @@ fn arc(
     faults: &mut Faults,
 ) -> Option<GuidePath> {
     let radius = match &raw.radius {
-        Some(quantity) => {
-            Some(c.values.positive_length(quantity, both!("the radius", "半径"), faults)?)
-        }
+        Some(quantity) => Some(c.values.positive_length(quantity, both!("the radius"), faults)?),
         None => None,
     };
     let straight = [
@@ -182,28 +155,16 @@ fn arc(
     if let Some((key, _)) = straight.iter().find(|(_, given)| *given) {
         let d = Diagnostic::error(
             "guide",
-            both!(
-                "a guide about a `centre` is curved and has no `{key}`",
-                "有 `centre` 的导路是圆弧，没有 `{key}`"
-            ),
+            both!("a guide about a `centre` is curved and has no `{key}`"),
         )
         .at(raw.span);
-        faults.push(
-            d.help(both!("leave \"{key}\" or \"centre\" away", "请去掉 \"{key}\" 或 \"centre\"")),
-        );
+        faults.push(d.help(both!("leave \"{key}\" or \"centre\" away")));
         return None;
     }
-    let centre =
-        c.centre_on(word, on, both!("which carries the guide", "而导路在该构件上"), faults)?;
+    let centre = c.centre_on(word, on, both!("which carries the guide"), faults)?;
     if raw.pin.is_none() {
-        let d = Diagnostic::error(
-            "missing-key",
-            both!("a curved guide has no `pin`", "圆弧导路没有 `pin`"),
-        )
-        .at(raw.span);
-        faults.push(
-            d.help(both!("name the point that runs in it: \"pin\"", "请写其中移动的点：\"pin\"")),
-        );
+        let d = Diagnostic::error("missing-key", both!("a curved guide has no `pin`")).at(raw.span);
+        faults.push(d.help(both!("name the point that runs in it: \"pin\"")));
         return None;
     }
     Some(GuidePath::Arc { centre, radius })
@@ -218,16 +179,9 @@ fn line(
     faults: &mut Faults,
 ) -> Option<GuidePath> {
     if let Some(radius) = &raw.radius {
-        let d = Diagnostic::error(
-            "missing-key",
-            both!("a guide with a `radius` has no `centre`", "有 `radius` 的导路没有 `centre`"),
-        )
-        .at(radius.span);
-        faults.push(d.help(both!(
-            "add \"centre\", a point of link `{}`",
-            "请加上 \"centre\"，即构件 `{}` 上的一点",
-            c.link_name(on)
-        )));
+        let d = Diagnostic::error("missing-key", both!("a guide with a `radius` has no `centre`"))
+            .at(radius.span);
+        faults.push(d.help(both!("add \"centre\", a point of link `{}`", c.link_name(on))));
         return None;
     }
     let ends = raw.line.as_ref().map(|word| note(c.line_on(word, on), faults));
@@ -270,15 +224,10 @@ pub(super) fn through(
                     "guide",
                     both!(
                         "a guide on the moving link `{}` cannot pass through coordinates",
-                        "活动构件 `{}` 上的导路不能用坐标给定",
                         c.link_name(on)
                     ),
                 );
-                faults.push(d.at(*span).help(both!(
-                    "name a point: {}",
-                    "请写一个点：{}",
-                    c.points_of(on)
-                )));
+                faults.push(d.at(*span).help(both!("name a point: {}", c.points_of(on))));
                 return None;
             }
             xy.map(Through::At)
@@ -288,7 +237,6 @@ pub(super) fn through(
             if !c.carries(on, point) {
                 let message = both!(
                     "the guide passes through `{}`, which is not on link `{}`",
-                    "导路通过 `{}`，而该点不在构件 `{}` 上",
                     word.text,
                     c.link_name(on)
                 );
@@ -319,23 +267,17 @@ fn own(
     };
     if on == c.ground {
         return fault(
-            both!("a guide on the ground has no direction", "机架上的导路没有方向"),
+            both!("a guide on the ground has no direction"),
             both!(
-                "add \"angle\": \"0 deg\" (from the x axis) or \"line\", two points of the ground",
-                "请加上 \"angle\": \"0 deg\"（自 x 轴起），或机架上两点 \"line\""
+                "add \"angle\": \"0 deg\" (from the x axis) or \"line\", two points of the ground"
             ),
         );
     }
     let (Some(Through::Point(point)), Some(pin)) = (through, pin) else {
         return fault(
+            both!("the guide on link `{}` has no direction", c.link_name(on)),
             both!(
-                "the guide on link `{}` has no direction",
-                "构件 `{}` 上的导路没有方向",
-                c.link_name(on)
-            ),
-            both!(
-                "add \"line\", two points of that link, or \"angle\", or the point that it passes \"through\"",
-                "请加上该构件上两点 \"line\"，或 \"angle\"，或所通过的点 \"through\""
+                "add \"line\", two points of that link, or \"angle\", or the point that it passes \"through\""
             ),
         );
     };
@@ -343,15 +285,13 @@ fn own(
     if c.names.links[on.0].points.len() > 1 && !(at(*point) && at(pin)) {
         let message = both!(
             "link `{}` has further points, so its guide through `{}` needs a direction",
-            "构件 `{}` 还有其他点，通过 `{}` 的导路须给定方向",
             c.link_name(on),
             c.point_name(*point)
         );
         return fault(
             message,
             both!(
-                "add \"line\", two points of that link, and \"angle\" where the guide is turned from it",
-                "请加上该构件上两点 \"line\"；导路与其有夹角时再加 \"angle\""
+                "add \"line\", two points of that link, and \"angle\" where the guide is turned from it"
             ),
         );
     }

@@ -9,24 +9,18 @@ pub(super) fn lengths(c: &Context, faults: &mut Faults) -> Vec<Length> {
     let mut out: Vec<Length> = Vec::with_capacity(c.raw.lengths.len());
     let mut known: HashMap<(PointId, PointId), usize> = HashMap::new();
     for (word, quantity) in &c.raw.lengths {
-        let value = c.values.positive_length(
-            quantity,
-            both!("the length `{}`", "长度 `{}` ", word.text),
-            faults,
-        );
+        let value = c.values.positive_length(quantity, both!("the length `{}`", word.text), faults);
         let Some((a, b)) = note(c.names.pair(word), faults) else { continue };
         if c.common(a, b).is_none() {
             let message = both!(
                 "`{}` and `{}` are not on one link, so their distance changes",
-                "`{}` 和 `{}` 不在同一构件上，其距离是变化的",
                 c.point_name(a),
                 c.point_name(b)
             );
             let d = Diagnostic::error("not-on-link", message).at(word.span);
-            faults.push(d.help(both!(
-                "a length that a cylinder sets belongs to its driver: \"length\"",
-                "液压缸的长度应写在原动件中：\"length\""
-            )));
+            faults.push(
+                d.help(both!("a length that a cylinder sets belongs to its driver: \"length\"")),
+            );
             continue;
         }
         let Some(value) = value else { continue };
@@ -36,19 +30,17 @@ pub(super) fn lengths(c: &Context, faults: &mut Faults) -> Vec<Length> {
             let d = if same(first.value.value, value.value) {
                 Diagnostic::warning(
                     "given-twice",
-                    both!("the length `{}` is given twice", "长度 `{}` 给了两次", word.text),
+                    both!("the length `{}` is given twice", word.text),
                 )
-                .help(both!("keep one of the two", "请保留其中一个"))
+                .help(both!("keep one of the two"))
             } else {
                 let message = both!(
                     "the length `{}` is {} here and {} before",
-                    "长度 `{}` 此处为 {}，前面为 {}",
                     word.text,
                     value.text,
                     first.value.text
                 );
-                Diagnostic::error("contradiction", message)
-                    .help(both!("keep the right one", "请保留正确的一个"))
+                Diagnostic::error("contradiction", message).help(both!("keep the right one"))
             };
             faults.push(d.at(word.span));
             continue;

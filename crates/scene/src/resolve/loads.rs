@@ -40,11 +40,8 @@ pub(super) fn loaded(c: &Context, word: &Word, faults: &mut Faults) -> Option<Li
     if link != c.ground {
         return Some(link);
     }
-    let message = both!(
-        "link `{}` is the ground: a load on it moves nothing and is left out",
-        "构件 `{}` 是机架：其上的载荷不影响机构，不予考虑",
-        word.text
-    );
+    let message =
+        both!("link `{}` is the ground: a load on it moves nothing and is left out", word.text);
     faults.push(Diagnostic::note("load-on-ground", message).at(word.span));
     None
 }
@@ -57,7 +54,7 @@ pub(super) fn positive(
     if given.value >= 0.0 {
         return Some(given);
     }
-    let message = both!("{} is {}; it must not be negative", "{}为 {}，不应为负", what, given.text);
+    let message = both!("{} is {}; it must not be negative", what, given.text);
     faults.push(Diagnostic::error("not-positive", message).at(given.span));
     None
 }
@@ -97,14 +94,8 @@ fn mass(
     let weight = optional(c, raw.weight.as_ref(), RequiredQuantity::Force, faults)?;
     if let Some(weight) = &weight {
         let Some([x, y]) = gravity else {
-            let message = both!(
-                "link `{name}` has a weight, but the scene has no gravity",
-                "构件 `{name}` 给出了重量，但机构文件没有重力"
-            );
-            let help = both!(
-                "add \"gravity\": [\"0\", \"-9.81 m/s^2\"]",
-                "请加上 \"gravity\": [\"0\", \"-9.81 m/s^2\"]"
-            );
+            let message = both!("link `{name}` has a weight, but the scene has no gravity");
+            let help = both!("add \"gravity\": [\"0\", \"-9.81 m/s^2\"]");
             faults.push(
                 Diagnostic::error("weight-without-gravity", message).at(weight.span).help(help),
             );
@@ -115,14 +106,8 @@ fn mass(
             (false, true) => format!("abs({})", x.text),
             (false, false) => format!("sqrt(({})^2 + ({})^2)", x.text, y.text),
             (true, true) => {
-                let message = both!(
-                    "link `{name}` has a weight, but gravity is zero",
-                    "构件 `{name}` 给出了重量，但重力为零"
-                );
-                let help = both!(
-                    "give its mass \"m\", or another \"gravity\"",
-                    "请给出质量 \"m\"，或另给 \"gravity\""
-                );
+                let message = both!("link `{name}` has a weight, but gravity is zero");
+                let help = both!("give its mass \"m\", or another \"gravity\"");
                 faults.push(
                     Diagnostic::error("weight-without-gravity", message).at(weight.span).help(help),
                 );
@@ -140,14 +125,11 @@ fn mass(
     let mut j = optional(c, raw.j.as_ref(), RequiredQuantity::Inertia, faults)?;
     if let Some(k) = optional(c, raw.k.as_ref(), RequiredQuantity::Length, faults)? {
         let Some(m) = &m else {
-            let message = both!(
-                "link `{name}` has a radius of gyration, but no mass",
-                "构件 `{name}` 给出了回转半径，但没有质量"
-            );
+            let message = both!("link `{name}` has a radius of gyration, but no mass");
             faults.push(
                 Diagnostic::error("force", message)
                     .at(k.span)
-                    .help(both!("give \"m\" or \"weight\"", "请给出 \"m\" 或 \"weight\"")),
+                    .help(both!("give \"m\" or \"weight\"")),
             );
             return None;
         };
@@ -160,11 +142,8 @@ fn mass(
         )?);
     }
     if m.is_none() && j.is_none() {
-        let message = both!(
-            "link `{name}` has neither a mass nor a moment of inertia",
-            "构件 `{name}` 既没有质量也没有转动惯量"
-        );
-        let help = both!("give \"m\", \"weight\" or \"J\"", "请给出 \"m\"、\"weight\" 或 \"J\"");
+        let message = both!("link `{name}` has neither a mass nor a moment of inertia");
+        let help = both!("give \"m\", \"weight\" or \"J\"");
         faults.push(Diagnostic::error("force", message).at(raw.span).help(help));
         return None;
     }
@@ -173,15 +152,11 @@ fn mass(
         (None, _) if m.as_ref().is_none_or(|m| m.value == 0.0) => None,
         (None, [one]) => Some(*one),
         (None, points) => {
-            let message = both!(
-                "the centre of mass of link `{name}` is not told",
-                "没有说明构件 `{name}` 的质心位置"
-            );
+            let message = both!("the centre of mass of link `{name}` is not told");
             let base: String =
                 points.iter().take(2).map(|p| c.point_name(*p)).collect::<Vec<_>>().join(",");
             let help = both!(
-                "name a point of the link, or give a place in it: \"at\": {{\"base\": \"{base}\", \"x\": \"50 mm\", \"y\": \"0 mm\"}}",
-                "请写构件上的点，或写其在构件上的位置：\"at\": {{\"base\": \"{base}\", \"x\": \"50 mm\", \"y\": \"0 mm\"}}"
+                "name a point of the link, or give a place in it: \"at\": {{\"base\": \"{base}\", \"x\": \"50 mm\", \"y\": \"0 mm\"}}"
             );
             faults.push(Diagnostic::error("mass-without-point", message).at(raw.span).help(help));
             return None;
@@ -201,12 +176,7 @@ pub(super) fn on_link(
     if c.carries(link, point) {
         return Some(point);
     }
-    let message = both!(
-        "point `{}` is not on link `{}`",
-        "点 `{}` 不在构件 `{}` 上",
-        word.text,
-        c.link_name(link)
-    );
+    let message = both!("point `{}` is not on link `{}`", word.text, c.link_name(link));
     faults.push(Diagnostic::error("not-on-link", message).at(word.span).help(c.points_of(link)));
     None
 }
@@ -225,11 +195,7 @@ fn spring(c: &Context, raw: &RawSpring, faults: &mut Faults) -> Option<Spring> {
         match carrier(c, point) {
             Some(link) => Some((point, link)),
             None => {
-                let message = both!(
-                    "point `{}` is on no link: no spring can act there",
-                    "点 `{}` 不在任何构件上，不能连接弹簧",
-                    word.text
-                );
+                let message = both!("point `{}` is on no link: no spring can act there", word.text);
                 faults.push(Diagnostic::error("not-on-link", message).at(word.span));
                 None
             }
@@ -239,14 +205,14 @@ fn spring(c: &Context, raw: &RawSpring, faults: &mut Faults) -> Option<Spring> {
     let stiffness = c
         .values
         .si(&raw.k, RequiredQuantity::Stiffness, faults)
-        .and_then(|k| positive(k, both!("the stiffness", "刚度"), faults));
+        .and_then(|k| positive(k, both!("the stiffness"), faults));
     let free = c
         .values
         .si(&raw.free, RequiredQuantity::Length, faults)
-        .and_then(|l| positive(l, both!("the free length", "自由长度"), faults));
+        .and_then(|l| positive(l, both!("the free length"), faults));
     let ends = [from?, to?];
     if ends[0].0 == ends[1].0 {
-        let message = both!("both ends of the spring are `{}`", "弹簧两端都是 `{}`", raw.from.text);
+        let message = both!("both ends of the spring are `{}`", raw.from.text);
         faults.push(Diagnostic::error("same-point", message).at(raw.span));
         return None;
     }
@@ -263,17 +229,13 @@ fn balance(c: &Context, raw: &RawBalance, faults: &mut Faults) -> Option<Balance
         None
     };
     if c.raw.drivers.len() > 1 {
-        let message = both!(
-            "with several drivers each has a balancing moment of its own",
-            "有多个原动件时，各有其平衡力矩"
-        );
-        return fault(message, both!("leave \"balance\" out", "请去掉 \"balance\""), faults);
+        let message = both!("with several drivers each has a balancing moment of its own");
+        return fault(message, both!("leave \"balance\" out"), faults);
     }
     let Some(link) = link.filter(|l| *l != c.ground) else {
-        let message = both!("\"balance\" names no moving link", "\"balance\" 没有写明活动构件");
+        let message = both!("\"balance\" names no moving link");
         let help = both!(
-            "write {{\"link\": \"1\"}} for a moment, or {{\"at\": \"B\", \"angle\": \"-30 deg\"}} for a force",
-            "力矩写 {{\"link\": \"1\"}}，力写 {{\"at\": \"B\", \"angle\": \"-30 deg\"}}"
+            "write {{\"link\": \"1\"}} for a moment, or {{\"at\": \"B\", \"angle\": \"-30 deg\"}} for a force"
         );
         return fault(message, help, faults);
     };
@@ -283,24 +245,13 @@ fn balance(c: &Context, raw: &RawBalance, faults: &mut Faults) -> Option<Balance
             Some(Balance { link, force: Some((point, angle)), span: raw.span })
         }
         (Some(point), Some(_)) => {
-            let message = both!(
-                "point `{}` is not on link `{}`",
-                "点 `{}` 不在构件 `{}` 上",
-                c.point_name(point),
-                c.link_name(link)
-            );
+            let message =
+                both!("point `{}` is not on link `{}`", c.point_name(point), c.link_name(link));
             fault(message, c.points_of(link), faults)
         }
         (None, Some(_)) | (Some(_), None) => {
-            let message = both!(
-                "a balancing force has a point \"at\" and a direction \"angle\"",
-                "平衡力要有作用点 \"at\" 和方向 \"angle\""
-            );
-            fault(
-                message,
-                both!("give both, or neither for a moment", "请两者都给；力矩则都不给"),
-                faults,
-            )
+            let message = both!("a balancing force has a point \"at\" and a direction \"angle\"");
+            fault(message, both!("give both, or neither for a moment"), faults)
         }
     }
 }

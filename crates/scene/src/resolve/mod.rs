@@ -64,13 +64,8 @@ impl Context<'_> {
         if self.carries(link, centre) {
             return Some(centre);
         }
-        let message = both!(
-            "centre `{}` is not on link `{}`, {}",
-            "圆心 `{}` 不在构件 `{}` 上，{}",
-            word.text,
-            self.link_name(link),
-            why
-        );
+        let message =
+            both!("centre `{}` is not on link `{}`, {}", word.text, self.link_name(link), why);
         faults.push(
             Diagnostic::error("not-on-link", message).at(word.span).help(self.points_of(link)),
         );
@@ -106,15 +101,10 @@ impl Context<'_> {
     /// Returns the points of a link, for a help line.
     fn points_of(&self, l: LinkId) -> Both {
         match self.names.links[l.0].points.as_slice() {
-            [] => both!("link `{}` has no points", "构件 `{}` 没有点", self.link_name(l)),
+            [] => both!("link `{}` has no points", self.link_name(l)),
             points => {
                 let names: Vec<_> = points.iter().map(|p| self.point_name(*p)).collect();
-                both!(
-                    "link `{}` has {}",
-                    "构件 `{}` 有点 {}",
-                    self.link_name(l),
-                    Both::names(&names)
-                )
+                both!("link `{}` has {}", self.link_name(l), Both::names(&names))
             }
         }
     }
@@ -127,7 +117,6 @@ impl Context<'_> {
             Some(p) => {
                 let message = both!(
                     "point `{}` is not on link `{}`",
-                    "点 `{}` 不在构件 `{}` 上",
                     self.point_name(p),
                     self.link_name(link)
                 );

@@ -31,11 +31,8 @@ pub(super) fn paper(raw: &RawScene, values: &Values, book: &Book, faults: &mut F
         let given = values.si(q, wanted, faults)?;
         if given.value <= 0.0 {
             faults.push(
-                Diagnostic::error(
-                    "not-positive",
-                    both!("`{key}` must be greater than zero", "`{key}` 应大于零"),
-                )
-                .at(q.span),
+                Diagnostic::error("not-positive", both!("`{key}` must be greater than zero"))
+                    .at(q.span),
             );
             return None;
         }
@@ -62,18 +59,16 @@ pub(super) fn paper(raw: &RawScene, values: &Values, book: &Book, faults: &mut F
 
 /// Returns the pencil error, in mm.
 pub(crate) fn pencil_mm(q: &RawQuantity, values: &Values, faults: &mut Faults) -> Option<f64> {
-    let given = values.positive_length(q, both!("the pencil error", "作图误差"), faults)?;
+    let given = values.positive_length(q, both!("the pencil error"), faults)?;
     let mm = given.value * 1000.0;
     if mm > BLUNTEST_MM {
-        let message = both!(
-            "a pencil error of {}; no pencil is blunter than {BLUNTEST_MM} mm",
-            "作图误差为 {}；铅笔再钝也不超过 {BLUNTEST_MM} mm",
-            given.text
+        let message =
+            both!("a pencil error of {}; no pencil is blunter than {BLUNTEST_MM} mm", given.text);
+        faults.push(
+            Diagnostic::error("pencil", message).at(q.span).help(both!(
+                "a careful hand draws within \"0.1 mm\", a hasty one within \"0.5 mm\""
+            )),
         );
-        faults.push(Diagnostic::error("pencil", message).at(q.span).help(both!(
-            "a careful hand draws within \"0.1 mm\", a hasty one within \"0.5 mm\"",
-            "仔细作图的误差约为 \"0.1 mm\"，草草作图约为 \"0.5 mm\""
-        )));
         return None;
     }
     Some(mm)
@@ -88,15 +83,11 @@ fn named(word: &Word, faults: &mut Faults) -> Option<[f64; 2]> {
         _ => None,
     };
     let (Some((_, [w, h])), Some(landscape)) = (sheet, landscape) else {
-        let d = Diagnostic::error(
-            "paper",
-            both!("there is no paper size `{}`", "没有图纸幅面 `{}`", word.text),
-        )
-        .at(word.span);
+        let d = Diagnostic::error("paper", both!("there is no paper size `{}`", word.text))
+            .at(word.span);
         let known: Vec<_> = SHEETS.iter().map(|(s, _)| *s).collect();
         faults.push(d.help(both!(
             "write one of {}, with \" landscape\" where it lies, or [\"200 mm\", \"150 mm\"]",
-            "请写 {} 之一，横放时加 \" landscape\"，或写 [\"200 mm\", \"150 mm\"]",
             Both::names(&known)
         )));
         return None;
@@ -111,7 +102,6 @@ fn sides_mm(sides: &[RawQuantity; 2], values: &Values, faults: &mut Faults) -> O
         if !(SIDES_MM[0]..=SIDES_MM[1]).contains(&mm) {
             let message = both!(
                 "a side of {mm} mm; paper has sides from {} mm to {} mm",
-                "边长为 {mm} mm；图纸的边长应在 {} mm 到 {} mm 之间",
                 SIDES_MM[0],
                 SIDES_MM[1]
             );
@@ -124,13 +114,12 @@ fn sides_mm(sides: &[RawQuantity; 2], values: &Values, faults: &mut Faults) -> O
 
 /// Returns the width of a page, in mm.
 pub(super) fn width_mm(q: &RawQuantity, values: &Values, faults: &mut Faults) -> Option<f64> {
-    let given = values.positive_length(q, both!("the width", "宽度"), faults)?;
+    let given = values.positive_length(q, both!("the width"), faults)?;
     let mm = given.value * 1000.0;
     if !(SIDES_MM[0]..=SIDES_MM[1]).contains(&mm) {
-        let message = both!("a side of {}", "边长为 {}", given.text);
+        let message = both!("a side of {}", given.text);
         faults.push(Diagnostic::error("paper", message).at(q.span).help(both!(
             "give {} mm to {} mm, such as \"80 mm\" for a column of a book",
-            "请取 {} mm 到 {} mm，如书的一栏 \"80 mm\"",
             SIDES_MM[0],
             SIDES_MM[1]
         )));
@@ -145,12 +134,9 @@ pub(super) fn language(raw: &RawScene, faults: &mut Faults) -> Option<Lang> {
         Some(lang) => Some(lang),
         None => {
             let other = &word.text;
-            let d = Diagnostic::error(
-                "language",
-                both!("there is no language `{other}`", "没有语言 `{other}`"),
-            )
-            .at(word.span);
-            faults.push(d.help(both!("write \"en\" or \"zh\"", "请写 \"en\" 或 \"zh\"")));
+            let d = Diagnostic::error("language", both!("there is no language `{other}`"))
+                .at(word.span);
+            faults.push(d.help(both!("write \"en\" or \"zh\"")));
             None
         }
     }
@@ -161,11 +147,8 @@ pub(super) fn notation(raw: &RawScene, faults: &mut Faults) -> Option<String> {
     if ["en", "cn"].contains(&word.text.as_str()) {
         return Some(word.text.clone());
     }
-    let d = Diagnostic::error(
-        "notation",
-        both!("there is no notation `{}`", "没有记号体系 `{}`", word.text),
-    )
-    .at(word.span);
-    faults.push(d.help(both!("write \"en\" or \"cn\"", "请写 \"en\" 或 \"cn\"")));
+    let d =
+        Diagnostic::error("notation", both!("there is no notation `{}`", word.text)).at(word.span);
+    faults.push(d.help(both!("write \"en\" or \"cn\"")));
     None
 }

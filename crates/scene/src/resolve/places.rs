@@ -41,7 +41,7 @@ fn place(
         }
         RawPlace::Polar { base, length, angle } => {
             let base = self_or_base(c, point, base, faults);
-            let length = c.values.positive_length(length, both!("the length", "长度"), faults);
+            let length = c.values.positive_length(length, both!("the length"), faults);
             let angle = c.values.angle(angle, faults);
             Some(PointPlace::Polar { base: base?, length: length?, angle: angle? })
         }
@@ -60,10 +60,10 @@ fn self_or_base(
     if point == a || point == b {
         let d = Diagnostic::error(
             "same-point",
-            both!("`{}` cannot be its own base", "`{}` 不能以自身为基准", c.point_name(point)),
+            both!("`{}` cannot be its own base", c.point_name(point)),
         )
         .at(word.span);
-        faults.push(d.help(both!("name two other points of its link", "请写该构件上的另外两点")));
+        faults.push(d.help(both!("name two other points of its link")));
         return None;
     }
     let link = (0..c.names.links.len())
@@ -72,7 +72,6 @@ fn self_or_base(
     if link.is_none() {
         let message = both!(
             "no link has all of `{}`, `{}` and `{}`",
-            "没有构件同时含有 `{}`、`{}` 和 `{}`",
             c.point_name(a),
             c.point_name(b),
             c.point_name(point)
@@ -106,15 +105,13 @@ fn circular(c: &Context, places: &mut [PointPlace], faults: &mut Faults) {
                     .iter()
                     .find(|(w, _)| w.text == c.names.points[p].name)
                     .map_or(span, |(w, _)| w.span);
-                let message = both!(
-                    "the place of `{}` is given by way of itself",
-                    "`{}` 的位置循环给定",
-                    c.point_name(PointId(p))
+                let message =
+                    both!("the place of `{}` is given by way of itself", c.point_name(PointId(p)));
+                faults.push(
+                    Diagnostic::error("circular", message)
+                        .at(span)
+                        .help(both!("take a base of points that are known without it")),
                 );
-                faults.push(Diagnostic::error("circular", message).at(span).help(both!(
-                    "take a base of points that are known without it",
-                    "请以不依赖它的已知点为基准"
-                )));
                 // Each circle is reported once; without this place it is open.
                 places[p] = PointPlace::Unknown;
                 state[p] = 2;
@@ -182,14 +179,11 @@ fn contradictions(c: &Context, lengths: &[Length], places: &[PointPlace], faults
             let apart = short(distance * unit.denominator / unit.numerator);
             let message = both!(
                 "{a} and {b} lie {apart} {} apart by their coordinates, but {} is given",
-                "按坐标 {a} 与 {b} 相距 {apart} {}，而给定长度为 {}",
                 unit.name,
                 length.value.text
             );
             let d = Diagnostic::error("contradiction", message).at(length.value.span);
-            faults.push(
-                d.help(both!("leave the length or the coordinates away", "请去掉长度或坐标")),
-            );
+            faults.push(d.help(both!("leave the length or the coordinates away")));
         }
     }
 }
@@ -235,14 +229,9 @@ pub(super) fn sides(c: &Context, faults: &mut Faults) -> Vec<Side> {
             Some((side == "left", line.trim()))
         });
         let Some((left, line)) = parts else {
-            let d = Diagnostic::error(
-                "side",
-                both!("`{text}` does not say a side", "`{text}` 没有说明在哪一侧"),
-            )
-            .at(said.span);
+            let d = Diagnostic::error("side", both!("`{text}` does not say a side")).at(said.span);
             faults.push(d.help(both!(
-                "write \"left of BD\" or \"right of BD\", as seen looking from B to D",
-                "请写 \"left of BD\"（由 B 向 D 看，在左侧）或 \"right of BD\"（在右侧）"
+                "write \"left of BD\" or \"right of BD\", as seen looking from B to D"
             )));
             continue;
         };
@@ -253,16 +242,10 @@ pub(super) fn sides(c: &Context, faults: &mut Faults) -> Vec<Side> {
         if point == from || point == to {
             let d = Diagnostic::error(
                 "side",
-                both!(
-                    "`{}` lies on the line `{line}` itself",
-                    "`{}` 就在直线 `{line}` 上",
-                    word.text
-                ),
+                both!("`{}` lies on the line `{line}` itself", word.text),
             )
             .at(said.span);
-            faults.push(
-                d.help(both!("name a line through two other points", "请写通过另外两点的直线")),
-            );
+            faults.push(d.help(both!("name a line through two other points")));
             continue;
         }
         out.push(Side { point, left, from, to, span: said.span });

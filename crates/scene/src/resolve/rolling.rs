@@ -64,16 +64,9 @@ fn pair(
     let phase = raw.phase.as_ref().map(|q| c.values.angle_in_full(q, faults));
     let [Some(a), Some(b)] = sides[..] else { return None };
     if a.link == b.link {
-        let message = both!(
-            "link `{}` cannot roll on itself",
-            "构件 `{}` 不能在自身上滚动",
-            c.link_name(a.link)
-        );
-        faults.push(
-            Diagnostic::error("rolling", message)
-                .at(raw.span)
-                .help(both!("name two links", "请写两个构件")),
-        );
+        let message = both!("link `{}` cannot roll on itself", c.link_name(a.link));
+        faults
+            .push(Diagnostic::error("rolling", message).at(raw.span).help(both!("name two links")));
         return None;
     }
     let elsewhere = |at: &PointId| {
@@ -83,12 +76,10 @@ fn pair(
     if let Some(&at) = at.iter().find(|at| elsewhere(at)) {
         let message = both!(
             "`{}` is the point of contact: it is found from the centres, and no link carries it",
-            "`{}` 是接触点：由圆心确定，不属于任何构件",
             c.point_name(at)
         );
         let help = both!(
             "give \"at\" a name of its own, or take `{0}` out of \"links\" and \"points\"",
-            "请给 \"at\" 另取名称，或从 \"links\"、\"points\" 中去掉 `{0}`",
             c.point_name(at)
         );
         faults.push(
@@ -105,15 +96,10 @@ fn pair(
     if let Some(q) = &raw.phase
         && [a, b].iter().all(|side| angle_is_fixed(c, side.link, places))
     {
-        let message = both!(
-            "`phase` is given, but coordinates or a driver say how both wheels stand",
-            "给了 `phase`，而坐标或原动件已确定两轮的位置"
-        );
+        let message =
+            both!("`phase` is given, but coordinates or a driver say how both wheels stand");
         let d = Diagnostic::error("phase", message).at(q.span);
-        faults.push(d.help(both!(
-            "leave the phase away, or what says how one of them stands",
-            "请去掉 phase，或去掉确定其中一轮位置的数据"
-        )));
+        faults.push(d.help(both!("leave the phase away, or what says how one of them stands")));
         return None;
     }
     let wheel = b.centre?;
@@ -185,12 +171,7 @@ fn side(c: &Context, raw: &RawRollingSide, faults: &mut Faults) -> Option<PairSi
     };
     let centre = match &raw.centre {
         None => None,
-        Some(word) => Some(c.centre_on(
-            word,
-            link,
-            both!("which carries the circle", "而圆在该构件上"),
-            faults,
-        )?),
+        Some(word) => Some(c.centre_on(word, link, both!("which carries the circle"), faults)?),
     };
     Some(PairSide { link, centre })
 }
@@ -207,18 +188,10 @@ fn straight(
     let angle = raw.angle.as_ref().map(|q| c.values.angle(q, faults));
     let radius = match &raw.sizes {
         RawSizes::Radii(radii) => match &radii[..] {
-            [r] => {
-                c.values.positive_length(r, both!("the radius of the wheel", "轮的半径"), faults)
-            }
+            [r] => c.values.positive_length(r, both!("the radius of the wheel"), faults),
             _ => {
-                let d = Diagnostic::error(
-                    "wrong-count",
-                    both!("a gear on a rack has one radius", "齿轮齿条副只有一个半径"),
-                );
-                faults.push(d.at(raw.span).help(both!(
-                    "a rack has none: write that of the gear",
-                    "齿条没有半径：请写齿轮的半径"
-                )));
+                let d = Diagnostic::error("wrong-count", both!("a gear on a rack has one radius"));
+                faults.push(d.at(raw.span).help(both!("a rack has none: write that of the gear")));
                 None
             }
         },
@@ -226,7 +199,7 @@ fn straight(
             ([z], Some(module)) => {
                 let (z, module) = (
                     whole(c, z, faults)?,
-                    c.values.positive_length(module, both!("the module", "模数"), faults)?,
+                    c.values.positive_length(module, both!("the module"), faults)?,
                 );
                 let text = format!("({})*{z}/2", module.text);
                 Some(GivenQuantity {
@@ -239,25 +212,20 @@ fn straight(
             _ => {
                 let d = Diagnostic::error(
                     "gear-size",
-                    both!(
-                        "a gear on a rack has one number of teeth and a `module`",
-                        "齿轮齿条副须给一个齿数和 `module`"
-                    ),
+                    both!("a gear on a rack has one number of teeth and a `module`"),
                 );
-                faults.push(d.at(raw.span).help(both!(
-                    "give \"teeth\": [20] and \"module\", or \"radii\"",
-                    "请给出 \"teeth\": [20] 与 \"module\"，或给出 \"radii\""
-                )));
+                faults.push(
+                    d.at(raw.span).help(both!("give \"teeth\": [20] and \"module\", or \"radii\"")),
+                );
                 None
             }
         },
     };
     if let Some(q) = &raw.phase {
-        let message = both!("a straight track has no `phase`", "直线轨道没有 `phase`");
+        let message = both!("a straight track has no `phase`");
         let d = Diagnostic::error("phase", message).at(q.span);
         faults.push(d.help(both!(
-            "leave it away; coordinates of two points of the wheel say how it stands",
-            "请去掉；轮上两点的坐标可说明其位置"
+            "leave it away; coordinates of two points of the wheel say how it stands"
         )));
         return None;
     }
@@ -272,21 +240,14 @@ fn straight(
             let d = Diagnostic::error(
                 "no-direction",
                 match raw.kind.is_flexible() {
-                    true => both!(
-                        "the rope of load `{}` has no direction",
-                        "牵引构件 `{}` 的绳没有方向",
-                        c.link_name(on)
-                    ),
-                    false => both!(
-                        "the straight track on link `{}` has no direction",
-                        "构件 `{}` 上的直线轨道没有方向",
-                        c.link_name(on)
-                    ),
+                    true => both!("the rope of load `{}` has no direction", c.link_name(on)),
+                    false => {
+                        both!("the straight track on link `{}` has no direction", c.link_name(on))
+                    }
                 },
             );
             faults.push(d.at(raw.span).help(both!(
-                "add \"angle\": \"0 deg\" or \"line\", two points of that link; the wheel lies to the left, looking along it",
-                "请加上 \"angle\": \"0 deg\"，或该构件上两点 \"line\"；沿该方向看，轮在左侧"
+                "add \"angle\": \"0 deg\" or \"line\", two points of that link; the wheel lies to the left, looking along it"
             )));
             return None;
         }
@@ -353,15 +314,12 @@ fn round(
     ];
     for (key, given) in of_a_line {
         if let Some(span) = given {
-            let message = both!("two circles have no `{key}`", "两圆相切没有 `{key}`");
+            let message = both!("two circles have no `{key}`");
             faults.push(Diagnostic::error("rolling", message).at(span).help(
                 if raw.kind == RollingKind::Gears {
-                    both!("leave it away, or name the \"rack\"", "请去掉，或写明 \"rack\"")
+                    both!("leave it away, or name the \"rack\"")
                 } else {
-                    both!(
-                        "leave it away, or the \"track\" if it is straight",
-                        "请去掉；若轨道是直线，请去掉 \"track\""
-                    )
+                    both!("leave it away, or the \"track\" if it is straight")
                 },
             ));
         }
@@ -370,21 +328,16 @@ fn round(
     let (sizes, radius) = match &raw.sizes {
         RawSizes::Radii(radii) => {
             let [a, b] = &radii[..] else {
-                let d = Diagnostic::error(
-                    "wrong-count",
-                    both!("two gears have two pitch radii", "两齿轮须有两个节圆半径"),
-                )
-                .at(raw.span);
-                faults.push(
-                    d.help(both!("write them in the order of the centres", "请按圆心的顺序写出")),
-                );
+                let d = Diagnostic::error("wrong-count", both!("two gears have two pitch radii"))
+                    .at(raw.span);
+                faults.push(d.help(both!("write them in the order of the centres")));
                 return None;
             };
             let what = || {
                 if raw.kind == RollingKind::Gears {
-                    both!("a pitch radius", "节圆半径")
+                    both!("a pitch radius")
                 } else {
-                    both!("a radius", "半径")
+                    both!("a radius")
                 }
             };
             let (a, b) = (
@@ -398,14 +351,10 @@ fn round(
         }
         RawSizes::Teeth(teeth, module) => {
             let [a, b] = &teeth[..] else {
-                let d = Diagnostic::error(
-                    "wrong-count",
-                    both!("two gears have two numbers of teeth", "两齿轮须有两个齿数"),
-                )
-                .at(raw.span);
-                faults.push(
-                    d.help(both!("write them in the order of the centres", "请按圆心的顺序写出")),
-                );
+                let d =
+                    Diagnostic::error("wrong-count", both!("two gears have two numbers of teeth"))
+                        .at(raw.span);
+                faults.push(d.help(both!("write them in the order of the centres")));
                 return None;
             };
             let (za, zb) = (whole(c, a, faults), whole(c, b, faults));
@@ -416,7 +365,7 @@ fn round(
                 // Shifted gears run at the given distance of their centres.
                 Some(_) if raw.flanks.shift.is_some() => (Sizes::Teeth([za, zb]), None),
                 Some(module) => {
-                    c.values.positive_length(module, both!("the module", "模数"), faults)?;
+                    c.values.positive_length(module, both!("the module"), faults)?;
                     let radius = |z: u32, q: &RawQuantity| {
                         let m = c.values.si(
                             module,
@@ -455,15 +404,10 @@ fn larger(
     let name = raw.sides[i].link.as_ref().map_or(c.link_name(c.ground), |w| &w.text);
     let d = Diagnostic::error(
         "ring-too-small",
-        both!(
-            "link `{name}` is hollow, but not larger than what rolls inside it",
-            "构件 `{name}` 为内圆，却不大于其中滚动的圆"
-        ),
+        both!("link `{name}` is hollow, but not larger than what rolls inside it"),
     );
-    faults.push(d.at(raw.span).help(both!(
-        "its radius (or number of teeth) must be the larger one",
-        "其半径（或齿数）应为较大者"
-    )));
+    faults
+        .push(d.at(raw.span).help(both!("its radius (or number of teeth) must be the larger one")));
     None
 }
 
@@ -525,14 +469,12 @@ fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<F
         }
         RawSizes::Teeth(..) | RawSizes::Radii(_) => {
             let Some(first) = any else { return Some(None) };
-            let message = both!(
-                "flanks are given of a pair without `teeth`",
-                "给出了齿廓参数，但该副没有给出 `teeth`"
+            let message = both!("flanks are given of a pair without `teeth`");
+            faults.push(
+                Diagnostic::error("gear-flanks", message)
+                    .at(first.span)
+                    .help(both!("give \"teeth\": [20, 40], or leave the flanks away")),
             );
-            faults.push(Diagnostic::error("gear-flanks", message).at(first.span).help(both!(
-                "give \"teeth\": [20, 40], or leave the flanks away",
-                "请给出 \"teeth\": [20, 40]，或去掉齿廓参数"
-            )));
             return None;
         }
     };
@@ -544,14 +486,7 @@ fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<F
         None => Some(20.0_f64.to_radians()),
         Some(q) => match c.values.angle(q, &mut Faults::default()).map(|a| a.value.radians()) {
             Some(a) if a > 0.0 && a <= STEEPEST_RAD => Some(a),
-            _ => wrong(
-                q,
-                both!(
-                    "`{}` is no pressure angle: above 0, at most 45 deg",
-                    "`{}` 不能作压力角：应大于 0 且不超过 45 deg",
-                    q.text
-                ),
-            ),
+            _ => wrong(q, both!("`{}` is no pressure angle: above 0, at most 45 deg", q.text)),
         },
     };
     let number = |q: &RawQuantity| {
@@ -565,14 +500,7 @@ fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<F
     let mut part = |q: &Option<RawQuantity>, usual: f64, least: f64| match q {
         None => Some(usual),
         Some(q) => number(q).filter(|x| *x >= least && *x <= 3.0).or_else(|| {
-            wrong(
-                q,
-                both!(
-                    "`{}` is no part of a module: a number from {least} to 3",
-                    "`{}` 不是模数的倍数：应为 {least} 到 3 的数",
-                    q.text
-                ),
-            )
+            wrong(q, both!("`{}` is no part of a module: a number from {least} to 3", q.text))
         }),
     };
     let (addendum, clearance) = (part(addendum, 1.0, 0.1), part(clearance, 0.25, 0.0));
@@ -583,11 +511,7 @@ fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<F
             number(q).filter(|x| x.abs() <= 5.0).or_else(|| {
                 wrong(
                     q,
-                    both!(
-                        "`{}` is no profile shift: a number from −5 to 5, in modules",
-                        "`{}` 不是变位系数：应为 −5 到 5 的数",
-                        q.text
-                    ),
+                    both!("`{}` is no profile shift: a number from −5 to 5, in modules", q.text),
                 )
             })
         })
@@ -597,9 +521,9 @@ fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<F
         wrong(
             extra,
             if most == 1 {
-                both!("a gear on a rack has one profile shift", "齿轮齿条副只有一个变位系数")
+                both!("a gear on a rack has one profile shift")
             } else {
-                both!("two gears have two profile shifts", "两个齿轮只有两个变位系数")
+                both!("two gears have two profile shifts")
             },
         );
     }
@@ -634,12 +558,7 @@ pub(super) fn whole(c: &Context, q: &RawQuantity, faults: &mut Faults) -> Option
     if z.fract() == 0.0 && (1.0..=f64::from(MOST_TEETH)).contains(&z) {
         return Some(z as u32);
     }
-    let d =
-        Diagnostic::error("teeth", both!("`{}` is no number of teeth", "`{}` 不是齿数", q.text))
-            .at(q.span);
-    faults.push(d.help(both!(
-        "write a whole number from 1 to {MOST_TEETH}",
-        "请写 1 到 {MOST_TEETH} 的整数"
-    )));
+    let d = Diagnostic::error("teeth", both!("`{}` is no number of teeth", q.text)).at(q.span);
+    faults.push(d.help(both!("write a whole number from 1 to {MOST_TEETH}")));
     None
 }

@@ -119,10 +119,7 @@ impl<'a> StatementReader<'a, '_> {
                 _ => {}
             }
             if depth > DEEPEST {
-                let message = both!(
-                    "braces of a formula are nested more than {DEEPEST} deep",
-                    "公式中花括号的嵌套超过 {DEEPEST} 层"
-                );
+                let message = both!("braces of a formula are nested more than {DEEPEST} deep");
                 self.faults.push(Diagnostic::error("formula", message).at(self.place(place)));
                 return None;
             }
@@ -191,23 +188,18 @@ impl<'a> StatementReader<'a, '_> {
         }
         let d = Diagnostic::error(
             "unknown-parameter",
-            both!(
-                "`{{{name}}}` in the statement names no parameter",
-                "题文中的 `{{{name}}}` 不是参数名"
-            ),
+            both!("`{{{name}}}` in the statement names no parameter"),
         )
         .at(self.place(place));
         let known = self.parameters.iter().map(|p| p.0.as_str());
         let there = if self.parameters.is_empty() {
-            both!("the scene has no \"parameters\"", "机构文件没有 \"parameters\"")
+            both!("the scene has no \"parameters\"")
         } else {
-            suggest(name, known, both!("the parameters are", "可用的参数有"))
+            suggest(name, known, both!("the parameters are"))
         };
-        self.faults.push(d.help(both!(
-            "{}; braces that are to be printed are doubled: `{{{{{name}}}}}`",
-            "{}；要印出的花括号写两个：`{{{{{name}}}}}`",
-            there
-        )));
+        self.faults.push(
+            d.help(both!("{}; braces that are to be printed are doubled: `{{{{{name}}}}}`", there)),
+        );
     }
 
     /// Converts a place in the text to a place in the file; for a string with escapes, the place of

@@ -257,11 +257,7 @@ impl Compiler<'_> {
 pub(super) fn no_kernel(find: &Find) -> NoKernel {
     Diagnostic::note(
         "no-kernel",
-        both!(
-            "{} has no compiled form: each position is solved by itself",
-            "{} 不能预编译，逐位置求解（较慢）",
-            find.text
-        ),
+        both!("{} has no compiled form: each position is solved by itself", find.text),
     )
     .at(find.span)
 }

@@ -208,13 +208,7 @@ impl Compiler<'_> {
     /// The message that a follower leads a quantity without an operation.
     fn not_led(&self, d: usize) -> NoKernel {
         let name = self.scene.driver_name(d).0;
-        Diagnostic::note(
-            "no-kernel",
-            both!(
-                "what {name} moves has no compiled form",
-                "{name} 所带动的构件不能预编译，逐位置求解（较慢）"
-            ),
-        )
+        Diagnostic::note("no-kernel", both!("what {name} moves has no compiled form"))
     }
 
     /// A driver that is led by a cam on the swept one.

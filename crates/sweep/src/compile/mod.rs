@@ -244,7 +244,6 @@ impl<'a> Compiler<'a> {
         let (links, pins, kind) = (Both::names(&names), Both::names(&pins), g.kind());
         let message = both!(
             "links {} with joints {} ({kind}) have no compiled form: the mechanism is followed by Newton's method from position to position",
-            "构件 {} 与铰链 {} 不能预编译，用牛顿法逐位置求解（较慢）",
             links,
             pins
         );
@@ -308,11 +307,7 @@ impl<'a> Compiler<'a> {
     fn lost(&self, l: LinkId) -> NoKernel {
         Diagnostic::note(
             "no-kernel",
-            both!(
-                "link {} has no compiled form",
-                "构件 {} 不能预编译，逐位置求解（较慢）",
-                self.scene.link_name(l)
-            ),
+            both!("link {} has no compiled form", self.scene.link_name(l)),
         )
         .at(self.scene.links[l.0].span)
     }
@@ -340,11 +335,7 @@ impl<'a> Compiler<'a> {
             .carriers(p)
             .find(|l| !self.m.is_passive(*l) && self.at.shapes.local(*l, p).is_some());
         let Some((l, local)) = carrier.and_then(|l| Some((l, self.at.shapes.local(l, p)?))) else {
-            let message = both!(
-                "point {} has no compiled form",
-                "点 {} 不能预编译，逐位置求解（较慢）",
-                self.scene.point_name(p)
-            );
+            let message = both!("point {} has no compiled form", self.scene.point_name(p));
             return Err(Diagnostic::note("no-kernel", message));
         };
         let pair = self.spot(MovingPoint::Fixed(l, local), level)?;

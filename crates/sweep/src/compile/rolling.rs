@@ -255,15 +255,12 @@ impl Compiler<'_> {
                 let (a, b) = (self.scene.point_name(a), self.scene.point_name(b));
                 Diagnostic::note(
                     "no-kernel",
-                    both!(
-                        "the turns of line {a}{b} cannot be counted beforehand",
-                        "直线 {a}{b} 的转数无法预先确定"
-                    ),
+                    both!("the turns of line {a}{b} cannot be counted beforehand"),
                 )
             }
             AngleSource::Driver(d) => Diagnostic::note(
                 "no-kernel",
-                both!("{} does not turn", "{} 不转动", self.scene.driver_name(d).0),
+                both!("{} does not turn", self.scene.driver_name(d).0),
             ),
         }
     }

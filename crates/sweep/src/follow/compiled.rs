@@ -64,16 +64,11 @@ impl Follow for Compiled<'_> {
         let scene = self.placed.scene;
         let names: Vec<_> = self.program.tracks.iter().map(|t| scene.link_name(t.link)).collect();
         let until = last.map_or(Both::default(), |last| {
-            both!(" beyond {}", "在 {} 以后", driver_words(scene, self.driver, last.value))
+            both!(" beyond {}", driver_words(scene, self.driver, last.value))
         });
         Diagnostic::error(
             "limit",
-            both!(
-                "the group of link {} cannot be assembled{}",
-                "构件 {} 所在杆组{}不能装配",
-                Both::names(&names),
-                until
-            ),
+            both!("the group of link {} cannot be assembled{}", Both::names(&names), until),
         )
         .into()
     }

@@ -174,13 +174,11 @@ impl<'a> PoseFollower<'a> {
         let note = Diagnostic::note(
             "three-turns",
             both!(
-                "the motion is shown from t = {from} s to {to} s: there a driver has made three turns",
-                "运动只演示 t = {from} s 至 {to} s：原动件至此已转过三周"
+                "the motion is shown from t = {from} s to {to} s: there a driver has made three turns"
             ),
         );
         Some(note.help(both!(
-            "for other times give another instant, or `sweep --over t` with --from and --to",
-            "如需其他时间，请改变瞬时，或用 `sweep --over t` 及 --from、--to"
+            "for other times give another instant, or `sweep --over t` with --from and --to"
         )))
     }
 

@@ -226,23 +226,13 @@ impl Follow for DrivenMechanism<'_> {
     fn stopped(&self, last: Option<&PoseHistory>, toward: f64) -> Faults {
         let words = |value| general::driver_words(self.placed.scene, self.driver, value);
         let message = match last.map(|last| (last, self.end(last))) {
-            Some((_, Some(limit))) => both!(
-                "the mechanism cannot be assembled beyond {}",
-                "机构在 {} 以后不能装配",
-                words(limit.value)
-            ),
-            Some((last, None)) => {
-                both!(
-                    "the mechanism cannot be followed beyond {}",
-                    "机构的运动在 {} 以后无法跟踪",
-                    words(last.now.travel)
-                )
+            Some((_, Some(limit))) => {
+                both!("the mechanism cannot be assembled beyond {}", words(limit.value))
             }
-            None => both!(
-                "the mechanism cannot be followed to {}",
-                "机构的运动无法跟踪到 {}",
-                words(toward)
-            ),
+            Some((last, None)) => {
+                both!("the mechanism cannot be followed beyond {}", words(last.now.travel))
+            }
+            None => both!("the mechanism cannot be followed to {}", words(toward)),
         };
         Diagnostic::error("limit", message).into()
     }

@@ -39,14 +39,9 @@ pub(super) fn read(form: &TaskForm) -> Option<Option<Among>> {
         (true, true) => {
             let d = Diagnostic::error(
                 "wrong-given",
-                both!(
-                    "\"box\" and \"angles\" are two ways to choose",
-                    "\"box\" 与 \"angles\" 是两种选法"
-                ),
+                both!("\"box\" and \"angles\" are two ways to choose"),
             );
-            form.fault(
-                d.at(form.span("angles")).help(both!("keep one of the two", "请保留其中一个")),
-            );
+            form.fault(d.at(form.span("angles")).help(both!("keep one of the two")));
             None
         }
         (true, false) => {
@@ -55,12 +50,10 @@ pub(super) fn read(form: &TaskForm) -> Option<Option<Among>> {
             let (p, q) = (corner("from"), corner("to"));
             let (p, q) = (p?, q?);
             if p.x == q.x || p.y == q.y {
-                let d =
-                    Diagnostic::error("out-of-range", both!("the box has no area", "方框面积为零"));
-                form.fault(d.at(form.span("box")).help(both!(
-                    "\"from\" and \"to\" are opposite corners",
-                    "\"from\" 与 \"to\" 为对角"
-                )));
+                let d = Diagnostic::error("out-of-range", both!("the box has no area"));
+                form.fault(
+                    d.at(form.span("box")).help(both!("\"from\" and \"to\" are opposite corners")),
+                );
                 return None;
             }
             Some(Some(Among::Box([
@@ -77,15 +70,9 @@ pub(super) fn read(form: &TaskForm) -> Option<Option<Among>> {
                 if !inside {
                     let d = Diagnostic::error(
                         "out-of-range",
-                        both!(
-                            "an inscribed angle lies between 0° and 180°",
-                            "圆周角应在 0° 与 180° 之间"
-                        ),
+                        both!("an inscribed angle lies between 0° and 180°"),
                     );
-                    let help = both!(
-                        "write \"angles\": [\"40 deg\", \"110 deg\"]",
-                        "请写 \"angles\": [\"40 deg\", \"110 deg\"]"
-                    );
+                    let help = both!("write \"angles\": [\"40 deg\", \"110 deg\"]");
                     form.fault(d.at(form.span("angles")).help(help));
                 }
                 inside.then_some(angle)

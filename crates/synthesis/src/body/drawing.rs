@@ -37,10 +37,8 @@ impl Body {
     /// Lays off the positions. In each, two points of the body are drawn: its origin and one along
     /// its direction, with one opening of the compasses for all.
     fn positions_drawn(&self, board: &mut SynthesisBoard) -> Vec<[Point; 2]> {
-        board.step(both!(
-            "Lay off the given positions of the body: its origin E and its direction",
-            "按给定数据作出连杆各位置：原点 E 及方向"
-        ));
+        board
+            .step(both!("Lay off the given positions of the body: its origin E and its direction"));
         let reach = self.reach(board);
         let of_position = |p: &BodyPose| {
             let origin = board.at(p.origin);
@@ -71,8 +69,7 @@ impl Body {
                 let places: Vec<Point> =
                     self.positions.iter().zip(bodies).map(of_position).collect();
                 board.step(both!(
-                    "Mark {pin} in all positions; the bisectors of its places meet at {pivot}",
-                    "标出 {pin} 的各位置，其中垂线交于 {pivot}"
+                    "Mark {pin} in all positions; the bisectors of its places meet at {pivot}"
                 ));
                 for (k, at) in places.iter().enumerate() {
                     board.mark(&format!("{pin}_{}", k + 1), *at);
@@ -82,8 +79,7 @@ impl Body {
             None => {
                 let at = board.at(self.ground[side]?);
                 board.step(both!(
-                    "Carry {pivot} back with the body into position 1 (two openings of the compasses each)",
-                    "把 {pivot} 随连杆反转到位置 1（各用两次圆规）"
+                    "Carry {pivot} back with the body into position 1 (two openings of the compasses each)"
                 ));
                 board.mark(pivot, at);
                 let mut places = vec![at];
@@ -92,10 +88,7 @@ impl Body {
                     board.mark(&format!("{pivot}_{}'", k + 1), back);
                     places.push(back);
                 }
-                board.step(both!(
-                    "The bisectors of these places meet at {pin}1",
-                    "这些点的中垂线交于 {pin}1"
-                ));
+                board.step(both!("The bisectors of these places meet at {pin}1"));
                 (places, pin)
             }
         };
@@ -155,13 +148,12 @@ impl Body {
         bodies: &[[Point; 2]],
     ) -> Option<()> {
         board.step(both!(
-            "Find the poles of the positions: in each two bisectors of the places of points of the body meet",
-            "求各位置的转动极：连杆上两点对应位置的中垂线交点"
+            "Find the poles of the positions: in each two bisectors of the places of points of the body meet"
         ));
         let [p12, p23, p14, p34, p13] =
             [[0, 1], [1, 2], [0, 3], [2, 3], [0, 2]].map(|of| self.pole(board, bodies, of));
         let quadrilateral = [p12?, p23?, p14?, p34?];
-        board.step(both!("Circle over P12P23 and circle over P14P34 with the same inscribed angle intersect at centre points; as the angle varies they trace the centre-point curve", "在 P12P23 与 P14P34 上作圆周角相等的圆，交点为圆心点；令圆周角变化得圆心曲线"));
+        board.step(both!("Circle over P12P23 and circle over P14P34 with the same inscribed angle intersect at centre points; as the angle varies they trace the centre-point curve"));
         let curve = centre_points(quadrilateral);
         for piece in &curve {
             piece.windows(2).for_each(|w| {
@@ -187,8 +179,7 @@ impl Body {
         };
         let (a, d) = (near(wanted("A")?)?, near(wanted("D")?)?);
         board.step(both!(
-            "Moving pins: P12M and P13M turned about P12 and P13 by half the turning, backward, intersect at the pin of M",
-            "动铰链：P12M、P13M 分别绕 P12、P13 反向转过半转角，交点即为 M 的动铰链"
+            "Moving pins: P12M and P13M turned about P12 and P13 by half the turning, backward, intersect at the pin of M"
         ));
         let half = |j: usize| -(self.positions[j].angle - self.positions[0].angle) / 2.0;
         let pin = |m: Point| {
@@ -213,10 +204,7 @@ impl Body {
     ) -> Option<Vec<Point>> {
         let (through, direction) = self.line?;
         let line = PaperLine { at: board.at(through), along: direction };
-        board.step(both!(
-            "The curve crosses the given line in the pivots",
-            "曲线与给定直线的交点即固定铰链"
-        ));
+        board.step(both!("The curve crosses the given line in the pivots"));
         let off = |m: Point| line.along.cross(m - line.at);
         let roots = crossings(curve, poles, &off);
         let along = |m: &Point| line.along.dot(*m - line.at);
@@ -244,8 +232,7 @@ impl Body {
                 let [p, q] = corners.map(|c| board.at(c));
                 let corners = [p, Point::new(q.x, p.y), q, Point::new(p.x, q.y)];
                 board.step(both!(
-                    "Of the curve within the given box the pivots are chosen: A and D at their heights",
-                    "在给定方框内的曲线上选取固定铰链 A、D"
+                    "Of the curve within the given box the pivots are chosen: A and D at their heights"
                 ));
                 for k in 0..4 {
                     board.line(corners[k], corners[(k + 1) % 4], Weight::Given);
@@ -260,8 +247,7 @@ impl Body {
             Among::Angles(angles) => {
                 let [a, d] = angles.map(|b| significant(b.to_degrees(), 4));
                 board.step(both!(
-                    "The circles of the inscribed angle {a}° intersect at A, those of {d}° at D",
-                    "圆周角为 {a}° 的两圆交于 A，圆周角为 {d}° 的两圆交于 D"
+                    "The circles of the inscribed angle {a}° intersect at A, those of {d}° at D"
                 ));
                 for angle in angles {
                     for (p, q) in [(poles[0], poles[1]), (poles[2], poles[3])] {
@@ -285,8 +271,7 @@ impl Body {
         poles: [Point; 4],
     ) -> Option<Vec<Point>> {
         board.step(both!(
-            "The same with P15 and P35: where both curves cross are Burmester's centre points",
-            "用 P15、P35 再作一条：两曲线交点即布尔梅斯特圆心点"
+            "The same with P15 and P35: where both curves cross are Burmester's centre points"
         ));
         let (p15, p35) = (self.pole(board, bodies, [0, 4])?, self.pole(board, bodies, [2, 4])?);
         let off = |m: Point| {
@@ -305,7 +290,7 @@ fn bisector(p: Point, q: Point) -> Option<PaperLine> {
 
 /// The resulting four-bar: pin and pivot of both sides.
 fn finished(board: &mut SynthesisBoard, [[b, a], [c, d]]: [[Point; 2]; 2]) -> Option<()> {
-    board.step(both!("Draw the linkage AB1C1D in position 1", "作位置 1 的机构 AB1C1D"));
+    board.step(both!("Draw the linkage AB1C1D in position 1"));
     board.line(a, b, Weight::Result).line(b, c, Weight::Result).line(c, d, Weight::Result);
     board.read("BC", b, c).read("AD", a, d);
     Some(())

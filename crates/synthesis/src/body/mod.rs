@@ -24,13 +24,14 @@ use burmester::BurmesterPair;
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::{metres, significant};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::each;
 use pose::{BodyPose, centre};
 use std::cmp::Ordering;
 
 /// Body guidance as a kind of task.
 pub const KIND: KindOfTask = KindOfTask {
     name: "body",
-    what: ["a coupler through two to five positions", "按连杆的二至五个预定位置设计"],
+    what: each!("a coupler through two to five positions"),
     keys: &["positions", "moving", "ground", "line", "box", "angles"],
     read,
 };
@@ -100,15 +101,14 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
     }
     if among.is_some() && (line.is_some() || method(count) != Method::Curve) {
         let message = both!(
-            "\"box\" and \"angles\" choose pivots of four positions, in the place of \"line\"",
-            "\"box\" 与 \"angles\" 只用于四个位置，代替 \"line\""
+            "\"box\" and \"angles\" choose pivots of four positions, in the place of \"line\""
         );
         let d = Diagnostic::error("wrong-given", message).at(form.span(if form.has("box") {
             "box"
         } else {
             "angles"
         }));
-        form.fault(d.help(both!("leave it out", "请去掉它")));
+        form.fault(d.help(both!("leave it out")));
         return None;
     }
     if !enough(form, count, &moving, &ground, line.is_some() || among.is_some()) {
@@ -129,33 +129,24 @@ fn enough(
     let (message, help) = match method(count) {
         Method::Bisectors if dyads.iter().all(|(m, g)| m != g) => return true,
         Method::Bisectors => (
+            both!("of each side of the linkage its pin or its pivot is given: B or A, C or D"),
             both!(
-                "of each side of the linkage its pin or its pivot is given: B or A, C or D",
-                "机构每一侧应给出动铰链或固定铰链之一：B 或 A，C 或 D"
-            ),
-            both!(
-                "write \"moving\": {{\"B\": [...], \"C\": [...]}} or \"ground\": {{\"A\": [...], \"D\": [...]}}",
-                "请写 \"moving\": {{\"B\": [...], \"C\": [...]}} 或 \"ground\": {{\"A\": [...], \"D\": [...]}}"
+                "write \"moving\": {{\"B\": [...], \"C\": [...]}} or \"ground\": {{\"A\": [...], \"D\": [...]}}"
             ),
         ),
         Method::Curve if line && dyads == [(false, false); 2] => return true,
         Method::Curve => (
             both!(
-                "with four positions the pivots lie on a curve: a line that cuts it, a box or two inscribed angles are wanted, and neither pins nor pivots",
-                "四个位置时固定铰链在圆心曲线上：应给出与之相交的直线、方框或两个圆周角，而不是铰链"
+                "with four positions the pivots lie on a curve: a line that cuts it, a box or two inscribed angles are wanted, and neither pins nor pivots"
             ),
             both!(
-                "write \"line\": {{\"through\": [\"0 mm\", \"40 mm\"], \"angle\": \"0 deg\"}}, \"box\": {{\"from\": [...], \"to\": [...]}} or \"angles\": [\"40 deg\", \"110 deg\"]",
-                "请写 \"line\": {{\"through\": [\"0 mm\", \"40 mm\"], \"angle\": \"0 deg\"}}、\"box\": {{\"from\": [...], \"to\": [...]}} 或 \"angles\": [\"40 deg\", \"110 deg\"]"
+                "write \"line\": {{\"through\": [\"0 mm\", \"40 mm\"], \"angle\": \"0 deg\"}}, \"box\": {{\"from\": [...], \"to\": [...]}} or \"angles\": [\"40 deg\", \"110 deg\"]"
             ),
         ),
         Method::Burmester if !line && dyads == [(false, false); 2] => return true,
         Method::Burmester => (
-            both!("five positions fix pins and pivots by themselves", "五个位置时铰链已完全确定"),
-            both!(
-                "leave \"moving\", \"ground\" and \"line\" out, or give fewer positions",
-                "请去掉 \"moving\"、\"ground\"、\"line\"，或减少位置"
-            ),
+            both!("five positions fix pins and pivots by themselves"),
+            both!("leave \"moving\", \"ground\" and \"line\" out, or give fewer positions"),
         ),
     };
     form.fault(Diagnostic::error("wrong-given", message).at(form.span("positions")).help(help));
@@ -164,11 +155,7 @@ fn enough(
 
 impl Wish for Body {
     fn title(&self) -> Both {
-        both!(
-            "Four-bar for {} positions of its coupler",
-            "实现连杆 {} 个位置的四杆机构",
-            self.positions.len()
-        )
+        both!("Four-bar for {} positions of its coupler", self.positions.len())
     }
 
     fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
@@ -202,7 +189,7 @@ impl Wish for Body {
         if !fixed {
             numbers.push(DesignNumber::ratio(
                 "count",
-                both!("pairs of pin and pivot", "动、固定铰链对数"),
+                both!("pairs of pin and pivot"),
                 pairs.len() as f64,
             ));
             numbers.extend(pairs.iter().enumerate().flat_map(|(k, p)| told(k + 1, p)));
@@ -225,20 +212,13 @@ impl Wish for Body {
 
 /// The numbers of a pair.
 fn told(k: usize, p: &BurmesterPair) -> Vec<DesignNumber> {
-    let (centre, pin) = (
-        both!("pivot {k}", "固定铰链 {k}"),
-        both!("pin {k} in position 1", "动铰链 {k}（位置 1）"),
-    );
+    let (centre, pin) = (both!("pivot {k}"), both!("pin {k} in position 1"));
     vec![
         DesignNumber::length(&format!("centre_{k}_x"), centre.clone(), p.centre.x),
         DesignNumber::length(&format!("centre_{k}_y"), centre, p.centre.y),
         DesignNumber::length(&format!("pin_{k}_x"), pin.clone(), p.pin.x),
         DesignNumber::length(&format!("pin_{k}_y"), pin, p.pin.y),
-        DesignNumber::length(
-            &format!("length_{k}"),
-            both!("link {k}", "构件 {k}"),
-            p.centre.distance(p.pin),
-        ),
+        DesignNumber::length(&format!("length_{k}"), both!("link {k}"), p.centre.distance(p.pin)),
     ]
 }
 
@@ -267,8 +247,7 @@ impl Body {
         for j in 1..self.positions.len() {
             for i in 0..j {
                 let Some(p) = self.positions[i].pole(&self.positions[j]) else { continue };
-                let what =
-                    both!("pole of positions {} and {}", "位置 {} 与 {} 的转动极", i + 1, j + 1);
+                let what = both!("pole of positions {} and {}", i + 1, j + 1);
                 out.push(DesignNumber::length(
                     &format!("P{}{}_x", i + 1, j + 1),
                     what.clone(),
@@ -295,7 +274,6 @@ impl Body {
                 if angle < FAR {
                     let message = both!(
                         "the bisectors for {sought} cross under {}° only: it lies far off",
-                        "确定 {sought} 的两条中垂线夹角仅 {}°：铰链很远",
                         significant(angle.to_degrees(), 3)
                     );
                     notes.push(Diagnostic::warning("pivot-far", message));
@@ -321,14 +299,8 @@ impl Body {
                 return middle + across * ((through - middle).cross(direction) / slant);
             }
         }
-        let message = both!(
-            "{sought} is free on a bisector: taken where the link turns by 60°",
-            "{sought} 可在中垂线上任取：取构件转过 60° 处"
-        );
-        notes.push(
-            Diagnostic::note("free-choice", message)
-                .help(both!("fix it by \"line\"", "可由 \"line\" 确定")),
-        );
+        let message = both!("{sought} is free on a bisector: taken where the link turns by 60°");
+        notes.push(Diagnostic::note("free-choice", message).help(both!("fix it by \"line\"")));
         middle + across * (3.0f64.sqrt() / 2.0)
     }
 
@@ -359,19 +331,19 @@ impl Body {
         for (name, at) in [("A", one.centre), ("B1", b), ("C1", c), ("D", other.centre)] {
             numbers.push(DesignNumber::length(
                 &format!("{name}_x"),
-                both!("place of {name}", "{name} 的位置"),
+                both!("place of {name}"),
                 at.x,
             ));
             numbers.push(DesignNumber::length(
                 &format!("{name}_y"),
-                both!("place of {name}", "{name} 的位置"),
+                both!("place of {name}"),
                 at.y,
             ));
         }
         let which = match self.method() {
-            Method::Bisectors => both!("crank at A", "以 A 处构件为原动件"),
+            Method::Bisectors => both!("crank at A"),
             Method::Curve | Method::Burmester => {
-                both!("pivots {} and {}", "固定铰链 {} 与 {}", which[0] + 1, which[1] + 1)
+                both!("pivots {} and {}", which[0] + 1, which[1] + 1)
             }
         };
         Draft {
@@ -389,7 +361,6 @@ fn remarks(four: &FourBar) -> Vec<Diagnostic> {
     let message = || {
         both!(
             "a link of {} beside one of {}: hardly to be built",
-            "构件长 {} 与 {} 相差悬殊，难以制造",
             metres(short),
             metres(four.size())
         )

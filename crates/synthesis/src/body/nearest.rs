@@ -46,25 +46,20 @@ impl Body {
         let moving = self.moving[side].is_some();
         let (given, sought) = if moving { (pin, pivot) } else { (pivot, pin) };
         let message = match moving {
-            true => both!(
-                "the three places of {given} lie in line: {sought} would be infinitely far",
-                "{given} 的三个位置共线：{sought} 在无穷远处"
-            ),
+            true => {
+                both!("the three places of {given} lie in line: {sought} would be infinitely far")
+            }
             false => both!(
-                "{given}, carried back into position 1, lies in line: {sought} would be infinitely far",
-                "{given} 反转到位置 1 后三点共线：{sought} 在无穷远处"
+                "{given}, carried back into position 1, lies in line: {sought} would be infinitely far"
             ),
         };
         let changes = [0, 1]
             .into_iter()
             .flat_map(|axis| [self.joint(side, given, axis), self.second(side, axis)]);
         let nearest = changes.flatten().min_by(|a, b| a.0.total_cmp(&b.0)).map(|c| c.1);
-        let slider = both!(
-            "guide {given} on a straight line (a slider)",
-            "可令 {given} 沿直线导路移动（滑块）"
-        );
+        let slider = both!("guide {given} on a straight line (a slider)");
         let help = match nearest {
-            Some(nearest) => both!("{}; else {}", "{}；或{}", nearest, slider),
+            Some(nearest) => both!("{}; else {}", nearest, slider),
             None => slider,
         };
         Diagnostic::error("no-real-solution", message).help(help)
@@ -77,14 +72,8 @@ impl Body {
         let own = self.moving[side]
             .unwrap_or_else(|| self.ground[side].unwrap_or(Point::ORIGIN).to_vec2());
         let [x, y] = [own.x * 1e3 + self.scale(), own.y * 1e3].map(told);
-        let message = both!(
-            "{given} is the pole of the two positions: it does not move",
-            "{given} 是两位置的转动极，没有移动"
-        );
-        let help = both!(
-            "\"{given}\": [\"{x} mm\", \"{y} mm\"] does",
-            "\"{given}\": [\"{x} mm\", \"{y} mm\"] 时可以"
-        );
+        let message = both!("{given} is the pole of the two positions: it does not move");
+        let help = both!("\"{given}\": [\"{x} mm\", \"{y} mm\"] does");
         Diagnostic::error("no-real-solution", message).help(help)
     }
 
@@ -98,18 +87,12 @@ impl Body {
             (false, false) => return None,
         };
         let [p, q] = names;
-        let message = both!(
-            "{p} and {q} come out in one place: the two sides are one link",
-            "{p} 与 {q} 重合：两侧成为同一构件"
-        );
+        let message = both!("{p} and {q} come out in one place: the two sides are one link");
         let own =
             self.moving[1].unwrap_or_else(|| self.ground[1].unwrap_or(Point::ORIGIN).to_vec2());
         let given = if self.moving[1].is_some() { "C" } else { "D" };
         let [x, y] = [own.x * 1e3 + self.scale(), own.y * 1e3].map(told);
-        let help = both!(
-            "\"{given}\": [\"{x} mm\", \"{y} mm\"] does",
-            "\"{given}\": [\"{x} mm\", \"{y} mm\"] 时可以"
-        );
+        let help = both!("\"{given}\": [\"{x} mm\", \"{y} mm\"] does");
         Some(Diagnostic::error("wrong-given", message).help(help))
     }
 
@@ -131,12 +114,7 @@ impl Body {
             other
         };
         at[axis] = number(from, self.scale(), |v| with(v, at).round(side))?;
-        let said = both!(
-            "\"{given}\": [\"{} mm\", \"{} mm\"] does",
-            "\"{given}\": [\"{} mm\", \"{} mm\"] 时可以",
-            told(at[0]),
-            told(at[1])
-        );
+        let said = both!("\"{given}\": [\"{} mm\", \"{} mm\"] does", told(at[0]), told(at[1]));
         Some(((at[axis] - from).abs(), said))
     }
 
@@ -154,10 +132,7 @@ impl Body {
         at[axis] =
             number(from, self.scale(), |v| with(v, at).round(side) && with(v, at).round(1 - side))?;
         let [x, y] = at.map(told);
-        let said = both!(
-            "position 2 at [\"{x} mm\", \"{y} mm\"] does",
-            "位置 2 取 [\"{x} mm\", \"{y} mm\"] 时可以"
-        );
+        let said = both!("position 2 at [\"{x} mm\", \"{y} mm\"] does");
         Some(((at[axis] - from).abs(), said))
     }
 
@@ -174,8 +149,7 @@ impl Body {
         let angle = told(along.angle().to_degrees());
         let [x, y] = [at.x, at.y].map(|v| told(v * 1e3));
         Some(both!(
-            "\"line\": {{\"through\": [\"{x} mm\", \"{y} mm\"], \"angle\": \"{angle} deg\"}} does",
-            "\"line\": {{\"through\": [\"{x} mm\", \"{y} mm\"], \"angle\": \"{angle} deg\"}} 时可以"
+            "\"line\": {{\"through\": [\"{x} mm\", \"{y} mm\"], \"angle\": \"{angle} deg\"}} does"
         ))
     }
 
@@ -185,31 +159,27 @@ impl Body {
         let (message, help) = match self.method() {
             Method::Bisectors | Method::Curve => {
                 let nearest = self.cutting(&self.positions, self.line.unwrap_or(level));
-                let poles = both!(
-                    "move or turn \"line\": the curve passes the poles P12, P23, P34",
-                    "请移动或转动 \"line\"：曲线经过转动极 P12、P23、P34"
-                );
+                let poles =
+                    both!("move or turn \"line\": the curve passes the poles P12, P23, P34");
                 (
                     both!(
-                        "the line meets the centre-point curve in {count} point: a linkage has two pivots",
-                        "直线与圆心曲线只有 {count} 个交点：机构需要两个固定铰链"
+                        "the line meets the centre-point curve in {count} point: a linkage has two pivots"
                     ),
                     nearest.unwrap_or(poles),
                 )
             }
             Method::Burmester => {
-                let leave = both!("leave position 5 out", "请去掉位置 5");
+                let leave = both!("leave position 5 out");
                 let help = match self.cutting(&self.positions[..4], level) {
-                    Some(line) => both!("{}: then {}", "{}，此时 {}", leave, line),
+                    Some(line) => both!("{}: then {}", leave, line),
                     None => leave,
                 };
                 (
                     both!(
-                        "these five positions have {count} real pairs of pin and pivot: their other roots are complex",
-                        "这五个位置有 {count} 对实的铰链：其余根为复数"
+                        "these five positions have {count} real pairs of pin and pivot: their other roots are complex"
                     ),
                     match self.fifth() {
-                        Some(nearest) => both!("{}; or {}", "{}；或 {}", nearest, help),
+                        Some(nearest) => both!("{}; or {}", nearest, help),
                         None => help,
                     },
                 )
@@ -229,7 +199,7 @@ impl Body {
         };
         let angle = roughly(own, 45.0, works)?;
         other[4].angle = angle.to_radians();
-        Some(both!("position 5 under {}° has one", "位置 5 的转角取 {}° 时有解", told(angle)))
+        Some(both!("position 5 under {}° has one", told(angle)))
     }
 
     /// Reports that there are no pivots in the box or at the angles.
@@ -248,7 +218,6 @@ impl Body {
                     let [p, q] = grown(mm).map(|p| [p.x, p.y].map(|v| told(v * 1e3)));
                     both!(
                         "\"box\": {{\"from\": [\"{} mm\", \"{} mm\"], \"to\": [\"{} mm\", \"{} mm\"]}} has some",
-                        "\"box\": {{\"from\": [\"{} mm\", \"{} mm\"], \"to\": [\"{} mm\", \"{} mm\"]}} 时有解",
                         p[0],
                         p[1],
                         q[0],
@@ -257,17 +226,14 @@ impl Body {
                 });
                 (
                     both!(
-                        "within the box the centre-point curve has no two pivots of a linkage",
-                        "方框内的圆心曲线上没有两个可用的固定铰链"
+                        "within the box the centre-point curve has no two pivots of a linkage"
                     ),
                     larger.unwrap_or_else(|| match self.poles().is_empty() {
                         true => both!(
-                            "the body does not turn, so its poles are infinitely far: a parallelogram moves it, or a slider",
-                            "连杆不转动，转动极在无穷远处：可用平行四边形机构或移动副实现"
+                            "the body does not turn, so its poles are infinitely far: a parallelogram moves it, or a slider"
                         ),
                         false => both!(
-                            "make the box larger: the curve passes through the poles P12, P23, P34, P14",
-                            "请放大方框：曲线经过转动极 P12、P23、P34、P14"
+                            "make the box larger: the curve passes through the poles P12, P23, P34, P14"
                         ),
                     }),
                 )
@@ -275,11 +241,8 @@ impl Body {
             Among::Angles(angles) => {
                 let two = self.seen(angles);
                 (
-                    both!(
-                        "the circles of one of these angles do not cross",
-                        "其中一个圆周角的两圆不相交"
-                    ),
-                    two.unwrap_or(both!("give a \"box\"", "请给出 \"box\"")),
+                    both!("the circles of one of these angles do not cross"),
+                    two.unwrap_or(both!("give a \"box\"")),
                 )
             }
         };
@@ -302,12 +265,7 @@ impl Body {
             !among::pairs(&self.positions, Among::Angles([p, q].map(f64::to_radians))).is_empty()
         };
         let q = if both_found(q) { q } else { roughly(q, 45.0, |v| crosses(v) && both_found(v))? };
-        Some(both!(
-            "\"angles\": [\"{} deg\", \"{} deg\"] has some",
-            "\"angles\": [\"{} deg\", \"{} deg\"] 时有解",
-            told(p),
-            told(q)
-        ))
+        Some(both!("\"angles\": [\"{} deg\", \"{} deg\"] has some", told(p), told(q)))
     }
 }
 

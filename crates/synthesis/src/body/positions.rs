@@ -38,13 +38,11 @@ pub(super) fn read(form: &TaskForm) -> Option<GivenPositions> {
             "wrong-count",
             both!(
                 "a four-bar guides a body through five positions at most, here are {}",
-                "四杆机构至多能实现五个位置，此处有 {} 个",
                 items.len()
             ),
         );
         form.fault(d.at(form.span("positions")).help(both!(
-            "take the five that matter, or `\"synthesis\": \"path\"` for the path of a point",
-            "请取最重要的五个；若只要求点的轨迹可用 `\"synthesis\": \"path\"`"
+            "take the five that matter, or `\"synthesis\": \"path\"` for the path of a point"
         )));
         return None;
     }
@@ -89,21 +87,16 @@ fn by_places(form: &TaskForm, items: &[Node]) -> Option<GivenPositions> {
         let [here, all] = [far[worst], mean].map(|l| significant(l * 1e3, 5));
         let k = worst + 1;
         let message = both!(
-            "B and C are {here} mm apart in position {k}, {all} mm on an average of all: they are no two points of one body",
-            "位置 {k} 中 B、C 相距 {here} mm，各位置平均为 {all} mm：二者不是同一构件上的点"
+            "B and C are {here} mm apart in position {k}, {all} mm on an average of all: they are no two points of one body"
         );
-        let help = both!(
-            "points of a rigid body keep their distance: check the coordinates",
-            "刚体上两点距离不变：请检查坐标"
-        );
+        let help = both!("points of a rigid body keep their distance: check the coordinates");
         form.fault(Diagnostic::error("wrong-given", message).at(items[worst].span).help(help));
         return None;
     }
     if off(&far[worst]) > EXACT * mean {
         let [off, all] = [off(&far[worst]), mean].map(|l| significant(l * 1e3, 4));
         let message = both!(
-            "the distances of B and C differ by up to {off} mm: {all} mm is taken, B where it is given, C on its ray",
-            "B、C 的距离相差至 {off} mm：取 {all} mm，B 取给定位置，C 取在射线 BC 上"
+            "the distances of B and C differ by up to {off} mm: {all} mm is taken, B where it is given, C on its ray"
         );
         form.fault(Diagnostic::note("rounded", message).at(form.span("positions")));
     }
@@ -122,12 +115,12 @@ fn apart(form: &TaskForm, items: &[Node], all: &[BodyPose]) -> bool {
                 let (i, j) = (i + 1, j + 1);
                 let d = Diagnostic::error(
                     "precision-points-coincide",
-                    both!("positions {i} and {j} are the same", "位置 {i} 与位置 {j} 相同"),
+                    both!("positions {i} and {j} are the same"),
                 );
-                form.fault(d.at(items[j - 1].span).help(both!(
-                    "leave one of them out: fewer positions have more solutions",
-                    "请去掉其中一个：位置越少，解越多"
-                )));
+                form.fault(
+                    d.at(items[j - 1].span)
+                        .help(both!("leave one of them out: fewer positions have more solutions")),
+                );
                 return false;
             }
         }

@@ -42,7 +42,7 @@ impl Function {
     /// Adds the greatest deviation, which is also returned, and the places of the extremes; for
     /// pairs, the deviations at them.
     pub(super) fn deviations(&self, g: &Generator, numbers: &mut Vec<DesignNumber>) -> f64 {
-        let deviation = both!("structural error", "结构误差");
+        let deviation = both!("structural error");
         match &self.target {
             FunctionTarget::Curve { range, .. } => {
                 let step_of = |x: f64| self.target.step(x);
@@ -54,7 +54,7 @@ impl Function {
                 if all.iter().all(|(_, e)| e.abs() < NOTHING) {
                     numbers.push(DesignNumber::angle(
                         "max_error",
-                        both!("greatest structural error", "最大结构误差"),
+                        both!("greatest structural error"),
                         0.0,
                     ));
                     return 0.0;
@@ -62,15 +62,15 @@ impl Function {
                 if let Some((x, e)) = all.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) {
                     numbers.push(DesignNumber::angle(
                         "max_error",
-                        both!("greatest structural error", "最大结构误差"),
+                        both!("greatest structural error"),
                         *e,
                     ));
-                    numbers.push(DesignNumber::ratio("x_max", both!("where it is", "所在处"), *x));
+                    numbers.push(DesignNumber::ratio("x_max", both!("where it is"), *x));
                 }
                 for (k, (x, e)) in all.iter().enumerate() {
                     numbers.push(DesignNumber::ratio(
                         &format!("x_{k}"),
-                        both!("place of an extreme deviation", "偏差极值处"),
+                        both!("place of an extreme deviation"),
                         *x,
                     ));
                     numbers.push(DesignNumber::angle(&format!("error_{k}"), deviation.clone(), *e));
@@ -81,17 +81,14 @@ impl Function {
                 let rest = self.steps.iter().map(|s| g.rest(*s)).map(|r| r * r).sum::<f64>().sqrt();
                 numbers.push(DesignNumber::angle(
                     "max_error",
-                    both!("greatest deviation at the pairs", "各对应位置的最大偏差"),
+                    both!("greatest deviation at the pairs"),
                     all.iter()
                         .copied()
                         .fold(0.0, |m: f64, e| if e.abs() > m.abs() { e } else { m }),
                 ));
                 numbers.push(DesignNumber::ratio(
                     "residual",
-                    both!(
-                        "norm of the rests of Freudenstein's equation",
-                        "弗洛伊登斯坦方程残差的范数"
-                    ),
+                    both!("norm of the rests of Freudenstein's equation"),
                     if rest < NOTHING { 0.0 } else { rest },
                 ));
             }

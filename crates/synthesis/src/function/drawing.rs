@@ -21,15 +21,9 @@ impl Function {
         let (a, d) = (Point::ORIGIN, Point::new(board.mm(number("AD")?), 0.0));
         let (crank, alpha, phi) = (board.mm(number("AB")?), number("alpha0")?, number("phi0")?);
         board.step(if self.steps.len() == 2 {
-            both!(
-                "Lay off the frame AD and the crank in its two positions AB1, AB2",
-                "作机架 AD 及曲柄的两个位置 AB1、AB2"
-            )
+            both!("Lay off the frame AD and the crank in its two positions AB1, AB2")
         } else {
-            both!(
-                "Lay off the frame AD and the crank in its first three positions AB1, AB2, AB3",
-                "作机架 AD 及曲柄的前三个位置 AB1、AB2、AB3"
-            )
+            both!("Lay off the frame AD and the crank in its first three positions AB1, AB2, AB3")
         });
         board.line(a, d, Weight::Given).circle(a, crank, Weight::Thin).mark("A", a).mark("D", d);
         let b: Vec<Point> =
@@ -46,8 +40,7 @@ impl Function {
             let back = d + (*at - d).rotate_by(Vec2::from_angle(-way));
             let (j, angle) = (k + 1, significant(way.to_degrees(), 5));
             board.step(both!(
-                "Turn DB{j} back about D by the follower's step φ1{j} = {angle}°: B{j}'",
-                "将 DB{j} 绕 D 反转从动杆转角 φ1{j} = {angle}°，得 B{j}'"
+                "Turn DB{j} back about D by the follower's step φ1{j} = {angle}°: B{j}'"
             ));
             board
                 .line(d, *at, Weight::Thin)
@@ -59,8 +52,7 @@ impl Function {
         let c = match turned[..] {
             [b1, b2] => {
                 board.step(both!(
-                    "The bisector of B1B2' meets the follower's first direction at C1",
-                    "B1B2' 的中垂线与从动杆第一位置的方向线交于 C1"
+                    "The bisector of B1B2' meets the follower's first direction at C1"
                 ));
                 let follower = PaperLine::ray(d, phi + self.steps[0][1]);
                 let bisector = board.bisector(b1, b2)?;
@@ -69,18 +61,12 @@ impl Function {
                 c
             }
             _ => {
-                board.step(both!(
-                    "The bisectors of B1, B2', B3' meet at C1",
-                    "B1、B2'、B3' 的中垂线交于 C1"
-                ));
+                board.step(both!("The bisectors of B1, B2', B3' meet at C1"));
                 board.centre(turned[0], turned[1], turned[2])?
             }
         };
         board.mark("C_1", c);
-        board.step(both!(
-            "Draw the linkage AB1C1D; C1 lies on the follower's first direction",
-            "作位置 1 的机构 AB1C1D；C1 在从动杆第一位置的方向线上"
-        ));
+        board.step(both!("Draw the linkage AB1C1D; C1 lies on the follower's first direction"));
         board
             .line(a, b[0], Weight::Result)
             .line(b[0], c, Weight::Result)

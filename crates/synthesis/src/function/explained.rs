@@ -6,6 +6,7 @@ use crate::candidate::Draft;
 use crate::statement::{angle, length, number, of, subtracted};
 use crate::{Proof, Statement};
 use hodograph_base::diag::{Both, both};
+use hodograph_base::lang::each;
 
 /// Greatest number of pairs in the list of givens, and of equations in a proof; of more, the first
 /// are printed.
@@ -19,35 +20,18 @@ impl Function {
             FunctionTarget::Curve { text, range, swings, places, .. } => {
                 given.push(both!(
                     "function $y$ = {text}, $x$ from ${}$ to ${}$",
-                    "期望函数 $y$ = {text}，$x$ 由 ${}$ 到 ${}$",
                     number(range[0]),
                     number(range[1])
                 ));
                 given.push(match self.minimax {
-                    true => both!(
-                        "the greatest structural error is to be as small as possible",
-                        "最大结构误差应尽可能小"
-                    ),
-                    false => both!(
-                        "${}$ precision points in Chebyshev's spacing",
-                        "按切比雪夫间隔取 ${}$ 个插值结点",
-                        places.len()
-                    ),
+                    true => both!("the greatest structural error is to be as small as possible"),
+                    false => both!("${}$ precision points in Chebyshev's spacing", places.len()),
                 });
                 let [input, output] = *swings;
-                given.push(both!(
-                    "swing of the crank $\\alpha_m = {}$",
-                    "输入连架杆摆角 $\\alpha_m = {}$",
-                    angle(input)
-                ));
-                given.push(both!(
-                    "swing of the follower $\\varphi_m = {}$",
-                    "输出连架杆摆角 $\\varphi_m = {}$",
-                    angle(output)
-                ));
+                given.push(both!("swing of the crank $\\alpha_m = {}$", angle(input)));
+                given.push(both!("swing of the follower $\\varphi_m = {}$", angle(output)));
                 both!(
-                    "Design a four-bar $ABCD$ that makes a function: the turning $\\alpha$ of the crank $AB$ stands for $x$, the turning $\\varphi$ of the follower $DC$ for $y$.",
-                    "按期望函数设计四杆机构 $ABCD$：连架杆 $AB$ 的转角 $\\alpha$ 对应 $x$，连架杆 $DC$ 的转角 $\\varphi$ 对应 $y$。"
+                    "Design a four-bar $ABCD$ that makes a function: the turning $\\alpha$ of the crank $AB$ stands for $x$, the turning $\\varphi$ of the follower $DC$ for $y$."
                 )
             }
             FunctionTarget::Pairs { .. } => {
@@ -55,57 +39,37 @@ impl Function {
                     let at = [0, 1].map(|i| angle(s[i] + self.start[i].unwrap_or(0.0)));
                     given.push(both!(
                         "$\\alpha_{{{0}}} = {1}$, $\\varphi_{{{0}}} = {2}$",
-                        "$\\alpha_{{{0}}} = {1}$，$\\varphi_{{{0}}} = {2}$",
                         k + 1,
                         at[0],
                         at[1]
                     ));
                 }
                 if self.steps.len() > TOLD {
-                    given.push(both!(
-                        "and {} pairs more, as in the file",
-                        "及文件中的其余 {} 对",
-                        self.steps.len() - TOLD
-                    ));
+                    given.push(both!("and {} pairs more, as in the file", self.steps.len() - TOLD));
                 }
                 both!(
-                    "Design a four-bar $ABCD$ whose two cranks $AB$ and $DC$ take these corresponding positions.",
-                    "按两连架杆 $AB$ 与 $DC$ 的下列对应位置设计四杆机构 $ABCD$。"
+                    "Design a four-bar $ABCD$ whose two cranks $AB$ and $DC$ take these corresponding positions."
                 )
             }
         };
-        given.extend(
-            self.frame.map(|l| both!("frame $l_{{AD}} = {}$", "机架 $l_{{AD}} = {}$", length(l))),
-        );
-        given.extend(
-            self.crank.map(|l| both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(l))),
-        );
+        given.extend(self.frame.map(|l| both!("frame $l_{{AD}} = {}$", length(l))));
+        given.extend(self.crank.map(|l| both!("crank $l_{{AB}} = {}$", length(l))));
         let mut wanted = vec![match self.crank {
             Some(_) => {
-                both!(
-                    "the lengths $l_{{BC}}$ (coupler) and $l_{{CD}}$ (follower)",
-                    "杆长 $l_{{BC}}$（连杆）、$l_{{CD}}$（从动连架杆）"
-                )
+                both!("the lengths $l_{{BC}}$ (coupler) and $l_{{CD}}$ (follower)")
             }
             None => crate::statement::four_bar_wanted(),
         }];
         for (i, start, names) in
-            [(0, "\\alpha_0", ["crank", "曲柄"]), (1, "\\varphi_0", ["follower", "从动杆"])]
+            [(0, "\\alpha_0", each!("crank")), (1, "\\varphi_0", each!("angle" => "follower"))]
         {
-            let [en, zh] = names;
+            let link = Both::from(names);
             match self.start[i] {
                 Some(at) if matches!(self.target, FunctionTarget::Curve { .. }) => {
-                    given.push(both!(
-                        "starting angle of the {en} ${start} = {}$",
-                        "{zh}初始角 ${start} = {}$",
-                        angle(at)
-                    ));
+                    given.push(both!("starting angle of the {} ${start} = {}$", link, angle(at)));
                 }
                 Some(_) => {}
-                None => wanted.push(both!(
-                    "the starting angle ${start}$ of the {en}",
-                    "{zh}初始角 ${start}$"
-                )),
+                None => wanted.push(both!("the starting angle ${start}$ of the {}", link)),
             }
         }
         Statement {
@@ -161,15 +125,13 @@ impl Function {
         );
         out.push(Proof::new(
             both!(
-                "Closing the quadrilateral and taking $BC$ out of the equations gives Freudenstein's equation:",
-                "由封闭矢量方程消去 $BC$，得弗洛伊登斯坦方程："
+                "Closing the quadrilateral and taking $BC$ out of the equations gives Freudenstein's equation:"
             ),
             formulas,
         ));
         out.push(Proof::new(
             both!(
-                "Divided by $K_2$, with the lengths in units of the crank, it is the form of Chinese course books, with $P_0 = K_1/K_2$, $P_1 = −1/K_2$, $P_2 = K_3/K_2$:",
-                "两边除以 $K_2$，各杆长以曲柄长为单位，即教材的形式，其中 $P_0 = K_1/K_2$，$P_1 = −1/K_2$，$P_2 = K_3/K_2$："
+                "Divided by $K_2$, with the lengths in units of the crank, it is the form of Chinese course books, with $P_0 = K_1/K_2$, $P_1 = −1/K_2$, $P_2 = K_3/K_2$:"
             ),
             [format!("\\cos{crank} = P_0\\cos{follower} + P_1\\cos{between} + P_2")],
         ));
@@ -201,7 +163,7 @@ impl Function {
         ));
         let l = ["AB", "BC", "CD", "AD"].map(|n| format!("l_{{{n}}} = {}", length(of(draft, n))));
         results.push(l.join(" ,\\quad "));
-        out.push(Proof::new(both!("So", "解得"), results));
+        out.push(Proof::new(both!("solved" => "So"), results));
         out
     }
 
@@ -226,13 +188,10 @@ impl Function {
     fn spacing(&self) -> Both {
         match self.minimax {
             true => {
-                both!(
-                    "The exchange begins from the five precision points in Chebyshev's spacing:",
-                    "交换法从五个切比雪夫插值结点开始："
-                )
+                both!("The exchange begins from the five precision points in Chebyshev's spacing:")
             }
             false => {
-                both!("Precision points in Chebyshev's spacing:", "按切比雪夫间隔求插值结点：")
+                both!("Precision points in Chebyshev's spacing:")
             }
         }
     }
@@ -242,20 +201,16 @@ impl Function {
         let free = self.start.iter().filter(|s| s.is_none()).count();
         match (exact, self.minimax) {
             (_, true) => both!(
-                "Remez' exchange makes all six extreme deviations equal, of alternating sign: five constants and the deviation are six unknowns.",
-                "用雷米兹交换法使六个偏差极值相等且正负相间：五个参数与偏差共六个未知量。"
+                "Remez' exchange makes all six extreme deviations equal, of alternating sign: five constants and the deviation are six unknowns."
             ),
             (false, false) => both!(
-                "There are more pairs than unknowns: least squares of the output's deviations, by Gauss-Newton.",
-                "角度对多于未知量：用高斯–牛顿法使输出角偏差的平方和最小。"
+                "There are more pairs than unknowns: least squares of the output's deviations, by Gauss-Newton."
             ),
-            (true, false) if free == 0 => both!(
-                "At the precision points these are linear equations:",
-                "代入各结点得线性方程组："
-            ),
+            (true, false) if free == 0 => {
+                both!("At the precision points these are linear equations:")
+            }
             (true, false) => both!(
-                "At the precision points, with the starting angles as unknowns too, solved by Newton's method; at the root they read:",
-                "代入各结点，初始角也是未知量，用牛顿法求解；在根处各式为："
+                "At the precision points, with the starting angles as unknowns too, solved by Newton's method; at the root they read:"
             ),
         }
     }
@@ -273,10 +228,7 @@ fn scales(range: [f64; 2], values: [f64; 2], swings: [f64; 2]) -> Proof {
         )
     };
     Proof::new(
-        both!(
-            "Scales: the change of $x$ and of $y$ for each degree of crank and follower:",
-            "比例尺：曲柄和从动杆每转 1° 对应的 $x$、$y$ 的变化："
-        ),
+        both!("Scales: the change of $x$ and of $y$ for each degree of crank and follower:"),
         [
             scale("\\alpha", "x", range, "\\alpha", swings[0]),
             scale("\\varphi", "y", values, "\\varphi", swings[1]),

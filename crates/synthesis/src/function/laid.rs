@@ -36,7 +36,7 @@ impl Function {
 
     /// The follower's actual angles at the drawn positions.
     pub(super) fn outputs(&self, g: &Generator, numbers: &[DesignNumber]) -> Vec<DesignNumber> {
-        let what = both!("real angle of the follower", "从动杆的实际角");
+        let what = both!("real angle of the follower");
         let real = |(k, s): &(usize, [f64; 2])| {
             Some(DesignNumber::angle(
                 &format!("psi{k}"),
@@ -56,7 +56,6 @@ impl Function {
         let which: Vec<usize> = all.iter().map(|p| p.0).collect();
         board.step(both!(
             "Lay off the computed lengths: the frame AD, and the crank in its positions {}",
-            "按计算所得杆长作机架 AD 及曲柄的各位置 {}",
             numbered("AB", &which)
         ));
         board
@@ -69,8 +68,7 @@ impl Function {
             board.line(laid.a, b, Weight::Given).mark(&format!("B_{k}"), b);
         }
         board.step(both!(
-            "Lay the tracing on D: the wanted directions of the follower as rays, and the arc of its length CD",
-            "将透明纸置于 D：从动杆各期望方向的射线及以 CD 为半径的弧"
+            "Lay the tracing on D: the wanted directions of the follower as rays, and the arc of its length CD"
         ));
         board.circle(laid.d, laid.follower, Weight::Thin);
         for (_, s) in &all {
@@ -82,7 +80,6 @@ impl Function {
         }
         board.step(both!(
             "With BC as opening cut that arc about {}: {}; read the angles of DC, which miss the rays by the deviations",
-            "分别以 {} 为圆心、BC 为半径截该弧得 {}；量取 DC 的角，与射线之差即偏差",
             numbered("B", &which),
             numbered("C", &which)
         ));
@@ -102,7 +99,7 @@ impl Function {
             drawn.push(pins);
         }
         let (k, first) = (which.first()?, drawn.first()?);
-        board.step(both!("Draw the linkage AB{k}C{k}D", "作机构 AB{k}C{k}D"));
+        board.step(both!("Draw the linkage AB{k}C{k}D"));
         laid.draw(board, first, Weight::Result);
         Some(())
     }

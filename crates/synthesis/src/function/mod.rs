@@ -23,16 +23,14 @@ use freudenstein::{Generator, Steps};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::{metres, shortest};
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::each;
 use hodograph_scene::front::Curve;
 use std::f64::consts::PI;
 
 /// Function generation as a kind of task.
 pub const KIND: KindOfTask = KindOfTask {
     name: "function",
-    what: [
-        "the follower's angle as a function of the crank's",
-        "按两连架杆的对应角位移（期望函数）设计",
-    ],
+    what: each!("the follower's angle as a function of the crank's"),
     keys: &["function", "points", "fit", "input", "output", "pairs", "relative", "frame", "crank"],
     read,
 };
@@ -86,25 +84,22 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
     let frame = if form.has("frame") { Some(form.size("frame")?) } else { None };
     let crank = if form.has("crank") { Some(form.size("crank")?) } else { None };
     if form.has("function") && form.has("pairs") {
-        let message = both!(
-            "`function` and `pairs` are both given: each alone says what is wanted",
-            "同时给出了 `function` 和 `pairs`，应只给其一"
-        );
+        let message =
+            both!("`function` and `pairs` are both given: each alone says what is wanted");
         form.fault(
             Diagnostic::error("wrong-given", message)
                 .at(form.span("pairs"))
-                .help(both!("leave one of the two out", "请去掉其中一个")),
+                .help(both!("leave one of the two out")),
         );
         return None;
     }
     for (key, with) in [("points", "pairs"), ("relative", "function")] {
         if form.has(key) && form.has(with) {
-            let message =
-                both!("`{key}` has no meaning beside `{with}`", "`{key}` 与 `{with}` 不能同时给出");
+            let message = both!("`{key}` has no meaning beside `{with}`");
             form.fault(
                 Diagnostic::error("wrong-given", message)
                     .at(form.span(key))
-                    .help(both!("leave it out", "请去掉它")),
+                    .help(both!("leave it out")),
             );
         }
     }
@@ -112,43 +107,29 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
         (true, false) => of_curve(form)?,
         (false, true) => of_pairs(form)?,
         _ => {
-            let d = Diagnostic::error(
-                "missing-key",
-                both!(
-                    "one of `function` and `pairs` is given",
-                    "应给出 `function` 与 `pairs` 之一"
-                ),
+            let d =
+                Diagnostic::error("missing-key", both!("one of `function` and `pairs` is given"));
+            form.fault(
+                d.at(form.span("function")).help(both!(
+                    "write \"function\": {{\"y\": \"ln(x)\", \"from\": 1, \"to\": 2}}"
+                )),
             );
-            form.fault(d.at(form.span("function")).help(both!(
-                "write \"function\": {{\"y\": \"ln(x)\", \"from\": 1, \"to\": 2}}",
-                "请写 \"function\": {{\"y\": \"ln(x)\", \"from\": 1, \"to\": 2}}"
-            )));
             return None;
         }
     };
     let minimax = fit == "minimax";
     if minimax && !matches!(target, FunctionTarget::Curve { .. }) {
-        let d = Diagnostic::error(
-            "wrong-given",
-            both!("`minimax` wants a function, not pairs", "`minimax` 需要函数，而不是角度对"),
+        let d = Diagnostic::error("wrong-given", both!("`minimax` wants a function, not pairs"));
+        form.fault(
+            d.at(form.span("fit")).help(both!("leave \"fit\" out: pairs are met by least squares")),
         );
-        form.fault(d.at(form.span("fit")).help(both!(
-            "leave \"fit\" out: pairs are met by least squares",
-            "请去掉 \"fit\"：角度对用最小二乘"
-        )));
         return None;
     }
     let unknowns = 3 + start.iter().filter(|s| s.is_none()).count();
     let two = steps.len() == 2;
     if two && (crank.is_none() || frame.is_none() || start.iter().any(Option::is_none)) {
-        let message = both!(
-            "two pairs leave more than crank and frame can fix",
-            "两对位置时，须给出曲柄、机架及绝对角度"
-        );
-        let help = both!(
-            "give \"crank\", \"frame\" and absolute angles, or a third pair",
-            "请给出 \"crank\"、\"frame\" 与绝对角度，或第三对位置"
-        );
+        let message = both!("two pairs leave more than crank and frame can fix");
+        let help = both!("give \"crank\", \"frame\" and absolute angles, or a third pair");
         form.fault(Diagnostic::error("wrong-given", message).at(form.span("pairs")).help(help));
         return None;
     }
@@ -160,12 +141,10 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
     if !minimax && !inverted && !two && steps.len() < unknowns {
         let (has, free) = (steps.len(), unknowns - 3);
         let message = both!(
-            "{has} points are too few for {unknowns} unknowns: three lengths and {free} starting angles",
-            "{has} 个点少于 {unknowns} 个未知量：三个杆长比和 {free} 个初始角"
+            "{has} points are too few for {unknowns} unknowns: three lengths and {free} starting angles"
         );
         let help = both!(
-            "give {unknowns} points, a starting angle (\"from\"), or crank and frame with a given \"input\"",
-            "请给出 {unknowns} 个点、初始角 \"from\"，或给出 \"input\" 的初始角及 \"crank\"、\"frame\""
+            "give {unknowns} points, a starting angle (\"from\"), or crank and frame with a given \"input\""
         );
         form.fault(Diagnostic::error("wrong-given", message).at(form.span("points")).help(help));
         return None;
@@ -173,25 +152,20 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
     let alike = steps.iter().all(|[t, p]| t == p);
     if !inverted && !two && !alike && crank.is_some() && frame.is_some() {
         let message = both!(
-            "`crank` and `frame` are both given, but the pairs leave only the size free: the proportions follow from them",
-            "同时给出了 `crank` 与 `frame`，而各对应位置已确定杆长比，只有尺寸可选"
+            "`crank` and `frame` are both given, but the pairs leave only the size free: the proportions follow from them"
         );
         let help = both!(
-            "leave one of the two out; three pairs with a given \"input\" and \"relative\": \"output\" take both",
-            "请去掉其中一个；三对位置、给定 \"input\" 且 \"relative\": \"output\" 时可同时给出"
+            "leave one of the two out; three pairs with a given \"input\" and \"relative\": \"output\" take both"
         );
         form.fault(Diagnostic::error("given-twice", message).at(form.span("crank")).help(help));
         return None;
     }
     if let Some((i, j)) = coincide(&steps) {
-        let message = both!(
-            "the input is the same at points {i} and {j}",
-            "第 {i} 点与第 {j} 点的输入角相同"
-        );
+        let message = both!("the input is the same at points {i} and {j}");
         form.fault(
             Diagnostic::error("precision-points-coincide", message)
                 .at(form.span("pairs"))
-                .help(both!("leave one of them out", "请去掉其中一个")),
+                .help(both!("leave one of them out")),
         );
         return None;
     }
@@ -221,16 +195,8 @@ fn of_curve(form: &TaskForm) -> Option<FunctionGivens> {
     if let Some((p, q)) =
         from.zip(to).filter(|(p, q)| [p, q].iter().any(|v| v.1 != angle && v.0 != 0.0))
     {
-        let message = both!(
-            "the range goes from {} to {}: of two kinds or units",
-            "范围 {} 到 {} 的量纲或单位不同",
-            p.0,
-            q.0
-        );
-        let help = both!(
-            "write both in degrees, both in radians, or both without a unit",
-            "请两端都用度、都用弧度或都不带单位"
-        );
+        let message = both!("the range goes from {} to {}: of two kinds or units", p.0, q.0);
+        let help = both!("write both in degrees, both in radians, or both without a unit");
         form.fault(Diagnostic::error("dimension", message).at(f.span("to")).help(help));
         return None;
     }
@@ -252,14 +218,8 @@ fn of_curve(form: &TaskForm) -> Option<FunctionGivens> {
         let inner = form.inner(key, &["from", "swing"])?;
         let swing = inner.need_angle("swing", "\"60 deg\"")?;
         if swing == 0.0 {
-            let d = Diagnostic::error(
-                "out-of-range",
-                both!("the swing of {key} is zero", "{key} 的摆角为零"),
-            );
-            form.fault(
-                d.at(inner.span("swing"))
-                    .help(both!("write \"swing\": \"60 deg\"", "请写 \"swing\": \"60 deg\"")),
-            );
+            let d = Diagnostic::error("out-of-range", both!("the swing of {key} is zero"));
+            form.fault(d.at(inner.span("swing")).help(both!("write \"swing\": \"60 deg\"")));
             return None;
         }
         Some((if inner.has("from") { Some(inner.angle("from")?) } else { None }, swing))
@@ -267,33 +227,25 @@ fn of_curve(form: &TaskForm) -> Option<FunctionGivens> {
     let (input, output) = (scale("input"), scale("output"));
     let (curve, from, to, n, input, output) = (curve?, from?, to?, n?, input?, output?);
     if from == to {
-        let d = Diagnostic::error("out-of-range", both!("the range of x is empty", "x 的范围为空"));
-        form.fault(d.at(f.span("to")).help(both!(
-            "write \"to\": {}",
-            "请写 \"to\": {}",
-            from + 1.0
-        )));
+        let d = Diagnostic::error("out-of-range", both!("the range of x is empty"));
+        form.fault(d.at(f.span("to")).help(both!("write \"to\": {}", from + 1.0)));
         return None;
     }
     let table = if f.has("step") { Some(f.angle("step")?) } else { None };
     if let Some(step) = table.filter(|s| !(*s > 0.0 && input.1.abs() / *s <= MOST_STEPS)) {
         let message = both!(
             "a step of {}° does not divide the input's swing of {}° into 1 to {MOST_STEPS} parts",
-            "步长 {}° 不能把输入摆角 {}° 分成 1 到 {MOST_STEPS} 份",
             shortest(step.to_degrees()),
             shortest(input.1.to_degrees())
         );
-        let help = both!("write \"step\": \"0.5 deg\"", "请写 \"step\": \"0.5 deg\"");
+        let help = both!("write \"step\": \"0.5 deg\"");
         form.fault(Diagnostic::error("out-of-range", message).at(f.span("step")).help(help));
         return None;
     }
     let hint = if angle.is_some() || ["sin", "cos", "tan"].iter().any(|f| text.contains(f)) {
-        both!(
-            "where x is an angle, write the range so: \"from\": \"0 deg\"",
-            "x 为角度时，请写 \"from\": \"0 deg\""
-        )
+        both!("where x is an angle, write the range so: \"from\": \"0 deg\"")
     } else {
-        both!("take a range on which the function has a value everywhere", "请取函数处处有值的范围")
+        both!("take a range on which the function has a value everywhere")
     };
     let value = |x: f64| {
         let faulty = |d: Diagnostic| {
@@ -303,14 +255,11 @@ fn of_curve(form: &TaskForm) -> Option<FunctionGivens> {
     };
     let values = [value(from)?, value(to)?];
     if values[0] == values[1] {
-        let message = both!(
-            "y has the same value at both ends: the output's swing has no scale",
-            "y 在两端的值相同：输出摆角无比例"
-        );
+        let message = both!("y has the same value at both ends: the output's swing has no scale");
         form.fault(
             Diagnostic::error("out-of-range", message)
                 .at(f.span("y"))
-                .help(both!("take a range on which y rises or falls", "请取 y 单调的范围")),
+                .help(both!("take a range on which y rises or falls")),
         );
         return None;
     }
@@ -368,11 +317,9 @@ fn of_pairs(form: &TaskForm) -> Option<FunctionGivens> {
         match from {
             Some(_) if free[side] => {
                 let message = both!(
-                    "the angles of the {key} count from an unknown start, and from a given one",
-                    "{key} 的角度既从未知角又从给定角起算"
+                    "the angles of the {key} count from an unknown start, and from a given one"
                 );
-                let help =
-                    both!("leave out \"relative\" or \"from\"", "请去掉 \"relative\" 或 \"from\"");
+                let help = both!("leave out \"relative\" or \"from\"");
                 form.fault(Diagnostic::error("wrong-given", message).at(form.span(key)).help(help));
                 return None;
             }
@@ -391,17 +338,9 @@ fn of_pairs(form: &TaskForm) -> Option<FunctionGivens> {
 impl Wish for Function {
     fn title(&self) -> Both {
         if matches!(self.target, FunctionTarget::Pairs { .. }) {
-            return both!(
-                "Function generator for {} pairs of angles",
-                "实现 {} 组对应角位置的函数机构",
-                self.steps.len()
-            );
+            return both!("Function generator for {} pairs of angles", self.steps.len());
         }
-        both!(
-            "Function generator with {} precision points",
-            "{} 个插值结点的函数机构",
-            self.steps.len()
-        )
+        both!("Function generator with {} precision points", self.steps.len())
     }
 
     fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
@@ -410,26 +349,18 @@ impl Wish for Function {
         if let FunctionTarget::Curve { curve, places, .. } = &self.target {
             for ((k, x), [alpha, phi]) in places.iter().enumerate().zip(&self.steps) {
                 let named = |letter: &str| format!("{letter}{}", k + 1);
-                numbers.push(DesignNumber::ratio(
-                    &named("x"),
-                    both!("precision point", "插值结点"),
-                    *x,
-                ));
+                numbers.push(DesignNumber::ratio(&named("x"), both!("precision point"), *x));
                 numbers.extend(curve.at(*x).ok().map(|y| {
-                    DesignNumber::ratio(
-                        &named("y"),
-                        both!("value at the precision point", "结点处的函数值"),
-                        y,
-                    )
+                    DesignNumber::ratio(&named("y"), both!("value at the precision point"), y)
                 }));
                 numbers.push(DesignNumber::angle(
                     &named("alpha"),
-                    both!("the input's turn from its start", "输入构件自初始位置的转角"),
+                    both!("the input's turn from its start"),
                     *alpha,
                 ));
                 numbers.push(DesignNumber::angle(
                     &named("phi"),
-                    both!("the output's turn from its start", "输出构件自初始位置的转角"),
+                    both!("the output's turn from its start"),
                     *phi,
                 ));
             }
@@ -444,8 +375,7 @@ impl Wish for Function {
             .collect();
         if drafts.is_empty() {
             let message = both!(
-                "the coupler's length comes out imaginary: no four-bar closes at these points",
-                "连杆长为虚数：在这些点上没有四杆机构"
+                "the coupler's length comes out imaginary: no four-bar closes at these points"
             );
             return Err(none(message).into());
         }
@@ -472,16 +402,11 @@ impl Function {
             (Some(frame), _) => Some(frame),
             (None, Some(_)) => None,
             (None, None) => {
-                let message = both!(
-                    "the size is free: a frame of {} is taken",
-                    "尺寸可任取：取机架长 {}",
-                    metres(USUAL_FRAME)
-                );
+                let message =
+                    both!("the size is free: a frame of {} is taken", metres(USUAL_FRAME));
                 notes.push(
-                    Diagnostic::note("free-choice", message).help(both!(
-                        "give \"frame\" or \"crank\"",
-                        "可给出 \"frame\" 或 \"crank\""
-                    )),
+                    Diagnostic::note("free-choice", message)
+                        .help(both!("give \"frame\" or \"crank\"")),
                 );
                 Some(USUAL_FRAME)
             }
@@ -524,8 +449,8 @@ impl Function {
         let four = FourBar { a: Point::ORIGIN, b: b1, c: c1, d, e: None };
         let mut numbers = named_lengths([a * unit, b * unit, c * unit, unit]);
         for (i, (name, what)) in [
-            ("alpha0", both!("starting angle of the crank", "曲柄初始角")),
-            ("phi0", both!("starting angle of the follower", "从动杆初始角")),
+            ("alpha0", both!("starting angle of the crank")),
+            ("phi0", both!("starting angle of the follower")),
         ]
         .into_iter()
         .enumerate()
@@ -533,24 +458,16 @@ impl Function {
             numbers.push(DesignNumber::angle(name, what, g.start[i]));
         }
         numbers.extend(raw.k.iter().enumerate().map(|(i, k)| {
-            DesignNumber::ratio(
-                &format!("K{}", i + 1),
-                both!("Freudenstein's constant", "弗洛伊登斯坦方程系数"),
-                *k,
-            )
+            DesignNumber::ratio(&format!("K{}", i + 1), both!("Freudenstein's constant"), *k)
         }));
         // The form of Chinese course books: cos α = P₀ cos φ + P₁ cos(φ − α) + P₂ with lengths in
         // units of the crank.
         let [k1, k2, k3] = raw.k;
         numbers.extend([("P0", k1 / k2), ("P1", -1.0 / k2), ("P2", k3 / k2)].map(|(name, p)| {
-            DesignNumber::ratio(
-                name,
-                both!("constant of the linear equations", "线性方程组系数"),
-                p,
-            )
+            DesignNumber::ratio(name, both!("constant of the linear equations"), p)
         }));
         numbers.extend([("m", c / a), ("n", 1.0 / a), ("l", b / a)].map(|(name, ratio)| {
-            let what = both!("length in units of the crank", "相对曲柄的杆长");
+            let what = both!("length in units of the crank");
             DesignNumber::ratio(name, what, ratio)
         }));
         let exact = self.steps.iter().all(|s| g.rest(*s).abs() < 1e-9);
@@ -561,11 +478,8 @@ impl Function {
         }
         let mut remarks = Vec::new();
         if !turned.is_empty() {
-            let message = both!(
-                "{} comes out negative: the arm is turned by 180°",
-                "{} 为负：该杆转过 180°",
-                Both::names(&turned)
-            );
+            let message =
+                both!("{} comes out negative: the arm is turned by 180°", Both::names(&turned));
             remarks.push(Diagnostic::note("turned-arm", message));
         }
         Some(Draft {

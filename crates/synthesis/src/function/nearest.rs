@@ -8,10 +8,7 @@ use hodograph_base::diag::{Both, both};
 impl Function {
     /// The nearest feasible task: another starting angle, output swing or last pair, or crank.
     pub(super) fn nearest(&self) -> Both {
-        let free = both!(
-            "leave a starting angle free, or take fewer points",
-            "请让一个初始角待定，或减少点数"
-        );
+        let free = both!("leave a starting angle free, or take fewer points");
         self.of_output().or_else(|| self.of_crank()).unwrap_or(free)
     }
 
@@ -27,21 +24,13 @@ impl Function {
                     ..self.clone()
                 };
                 let from = degrees(from.to_degrees(), 90.0, &with)?;
-                Some(both!(
-                    "\"output\": {{\"from\": \"{} deg\"}} has one",
-                    "\"output\": {{\"from\": \"{} deg\"}} 时有解",
-                    from
-                ))
+                Some(both!("\"output\": {{\"from\": \"{} deg\"}} has one", from))
             }
             (FunctionTarget::Curve { swings, .. }, _) => {
                 let own = swings[1].to_degrees();
                 let with = |v: f64| self.swung(v / own);
                 let swing = degrees(own, own.abs(), &with)?;
-                Some(both!(
-                    "\"output\": {{\"swing\": \"{} deg\"}} has one",
-                    "\"output\": {{\"swing\": \"{} deg\"}} 时有解",
-                    swing
-                ))
+                Some(both!("\"output\": {{\"swing\": \"{} deg\"}} has one", swing))
             }
             (FunctionTarget::Pairs { zero }, _) => {
                 let last = self.steps.len() - 1;
@@ -52,11 +41,7 @@ impl Function {
                     other
                 };
                 let angle = degrees(own, 90.0, &with)?;
-                Some(both!(
-                    "with {}° as the last output angle there is one",
-                    "最后一个输出角为 {}° 时有解",
-                    angle
-                ))
+                Some(both!("with {}° as the last output angle there is one", angle))
             }
         }
     }
@@ -67,7 +52,7 @@ impl Function {
         let works =
             |mm: f64| mm > 0.0 && Function { crank: Some(mm * 1e-3), ..self.clone() }.works();
         let mm = roughly(own, own, works)?;
-        Some(both!("\"crank\": \"{} mm\" has one", "\"crank\": \"{} mm\" 时有解", told(mm)))
+        Some(both!("\"crank\": \"{} mm\" has one", told(mm)))
     }
 
     /// The function with the output's swing multiplied by a factor.

@@ -44,27 +44,15 @@ impl Function {
             if all.is_empty() && !far.is_empty() {
                 return Err(both!(
                     "only linkages whose links differ more than {MOST} times in length pass through these {} pairs",
-                    "通过这 {} 对角度的机构，其杆长均相差 {MOST} 倍以上",
                     self.steps.len()
                 ));
             }
             if all.is_empty() {
-                return Err(both!(
-                    "no four-bar passes through these {} pairs",
-                    "没有四杆机构通过这 {} 对角度",
-                    self.steps.len()
-                ));
+                return Err(both!("no four-bar passes through these {} pairs", self.steps.len()));
             }
             let count = all.len();
             let named = |(k, g)| {
-                (
-                    if count == 1 {
-                        both!("the only solution", "唯一解")
-                    } else {
-                        both!("root {}", "第 {} 个根", k + 1)
-                    },
-                    g,
-                )
+                (if count == 1 { both!("the only solution") } else { both!("root {}", k + 1) }, g)
             };
             return Ok(all.into_iter().enumerate().map(named).collect());
         }
@@ -106,22 +94,15 @@ impl Function {
             }
         }
         let Some((_, first)) = best else {
-            return Err(both!(
-                "least squares leave no four-bar that closes at all pairs",
-                "最小二乘解不能在各位置装配"
-            ));
+            return Err(both!("least squares leave no four-bar that closes at all pairs"));
         };
         let mut all = Vec::new();
         if let (Some((_, g)), [false, false]) = (linear_best, free) {
-            all.push((
-                both!("least squares of Freudenstein's equation", "弗洛伊登斯坦方程的最小二乘解"),
-                g,
-            ));
+            all.push((both!("least squares of Freudenstein's equation"), g));
         }
         all.extend(
-            least_squares(first, free, &self.steps).map(|g| {
-                (both!("least squares of the output angles", "输出角偏差的最小二乘解"), g)
-            }),
+            least_squares(first, free, &self.steps)
+                .map(|g| (both!("least squares of the output angles"), g)),
         );
         Ok(all)
     }
@@ -143,8 +124,7 @@ impl Function {
         let b: Vec<Point> = self.steps.iter().map(back).collect();
         let Some((c, _)) = centre(b[0], b[1], b[2]) else {
             return Err(both!(
-                "B1 and the turned-back B2, B3 lie in line: C would be infinitely far",
-                "B1 与反转后的 B2、B3 共线：C 在无穷远处"
+                "B1 and the turned-back B2, B3 lie in line: C would be infinitely far"
             ));
         };
         let (reach, b_len) = (c.distance(d), c.distance(b[0]));
@@ -154,7 +134,7 @@ impl Function {
             (a * a - b_len * b_len + reach * reach + 1.0) / (2.0 * a * reach),
         ];
         Ok(vec![(
-            both!("C1 by inversion about D", "以 D 为中心反转求得 C1"),
+            both!("C1 by inversion about D"),
             Generator { start: [alpha, (c - d).angle()], k },
         )])
     }
@@ -171,13 +151,12 @@ impl Function {
         let found: Vec<_> = roots.iter().filter_map(|g| minimax(*g, *range, &step_of)).collect();
         if found.is_empty() {
             return Err(both!(
-                "no linkage through five Chebyshev points has six alternating deviations to start from",
-                "没有过五个切比雪夫结点且偏差六次交错的机构可作初值"
+                "no linkage through five Chebyshev points has six alternating deviations to start from"
             ));
         }
         Ok(found
             .into_iter()
-            .map(|(g, ..)| (both!("least greatest deviation", "最大偏差最小"), g.upright()))
+            .map(|(g, ..)| (both!("least greatest deviation"), g.upright()))
             .collect())
     }
 
@@ -196,10 +175,7 @@ impl Function {
             (Some(d), Some(a)) => d / a,
             _ => USUAL_RATIO,
         };
-        let which = both!(
-            "parallelogram: the two turn alike with cranks of any length",
-            "平行四边形机构：两连架杆转角相等，曲柄长可任取"
-        );
+        let which = both!("parallelogram: the two turn alike with cranks of any length");
         alike.then_some((which, Generator { start: [start; 2], k: [ratio, ratio, 1.0] }))
     }
 
@@ -214,17 +190,10 @@ impl Function {
         let g = Generator { start: [alpha, phi], k: [k1, k2, one.1 + k2 * one.0] };
         if !(g.k.iter().all(|k| k.is_finite()) && bounded(&g)) {
             return Err(both!(
-                "C would be infinitely far: the bisector of B1B2' is parallel to the follower's direction",
-                "C 在无穷远处：B1B2' 的中垂线与从动杆方向平行"
+                "C would be infinitely far: the bisector of B1B2' is parallel to the follower's direction"
             ));
         }
-        Ok(vec![(
-            both!(
-                "C1 on the bisector of B1 B2' and on the follower's direction",
-                "C1 为 B1B2' 中垂线与从动杆方向线的交点"
-            ),
-            g,
-        )])
+        Ok(vec![(both!("C1 on the bisector of B1 B2' and on the follower's direction"), g)])
     }
 }
 

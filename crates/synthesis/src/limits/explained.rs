@@ -11,34 +11,29 @@ impl Press {
         let [p, q] = self.angles;
         Statement {
             task: both!(
-                "Design a press: the crank $AB$ swings the rocker $DCE$ by the coupler $BC$; the link $EF$ moves the ram $F$ on an upright guide.",
-                "设计压床机构：曲柄 $AB$ 经连杆 $BC$ 使摇杆 $DCE$ 摆动，再经连杆 $EF$ 带动滑块 $F$ 沿铅垂导路移动。"
+                "Design a press: the crank $AB$ swings the rocker $DCE$ by the coupler $BC$; the link $EF$ moves the ram $F$ on an upright guide."
             ),
             given: vec![
                 both!(
                     "$A$ lies $x_1 = {}$ right of $D$ and $y = {}$ below it; the guide lies $x_2 = {}$ right of $D$",
-                    "$A$ 在 $D$ 右方 $x_1 = {}$、下方 $y = {}$；导路在 $D$ 右方 $x_2 = {}$",
                     length(self.a.x),
                     length(-self.a.y),
                     length(self.x2)
                 ),
                 both!(
                     "limits of the rocker, from the upright: $\\psi' = {}$, $\\psi'' = {}$",
-                    "摇杆两极限位置与铅垂线的夹角：$\\psi' = {}$，$\\psi'' = {}$",
                     angle(p),
                     angle(q)
                 ),
-                both!("stroke $H = {}$", "行程 $H = {}$", length(self.stroke)),
+                both!("stroke $H = {}$", length(self.stroke)),
                 both!(
                     "$l_{{CE}}/l_{{CD}} = {}$, $l_{{EF}}/l_{{DE}} = {}$",
-                    "$l_{{CE}}/l_{{CD}} = {}$，$l_{{EF}}/l_{{DE}} = {}$",
                     number(self.ce_cd),
                     number(self.ef_de)
                 ),
             ],
             wanted: vec![both!(
-                "the lengths $l_{{AB}}$, $l_{{BC}}$, $l_{{CD}}$, $l_{{DE}}$, $l_{{EF}}$ and the time ratio $K$",
-                "杆长 $l_{{AB}}$、$l_{{BC}}$、$l_{{CD}}$、$l_{{DE}}$、$l_{{EF}}$ 及行程速度变化系数 $K$"
+                "the lengths $l_{{AB}}$, $l_{{BC}}$, $l_{{CD}}$, $l_{{DE}}$, $l_{{EF}}$ and the time ratio $K$"
             )],
             open_steps: 0,
         }
@@ -50,8 +45,7 @@ impl Press {
         let stroke = match even {
             true => Proof::new(
                 both!(
-                    "The limits lie alike above and below the level: $EF$ stands alike in both, and the chord of $E$ is the stroke:",
-                    "两极限位置对称于水平线，$EF$ 姿态相同，$E$ 的弦长等于行程："
+                    "The limits lie alike above and below the level: $EF$ stands alike in both, and the chord of $E$ is the stroke:"
                 ),
                 [format!(
                     "l_{{DE}} = \\frac{{H}}{{2\\sin((\\psi'' − \\psi')/2)}} = {}",
@@ -60,8 +54,7 @@ impl Press {
             ),
             false => Proof::new(
                 both!(
-                    "$F$ lies on its guide in both limits; the difference of its heights is the stroke, an equation for $l_{{DE}}$:",
-                    "两极限位置上 $F$ 均在导路上，高度差等于行程，由此方程求 $l_{{DE}}$："
+                    "$F$ lies on its guide in both limits; the difference of its heights is the stroke, an equation for $l_{{DE}}$:"
                 ),
                 [
                     "y_F = l_{DE}\\cos\\psi − \\sqrt{l_{EF}^2 − (x_2 − l_{DE}\\sin\\psi)^2}"
@@ -75,7 +68,7 @@ impl Press {
         vec![
             stroke,
             Proof::new(
-                both!("The given ratios divide it:", "按给定比例："),
+                both!("The given ratios divide it:"),
                 [format!(
                     "l_{{CD}} = {} ,\\quad l_{{EF}} = {}",
                     length(of(draft, "CD")),
@@ -84,10 +77,7 @@ impl Press {
             ),
             half_difference(ac, of(draft, "AB"), of(draft, "BC")),
             Proof::new(
-                both!(
-                    "The crank angle between the limits and the time ratio:",
-                    "极位夹角与行程速度变化系数："
-                ),
+                both!("The crank angle between the limits and the time ratio:"),
                 [format!(
                     "\\theta = \\angle C_1AC_2 = {} ,\\quad K = \\frac{{180\\degree + \\theta}}{{180\\degree − \\theta}} = {}",
                     angle(of(draft, "theta")),

@@ -52,13 +52,9 @@ pub(super) fn rocker(form: &TaskForm) -> Option<Box<dyn Wish>> {
         angles.and_then(|[p, q]| form.angle_of(p, "angles").zip(form.angle_of(q, "angles")));
     let (rocker, frame, (p, q)) = (rocker?, frame?, angles?);
     if !(0.0 < p.min(q) && p.max(q) < PI && p != q) {
-        let message = both!(
-            "the limits are two different angles between 0° and 180°",
-            "两极限角应为 0° 与 180° 之间的两个不同角度"
-        );
+        let message = both!("the limits are two different angles between 0° and 180°");
         let help = both!(
-            "they are the rocker's angles with the frame, ∠ADC1 and ∠ADC2: write \"angles\": {example}",
-            "即摇杆与机架的夹角 ∠ADC1、∠ADC2：请写 \"angles\": {example}"
+            "they are the rocker's angles with the frame, ∠ADC1 and ∠ADC2: write \"angles\": {example}"
         );
         form.fault(Diagnostic::error("out-of-range", message).at(form.span("angles")).help(help));
         return None;
@@ -86,26 +82,17 @@ fn by_places(form: &TaskForm, rocker: bool) -> Option<Box<dyn Wish>> {
         None
     };
     if c[0] == c[1] {
-        return fault(
-            both!("C1 and C2 are one place", "C1 与 C2 重合"),
-            both!("give two limit places of C", "请给出 C 的两个极限位置"),
-        );
+        return fault(both!("C1 and C2 are one place"), both!("give two limit places of C"));
     }
     let pivots = match (own, by_length) {
         (Some(d), _) => {
             let (p, q) = (d.distance(c[0]), d.distance(c[1]));
             if (p - q).abs() > WRITTEN * p.max(q) {
                 let (p, q) = (significant(p * 1e3, 4), significant(q * 1e3, 4));
-                let message = both!(
-                    "D is {p} mm from C1 and {q} mm from C2",
-                    "D 距 C1 为 {p} mm，距 C2 为 {q} mm"
-                );
+                let message = both!("D is {p} mm from C1 and {q} mm from C2");
                 return fault(
                     message,
-                    both!(
-                        "a rocker has one length: move D onto the bisector of C1C2",
-                        "摇杆长不变：请把 D 移到 C1C2 的中垂线上"
-                    ),
+                    both!("a rocker has one length: move D onto the bisector of C1C2"),
                 );
             }
             // Moved onto the bisector, because coordinates are rounded.
@@ -116,12 +103,8 @@ fn by_places(form: &TaskForm, rocker: bool) -> Option<Box<dyn Wish>> {
             let both_sides: Vec<Point> =
                 [true, false].into_iter().filter_map(|left| meet(c[0], l, c[1], l, left)).collect();
             if both_sides.is_empty() {
-                let message =
-                    both!("the rocker is shorter than half of C1C2", "摇杆长小于 C1C2 的一半");
-                return fault(
-                    message,
-                    both!("take a longer one, or give D", "请加长摇杆，或给出 D"),
-                );
+                let message = both!("the rocker is shorter than half of C1C2");
+                return fault(message, both!("take a longer one, or give D"));
             }
             both_sides
         }
@@ -190,13 +173,9 @@ impl TwoPlaces {
             let works =
                 |mm: f64| mm > 0.0 && TwoPlaces::by_angles(rocker, mm * 1e-3, *angles).turns();
             if let Some(mm) = number(frame * 1e3, frame * 1e3, works) {
-                return both!(
-                    "\"frame\": \"{} mm\" has one",
-                    "\"frame\": \"{} mm\" 时有解",
-                    told(mm)
-                );
+                return both!("\"frame\": \"{} mm\" has one", told(mm));
             }
-            return both!("take angles nearer to one another", "请使两极限角更接近");
+            return both!("take angles nearer to one another");
         }
         let scale = self.c[0].distance(self.c[1]) * 1e3;
         let moved = |at: Point| TwoPlaces { a: at, ..self.clone() }.turns();
@@ -206,14 +185,9 @@ impl TwoPlaces {
             .map(|mm| [self.a.x * 1e3, mm]);
         let far = |to: &[f64; 2]| (to[0] - self.a.x * 1e3).abs() + (to[1] - self.a.y * 1e3).abs();
         match x.into_iter().chain(y).min_by(|p, q| far(p).total_cmp(&far(q))) {
-            Some([x, y]) => both!(
-                "A at [\"{} mm\", \"{} mm\"] has one",
-                "A 取 [\"{} mm\", \"{} mm\"] 时有解",
-                told(x),
-                told(y)
-            ),
+            Some([x, y]) => both!("A at [\"{} mm\", \"{} mm\"] has one", told(x), told(y)),
             None => {
-                both!("take A farther from the bisector of C1C2", "请使 A 离 C1C2 的中垂线更远")
+                both!("take A farther from the bisector of C1C2")
             }
         }
     }
@@ -245,11 +219,7 @@ impl TwoPlaces {
                 let swing = libm::atan2(u.cross(v).abs(), u.dot(v));
                 let mut numbers =
                     named_lengths([ab, bc, d.distance(self.c[0]), d.distance(self.a)]);
-                numbers.push(DesignNumber::angle(
-                    "psi",
-                    both!("swing of the rocker", "摇杆摆角"),
-                    swing,
-                ));
+                numbers.push(DesignNumber::angle("psi", both!("swing of the rocker"), swing));
                 (numbers, four.scene(heading), Demand::Swing(swing))
             }
             None => {
@@ -257,10 +227,10 @@ impl TwoPlaces {
                 let (stroke, off) =
                     (way.norm(), (way.cross(self.a - self.c[1]) / way.norm()).abs());
                 let numbers = vec![
-                    DesignNumber::length("AB", both!("crank", "曲柄"), ab),
-                    DesignNumber::length("BC", both!("rod", "连杆"), bc),
-                    DesignNumber::length("e", both!("offset", "偏距"), off),
-                    DesignNumber::length("H", both!("stroke", "行程"), stroke),
+                    DesignNumber::length("AB", both!("crank"), ab),
+                    DesignNumber::length("BC", both!("rod"), bc),
+                    DesignNumber::length("e", both!("offset"), off),
+                    DesignNumber::length("H", both!("stroke"), stroke),
                 ];
                 (
                     numbers,
@@ -271,17 +241,17 @@ impl TwoPlaces {
         };
         numbers.push(DesignNumber::angle(
             "theta",
-            both!("crank angle between the limit positions", "极位夹角"),
+            both!("crank angle between the limit positions"),
             theta,
         ));
-        numbers.push(DesignNumber::ratio("K", both!("time ratio", "行程速度变化系数"), k));
+        numbers.push(DesignNumber::ratio("K", both!("time ratio"), k));
         let which = match (d, &self.output) {
             (Some((side, _)), Output::Rocker { pivots, .. }) if pivots.len() > 1 => match side {
-                0 => both!("D left of C1C2", "D 在 C1C2 左侧"),
-                _ => both!("D right of C1C2", "D 在 C1C2 右侧"),
+                0 => both!("D left of C1C2"),
+                _ => both!("D right of C1C2"),
             },
             (Some(_) | None, Output::Rocker { .. } | Output::Slider) => {
-                both!("the only solution", "唯一解")
+                both!("the only solution")
             }
         };
         let demands = vec![Demand::FullTurn, Demand::TimeRatio(k), moved];
@@ -310,32 +280,21 @@ impl TwoPlaces {
 impl Wish for TwoPlaces {
     fn title(&self) -> Both {
         match self.output {
-            Output::Rocker { .. } => both!(
-                "Crank-rocker by the limit positions of its rocker",
-                "按摇杆两极限位置设计的曲柄摇杆机构"
-            ),
-            Output::Slider => both!(
-                "Slider-crank by the limit positions of its slider",
-                "按滑块两极限位置设计的曲柄滑块机构"
-            ),
+            Output::Rocker { .. } => both!("Crank-rocker by the limit positions of its rocker"),
+            Output::Slider => both!("Slider-crank by the limit positions of its slider"),
         }
     }
 
     fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
         let [ab, bc] = self.bars();
         if ab <= NO_CRANK * bc {
-            let message = both!(
-                "AC1 and AC2 are equal: the crank would have no length",
-                "AC1 与 AC2 相等：曲柄长为零"
-            );
+            let message = both!("AC1 and AC2 are equal: the crank would have no length");
             return Err(Diagnostic::error("no-real-solution", message).help(self.nearest()).into());
         }
         let mut notes = Vec::new();
         if !self.turns() {
-            let message = both!(
-                "no crank turns through what comes out, or its limits lie on two assemblies",
-                "所得机构没有能整周转动的曲柄，或两极限位置不属于同一装配"
-            );
+            let message =
+                both!("no crank turns through what comes out, or its limits lie on two assemblies");
             notes.push(Diagnostic::warning("not-a-crank", message).help(self.nearest()));
         }
         let drafts = match &self.output {
@@ -351,10 +310,7 @@ impl Wish for TwoPlaces {
         let (a, [c1, c2]) = (board.at(self.a), self.c.map(|c| board.at(c)));
         match &self.output {
             Output::Rocker { pivots, .. } => {
-                board.step(both!(
-                    "Lay off the frame AD and the rocker in its limits DC1 and DC2",
-                    "作机架 AD 及摇杆的两极限位置 DC1、DC2"
-                ));
+                board.step(both!("Lay off the frame AD and the rocker in its limits DC1 and DC2"));
                 let cd = of(draft, "AD");
                 let d = pivots.iter().min_by(|p, q| {
                     let off = |at: &Point| (at.distance(self.a) - cd).abs();
@@ -369,10 +325,7 @@ impl Wish for TwoPlaces {
                     .read("CD", d, c1);
             }
             Output::Slider => {
-                board.step(both!(
-                    "Lay off A and the slider's limits C1, C2 on the guide",
-                    "作出 A 及导路上滑块的两极限位置 C1、C2"
-                ));
+                board.step(both!("Lay off A and the slider's limits C1, C2 on the guide"));
                 board.line(c1, c2, Weight::Given).read("H", c1, c2);
             }
         }
@@ -389,33 +342,23 @@ impl Wish for TwoPlaces {
         let (task, given) = match &self.output {
             Output::Rocker { pivots, angles } => {
                 let task = both!(
-                    "Design a crank-rocker $ABCD$ whose rocker $CD$ swings between two given limit positions.",
-                    "设计曲柄摇杆机构 $ABCD$，使摇杆 $CD$ 在两给定极限位置之间摆动。"
+                    "Design a crank-rocker $ABCD$ whose rocker $CD$ swings between two given limit positions."
                 );
                 let d = pivots.first().copied().unwrap_or(Point::ORIGIN);
-                let rocker = both!(
-                    "rocker $l_{{CD}} = {}$",
-                    "摇杆 $l_{{CD}} = {}$",
-                    length(d.distance(self.c[0]))
-                );
+                let rocker = both!("rocker $l_{{CD}} = {}$", length(d.distance(self.c[0])));
                 let given = match angles {
                     Some([p, q]) => vec![
                         rocker,
-                        both!("frame $l_{{AD}} = {}$", "机架 $l_{{AD}} = {}$", length(d.x)),
+                        both!("frame $l_{{AD}} = {}$", length(d.x)),
                         both!(
                             "limits of the rocker $\\angle ADC_1 = {}$, $\\angle ADC_2 = {}$",
-                            "摇杆的两极限位置 $\\angle ADC_1 = {}$，$\\angle ADC_2 = {}$",
                             angle(*p),
                             angle(*q)
                         ),
                     ],
                     None => {
-                        let places = both!(
-                            "$A = {}$, $C_1 = {c1}$, $C_2 = {c2}$",
-                            "$A = {}$，$C_1 = {c1}$，$C_2 = {c2}$",
-                            shown(self.a)
-                        );
-                        let pivot = both!("$D = {}$", "$D = {}$", shown(d));
+                        let places = both!("$A = {}$, $C_1 = {c1}$, $C_2 = {c2}$", shown(self.a));
+                        let pivot = both!("$D = {}$", shown(d));
                         vec![places, if pivots.len() > 1 { rocker } else { pivot }]
                     }
                 };
@@ -423,22 +366,14 @@ impl Wish for TwoPlaces {
             }
             Output::Slider => (
                 both!(
-                    "Design a slider-crank $ABC$ whose slider $C$ runs to and fro between two given places.",
-                    "设计曲柄滑块机构 $ABC$，使滑块 $C$ 在两给定位置之间往复运动。"
+                    "Design a slider-crank $ABC$ whose slider $C$ runs to and fro between two given places."
                 ),
-                vec![both!(
-                    "$A = {}$, $C_1 = {c1}$, $C_2 = {c2}$",
-                    "$A = {}$，$C_1 = {c1}$，$C_2 = {c2}$",
-                    shown(self.a)
-                )],
+                vec![both!("$A = {}$, $C_1 = {c1}$, $C_2 = {c2}$", shown(self.a))],
             ),
         };
         let wanted = vec![
-            both!(
-                "the lengths of crank $l_{{AB}}$ and coupler $l_{{BC}}$",
-                "曲柄 $l_{{AB}}$ 与连杆 $l_{{BC}}$ 的长度"
-            ),
-            both!("the time ratio $K$", "行程速度变化系数 $K$"),
+            both!("the lengths of crank $l_{{AB}}$ and coupler $l_{{BC}}$"),
+            both!("the time ratio $K$"),
         ];
         Statement { task, given, wanted, open_steps: 1 }
     }
@@ -451,13 +386,7 @@ impl Wish for TwoPlaces {
         );
         vec![
             half_difference(self.reach(), of(draft, "AB"), of(draft, "BC")),
-            Proof::new(
-                both!(
-                    "The crank angle between the limits and the time ratio:",
-                    "极位夹角与行程速度变化系数："
-                ),
-                [k],
-            ),
+            Proof::new(both!("The crank angle between the limits and the time ratio:"), [k]),
         ]
     }
 }

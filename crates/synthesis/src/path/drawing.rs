@@ -16,20 +16,12 @@ pub fn by_lengths(
     sides: &[bool],
 ) -> Option<()> {
     let (a, e) = (board.at(a), e.iter().map(|p| board.at(*p)).collect::<Vec<Point>>());
-    board.step(both!(
-        "Lay off A, D, the places of E and the crank circle",
-        "作出 A、D、E 的各位置及曲柄圆"
-    ));
+    board.step(both!("Lay off A, D, the places of E and the crank circle"));
     let radius = board.mm(crank);
     board.circle(a, radius, Weight::Given);
     let d = laid(board, a, d, &e);
     let [centres, pins] = ["E", "B"].map(|letter| numbered(letter, "", 1..=e.len()));
-    board.step(both!(
-        "With BE as opening about {} cut the crank circle: {}",
-        "分别以 {} 为圆心、BE 为半径截曲柄圆得 {}",
-        centres,
-        pins
-    ));
+    board.step(both!("With BE as opening about {} cut the crank circle: {}", centres, pins));
     let opening = board.mm(be);
     let mut b = Vec::new();
     for (k, (at, left)) in e.iter().zip(sides).enumerate() {
@@ -49,7 +41,7 @@ pub fn by_turns(
     turns: &[f64],
 ) -> Option<()> {
     let (a, e) = (board.at(a), e.iter().map(|p| board.at(*p)).collect::<Vec<Point>>());
-    board.step(both!("Lay off A, D and the places of E", "作出 A、D 及 E 的各位置"));
+    board.step(both!("Lay off A, D and the places of E"));
     let d = laid(board, a, d, &e);
     let by: Vec<String> = turns[1..]
         .iter()
@@ -57,13 +49,7 @@ pub fn by_turns(
         .collect();
     let by = Both::names(&by);
     let (places, back) = (numbered("E", "", 2..=e.len()), numbered("E", "'", 2..=e.len()));
-    board.step(both!(
-        "Turn {} about A back with the crank, by {}: {}",
-        "{} 随曲柄绕 A 分别反转 {}，得 {}",
-        places,
-        by,
-        back
-    ));
+    board.step(both!("Turn {} about A back with the crank, by {}: {}", places, by, back));
     let turned: Vec<Point> = (1..e.len())
         .map(|k| a + (e[k] - a).rotate_by(Vec2::from_angle(turns[0] - turns[k])))
         .collect();
@@ -73,7 +59,6 @@ pub fn by_turns(
     let pins = numbered("B", "", 2..=e.len());
     board.step(both!(
         "The bisectors of E1, E2', E3' meet at B1; {} lie on the crank's circle",
-        "E1、E2'、E3' 的中垂线交于 B1；在曲柄圆上得 {}",
         pins
     ));
     let first = board.centre(e[0], turned[0], turned[1])?;
@@ -115,7 +100,6 @@ fn follower(
 ) -> Option<()> {
     board.step(both!(
         "Carry D back with the coupler BE into position 1: {}",
-        "把 D 随连杆 BE 反转到位置 1，得 {}",
         numbered("D", "'", 2..=e.len())
     ));
     let mut places = vec![d];
@@ -124,13 +108,13 @@ fn follower(
         board.mark(&format!("D_{}'", k + 1), back);
         places.push(back);
     }
-    board.step(both!("The bisectors of D, D2', D3' meet at C1", "D、D2'、D3' 的中垂线交于 C1"));
+    board.step(both!("The bisectors of D, D2', D3' meet at C1"));
     let c = board.centre(places[0], places[1], places[2])?;
     board.mark("C_1", c).read("CD", c, d);
     for further in places.iter().skip(3) {
         board.read("CD", c, *further);
     }
-    board.step(both!("Draw the linkage AB1C1D with E1", "作位置 1 的机构 AB1C1D 及 E1"));
+    board.step(both!("Draw the linkage AB1C1D with E1"));
     board.line(a, b[0], Weight::Result).line(b[0], c, Weight::Result).line(c, d, Weight::Result);
     board
         .line(b[0], e[0], Weight::Result)

@@ -21,11 +21,7 @@ impl PathTask {
             };
             let mut out: Vec<Both> = all.iter().take(TOLD).enumerate().map(one).collect();
             if all.len() > TOLD {
-                out.push(both!(
-                    "and {} places more, as in the file",
-                    "及文件中的其余 {} 个点",
-                    all.len() - TOLD
-                ));
+                out.push(both!("and {} places more, as in the file", all.len() - TOLD));
             }
             out
         };
@@ -36,13 +32,11 @@ impl PathTask {
                 given.extend(lengths_told(*lengths));
                 Statement {
                     task: both!(
-                        "Design a four-bar $ABCD$ whose coupler point $E$ passes through three given places.",
-                        "设计四杆机构 $ABCD$，使连杆上的点 $E$ 通过三个预定位置。"
+                        "Design a four-bar $ABCD$ whose coupler point $E$ passes through three given places."
                     ),
                     given,
                     wanted: vec![both!(
-                        "the coupler $l_{{BC}}$, $l_{{CE}}$ and the follower $l_{{CD}}$",
-                        "连杆 $l_{{BC}}$、$l_{{CE}}$ 与从动连架杆 $l_{{CD}}$"
+                        "the coupler $l_{{BC}}$, $l_{{CE}}$ and the follower $l_{{CD}}$"
                     )],
                     open_steps: 1,
                 }
@@ -53,13 +47,11 @@ impl PathTask {
                 given.push(turns_told(turns));
                 Statement {
                     task: both!(
-                        "Design a four-bar $ABCD$ whose coupler point $E$ passes through three given places at given turns of the crank.",
-                        "设计四杆机构 $ABCD$，使曲柄转过给定角度时连杆上的点 $E$ 通过三个预定位置。"
+                        "Design a four-bar $ABCD$ whose coupler point $E$ passes through three given places at given turns of the crank."
                     ),
                     given,
                     wanted: vec![both!(
-                        "the crank $l_{{AB}}$, the coupler $l_{{BC}}$, $l_{{BE}}$, $l_{{CE}}$ and the follower $l_{{CD}}$",
-                        "曲柄 $l_{{AB}}$，连杆 $l_{{BC}}$、$l_{{BE}}$、$l_{{CE}}$ 与从动连架杆 $l_{{CD}}$"
+                        "the crank $l_{{AB}}$, the coupler $l_{{BC}}$, $l_{{BE}}$, $l_{{CE}}$ and the follower $l_{{CD}}$"
                     )],
                     open_steps: 1,
                 }
@@ -70,32 +62,28 @@ impl PathTask {
                 given.extend(lines.iter().flat_map(|[a, d]| [on_line("A", *a), on_line("D", *d)]));
                 Statement {
                     task: both!(
-                        "Design a four-bar $ABCD$ whose coupler point $E$ passes through four given places at given turns of the crank.",
-                        "设计四杆机构 $ABCD$，使曲柄转过给定角度时连杆上的点 $E$ 通过四个预定位置。"
+                        "Design a four-bar $ABCD$ whose coupler point $E$ passes through four given places at given turns of the crank."
                     ),
                     given,
                     wanted: vec![both!(
-                        "the pivots $A$, $D$, the crank $l_{{AB}}$, the coupler $l_{{BC}}$, $l_{{BE}}$, $l_{{CE}}$ and the follower $l_{{CD}}$",
-                        "固定铰链 $A$、$D$，曲柄 $l_{{AB}}$，连杆 $l_{{BC}}$、$l_{{BE}}$、$l_{{CE}}$ 与从动连架杆 $l_{{CD}}$"
+                        "the pivots $A$, $D$, the crank $l_{{AB}}$, the coupler $l_{{BC}}$, $l_{{BE}}$, $l_{{CE}}$ and the follower $l_{{CD}}$"
                     )],
                     open_steps: 0,
                 }
             }
             PathTask::Several { points, a, lengths, line, .. } => {
                 let mut given = listed(points);
-                given.push(both!("pivot $A = {}$", "固定铰链 $A = {}$", place(*a)));
+                given.push(both!("pivot $A = {}$", place(*a)));
                 given.extend(lengths_told(*lengths));
                 given.extend(line.map(|line| on_line("D", line)));
                 let count = points.len();
                 Statement {
                     task: both!(
-                        "Design a four-bar $ABCD$ whose coupler point $E$ passes through {count} given places.",
-                        "设计四杆机构 $ABCD$，使连杆上的点 $E$ 通过 {count} 个预定位置。"
+                        "Design a four-bar $ABCD$ whose coupler point $E$ passes through {count} given places."
                     ),
                     given,
                     wanted: vec![both!(
-                        "the pivot $D$, the coupler $l_{{BC}}$, $l_{{CE}}$ and the follower $l_{{CD}}$",
-                        "固定铰链 $D$，连杆 $l_{{BC}}$、$l_{{CE}}$ 与从动连架杆 $l_{{CD}}$"
+                        "the pivot $D$, the coupler $l_{{BC}}$, $l_{{CE}}$ and the follower $l_{{CD}}$"
                     )],
                     open_steps: 0,
                 }
@@ -106,7 +94,6 @@ impl PathTask {
                 Statement {
                     task: both!(
                         "Design a crank-rocker $ABCD$ whose coupler point $E$ is as near as possible to {} given places, at given turns of the crank.",
-                        "设计曲柄摇杆机构 $ABCD$，使曲柄转过给定角度时连杆上的点 $E$ 尽可能接近 {} 个预定位置。",
                         points.len()
                     ),
                     given,
@@ -117,7 +104,6 @@ impl PathTask {
             PathTask::Many { points, timing: None, .. } => Statement {
                 task: both!(
                     "Design a crank-rocker $ABCD$ whose coupler point $E$ passes as near as possible to {} given places, in their order.",
-                    "设计曲柄摇杆机构 $ABCD$，使连杆上的点 $E$ 依次尽可能接近 {} 个预定位置。",
                     points.len()
                 ),
                 given: listed(points),
@@ -151,8 +137,7 @@ fn by_burmester(e: &[Point], turns: &[f64], draft: &Draft) -> Vec<Proof> {
     let a = Point::new(of(draft, "A_x"), of(draft, "A_y"));
     let centre = Proof::new(
         both!(
-            "$A$ is a centre point (Burmester) of the positions of a plane that has its origin in $E_k$ and turns with the crank:",
-            "以 $E_k$ 为原点并随曲柄转动的平面的各位置，其圆心点（布尔梅斯特）即为 $A$："
+            "$A$ is a centre point (Burmester) of the positions of a plane that has its origin in $E_k$ and turns with the crank:"
         ),
         [format!("A = {}", place(a))],
     );
@@ -175,15 +160,13 @@ fn first_pin(e: &[Point], a: Point, turns: &[f64], draft: &Draft) -> Vec<Proof> 
     vec![
         Proof::new(
             both!(
-                "Turned back about $A$ with the crank, $\\delta_k$ its turn from place 1 to $k$, $E_k$ comes to",
-                "随曲柄绕 $A$ 反转（$\\delta_k$ 为曲柄由位置 1 到 $k$ 的转角）："
+                "Turned back about $A$ with the crank, $\\delta_k$ its turn from place 1 to $k$, $E_k$ comes to"
             ),
             ["E_k' = A + R(−\\delta_k)\\,(E_k − A)".to_owned(), places.join(" ,\\quad ")],
         ),
         centre_of_three(
             both!(
-                "$B_1$ is as far from $E_1$ as from $E_2'$ and $E_3'$: the squares of the distances, subtracted, are linear equations (mm).",
-                "$B_1$ 到 $E_1$、$E_2'$、$E_3'$ 等距：距离平方相减得线性方程（mm）。"
+                "$B_1$ is as far from $E_1$ as from $E_2'$ and $E_3'$: the squares of the distances, subtracted, are linear equations (mm)."
             ),
             [e[0], second, third],
             "B_1",
@@ -197,29 +180,22 @@ fn turns_told(turns: &[f64]) -> Both {
     let turned: Vec<String> =
         turns.iter().skip(1).take(TOLD - 1).map(|t| angle(t - turns[0])).collect();
     let more = if turns.len() > TOLD { ", ..." } else { "" };
-    both!(
-        "turns of the crank from $E_1$: ${}{more}$",
-        "曲柄自 $E_1$ 的转角：${}{more}$",
-        turned.join(" ,\\quad ")
-    )
+    both!("turns of the crank from $E_1$: ${}{more}$", turned.join(" ,\\quad "))
 }
 
 fn on_line(letter: &str, (through, along): Ray) -> Both {
     let (at, angle) = (place(through), angle(along.angle()));
-    both!(
-        "${letter}$ on the line through ${at}$ under ${angle}$",
-        "${letter}$ 在过 ${at}$、倾角为 ${angle}$ 的直线上"
-    )
+    both!("${letter}$ on the line through ${at}$ under ${angle}$")
 }
 
 fn pivots_told(a: Point, d: Point) -> Both {
-    both!("pivots $A = {}$, $D = {}$", "固定铰链 $A = {}$，$D = {}$", place(a), place(d))
+    both!("pivots $A = {}$, $D = {}$", place(a), place(d))
 }
 
 fn lengths_told([crank, be]: [f64; 2]) -> [Both; 2] {
     [
-        both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(crank)),
-        both!("$l_{{BE}} = {}$ on the coupler", "连杆上 $l_{{BE}} = {}$", length(be)),
+        both!("crank $l_{{AB}} = {}$", length(crank)),
+        both!("$l_{{BE}} = {}$ on the coupler", length(be)),
     ]
 }
 
@@ -244,16 +220,12 @@ fn several(e: &[Point], draft: &Draft) -> Vec<Proof> {
     let far: Vec<String> = back.iter().map(|p| length(p.distance(c))).collect();
     vec![
         Proof::new(
-            both!(
-                "$B_i$ lies on the crank's circle and at $l_{{BE}}$ from $E_i$:",
-                "$B_i$ 在曲柄圆上，且到 $E_i$ 的距离为 $l_{{BE}}$："
-            ),
+            both!("$B_i$ lies on the crank's circle and at $l_{{BE}}$ from $E_i$:"),
             [listed("B", b.clone(), 1, "")],
         ),
         Proof::new(
             both!(
-                "$D$ is a centre point of the positions of $BE$ (Burmester), $C_1$ its pin. Carried back with the coupler into position 1 all places of $D$ lie on a circle about $C_1$:",
-                "$D$ 是 $BE$ 各位置的圆心点（布尔梅斯特），$C_1$ 为其动铰链。$D$ 随连杆反转到位置 1 的各点在以 $C_1$ 为圆心的圆上："
+                "$D$ is a centre point of the positions of $BE$ (Burmester), $C_1$ its pin. Carried back with the coupler into position 1 all places of $D$ lie on a circle about $C_1$:"
             ),
             [
                 format!("D = {} ,\\quad C_1 = {}", place(d), place(c)),
@@ -262,7 +234,7 @@ fn several(e: &[Point], draft: &Draft) -> Vec<Proof> {
             ],
         ),
         Proof::new(
-            both!("So", "于是"),
+            both!("So"),
             [["BC", "CE", "CD"]
                 .map(|n| format!("l_{{{n}}} = {}", length(of(draft, n))))
                 .join(" ,\\quad ")],
@@ -277,16 +249,12 @@ fn three(e: &[Point; 3], d: Point, draft: &Draft) -> Vec<Proof> {
     let crank = |k: usize| format!("B_{} = {}", k + 1, place(b[k]));
     vec![
         Proof::new(
-            both!(
-                "$B_i$ lies on the crank's circle and at $l_{{BE}}$ from $E_i$:",
-                "$B_i$ 在曲柄圆上，且到 $E_i$ 的距离为 $l_{{BE}}$："
-            ),
+            both!("$B_i$ lies on the crank's circle and at $l_{{BE}}$ from $E_i$:"),
             [format!("{} ,\\quad {} ,\\quad {}", crank(0), crank(1), crank(2))],
         ),
         Proof::new(
             both!(
-                "Carried back with the coupler into position 1, $\\delta_j$ the turning of $BE$ from position 1 to $j$, $D$ comes to",
-                "$D$ 随连杆反转到位置 1（$\\delta_j$ 为 $BE$ 由位置 1 到 $j$ 的转角）："
+                "Carried back with the coupler into position 1, $\\delta_j$ the turning of $BE$ from position 1 to $j$, $D$ comes to"
             ),
             [
                 "D_j' = B_1 + R(−\\delta_j)\\,(D − B_j)".to_owned(),
@@ -295,15 +263,14 @@ fn three(e: &[Point; 3], d: Point, draft: &Draft) -> Vec<Proof> {
         ),
         centre_of_three(
             both!(
-                "$C_1$ is as far from $D$ as from $D_2'$ and $D_3'$: the squares of the distances, subtracted, are linear equations (mm).",
-                "$C_1$ 到 $D$、$D_2'$、$D_3'$ 等距：距离平方相减得线性方程（mm）。"
+                "$C_1$ is as far from $D$ as from $D_2'$ and $D_3'$: the squares of the distances, subtracted, are linear equations (mm)."
             ),
             [d, turned[0], turned[1]],
             "C_1",
             c1,
         ),
         Proof::new(
-            both!("So", "于是"),
+            both!("So"),
             [["BC", "CE", "CD"]
                 .map(|n| format!("l_{{{n}}} = {}", length(of(draft, n))))
                 .join(" ,\\quad ")],
@@ -312,27 +279,19 @@ fn three(e: &[Point; 3], d: Point, draft: &Draft) -> Vec<Proof> {
 }
 
 fn many_wanted() -> Vec<Both> {
-    vec![
-        four_bar_wanted(),
-        both!(
-            "the frame $AD$ and the place of $E$ on the coupler",
-            "机架 $AD$ 及 $E$ 在连杆上的位置"
-        ),
-    ]
+    vec![four_bar_wanted(), both!("the frame $AD$ and the place of $E$ on the coupler")]
 }
 
 fn many(count: usize, timed: bool, draft: &Draft) -> Vec<Proof> {
     let lengths = ["AB", "BC", "CD", "AD"].map(|n| format!("l_{{{n}}} = {}", length(of(draft, n))));
     let (how, at) = if timed {
         let how = both!(
-            "Ten unknowns (place of $A$, direction of the frame, four lengths, $E$ on the coupler, the crank's first angle $\\varphi_1$) make the sum of the squared distances least at the given turns $\\delta_k$; $E = A + z_1 p_k + z_2 q_k$, with $p_k$, $q_k$ the directions of crank and coupler from the frame, is linear in $A$, $z_1$, $z_2$, so that differential evolution runs over the ratios of the lengths and $\\varphi_1$ only; then Gauss-Newton over all:",
-            "十个未知量（$A$ 的位置、机架方向、四个杆长、$E$ 在连杆上的位置、曲柄初位角 $\\varphi_1$）使给定转角 $\\delta_k$ 处的距离平方和最小；$E = A + z_1 p_k + z_2 q_k$（$p_k$、$q_k$ 为曲柄、连杆相对机架的方向）对 $A$、$z_1$、$z_2$ 为线性，故差分进化只搜索杆长比和 $\\varphi_1$；再对全部未知量用高斯–牛顿法："
+            "Ten unknowns (place of $A$, direction of the frame, four lengths, $E$ on the coupler, the crank's first angle $\\varphi_1$) make the sum of the squared distances least at the given turns $\\delta_k$; $E = A + z_1 p_k + z_2 q_k$, with $p_k$, $q_k$ the directions of crank and coupler from the frame, is linear in $A$, $z_1$, $z_2$, so that differential evolution runs over the ratios of the lengths and $\\varphi_1$ only; then Gauss-Newton over all:"
         );
         (how, "\\varphi_1 + \\delta_k")
     } else {
         let how = both!(
-            "Nine unknowns (place of $A$, direction of the frame, four lengths, $E$ on the coupler) and a crank angle for each place make the sum of the squared distances least; found by differential evolution, then Gauss-Newton:",
-            "九个未知量（$A$ 的位置、机架方向、四个杆长、$E$ 在连杆上的位置）及各点的曲柄转角使距离平方和最小；先用差分进化，再用高斯–牛顿法："
+            "Nine unknowns (place of $A$, direction of the frame, four lengths, $E$ on the coupler) and a crank angle for each place make the sum of the squared distances least; found by differential evolution, then Gauss-Newton:"
         );
         (how, "\\varphi_k")
     };
@@ -351,7 +310,7 @@ fn many(count: usize, timed: bool, draft: &Draft) -> Vec<Proof> {
             ],
         ),
         Proof::new(
-            both!("The linkage:", "所得机构："),
+            both!("The linkage:"),
             [
                 lengths.join(" ,\\quad "),
                 format!(

@@ -33,12 +33,7 @@ pub(super) fn pins(
     let one = |(k, (at, left)): (usize, (&Point, &bool))| {
         meet(a, crank, *at, be, *left).ok_or_else(|| {
             let far = metres(a.distance(*at));
-            both!(
-                "E{} is {} from A: crank and BE do not reach it",
-                "E{} 距 A {}：曲柄与 BE 够不到",
-                k + 1,
-                far
-            )
+            both!("E{} is {} from A: crank and BE do not reach it", k + 1, far)
         })
     };
     e.iter().zip(sides).enumerate().map(one).collect()
@@ -57,15 +52,11 @@ pub(super) fn turned_pins(e: &[Point; 3], a: Point, turns: &[f64; 3]) -> Result<
     let back = turned_back(e, a, turns);
     let Some((b, _)) = centre(back[0], back[1], back[2]) else {
         return Err(both!(
-            "E2 and E3, turned back with the crank, lie in line with E1: B would be infinitely far",
-            "E2、E3 随曲柄反转后与 E1 共线：B 在无穷远处"
+            "E2 and E3, turned back with the crank, lie in line with E1: B would be infinitely far"
         ));
     };
     if b.distance(a) <= SAME * b.distance(e[0]) {
-        return Err(both!(
-            "E turns about A with the crank: the crank would have no length",
-            "E 随曲柄绕 A 转动：曲柄长为零"
-        ));
+        return Err(both!("E turns about A with the crank: the crank would have no length"));
     }
     Ok((0..3).map(|k| a + (b - a).rotate_by(Vec2::from_angle(turns[k] - turns[0]))).collect())
 }
@@ -82,10 +73,7 @@ pub(super) fn follower(e: &[Point], b: &[Point], d: Point) -> Result<Point, Both
     let [d2, d3] = [1, 2].map(|k| back_to_first(d, b, e, k));
     let found = centre(d, d2, d3);
     found.map(|c| c.0).ok_or_else(|| {
-        both!(
-            "D, carried back into position 1, lies in line: C would be infinitely far",
-            "D 反转到位置 1 后三点共线：C 在无穷远处"
-        )
+        both!("D, carried back into position 1, lies in line: C would be infinitely far")
     })
 }
 
@@ -130,30 +118,18 @@ pub(super) fn draft(
         })
         .collect();
     let mut numbers = named_lengths(four.lengths());
-    numbers.push(DesignNumber::length("BE", both!("B to E", "B 到 E"), local.norm()));
-    numbers.push(DesignNumber::length("CE", both!("C to E", "C 到 E"), c.distance(e[0])));
+    numbers.push(DesignNumber::length("BE", both!("B to E"), local.norm()));
+    numbers.push(DesignNumber::length("CE", both!("C to E"), c.distance(e[0])));
     let mut places = vec![("B1", b[0]), ("C1", c)];
     if e.len() > 3 {
         places.push(("D", d));
     }
     for (name, at) in places {
-        numbers.push(DesignNumber::length(
-            &format!("{name}_x"),
-            both!("place of {name}", "{name} 的位置"),
-            at.x,
-        ));
-        numbers.push(DesignNumber::length(
-            &format!("{name}_y"),
-            both!("place of {name}", "{name} 的位置"),
-            at.y,
-        ));
+        numbers.push(DesignNumber::length(&format!("{name}_x"), both!("place of {name}"), at.x));
+        numbers.push(DesignNumber::length(&format!("{name}_y"), both!("place of {name}"), at.y));
     }
     numbers.extend(b.iter().enumerate().map(|(k, b)| {
-        DesignNumber::angle(
-            &format!("crank_{}", k + 1),
-            both!("crank angle", "曲柄转角"),
-            (*b - a).angle(),
-        )
+        DesignNumber::angle(&format!("crank_{}", k + 1), both!("crank angle"), (*b - a).angle())
     }));
     Draft { ordered: true, ..Draft::new(which, four.scene(heading), numbers, wanted) }
 }
@@ -180,7 +156,7 @@ pub(super) fn turned(
 ) -> Result<Draft, Both> {
     let b = turned_pins(e, a, turns)?;
     let c = follower(e, &b, d)?;
-    Ok(draft(e, &b, [a, d], c, both!("the only solution", "唯一解"), heading))
+    Ok(draft(e, &b, [a, d], c, both!("the only solution"), heading))
 }
 
 /// The nearest BE, else the nearest crank, with which the linkage reaches three places.
@@ -214,25 +190,19 @@ pub(super) fn nearest_lengths(
     works: impl Fn([f64; 2]) -> bool,
 ) -> Both {
     if let Some(mm) = number(be * 1e3, scale, |mm| works([crank, mm * 1e-3])) {
-        return both!("\"BE\": \"{} mm\" does", "\"BE\": \"{} mm\" 时可以", told(mm));
+        return both!("\"BE\": \"{} mm\" does", told(mm));
     }
     if let Some(mm) = number(crank * 1e3, scale, |mm| works([mm * 1e-3, be])) {
-        return both!("\"crank\": \"{} mm\" does", "\"crank\": \"{} mm\" 时可以", told(mm));
+        return both!("\"crank\": \"{} mm\" does", told(mm));
     }
     // With BE between the nearest and the farthest place, the shortest crank reaches all.
     let far = e.iter().map(|p| p.distance(a) * 1e3);
     let (low, high) = far.fold((f64::INFINITY, 0.0_f64), |(l, h), x| (l.min(x), h.max(x)));
     let middle = libm::rint((low + high) / 2.0);
     match number(crank * 1e3, scale, |mm| works([mm * 1e-3, middle * 1e-3])) {
-        Some(mm) => both!(
-            "\"crank\": \"{} mm\" with \"BE\": \"{} mm\" does",
-            "\"crank\": \"{} mm\"、\"BE\": \"{} mm\" 时可以",
-            told(mm),
-            told(middle)
-        ),
-        None => both!(
-            "move the pivots: both crank and BE must reach all places",
-            "请移动固定铰链：曲柄与 BE 须能到达各位置"
-        ),
+        Some(mm) => {
+            both!("\"crank\": \"{} mm\" with \"BE\": \"{} mm\" does", told(mm), told(middle))
+        }
+        None => both!("move the pivots: both crank and BE must reach all places"),
     }
 }

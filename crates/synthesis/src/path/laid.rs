@@ -16,7 +16,7 @@ const APART_MM: f64 = 1.0;
 
 /// The distances of the coupler point from the drawn places (m).
 pub fn distances(far: &[f64], extent: f64) -> Vec<DesignNumber> {
-    let what = both!("distance of E from the place", "E 到给定点的距离");
+    let what = both!("distance of E from the place");
     let told = |v: f64| if v < NOTHING * extent { 0.0 } else { v };
     shown(far.len())
         .into_iter()
@@ -33,14 +33,13 @@ pub fn drawn(board: &mut SynthesisBoard, draft: &Draft) -> Option<()> {
         LaidFourBar::off(board, draft, [a, d], Some(Vec2::new(of(draft, "u"), of(draft, "v"))));
     let all = shown(draft.targets.len());
     let which: Vec<usize> = all.iter().map(|k| k + 1).collect();
-    board.step(both!("Lay off the wanted places {}", "作出给定点 {}", numbered("P", &which)));
+    board.step(both!("Lay off the wanted places {}", numbered("P", &which)));
     let targets: Vec<Point> = all.iter().map(|k| board.at(draft.targets[*k])).collect();
     for (k, at) in which.iter().zip(&targets) {
         board.mark(&format!("P_{k}"), *at);
     }
     board.step(both!(
-        "Lay off the computed lengths: A and D, the crank circle AB and the follower's circle CD",
-        "按计算所得尺寸作 A、D、曲柄圆 AB 及从动杆圆 CD"
+        "Lay off the computed lengths: A and D, the crank circle AB and the follower's circle CD"
     ));
     board.line(laid.a, laid.d, Weight::Given).circle(laid.a, laid.crank, Weight::Thin).circle(
         laid.d,
@@ -50,7 +49,6 @@ pub fn drawn(board: &mut SynthesisBoard, draft: &Draft) -> Option<()> {
     board.mark("A", laid.a).mark("D", laid.d);
     board.step(both!(
         "For each place draw the crank at its angle, C with BC as opening about B, E by the set square on BC: {}",
-        "对每个位置作曲柄，以 B 为圆心、BC 为半径定 C，再用三角板由 BC 定 E：{}",
         numbered("E", &which)
     ));
     let mut first = None;
@@ -71,7 +69,6 @@ pub fn drawn(board: &mut SynthesisBoard, draft: &Draft) -> Option<()> {
     }
     board.step(both!(
         "Draw the linkage at place 1; read the distances of {} from {}",
-        "作位置 1 的机构；量取 {} 到 {} 的距离",
         numbered("E", &which),
         numbered("P", &which)
     ));

@@ -22,6 +22,7 @@ use super::{KindOfTask, Proof, Statement, TaskResult, Wish};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits::significant;
 use hodograph_base::geom::{Point, Vec2};
+use hodograph_base::lang::each;
 use hodograph_search::{self as search, Fit, timed};
 use prescribed::Prescribed;
 use sides::Sides;
@@ -30,7 +31,7 @@ use std::f64::consts::TAU;
 /// Path generation as a kind of task.
 pub const KIND: KindOfTask = KindOfTask {
     name: "path",
-    what: ["a coupler point through given places", "按连杆上一点的预定轨迹设计"],
+    what: each!("a coupler point through given places"),
     keys: &["points", "ground", "crank", "BE", "side", "line", "line_A", "timing", "seed"],
     read,
 };
@@ -62,12 +63,9 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
             let k = j + 1;
             let d = Diagnostic::error(
                 "precision-points-coincide",
-                both!(
-                    "point {k} of the path repeats an earlier one",
-                    "轨迹上第 {k} 点与前面的点重复"
-                ),
+                both!("point {k} of the path repeats an earlier one"),
             );
-            form.fault(d.at(form.span("points")).help(both!("leave it out", "请去掉该点")));
+            form.fault(d.at(form.span("points")).help(both!("point" => "leave it out")));
             return None;
         }
     }
@@ -91,13 +89,10 @@ fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
         Err(points) => {
             let (key, count) = (given[0], points.len());
             let message = both!(
-                "`{key}` is given for three to five points; here are {count}, through which all lengths are sought",
-                "`{key}` 只用于三至五个点；此处有 {count} 个点，全部杆长待求"
+                "`{key}` is given for three to five points; here are {count}, through which all lengths are sought"
             );
-            let help = both!(
-                "give five points at most with ground, crank and BE, or the points alone",
-                "请给至多五个点及 ground、crank、BE，或只给各点"
-            );
+            let help =
+                both!("give five points at most with ground, crank and BE, or the points alone");
             form.fault(
                 Diagnostic::error("wrong-given", message).at(form.span("points")).help(help),
             );
@@ -112,31 +107,20 @@ fn timing(form: &TaskForm, places: usize) -> Option<Vec<f64>> {
         form.items("timing", TIMING, 1)?.iter().map(|n| form.angle_of(n, "timing")).collect();
     let angles: Vec<f64> = angles.into_iter().collect::<Option<_>>()?;
     if angles.len() != places {
-        let message = both!(
-            "\"timing\" has {} angles for {} points: each has its own",
-            "\"timing\" 有 {} 个角，而有 {} 个点：每点应有一个",
-            angles.len(),
-            places
-        );
-        let help = both!(
-            "write one angle of the crank for each point; only their differences count",
-            "请为每点写一个曲柄转角；只计其差值"
-        );
+        let message =
+            both!("\"timing\" has {} angles for {} points: each has its own", angles.len(), places);
+        let help =
+            both!("write one angle of the crank for each point; only their differences count");
         form.fault(Diagnostic::error("wrong-count", message).at(form.span("timing")).help(help));
         return None;
     }
     for j in 1..angles.len() {
         let same = |i: &usize| libm::sin((angles[j] - angles[*i]) / 2.0).abs() < 1e-9;
         if let Some(i) = (0..j).find(same) {
-            let message = both!(
-                "the crank stands the same at points {} and {}, which differ",
-                "第 {} 点与第 {} 点处曲柄位置相同，而两点不同",
-                i + 1,
-                j + 1
-            );
+            let message =
+                both!("the crank stands the same at points {} and {}, which differ", i + 1, j + 1);
             let help = both!(
-                "give every point an angle of its own within a turn, or leave out one of the two",
-                "请在一周内为每点写不同的转角，或去掉其中一点"
+                "give every point an angle of its own within a turn, or leave out one of the two"
             );
             form.fault(
                 Diagnostic::error("precision-points-coincide", message)
@@ -163,11 +147,8 @@ fn three(form: &TaskForm, points: [Point; 3]) -> Option<Box<dyn Wish>> {
     let (a, d) = (pivot("A"), pivot("D"));
     if form.has("timing") {
         if let Some(key) = ["crank", "BE", "side"].into_iter().find(|k| form.has(k)) {
-            let message = both!(
-                "with `timing` three places fix `{key}` by themselves",
-                "给出 `timing` 时三个位置已确定 `{key}`"
-            );
-            let help = both!("leave it out, or leave `timing` out", "请去掉它，或去掉 `timing`");
+            let message = both!("with `timing` three places fix `{key}` by themselves");
+            let help = both!("leave it out, or leave `timing` out");
             form.fault(Diagnostic::error("wrong-given", message).at(form.span(key)).help(help));
             return None;
         }
@@ -183,19 +164,15 @@ fn three(form: &TaskForm, points: [Point; 3]) -> Option<Box<dyn Wish>> {
 fn several(form: &TaskForm, points: Vec<Point>) -> Option<Box<dyn Wish>> {
     if let Some(key) = ["timing", "seed"].into_iter().find(|k| form.has(k)) {
         let message = match key {
-            "timing" => both!(
-                "`timing` is given for three or four places, or for five and more alone",
-                "`timing` 只用于三、四个点，或单独给出的五个以上的点"
-            ),
-            _ => both!(
-                "`seed` belongs to a search; four and five places are met exactly",
-                "`seed` 用于搜索；四、五个位置可精确实现"
-            ),
+            "timing" => {
+                both!("`timing` is given for three or four places, or for five and more alone")
+            }
+            _ => both!("`seed` belongs to a search; four and five places are met exactly"),
         };
         form.fault(
             Diagnostic::error("wrong-given", message)
                 .at(form.span(key))
-                .help(both!("leave it out", "请去掉它")),
+                .help(both!("leave it out")),
         );
         return None;
     }
@@ -203,14 +180,9 @@ fn several(form: &TaskForm, points: Vec<Point>) -> Option<Box<dyn Wish>> {
     let inner = form.inner("ground", &["A", "D"])?;
     let a = inner.point_of(inner.need("A", "[\"0 mm\", \"0 mm\"]")?, "A");
     if inner.has("D") {
-        let message = both!(
-            "with four or five places D follows: it lies on the centre-point curve",
-            "四、五个位置时 D 由圆心曲线确定"
-        );
-        let help = both!(
-            "leave D out; for four places give the \"line\" on which it lies",
-            "请去掉 D；四个位置时请给出 D 所在的 \"line\""
-        );
+        let message =
+            both!("with four or five places D follows: it lies on the centre-point curve");
+        let help = both!("leave D out; for four places give the \"line\" on which it lies");
         form.fault(Diagnostic::error("wrong-given", message).at(inner.span("D")).help(help));
         return None;
     }
@@ -233,24 +205,13 @@ impl Wish for PathTask {
     fn title(&self) -> Both {
         match self {
             PathTask::Three { .. } | PathTask::Turned { .. } => {
-                both!(
-                    "Four-bar whose coupler point passes three places",
-                    "连杆点通过三个位置的四杆机构"
-                )
+                both!("Four-bar whose coupler point passes three places")
             }
             PathTask::Prescribed(Prescribed { points, .. }) | PathTask::Several { points, .. } => {
-                both!(
-                    "Four-bar whose coupler point passes {} places",
-                    "连杆点通过 {} 个位置的四杆机构",
-                    points.len()
-                )
+                both!("Four-bar whose coupler point passes {} places", points.len())
             }
             PathTask::Many { points, .. } => {
-                both!(
-                    "Four-bar whose coupler point passes near {} places",
-                    "连杆点逼近 {} 个位置的四杆机构",
-                    points.len()
-                )
+                both!("Four-bar whose coupler point passes near {} places", points.len())
             }
         }
     }
@@ -380,8 +341,7 @@ fn of_several(
             match inversion::pins(e, a, lengths, s) {
                 Ok(b) => {
                     let pairs = inversion::followers(e, &b, a, line);
-                    let told =
-                        |k: usize| both!("{}, pivot {}", "{}，固定铰链 {}", sides::told(s), k + 1);
+                    let told = |k: usize| both!("{}, pivot {}", sides::told(s), k + 1);
                     drafts.extend(pairs.iter().enumerate().map(|(k, p)| {
                         inversion::draft(e, &b, [a, p.centre], p.pin, told(k), heading)
                     }));
@@ -401,15 +361,9 @@ fn of_several(
         Ok(drafts) if !drafts.is_empty() => return Ok(drafts),
         Ok(_) => match line {
             Some(_) => {
-                both!(
-                    "the line does not meet the centre-point curve of the coupler's positions",
-                    "直线与连杆各位置的圆心曲线不相交"
-                )
+                both!("the line does not meet the centre-point curve of the coupler's positions")
             }
-            None => both!(
-                "the coupler's positions have no further Burmester point",
-                "连杆各位置没有其他实布尔梅斯特点"
-            ),
+            None => both!("the coupler's positions have no further Burmester point"),
         },
         Err(message) => message,
     };
@@ -419,7 +373,7 @@ fn of_several(
 }
 
 fn unturned() -> Both {
-    both!("change one of the crank's angles, or move A", "请改变一个曲柄转角，或移动 A")
+    both!("change one of the crank's angles, or move A")
 }
 
 /// Many places: the best optima of a search.
@@ -461,22 +415,12 @@ fn searched(
         found.fits.iter().filter(|f| met.is_empty() || f.rms > MET * extent).filter_map(told);
     let drafts: Vec<Draft> = met.iter().cloned().chain(near).collect();
     let numbers = vec![
-        DesignNumber::ratio(
-            "evaluations",
-            both!("positions evaluated", "计算的位置数"),
-            found.evaluations as f64,
-        ),
-        DesignNumber::ratio("restarts", both!("runs of the search", "搜索次数"), found.runs as f64),
+        DesignNumber::ratio("evaluations", both!("positions evaluated"), found.evaluations as f64),
+        DesignNumber::ratio("restarts", both!("runs of the search"), found.runs as f64),
     ];
     if drafts.is_empty() {
-        let message = both!(
-            "the search found no crank-rocker near these places",
-            "没有找到逼近这些点的曲柄摇杆机构"
-        );
-        let help = both!(
-            "order the points along the path, or try another \"seed\"",
-            "请按轨迹次序排列各点，或换一个 \"seed\""
-        );
+        let message = both!("the search found no crank-rocker near these places");
+        let help = both!("order the points along the path, or try another \"seed\"");
         return Err(Diagnostic::error("no-real-solution", message).help(help).into());
     }
     Ok(TaskResult { drafts, numbers, notes: Vec::new() })
@@ -501,37 +445,28 @@ fn of_fit(points: &[Point], fit: &Fit, heading: &Heading) -> Option<Draft> {
         .collect();
     let far: Vec<f64> = points.iter().zip(&at).map(|(p, q)| p.distance(q.e)).collect();
     let mut numbers = named_lengths(four.lengths());
-    numbers.push(DesignNumber::length("A_x", both!("place of A", "A 的位置"), l.a.x));
-    numbers.push(DesignNumber::length("A_y", both!("place of A", "A 的位置"), l.a.y));
+    numbers.push(DesignNumber::length("A_x", both!("place of A"), l.a.x));
+    numbers.push(DesignNumber::length("A_y", both!("place of A"), l.a.y));
     numbers.push(DesignNumber::angle(
         "phi",
-        both!("direction of the frame", "机架方向"),
+        both!("direction of the frame"),
         l.phi - TAU * libm::rint(l.phi / TAU),
     ));
-    numbers.push(DesignNumber::length("u", both!("E along BC from B", "E 沿 BC 的坐标"), l.e.x));
-    numbers.push(DesignNumber::length(
-        "v",
-        both!("E to the left of BC", "E 在 BC 左侧的距离"),
-        l.e.y,
-    ));
+    numbers.push(DesignNumber::length("u", both!("E along BC from B"), l.e.x));
+    numbers.push(DesignNumber::length("v", both!("E to the left of BC"), l.e.y));
     numbers.push(DesignNumber::angle(
         "crank_1",
-        both!("crank angle at place 1", "位置 1 的曲柄转角"),
+        both!("crank angle at place 1"),
         fit.cranks[0] - TAU * libm::rint(fit.cranks[0] / TAU),
     ));
-    numbers.push(DesignNumber::length(
-        "rms",
-        both!("root mean square distance", "均方根距离"),
-        fit.rms,
-    ));
+    numbers.push(DesignNumber::length("rms", both!("root mean square distance"), fit.rms));
     numbers.push(DesignNumber::length(
         "max",
-        both!("greatest distance", "最大距离"),
+        both!("greatest distance"),
         far.iter().copied().fold(0.0, f64::max),
     ));
     numbers.extend(laid::distances(&far, search::extent(points).1));
-    let which =
-        both!("root mean square distance {} mm", "均方根距离 {} mm", significant(fit.rms * 1e3, 4));
+    let which = both!("root mean square distance {} mm", significant(fit.rms * 1e3, 4));
     Some(Draft {
         ordered: true,
         error: fit.rms,

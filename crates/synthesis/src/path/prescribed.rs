@@ -46,12 +46,10 @@ pub(super) fn ray(form: &TaskForm, key: &'static str) -> Option<Ray> {
 pub(super) fn read(form: &TaskForm, points: Vec<Point>) -> Option<Prescribed> {
     if let Some(key) = ["ground", "crank", "BE", "side", "seed"].into_iter().find(|k| form.has(k)) {
         let message = both!(
-            "with `timing` at four places `{key}` is not free: the pivots lie on curves, the lengths follow",
-            "四个位置给出 `timing` 时 `{key}` 不能再给定：固定铰链在曲线上，各长度随之确定"
+            "with `timing` at four places `{key}` is not free: the pivots lie on curves, the lengths follow"
         );
         let help = both!(
-            "leave it out and give the \"line\" on which A and D lie (\"line_A\" for another line of A)",
-            "请去掉它，并给出 A、D 所在的 \"line\"（A 另有直线时写 \"line_A\"）"
+            "leave it out and give the \"line\" on which A and D lie (\"line_A\" for another line of A)"
         );
         form.fault(Diagnostic::error("wrong-given", message).at(form.span(key)).help(help));
         return None;
@@ -94,19 +92,10 @@ impl Prescribed {
         let of_crank = |(i, (a, b)): (usize, &(Point, Vec<Point>))| -> Vec<Draft> {
             let pairs = inversion::followers(e, b, *a, self.lines.map(|l| l[1]));
             let one = |(k, p): (usize, &burmester::BurmesterPair)| {
-                let which =
-                    both!("pivot A {}, pivot D {}", "固定铰链 A 之 {}，D 之 {}", i + 1, k + 1);
+                let which = both!("pivot A {}, pivot D {}", i + 1, k + 1);
                 let mut draft = inversion::draft(e, b, [*a, p.centre], p.pin, which, heading);
-                draft.numbers.push(DesignNumber::length(
-                    "A_x",
-                    both!("place of A", "A 的位置"),
-                    a.x,
-                ));
-                draft.numbers.push(DesignNumber::length(
-                    "A_y",
-                    both!("place of A", "A 的位置"),
-                    a.y,
-                ));
+                draft.numbers.push(DesignNumber::length("A_x", both!("place of A"), a.x));
+                draft.numbers.push(DesignNumber::length("A_y", both!("place of A"), a.y));
                 draft
             };
             pairs.iter().enumerate().map(one).collect()
@@ -122,14 +111,10 @@ impl Prescribed {
         }
         let message = if self.cranks().is_empty() {
             both!(
-                "the line of A does not meet the curve of the pivots at which the crank has these turns",
-                "A 的直线与满足各转角的固定铰链曲线不相交"
+                "the line of A does not meet the curve of the pivots at which the crank has these turns"
             )
         } else {
-            both!(
-                "the line of D does not meet the centre-point curve of the coupler's positions",
-                "D 的直线与连杆各位置的圆心曲线不相交"
-            )
+            both!("the line of D does not meet the centre-point curve of the coupler's positions")
         };
         Err(Diagnostic::error("no-real-solution", message).help(self.shifted()).into())
     }
@@ -156,18 +141,12 @@ impl Prescribed {
             Some(by) => {
                 let told = hodograph_base::digits::significant(by.abs() * 1e3, 4);
                 if by > 0.0 {
-                    both!(
-                        "moved {told} mm to its left the line does",
-                        "直线向左平移 {told} mm 时可以"
-                    )
+                    both!("moved {told} mm to its left the line does")
                 } else {
-                    both!(
-                        "moved {told} mm to its right the line does",
-                        "直线向右平移 {told} mm 时可以"
-                    )
+                    both!("moved {told} mm to its right the line does")
                 }
             }
-            None => both!("give another line, or other turns", "请换一条直线或改变转角"),
+            None => both!("give another line, or other turns"),
         }
     }
 }

@@ -33,16 +33,8 @@ pub(super) fn read(form: &TaskForm, places: usize) -> Option<Sides> {
     let sides: Vec<Option<bool>> = items.iter().map(word).collect();
     let sides: Vec<bool> = sides.into_iter().collect::<Option<_>>()?;
     if sides.len() != places {
-        let message = both!(
-            "\"B\" names {} sides for {} places",
-            "\"B\" 有 {} 个侧向，而有 {} 个点",
-            sides.len(),
-            places
-        );
-        let help = both!(
-            "write one side for all, or one for each place",
-            "请为全部写一个，或为每点写一个"
-        );
+        let message = both!("\"B\" names {} sides for {} places", sides.len(), places);
+        let help = both!("write one side for all, or one for each place");
         form.fault(Diagnostic::error("wrong-count", message).at(node.span).help(help));
         return None;
     }
@@ -61,14 +53,14 @@ fn every(places: usize) -> Vec<Vec<bool>> {
 
 /// The choice in words.
 pub(super) fn told(sides: &[bool]) -> Both {
-    let word = |left: &bool| if *left { both!("left", "左") } else { both!("right", "右") };
+    let word = |left: &bool| if *left { both!("left") } else { both!("right") };
     match sides {
         [first, rest @ ..] if rest.iter().all(|s| s == first) => {
-            both!("B {} of AE", "B 在 AE {}侧", word(first))
+            both!("B {} of AE", word(first))
         }
         _ => {
             let all: Vec<Both> = sides.iter().map(word).collect();
-            both!("B {} of AE", "B 依次在 AE {}侧", Both::join(&all, ", ", "、"))
+            both!("in turn" => "B {} of AE", Both::join(&all, [", ", "、"]))
         }
     }
 }

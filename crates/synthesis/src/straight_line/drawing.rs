@@ -53,7 +53,7 @@ impl StraightLineTask {
         for (name, at) in &sheet.fixed {
             board.mark(name, *at);
         }
-        board.step(both!("{}: {}", "{}：{}", sheet.moved, numbered("E", &which)));
+        board.step(both!("{}: {}", sheet.moved, numbered("E", &which)));
         let mut all = Vec::new();
         for (k, driver) in drivers.iter().enumerate() {
             let position = (sheet.at)(board, *driver)?;
@@ -66,7 +66,7 @@ impl StraightLineTask {
         }
         measured(board, &all, made.along == 'x');
         let first = all.first()?;
-        board.step(both!("Draw the linkage in position 1", "作位置 1 的机构"));
+        board.step(both!("Draw the linkage in position 1"));
         for [p, q] in &first.links {
             board.line(*p, *q, Weight::Result);
         }
@@ -135,8 +135,7 @@ fn measured(board: &mut SynthesisBoard, all: &[LinkagePose], level: bool) {
     };
     let ([from, to], [low, high]) = (ends(&line), ends(&across));
     board.step(both!(
-        "Draw through E1 the line of the motion, and perpendiculars to it from the outermost E: their distance is the length, that of the parallels through the E farthest to either side the deviation",
-        "过 E1 作运动方向的直线；由最外的两个 E 向其作垂线，其间距为直线段长；过两侧最远的 E 作平行线，其间距为偏差"
+        "Draw through E1 the line of the motion, and perpendiculars to it from the outermost E: their distance is the length, that of the parallels through the E farthest to either side the deviation"
     ));
     let beyond = (to - from) * BEYOND;
     for at in [low, high] {
@@ -161,22 +160,17 @@ fn four_bar(draft: &Draft, board: &SynthesisBoard, l: &FourBar) -> Sheet {
         Some(LinkagePose { e: pins.e, links, pins: vec![("B", pins.b), ("C", pins.c)] })
     };
     Sheet {
-        laid: both!(
-            "Lay off A and D, the circles of AB about A and of CD about D",
-            "作 A、D 及以 A 为圆心的 AB 圆、以 D 为圆心的 CD 圆"
-        ),
+        laid: both!("Lay off A and D, the circles of AB about A and of CD about D"),
         fixed: vec![("A", opened.a), ("D", opened.d)],
         circles: vec![(opened.a, opened.crank), (opened.d, opened.follower)],
         guide: None,
         moved: if l.e.is_none_or(|e| e.y == 0.0) {
             both!(
-                "In the middle, at the ends and the extremes lay off AB, with BC about B cut the circle of CD, and lay off BE on BC",
-                "在中间、两端及极值处作 AB，以 B 为圆心、BC 为半径截 CD 圆得 C，在 BC 线上取 BE"
+                "In the middle, at the ends and the extremes lay off AB, with BC about B cut the circle of CD, and lay off BE on BC"
             )
         } else {
             both!(
-                "In the middle, at the ends and the extremes lay off AB, with BC about B cut the circle of CD, and lay the triangle BCE on BC",
-                "在中间、两端及极值处作 AB，以 B 为圆心、BC 为半径截 CD 圆得 C，在 BC 上作三角形 BCE"
+                "In the middle, at the ends and the extremes lay off AB, with BC about B cut the circle of CD, and lay the triangle BCE on BC"
             )
         },
         at: Box::new(at),
@@ -193,17 +187,13 @@ fn scott_russell(draft: &Draft, board: &SynthesisBoard) -> Sheet {
         Some(LinkagePose { e, links: vec![[a, b], [c, e]], pins: vec![("B", b), ("C", c)] })
     };
     Sheet {
-        laid: both!(
-            "Lay off A, the guide through it and the crank circle",
-            "作 A、过 A 的导路及曲柄圆"
-        ),
+        laid: both!("Lay off A, the guide through it and the crank circle"),
         fixed: vec![("A", a)],
         circles: vec![(a, crank)],
         // C moves out to twice the crank's length.
         guide: Some([a, guide.place(2.0 * crank * (1.0 + BEYOND))]),
         moved: both!(
-            "In the positions lay off AB, with BC = AB about B cut the guide in C, and lay off CE on CB",
-            "在各位置作 AB，以 B 为圆心、BC = AB 为半径截导路得 C，在 CB 线上取 CE"
+            "In the positions lay off AB, with BC = AB about B cut the guide in C, and lay off CE on CB"
         ),
         at: Box::new(at),
     }
@@ -223,16 +213,12 @@ fn peaucellier(draft: &Draft, board: &SynthesisBoard) -> Sheet {
         Some(LinkagePose { e, links, pins: vec![("C", c), ("X", x), ("Y", y)] })
     };
     Sheet {
-        laid: both!(
-            "Lay off O and K, and about K the circle through O",
-            "作 O、K 及以 K 为圆心过 O 的圆"
-        ),
+        laid: both!("Lay off O and K, and about K the circle through O"),
         fixed: vec![("O", o), ("K", k)],
         circles: vec![(k, crank), (o, long)],
         guide: None,
         moved: both!(
-            "In the positions lay off KC; OX about O and CX about C intersect at X and Y, CX about these at E",
-            "在各位置作 KC；以 O 为圆心、OX 为半径与以 C 为圆心、CX 为半径交于 X、Y，再以 X、Y 为圆心、CX 为半径交于 E"
+            "In the positions lay off KC; OX about O and CX about C intersect at X and Y, CX about these at E"
         ),
         at: Box::new(at),
     }

@@ -45,9 +45,9 @@ impl GivenBar {
 
     pub(super) fn told(self) -> Both {
         match self {
-            GivenBar::Crank(l) => both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(l)),
+            GivenBar::Crank(l) => both!("crank $l_{{AB}} = {}$", length(l)),
             GivenBar::Coupler(l) => {
-                both!("coupler $l_{{BC}} = {}$", "连杆 $l_{{BC}} = {}$", length(l))
+                both!("coupler $l_{{BC}} = {}$", length(l))
             }
         }
     }
@@ -101,12 +101,10 @@ impl GivenBar {
         let told = significant(seen.to_degrees(), 5);
         board.step(match self {
             GivenBar::Crank(_) => both!(
-                "AF = AC2 on AC1 leaves C1F = 2 AB, and C1C2 is seen from F under 90° + θ/2 = {told}°: the circle with that inscribed angle, cut by the opening 2 AB about C1, gives F",
-                "在 AC1 上取 AF = AC2，则 C1F = 2 AB，且 ∠C1FC2 = 90° + θ/2 = {told}°：作以该角为圆周角的圆，以 C1 为圆心、2 AB 为半径截得 F"
+                "AF = AC2 on AC1 leaves C1F = 2 AB, and C1C2 is seen from F under 90° + θ/2 = {told}°: the circle with that inscribed angle, cut by the opening 2 AB about C1, gives F"
             ),
             GivenBar::Coupler(_) => both!(
-                "AH = AC2 beyond A on C1A makes C1H = 2 BC, and C1C2 is seen from H under θ/2 = {told}°: the circle with that inscribed angle, cut by the opening 2 BC about C1, gives H",
-                "在 C1A 的延长线上取 AH = AC2，则 C1H = 2 BC，且 ∠C1HC2 = θ/2 = {told}°：作以该角为圆周角的圆，以 C1 为圆心、2 BC 为半径截得 H"
+                "AH = AC2 beyond A on C1A makes C1H = 2 BC, and C1C2 is seen from H under θ/2 = {told}°: the circle with that inscribed angle, cut by the opening 2 BC about C1, gives H"
             ),
         });
         let (other, wide) = board.inscribed(c1, c2, seen, side)?;
@@ -114,11 +112,7 @@ impl GivenBar {
         board.circle(c1, opening, Weight::Thin);
         let h = board.circles(c1, opening, other, wide)?[k];
         board.mark(letter, h);
-        board.step(both!(
-            "The line C1{} meets the first circle again at A",
-            "直线 C1{} 与第一个圆再交于 A",
-            letter
-        ));
+        board.step(both!("The line C1{} meets the first circle again at A", letter));
         let crossings = board.cut(&PaperLine::through(c1, h)?, centre, radius)?;
         crossings.into_iter().max_by(|p, q| p.distance(c1).total_cmp(&q.distance(c1)))
     }

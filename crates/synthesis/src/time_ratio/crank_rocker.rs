@@ -87,34 +87,25 @@ pub(super) fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
                 .map(|(angle, frame)| RockerGivens::Limit { frame, angle })
         }
         (false, true) if form.has("gamma") => {
-            let gamma =
-                form.angle("gamma").filter(|g| {
-                    let inside = *g > 0.0 && *g < FRAC_PI_2;
-                    if !inside {
-                        let d = Diagnostic::error(
-                            "out-of-range",
-                            both!("`gamma` lies between 0° and 90°", "`gamma` 应在 0° 与 90° 之间"),
-                        );
-                        form.fault(d.at(form.span("gamma")).help(both!(
-                            "write \"gamma\": \"40 deg\"",
-                            "请写 \"gamma\": \"40 deg\""
-                        )));
-                    }
-                    inside
-                });
+            let gamma = form.angle("gamma").filter(|g| {
+                let inside = *g > 0.0 && *g < FRAC_PI_2;
+                if !inside {
+                    let d =
+                        Diagnostic::error("out-of-range", both!("`gamma` lies between 0° and 90°"));
+                    form.fault(d.at(form.span("gamma")).help(both!("write \"gamma\": \"40 deg\"")));
+                }
+                inside
+            });
             within(form, "swing")
                 .zip(gamma)
                 .map(|(swing, gamma)| RockerGivens::Gamma { swing, gamma })
         }
         (false, true) if form.has("line") && (form.has("frame") || best.is_some()) => {
-            let message = both!(
-                "\"line\", \"frame\" and \"best\" are three ways to place A",
-                "\"line\"、\"frame\"、\"best\" 是确定 A 的三种方法"
-            );
+            let message = both!("\"line\", \"frame\" and \"best\" are three ways to place A");
             form.fault(
                 Diagnostic::error("wrong-given", message)
                     .at(form.span("line"))
-                    .help(both!("keep one of them", "请保留其中一个")),
+                    .help(both!("keep one of them")),
             );
             None
         }
@@ -135,17 +126,13 @@ pub(super) fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
         }
         (both_given, _) => {
             let message = match both_given {
-                true => both!(
-                    "`limit` and `swing` are two ways to fix the linkage",
-                    "`limit` 与 `swing` 是两种给法，只能取一种"
-                ),
+                true => both!("`limit` and `swing` are two ways to fix the linkage"),
                 false => {
-                    both!("neither `limit` nor `swing` is given", "`limit` 与 `swing` 均未给出")
+                    both!("neither `limit` nor `swing` is given")
                 }
             };
             let help = both!(
-                "give \"limit\": \"45 deg\" (the rocker's angle with the frame in one limit position, with \"frame\"), or \"swing\": \"40 deg\"",
-                "请给出 \"limit\": \"45 deg\"（一极限位置上摇杆与机架的夹角，并给出 \"frame\"），或 \"swing\": \"40 deg\""
+                "give \"limit\": \"45 deg\" (the rocker's angle with the frame in one limit position, with \"frame\"), or \"swing\": \"40 deg\""
             );
             form.fault(Diagnostic::error("missing-key", message).at(form.span("limit")).help(help));
             None
@@ -160,10 +147,7 @@ fn within(form: &TaskForm, key: &str) -> Option<f64> {
     if angle > 0.0 && angle < PI {
         return Some(angle);
     }
-    let d = Diagnostic::error(
-        "out-of-range",
-        both!("`{key}` lies between 0° and 180°", "`{key}` 应在 0° 与 180° 之间"),
-    );
+    let d = Diagnostic::error("out-of-range", both!("`{key}` lies between 0° and 180°"));
     form.fault(d.at(form.span(key)));
     None
 }
@@ -177,11 +161,7 @@ struct Limits {
 
 impl Wish for CrankRocker {
     fn title(&self) -> Both {
-        both!(
-            "Crank-rocker with time ratio {}",
-            "行程速度变化系数为 {} 的曲柄摇杆机构",
-            significant(self.ratio.k, 4)
-        )
+        both!("Crank-rocker with time ratio {}", significant(self.ratio.k, 4))
     }
 
     fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
@@ -204,13 +184,9 @@ impl Wish for CrankRocker {
             RockerGivens::Best { swing, chosen } => {
                 if chosen {
                     let message = both!(
-                        "A is free on the circle through C1 and C2: taken where the least transmission angle is greatest",
-                        "A 在过 C1、C2 的圆上可任取：取最小传动角最大处"
+                        "A is free on the circle through C1 and C2: taken where the least transmission angle is greatest"
                     );
-                    let help = both!(
-                        "fix it by \"frame\", or write \"best\": \"transmission\"",
-                        "可由 \"frame\" 确定，或写 \"best\": \"transmission\""
-                    );
+                    let help = both!("fix it by \"frame\", or write \"best\": \"transmission\"");
                     notes.push(Diagnostic::note("free-choice", message).help(help));
                 }
                 self.best(swing, &mut notes)?
@@ -251,22 +227,10 @@ impl CrankRocker {
                 let c2 = Point::ORIGIN + ray * at;
                 // The ray starts at A; with K = 1 it meets the circle in C₁ again.
                 if at > 0.0 && c2.distance(c1) > 1e-9 * self.rocker {
-                    let side = if sense > 0.0 {
-                        both!("counter-clockwise", "逆时针")
-                    } else {
-                        both!("clockwise", "顺时针")
-                    };
-                    let place = if k == 0 {
-                        both!("the nearer", "近")
-                    } else {
-                        both!("the farther", "远")
-                    };
-                    let which = both!(
-                        "C2 on the ray AC1 turned {} by θ, {} crossing",
-                        "AC1 {}转 θ 所得射线与圆弧的{}交点为 C2",
-                        side,
-                        place
-                    );
+                    let side =
+                        if sense > 0.0 { both!("counter-clockwise") } else { both!("clockwise") };
+                    let place = if k == 0 { both!("the nearer") } else { both!("the farther") };
+                    let which = both!("C2 on the ray AC1 turned {} by θ, {} crossing", side, place);
                     found.push(Limits { which, d, c: [c1, c2] });
                 }
             }
@@ -307,8 +271,8 @@ impl CrankRocker {
             };
             if let Some(a) = roots {
                 let which = match above {
-                    true => both!("A on the arc beyond C1C2", "A 在 C1C2 之外的圆弧上"),
-                    false => both!("A on the arc on the side of D", "A 在 D 一侧的圆弧上"),
+                    true => both!("A on the arc beyond C1C2"),
+                    false => both!("A on the arc on the side of D"),
                 };
                 found.push(self.laid(which, a, c));
             }
@@ -325,12 +289,10 @@ impl CrankRocker {
             return None;
         }
         let message = both!(
-            "with ψ = 2θ and a frame as long as the rocker A lies anywhere on the circle through C1 and C2: one of its places is taken",
-            "ψ = 2θ 且机架与摇杆等长时，A 可在过 C1、C2 的圆上任取：此处取其中一点"
+            "with ψ = 2θ and a frame as long as the rocker A lies anywhere on the circle through C1 and C2: one of its places is taken"
         );
         let help = both!(
-            "fix it by \"crank\", or write \"best\": \"transmission\" in the place of \"frame\"",
-            "可给出 \"crank\"，或以 \"best\": \"transmission\" 代替 \"frame\""
+            "fix it by \"crank\", or write \"best\": \"transmission\" in the place of \"frame\""
         );
         Some(Diagnostic::note("free-choice", message).help(help))
     }
@@ -352,42 +314,33 @@ impl CrankRocker {
     fn best(&self, swing: f64, notes: &mut Vec<Diagnostic>) -> Result<Vec<Limits>, Faults> {
         let theta = self.ratio.theta;
         if theta == 0.0 {
-            let message = both!(
-                "with K = 1 A lies anywhere on the line C1C2: the frame is free",
-                "K = 1 时 A 可在 C1C2 连线上任取：机架长未定"
-            );
-            let d = Diagnostic::error("free-choice", message).help(both!(
-                "give \"frame\", longer than {}",
-                "请给出大于 {} 的 \"frame\"",
-                metres(self.rocker)
-            ));
+            let message = both!("with K = 1 A lies anywhere on the line C1C2: the frame is free");
+            let d = Diagnostic::error("free-choice", message)
+                .help(both!("give \"frame\", longer than {}", metres(self.rocker)));
             return Err(d.into());
         }
         let family = Family::of(theta, swing);
         let Some((worst, beta, toward_d)) = family.scanned(1440) else {
             let message = both!(
                 "no crank-rocker has K = {} and a swing of {}°",
-                "没有行程速度变化系数为 {}、摆角为 {}° 的曲柄摇杆机构",
                 significant(self.ratio.k, 4),
                 significant(swing.to_degrees(), 4)
             );
             let help = match most_k(swing, 1.0) {
                 k if k > 1.0 => {
-                    both!("K is below {} for this swing", "此摆角下 K 应小于 {}", told(k))
+                    both!("K is below {} for this swing", told(k))
                 }
-                _ => both!("take a smaller swing", "请减小摆角"),
+                _ => both!("take a smaller swing"),
             };
             return Err(Diagnostic::error("no-real-solution", message).help(help).into());
         };
         let usual = libm::cos(USUAL_GAMMA);
         if worst > usual {
-            let message = both!(
-                "no linkage of this K and swing has a transmission angle of 40° throughout",
-                "此 K 和摆角下没有传动角始终不小于 40° 的机构"
-            );
+            let message =
+                both!("no linkage of this K and swing has a transmission angle of 40° throughout");
             let help = match most_k(swing, usual) {
-                k if k > 1.0 => both!("K = {} and less has one", "K 不大于 {} 时才有", told(k)),
-                _ => both!("take a smaller swing", "请减小摆角"),
+                k if k > 1.0 => both!("K = {} and less has one", told(k)),
+                _ => both!("take a smaller swing"),
             };
             notes.push(Diagnostic::warning("poor-transmission", message).help(help));
         }
@@ -395,14 +348,8 @@ impl CrankRocker {
         let beta = family.golden(beta - step, beta + step, toward_d).approx();
         let a = family.place(beta, toward_d, self.rocker);
         let which = match toward_d {
-            true => both!(
-                "greatest least transmission angle, A on the side of D",
-                "最小传动角最大，A 在 D 一侧"
-            ),
-            false => both!(
-                "greatest least transmission angle, A beyond C1C2",
-                "最小传动角最大，A 在 C1C2 之外"
-            ),
+            true => both!("greatest least transmission angle, A on the side of D"),
+            false => both!("greatest least transmission angle, A beyond C1C2"),
         };
         Ok(vec![self.laid(which, a, self.swung(swing))])
     }
@@ -440,21 +387,17 @@ impl CrankRocker {
         let mut numbers = named_lengths([ab, bc, self.rocker, l.d.x]);
         numbers.push(DesignNumber::angle(
             "theta",
-            both!("crank angle between the limit positions", "极位夹角"),
+            both!("crank angle between the limit positions"),
             self.ratio.theta,
         ));
-        numbers.push(DesignNumber::angle("psi", both!("swing of the rocker", "摇杆摆角"), swing));
+        numbers.push(DesignNumber::angle("psi", both!("swing of the rocker"), swing));
         let beta = |from: Vec2, to: Vec2| libm::atan2(from.cross(to).abs(), from.dot(to));
         numbers.push(DesignNumber::angle(
             "beta",
-            both!("angle C1C2A", "角 C1C2A"),
+            both!("angle C1C2A"),
             beta(l.c[0] - l.c[1], Point::ORIGIN - l.c[1]),
         ));
-        numbers.push(DesignNumber::ratio(
-            "K",
-            both!("time ratio", "行程速度变化系数"),
-            self.ratio.k,
-        ));
+        numbers.push(DesignNumber::ratio("K", both!("time ratio"), self.ratio.k));
         let demands = vec![Demand::FullTurn, Demand::TimeRatio(self.ratio.k), Demand::Swing(swing)];
         let remarks = vec![super::slow_stroke(limit(0).0, limit(1).0, heading.omega)];
         Draft {

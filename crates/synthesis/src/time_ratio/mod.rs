@@ -11,13 +11,14 @@ mod slotted;
 use super::form::TaskForm;
 use super::{KindOfTask, Wish};
 use hodograph_base::diag::{Diagnostic, both};
+use hodograph_base::lang::each;
 pub(super) use slider_crank::sketch;
 use std::f64::consts::PI;
 
 /// Time ratio as a kind of task.
 pub const KIND: KindOfTask = KindOfTask {
     name: "time-ratio",
-    what: ["linkages with a quick return, from the time ratio K", "按行程速度变化系数 K 设计"],
+    what: each!("linkages with a quick return, from the time ratio K"),
     keys: &[
         "linkage", "K", "theta", "rocker", "frame", "limit", "swing", "gamma", "best", "line",
         "stroke", "offset", "crank", "coupler", "rod", "link",
@@ -58,13 +59,8 @@ pub(super) struct StrokeRatio {
 impl StrokeRatio {
     fn read(form: &TaskForm) -> Option<StrokeRatio> {
         if form.has("K") && form.has("theta") {
-            let d = Diagnostic::error(
-                "given-twice",
-                both!("`K` and `theta` say the same", "`K` 与 `theta` 重复"),
-            );
-            form.fault(
-                d.at(form.span("theta")).help(both!("keep one of the two", "请保留其中一个")),
-            );
+            let d = Diagnostic::error("given-twice", both!("`K` and `theta` say the same"));
+            form.fault(d.at(form.span("theta")).help(both!("keep one of the two")));
             return None;
         }
         if form.has("theta") {
@@ -72,12 +68,12 @@ impl StrokeRatio {
             if !(0.0..PI).contains(&theta) {
                 let d = Diagnostic::error(
                     "out-of-range",
-                    both!("`theta` lies from 0° to less than 180°", "`theta` 应在 0° 到 180° 之间"),
+                    both!("`theta` lies from 0° to less than 180°"),
                 );
-                form.fault(d.at(form.span("theta")).help(both!(
-                    "write \"theta\": \"30 deg\", or \"K\": 1.4",
-                    "请写 \"theta\": \"30 deg\" 或 \"K\": 1.4"
-                )));
+                form.fault(
+                    d.at(form.span("theta"))
+                        .help(both!("write \"theta\": \"30 deg\", or \"K\": 1.4")),
+                );
                 return None;
             }
             return Some(StrokeRatio { k: (PI + theta) / (PI - theta), theta, turned: false });
@@ -85,14 +81,8 @@ impl StrokeRatio {
         form.need("K", "1.5")?;
         let k = form.number("K")?;
         if k <= 0.0 {
-            let d = Diagnostic::error(
-                "not-positive",
-                both!("`K` must be greater than zero", "`K` 应大于零"),
-            );
-            form.fault(d.at(form.span("K")).help(both!(
-                "write \"K\": 1.4; 1 is no quick return",
-                "请写 \"K\": 1.4；1 表示无急回"
-            )));
+            let d = Diagnostic::error("not-positive", both!("`K` must be greater than zero"));
+            form.fault(d.at(form.span("K")).help(both!("write \"K\": 1.4; 1 is no quick return")));
             return None;
         }
         let (k, turned) = if k < 1.0 { (1.0 / k, true) } else { (k, false) };
@@ -101,10 +91,7 @@ impl StrokeRatio {
 
     /// Notes on the ratio.
     pub fn notes(self) -> Vec<Diagnostic> {
-        let message = both!(
-            "K is below one: taken as 1/K, the slow stroke is the other one",
-            "K 小于 1：按 1/K 计算，慢行程为另一行程"
-        );
+        let message = both!("K is below one: taken as 1/K, the slow stroke is the other one");
         self.turned.then(|| Diagnostic::note("K-below-one", message)).into_iter().collect()
     }
 }
@@ -117,23 +104,12 @@ const ALIKE: f64 = 1e-9;
 pub(super) fn slow_stroke(first: f64, second: f64, omega: f64) -> Diagnostic {
     let way = (if omega < 0.0 { first - second } else { second - first }).rem_euclid(2.0 * PI);
     if (way - PI).abs() < ALIKE {
-        return Diagnostic::note(
-            "slow-stroke",
-            both!("both strokes take the same time", "两个行程所需时间相同"),
-        );
+        return Diagnostic::note("slow-stroke", both!("both strokes take the same time"));
     }
     let (from, to) = if way >= PI { (1, 2) } else { (2, 1) };
-    let sense = if omega < 0.0 {
-        both!("clockwise", "顺时针")
-    } else {
-        both!("counter-clockwise", "逆时针")
-    };
+    let sense = if omega < 0.0 { both!("clockwise") } else { both!("counter-clockwise") };
     Diagnostic::note(
         "slow-stroke",
-        both!(
-            "with the crank turning {} the stroke from C{from} to C{to} is the slow one",
-            "曲柄{}转动时，由 C{from} 到 C{to} 为慢行程",
-            sense
-        ),
+        both!("with the crank turning {} the stroke from C{from} to C{to} is the slow one", sense),
     )
 }

@@ -48,21 +48,16 @@ pub(super) fn read(form: &TaskForm) -> Option<Box<dyn Wish>> {
         [_, second, ..] => {
             let message = both!(
                 "`{}` are given, one of which follows from the others, K and the stroke",
-                "同时给出了 `{}`，而其中之一即可由 K 和行程确定其余",
                 given.join("`, `")
             );
-            let help = both!("keep one of them", "请保留其中一个");
+            let help = both!("keep one of them");
             form.fault(Diagnostic::error("given-twice", message).at(form.span(second)).help(help));
             None
         }
         _ => {
-            let message = both!(
-                "one of `offset`, `crank`, `rod` is given beside K and the stroke",
-                "除 K 和行程外，应给出 `offset`、`crank`、`rod` 之一"
-            );
+            let message = both!("one of `offset`, `crank`, `rod` is given beside K and the stroke");
             form.fault(Diagnostic::error("missing-key", message).at(form.span("stroke")).help(both!(
-                "add \"offset\": \"20 mm\", or \"best\": \"transmission\" for the least pressure angle",
-                "请加上 \"offset\": \"20 mm\"，或写 \"best\": \"transmission\" 以使压力角最小"
+                "add \"offset\": \"20 mm\", or \"best\": \"transmission\" for the least pressure angle"
             )));
             None
         }
@@ -99,11 +94,7 @@ fn best_offset(h: f64, t: f64) -> f64 {
 
 impl Wish for SliderCrank {
     fn title(&self) -> Both {
-        both!(
-            "Slider-crank with time ratio {}",
-            "行程速度变化系数为 {} 的偏置曲柄滑块机构",
-            significant(self.ratio.k, 4)
-        )
+        both!("Slider-crank with time ratio {}", significant(self.ratio.k, 4))
     }
 
     fn solve(&self, heading: &Heading) -> Result<TaskResult, Faults> {
@@ -138,12 +129,11 @@ impl SliderCrank {
             return None;
         }
         let (c2, c1) = (Point::ORIGIN, Point::new(board.mm(self.stroke), 0.0));
-        board.step(both!("Lay off the stroke C1C2 on the guide", "在导路上量取行程 C1C2"));
+        board.step(both!("Lay off the stroke C1C2 on the guide"));
         board.line(c2, c1, Weight::Given).mark("C_1", c1).mark("C_2", c2);
         let theta = significant(self.ratio.theta.to_degrees(), 4);
         board.step(both!(
-            "Over C1C2 draw the circle with the inscribed angle θ = {theta}°: 90° − θ from the chord at both ends gives its centre",
-            "在 C1C2 上作圆周角为 θ = {theta}° 的圆：两端各作 90° − θ 的角，交点为圆心"
+            "Over C1C2 draw the circle with the inscribed angle θ = {theta}°: 90° − θ from the chord at both ends gives its centre"
         ));
         let (centre, radius) = board.inscribed(c2, c1, self.ratio.theta, false)?;
         board.mark("O", centre);
@@ -165,7 +155,6 @@ impl SliderCrank {
                 let a = board.cut(&level, centre, radius)?[k];
                 board.step(both!(
                     "The parallel to the guide at the offset {} meets the circle at A",
-                    "在偏距 {} 处作导路的平行线，与圆交于 A",
                     metres(offset)
                 ));
                 board
@@ -200,24 +189,16 @@ impl SliderCrank {
         {
             let message = match self.third {
                 ThirdGiven::Offset(_) if e == 0.0 => {
-                    both!(
-                        "without an offset the slider has no quick return: K would be 1",
-                        "偏距为零时无急回：K 只能为 1"
-                    )
+                    both!("without an offset the slider has no quick return: K would be 1")
                 }
                 ThirdGiven::Offset(_) => {
                     both!(
                         "with the offset {} the square of the crank comes out negative",
-                        "偏距为 {} 时曲柄长的平方为负",
                         metres(off)
                     )
                 }
                 ThirdGiven::Crank(_) | ThirdGiven::Rod(_) | ThirdGiven::Best => {
-                    both!(
-                        "no offset gives this length: its value would be {}",
-                        "没有偏距能给出此长度：偏距将为 {}",
-                        metres(e)
-                    )
+                    both!("no offset gives this length: its value would be {}", metres(e))
                 }
             };
             let (key, range) = match self.third {
@@ -227,7 +208,6 @@ impl SliderCrank {
             };
             let help = both!(
                 "for this stroke and K `{key}` lies between {} and {}, neither included",
-                "此行程和 K 下 `{key}` 应在 {} 与 {} 之间（不含两端）",
                 metres(range[0]),
                 metres(range[1])
             );
@@ -245,14 +225,9 @@ impl SliderCrank {
             | ThirdGiven::Rod(_)
             | ThirdGiven::Best => {
                 let message = both!(
-                    "with K = 1 the slider-crank is centric: the crank is half the stroke, the rod is free",
-                    "K = 1 时为对心曲柄滑块机构：曲柄为行程之半，连杆长可任取"
+                    "with K = 1 the slider-crank is centric: the crank is half the stroke, the rod is free"
                 );
-                let help = both!(
-                    "give \"rod\", longer than {}",
-                    "请给出大于 {} 的 \"rod\"",
-                    metres(self.stroke / 2.0)
-                );
+                let help = both!("give \"rod\", longer than {}", metres(self.stroke / 2.0));
                 Err(Diagnostic::error("free-choice", message).help(help).into())
             }
         }
@@ -271,24 +246,21 @@ impl SliderCrank {
         });
         let (off, swing) = (e.abs(), ((a + e.abs()) / b).min(1.0));
         let numbers = vec![
-            DesignNumber::length("AB", both!("crank", "曲柄"), a),
-            DesignNumber::length("BC", both!("rod", "连杆"), b),
-            DesignNumber::length("e", both!("offset", "偏距"), off),
-            DesignNumber::length("H", both!("stroke", "行程"), self.stroke),
+            DesignNumber::length("AB", both!("crank"), a),
+            DesignNumber::length("BC", both!("rod"), b),
+            DesignNumber::length("e", both!("offset"), off),
+            DesignNumber::length("H", both!("stroke"), self.stroke),
             DesignNumber::angle(
                 "theta",
-                both!("crank angle between the limit positions", "极位夹角"),
+                both!("crank angle between the limit positions"),
                 self.ratio.theta,
             ),
             DesignNumber::angle(
                 "alpha_max",
-                both!(
-                    "greatest pressure angle, the crank square to the guide",
-                    "最大压力角（曲柄垂直于导路）"
-                ),
+                both!("greatest pressure angle, the crank square to the guide"),
                 libm::asin(swing),
             ),
-            DesignNumber::ratio("K", both!("time ratio", "行程速度变化系数"), self.ratio.k),
+            DesignNumber::ratio("K", both!("time ratio"), self.ratio.k),
         ];
         let demands =
             vec![Demand::FullTurn, Demand::TimeRatio(self.ratio.k), Demand::Stroke(self.stroke)];
@@ -298,7 +270,7 @@ impl SliderCrank {
             demands,
             remarks: vec![slow],
             ..Draft::new(
-                both!("the only solution", "唯一解"),
+                both!("the only solution"),
                 scene([a, b, e], driver, at(b + a), heading),
                 numbers,
                 wanted.into(),

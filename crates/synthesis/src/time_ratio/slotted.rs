@@ -110,9 +110,9 @@ fn read(
     if ratio.theta == 0.0 {
         let d = Diagnostic::error(
             "no-real-solution",
-            both!("with K = 1 a slotted lever has no quick return", "K = 1 时导杆机构没有急回"),
+            both!("with K = 1 a slotted lever has no quick return"),
         );
-        form.fault(d.at(form.span("K")).help(both!("K is greater than one", "K 应大于 1")));
+        form.fault(d.at(form.span("K")).help(both!("K is greater than one")));
         return None;
     }
     let share = share(ratio);
@@ -128,12 +128,8 @@ fn short_link(stroke: f64, half: f64, notes: &mut Vec<Diagnostic>) -> f64 {
     let lever = stroke / (2.0 * libm::sin(half));
     let rise = lever * (1.0 - libm::cos(half)) / 2.0;
     let link = (0.3 * lever).max(5.0 * rise);
-    let message = both!(
-        "the link to the ram is free: {} is taken",
-        "连接滑枕的连杆长可任取：取 {}",
-        metres(link)
-    );
-    let help = both!("give \"link\", longer than {}", "可给出大于 {} 的 \"link\"", metres(rise));
+    let message = both!("the link to the ram is free: {} is taken", metres(link));
+    let help = both!("give \"link\", longer than {}", metres(rise));
     notes.push(Diagnostic::note("free-choice", message).help(help));
     link
 }
@@ -141,28 +137,16 @@ fn short_link(stroke: f64, half: f64, notes: &mut Vec<Diagnostic>) -> f64 {
 /// A default stroke for Whitworth's slider: the diameter of the crank's circle.
 fn chosen_stroke(crank: f64, notes: &mut Vec<Diagnostic>) -> f64 {
     let stroke = 2.0 * crank;
-    let message = both!(
-        "the stroke of the slider is free: {} is taken",
-        "滑块行程可任取：取 {}",
-        metres(stroke)
-    );
-    notes.push(
-        Diagnostic::note("free-choice", message)
-            .help(both!("give \"stroke\"", "可给出 \"stroke\"")),
-    );
+    let message = both!("the stroke of the slider is free: {} is taken", metres(stroke));
+    notes.push(Diagnostic::note("free-choice", message).help(both!("give \"stroke\"")));
     stroke
 }
 
 /// A default link for Whitworth's slider: three times the lever's arm.
 fn chosen_link(stroke: f64, notes: &mut Vec<Diagnostic>) -> f64 {
     let link = 1.5 * stroke;
-    let message = both!(
-        "the link to the slider is free: {} is taken",
-        "连接滑块的连杆长可任取：取 {}",
-        metres(link)
-    );
-    let help =
-        both!("give \"link\", longer than {}", "可给出大于 {} 的 \"link\"", metres(stroke / 2.0));
+    let message = both!("the link to the slider is free: {} is taken", metres(link));
+    let help = both!("give \"link\", longer than {}", metres(stroke / 2.0));
     notes.push(Diagnostic::note("free-choice", message).help(help));
     link
 }
@@ -174,12 +158,11 @@ fn one_of(form: &TaskForm, keys: [&'static str; 2]) -> Option<(&'static str, f64
         [false, true] => Some((keys[1], form.size(keys[1])?)),
         _ => {
             let [one, other] = keys;
-            let message =
-                both!("one of `{one}` and `{other}` is given", "应给出 `{one}` 与 `{other}` 之一");
+            let message = both!("one of `{one}` and `{other}` is given");
             form.fault(
                 Diagnostic::error("missing-key", message)
                     .at(form.span("linkage"))
-                    .help(both!("write \"{other}\": \"100 mm\"", "请写 \"{other}\": \"100 mm\"")),
+                    .help(both!("write \"{other}\": \"100 mm\"")),
             );
             None
         }
@@ -191,16 +174,12 @@ impl Wish for Slotted {
         let k = significant(self.ratio.k, 4);
         match self.kind {
             SlottedKind::Lever { .. } => {
-                both!("Slotted lever with time ratio {}", "行程速度变化系数为 {} 的摆动导杆机构", k)
+                both!("Slotted lever with time ratio {}", k)
             }
             SlottedKind::Shaper { .. } => {
-                both!("Shaper with time ratio {}", "行程速度变化系数为 {} 的牛头刨床机构", k)
+                both!("Shaper with time ratio {}", k)
             }
-            SlottedKind::Whitworth { .. } => both!(
-                "Whitworth quick return with time ratio {}",
-                "行程速度变化系数为 {} 的转动导杆机构",
-                k
-            ),
+            SlottedKind::Whitworth { .. } => both!("Whitworth quick return with time ratio {}", k),
         }
     }
 
@@ -233,14 +212,14 @@ impl Slotted {
 
     fn numbers(&self) -> Vec<DesignNumber> {
         vec![
-            DesignNumber::length("AB", both!("crank", "曲柄"), self.crank),
-            DesignNumber::length("AC", both!("frame", "机架"), self.frame),
+            DesignNumber::length("AB", both!("crank"), self.crank),
+            DesignNumber::length("AC", both!("frame"), self.frame),
             DesignNumber::angle(
                 "theta",
-                both!("crank angle between the limit positions", "极位夹角"),
+                both!("crank angle between the limit positions"),
                 self.ratio.theta,
             ),
-            DesignNumber::ratio("K", both!("time ratio", "行程速度变化系数"), self.ratio.k),
+            DesignNumber::ratio("K", both!("time ratio"), self.ratio.k),
         ]
     }
 
@@ -299,7 +278,7 @@ impl Slotted {
         Draft {
             demands,
             remarks,
-            ..Draft::new(both!("the only solution", "唯一解"), Json::Object(scene), numbers, wanted)
+            ..Draft::new(both!("the only solution"), Json::Object(scene), numbers, wanted)
         }
     }
 
@@ -315,7 +294,7 @@ impl Slotted {
         let (driver, _, direction) = limits[0];
         let scene = self.scene(heading, driver, lever.map(|l| (l, self.c() + direction * l)));
         let mut numbers = self.numbers();
-        numbers.extend(lever.map(|l| DesignNumber::length("CD", both!("lever", "导杆"), l)));
+        numbers.extend(lever.map(|l| DesignNumber::length("CD", both!("lever"), l)));
         self.draft(scene, numbers, wanted.into(), self.ratio.theta, heading)
     }
 
@@ -325,13 +304,8 @@ impl Slotted {
         let height = lever * (1.0 + libm::cos(half)) / 2.0;
         let off = (lever - height) / link;
         if off >= 1.0 {
-            let message = both!(
-                "the link of {} does not reach from D to the ram",
-                "长 {} 的连杆不能由 D 到达滑枕",
-                metres(link)
-            );
-            let help =
-                both!("\"link\" is longer than {}", "\"link\" 应大于 {}", metres(lever - height));
+            let message = both!("the link of {} does not reach from D to the ram", metres(link));
+            let help = both!("\"link\" is longer than {}", metres(lever - height));
             return Err(Diagnostic::error("no-real-solution", message).help(help).into());
         }
         let limits = self.limits();
@@ -351,17 +325,13 @@ impl Slotted {
         let mut scene = self.scene(heading, limits[0].0, Some((lever, d)));
         self.add_slider(&mut scene, link, self.c().y + height, &[("D", d), ("E", ram(d))]);
         let mut numbers = self.numbers();
-        numbers.push(DesignNumber::length("CD", both!("lever", "导杆"), lever));
-        numbers.push(DesignNumber::length("DE", both!("link to the ram", "连接滑枕的连杆"), link));
-        numbers.push(DesignNumber::length(
-            "y",
-            both!("height of the ram's guide over C", "导路到 C 的距离"),
-            height,
-        ));
-        numbers.push(DesignNumber::length("H", both!("stroke", "行程"), stroke));
+        numbers.push(DesignNumber::length("CD", both!("lever"), lever));
+        numbers.push(DesignNumber::length("DE", both!("shaper" => "link to the ram"), link));
+        numbers.push(DesignNumber::length("y", both!("height of the ram's guide over C"), height));
+        numbers.push(DesignNumber::length("H", both!("stroke"), stroke));
         numbers.push(DesignNumber::angle(
             "alpha_max",
-            both!("greatest pressure angle of DE", "DE 的最大压力角"),
+            both!("greatest pressure angle of DE"),
             libm::asin(off),
         ));
         Ok(self.draft(scene, numbers, wanted.into(), stroke, heading))
@@ -370,12 +340,9 @@ impl Slotted {
     fn whitworth(&self, stroke: f64, link: f64, heading: &Heading) -> Result<Draft, Faults> {
         let arm = stroke / 2.0;
         if link <= arm {
-            let message = both!(
-                "the link of {} is too short for the slider's stroke",
-                "长 {} 的连杆不足以满足滑块行程",
-                metres(link)
-            );
-            let help = both!("\"link\" is longer than {}", "\"link\" 应大于 {}", metres(arm));
+            let message =
+                both!("the link of {} is too short for the slider's stroke", metres(link));
+            let help = both!("\"link\" is longer than {}", metres(arm));
             return Err(Diagnostic::error("no-real-solution", message).help(help).into());
         }
         // The lever's dead-centre line: perpendicular to AC through C, to its intersection with the
@@ -399,27 +366,23 @@ impl Slotted {
         let mut scene = self.scene(heading, wanted[0].driver, Some((arm, d)));
         self.add_slider(&mut scene, link, c.y, &[("D", d), ("E", e)]);
         let mut numbers = self.numbers();
-        numbers.push(DesignNumber::length("CD", both!("arm of the lever", "导杆上的臂长"), arm));
-        numbers.push(DesignNumber::length(
-            "DE",
-            both!("link to the slider", "连接滑块的连杆"),
-            link,
-        ));
-        numbers.push(DesignNumber::length("H", both!("stroke", "行程"), stroke));
+        numbers.push(DesignNumber::length("CD", both!("arm of the lever"), arm));
+        numbers.push(DesignNumber::length("DE", both!("link to the slider"), link));
+        numbers.push(DesignNumber::length("H", both!("stroke"), stroke));
         numbers.push(DesignNumber::angle(
             "alpha_return",
-            both!("crank angle of the quick stroke", "快行程的曲柄转角"),
+            both!("crank angle of the quick stroke"),
             2.0 * PI / (self.ratio.k + 1.0),
         ));
         let ratio = |gap: f64| self.crank / gap;
         numbers.push(DesignNumber::ratio(
             "i_max",
-            both!("greatest ratio ω of lever to crank", "导杆与曲柄角速度比的最大值"),
+            both!("greatest ratio ω of lever to crank"),
             ratio(self.crank - self.frame),
         ));
         numbers.push(DesignNumber::ratio(
             "i_min",
-            both!("least ratio ω of lever to crank", "导杆与曲柄角速度比的最小值"),
+            both!("least ratio ω of lever to crank"),
             ratio(self.crank + self.frame),
         ));
         Ok(self.draft(scene, numbers, wanted.into(), stroke, heading))

@@ -4,6 +4,7 @@
 use super::drafting::{CrossingTolerance, DraftedConstruction, Tolerance, crossings, drafting};
 use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::digits::{shortest, significant};
+use hodograph_base::lang::each;
 use hodograph_board::construct::pencil::Exact;
 use hodograph_board::construct::{Action, Acts, Layout, PlanDrawing};
 use hodograph_board::plan::text::{held_by, vertex_name};
@@ -318,12 +319,9 @@ fn near(drawn: &DraftedConstruction, c: &CrossingTolerance) -> Both {
     let terms = edges.into_iter().flatten().filter_map(|e| polygon.edges[*e].terms.first());
     let words: Vec<Both> = terms.map(|t| held_by(drawn.scene, drawn.plan, t)).collect();
     if words.is_empty() {
-        return both!(
-            "the lines of two trials are nearly parallel, and ",
-            "两次试作的直线接近平行，"
-        );
+        return both!("the lines of two trials are nearly parallel, and ");
     }
-    both!("{} are near a dead centre, and ", "{} 接近死点，", Both::join(&words, " and ", "与"))
+    both!("{} are near a dead centre, and ", Both::join(&words, each!(" and ")))
 }
 
 impl BadAngle {
@@ -331,12 +329,11 @@ impl BadAngle {
     pub fn diagnostic(&self, drawn: &DraftedConstruction) -> Diagnostic {
         let name = vertex_name(drawn.scene, drawn.plan, self.crossing.target);
         let moves = match self.crossing.moves_on_paper_mm() {
-            Some(mm) => both!("by {} mm", "偏移 {} mm", significant(mm, 2)),
-            None => both!("off the paper", "移出图纸"),
+            Some(mm) => both!("by {} mm", significant(mm, 2)),
+            None => both!("off the paper"),
         };
         let message = both!(
             "{name} is found under {}°: {}a pencil error of {} mm moves it {}",
-            "求 {name} 的两线交角仅 {}°：{}{} mm 的作图误差使该点{}",
             significant(self.crossing.angle_deg(), 2),
             near(drawn, &self.crossing),
             shortest(self.pencil_mm),
@@ -346,20 +343,17 @@ impl BadAngle {
         if let Some(factor) = self.larger {
             help.push(both!(
                 "draw {} times as large, then every answer is within 1 %",
-                "请把图形放大到 {} 倍，各结果的误差不超过 1 %",
                 shortest(factor)
             ));
         }
         if let Some(p) = self.special {
             let point = both!(
                 "take the special point on legs {} and {} of the group",
-                "请改取该杆组第 {} 与第 {} 支链上的特殊点",
                 p.legs.0 + 1,
                 p.legs.1 + 1
             );
             help.push(both!(
                 "{}, where the lines cross under {}° or more",
-                "{}，交角不小于 {}°",
                 point,
                 significant(p.worst_deg, 2)
             ));
@@ -370,12 +364,10 @@ impl BadAngle {
             help.push(match p.to_deg {
                 Some(to) => both!(
                     "take the pose at {name} = {} deg, where the lines cross under {angle}°",
-                    "请取 {name} = {} deg 的位置，其交角为 {angle}°",
                     shortest(to)
                 ),
                 None => both!(
                     "turn the driver {name} by {} deg, where the lines cross under {angle}°",
-                    "请把原动件 {name} 再转过 {} deg，其交角为 {angle}°",
                     shortest(p.turn_deg)
                 ),
             });
@@ -385,6 +377,6 @@ impl BadAngle {
             VertexPlace::Point(p) => d.at(drawn.scene.points[p.0].span),
             VertexPlace::Special(_) => d,
         };
-        if help.is_empty() { d } else { d.help(Both::join(&help, "; or ", "；或")) }
+        if help.is_empty() { d } else { d.help(Both::join(&help, each!("; or "))) }
     }
 }

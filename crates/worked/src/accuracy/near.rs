@@ -85,14 +85,12 @@ impl KeptDigits {
         let digits = (-libm::log10(worst)).floor();
         let said = both!(
             "{} but for a hair: the condition number is {}; double precision keeps about {digits} digits of the answers, in the drawing and in the loop equations",
-            "几乎是{}：条件数为 {}；作图和封闭矢量方程（解析法）用双精度约保留结果的 {digits} 位数字",
             near.words,
             significant(condition, 2)
         );
         if digits < PRINTED {
             Diagnostic::warning("near-singular", said).help(both!(
-                "choose a pose further off; the certified digits are those of longer numbers",
-                "请取离该位置较远的位置；已验证的数字由高精度计算得到"
+                "choose a pose further off; the certified digits are those of longer numbers"
             ))
         } else {
             Diagnostic::note("near-singular", said)
@@ -104,22 +102,17 @@ impl KeptDigits {
 /// that are printed.
 pub fn estimated(near: &NearSingular, condition: f64) -> Option<Diagnostic> {
     let digits = (-libm::log10(10.0 * near.loss)).floor();
-    let left = if digits < 1.0 {
-        both!("no digit", "不到一位")
-    } else {
-        both!("about {digits} digits", "约 {digits} 位")
-    };
+    let left = if digits < 1.0 { both!("no digit") } else { both!("about {digits} digits") };
     (digits < PRINTED).then(|| {
         Diagnostic::warning(
             "near-singular",
             both!(
                 "{} but for a hair: the condition number is {}, and double precision may keep {} of the velocities there in the drawing and in the loop equations, fewer of the accelerations",
-                "几乎是{}：条件数为 {}；作图和封闭矢量方程（解析法）用双精度，速度可能只保留{}数字，加速度更少",
                 near.words,
                 significant(condition, 2),
                 left
             ),
         )
-        .help(both!("choose a pose further off", "请取离该位置较远的位置"))
+        .help(both!("choose a pose further off"))
     })
 }

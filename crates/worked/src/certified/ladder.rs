@@ -13,6 +13,7 @@ use crate::worked::{Outcome, Worked};
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_base::digits;
 use hodograph_base::geom::Vec2;
+use hodograph_base::lang::{say, tr};
 use hodograph_base::number::Real;
 use hodograph_base::number::decimal::{Certain, Enclosure};
 use hodograph_board::construct::scale;
@@ -135,33 +136,22 @@ pub enum MissingDigits {
 impl MissingDigits {
     /// Returns the reason in words, for brackets after the number.
     pub fn words(&self, lang: Lang) -> String {
-        match (self, lang) {
-            (MissingDigits::TooClose, Lang::En) => {
-                "the pose is too close to a dead centre for more".into()
+        match self {
+            MissingDigits::TooClose => {
+                tr!(lang, "the pose is too close to a dead centre for more").into()
             }
-            (MissingDigits::TooClose, Lang::Zh) => "该位置过于接近死点".into(),
-            (MissingDigits::Tie, Lang::En) => {
-                "the next digit is a tie, or the value cannot be told from zero".into()
+            MissingDigits::Tie => {
+                tr!(lang, "the next digit is a tie, or the value cannot be told from zero").into()
             }
-            (MissingDigits::Tie, Lang::Zh) => "下一位恰在舍入分界上，或数值与零无法区分".into(),
-            (MissingDigits::Singular(links), Lang::En) => {
-                format!("the equations of links {} may be singular in this pose", links.en)
+            MissingDigits::Singular(links) => {
+                say!(lang, "the equations of links {} may be singular in this pose", links)
             }
-            (MissingDigits::Singular(links), Lang::Zh) => {
-                format!("构件 {} 的方程在该位置可能奇异", links.zh)
+            MissingDigits::NextOrder(_) => {
+                tr!(lang, "singular pose, from the next order of the loop equations").into()
             }
-            (MissingDigits::NextOrder(_), Lang::En) => {
-                "singular pose, from the next order of the loop equations".into()
-            }
-            (MissingDigits::NextOrder(_), Lang::Zh) => "奇异位置，由高一阶封闭矢量方程求得".into(),
-            (MissingDigits::NoValue, Lang::En) => "it has no value in this pose".into(),
-            (MissingDigits::NoValue, Lang::Zh) => "该位置无确定值".into(),
-            (MissingDigits::Double, Lang::En) => "it is computed in double precision only".into(),
-            (MissingDigits::Double, Lang::Zh) => "仅按双精度计算".into(),
-            (MissingDigits::Refused(d), Lang::En) => d.message.en.clone(),
-            (MissingDigits::Refused(d), Lang::Zh) => {
-                format!("按所给数值未能证明：{}", d.message.zh)
-            }
+            MissingDigits::NoValue => tr!(lang, "it has no value in this pose").into(),
+            MissingDigits::Double => tr!(lang, "it is computed in double precision only").into(),
+            MissingDigits::Refused(d) => say!(lang, "proof refused" => "{}", d.message),
         }
     }
 }
@@ -285,10 +275,7 @@ impl Climb for Closes<'_> {
 /// The reason why a group does not close.
 fn not_closed(faults: Faults) -> Diagnostic {
     faults.list.into_iter().next().unwrap_or_else(|| {
-        Diagnostic::error(
-            "not-closed",
-            both!("a group does not close in longer numbers", "有杆组在高精度计算中不能装配"),
-        )
+        Diagnostic::error("not-closed", both!("a group does not close in longer numbers"))
     })
 }
 

@@ -184,17 +184,16 @@ pub fn toward_toggle(scene: &Scene, watch: Watch) -> Result<Vec<TogglePose>, Fau
     let nearest = start.and_then(|s| ends.min_by(|a, b| (a - s).abs().total_cmp(&(b - s).abs())));
     let (Some(start), Some(limit)) = (start, nearest) else {
         let why = if start.is_none() {
-            both!("the pose is given by coordinates", "位置由坐标给定")
+            both!("the pose is given by coordinates")
         } else {
-            both!("the driver turns fully, nothing stops it", "原动件可整周转动，没有极限位置")
+            both!("the driver turns fully, nothing stops it")
         };
         return Err(Diagnostic::error(
             "no-toggle",
-            both!("there is no toggle to approach: {}", "没有可趋近的极限位置：{}", why),
+            both!("there is no toggle to approach: {}", why),
         )
         .help(both!(
-            "drive another link, for instance the rocker of a crank-rocker, and give its angle",
-            "请换原动件，如曲柄摇杆机构的摇杆，并给出其角度"
+            "drive another link, for instance the rocker of a crank-rocker, and give its angle"
         ))
         .into());
     };
@@ -221,11 +220,9 @@ fn of_ways(
 ) -> Result<Vec<MethodMeasurement>, Faults> {
     let truth = truth(scene, worked)?;
     if truth.iter().all(Option::is_none) {
-        return Err(Diagnostic::error(
-            "no-truth",
-            both!("no answer has a value in this pose", "该位置各量都无确定值"),
-        )
-        .into());
+        return Err(
+            Diagnostic::error("no-truth", both!("no answer has a value in this pose")).into()
+        );
     }
     Ok(ways.iter().map(|way| one(scene, worked, &truth, *way, watch)).collect())
 }

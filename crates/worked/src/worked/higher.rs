@@ -42,9 +42,7 @@ fn contacts(scene: &Scene, mechanism: &Mechanism, group: &Group) -> Vec<Both> {
         PairItem::Pin(..) | PairItem::Guide(_) | PairItem::Driver(_) => None,
     });
     let inner = pairs.filter(|links| links.iter().all(|l| group.links.contains(l)));
-    inner
-        .map(|[a, b]| both!("{} and {}", "{} 与 {} ", scene.link_name(a), scene.link_name(b)))
-        .collect()
+    inner.map(|[a, b]| both!("{} and {}", scene.link_name(a), scene.link_name(b))).collect()
 }
 
 /// The notes on the required groups higher than class III: the means of drawing them, or that they
@@ -67,30 +65,26 @@ pub(super) fn notes(scene: &Scene, mechanism: &Mechanism, plan: &Plan) -> Vec<Di
             let message = both!(
                 "links {} form a group higher than class III: {} roll on one another, and no link of the group is held along two lines whose crossing would be the \
                  special point to begin with; it is answered from the loop equations and not drawn",
-                "构件 {} 组成高于Ⅲ级的杆组：{}相互滚动，且组内没有一个构件受两条相交约束线控制，得不到可供起步的特殊点；由封闭矢量方程（解析法）求解，不作图",
                 names,
                 Both::listed(&between)
             );
             return Diagnostic::note("higher-group", message).help(both!(
-                "the contact is their instantaneous centre: `hodograph draw --figure centres` draws the velocities; with one of the wheels as the driver's, the group falls apart",
-                "接触点即二者的瞬心：可用 `hodograph draw --figure centres` 图解速度；改以其中一轮为原动件，该杆组即可拆开"
+                "the contact is their instantaneous centre: `hodograph draw --figure centres` draws the velocities; with one of the wheels as the driver's, the group falls apart"
             ));
         }
         let message = if plan.undrawable.contains(&g) {
             both!(
                 "links {} form a group higher than class III: it is answered from the loop equations and not drawn",
-                "构件 {} 组成高于Ⅲ级的杆组：由封闭矢量方程（解析法）求解，不作图",
                 names
             )
         } else {
             both!(
                 "links {} form a group higher than class III: it is drawn by {}",
-                "构件 {} 组成高于Ⅲ级的杆组：用{}作图",
                 names,
                 if plan.is_tried(g) {
-                    both!("trial polygons", "试作多边形")
+                    both!("trial polygons")
                 } else {
-                    both!("the special point method", "特殊点法")
+                    both!("the special point method")
                 }
             )
         };

@@ -90,12 +90,7 @@ pub fn instant(scene: Scene) -> Warned<Scene> {
 pub(super) fn goes_on(scene: &Scene) -> Result<(), Faults> {
     let Some(ProfileJunction { next: Some(_), note }) = at_joint(scene) else { return Ok(()) };
     let d = Diagnostic { severity: Severity::Error, ..note };
-    Err(d
-        .help(both!(
-            "take the scene by `worked::instant`, which chooses the piece",
-            "请先用 `worked::instant` 取定所接触的廓线段"
-        ))
-        .into())
+    Err(d.help(both!("take the scene by `worked::instant`, which chooses the piece")).into())
 }
 
 /// A pose in which two pieces of a profile meet.
@@ -124,9 +119,8 @@ fn at_joint(scene: &Scene) -> Option<ProfileJunction> {
     }
     let message = both!(
         "two pieces of the profile of cam `{}` meet here: {}; drawn is what follows",
-        "此处为凸轮 `{}` 廓线两段的接点：{}；图中取其后一段",
         scene.link_name(cam.cam),
-        Both::join(&jumps, ", ", "、")
+        Both::join(&jumps, [", ", "、"])
     );
     let note = Diagnostic::note("joint", message).at(cam.span);
     Some(ProfileJunction {
@@ -167,8 +161,7 @@ fn jumps([before, after]: &[(&Scene, &InstantMotion); 2]) -> Vec<Both> {
             }
         };
         let [was, is] = [was, is].map(|v| words(after.0, f.what.kind(), v));
-        (off > ONE * size)
-            .then(|| both!("{} jumps from {} to {}", "{} 由 {} 跃变为 {}", f.text, was, is))
+        (off > ONE * size).then(|| both!("{} jumps from {} to {}", f.text, was, is))
     };
     after.0.find.iter().filter(accelerates).filter_map(jump).collect()
 }

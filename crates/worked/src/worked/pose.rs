@@ -275,7 +275,7 @@ impl DecidedPose {
     fn leave_out(&mut self, given: PoseInput, lost: &[usize]) -> Result<(), Faults> {
         if let Some(near) = &self.decisions.near {
             let words = self.solution.near.first().map_or_else(
-                || both!("the links lie nearly as in a singular pose", "各构件接近奇异位置"),
+                || both!("the links lie nearly as in a singular pose"),
                 |worst| worst.words.clone(),
             );
             self.notes.extend(
@@ -314,11 +314,10 @@ fn near_singular(words: &Both, regular: &Regular) -> Diagnostic {
         "near-singular",
         both!(
             "{} but for a hair: as written the pose is not singular, but only numbers of more digits than double precision tell its answers ({numbers}); they are theirs, neither drawn nor checked by the loop equations",
-            "几乎是{}：按所给数值该位置并非奇异，但其结果须由高于双精度的数值（{numbers}）求得；结果取自该数值，未作图，也未用封闭矢量方程（解析法）校核",
             words
         ),
     )
-    .help(both!("choose a pose further off, or one that is singular as written", "请取离奇异位置较远的位置，或按所给数值恰为奇异的位置"))
+    .help(both!("choose a pose further off, or one that is singular as written"))
 }
 
 /// The groups that are singular in the pose: their lines coincide, so that no crossing on paper has

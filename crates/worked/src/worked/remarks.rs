@@ -30,8 +30,7 @@ pub(super) fn unbalanced(
     let Some(group) = solved.unbalanced else {
         if !is_determined(scene, m) && !scene.loads.friction.is_empty() {
             return Some(both!(
-                "friction rests on the reactions, which are not determined: a link or pair only repeats what the others hold, or a belt pulls with a tension that is not told",
-                "摩擦取决于反力，而反力不确定：有构件或运动副只重复其余的约束，或带的拉力未知"
+                "friction rests on the reactions, which are not determined: a link or pair only repeats what the others hold, or a belt pulls with a tension that is not told"
             ));
         }
         let smooth =
@@ -40,8 +39,7 @@ pub(super) fn unbalanced(
         let locked = told && motion::solve::<f64>(&smooth, m, at, demand).forces().is_some();
         return (locked && solved.forces().is_none()).then(|| {
             both!(
-                "the mechanism locks itself: with this friction no finite forces balance the loads",
-                "机构自锁：在所给摩擦下，没有有限的力能平衡载荷"
+                "the mechanism locks itself: with this friction no finite forces balance the loads"
             )
         });
     };
@@ -50,7 +48,6 @@ pub(super) fn unbalanced(
     let names = Both::names(&names);
     Some(both!(
         "the reactions of links {0} are unbounded or not determined: they lie in a dead centre, where no finite force of their joints balances the loads",
-        "构件 {0} 的反力无穷大或不确定：处于死点位置，有限的反力不能平衡载荷",
         names
     ))
 }
@@ -67,14 +64,12 @@ pub(super) fn of_loads(scene: &Scene, at: &Configuration, solution: &Solution) -
         let link = scene.link_name(a.link);
         if a.course.is_some() {
             let message = both!(
-                "the load on link {link} is zero here: the pose lies outside the part of the motion over which it acts, or at its end",
-                "构件 {link} 上的载荷在此位置为零：该位置不在其作用范围之内，或在其端点"
+                "the load on link {link} is zero here: the pose lies outside the part of the motion over which it acts, or at its end"
             );
             return Diagnostic::note("load-elsewhere", message).at(a.span);
         }
         let message = both!(
-            "the resistance on link {link} is left out: what it acts on is at rest, so that it has no direction",
-            "不计构件 {link} 上的阻力：其作用处静止，方向不确定"
+            "the resistance on link {link} is left out: what it acts on is at rest, so that it has no direction"
         );
         Diagnostic::note("load-at-rest", message).at(a.span)
     };
@@ -105,7 +100,6 @@ fn of_friction(scene: &Scene, at: &Configuration, solution: &Solution) -> Vec<Di
     let rest = |k: usize| {
         let message = both!(
             "no friction counts in {}: its links do not move on each other, so that it has no sense",
-            "{}不计摩擦：两构件没有相对运动，摩擦方向不确定",
             pair_words(scene, k)
         );
         Diagnostic::note("friction-at-rest", message).at(scene.loads.friction[k].span)
@@ -119,7 +113,6 @@ fn of_friction(scene: &Scene, at: &Configuration, solution: &Solution) -> Vec<Di
     if let (Some(eta), Some(worst)) = (eta.filter(|eta| *eta <= 0.0), worst) {
         let message = both!(
             "the mechanism locks itself: η = {}; most is lost in {}",
-            "机构自锁：η = {}，摩擦损失最大的是{}",
             significant(eta, 4),
             pair_words(scene, worst.friction)
         );
@@ -149,7 +142,6 @@ fn of_guides(scene: &Scene, at: &Configuration, solution: &Solution) -> Vec<Diag
         };
         let message = both!(
             "slider {} tilts in its guide: the force of the guide acts outside the length {}; its corners press with {} and {}, in opposite senses",
-            "滑块 {} 在导路中歪斜：导路反力作用在长度 {} 之外，两角的压力为 {} 和 {}，方向相反",
             scene.link_name(slider),
             length.text,
             newtons(corners[0]),
@@ -163,15 +155,15 @@ fn of_guides(scene: &Scene, at: &Configuration, solution: &Solution) -> Vec<Diag
 /// A pair that rubs: `pin B`, `the guide of link 3`.
 fn pair_words(scene: &Scene, friction: usize) -> Both {
     match scene.loads.friction[friction].at {
-        Rub::Pin { point, .. } => both!("pin {}", "转动副 {} ", scene.point_name(point)),
+        Rub::Pin { point, .. } => both!("pin {}", scene.point_name(point)),
         Rub::Guide { guide, .. } => {
             let own = &scene.guides[guide.0];
             match (own.slider, own.pin) {
                 (Some(slider), _) => {
-                    both!("the guide of link {}", "构件 {} 的导路", scene.link_name(slider))
+                    both!("the guide of link {}", scene.link_name(slider))
                 }
-                (None, Some(pin)) => both!("the slot of {}", "{} 处的滑槽", scene.point_name(pin)),
-                (None, None) => both!("a guide", "导路"),
+                (None, Some(pin)) => both!("the slot of {}", scene.point_name(pin)),
+                (None, None) => both!("a guide"),
             }
         }
     }

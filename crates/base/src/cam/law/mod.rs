@@ -14,6 +14,7 @@ mod modified;
 mod polynomial;
 
 use super::jet::CamJet;
+use crate::lang::{Lang, each};
 use crate::number::Real;
 
 /// A coefficient: (a + bπ + c/π)/(d + eπ).
@@ -165,18 +166,18 @@ impl MotionLaw {
         }
     }
 
-    /// Returns the Chinese name.
-    pub const fn name_zh(self) -> &'static str {
-        match self {
-            MotionLaw::Uniform => "等速",
-            MotionLaw::Parabolic => "等加速等减速",
-            MotionLaw::Harmonic => "简谐（余弦加速度）",
-            MotionLaw::Cycloidal => "摆线（正弦加速度）",
-            MotionLaw::Poly345 => "3-4-5 次多项式",
-            MotionLaw::Poly4567 => "4-5-6-7 次多项式",
-            MotionLaw::ModifiedSine => "修正正弦",
-            MotionLaw::ModifiedTrapezoidal => "修正梯形",
-        }
+    /// Returns the name in a sentence.
+    pub fn words(self, lang: Lang) -> &'static str {
+        lang.pick(match self {
+            MotionLaw::Uniform => each!("uniform"),
+            MotionLaw::Parabolic => each!("parabolic"),
+            MotionLaw::Harmonic => each!("harmonic"),
+            MotionLaw::Cycloidal => each!("cycloidal"),
+            MotionLaw::Poly345 => each!("3-4-5"),
+            MotionLaw::Poly4567 => each!("4-5-6-7"),
+            MotionLaw::ModifiedSine => each!("modified-sine"),
+            MotionLaw::ModifiedTrapezoidal => each!("modified-trapezoidal"),
+        })
     }
 
     /// Returns the law with a name.

@@ -9,29 +9,15 @@ use hodograph_scene::RollingKind;
 pub(super) const BELT: PairKind = PairKind {
     form: Demands::Rolling {
         kind: RollingKind::Belt,
-        told: |a, b| both!("a belt runs round {a} and {b}", "带绕过带轮 {a} 与 {b}"),
+        told: |a, b| both!("a belt runs round {a} and {b}"),
     },
-    words: |scene, a, b| {
-        both!(
-            "the belt between links {} and {}",
-            "构件 {} 与 {} 之间的带传动",
-            a.name(scene),
-            b.name(scene)
-        )
-    },
+    words: |scene, a, b| both!("the belt between links {} and {}", a.name(scene), b.name(scene)),
 };
 
 pub(super) const CHAIN: PairKind = PairKind {
     form: Demands::Rolling {
         kind: RollingKind::Chain,
-        told: |a, b| both!("a chain runs round {a} and {b}", "链条绕过链轮 {a} 与 {b}"),
+        told: |a, b| both!("a chain runs round {a} and {b}"),
     },
-    words: |scene, a, b| {
-        both!(
-            "the chain between links {} and {}",
-            "构件 {} 与 {} 之间的链传动",
-            a.name(scene),
-            b.name(scene)
-        )
-    },
+    words: |scene, a, b| both!("the chain between links {} and {}", a.name(scene), b.name(scene)),
 };

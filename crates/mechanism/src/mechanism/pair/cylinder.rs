@@ -9,14 +9,8 @@ pub(super) const CYLINDER: PairKind = PairKind {
             let [from, to] = kind.ends()?;
             Some(PairForm::Distance { from, to, driver })
         },
-        mover: |scene, from, to| {
-            both!("cylinder {}{}", "液压缸 {}{} ", from.name(scene), to.name(scene))
-        },
-        moved: |scene, from, to| {
-            both!("cylinder {}{}", "液压缸 {}{}", from.name(scene), to.name(scene))
-        },
+        mover: |scene, from, to| both!("cylinder {}{}", from.name(scene), to.name(scene)),
+        moved: |scene, from, to| both!("at a sign" => "cylinder {}{}", from.name(scene), to.name(scene)),
     }),
-    words: |scene, from, to| {
-        both!("the cylinder {}{}", "液压缸 {}{}", from.name(scene), to.name(scene))
-    },
+    words: |scene, from, to| both!("the cylinder {}{}", from.name(scene), to.name(scene)),
 };

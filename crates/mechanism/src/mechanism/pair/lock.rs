@@ -14,7 +14,5 @@ pub(super) const LOCK: PairKind = PairKind {
         }
         GuidePath::Arc { .. } => None,
     }),
-    words: |scene, slider, on| {
-        both!("slider {} on link {}", "构件 {1} 上的滑块 {0}", slider.name(scene), on.name(scene))
-    },
+    words: |scene, slider, on| both!("slider {} on link {}", slider.name(scene), on.name(scene)),
 };

@@ -5,7 +5,5 @@ use hodograph_base::diag::both;
 
 pub(super) const PIN: PairKind = PairKind {
     form: Demands::Pin(|pin, link| Some(PairForm::Meet { pin, link })),
-    words: |scene, pin, link| {
-        both!("pin {} on link {}", "构件 {1} 上的销 {0}", pin.name(scene), link.name(scene))
-    },
+    words: |scene, pin, link| both!("pin {} on link {}", pin.name(scene), link.name(scene)),
 };

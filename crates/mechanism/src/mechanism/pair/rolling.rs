@@ -6,34 +6,17 @@ use hodograph_scene::RollingKind;
 
 /// Two links with teeth; their rolling contours are pitch circles and pitch lines.
 pub(super) const GEARS: PairKind = PairKind {
-    form: Demands::Rolling {
-        kind: RollingKind::Gears,
-        told: |a, b| both!("{a} and {b} mesh", "{a} 与 {b} 相啮合"),
-    },
-    words: |scene, a, b| {
-        both!(
-            "the gear pair of links {} and {}",
-            "构件 {} 与 {} 的齿轮副",
-            a.name(scene),
-            b.name(scene)
-        )
-    },
+    form: Demands::Rolling { kind: RollingKind::Gears, told: |a, b| both!("{a} and {b} mesh") },
+    words: |scene, a, b| both!("the gear pair of links {} and {}", a.name(scene), b.name(scene)),
 };
 
 /// A wheel without teeth that a separate guide keeps on the track.
 pub(super) const WHEEL: PairKind = PairKind {
     form: Demands::Rolling {
         kind: RollingKind::Wheel,
-        told: |track, wheel| {
-            both!("wheel {wheel} rolls on {track} without slip", "轮 {wheel} 在 {track} 上纯滚动")
-        },
+        told: |track, wheel| both!("wheel {wheel} rolls on {track} without slip"),
     },
     words: |scene, track, wheel| {
-        both!(
-            "the rolling of link {1} on link {0}",
-            "构件 {1} 在构件 {0} 上的滚动",
-            track.name(scene),
-            wheel.name(scene)
-        )
+        both!("the rolling of link {1} on link {0}", track.name(scene), wheel.name(scene))
     },
 };

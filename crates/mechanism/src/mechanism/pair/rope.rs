@@ -7,16 +7,9 @@ use hodograph_scene::RollingKind;
 pub(super) const ROPE: PairKind = PairKind {
     form: Demands::Rolling {
         kind: RollingKind::Rope,
-        told: |load, drum| {
-            both!("a rope wound on drum {drum} draws {load}", "卷筒 {drum} 上的绳牵引 {load}")
-        },
+        told: |load, drum| both!("a rope wound on drum {drum} draws {load}"),
     },
     words: |scene, load, drum| {
-        both!(
-            "the rope between drum {1} and link {0}",
-            "卷筒 {1} 与构件 {0} 之间的绳",
-            load.name(scene),
-            drum.name(scene)
-        )
+        both!("the rope between drum {1} and link {0}", load.name(scene), drum.name(scene))
     },
 };

@@ -10,19 +10,19 @@ pub(super) const SLIDING: PairKind = PairKind {
             Some(PairForm::AlongPath { runner: Runner::of(g)?, guide, on: g.on, driver })
         },
         mover: |scene, runner, _| match runner {
-            GraphNode::Pin(_) => both!("the drive of {}", "{} 处的原动件", runner.name(scene)),
+            GraphNode::Pin(_) => both!("the drive of {}", runner.name(scene)),
             GraphNode::Link(_) => {
-                both!("the drive of link {}", "构件 {} 的原动件", runner.name(scene))
+                both!("the drive of link {}", runner.name(scene))
             }
         },
-        moved: |scene, runner, _| both!("slider {}", "滑块 {}", runner.name(scene)),
+        moved: |scene, runner, _| both!("slider {}", runner.name(scene)),
     }),
     words: |scene, runner, _| match runner {
         GraphNode::Pin(_) => {
-            both!("the sliding driver at {}", "{} 处的移动原动件", runner.name(scene))
+            both!("the sliding driver at {}", runner.name(scene))
         }
         GraphNode::Link(_) => {
-            both!("the sliding driver of link {}", "构件 {} 的移动原动件", runner.name(scene))
+            both!("the sliding driver of link {}", runner.name(scene))
         }
     },
 };

@@ -8,11 +8,6 @@ pub(super) const SLOT: PairKind = PairKind {
         Some(PairForm::OnPath { runner: Runner::Pin(g.pin?), guide, on: g.on })
     }),
     words: |scene, pin, on| {
-        both!(
-            "pin {} in the guide on link {}",
-            "构件 {1} 导路中的销 {0}",
-            pin.name(scene),
-            on.name(scene)
-        )
+        both!("pin {} in the guide on link {}", pin.name(scene), on.name(scene))
     },
 };

@@ -9,8 +9,8 @@ pub(super) const TURNING: PairKind = PairKind {
             let (of, against) = kind.turned()?;
             Some(PairForm::Angles { of, against, driver: Some(d) })
         },
-        mover: |scene, link, _| both!("driver link {}", "原动件 {} ", link.name(scene)),
-        moved: |scene, link, _| both!("link {}", "构件 {}", link.name(scene)),
+        mover: |scene, link, _| both!("driver link {}", link.name(scene)),
+        moved: |scene, link, _| both!("link {}", link.name(scene)),
     }),
-    words: |scene, link, _| both!("the driver of link {}", "构件 {} 的原动件", link.name(scene)),
+    words: |scene, link, _| both!("the driver of link {}", link.name(scene)),
 };

@@ -128,21 +128,18 @@ pub(super) fn draw(
     let steps = vec![
         both!(
             "The course of {} is integrated; at the instant the line {}{target} measures {} mm",
-            "{} 的轨迹由数值积分得到；此瞬时连线 {}{target} 量得 {} mm",
             m.point,
             m.point,
             mm(arm)
         ),
         both!(
             "Lay off $v_{{{}}}$ along {}{target} from the pole, and $v_{{{target}}}$",
-            "自极点沿 {1}{target} 作 $v_{{{0}}}$，再作 $v_{{{target}}}$",
             m.point,
             m.point
         ),
         if seen {
             both!(
                 "The perpendicular from the tip of $v_{{{target}}}$ on $v_{{{}}}$ measures {} mm: $\\omega_{{{}{target}}}$ = {} mm · $\\mu_v$ / ({} mm · $\\mu_l$) = {} rad/s; {}",
-                "由 $v_{{{target}}}$ 的端点向 $v_{{{}}}$ 作垂线，量得 {} mm：$\\omega_{{{}{target}}}$ = {} mm · $\\mu_v$ / ({} mm · $\\mu_l$) = {} rad/s；{}",
                 m.point,
                 mm(rate),
                 m.point,
@@ -150,15 +147,14 @@ pub(super) fn draw(
                 mm(arm),
                 mm(omega),
                 if closing < 0.0 {
-                    both!("the distance grows at {} m/s", "距离以 {} m/s 的速率增大", mm(-closing))
+                    both!("the distance grows at {} m/s", mm(-closing))
                 } else {
-                    both!("the distance shrinks at {} m/s", "距离以 {} m/s 的速率减小", mm(closing))
+                    both!("the distance shrinks at {} m/s", mm(closing))
                 }
             )
         } else {
             both!(
                 "The tip of $v_{{{target}}}$ lies on the line of $v_{{{}}}$ as far as the paper tells: $\\omega_{{{}{target}}}$ is not read but calculated",
-                "$v_{{{target}}}$ 的端点在图上落在 $v_{{{}}}$ 的作用线上：$\\omega_{{{}{target}}}$ 不由作图量取，而由计算得到",
                 m.point,
                 m.point
             )
@@ -166,14 +162,12 @@ pub(super) fn draw(
         if a_t == 0.0 {
             both!(
                 "Draw $a_{{{}}} = v\\omega$ perpendicular to the line, for $v$ is constant: it measures {} mm",
-                "$v$ 不变，作 $a_{{{}}} = v\\omega$ 垂直于连线，量得 {} mm",
                 m.point,
                 mm((tip_t + tip_n).norm())
             )
         } else {
             both!(
                 "Draw $a_{{{}}}$, of $v'$ along the line and $v\\omega$ square to it: it measures {} mm",
-                "作 $a_{{{}}}$：沿连线为 $v'$，垂直于连线为 $v\\omega$，量得 {} mm",
                 m.point,
                 mm((tip_t + tip_n).norm())
             )
@@ -224,9 +218,8 @@ pub(super) fn draw(
 /// than the paper shows.
 fn nearly_straight(point: &str, target: &str) -> Diagnostic {
     let message = both!(
-        "`{target}` moves along the line {point}{target}, or nearly so: the drawing does not show how that line turns; ω and what rests on it are those of the analysis alone",
-        "`{target}` 沿连线 {point}{target} 运动或几乎如此：图上量不出该连线的转动；ω 及由它求得的量仅由解析法给出"
+        "`{target}` moves along the line {point}{target}, or nearly so: the drawing does not show how that line turns; ω and what rests on it are those of the analysis alone"
     );
-    let help = both!("choose an earlier instant to see them drawn", "如需作图，请取较早的时刻");
+    let help = both!("choose an earlier instant to see them drawn");
     Diagnostic::note("nearly-straight", message).help(help)
 }

@@ -42,24 +42,14 @@ impl Own {
     fn read(name: &str, bytes: Vec<u8>) -> Result<Own, Diagnostic> {
         let fault = |what: Both| Diagnostic::error("font", what);
         if bytes.len() > LARGEST {
-            return Err(fault(both!(
-                "{name} is larger than {} MiB",
-                "{name} 超过 {} MiB",
-                LARGEST >> 20
-            ))
-            .help(both!("give a font of the usual size", "请用通常大小的字体")));
+            return Err(fault(both!("{name} is larger than {} MiB", LARGEST >> 20))
+                .help(both!("give a font of the usual size")));
         }
         let key = fingerprint(&bytes);
         let bytes: Bytes = Arc::new(bytes);
         let Some(loaded) = LoadedFont::try_new(Arc::clone(&bytes)) else {
-            return Err(fault(both!(
-                "{name} is no font that can be read",
-                "{name} 不是可读的字体"
-            ))
-            .help(both!(
-                "give an OpenType or TrueType file (.otf, .ttf)",
-                "请用 OpenType 或 TrueType 文件（.otf、.ttf）"
-            )));
+            return Err(fault(both!("{name} is no font that can be read"))
+                .help(both!("give an OpenType or TrueType file (.otf, .ttf)")));
         };
         let cut = match loaded.font().attributes().style {
             Style::Normal => Cut::Upright,
@@ -68,11 +58,8 @@ impl Own {
         let sound = |c: &char| super::drawn(&loaded, *c).is_some();
         if !('a'..='z').chain('A'..='Z').chain('0'..='9').chain("的速度".chars()).any(|c| sound(&c))
         {
-            return Err(fault(both!(
-                "{name} has no letter and no digit that can be drawn",
-                "{name} 没有可绘制的字母和数字"
-            ))
-            .help(both!("give a text font", "请用文字字体")));
+            return Err(fault(both!("{name} has no letter and no digit that can be drawn"))
+                .help(both!("give a text font")));
         }
         // The name is written to files unescaped: only characters that cannot end an attribute are
         // kept.
@@ -182,14 +169,8 @@ impl Fonts {
         let cut = own.cut();
         let mut cuts = self.cuts().map(Option::<&Own>::cloned);
         if cuts[cut as usize].replace(own).is_some() {
-            let d = Diagnostic::error(
-                "font",
-                both!("{name} is the second {} font", "{name} 是第二个 {} 字体", cut.name()),
-            );
-            return Err(d.help(both!(
-                "give one upright and one slanted (italic) font at most",
-                "正体和斜体字体至多各一个"
-            )));
+            let d = Diagnostic::error("font", both!("{name} is the second {} font", cut.name()));
+            return Err(d.help(both!("give one upright and one slanted (italic) font at most")));
         }
         Ok(Fonts::of(cuts))
     }
@@ -232,17 +213,9 @@ impl Fonts {
         let lacking = self.0.as_ref()?.lacking.lock().unwrap_or_else(PoisonError::into_inner);
         let named: Vec<String> = lacking.iter().take(NAMED_MAX).map(char::to_string).collect();
         let more = lacking.len().saturating_sub(NAMED_MAX);
-        let more = if more > 0 {
-            both!(" and {more} more", " 等另 {more} 个字符")
-        } else {
-            Both::default()
-        };
-        let message = both!(
-            "the font has no {}{}: set in the bundled fonts",
-            "字体中没有 {}{}：改用内置字体",
-            named.join(" "),
-            more
-        );
+        let more = if more > 0 { both!(" and {more} more") } else { Both::default() };
+        let message =
+            both!("the font has no {}{}: set in the bundled fonts", named.join(" "), more);
         (!named.is_empty()).then(|| Diagnostic::note("font-lacks", message))
     }
 }

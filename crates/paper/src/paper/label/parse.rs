@@ -36,16 +36,10 @@ impl Parser<'_> {
     }
 
     fn fault(&mut self, what: Both) {
-        let help = both!(
-            "see the label language: v_{{B3B2}}^r, \\omega_1, b'_2, \\text{{words}}",
-            "标注的写法：v_{{B3B2}}^r、\\omega_1、b'_2、\\text{{words}}"
-        );
+        let help = both!("see the label language: v_{{B3B2}}^r, \\omega_1, b'_2, \\text{{words}}");
         self.faults.push(
-            Diagnostic::error(
-                "label-syntax",
-                both!("label `{}`: {}", "标注 `{}`：{}", self.source, what),
-            )
-            .help(help),
+            Diagnostic::error("label-syntax", both!("label `{}`: {}", self.source, what))
+                .help(help),
         );
     }
 
@@ -68,7 +62,7 @@ impl Parser<'_> {
                 }
                 '}' => {
                     self.at += 1;
-                    self.fault(both!("a }} that closes nothing", "多余的 }}"));
+                    self.fault(both!("a }} that closes nothing"));
                 }
                 '{' => {
                     self.at += 1;
@@ -109,7 +103,7 @@ impl Parser<'_> {
             }
         }
         if braced {
-            self.fault(both!("a {{ without its }}", "{{ 没有对应的 }}"));
+            self.fault(both!("a {{ without its }}"));
         }
         row
     }
@@ -119,7 +113,7 @@ impl Parser<'_> {
     fn host<'r>(&mut self, row: &'r mut Vec<LabelNode>, mark: &str) -> &'r mut LabelNode {
         match row.last_mut() {
             None => {
-                self.fault(both!("{mark} stands on nothing", "{mark} 前面没有内容"));
+                self.fault(both!("{mark} stands on nothing"));
                 row.push(LabelNode::new("", Slant::Upright, Role::Ordinary));
             }
             // A script belongs to one letter: in `AB_1` to B.
@@ -161,7 +155,7 @@ impl Parser<'_> {
                 vec![LabelNode::new(c, slant, Role::Ordinary)]
             }
             _ => {
-                self.fault(both!("{mark} without a script", "{mark} 后面没有内容"));
+                self.fault(both!("{mark} without a script"));
                 return;
             }
         };
@@ -174,7 +168,7 @@ impl Parser<'_> {
         if slot.is_empty() {
             *slot = inner;
         } else {
-            self.fault(both!("two {mark} on one letter", "一个字母有两个 {mark}"));
+            self.fault(both!("two {mark} on one letter"));
         }
     }
 
@@ -224,7 +218,7 @@ impl Parser<'_> {
                     row.push(LabelNode::new(c, Slant::Upright, Role::Ordinary))
                 }
                 _ => {
-                    self.fault(both!("a \\ with no command after it", "\\ 后面没有命令"));
+                    self.fault(both!("a \\ with no command after it"));
                     return;
                 }
             }
@@ -243,10 +237,7 @@ impl Parser<'_> {
                         let c = char::from_u32(0x2460 + k - 1).expect("① to ⑳ are characters");
                         row.push(LabelNode::new(c, Slant::Symbol, Role::Ordinary));
                     }
-                    _ => self.fault(both!(
-                        "\\circled takes a number from 1 to 20, not `{n}`",
-                        "\\circled 的参数应为 1 到 20 的数，而不是 `{n}`"
-                    )),
+                    _ => self.fault(both!("\\circled takes a number from 1 to 20, not `{n}`")),
                 }
             }
             "bm" => {
@@ -254,10 +245,7 @@ impl Parser<'_> {
                 if letters.chars().all(|c| c.is_ascii_alphabetic()) {
                     row.push(LabelNode::new(letters, Slant::Bold, Role::Ordinary));
                 } else {
-                    self.fault(both!(
-                        "\\bm takes letters, not `{letters}`",
-                        "\\bm 的参数应为字母，而不是 `{letters}`"
-                    ));
+                    self.fault(both!("\\bm takes letters, not `{letters}`"));
                 }
             }
             "quad" => row.push(LabelNode::space(1.0)),
@@ -273,7 +261,7 @@ impl Parser<'_> {
                 }
                 Some((c, CharKind::Sign)) => row.push(symbol(c, row)),
                 None => {
-                    self.fault(both!("unknown command \\{name}", "未知命令 \\{name}"));
+                    self.fault(both!("unknown command \\{name}"));
                     row.push(LabelNode::new(name, Slant::Upright, Role::Ordinary));
                 }
             },
@@ -283,13 +271,13 @@ impl Parser<'_> {
     /// Returns the characters between the braces after a command, unchanged.
     fn argument(&mut self) -> String {
         if self.peek() != Some('{') {
-            self.fault(both!("a command that needs {{…}}", "该命令需要 {{…}}"));
+            self.fault(both!("a command that needs {{…}}"));
             return String::new();
         }
         self.at += 1;
         let text = self.take_while(|c| c != '}');
         if self.peek().is_none() {
-            self.fault(both!("a {{ without its }}", "{{ 没有对应的 }}"));
+            self.fault(both!("a {{ without its }}"));
         }
         self.at += 1;
         text

@@ -87,7 +87,7 @@ fn sound(word: Word, faults: &mut Faults) -> Option<String> {
     faults.push(
         Diagnostic::error("caption", fault.message)
             .at(word.span)
-            .help(both!("write another caption", "请换一个图名")),
+            .help(both!("write another caption")),
     );
     None
 }

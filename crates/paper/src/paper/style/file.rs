@@ -119,10 +119,7 @@ pub fn read_with(source: &[u8], open: &mut FontOpener) -> Result<Style, Faults> 
 pub(super) fn nothing(name: &str) -> Result<Vec<u8>, Diagnostic> {
     Err(Diagnostic::error(
         "font",
-        both!(
-            "{name} cannot be read: this style is read without other files",
-            "不能读取 {name}：此样式不另读文件"
-        ),
+        both!("{name} cannot be read: this style is read without other files"),
     ))
 }
 
@@ -139,21 +136,19 @@ pub(super) fn read_onto(
 }
 
 fn style(root: &Node, usual: Style, open: &mut FontOpener, faults: &mut Faults) -> Option<Style> {
-    let f = Fields::open(root, both!("a style", "样式文件"), KEYS, faults)?;
+    let f = Fields::open(root, both!("a style"), KEYS, faults)?;
     let mut style = match f.get("base") {
         None => usual,
         Some(node) => {
             let base = word(node, "\"base\"", faults)?;
             Style::named(&base.text).or_else(|| {
-                let d = Diagnostic::error(
-                    "unknown-style",
-                    both!("there is no style `{}`", "没有样式 `{}`", base.text),
-                )
-                .at(base.span);
+                let d =
+                    Diagnostic::error("unknown-style", both!("there is no style `{}`", base.text))
+                        .at(base.span);
                 faults.push(d.help(suggest(
                     &base.text,
                     Style::names().into_iter(),
-                    both!("the styles are", "样式有"),
+                    both!("the styles are"),
                 )));
                 None
             })?
@@ -189,22 +184,13 @@ fn style(root: &Node, usual: Style, open: &mut FontOpener, faults: &mut Faults) 
 
 fn length(node: &Node, key: &str, [least, most]: [f64; 2], faults: &mut Faults) -> Option<f64> {
     let NodeKind::Number(text) = &node.kind else {
-        return wrong(
-            node,
-            &format!("`{key}`"),
-            both!("a number of millimetres", "毫米数"),
-            faults,
-        );
+        return wrong(node, &format!("`{key}`"), both!("a number of millimetres"), faults);
     };
     match text.parse::<f64>() {
         Ok(mm) if (least..=most).contains(&mm) => Some(mm),
         _ => {
-            let d = Diagnostic::error(
-                "out-of-range",
-                both!("`{key}` is {text} mm", "`{key}` 为 {text} mm"),
-            )
-            .at(node.span);
-            faults.push(d.help(both!("give {least} to {most} mm", "请取 {least} 到 {most} mm")));
+            let d = Diagnostic::error("out-of-range", both!("`{key}` is {text} mm")).at(node.span);
+            faults.push(d.help(both!("give {least} to {most} mm")));
             None
         }
     }
@@ -214,7 +200,7 @@ fn length(node: &Node, key: &str, [least, most]: [f64; 2], faults: &mut Faults) 
 fn fonts(node: &Node, open: &mut FontOpener, faults: &mut Faults) -> Fonts {
     let mut fonts = Fonts::default();
     for item in list(node, "\"fonts\"", faults).unwrap_or_default() {
-        let Some(name) = word(item, both!("a font", "字体"), faults) else { continue };
+        let Some(name) = word(item, both!("a font"), faults) else { continue };
         match open(&name.text).and_then(|bytes| fonts.with(&name.text, bytes)) {
             Ok(more) => fonts = more,
             Err(d) => faults.push(d.at(name.span)),
@@ -236,17 +222,12 @@ fn colours(node: &Node, style: &mut Style, faults: &mut Faults) {
     let Some(node) = f.get("links") else { return };
     let Some(items) = list(node, "\"links\"", faults) else { return };
     if items.len() > LINKS_MAX {
-        let message = both!(
-            "\"links\" has {} colours; at most {LINKS_MAX} are allowed",
-            "\"links\" 有 {} 种颜色，最多允许 {LINKS_MAX} 种",
-            items.len()
-        );
+        let message =
+            both!("\"links\" has {} colours; at most {LINKS_MAX} are allowed", items.len());
         return faults.push(Diagnostic::error("too-many", message).at(node.span));
     }
-    style.palette.links = items
-        .iter()
-        .filter_map(|n| colour(n, both!("`a colour of a link`", "构件的颜色"), faults))
-        .collect();
+    style.palette.links =
+        items.iter().filter_map(|n| colour(n, both!("`a colour of a link`"), faults)).collect();
 }
 
 fn colour(node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Option<Colour> {
@@ -257,11 +238,9 @@ fn colour(node: &Node, what: impl Into<FaultSubject>, faults: &mut Faults) -> Op
         .filter(|d| d.len() == 6 && d.bytes().all(|b| b.is_ascii_hexdigit()));
     let value = digits.and_then(|d| u32::from_str_radix(d, 16).ok());
     if value.is_none() {
-        let d = Diagnostic::error("colour", both!("`{}` is no colour", "`{}` 不是颜色", text.text))
-            .at(text.span);
+        let d = Diagnostic::error("colour", both!("`{}` is no colour", text.text)).at(text.span);
         faults.push(d.help(both!(
-            "write red, green and blue in two hexadecimal digits each, such as \"#1f6fd0\"",
-            "请把红、绿、蓝各写成两位十六进制数，如 \"#1f6fd0\""
+            "write red, green and blue in two hexadecimal digits each, such as \"#1f6fd0\""
         )));
     }
     value.map(|v| Colour::rgb((v >> 16) as u8, (v >> 8) as u8, v as u8))
@@ -274,15 +253,9 @@ fn marks(node: &Node, marks: &mut Marks, faults: &mut Faults) {
             return;
         };
         if text.text.chars().count() > MARK_MAX {
-            let d = Diagnostic::error(
-                "mark",
-                both!(
-                    "`{key}` has more than {MARK_MAX} characters",
-                    "`{key}` 超过 {MARK_MAX} 个字符"
-                ),
-            )
-            .at(text.span);
-            return faults.push(d.help(both!("write another mark", "请换一个记号")));
+            let d = Diagnostic::error("mark", both!("`{key}` has more than {MARK_MAX} characters"))
+                .at(text.span);
+            return faults.push(d.help(both!("write another mark")));
         }
         let label = Label::math(text.text.as_str());
         let set = text::set(&label);
@@ -290,7 +263,7 @@ fn marks(node: &Node, marks: &mut Marks, faults: &mut Faults) {
             Some(fault) => faults.push(
                 Diagnostic::error("mark", fault.message.clone())
                     .at(text.span)
-                    .help(both!("write another mark", "请另写一个记号")),
+                    .help(both!("write another mark")),
             ),
             None => *place = Some(text.text),
         }
@@ -307,15 +280,11 @@ fn marks(node: &Node, marks: &mut Marks, faults: &mut Faults) {
     if let Some(word) = f.get("vectors").and_then(|n| word(n, "`vectors`", faults)) {
         let known = Vectors::ALL.into_iter().find(|(name, _)| *name == word.text);
         if known.is_none() {
-            let d = Diagnostic::error(
-                "mark",
-                both!("`vectors` is `{}`", "`vectors` 为 `{}`", word.text),
-            )
-            .at(word.span);
+            let d = Diagnostic::error("mark", both!("`vectors` is `{}`", word.text)).at(word.span);
             faults.push(d.help(suggest(
                 &word.text,
                 Vectors::ALL.into_iter().map(|(name, _)| name),
-                both!("it is", "可取"),
+                both!("it is"),
             )));
         }
         marks.vectors = known.map(|(_, vectors)| vectors);

@@ -57,14 +57,13 @@ impl SvgDocument {
     /// Reads an SVG.
     pub fn read(text: &str) -> Result<SvgDocument, Diagnostic> {
         let options = ParsingOptions { nodes_limit: NODES, ..ParsingOptions::default() };
-        let document = roxmltree::Document::parse_with_options(text, options).map_err(|e| {
-            super::refused(both!("the SVG cannot be read: {e}", "不能读取 SVG：{e}"))
-        })?;
+        let document = roxmltree::Document::parse_with_options(text, options)
+            .map_err(|e| super::refused(both!("the SVG cannot be read: {e}")))?;
         let root = document.root_element();
         refuse_foreign(root)?;
         let size_mm = ["width", "height"].map(|side| root.attribute(side).and_then(length_mm));
         let [Some(width), Some(height)] = size_mm else {
-            return Err(super::refused(both!("the SVG has no width and height", "SVG 没有宽和高")));
+            return Err(super::refused(both!("the SVG has no width and height")));
         };
         let said = |name: &str| {
             root.children()
@@ -98,10 +97,7 @@ fn named(root: Node) -> Result<Vec<SvgElement>, Diagnostic> {
     left.reverse();
     while let Some((node, depth)) = left.pop() {
         if depth > DEEPEST {
-            return Err(super::refused(both!(
-                "the SVG is nested more than {DEEPEST} deep",
-                "SVG 的嵌套超过 {DEEPEST} 层"
-            )));
+            return Err(super::refused(both!("the SVG is nested more than {DEEPEST} deep")));
         }
         match element(node) {
             Some(element) => out.push(element),
@@ -119,8 +115,7 @@ fn refuse_foreign(root: Node) -> Result<(), Diagnostic> {
         let name = node.tag_name().name();
         if !KNOWN.contains(&name) {
             return Err(super::refused(both!(
-                "the SVG has an element <{name}>, which no figure has",
-                "SVG 含有图形中没有的元素 <{name}>"
+                "the SVG has an element <{name}>, which no figure has"
             )));
         }
         if let Some(id) = node.attribute("id") {
@@ -134,8 +129,7 @@ fn refuse_foreign(root: Node) -> Result<(), Diagnostic> {
             .unwrap_or_default();
         if !drawn_once.get(target.trim_start_matches('#')).copied().unwrap_or(false) {
             return Err(super::refused(both!(
-                "the SVG uses `{target}`, which is not the outline of a letter",
-                "SVG 引用的 `{target}` 不是字形"
+                "the SVG uses `{target}`, which is not the outline of a letter"
             )));
         }
     }

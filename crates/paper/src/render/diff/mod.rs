@@ -54,7 +54,7 @@ impl Picture {
             return Ok(Picture::Png(Raster::of_png(&bytes)?));
         }
         let text = String::from_utf8(bytes)
-            .map_err(|_| refused(both!("it is neither an SVG nor a PNG", "不是 SVG 或 PNG")))?;
+            .map_err(|_| refused(both!("it is neither an SVG nor a PNG")))?;
         SvgDocument::read(&text)?;
         Ok(Picture::Svg(text))
     }
@@ -150,7 +150,6 @@ impl Difference {
         for v in &self.vectors {
             let mut line = both!(
                 "vector {} ({}): tail moved {} mm, tip {} mm",
-                "矢量 {}（{}）：起点移动 {} mm，终点 {} mm",
                 v.id,
                 v.name,
                 mm(v.moved_mm[0]),
@@ -158,34 +157,30 @@ impl Difference {
             );
             if let Some([old, new]) = v.si.filter(|[a, b]| a != b) {
                 let (old, new) = (super::number::si(old), super::number::si(new));
-                line = both!("{}; value {old}, now {new}", "{}；原值 {old}，现为 {new}", line);
+                line = both!("{}; value {old}, now {new}", line);
             }
             out.push(line);
         }
         for m in &self.moved {
             out.push(match m.mm {
-                Some(by) => both!("moved {}: {} mm", "移动 {}：{} mm", m.id, mm(by)),
-                None => both!("redrawn {}", "重画 {}", m.id),
+                Some(by) => both!("moved {}: {} mm", m.id, mm(by)),
+                None => both!("redrawn {}", m.id),
             });
         }
-        out.extend(self.restyled.iter().map(|id| both!("restyled {id}", "线型或颜色不同 {id}")));
-        out.extend(self.removed.iter().map(|id| both!("removed {id}", "缺少 {id}")));
-        out.extend(self.added.iter().map(|id| both!("added {id}", "新增 {id}")));
-        out.extend(self.texts.iter().map(|Text { id, old, new }| {
-            both!("text {id}: `{old}`, now `{new}`", "文字 {id}：原为 `{old}`，现为 `{new}`")
-        }));
+        out.extend(self.restyled.iter().map(|id| both!("restyled {id}")));
+        out.extend(self.removed.iter().map(|id| both!("removed {id}")));
+        out.extend(self.added.iter().map(|id| both!("added {id}")));
+        out.extend(
+            self.texts.iter().map(|Text { id, old, new }| both!("text {id}: `{old}`, now `{new}`")),
+        );
         let Pixels { over, largest, bounds, sizes: [old, new] } = self.pixels;
         if old != new {
             let ([a, b], [c, d]) = (old, new);
-            out.push(both!(
-                "size: {a} by {b} pixels, now {c} by {d}",
-                "大小：原为 {a} × {b} 像素，现为 {c} × {d}"
-            ));
+            out.push(both!("size: {a} by {b} pixels, now {c} by {d}"));
         }
         if let Some([left, top, right, bottom]) = bounds {
             out.push(both!(
-                "pixels: {over} differ, by {largest} at most, from ({left}, {top}) to ({right}, {bottom})",
-                "像素：{over} 个不同，相差至多 {largest}，范围 ({left}, {top}) 到 ({right}, {bottom})"
+                "pixels: {over} differ, by {largest} at most, from ({left}, {top}) to ({right}, {bottom})"
             ));
         }
         out
@@ -230,11 +225,8 @@ fn rasters(
         }
         (Picture::Png(a), Picture::Png(b)) => Ok(([a.clone(), b.clone()], None)),
         (Picture::Svg(_), Picture::Png(_)) | (Picture::Png(_), Picture::Svg(_)) => {
-            Err(Diagnostic::error(
-                "diff-kinds",
-                both!("an SVG and a PNG cannot be compared", "SVG 与 PNG 不能比较"),
-            )
-            .help(both!("name two files of one kind", "请指定两个同类文件")))
+            Err(Diagnostic::error("diff-kinds", both!("an SVG and a PNG cannot be compared"))
+                .help(both!("name two files of one kind")))
         }
     }
 }
@@ -294,8 +286,6 @@ fn element(a: &SvgElement, b: &SvgElement, options: &Options, out: &mut Differen
 }
 
 fn refused(why: Both) -> Diagnostic {
-    Diagnostic::error("diff-input", why).help(both!(
-        "figures are SVG as `hodograph` writes them, or PNG",
-        "可比较的图形是 `hodograph` 写出的 SVG，或 PNG"
-    ))
+    Diagnostic::error("diff-input", why)
+        .help(both!("figures are SVG as `hodograph` writes them, or PNG"))
 }

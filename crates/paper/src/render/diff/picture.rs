@@ -20,12 +20,8 @@ const RECOLOURED: [u8; 3] = [230, 140, 0];
 pub fn picture(old: &Picture, new: &Picture, options: &Options) -> Result<Vec<u8>, Diagnostic> {
     let ([a, b], _) = rasters(old, new)?;
     let (width, height) = (a.width.max(b.width), a.height.max(b.height));
-    let failed = |why: String| {
-        Diagnostic::error(
-            "png-size",
-            both!("the picture cannot be made: {why}", "无法生成图像：{why}"),
-        )
-    };
+    let failed =
+        |why: String| Diagnostic::error("png-size", both!("the picture cannot be made: {why}"));
     let mut pixmap = tiny_skia::Pixmap::new(width, height)
         .ok_or_else(|| failed(format!("{width} × {height}")))?;
     let papers = [&a, &b].map(|r| brightness(r.at(0, 0)));

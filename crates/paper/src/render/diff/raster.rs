@@ -44,9 +44,7 @@ impl Raster {
 
     /// Reads the pixels of a PNG of any kind.
     pub(super) fn of_png(bytes: &[u8]) -> Result<Raster, Diagnostic> {
-        let bad = |e: png::DecodingError| {
-            super::refused(both!("the PNG cannot be read: {e}", "不能读取 PNG：{e}"))
-        };
+        let bad = |e: png::DecodingError| super::refused(both!("the PNG cannot be read: {e}"));
         let mut decoder = png::Decoder::new(Cursor::new(bytes));
         decoder.set_transformations(png::Transformations::normalize_to_color8());
         let mut reader = decoder.read_info().map_err(bad)?;
@@ -54,11 +52,10 @@ impl Raster {
         if u64::from(width) * u64::from(height) > MOST_READ {
             return Err(super::refused(both!(
                 "the PNG has {width} by {height} pixels; at most {} million are compared",
-                "PNG 有 {width} × {height} 像素；至多比较 {} 百万个",
                 MOST_READ / 1_000_000
             )));
         }
-        let too_large = || super::refused(both!("the PNG is too large", "PNG 过大"));
+        let too_large = || super::refused(both!("the PNG is too large"));
         let mut samples = vec![0; reader.output_buffer_size().ok_or_else(too_large)?];
         let info = reader.next_frame(&mut samples).map_err(bad)?;
         let channels = info.color_type.samples();

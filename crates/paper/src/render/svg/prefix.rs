@@ -24,11 +24,9 @@ impl IdPrefix {
         {
             return Ok(IdPrefix(text.to_owned()));
         }
-        let message =
-            both!("`{text}` cannot begin the ids of a figure", "`{text}` 不能作图中 id 的前缀");
+        let message = both!("`{text}` cannot begin the ids of a figure");
         Err(Diagnostic::error("id-prefix", message).help(both!(
-            "an ASCII letter first, then letters, digits, - or _, at most {LONGEST} of them, such as fig1-",
-            "以 ASCII 字母开头，后接字母、数字、- 或 _，至多 {LONGEST} 个字符，如 fig1-"
+            "an ASCII letter first, then letters, digits, - or _, at most {LONGEST} of them, such as fig1-"
         )))
     }
 

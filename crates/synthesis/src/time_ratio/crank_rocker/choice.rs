@@ -48,16 +48,8 @@ impl CrankRocker {
         places.retain(|(a, _)| (a.distance(c[0]) - a.distance(c[1])).abs() > 1e-6 * self.rocker);
         let named = |(k, (a, above)): (usize, &(Point, bool))| {
             let which = match above {
-                true => both!(
-                    "crossing {} of the line, beyond C1C2",
-                    "直线的第 {} 个交点，在 C1C2 之外",
-                    k + 1
-                ),
-                false => both!(
-                    "crossing {} of the line, on the side of D",
-                    "直线的第 {} 个交点，在 D 一侧",
-                    k + 1
-                ),
+                true => both!("crossing {} of the line, beyond C1C2", k + 1),
+                false => both!("crossing {} of the line, on the side of D", k + 1),
             };
             self.laid(which, *a, c)
         };
@@ -77,9 +69,9 @@ impl CrankRocker {
         let middle = self.rocker * libm::cos(swing / 2.0);
         let named = |a: Point| {
             let which = if a.y > middle {
-                both!("A on the arc beyond C1C2", "A 在 C1C2 之外的圆弧上")
+                both!("A on the arc beyond C1C2")
             } else {
-                both!("A on the arc on the side of D", "A 在 D 一侧的圆弧上")
+                both!("A on the arc on the side of D")
             };
             self.laid(which, a, c)
         };
@@ -106,31 +98,21 @@ impl CrankRocker {
             let (k, psi, wanted) = (self.ratio.k, swing.to_degrees(), gamma.to_degrees());
             let [k, psi, wanted] = [k, psi, wanted].map(|v| significant(v, 4));
             let message = both!(
-                "no crank-rocker of K = {k} and a swing of {psi}° has the least transmission angle {wanted}°",
-                "没有 K = {k}、摆角为 {psi}° 且最小传动角为 {wanted}° 的曲柄摇杆机构"
+                "no crank-rocker of K = {k} and a swing of {psi}° has the least transmission angle {wanted}°"
             );
             let help = match family.scanned(1440).filter(|_| self.ratio.theta > 0.0) {
                 Some((cosine, ..)) => both!(
                     "the greatest is {}°; \"best\": \"transmission\" takes it",
-                    "最大可为 {}°；\"best\": \"transmission\" 取此值",
                     significant(libm::acos(cosine).to_degrees(), 4)
                 ),
-                None => both!("take a smaller swing or K", "请减小摆角或 K"),
+                None => both!("take a smaller swing or K"),
             };
             return Err(Diagnostic::error("no-real-solution", message).help(help).into());
         }
         let told = |(beta, toward_d): (f64, bool)| {
             let which = match toward_d {
-                true => both!(
-                    "A on the side of D, β = {}°",
-                    "A 在 D 一侧，β = {}°",
-                    significant(beta.to_degrees(), 4)
-                ),
-                false => both!(
-                    "A beyond C1C2, β = {}°",
-                    "A 在 C1C2 之外，β = {}°",
-                    significant(beta.to_degrees(), 4)
-                ),
+                true => both!("A on the side of D, β = {}°", significant(beta.to_degrees(), 4)),
+                false => both!("A beyond C1C2, β = {}°", significant(beta.to_degrees(), 4)),
             };
             self.laid(which, family.place(beta, toward_d, self.rocker), self.swung(swing))
         };
@@ -198,9 +180,7 @@ impl CrankRocker {
                 let works = |mm: f64| {
                     mm > 0.0 && self.works(RockerGivens::Bar { swing, bar: bar.with(mm) }, own)
                 };
-                let said = |mm: f64| {
-                    both!("with \"{}\": \"{} mm\"", "取 \"{}\": \"{} mm\"", bar.key(), told(mm))
-                };
+                let said = |mm: f64| both!("with \"{}\": \"{} mm\"", bar.key(), told(mm));
                 (
                     RockerGivens::Bar { swing, bar },
                     number(bar.length() * 1e3, bar.length() * 1e3, works).map(said),
@@ -227,30 +207,19 @@ impl CrankRocker {
                 };
                 let best = [0, 1].into_iter().filter_map(moved).min_by(|a, b| a.0.total_cmp(&b.0));
                 let said = |(_, [x, y]): (f64, [f64; 2])| {
-                    both!(
-                        "with \"through\": [\"{} mm\", \"{} mm\"]",
-                        "取 \"through\": [\"{} mm\", \"{} mm\"]",
-                        told(x),
-                        told(y)
-                    )
+                    both!("with \"through\": [\"{} mm\", \"{} mm\"]", told(x), told(y))
                 };
                 (RockerGivens::Line { swing, line }, best.map(said))
             }
             RockerGivens::Best { .. } | RockerGivens::Gamma { .. } => return Both::default(),
         };
         let k = number(own, own, |k| self.works(way.clone(), k))
-            .map(|k| both!("with \"K\": {}", "取 \"K\": {}", told(k)));
+            .map(|k| both!("with \"K\": {}", told(k)));
         match (other, k) {
-            (Some(one), Some(two)) => both!(
-                "there is one {}; or, all else as given, {}",
-                "{}时有解；或其余不变，{}时有解",
-                one,
-                two
-            ),
-            (Some(one), None) | (None, Some(one)) => both!("there is one {}", "{}时有解", one),
+            (Some(one), Some(two)) => both!("there is one {}; or, all else as given, {}", one, two),
+            (Some(one), None) | (None, Some(one)) => both!("there is one {}", one),
             (None, None) => both!(
-                "leave \"frame\", \"limit\" and \"line\" out and give \"swing\" alone: the linkage with the best transmission angle is taken",
-                "请去掉 \"frame\"、\"limit\"、\"line\"，只给 \"swing\"，将取传动角最好的机构"
+                "leave \"frame\", \"limit\" and \"line\" out and give \"swing\" alone: the linkage with the best transmission angle is taken"
             ),
         }
     }
@@ -260,27 +229,22 @@ impl CrankRocker {
         let theta = significant(self.ratio.theta.to_degrees(), 4);
         let message = match self.way {
             RockerGivens::Limit { .. } => both!(
-                "the rays turned by θ = {theta}° miss the circle of the rocker: there is no second limit position",
-                "转过 θ = {theta}° 的射线与摇杆圆弧不相交：没有第二个极限位置"
+                "the rays turned by θ = {theta}° miss the circle of the rocker: there is no second limit position"
             ),
             RockerGivens::Swing { frame, .. } => both!(
                 "the circle with the inscribed angle θ = {theta}° has no point at {} from D",
-                "圆周角为 θ = {theta}° 的圆上没有距 D 为 {} 的点",
                 hodograph_base::digits::metres(frame)
             ),
             RockerGivens::Bar { bar: GivenBar::Crank(crank), .. } => both!(
                 "no coupler closes both limit positions with a crank of {} under θ = {theta}°",
-                "曲柄长 {}、θ = {theta}° 时，没有连杆使两极限位置均成立",
                 hodograph_base::digits::metres(crank)
             ),
             RockerGivens::Bar { bar: GivenBar::Coupler(coupler), .. } => both!(
                 "no crank closes both limit positions with a coupler of {} under θ = {theta}°",
-                "连杆长 {}、θ = {theta}° 时，没有曲柄使两极限位置均成立",
                 hodograph_base::digits::metres(coupler)
             ),
             RockerGivens::Line { .. } => both!(
-                "the line does not cross the circle with the inscribed angle θ = {theta}° where A has a crank",
-                "直线与圆周角为 θ = {theta}° 的圆没有使曲柄存在的交点"
+                "the line does not cross the circle with the inscribed angle θ = {theta}° where A has a crank"
             ),
             RockerGivens::Best { .. } | RockerGivens::Gamma { .. } => Both::default(),
         };
@@ -289,16 +253,14 @@ impl CrankRocker {
 
     /// The warning for linkages none of which is a crank-rocker that joins both limits.
     pub(super) fn no_crank_rocker(&self) -> Diagnostic {
-        let message = both!(
-            "no crank turns through what comes out, or its limits lie on two assemblies",
-            "所得机构没有能整周转动的曲柄，或两极限位置不属于同一装配"
-        );
+        let message =
+            both!("no crank turns through what comes out, or its limits lie on two assemblies");
         Diagnostic::warning("not-a-crank", message).help(self.nearest())
     }
 }
 
 fn frame_told(mm: f64) -> Both {
-    both!("with \"frame\": \"{} mm\"", "取 \"frame\": \"{} mm\"", told(mm))
+    both!("with \"frame\": \"{} mm\"", told(mm))
 }
 
 /// Reads a place and a direction as two places of a line.

@@ -55,8 +55,7 @@ impl CrankRocker {
             (Point::ORIGIN, Point::new(board.mm(frame), 0.0), board.mm(self.rocker));
         let c1 = PaperLine::ray(d, PI - angle).place(radius);
         board.step(both!(
-            "Lay off the frame AD and the rocker DC1 under the given angle; draw the circle about D through C1",
-            "作机架 AD，按给定角度作摇杆 DC1，并以 D 为圆心过 C1 作圆"
+            "Lay off the frame AD and the rocker DC1 under the given angle; draw the circle about D through C1"
         ));
         board
             .line(a, d, Weight::Given)
@@ -72,8 +71,7 @@ impl CrankRocker {
         }
         let theta = significant(self.ratio.theta.to_degrees(), 4);
         board.step(both!(
-            "Draw AC1 and turn it about A by θ = {theta}°: the ray meets the circle at C2",
-            "连 AC1，绕 A 转过 θ = {theta}°，射线与圆交于 C2"
+            "Draw AC1 and turn it about A by θ = {theta}°: the ray meets the circle at C2"
         ));
         board
             .line(a, c1, Weight::Thin)
@@ -96,10 +94,7 @@ impl CrankRocker {
         let (d, radius) = (Point::ORIGIN, board.mm(of(draft, "CD")));
         let [c1, c2] =
             [1.0, -1.0].map(|s| PaperLine::ray(d, FRAC_PI_2 + s * swing / 2.0).place(radius));
-        board.step(both!(
-            "Lay off the rocker in its limits DC1 and DC2 under the swing ψ",
-            "按摆角 ψ 作摇杆的两极限位置 DC1、DC2"
-        ));
+        board.step(both!("Lay off the rocker in its limits DC1 and DC2 under the swing ψ"));
         board
             .line(d, c1, Weight::Given)
             .line(d, c2, Weight::Given)
@@ -130,18 +125,14 @@ impl CrankRocker {
                 Fixed::Frame(frame) => {
                     let a = board.cut(&line, d, board.mm(frame))?[k];
                     board.step(both!(
-                        "θ = 0: A lies on the line C1C2, at the frame's length from D",
-                        "θ = 0：A 在 C1C2 的延长线上，距 D 为机架长"
+                        "θ = 0: A lies on the line C1C2, at the frame's length from D"
                     ));
                     board.circle(d, d.distance(a), Weight::Thin);
                     a
                 }
                 Fixed::Line(given) => {
                     let a = line.cross(&through(board, given)?)?;
-                    board.step(both!(
-                        "θ = 0: A lies where the line C1C2 meets the given line",
-                        "θ = 0：A 为 C1C2 的延长线与给定直线的交点"
-                    ));
+                    board.step(both!("θ = 0: A lies where the line C1C2 meets the given line"));
                     board.line(board.at(given[0]), a, Weight::Thin);
                     a
                 }
@@ -152,8 +143,7 @@ impl CrankRocker {
             return board.halve(a, [c1, c2]);
         }
         board.step(both!(
-            "Over C1C2 draw the circle with the inscribed angle θ = {named}°: 90° − θ from the chord at both ends gives its centre",
-            "在 C1C2 上作圆周角为 θ = {named}° 的圆：两端各作 90° − θ 的角，交点为圆心"
+            "Over C1C2 draw the circle with the inscribed angle θ = {named}°: 90° − θ from the chord at both ends gives its centre"
         ));
         board.line(c1, c2, Weight::Thin);
         let (centre, radius) = board.inscribed(c1, c2, theta, beyond)?;
@@ -161,16 +151,13 @@ impl CrankRocker {
         let a = match fixed {
             Fixed::Frame(frame) => {
                 let opening = board.mm(frame);
-                board.step(both!(
-                    "With the frame AD as opening about D cut the circle: A",
-                    "以 D 为圆心、机架长为半径截该圆得 A"
-                ));
+                board.step(both!("With the frame AD as opening about D cut the circle: A"));
                 board.circle(d, opening, Weight::Thin);
                 board.circles(d, opening, centre, radius)?[k]
             }
             Fixed::Bar(bar) => bar.place(board, [c1, c2], (theta, beyond), (centre, radius), k)?,
             Fixed::Line(given) => {
-                board.step(both!("The given line cuts the circle: A", "给定直线与该圆交于 A"));
+                board.step(both!("The given line cuts the circle: A"));
                 let a = board.cut(&through(board, given)?, centre, radius)?[k];
                 board.line(board.at(given[0]), a, Weight::Given);
                 a
@@ -181,21 +168,17 @@ impl CrankRocker {
                 let text = significant(beta.to_degrees(), 5);
                 let why = match self.way {
                     RockerGivens::Gamma { .. } => {
-                        both!("the wanted transmission angle", "给定的传动角")
+                        both!("the wanted transmission angle")
                     }
                     RockerGivens::Limit { .. }
                     | RockerGivens::Swing { .. }
                     | RockerGivens::Bar { .. }
                     | RockerGivens::Line { .. }
                     | RockerGivens::Best { .. } => {
-                        both!("the best transmission angle", "传动角最好")
+                        both!("the best transmission angle")
                     }
                 };
-                board.step(both!(
-                    "On the ray under β = {text}° from C2C1 ({}) lies A",
-                    "由 C2C1 作 β = {text}° 的射线（{}）与圆交于 A",
-                    why
-                ));
+                board.step(both!("On the ray under β = {text}° from C2C1 ({}) lies A", why));
                 let crossings = board.cut(&ray, centre, radius)?;
                 let far = crossings
                     .into_iter()

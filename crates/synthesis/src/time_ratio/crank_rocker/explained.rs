@@ -11,78 +11,54 @@ use hodograph_base::geom::Point;
 impl CrankRocker {
     pub(super) fn stated(&self) -> Statement {
         let mut given = vec![
-            both!("time ratio $K = {}$", "行程速度变化系数 $K = {}$", number(self.ratio.k)),
+            both!("time ratio $K = {}$", number(self.ratio.k)),
             match self.size {
                 SizeBasis::Rocker => {
-                    both!("rocker $l_{{CD}} = {}$", "摇杆 $l_{{CD}} = {}$", length(self.rocker))
+                    both!("rocker $l_{{CD}} = {}$", length(self.rocker))
                 }
                 SizeBasis::Frame(frame) => {
-                    both!("frame $l_{{AD}} = {}$", "机架 $l_{{AD}} = {}$", length(frame))
+                    both!("frame $l_{{AD}} = {}$", length(frame))
                 }
                 SizeBasis::Crank(crank) => {
-                    both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(crank))
+                    both!("crank $l_{{AB}} = {}$", length(crank))
                 }
             },
         ];
         match self.way {
             RockerGivens::Limit { frame, angle: limit } => {
-                given.push(both!("frame $l_{{AD}} = {}$", "机架 $l_{{AD}} = {}$", length(frame)));
+                given.push(both!("frame $l_{{AD}} = {}$", length(frame)));
                 given.push(both!(
                     "angle of the rocker with the frame in one limit position $\\angle ADC_1 = {}$",
-                    "一极限位置上摇杆与机架的夹角 $\\angle ADC_1 = {}$",
                     angle(limit)
                 ));
             }
             RockerGivens::Swing { swing, frame } => {
-                given.push(both!(
-                    "swing of the rocker $\\psi = {}$",
-                    "摇杆摆角 $\\psi = {}$",
-                    angle(swing)
-                ));
-                given.push(both!("frame $l_{{AD}} = {}$", "机架 $l_{{AD}} = {}$", length(frame)));
+                given.push(both!("swing of the rocker $\\psi = {}$", angle(swing)));
+                given.push(both!("frame $l_{{AD}} = {}$", length(frame)));
             }
             RockerGivens::Bar { swing, bar } => {
-                given.push(both!(
-                    "swing of the rocker $\\psi = {}$",
-                    "摇杆摆角 $\\psi = {}$",
-                    angle(swing)
-                ));
+                given.push(both!("swing of the rocker $\\psi = {}$", angle(swing)));
                 given.push(bar.told());
             }
             RockerGivens::Line { swing, line: [through, end] } => {
-                given.push(both!(
-                    "swing of the rocker $\\psi = {}$",
-                    "摇杆摆角 $\\psi = {}$",
-                    angle(swing)
-                ));
+                given.push(both!("swing of the rocker $\\psi = {}$", angle(swing)));
                 given.push(both!(
                     "$A$ on the line through ${}$ under ${}$ ($D$ the origin, the swing even about the upward axis)",
-                    "$A$ 在过 ${}$、倾角为 ${}$ 的直线上（$D$ 为原点，摆角关于竖直轴对称）",
                     place(through),
                     angle((end - through).angle())
                 ));
             }
             RockerGivens::Gamma { swing, gamma } => {
-                given.push(both!(
-                    "swing of the rocker $\\psi = {}$",
-                    "摇杆摆角 $\\psi = {}$",
-                    angle(swing)
-                ));
+                given.push(both!("swing of the rocker $\\psi = {}$", angle(swing)));
                 given.push(both!(
                     "least transmission angle $\\gamma_{{\\text{{min}}}} = {}$",
-                    "最小传动角 $\\gamma_{{\\text{{min}}}} = {}$",
                     angle(gamma)
                 ));
             }
             RockerGivens::Best { swing, .. } => {
+                given.push(both!("swing of the rocker $\\psi = {}$", angle(swing)));
                 given.push(both!(
-                    "swing of the rocker $\\psi = {}$",
-                    "摇杆摆角 $\\psi = {}$",
-                    angle(swing)
-                ));
-                given.push(both!(
-                    "the least transmission angle $\\gamma_{{\\text{{min}}}}$ is to be as great as possible",
-                    "最小传动角 $\\gamma_{{\\text{{min}}}}$ 应尽可能大"
+                    "the least transmission angle $\\gamma_{{\\text{{min}}}}$ is to be as great as possible"
                 ));
             }
         }
@@ -90,32 +66,25 @@ impl CrankRocker {
             || matches!(self.size, SizeBasis::Crank(_));
         let mut wanted =
             vec![if let RockerGivens::Bar { bar: GivenBar::Coupler(_), .. } = self.way {
-                both!("the length of the crank $l_{{AB}}$", "曲柄 $l_{{AB}}$ 的长度")
+                both!("the length of the crank $l_{{AB}}$")
             } else if crank_given {
-                both!("the length of the coupler $l_{{BC}}$", "连杆 $l_{{BC}}$ 的长度")
+                both!("the length of the coupler $l_{{BC}}$")
             } else {
-                both!(
-                    "the lengths of crank $l_{{AB}}$ and coupler $l_{{BC}}$",
-                    "曲柄 $l_{{AB}}$ 与连杆 $l_{{BC}}$ 的长度"
-                )
+                both!("the lengths of crank $l_{{AB}}$ and coupler $l_{{BC}}$")
             }];
         if self.size != SizeBasis::Rocker {
-            wanted.push(both!("the rocker $l_{{CD}}$", "摇杆 $l_{{CD}}$ 的长度"));
+            wanted.push(both!("the rocker $l_{{CD}}$"));
         }
         let framed = matches!(self.way, RockerGivens::Limit { .. } | RockerGivens::Swing { .. })
             || matches!(self.size, SizeBasis::Frame(_));
         if !framed {
-            wanted.push(both!("the frame $l_{{AD}}$", "机架 $l_{{AD}}$ 的长度"));
+            wanted.push(both!("the frame $l_{{AD}}$"));
         }
         if !matches!(self.way, RockerGivens::Gamma { .. }) {
-            wanted.push(both!(
-                "the least transmission angle $\\gamma_{{\\text{{min}}}}$",
-                "最小传动角 $\\gamma_{{\\text{{min}}}}$"
-            ));
+            wanted.push(both!("the least transmission angle $\\gamma_{{\\text{{min}}}}$"));
         }
         let task = both!(
-            "Design a crank-rocker $ABCD$ with a quick return: crank $AB$, coupler $BC$, rocker $CD$, frame $AD$.",
-            "设计具有急回特性的曲柄摇杆机构 $ABCD$：曲柄 $AB$，连杆 $BC$，摇杆 $CD$，机架 $AD$。"
+            "Design a crank-rocker $ABCD$ with a quick return: crank $AB$, coupler $BC$, rocker $CD$, frame $AD$."
         );
         Statement { task, given, wanted, open_steps: 1 }
     }
@@ -137,8 +106,7 @@ impl CrankRocker {
         if let RockerGivens::Gamma { gamma, .. } = self.way {
             out.push(Proof::new(
                 both!(
-                    "At the greatest and the least $l_{{BD}}$ the transmission angle is extreme; with varying $\\beta$ its least value is the wanted one for",
-                    "$l_{{BD}}$ 最大和最小时传动角取极值；改变 $\\beta$，使最小传动角等于给定值，得"
+                    "At the greatest and the least $l_{{BD}}$ the transmission angle is extreme; with varying $\\beta$ its least value is the wanted one for"
                 ),
                 [format!("\\gamma_{{\\text{{min}}}} = {} ,\\quad \\beta = {}", angle(gamma), angle(of(draft, "beta")))],
             ));
@@ -146,8 +114,7 @@ impl CrankRocker {
         if matches!(self.way, RockerGivens::Best { .. }) {
             out.push(Proof::new(
                 both!(
-                    "At the greatest and the least $l_{{BD}}$ the transmission angle is extreme; with varying $\\beta$ its least value is greatest for",
-                    "$l_{{BD}}$ 最大和最小时传动角取极值；改变 $\\beta$，使最小传动角为最大，得"
+                    "At the greatest and the least $l_{{BD}}$ the transmission angle is extreme; with varying $\\beta$ its least value is greatest for"
                 ),
                 [format!("\\beta = {} ,\\quad l_{{AD}} = {}", angle(of(draft, "beta")), length(of(draft, "AD")))],
             ));
@@ -160,8 +127,7 @@ impl CrankRocker {
         match self.way {
             RockerGivens::Limit { .. } => Proof::new(
                 both!(
-                    "$C_2$ lies on the ray $AC_1$ turned by $\\theta$ and on the circle of the rocker: with $\\delta = \\angle C_2AD$ the law of cosines is a quadratic equation for $l_{{AC_2}}$,",
-                    "$C_2$ 在 $AC_1$ 转过 $\\theta$ 的射线与摇杆圆弧上：记 $\\delta = \\angle C_2AD$，由余弦定理得 $l_{{AC_2}}$ 的二次方程"
+                    "$C_2$ lies on the ray $AC_1$ turned by $\\theta$ and on the circle of the rocker: with $\\delta = \\angle C_2AD$ the law of cosines is a quadratic equation for $l_{{AC_2}}$,"
                 ),
                 [
                     "l_{AC_2}^2 − 2\\,l_{AC_2}\\,l_{AD}\\cos\\delta + l_{AD}^2 = l_{CD}^2"
@@ -174,8 +140,7 @@ impl CrankRocker {
                 let chord = 2.0 * of(draft, "CD") * libm::sin(of(draft, "psi") / 2.0);
                 Proof::new(
                     both!(
-                        "With $l_{{AC}} = l_{{BC}} \\pm l_{{AB}}$ in the two limit positions the law of cosines in $AC_1C_2$ gives the other bar",
-                        "两极限位置 $l_{{AC}} = l_{{BC}} \\pm l_{{AB}}$，在 $AC_1C_2$ 中由余弦定理得另一杆长"
+                        "With $l_{{AC}} = l_{{BC}} \\pm l_{{AB}}$ in the two limit positions the law of cosines in $AC_1C_2$ gives the other bar"
                     ),
                     [
                         format!(
@@ -198,8 +163,7 @@ impl CrankRocker {
                 let chord = 2.0 * of(draft, "CD") * libm::sin(of(draft, "psi") / 2.0);
                 Proof::new(
                     both!(
-                        "$A$ lies on the circle over $C_1C_2$ with the inscribed angle $\\theta$; with $\\beta = \\angle C_1C_2A$ the law of sines gives",
-                        "$A$ 在以 $C_1C_2$ 为弦、圆周角为 $\\theta$ 的圆上；记 $\\beta = \\angle C_1C_2A$，由正弦定理得"
+                        "$A$ lies on the circle over $C_1C_2$ with the inscribed angle $\\theta$; with $\\beta = \\angle C_1C_2A$ the law of sines gives"
                     ),
                     [
                         format!(

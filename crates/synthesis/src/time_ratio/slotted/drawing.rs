@@ -32,7 +32,7 @@ impl Slotted {
             let radius = board.mm(self.crank);
             let b = PaperLine::ray(a, -half).place(radius);
             let c = PaperLine::ray(b, lever).cross(&PaperLine::ray(a, -FRAC_PI_2))?;
-            board.step(both!("Draw the crank circle about A; lay off θ/2 = {named}° below the horizontal: B1; the tangent there meets the vertical through A at C", "以 A 为圆心作曲柄圆；由水平线向下量 θ/2 = {named}° 得 B1；过 B1 的切线与过 A 的铅垂线交于 C"));
+            board.step(both!("Draw the crank circle about A; lay off θ/2 = {named}° below the horizontal: B1; the tangent there meets the vertical through A at C"));
             board
                 .circle(a, radius, Weight::Given)
                 .line(a, b, Weight::Given)
@@ -46,8 +46,7 @@ impl Slotted {
         let ray = PaperLine::ray(c, lever);
         let b = ray.cross(&ray.square(a))?;
         board.step(both!(
-            "Lay off the frame AC; under θ/2 = {named}° from it draw the lever's limit; the perpendicular from A meets it at B1",
-            "作机架 AC；在 C 处与其成 θ/2 = {named}° 作导杆极限位置；由 A 作垂线，垂足为 B1"
+            "Lay off the frame AC; under θ/2 = {named}° from it draw the lever's limit; the perpendicular from A meets it at B1"
         ));
         board
             .line(a, c, Weight::Given)
@@ -57,10 +56,7 @@ impl Slotted {
             .mark("A", a)
             .mark("B_1", b)
             .mark("C", c);
-        board.step(both!(
-            "The crank circle about A touches the lever in B1",
-            "以 A 为圆心作曲柄圆，与导杆切于 B1"
-        ));
+        board.step(both!("The crank circle about A touches the lever in B1"));
         board.circle(a, a.distance(b), Weight::Thin).read("AB", a, b);
         Some((c, b))
     }
@@ -77,8 +73,7 @@ impl Slotted {
             let b = [1.0, -1.0].map(|s| down(s).place(radius));
             let c = PaperLine::through(b[0], b[1])?.cross(&PaperLine::ray(a, -FRAC_PI_2))?;
             board.step(both!(
-                "Draw the crank circle about A; B1 and B2 lie under 180°/(K + 1) = {named}° from the downward line; their chord meets it at C",
-                "以 A 为圆心作曲柄圆；由向下的铅垂线两侧各量 180°/(K + 1) = {named}° 得 B1、B2；弦 B1B2 与铅垂线交于 C"
+                "Draw the crank circle about A; B1 and B2 lie under 180°/(K + 1) = {named}° from the downward line; their chord meets it at C"
             ));
             board.circle(a, radius, Weight::Given);
             (b, c)
@@ -87,8 +82,7 @@ impl Slotted {
             let level = PaperLine::ray(c, 0.0);
             let b = [down(1.0).cross(&level)?, down(-1.0).cross(&level)?];
             board.step(both!(
-                "Lay off the frame AC; rays from A under 180°/(K + 1) = {named}° to both sides meet the level line through C at B1, B2",
-                "作机架 AC；由 A 在两侧作与 AC 成 180°/(K + 1) = {named}° 的射线，与过 C 的水平线交于 B1、B2"
+                "Lay off the frame AC; rays from A under 180°/(K + 1) = {named}° to both sides meet the level line through C at B1, B2"
             ));
             board.circle(a, a.distance(b[0]), Weight::Thin);
             (b, c)
@@ -106,10 +100,7 @@ impl Slotted {
             .read("AB", a, b[0])
             .read("AC", a, c);
         let [p, q] = [0.0, board.mm(stroke)].map(|x| Point::new(c.x + x, c.y));
-        board.step(both!(
-            "Lay the stroke off from C and halve it: the arm CD of the lever",
-            "由 C 量取行程并平分，得导杆臂长 CD"
-        ));
+        board.step(both!("Lay the stroke off from C and halve it: the arm CD of the lever"));
         board.line(p, q, Weight::Thin);
         let d = board.middle(p, q)?;
         board.line(c, d, Weight::Result).mark("D", d).read("CD", c, d);
@@ -125,8 +116,7 @@ fn ram(board: &mut SynthesisBoard, c: Point, b: Point, stroke: f64) -> Option<()
     let d1 = lever.cross(&PaperLine::ray(Point::new(c.x + half, c.y), FRAC_PI_2))?;
     let d2 = Point::new(2.0 * c.x - d1.x, d1.y);
     board.step(both!(
-        "At H/2 beside the vertical through C draw a parallel: it meets the lever at D1; D2 is its mirror image",
-        "在过 C 的铅垂线一侧 H/2 处作平行线，与导杆交于 D1；D2 与其对称"
+        "At H/2 beside the vertical through C draw a parallel: it meets the lever at D1; D2 is its mirror image"
     ));
     board.line(c, d1, Weight::Result).line(c, d2, Weight::Thin).line(d1, d2, Weight::Thin).line(
         Point::new(c.x + half, c.y),
@@ -137,8 +127,7 @@ fn ram(board: &mut SynthesisBoard, c: Point, b: Point, stroke: f64) -> Option<()
     let top = PaperLine::ray(c, FRAC_PI_2).place(c.distance(d1));
     let foot = Point::new(c.x, d1.y);
     board.step(both!(
-        "D's arc about C; halve its rise over the chord D1D2: through the middle, y over C, runs the ram's guide",
-        "以 C 为圆心作 D 的圆弧；平分其拱高，过中点（距 C 为 y）作滑枕导路"
+        "D's arc about C; halve its rise over the chord D1D2: through the middle, y over C, runs the ram's guide"
     ));
     board.circle(c, c.distance(d1), Weight::Thin);
     let middle = board.middle(foot, top)?;
