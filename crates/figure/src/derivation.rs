@@ -31,7 +31,7 @@ use crate::scales::DrawingScales;
 /// The derivation.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "derivation",
-    about: each!("Theorems of composite motion derived: displacements, changes of velocities"),
+    about: each!("Theorems of composite motion: displacements, changes of velocity"),
     draw,
 };
 

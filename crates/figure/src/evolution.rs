@@ -26,7 +26,7 @@ use super::sheet::SheetDrafter;
 /// The evolution.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "evolution",
-    about: each!("Evolution of the four-bar: pivot at infinity, enlarged pin, exchanged slide"),
+    about: each!("Evolution of the four-bar: far pivot, enlarged pin, exchanged slide"),
     draw,
 };
 

@@ -26,7 +26,7 @@ use super::sheet::{SheetDrafter, swept_symbol};
 /// The transmission angles.
 pub const ENTRY: FigureEntry = FigureEntry {
     name: "transmission",
-    about: each!("Transmission angles: at the pose, and at the position where they are least"),
+    about: each!("Transmission angles: at the pose, and where they are least"),
     draw,
 };
 
