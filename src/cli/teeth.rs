@@ -3,10 +3,7 @@
 use super::args::TeethArgs;
 use super::{CommandResult, InputFile, files, lang};
 use crate::diag::Warned;
-use crate::gears::unknown::unknown_teeth;
-use crate::problem::teeth::{TeethList, TeethRequest, wanted_gear};
-use crate::problem::{Kind, Wish};
-use crate::report::teeth;
+use crate::problem::teeth::{GearList, TeethList, TeethRequest, wanted_gear};
 
 /// Runs the command.
 pub fn run(a: &TeethArgs) -> CommandResult {
@@ -37,15 +34,12 @@ fn in_scene(a: &TeethArgs, scene: &str) -> CommandResult {
     let [gear, want] = [&a.gear, &a.want].map(|text| text.as_deref().unwrap_or_default());
     let wish = wanted_gear(gear, want, &a.teeth, &a.within)?;
     let mut file = InputFile::open(scene, &[])?;
-    let mut found = file.read(|bytes| {
-        Kind::of(bytes).grants(Wish::Mechanism)?;
-        let value = unknown_teeth(&String::from_utf8_lossy(bytes), &wish)?;
-        Ok(Warned { value, notes: Vec::new() })
+    let found = file.read(|bytes| {
+        Ok(Warned { value: GearList::of(bytes, wish, a.count)?, notes: Vec::new() })
     })?;
-    found.found.truncate(a.count);
     if a.json {
-        files::print(&format!("{:#}\n", teeth::gear_json(&wish, &found)))
+        files::print(&format!("{:#}\n", found.json()))
     } else {
-        files::print(&teeth::gear_text(&wish, &found, lang::now()))
+        files::print(&found.text(lang::now()))
     }
 }

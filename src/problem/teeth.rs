@@ -1,9 +1,10 @@
 //! Numbers of teeth for a ratio: pairs for a centre distance, and trains of several stages.
 
 use super::range::WrongValue;
-use crate::diag::{Both, Diagnostic, both};
+use super::{Kind, Wish};
+use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::gears::Basic;
-use crate::gears::unknown::WantedGear;
+use crate::gears::unknown::{FoundGear, WantedGear, unknown_teeth};
 use crate::gears::wanted::{FoundPair, WantedPair, WantedTrain, pairs, stages};
 use crate::report::teeth;
 use crate::scene::{Lang, edit};
@@ -133,8 +134,15 @@ impl TeethList {
     }
 }
 
-/// Returns the request for the number of teeth of a gear in a scene, such as gear `3` for
-/// `omega_5=3rad/s`.
+/// The numbers of teeth of a gear in a scene with which a quantity has its wanted value.
+#[derive(Debug)]
+pub struct GearList<'a> {
+    wish: WantedGear<'a>,
+    found: FoundGear,
+}
+
+/// Returns the request for the teeth of a gear in a scene: the link, such as `3`, and the quantity
+/// with its value, such as `omega_5=3rad/s`.
 ///
 /// # Errors
 /// Values that cannot be read or are out of bounds.
@@ -155,6 +163,29 @@ pub fn wanted_gear<'a>(
         teeth: whole_range(teeth)?,
         within: part(within)?,
     })
+}
+
+impl<'a> GearList<'a> {
+    /// Returns at most `count` numbers of teeth, the best first.
+    ///
+    /// # Errors
+    /// The file is no mechanism; the faults of the scene and of the wanted value.
+    pub fn of(file: &[u8], wish: WantedGear<'a>, count: usize) -> Result<GearList<'a>, Faults> {
+        Kind::of(file).grants(Wish::Mechanism)?;
+        let mut found = unknown_teeth(&String::from_utf8_lossy(file), &wish)?;
+        found.found.truncate(count);
+        Ok(GearList { wish, found })
+    }
+
+    /// Returns the numbers as a table.
+    pub fn text(&self, lang: Lang) -> String {
+        teeth::gear_text(&self.wish, &self.found, lang)
+    }
+
+    /// Returns the numbers as JSON, in SI.
+    pub fn json(&self) -> Json {
+        teeth::gear_json(&self.wish, &self.found)
+    }
 }
 
 fn refused(of: &'static str, text: &str, message: Both) -> WrongValue {

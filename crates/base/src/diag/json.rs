@@ -10,8 +10,9 @@ pub const SCHEMA: &str = "hodograph/errors/1";
 /// Returns the document of a run: its version and all diagnostics, as created by [`Faults::json`].
 ///
 /// ```
-/// use hodograph_base::diag::{self, Diagnostic, Faults};
-/// let faults = Faults::from(Diagnostic::error("no-driver", hodograph_base::diag::both!("no driver", "没有原动件")));
+/// use hodograph_base::diag::{self, Both, Diagnostic, Faults};
+/// let message = Both::from(["no driver", "没有原动件"]);
+/// let faults = Faults::from(Diagnostic::error("no-driver", message));
 /// let told = diag::json::document(faults.json("", ""));
 /// assert_eq!(told["schema"], "hodograph/errors/1");
 /// assert_eq!(told["diagnostics"][0]["code"], "no-driver");
