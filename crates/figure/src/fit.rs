@@ -21,6 +21,12 @@ use hodograph_paper::paper::item::Figure;
 /// Size factors that are tried one after the other, in steps of about the series of scales. The
 /// last drawings are as wide as a thumb.
 const PARTS: [f64; 7] = [1.0, 0.8, 0.64, 0.5, 0.4, 0.32, 0.25];
+/// The last of the size factors.
+const LAST_PART: f64 = 0.25;
+/// A drawing that would exceed the page by more than this at the last size factor fits at none: the
+/// series of scales makes it at most twice as small as its factor. Nor does one that exceeds the page
+/// at each size and does not shrink, as its labels need the space.
+const FAR: f64 = 2.5;
 /// Smallest factor at which drawings are reduced to save a page, for each point of the type: labels
 /// of a slide need a drawing twice as large as those of a book.
 const LEAST_OF_FEWER: f64 = 0.5 / 9.0;
@@ -154,14 +160,21 @@ fn sheet_pages(w: &FigureInput, format: &PageFormat) -> Result<Warned<Pages>, Fa
 /// # Errors
 /// `paper-too-small` if the smallest legible pages are larger than the format.
 pub fn steps(w: &FigureInput, format: Option<&PageFormat>) -> Result<Pages, Faults> {
-    let pages = |w: &FigureInput, within| -> Pages {
-        let steps = StepFigures::of(w.scene, w.worked, w.options, within);
-        steps.words().into_iter().zip(steps.figures()).collect()
+    let pages =
+        |steps: &StepFigures| -> Pages { steps.words().into_iter().zip(steps.figures()).collect() };
+    let Some(format) = format else {
+        return Ok(pages(&StepFigures::of(w.scene, w.worked, w.options, None)));
     };
-    let Some(format) = format else { return Ok(pages(w, None)) };
     first_that_fits("steps", w, format, |w, stacked| {
-        let within = Within { width_mm: format.inner_mm()[0], stacked };
-        Ok(alike(pages(w, Some(within)), format))
+        let inner = format.inner_mm();
+        let within = Within { width_mm: inner[0], stacked };
+        let steps = StepFigures::of(w.scene, w.worked, w.options, Some(within));
+        // A figure for each step is drawn only where the drawings may fit.
+        let needs = steps.drawings_mm();
+        match (0..2).any(|k| needs[k] > MAY_FIT * inner[k]) {
+            true => Ok(Err(needs)),
+            false => Ok(alike(pages(&steps), format)),
+        }
     })
 }
 
@@ -173,6 +186,10 @@ pub struct Within {
     /// True if drawings are one below the other, false if side by side.
     pub stacked: bool,
 }
+
+/// Drawings larger than the page by more than this factor do not fit, whatever space their boxes
+/// leave around the ink.
+const MAY_FIT: f64 = 1.25;
 
 /// Returns the first attempt that fits: drawings side by side as long as their type is easily
 /// legible, then one below the other (`true`), each at decreasing sizes. `draw` returns the size
@@ -187,15 +204,28 @@ pub fn first_that_fits<T>(
     draw: impl Fn(&FigureInput, bool) -> Result<Result<T, [f64; 2]>, Faults>,
 ) -> Result<T, Faults> {
     let (mut needs, mut tried) = ([0.0_f64; 2], Vec::new());
+    let (inner, mut far) = (format.inner_mm(), false);
     let beside = PARTS.into_iter().filter(|part| *part >= LEAST_TYPE).map(|part| (part, false));
     for (part, stacked) in beside.chain(PARTS.map(|part| (part, true))) {
+        let is_last = stacked && part <= LAST_PART;
+        if far && !is_last {
+            continue;
+        }
         let smaller = Smaller::of(w, part, &ByKind::default(), format)?;
         if !smaller.is_new(&mut tried, stacked) {
             continue;
         }
         match draw(&smaller.wanted(w.extras), stacked)? {
             Ok(made) => return Ok(made),
-            Err(size) => needs = size,
+            Err(size) => {
+                // One below the other, two drawings have at least half the width.
+                let least = [if stacked { size[0] } else { 0.5 * size[0] }, size[1]];
+                far |= (0..2).any(|k| {
+                    least[k] * LAST_PART / part > FAR * inner[k]
+                        || size[k] > inner[k] / LAST_PART && size[k] >= needs[k] && needs[k] > 0.0
+                });
+                needs = size;
+            }
         }
     }
     let help = both!("give more room; scales that the scene fixes are kept");

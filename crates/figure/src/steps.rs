@@ -100,6 +100,11 @@ impl<'a> StepFigures<'a> {
         StepFigures { maker, levels, diagram, stacked, diagram_mm, polygon_mm, drawings_mm, size }
     }
 
+    /// Returns the size of the two drawings together (mm), without sentences and equations.
+    pub fn drawings_mm(&self) -> [f64; 2] {
+        self.drawings_mm
+    }
+
     /// Returns the names of the figures, in order.
     pub fn words(&self) -> Vec<String> {
         let total: usize = self.levels.iter().map(|s| s.sentences.len()).sum();
