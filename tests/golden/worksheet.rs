@@ -289,7 +289,8 @@ fn no_page_is_wasted() {
                 Some(_) => 1 + usize::from(higher),
                 None => 0,
             };
-            let most = 6 + usize::from(scene.links.len() > 7) + of_forces;
+            // Each named way of composite motion has its figure.
+            let most = 6 + usize::from(scene.links.len() > 7) + of_forces + scene.composite.len();
             if problem > 1 || both > most {
                 long.push(format!("{} {suffix}: {problem} of {both} pages", t.name));
             }
