@@ -225,8 +225,8 @@ class Problem:
         """
         if (mistake is not None) + loops + questions > 1:
             raise ValueError("a worksheet has one of a mistake, vector loops and questions")
-        if table is not None and not 1 <= table <= 360:
-            raise ValueError("table is a number of steps from 1 to 360")
+        if table is not None and not 1 <= table <= 720:
+            raise ValueError("table is a number of steps from 1 to 720")
         if table is not None and (mistake is not None or questions or not solution):
             raise ValueError("a table is part of a solution")
         if not (problem or solution):

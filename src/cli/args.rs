@@ -423,7 +423,7 @@ pub struct WorksheetArgs {
     pub questions: bool,
     /// With the solution: the results at N equal steps over the whole motion, in the units of the
     /// scene's answers, else mm, mm/s, mm/s², degrees
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=720), conflicts_with_all = ["problem_only", "mobility", "questions"])]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=i64::from(crate::problem::turn::MOST_TABLE_STEPS)), conflicts_with_all = ["problem_only", "mobility", "questions"])]
     pub table: Option<u16>,
     /// For a synthesis file: the candidate, counted from 1 in the order of `hodograph synth`
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]

@@ -3,7 +3,8 @@
 //!
 //! [`Linkage`] is what programs for linkages describe: joints with their places, links, one crank,
 //! slides on the ground. It is made from a solved scene or read from a file, and gives the text of a
-//! scene. [`export()`] and [`import()`] go from file to file. [`order()`] places its joints one after the other, as GeoGebra and pylinkage do.
+//! scene. [`export()`] and [`import()`] go from file to file. [`order()`] places its joints one after
+//! the other, as GeoGebra and pylinkage do.
 
 mod drawing;
 mod formats;

@@ -255,7 +255,7 @@ fn figure(d: &Scenery, told: &[TrackOutput], frames: &Frames, lang: Lang) -> Str
 fn of_links(name: &str, links: &[LinkId], frames: &Frames, lang: Lang) -> String {
     let scene = &frames.list[frames.base].scene;
     let names: Vec<&str> = links.iter().map(|l| scene.link_name(*l)).collect();
-    let names = names.join(lang.pick([", ", "、"]));
+    let names = names.join(lang.comma());
     match links.len() {
         1 => say!(lang, "{name}, link {names}"),
         _ => say!(lang, "{name}, links {names}"),

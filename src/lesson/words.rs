@@ -217,10 +217,7 @@ const WORDS: [(&str, &str, &str); 101] = [
 /// If the table lacks the key; a test asks for every key that the page uses.
 pub fn word(key: &str, lang: Lang) -> &'static str {
     let (_, en, zh) = WORDS.iter().find(|w| w.0 == key).unwrap_or_else(|| panic!("no word {key}"));
-    match lang {
-        Lang::En => en,
-        Lang::Zh => zh,
-    }
+    lang.pick([en, zh])
 }
 
 /// Returns all words of a language, for the page.

@@ -93,7 +93,7 @@ pub fn text(scene: &Scene, diagram: &CurveDiagram, driver: &str, lang: Lang) -> 
             })
             .collect();
         if !zeros.is_empty() {
-            out += &say!(lang, "  zero at {name} = {}\n", zeros.join(lang.pick([", ", "、"])));
+            out += &say!(lang, "  zero at {name} = {}\n", zeros.join(lang.comma()));
         }
     }
     out

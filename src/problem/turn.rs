@@ -24,8 +24,12 @@ const COLUMNS: usize = 8;
 /// Values below this part of the greatest of their column are rounding errors.
 const ZERO: f64 = 1e-9;
 
-/// Returns the answers of a scene, with the displacements of [`with_positions`](super::whole::with_positions), at `count` equal
-/// steps over its whole motion: a heading, a sentence, and tables of at most eight columns of results
+/// Greatest number of steps of the table.
+pub const MOST_TABLE_STEPS: u16 = 720;
+
+/// Returns the answers of a scene, with the displacements of
+/// [`with_positions`](super::whole::with_positions), at `count` equal steps over its whole motion,
+/// at most [`MOST_TABLE_STEPS`]: a heading, a sentence, and tables of at most eight columns of results
 /// beside the position of the driver. A vector that is parallel to one axis has its sign, any other
 /// its magnitude. Units that the scene does not choose are mm, mm/s, mm/s² and degrees.
 ///

@@ -6,13 +6,10 @@ use super::{DocumentBlock, SheetMaker};
 use crate::composite::{ChoiceSolution, KnownMotion};
 use crate::figure::composite::{NamedSolutions, named_solutions};
 use crate::figure::list::{Extras, FigureInput};
-use crate::report::composite::CompositeWords;
+use crate::report::composite::{CompositeWords, PER_LINE};
 use crate::scene::quantity::Frame;
 use crate::scene::{LinkId, Scene};
 use hodograph_base::lang::{each, say};
-
-/// Values in one line.
-const PER_LINE: usize = 3;
 
 impl SheetMaker<'_> {
     /// Writes the solutions by composite motion; nothing if the scene names no moving point, or if

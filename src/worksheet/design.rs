@@ -217,7 +217,7 @@ impl DesignMaker<'_> {
         blocks.push(self.heading(2, each!("The linkage in its positions")));
         blocks.push(picture("positions", figure::linkage(self.task, self.candidate, self.set)));
         let lang = self.lang();
-        let motion = motion(self.candidate, lang).replace(" · ", lang.pick(["; ", "；"]));
+        let motion = motion(self.candidate, lang).replace(" · ", lang.semicolon());
         let swept = say!(lang, "Followed from the first position, the linkage shows: {motion}.");
         blocks.push(DocumentBlock::Paragraph(Phrase::new(&swept)));
         let said: Vec<Phrase> = self
@@ -335,7 +335,7 @@ impl DesignMaker<'_> {
         if all.is_empty() {
             tr!(self.lang(), "no defect").to_owned()
         } else {
-            all.join(tr!(self.lang(), "; "))
+            all.join(self.lang().semicolon())
         }
     }
 }

@@ -147,7 +147,7 @@ impl MobilitySheet<'_> {
         let links = self.scene.links_in_order().into_iter().filter(|l| *l != self.scene.ground);
         let names: Vec<&str> = links.map(|l| self.link(l)).collect();
         let which =
-            if names.len() == moving { names.join(self.words().comma) } else { String::new() };
+            if names.len() == moving { names.join(self.lang().comma()) } else { String::new() };
         row(tr!(self.lang(), "moving links $n$"), moving, vec![Phrase::of_words(&which)]);
         row(tr!(self.lang(), "lower pairs $p_l$"), lower, counted.lower(self.scene, self.lang()));
         row(tr!(self.lang(), "higher pairs $p_h$"), higher, Vec::new());
@@ -279,7 +279,7 @@ impl MobilitySheet<'_> {
             turned.or_else(slid).or_else(|| d.kind.ends().map(cylinder)).unwrap_or_default()
         };
         let own = scene.drivers.iter().enumerate().filter(|(d, _)| !scene.is_led(*d));
-        own.map(|(_, d)| one(d)).collect::<Vec<_>>().join(self.words().comma)
+        own.map(|(_, d)| one(d)).collect::<Vec<_>>().join(self.lang().comma())
     }
 }
 

@@ -59,7 +59,7 @@ impl SheetMaker<'_> {
                 ([_, _, ..], Some(kind)) => kind.to_owned(),
                 _ => self.asked(&finds[0].what),
             };
-            Phrase::new(&format!("{}{colon}{words}", symbols.join(self.words().comma)))
+            Phrase::new(&format!("{}{colon}{words}", symbols.join(self.lang().comma())))
         };
         lines.iter().map(member).collect()
     }

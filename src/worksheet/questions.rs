@@ -155,7 +155,7 @@ impl SheetMaker<'_> {
             .filter(primary)
             .map(|c| format!("$P_{{{}}}$", name_label(&c.step.pair.indices(self.scene))))
             .collect();
-        let comma = tr!(self.lang(),"list" => ", ");
+        let comma = self.lang().comma();
         let direct = ConceptQuestion {
             asked: Phrase::new(tr!(
                 self.lang(),

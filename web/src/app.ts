@@ -120,7 +120,7 @@ export class App {
     const taught = lesson()
     if (taught !== null) {
       document.body.classList.add('lesson')
-      if (taught.includes('"links"')) this.tab = 'steps'
+      this.tab = 'steps'
       this.begin(taught, 'scene')
     } else if (this.filed.name !== null) {
       const text = await this.filed.begin()
@@ -181,7 +181,7 @@ export class App {
       this.title.textContent = opened.title
       document.title = opened.title ? `${opened.title} · hodograph` : 'hodograph'
       this.tell(opened.diagnostics)
-      if (opened.kind !== 'scene' && this.tab === 'live') this.tab = 'sheet'
+      if (opened.kind !== 'scene') this.tab = 'sheet'
       if (opened.kind === 'scene' && this.tab !== 'live' && this.tab !== 'steps' && this.tab !== 'sheet') this.tab = 'live'
       this.dressTabs()
       await this.draw(false)

@@ -161,8 +161,10 @@ pub(super) fn held(
             let all: Vec<Both> =
                 bars.into_iter().chain(guides.iter().map(guide)).chain(cylinders).collect();
             let verb = if all.len() == 1 { "leaves" } else { "leave" };
-            let place = |p: PointId| both!("at the joint" => "at {}", scene.point_name(p)).zh;
-            let at_joint = Both { zh: joint.map_or_else(String::new, place), ..at_joint };
+            let at_joint = joint.map_or_else(
+                Both::default,
+                |p| both!("at the joint" => " at {}", scene.point_name(p)),
+            );
             both!(
                 "{} {} one freedom open{}{}",
                 Both::listed(&all),

@@ -39,6 +39,16 @@ impl Lang {
         }
     }
 
+    /// Returns the separator of names in a list.
+    pub const fn comma(self) -> &'static str {
+        self.pick([", ", "、"])
+    }
+
+    /// Returns the separator of statements on one line.
+    pub const fn semicolon(self) -> &'static str {
+        self.pick(["; ", "；"])
+    }
+
     /// Returns the element of this language, `lang.pick(each!("stroke"))`.
     pub const fn pick<T: Copy>(self, [en, zh]: [T; 2]) -> T {
         match self {

@@ -1,6 +1,6 @@
 //! Linear systems: a square matrix with its factors, solved for many right-hand sides.
 //!
-//! It is in this crate because this one is optimised in all builds.
+//! It is in this crate because `hodograph-base` is optimised in development builds, too.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -97,7 +97,8 @@ impl RowFactors {
     }
 }
 
-/// Returns the sum of `n` products: of each eighth one first, as nalgebra adds them.
+/// Returns the sum of `n` products. Eight interleaved sums are added, as nalgebra adds them, so that
+/// results are equal to the last bit.
 fn dot(n: usize, product: impl Fn(usize) -> f64) -> f64 {
     let mut sums = [0.0; 8];
     let whole = n - n % 8;

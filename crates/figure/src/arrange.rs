@@ -293,6 +293,11 @@ fn lines(blocks: Vec<Tree>, drawings: usize, width_mm: f64, parts: &[DrawingPart
 /// Places the parts as the tree says and joins them into one.
 pub(super) fn put_together(tree: Tree, mut parts: Vec<DrawingPart>) -> DrawingPart {
     tree.put(&mut parts, Point::ORIGIN);
+    joined(parts)
+}
+
+/// Joins placed parts into one.
+pub(super) fn joined(parts: Vec<DrawingPart>) -> DrawingPart {
     DrawingPart::of(parts.into_iter().flat_map(|p| p.items).collect())
 }
 

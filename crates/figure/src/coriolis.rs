@@ -19,7 +19,7 @@ use hodograph_worked::worked::Worked;
 
 use super::composite::named;
 use super::extremes::with_rows;
-use super::inversions::stand;
+use super::inversions::in_rows;
 use super::list::{FigureEntry, FigureInput, Pages, page};
 use super::mechanism::{Composed, ComposedVector, composed};
 use super::sheet::SheetDrafter;
@@ -134,23 +134,13 @@ fn described(w: &FigureInput, scene: &Scene, caption: &Phrase, s: &SlideCoriolis
     format!("{}: {}", caption.plain(), lines.join(", "))
 }
 
-fn sheet(w: &FigureInput, mut parts: Vec<DrawingPart>, told: Vec<String>) -> Figure {
+fn sheet(w: &FigureInput, parts: Vec<DrawingPart>, told: Vec<String>) -> Figure {
     // Few drawings are in one row, four in two.
     let columns = match parts.len() {
         4 => 2,
         n => n.clamp(1, PER_ROW),
     };
-    stand(&mut parts, columns);
-    let maker = SheetDrafter {
-        scene: w.scene,
-        worked: w.worked,
-        options: w.options,
-        certified: Vec::new(),
-    };
-    let mut figure =
-        maker.alone(DrawingPart::of(parts.into_iter().flat_map(|p| p.items).collect()));
-    figure.desc = told.join("; ");
-    figure
+    in_rows(w, parts, columns, told.join("; "))
 }
 
 /// Draws a slide: the mechanism with v_r and a_k at the point, and the decision below.

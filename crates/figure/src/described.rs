@@ -72,7 +72,7 @@ fn vectors(items: &[FigureItem], kind: &str) -> Vec<String> {
 fn list(lang: Lang, mut names: Vec<String>) -> String {
     let more = names.len().saturating_sub(TOLD);
     names.truncate(TOLD);
-    let told = names.join(tr!(lang, "list" => ", "));
+    let told = names.join(lang.comma());
     match more {
         0 => told,
         more => say!(lang, "{told} and {more} more"),

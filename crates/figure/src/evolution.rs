@@ -18,7 +18,7 @@ use hodograph_worked::worked::{Scope, work};
 
 use super::composite::named;
 use super::extremes::{amount, with_rows};
-use super::inversions::stand;
+use super::inversions::in_rows;
 use super::list::{FigureEntry, FigureInput, Pages, page};
 use super::mechanism::{AROUND_MM, eccentric, numbered, rod_in_block};
 use super::sheet::SheetDrafter;
@@ -62,13 +62,7 @@ fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
         told.push(lines.iter().map(Phrase::plain).collect::<Vec<_>>().join(", "));
         parts.push(cell(w, s, lines, k));
     }
-    stand(&mut parts, PER_ROW.min(stages.len()));
-    let options = w.options;
-    let maker = SheetDrafter { scene: w.scene, worked: w.worked, options, certified: Vec::new() };
-    let mut figure =
-        maker.alone(DrawingPart::of(parts.into_iter().flat_map(|p| p.items).collect()));
-    figure.desc = told.join("; ");
-    page(ENTRY.name, Some(figure))
+    page(ENTRY.name, Some(in_rows(w, parts, PER_ROW.min(stages.len()), told.join("; "))))
 }
 
 /// Returns the size of the largest stage (m).

@@ -22,11 +22,13 @@ use hodograph_paper::paper::item::Figure;
 /// last drawings are as wide as a thumb.
 const PARTS: [f64; 7] = [1.0, 0.8, 0.64, 0.5, 0.4, 0.32, 0.25];
 /// The last of the size factors.
-const LAST_PART: f64 = 0.25;
-/// A drawing that would exceed the page by more than this at the last size factor fits at none: the
-/// series of scales makes it at most twice as small as its factor. Nor does one that exceeds the page
-/// at each size and does not shrink, as its labels need the space.
+const LAST_PART: f64 = PARTS[PARTS.len() - 1];
+/// A drawing that exceeds the page by more than this factor, reduced to the last size factor, fits
+/// at none: a scale of the series makes it at most twice as small as its factor.
 const FAR: f64 = 2.5;
+/// Drawings larger than the page by more than this factor do not fit, whatever space their boxes
+/// leave around the ink.
+const MAY_FIT: f64 = 1.25;
 /// Smallest factor at which drawings are reduced to save a page, for each point of the type: labels
 /// of a slide need a drawing twice as large as those of a book.
 const LEAST_OF_FEWER: f64 = 0.5 / 9.0;
@@ -187,10 +189,6 @@ pub struct Within {
     pub stacked: bool,
 }
 
-/// Drawings larger than the page by more than this factor do not fit, whatever space their boxes
-/// leave around the ink.
-const MAY_FIT: f64 = 1.25;
-
 /// Returns the first attempt that fits: drawings side by side as long as their type is easily
 /// legible, then one below the other (`true`), each at decreasing sizes. `draw` returns the size
 /// (mm) of a drawing that does not fit.
@@ -221,8 +219,10 @@ pub fn first_that_fits<T>(
                 // One below the other, two drawings have at least half the width.
                 let least = [if stacked { size[0] } else { 0.5 * size[0] }, size[1]];
                 far |= (0..2).any(|k| {
+                    // Labels need their space: a far too large drawing that does not shrink stays so.
+                    let keeps = needs[k] > 0.0 && size[k] >= needs[k];
                     least[k] * LAST_PART / part > FAR * inner[k]
-                        || size[k] > inner[k] / LAST_PART && size[k] >= needs[k] && needs[k] > 0.0
+                        || keeps && size[k] > inner[k] / LAST_PART
                 });
                 needs = size;
             }
@@ -313,7 +313,7 @@ fn grown(w: &FigureInput, part: f64, format: &PageFormat) -> Result<Option<Warne
 /// The content that may be left out of a sheet at this size factor. Type of a fixed size does not
 /// become narrower with the drawings.
 fn fewer(part: f64, format: &PageFormat) -> Fewer {
-    if part == PARTS[PARTS.len() - 1] {
+    if part == LAST_PART {
         Fewer::Drawings
     } else if format.type_pt.is_some() && part > LEAST_FORCES {
         Fewer::Broken

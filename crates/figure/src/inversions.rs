@@ -8,12 +8,14 @@ use hodograph_methods::inversions::{Inversion, inversions};
 use hodograph_report::inversions as report;
 use hodograph_scene::DiagramKind;
 
+use super::arrange::joined;
+use super::composite::named;
 use super::list::{FigureEntry, FigureInput, Pages};
 use super::mechanism;
 use super::sheet::SheetDrafter;
 use crate::scales::DrawingScales;
 use hodograph_paper::paper::drawing::DrawingPart;
-use hodograph_paper::paper::item::{Figure, FigureItem};
+use hodograph_paper::paper::item::{Figure, FigureItem, Shape};
 use hodograph_paper::paper::label::Label;
 
 /// All inversions.
@@ -49,8 +51,19 @@ fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
 
 /// Draws some of the inversions on a page.
 fn sheet(w: &FigureInput, some: &[(usize, &Inversion)]) -> Figure {
-    let mut parts: Vec<DrawingPart> = some.iter().map(|(k, i)| part(w, i, *k)).collect();
+    let parts: Vec<DrawingPart> = some.iter().map(|(k, i)| part(w, i, *k)).collect();
     let columns = PER_ROW[usize::from(parts.len() > 4)];
+    let lines: Vec<String> = some.iter().map(|(_, i)| report::line(i, w.options.lang)).collect();
+    in_rows(w, parts, columns, lines.join("; "))
+}
+
+/// Returns the figure of drawings in rows, with its description.
+pub(super) fn in_rows(
+    w: &FigureInput,
+    mut parts: Vec<DrawingPart>,
+    columns: usize,
+    desc: String,
+) -> Figure {
     stand(&mut parts, columns);
     let maker = SheetDrafter {
         scene: w.scene,
@@ -58,11 +71,7 @@ fn sheet(w: &FigureInput, some: &[(usize, &Inversion)]) -> Figure {
         options: w.options,
         certified: Vec::new(),
     };
-    let mut figure =
-        maker.alone(DrawingPart::of(parts.into_iter().flat_map(|p| p.items).collect()));
-    figure.desc =
-        some.iter().map(|(_, i)| report::line(i, w.options.lang)).collect::<Vec<_>>().join("; ");
-    figure
+    Figure { desc, ..maker.alone(joined(parts)) }
 }
 
 /// Draws one inversion, with its name.
@@ -79,33 +88,36 @@ fn part(w: &FigureInput, i: &Inversion, k: usize) -> DrawingPart {
     let caption = format!("({}) {}", k + 1, report::heading(i, w.options.lang));
     let words = format!("\\text{{{}}}", report::words(i, w.options.lang));
     let below = DrawingScales::words(words).and(mu);
-    let mut part = maker.titled(drawing, Label::text(caption), &below, "inversion");
-    part.items.iter_mut().for_each(|item| named(item, k));
-    part
-}
-
-/// Prefixes the id of an item, so that it differs between drawings.
-fn named(item: &mut FigureItem, k: usize) {
-    if !item.id.is_empty() {
-        item.id = format!("inversion-{}-{}", k + 1, item.id);
-    }
+    named(maker.titled(drawing, Label::text(caption), &below, "inversion"), "inversion", k)
 }
 
 /// Arranges parts in rows: captions of a row on one line, columns as wide as their widest part.
-pub(super) fn stand(parts: &mut [DrawingPart], columns: usize) {
+fn stand(parts: &mut [DrawingPart], columns: usize) {
     let width = |k: usize| {
         parts.iter().skip(k).step_by(columns).map(|p| p.bounds.width_mm()).fold(0.0, f64::max)
     };
     let widths: Vec<f64> = (0..columns).map(width).collect();
+    let above = |p: &DrawingPart| p.bounds.max.y - caption_y(p);
+    let below = |p: &DrawingPart| caption_y(p) - p.bounds.min.y;
     let mut y = 0.0;
     for row in parts.chunks_mut(columns) {
-        let height = row.iter().map(|p| p.bounds.height_mm()).fold(0.0, f64::max);
+        let high = row.iter().map(above).fold(0.0, f64::max);
+        let low = row.iter().map(below).fold(0.0, f64::max);
         let mut x = 0.0;
         for (part, wide) in row.iter_mut().zip(&widths) {
-            let (w, h) = (part.bounds.width_mm(), part.bounds.height_mm());
-            part.stand_at(Point::new(x + (wide - w) / 2.0, y - (height - h)));
+            let at = [x + (wide - part.bounds.width_mm()) / 2.0, y - (high - above(part))];
+            part.stand_at(Point::new(at[0], at[1]));
             x += wide + GAP_MM;
         }
-        y -= height + GAP_MM;
+        y -= high + low + GAP_MM;
     }
+}
+
+/// Returns the line of a part's caption; without one, its lower edge.
+fn caption_y(part: &DrawingPart) -> f64 {
+    let line = |i: &FigureItem| {
+        let Shape::Label { at, .. } = &i.shape else { return None };
+        (i.class == "caption").then_some(at.y)
+    };
+    part.items.iter().find_map(line).unwrap_or(part.bounds.min.y)
 }

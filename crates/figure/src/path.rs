@@ -271,7 +271,7 @@ impl PathPage<'_> {
             .collect();
         let seen = self.against.map(|l| self.scene().link_name(l));
         let lang = self.maker.options.lang;
-        let all = names.join(lang.pick([", ", "、"]));
+        let all = names.join(lang.comma());
         let words = match (names.len(), seen) {
             (1, None) => say!(lang, "Path of {all}"),
             (_, None) => say!(lang, "Paths of {all}"),
@@ -436,11 +436,7 @@ impl PathPage<'_> {
         if let Some(link) = self.against.map(|l| self.scene().link_name(l)) {
             let points: Vec<&str> =
                 self.moved.points.iter().map(|p| self.scene().point_name(*p)).collect();
-            return say!(
-                lang,
-                "Path of {} seen from link {link}.",
-                points.join(lang.pick([", ", "、"]))
-            );
+            return say!(lang, "Path of {} seen from link {link}.", points.join(lang.comma()));
         }
         let mut said = Vec::new();
         for (k, point) in self.moved.points.iter().enumerate() {

@@ -30,7 +30,7 @@ pub fn figure(scene: &Scene, worked: &Worked, options: &SheetOptions) -> Result<
         of.links.iter().map(|l| lang.of(&replacing_words(scene, &of, l)).to_owned()).collect();
     lines.extend(scene.has_momentary_cams().then(|| lang.of(&momentary()).to_owned()));
     let heading = tr!(lang, "Higher pairs replaced by lower ones");
-    let about = lines.join(tr!(lang, "sentence" => "; "));
+    let about = lines.join(lang.semicolon());
     let about = format!("{about}{}", tr!(lang, "."));
     Ok(side_by_side(scene, parts, (heading, &about, &lines), style, lang))
 }

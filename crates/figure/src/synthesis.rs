@@ -404,7 +404,7 @@ fn sentences(
         })
     });
     let read = tr!(lang, "Measured, in brackets the closed formula: ");
-    add(&format!("{read}{}", readings.collect::<Vec<_>>().join(tr!(lang, "sentence" => "; "))));
+    add(&format!("{read}{}", readings.collect::<Vec<_>>().join(lang.semicolon())));
     lines
 }
 

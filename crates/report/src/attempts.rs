@@ -306,10 +306,9 @@ impl AttemptWords<'_> {
         let said =
             a.said.as_ref().and_then(|s| s.why.as_ref()).map(|w| w.get(self.lang).to_owned());
         let why = a.site.why(self.scene);
-        match (said, self.lang) {
-            (Some(said), _) => Phrase::of_words(&said),
-            (None, Lang::En) => Phrase::new(&why.en),
-            (None, Lang::Zh) => Phrase::new(&why.zh),
+        match said {
+            Some(said) => Phrase::of_words(&said),
+            None => Phrase::new(self.lang.of(&why)),
         }
     }
 

@@ -159,7 +159,7 @@ impl<'a> CentreWords<'a> {
         Phrase::new(&say!(
             self.lang,
             "absolute: {}; the others relative",
-            names.join(self.lang.pick([", ", "、"]))
+            names.join(self.lang.comma())
         ))
     }
 
@@ -310,9 +310,9 @@ impl<'a> CentreWords<'a> {
                 };
                 let ratio = legible(if rate == 0.0 { 0.0 } else { of_other / arm }, DIGITS);
                 let (over, then) = if frame == self.scene.ground {
-                    ("/", tr!(lang, "; "))
+                    ("/", lang.semicolon())
                 } else {
-                    (" : ", tr!(lang, "; "))
+                    (" : ", lang.semicolon())
                 };
                 let (near, far) = (self.length(of_other), self.length(arm));
                 format!(

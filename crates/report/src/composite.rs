@@ -34,7 +34,7 @@ use serde_json::{Value as Json, json};
 /// Significant digits of the table; `solve` prints the certified ones.
 const DIGITS: usize = 5;
 /// Number of values per line.
-const PER_LINE: usize = 3;
+pub const PER_LINE: usize = 3;
 
 /// Returns the report as text.
 pub fn text(
@@ -302,9 +302,8 @@ impl CompositeWords<'_> {
         let arm = format!("l_{{{axis}{point}}}");
         let link = name_label(scene.link_name(t.link));
         let value = |kind: Kind, si: f64| {
-            let number = inked(&significant(scene.book.value(kind, si.abs()), DIGITS));
             let words = if si == 0.0 { "" } else { sense(lang, si) };
-            format!("{}$ {words}", scene.book.label(kind, &number)).trim_end().to_owned()
+            format!("{}$ {words}", self.amount(kind, si.abs())).trim_end().to_owned()
         };
         let mut out =
             format!("$\\omega_{{{link}}} = v_{{{whose}}}/{arm} = {}", value(Kind::Omega, t.omega));
@@ -340,11 +339,8 @@ impl CompositeWords<'_> {
 
     /// Returns the normal part of a_r at a momentary contact: its formula and its numbers.
     fn contact(&self, slip: &ContactSlip, per_line: usize) -> Vec<Phrase> {
-        let (lang, book) = (self.lang, &self.scene.book);
-        let told = |kind: Kind, value: f64| {
-            let number = inked(&significant(book.value(kind, value) + 0.0, DIGITS));
-            book.label(kind, &number)
-        };
+        let lang = self.lang;
+        let told = |kind: Kind, value: f64| self.amount(kind, value);
         let formula = match slip.radii {
             [Some(_), None] => "\\Omega^2\\rho + 2\\Omega v_{s}",
             [None, Some(_)] => "\\Omega^2\\rho",
@@ -379,14 +375,19 @@ impl CompositeWords<'_> {
             if v.norm() <= 1e-12 * largest {
                 return format!("${symbol} = 0$");
             }
-            let number = inked(&significant(self.scene.book.value(kind, v.norm()), DIGITS));
             let degrees = inked(&significant(direction_degrees(v.angle()), DIGITS));
-            format!("${symbol} = {}$ ∠ ${degrees}$°", self.scene.book.label(kind, &number))
+            format!("${symbol} = {}$ ∠ ${degrees}$°", self.amount(kind, v.norm()))
         };
         vectors
             .chunks(per_line.max(1))
             .map(|row| Phrase::new(&row.iter().map(told).collect::<Vec<_>>().join(self.comma())))
             .collect()
+    }
+
+    /// Returns an amount with its unit.
+    fn amount(&self, kind: Kind, si: f64) -> String {
+        let number = inked(&significant(self.scene.book.value(kind, si) + 0.0, DIGITS));
+        self.scene.book.label(kind, &number)
     }
 
     fn comma(&self) -> &'static str {

@@ -291,7 +291,7 @@ impl CurvatureWords<'_> {
             Phrase::new(&say!(
                 self.lang,
                 "not drawn, as their construction leaves the paper: {}",
-                marked.join(self.lang.pick([", ", "、"]))
+                marked.join(self.lang.comma())
             ))
         })
     }

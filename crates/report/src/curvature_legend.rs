@@ -56,7 +56,7 @@ impl CurvatureWords<'_> {
         if bent.iter().any(|p| p.drawn.is_some() && !on_ray(p.point)) && !pole.stands() {
             add(self.helper().into(), each!("helping point of the construction (Euler-Savary)"));
         }
-        let separate = self.lang.pick(["; ", "；"]);
+        let separate = self.lang.semicolon();
         vec![Phrase::new(&parts.join(separate))]
     }
 

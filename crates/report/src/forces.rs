@@ -166,7 +166,7 @@ impl ForceWriter<'_> {
             "VI" => tr!(self.lang, "class VI"),
             kind => kind,
         };
-        let links = names.join(self.lang.pick([", ", "、"]));
+        let links = names.join(self.lang.comma());
         match names.len() {
             1 => say!(self.lang, "Link {links} ({kind})"),
             _ => say!(self.lang, "Links {links} ({kind})"),
@@ -274,7 +274,7 @@ impl ForceWriter<'_> {
         } else {
             format!("{given} + ({}) = 0", sum.text)
         };
-        let links = names.join(self.lang.pick([", ", "、"]));
+        let links = names.join(self.lang.comma());
         match names.len() {
             1 => {
                 say!(
@@ -298,7 +298,7 @@ impl ForceWriter<'_> {
         let value = self.amount(Kind::Force, self.number(m.value));
         let names = m.links.iter().skip(1).map(|l| self.scene.link_name(*l)).collect::<Vec<_>>();
         let last = m.links.first().map_or("", |l| self.scene.link_name(*l));
-        let links = names.join(self.lang.pick([", ", "、"]));
+        let links = names.join(self.lang.comma());
         let ([f, g], [m, n]) = (tried, left);
         match names.len() {
             1 => say!(
@@ -365,7 +365,7 @@ impl ForceWriter<'_> {
                 .filter(|s| !s.known)
                 .map(|s| format!("${}$", self.symbol(s.term)))
                 .collect();
-            let unknown = unknown.join(tr!(self.lang, "list" => ", "));
+            let unknown = unknown.join(self.lang.comma());
             let sentence = say!(
                 self.lang,
                 "Equilibrium of forces: ${}$; the polygon gives {unknown}.",
@@ -404,7 +404,7 @@ impl ForceWriter<'_> {
         let mut out = String::new();
         for undrawn in &self.of.undrawn {
             let names: Vec<&str> = undrawn.links.iter().map(|l| self.scene.link_name(*l)).collect();
-            let links = names.join(self.lang.pick([", ", "、"]));
+            let links = names.join(self.lang.comma());
             out += &match names.len() {
                 1 => say!(self.lang, "  Link {links} is not drawn: {}\n", undrawn.why),
                 _ => say!(self.lang, "  Links {links} are not drawn: {}\n", undrawn.why),

@@ -75,7 +75,7 @@ impl GivenSentences<'_> {
             all.push(format!(
                 "{}{}",
                 tr!(self.lang, "lengths: "),
-                lengths.join(self.words().comma)
+                lengths.join(self.lang().comma())
             ));
         }
         all
@@ -93,7 +93,7 @@ impl GivenSentences<'_> {
             all.push(format!(
                 "{}{}",
                 tr!(self.lang, "points: "),
-                places.join(tr!(self.lang, "; "))
+                places.join(self.lang.semicolon())
             ));
         }
         // Guides that belong to rolling pairs and cams are not in the file.

@@ -45,13 +45,13 @@ pub fn heading(i: &Inversion, lang: Lang) -> String {
 pub fn words(i: &Inversion, lang: Lang) -> String {
     let mut parts: Vec<String> = name(i, lang).into_iter().map(str::to_owned).collect();
     let turning = turning(i);
-    let links = turning.join(lang.pick([", ", "、"]));
+    let links = turning.join(lang.comma());
     parts.push(match turning.len() {
         0 => tr!(lang, "no link on the ground turns fully").to_owned(),
         1 => say!(lang, "link {links} turns fully"),
         _ => say!(lang, "links {links} turn fully"),
     });
-    parts.join(tr!(lang, "; "))
+    parts.join(lang.semicolon())
 }
 
 /// Returns the name of an inversion of a chain of four links with slides; `None` for other chains.

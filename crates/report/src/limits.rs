@@ -219,7 +219,7 @@ impl<'a> LimitWords<'a> {
     fn joint(&self, links: &[LinkId], pin: Option<PointId>) -> String {
         let names: Vec<_> = links.iter().map(|l| self.scene.link_name(*l)).collect();
         let word = if names.len() == 1 { tr!(self.lang, "link") } else { tr!(self.lang, "links") };
-        let names = names.join(tr!(self.lang, "list" => ", "));
+        let names = names.join(self.lang.comma());
         match (pin.map(|p| self.scene.point_name(p)), names.is_empty()) {
             (Some(p), true) => p.to_owned(),
             (Some(p), false) => {

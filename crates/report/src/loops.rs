@@ -54,7 +54,7 @@ impl<'a> LoopWords<'a> {
         let given = self.all.variables.iter().filter(|v| v.driver.is_some());
         let known: Vec<String> =
             given.map(|v| of(v).join(tr!(self.lang, "clause" => ", "))).collect();
-        let known = known.join(tr!(self.lang, "; "));
+        let known = known.join(self.lang.semicolon());
         lines.push(format!("{}{known}", tr!(self.lang, "given: ")));
         for g in &self.all.groups {
             lines.push(String::new());
@@ -181,7 +181,7 @@ impl<'a> LoopWords<'a> {
     /// Returns the heading of a group: its links and kind.
     pub fn heading(&self, g: &GroupLoops) -> String {
         let names: Vec<&str> = g.links.iter().map(|l| self.scene.link_name(*l)).collect();
-        let links = names.join(self.lang.pick([", ", "、"]));
+        let links = names.join(self.lang.comma());
         match names.len() {
             1 => say!(self.lang, "link {links} ({})", g.kind),
             _ => say!(self.lang, "links {links} ({})", g.kind),
@@ -193,7 +193,7 @@ impl<'a> LoopWords<'a> {
     pub fn method(&self, g: &GroupLoops) -> String {
         let unknowns: Vec<String> =
             g.unknowns.iter().map(|k| format!("${}$", self.symbol(*k, 0))).collect();
-        let (list, how) = (unknowns.join(tr!(self.lang, "list" => ", ")), self.form(g.form));
+        let (list, how) = (unknowns.join(self.lang.comma()), self.form(g.form));
         say!(self.lang, "Unknowns: {list}. {how}")
     }
 

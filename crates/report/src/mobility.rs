@@ -185,7 +185,7 @@ pub fn kinds(choice: &ForDrivers, lang: Lang) -> String {
     };
     let replaced = choice.replaced();
     let groups = replaced.as_ref().unwrap_or(choice).from_the_far_end();
-    groups.iter().map(kind).collect::<Vec<_>>().join(tr!(lang, "list" => ", "))
+    groups.iter().map(kind).collect::<Vec<_>>().join(lang.comma())
 }
 
 /// The counts of a scene, with all reasons.
@@ -374,7 +374,7 @@ pub fn text(
 }
 
 fn choice_words(choice: &ForDrivers, lang: Lang) -> String {
-    let names = choice.names().join(tr!(lang, "list" => ", "));
+    let names = choice.names().join(lang.comma());
     let class = class(choice, lang);
     let given = if choice.given { tr!(lang, " (given)") } else { "" };
     say!(lang, "driven by {names}{given}: mechanism of class {class}; groups from the far end")

@@ -37,7 +37,7 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &PlanWriter, forces: Option<&ForceW
         f.lower,
         f.higher,
         minus(&f.freedom.to_string()),
-        tr!(lang, "; "),
+        lang.semicolon(),
         match scene.own_drivers() {
             1 => tr!(lang, "1 driver").to_owned(),
             n => say!(lang, "{n} drivers"),
@@ -87,7 +87,7 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &PlanWriter, forces: Option<&ForceW
         line(format!(
             "{} {}{}{}",
             tr!(lang, "links"),
-            names.join(tr!(lang, "list" => ", ")),
+            names.join(lang.comma()),
             tr!(lang, ": "),
             tr!(
                 lang,
@@ -154,7 +154,7 @@ fn group(
             zh_format!("group" => "class {}{kind}", grade(class))
         }
     };
-    let comma = tr!(lang, "list" => ", ");
+    let comma = lang.comma();
     let links = match links.len() {
         0 => String::new(),
         // A dyad has two links: the other one replaces a contact, a belt or a rope.
@@ -183,14 +183,10 @@ pub(super) fn effect_words(scene: &Scene, m: &Mechanism, e: Effect, lang: Lang) 
         Effect::Velocities => tr!(lang, "velocities").into(),
         Effect::Accelerations => tr!(lang, "accelerations").into(),
         Effect::DriverRate(d) | Effect::DriverAcceleration(d) => {
-            let words = moved_words(scene, d);
-            let name = match lang {
-                Lang::En => words.en,
-                Lang::Zh => words.zh,
-            };
+            let name = moved_words(scene, d);
             match e {
-                Effect::DriverRate(_) => say!(lang, "velocity of the driver ({name})"),
-                _ => say!(lang, "acceleration of the driver ({name})"),
+                Effect::DriverRate(_) => say!(lang, "velocity of the driver ({})", name),
+                _ => say!(lang, "acceleration of the driver ({})", name),
             }
         }
         Effect::Coriolis(g) => {
@@ -207,7 +203,7 @@ pub(super) fn effect_words(scene: &Scene, m: &Mechanism, e: Effect, lang: Lang) 
             let names: Vec<_> = m.groups[g].links.iter().map(|l| scene.link_name(*l)).collect();
             if names.is_empty() {
                 let pins: Vec<_> = m.groups[g].pins.iter().map(|p| scene.point_name(*p)).collect();
-                return format!("{} {}", tr!(lang, "joint"), pins.join(tr!(lang, "list" => ", ")));
+                return format!("{} {}", tr!(lang, "joint"), pins.join(lang.comma()));
             }
             format!(
                 "{} {}",
@@ -215,7 +211,7 @@ pub(super) fn effect_words(scene: &Scene, m: &Mechanism, e: Effect, lang: Lang) 
                     1 => tr!(lang, "link"),
                     _ => tr!(lang, "links"),
                 },
-                names.join(tr!(lang, "list" => ", "))
+                names.join(lang.comma())
             )
         }
     }

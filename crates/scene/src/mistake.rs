@@ -53,7 +53,7 @@ impl Mistake {
 
     /// Returns its name in headings.
     pub fn title(self, lang: Lang) -> &'static str {
-        let [en, zh] = match self {
+        lang.pick(match self {
             Mistake::ContactPoint => {
                 each!("Momentary contact point taken as a permanent coincident point")
             }
@@ -69,10 +69,6 @@ impl Mistake {
             Mistake::AccelerationByCentre => {
                 each!("Acceleration by the instantaneous centre of velocity")
             }
-        };
-        match lang {
-            Lang::En => en,
-            Lang::Zh => zh,
-        }
+        })
     }
 }

@@ -109,7 +109,7 @@ impl Worked {
     /// the pose, the equations and the analysis are kept.
     ///
     /// # Errors
-    /// Those of the drawing.
+    /// The errors of the drawing.
     pub fn to_scales(&self, scene: &Scene) -> Result<Worked, Faults> {
         let posed = pose::to_scales(scene, self)?;
         let drawn = answered(scene, self.mechanism.clone(), self.demand.clone(), posed).value;

@@ -10,7 +10,7 @@ use hodograph::figure::stepped::ConstructionMethod;
 use hodograph::paper::item::Figure;
 use hodograph::paper::words::words;
 use hodograph::problem::cams::{self, SurveyedCam};
-use hodograph::problem::turn::turn_table;
+use hodograph::problem::turn::{MOST_TABLE_STEPS, turn_table};
 use hodograph::problem::{self, Kind, Lesson, Look, Options, Pictures, whole, whole_page};
 use hodograph::render::pages::Page;
 use hodograph::report::table::{Csv, RowFormat, TableHead, TablePiece};
@@ -101,7 +101,14 @@ impl OpenFile {
     fn sheet(&self, message: &Json, look: &Look) -> Result<Document, Faults> {
         let mut sheet = self.solved.worksheet(sides(message), task(message), look)?;
         if let Some(steps) = message["table"].as_u64().and_then(|n| usize::try_from(n).ok()) {
-            sheet.blocks.extend(turn_table(self.text.as_bytes(), steps.clamp(1, 360), look)?.value);
+            sheet.blocks.extend(
+                turn_table(
+                    self.text.as_bytes(),
+                    steps.clamp(1, usize::from(MOST_TABLE_STEPS)),
+                    look,
+                )?
+                .value,
+            );
         }
         Ok(sheet)
     }

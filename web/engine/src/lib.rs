@@ -3,7 +3,8 @@
 //! [`abi`] is the interface to the page's worker, without imports: it exchanges bytes. [`Engine`]
 //! answers messages: `open` reads a file and keeps it under a handle, `frame` draws it at a place
 //! of its motion, `steps` draws the construction, `motion` follows the driver, `place` gives the
-//! edit that puts a driver into the text, `export` writes documents, `report` tells limits, mobility, motion cycle or cams, `close` forgets the file.
+//! edit that puts a driver into the text, `export` writes documents, `report` tells limits, mobility,
+//! motion cycle or cams, `close` forgets the file.
 //! `templates`, `template`, `schema`, `values` (of quantities of a text) and
 //! `trial` (the frame of a text that is not kept) need no file.
 

@@ -106,7 +106,7 @@ fn legend(disc: &Disc, lang: Lang) -> String {
     };
     parts.push(thin.to_owned());
     if !dashed.is_empty() {
-        parts.push(format!("{}{}", tr!(lang, "dashed: "), dashed.join(tr!(lang, "list" => ", "))));
+        parts.push(format!("{}{}", tr!(lang, "dashed: "), dashed.join(lang.comma())));
     }
     parts.join(between)
 }

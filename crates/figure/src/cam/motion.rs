@@ -70,7 +70,7 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     let desc = say!(
         lang,
         "Displacement, velocity and acceleration of the follower over a turn of the cam. {}.",
-        said.join(lang.pick(["; ", "；"]))
+        said.join(lang.semicolon())
     );
     painted(style, lang, [width_mm, height_mm], [title, desc], items)
 }

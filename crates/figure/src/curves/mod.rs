@@ -146,7 +146,7 @@ fn page(
         lang,
         "Diagrams against {}. {}.",
         formula(&diagram.driver[0]),
-        said.join(lang.pick(["; ", "；"]))
+        said.join(lang.semicolon())
     );
     painted(style, lang, [width_mm, height_mm], [heading, desc], items)
 }

@@ -158,6 +158,6 @@ fn positions(scene: &Scene, swept: Swept, places: &[f64], lang: Lang) -> String 
     };
     let list: Vec<String> = places.iter().map(|x| format!("${}$", number(x))).collect();
     let unit = if degree { String::new() } else { format!(" ${unit}$") };
-    let list = list.join(tr!(lang, "list" => ", "));
+    let list = list.join(lang.comma());
     say!(lang, "Positions 1 to {}: ${driver}$ = {list}{unit}", places.len())
 }

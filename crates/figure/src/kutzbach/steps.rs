@@ -135,7 +135,7 @@ impl KutzbachPlan<'_> {
         let mut out = vec![say!(
             lang,
             "The line of centres is drawn upright, with the pitch circles and the points {}. Velocities are perpendicular to it; they begin on the vertical zero line.",
-            names.join(lang.pick([", ", "、"]))
+            names.join(lang.comma())
         )];
         for (k, link) in self.order.iter().enumerate() {
             let shared = self.shared(stations, &self.order[..k], *link);
@@ -164,7 +164,7 @@ impl KutzbachPlan<'_> {
                     say!(
                         lang,
                         "Link {name_of}: {}. The line through both ends is its ray.",
-                        ends.join(lang.pick(["; ", "；"]))
+                        ends.join(lang.semicolon())
                     )
                 }
             });

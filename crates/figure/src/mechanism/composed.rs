@@ -42,7 +42,7 @@ pub struct ComposedVector {
 pub struct Composed {
     /// The moving point; `None` without vectors.
     pub at: Option<PointId>,
-    /// True if links have their numbers, and special points are left out.
+    /// True for a drawing with the numbers of links in place of the special points.
     pub numbered: bool,
     /// The absolute vector and its components.
     pub vectors: Vec<ComposedVector>,

@@ -280,7 +280,7 @@ impl MechanismDraft<'_> {
                 let size = from.distance(foot) / self.mm(1.0);
                 let number = match offset {
                     Some(offset) => self.dimension(offset),
-                    None => number(&self.scene.told(Kind::Length, "", size), size),
+                    None => self.length_of("", size),
                 };
                 out.push((GuideId(g), (from, foot, format!("dimension-offset-{g}"), number)));
             }
@@ -433,13 +433,18 @@ impl MechanismDraft<'_> {
     fn dimension(&self, given: &GivenQuantity) -> String {
         let size = given.value.abs();
         let text = given.text.trim_start_matches(['-', '−']);
-        number(&self.scene.told(Kind::Length, text, size), size)
+        self.length_of(text, size)
+    }
+
+    /// A length as the number of a dimension, as it is written where a text is given.
+    pub(super) fn length_of(&self, text: &str, value: f64) -> String {
+        number(&self.scene.told(Kind::Length, text, value), value)
     }
 }
 
 /// A length as the number of a dimension: millimetres, rounded to a micrometre, without their name;
 /// all else with its unit.
-pub(super) fn number(told: &QuantityText, si: f64) -> String {
+fn number(told: &QuantityText, si: f64) -> String {
     let rounded = |value: f64| inked(&shortest((value * 1e3).round() / 1e3));
     match told {
         QuantityText::AsWritten(number, unit) if unit.name() != "mm" => unit.label(&inked(number)),

@@ -6,9 +6,9 @@
 //! points of triads, [`supports`] chooses the side of a pivot's support, [`swings`] draws swinging
 //! blocks, [`crosses`] blocks in two slots, [`dimensions`] the given lengths, [`directions`] guides
 //! that tables call t, [`letters`] numbers and letters, [`overlay`] everything over and behind the
-//! mechanism, [`composed`] the vectors of a composite motion,
-//! [`looped`] closed vectors, [`evolved`] an eccentric disc and a rod in a block, [`positions`] other positions with angles and lengths, [`replaced`] the
-//! linkage in place of cams. Links and points without a position are left out.
+//! mechanism, [`composed`] the vectors of a composite motion, [`looped`] closed vectors, [`evolved`]
+//! an eccentric disc and a rod in a block, [`positions`] other positions with angles and lengths,
+//! [`replaced`] the linkage in place of cams. Links and points without a position are left out.
 
 mod apart;
 mod belts;

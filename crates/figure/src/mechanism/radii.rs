@@ -12,7 +12,6 @@ use hodograph_paper::paper::extent::turned_corners;
 use hodograph_paper::paper::item::{Dash, FigureItem, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::Obstacles;
-use hodograph_scene::Kind;
 
 use super::MechanismDraft;
 use super::dimensions::{AIR_MM, CROSSED_COST, PlacedDimension, turned};
@@ -145,10 +144,5 @@ impl MechanismDraft<'_> {
             }
         }
         best.map(|(_, placed)| placed)
-    }
-
-    /// A given length as the number of a dimension.
-    fn length_of(&self, text: &str, value: f64) -> String {
-        super::dimensions::number(&self.scene.told(Kind::Length, text, value), value)
     }
 }

@@ -14,7 +14,7 @@ use super::inset::Inset;
 use super::names::PointLetter;
 use super::{PolygonArrow, PolygonDraft, is_one};
 
-/// From this number of names at the end of leader lines on, letters are read faster.
+/// With at least this many names on leader lines, a polygon has a key instead.
 pub(super) const LEADERS: usize = 4;
 /// Above this number of vectors, no page holds all names: they are listed without a trial.
 const LISTED_AT_ONCE: usize = 30;
@@ -36,19 +36,20 @@ enum FoundPlace {
 }
 
 impl PolygonDraft<'_> {
-    /// Places all names: in the drawing, in insets, and in a key if at least `leaders` of them have
-    /// leader lines. `done` finishes a drawing.
+    /// Places all names: in the drawing, in insets, and, if `may_key`, in a key where many have leader
+    /// lines. `done` finishes a drawing.
     pub(super) fn named(
         &mut self,
         style: &Style,
-        leaders: usize,
+        may_key: bool,
         done: &dyn Fn(Drawing) -> DrawingPart,
     ) -> DrawingPart {
         let lettered: Vec<usize> =
             (0..self.arrows.len()).filter(|k| self.is_lettered(*k)).collect();
         if self.arrows.len() > LISTED_AT_ONCE {
             self.listed = lettered;
-            return self.keyed(style, &self.insets(|k| self.listed.contains(&k)), done);
+            let insets = self.insets(|k| self.listed.contains(&k));
+            return self.keyed(style, done(self.draw(style, &insets).0));
         }
         let (drawing, names) = self.draw(style, &[]);
         let part = done(drawing);
@@ -57,13 +58,13 @@ impl PolygonDraft<'_> {
         let insets = self.insets(unnamed);
         let part = if insets.is_empty() { part } else { done(self.draw(style, &insets).0) };
         let found = |k: usize| self.found(k, &part, &insets);
-        if lettered.iter().filter(|k| found(**k) == FoundPlace::Led).count() < leaders {
+        if !may_key || lettered.iter().filter(|k| found(**k) == FoundPlace::Led).count() < LEADERS {
             return part;
         }
         // Insets also name vectors that leader lines named, if the drawing becomes no larger.
         let most_mm = [part.bounds.width_mm().max(WIDEST_MM), part.bounds.height_mm()];
         let more = self.insets(|k| found(k) != FoundPlace::Beside);
-        for further in [more, self.insets(unnamed)] {
+        for further in [&more, &insets] {
             let (inside, outside): (Vec<usize>, Vec<usize>) = lettered
                 .iter()
                 .copied()
@@ -72,18 +73,21 @@ impl PolygonDraft<'_> {
                 .into_iter()
                 .filter(|k| self.found(*k, &part, &insets) != FoundPlace::Beside);
             self.listed = listed.collect();
-            let tried = done(self.draw(style, &further).0);
+            let tried = done(self.draw(style, further).0);
             let size_mm = [tried.bounds.width_mm(), tried.bounds.height_mm()];
             if (0..2).any(|k| size_mm[k] > most_mm[k]) {
                 continue;
             }
-            let missing = |k: &usize| self.found(*k, &tried, &further) != FoundPlace::Beside;
-            let more: Vec<usize> = inside.into_iter().filter(missing).collect();
-            self.listed.extend(more);
+            let missing = |k: &usize| self.found(*k, &tried, further) != FoundPlace::Beside;
+            let unplaced: Vec<usize> = inside.into_iter().filter(missing).collect();
+            if unplaced.is_empty() {
+                return self.keyed(style, tried);
+            }
+            self.listed.extend(unplaced);
             self.listed.sort_unstable();
-            return self.keyed(style, &further, done);
+            return self.keyed(style, done(self.draw(style, further).0));
         }
-        self.keyed(style, &insets, done)
+        self.keyed(style, done(self.draw(style, &insets).0))
     }
 
     /// The place of a vector's name in a drawing with these insets.
@@ -102,13 +106,7 @@ impl PolygonDraft<'_> {
     }
 
     /// The drawing without the listed names, and the key below it.
-    fn keyed(
-        &self,
-        style: &Style,
-        insets: &[Inset],
-        done: &dyn Fn(Drawing) -> DrawingPart,
-    ) -> DrawingPart {
-        let mut part = done(self.draw(style, insets).0);
+    fn keyed(&self, style: &Style, mut part: DrawingPart) -> DrawingPart {
         if self.listed.is_empty() {
             return part;
         }
@@ -136,8 +134,7 @@ impl PolygonDraft<'_> {
         [at(a.from).next(), tip].map(|l| l.map_or("", |l| &l.name))
     }
 
-    /// The listed names in columns of at most this width together, if one is that
-    /// narrow.
+    /// The listed names in as many columns as this width holds, at least one.
     fn key(&self, style: &Style, width_mm: f64) -> DrawingPart {
         let (word, size_mm) = (self.p.on.word(), style.small_mm);
         let cell = |text: Label, class: String, name: &str| Cell {

@@ -1,10 +1,10 @@
 //! Draws a velocity or acceleration polygon from the actions of the drawing board.
 //!
 //! This module decides which vectors are drawn, each only once, which are thin, and how points and
-//! vectors are marked. [`inset`] enlarges vectors too small for their names, [`key`] lists names that find no place, [`aside`] draws
-//! overlapping vectors side by side, [`circles`] draws the images of rolling circles, [`names`]
-//! writes the names, [`mod@plates`] splits a polygon of many vectors. The positions are those of
-//! the board. Every item carries the class `step-N`, the index of the action that draws it, so that
+//! vectors are marked. [`inset`] enlarges vectors too small for their names, [`key`] lists names
+//! that find no place, [`aside`] draws overlapping vectors side by side, [`circles`] draws the images
+//! of rolling circles, [`names`] writes the names, [`mod@plates`] splits a polygon of many vectors.
+//! The positions are those of the board. Every item carries the class `step-N`, the index of the action that draws it, so that
 //! a lesson can show the growing polygon.
 
 pub(crate) mod aside;
@@ -92,16 +92,16 @@ const MANY_ARROWS: usize = 16;
 /// Draws a polygon with its pole at the origin. A cluster too small for its names gets an inset; a
 /// polygon of many leader lines, a key.
 pub fn polygon(style: &Style, w: &PlanWriter, p: &Polygon) -> DrawingPart {
-    named(style, w, p, key::LEADERS)
+    named(style, w, p, true)
 }
 
 /// Draws a polygon for a series that shows it step by step: without a key, which would take the
 /// space of the drawing, unless it has too many vectors for anything else.
 pub fn polygon_of_steps(style: &Style, w: &PlanWriter, p: &Polygon) -> DrawingPart {
-    named(style, w, p, usize::MAX)
+    named(style, w, p, false)
 }
 
-fn named(style: &Style, w: &PlanWriter, p: &Polygon, leaders: usize) -> DrawingPart {
+fn named(style: &Style, w: &PlanWriter, p: &Polygon, may_key: bool) -> DrawingPart {
     let (mut draft, style) = PolygonDraft::new(style, w, p, false);
     draft.side_by_side(style.vector.width_mm);
     let finished = |mut drawing: Drawing| {
@@ -114,7 +114,7 @@ fn named(style: &Style, w: &PlanWriter, p: &Polygon, leaders: usize) -> DrawingP
         // In a series, insets and keys would appear and disappear from figure to figure.
         return finished(draft.draw(&style, &[]).0);
     }
-    draft.named(&style, leaders, &finished)
+    draft.named(&style, may_key, &finished)
 }
 
 /// Draws a polygon without insets and before its labels are placed, for series of drawings: with

@@ -12,7 +12,6 @@ use hodograph_paper::paper::drawing::{Drawing, DrawingPart};
 use hodograph_paper::paper::item::Colour;
 use hodograph_paper::paper::style::Style;
 
-use super::key::LEADERS;
 use super::{MANY_ARROWS, PolygonDraft, is_one};
 
 /// Space for a plate: beside its equations on an A4 page in landscape.
@@ -173,7 +172,7 @@ fn plate(
     let own = p.to_scale(mu);
     let mut draft = PolygonDraft::of(w, &own).only(mine)?;
     draft.side_by_side(style.vector.width_mm);
-    let part = draft.named(style, LEADERS, &Drawing::finish);
+    let part = draft.named(style, true, &Drawing::finish);
     Some((mu, part))
 }
 

@@ -46,6 +46,16 @@ pub enum GraphNode {
     Pin(PointId),
 }
 
+impl GraphNode {
+    /// Returns the number of its freedoms in the plane.
+    pub(crate) fn freedoms(self) -> usize {
+        match self {
+            GraphNode::Link(_) => 3,
+            GraphNode::Pin(_) => 2,
+        }
+    }
+}
+
 /// A numbered link whose motion follows from others and which constrains nothing: a block with one
 /// pin, the barrel or the rod of a cylinder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

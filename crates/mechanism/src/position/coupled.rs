@@ -229,8 +229,7 @@ impl<N: Real> CoupledGroup<'_, N> {
             }
             equations::slopes(form, given, &view, scale, |equation, part, by| {
                 let Some(first) = self.first(part) else { return };
-                let unknowns = if matches!(part, GraphNode::Link(_)) { 3 } else { 2 };
-                let row = &mut list[begin + equation].row[first..first + unknowns];
+                let row = &mut list[begin + equation].row[first..first + part.freedoms()];
                 row.iter_mut().zip(by).for_each(|(c, by)| *c = *c + by);
             })?;
         }

@@ -187,7 +187,7 @@ impl<'a> System<'a> {
                 }
                 GraphNode::Pin(p) => to.1[p.0] = Some(origin),
             }
-            first += unknowns_of(*body);
+            first += body.freedoms();
         }
     }
 
@@ -228,7 +228,7 @@ impl<'a> System<'a> {
                     GraphNode::Pin(p) => self.firsts.1[p.0],
                 };
                 let Some(first) = first else { return };
-                let by = by.into_iter().take(unknowns_of(body)).enumerate();
+                let by = by.into_iter().take(body.freedoms()).enumerate();
                 by.for_each(|(k, by)| told(row + equation, first + k, by));
             })?;
             row += form.0.equations();
@@ -244,7 +244,7 @@ impl<'a> System<'a> {
         drivers: &DriverValues,
     ) -> Option<DMatrix<f64>> {
         let rows = self.forms.iter().map(|(form, _)| form.equations()).sum();
-        let unknowns = self.bodies.iter().map(|body| unknowns_of(*body)).sum();
+        let unknowns = self.bodies.iter().map(|body| body.freedoms()).sum();
         let mut matrix = DMatrix::zeros(rows, unknowns);
         self.slopes(&self.forms, at, drivers, |row, k, by| matrix[(row, k)] += by)?;
         (rows == unknowns).then_some(matrix)
@@ -343,14 +343,6 @@ impl<'a> System<'a> {
     /// Returns the unit of lengths (m): the mechanism's size.
     pub(super) fn scale(&self) -> f64 {
         self.scale
-    }
-}
-
-/// Returns the number of unknowns of a link or pin.
-fn unknowns_of(body: GraphNode) -> usize {
-    match body {
-        GraphNode::Link(_) => 3,
-        GraphNode::Pin(_) => 2,
     }
 }
 

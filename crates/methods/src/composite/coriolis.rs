@@ -78,7 +78,7 @@ pub fn coriolis(scene: &Scene) -> Result<(Worked, Vec<SlideCoriolis>), Faults> {
         }
     }
     let Warned { value: worked, .. } = work(&asking, Scope::Figure)?;
-    let decided = slides.iter().map(|(g, of)| decide(scene, &worked, *g, *of)).collect();
+    let decided = slides.iter().filter_map(|(g, of)| decide(scene, &worked, *g, *of)).collect();
     Ok((worked, decided))
 }
 
@@ -93,18 +93,21 @@ fn runner(scene: &Scene, g: GuideId) -> Option<OnLink> {
     guide.pin.map(|point| OnLink { point, link: None }).or_else(of_slider)
 }
 
-fn decide(scene: &Scene, worked: &Worked, g: GuideId, of: Option<OnLink>) -> SlideCoriolis {
+/// Decides on a slide; `None` if the guide turns and its motion, or that of the slide, is not known.
+fn decide(scene: &Scene, worked: &Worked, g: GuideId, of: Option<OnLink>) -> Option<SlideCoriolis> {
     let (on, motion) = (scene.guides[g.0].on, &worked.solution);
     let velocity = |p: PointId, link| motion.vector(Level::Velocity, p, link);
-    let relative = of
-        .and_then(|of| Some(velocity(of.point, of.link)? - velocity(of.point, Some(on))?))
-        .unwrap_or(Vec2::ZERO);
-    let omega =
-        if on == scene.ground { 0.0 } else { motion.turning(Level::Velocity, on).unwrap_or(0.0) };
+    let relative =
+        of.and_then(|of| Some(velocity(of.point, of.link)? - velocity(of.point, Some(on))?));
+    let turns = on != scene.ground && !worked.mechanism.never_turns[on.0];
+    let (omega, relative) = match turns {
+        true => (motion.turning(Level::Velocity, on)?, relative?),
+        false => (0.0, relative.unwrap_or(Vec2::ZERO)),
+    };
     let small = |x: f64, turning| x <= ROUNDING * motion.largest(Level::Velocity, turning);
     let verdict = if on == scene.ground {
         CoriolisVerdict::GuideFixed
-    } else if worked.mechanism.never_turns[on.0] {
+    } else if !turns {
         CoriolisVerdict::GuideTranslates
     } else if small(omega.abs(), true) {
         CoriolisVerdict::GuideDwells
@@ -113,7 +116,7 @@ fn decide(scene: &Scene, worked: &Worked, g: GuideId, of: Option<OnLink>) -> Sli
     } else {
         CoriolisVerdict::Present
     };
-    SlideCoriolis { guide: g, at: of.map(|of| of.point), verdict, omega, relative }
+    Some(SlideCoriolis { guide: g, at: of.map(|of| of.point), verdict, omega, relative })
 }
 
 #[cfg(test)]

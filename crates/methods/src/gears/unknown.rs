@@ -5,6 +5,7 @@
 
 use hodograph_base::diag::{Both, Diagnostic, Faults, both};
 use hodograph_mechanism::answer::AnswerValue;
+use hodograph_scene::quantity::Rate;
 use hodograph_scene::{Asked, Kind, Scene, edit, read_asking};
 use hodograph_worked::worked::{Scope, work};
 use serde_json::{Value as Json, json};
@@ -41,7 +42,7 @@ pub struct GearCandidate {
 pub struct FoundGear {
     /// The scene as given.
     pub scene: Scene,
-    /// The wanted value (SI), and its kind.
+    /// The wanted value (SI).
     pub wanted: f64,
     /// The kind of the quantity.
     pub kind: Kind,
@@ -71,20 +72,20 @@ pub fn unknown_teeth(text: &str, wish: &WantedGear) -> Result<FoundGear, Faults>
         [one] => one.what,
         _ => return Err(kinds(wish).into()),
     };
-    let kind = match asked {
-        Asked::Turning(_) => asked.entry().kind,
-        Asked::Ratio(_) => Kind::Number,
+    let (kind, wanted) = match asked {
+        Asked::Turning(t) if t.rate == Rate::Velocity => {
+            (Kind::Omega, Some(edit::turning(wish.value)?))
+        }
+        Asked::Ratio(_) => (Kind::Number, wish.value.parse().ok().filter(|x: &f64| x.is_finite())),
         _ => return Err(kinds(wish).into()),
-    };
-    let wanted = match kind {
-        Kind::Number => wish.value.parse().ok().filter(|x: &f64| x.is_finite()),
-        Kind::Omega => Some(edit::turning(wish.value)?),
-        _ => None,
     };
     let wanted = wanted.filter(|x| *x != 0.0).ok_or_else(|| kinds(wish))?;
     let mut root: Json = serde_json::from_str(text).map_err(|_| no_gear(wish))?;
     let (places, mates) = meshes(&root, wish.gear);
-    if places.is_empty() {
+    let sizes: Vec<u64> =
+        places.iter().filter_map(|(k, end)| root["gears"][*k]["teeth"][*end].as_u64()).collect();
+    // The wheels of a compound gear have numbers of their own.
+    if sizes.first().is_none_or(|first| sizes.iter().any(|z| z != first)) {
         return Err(no_gear(wish).into());
     }
     let mut all = Vec::new();
@@ -105,8 +106,8 @@ pub fn unknown_teeth(text: &str, wish: &WantedGear) -> Result<FoundGear, Faults>
     let mut out = FoundGear { scene, wanted, kind, mates, found: Vec::new(), nearest: None };
     all.sort_by(|a, b| out.off(a.value).abs().total_cmp(&out.off(b.value).abs()));
     out.nearest = all.first().copied();
-    let fits = |c: &GearCandidate| (c.value / wanted - 1.0).abs() <= wish.within + ROUNDING;
-    out.found = all.into_iter().filter(fits).collect();
+    all.retain(|c| out.off(c.value).abs() <= wish.within + ROUNDING);
+    out.found = all;
     Ok(out)
 }
 
@@ -142,7 +143,7 @@ fn value_of(text: &str, quantity: &str) -> Result<Option<f64>, Faults> {
 
 fn no_gear(wish: &WantedGear) -> Diagnostic {
     let gear = wish.gear;
-    refused(both!("link {gear} is no gear with a number of teeth in \"gears\""))
+    refused(both!("link {gear} is no gear with one number of teeth in \"gears\""))
 }
 
 fn kinds(wish: &WantedGear) -> Diagnostic {
@@ -190,6 +191,16 @@ mod tests {
         for c in &all.found {
             assert!((c.value - (1.0 + 30.0 / f64::from(c.teeth))).abs() < 1e-12, "{c:?}");
         }
+    }
+
+    #[test]
+    fn a_compound_gear_has_no_one_number_of_teeth() {
+        let compound = SCENE.replace(
+            "\"teeth\": [30, 20]}",
+            "\"teeth\": [30, 20]}, {\"links\": [\"3\", \"5\"], \"centres\": [\"B\", \"A\"], \"teeth\": [15, 35]}",
+        );
+        let refused = unknown_teeth(&compound, &wish("omega_5", "3 rad/s")).unwrap_err();
+        assert!(refused.list.iter().any(|d| d.code == "no-teeth"), "{refused:?}");
     }
 
     #[test]

@@ -137,7 +137,7 @@ impl Stages<'_> {
                 let level = side.abs() <= SMALL * (c - b).norm();
                 let away = if level { -normal.y } else { -side };
                 let normal = if away < 0.0 { -normal } else { normal };
-                let centre = (self.free_point(&[]), c + normal * (ROCKER * (c - b).norm()));
+                let centre = (self.free_point(), c + normal * (ROCKER * (c - b).norm()));
                 let slider = guide.slider.map_or_else(|| self.free_link(), |s| self.link(s));
                 Some(self.of_four_bar(&crank, (coupler, joint), slider, centre, direction, true))
             }
@@ -188,8 +188,8 @@ impl Stages<'_> {
     }
 
     /// Returns a letter that names no point of the scene.
-    fn free_point(&self, taken: &[&str]) -> String {
-        let free = |n: &&str| self.scene.points.iter().all(|p| p.name != **n) && !taken.contains(n);
+    fn free_point(&self) -> String {
+        let free = |n: &&str| self.scene.points.iter().all(|p| p.name != **n);
         let names = ["D", "E", "F", "G", "H", "K", "L", "M", "N", "P", "Q", "R"];
         names.iter().copied().find(|n| free(n)).unwrap_or("Z").to_owned()
     }
@@ -291,7 +291,7 @@ impl Stages<'_> {
             return None;
         }
         let [a, b, c] = [crank.pivot, crank.pin, pivot].map(|p| scene.point_name(p).to_owned());
-        let (end, tip) = (self.free_point(&[]), at + arm * (1.0 + LEVER));
+        let (end, tip) = (self.free_point(), at + arm * (1.0 + LEVER));
         let slider = guide.slider.map_or_else(|| self.free_link(), |s| self.link(s));
         let (ground, lever) = (self.link(scene.ground), self.link(guide.on));
         let stage = |step, block: bool| {

@@ -225,22 +225,18 @@ fn derived(
         };
         of(0).or_else(|| of(1))
     };
-    let mut now = place;
-    let kinds = [Kind::Length, Kind::Velocity, Kind::Acceleration];
-    let mut orders = kinds.iter().zip(symbols).map(|(kind, names)| {
-        let written = now.clone();
-        now = now.clone().map(|f| f.derivative(&rates));
-        let [x, y] = written;
-        let [nx, ny] = names.clone();
-        [(nx, x), (ny, y)]
-            .map(|(name, f)| Equation::new(Formula::symbol(name, f.value()), f, *kind))
-    });
-    let mut next = || {
-        orders.next().unwrap_or_else(|| {
-            [0, 1].map(|_| Equation::new(Formula::whole(0), Formula::whole(0), None))
-        })
+    let velocity = place.each_ref().map(|f| f.derivative(&rates));
+    let acceleration = velocity.each_ref().map(|f| f.derivative(&rates));
+    let equations = |[x, y]: [Formula; 2], [of_x, of_y]: &[String; 2], kind: Kind| {
+        [(of_x, x), (of_y, y)]
+            .map(|(name, f)| Equation::new(Formula::symbol(name.clone(), f.value()), f, kind))
     };
-    [next(), next(), next()]
+    let [of_place, of_velocity, of_acceleration] = symbols;
+    [
+        equations(place, of_place, Kind::Length),
+        equations(velocity, of_velocity, Kind::Velocity),
+        equations(acceleration, of_acceleration, Kind::Acceleration),
+    ]
 }
 
 /// Makes coordinates relative to a base link, from its first point along its direction; relative to
@@ -294,11 +290,7 @@ impl<'a> ChainMaker<'a> {
     fn frame_angle(&mut self, l: LinkId) -> Option<VectorAngle> {
         let (variable, reference) = self.angle(l)?;
         let here = self.turned(self.at.direction(self.scene, l)?).angle();
-        let plus = match variable {
-            Some(_) => here - reference,
-            None => here,
-        };
-        Some(VectorAngle { variable, plus: rounded(wrapped(plus)) })
+        Some(self.counted(variable, reference, here))
     }
 
     /// Returns the variable of a link's angle and the direction for which it is counted; `None` if

@@ -157,8 +157,8 @@ const EN: Words = Words {
     along_velocity: "${v} \\perp {}$: {mm} mm off",
     along_acceleration: "${a} = {w}^2/{}$: {mm} mm off",
     no_vectors: "all vectors are zero, no scale",
-    semicolon: "; ",
-    comma: ", ",
+    semicolon: Lang::En.semicolon(),
+    comma: Lang::En.comma(),
 };
 
 const ZH: Words = Words {
@@ -208,8 +208,8 @@ const ZH: Words = Words {
     along_velocity: "${v} \\perp {}$：偏差 {mm} mm",
     along_acceleration: "${a} = {w}^2/{}$：偏差 {mm} mm",
     no_vectors: "各矢量均为零，不需比例尺",
-    semicolon: "；",
-    comma: "、",
+    semicolon: Lang::Zh.semicolon(),
+    comma: Lang::Zh.comma(),
 };
 
 /// Returns the words of a language.

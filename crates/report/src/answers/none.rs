@@ -25,10 +25,7 @@ pub fn reason(scene: &Scene, u: &Unanswered, lang: Lang) -> String {
     let RefusedPart { why, named, words, .. } = match &u.why {
         NoAnswer::NoMotion(refused) => &**refused,
         NoAnswer::NoValue(words) | NoAnswer::Infinite(words) => {
-            return match lang {
-                Lang::En => words.en.clone(),
-                Lang::Zh => words.zh.clone(),
-            };
+            return lang.of(words).to_owned();
         }
     };
     let names: Vec<_> = named.iter().map(|l| scene.link_name(*l)).collect();

@@ -122,7 +122,7 @@ impl Report<'_> {
                 }
             })
             .collect();
-        let at = at.join(tr!(lang, "list" => ", "));
+        let at = at.join(lang.comma());
         out += &say!(lang, "      the allowed angle is reached at {at}\n");
         if let Some(rho) = least_radius(of) {
             let (rho, most) = (self.length(rho), self.length(ROLLER * rho));

@@ -34,7 +34,7 @@ impl Report<'_> {
             .map(|(_, line)| line.trim().replace("  ", tr!(lang, "clause" => ", ")))
             .map(|line| line.replace("r_r ", "$r_{r}$ "))
             .collect();
-        let [between, stop] = [tr!(lang, "; "), tr!(lang, ".")];
+        let [between, stop] = [lang.semicolon(), tr!(lang, ".")];
         (!lines.is_empty()).then(|| format!("{}{stop}", capital(&lines.join(between))))
     }
 

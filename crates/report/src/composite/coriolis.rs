@@ -1,7 +1,6 @@
 //! The decision on the Coriolis acceleration at a slide, in words.
 
-use super::{CompositeWords, DIGITS, symbol};
-use hodograph_base::digits::{inked, significant};
+use super::{CompositeWords, symbol};
 use hodograph_base::lang::{say, tr};
 use hodograph_board::plan::names::name_label;
 use hodograph_methods::composite::coriolis::{CoriolisVerdict, SlideCoriolis};
@@ -30,10 +29,6 @@ impl CompositeWords<'_> {
         let v = symbol(Some(CompositePart::RelativeVelocity), DiagramKind::Velocity, self.notation);
         let on = scene.guides[s.guide.0].on;
         let omega = format!("\\omega_{{{}}}", name_label(scene.link_name(on)));
-        let told = |kind: Kind, value: f64| {
-            let number = inked(&significant(scene.book.value(kind, value), DIGITS));
-            scene.book.label(kind, &number)
-        };
         let none = |why: &str| vec![format!("${a} = 0${}{why}", tr!(lang, ": "))];
         let lines = match s.verdict {
             CoriolisVerdict::GuideFixed => none(tr!(lang, "the guide is at rest")),
@@ -41,12 +36,12 @@ impl CompositeWords<'_> {
             CoriolisVerdict::GuideDwells => none(&say!(lang, "${omega} = 0$ at this instant")),
             CoriolisVerdict::NoSliding => none(&say!(lang, "${v} = 0$ at this instant")),
             CoriolisVerdict::Present => {
-                let size = told(Kind::Acceleration, s.acceleration().norm());
+                let size = self.amount(Kind::Acceleration, s.acceleration().norm());
                 let numbers = format!(
                     "$|{omega}| = {}${} ${v} = {}$",
-                    told(Kind::Omega, s.omega.abs()),
+                    self.amount(Kind::Omega, s.omega.abs()),
                     self.comma().trim_end(),
-                    told(Kind::Velocity, s.relative.norm())
+                    self.amount(Kind::Velocity, s.relative.norm())
                 );
                 let turned = sense(lang, s.omega);
                 let direction = say!(lang, "direction: ${v}$ turned by 90° {turned}, as ${omega}$");

@@ -1,7 +1,7 @@
 //! The derivation of the theorems of composite motion, in words and numbers.
 
-use super::{CompositeWords, DIGITS, symbol};
-use hodograph_base::digits::{inked, shortest, significant};
+use super::{CompositeWords, symbol};
+use hodograph_base::digits::shortest;
 use hodograph_base::geom::Vec2;
 use hodograph_base::lang::{say, tr};
 use hodograph_board::plan::names::point_label;
@@ -110,10 +110,5 @@ impl CompositeWords<'_> {
             )));
         }
         DerivationWords { displacements, velocities }
-    }
-
-    fn amount(&self, kind: Kind, si: f64) -> String {
-        let number = inked(&significant(self.scene.book.value(kind, si), DIGITS));
-        self.scene.book.label(kind, &number)
     }
 }

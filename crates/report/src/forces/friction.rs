@@ -2,7 +2,7 @@
 
 use super::{DIGITS, ForceWriter};
 use hodograph_base::digits::{inked, significant};
-use hodograph_base::lang::{say, tr};
+use hodograph_base::lang::say;
 use hodograph_board::equilibrium::ForceTerm;
 use hodograph_board::equilibrium::{GroupForces, Party, ReactionComponent};
 use hodograph_mechanism::force::Cause;
@@ -65,7 +65,7 @@ impl ForceWriter<'_> {
                 }
             });
         }
-        let all = (!all.is_empty()).then(|| all.join(tr!(self.lang, "; ")))?;
+        let all = (!all.is_empty()).then(|| all.join(self.lang.semicolon()))?;
         Some(say!(
             self.lang,
             "Friction, from polygons that are drawn again until the forces stand: {all}."

@@ -79,7 +79,7 @@ impl ForceWriter<'_> {
         if matches!(m.gives, MomentResult::Trial { .. }) {
             return format!("{}{given}", tr!(self.lang, "two trials: "));
         }
-        let links = names.join(self.lang.pick([", ", "、"]));
+        let links = names.join(self.lang.comma());
         match names.len() {
             1 => say!(self.lang, "moments of link {links} about {about}: {given}"),
             _ => say!(self.lang, "moments of links {links} about {about}: {given}"),

@@ -86,11 +86,7 @@ impl ForceWriter<'_> {
         }
         let names: Vec<&str> = group.links.iter().map(|l| self.scene.link_name(*l)).collect();
         let list = |symbols: &[String]| {
-            symbols
-                .iter()
-                .map(|s| format!("${s}$"))
-                .collect::<Vec<_>>()
-                .join(tr!(self.lang, "list" => ", "))
+            symbols.iter().map(|s| format!("${s}$")).collect::<Vec<_>>().join(self.lang.comma())
         };
         let (lang, sought, acting) = (self.lang, list(&unknown), list(&known));
         let reactions = match unknown.len() {
@@ -106,7 +102,7 @@ impl ForceWriter<'_> {
             (_, 1) => say!(lang, " {acting} act on it."),
             (_, _) => say!(lang, " {acting} act on them."),
         };
-        let links = names.join(lang.pick([", ", "、"]));
+        let links = names.join(lang.comma());
         match names.len() {
             1 => say!(lang, "Draw link {links} apart.{loads}{reactions}"),
             _ => say!(lang, "Draw links {links} apart.{loads}{reactions}"),

@@ -88,7 +88,7 @@ impl GivenSentences<'_> {
                 format!("{} {}", tr!(self.lang, "arc"), self.scene.length_words(*radius))
             }
         };
-        segments.iter().map(one).collect::<Vec<_>>().join(self.words().comma)
+        segments.iter().map(one).collect::<Vec<_>>().join(self.lang().comma())
     }
 }
 

@@ -25,7 +25,7 @@ impl GivenSentences<'_> {
             all.push(format!(
                 "{}{}",
                 tr!(self.lang, "masses: "),
-                masses.join(tr!(self.lang, "; "))
+                masses.join(self.lang.semicolon())
             ));
         }
         let applied: Vec<String> = loads
@@ -94,7 +94,7 @@ impl GivenSentences<'_> {
             all.push(format!(
                 "{}{}",
                 tr!(self.lang, "loads: "),
-                applied.join(tr!(self.lang, "; "))
+                applied.join(self.lang.semicolon())
             ));
         }
         let springs: Vec<String> = loads
@@ -113,7 +113,7 @@ impl GivenSentences<'_> {
             all.push(format!(
                 "{}{}",
                 tr!(self.lang, "springs: "),
-                springs.join(tr!(self.lang, "; "))
+                springs.join(self.lang.semicolon())
             ));
         }
         let friction: Vec<String> = loads.friction.iter().map(|f| self.friction(&f.at)).collect();
@@ -121,7 +121,7 @@ impl GivenSentences<'_> {
             all.push(format!(
                 "{}{}",
                 tr!(self.lang, "friction: "),
-                friction.join(tr!(self.lang, "; "))
+                friction.join(self.lang.semicolon())
             ));
         }
         all
@@ -191,11 +191,7 @@ impl GivenSentences<'_> {
             .collect();
         match points.is_empty() {
             true => say!(self.lang(), ", from {from} to {to} of {along}"),
-            false => say!(
-                self.lang(),
-                ", over {along} ({})",
-                points.join(self.lang().pick(["; ", "；"]))
-            ),
+            false => say!(self.lang(), ", over {along} ({})", points.join(self.lang().semicolon())),
         }
     }
 

@@ -26,7 +26,7 @@ impl GivenSentences<'_> {
             RollingKind::Belt => say!(self.lang(), "a strand from {at} to {end}, without slip"),
             RollingKind::Chain => say!(self.lang(), "a strand from {at} to {end}"),
         });
-        format!("{}{}", self.pair(pair), parts.join(self.words().comma))
+        format!("{}{}", self.pair(pair), parts.join(self.lang().comma()))
     }
 
     /// Returns the two links and their arrangement.

@@ -82,7 +82,7 @@ impl LoopWords<'_> {
             let [place, velocity, acceleration] = &f.relative;
             let mut parts = Vec::new();
             if let Some(both) = &f.from_relative {
-                let words = tr!(lang, "Of absolute and relative coordinates:");
+                let words = tr!(lang, "Absolute coordinates by relative ones:");
                 parts.push((Phrase::new(words), both.to_vec()));
             }
             let words = tr!(lang, "Relative equations of motion:");

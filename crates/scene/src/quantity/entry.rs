@@ -153,18 +153,11 @@ impl Entry {
 
     /// Returns its name in a language: `normal acceleration`.
     pub fn name(&self, lang: Lang) -> &'static str {
-        in_words(self.name, lang)
+        lang.pick(self.name)
     }
 
     /// Returns its plural name: `angular velocities of the links`.
     pub fn several(&self, lang: Lang) -> Option<&'static str> {
-        self.several.map(|words| in_words(words, lang))
-    }
-}
-
-fn in_words([en, zh]: [&'static str; 2], lang: Lang) -> &'static str {
-    match lang {
-        Lang::En => en,
-        Lang::Zh => zh,
+        self.several.map(|words| lang.pick(words))
     }
 }

@@ -3,8 +3,8 @@
 //!
 //! These rules hold for everything that is followed as whole configurations. The predictor is the
 //! secant through the last two poses. A pose that strays from it is refused, and so is one without
-//! a smooth way to it; the caller then takes a shorter step. Links on three legs inside a program have a stricter test, by their tangents and
-//! determinants ([`super::triad`]).
+//! a smooth way to it; the caller then takes a shorter step. Links on three legs inside a program
+//! have a stricter test, by their tangents and determinants ([`super::triad`]).
 
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_mechanism::position::{Configuration, Pose as Frame};

@@ -73,7 +73,7 @@ pub(super) struct DecidedPose {
 /// estimated.
 ///
 /// # Errors
-/// Those of the loop equations and of the drawing.
+/// The errors of the loop equations and of the drawing.
 pub(super) fn pose(
     given: PoseInput,
     configuration: Configuration,
@@ -109,7 +109,7 @@ pub(super) fn pose(
 /// again.
 ///
 /// # Errors
-/// Those of the drawing.
+/// The errors of the drawing.
 pub(super) fn to_scales(scene: &Scene, worked: &Worked) -> Result<DecidedPose, Faults> {
     let Worked { mechanism, demand, configuration, plan, solution, decisions, .. } = worked;
     let boxes = Boxes::of(&scene.paper, plan);
