@@ -7,6 +7,8 @@ use super::{BoxDirection, GAP_MM, HEADING_AIR_MM, SheetLayout, Tree};
 /// Heights at which columns are set: their number, and their differences relative to the page.
 const HEIGHTS: usize = 100;
 const HEIGHT_STEP: f64 = 0.02;
+/// Least height of a column of text, relative to the height of all columns.
+const LEAST_TEXT: f64 = 0.5;
 /// Gap between columns: less than between the parts of a spacious sheet.
 const COLUMN_GAP_MM: f64 = 7.0;
 
@@ -22,7 +24,7 @@ impl SheetLayout {
         let title_mm = self.title.map_or(0.0, |k| self.parts[k].bounds.height_mm() + GAP_MM);
         let set = |k: usize| {
             let height_mm = (1.0 + HEIGHT_STEP * k as f64) * aim[1] - title_mm;
-            let starts = narrowest(&sizes, height_mm)?;
+            let starts = narrowest(&sizes, self.drawings.len(), height_mm)?;
             let ends = starts.iter().copied().skip(1).chain([order.len()]);
             let runs = starts.iter().zip(ends).map(|(start, end)| &order[*start..end]);
             Some(vec![Tree::Group {
@@ -71,13 +73,18 @@ impl SheetLayout {
 }
 
 /// The first part of each column, for the least width of all columns that are not higher than this:
-/// the shortest path from the first part to the last. `None` if a part is higher. `sizes` are those
-/// of all runs of parts, by the number of parts up to the end, then by the first one.
-fn narrowest(sizes: &[Vec<[f64; 2]>], height_mm: f64) -> Option<Vec<usize>> {
+/// the shortest path from the first part to the last. `None` if a part is higher. A column without
+/// one of the `drawings`, which come first, has a least height, except the last. `sizes` are those of
+/// all runs of parts, by the number of parts up to the end, then by the first one.
+fn narrowest(sizes: &[Vec<[f64; 2]>], drawings: usize, height_mm: f64) -> Option<Vec<usize>> {
     // For each number of parts: the least width, and the part that begins the last column.
     let mut least = vec![(-COLUMN_GAP_MM, 0)];
     for runs in sizes {
-        let fitting = runs.iter().enumerate().filter(|(_, [_, high])| *high <= height_mm);
+        let is_last = runs.len() == sizes.len();
+        let fitting = runs.iter().enumerate().filter(|(start, [_, high])| {
+            let short = *high < LEAST_TEXT * height_mm;
+            *high <= height_mm && (*start < drawings || is_last || !short)
+        });
         let columns =
             fitting.map(|(start, [wide, _])| (least[start].0 + COLUMN_GAP_MM + wide, start));
         let best = columns.min_by(|a, b| a.0.total_cmp(&b.0));
