@@ -49,8 +49,8 @@ const HEADING_AIR_MM: f64 = 3.0;
 pub(super) const AIM_MM: [f64; 2] = [297.0, 210.0];
 /// Weight of the empty part of a page against the relative size of the sheet.
 const EMPTY_COST: f64 = 0.35;
-/// Of a sheet larger than A4 by this factor the smallest arrangement is taken, also one in columns:
-/// its type is hard to read in print.
+/// A larger sheet, relative to A4, has type that is hard to read in print: it is set in its smallest
+/// arrangement, also in columns.
 const CROWDED: f64 = 1.55;
 
 /// The direction in which the children of a box are placed.
