@@ -3,7 +3,7 @@
 
 use hodograph::answer::AnswerValue;
 use hodograph::figure::stepped::ConstructionMethod;
-use hodograph::lesson::{LessonOptions, lesson};
+use hodograph::lesson::{LessonOptions, lesson, told};
 use hodograph::loops::{Equation, Formula, GroupLoops, Loops, PositionForm, loops};
 use hodograph::paper::label::Label;
 use hodograph::problem::{Kind, templates};
@@ -119,7 +119,7 @@ fn the_lesson_of_the_method_has_the_equations_of_motion() {
         lesson(&scene, &LessonOptions { method, positions: 4, ..english })
     };
     for (name, motions) in [("lathe", 2), ("robot-arm", 3), ("crank-rocker", 0)] {
-        let page = page(name).unwrap().value;
+        let page = told(&page(name).unwrap().value).unwrap();
         for words in ["Differentiated once more:", "再对时间求导，得加速度："] {
             let found = page.matches(words).count();
             assert!(found >= motions && (motions > 0 || found == 0), "{name}: {found}");

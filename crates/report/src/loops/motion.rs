@@ -21,7 +21,9 @@ impl LoopWords<'_> {
     /// Returns the given motions: the law of each variable, or its value and rates at the instant.
     pub fn given_motions(&self) -> Vec<Phrase> {
         let line = |v: &LoopVariable| {
-            let values = [0, 1, 2].map(|order| self.variable(v, order)).join(",\\quad ");
+            // Formulas of their own, between which a line can break.
+            let comma = format!("${}$", tr!(self.lang, "clause" => ", "));
+            let values = [0, 1, 2].map(|order| self.variable(v, order)).join(&comma);
             let driver = &self.scene.drivers[v.driver?];
             let relative = driver.kind.turned().is_some_and(|(_, l)| l != self.scene.ground);
             let law = driver.law.as_ref().filter(|_| !relative).map(|law| law.text.clone());
