@@ -2,6 +2,8 @@
 //! analysis, both sides of every equation are equal, and every formula is typeset.
 
 use hodograph::answer::AnswerValue;
+use hodograph::figure::stepped::ConstructionMethod;
+use hodograph::lesson::{LessonOptions, lesson, told};
 use hodograph::loops::{Equation, Formula, GroupLoops, Loops, PositionForm, loops};
 use hodograph::paper::label::Label;
 use hodograph::problem::{Kind, templates};
@@ -104,6 +106,27 @@ fn formulas_give_the_rates_of_the_analysis_on_all_templates() {
         ["AngleAndLength", "Newton", "SlottedLever", "TwoAngles", "TwoLengths"]
     );
     assert!(refused.len() <= 12, "{refused:?}");
+}
+
+/// Where drivers move the points of a scene directly, the lesson writes their equations of motion;
+/// a scene with neither loops nor such points has no lesson.
+#[test]
+fn the_lesson_of_the_method_has_the_equations_of_motion() {
+    let page = |name: &str| {
+        let scene = scene::read(templates::text(name, &[]).unwrap()).unwrap().value;
+        let method = ConstructionMethod::named("loops");
+        let english = LessonOptions::of_language(Lang::En);
+        lesson(&scene, &LessonOptions { method, positions: 4, ..english })
+    };
+    for (name, motions) in [("lathe", 2), ("robot-arm", 3), ("crank-rocker", 0)] {
+        let page = told(&page(name).unwrap().value).unwrap();
+        for words in ["Differentiated once more:", "再对时间求导，得加速度："] {
+            let found = page.matches(words).count();
+            assert!(found >= motions && (motions > 0 || found == 0), "{name}: {found}");
+        }
+    }
+    let faults = page("two-slots").unwrap_err();
+    assert!(faults.list.iter().any(|d| d.code == "method"), "{faults}");
 }
 
 /// Every quarter of the turn has other signs in the formulas.

@@ -146,7 +146,7 @@ fn nothing(method: ConstructionMethod) -> Diagnostic {
         ConstructionMethod::Curvature => each!("a coupler"),
         ConstructionMethod::Cam => each!("a cam with a profile"),
         ConstructionMethod::Trains => each!("a gear train with known speeds"),
-        ConstructionMethod::Loops => each!("vector loops"),
+        ConstructionMethod::Loops => each!("vector loops or points that drivers move directly"),
     });
     let d = Diagnostic::error("method", both!("the scene does not have {}", missing));
     d.help(both!(

@@ -10,7 +10,7 @@ use std::path::Path;
 const SMALL_PROJECTOR: [u32; 2] = [1280, 720];
 
 /// A scene for each method.
-const SCENES: [(&str, &str); 9] = [
+const SCENES: [(&str, &str); 10] = [
     ("crank-rocker", "centres"),
     ("slotted-lever", "composite"),
     ("cam-eccentric", "composite"),
@@ -20,6 +20,7 @@ const SCENES: [(&str, &str); 9] = [
     ("planetary-gear", "trains"),
     ("three-planets", "trains"),
     ("crank-rocker", "loops"),
+    ("lathe", "loops"),
 ];
 
 /// The least height (px) of the first letter of the names in the drawings that are seen, but for

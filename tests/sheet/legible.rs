@@ -20,7 +20,7 @@ use hodograph::worked::{Scope, work};
 const POSES: usize = 24;
 /// The smallest type, printed on A4 (a larger sheet is reduced to it); on A3 with more links than
 /// `A4_LINKS`, or with force polygons.
-pub const SMALLEST_MM: f64 = 2.1;
+pub const SMALLEST_MM: f64 = 2.2;
 const A4_LINKS: usize = 7;
 /// A label that a line only grazes is still legible.
 const GRAZE_MM: f64 = 0.3;

@@ -8,6 +8,7 @@ mod extra;
 mod fonts;
 mod forces;
 mod geared;
+mod keys;
 mod legible;
 mod motion;
 mod pairs;

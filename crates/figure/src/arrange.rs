@@ -1,11 +1,13 @@
 //! Arranges the parts of a sheet: measures a few arrangements common in textbooks and takes the one
 //! that fills a page best.
 
+mod columns;
+
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_base::geom::Point;
 
 use hodograph_paper::paper::drawing::DrawingPart;
-use hodograph_paper::paper::item::FigureItem;
+use hodograph_paper::paper::item::{FigureItem, Shape};
 use hodograph_paper::paper::style::Style;
 
 /// The parts of a sheet.
@@ -47,6 +49,9 @@ const HEADING_AIR_MM: f64 = 3.0;
 pub(super) const AIM_MM: [f64; 2] = [297.0, 210.0];
 /// Weight of the empty part of a page against the relative size of the sheet.
 const EMPTY_COST: f64 = 0.35;
+/// A larger sheet, relative to A4, has type that is hard to read in print: it is set in its smallest
+/// arrangement, also in columns.
+const CROWDED: f64 = 1.55;
 
 /// The direction in which the children of a box are placed.
 #[derive(Clone, Copy, PartialEq)]
@@ -98,11 +103,33 @@ impl Tree {
                 let sum = |k: usize| sizes.iter().map(|s| s[k]).sum::<f64>();
                 let max = |k: usize| sizes.iter().map(|s| s[k]).fold(0.0, f64::max);
                 match along {
-                    BoxDirection::Row => [sum(0) + gaps, max(1)],
+                    BoxDirection::Row => {
+                        let [above, below] = self.captions_mm(parts);
+                        [sum(0) + gaps, max(1).max(above + below)]
+                    }
                     BoxDirection::Column => [max(0), sum(1) + gaps],
                 }
             }
         }
+    }
+
+    /// The greatest heights above and below the captions of drawings side by side, which are on one
+    /// line; zero if the tree is not a centred row.
+    fn captions_mm(&self, parts: &[DrawingPart]) -> [f64; 2] {
+        match self {
+            Tree::Group { along: BoxDirection::Row, centred: true, children, .. } => {
+                let all = children.iter().filter_map(|c| c.caption_mm(parts));
+                all.fold([0.0; 2], |[a, b], [above, below]| [a.max(above), b.max(below)])
+            }
+            Tree::Group { .. } | Tree::Leaf(_) | Tree::Air(_) => [0.0; 2],
+        }
+    }
+
+    /// The heights above and below the caption of a drawing.
+    fn caption_mm(&self, parts: &[DrawingPart]) -> Option<[f64; 2]> {
+        let Tree::Leaf(k) = self else { return None };
+        let (y, bounds) = (caption_y(&parts[*k])?, parts[*k].bounds);
+        Some([bounds.max.y - y, y - bounds.min.y])
     }
 
     /// Returns the parts of the tree, in its order.
@@ -121,6 +148,7 @@ impl Tree {
             Tree::Air(_) => {}
             Tree::Group { along, gap_mm, children, centred } => {
                 let [width, height] = self.size(parts);
+                let [above, below] = self.captions_mm(parts);
                 let mut here = at;
                 for c in children {
                     let [w, h] = c.size(parts);
@@ -130,7 +158,11 @@ impl Tree {
                     let part = if *centred { 0.5 } else { 0.0 };
                     match along {
                         BoxDirection::Row => {
-                            c.put(parts, Point::new(here.x, at.y - (height - h) * part));
+                            let own = c.caption_mm(parts).filter(|_| *centred);
+                            let down = own.map_or((height - h) * part, |own| {
+                                (height - above - below) * part + above - own[0]
+                            });
+                            c.put(parts, Point::new(here.x, at.y - down));
                             here.x += w + gap_mm;
                         }
                         BoxDirection::Column => {
@@ -155,11 +187,12 @@ pub(super) fn arrange(
 ) -> Result<(Vec<FigureItem>, [f64; 2]), Faults> {
     let layout = SheetLayout::of(pieces);
     let aim = paper.map_or(AIM_MM, |[w, h]| [w - 2.0 * margin_mm, h - 2.0 * margin_mm]);
-    let best = layout
-        .candidates()
-        .into_iter()
-        .min_by(|a, b| layout.cost(a, aim).total_cmp(&layout.cost(b, aim)));
-    let best = best.expect("there is always an arrangement");
+    let mut best = layout.best(layout.candidates(), aim).expect("there is always an arrangement");
+    if layout.scale(&best, aim) > CROWDED {
+        let all = layout.candidates().into_iter().chain(layout.in_columns(aim));
+        let smallest = all.min_by(|a, b| layout.scale(a, aim).total_cmp(&layout.scale(b, aim)));
+        best = smallest.unwrap_or(best);
+    }
     let [w, h] = best.size(&layout.parts);
     let size = paper.unwrap_or([w + 2.0 * margin_mm, h + 2.0 * margin_mm]);
     let (free_x, free_y) = (size[0] - w, size[1] - h);
@@ -216,7 +249,7 @@ pub(super) fn arrange_on(
     let layout = SheetLayout::of(pieces);
     let fits = |tree: &Tree| holds(size, tree.size(&layout.parts));
     let one = layout.candidates().into_iter().chain(layout.in_rows(size[0])).filter(fits);
-    let one = one.min_by(|a, b| layout.cost(a, size).total_cmp(&layout.cost(b, size)));
+    let one = layout.best(one, size);
     if let Some(tree) = one {
         let taken = tree.size(&layout.parts);
         let mut parts = layout.parts;
@@ -294,6 +327,15 @@ fn lines(blocks: Vec<Tree>, drawings: usize, width_mm: f64, parts: &[DrawingPart
 pub(super) fn put_together(tree: Tree, mut parts: Vec<DrawingPart>) -> DrawingPart {
     tree.put(&mut parts, Point::ORIGIN);
     joined(parts)
+}
+
+/// Returns the line of a drawing's caption.
+pub(super) fn caption_y(part: &DrawingPart) -> Option<f64> {
+    let line = |i: &FigureItem| match &i.shape {
+        Shape::Label { at, .. } if i.class == "caption" => Some(at.y),
+        _ => None,
+    };
+    part.items.iter().find_map(line)
 }
 
 /// Joins placed parts into one.
@@ -455,10 +497,20 @@ impl SheetLayout {
         drawings.into_iter().chain(short.unwrap_or_else(|| text(1))).collect()
     }
 
+    /// The size relative to the page.
+    fn scale(&self, tree: &Tree, aim: [f64; 2]) -> f64 {
+        let [w, h] = tree.size(&self.parts);
+        (w / aim[0]).max(h / aim[1])
+    }
+
+    /// The arrangement of least cost.
+    fn best(&self, all: impl IntoIterator<Item = Tree>, aim: [f64; 2]) -> Option<Tree> {
+        all.into_iter().min_by(|a, b| self.cost(a, aim).total_cmp(&self.cost(b, aim)))
+    }
+
     /// The size relative to the page, plus the weighted empty part of it.
     fn cost(&self, tree: &Tree, aim: [f64; 2]) -> f64 {
-        let [w, h] = tree.size(&self.parts);
-        let scale = (w / aim[0]).max(h / aim[1]);
+        let scale = self.scale(tree, aim);
         let used: f64 = self.parts.iter().map(|p| p.bounds.width_mm() * p.bounds.height_mm()).sum();
         scale + EMPTY_COST * (1.0 - used / (scale * scale * aim[0] * aim[1]))
     }
@@ -506,6 +558,11 @@ impl SheetLayout {
             columns.push(Tree::column(column));
         }
         all.push(vec![Tree::text_row(columns)]);
+        self.complete(all)
+    }
+
+    /// Arrangements with the title and the forces.
+    fn complete(&self, all: Vec<Vec<Tree>>) -> Vec<Tree> {
         let with = |rest: Vec<Tree>| {
             Tree::column(self.title.map(Tree::Leaf).into_iter().chain(rest).collect())
         };

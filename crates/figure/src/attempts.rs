@@ -403,7 +403,8 @@ pub fn as_printed(a: &Attempt, options: &SheetOptions) -> Option<Figure> {
         certified: Vec::new(),
     };
     let on = a.gap.on;
-    let part = maker.captioned(maker.polygon(a.wrong.worked.construction.polygon(on)?), "", on);
+    let wrong = a.wrong.worked.construction.polygon(on)?;
+    let part = maker.captioned(maker.polygon(wrong, f64::INFINITY), "", on);
     let mut figure = maker.alone(part);
     figure.desc = maker.name(Captioned::Drawing(on)).into();
     Some(figure)

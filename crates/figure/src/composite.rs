@@ -16,7 +16,7 @@ use hodograph_scene::quantity::{Frame, RelativePath};
 use hodograph_scene::{DiagramKind, GuidePath, Kind, Lang, Scene};
 use hodograph_worked::worked::Worked;
 
-use super::arrange::AIM_MM;
+use super::arrange::{AIM_MM, caption_y};
 use super::list::{FigureEntry, FigureInput, Pages, page};
 use super::mechanism::{self, Composed, ComposedVector};
 use super::particle::ParticleView;
@@ -321,17 +321,15 @@ fn stand(parts: &mut [DrawingPart], rows: &[Vec<usize>]) {
     let mut y = 0.0;
     for row in rows {
         let mut x = 0.0;
-        let height = row.iter().map(|p| parts[*p].bounds.height_mm()).fold(0.0, f64::max);
+        // Captions of a row are on one line; text is aligned at the top.
+        let above = |p: &DrawingPart| caption_y(p).map(|y| p.bounds.max.y - y);
+        let high = row.iter().filter_map(|p| above(&parts[*p])).fold(0.0, f64::max);
+        let drop = |p: &DrawingPart| above(p).map_or(0.0, |own| high - own);
+        let heights = row.iter().map(|p| drop(&parts[*p]) + parts[*p].bounds.height_mm());
+        let height = heights.fold(0.0, f64::max);
         for (p, wide) in row.iter().zip(&widths) {
-            // Captions of a row are on one line: drawings are aligned at the bottom, text at the
-            // top.
-            let part = &mut parts[*p];
-            let drop = if part.items.iter().any(|i| i.id.contains("caption")) {
-                height - part.bounds.height_mm()
-            } else {
-                0.0
-            };
-            part.stand_at(Point::new(x, y - drop));
+            let down = drop(&parts[*p]);
+            parts[*p].stand_at(Point::new(x, y - down));
             x += wide + GAP_MM;
         }
         y -= height + GAP_MM;

@@ -90,7 +90,7 @@ fn laid_out(w: &FigureInput, format: &PageFormat) -> LaidOut {
         vec![maker.captioned(given(maker.mechanism()), letter(), DiagramKind::Plane)];
     for on in DiagramKind::POLYGONS {
         if let Some(p) = worked.construction.polygon(on) {
-            let part = maker.polygon_in(p, format.inner_mm()[0] - 2.0 * ROOM_MM);
+            let part = maker.polygon(p, format.inner_mm()[0] - 2.0 * ROOM_MM);
             drawings.push(maker.captioned(framed(part), letter(), on));
         }
     }

@@ -8,14 +8,14 @@ use hodograph_methods::inversions::{Inversion, inversions};
 use hodograph_report::inversions as report;
 use hodograph_scene::DiagramKind;
 
-use super::arrange::joined;
+use super::arrange::{caption_y, joined};
 use super::composite::named;
 use super::list::{FigureEntry, FigureInput, Pages};
 use super::mechanism;
 use super::sheet::SheetDrafter;
 use crate::scales::DrawingScales;
 use hodograph_paper::paper::drawing::DrawingPart;
-use hodograph_paper::paper::item::{Figure, FigureItem, Shape};
+use hodograph_paper::paper::item::Figure;
 use hodograph_paper::paper::label::Label;
 
 /// All inversions.
@@ -97,8 +97,9 @@ fn stand(parts: &mut [DrawingPart], columns: usize) {
         parts.iter().skip(k).step_by(columns).map(|p| p.bounds.width_mm()).fold(0.0, f64::max)
     };
     let widths: Vec<f64> = (0..columns).map(width).collect();
-    let above = |p: &DrawingPart| p.bounds.max.y - caption_y(p);
-    let below = |p: &DrawingPart| caption_y(p) - p.bounds.min.y;
+    let line = |p: &DrawingPart| caption_y(p).unwrap_or(p.bounds.min.y);
+    let above = |p: &DrawingPart| p.bounds.max.y - line(p);
+    let below = |p: &DrawingPart| line(p) - p.bounds.min.y;
     let mut y = 0.0;
     for row in parts.chunks_mut(columns) {
         let high = row.iter().map(above).fold(0.0, f64::max);
@@ -111,13 +112,4 @@ fn stand(parts: &mut [DrawingPart], columns: usize) {
         }
         y -= high + low + GAP_MM;
     }
-}
-
-/// Returns the line of a part's caption; without one, its lower edge.
-fn caption_y(part: &DrawingPart) -> f64 {
-    let line = |i: &FigureItem| {
-        let Shape::Label { at, .. } = &i.shape else { return None };
-        (i.class == "caption").then_some(at.y)
-    };
-    part.items.iter().find_map(line).unwrap_or(part.bounds.min.y)
 }

@@ -5,13 +5,15 @@ use super::mechanism::{LoopArrow, looped};
 use super::particle::ParticleView;
 use super::sheet::{SheetDrafter, SheetOptions};
 use super::stepped::SteppedMethod;
-use hodograph_base::diag::{Both, Faults, Warned};
+use hodograph_base::diag::{Both, Faults, Warned, both};
+use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::lang::each;
-use hodograph_methods::loops::{LoopVector, Loops, VectorSize, placed};
+use hodograph_methods::loops::{Equation, LoopVector, Loops, MotionEquations, VectorSize, placed};
 use hodograph_paper::paper::item::Figure;
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::phrase::capital;
 use hodograph_report::loops::{LoopWords, closed};
+use hodograph_scene::quantity::Frame;
 use hodograph_scene::{DiagramKind, Lang, Scene};
 use hodograph_worked::worked::Worked;
 use std::collections::BTreeSet;
@@ -35,11 +37,12 @@ fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
 }
 
 /// The loops step by step: each vector, the closed loop, its two parts, and the formulas of
-/// positions, velocities and accelerations.
+/// positions, velocities and accelerations; then the equations of motion of points that drivers move
+/// directly. `None` if there are neither.
 ///
 /// # Errors
 /// The faults of the method.
-pub(super) fn stepped(w: &FigureInput) -> Result<SteppedMethod, Faults> {
+pub(super) fn stepped(w: &FigureInput) -> Result<Option<SteppedMethod>, Faults> {
     let all = placed(w.scene, &w.worked.mechanism, &w.worked.configuration)?;
     let words = [Lang::En, Lang::Zh].map(|lang| LoopWords::new(w.scene, &all, lang));
     let mut out = SteppedMethod::default();
@@ -47,25 +50,89 @@ pub(super) fn stepped(w: &FigureInput) -> Result<SteppedMethod, Faults> {
     for g in &all.groups {
         let heading = words.each_ref().map(|words| capital(&words.heading(g)));
         for of in &g.loops {
-            let arrows = arrows(&all, of, Some(out.steps.len()));
-            let options = w.options;
-            let part = looped(&options.style, w.scene, w.worked, &options.notation, &arrows);
             let [en, zh] = heading.clone();
             let caption = if several { Both { en, zh } } else { each!("Vector loop").into() };
-            let scales = vec![(DiagramKind::Plane, w.worked.construction.diagram.mu)];
-            out.views.push(ParticleView { part, caption, scales });
-            out.steps.extend(of.iter().map(|v| both(&words, |words| words.vector(v))));
+            out.views.push(view(w, &arrows(&all, of, Some(out.steps.len())), caption));
+            out.steps.extend(of.iter().map(|v| in_both(&words, |words| words.vector(v))));
         }
         for (en, zh) in words[0].steps(g).into_iter().zip(words[1].steps(g)) {
             out.formulas.insert(out.steps.len(), en.1);
             out.steps.push(Both { en: en.0, zh: zh.0 });
         }
     }
-    Ok(out)
+    let [en, zh] = words.each_ref().map(|words| words.given_steps());
+    out.steps.extend(en.into_iter().zip(zh).map(|(en, zh)| Both { en, zh }));
+    let [en, zh] = words.each_ref().map(|words| words.motion_steps());
+    for (axes, (en, zh)) in coordinates(w, &all.motion).into_iter().zip(en.into_iter().zip(zh)) {
+        let MotionAxes { places: [from, corner, to], symbols: [x, y], caption } = axes;
+        let step = Some(out.steps.len());
+        let arrow = |symbol: String, key: &str, places: [Point; 2]| {
+            let key = format!("{}-{key}", out.views.len() + 1);
+            LoopArrow { symbol, key, places, angle: None, step }
+        };
+        let arrows = [arrow(x, "x", [from, corner]), arrow(y, "y", [corner, to])];
+        out.views.push(view(w, &arrows, caption));
+        for (en, zh) in en.into_iter().zip(zh) {
+            out.formulas.insert(out.steps.len(), en.1);
+            out.steps.push(Both { en: en.0, zh: zh.0 });
+        }
+    }
+    Ok((!out.views.is_empty()).then_some(out))
+}
+
+/// The mechanism with arrows.
+fn view(w: &FigureInput, arrows: &[LoopArrow], caption: Both) -> ParticleView {
+    let part = looped(&w.options.style, w.scene, w.worked, &w.options.notation, arrows);
+    let scales = vec![(DiagramKind::Plane, w.worked.construction.diagram.mu)];
+    ParticleView { part, caption, scales }
+}
+
+/// The coordinates of a point, absolute or in a frame.
+struct MotionAxes {
+    /// The origin, the foot on the first axis, the point (m).
+    places: [Point; 3],
+    symbols: [String; 2],
+    caption: Both,
+}
+
+/// The coordinates of all equations of motion, in their order.
+fn coordinates(w: &FigureInput, all: &MotionEquations) -> Vec<MotionAxes> {
+    let at = &w.worked.configuration;
+    let axes = |origin: Point, axis: Vec2, [x, y]: &[Equation; 2], caption: Both| {
+        let corner = origin + axis * x.right.value();
+        let places = [origin, corner, corner + axis.perp() * y.right.value()];
+        MotionAxes { places, symbols: [x.left.text(), y.left.text()], caption }
+    };
+    let across = Vec2::new(1.0, 0.0);
+    let mut out = Vec::new();
+    for p in &all.points {
+        let name = w.scene.point_name(p.of);
+        if let Some([place, ..]) = &p.absolute {
+            let caption = both!("Coordinates of point {name}");
+            out.push(axes(Point::ORIGIN, across, place, caption));
+        }
+        for f in &p.frames {
+            let origin = at.points[f.origin.0].unwrap_or(Point::ORIGIN);
+            let turned = match f.frame {
+                Frame::Link(l) => at.direction(w.scene, l).and_then(Vec2::unit),
+                Frame::Point(_) => None,
+            };
+            let caption = match f.frame {
+                Frame::Link(l) => {
+                    both!("Coordinates of point {name} on link {}", w.scene.link_name(l))
+                }
+                Frame::Point(_) => {
+                    both!("Coordinates of point {name} from point {}", w.scene.point_name(f.origin))
+                }
+            };
+            out.push(axes(origin, turned.unwrap_or(across), &f.relative[0], caption));
+        }
+    }
+    out
 }
 
 /// A sentence in both languages.
-fn both(words: &[LoopWords; 2], of: impl Fn(&LoopWords) -> String) -> Both {
+fn in_both(words: &[LoopWords; 2], of: impl Fn(&LoopWords) -> String) -> Both {
     let [en, zh] = words.each_ref().map(of);
     Both { en, zh }
 }

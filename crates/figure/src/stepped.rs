@@ -87,7 +87,7 @@ pub const METHODS: [MethodEntry; 6] = [
     entry(
         ConstructionMethod::Loops,
         "loops",
-        each!("The analytic method: vector loops and their derivatives"),
+        each!("The analytic method: vector loops, equations of motion"),
     ),
 ];
 
@@ -109,7 +109,7 @@ impl ConstructionMethod {
             ConstructionMethod::Curvature => super::curvature::stepped(w),
             ConstructionMethod::Cam => Ok(super::cam::stepped(w)),
             ConstructionMethod::Trains => Ok(super::kutzbach::stepped(w)),
-            ConstructionMethod::Loops => super::loops::stepped(w).map(Some),
+            ConstructionMethod::Loops => super::loops::stepped(w),
         }
     }
 

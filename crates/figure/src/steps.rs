@@ -13,7 +13,6 @@ use hodograph_worked::worked::Worked;
 
 use super::fit::Within;
 use super::forces::{self, GroupForceSteps};
-use super::polygon::polygon_of_steps;
 use super::sheet::{MARGIN_MM, SheetDrafter, SheetOptions};
 use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::extent::Rect;
@@ -59,6 +58,11 @@ impl<'a> StepFigures<'a> {
         // No results are shown: they need no digits.
         let maker = SheetDrafter { scene, worked, options, certified: Vec::new() };
         let told = certified::steps(scene, worked, None);
+        let diagram = maker.captioned(maker.mechanism(), "", DiagramKind::Plane);
+        let polygon_mm = room.map_or(f64::INFINITY, |room| match room.stacked {
+            true => room.width_mm,
+            false => room.width_mm - diagram.bounds.width_mm() - GAP_MM,
+        });
         let levels: Vec<PolygonSteps> = DiagramKind::POLYGONS
             .into_iter()
             .zip(maker.equations(&told, width_mm))
@@ -67,7 +71,7 @@ impl<'a> StepFigures<'a> {
                     &maker,
                     worked.construction.polygon(on)?,
                     (&told, &written),
-                    width_mm,
+                    (polygon_mm, width_mm),
                 ))
             })
             .chain(
@@ -76,7 +80,6 @@ impl<'a> StepFigures<'a> {
                     .map(|of| PolygonSteps::of_forces(&maker, of, width_mm)),
             )
             .collect();
-        let diagram = maker.captioned(maker.mechanism(), "", DiagramKind::Plane);
         let most = |size: fn(&PolygonSteps) -> f64| levels.iter().map(size).fold(0.0, f64::max);
         let polygon_mm =
             [most(|s| s.polygon.bounds.width_mm()), most(|s| s.polygon.bounds.height_mm())];
@@ -173,10 +176,9 @@ impl PolygonSteps {
         maker: &SheetDrafter,
         p: &Polygon,
         (told, written): (&certified::CertifiedSteps, &[DrawingPart]),
-        width_mm: Option<f64>,
+        (polygon_mm, width_mm): (f64, Option<f64>),
     ) -> PolygonSteps {
-        let drawn = polygon_of_steps(&maker.options.style, &maker.writer(), p);
-        let polygon = maker.captioned(drawn, "", p.on);
+        let polygon = maker.captioned(maker.polygon(p, polygon_mm), "", p.on);
         let sentences = sentences(&maker.writer(), &maker.worked.construction, p, told);
         let finds = |part: &DrawingPart| part.items.iter().flat_map(FigureItem::steps).max();
         // The pole has no equation; an action belongs to the first equation that is solved at it or

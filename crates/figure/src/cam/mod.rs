@@ -209,7 +209,9 @@ impl<'a> CamDrawing<'a> {
     /// Places the labels and returns the figure with its title, its caption and its scale.
     fn finish(self, mu: f64, title: String, caption: &str, lang: Lang) -> Figure {
         let (report, style) = (self.report, self.style);
-        let (mut items, half) = self.labelled();
+        let mut items = self.labelled().0;
+        let ink = bounds(&items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN));
+        let ink = ink.grown(MARGIN_MM);
         let scale = scale_text(report, mu);
         // For a small drawing the text defines the width of the paper.
         let wide = |text: &str, size_mm: f64| {
@@ -218,8 +220,9 @@ impl<'a> CamDrawing<'a> {
         };
         let title_mm = style.caption_mm * 4.0 / 3.0;
         let words_mm = wide(&title, title_mm).max(wide(caption, style.small_mm));
-        let (width_mm, height_mm) = ((2.0 * half).max(words_mm), 2.0 * half + ABOVE_MM + BELOW_MM);
-        translate(&mut items, Vec2::new(width_mm / 2.0, half + BELOW_MM));
+        let size = [ink.width_mm().max(words_mm), ink.height_mm() + ABOVE_MM + BELOW_MM];
+        let [width_mm, height_mm] = size;
+        translate(&mut items, Vec2::new(width_mm / 2.0 - ink.centre().x, BELOW_MM - ink.min.y));
         let mut write = |class: &str, y: f64, label: Label, size_mm: f64| {
             let at = Point::new(width_mm / 2.0, y);
             items.push(words_at(class, at, label, size_mm, Anchor::Middle, style));

@@ -3,7 +3,11 @@
 //!
 //! This module decides when a polygon has a key, and which names it lists.
 
+use std::collections::HashSet;
+
 use hodograph_base::geom::Point;
+use hodograph_board::construct::Polygon;
+use hodograph_board::plan::text::PlanWriter;
 use hodograph_paper::paper::drawing::{Drawing, DrawingPart, id};
 use hodograph_paper::paper::grid::{self, Cell, Row};
 use hodograph_paper::paper::item::Anchor;
@@ -15,7 +19,7 @@ use super::names::PointLetter;
 use super::{PolygonArrow, PolygonDraft, is_one};
 
 /// With at least this many names on leader lines, a polygon has a key instead.
-pub(super) const LEADERS: usize = 4;
+const LEADERS: usize = 4;
 /// Above this number of vectors, no page holds all names: they are listed without a trial.
 const LISTED_AT_ONCE: usize = 30;
 /// Distance from the drawing to the key, and between its columns.
@@ -36,12 +40,13 @@ enum FoundPlace {
 }
 
 impl PolygonDraft<'_> {
-    /// Places all names: in the drawing, in insets, and, if `may_key`, in a key where many have leader
-    /// lines. `done` finishes a drawing.
+    /// Places all names: in the drawing, in insets, and in a key where many have leader lines. Neither
+    /// insets in place of leader lines nor the key make the drawing wider than `room_mm`. `done`
+    /// finishes a drawing.
     pub(super) fn named(
         &mut self,
         style: &Style,
-        may_key: bool,
+        room_mm: f64,
         done: &dyn Fn(Drawing) -> DrawingPart,
     ) -> DrawingPart {
         let lettered: Vec<usize> =
@@ -49,7 +54,7 @@ impl PolygonDraft<'_> {
         if self.arrows.len() > LISTED_AT_ONCE {
             self.listed = lettered;
             let insets = self.insets(|k| self.listed.contains(&k));
-            return self.keyed(style, done(self.draw(style, &insets).0));
+            return self.keyed(style, room_mm, done(self.draw(style, &insets).0));
         }
         let (drawing, names) = self.draw(style, &[]);
         let part = done(drawing);
@@ -58,11 +63,12 @@ impl PolygonDraft<'_> {
         let insets = self.insets(unnamed);
         let part = if insets.is_empty() { part } else { done(self.draw(style, &insets).0) };
         let found = |k: usize| self.found(k, &part, &insets);
-        if !may_key || lettered.iter().filter(|k| found(**k) == FoundPlace::Led).count() < LEADERS {
+        if lettered.iter().filter(|k| found(**k) == FoundPlace::Led).count() < LEADERS {
             return part;
         }
         // Insets also name vectors that leader lines named, if the drawing becomes no larger.
-        let most_mm = [part.bounds.width_mm().max(WIDEST_MM), part.bounds.height_mm()];
+        let widest_mm = part.bounds.width_mm().max(WIDEST_MM.min(room_mm));
+        let most_mm = [widest_mm, part.bounds.height_mm()];
         let more = self.insets(|k| found(k) != FoundPlace::Beside);
         for further in [&more, &insets] {
             let (inside, outside): (Vec<usize>, Vec<usize>) = lettered
@@ -81,13 +87,13 @@ impl PolygonDraft<'_> {
             let missing = |k: &usize| self.found(*k, &tried, further) != FoundPlace::Beside;
             let unplaced: Vec<usize> = inside.into_iter().filter(missing).collect();
             if unplaced.is_empty() {
-                return self.keyed(style, tried);
+                return self.keyed(style, room_mm, tried);
             }
             self.listed.extend(unplaced);
             self.listed.sort_unstable();
-            return self.keyed(style, done(self.draw(style, further).0));
+            return self.keyed(style, room_mm, done(self.draw(style, further).0));
         }
-        self.keyed(style, done(self.draw(style, &insets).0))
+        self.keyed(style, room_mm, done(self.draw(style, &insets).0))
     }
 
     /// The place of a vector's name in a drawing with these insets.
@@ -106,11 +112,12 @@ impl PolygonDraft<'_> {
     }
 
     /// The drawing without the listed names, and the key below it.
-    fn keyed(&self, style: &Style, mut part: DrawingPart) -> DrawingPart {
+    fn keyed(&self, style: &Style, room_mm: f64, mut part: DrawingPart) -> DrawingPart {
         if self.listed.is_empty() {
             return part;
         }
-        let mut key = self.key(style, part.bounds.width_mm().max(USUAL_MM));
+        let width_mm = part.bounds.width_mm().max(USUAL_MM.min(room_mm));
+        let mut key = in_columns(&self.entries(style), width_mm);
         let left = part.bounds.centre().x - key.bounds.width_mm() / 2.0;
         key.stand_at(Point::new(left, part.bounds.min.y - APART_MM[0]));
         part.bounds = part.bounds.union(key.bounds);
@@ -124,6 +131,13 @@ impl PolygonDraft<'_> {
         [a.from, a.to].into_iter().all(|p| self.letters.iter().any(|l| is_one(l.at, p)))
     }
 
+    /// True if each end of a vector has one letter.
+    fn has_own_letters(&self, arrow: usize) -> bool {
+        let a = &self.arrows[arrow];
+        let at = |p: Point| self.letters.iter().filter(move |l| is_one(l.at, p));
+        [a.from, a.to].into_iter().all(|p| at(p).count() == 1)
+    }
+
     /// The letters at the ends of a vector; among those at its tip, the one that marks its own end.
     fn ends(&self, a: &PolygonArrow) -> [&str; 2] {
         let at = |p: Point| self.letters.iter().filter(move |l| is_one(l.at, p));
@@ -134,34 +148,69 @@ impl PolygonDraft<'_> {
         [at(a.from).next(), tip].map(|l| l.map_or("", |l| &l.name))
     }
 
-    /// The listed names in as many columns as this width holds, at least one.
-    fn key(&self, style: &Style, width_mm: f64) -> DrawingPart {
-        let (word, size_mm) = (self.p.on.word(), style.small_mm);
-        let cell = |text: Label, class: String, name: &str| Cell {
-            label: text.in_fonts(&style.fonts),
-            size_mm,
-            anchor: Anchor::Start,
-            class: format!("{word} key{class}"),
-            id: id(word, name),
-        };
+    /// The listed names, each with the letters at the ends of its vector.
+    fn entries(&self, style: &Style) -> Vec<Cell> {
         let entry = |k: &usize| {
             let a = &self.arrows[*k];
-            let ends = self.ends(a);
+            let [from, to] = self.ends(a);
             let class = a.steps.iter().fold(String::new(), |c, step| format!("{c} step-{step}"));
-            let name = Label::math(format!("{}:\\quad {}{}", a.name(), ends[0], ends[1]));
-            cell(name, class, &format!("key-{}", a.key()))
+            let word = self.p.on.word();
+            let name = Label::math(format!("{}:\\quad {from}{to}", a.name()));
+            Cell {
+                label: name.in_fonts(&style.fonts),
+                size_mm: style.small_mm,
+                anchor: Anchor::Start,
+                class: format!("{word} key{class}"),
+                id: id(word, &format!("key-{}", a.key())),
+            }
         };
-        let entries: Vec<Cell> = self.listed.iter().map(entry).collect();
-        let rows = |columns: usize| {
-            let high = entries.len().div_ceil(columns);
-            let row = |k: usize| Row {
-                cells: (0..columns).map(|c| entries.get(c * high + k).cloned()).collect(),
-                height_mm: size_mm * LEADING,
-            };
-            DrawingPart::of(grid::set(&(0..high).map(row).collect::<Vec<_>>(), APART_MM[1]))
-        };
-        let fits = |columns: &usize| rows(*columns).bounds.width_mm() <= width_mm;
-        let columns = (1..=entries.len()).rev().find(fits).unwrap_or(1);
-        rows(columns)
+        self.listed.iter().map(entry).collect()
     }
+}
+
+/// Entries in as many columns as this width holds, at least one.
+fn in_columns(entries: &[Cell], width_mm: f64) -> DrawingPart {
+    let rows = |columns: usize| {
+        let high = entries.len().div_ceil(columns);
+        let row = |k: usize| Row {
+            cells: (0..columns).map(|c| entries.get(c * high + k).cloned()).collect(),
+            height_mm: entries[0].size_mm * LEADING,
+        };
+        DrawingPart::of(grid::set(&(0..high).map(row).collect::<Vec<_>>(), APART_MM[1]))
+    };
+    let fits = |columns: &usize| rows(*columns).bounds.width_mm() <= width_mm;
+    let columns = (1..=entries.len()).rev().find(fits).unwrap_or(1);
+    rows(columns)
+}
+
+/// The key that polygons of a series share, with the names of all their vectors, in as many columns
+/// as this width holds; `None` if no vector has letters at both ends.
+pub fn series_key<'a>(
+    style: &Style,
+    polygons: impl IntoIterator<Item = (PlanWriter<'a>, &'a Polygon)>,
+    width_mm: f64,
+) -> Option<DrawingPart> {
+    let (mut entries, mut unclear): (Vec<Cell>, Vec<Cell>) = Default::default();
+    for (w, p) in polygons {
+        let (mut draft, _) = PolygonDraft::new(style, &w, p, false);
+        let lettered: Vec<usize> =
+            (0..draft.arrows.len()).filter(|k| draft.is_lettered(*k)).collect();
+        // Where points coincide on paper, another pose shows which of their letters is meant.
+        let (clear, others) = lettered.into_iter().partition(|k| draft.has_own_letters(*k));
+        for (listed, all) in [(clear, &mut entries), (others, &mut unclear)] {
+            draft.listed = listed;
+            all.extend(draft.entries(style));
+        }
+    }
+    entries.extend(unclear);
+    let mut seen = HashSet::new();
+    entries.retain(|entry| seen.insert(entry.id.clone()));
+    (!entries.is_empty()).then(|| in_columns(&entries, width_mm))
+}
+
+/// True if names of vectors are missing in a drawing, or many are on leader lines.
+pub fn is_crowded(part: &DrawingPart) -> bool {
+    let of_vector = |name: &str| name.contains("label-") && !name.contains("label-mark");
+    let leaders = part.items.iter().filter(|i| of_vector(&i.id) && i.id.ends_with("-leader"));
+    part.left_out.iter().any(|name| of_vector(name)) || leaders.count() >= LEADERS
 }

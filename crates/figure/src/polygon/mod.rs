@@ -27,6 +27,7 @@ use hodograph_paper::paper::item::{Colour, Shape};
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
 use inset::Inset;
+pub use key::{is_crowded, series_key};
 pub use marks::mark_id;
 use marks::{marks, shown_by};
 use names::{PointLetter, VectorName, VectorPlace};
@@ -90,18 +91,8 @@ struct PolygonDraft<'a> {
 const MANY_ARROWS: usize = 16;
 
 /// Draws a polygon with its pole at the origin. A cluster too small for its names gets an inset; a
-/// polygon of many leader lines, a key.
-pub fn polygon(style: &Style, w: &PlanWriter, p: &Polygon) -> DrawingPart {
-    named(style, w, p, true)
-}
-
-/// Draws a polygon for a series that shows it step by step: without a key, which would take the
-/// space of the drawing, unless it has too many vectors for anything else.
-pub fn polygon_of_steps(style: &Style, w: &PlanWriter, p: &Polygon) -> DrawingPart {
-    named(style, w, p, false)
-}
-
-fn named(style: &Style, w: &PlanWriter, p: &Polygon, may_key: bool) -> DrawingPart {
+/// polygon of many leader lines, a key, if possible within this width.
+pub fn polygon(style: &Style, w: &PlanWriter, p: &Polygon, room_mm: f64) -> DrawingPart {
     let (mut draft, style) = PolygonDraft::new(style, w, p, false);
     draft.side_by_side(style.vector.width_mm);
     let finished = |mut drawing: Drawing| {
@@ -114,7 +105,7 @@ fn named(style: &Style, w: &PlanWriter, p: &Polygon, may_key: bool) -> DrawingPa
         // In a series, insets and keys would appear and disappear from figure to figure.
         return finished(draft.draw(&style, &[]).0);
     }
-    draft.named(&style, may_key, &finished)
+    draft.named(&style, room_mm, &finished)
 }
 
 /// Draws a polygon without insets and before its labels are placed, for series of drawings: with
@@ -504,7 +495,8 @@ mod tests {
         let notation = Notation::of_language(Lang::En);
         let w =
             PlanWriter { scene: &scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
-        let part = polygon(&Style::default(), &w, worked.construction.polygon(on).unwrap());
+        let p = worked.construction.polygon(on).unwrap();
+        let part = polygon(&Style::default(), &w, p, f64::INFINITY);
         part.items.into_iter().map(|i| (i.id, i.shape)).collect()
     }
 
@@ -561,30 +553,34 @@ mod tests {
         assert_eq!(items.iter().filter(|(id, _)| id.starts_with("vel-image")).count(), 2);
     }
 
-    /// In place of leader lines, a crowded polygon lists vectors by the letters at their ends; one
-    /// with space for its names, and one that grows step by step, have no list.
+    /// In place of leader lines, a crowded polygon lists vectors by the letters at their ends, also on
+    /// a narrow page; one with space for its names has no list.
     #[test]
     fn a_crowded_polygon_has_a_key() {
-        let of = |name: &str, draw: fn(&Style, &PlanWriter, &Polygon) -> DrawingPart| {
+        let of = |name: &str, room_mm: f64| {
             let scene = read(templates::get(name).unwrap()).unwrap().value;
             let worked = work(&scene, Scope::Figure).unwrap().value;
             let (notation, lang) = (Notation::of_language(Lang::En), Lang::En);
             let w = PlanWriter { scene: &scene, plan: &worked.plan, notation: &notation, lang };
             let p = worked.construction.polygon(DiagramKind::Acceleration).unwrap();
-            let part = draw(&Style::default(), &w, p);
-            let is_key = |id: &str| id.starts_with("acc-key-");
-            let led = |id: &str| id.ends_with("-leader") && !id.contains("label-mark");
-            let texts = part.items.iter().filter(|i| is_key(&i.id)).map(|i| match &i.shape {
+            polygon(&Style::default(), &w, p, room_mm)
+        };
+        let keys = |part: &DrawingPart| -> Vec<String> {
+            let texts = part.items.iter().filter(|i| i.id.starts_with("acc-key-"));
+            let source = |shape: &Shape| match shape {
                 Shape::Label { label, .. } => label.source().to_owned(),
                 _ => String::new(),
-            });
-            (texts.collect::<Vec<_>>(), part.items.iter().filter(|i| led(&i.id)).count())
+            };
+            texts.map(|i| source(&i.shape)).collect()
         };
-        let (key, leaders) = of("stephenson-six-bar", polygon);
-        assert!(key.iter().any(|text| text == r"a_{H}:\quad o'h'"), "{key:?}");
-        assert!(leaders < key::LEADERS, "{leaders}");
-        let (none, leaders) = of("stephenson-six-bar", polygon_of_steps);
-        assert!(none.is_empty() && leaders >= key::LEADERS, "{none:?} {leaders}");
-        assert_eq!(of("shaper", polygon).0, Vec::<String>::new());
+        let wide = of("stephenson-six-bar", f64::INFINITY);
+        assert!(keys(&wide).iter().any(|text| text == r"a_{H}:\quad o'h'"), "{:?}", keys(&wide));
+        // Its lines alone are 70 mm wide.
+        let narrow = of("stephenson-six-bar", 80.0);
+        assert!(!keys(&narrow).is_empty() && narrow.bounds.width_mm() < wide.bounds.width_mm());
+        for part in [wide, narrow] {
+            assert!(!is_crowded(&part));
+        }
+        assert!(keys(&of("shaper", f64::INFINITY)).is_empty());
     }
 }

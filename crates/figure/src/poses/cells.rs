@@ -1,9 +1,10 @@
 //! Fills the cells of a sheet of poses: each cell has a drawing, as on any other sheet, with ground
 //! or pole at the same place of its cell, so that neighbouring poses can be compared. In a table
 //! only the first drawing of a column with enough space has all its names; the others have the
-//! letters of their points.
+//! letters of their points. If no polygon has the space, a key below the table lists the names.
 
 use super::{PoseRow, PoseTable, text};
+use crate::arrange::{Tree, put_together};
 use crate::course::courses;
 use crate::hodograph::runs;
 use crate::sheet::SheetOptions;
@@ -12,7 +13,7 @@ use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::lang::tr;
 use hodograph_board::construct::Polygon;
 use hodograph_board::plan::text::PlanWriter;
-use hodograph_paper::paper::drawing::{Drawing, DrawingPart, Habits};
+use hodograph_paper::paper::drawing::{DrawingPart, Habits};
 use hodograph_paper::paper::extent::Rect;
 use hodograph_paper::paper::item::{Anchor, Colour, Dash, FigureItem, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
@@ -29,6 +30,8 @@ pub(super) struct PoseColumn {
     pub on: DiagramKind,
     pub parts: Vec<DrawingPart>,
     pub bounds: Rect,
+    /// True if one drawing has all its names.
+    pub named: bool,
 }
 
 impl PoseTable<'_> {
@@ -38,7 +41,7 @@ impl PoseTable<'_> {
             DiagramKind::OF_MOTION.into_iter().filter(|on| self.scales.mu.get(on.kind()).is_some());
         drawn
             .map(|on| {
-                let parts = self.parts(on);
+                let (parts, named) = self.parts(on);
                 let all = parts
                     .iter()
                     .filter(|p| !p.items.is_empty())
@@ -48,6 +51,7 @@ impl PoseTable<'_> {
                     on,
                     parts,
                     bounds: all.unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)),
+                    named,
                 }
             })
             .collect()
@@ -65,7 +69,20 @@ impl PoseTable<'_> {
         Some((PlanWriter { scene: &row.scene, plan: &row.worked.plan, notation, lang: *lang }, p))
     }
 
-    fn parts(&self, on: DiagramKind) -> Vec<DrawingPart> {
+    /// The names of the vectors of all polygons that have no space for them, below one another.
+    pub(super) fn keys(&self, columns: &[PoseColumn], width_mm: f64) -> Option<DrawingPart> {
+        let crowded = columns.iter().filter(|column| !column.named && !self.still);
+        let key = |column: &PoseColumn| {
+            let polygons = self.rows.iter().filter_map(|row| self.polygon(row, column.on));
+            polygon::series_key(&self.options.style, polygons, width_mm)
+        };
+        let keys: Vec<DrawingPart> = crowded.filter_map(key).collect();
+        let tree = Tree::text_column((0..keys.len()).map(Tree::Leaf).collect());
+        (!keys.is_empty()).then(|| put_together(tree, keys))
+    }
+
+    /// The drawings of all rows, and true if one of them has all its names.
+    fn parts(&self, on: DiagramKind) -> (Vec<DrawingPart>, bool) {
         let SheetOptions { style, notation, .. } = self.options;
         let poses: Vec<(&Scene, &Worked)> =
             self.rows.iter().map(|r| (&r.scene, &r.worked)).collect();
@@ -79,20 +96,15 @@ impl PoseTable<'_> {
         let (mut habits, mut of_polygon) = (Habits::new(), Habits::new());
         let mut parts = Vec::new();
         let mut named = false;
-        let mut with_names = |mut drawing: Drawing, room: bool| {
-            if (named || !room) && !self.still {
-                drawing.letters_only();
-            }
-            named |= room;
-            drawing
-        };
         for (k, row) in self.rows.iter().enumerate() {
             let mut part = match on {
                 DiagramKind::Plane => {
-                    let drawing = with_names(
-                        mechanism::drawing(style, &row.scene, &row.worked, notation, &courses[k]),
-                        true,
-                    );
+                    let mut drawing =
+                        mechanism::drawing(style, &row.scene, &row.worked, notation, &courses[k]);
+                    if named && !self.still {
+                        drawing.letters_only();
+                    }
+                    named = true;
                     let mut part = drawing.finish_after(&mut habits);
                     // The diagram's origin may be a moving point.
                     let (here, first) = (
@@ -109,7 +121,15 @@ impl PoseTable<'_> {
                             polygon::drawing(style, &w, p, full).finish_after(&mut of_polygon)
                         }
                         Some((w, p)) => {
-                            with_names(polygon::drawing(style, &w, p, full), fits_names(p)).finish()
+                            let drawing = || polygon::drawing(style, &w, p, full);
+                            let whole = (!named && fits_names(p)).then(|| drawing().finish());
+                            let whole = whole.filter(|part| !polygon::is_crowded(part));
+                            named |= whole.is_some();
+                            whole.unwrap_or_else(|| {
+                                let mut drawing = drawing();
+                                drawing.letters_only();
+                                drawing.finish()
+                            })
                         }
                         None => DrawingPart::of(self.absent(row)),
                     }
@@ -128,7 +148,7 @@ impl PoseTable<'_> {
             }
             parts.push(part);
         }
-        parts
+        (parts, named)
     }
 
     /// The text in place of a missing polygon.

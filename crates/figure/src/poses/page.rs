@@ -10,6 +10,7 @@ use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_base::digits::{inked, shortest};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::lang::tr;
+use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::extent::Rect;
 use hodograph_paper::paper::item::{Anchor, Figure, FigureItem, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
@@ -28,6 +29,8 @@ const PAPERS: [[f64; 2]; 2] = [[210.0, 297.0], [297.0, 420.0]];
 const ROWS_LEAST: usize = 2;
 /// Space below the title.
 const TITLE_MM: f64 = 14.0;
+/// Space between the table and the key below it.
+const KEYS_MM: f64 = 4.0;
 
 impl PoseTable<'_> {
     /// Returns the place of the driver in a pose, with its unit.
@@ -97,10 +100,12 @@ impl PoseTable<'_> {
             columns.iter().map(|c| c.bounds.height_mm()).fold(0.0, f64::max) + 2.0 * AIR_MM;
         let width_mm = NAME_MM + columns.iter().map(|c| self.wide_mm(c)).sum::<f64>();
         let count = self.rows.len();
+        let keys = self.keys(&columns, width_mm);
+        let keys_mm = keys.as_ref().map_or(0.0, |keys| keys.bounds.height_mm() + KEYS_MM);
         let size = |across: usize, down: usize| {
             [
                 across as f64 * width_mm + 2.0 * MARGIN_MM,
-                TITLE_MM + HEAD_MM + down as f64 * row_mm + 2.0 * MARGIN_MM,
+                TITLE_MM + HEAD_MM + down as f64 * row_mm + keys_mm + 2.0 * MARGIN_MM,
             ]
         };
         let (across, down, size_mm) = match paper {
@@ -138,6 +143,7 @@ impl PoseTable<'_> {
             let page = PosePage {
                 table: self,
                 columns: &columns,
+                keys: keys.as_ref(),
                 row_mm,
                 width_mm,
                 size_mm,
@@ -178,6 +184,8 @@ fn choose(
 struct PosePage<'a> {
     table: &'a PoseTable<'a>,
     columns: &'a [PoseColumn],
+    /// The key below the table.
+    keys: Option<&'a DrawingPart>,
     row_mm: f64,
     width_mm: f64,
     size_mm: [f64; 2],
@@ -220,6 +228,11 @@ impl PosePage<'_> {
                     edge += wide;
                 }
             }
+        }
+        if let Some(mut keys) = self.keys.cloned() {
+            let rows = self.down.min(rows.len()) as f64;
+            keys.stand_at(Point::new(left, top - HEAD_MM - rows * self.row_mm - KEYS_MM));
+            items.extend(keys.items);
         }
         let mut figure = maker.figure(items, self.size_mm);
         if pages > 1 {

@@ -1,6 +1,6 @@
 //! The equations of motion of points that drivers move directly.
 
-use super::{LoopWords, equation_json, gives, plain};
+use super::{DisplayedFormula, LoopWords, equation_json, gives, plain};
 use hodograph_base::lang::{say, tr};
 use hodograph_board::plan::names::{name_label, point_label};
 use hodograph_methods::loops::{Equation, FrameEquations, LoopVariable, PointEquations};
@@ -21,7 +21,9 @@ impl LoopWords<'_> {
     /// Returns the given motions: the law of each variable, or its value and rates at the instant.
     pub fn given_motions(&self) -> Vec<Phrase> {
         let line = |v: &LoopVariable| {
-            let values = [0, 1, 2].map(|order| self.variable(v, order)).join(",\\quad ");
+            // Formulas of their own, between which a line can break.
+            let comma = format!("${}$", tr!(self.lang, "clause" => ", "));
+            let values = [0, 1, 2].map(|order| self.variable(v, order)).join(&comma);
             let driver = &self.scene.drivers[v.driver?];
             let relative = driver.kind.turned().is_some_and(|(_, l)| l != self.scene.ground);
             let law = driver.law.as_ref().filter(|_| !relative).map(|law| law.text.clone());
@@ -66,15 +68,16 @@ impl LoopWords<'_> {
     fn of_point(&self, p: &PointEquations) -> Vec<WrittenMotion> {
         let lang = self.lang;
         let name = point_label(self.scene.point_name(p.of));
-        let rates =
-            || Phrase::new(tr!(lang, "Differentiated with respect to time, once and twice:"));
+        let rates = || Phrase::new(tr!(lang, "Differentiated with respect to time:"));
+        let seconds = || Phrase::new(tr!(lang, "Differentiated once more:"));
         let mut out = Vec::new();
         if let Some([place, velocity, acceleration]) = &p.absolute {
             out.push(WrittenMotion {
                 heading: Phrase::new(&say!(lang, "Equations of motion of ${name}$")),
                 parts: vec![
                     (Phrase::new(tr!(lang, "Coordinates:")), place.to_vec()),
-                    (rates(), velocity.iter().chain(acceleration).cloned().collect()),
+                    (rates(), velocity.to_vec()),
+                    (seconds(), acceleration.to_vec()),
                 ],
             });
         }
@@ -88,8 +91,8 @@ impl LoopWords<'_> {
             let words = tr!(lang, "Relative equations of motion:");
             parts.push((Phrase::new(words), place.to_vec()));
             let [v, a] = f.sizes.clone();
-            let rated = velocity.iter().cloned().chain([v]);
-            parts.push((rates(), rated.chain(acceleration.iter().cloned()).chain([a]).collect()));
+            parts.push((rates(), velocity.iter().cloned().chain([v]).collect()));
+            parts.push((seconds(), acceleration.iter().cloned().chain([a]).collect()));
             out.push(WrittenMotion { heading: self.of_frame(&name, f), parts });
         }
         out
@@ -119,6 +122,29 @@ impl LoopWords<'_> {
         let line = [a, b].map(|p| self.scene.point_name(*p)).concat();
         let line = name_label(&line);
         say!(self.lang, " with $x'$ along ${line}$")
+    }
+
+    /// Returns the given motions in steps, each a sentence.
+    pub fn given_steps(&self) -> Vec<String> {
+        let step = |p: Phrase| say!(self.lang, "Given motion: {}.", p.source());
+        self.given_motions().into_iter().map(step).collect()
+    }
+
+    /// Returns the equations of motion of each point, and of each in a frame, in steps: sentences
+    /// with the formulas below them.
+    pub fn motion_steps(&self) -> Vec<Vec<(String, Vec<DisplayedFormula>)>> {
+        let steps = |WrittenMotion { heading, parts }: WrittenMotion| {
+            let sentence = |(k, (words, equations)): (usize, (Phrase, Vec<Equation>))| {
+                let below = equations.iter().map(|e| self.display(e)).collect();
+                let words = words.source();
+                match k {
+                    0 => (format!("{}{}{words}", heading.source(), tr!(self.lang, ". ")), below),
+                    _ => (words, below),
+                }
+            };
+            parts.into_iter().enumerate().map(sentence).collect()
+        };
+        self.motions().into_iter().map(steps).collect()
     }
 
     /// Returns the equations of motion as lines of text.
