@@ -6,11 +6,13 @@
 //! same bits. The memory is that of a [`Block`], not of the batch.
 
 use super::chunks::run_on_branches;
+use super::compile::{self, compile_in};
 use super::general::General;
 use super::pieces::{StopSignal, never};
+use super::program::SweepProgram;
 use super::station::{Stations, angle_per_value};
 use super::vary::Variation;
-use super::{PlacedScene, TravelEnds, Width, beside, compile, without_program};
+use super::{PlacedScene, TravelEnds, Width, beside, without_program};
 use hodograph_base::budget::here;
 use hodograph_base::diag::Faults;
 use hodograph_mechanism::mechanism::{Demand, Mechanism};
@@ -63,6 +65,12 @@ pub struct Block {
     pub columns: Vec<Vec<f64>>,
     /// The number of positions that have no row because the mechanism cannot be assembled there.
     pub missing: u64,
+}
+
+/// The parts of a thread that it uses again for the next mechanism.
+struct Worker {
+    scene: Scene,
+    program: SweepProgram,
 }
 
 impl Batch<'_> {
@@ -155,15 +163,15 @@ impl Batch<'_> {
         }
         let demand = Demand::of(self.scene, self.mechanism);
         let here = here();
-        let one = |scene: &mut Scene, i: usize, part| {
-            here.enter(|| self.one(scene, &demand, from + i as u64, part))
+        let one = |worker: &mut Worker, i: usize, part| {
+            here.enter(|| self.one(worker, &demand, from + i as u64, part))
         };
         let missing: Option<Vec<Vec<usize>>> = parts
             .into_par_iter()
             .enumerate()
             .map_init(
-                || self.scene.clone(),
-                |scene, (i, part)| (!stop()).then(|| one(scene, i, part)),
+                || Worker { scene: self.scene.clone(), program: SweepProgram::default() },
+                |worker, (i, part)| (!stop()).then(|| one(worker, i, part)),
             )
             .collect();
         let missing = missing?;
@@ -179,7 +187,7 @@ impl Batch<'_> {
     /// Fills the columns of a mechanism; returns the rows that are missing.
     fn one(
         &self,
-        scene: &mut Scene,
+        Worker { scene, program }: &mut Worker,
         demand: &Demand,
         number: u64,
         mut columns: Vec<&mut [f64]>,
@@ -190,19 +198,21 @@ impl Batch<'_> {
         let rows = self.variation.set(scene, &parameters).and_then(|()| {
             let answers = columns.split_off(1 + parameters.len());
             match self.variation.topology(scene)? {
-                Some(own) => self.rows(scene, (&own, &Demand::of(scene, &own)), answers),
-                None => self.rows(scene, (self.mechanism, demand), answers),
+                Some(own) => self.rows(scene, (&own, &Demand::of(scene, &own)), answers, program),
+                None => self.rows(scene, (self.mechanism, demand), answers, program),
             }
         });
         rows.unwrap_or_else(|_| (0..self.positions()).collect())
     }
 
     /// The driver's positions and the answers of a mechanism; returns the rows that are missing.
+    /// Its program is made in the memory of the last one.
     fn rows(
         &self,
         scene: &Scene,
         (mechanism, demand): (&Mechanism, &Demand),
         mut columns: Vec<&mut [f64]>,
+        last: &mut SweepProgram,
     ) -> Result<Vec<usize>, Faults> {
         let (at, moved) = self.place(scene, mechanism, demand)?;
         let scene = moved.as_ref().unwrap_or(scene);
@@ -224,7 +234,8 @@ impl Batch<'_> {
         let general = General::new(&placed, self.driver);
         let answers = columns.split_off(1);
         columns[0].copy_from_slice(&stations.values);
-        let rows = match compile(scene, mechanism, &placed.at, Some(self.driver), &scene.find) {
+        let (driver, used) = (Some(self.driver), std::mem::take(last));
+        let rows = match compile_in(scene, mechanism, &placed.at, driver, &scene.find, used) {
             Ok(program) => {
                 let (mut rows, _) = run_on_branches(
                     &program,
@@ -237,6 +248,7 @@ impl Batch<'_> {
                 rows.complete(&general, &stations, &never, &|row| {
                     beside(&program, &placed, self.driver, stations.values[row])
                 });
+                *last = program;
                 rows
             }
             Err(why) => without_program(&general, &stations, &why).0.copied_to(answers),

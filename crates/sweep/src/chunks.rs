@@ -47,6 +47,9 @@ impl<C: DerefMut<Target = [f64]>> SweepRows<C> {
         near: NearbyRow,
     ) -> bool {
         let open = std::mem::take(&mut self.open);
+        if open.is_empty() {
+            return true;
+        }
         let laid = Stood::beyond_change_points(general, stations, &open);
         let solve = |i: usize, at: Option<&Configuration>| {
             general.ways(stations, i, at).map(|ways| pick_way(ways, || near(i)))

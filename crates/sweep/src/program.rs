@@ -181,7 +181,7 @@ pub struct Joint {
 }
 
 /// A scene compiled for one swept quantity.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct SweepProgram {
     /// The operations of each effect: positions, velocities, accelerations.
     pub steps: [Vec<ProgramStep>; 3],
@@ -221,6 +221,21 @@ pub const SIN: Reg = Reg(2);
 pub(super) const INPUTS: [Reg; 3] = [VALUE, COS, SIN];
 
 impl SweepProgram {
+    /// Returns the memory of the program for another one, which has nothing in it yet.
+    pub(super) fn emptied(mut self) -> SweepProgram {
+        if let Some(fused) = self.runs[0].take() {
+            fused.give_back();
+        }
+        let SweepProgram { mut steps, mut constants, mut columns, mut joints, mut motions, .. } =
+            self;
+        steps.iter_mut().for_each(Vec::clear);
+        constants.clear();
+        columns.clear();
+        joints.clear();
+        motions.clear();
+        SweepProgram { steps, constants, columns, joints, motions, ..SweepProgram::default() }
+    }
+
     /// Registers of one position with the inputs filled in, each with its derivative by the swept
     /// quantity. `per_value` is the derivative of the angle that belongs to the cosine and sine.
     pub fn inputs(&self, value: f64, cos: f64, sin: f64, per_value: f64) -> Vec<Dual> {

@@ -35,7 +35,8 @@ enum SceneQuantity<'a> {
 
 /// Every quantity of a scene, always in the same order.
 fn slots(scene: &mut Scene) -> Vec<SceneQuantity<'_>> {
-    let mut out = Vec::new();
+    let parts = scene.points.len() + scene.guides.len() + scene.rolling.len() + scene.drivers.len();
+    let mut out = Vec::with_capacity(4 * parts + scene.lengths.len());
     for p in &mut scene.points {
         match &mut p.place {
             PointPlace::Unknown => {}

@@ -60,10 +60,18 @@ pub(super) fn pixels(svg: &str, dpi: f64) -> Result<tiny_skia::Pixmap, Diagnosti
 pub(super) fn encode(pixmap: &tiny_skia::Pixmap, dpi: f64) -> Result<Vec<u8>, png::EncodingError> {
     // All pixels are opaque because the white paper covers everything, so the premultiplied
     // components are the colours.
-    let grey = pixmap.data().chunks_exact(4).all(|p| p[0] == p[1] && p[1] == p[2]);
-    let channels = if grey { 1 } else { 3 };
-    let samples: Vec<u8> =
-        pixmap.data().chunks_exact(4).flat_map(|p| &p[..channels]).copied().collect();
+    let pixels = pixmap.data().as_chunks::<4>().0;
+    // Many pixels are compared before the result is looked at.
+    let grey = pixels
+        .chunks(4096)
+        .all(|some| some.iter().fold(0, |off, [r, g, b, _]| off | (r ^ g) | (g ^ b)) == 0);
+    let mut samples = vec![0; pixels.len() * if grey { 1 } else { 3 }];
+    if grey {
+        samples.iter_mut().zip(pixels).for_each(|(sample, pixel)| *sample = pixel[0]);
+    } else {
+        let samples = samples.as_chunks_mut::<3>().0;
+        samples.iter_mut().zip(pixels).for_each(|(sample, [r, g, b, _])| *sample = [*r, *g, *b]);
+    }
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, pixmap.width(), pixmap.height());
     encoder.set_color(if grey { png::ColorType::Grayscale } else { png::ColorType::Rgb });

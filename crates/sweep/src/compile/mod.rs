@@ -53,7 +53,22 @@ pub fn compile(
     driver: Option<usize>,
     find: &[Find],
 ) -> Result<SweepProgram, NoKernel> {
-    let mut c = Compiler::new(scene, m, at, driver);
+    compile_in(scene, m, at, driver, find, SweepProgram::default())
+}
+
+/// Compiles as [`compile()`] does, in the memory of a program that is no more used.
+///
+/// # Errors
+/// The group that has no kernel.
+pub(super) fn compile_in(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    driver: Option<usize>,
+    find: &[Find],
+    used: SweepProgram,
+) -> Result<SweepProgram, NoKernel> {
+    let mut c = Compiler::new(scene, m, at, driver, used);
     find.iter().try_for_each(|f| c.answer(f))?;
     Ok(c.finish())
 }
@@ -70,7 +85,7 @@ pub fn outputs(
     driver: usize,
     outputs: &[DrivenOutput],
 ) -> Result<SweepProgram, NoKernel> {
-    let mut c = Compiler::new(scene, m, at, Some(driver));
+    let mut c = Compiler::new(scene, m, at, Some(driver), SweepProgram::default());
     for g in 0..m.groups.len() {
         c.group(g, Level::Position)?;
     }
@@ -93,7 +108,7 @@ pub fn places(
     points: &[PointId],
     links: &[LinkId],
 ) -> Result<SweepProgram, NoKernel> {
-    let mut c = Compiler::new(scene, m, at, Some(driver));
+    let mut c = Compiler::new(scene, m, at, Some(driver), SweepProgram::default());
     let mut pairs = Vec::new();
     for p in points {
         pairs.push(c.point(*p, Level::Position)?);
@@ -159,6 +174,8 @@ pub(super) struct Compiler<'a> {
     registers: u32,
     columns: Vec<Reg>,
     joints: Vec<Joint>,
+    /// The memory of [`SweepProgram::motions`].
+    motions: Vec<[Option<RegPair>; 3]>,
     tracks: Vec<LinkTrack>,
     points: Vec<[Option<RegPair>; 3]>,
     bodies: Vec<Option<LinkReference>>,
@@ -177,7 +194,13 @@ impl<'a> Compiler<'a> {
         m: &'a Mechanism,
         at: &'a Configuration,
         driver: Option<usize>,
+        used: SweepProgram,
     ) -> Self {
+        let SweepProgram { mut steps, mut constants, columns, joints, motions, .. } =
+            used.emptied();
+        // A dyad has about this many operations for each effect.
+        steps.iter_mut().for_each(|s| s.reserve(6 * (1 + m.groups.len())));
+        constants.reserve(8 * (1 + m.groups.len()));
         let mut c = Compiler {
             scene,
             m,
@@ -185,12 +208,12 @@ impl<'a> Compiler<'a> {
             driver,
             values: driver_positions(scene, at),
             unit: 1.0 / power_of_two_scale(at.extent()),
-            // A dyad has about this many operations for each effect.
-            steps: std::array::from_fn(|_| Vec::with_capacity(6 * (1 + m.groups.len()))),
-            constants: Vec::with_capacity(8 * (1 + m.groups.len())),
+            steps,
+            constants,
             registers: SIN.0 + 1,
-            columns: Vec::with_capacity(3 * scene.find.len()),
-            joints: Vec::new(),
+            columns,
+            joints,
+            motions,
             tracks: Vec::new(),
             points: vec![[None; 3]; scene.points.len()],
             bodies: vec![None; scene.links.len()],
@@ -218,11 +241,12 @@ impl<'a> Compiler<'a> {
         c
     }
 
-    fn finish(self) -> SweepProgram {
+    fn finish(mut self) -> SweepProgram {
         let own = self.bodies.iter().flatten().map(|b| b.own);
-        let motions = self.points.iter().copied().chain(own).filter(|m| m[0].is_some()).collect();
+        let motions = self.points.iter().copied().chain(own).filter(|m| m[0].is_some());
+        self.motions.extend(motions);
         SweepProgram {
-            motions,
+            motions: self.motions,
             runs: Default::default(),
             steps: self.steps,
             constants: self.constants,

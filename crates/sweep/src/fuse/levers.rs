@@ -22,9 +22,9 @@ struct LeverSlot<'a> {
 impl Matching<'_> {
     pub(super) fn lever(&self, i: usize, taken: &mut [bool], units: &mut Vec<FusedUnit>) {
         let Op::SlotLever(lever) = &self.steps[i].op else { return };
-        let Some(at) = self.fixed(lever.a).filter(|_| self.alive[i]) else { return };
+        let Some(at) = self.fixed(lever.a).filter(|_| self.alive(i)) else { return };
         let arm = pair(self.steps[i].out);
-        let later = || (i + 1..self.steps.len()).filter(|&k| self.alive[k] && !taken[k]);
+        let later = || (i + 1..self.steps.len()).filter(|&k| self.alive(k) && !taken[k]);
         // A link has one slot, and its normal is made once.
         let Some((turn, slot, v)) = later().find_map(|k| {
             let Op::TurnOf(turn) = &self.steps[k].op else { return None };

@@ -2,7 +2,7 @@
 //! acceleration of one point, or angular velocity and angular acceleration of one line.
 
 use super::kernels::{CoupledPoint, Crank, Dyad, Images, LineTurning, MotionRegisters, Slider};
-use super::{FusedUnit, NONE, Outs, Wires};
+use super::{FusedUnit, NONE, Outs, Wires, emptied};
 use crate::carry::Arm;
 use crate::kernel::{Reg, RegPair};
 use crate::program::{COS, Op, ProgramStep, SIN, SweepProgram};
@@ -13,7 +13,13 @@ use arrayvec::ArrayVec;
 /// A program indexed by its registers.
 pub struct Matching<'a> {
     pub(super) program: &'a SweepProgram,
-    pub(super) steps: &'a [ProgramStep],
+    pub(super) steps: &'a [&'a ProgramStep],
+    pub tables: RegisterTables,
+}
+
+/// The entries of a program's registers and steps.
+#[derive(Default)]
+pub struct RegisterTables {
     /// The values of constant registers.
     pub constants: Vec<Option<f64>>,
     /// The step that fills each register.
@@ -22,9 +28,12 @@ pub struct Matching<'a> {
     uses: Vec<u32>,
     /// The number of registers that each step fills; `alive` is true for the steps that are needed.
     outs: Vec<u32>,
-    pub(super) alive: Vec<bool>,
+    alive: Vec<bool>,
     /// The step that computes the length of the vector that begins at a register.
     length: Vec<u32>,
+    /// True for the steps that are part of a unit.
+    taken: Vec<bool>,
+    wires: Wires,
 }
 
 /// A whole kernel of the given number of levels, with lengths or without.
@@ -47,84 +56,94 @@ pub(super) type Few<T> = ArrayVec<T, 3>;
 type KernelChoice<'a> = &'a dyn Fn(usize, bool) -> FusedOp;
 
 impl<'a> Matching<'a> {
-    pub fn new(program: &'a SweepProgram, steps: &'a [ProgramStep], wanted: &[Reg]) -> Self {
+    /// Indexes a program, in the memory of other tables.
+    pub fn new(
+        program: &'a SweepProgram,
+        steps: &'a [&'a ProgramStep],
+        wanted: &[Reg],
+        mut tables: RegisterTables,
+    ) -> Self {
         let n = program.registers;
-        let mut m = Matching {
-            program,
-            steps,
-            constants: vec![None; n],
-            maker: vec![NONE; n],
-            uses: vec![0; n],
-            outs: vec![0; steps.len()],
-            alive: vec![false; steps.len()],
-            length: vec![NONE; n],
-        };
+        let RegisterTables { constants, maker, uses, outs, alive, length, taken, wires } =
+            &mut tables;
+        emptied(constants, n, None);
+        emptied(maker, n, NONE);
+        emptied(uses, n, 0);
+        emptied(outs, steps.len(), 0);
+        emptied(alive, steps.len(), false);
+        emptied(length, n, NONE);
+        emptied(taken, steps.len(), false);
         for (reg, value) in &program.constants {
-            m.constants[reg.0 as usize] = Some(*value);
+            constants[reg.0 as usize] = Some(*value);
         }
-        wanted.iter().for_each(|r| m.uses[r.0 as usize] += 1);
-        let mut wires = Wires::default();
+        wanted.iter().for_each(|r| uses[r.0 as usize] += 1);
         for (i, step) in steps.iter().enumerate().rev() {
-            step.op.run(&mut wires, step.out);
-            m.outs[i] = wires.outs;
+            step.op.run(wires, step.out);
+            outs[i] = wires.outs;
             let out = step.out.0 as usize..(step.out.0 + wires.outs) as usize;
-            m.maker[out.clone()].fill(i as u32);
-            m.alive[i] = m.uses[out].iter().any(|u| *u > 0);
-            if m.alive[i] {
-                wires.ins.iter().for_each(|r| m.uses[r.0 as usize] += 1);
+            maker[out.clone()].fill(i as u32);
+            alive[i] = uses[out].iter().any(|u| *u > 0);
+            if alive[i] {
+                wires.ins.iter().for_each(|r| uses[r.0 as usize] += 1);
                 if let Op::VectorLength(l) = step.op {
-                    m.length[l.v.x.0 as usize] = i as u32;
+                    length[l.v.x.0 as usize] = i as u32;
                 }
             }
         }
-        m
+        Matching { program, steps, tables }
     }
 
-    /// Every needed step as a unit of its own.
-    pub fn singles(&self) -> Vec<FusedUnit> {
-        (0..self.steps.len()).filter(|&i| self.alive[i]).map(|i| self.single(i)).collect()
+    /// Lists every needed step as a unit of its own.
+    pub fn singles(&self, units: &mut Vec<FusedUnit>) {
+        units.clear();
+        units.extend((0..self.steps.len()).filter(|&i| self.alive(i)).map(|i| self.single(i)));
     }
 
     fn single(&self, i: usize) -> FusedUnit {
         let step = &self.steps[i];
         FusedUnit {
             op: Any::One(step.op),
-            outs: (0..self.outs[i]).map(|k| Reg(step.out.0 + k)).collect(),
+            outs: (0..self.tables.outs[i]).map(|k| Reg(step.out.0 + k)).collect(),
         }
     }
 
-    /// The needed steps, with those that belong together combined.
-    pub fn units(&self) -> Vec<FusedUnit> {
-        let mut taken = vec![false; self.steps.len()];
-        let mut units = Vec::with_capacity(self.steps.len());
+    /// Lists the needed steps, with those that belong together combined.
+    pub fn units(&mut self, units: &mut Vec<FusedUnit>) {
+        units.clear();
+        let mut taken = std::mem::take(&mut self.tables.taken);
         for motion in &self.program.motions {
-            self.motion(motion, &mut taken, &mut units);
+            self.motion(motion, &mut taken, units);
         }
         for i in 0..self.steps.len() {
-            self.turning(i, &mut taken, &mut units);
-            self.lever(i, &mut taken, &mut units);
+            self.turning(i, &mut taken, units);
+            self.lever(i, &mut taken, units);
         }
         units.extend(
-            (0..self.steps.len()).filter(|&i| self.alive[i] && !taken[i]).map(|i| self.single(i)),
+            (0..self.steps.len()).filter(|&i| self.alive(i) && !taken[i]).map(|i| self.single(i)),
         );
-        units
+        self.tables.taken = taken;
+    }
+
+    /// True if a step is needed.
+    pub(super) fn alive(&self, i: usize) -> bool {
+        self.tables.alive[i]
     }
 
     /// The operation that fills a pair, if it is needed.
     pub(super) fn op(&self, pair: RegPair) -> Option<(usize, &Op)> {
-        let i = self.maker[pair.x.0 as usize];
+        let i = self.tables.maker[pair.x.0 as usize];
         let step = self.steps.get(i as usize)?;
-        (self.alive[i as usize] && step.out == pair.x && pair.y.0 == pair.x.0 + 1)
+        (self.alive(i as usize) && step.out == pair.x && pair.y.0 == pair.x.0 + 1)
             .then_some((i as usize, &step.op))
     }
 
     /// The step that fills a register.
     pub(super) fn maker(&self, reg: Reg) -> Option<usize> {
-        Some(self.maker[reg.0 as usize] as usize).filter(|i| *i < self.steps.len())
+        Some(self.tables.maker[reg.0 as usize] as usize).filter(|i| *i < self.steps.len())
     }
 
     pub(super) fn constant(&self, reg: Reg) -> Option<f64> {
-        self.constants[reg.0 as usize]
+        self.tables.constants[reg.0 as usize]
     }
 
     pub(super) fn fixed(&self, p: RegPair) -> Option<[f64; 2]> {
@@ -157,8 +176,10 @@ impl<'a> Matching<'a> {
         for levels in (1..=pairs.len()).rev() {
             let kinds: Few<&Op> = ops[..levels].iter().map(|o| o.1).collect();
             let mut put = |measured: bool, made: KernelChoice| {
-                let lengths: Few<usize> =
-                    pairs[1..levels].iter().map(|p| self.length[p.x.0 as usize] as usize).collect();
+                let lengths: Few<usize> = pairs[1..levels]
+                    .iter()
+                    .map(|p| self.tables.length[p.x.0 as usize] as usize)
+                    .collect();
                 let all = measured
                     && levels > 1
                     && lengths.iter().all(|l| *l < self.steps.len() && !taken[*l]);
@@ -193,7 +214,9 @@ impl<'a> Matching<'a> {
         let det = Reg(pairs[0].x.0 + 2);
         if let Some(op) = ops.get(1) {
             let Op::Bars(v) = op else { return false };
-            if (v.c, v.a, v.b, v.det, self.uses[det.0 as usize]) != (pairs[0], c.a, c.b, det, 1) {
+            if (v.c, v.a, v.b, v.det, self.tables.uses[det.0 as usize])
+                != (pairs[0], c.a, c.b, det, 1)
+            {
                 return false;
             }
             a.push(v.va);
@@ -207,10 +230,10 @@ impl<'a> Matching<'a> {
                 a.push(w.aa);
                 b.push(w.ab);
             }
-            if self.uses[inverse.0 as usize] != u32::from(ops.len() > 2) {
+            if self.tables.uses[inverse.0 as usize] != u32::from(ops.len() > 2) {
                 return false;
             }
-        } else if self.uses[det.0 as usize] != 0 {
+        } else if self.tables.uses[det.0 as usize] != 0 {
             return false;
         }
         let (moving, at, r, s, sign) = match (self.ground(&a), self.ground(&b)) {
@@ -378,7 +401,7 @@ impl<'a> Matching<'a> {
     /// Combines ω and α of a line between two points.
     fn turning(&self, i: usize, taken: &mut [bool], units: &mut Vec<FusedUnit>) {
         let Op::ArmTurning(turning) = &self.steps[i].op else { return };
-        if !self.alive[i] || taken[i] {
+        if !self.alive(i) || taken[i] {
             return;
         }
         let arm = |d: RegPair| match self.op(d) {
@@ -392,7 +415,7 @@ impl<'a> Matching<'a> {
         taken[i] = true;
         let rate = (i + 1..self.steps.len()).find(|&k| match &self.steps[k].op {
             Op::TurningRate(rate) => {
-                self.alive[k]
+                self.alive(k)
                     && !taken[k]
                     && rate.omega == omega
                     && rate.d == turning.d

@@ -17,11 +17,12 @@ use super::program::{INPUTS, ProgramStep, SweepProgram};
 use super::run::{Any, Buffer, CHUNK, KernelRunner, PlacedOperation};
 use arrayvec::ArrayVec;
 use hodograph_mechanism::mechanism::Level;
-use matching::Matching;
+use matching::{Matching, RegisterTables};
+use std::cell::RefCell;
 use std::ops::Range;
 
 /// A program ready to run.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Fused {
     pub(super) steps: Vec<PlacedOperation>,
     pub(super) wires: Vec<Reg>,
@@ -69,9 +70,7 @@ impl KernelRunner for Wires {
 impl SweepProgram {
     /// Returns the program for its answers.
     pub fn fused(&self) -> &Fused {
-        self.runs[0].get_or_init(|| {
-            Fused::of(self, Level::Acceleration, &self.answers().collect::<Vec<_>>())
-        })
+        self.runs[0].get_or_init(|| Fused::of(self, Level::Acceleration, &self.columns))
     }
 
     /// Returns the program for the crossings of its joints: positions only.
@@ -104,19 +103,32 @@ impl SweepProgram {
 /// No step, or no unit.
 const NONE: u32 = u32::MAX;
 
+/// Gives a list a length, with all entries equal, in its own memory.
+fn emptied<T: Clone>(list: &mut Vec<T>, length: usize, entry: T) {
+    list.clear();
+    list.resize(length, entry);
+}
+
 impl Fused {
     fn of(program: &SweepProgram, level: Level, wanted: &[Reg]) -> Fused {
-        // Everything that an operation reads has a lower number than its results.
-        let mut steps: Vec<ProgramStep> = program.steps[..=level as usize].concat();
-        steps.sort_by_key(|s| s.out.0);
-        let matching = Matching::new(program, &steps, wanted);
-        let fused = Ordered::of(program.registers, matching.units(), wanted);
+        let FusionMemory { tables, mut ordered, made } = MEMORY.take();
+        let steps = in_order(program, level);
+        let mut matching = Matching::new(program, &steps, wanted, tables);
+        matching.units(&mut ordered.units);
         // Fused operations might wait for one another in a circle; the list as compiled cannot.
-        let mut ordered = fused
-            .or_else(|| Ordered::of(program.registers, matching.singles(), wanted))
-            .unwrap_or_default();
+        if !ordered.order(program.registers, wanted) {
+            matching.singles(&mut ordered.units);
+            ordered.order(program.registers, wanted);
+        }
         cranks::join(&mut ordered, wanted);
-        ordered.placed(program, matching.constants, wanted)
+        let fused = ordered.placed(program, &mut matching.tables.constants, wanted, made);
+        MEMORY.set(FusionMemory { tables: matching.tables, ordered, made: Fused::default() });
+        fused
+    }
+
+    /// Keeps the memory of a program that is no more used, for the next one on this thread.
+    pub(super) fn give_back(self) {
+        MEMORY.with_borrow_mut(|memory| memory.made = self);
     }
 
     /// Returns the register here of a register of the program; `None` if nothing reads it.
@@ -147,6 +159,29 @@ impl Fused {
     }
 }
 
+/// The steps of a program up to a level, in the order of their registers: everything that an
+/// operation reads has a lower number than its results.
+fn in_order(program: &SweepProgram, level: Level) -> Vec<&ProgramStep> {
+    let levels = &program.steps[..=level as usize];
+    let mut steps: Vec<&ProgramStep> = Vec::with_capacity(levels.iter().map(Vec::len).sum());
+    levels.iter().for_each(|level| steps.extend(level));
+    steps.sort_by_key(|s| s.out.0);
+    steps
+}
+
+/// Memory of earlier programs, to be used again: a mechanism of a batch has its program for some
+/// microseconds, and the system's memory for it would take as long as the rest of its making.
+#[derive(Default)]
+struct FusionMemory {
+    tables: RegisterTables,
+    ordered: Ordered,
+    made: Fused,
+}
+
+thread_local! {
+    static MEMORY: RefCell<FusionMemory> = RefCell::default();
+}
+
 /// Units in an order in which each finds its inputs.
 #[derive(Default)]
 struct Ordered {
@@ -156,31 +191,32 @@ struct Ordered {
     wires: Vec<Reg>,
     /// The range of inputs of each unit.
     reads: Vec<Range<usize>>,
+    /// The unit that fills each register.
+    maker: Vec<u32>,
+    /// For each unit: 0 not yet reached, 1 waits for its inputs, 2 in order.
+    state: Vec<u8>,
+    /// The units that wait, each with the next of its inputs.
+    stack: Vec<(u32, usize)>,
+    ins: Wires,
 }
 
 impl Ordered {
-    /// Orders the units; `None` if units wait for one another.
-    fn of(registers: usize, units: Vec<FusedUnit>, wanted: &[Reg]) -> Option<Ordered> {
-        let mut maker = vec![NONE; registers];
-        let n = units.len();
-        // A unit reads hardly more than a dozen registers.
-        let mut o = Ordered {
-            order: Vec::with_capacity(n),
-            wires: Vec::with_capacity(12 * n),
-            reads: Vec::with_capacity(n),
-            units: Vec::new(),
-        };
-        let mut ins = Wires::default();
+    /// Orders the units; returns `false` if units wait for one another.
+    fn order(&mut self, registers: usize, wanted: &[Reg]) -> bool {
+        let Ordered { units, order, wires, reads, maker, state, stack, ins } = self;
+        order.clear();
+        wires.clear();
+        reads.clear();
+        stack.clear();
+        emptied(maker, registers, NONE);
+        emptied(state, units.len(), 0);
         for (i, unit) in units.iter().enumerate() {
             unit.outs.iter().for_each(|r| maker[r.0 as usize] = i as u32);
-            unit.op.run(&mut ins, Reg(0));
-            o.wires.extend_from_slice(&ins.ins);
-            o.reads.push(o.wires.len() - ins.ins.len()..o.wires.len());
+            unit.op.run(ins, Reg(0));
+            wires.extend_from_slice(&ins.ins);
+            reads.push(wires.len() - ins.ins.len()..wires.len());
         }
-        o.units = units;
         // Depth first, with a stack of its own: a chain of dyads is as deep as it is long.
-        let mut state = vec![0u8; o.units.len()];
-        let mut stack: Vec<(u32, usize)> = Vec::with_capacity(n);
         for reg in wanted {
             let unit = maker[reg.0 as usize];
             if unit != NONE && state[unit as usize] == 0 {
@@ -189,7 +225,7 @@ impl Ordered {
             }
             while let Some((unit, next)) = stack.last_mut() {
                 let here = *unit;
-                match o.reads(here).get(*next) {
+                match wires[reads[here as usize].clone()].get(*next) {
                     Some(reg) => {
                         *next += 1;
                         let above = maker[reg.0 as usize];
@@ -199,37 +235,41 @@ impl Ordered {
                                     state[above as usize] = 1;
                                     stack.push((above, 0));
                                 }
-                                1 => return None,
+                                1 => return false,
                                 _ => {}
                             }
                         }
                     }
                     None => {
                         state[here as usize] = 2;
-                        o.order.push(here);
+                        order.push(here);
                         stack.pop();
                     }
                 }
             }
         }
-        Some(o)
+        true
     }
 
     fn reads(&self, unit: u32) -> &[Reg] {
         &self.wires[self.reads[unit as usize].clone()]
     }
 
-    /// Gives every register that is used a place.
-    fn placed(&self, program: &SweepProgram, constants: Vec<Option<f64>>, wanted: &[Reg]) -> Fused {
-        let mut f = Fused {
-            steps: Vec::with_capacity(self.order.len()),
-            wires: Vec::with_capacity(self.wires.len()),
-            registers: INPUTS.len(),
-            inputs: ArrayVec::new(),
-            constants: Vec::with_capacity(program.constants.len()),
-            place: vec![None; program.registers],
-            values: constants,
-        };
+    /// Gives every register that is used a place, in the memory of `used`. `constants` are the
+    /// values of constant registers; they are exchanged for free memory.
+    fn placed(
+        &self,
+        program: &SweepProgram,
+        constants: &mut Vec<Option<f64>>,
+        wanted: &[Reg],
+        used: Fused,
+    ) -> Fused {
+        let mut f = Fused { registers: INPUTS.len(), inputs: ArrayVec::new(), ..used };
+        f.steps.clear();
+        f.wires.clear();
+        f.constants.clear();
+        emptied(&mut f.place, program.registers, None);
+        std::mem::swap(&mut f.values, constants);
         for reg in INPUTS {
             f.place[reg.0 as usize] = Some(reg);
         }
@@ -337,14 +377,13 @@ mod tests {
                 name => program(name, &[]),
             };
             let wanted = &program.columns[..];
-            let mut steps: Vec<ProgramStep> = program.steps.concat();
-            steps.sort_by_key(|s| s.out.0);
-            let matching = Matching::new(&program, &steps, wanted);
-            let plain = Ordered::of(program.registers, matching.singles(), wanted).unwrap().placed(
-                &program,
-                matching.constants,
-                wanted,
-            );
+            let steps = in_order(&program, Level::Acceleration);
+            let mut matching = Matching::new(&program, &steps, wanted, RegisterTables::default());
+            let mut ordered = Ordered::default();
+            matching.singles(&mut ordered.units);
+            assert!(ordered.order(program.registers, wanted));
+            let plain =
+                ordered.placed(&program, &mut matching.tables.constants, wanted, Fused::default());
             let run = |fused: &Fused| -> Vec<Vec<f64>> {
                 let mut buffer = fused.buffer();
                 fused.load(&mut buffer, &stations, 0..stations.len());
