@@ -8,6 +8,7 @@ mod words;
 use super::args::Args;
 use super::files::FileRefusal;
 use crate::diag::{Both, Diagnostic};
+use crate::figure::cycle::CycleForm;
 use crate::figure::list::LIST;
 use crate::figure::stepped::METHODS;
 use crate::scene::Lang;
@@ -99,11 +100,13 @@ fn entry(command: &str, argument: &str) -> Option<&'static str> {
 fn headings(text: &str) -> String {
     let figures = LIST.iter().map(|e| (e.about[0], e.about[1]));
     let methods = METHODS.iter().map(|e| (e.about[0], e.about[1]));
+    let forms = CycleForm::ALL.into_iter().map(|f| (f.about()[0], f.about()[1]));
     HEADINGS
         .iter()
         .copied()
         .chain(figures)
         .chain(methods)
+        .chain(forms)
         .fold(text.to_owned(), |text, (en, zh)| text.replace(en, zh))
 }
 

@@ -11,11 +11,9 @@ const CHINESE_ALLOWED: &[(&str, &str)] = &[
     ("src/cli/help/words.rs", "help texts, whose English is in the arguments"),
     ("src/cli/template.rs", "kinds of templates, in both languages at once"),
     ("src/lesson/player.rs", "the name of the language to switch to"),
-    ("src/lesson/words.rs", "words of a lesson's page"),
     ("src/homework/", "columns and words accepted in files of answers"),
     ("crates/base/src/json/mod.rs", "errors of the JSON reader, whose English is the reader's"),
     ("crates/paper/src/paper/font/own.rs", "sample characters of a font"),
-    ("crates/paper/src/paper/words.rs", "captions and words of worksheets"),
     ("crates/scene/src/expr/read.rs", "words accepted in scenes"),
 ];
 

@@ -403,7 +403,8 @@ pub fn as_printed(a: &Attempt, options: &SheetOptions) -> Option<Figure> {
         certified: Vec::new(),
     };
     let on = a.gap.on;
-    let part = maker.captioned(maker.polygon(a.wrong.worked.construction.polygon(on)?), "", on);
+    let drawn = maker.polygon(a.wrong.worked.construction.polygon(on)?, f64::INFINITY);
+    let part = maker.captioned(drawn, "", on);
     let mut figure = maker.alone(part);
     figure.desc = maker.name(Captioned::Drawing(on)).into();
     Some(figure)

@@ -141,7 +141,7 @@ pub fn drawing(
     let part = match on {
         DiagramKind::Plane => maker.mechanism(),
         DiagramKind::Velocity | DiagramKind::Acceleration | DiagramKind::Force => {
-            maker.polygon(worked.construction.polygon(on)?)
+            maker.polygon(worked.construction.polygon(on)?, f64::INFINITY)
         }
     };
     Some(maker.alone(maker.captioned(part, "", on)))
@@ -265,17 +265,9 @@ impl SheetDrafter<'_> {
         d.finish()
     }
 
-    pub fn polygon(&self, p: &Polygon) -> DrawingPart {
-        polygon::polygon(&self.options.style, &self.writer(), p)
-    }
-
-    /// A polygon for a page of this width: without a key and its insets if they are wider.
-    pub fn polygon_in(&self, p: &Polygon, width_mm: f64) -> DrawingPart {
-        let part = self.polygon(p);
-        if part.bounds.width_mm() <= width_mm {
-            return part;
-        }
-        polygon::polygon_of_steps(&self.options.style, &self.writer(), p)
+    /// A polygon for a page of this width.
+    pub fn polygon(&self, p: &Polygon, width_mm: f64) -> DrawingPart {
+        polygon::polygon(&self.options.style, &self.writer(), p, width_mm)
     }
 
     /// The drawings with their captions, for a sheet or a page of this width.
@@ -283,7 +275,7 @@ impl SheetDrafter<'_> {
         let mut all = vec![(DiagramKind::Plane, self.mechanism())];
         for on in DiagramKind::POLYGONS {
             if let Some(p) = self.worked.construction.polygon(on) {
-                all.push((on, self.polygon_in(p, width_mm)));
+                all.push((on, self.polygon(p, width_mm)));
             }
         }
         let mut letters = ["(a) ", "(b) ", "(c) "].into_iter();
@@ -388,7 +380,7 @@ impl SheetDrafter<'_> {
     }
 
     pub fn title(&self) -> Option<DrawingPart> {
-        let title = self.scene.title.get(self.options.lang);
+        let title = self.options.lang.of(&self.scene.title);
         // A third larger than the captions: a heading without a bold face.
         (!title.is_empty()).then(|| {
             self.line("title", Label::text(title), self.options.style.caption_mm * 4.0 / 3.0)
@@ -482,7 +474,7 @@ impl SheetDrafter<'_> {
 
     /// The title of a page of several.
     pub fn page_title(&self, width_mm: f64, page: usize, pages: usize) -> Option<DrawingPart> {
-        let title = self.scene.title.get(self.options.lang);
+        let title = self.options.lang.of(&self.scene.title);
         let text = match page {
             1 => title.to_owned(),
             _ => say!(self.options.lang, "{title} ({page} of {pages})"),
@@ -500,7 +492,7 @@ impl SheetDrafter<'_> {
 
     /// The title of a figure.
     pub fn heading_words(&self) -> &str {
-        let title = self.scene.title.get(self.options.lang);
+        let title = self.options.lang.of(&self.scene.title);
         if title.is_empty() { DiagramKind::Plane.caption(self.options.lang) } else { title }
     }
 

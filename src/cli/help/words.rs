@@ -14,12 +14,6 @@ pub(super) const HEADINGS: &[(&str, &str)] = &[
     ("Accelerations", "加速度"),
     ("Outlines", "轮廓"),
     ("Text, for drawing programs", "文字，供绘图软件编辑"),
-    ("A row of bars for each output", "直线式：每个输出件一行"),
-    (
-        "Each stroke as a straight line over the position of the driver",
-        "直角坐标式：每个行程一条斜线",
-    ),
-    ("A ring for each output", "圆周式：每个输出件一环"),
 ];
 
 /// Command, argument, help. An empty argument is the command itself, `*` any command.

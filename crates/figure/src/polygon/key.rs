@@ -36,12 +36,12 @@ enum FoundPlace {
 }
 
 impl PolygonDraft<'_> {
-    /// Places all names: in the drawing, in insets, and, if `may_key`, in a key where many have leader
-    /// lines. `done` finishes a drawing.
+    /// Places all names: in the drawing, in insets, and in a key where many have leader lines if the
+    /// drawing is then at most `key_mm` wide. `done` finishes a drawing.
     pub(super) fn named(
         &mut self,
         style: &Style,
-        may_key: bool,
+        key_mm: Option<f64>,
         done: &dyn Fn(Drawing) -> DrawingPart,
     ) -> DrawingPart {
         let lettered: Vec<usize> =
@@ -57,21 +57,34 @@ impl PolygonDraft<'_> {
         let unnamed = |arrow: usize| left_out.contains(&names[arrow]);
         let insets = self.insets(unnamed);
         let part = if insets.is_empty() { part } else { done(self.draw(style, &insets).0) };
-        let found = |k: usize| self.found(k, &part, &insets);
-        if !may_key || lettered.iter().filter(|k| found(**k) == FoundPlace::Led).count() < LEADERS {
+        let led = |k: &&usize| self.found(**k, &part, &insets) == FoundPlace::Led;
+        let Some(key_mm) = key_mm.filter(|_| lettered.iter().filter(led).count() >= LEADERS) else {
             return part;
-        }
+        };
+        let keyed = self.with_key(style, &part, &lettered, &insets, done);
+        if keyed.bounds.width_mm() <= key_mm { keyed } else { part }
+    }
+
+    /// Places the names that have leader lines in `part`, a drawing with these insets: in further
+    /// insets, or in a key.
+    fn with_key(
+        &mut self,
+        style: &Style,
+        part: &DrawingPart,
+        lettered: &[usize],
+        insets: &[Inset],
+        done: &dyn Fn(Drawing) -> DrawingPart,
+    ) -> DrawingPart {
         // Insets also name vectors that leader lines named, if the drawing becomes no larger.
         let most_mm = [part.bounds.width_mm().max(WIDEST_MM), part.bounds.height_mm()];
-        let more = self.insets(|k| found(k) != FoundPlace::Beside);
-        for further in [&more, &insets] {
+        let more = self.insets(|k| self.found(k, part, insets) != FoundPlace::Beside);
+        for further in [&more[..], insets] {
             let (inside, outside): (Vec<usize>, Vec<usize>) = lettered
                 .iter()
                 .copied()
                 .partition(|k| further.iter().any(|inset| inset.arrows.contains(k)));
-            let listed = outside
-                .into_iter()
-                .filter(|k| self.found(*k, &part, &insets) != FoundPlace::Beside);
+            let listed =
+                outside.into_iter().filter(|k| self.found(*k, part, insets) != FoundPlace::Beside);
             self.listed = listed.collect();
             let tried = done(self.draw(style, further).0);
             let size_mm = [tried.bounds.width_mm(), tried.bounds.height_mm()];
@@ -87,7 +100,7 @@ impl PolygonDraft<'_> {
             self.listed.sort_unstable();
             return self.keyed(style, done(self.draw(style, further).0));
         }
-        self.keyed(style, done(self.draw(style, &insets).0))
+        self.keyed(style, done(self.draw(style, insets).0))
     }
 
     /// The place of a vector's name in a drawing with these insets.

@@ -90,18 +90,19 @@ struct PolygonDraft<'a> {
 const MANY_ARROWS: usize = 16;
 
 /// Draws a polygon with its pole at the origin. A cluster too small for its names gets an inset; a
-/// polygon of many leader lines, a key.
-pub fn polygon(style: &Style, w: &PlanWriter, p: &Polygon) -> DrawingPart {
-    named(style, w, p, true)
+/// polygon of many leader lines, a key, unless the drawing is then wider than `width_mm`.
+pub fn polygon(style: &Style, w: &PlanWriter, p: &Polygon, width_mm: f64) -> DrawingPart {
+    named(style, w, p, Some(width_mm))
 }
 
 /// Draws a polygon for a series that shows it step by step: without a key, which would take the
 /// space of the drawing, unless it has too many vectors for anything else.
 pub fn polygon_of_steps(style: &Style, w: &PlanWriter, p: &Polygon) -> DrawingPart {
-    named(style, w, p, false)
+    named(style, w, p, None)
 }
 
-fn named(style: &Style, w: &PlanWriter, p: &Polygon, may_key: bool) -> DrawingPart {
+/// Draws a polygon with all names; a key is allowed in a drawing of at most this width.
+fn named(style: &Style, w: &PlanWriter, p: &Polygon, key_mm: Option<f64>) -> DrawingPart {
     let (mut draft, style) = PolygonDraft::new(style, w, p, false);
     draft.side_by_side(style.vector.width_mm);
     let finished = |mut drawing: Drawing| {
@@ -114,7 +115,7 @@ fn named(style: &Style, w: &PlanWriter, p: &Polygon, may_key: bool) -> DrawingPa
         // In a series, insets and keys would appear and disappear from figure to figure.
         return finished(draft.draw(&style, &[]).0);
     }
-    draft.named(&style, may_key, &finished)
+    draft.named(&style, key_mm, &finished)
 }
 
 /// Draws a polygon without insets and before its labels are placed, for series of drawings: with
@@ -504,7 +505,8 @@ mod tests {
         let notation = Notation::of_language(Lang::En);
         let w =
             PlanWriter { scene: &scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
-        let part = polygon(&Style::default(), &w, worked.construction.polygon(on).unwrap());
+        let drawn = worked.construction.polygon(on).unwrap();
+        let part = polygon(&Style::default(), &w, drawn, f64::INFINITY);
         part.items.into_iter().map(|i| (i.id, i.shape)).collect()
     }
 
@@ -562,7 +564,7 @@ mod tests {
     }
 
     /// In place of leader lines, a crowded polygon lists vectors by the letters at their ends; one
-    /// with space for its names, and one that grows step by step, have no list.
+    /// with space for its names, one that grows step by step, and one for a narrow page have no list.
     #[test]
     fn a_crowded_polygon_has_a_key() {
         let of = |name: &str, draw: fn(&Style, &PlanWriter, &Polygon) -> DrawingPart| {
@@ -580,11 +582,19 @@ mod tests {
             });
             (texts.collect::<Vec<_>>(), part.items.iter().filter(|i| led(&i.id)).count())
         };
-        let (key, leaders) = of("stephenson-six-bar", polygon);
+        fn wide(style: &Style, w: &PlanWriter, p: &Polygon) -> DrawingPart {
+            polygon(style, w, p, f64::INFINITY)
+        }
+        fn narrow(style: &Style, w: &PlanWriter, p: &Polygon) -> DrawingPart {
+            polygon(style, w, p, 50.0)
+        }
+        let (key, leaders) = of("stephenson-six-bar", wide);
         assert!(key.iter().any(|text| text == r"a_{H}:\quad o'h'"), "{key:?}");
         assert!(leaders < key::LEADERS, "{leaders}");
-        let (none, leaders) = of("stephenson-six-bar", polygon_of_steps);
-        assert!(none.is_empty() && leaders >= key::LEADERS, "{none:?} {leaders}");
-        assert_eq!(of("shaper", polygon).0, Vec::<String>::new());
+        for keyless in [polygon_of_steps, narrow] {
+            let (none, leaders) = of("stephenson-six-bar", keyless);
+            assert!(none.is_empty() && leaders >= key::LEADERS, "{none:?} {leaders}");
+        }
+        assert_eq!(of("shaper", wide).0, Vec::<String>::new());
     }
 }

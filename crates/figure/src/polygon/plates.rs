@@ -172,7 +172,7 @@ fn plate(
     let own = p.to_scale(mu);
     let mut draft = PolygonDraft::of(w, &own).only(mine)?;
     draft.side_by_side(style.vector.width_mm);
-    let part = draft.named(style, true, &Drawing::finish);
+    let part = draft.named(style, Some(f64::INFINITY), &Drawing::finish);
     Some((mu, part))
 }
 
