@@ -9,9 +9,13 @@ use hodograph::composite::{
 };
 use hodograph::construct::Action;
 use hodograph::figure::curves::CurveDiagram;
+use hodograph::figure::list::{Extras, FigureInput};
+use hodograph::figure::sheet::SheetOptions;
+use hodograph::figure::stepped::ConstructionMethod;
 use hodograph::lesson;
 use hodograph::mechanism::Mechanism;
 use hodograph::notation::Notation;
+use hodograph::paper::item::FigureItem;
 use hodograph::plan::text::PlanWriter;
 use hodograph::plan::{TermConnection, TermKind, TurningBody};
 use hodograph::report::construction::sentences;
@@ -374,6 +378,28 @@ fn a_task_for_centres_is_solved_by_centres() {
         tasks += 1;
     }
     assert!(tasks >= 2, "{tasks}");
+}
+
+/// A point whose motion only two frames determine is drawn step by step in both, and the projections
+/// of both follow.
+#[test]
+fn steps_of_composite_motion_end_with_the_second_frame_where_one_does_not_determine() {
+    let scene = read(templates::get("two-slots").unwrap());
+    let worked = worked(&scene);
+    let (options, extras) = (SheetOptions::of_language(Lang::En), Extras::default());
+    let w = FigureInput { scene: &scene, worked: &worked, options: &options, extras: &extras };
+    let made = ConstructionMethod::Composite.stepped(&w).unwrap().unwrap();
+    assert_eq!(made.views.len(), 6);
+    let begins = |text: &str| made.steps.iter().filter(|s| s.en.starts_with(text)).count();
+    assert_eq!(begins("Moving point"), 2);
+    assert_eq!(begins("Each equation alone has three unknowns"), 1);
+    assert!(made.steps.last().unwrap().en.starts_with("Projected on the perpendicular"));
+    // The parts of the second frame appear in its own steps.
+    let second = made.steps.iter().rposition(|s| s.en.starts_with("Moving point")).unwrap();
+    for (k, view) in made.views.iter().enumerate() {
+        let steps: Vec<usize> = view.part.items.iter().flat_map(FigureItem::steps).collect();
+        assert!(!steps.is_empty() && steps.iter().all(|s| (*s > second) == (k >= 3)), "{steps:?}");
+    }
 }
 
 /// A projection leaves one unknown: the line is perpendicular to the other one, and a vector of

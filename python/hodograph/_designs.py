@@ -77,10 +77,6 @@ def teeth(
     """
     if (distance is None) == (stages is None):
         raise ValueError("give the distance of a pair, or the stages of a train")
-    if stages is not None and not 2 <= stages <= 4:
-        raise ValueError("a train has from 2 to 4 stages")
-    if not 0.5 <= taper <= 2:
-        raise ValueError("taper is a number from 0.5 to 2")
     length: Any = distance if distance is None or isinstance(distance, str) else f"{_words(distance)} mm"
     told = _native.teeth(
         str(ratio), str(within), _between(teeth), length, list(modules), _between(shifts), _between(helix),

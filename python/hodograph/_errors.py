@@ -101,11 +101,11 @@ class InternalError(RuntimeError):
 
 _ARGUMENTS = {
     "alpha", "alpha_back", "count", "distance", "drafting", "find", "flywheel", "folder", "format", "helix", "modules", "output",
-    "over", "page", "path", "platforms", "ratio", "set", "shifts", "start", "stop", "style", "teeth", "vary", "vectors", "width",
+    "over", "page", "path", "platforms", "ratio", "set", "shifts", "stages", "start", "stop", "style", "taper", "teeth", "vary", "vectors", "width",
     "within",
 }  # fmt: skip
 _FILES = {"answers", "keys", "students"}
-_OPTIONS = {"digits", "format", "id-prefix", "lang", "no-figure", "notation", "unknown-style", "unknown-template", "form", "method"}
+_OPTIONS = {"digits", "format", "id-prefix", "lang", "no-figure", "notation", "unknown-style", "unknown-template", "form", "method", "platform"}
 
 
 def made(document: str, en: str, zh: str) -> HodographError:

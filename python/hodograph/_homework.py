@@ -13,7 +13,8 @@ from typing import Any, Literal, overload
 
 from . import _native
 from ._errors import Diagnostic, diagnostics
-from ._problem import Lang, Notation, Scene, _listed, _look, _quantity
+from ._problem import Lang, Notation, Scene, _listed, _quantity
+from ._report import _look
 
 Platform = Literal["moodle", "qti3", "qti2", "canvas", "prairielearn"]
 
@@ -96,11 +97,7 @@ class Variants(Sequence[Variant]):
         `platforms` adds questions for learning platforms; `frame` adds frames.pdf, a sheet to draw
         on for each variant, on pages of a format, and overlays.pdf, their solutions.
         """
-        known = _native.platforms()
         chosen = list(dict.fromkeys(_listed(platforms)))
-        wrong = [name for name in chosen if name not in known]
-        if wrong:
-            raise ValueError(f"{wrong[0]!r} is none of the platforms {', '.join(known)}")
         look = _look(lang, notation, style, digits)
         written = []
         for name, content in self._native.files(chosen, page if frame else None, look):

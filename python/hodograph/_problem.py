@@ -14,7 +14,7 @@ from ._answers import Answers, Design
 from ._errors import Diagnostic, HodographError, diagnostics
 from ._figure import Figure, Frame, Lesson, Worksheet
 from ._live import Live
-from ._report import Cam, Cycle, Report
+from ._report import Cam, Cycle, Report, _look
 from ._table import Table
 
 Lang = Literal["en", "zh"]
@@ -65,14 +65,6 @@ def _listed(names: str | Iterable[str] | None) -> list[str]:
     if names is None:
         return []
     return [names] if isinstance(names, str) else list(names)
-
-
-def _look(
-    lang: str | None = None, notation: str | None = None, style: Any = None, digits: int | None = None
-) -> _native.Look:
-    if isinstance(style, Mapping):
-        style = json.dumps(style)
-    return lang, notation, style, digits
 
 
 class Problem:

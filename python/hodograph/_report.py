@@ -45,8 +45,10 @@ class Report(Mapping[str, Any]):
         return self.text()
 
 
-def _look(lang: str | None, notation: str | None, style: Any) -> _native.Look:
-    return lang, notation, json.dumps(style) if isinstance(style, Mapping) else style, None
+def _look(
+    lang: str | None = None, notation: str | None = None, style: Any = None, digits: int | None = None
+) -> _native.Look:
+    return lang, notation, json.dumps(style) if isinstance(style, Mapping) else style, digits
 
 
 class Cycle(Report):

@@ -22,12 +22,6 @@ use hodograph::problem::whole;
 use hodograph::scene::{Lang, Scene};
 use pyo3::prelude::*;
 
-/// Returns language and notation of a look for a scene.
-fn in_look(look: &Look, scene: &Scene) -> (Lang, Notation) {
-    let (lang, notation) = look.of(scene.language, scene.notation.as_deref());
-    (lang, look.style.marks.over(&notation))
-}
-
 /// The motion cycle of a scene's outputs.
 #[pyclass(frozen, module = "hodograph._native")]
 pub struct Cycle {
@@ -72,10 +66,10 @@ impl Cycle {
     fn figure(&self, py: Python, form: &str, look_of: Named) -> PyResult<Picture> {
         run(py, || {
             let form = CycleForm::named(form).ok_or_else(|| {
-                unknown("form", both!("form"), form, &["bars", "straight", "polar"])
+                unknown("form", both!("form"), form, &CycleForm::ALL.map(CycleForm::name))
             })?;
             let look = look(look_of, SHEET_DIGITS)?;
-            let (lang, _) = in_look(&look, &self.of.scene);
+            let (lang, _) = look.marked(&self.of.scene);
             Ok(Picture::of(self.of.figure(form, &look.style, lang)))
         })
     }
@@ -144,7 +138,7 @@ impl Comparison {
             let Some(first) = self.scenes.first() else { return Err(no_scene()) };
             let of = |lang| {
                 let look = Look { lang: Some(lang), ..Look::default() };
-                Ok::<_, Refusal>(self.made(in_look(&look, &first.scene))?.0)
+                Ok::<_, Refusal>(self.made(look.marked(&first.scene))?.0)
             };
             let own = first.scene.language.unwrap_or_default();
             let (en, zh) = (of(Lang::En)?, of(Lang::Zh)?);
@@ -160,7 +154,7 @@ impl Comparison {
         run(py, || {
             let Some(first) = self.scenes.first() else { return Err(no_scene()) };
             let look = look(look_of, SHEET_DIGITS)?;
-            Ok(self.made(in_look(&look, &first.scene))?.0.csv())
+            Ok(self.made(look.marked(&first.scene))?.0.csv())
         })
     }
 
@@ -170,7 +164,7 @@ impl Comparison {
         run(py, || {
             let Some(first) = self.scenes.first() else { return Err(no_scene()) };
             let look = look(look_of, SHEET_DIGITS)?;
-            let (lang, notation) = in_look(&look, &first.scene);
+            let (lang, notation) = look.marked(&first.scene);
             let (_, diagram) = self.made((lang, notation))?;
             if diagram.is_empty() {
                 return Err(self.refused(0, RangeFault::Scene(whole::no_curve().into())));
@@ -244,7 +238,7 @@ pub fn cam_figures(
     run(py, || {
         let look = look(look_of, SHEET_DIGITS)?;
         with_cam(problem, number, allowed(alpha, alpha_back)?, |scene, cam| {
-            let (lang, _) = in_look(&look, scene);
+            let (lang, _) = look.marked(scene);
             let all = cam.figures(&look.style, lang).into_iter();
             all.map(|(word, figure)| (word.to_owned(), Picture::of(figure))).collect()
         })
@@ -288,7 +282,7 @@ pub fn teeth(
     modules: Vec<f64>,
     shifts: &str,
     helix: &str,
-    stages: Option<u8>,
+    stages: Option<usize>,
     taper: f64,
     count: usize,
 ) -> PyResult<NamedReport> {

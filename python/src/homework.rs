@@ -1,10 +1,10 @@
 //! Variants of a problem for a class, and the marking of answers.
 
 use crate::fault::{Refusal, notes};
-use crate::look::{Named, look};
+use crate::look::{Named, look, unknown};
 use crate::solved::Problem;
 use crate::work::run;
-use hodograph::diag::{Diagnostic, Warned};
+use hodograph::diag::{Diagnostic, Warned, both};
 use hodograph::figure::results::DIGITS;
 use hodograph::homework::platforms::Platform;
 use hodograph::homework::{self, HomeworkAdditions, HomeworkRequest, HomeworkVariant};
@@ -91,7 +91,7 @@ impl Variants {
         run(py, || {
             let look = look(look_of, DIGITS)?;
             let platforms: Vec<Platform> =
-                platforms.iter().filter_map(|name| Platform::named(name)).collect();
+                platforms.iter().map(|name| platform(name)).collect::<Result<_, _>>()?;
             let frame = frame.map(whole_page).transpose().map_err(|w| Refusal::values(vec![w]))?;
             let wanted = HomeworkAdditions { platforms: &platforms, frame };
             let made = homework::files(&self.all, &wanted, &look);
@@ -118,10 +118,10 @@ fn named(fault: RangeFault) -> RangeFault {
     }
 }
 
-/// Returns the names of learning platforms.
-#[pyfunction]
-pub fn platforms() -> Vec<&'static str> {
-    Platform::ALL.into_iter().map(Platform::name).collect()
+/// Returns the learning platform of a name.
+fn platform(name: &str) -> Result<Platform, Refusal> {
+    let known = Platform::ALL.map(Platform::name);
+    Platform::named(name).ok_or_else(|| unknown("platform", both!("platform"), name, &known))
 }
 
 /// Returns the names of students in a table.

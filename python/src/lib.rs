@@ -41,7 +41,7 @@ mod _native {
     #[pymodule_export]
     use super::designs::{Comparison, Cycle, cam, cam_figures, cam_profile, teeth};
     #[pymodule_export]
-    use super::homework::{Variants, mark, platforms, roster};
+    use super::homework::{Variants, mark, roster};
     #[pymodule_export]
     use super::moving::Moving;
     #[pymodule_export]

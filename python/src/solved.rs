@@ -516,7 +516,7 @@ impl Solved {
                 .ok_or_else(|| unknown("format", both!("format"), format, &names_of_formats()))?;
             let look = look(look_of, Look::default().digits)?;
             let made = exchange::export(&self.solved, format, named(name)?, &look);
-            Ok(made.map_err(|f| self.of().refused(f))?.value)
+            Ok(made.map_err(|f| Refusal::range(f, self.of().text(), None))?.value)
         })
     }
 

@@ -97,5 +97,8 @@ def test_numbers_of_teeth_are_those_of_the_program(program):
     assert trains.text("zh") == program("--lang", "zh", *asked).decode()
     with pytest.raises(ValueError):
         hg.teeth(3)
+    for wrong in ({"stages": 5}, {"stages": 1}, {"stages": 3, "taper": 2.5}):
+        with pytest.raises(hg.ArgumentError, match="from (2 to 4|0.5 to 2)"):
+            hg.teeth(3, **wrong)
     with pytest.raises(hg.ArgumentError, match="`hodograph teeth --ratio 3 --distance 150mm"):
         hg.teeth(0.5, stages=2)

@@ -1,8 +1,11 @@
 """Variants and marks are those of the program."""
 
+from typing import get_args
+
 import pytest
 
 import hodograph as hg
+from hodograph._homework import Platform
 
 
 def test_the_files_of_a_class_are_those_of_the_program(program, tmp_path):
@@ -42,8 +45,11 @@ def test_requests_that_cannot_be_met_are_refused(tmp_path):
         hg.variants(scene, {"nobody": (20, 40, 10)})
     with pytest.raises(hg.ArgumentError):
         hg.variants(scene, {"phi_1": (20, 160, 10)}, count=1, students=["Ada", "Emmy"])
-    with pytest.raises(ValueError):
-        hg.variants(scene, count=1).save(tmp_path, platforms="blackboard")
+    with pytest.raises(hg.ArgumentError) as caught:
+        hg.variants(scene, count=1).save(tmp_path, platforms=["moodle", "blackboard"])
+    assert "`blackboard`" in str(caught.value) and not list(tmp_path.iterdir())
+    for name in get_args(Platform):
+        assert name in str(caught.value)
 
 
 def test_marks_are_those_of_the_program(program, tmp_path):

@@ -129,7 +129,7 @@ impl BatchRun {
             .map_or(ParameterChoice::Grid, |count| ParameterChoice::Random { count, seed: *seed });
         let request = BatchRequest { vary, choice, range: range.swept() };
         let worked = planned(&input.scene, &request, |batch| {
-            let head = head(batch, input.scene.title.get(self.lang), self.lang);
+            let head = head(batch, self.lang.of(&input.scene.title), self.lang);
             let format =
                 tables::by_rows(self.format, head).map_err(|e| unwritable(Path::new("-"), &e))?;
             work(batch, &*format)

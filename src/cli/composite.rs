@@ -19,8 +19,9 @@ pub fn run(a: args::CompositeArgs) -> CommandResult {
     let staged = composite::ContactScene::new(&input.scene);
     let all = staged.choices(&input.scene);
     let shown = staged.shown(&input.scene, MOST);
-    let Warned { value, notes } =
-        staged.solved(&shown, composite::level(&input.scene)).map_err(|f| input.failed(f))?;
+    let Warned { value, notes } = staged
+        .solved_with_second(&input.scene, &shown, composite::level(&input.scene))
+        .map_err(|f| input.failed(f))?;
     input.file.notes.extend(notes);
     let (_, solved) = value;
     if a.json {

@@ -23,7 +23,7 @@ pub fn run(a: CycleArgs) -> CommandResult {
     let Warned { value: of, notes } = made.map_err(|f| input.out_of_range(f))?;
     input.file.notes.extend(notes);
     if let Some(places) = &places {
-        let drawn = of.figure(a.form.of_figure(), &style, lang);
+        let drawn = of.figure(a.form, &style, lang);
         let written = files::figure(&drawn, places)?;
         input.file.notes.extend(written.notes);
         if !a.json {

@@ -5,6 +5,7 @@ use super::target::is_stream;
 use super::{CommandResult, Failure, InputFile, args, errors, files, look_of, places, verdict};
 use crate::diag::{Diagnostic, Faults, both};
 use crate::exchange::{self, ExportFormat, ImportFormat, mdbook};
+use crate::problem::range::RangeFault;
 use crate::problem::{self, Kind, Look, Options};
 use std::path::Path;
 use std::process::ExitCode;
@@ -21,13 +22,10 @@ pub fn export(a: args::ExportArgs) -> CommandResult {
     })?;
     let solved = file.solve(&problem, &Options::with_figures())?;
     let look = look_of(&a.common, style, Look::default().digits);
-    let made =
-        exchange::export(&solved, format, a.figure, &look).map_err(|faults| {
-            match faults.list.iter().any(|d| d.code == "output") {
-                true => Failure::argument("-o", &a.output, faults),
-                false => file.failed(faults),
-            }
-        })?;
+    let made = exchange::export(&solved, format, a.figure, &look).map_err(|fault| match fault {
+        RangeFault::Scene(faults) => file.failed(faults),
+        fault @ RangeFault::Values(_) => Failure::argument("-o", &a.output, fault),
+    })?;
     file.notes.extend(made.notes);
     files::write(Path::new(&a.output), &made.value)?;
     files::print_names(&format!("{}\n", a.output))?;

@@ -1,20 +1,55 @@
-//! Help and the faults of arguments in Chinese: the table of [`words`] translates the English of
-//! `args`.
+//! Help and the faults of arguments in Chinese: the catalogue `po/help.zh.po` translates the English
+//! of `args`.
 //!
 //! The printer of the help knows only English headings; they are translated in its output.
-
-mod words;
 
 use super::args::Args;
 use super::files::FileRefusal;
 use crate::diag::{Both, Diagnostic};
+use crate::figure::cycle::CycleForm;
 use crate::figure::list::LIST;
 use crate::figure::stepped::METHODS;
 use crate::scene::Lang;
+use clap::builder::StyledStr;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, CommandFactory};
+use std::collections::BTreeMap;
 use std::ffi::OsString;
-use words::{HEADINGS, WORDS};
+
+/// The Chinese texts, by the English ones.
+const CATALOGUE: &str = include_str!("../../po/help.zh.po");
+
+/// Texts that the printer of the help writes itself, and the choices of an argument; those of
+/// figures, methods and forms come from their lists.
+const PRINTED: [&str; 11] = [
+    "Usage:",
+    "Commands:",
+    "Arguments:",
+    "Options:",
+    "Possible values:",
+    "[default: ",
+    "[possible values: ",
+    "Velocities",
+    "Accelerations",
+    "Outlines",
+    "Text, for drawing programs",
+];
+
+/// Returns the texts of the catalogue: English, Chinese.
+fn texts() -> BTreeMap<String, String> {
+    let (mut all, mut english) = (BTreeMap::new(), String::new());
+    for line in CATALOGUE.lines() {
+        let text = |word: &str| serde_json::from_str::<String>(line.strip_prefix(word)?).ok();
+        if let Some(text) = text("msgid ") {
+            english = text;
+        } else if let Some(text) = text("msgstr ") {
+            all.insert(std::mem::take(&mut english), text);
+        }
+    }
+    // The header.
+    all.remove("");
+    all
+}
 
 /// Returns the value of a global option such as `--lang`, before the arguments are parsed.
 pub fn given<T>(
@@ -64,46 +99,42 @@ pub fn command(lang: Lang) -> Command {
 
 fn chinese(mut command: Command) -> Command {
     command.build();
+    let texts = texts();
     let names: Vec<String> = command.get_subcommands().map(|c| c.get_name().to_owned()).collect();
-    let mut command = translated(command, "");
+    let mut command = translated(command, &texts);
     for name in names {
-        command = command.mut_subcommand(&name, |c| translated(c, &name));
+        command = command.mut_subcommand(&name, |c| translated(c, &texts));
     }
     // Chinese has no spaces at which the printer could break a line: the terminal breaks it.
     command.term_width(0)
 }
 
 /// Translates one command and its arguments.
-fn translated(command: Command, name: &str) -> Command {
-    let command = match entry(name, "") {
-        Some(about) => command.about(about).long_about(about),
-        None => command,
-    };
-    let command = match entry(name, "*after") {
-        Some(after) => command.after_help(after),
-        None => command,
-    };
-    command.mut_args(|arg: Arg| {
-        match entry(name, arg.get_id().as_str()).or_else(|| entry("*", arg.get_id().as_str())) {
-            Some(help) => arg.help(help).long_help(help),
-            None => arg,
-        }
+fn translated(mut command: Command, texts: &BTreeMap<String, String>) -> Command {
+    let of = |english: Option<&StyledStr>| texts.get(&english?.to_string());
+    if let Some(about) = of(command.get_about()) {
+        command = command.about(about).long_about(about);
+    }
+    if let Some(after) = of(command.get_after_help()) {
+        command = command.after_help(after);
+    }
+    command.mut_args(|arg: Arg| match of(arg.get_help()) {
+        Some(help) => arg.help(help).long_help(help),
+        None => arg,
     })
-}
-
-fn entry(command: &str, argument: &str) -> Option<&'static str> {
-    WORDS.iter().find(|w| (w.0, w.1) == (command, argument)).map(|w| w.2)
 }
 
 /// Translates the headings and the names of choices of a printed help into Chinese.
 fn headings(text: &str) -> String {
     let figures = LIST.iter().map(|e| (e.about[0], e.about[1]));
     let methods = METHODS.iter().map(|e| (e.about[0], e.about[1]));
-    HEADINGS
-        .iter()
-        .copied()
+    let forms = CycleForm::ALL.into_iter().map(|f| (f.about()[0], f.about()[1]));
+    let texts = texts();
+    let printed = PRINTED.iter().filter_map(|en| Some((*en, texts.get(*en)?.as_str())));
+    printed
         .chain(figures)
         .chain(methods)
+        .chain(forms)
         .fold(text.to_owned(), |text, (en, zh)| text.replace(en, zh))
 }
 
@@ -179,30 +210,24 @@ pub fn said(e: &clap::Error, lang: Lang) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::collections::BTreeSet;
 
     fn is_chinese(text: &str) -> bool {
         text.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c))
     }
 
+    /// The help texts of a command and its arguments.
+    fn own(command: &Command) -> Vec<String> {
+        let of_command = [command.get_about(), command.get_after_help()].into_iter().flatten();
+        let of_arguments = command.get_arguments().filter_map(Arg::get_help);
+        of_command.chain(of_arguments).map(ToString::to_string).collect()
+    }
+
     #[test]
     fn every_command_and_argument_is_told_in_chinese() {
         let mut command = command(Lang::Zh);
-        assert!(is_chinese(&command.get_about().unwrap().to_string()));
         // Skips the list of commands, which `help` repeats.
         for c in command.get_subcommands_mut().filter(|c| c.get_name() != "help") {
-            let name = c.get_name().to_owned();
-            assert!(
-                c.get_about().is_some_and(|a| is_chinese(&a.to_string())),
-                "{name}: no Chinese in WORDS"
-            );
-            for arg in c.get_arguments() {
-                let help = arg.get_help().map(ToString::to_string).unwrap_or_default();
-                assert!(
-                    is_chinese(&help),
-                    "{name} {}: no Chinese in WORDS, but {help:?}",
-                    arg.get_id()
-                );
-            }
             let text = headings(&c.render_long_help().to_string());
             // Only names remain in Latin letters: no two lower-case words follow one another.
             let english = text.lines().find(|l| {
@@ -210,26 +235,29 @@ mod tests {
                 let words: Vec<&str> = l.split(' ').collect();
                 words.windows(3).any(|w| w.iter().all(|w| small(w)))
             });
-            assert_eq!(english, None, "{name}:\n{text}");
+            assert_eq!(english, None, "{}:\n{text}", c.get_name());
         }
     }
 
+    /// The catalogue has the text of each command and argument, nothing else, and is sorted.
     #[test]
-    fn no_entry_is_left_over() {
-        let command = command(Lang::Zh);
-        for (c, a, _) in WORDS.iter().filter(|w| w.1 != "*after") {
-            let all: Vec<&Command> =
-                std::iter::once(&command).chain(command.get_subcommands()).collect();
-            let mut meant = all.iter().filter(|x| {
-                *c == "*"
-                    || x.get_name() == *c
-                    || c.is_empty() && x.get_name() == command.get_name()
-            });
-            assert!(
-                meant.any(|x| a.is_empty() || x.get_arguments().any(|arg| arg.get_id() == *a)),
-                "{c} {a}: there is no such argument"
-            );
+    fn the_catalogue_has_the_texts_of_the_help() {
+        let mut command = command(Lang::En);
+        command.build();
+        let all = std::iter::once(&command).chain(command.get_subcommands());
+        let texts = texts();
+        let mut used: BTreeSet<String> = PRINTED.map(str::to_owned).into();
+        used.extend(all.flat_map(own));
+        for english in &used {
+            let chinese = texts.get(english).is_some_and(|text| is_chinese(text));
+            assert!(chinese, "po/help.zh.po lacks\nmsgid {english:?}");
         }
+        for english in texts.keys() {
+            assert!(used.contains(english), "{english:?} is no text of the help");
+        }
+        let written = CATALOGUE.lines().filter_map(|l| l.strip_prefix("msgid ")).skip(1);
+        let written: Vec<String> = written.map(|l| serde_json::from_str(l).unwrap()).collect();
+        assert_eq!(written, texts.into_keys().collect::<Vec<_>>());
     }
 
     #[test]

@@ -46,7 +46,7 @@ fn sweep_into(
     a: &SweepArgs,
     place: Option<&OutputPlace<TableFormat>>,
 ) -> Result<Vec<Diagnostic>, Failure> {
-    let title = input.scene.title.get(choices(&input.scene, &a.common).0);
+    let title = choices(&input.scene, &a.common).0.of(&input.scene.title);
     let scene = &input.scene;
     range::rows(scene, &a.range.swept(), |pieces| {
         let head = TableHead::new(title, pieces.columns()).in_language(lang::now());

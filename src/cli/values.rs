@@ -5,7 +5,7 @@ use super::{Failure, SourceFaults, files};
 use crate::certified::ladder::MOST_DIGITS;
 use crate::diag::{Diagnostic, Faults, both};
 use crate::exchange::{ExportFormat, ImportFormat};
-use crate::figure::cycle;
+use crate::figure::cycle::CycleForm;
 use crate::figure::list::{self, FigureEntry};
 use crate::figure::stepped::{ConstructionMethod, METHODS};
 use crate::homework::platforms::Platform;
@@ -34,28 +34,6 @@ impl FigureFormat {
             FigureFormat::Png => "png",
             FigureFormat::Pdf => "pdf",
             FigureFormat::Tikz => "tikz",
-        }
-    }
-}
-
-/// Forms of a motion cycle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum CycleForm {
-    /// A row of bars for each output
-    Bars,
-    /// Each stroke as a straight line over the position of the driver
-    Straight,
-    /// A ring for each output
-    Polar,
-}
-
-impl CycleForm {
-    /// The form of the figure.
-    pub fn of_figure(self) -> cycle::CycleForm {
-        match self {
-            CycleForm::Bars => cycle::CycleForm::Bars,
-            CycleForm::Straight => cycle::CycleForm::Straight,
-            CycleForm::Polar => cycle::CycleForm::Polar,
         }
     }
 }
@@ -214,6 +192,12 @@ pub fn methods() -> impl TypedValueParser<Value = ConstructionMethod> {
         .map(|name| ConstructionMethod::named(&name).unwrap_or(METHODS[0].method))
 }
 
+/// The forms of a motion cycle, by name.
+pub fn cycle_forms() -> impl TypedValueParser<Value = CycleForm> {
+    let values = CycleForm::ALL.map(|f| PossibleValue::new(f.name()).help(f.about()[0]));
+    PossibleValuesParser::new(values).map(|name| CycleForm::named(&name).unwrap_or(CycleForm::Bars))
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Language {
     En,
@@ -294,15 +278,6 @@ pub fn seconds(s: &str) -> Result<f64, FileRefusal> {
     match s.parse::<f64>() {
         Ok(v) if (0.1..=600.0).contains(&v) => Ok(v),
         Ok(v) => Err(FileRefusal(both!("{v} is not between 0.1 and 600"))),
-        Err(_) => Err(FileRefusal(both!("not a number"))),
-    }
-}
-
-/// The ratio of one stage of gears to the next.
-pub fn taper(s: &str) -> Result<f64, FileRefusal> {
-    match s.parse::<f64>() {
-        Ok(v) if (0.5..=2.0).contains(&v) => Ok(v),
-        Ok(v) => Err(FileRefusal(both!("{v} is not between 0.5 and 2"))),
         Err(_) => Err(FileRefusal(both!("not a number"))),
     }
 }

@@ -7,6 +7,7 @@ use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::list::{Extras, FigureInput};
 use crate::figure::list::{FigureEntry, MECHANISM};
 use crate::paper::item::Figure;
+use crate::problem::range::{RangeFault, WrongValue};
 use crate::problem::{Kind, Look, Pictures, Solved, Wish};
 use crate::render::tikz;
 
@@ -133,19 +134,19 @@ impl ImportFormat {
 /// Returns a solved file in a format: of DXF and TikZ one figure of it.
 ///
 /// # Errors
-/// `not-a-scene`; `export` for parts that the format does not have; `output` if the figure has
-/// several pages; those of the figures.
+/// `not-a-scene`; `export` for parts that the format does not have; the value `output` if the figure
+/// has several pages; those of the figures.
 pub fn export(
     solved: &Solved,
     format: ExportFormat,
     figure: &'static FigureEntry,
     look: &Look,
-) -> Result<Warned<Vec<u8>>, Faults> {
+) -> Result<Warned<Vec<u8>>, RangeFault> {
     let alone = |text: String| Warned { value: text.into_bytes(), notes: Vec::new() };
     let linkage = || {
         let (scene, worked) = solved.needed_mechanism()?;
         let (lang, _) = look.of(scene.language, None);
-        Linkage::of(scene, worked, scene.title.get(lang).to_owned())
+        Linkage::of(scene, worked, lang.of(&scene.title).to_owned())
     };
     Ok(match (format, solved.mechanism()) {
         (ExportFormat::Dxf, Some((scene, worked))) if figure.name == MECHANISM.name => {
@@ -172,7 +173,7 @@ fn only(
     solved: &Solved,
     figure: &'static FigureEntry,
     look: &Look,
-) -> Result<Warned<Figure>, Faults> {
+) -> Result<Warned<Figure>, RangeFault> {
     let pictures = Pictures { figures: &[figure], ..Pictures::default() };
     let Warned { mut value, notes } = solved.figures(&pictures, look)?;
     match (value.pop(), value.len()) {
@@ -180,7 +181,8 @@ fn only(
         (_, more) => {
             let message = both!("the file takes one figure; {} are asked for", more + 1);
             let help = both!("ask for one with --figure, such as --figure velocity");
-            Err(Diagnostic::error("output", message).help(help).into())
+            let d = Diagnostic::error("output", message).help(help);
+            Err(WrongValue::new("output", "", d).into())
         }
     }
 }

@@ -2,7 +2,7 @@
 //! solution with its number.
 
 use super::HomeworkVariant;
-use crate::diag::{Faults, Warned, both};
+use crate::diag::{Both, Faults, Warned, both};
 use crate::figure::frame::{FramePage, working_frame};
 use crate::figure::list::{Extras, FigureInput};
 use crate::paper::phrase::Phrase;
@@ -10,7 +10,7 @@ use crate::paper::words::words;
 use crate::problem::Look;
 use crate::render::pages::Page;
 use crate::render::pdf;
-use crate::scene::{Lang, Localized, PageFormat};
+use crate::scene::{Lang, PageFormat};
 use crate::worksheet::{Document, DocumentBlock, WorksheetSides, WorksheetTask, pages};
 
 /// Returns the document of one side of a variant.
@@ -56,13 +56,13 @@ pub fn frames(
     for variant in all {
         let Some((scene, worked)) = variant.solved.mechanism() else { continue };
         let options = look.sheet_of(scene);
-        let title = titled(scene.title.get(options.lang), variant.number, options.lang);
+        let title = titled(options.lang.of(&scene.title), variant.number, options.lang);
         let title = match &variant.student {
             Some(name) => format!("{title} · {name}"),
             None => title,
         };
         let mut scene = scene.clone();
-        scene.title = Localized { en: title.clone(), zh: title };
+        scene.title = Both { en: title.clone(), zh: title };
         let wanted = FigureInput { scene: &scene, worked, options: &options, extras: &extras };
         for FramePage { blank, overlay } in working_frame(&wanted, page)? {
             blanks.push(blank);

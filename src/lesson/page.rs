@@ -91,7 +91,7 @@ pub fn page(
         drawings.iter().zip(&told).map(|(d, told)| figure(d, told, frames, options.lang));
     let first = figures.next().unwrap_or_default();
     let polygons: String = figures.collect();
-    let title = |lang: Lang| match scene.title.get(lang) {
+    let title = |lang: Lang| match lang.of(&scene.title) {
         "" => DiagramKind::Plane.caption(lang).to_owned(),
         title => title.to_owned(),
     };

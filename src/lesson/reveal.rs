@@ -47,7 +47,7 @@ pub fn reveal_in(
     let extras = Extras::default();
     let wanted = FigureInput { scene, worked, options, extras: &extras };
     let format = PageFormat::column(width_mm);
-    let value = fit::first_that_fits("reveal", &wanted, &format, |w, stacked| {
+    let value = fit::first_that_fits("reveal", &wanted, &format, false, |w, stacked| {
         let (drawings, size) = drawings(w.scene, w.worked, w.options, stacked)?;
         Ok(if size[0] <= width_mm {
             Ok(drawings.svg(w.scene, w.options, Some(width_mm)))
@@ -138,7 +138,7 @@ impl Drawings {
             .map_or_else(|| "width:100%".to_owned(), |_| format!("width:{w}mm;max-width:100%"));
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"{left} 0 {w} {h}\" role=\"img\" aria-label=\"{}\" style=\"{shown};background:{}\">\n{}\n{}</svg>\n",
-            escaped(scene.title.get(options.lang)),
+            escaped(options.lang.of(&scene.title)),
             hex(options.style.palette.paper),
             self.letters,
             self.body

@@ -94,8 +94,13 @@ impl SurveyedCam<'_> {
             ("cam-motion", motion::figure(r, style, lang)),
             ("cam-profile", inversion::figure(r, style, lang)),
         ];
-        all.extend(self.least.as_ref().map(|l| ("cam-alpha", least::figure(r, l, style, lang))));
+        all.extend(self.least_figure(style, lang).map(|figure| ("cam-alpha", figure)));
         all
+    }
+
+    /// Draws the diagram in which the least cams are found, if they are asked for.
+    pub fn least_figure(&self, style: &Style, lang: Lang) -> Option<Figure> {
+        self.least.as_ref().map(|l| least::figure(&self.report, l, style, lang))
     }
 
     /// Returns the profile as a table in a number of steps of a turn, in SI.

@@ -76,7 +76,7 @@ pub fn compare(
     let driver = all.first().map(|m| &m.driver.0).filter(same).cloned();
     let mut comparison = Comparison {
         files: names(scenes),
-        titles: scenes.iter().map(|s| s.scene.title.get(lang).to_owned()).collect(),
+        titles: scenes.iter().map(|s| lang.of(&s.scene.title).to_owned()).collect(),
         driver: driver.clone().unwrap_or_else(|| "driver".to_owned()),
         driver_unit: all.first().map_or((String::new(), 1.0), driver_unit),
         rows: outputs(&all),

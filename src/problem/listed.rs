@@ -64,7 +64,7 @@ fn close(zeros: &mut Vec<[f64; 2]>, turn: f64) {
 /// is the name of the driver, such as `phi_1`.
 pub fn text(scene: &Scene, diagram: &CurveDiagram, driver: &str, lang: Lang) -> String {
     let mut out = String::new();
-    let title = scene.title.get(lang);
+    let title = lang.of(&scene.title);
     if !title.is_empty() {
         out += &format!("{title}\n");
     }

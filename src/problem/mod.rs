@@ -264,15 +264,17 @@ impl Look {
         (lang, self.notation.clone().or_else(named).unwrap_or_else(|| Notation::of_language(lang)))
     }
 
+    /// Language and notation of the figures of a scene: those of [`Look::of`] with the marks of the
+    /// style.
+    pub fn marked(&self, scene: &Scene) -> (Lang, Notation) {
+        let (lang, notation) = self.of(scene.language, scene.notation.as_deref());
+        (lang, self.style.marks.over(&notation))
+    }
+
     /// Returns the options of the sheet of a scene.
     pub(crate) fn sheet_of(&self, scene: &Scene) -> sheet::SheetOptions {
-        let (lang, notation) = self.of(scene.language, scene.notation.as_deref());
-        sheet::SheetOptions {
-            lang,
-            notation: self.style.marks.over(&notation),
-            digits: self.digits,
-            style: self.style.clone(),
-        }
+        let (lang, notation) = self.marked(scene);
+        sheet::SheetOptions { lang, notation, digits: self.digits, style: self.style.clone() }
     }
 }
 

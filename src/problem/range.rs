@@ -37,12 +37,12 @@ pub struct WrongValue {
     pub faults: Faults,
 }
 
-/// The reason why a range cannot be swept.
+/// The reason why a request, such as the range of a sweep, cannot be met.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RangeFault {
     /// Faults of the scene.
     Scene(Faults),
-    /// Faults of values of the range.
+    /// Faults of values of the request.
     Values(Vec<WrongValue>),
 }
 
@@ -54,6 +54,12 @@ impl WrongValue {
             d.span = d.span.filter(|s| s.end <= text.len()).or(whole);
         }
         WrongValue { of, text: text.to_owned(), faults }
+    }
+}
+
+impl From<Faults> for RangeFault {
+    fn from(faults: Faults) -> RangeFault {
+        RangeFault::Scene(faults)
     }
 }
 

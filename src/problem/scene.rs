@@ -91,8 +91,7 @@ impl SceneSolution {
 
 impl Answered for SceneSolution {
     fn answers(&self, look: &Look) -> Vec<Answer> {
-        let (lang, notation) = self.look(look);
-        let notation = look.style.marks.over(&notation);
+        let (lang, notation) = look.marked(&self.scene);
         let certified = self.certified(look);
         let without = |find: usize, text: String| {
             let find = &self.scene.find[find];
@@ -219,8 +218,7 @@ impl Answered for SceneSolution {
     }
 
     fn lesson(&self, wanted: &Lesson, look: &Look) -> Result<Warned<String>, Faults> {
-        let (lang, notation) = self.look(look);
-        let notation = look.style.marks.over(&notation);
+        let (lang, notation) = look.marked(&self.scene);
         if wanted.reveal {
             let options = look.sheet_of(&self.scene);
             return match wanted.width_mm {

@@ -5,7 +5,7 @@ use super::{Kind, Wish};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::gears::Basic;
 use crate::gears::unknown::{FoundGear, WantedGear, unknown_teeth};
-use crate::gears::wanted::{FoundPair, WantedPair, WantedTrain, pairs, stages};
+use crate::gears::wanted::{FoundPair, STAGES, TAPER, WantedPair, WantedTrain, pairs, stages};
 use crate::report::teeth;
 use crate::scene::{Lang, edit};
 use serde_json::Value as Json;
@@ -33,9 +33,9 @@ pub struct TeethRequest<'a> {
     pub shifts: &'a str,
     /// Least and greatest helix angle of a helical pair (degrees).
     pub helix: &'a str,
-    /// The number of stages of a train, 2 to 4.
-    pub stages: Option<u8>,
-    /// Ratio of a stage over that of the next slower one, 0.5 to 2.
+    /// The number of stages of a train, within [`STAGES`].
+    pub stages: Option<usize>,
+    /// Ratio of a stage over that of the next slower one, within [`TAPER`].
     pub taper: f64,
     /// Greatest number of solutions.
     pub count: usize,
@@ -81,13 +81,9 @@ impl TeethList {
         let teeth = whole_range(a.teeth)?;
         match (a.stages, a.distance) {
             (Some(count), _) => {
-                let wish = WantedTrain {
-                    ratio,
-                    stages: usize::from(count.clamp(2, 4)),
-                    taper: a.taper,
-                    teeth,
-                    within,
-                };
+                within_bounds("stages", count, STAGES)?;
+                within_bounds("taper", a.taper, TAPER)?;
+                let wish = WantedTrain { ratio, stages: count, taper: a.taper, teeth, within };
                 let mut found = stages(&wish);
                 found.truncate(a.count);
                 Ok(TeethList::Trains(wish, found))
@@ -193,6 +189,19 @@ fn refused(of: &'static str, text: &str, message: Both) -> WrongValue {
         "as in `hodograph teeth --ratio 3 --distance 150mm --module 2,2.5` or `hodograph teeth --ratio 31.5 --stages 3`"
     );
     WrongValue::new(of, text, Diagnostic::error("wrong-given", message).help(help))
+}
+
+fn within_bounds<T: PartialOrd + std::fmt::Display>(
+    option: &'static str,
+    value: T,
+    [least, most]: [T; 2],
+) -> Result<(), WrongValue> {
+    if least <= value && value <= most {
+        return Ok(());
+    }
+    let text = value.to_string();
+    let message = both!("--{option}: {text} is not a number from {least} to {most}");
+    Err(refused(option, &text, message))
 }
 
 /// Reads a ratio of at least 1, such as 3.15 or 63/20.

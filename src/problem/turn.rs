@@ -44,8 +44,7 @@ pub fn turn_table(
     scene.book = scene.book.of_table("book").unwrap_or_default();
     let mechanism = sweep::mechanism(&scene)?;
     let placed = PlacedScene::new(&scene, &mechanism)?;
-    let (lang, notation) = look.of(scene.language, scene.notation.as_deref());
-    let notation = look.style.marks.over(&notation);
+    let (lang, notation) = look.marked(&scene);
     let (diagram, notes) = match usual(&scene)? {
         Swept::Driver(driver) => {
             let range = SweptRange { steps: Some(count), ..SweptRange::default() };

@@ -57,8 +57,7 @@ pub fn curves(source: &[u8], look: &Look, paged: bool) -> Result<Warned<Pages>, 
     let placed = PlacedScene::new(&scene, &mechanism)?;
     let swept = usual(&scene)?;
     let table = rows(&placed, swept)?;
-    let (lang, notation) = look.of(scene.language, scene.notation.as_deref());
-    let notation = look.style.marks.over(&notation);
+    let (lang, notation) = look.marked(&scene);
     let diagram = match swept {
         Swept::Driver(driver) => CurveDiagram::of(&placed, driver, &table, &notation),
         Swept::Time => {

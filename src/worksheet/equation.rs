@@ -28,7 +28,7 @@ pub fn equation(sheet: &EquationSheet, options: &WorksheetOptions) -> Document {
     if options.sides != WorksheetSides::Solution {
         blocks.push(heading(1, each!("Problem")));
         if let Some(text) = &sheet.problem.statement {
-            let lines = text.get(lang).lines();
+            let lines = lang.of(text).lines();
             blocks.extend(lines.map(|l| DocumentBlock::Paragraph(Phrase::new(l))));
         }
         let list = |members| DocumentBlock::List { numbered: false, members };

@@ -221,7 +221,7 @@ fn solved_by(
 /// Makes the document from the blocks under the scene's title.
 fn document(scene: &Scene, options: &WorksheetOptions, blocks: Vec<DocumentBlock>) -> Document {
     let lang = options.sheet.lang;
-    let title = scene.title.get(lang);
+    let title = lang.of(&scene.title);
     let title = if title.is_empty() { tr!(lang, "Planar mechanism") } else { title };
     Document { title: one_line(title), lang, fonts: options.sheet.style.fonts.clone(), blocks }
 }

@@ -39,7 +39,7 @@ pub fn particle(
     if options.sides != WorksheetSides::Solution {
         blocks.push(heading(1, each!("Problem")));
         if let Some(text) = &problem.statement {
-            blocks.extend(text.get(lang).lines().map(|l| DocumentBlock::Paragraph(Phrase::new(l))));
+            blocks.extend(lang.of(text).lines().map(|l| DocumentBlock::Paragraph(Phrase::new(l))));
         }
         for d in board {
             let figure = as_given(problem, solved, d, &options.sheet.style, lang)?;

@@ -87,7 +87,7 @@ fn the_three_motions_and_the_transport_point_are_named() {
     let scene = "templates/lathe.json";
     let wanted = [
         ("en", ["transport motion: rotation about O", "transport point: the point of link 2"]),
-        ("zh", ["牵连运动：绕 O 的定轴转动", "牵连点：构件 2上与 T 重合的点"]),
+        ("zh", ["牵连运动：绕 O 的定轴转动", "牵连点：构件 2 上与 T 重合的点"]),
     ];
     for (lang, words) in wanted {
         let run = hodograph().args(["composite", scene, "--lang", lang]).assert().success();

@@ -112,6 +112,8 @@ fn both_languages_name_the_kind_of_drive_and_wrong_values_are_refused() {
         assert!(text(&run.get_output().stdout).contains(word));
     }
     for wrong in [
+        ["--ratio", "3", "--stages", "5"],
+        ["--stages=2", "--ratio=3", "--taper", "2.1"],
         ["--ratio", "0.5", "--stages", "2"],
         ["--ratio", "3", "--teeth", "9..3"],
         ["--ratio", "3", "--within", "50%"],

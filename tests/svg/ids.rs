@@ -156,6 +156,29 @@ fn names_that_are_no_ascii_have_ids_of_their_own() {
     assert!(sheet.vector("v_杆'").is_some());
 }
 
+/// Every id of a dimension in the table of docs/svg.md is drawn.
+#[test]
+fn dimensions_have_the_ids_of_the_document() {
+    let document = include_str!("../../docs/svg.md");
+    let rows = document.lines().filter(|l| l.contains("mechanism-dimension-"));
+    let ids: Vec<&str> = rows.flat_map(|l| l.split('`').skip(1).step_by(2)).collect();
+    let ids: Vec<&str> = ids.into_iter().filter(|id| id.starts_with("mechanism-")).collect();
+    assert!(ids.len() >= 8, "{ids:?}");
+    let mut drawn = BTreeSet::new();
+    for name in ["crank-rocker", "offset-slider-crank", "cam-offset-roller", "five-bar-centres"] {
+        let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        let options = SheetOptions::of_language(Lang::En);
+        let extras = Extras { dimensions: true, ..Extras::default() };
+        let wanted =
+            FigureInput { scene: &scene, worked: &worked, options: &options, extras: &extras };
+        let pages = (MECHANISM.draw)(&wanted).unwrap().value;
+        drawn.extend(pages.into_iter().flat_map(|(_, f)| f.items).map(|item| item.id));
+    }
+    let missing: Vec<&str> = ids.into_iter().filter(|id| !drawn.contains(*id)).collect();
+    assert!(missing.is_empty(), "{missing:?} are not drawn");
+}
+
 /// Ids in figures of designs and of motions without a mechanism follow the contents, too.
 #[test]
 fn designs_and_motions_have_ids_by_meaning() {

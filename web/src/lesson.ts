@@ -31,9 +31,6 @@ function values(json: any): [string, JSONPath][] {
   return all.filter(([, , v]) => literal(v)).map(([name, path]) => [name, path])
 }
 
-/** The unit of a quantity; empty if it has none. */
-const unitOf = (quantity: unknown) => (typeof quantity === 'string' && /^[-+]?[\d.]+ ?([a-zA-Z°].*)$/.exec(quantity.trim())?.[1]) || ''
-
 export class Given {
   readonly root = element('section', { class: 'inspector given' })
 
@@ -60,7 +57,7 @@ export class Given {
   private async put(field: HTMLInputElement, path: JSONPath): Promise<void> {
     const { editor, engine, hint, lang } = this.site
     const draft = new Draft(editor.text)
-    typed({ json: draft.at([]) }, draft, path, field.value, unitOf(draft.at(path)))
+    typed({ json: draft.at([]) }, draft, path, field.value)
     const told = await engine.ask<{ values: (number | null)[] }>({ do: 'values', text: draft.text, of: [draft.at(path)] })
     const is = told.values[0] !== null
     field.setAttribute('aria-invalid', String(!is))

@@ -99,13 +99,16 @@ export function shown(outline: Outline, quantity: unknown): string {
   return typeof value === 'string' || typeof value === 'number' ? String(value) : ''
 }
 
-/** Writes what was typed; a bare number takes the unit of what it replaces. */
-export function typed(outline: Pick<Outline, 'json'>, draft: Draft, path: JSONPath, text: string, usual: string): void {
+/** The unit of a quantity; empty if it has none. */
+const unitOf = (quantity: unknown) => (typeof quantity === 'string' && /^[-+]?[\d.]+ ?([a-zA-Z°][^+*]*)$/.exec(quantity.trim())?.[1]) || ''
+
+/** Writes what was typed; a bare number takes the unit of what it replaces, else the usual one. */
+export function typed(outline: Pick<Outline, 'json'>, draft: Draft, path: JSONPath, text: string, usual = ''): void {
   const name = parameterOf(outline, draft.at(path))
   const to: JSONPath = name === null ? path : ['parameters', name]
   const old = draft.at(to)
   const bare = /^-?(\d+\.?\d*|\.\d+)$/.test(text.trim())
-  if (bare && (usual === '' || (typeof old === 'number' && outline.json.units !== undefined))) return draft.put(to, Number(text))
-  const unit = typeof old === 'string' ? /^-?[\d.]+ ?([a-zA-Z][^+*]*)$/.exec(old.trim())?.[1] : undefined
-  draft.put(to, bare ? `${text.trim()} ${unit ?? usual}` : text.trim())
+  if (!bare) return draft.put(to, text.trim())
+  const unit = unitOf(old) || (typeof old === 'number' && outline.json.units !== undefined ? '' : usual)
+  draft.put(to, unit ? `${text.trim()} ${unit}` : Number(text))
 }

@@ -24,7 +24,7 @@ impl Lang {
     }
 
     /// Returns the language's name in the format.
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Lang::En => "en",
             Lang::Zh => "zh",

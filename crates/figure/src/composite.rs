@@ -7,10 +7,8 @@ use hodograph_base::diag::{Both, Faults, Warned};
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::lang::each;
 use hodograph_board::construct::scale;
-use hodograph_methods::composite::{
-    ChoiceSolution, ChoiceUnknowns, ChoiceVerdict, ContactScene, equated, level, name_of,
-};
-use hodograph_report::composite::{CompositeWords, symbol};
+use hodograph_methods::composite::{ChoiceSolution, ContactScene, level, name_of};
+use hodograph_report::composite::{CompositeStep, CompositeWords, symbol};
 use hodograph_scene::quantity::composite::CompositePart as Piece;
 use hodograph_scene::quantity::{Frame, RelativePath};
 use hodograph_scene::{DiagramKind, GuidePath, Kind, Lang, Scene};
@@ -62,22 +60,8 @@ fn draw(w: &FigureInput) -> Result<Warned<Pages>, Faults> {
     if choices.is_empty() {
         return page(ENTRY.name, None);
     }
-    let Warned { value: (mut worked, mut each), .. } = staged.solved(&choices, level(w.scene))?;
-    // A point whose motion only two frames determine is shown in both.
-    if let [one] = &each[..]
-        && one.closure == ChoiceUnknowns::Open
-    {
-        let both: Vec<_> = staged
-            .choices(w.scene)
-            .into_iter()
-            .filter(|c| c.verdict == ChoiceVerdict::Serves && c.of == one.choice.of)
-            .take(2)
-            .collect();
-        let of_both = staged.solved(&both, level(w.scene))?.value;
-        if !equated(&of_both.1).is_empty() {
-            (worked, each) = of_both;
-        }
-    }
+    let solved = staged.solved_with_second(w.scene, &choices, level(w.scene))?;
+    let (worked, each) = solved.value;
     let staged = FigureInput { scene: &staged.scene, ..*w };
     page(ENTRY.name, (!each.is_empty()).then(|| figure(&staged, &worked, &each)))
 }
@@ -107,7 +91,8 @@ impl CompositeScales {
 }
 
 /// The composite motion of the first choice step by step: the velocities at the moving point, the
-/// accelerations there, and their polygon.
+/// accelerations there, and their polygon. If only two frames determine the motion, those of the
+/// second follow, and the projections of both.
 ///
 /// # Errors
 /// The faults of the scene.
@@ -117,14 +102,38 @@ pub(super) fn stepped(w: &FigureInput) -> Result<Option<SteppedMethod>, Faults> 
     if choices.is_empty() {
         return Ok(None);
     }
-    let (worked, each) = staged.solved(&choices, level(w.scene))?.value;
-    let Some(s) = each.first() else { return Ok(None) };
+    let (worked, each) = staged.solved_with_second(w.scene, &choices, level(w.scene))?.value;
+    if each.is_empty() {
+        return Ok(None);
+    }
     let w = FigureInput { scene: &staged.scene, ..*w };
-    let words = |lang| CompositeWords { scene: w.scene, lang, notation: &w.options.notation };
-    let [en, zh] = [Lang::En, Lang::Zh].map(|lang| words(lang).steps(s));
     let scales = CompositeScales::of(&w, &each);
+    let words = |lang| CompositeWords { scene: w.scene, lang, notation: &w.options.notation };
+    let [en, zh] = [Lang::En, Lang::Zh].map(words);
+    let mut out = SteppedMethod::default();
+    for s in &each {
+        let first = out.steps.len();
+        let steps = en.steps(s);
+        out.views.extend(step_views(&w, &worked, &scales, s, &steps, first));
+        let both = steps.iter().zip(zh.steps(s));
+        out.steps.extend(both.map(|(en, zh)| Both { en: en.text.source(), zh: zh.text.source() }));
+    }
+    let both = en.equated(&each).into_iter().zip(zh.equated(&each));
+    out.steps.extend(both.map(|(en, zh)| Both { en: en.source(), zh: zh.source() }));
+    Ok(Some(out))
+}
+
+/// Draws the views of a choice, whose steps have numbers from `first`.
+fn step_views(
+    w: &FigureInput,
+    worked: &Worked,
+    scales: &CompositeScales,
+    s: &ChoiceSolution,
+    steps: &[CompositeStep],
+    first: usize,
+) -> Vec<ParticleView> {
     let placed = |on: DiagramKind, mu: f64| {
-        let mut all = vectors(&w, s, on, mu);
+        let mut all = vectors(w, s, on, mu);
         let parts = s.acceleration.iter().map(|a| a.0);
         let parts: Vec<Option<Piece>> = match on {
             DiagramKind::Velocity => {
@@ -133,7 +142,8 @@ pub(super) fn stepped(w: &FigureInput) -> Result<Option<SteppedMethod>, Faults> 
             DiagramKind::Plane | DiagramKind::Acceleration | DiagramKind::Force => parts.collect(),
         };
         for (v, part) in all.iter_mut().zip(parts) {
-            v.step = en.iter().position(|step| step.on == on && step.draws.contains(&part));
+            let step = steps.iter().position(|step| step.on == on && step.draws.contains(&part));
+            v.step = step.map(|k| first + k);
         }
         // What is laid off first begins at the pole.
         all.sort_by_key(|v| v.step);
@@ -150,10 +160,10 @@ pub(super) fn stepped(w: &FigureInput) -> Result<Option<SteppedMethod>, Faults> 
             numbered: false,
             vectors: placed(on, mu),
             parallelogram,
-            track: if parallelogram { track(&w, s) } else { Vec::new() },
+            track: if parallelogram { track(w, s) } else { Vec::new() },
         };
         let (style, notation) = (&w.options.style, &w.options.notation);
-        mechanism::composed(style, w.scene, &worked, notation, &composed)
+        mechanism::composed(style, w.scene, worked, notation, &composed)
     };
     let mut views = vec![view(
         at_point(DiagramKind::Velocity, scales.velocity, true),
@@ -166,14 +176,9 @@ pub(super) fn stepped(w: &FigureInput) -> Result<Option<SteppedMethod>, Faults> 
             .map(|lang| hodograph_paper::paper::words::words(lang).composite_acceleration);
         let on = DiagramKind::Acceleration;
         views.push(view(at_point(on, mu, false), on, mu, words));
-        views.push(view(edges(&w, &placed(on, mu)), on, mu, each!("Acceleration polygon")));
+        views.push(view(edges(w, &placed(on, mu)), on, mu, each!("Acceleration polygon")));
     }
-    let steps = en
-        .iter()
-        .zip(&zh)
-        .map(|(en, zh)| Both { en: en.text.source(), zh: zh.text.source() })
-        .collect();
-    Ok(Some(SteppedMethod { views, steps, ..SteppedMethod::default() }))
+    views
 }
 
 /// The moving points and frames that a scene names, with their motions and a drawing of each, all to
@@ -197,7 +202,7 @@ pub fn named_solutions(w: &FigureInput) -> Result<Option<NamedSolutions>, Faults
     if choices.is_empty() {
         return Ok(None);
     }
-    let (worked, each) = staged.solved(&choices, level(w.scene))?.value;
+    let (worked, each) = staged.solved_with_second(w.scene, &choices, level(w.scene))?.value;
     let w = FigureInput { scene: &staged.scene, ..*w };
     let maker =
         SheetDrafter { scene: w.scene, worked: &worked, options: w.options, certified: Vec::new() };

@@ -8,7 +8,7 @@ use super::plot::PlotAxis;
 use super::sheet::{painted, swept_symbol};
 use hodograph_base::digits::{legible, shortest};
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_base::lang::tr;
+use hodograph_base::lang::{each, tr};
 use hodograph_board::plan::names::name_label;
 use hodograph_paper::paper::item::{
     Anchor, Colour, Figure, FigureItem, LineStroke, PathPiece, Shape,
@@ -32,14 +32,32 @@ pub enum CycleForm {
 }
 
 impl CycleForm {
-    /// Returns the form of a name: `bars`, `straight` or `polar`.
-    pub fn named(name: &str) -> Option<CycleForm> {
-        match name {
-            "bars" => Some(CycleForm::Bars),
-            "straight" => Some(CycleForm::Straight),
-            "polar" => Some(CycleForm::Polar),
-            _ => None,
+    /// All forms, the usual one first.
+    pub const ALL: [CycleForm; 3] = [CycleForm::Bars, CycleForm::Straight, CycleForm::Polar];
+
+    /// Returns the name in commands.
+    pub fn name(self) -> &'static str {
+        match self {
+            CycleForm::Bars => "bars",
+            CycleForm::Straight => "straight",
+            CycleForm::Polar => "polar",
         }
+    }
+
+    /// Returns a line on the form, English and Chinese.
+    pub fn about(self) -> [&'static str; 2] {
+        match self {
+            CycleForm::Bars => each!("A row of bars for each output"),
+            CycleForm::Straight => {
+                each!("Each stroke as a straight line over the position of the driver")
+            }
+            CycleForm::Polar => each!("A ring for each output"),
+        }
+    }
+
+    /// Returns the form of a name.
+    pub fn named(name: &str) -> Option<CycleForm> {
+        CycleForm::ALL.into_iter().find(|form| form.name() == name)
     }
 }
 
@@ -96,7 +114,7 @@ pub fn figure(
         }
         CycleForm::Straight => d.rows(&symbol, RISE_MM, CycleDiagram::rises),
     };
-    let title = match scene.title.get(lang) {
+    let title = match lang.of(&scene.title) {
         "" => tr!(lang, "Motion cycle").to_owned(),
         title => {
             format!("{title}{}{}", tr!(lang, ": "), tr!(lang, "motion cycle"))
@@ -388,7 +406,7 @@ impl CycleDiagram<'_> {
         let lines: Vec<String> =
             self.cycle.text(self.scene, self.lang).lines().map(str::to_owned).collect();
         // Title and heading are above.
-        let skipped = 1 + usize::from(!self.scene.title.get(self.lang).is_empty());
+        let skipped = 1 + usize::from(!self.lang.of(&self.scene.title).is_empty());
         let lines = lines.get(skipped..).unwrap_or_default().to_vec();
         let (small, count) = (self.style.small_mm, self.cycle.outputs.len() as f64);
         let outer = INNER_MM + count * RING_MM;

@@ -8,7 +8,9 @@ use hodograph_board::construct::scale;
 use hodograph_board::plan::names::{name_label, point_label};
 use hodograph_mechanism::answer::MotionSource;
 use hodograph_mechanism::mechanism::Level;
-use hodograph_methods::inversions::evolution::{EvolutionStage, EvolutionStep, evolution};
+use hodograph_methods::inversions::evolution::{
+    DrivingCrank, EvolutionStage, EvolutionStep, evolution,
+};
 use hodograph_methods::inversions::is_bore;
 use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::label::Label;
@@ -73,7 +75,7 @@ fn extent(stages: &[EvolutionStage]) -> f64 {
 /// Returns true if the ring around the crank's disc covers no other point.
 fn is_free(s: &EvolutionStage, mu: f64) -> bool {
     let at = &s.worked.configuration.points;
-    let [pivot, pin] = s.crank.1;
+    let DrivingCrank { pivot, pin, .. } = s.crank;
     let (Some(axis), Some(centre)) = (at[pivot.0], at[pin.0]) else { return false };
     let ring = axis.distance(centre) + AROUND_MM * mu;
     let other = |(k, _): &(usize, &Option<Point>)| *k != pivot.0 && *k != pin.0;
@@ -87,7 +89,7 @@ fn cell(w: &FigureInput, s: &EvolutionStage, lines: Vec<Phrase>, k: usize) -> Dr
     let part = match s.step {
         EvolutionStep::Disc => eccentric(style, &s.scene, &s.worked, notation, s.crank),
         EvolutionStep::Exchanged if s.slides_on_ground() => {
-            rod_in_block(style, &s.scene, &s.worked, notation, s.crank.1[0])
+            rod_in_block(style, &s.scene, &s.worked, notation, s.crank.pivot)
         }
         EvolutionStep::FourBar
         | EvolutionStep::ArcSlider
@@ -106,7 +108,7 @@ fn cell(w: &FigureInput, s: &EvolutionStage, lines: Vec<Phrase>, k: usize) -> Dr
 fn words(lang: Lang, s: &EvolutionStage, k: usize) -> Vec<Phrase> {
     let (scene, book) = (&s.scene, &s.scene.book);
     let link = |l: hodograph_scene::LinkId| scene.link_name(l);
-    let [pivot, pin] = s.crank.1.map(|p| point_label(scene.point_name(p)));
+    let [pivot, pin] = [s.crank.pivot, s.crank.pin].map(|p| point_label(scene.point_name(p)));
     let guide = scene.guides.first();
     let centre = guide
         .and_then(|g| match g.path {

@@ -5,6 +5,8 @@
 //! This module decides the order of the attempts. A reduced drawing is drawn again to coarser
 //! scales μ, so that its scales remain true.
 
+use std::borrow::Cow;
+
 use hodograph_base::diag::{Both, Diagnostic, Faults, Warned, both};
 use hodograph_base::geom::Vec2;
 use hodograph_board::construct::scale::coarser;
@@ -109,10 +111,11 @@ pub fn pages(
     }
     let (mut needs, mut tried) = ([0.0_f64; 2], Vec::new());
     for part in PARTS {
-        let smaller = Smaller::of(w, part, &ByKind::default(), format)?;
-        if !smaller.is_new(&mut tried, ()) {
+        let reduced = Reduced::of(w, part, &ByKind::default(), format);
+        if !reduced.is_new(&mut tried, ()) {
             continue;
         }
+        let smaller = reduced.drawn()?;
         let Warned { value, notes } = (entry.draw)(&smaller.wanted(w.extras))?;
         let placed: Result<Vec<_>, [f64; 2]> =
             value.into_iter().map(|(word, f)| Ok((word, on_page(format, f, false)?))).collect();
@@ -135,10 +138,11 @@ fn sheet_pages(w: &FigureInput, format: &PageFormat) -> Result<Warned<Pages>, Fa
         if best.is_some() && part < least {
             break;
         }
-        let smaller = Smaller::of(w, part, &ByKind::default(), format)?;
-        if !smaller.is_new(&mut tried, fewer(part, format)) {
+        let reduced = Reduced::of(w, part, &ByKind::default(), format);
+        if !reduced.is_new(&mut tried, fewer(part, format)) {
             continue;
         }
+        let smaller = reduced.drawn()?;
         match sheet_of(&smaller.wanted(w.extras), part, format) {
             Ok(made) if format.height_mm.is_infinite() => {
                 return Ok(if part == 1.0 { None } else { grown(w, part, format)? }.unwrap_or(made));
@@ -167,7 +171,7 @@ pub fn steps(w: &FigureInput, format: Option<&PageFormat>) -> Result<Pages, Faul
     let Some(format) = format else {
         return Ok(pages(&StepFigures::of(w.scene, w.worked, w.options, None)));
     };
-    first_that_fits("steps", w, format, |w, stacked| {
+    first_that_fits("steps", w, format, false, |w, stacked| {
         let inner = format.inner_mm();
         let within = Within { width_mm: inner[0], stacked };
         let steps = StepFigures::of(w.scene, w.worked, w.options, Some(within));
@@ -190,8 +194,8 @@ pub struct Within {
 }
 
 /// Returns the first attempt that fits: drawings side by side as long as their type is easily
-/// legible, then one below the other (`true`), each at decreasing sizes. `draw` returns the size
-/// (mm) of a drawing that does not fit.
+/// legible, then one below the other (`true`), each at decreasing sizes. With `alike` both are one
+/// drawing, and no size is tried twice. `draw` returns the size (mm) of a drawing that does not fit.
 ///
 /// # Errors
 /// `paper-too-small` if the smallest legible one does not fit; and the errors of `draw`.
@@ -199,20 +203,23 @@ pub fn first_that_fits<T>(
     name: &str,
     w: &FigureInput,
     format: &PageFormat,
-    draw: impl Fn(&FigureInput, bool) -> Result<Result<T, [f64; 2]>, Faults>,
+    alike: bool,
+    mut draw: impl FnMut(&FigureInput, bool) -> Result<Result<T, [f64; 2]>, Faults>,
 ) -> Result<T, Faults> {
     let (mut needs, mut tried) = ([0.0_f64; 2], Vec::new());
     let (inner, mut far) = (format.inner_mm(), false);
     let beside = PARTS.into_iter().filter(|part| *part >= LEAST_TYPE).map(|part| (part, false));
-    for (part, stacked) in beside.chain(PARTS.map(|part| (part, true))) {
+    let below = PARTS.into_iter().filter(|part| !alike || *part < LEAST_TYPE);
+    for (part, stacked) in beside.chain(below.map(|part| (part, true))) {
         let is_last = stacked && part <= LAST_PART;
         if far && !is_last {
             continue;
         }
-        let smaller = Smaller::of(w, part, &ByKind::default(), format)?;
-        if !smaller.is_new(&mut tried, stacked) {
+        let reduced = Reduced::of(w, part, &ByKind::default(), format);
+        if !reduced.is_new(&mut tried, stacked) {
             continue;
         }
+        let smaller = reduced.drawn()?;
         match draw(&smaller.wanted(w.extras), stacked)? {
             Ok(made) => return Ok(made),
             Err(size) => {
@@ -283,7 +290,7 @@ fn grown(w: &FigureInput, part: f64, format: &PageFormat) -> Result<Option<Warne
         // rare.
         for larger in PARTS.into_iter().rev().filter(|p| *p > part) {
             let others = ByKind::default().with(on.kind(), Some(larger));
-            let tried = Smaller::of(w, part, &others, format)?;
+            let tried = Reduced::of(w, part, &others, format).drawn()?;
             let wanted = tried.wanted(w.extras);
             let fits = |width_mm: f64| width_mm <= format.inner_mm()[0];
             // Drawings with lines that are too wide need no names.
@@ -306,7 +313,7 @@ fn grown(w: &FigureInput, part: f64, format: &PageFormat) -> Result<Option<Warne
     if parts == ByKind::default() {
         return Ok(None);
     }
-    let smaller = Smaller::of(w, part, &parts, format)?;
+    let smaller = Reduced::of(w, part, &parts, format).drawn()?;
     Ok(sheet_of(&smaller.wanted(w.extras), part, format).ok())
 }
 
@@ -380,32 +387,29 @@ pub fn to_part(
     part: f64,
 ) -> Option<(Scene, Worked)> {
     let extras = Extras::default();
-    let Smaller { scene, worked, .. } = Smaller::of(
-        &FigureInput { scene, worked, options, extras: &extras },
-        part,
-        &ByKind::default(),
-        &PageFormat::paper([0.0; 2]),
-    )
-    .ok()?;
-    Some((scene, worked?))
+    let w = FigureInput { scene, worked, options, extras: &extras };
+    let reduced = Reduced::of(&w, part, &ByKind::default(), &PageFormat::paper([0.0; 2]));
+    let Reduced { scene, worked, .. } = reduced.drawn().ok()?;
+    match worked {
+        Cow::Owned(worked) => Some((scene, worked)),
+        Cow::Borrowed(_) => None,
+    }
 }
 
 /// Everything for a figure at a given size factor.
-struct Smaller {
+struct Reduced<'a> {
     scene: Scene,
-    worked: Option<Worked>,
-    before: Worked,
+    /// The construction at the scales of `scene` once it is drawn; before, as it is given.
+    worked: Cow<'a, Worked>,
     options: SheetOptions,
+    /// True if the construction is drawn to other scales or on other paper than the given one.
+    again: bool,
 }
 
-impl Smaller {
-    /// Reduces the ink to this factor, and all diagrams except those with a factor in `others`.
-    fn of(
-        w: &FigureInput,
-        part: f64,
-        others: &ByKind,
-        format: &PageFormat,
-    ) -> Result<Smaller, Faults> {
+impl<'a> Reduced<'a> {
+    /// Reduces the ink to this factor, and the scales of all diagrams except those with a factor in
+    /// `others`. The construction is drawn by [`Reduced::drawn`].
+    fn of(w: &FigureInput<'a>, part: f64, others: &ByKind, format: &PageFormat) -> Reduced<'a> {
         let mut scene = w.scene.clone();
         // The size of the paper is checked here, so the sheet itself has no fixed size.
         scene.paper.size_mm = None;
@@ -423,8 +427,16 @@ impl Smaller {
             }
         }
         let again = part < 1.0 || w.scene.paper.size_mm.is_some();
-        let worked = if again { Some(w.worked.to_scales(&scene)?) } else { None };
-        Ok(Smaller { scene, worked, before: w.worked.clone(), options })
+        Reduced { scene, worked: Cow::Borrowed(w.worked), options, again }
+    }
+
+    /// Draws the construction to the scales.
+    fn drawn(self) -> Result<Reduced<'a>, Faults> {
+        if !self.again {
+            return Ok(self);
+        }
+        let worked = Cow::Owned(self.worked.to_scales(&self.scene)?);
+        Ok(Reduced { worked, ..self })
     }
 
     /// Returns false if the same has been tried: the scales of a series are coarser than the size
@@ -436,12 +448,7 @@ impl Smaller {
         is_new
     }
 
-    fn wanted<'a>(&'a self, extras: &'a Extras) -> FigureInput<'a> {
-        FigureInput {
-            scene: &self.scene,
-            worked: self.worked.as_ref().unwrap_or(&self.before),
-            options: &self.options,
-            extras,
-        }
+    fn wanted<'b>(&'b self, extras: &'b Extras) -> FigureInput<'b> {
+        FigureInput { scene: &self.scene, worked: &self.worked, options: &self.options, extras }
     }
 }

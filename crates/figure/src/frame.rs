@@ -5,16 +5,14 @@
 //! Both are one drawing, laid out once and then divided: what is given goes to the sheet, the
 //! vectors and letters of the polygons to the overlay.
 
-use std::cell::RefCell;
-
 use hodograph_base::diag::{Diagnostic, Faults, both};
 use hodograph_base::geom::{Point, Vec2};
-use hodograph_scene::{ByKind, DiagramKind, PageFormat};
+use hodograph_scene::{DiagramKind, PageFormat};
 
 use super::arrange::{SheetPieces, arrange_on};
 use super::fit::{first_that_fits, on_page};
 use super::list::FigureInput;
-use super::sheet::{SheetDrafter, SheetOptions};
+use super::sheet::SheetDrafter;
 use hodograph_paper::paper::drawing::DrawingPart;
 use hodograph_paper::paper::item::{Anchor, Colour, Figure, FigureItem, LineStroke, Shape};
 use hodograph_paper::paper::label::Label;
@@ -51,31 +49,21 @@ pub fn working_frame(w: &FigureInput, format: &PageFormat) -> Result<Vec<FramePa
         let help = both!("ask for velocities or accelerations in \"find\"");
         return Err(Diagnostic::error("no-figure", message).help(help).into());
     }
-    let drawn: RefCell<Vec<(ByKind, SheetOptions, LaidOut)>> = RefCell::default();
-    let draw = |most: usize| {
-        first_that_fits("frame", w, format, |w, stacked| {
-            // Pages arrange their drawings themselves; small drawings are for many pages only.
-            let few = most == 1;
-            if few && stacked {
-                return Ok(Err([f64::INFINITY; 2]));
+    // One page of legible type comes before larger drawings on several pages.
+    let mut several = None;
+    let found = first_that_fits("frame", w, format, true, |w, small| {
+        if small && let Some(pages) = several.take() {
+            return Ok(Ok(pages));
+        }
+        Ok(match laid_out(w, format) {
+            Ok(pages) if !small && pages.len() > 1 => {
+                several.get_or_insert(pages);
+                Err(format.inner_mm())
             }
-            let (scales, options) = (&w.scene.paper.scales, w.options);
-            let mut drawn = drawn.borrow_mut();
-            let made = match drawn.iter().find(|d| d.0 == *scales && d.1 == *options) {
-                Some((.., made)) => made.clone(),
-                None => {
-                    let made = laid_out(w, format);
-                    drawn.push((scales.clone(), options.clone(), made.clone()));
-                    made
-                }
-            };
-            Ok(match made {
-                Ok(pages) if pages.len() > most => Err(format.inner_mm()),
-                made => made,
-            })
+            made => made,
         })
-    };
-    draw(1).or_else(|_| draw(usize::MAX))
+    });
+    found.or_else(|faults| several.ok_or(faults))
 }
 
 /// Pages, or the size (mm) of a drawing that is larger than a page.

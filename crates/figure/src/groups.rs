@@ -112,7 +112,7 @@ pub(super) fn side_by_side(
             ..words_at("line", y, of, style.small_mm)
         });
     }
-    let title = match scene.title.get(lang) {
+    let title = match lang.of(&scene.title) {
         "" => heading.to_owned(),
         title => format!("{title}{}{heading}", tr!(lang, ": ")),
     };

@@ -145,7 +145,7 @@ pub fn figure(
     let heading_mm = 10.0;
     let width_mm = LEFT_MM + PLOT_MM[0] + RIGHT_MM;
     let height_mm = panels * panel_mm + heading_mm;
-    let title = scene.title.get(lang);
+    let title = lang.of(&scene.title);
     let subject = if ways.iter().any(|m| m.errors[1].is_some()) {
         tr!(lang, "accelerations")
     } else {

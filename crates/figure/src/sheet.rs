@@ -380,7 +380,7 @@ impl SheetDrafter<'_> {
     }
 
     pub fn title(&self) -> Option<DrawingPart> {
-        let title = self.scene.title.get(self.options.lang);
+        let title = self.options.lang.of(&self.scene.title);
         // A third larger than the captions: a heading without a bold face.
         (!title.is_empty()).then(|| {
             self.line("title", Label::text(title), self.options.style.caption_mm * 4.0 / 3.0)
@@ -474,7 +474,7 @@ impl SheetDrafter<'_> {
 
     /// The title of a page of several.
     pub fn page_title(&self, width_mm: f64, page: usize, pages: usize) -> Option<DrawingPart> {
-        let title = self.scene.title.get(self.options.lang);
+        let title = self.options.lang.of(&self.scene.title);
         let text = match page {
             1 => title.to_owned(),
             _ => say!(self.options.lang, "{title} ({page} of {pages})"),
@@ -492,7 +492,7 @@ impl SheetDrafter<'_> {
 
     /// The title of a figure.
     pub fn heading_words(&self) -> &str {
-        let title = self.scene.title.get(self.options.lang);
+        let title = self.options.lang.of(&self.scene.title);
         if title.is_empty() { DiagramKind::Plane.caption(self.options.lang) } else { title }
     }
 

@@ -93,7 +93,7 @@ pub fn text(
     };
     let widths = [width(0), width(1), width(2), width(3)];
     let mut out = String::new();
-    let title = scene.title.get(lang);
+    let title = lang.of(&scene.title);
     if !title.is_empty() {
         out.push_str(title);
         out.push('\n');

@@ -303,8 +303,7 @@ impl AttemptWords<'_> {
 
     /// Returns the reason for the mistake, in the author's words if there are any.
     pub fn why(&self, a: &Attempt) -> Phrase {
-        let said =
-            a.said.as_ref().and_then(|s| s.why.as_ref()).map(|w| w.get(self.lang).to_owned());
+        let said = a.said.as_ref().and_then(|s| s.why.as_ref()).map(|w| self.lang.of(w).to_owned());
         let why = a.site.why(self.scene);
         match said {
             Some(said) => Phrase::of_words(&said),
@@ -359,7 +358,7 @@ fn reproduced(row: &AttemptAnswer) -> bool {
 /// Returns the report as text.
 pub fn text(words: &AttemptWords, all: &[Attempt]) -> String {
     let mut lines = Vec::new();
-    let title = words.scene.title.get(words.lang);
+    let title = words.lang.of(&words.scene.title);
     if !title.is_empty() {
         lines.push(title.to_owned());
     }

@@ -34,7 +34,7 @@ pub struct CentreWords<'a> {
 pub fn text(found: &Centres, lang: Lang) -> String {
     let w = CentreWords::new(found, lang);
     let mut lines = Vec::new();
-    let title = w.scene.title.get(lang);
+    let title = lang.of(&w.scene.title);
     if !title.is_empty() {
         lines.push(title.to_owned());
     }

@@ -46,7 +46,7 @@ pub fn text(
 ) -> String {
     let w = CompositeWords { scene, lang, notation };
     let mut lines = Vec::new();
-    let title = scene.title.get(lang);
+    let title = lang.of(&scene.title);
     if !title.is_empty() {
         lines.push(title.to_owned());
     }

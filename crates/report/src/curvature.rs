@@ -33,7 +33,7 @@ pub struct CurvatureWords<'a> {
 pub fn text(found: &LinkCurvatures, steps: bool, lang: Lang) -> String {
     let w = CurvatureWords { found, lang };
     let mut lines = Vec::new();
-    let title = found.scene.title.get(lang);
+    let title = lang.of(&found.scene.title);
     if !title.is_empty() {
         lines.push(title.to_owned());
     }

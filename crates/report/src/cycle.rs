@@ -216,7 +216,7 @@ impl MotionCycle {
     /// Returns the phases as text: a line for each output, then one for each of its phases.
     pub fn text(&self, scene: &Scene, lang: Lang) -> String {
         let mut out = String::new();
-        let title = scene.title.get(lang);
+        let title = lang.of(&scene.title);
         if !title.is_empty() {
             out += &format!("{title}\n");
         }

@@ -13,7 +13,7 @@ use serde_json::{Value as Json, json};
 /// Returns the report as text: a line for each ground, then the motion of each over the full range.
 pub fn text(scene: &Scene, all: &[Inversion], lang: Lang) -> String {
     let mut out = String::new();
-    let title = scene.title.get(lang);
+    let title = lang.of(&scene.title);
     if !title.is_empty() {
         out.push_str(&format!("{title}\n"));
     }

@@ -31,7 +31,7 @@ pub fn text(scene: &Scene, driver: usize, limits: &MotionLimits, lang: Lang) -> 
         out.push_str(&text);
         out.push('\n');
     };
-    let title = scene.title.get(lang);
+    let title = lang.of(&scene.title);
     if !title.is_empty() {
         line(title.to_owned());
     }

@@ -42,7 +42,7 @@ impl<'a> LoopWords<'a> {
     /// Returns the report as text.
     pub fn text(&self) -> String {
         let mut lines = Vec::new();
-        let title = self.scene.title.get(self.lang);
+        let title = self.lang.of(&self.scene.title);
         if !title.is_empty() {
             lines.extend([title.to_owned(), String::new()]);
         }

@@ -315,7 +315,7 @@ pub fn text(
         out.push('\n');
     };
     let say = |b: Both| if lang == Lang::Zh { b.zh } else { b.en };
-    let title = scene.title.get(lang);
+    let title = lang.of(&scene.title);
     if !title.is_empty() {
         line(title.to_owned());
     }

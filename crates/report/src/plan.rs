@@ -25,7 +25,7 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &PlanWriter, forces: Option<&ForceW
         out.push('\n');
     };
     let lang = w.lang;
-    let title = scene.title.get(lang);
+    let title = lang.of(&scene.title);
     if !title.is_empty() {
         line(title.to_string());
     }

@@ -78,7 +78,7 @@ pub fn text(scene: &Scene, ways: &[MethodMeasurement], lang: Lang) -> String {
         };
         rows.push(vec![name(m.way, lang), both(0), both(1), time(m.seconds)]);
     }
-    let title = scene.title.get(lang);
+    let title = lang.of(&scene.title);
     let note = tr!(
         lang,
         "worst relative error of the answers against 512-bit arithmetic; on paper the median of 400 drawings (95 %); certified: the bound; time: median of a whole solution from positions to answers"

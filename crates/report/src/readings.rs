@@ -137,7 +137,7 @@ pub fn text(all: &[SolvedReading], lang: Lang) -> String {
     let line = |row: &Vec<String>| {
         format!("{}\n", row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ").trim_end())
     };
-    let title = all.first().map_or("", |r| r.scene.title.get(lang));
+    let title = all.first().map_or("", |r| lang.of(&r.scene.title));
     let mut out = if title.is_empty() { String::new() } else { format!("{title}\n") };
     out.extend(rows.iter().map(line));
     out +=

@@ -10,12 +10,12 @@ use super::decode;
 use super::eval::{DimensionedValue, NoValue, evaluate};
 use super::expr::{Expr, ExprKind};
 use super::folded::Folded;
-use super::model::{Lang, Localized, Paper};
+use super::model::{Lang, Paper};
 use super::raw::{RawQuantity, RawScene};
 use super::resolve;
 use super::units::{Dim, RequiredQuantity};
 use super::values::Values;
-use hodograph_base::diag::{Diagnostic, Faults, Span, both};
+use hodograph_base::diag::{Both, Diagnostic, Faults, Span, both};
 use hodograph_base::json::Node;
 use hodograph_base::json::fields::FaultSubject;
 use hodograph_base::number::{Jet, Real};
@@ -39,7 +39,7 @@ pub struct Front<'a> {
     raw: &'a RawScene,
     values: Values<'a>,
     /// The file's title, if it has one.
-    pub title: Option<Localized>,
+    pub title: Option<Both>,
     /// Its language, if it names one.
     pub language: Option<Lang>,
     /// Paper and scales.
@@ -145,18 +145,13 @@ impl<'a> Front<'a> {
     }
 
     /// Returns a text, or one in each language.
-    pub fn localized(
-        &self,
-        node: &Node,
-        what: &'static str,
-        faults: &mut Faults,
-    ) -> Option<Localized> {
+    pub fn localized(&self, node: &Node, what: &'static str, faults: &mut Faults) -> Option<Both> {
         resolve::localized(&decode::localized(node, what, decode::MAX_STATEMENT, faults))
     }
 
     /// Returns a problem statement with the values of the parameters inserted as written: `{r}` is
     /// the value of `r`.
-    pub fn statement(&self, node: &Node, faults: &mut Faults) -> Option<Localized> {
+    pub fn statement(&self, node: &Node, faults: &mut Faults) -> Option<Both> {
         let text = self.localized(node, "\"statement\"", faults)?;
         let shown = |value: &str| match value.strip_suffix(" deg") {
             Some(degrees) => format!("{degrees}°"),
@@ -167,7 +162,7 @@ impl<'a> Front<'a> {
                 s.replace(&format!("{{{name}}}"), &shown(value))
             })
         };
-        Some(Localized { en: fill(&text.en), zh: fill(&text.zh) })
+        Some(Both { en: fill(&text.en), zh: fill(&text.zh) })
     }
 
     /// Returns the notation profile that the file names.

@@ -10,7 +10,7 @@ use super::rolling::{Rolling, RollingId};
 use super::source::Source;
 use super::statement::Statement;
 use super::units::Unit;
-use hodograph_base::diag::Span;
+use hodograph_base::diag::{Both, Span};
 use hodograph_base::kind::{ByKind, Kind};
 
 pub use super::cams::{Cam, Follows, Pieces, TurningCam};
@@ -33,25 +33,6 @@ pub struct LinkId(pub usize);
 /// Index into [`Scene::guides`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct GuideId(pub usize);
-
-/// A text in both languages; a text given in one language serves for both.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Localized {
-    /// English.
-    pub en: String,
-    /// Chinese.
-    pub zh: String,
-}
-
-impl Localized {
-    /// Returns the text in one language.
-    pub fn get(&self, lang: Lang) -> &str {
-        match lang {
-            Lang::En => &self.en,
-            Lang::Zh => &self.zh,
-        }
-    }
-}
 
 /// A quantity as the scene writes it, with its SI value and its place in the file.
 #[derive(Clone, Debug, PartialEq)]
@@ -335,7 +316,7 @@ pub struct Attempted {
     /// Printed results, each with its question; of a vector the magnitude.
     pub printed: Vec<(Find, GivenQuantity)>,
     /// The author's explanation of the mistake.
-    pub why: Option<Localized>,
+    pub why: Option<Both>,
     /// Place in the file.
     pub span: Span,
 }
@@ -369,7 +350,7 @@ impl Paper {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     /// Title.
-    pub title: Localized,
+    pub title: Both,
     /// The problem statement, if the file has one.
     pub statement: Option<Statement>,
     /// Named parameters with their SI values, as written.

@@ -1,7 +1,6 @@
 //! Templates: complete scenes in the program, with parameters that can be set.
 
 use super::front::TIME;
-use super::model::Localized;
 use super::{decode, expr};
 use hodograph_base::diag::{Both, Diagnostic, Faults, Span, both};
 use hodograph_base::json::fields::suggest;
@@ -14,7 +13,7 @@ pub struct SceneTemplate {
     /// Its name in commands, such as `crank-rocker`.
     pub name: &'static str,
     /// Its title.
-    pub title: Localized,
+    pub title: Both,
     /// Its parameters with their values as written, in the order of the file.
     pub parameters: Vec<(String, String)>,
 }
@@ -28,7 +27,7 @@ pub fn list() -> Vec<SceneTemplate> {
             let mut faults = Faults::default();
             let title = match super::read(text) {
                 Ok(scene) => scene.value.title,
-                Err(_) => Localized::default(),
+                Err(_) => Both::default(),
             };
             let parameters = parameters(text, &mut faults)
                 .into_iter()

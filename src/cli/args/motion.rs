@@ -1,7 +1,8 @@
 //! Further arguments: what moves, and those of the commands that draw a motion.
 
 use super::{ClapArgs, CommonArgs, FigureFormat, LookArgs, dpi, seconds};
-use crate::cli::values::{ComparisonFormat, CycleForm, MotionFormat};
+use crate::cli::values::{ComparisonFormat, MotionFormat, cycle_forms};
+use crate::figure::cycle::CycleForm;
 
 /// The motion from pose to pose.
 #[derive(ClapArgs, Debug)]
@@ -131,7 +132,7 @@ pub struct CycleArgs {
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub find: Vec<String>,
     /// Form of the diagram
-    #[arg(long, value_enum, default_value_t = CycleForm::Bars)]
+    #[arg(long, value_parser = cycle_forms(), default_value = "bars")]
     pub form: CycleForm,
     #[command(flatten)]
     pub look: LookArgs,

@@ -1,7 +1,6 @@
 //! Arguments of the commands that report on a scene and take nothing more than how.
 
 use super::{ClapArgs, CommonArgs};
-use crate::cli::values::taper;
 
 #[derive(ClapArgs, Debug)]
 #[command(
@@ -133,10 +132,10 @@ pub struct TeethArgs {
     #[arg(long, value_name = "LEAST..MOST", default_value = "8..20")]
     pub helix: String,
     /// Number of stages of a train
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(2..=4))]
-    pub stages: Option<u8>,
+    #[arg(long, value_name = "N")]
+    pub stages: Option<usize>,
     /// Ratio of a stage over that of the next slower one
-    #[arg(long, value_name = "FACTOR", default_value_t = 1.3, value_parser = taper)]
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.3)]
     pub taper: f64,
     /// Greatest number of solutions, the best first
     #[arg(long, value_name = "N", default_value_t = 20)]

@@ -211,8 +211,8 @@ fn question(
     };
     let asked = variant.solved.mechanism().and_then(|(scene, worked)| {
         let r = worked.results.iter().find(|r| scene.find[r.find].text == text)?;
-        let (_, notation) = look.of(scene.language, scene.notation.as_deref());
-        Some((symbol(&scene.find[r.find], &look.style.marks.over(&notation)), r.value()))
+        let (_, notation) = look.marked(scene);
+        Some((symbol(&scene.find[r.find], &notation), r.value()))
     });
     let (letter, value) = asked.unwrap_or_else(|| (text.to_owned(), AnswerValue::Scalar(0.0)));
     let vector = matches!(value, AnswerValue::Vector(_));

@@ -51,7 +51,7 @@ impl OpenFile {
                     let file = bytes_of(format!("{stem}.{ending}"), &made.value);
                     json!({"ok": true, "files": [file], "notes": diagnostics(&made.notes, &self.text)})
                 }
-                Err(faults) => failed(&faults, &self.text),
+                Err(fault) => failed(&fault.into(), &self.text),
             };
         }
         match self.document(message, stem) {
@@ -150,7 +150,7 @@ impl OpenFile {
                 };
                 let Warned { value: table, notes } = whole::table(scene)?;
                 let lang = look.lang.unwrap_or_default();
-                let title = scene.title.get(lang);
+                let title = lang.of(&scene.title);
                 let format = Csv::new(TableHead::of(title, &table).in_language(lang));
                 let columns: Vec<&[f64]> =
                     table.columns.iter().map(|c| c.values.as_slice()).collect();

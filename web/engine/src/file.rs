@@ -33,10 +33,6 @@ pub struct OpenFile {
     notes: Vec<Diagnostic>,
 }
 
-/// The figures of the whole motion, which are none of [`list::LIST`]: diagrams of the answers, the
-/// motion cycle, the least base circle of a cam.
-const OF_MOTION: [&str; 3] = ["curves", "cycle", "cam-alpha"];
-
 /// Gives the mechanism a scale (m per mm), if it is one.
 fn hold_plane(scene: &mut Scene, mu: Option<f64>) {
     if mu.is_some_and(|mu| mu.is_finite() && mu > 0.0) {
@@ -85,7 +81,7 @@ impl OpenFile {
     fn title(&self, look: &Look) -> String {
         let both = |title: &Both, own| look.of(own, None).0.of(title).to_owned();
         match &self.problem {
-            Problem::Scene(scene) => scene.title.get(look.of(scene.language, None).0).to_owned(),
+            Problem::Scene(scene) => both(&scene.title, scene.language),
             Problem::Motion(problem) => both(&problem.title, problem.language),
             Problem::Equation(problem) => both(&problem.title, problem.language),
             Problem::Task(task) => both(&task.heading.title, task.language),
@@ -177,10 +173,8 @@ impl OpenFile {
                 Err(faults) => missing.extend(faults.list),
             }
         }
-        let named = |name: &&str| {
-            message["what"].as_array().is_some_and(|names| names.contains(&json!(name)))
-        };
-        for name in OF_MOTION.into_iter().filter(named) {
+        let named = message["what"].as_array().map_or(&[][..], Vec::as_slice);
+        for name in named.iter().filter_map(Json::as_str) {
             let made = self.of_motion(name, message, false);
             match made.map(|pages| self.written(name, pages?)).transpose() {
                 Ok(pages) => figures.extend(pages.into_iter().flatten()),
@@ -217,8 +211,9 @@ impl OpenFile {
         Ok(written)
     }
 
-    /// Draws a figure of the whole motion, the curves on pages of A4 if `paged`; `None` for another
-    /// name.
+    /// Draws a figure of the whole motion, which is none of [`list::LIST`]: diagrams of the answers
+    /// (on pages of A4 if `paged`), the motion cycle, the least base circle of a cam; `None` for
+    /// another name.
     pub fn of_motion(
         &self,
         name: &str,
@@ -237,9 +232,9 @@ impl OpenFile {
             })),
             "cam-alpha" => Some(self.with_cams(message, |cams, scene| {
                 let (lang, _) = look.of(scene.language, None);
-                let all = cams.iter().flat_map(|cam| cam.figures(&look.style, lang));
-                all.filter(|(word, _)| *word == name)
-                    .map(|(word, f)| (word.to_owned(), f))
+                cams.iter()
+                    .filter_map(|c| c.least_figure(&look.style, lang))
+                    .flat_map(alone)
                     .collect()
             })),
             _ => None,

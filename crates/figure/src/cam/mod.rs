@@ -97,7 +97,7 @@ fn station(report: &Report, k: usize, lang: Lang) -> String {
 
 /// The title of a figure: the scene's title, if any, and the kind of figure.
 fn heading(scene: &Scene, otherwise: &str, lang: Lang) -> String {
-    let title = scene.title.get(lang);
+    let title = lang.of(&scene.title);
     match (title.is_empty(), lang) {
         (true, _) => otherwise.to_owned(),
         (false, Lang::En) => format!("{title}: {otherwise}"),

@@ -90,7 +90,7 @@ fn page(
 ) -> Figure {
     let left_mm = LEFT_MM + (width_mm - LEFT_MM - PLOT_MM[0] - RIGHT_MM) / 2.0;
     let x = PlotAxis::of(&diagram.places, diagram.driver[1] == DEGREE, 12);
-    let heading = match (&diagram.legend, scene.title.get(lang)) {
+    let heading = match (&diagram.legend, lang.of(&scene.title)) {
         (Some(legend), _) => legend.heading.clone(),
         (None, "") => tr!(lang, "Motion").to_owned(),
         (None, title) => title.to_owned(),

@@ -121,7 +121,7 @@ pub fn polar(
         };
         DrawingPart::of(vec![FigureItem::new(id, shape).with_id(id)])
     };
-    let heading = scene.title.get(lang);
+    let heading = lang.of(&scene.title);
     let count = drawings.len();
     let rows = (0..count).collect::<Vec<_>>();
     let mut tree: Vec<Tree> = rows

@@ -4,13 +4,14 @@
 use hodograph_base::geom::{Point, Vec2};
 use hodograph_base::notation::Notation;
 use hodograph_board::plan::names::name_label;
+use hodograph_methods::inversions::evolution::DrivingCrank;
 use hodograph_paper::paper::drawing::Drawing;
 use hodograph_paper::paper::item::{Dash, Shape};
 use hodograph_paper::paper::label::Label;
 use hodograph_paper::paper::place::LabelRequest;
 use hodograph_paper::paper::style::Style;
 use hodograph_paper::paper::symbols as sym;
-use hodograph_scene::{GuideId, LinkId, PointId, Scene};
+use hodograph_scene::{GuideId, PointId, Scene};
 use hodograph_worked::worked::Worked;
 
 use super::{MechanismDraft, SAME_MM, SeriesFeatures};
@@ -27,7 +28,7 @@ pub fn eccentric(
     scene: &Scene,
     worked: &Worked,
     notation: &Notation,
-    (crank, [pivot, pin]): (LinkId, [PointId; 2]),
+    DrivingCrank { link, pivot, pin }: DrivingCrank,
 ) -> Drawing {
     let alone = SeriesFeatures::default();
     let mut draft = MechanismDraft::new(style, scene, worked, notation, &alone);
@@ -38,7 +39,7 @@ pub fn eccentric(
     };
     let radius_mm = axis.distance(centre) + BEYOND_MM;
     let ring_mm = axis.distance(centre) + AROUND_MM;
-    draft.forms[crank.0] = None;
+    draft.forms[link.0] = None;
     // The bar of the next link begins at the ring.
     let cut = |(from, to): (Point, Point)| {
         let from_ring = |at: Point, other: Point| match (other - at).unit() {
@@ -50,9 +51,9 @@ pub fn eccentric(
     for form in draft.forms.iter_mut().flatten() {
         form.bars.iter_mut().for_each(|bar| *bar = cut(*bar));
     }
-    let id = draft.link_id(crank.0);
+    let id = draft.link_id(link.0);
     draft.d.shape("ring", "link", sym::round_body(style, centre, ring_mm));
-    draft.d.of_link(Some(crank.0));
+    draft.d.of_link(Some(link.0));
     draft.d.shape(&id, "link", sym::round_body(style, centre, radius_mm));
     draft.d.of_link(None);
     let eccentricity =
@@ -63,7 +64,7 @@ pub fn eccentric(
     draft.everything();
     draft.numbers();
     let inside = centre + Vec2::new(0.0, -radius_mm * 0.6);
-    let number = Label::math(name_label(scene.link_name(crank)));
+    let number = Label::math(name_label(scene.link_name(link)));
     draft.d.label(&id, "number", LabelRequest::at_point(number, style.label_mm, inside, 0.0));
     draft.d
 }

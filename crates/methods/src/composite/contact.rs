@@ -12,6 +12,7 @@
 //! Another point is in contact at the next instant: the point is added to the scene in its pose
 //! ([`hodograph_worked::worked::contact`]).
 
+use super::equated::{equated, needs_second};
 use super::{
     ChoicePlace, ChoiceSolution, ChoiceVerdict, FrameChoice, choices, judge, solved, usable,
 };
@@ -156,6 +157,39 @@ impl ContactScene {
         level: Level,
     ) -> Result<Warned<(Worked, Vec<ChoiceSolution>)>, Faults> {
         solved(self, choices, level)
+    }
+
+    /// Returns the parts of the motion for these choices. A moving point whose motion only two frames
+    /// determine has its second frame directly after the first, if a choice gives one.
+    ///
+    /// # Errors
+    /// As [`ContactScene::solved`].
+    pub fn solved_with_second(
+        &self,
+        scene: &Scene,
+        choices: &[FrameChoice],
+        level: Level,
+    ) -> Result<Warned<(Worked, Vec<ChoiceSolution>)>, Faults> {
+        let alone = self.solved(choices, level)?;
+        let of_scene = self.choices(scene);
+        let mut all: Vec<FrameChoice> = Vec::new();
+        for s in &alone.value.1 {
+            all.push(s.choice);
+            let is_one = |c: &FrameChoice| {
+                c.verdict == ChoiceVerdict::Serves
+                    && c.of == s.choice.of
+                    && c.frame != s.choice.frame
+            };
+            if needs_second(s) && !choices.iter().any(is_one) {
+                all.extend(of_scene.iter().copied().find(is_one));
+            }
+        }
+        if all.len() == alone.value.1.len() {
+            return Ok(alone);
+        }
+        let both = self.solved(&all, level)?;
+        let more = equated(&both.value.1).len() > equated(&alone.value.1).len();
+        Ok(if more { both } else { alone })
     }
 
     /// Solves the scene with other questions.

@@ -34,17 +34,21 @@ pub struct EquatedProjection {
     pub terms: [Vec<(CompositePart, f64)>; 2],
 }
 
+/// Returns true for a solution whose equation has more than two unknowns, and could be set equal to
+/// that of the same point in a second frame.
+pub(super) fn needs_second(s: &ChoiceSolution) -> bool {
+    s.choice.verdict == ChoiceVerdict::Serves
+        && s.slip.is_none()
+        && s.known == KnownMotion::Transport
+        && s.closure == ChoiceUnknowns::Open
+}
+
 /// Returns the pairs of solutions that only together determine the motion of their moving point.
 pub fn equated(solved: &[ChoiceSolution]) -> Vec<EquatedFrames> {
     let mut out = Vec::new();
     for (k, first) in solved.iter().enumerate() {
         for (l, second) in solved.iter().enumerate().skip(k + 1) {
-            let open = [first, second].into_iter().all(|s| {
-                s.choice.verdict == ChoiceVerdict::Serves
-                    && s.slip.is_none()
-                    && s.known == KnownMotion::Transport
-                    && s.closure == ChoiceUnknowns::Open
-            });
+            let open = needs_second(first) && needs_second(second);
             if !open || first.choice.of != second.choice.of {
                 continue;
             }
@@ -109,8 +113,9 @@ mod tests {
         for phi in ["25 deg", "40 deg", "-50 deg"] {
             let scene = read(instantiate("two-slots", &[("phi_2", phi)]).unwrap()).unwrap().value;
             let staged = ContactScene::new(&scene);
-            let choices = staged.shown(&scene, 2);
-            let (_, solved) = staged.solved(&choices, level(&scene)).unwrap().value;
+            let choices = staged.shown(&scene, 1);
+            let (_, solved) =
+                staged.solved_with_second(&scene, &choices, level(&scene)).unwrap().value;
             let [pair] = &equated(&solved)[..] else { panic!("{phi}") };
             assert_eq!((pair.of, pair.projections.len()), ([0, 1], 4));
             for p in &pair.projections {

@@ -27,7 +27,7 @@ use hodograph_base::diag::{Both, Diagnostic, both};
 use hodograph_base::geom::Vec2;
 use hodograph_base::number::Real;
 use hodograph_scene::front::Law;
-use hodograph_scene::{Book, DiagramKind, Lang, Localized, Paper};
+use hodograph_scene::{Book, DiagramKind, Lang, Paper};
 
 /// The content of a file.
 #[derive(Clone, Debug)]
@@ -35,7 +35,7 @@ pub struct VectorEquation {
     /// The title.
     pub title: Both,
     /// The statement, with the values of its parameters inserted.
-    pub statement: Option<Localized>,
+    pub statement: Option<Both>,
     /// The language that the file names.
     pub language: Option<Lang>,
     /// The notation profile that the file names.

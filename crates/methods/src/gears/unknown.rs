@@ -26,7 +26,7 @@ pub struct WantedGear<'a> {
 }
 
 /// The link of a gear in mesh with another, and its number of teeth.
-pub type GearMate = (String, u64);
+pub type GearMate = (String, u32);
 
 /// A number of teeth with the value that it gives.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,7 +46,8 @@ pub struct FoundGear {
     pub wanted: f64,
     /// The kind of the quantity.
     pub kind: Kind,
-    /// The gears in mesh with it: their links and numbers of teeth.
+    /// The gears in mesh with it: their links and numbers of teeth, without those that follow its
+    /// own.
     pub mates: Vec<GearMate>,
     /// Numbers of teeth that give the value within its deviation, the best first.
     pub found: Vec<GearCandidate>,
@@ -77,13 +78,25 @@ pub fn unknown_teeth(text: &str, wish: &WantedGear) -> Result<FoundGear, Faults>
             (Kind::Omega, Some(edit::turning(wish.value)?))
         }
         Asked::Ratio(_) => (Kind::Number, wish.value.parse().ok().filter(|x: &f64| x.is_finite())),
-        _ => return Err(kinds(wish).into()),
+        Asked::Turning(_)
+        | Asked::PointMotion(_)
+        | Asked::Relative(_)
+        | Asked::Sliding(_)
+        | Asked::Composite(_)
+        | Asked::Place(_)
+        | Asked::Curvature(_)
+        | Asked::CamQuantity(_)
+        | Asked::FromCentre(_)
+        | Asked::InstantCentre(_)
+        | Asked::RollerSpin(_)
+        | Asked::Transmission(_)
+        | Asked::Force(_)
+        | Asked::Combined(_) => return Err(kinds(wish).into()),
     };
     let wanted = wanted.filter(|x| *x != 0.0).ok_or_else(|| kinds(wish))?;
     let mut root: Json = serde_json::from_str(text).map_err(|_| no_gear(wish))?;
-    let (places, mates) = meshes(&root, wish.gear);
-    let sizes: Vec<u64> =
-        places.iter().filter_map(|(k, end)| root["gears"][*k]["teeth"][*end].as_u64()).collect();
+    let (sizes, mut mates) = meshes(&scene, wish.gear);
+    let places = GearPlaces::of(&root, wish.gear);
     // The wheels of a compound gear have numbers of their own.
     if sizes.first().is_none_or(|first| sizes.iter().any(|z| z != first)) {
         return Err(no_gear(wish).into());
@@ -91,12 +104,14 @@ pub fn unknown_teeth(text: &str, wish: &WantedGear) -> Result<FoundGear, Faults>
     let mut all = Vec::new();
     let mut refused = None;
     for teeth in wish.teeth[0]..=wish.teeth[1] {
-        for (mesh, end) in &places {
-            root["gears"][*mesh]["teeth"][*end] = json!(teeth);
-        }
-        match value_of(&root.to_string(), wish.quantity) {
-            Ok(Some(value)) => all.push(GearCandidate { teeth, value }),
-            Ok(None) => {}
+        places.set(&mut root, teeth);
+        match solved(&root.to_string(), wish.quantity) {
+            Ok((changed, value)) => {
+                all.extend(value.map(|value| GearCandidate { teeth, value }));
+                // A mate whose number follows that of the gear has none to name.
+                let (_, now) = meshes(&changed, wish.gear);
+                mates.retain(|mate| now.contains(mate));
+            }
             Err(faults) => refused = refused.or(Some(faults)),
         }
     }
@@ -114,31 +129,71 @@ pub fn unknown_teeth(text: &str, wish: &WantedGear) -> Result<FoundGear, Faults>
 /// Deviations below this are rounding errors.
 const ROUNDING: f64 = 1e-9;
 
-/// Returns the meshes of a gear (mesh and end), and its mates.
-fn meshes(root: &Json, gear: &str) -> (Vec<(usize, usize)>, Vec<GearMate>) {
-    let (mut places, mut mates) = (Vec::new(), Vec::new());
-    let all = root["gears"].as_array().map_or(&[][..], Vec::as_slice);
-    for (k, mesh) in all.iter().enumerate() {
-        for end in [0, 1] {
-            let teeth = |end: usize| mesh["teeth"][end].as_u64();
-            if mesh["links"][end] == gear && teeth(end).is_some() {
-                places.push((k, end));
-                let other = mesh["links"][1 - end].as_str().unwrap_or_default();
-                mates.extend(teeth(1 - end).map(|z| (other.to_owned(), z)));
+/// Returns the numbers of teeth of a gear in its meshes, and its mates.
+fn meshes(scene: &Scene, gear: &str) -> (Vec<u32>, Vec<GearMate>) {
+    let (mut sizes, mut mates) = (Vec::new(), Vec::new());
+    for mesh in &scene.rolling {
+        let Some(flanks) = &mesh.flanks else { continue };
+        for (own, other) in [(0, 1), (1, 0)] {
+            if let Some(z) = flanks.teeth[own].filter(|_| scene.link_name(mesh.links[own]) == gear)
+            {
+                let mate = scene.link_name(mesh.links[other]).to_owned();
+                sizes.push(z);
+                mates.extend(flanks.teeth[other].map(|z| (mate, z)));
             }
         }
     }
-    (places, mates)
+    (sizes, mates)
 }
 
-/// Returns the value of a quantity; `None` if the pose has none.
-fn value_of(text: &str, quantity: &str) -> Result<Option<f64>, Faults> {
+/// The places of a file that hold the number of teeth of a gear.
+#[derive(Default)]
+struct GearPlaces {
+    /// Entries of `teeth`, each with the index of its mesh.
+    entries: Vec<(usize, usize)>,
+    /// Parameters that are entries of `teeth`.
+    parameters: Vec<String>,
+}
+
+impl GearPlaces {
+    fn of(root: &Json, gear: &str) -> GearPlaces {
+        let mut out = GearPlaces::default();
+        let all = root["gears"].as_array().map_or(&[][..], Vec::as_slice);
+        for (k, mesh) in all.iter().enumerate() {
+            let count = mesh["teeth"].as_array().map_or(0, Vec::len);
+            for end in (0..2).filter(|end| mesh["links"][*end] == gear) {
+                // A rack has no number of teeth, and its gear the only one.
+                let entry = if count == 1 { 0 } else { end };
+                match mesh["teeth"][entry].as_str().map(str::trim) {
+                    Some(name) if root["parameters"].get(name).is_some() => {
+                        out.parameters.push(name.to_owned());
+                    }
+                    Some(_) | None => out.entries.push((k, entry)),
+                }
+            }
+        }
+        out
+    }
+
+    fn set(&self, root: &mut Json, teeth: u32) {
+        for (mesh, entry) in &self.entries {
+            root["gears"][*mesh]["teeth"][*entry] = json!(teeth);
+        }
+        for name in &self.parameters {
+            root["parameters"][name] = json!(teeth);
+        }
+    }
+}
+
+/// Returns a scene with the value of a quantity; `None` if the pose has none.
+fn solved(text: &str, quantity: &str) -> Result<(Scene, Option<f64>), Faults> {
     let scene = read_asking(text, quantity)?.value;
     let worked = work(&scene, Scope::Questions)?.value;
-    Ok(worked.results.first().and_then(|r| match r.value() {
+    let value = worked.results.first().and_then(|r| match r.value() {
         AnswerValue::Scalar(x) => Some(x),
         AnswerValue::Vector(_) | AnswerValue::Point(_) => None,
-    }))
+    });
+    Ok((scene, value))
 }
 
 fn no_gear(wish: &WantedGear) -> Diagnostic {
@@ -201,6 +256,48 @@ mod tests {
         );
         let refused = unknown_teeth(&compound, &wish("omega_5", "3 rad/s")).unwrap_err();
         assert!(refused.list.iter().any(|d| d.code == "no-teeth"), "{refused:?}");
+    }
+
+    #[test]
+    fn named_teeth_are_found_and_quantities_of_the_name_follow() {
+        // R = r_s + 2 r_p: the ring's teeth follow those of the planet; i_23 = 1 + z_1/z_2.
+        let train = r#"{
+            "parameters": {"z_2": 30, "z_4": 21, "a": "(1 mm)*(z_2 + z_4)"},
+            "links": {"1": ["O"], "2": ["O"], "3": ["O", "P"], "4": ["P"]},
+            "ground": "1",
+            "points": {"O": [0, 0], "P": ["a", 0]},
+            "gears": [
+                {"links": ["2", "4"], "centres": ["O", "P"], "teeth": ["z_2", "z_4"], "module": "2 mm"},
+                {"links": ["4", "1"], "centres": ["P", "O"], "teeth": ["z_4", "z_2 + 2*z_4"], "module": "2 mm", "ring": "1"}
+            ],
+            "driver": {"link": "2", "omega": "1 rad/s"},
+            "find": ["i_23"]
+        }"#;
+        for (gear, teeth, value, mates) in
+            [("4", 45, "5", vec![("2", 30)]), ("2", 14, "5", vec![("4", 21)])]
+        {
+            let wish = WantedGear { gear, ..wish("i_23", value) };
+            let all = unknown_teeth(train, &wish).unwrap();
+            let found: Vec<u32> = all.found.iter().map(|c| c.teeth).collect();
+            assert_eq!(found, [teeth], "{gear}");
+            let mates: Vec<_> = mates.into_iter().map(|(link, z)| (link.to_owned(), z)).collect();
+            assert_eq!(all.mates, mates);
+        }
+    }
+
+    #[test]
+    fn the_gear_of_a_rack_has_the_only_number_of_teeth() {
+        let rack = r#"{
+            "links": {"1": ["A"], "2": ["A"]},
+            "ground": "1",
+            "points": {"A": [0, 0]},
+            "guides": [{"slider": "3", "on": "1", "through": [0, "-0.1 m"], "angle": "0 deg"}],
+            "gears": [{"links": ["3", "2"], "centres": ["A"], "teeth": [24], "module": "5 mm", "rack": "3", "angle": "0 deg", "at": "Q"}],
+            "driver": {"link": "2", "omega": "1 rad/s"},
+            "find": ["omega_2"]
+        }"#;
+        let wish = WantedGear { gear: "2", ..wish("omega_2", "1 rad/s") };
+        assert!(!unknown_teeth(rack, &wish).unwrap().found.is_empty());
     }
 
     #[test]

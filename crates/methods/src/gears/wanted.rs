@@ -115,9 +115,9 @@ fn helical(basic: &Basic, teeth: [u32; 2], wish: &WantedPair) -> Option<PairFit>
 pub struct WantedTrain {
     /// The total ratio, the product of those of the stages.
     pub ratio: f64,
-    /// The number of stages, 2 to 4.
+    /// The number of stages, within [`STAGES`].
     pub stages: usize,
-    /// The ratio of a stage over that of the next slower one.
+    /// The ratio of a stage over that of the next slower one, within [`TAPER`].
     pub taper: f64,
     /// The least and the greatest number of teeth.
     pub teeth: [u32; 2],
@@ -125,12 +125,17 @@ pub struct WantedTrain {
     pub within: f64,
 }
 
+/// Least and greatest number of stages of a train.
+pub const STAGES: [usize; 2] = [2, 4];
+/// Least and greatest ratio of a stage over that of the next slower one.
+pub const TAPER: [f64; 2] = [0.5, 2.0];
+
 /// Pinions of a train have at most so many teeth more than the least.
 const PINIONS: u32 = 8;
 /// The ratio of a stage differs from its share by at most this part.
 const SHARE: f64 = 0.05;
 /// Greatest number of pairs that are tried for a stage of trains of 2, 3 and 4 stages.
-const TRIED: [usize; 3] = [200, 60, 24];
+const TRIED: [usize; STAGES[1] - STAGES[0] + 1] = [200, 60, 24];
 
 /// Returns the share of each stage: i₁ = taper · i₂ = taper² · i₃ …, the fastest first.
 pub fn shares(wish: &WantedTrain) -> Vec<f64> {
@@ -144,7 +149,7 @@ pub fn shares(wish: &WantedTrain) -> Vec<f64> {
 /// The ratio of each stage is within 5 % of its share.
 pub fn stages(wish: &WantedTrain) -> Vec<Vec<[u32; 2]>> {
     let [least, most] = wish.teeth;
-    let tried = TRIED[wish.stages.clamp(2, 4) - 2];
+    let tried = TRIED[wish.stages.clamp(STAGES[0], STAGES[1]) - STAGES[0]];
     let mut found: Vec<(Vec<[u32; 2]>, f64)> = vec![(Vec::new(), 1.0)];
     for share in shares(wish) {
         let mut all = counts(share, SHARE, [least, most]);

@@ -42,8 +42,8 @@ pub struct EvolutionStage {
     pub worked: Worked,
     /// The link between the crank and the wanted motion: coupler, lever or block.
     pub follower: LinkId,
-    /// The crank with its pivot and pin.
-    pub crank: (LinkId, [PointId; 2]),
+    /// The crank.
+    pub crank: DrivingCrank,
     /// The length of the rocker (m), for [`EvolutionStep::FourBar`] and
     /// [`EvolutionStep::ArcSlider`].
     pub rocker: Option<f64>,
@@ -53,7 +53,7 @@ impl EvolutionStage {
     /// Returns the length of the crank (m).
     pub fn arm(&self) -> f64 {
         let at = &self.worked.configuration.points;
-        match self.crank.1.map(|p| at[p.0]) {
+        match [self.crank.pivot, self.crank.pin].map(|p| at[p.0]) {
             [Some(pivot), Some(pin)] => pivot.distance(pin),
             _ => 0.0,
         }
@@ -72,11 +72,15 @@ const LEVER: f64 = 0.4;
 /// A distance below this part of the mechanism is zero.
 const SMALL: f64 = 1e-9;
 
-/// The crank of the scene and the pin at which it moves the next link.
-struct DrivingCrank {
-    link: LinkId,
-    pivot: PointId,
-    pin: PointId,
+/// The crank of a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DrivingCrank {
+    /// The link.
+    pub link: LinkId,
+    /// The point at which it is pinned to the ground.
+    pub pivot: PointId,
+    /// The pin at which it moves the next link.
+    pub pin: PointId,
 }
 
 /// Returns the stages of a scene that is a four-bar, a slider-crank, or one of its inversions with a
@@ -353,9 +357,11 @@ impl Stages<'_> {
         let named = |name: &str| scene.points.iter().position(|p| p.name == name).map(PointId);
         let of_link = |name: &str| scene.links.iter().position(|l| l.name == name).map(LinkId);
         let [pivot, pin] = [crank.pivot, crank.pin].map(|p| named(self.scene.point_name(p)));
-        let found =
-            (|| Some((of_link(follower)?, (of_link(&self.link(crank.link))?, [pivot?, pin?]))))();
-        let (follower, crank) = found.ok_or_else(other)?;
+        let crank = (|| {
+            let link = of_link(&self.link(crank.link))?;
+            Some(DrivingCrank { link, pivot: pivot?, pin: pin? })
+        })();
+        let (follower, crank) = of_link(follower).zip(crank).ok_or_else(other)?;
         Ok(EvolutionStage { step, follower, crank, rocker, scene, worked })
     }
 }

@@ -15,7 +15,7 @@ use hodograph_base::kind::Kind;
 use hodograph_board::plan::names::name_label;
 use hodograph_mechanism::position::{Configuration, Path};
 use hodograph_scene::quantity::{Frame, PointMotion};
-use hodograph_scene::{Asked, CompositePoint, GuideId, LinkId, PointId, Scene, Through};
+use hodograph_scene::{Asked, CompositePoint, GuideId, GuidePath, LinkId, PointId, Scene, Through};
 use std::f64::consts::TAU;
 
 /// Equations of both coordinates and of their first and second derivatives.
@@ -85,7 +85,20 @@ pub fn motion_equations(scene: &Scene, at: &Configuration) -> MotionEquations {
                     want(of.point, None);
                 }
                 Asked::Composite(c) => want(c.of.point, Some(c.frame)),
-                _ => {}
+                Asked::PointMotion(_)
+                | Asked::Relative(_)
+                | Asked::Sliding(_)
+                | Asked::Turning(_)
+                | Asked::Place(_)
+                | Asked::Curvature(_)
+                | Asked::CamQuantity(_)
+                | Asked::FromCentre(_)
+                | Asked::InstantCentre(_)
+                | Asked::Ratio(_)
+                | Asked::RollerSpin(_)
+                | Asked::Transmission(_)
+                | Asked::Force(_)
+                | Asked::Combined(_) => {}
             }
         }
     }
@@ -299,9 +312,11 @@ impl<'a> ChainMaker<'a> {
         if l == self.base {
             return Some((None, 0.0));
         }
-        let slides = self.scene.guides.iter().find(|g| {
-            g.slider == Some(l) && matches!(g.path, hodograph_scene::GuidePath::Line { .. })
-        });
+        let slides = self
+            .scene
+            .guides
+            .iter()
+            .find(|g| g.slider == Some(l) && matches!(g.path, GuidePath::Line { .. }));
         let driver = self
             .scene
             .drivers
@@ -384,8 +399,9 @@ impl<'a> ChainMaker<'a> {
         match self.at.guides[g.0]? {
             Path::Line { direction, .. } => {
                 let from = match guide.path {
-                    hodograph_scene::GuidePath::Line { through: Through::Point(q), .. } => Some(q),
-                    _ => scene.links[guide.on.0].points.first().copied(),
+                    GuidePath::Line { through: Through::Point(q), .. } => Some(q),
+                    GuidePath::Line { through: Through::Pin | Through::At(_), .. }
+                    | GuidePath::Arc { .. } => scene.links[guide.on.0].points.first().copied(),
                 };
                 let from = from?;
                 let (place, corner) = (self.at.points[from.0]?, self.place(from)?);
@@ -405,8 +421,8 @@ impl<'a> ChainMaker<'a> {
             }
             Path::Arc { centre, radius } => {
                 let of_guide = match guide.path {
-                    hodograph_scene::GuidePath::Arc { centre, .. } => centre,
-                    hodograph_scene::GuidePath::Line { .. } => return None,
+                    GuidePath::Arc { centre, .. } => centre,
+                    GuidePath::Line { .. } => return None,
                 };
                 let corner = self.place(of_guide)?;
                 let here = self.turned(at - centre).angle();

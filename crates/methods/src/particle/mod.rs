@@ -36,7 +36,7 @@ pub use solve::{ParticleAnswer, ParticleSolution, ParticleValue, course, solve, 
 
 use hodograph_base::diag::{Both, Diagnostic};
 use hodograph_scene::front::Law;
-use hodograph_scene::{self as scene, Book, Lang, Localized, Paper};
+use hodograph_scene::{self as scene, Book, Lang, Paper};
 use law::{PathLaw, PlateRotation};
 
 /// The content of a file.
@@ -45,7 +45,7 @@ pub struct ParticleProblem {
     /// The title.
     pub title: Both,
     /// The statement, with the values of its parameters inserted.
-    pub statement: Option<Localized>,
+    pub statement: Option<Both>,
     /// The language that the file names.
     pub language: Option<Lang>,
     /// Names and values of the parameters as written.

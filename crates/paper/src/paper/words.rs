@@ -1,7 +1,7 @@
 //! The table of all words on figures, in both languages.
 
 use hodograph_base::diagram::DiagramKind;
-use hodograph_base::lang::Lang;
+use hodograph_base::lang::{Lang, tr};
 
 /// The words of one language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -110,107 +110,88 @@ pub struct Words {
     pub comma: &'static str,
 }
 
-const EN: Words = Words {
-    tag: "en",
-    centres: "Instantaneous centres",
-    circle_diagram: "Circle diagram",
-    curvature: "Pole, inflection circle, centres of curvature",
-    centrodes: "Centrodes",
-    fixed_moving: "solid: fixed; dashed: moving with the link",
-    composite_acceleration: "Acceleration of the moving point and its parts",
-    velocities: "Velocities",
-    accelerations: "Accelerations",
-    forces: "Forces",
-    results: "Results",
-    magnitude: "Magnitude",
-    direction: "Direction",
-    counter_clockwise: "counter-clockwise",
-    clockwise: "clockwise",
-    image: "image",
-    no_turning: "link {} does not turn",
-    trials: "lines of two trials",
-    special_point: "${S}$: point of link {} where {1} and {2} meet",
-    mate: "${X}$: where the bar ${}$ would have ${1}$; $\\delta$ is what the trial lacks",
-    common_point: "${S}$: common point of links {} and {3}, where {1} and {2} meet",
-    square_to_guide: "the normal to the guide at ${}$",
-    tangent_at: "the tangent at ${}$",
-    agreement: "Drawing and loop equations agree to {} digits.",
-    pencil: "By hand, marks within {} mm: results within ±{1} % (${symbol}$: ±{1} %).",
-    pencil_lost: "Drawn by hand, marks within {} mm: {1} cannot be read.",
-    uncertain: "{}: not all digits are certain, {why}",
-    by_hand: "±: drawn by hand, 95 % of the marks within {} mm.",
-    bad_angle: "${}$ is found under only ${1}$: a pencil error of {2} mm moves it {3}.",
-    by_mm: "by {} mm",
-    off_paper: "off the paper",
-    bad_larger: "Better: {} times as large, where every result is within 1 %.",
-    bad_special: "Better: the point of link {} where {1} and {2} meet; the lines cross under {3}° or more.",
-    bad_pose: "Better: the pose at ${driver} = {}\\degree$; the lines cross under {1}°.",
-    bad_turn: "Better: the pose with ${driver}$ turned by {}°; the lines cross under {1}°.",
-    computed: "from the loop equations",
-    longer: "from longer numbers",
-    change_point: "Change point of links {}: no lines cross on paper, see the loop equations.",
-    driver_at_limit: "The driver turns back, links {} in line: no lines cross on paper, see the loop equations.",
-    at_rest: "Dead centre of links {}: the driver stands, everything rests.",
-    other_motion: "The other motion: {}.",
-    repeats: "Dashed: {} only repeats what the others fix ({why}).",
-    repeats_alike: "Virtual constraint: {} only repeats what the others fix ({why}).",
-    along_velocity: "${v} \\perp {}$: {mm} mm off",
-    along_acceleration: "${a} = {w}^2/{}$: {mm} mm off",
-    no_vectors: "all vectors are zero, no scale",
-    semicolon: Lang::En.semicolon(),
-    comma: Lang::En.comma(),
-};
+const EN: Words = in_language(Lang::En);
+const ZH: Words = in_language(Lang::Zh);
 
-const ZH: Words = Words {
-    tag: "zh",
-    centres: "速度瞬心",
-    circle_diagram: "瞬心多边形",
-    curvature: "瞬心、拐点圆与曲率中心",
-    centrodes: "瞬心线",
-    fixed_moving: "实线：定瞬心线；虚线：动瞬心线",
-    composite_acceleration: "动点的加速度及其各分量",
-    velocities: "速度分析",
-    accelerations: "加速度分析",
-    forces: "力分析",
-    results: "结果",
-    magnitude: "大小",
-    direction: "方向",
-    counter_clockwise: "逆时针",
-    clockwise: "顺时针",
-    image: "影像",
-    no_turning: "构件 {} 作平动",
-    trials: "两次试作的直线",
-    special_point: "特殊点 ${S}$：构件 {} 上 {1} 与 {2} 的交点",
-    mate: "${X}$：按杆 ${}$ 的约束 ${1}$ 应在的位置，$\\delta$ 为该次试作的差值",
-    common_point: "特殊点 ${S}$：构件 {} 与 {3} 的公共点，即 {1} 与 {2} 的交点",
-    square_to_guide: "过 ${}$ 的导路垂线",
-    tangent_at: "过 ${}$ 的公切线",
-    agreement: "图解与解析结果有 {} 位数字一致。",
-    pencil: "手工作图（点误差不超过 {} mm）：各结果误差不超过 ±{1} %（${symbol}$：±{1} %）。",
-    pencil_lost: "手工作图（点误差不超过 {} mm）：图上读不出 {1}。",
-    uncertain: "{}：并非全部数字可靠，{why}",
-    by_hand: "±：手工作图的误差（95% 的点误差不超过 {} mm）。",
-    bad_angle: "求 ${}$ 的两线交角仅 ${1}$：{2} mm 的作图误差使该点{3}。",
-    by_mm: "偏移 {} mm",
-    off_paper: "移出图纸",
-    bad_larger: "改进：图形放大到 {} 倍，各结果的误差不超过 1%。",
-    bad_special: "改进：改取构件 {}（扩大）上 {1} 与 {2} 的交点为特殊点，交角不小于 {3}°。",
-    bad_pose: "改进：取 ${driver} = {}\\degree$ 时，交角为 {1}°。",
-    bad_turn: "改进：${driver}$ 再转过 {}° 时，交角为 {1}°。",
-    computed: "由解析法求得",
-    longer: "由高精度计算求得",
-    change_point: "构件 {} 处于运动不确定位置：图上两线重合，结果由解析法求得。",
-    driver_at_limit: "原动件在极限位置折返，构件 {} 共线：图上两线重合，结果由解析法求得。",
-    at_rest: "构件 {} 处于死点，原动件不动：各构件静止。",
-    other_motion: "另一种运动：{}。",
-    repeats: "虚线：{} 为虚约束（{why}）。",
-    repeats_alike: "{} 为虚约束（{why}）。",
-    along_velocity: "${v} \\perp {}$：偏差 {mm} mm",
-    along_acceleration: "${a} = {w}^2/{}$：偏差 {mm} mm",
-    no_vectors: "各矢量均为零，不需比例尺",
-    semicolon: Lang::Zh.semicolon(),
-    comma: Lang::Zh.comma(),
-};
+const fn in_language(lang: Lang) -> Words {
+    Words {
+        tag: lang.name(),
+        centres: tr!(lang, "Instantaneous centres"),
+        circle_diagram: tr!(lang, "Circle diagram"),
+        curvature: tr!(lang, "Pole, inflection circle, centres of curvature"),
+        centrodes: tr!(lang, "Centrodes"),
+        fixed_moving: tr!(lang, "solid: fixed; dashed: moving with the link"),
+        composite_acceleration: tr!(lang, "Acceleration of the moving point and its parts"),
+        velocities: tr!(lang, "Velocities"),
+        accelerations: tr!(lang, "Accelerations"),
+        forces: tr!(lang, "Forces"),
+        results: tr!(lang, "Results"),
+        magnitude: tr!(lang, "Magnitude"),
+        direction: tr!(lang, "Direction"),
+        counter_clockwise: tr!(lang, "counter-clockwise"),
+        clockwise: tr!(lang, "clockwise"),
+        image: tr!(lang, "image"),
+        no_turning: tr!(lang, "link {} does not turn"),
+        trials: tr!(lang, "lines of two trials"),
+        special_point: tr!(lang, "${S}$: point of link {} where {1} and {2} meet"),
+        mate: tr!(
+            lang,
+            "${X}$: where the bar ${}$ would have ${1}$; $\\delta$ is what the trial lacks"
+        ),
+        common_point: tr!(lang, "${S}$: common point of links {} and {3}, where {1} and {2} meet"),
+        square_to_guide: tr!(lang, "the normal to the guide at ${}$"),
+        tangent_at: tr!(lang, "the tangent at ${}$"),
+        agreement: tr!(lang, "Drawing and loop equations agree to {} digits."),
+        pencil: tr!(
+            lang,
+            "By hand, marks within {} mm: results within ±{1} % (${symbol}$: ±{1} %)."
+        ),
+        pencil_lost: tr!(lang, "Drawn by hand, marks within {} mm: {1} cannot be read."),
+        uncertain: tr!(lang, "{}: not all digits are certain, {why}"),
+        by_hand: tr!(lang, "±: drawn by hand, 95 % of the marks within {} mm."),
+        bad_angle: tr!(
+            lang,
+            "${}$ is found under only ${1}$: a pencil error of {2} mm moves it {3}."
+        ),
+        by_mm: tr!(lang, "by {} mm"),
+        off_paper: tr!(lang, "off the paper"),
+        bad_larger: tr!(lang, "Better: {} times as large, where every result is within 1 %."),
+        bad_special: tr!(
+            lang,
+            "Better: the point of link {} where {1} and {2} meet; the lines cross under {3}° or more."
+        ),
+        bad_pose: tr!(
+            lang,
+            "Better: the pose at ${driver} = {}\\degree$; the lines cross under {1}°."
+        ),
+        bad_turn: tr!(
+            lang,
+            "Better: the pose with ${driver}$ turned by {}°; the lines cross under {1}°."
+        ),
+        computed: tr!(lang, "from the loop equations"),
+        longer: tr!(lang, "from longer numbers"),
+        change_point: tr!(
+            lang,
+            "Change point of links {}: no lines cross on paper, see the loop equations."
+        ),
+        driver_at_limit: tr!(
+            lang,
+            "The driver turns back, links {} in line: no lines cross on paper, see the loop equations."
+        ),
+        at_rest: tr!(lang, "Dead centre of links {}: the driver stands, everything rests."),
+        other_motion: tr!(lang, "The other motion: {}."),
+        repeats: tr!(lang, "Dashed: {} only repeats what the others fix ({why})."),
+        repeats_alike: tr!(
+            lang,
+            "Virtual constraint: {} only repeats what the others fix ({why})."
+        ),
+        along_velocity: tr!(lang, "${v} \\perp {}$: {mm} mm off"),
+        along_acceleration: tr!(lang, "${a} = {w}^2/{}$: {mm} mm off"),
+        no_vectors: tr!(lang, "all vectors are zero, no scale"),
+        semicolon: lang.semicolon(),
+        comma: lang.comma(),
+    }
+}
 
 /// Returns the words of a language.
 pub const fn words(lang: Lang) -> &'static Words {

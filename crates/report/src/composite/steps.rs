@@ -96,7 +96,9 @@ impl CompositeWords<'_> {
             Vec::new(),
             match on {
                 DiagramKind::Velocity => say!(lang, "The velocities: {equation}."),
-                _ => say!(lang, "The accelerations: {equation}."),
+                DiagramKind::Acceleration | DiagramKind::Plane | DiagramKind::Force => {
+                    say!(lang, "The accelerations: {equation}.")
+                }
             },
         ));
         for (part, value) in known {
@@ -111,7 +113,9 @@ impl CompositeWords<'_> {
                 DiagramKind::Velocity => {
                     say!(lang, "The parallelogram with the diagonal $v_{{a}}$ gives {values}.")
                 }
-                _ => say!(lang, "The lines of the unknown vectors close the polygon: {values}."),
+                DiagramKind::Acceleration | DiagramKind::Plane | DiagramKind::Force => {
+                    say!(lang, "The lines of the unknown vectors close the polygon: {values}.")
+                }
             },
         ));
     }

@@ -68,7 +68,7 @@ impl ForceWriter<'_> {
         let all = (!all.is_empty()).then(|| all.join(self.lang.semicolon()))?;
         Some(say!(
             self.lang,
-            "Friction, from polygons that are drawn again until the forces stand: {all}."
+            "Friction (force polygons repeated until the forces stay the same): {all}."
         ))
     }
 }

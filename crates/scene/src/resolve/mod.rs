@@ -151,7 +151,7 @@ fn zero(span: Span) -> GivenQuantity {
 
 /// The data that other files share with a scene.
 pub(super) struct SceneHeader {
-    pub title: Option<Localized>,
+    pub title: Option<Both>,
     pub language: Option<Lang>,
     pub paper: Paper,
     pub book: Book,
@@ -341,10 +341,10 @@ pub(super) fn width(quantity: &RawQuantity, source: &str, faults: &mut Faults) -
 }
 
 /// Returns a text in both languages; a text in one language serves for both.
-pub(super) fn localized(raw: &Option<RawLocalized>) -> Option<Localized> {
+pub(super) fn localized(raw: &Option<RawLocalized>) -> Option<Both> {
     let raw = raw.as_ref()?;
     let text = |word: &Option<Word>| word.as_ref().map(|w| w.text.clone());
     let en = text(&raw.en).or_else(|| text(&raw.zh))?;
     let zh = text(&raw.zh).unwrap_or_else(|| en.clone());
-    Some(Localized { en, zh })
+    Some(Both { en, zh })
 }
