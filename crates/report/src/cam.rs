@@ -34,6 +34,7 @@ pub struct Report<'a> {
     /// Survey of a full turn.
     pub survey: &'a CamSurvey,
     exact: numbers::KnownCams,
+    numbers: numbers::KnownNumbers,
 }
 
 impl<'a> Report<'a> {
@@ -44,7 +45,8 @@ impl<'a> Report<'a> {
         turning: &'a TurningCam,
         survey: &'a CamSurvey,
     ) -> Self {
-        Report { scene, cam, turning, survey, exact: numbers::KnownCams::default() }
+        let (exact, numbers) = Default::default();
+        Report { scene, cam, turning, survey, exact, numbers }
     }
 
     /// Returns the report of a cam; `None` for a cam without a profile over the whole turn, which

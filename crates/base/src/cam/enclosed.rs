@@ -2,17 +2,16 @@
 //! precision are solved again as roots, and the values follow from them.
 
 use super::exact::{ExactDisc, is_at, root};
-use super::least::least_base;
-use super::survey::sharpest;
-use super::turn::{DividedTurn, Peak};
+use super::survey::LeastBase;
+use super::turn::Peak;
 use super::{
-    Branch, CamMotion, CamStation, Disc, ExactCam, Follower, FollowerTip, PieceSide, PreparedDisc,
+    Branch, CamMotion, CamStation, Disc, ExactCam, Follower, FollowerTip, PieceSide,
     ProfileSegment, stations,
 };
 use crate::number::Real;
 
 /// An extreme of a turn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CamExtreme {
     /// Least (0) or greatest (1) s′.
     Rate(usize),
@@ -151,7 +150,7 @@ impl<N: Real> ExactCam<'_, N> {
     /// radius of the pitch curve equals that of the follower's end, or the follower just reaches
     /// its cam.
     pub fn least_base(&self) -> Option<N> {
-        let near = least_base(self.double)?;
+        let LeastBase { base: near, sharpest: peak } = self.survey.least_base(self.double)?;
         let zero = N::from_f64(0.0);
         let (radius, reach) = match (self.exact.disc.touch, self.exact.disc.follower) {
             (FollowerTip::Flat { .. }, _) => (zero, None),
@@ -166,8 +165,7 @@ impl<N: Real> ExactCam<'_, N> {
         if let Some(reach) = reach.filter(|r| (r.approx() - near).abs() <= BESIDE * near) {
             return Some(reach);
         }
-        let double = with_base(self.double, near)?;
-        let peak = sharpest(&DividedTurn::of(&PreparedDisc::of(&double)))?;
+        let peak = peak?;
         root(near, BESIDE * near, &|base| {
             let disc = with_base(&self.exact.disc, base)?;
             let place = ExactCam { exact: ExactDisc::new(disc.clone()), ..*self }.located(
@@ -184,7 +182,7 @@ impl<N: Real> ExactCam<'_, N> {
 }
 
 /// Returns the cam with the same law on another base circle.
-fn with_base<N: Real>(disc: &Disc<N>, base: N) -> Option<Disc<N>> {
+pub(super) fn with_base<N: Real>(disc: &Disc<N>, base: N) -> Option<Disc<N>> {
     let CamMotion::Law { program, .. } = &disc.motion else { return None };
     Some(Disc { motion: CamMotion::Law { base, program: program.clone() }, ..disc.clone() })
 }

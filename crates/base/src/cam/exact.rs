@@ -27,7 +27,7 @@ pub struct ExactCam<'a, N> {
 /// A disc in one kind of number, with the angles of its joints once they are asked for.
 pub struct ExactDisc<N> {
     pub(super) disc: Disc<N>,
-    ends: OnceLock<Vec<N>>,
+    ends: OnceLock<Vec<(f64, N)>>,
 }
 
 impl<N: Real> ExactDisc<N> {
@@ -37,13 +37,16 @@ impl<N: Real> ExactDisc<N> {
     }
 
     /// Returns the angles at which stages and pieces of their laws begin, or at which the follower's
-    /// position matches an end of a piece of the profile.
-    fn ends(&self) -> &[N] {
-        self.ends.get_or_init(|| match &self.disc.motion {
-            CamMotion::Law { program, .. } => program.corners(),
-            CamMotion::Profile(segments) => {
-                segments.iter().flat_map(|s| self.disc.ends(s)).collect()
-            }
+    /// position matches an end of a piece of the profile, each after its nearest double.
+    fn ends(&self) -> &[(f64, N)] {
+        self.ends.get_or_init(|| {
+            let ends: Vec<N> = match &self.disc.motion {
+                CamMotion::Law { program, .. } => program.corners(),
+                CamMotion::Profile(segments) => {
+                    segments.iter().flat_map(|s| self.disc.ends(s)).collect()
+                }
+            };
+            ends.into_iter().filter(|x| x.is_decided()).map(|x| (x.approx(), x)).collect()
         })
     }
 }
@@ -158,13 +161,11 @@ impl<'a, N: Real> ExactCam<'a, N> {
     /// Returns the exact angle of a joint: an end of a stage, of a piece of its law, or of a piece
     /// of the profile; otherwise the angle at which two pieces hold the follower equally far out.
     pub(super) fn joint(&self, phi: f64) -> Option<N> {
-        let off = |x: &N| in_half_turns(x.approx() - phi).abs();
-        let ends = self.exact.ends().iter().copied();
-        let end = ends
-            .filter(|x| x.is_decided() && off(x) <= THE_SAME)
-            .min_by(|a, b| off(a).total_cmp(&off(b)));
-        if let Some(x) = end {
-            return Some(x - whole_turns(libm::rint((x.approx() - phi) / TAU)));
+        let off = |(near, _): &&(f64, N)| in_half_turns(near - phi).abs();
+        let ends = self.exact.ends().iter();
+        let end = ends.filter(|x| off(x) <= THE_SAME).min_by(|a, b| off(a).total_cmp(&off(b)));
+        if let Some(&(near, x)) = end {
+            return Some(x - whole_turns(libm::rint((near - phi) / TAU)));
         }
         let [before, after] =
             [PieceSide::Before, PieceSide::After].map(|side| self.double.branch(phi, side));

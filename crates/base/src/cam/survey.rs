@@ -1,7 +1,8 @@
 //! A survey of a whole turn of a cam: strokes and their angles, extremes, shocks, least radius of
 //! curvature, undercut and the base circle that avoids it.
 
-use super::least::least_base_of;
+use super::enclosed::with_base;
+use super::least::{least_base, least_base_of};
 use super::program::{Jump, Shock};
 use super::turn::{DividedTurn, Ends, Peak, greatest, zero};
 use super::{CamMotion, CamStation, Disc, FollowerTip, PieceSide, PreparedDisc};
@@ -108,7 +109,23 @@ const JUMP: f64 = 1e-7;
 /// holds a disc keeps its survey beside it, since the disc is the same at every position of a
 /// motion.
 #[derive(Clone, Debug, Default)]
-pub struct Surveyed(Arc<OnceLock<CamSurvey>>);
+pub struct Surveyed(Arc<SurveyParts>);
+
+/// The parts of a survey, each computed on first use.
+#[derive(Debug, Default)]
+struct SurveyParts {
+    survey: OnceLock<CamSurvey>,
+    least_base: OnceLock<Option<LeastBase>>,
+}
+
+/// The least base circle without undercut.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LeastBase {
+    /// Its radius (m).
+    pub base: f64,
+    /// The least radius of the pitch curve or of the profile on it, see [`CamSurvey::sharpest`].
+    pub sharpest: Option<Peak>,
+}
 
 /// The survey follows from the disc and adds no information: two of them compare equal.
 impl PartialEq for Surveyed {
@@ -120,7 +137,25 @@ impl PartialEq for Surveyed {
 impl Surveyed {
     /// Returns the survey of the disc to which this value belongs.
     pub fn of(&self, disc: &Disc) -> &CamSurvey {
-        self.0.get_or_init(|| CamSurvey::of(disc))
+        self.0.survey.get_or_init(|| CamSurvey::of(disc))
+    }
+
+    /// Returns the least base circle of the disc; `None` as in [`least_base`].
+    pub(super) fn least_base(&self, disc: &Disc) -> Option<LeastBase> {
+        let found = || {
+            // An undercut is told with it.
+            let undercut = self.of(disc).faults.iter().find_map(|fault| match fault {
+                Fault::Undercut { least_base, .. } => Some(*least_base),
+                Fault::RollerTooLarge { .. } | Fault::Pressure { .. } | Fault::NoContact { .. } => {
+                    None
+                }
+            });
+            let base = undercut.unwrap_or_else(|| least_base(disc))?;
+            let there = with_base(disc, base)?;
+            let sharpest = sharpest(&DividedTurn::of(&PreparedDisc::of(&there)));
+            Some(LeastBase { base, sharpest })
+        };
+        *self.0.least_base.get_or_init(found)
     }
 }
 

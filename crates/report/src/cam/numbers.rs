@@ -12,10 +12,11 @@ use hodograph_worked::accuracy::{Climb, Rung};
 use serde_json::{Value as Json, json};
 use std::any::{Any, TypeId};
 use std::cell::RefCell;
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// A number of a cam.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CamNumber {
     /// Radius of the base circle.
     Base,
@@ -59,7 +60,7 @@ pub enum CamNumber {
 }
 
 /// A number at the instant.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Now {
     /// Cam angle.
     Phi,
@@ -74,7 +75,7 @@ pub enum Now {
 }
 
 /// Unit of a printed number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum PrintedUnit {
     /// SI unit.
     Si,
@@ -93,10 +94,10 @@ fn in_turn<N: Real>(angle: N) -> N {
 
 impl CamNumber {
     /// Returns the number in SI; cam angles are reduced to one turn.
-    fn of<N: Certain>(self, report: &Report) -> Option<N> {
+    fn of<N: Certain>(self, report: &Report, known: &KnownCam<N>) -> Option<N> {
         let turning = report.turning;
-        let KnownCam { exact, phi, rates: [w, a] } = report.exact.of::<N>(report.scene, turning)?;
-        let cam = ExactCam::new(&turning.disc, &turning.survey, exact);
+        let (phi, [w, a]) = (known.phi, known.rates);
+        let cam = ExactCam::new(&turning.disc, &turning.survey, Arc::clone(&known.exact));
         let speed = |order: usize| (0..order).fold(N::from_f64(1.0), |s, _| s * w.magnitude());
         let disc = cam.disc();
         let program = || match &disc.motion {
@@ -153,6 +154,42 @@ impl CamNumber {
             CamNumber::Now(now) => at_the_instant(now, &cam, (turning, phi), [w, a]),
         }
     }
+
+    /// Returns the numbers that are enclosed together with this one: those of all shocks that have
+    /// this unit, of all stages, or this one alone. A cam is read once for all of them.
+    fn together(self, unit: PrintedUnit, report: &Report) -> Vec<CamNumber> {
+        let jumps = || report.survey.jumps.iter().enumerate();
+        let stages = match &report.disc().motion {
+            CamMotion::Law { program, .. } => program.stages().len(),
+            CamMotion::Profile(_) => 0,
+        };
+        match self {
+            CamNumber::JumpAt(_) => jumps().map(|(k, _)| CamNumber::JumpAt(k)).collect(),
+            CamNumber::Jump(..) => jumps()
+                .filter(|(_, j)| unit == PrintedUnit::Lift(j.shock.order()))
+                .flat_map(|(k, _)| [0, 1].map(|side| CamNumber::Jump(k, side)))
+                .collect(),
+            CamNumber::JumpByPhi(..) => jumps()
+                .flat_map(|(k, _)| [0, 1].map(|side| CamNumber::JumpByPhi(k, side)))
+                .collect(),
+            CamNumber::Start(_) => (0..=stages).map(CamNumber::Start).collect(),
+            CamNumber::Gain(_) => (0..stages).map(CamNumber::Gain).collect(),
+            CamNumber::Base
+            | CamNumber::End
+            | CamNumber::Offset
+            | CamNumber::Distance
+            | CamNumber::Arm
+            | CamNumber::Stroke
+            | CamNumber::Phase(..)
+            | CamNumber::At(_)
+            | CamNumber::Most(_)
+            | CamNumber::ByPhi(_)
+            | CamNumber::Hollow
+            | CamNumber::HollowAt
+            | CamNumber::LeastBase
+            | CamNumber::Now(_) => vec![self],
+        }
+    }
 }
 
 fn at_the_instant<N: Real>(
@@ -207,21 +244,32 @@ impl KnownCams {
     }
 }
 
-/// A number of a report, to be evaluated in any number format, in its unit.
-struct EnclosedNumber<'a, 'b> {
+/// Numbers of a report, to be evaluated in any number format, in their unit.
+struct EnclosedNumbers<'a, 'b> {
     report: &'b Report<'a>,
-    which: CamNumber,
+    which: &'b [CamNumber],
     unit: PrintedUnit,
 }
 
-impl Climb for EnclosedNumber<'_, '_> {
-    type Found = Option<Enclosure>;
+impl Climb for EnclosedNumbers<'_, '_> {
+    type Found = Vec<Option<Enclosure>>;
 
     fn with<N: Certain + hodograph_mechanism::motion::MotionNumber>(&self) -> Self::Found {
-        let si: N = self.which.of(self.report)?;
-        self.report.in_unit(self.unit, si).enclosure()
+        let report = self.report;
+        let Some(known) = report.exact.of::<N>(report.scene, report.turning) else {
+            return vec![None; self.which.len()];
+        };
+        let one =
+            |which: &CamNumber| report.in_unit(self.unit, which.of(report, &known)?).enclosure();
+        self.which.iter().map(one).collect()
     }
 }
+
+/// A number of a report in its unit, and the digits for which it is enclosed.
+type EnclosureRequest = (CamNumber, PrintedUnit, usize);
+
+/// The numbers of a report that are enclosed.
+pub(super) type KnownNumbers = RefCell<HashMap<EnclosureRequest, Option<Enclosure>>>;
 
 /// Largest magnitude that counts as zero relative to the size of a cam.
 const NOTHING: f64 = 1e-25;
@@ -256,14 +304,27 @@ impl Report<'_> {
         unit: PrintedUnit,
         digits: usize,
     ) -> Option<Enclosure> {
-        let mut last = None;
+        if let Some(known) = self.numbers.borrow().get(&(which, unit, digits)) {
+            return known.clone();
+        }
+        let mut open = which.together(unit, self);
+        if !open.contains(&which) {
+            open.push(which);
+        }
         for rung in RUNGS {
-            last = rung.climb(&EnclosedNumber { report: self, which, unit }).or(last);
-            if last.as_ref().is_some_and(|e| e.holds(digits)) {
+            let found = rung.climb(&EnclosedNumbers { report: self, which: &open, unit });
+            let mut numbers = self.numbers.borrow_mut();
+            let mut found = found.into_iter();
+            open.retain(|which| {
+                let last = numbers.entry((*which, unit, digits)).or_default();
+                *last = found.next().flatten().or_else(|| last.take());
+                !last.as_ref().is_some_and(|e| e.holds(digits))
+            });
+            if open.is_empty() {
                 break;
             }
         }
-        last
+        self.numbers.borrow().get(&(which, unit, digits)).cloned().flatten()
     }
 
     /// Returns a number to at most `digits` digits, all of them correct; `None` if no digit is
