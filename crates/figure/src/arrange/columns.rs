@@ -4,6 +4,8 @@
 
 use super::{BoxDirection, GAP_MM, HEADING_AIR_MM, SheetLayout, Tree};
 
+/// The greatest number of parts: the time grows with its cube. No page holds more, in columns or not.
+const MOST_PARTS: usize = 100;
 /// Heights at which columns are set: their number, and their differences relative to the page.
 const HEIGHTS: usize = 100;
 const HEIGHT_STEP: f64 = 0.02;
@@ -18,6 +20,9 @@ impl SheetLayout {
         let lines = self.equations.iter().flatten();
         let order: Vec<usize> =
             self.drawings.iter().chain(lines).chain([&self.results]).copied().collect();
+        if order.len() > MOST_PARTS {
+            return Vec::new();
+        }
         let sizes: Vec<Vec<[f64; 2]>> = (1..=order.len())
             .map(|end| (0..end).map(|start| self.run_mm(&order[start..end])).collect())
             .collect();
