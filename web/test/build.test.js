@@ -14,10 +14,12 @@ async function empty(options) {
 function hand(page) {
   /** All acts are done, and the board shows the text. */
   const still = () => page.evaluate(async () => {
-    const { builder, editor } = window.hodograph
+    const { builder, editor, engine } = window.hodograph
     do {
       await new Promise((done) => setTimeout(done, 20))
       await builder.queue
+      // A value that is typed is written when the engine has read it.
+      while (engine.busy) await new Promise((r) => setTimeout(r, 5))
     } while (builder.text !== editor.text || builder.candidate !== null || builder.trying)
   })
   const pixel = async (x, y) => {
